@@ -1,0 +1,318 @@
+"""Incremental dynamic analysis: first collapse, survival map, q_robust, fragility (Eq. 10).
+
+Collapse is not monotone in the multiplier, so q exists only together with its search: one geometric
+grid q_k = q_start (1 + q_step)^k, shared by all runs of a study.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from core.errors import Cancelled
+from core.rocking import COLLAPSED, IMPACT_LIMIT, STABLE, Method, RockingModel, scan
+from core.units import G
+
+BRACKET = 1e-4
+"""Bisection ends when the bracket of q is narrower than this fraction."""
+
+SLV_FRACTION = 0.40
+SLC_FRACTION = 0.60
+"""Peak rotations over alpha of the limit states SLV and SLC (Circolare 7/2019, C8.7.1.2.1.6)."""
+
+ROBUST_SHARE = 0.16
+"""Share of collapsing grid points around q_robust [-]."""
+
+TRILINEAR_START = 0.5
+TRILINEAR_FLOOR = 0.05
+CHUNK = 16
+
+
+@dataclass(frozen=True)
+class Search:
+    """Settings of the search. q_step, robust_window (in ln q), map_span [-], q_limit [-]."""
+
+    q_step: float = 0.005
+    q_limit: float = 100.0
+    map_span: float = 2.0
+    robust_window: float = 0.10
+
+    @property
+    def half_window(self) -> int:
+        """Grid points on either side of the robust window."""
+        return round(self.robust_window / math.log1p(self.q_step))
+
+
+@dataclass(frozen=True)
+class Ida:
+    """Result of the search for one wall, record and polarity; a number is None where it has none.
+
+    status : collapse_found, no_collapse_found or impact_limit; q in bracket = (lo, hi), q = hi;
+    q_slv, q_slc : first peak at 0.40, 0.60 alpha; q_robust, q_last_survival, survived_fraction,
+    survival_windows : of the map, they depend on q_step; analyses : integrations made;
+    impact_limited : grid points of unknown outcome; clamped : impacts with Eq. 7 held at 0;
+    q_start, first_index, outcomes : the map, a digit of outcome.py per grid point.
+    """
+
+    status: str
+    q: float | None
+    bracket: tuple[float, float] | None
+    q_slv: float | None
+    q_slc: float | None
+    q_robust: float | None
+    q_last_survival: float | None
+    survived_fraction: float | None
+    survival_windows: tuple[tuple[float, float], ...]
+    analyses: int
+    impact_limited: int
+    clamped: int
+    q_start: float
+    first_index: int
+    outcomes: str
+
+
+class _Map:
+    """Outcomes and peaks on the grid, grown at both ends, and single analyses between its points."""
+
+    def __init__(self, ground, dt, pga, sign, model, method, search, cancelled):
+        self.ground, self.dt, self.model, self.method = ground, dt, model, method
+        self.search, self.cancelled = search, cancelled
+        self.rigid = model.plateau_end == 0.0
+        self.q_start = 1.0 if self.rigid else TRILINEAR_START
+        self.to_scale = sign * threshold_of(model) / pga
+        self.first = 0
+        self.outcomes = np.empty(0, np.int64)
+        self.peaks = np.empty(0)
+        self.analyses = 0
+        self.clamped = 0
+
+    def q_of(self, index: int) -> float:
+        return self.q_start * (1.0 + self.search.q_step) ** index
+
+    def index_below(self, q: float) -> int:
+        """Largest grid index with q_k <= q."""
+        index = math.floor(math.log(q / self.q_start) / math.log1p(self.search.q_step)) + 1
+        while self.q_of(index) > q:
+            index -= 1
+        return index
+
+    @property
+    def last(self) -> int:
+        return self.first + self.outcomes.size - 1
+
+    def analyse(self, q_values) -> tuple[np.ndarray, np.ndarray]:
+        """Outcomes and peaks at these q; below q = 1 a rigid wall rests, exactly."""
+        if self.cancelled():
+            raise Cancelled
+        q_values = np.asarray(q_values)
+        outcomes = np.full(q_values.size, STABLE)
+        peaks = np.zeros(q_values.size)
+        moves = q_values > 1.0 if self.rigid else np.full(q_values.size, True)
+        found, reached = np.empty(int(moves.sum()), np.int64), np.empty(int(moves.sum()))
+        scales = self.to_scale * q_values[moves]
+        self.clamped += scan(
+            self.method.code, self.method.option, self.ground, self.dt, scales, self.model,
+            found, reached,
+        )  # fmt: skip
+        self.analyses += scales.size
+        outcomes[moves], peaks[moves] = found, reached
+        return outcomes, peaks
+
+    def grow(self, first: int, last: int) -> None:
+        """Extend the map to grid points first..last, in chunks between which a cancel is seen."""
+        while self.last < last:
+            start = self.last + 1
+            stop = min(last, start + CHUNK - 1)
+            found, peaks = self.analyse([self.q_of(k) for k in range(start, stop + 1)])
+            self.outcomes = np.concatenate([self.outcomes, found])
+            self.peaks = np.concatenate([self.peaks, peaks])
+        while self.first > first:
+            start = max(first, self.first - CHUNK)
+            found, peaks = self.analyse([self.q_of(k) for k in range(start, self.first)])
+            self.outcomes = np.concatenate([found, self.outcomes])
+            self.peaks = np.concatenate([peaks, self.peaks])
+            self.first = start
+
+    def first_reaching(self, fraction: float) -> int | None:
+        """First grid index that collapses or whose peak reaches this fraction of alpha."""
+        hits = self.reaches(self.outcomes, self.peaks, fraction)
+        return self.first + int(np.argmax(hits)) if hits.any() else None
+
+    def reaches(self, outcomes, peaks, fraction: float):
+        reached = peaks >= fraction * self.model.slenderness
+        return (outcomes == COLLAPSED) | ((outcomes == STABLE) & reached)
+
+    def bisect(self, index: int, fraction: float) -> tuple[float, float] | None:
+        """Bracket of the first event between grid points index - 1 and index; None if a midpoint is
+        of unknown outcome."""
+        if index == self.first:
+            return self.q_of(index), self.q_of(index)
+        low, high = self.q_of(index - 1), self.q_of(index)
+        while high / low - 1.0 > BRACKET:
+            middle = 0.5 * (low + high)
+            outcomes, peaks = self.analyse([middle])
+            if outcomes[0] == IMPACT_LIMIT:
+                return None
+            if self.reaches(outcomes, peaks, fraction)[0]:
+                high = middle
+            else:
+                low = middle
+        return low, high
+
+
+def threshold_of(model: RockingModel) -> float:
+    """a_RM [m/s2] of the rigid law, Eq. 2: the denominator of q under every law."""
+    return G * math.tan(model.slenderness)
+
+
+def incremental_dynamic_analysis(
+    ground: np.ndarray,
+    dt: float,
+    pga: float,
+    sign: int,
+    model: RockingModel,
+    method: Method,
+    search: Search,
+    cancelled: Callable[[], bool] = lambda: False,
+) -> Ida:
+    """Search one run (PHYSICS: section 5).
+
+    ground : [m/s2], shape (n,); dt [s]; pga : of the unscaled record [m/s2]; sign : 1 as recorded, -1
+    reversed. Raises Cancelled between two chunks of analyses when `cancelled()` is true.
+    """
+    grid = _Map(ground, dt, pga, sign, model, method, search, cancelled)
+    half = search.half_window
+    limit = grid.index_below(search.q_limit)
+    grid.grow(0, 0)
+    if not grid.rigid:
+        _descend(grid, half)
+    collapse = None
+    while collapse is None and grid.last < limit:
+        grid.grow(grid.first, min(limit, grid.last + CHUNK))
+        collapse = grid.first_reaching(math.inf)
+    before = grid.outcomes[: collapse - grid.first] if collapse is not None else grid.outcomes
+    bracket = None
+    if (before == IMPACT_LIMIT).any():
+        return _result(grid, "impact_limit", None, None)
+    if collapse is None:
+        return _result(grid, "no_collapse_found", None, None)
+    bracket = grid.bisect(collapse, math.inf)
+    if bracket is None:
+        return _result(grid, "impact_limit", None, None)
+    grid.grow(grid.first, min(limit, max(grid.last, grid.index_below(search.map_span * bracket[1]))))
+    while (robust := _robust_index(grid, half)) is None and grid.last < limit:
+        grid.grow(grid.first, min(limit, grid.last + max(half, 1)))
+    return _result(grid, "collapse_found", bracket, robust)
+
+
+def _descend(grid: _Map, half: int) -> None:
+    """Extend a trilinear map downwards until a whole robust window survives below it."""
+    floor = grid.index_below(TRILINEAR_FLOOR) + 1
+    grid.grow(max(floor, -half), 0)
+    width = half + 1
+    while grid.first > floor:
+        low = slice(0, width)
+        if not grid.reaches(grid.outcomes[low], grid.peaks[low], SLV_FRACTION).any():
+            break
+        width = 2 * half + 1
+        grid.grow(max(floor, grid.first - half - 1), grid.last)
+
+
+def collapse_share(collapsed: np.ndarray, half: int) -> np.ndarray:
+    """Share of collapsing points within +-half points of each point; the ends count as surviving."""
+    total = np.concatenate([[0], np.cumsum(collapsed)])
+    index = np.arange(collapsed.size)
+    low = np.maximum(index - half, 0)
+    high = np.minimum(index + half, collapsed.size - 1)
+    return (total[high + 1] - total[low]) / (2 * half + 1)
+
+
+def _robust_index(grid: _Map, half: int) -> int | None:
+    """Smallest grid index whose whole window holds a share >= 0.16 of collapsing points."""
+    share = collapse_share(grid.outcomes == COLLAPSED, half)
+    whole = share[: grid.outcomes.size - half]
+    hits = np.nonzero(whole >= ROBUST_SHARE)[0]
+    return grid.first + int(hits[0]) if hits.size else None
+
+
+def _result(grid: _Map, status: str, bracket, robust: int | None) -> Ida:
+    found = status == "collapse_found"
+    limits = {}
+    for name, fraction in (("q_slv", SLV_FRACTION), ("q_slc", SLC_FRACTION)):
+        index = grid.first_reaching(fraction) if status != "impact_limit" else None
+        edges = grid.bisect(index, fraction) if index is not None else None
+        limits[name] = edges[1] if edges else None
+    windows, last, fraction = [], None, None
+    if found:
+        survives = grid.outcomes == STABLE
+        start = int(np.argmax(grid.outcomes == COLLAPSED))
+        last_index = int(np.nonzero(survives)[0][-1]) if survives.any() else None
+        last = grid.q_of(grid.first + last_index) if last_index is not None else None
+        known = grid.outcomes[start : (last_index or 0) + 1]
+        known = known[known != IMPACT_LIMIT]
+        fraction = float((known == STABLE).mean()) if known.size else 0.0
+        windows = [
+            (grid.q_of(grid.first + a), grid.q_of(grid.first + b))
+            for a, b in _runs(survives)
+            if a > start
+        ]
+    return Ida(
+        status=status,
+        q=bracket[1] if bracket else None,
+        bracket=bracket,
+        **limits,
+        q_robust=grid.q_of(robust) if robust is not None else None,
+        q_last_survival=last,
+        survived_fraction=fraction,
+        survival_windows=tuple(windows),
+        analyses=grid.analyses,
+        impact_limited=int((grid.outcomes == IMPACT_LIMIT).sum()),
+        clamped=grid.clamped,
+        q_start=grid.q_start,
+        first_index=grid.first,
+        outcomes="".join(map(str, grid.outcomes)),
+    )
+
+
+def _runs(flags: np.ndarray) -> list[tuple[int, int]]:
+    """First and last index of each unbroken run of true flags."""
+    edges = np.diff(np.concatenate([[0], flags.astype(int), [0]]))
+    starts, stops = np.nonzero(edges == 1)[0], np.nonzero(edges == -1)[0]
+    return [(int(a), int(b) - 1) for a, b in zip(starts, stops, strict=True)]
+
+
+@dataclass(frozen=True)
+class Fragility:
+    """q at which 5, 16 and 50 % of the n runs of a wall collapse within +-robust_window; the
+    resolution is 1/n. None where the q lies above q_limit."""
+
+    q_05: float | None
+    q_16: float | None
+    q_50: float | None
+    n: int
+
+
+def fragility(runs: list[Ida], search: Search) -> Fragility | None:
+    """Fragility over the runs with a map; above its end a map collapses, below it survives."""
+    runs = [run for run in runs if run.status != "impact_limit"]
+    if not runs:
+        return None
+    half = search.half_window
+    first = min(run.first_index for run in runs) - half
+    last = max(run.first_index + len(run.outcomes) for run in runs) + half
+    mean = np.zeros(last - first + 1)
+    for run in runs:
+        collapsed = np.zeros(mean.size)
+        start = run.first_index - first
+        stop = start + len(run.outcomes)
+        collapsed[start:stop] = [digit == str(COLLAPSED) for digit in run.outcomes]
+        collapsed[stop:] = 1.0
+        mean += collapse_share(collapsed, half)
+    mean /= len(runs)
+    values = []
+    for level in (0.05, 0.16, 0.50):
+        index = first + int(np.argmax(mean >= level))
+        q = runs[0].q_start * (1.0 + search.q_step) ** index
+        values.append(q if (mean >= level).any() and q <= search.q_limit else None)
+    return Fragility(*values, n=len(runs))

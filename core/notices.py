@@ -1,0 +1,129 @@
+"""Warnings as data: a code with its values, and the sentence in each language."""
+
+from dataclasses import dataclass
+
+SENTENCES = {
+    "large_pga": (
+        "PGA {pga:.3g} g is above 2 g: check the unit.",
+        "PGA {pga:.3g} g oltre 2 g: verificare l'unità di misura.",
+    ),
+    "small_pga": (
+        "PGA {pga:.2g} g is below 0.001 g: check the unit.",
+        "PGA {pga:.2g} g sotto 0.001 g: verificare l'unità di misura.",
+    ),
+    "partial_last_line": (
+        "{found} samples of the {declared} declared: the last line is incomplete.",
+        "{found} campioni dei {declared} dichiarati: l'ultima riga è incompleta.",
+    ),
+    "surplus_dropped": (
+        "{count} surplus zeros or NaN at the end were dropped.",
+        "{count} zeri o NaN in eccesso alla fine sono stati ignorati.",
+    ),
+    "already_scaled": (
+        "The file says it is already scaled by {factor}.",
+        "Il file dichiara di essere già scalato per {factor}.",
+    ),
+    "peak_differs": (
+        "The peak read, {read:.4g}, differs from the {stated:.4g} stated in the file (same unit).",
+        "Il picco letto, {read:.4g}, differisce da {stated:.4g} dichiarato nel file (stessa unità).",
+    ),
+    "scaled": (
+        "Scaled by {scale:g} as asked.",
+        "Scalato per {scale:g} come richiesto.",
+    ),
+    "generated": (
+        "Made by the program (filtered noise, seed {seed}): for trials, not for a verification.",
+        "Generato dal programma (rumore filtrato, seme {seed}): per prove, non per verifiche.",
+    ),
+    "costa_above_housner": (
+        "costa_upper: 0.98 exceeds Eq. 4 above alpha 6.63 deg (here {alpha:.2f}).",
+        "costa_upper: 0.98 supera l'Eq. 4 oltre alpha 6.63° (qui {alpha:.2f}).",
+    ),
+    "hogan": (
+        "{model} on a one-sided wall is Hogan's hypothesis (1992): far less dissipation than Eq. 6.",
+        "{model} per oscillazione su un lato è l'ipotesi di Hogan (1992): "
+        "dissipa molto meno dell'Eq. 6.",
+    ),
+    "general_contact": (
+        "General block: Eq. 6 assumes the upper contact at 2 R cos(alpha) above the pivot.",
+        "Blocco generico: l'Eq. 6 assume il contatto superiore a 2 R cos(alpha) dalla cerniera.",
+    ),
+    "general_height": (
+        "General block: Eq. 15/16 use the equivalent height 2 R_eq cos(alpha) = {height:.2f} m.",
+        "Blocco generico: le Eq. 15/16 usano l'altezza equivalente "
+        "2 R_eq cos(alpha) = {height:.2f} m.",
+    ),
+    "trilinear_threshold": (
+        "Trilinear law: q keeps a_RM = g tan(alpha), although the wall starts to move at once and "
+        "its plateau is near {plateau:.2f} a_RM.",
+        "Legge trilineare: q mantiene a_RM = g tan(alpha), benché la parete si muova subito e il "
+        "plateau sia circa {plateau:.2f} a_RM.",
+    ),
+    "eq15_slenderness": (
+        "alpha {alpha:.2f} deg is outside the 3.1-11.3 deg Eq. 15/16 were fitted on.",
+        "alpha {alpha:.2f}° fuori dall'intervallo 3.1-11.3° di taratura delle Eq. 15/16.",
+    ),
+    "eq15_height": (
+        "H {height:.2f} m is outside the 3-11 m Eq. 15/16 were fitted on.",
+        "H {height:.2f} m fuori dall'intervallo 3-11 m di taratura delle Eq. 15/16.",
+    ),
+    "eq15_pga": (
+        "PGA {pga:.3f} g ({where}) is outside the 0.106-0.312 g Eq. 15/16 were fitted on.",
+        "PGA {pga:.3f} g ({where}) fuori dall'intervallo 0.106-0.312 g di taratura delle Eq. 15/16.",
+    ),
+    "eq15_model": (
+        "Eq. 15/16 were fitted with the rigid law and {fitted}; this wall uses {used}.",
+        "Le Eq. 15/16 sono tarate con legge rigida e {fitted}; questa parete usa {used}.",
+    ),
+    "si_from_records": (
+        "SI of the demand {si:.1f} cm is the mean of the records scaled to a_g S: from the records, "
+        "not independent of them.",
+        "SI della domanda {si:.1f} cm: media dei record scalati ad a_g S, non indipendente da essi.",
+    ),
+    "too_few": (
+        "{n} record(s) with a number: the minimum is taken, too few for a design value.",
+        "{n} record con un valore: si assume il minimo, troppo pochi per un valore di progetto.",
+    ),
+    "no_collapse": (
+        "{n} run(s) without collapse up to q = {limit:g}: left out of the set and counted.",
+        "{n} analisi senza collasso fino a q = {limit:g}: escluse dall'insieme e contate.",
+    ),
+    "incomplete": (
+        "The set is incomplete: {n} run(s) ended as impact_limit and have no number.",
+        "L'insieme è incompleto: {n} analisi terminate per limite di urti, senza valore.",
+    ),
+    "few_runs": (
+        "Fragility over {n} run(s): its resolution is 1/{n}.",
+        "Fragilità su {n} analisi: la risoluzione è 1/{n}.",
+    ),
+    "clamped": (
+        "Eq. 7 gave a negative velocity ratio {n} times in all analyses and was held at 0.",
+        "L'Eq. 7 ha dato un rapporto di velocità negativo {n} volte ed è stata posta a 0.",
+    ),
+    "only_robust": (
+        "The check passes on q_robust alone: first collapse does not pass.",
+        "La verifica è soddisfatta solo con q_robust: il primo collasso non la soddisfa.",
+    ),
+    "pga_too_small": (
+        "{n} record(s) must be scaled by more than 10 to reach collapse.",
+        "{n} record devono essere scalati oltre 10 volte per raggiungere il collasso.",
+    ),
+}
+"""Code -> (English, Italian)."""
+
+
+@dataclass(frozen=True)
+class Notice:
+    """A warning: code of SENTENCES and the values of its sentence."""
+
+    code: str
+    values: tuple[tuple[str, object], ...] = ()
+
+    def text(self, language: str = "en") -> str:
+        return SENTENCES[self.code][1 if language == "it" else 0].format(**dict(self.values))
+
+
+def notice(code: str, **values) -> Notice:
+    """A Notice of this code; raises KeyError for an unknown code."""
+    SENTENCES[code][0].format(**values)
+    return Notice(code, tuple(values.items()))

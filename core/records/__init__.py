@@ -1,0 +1,123 @@
+"""Accelerogram files: one reader per format, recognised by content, in this explicit table."""
+
+import hashlib
+import re
+from pathlib import Path
+
+import numpy as np
+
+from core.errors import InputError, RecordError
+from core.ground_motion import LARGE_PGA, SMALL_PGA, GroundMotion
+from core.notices import notice
+from core.records import italian, peer, plain
+from core.records.grammar import UNITS, Options, decode
+from core.units import G
+
+READERS = (
+    ("PEER AT2", peer.recognises, peer.read),
+    ("tab matrix", peer.recognises_matrix, peer.read_matrix),
+    ("ESM ASCII", italian.recognises_esm, italian.read_esm),
+    ("SIGMA acc", italian.recognises_sigma, italian.read_sigma),
+    ("plain text", plain.recognises, plain.read),
+)
+"""(format, recognises(lines), read(lines, options)); the first that recognises the content reads it."""
+
+NOT_READ_YET = (
+    ("K-NET / KiK-net", re.compile(r"^Sampling Freq\(Hz\)", re.MULTILINE)),
+    ("CWA", re.compile(r"^#SampleRate\(Hz\)", re.MULTILINE)),
+    ("SMC", re.compile(r"\A[012] (UN)?(CORRECTED|KNOWN) ACCELEROGRAM")),
+    ("CSMIP, COSMOS or GeoNet", re.compile(r"\A.*(corrected (accelerogram|acceleration))", re.I)),
+    ("response spectra (CSMIP V3)", re.compile(r"\ARESPONSE AND FOURIER", re.I)),
+    ("USC volume", re.compile(r"\AFILE .*ACCELEROGRAM DATA OF VOLUME", re.I)),
+)
+"""Known formats without a reader: refused by name, so that no other reader guesses at them."""
+
+MAX_BYTES = 200_000_000
+
+
+def read(path: Path, options: Options = Options(), scale: float = 1.0, name: str = "") -> GroundMotion:
+    """The accelerogram of one file, in SI units.
+
+    scale : multiplier asked by the user [-]. Raises RecordError naming file, place and way out.
+    """
+    try:
+        if path.stat().st_size > MAX_BYTES:
+            raise RecordError(f"{path.stat().st_size / 1e6:.0f} MB is no accelerogram (up to 200 MB)")
+        content = path.read_bytes()
+        return _motion(content, path, options, scale, name or path.stem)
+    except FileNotFoundError:
+        raise RecordError(f"{path}: there is no such file") from None
+    except OSError as error:
+        raise RecordError(f"{path}: cannot be read: {error.strerror}") from None
+    except RecordError as error:
+        raise RecordError(f"{path}: {error}") from None
+
+
+def _motion(content: bytes, path: Path, options: Options, scale: float, name: str) -> GroundMotion:
+    if not content.strip():
+        raise RecordError("the file is empty")
+    lines = decode(content)
+    head = "\n".join(lines[:30])
+    for title, pattern in NOT_READ_YET:
+        if pattern.search(head):
+            raise RecordError(
+                f"{title} files are not read yet: convert to two columns, time and acceleration"
+            )
+    title, reader = next((title, read) for title, knows, read in READERS if knows(lines))
+    parsed = reader(lines, options)
+    unit = _agreed("unit", parsed.unit, options.unit, "g, m/s2, cm/s2 or mm/s2")
+    if unit not in UNITS:
+        raise RecordError(f"unit = {unit!r} is not accepted: {', '.join(UNITS)}")
+    time_step = _agreed("time_step_s", parsed.time_step, options.time_step, "in seconds")
+    warnings = list(parsed.warnings)
+    peak = float(np.abs(parsed.values).max()) if parsed.values.size else 0.0
+    if parsed.stated_peak and abs(peak - parsed.stated_peak) > 0.02 * parsed.stated_peak:
+        warnings.append(notice("peak_differs", read=peak, stated=parsed.stated_peak))
+    if scale != 1.0:
+        warnings.append(notice("scaled", scale=scale))
+    motion = parsed.values * UNITS[unit] * scale
+    pga = float(np.abs(motion).max()) if motion.size else 0.0
+    if pga > LARGE_PGA:
+        warnings.append(notice("large_pga", pga=pga / G))
+    elif 0.0 < pga < SMALL_PGA:
+        warnings.append(notice("small_pga", pga=pga / G))
+    if options.skip_lines and title != "plain text":
+        raise RecordError(f"skip_lines is for plain text; this file is {title}: leave it out")
+    if options.column and title != "plain text":
+        raise RecordError(f"column is for plain text; this file is {title}: leave it out")
+    return GroundMotion(
+        name=name,
+        acceleration=motion,
+        time_step=time_step,
+        file=str(path),
+        file_sha256=hashlib.sha256(content).hexdigest(),
+        format=title,
+        unit=unit,
+        details=parsed.details,
+        warnings=tuple(warnings),
+    )
+
+
+def _agreed(key: str, stated, given, accepted: str):
+    """What the file states or the user gives; an error if neither or if they contradict."""
+    if stated is None and given is None:
+        raise RecordError(f"the file does not state it: give {key} ({accepted}) for this record")
+    if stated is None or given is None:
+        return given if stated is None else stated
+    same = stated == given if isinstance(stated, str) else abs(stated - given) <= 1e-6 * stated
+    if not same:
+        raise RecordError(f"the file states {key} {stated}, the case gives {given}: remove {key}")
+    return stated
+
+
+def expand(pattern: str, base_dir: Path) -> list[Path]:
+    """Files of one `file` entry, relative to the case; a glob that matches nothing is an error."""
+    path = base_dir / pattern
+    if not any(letter in pattern for letter in "*?[") or path.exists():
+        return [path]
+    anchor = Path(path.anchor) if Path(pattern).is_absolute() else base_dir
+    relative = str(Path(pattern).relative_to(anchor)) if Path(pattern).is_absolute() else pattern
+    found = sorted(entry for entry in anchor.glob(relative) if entry.is_file())
+    if not found:
+        raise InputError(f"record file = {pattern!r}: no file matches in {base_dir}")
+    return found

@@ -1,0 +1,133 @@
+"""What every text format shares: bytes to lines, the strict number grammar, the count check."""
+
+import math
+import re
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from core.errors import RecordError
+from core.notices import Notice, notice
+from core.units import G
+
+NUMBER = r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[EeDd][+-]?[0-9]+)?"
+"""A number: plain ASCII, as Fortran and C write it; no nan, inf, underscores or other digits."""
+
+_TOKEN = re.compile(NUMBER)
+_NUMBERS_ONLY = re.compile(rf"\s*(?:{NUMBER}\s*)*")
+_NAN = re.compile(r"[+-]?nan", re.IGNORECASE)
+
+UNITS = {"g": G, "m/s2": 1.0, "cm/s2": 0.01, "mm/s2": 0.001}
+"""Units of acceleration a user may name, in m/s2."""
+
+
+@dataclass
+class Parsed:
+    """What a reader found: values in the file's unit, shape (n,); time step [s] and unit, or None
+    where the file does not say; details and warnings."""
+
+    values: np.ndarray
+    time_step: float | None
+    unit: str | None
+    details: tuple[tuple[str, str], ...] = ()
+    warnings: list[Notice] = field(default_factory=list)
+    stated_peak: float | None = None
+
+
+@dataclass(frozen=True)
+class Options:
+    """What the user says of a file, only where the file does not: unit (a key of UNITS),
+    time_step [s], column (counted from 1, time included), skip_lines (text lines on top)."""
+
+    unit: str | None = None
+    time_step: float | None = None
+    column: int | None = None
+    skip_lines: int | None = None
+
+
+def decode(content: bytes) -> list[str]:
+    """Lines of a text file: UTF-8 or UTF-16 by their marks, else UTF-8, else Latin-1.
+
+    Raises RecordError for a binary file.
+    """
+    if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        text = content.decode("utf-16", errors="replace")
+    else:
+        body = content.removeprefix(b"\xef\xbb\xbf").rstrip(b"\x00\x1a")
+        control = sum(body[:4096].count(byte) for byte in range(9)) + body[:4096].count(0x7F)
+        if control:
+            raise RecordError(
+                "this is a binary file; SAC and miniSEED need instrument metadata: convert it to text "
+                "with ObsPy (stream.write) or download the processed ASCII file"
+            )
+        try:
+            text = body.decode("utf-8")
+        except UnicodeDecodeError:
+            text = body.decode("latin-1")
+    return re.sub(r"\r*\n|\r", "\n", text).rstrip("\n").split("\n")
+
+
+def to_float(token: str) -> float:
+    """One number of the grammar, D exponents included; raises RecordError beyond the doubles."""
+    value = float(token.replace("D", "E").replace("d", "e"))
+    if not math.isfinite(value):
+        raise RecordError(f"{token} is too large for a number")
+    return value
+
+
+def numbers(line: str) -> list[float] | None:
+    """All numbers of a line, also glued ones (`1.0E-08-2.0E-08`); None if anything else is there."""
+    if not _NUMBERS_ONLY.fullmatch(line):
+        return None
+    return [to_float(token) for token in _TOKEN.findall(line)]
+
+
+def fixed_width(line: str, width: int) -> list[float] | None:
+    """Numbers in columns of this width; None unless every column holds exactly one."""
+    line = line.rstrip()
+    fields = [line[k : k + width].strip() for k in range(0, len(line), width)]
+    if not all(_TOKEN.fullmatch(entry) for entry in fields):
+        return None
+    return [to_float(entry) for entry in fields]
+
+
+def block(lines: list[str], first_line: int, declared: int, width: int | None = None) -> Parsed:
+    """Samples of a wrapped block with a declared count.
+
+    first_line : number of the block's first line in the file, from 1, for messages.
+    Accepts a short last line and surplus zeros or NaN, with a warning; raises RecordError otherwise.
+    """
+    rows, not_numbers = [], 0
+    for k, line in enumerate(lines):
+        if not line.strip():
+            continue
+        row = fixed_width(line, width) if width else None
+        row = numbers(line) if row is None else row
+        if row is None:
+            tokens = line.replace(",", " ").split()
+            if not all(_NAN.fullmatch(token) or _TOKEN.fullmatch(token) for token in tokens):
+                raise RecordError(f"line {first_line + k}: {line.strip()[:60]!r} is not numbers")
+            row = [math.nan if _NAN.fullmatch(token) else to_float(token) for token in tokens]
+        rows.append(row)
+    values = np.array([value for row in rows for value in row])
+    while values.size and math.isnan(values[-1]):
+        values = values[:-1]
+        not_numbers += 1
+    if np.isnan(values).any():
+        raise RecordError(f"sample {int(np.argmax(np.isnan(values))) + 1} is NaN: a gap in the record")
+    warnings = []
+    surplus = values[declared:]
+    if surplus.any():
+        raise RecordError(f"{values.size} samples, but the header declares {declared}")
+    if surplus.size or not_numbers:
+        warnings.append(notice("surplus_dropped", count=surplus.size + not_numbers))
+    values = values[:declared]
+    missing = declared - values.size
+    if missing:
+        widest = max((len(row) for row in rows), default=0)
+        if not rows or missing >= widest or not (not_numbers or len(rows[-1]) < widest):
+            raise RecordError(
+                f"{values.size} samples, but the header declares {declared}: the file is cut"
+            )
+        warnings.append(notice("partial_last_line", found=values.size, declared=declared))
+    return Parsed(values, None, None, warnings=warnings)

@@ -1,0 +1,89 @@
+"""ESM / ITACA DYNA ASCII (AFAD dialect included) and the SIGMA / ITACA .acc files."""
+
+import re
+
+from core.errors import RecordError
+from core.records.grammar import Options, Parsed, block, numbers, to_float
+
+_KEY = re.compile(r"^([A-Z][A-Z0-9_/^]*):\s?(.*)$")
+_SIGMA_DATA = re.compile(r"^\s*accel", re.IGNORECASE)
+_ESM_DETAILS = (
+    "EVENT_NAME", "EVENT_DATE_YYYYMMDD", "MAGNITUDE_W", "MAGNITUDE_L", "NETWORK", "STATION_CODE",
+    "STREAM", "EPICENTRAL_DISTANCE_KM", "SITE_CLASSIFICATION_EC8", "LOW_CUT_FREQUENCY_HZ",
+    "HIGH_CUT_FREQUENCY_HZ", "PROCESSING", "DATA_LICENSE",
+)  # fmt: skip
+
+
+def recognises_esm(lines: list[str]) -> bool:
+    keys = [match[1] for line in lines[:80] if (match := _KEY.match(line))]
+    return "SAMPLING_INTERVAL_S" in keys and "NDATA" in keys
+
+
+def read_esm(lines: list[str], options: Options) -> Parsed:
+    """KEY: value lines up to the first bare number. Raises RecordError for other than acceleration."""
+    header, start = {}, len(lines)
+    for k, line in enumerate(lines):
+        if numbers(line):
+            start = k
+            break
+        match = _KEY.match(line)
+        if match:
+            header[match[1]] = match[2].strip()
+    kind = header.get("DATA_TYPE", "ACCELERATION").upper()
+    if kind != "ACCELERATION":
+        raise RecordError(f"DATA_TYPE is {kind}: take the ACCELERATION file (.ACC.ASC)")
+    parsed = block(lines[start:], start + 1, _count(header.get("NDATA", ""), "NDATA"))
+    parsed.time_step = _positive(header.get("SAMPLING_INTERVAL_S", ""), "SAMPLING_INTERVAL_S")
+    parsed.unit = _unit(header.get("UNITS", ""))
+    parsed.stated_peak = _optional(header.get("PGA_CM/S^2", ""))
+    parsed.details = tuple((key, header[key]) for key in _ESM_DETAILS if header.get(key))
+    return parsed
+
+
+def recognises_sigma(lines: list[str]) -> bool:
+    head = "\n".join(lines[:12])
+    return "Time Increment (s)" in head and "Number of Data" in head
+
+
+def read_sigma(lines: list[str], options: Options) -> Parsed:
+    """`Label : value` lines, `Accelaration time series in m/s/s`, then five glued fields of 14."""
+    header, start = {}, None
+    for k, line in enumerate(lines[:20]):
+        if _SIGMA_DATA.match(line):
+            start = k + 1
+            break
+        label, _, value = line.partition(":")
+        header[label.strip()] = value.strip()
+    if start is None:
+        raise RecordError("no line `Acceleration time series`: velocity, displacement or a spectrum?")
+    parsed = block(lines[start:], start + 1, _count(header["Number of Data"], "Number of Data"), 14)
+    parsed.time_step = _positive(header["Time Increment (s)"], "Time Increment (s)")
+    parsed.unit = _unit(lines[start - 1].split()[-1])
+    parsed.stated_peak = _optional(header.get("PGA (m/s/s)", ""))
+    parsed.details = tuple(header.items())
+    return parsed
+
+
+def _unit(text: str) -> str:
+    word = text.strip().lower().replace("^", "").replace("m/s/s", "m/s2")
+    if word not in ("cm/s2", "m/s2", "mm/s2", "g"):
+        raise RecordError(f"unit {text!r} is not an acceleration: g, m/s2, cm/s2 or mm/s2")
+    return word
+
+
+def _count(text: str, label: str) -> int:
+    if not re.fullmatch(r"[0-9]+", text.strip()):
+        raise RecordError(f"{label} is {text!r}, not a count of samples")
+    return int(text)
+
+
+def _positive(text: str, label: str) -> float:
+    found = numbers(text)
+    if not found or len(found) != 1 or not found[0] > 0.0:
+        raise RecordError(f"{label} is {text!r}, not a time step in seconds")
+    return found[0]
+
+
+def _optional(text: str) -> float | None:
+    found = numbers(text)
+    return abs(to_float(text.strip())) if found and len(found) == 1 else None

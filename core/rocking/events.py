@@ -1,0 +1,98 @@
+"""Uplift, impact, rest and the end of the record, shared by every method.
+
+Rotations are seen from the pivot, phi = side * theta >= 0, so that two-sided, one-sided and mirrored
+motion are one analytic equation.
+"""
+
+import math
+
+from core.kernel_cache import kernel
+from core.moment_rotation import potential, rotation_at_potential
+from core.restitution import velocity_ratio
+from core.rocking.outcome import COLLAPSED, STABLE
+from core.units import G
+
+REST_FRACTION = 1e-6
+"""After an impact the block rests below this fraction of p alpha (PHYSICS: 1e-9 changes nothing)."""
+
+IMPACTS_PER_SAMPLE = 10_000
+"""More impacts than this within one sample end the analysis as impact_limit."""
+
+LAST_ROTATION = 0.5 * math.pi
+"""Beyond this rotation [rad] the equation of motion has no meaning: collapsed."""
+
+
+@kernel
+def lift_threshold(model):
+    """Ground acceleration above which the resting block lifts [m/s2], Eq. 2; 0 if trilinear."""
+    if model.plateau_end > 0.0:
+        return 0.0
+    return G * math.tan(model.slenderness)
+
+
+@kernel
+def ground_lifts(ground, model, threshold):
+    """Side to which this ground acceleration [m/s2] lifts the resting block: 1.0, -1.0, 0.0 if none."""
+    if ground > threshold:
+        return 1.0
+    if ground < -threshold and model.one_sided == 0.0:
+        return -1.0
+    return 0.0
+
+
+@kernel
+def next_uplift(ground, slope, start, end, model, threshold):
+    """First time in [start, end) at which the resting block lifts, and to which side.
+
+    ground : acceleration at local time 0 [m/s2]; slope : its rate [m/s3]; start, end : local times [s].
+    Returns (time, side); time = end if the block stays at rest.
+    """
+    now = ground + slope * start
+    side = ground_lifts(now, model, threshold)
+    if side != 0.0:
+        return start, side
+    if slope > 0.0:
+        time = (threshold - ground) / slope
+        side = 1.0
+    elif slope < 0.0 and model.one_sided == 0.0:
+        time = (-threshold - ground) / slope
+        side = -1.0
+    else:
+        return end, 0.0
+    if time < start:
+        time = start
+    if time >= end:
+        return end, 0.0
+    return time, side
+
+
+@kernel
+def stops_rocking(speed, ground, model, threshold):
+    """Whether the block rests after an impact it leaves at this speed [rad/s], the ground at [m/s2]."""
+    limit = REST_FRACTION * math.sqrt(model.p2) * model.slenderness
+    return speed < limit and ground_lifts(ground, model, threshold) == 0.0
+
+
+@kernel
+def end_of_record(phi, speed, peak, model):
+    """Decide by energy what the block does once the ground is still.
+
+    phi : rotation seen from the pivot [rad]; speed : its rate, outward positive [rad/s];
+    peak : largest rotation so far [rad]. Returns (outcome, peak including the free motion).
+    """
+    barrier = potential(model.slenderness, model)
+    energy = 0.5 * speed * speed / model.p2 + potential(phi, model)
+    if speed >= 0.0 and energy > barrier:
+        return COLLAPSED, max(peak, model.slenderness)
+    if phi > model.slenderness and energy <= barrier:
+        return COLLAPSED, peak
+    if speed > 0.0:
+        peak = max(peak, rotation_at_potential(energy, model))
+    impact_speed = math.sqrt(2.0 * model.p2 * energy)
+    ratio, _ = velocity_ratio(impact_speed, model)
+    energy *= ratio * ratio
+    if energy > barrier:
+        return COLLAPSED, max(peak, model.slenderness)
+    if energy > 0.0:
+        peak = max(peak, rotation_at_potential(energy, model))
+    return STABLE, peak
