@@ -24,8 +24,7 @@ def filtered_noise(seed: int, pga: float, duration: float = 25.0, time_step: flo
     frequency = np.fft.rfftfreq(n, time_step)
     x = frequency / GROUND_FREQUENCY
     filter_ = (1.0 + 2j * GROUND_DAMPING * x) / (1.0 - x * x + 2j * GROUND_DAMPING * x)
-    y = np.divide(LOW_CUT, frequency, out=np.full(frequency.size, np.inf), where=frequency > 0)
-    high_pass = 1.0 / (1.0 - 1j * y) ** 2
+    high_pass = (frequency / (frequency - 1j * LOW_CUT)) ** 2
     stationary = np.fft.irfft(np.fft.rfft(noise) * filter_ * high_pass, n)
     rise, strong = 2.0, 12.0
     envelope = np.minimum(times / rise, 1.0) ** 2
