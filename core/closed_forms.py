@@ -48,9 +48,14 @@ def range_notices(slenderness: float, height: float, pgas: list[tuple[str, float
         found.append(notice("eq15_slenderness", alpha=math.degrees(slenderness)))
     if not FITTED_HEIGHT[0] - 1e-9 <= height <= FITTED_HEIGHT[1] + 1e-9:
         found.append(notice("eq15_height", height=height))
-    for where, pga in pgas:
-        if not FITTED_PGA[0] - 1e-9 <= pga <= FITTED_PGA[1] + 1e-9:
-            found.append(notice("eq15_pga", pga=pga / G, where=where))
+    outside = [
+        f"{where} {pga / G:.3f} g"
+        for where, pga in pgas
+        if not FITTED_PGA[0] - 1e-9 <= pga <= FITTED_PGA[1] + 1e-9
+    ]
+    if outside:
+        more = f" +{len(outside) - 5}" if len(outside) > 5 else ""
+        found.append(notice("eq15_pga", where=", ".join(outside[:5]) + more))
     return found
 
 

@@ -68,8 +68,8 @@ SENTENCES = {
         "H {height:.2f} m fuori dall'intervallo 3-11 m di taratura delle Eq. 15/16.",
     ),
     "eq15_pga": (
-        "PGA {pga:.3f} g ({where}) is outside the 0.106-0.312 g Eq. 15/16 were fitted on.",
-        "PGA {pga:.3f} g ({where}) fuori dall'intervallo 0.106-0.312 g di taratura delle Eq. 15/16.",
+        "PGA outside the 0.106-0.312 g Eq. 15/16 were fitted on: {where}.",
+        "PGA fuori dall'intervallo 0.106-0.312 g di taratura delle Eq. 15/16: {where}.",
     ),
     "eq15_model": (
         "Eq. 15/16 were fitted with the rigid law and {fitted}; this wall uses {used}.",

@@ -1,0 +1,78 @@
+"""The program: `--batch` without a window, else the window; wrong input is one line and exit code 1."""
+
+import argparse
+import faulthandler
+import os
+import sys
+import tempfile
+import traceback
+from pathlib import Path
+
+
+def parser() -> argparse.ArgumentParser:
+    """The command line of DESIGN: contract."""
+    made = argparse.ArgumentParser(
+        prog="ribalta",
+        description="How strong an earthquake a masonry wall withstands before it overturns.",
+    )
+    made.add_argument("case", nargs="?", type=Path, help="case file to open in the window")
+    made.add_argument("--batch", type=Path, metavar="CASE", help="run a case without a window")
+    made.add_argument("--output", type=Path, metavar="DIR", help="folder of the results")
+    made.add_argument("--jobs", type=_jobs, metavar="N", help="threads (default: all cores)")
+    made.add_argument("--quiet", action="store_true", help="no progress, no summary")
+    made.add_argument("--resume", action="store_true", help="go on from the journal")
+    made.add_argument("--inspect", nargs="+", type=Path, metavar="FILE", help="say what records hold")
+    made.add_argument("--version", action="store_true", help="version and commit")
+    return made
+
+
+def _jobs(word: str) -> int:
+    if not word.isascii() or not word.isdigit() or not 1 <= int(word) <= 1024:
+        raise argparse.ArgumentTypeError(f"{word!r} is not a number of threads from 1 to 1024")
+    return int(word)
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the program; returns its exit code."""
+    faulthandler.enable()
+    options = parser().parse_args(arguments)
+    if not options.batch and (options.output or options.resume or options.jobs):
+        parser().error("--output, --jobs and --resume go with --batch")
+    from core.errors import InputError
+
+    try:
+        if options.version:
+            from core.version import NAME, VERSION, commit
+
+            print(f"{NAME} {VERSION} {commit()[:12]}".strip())
+            return 0
+        if options.inspect:
+            from app.inspection import inspect
+
+            return inspect(options.inspect)
+        if options.batch:
+            from app import batch
+
+            jobs = options.jobs or os.cpu_count() or 1
+            return batch.run(options.batch, options.output, jobs, options.quiet, options.resume)
+        print(
+            "the window is not built yet: run a case with --batch CASE (see --help)", file=sys.stderr
+        )
+        return 2
+    except InputError as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("stopped", file=sys.stderr)
+        return 130
+    except Exception:  # an internal error: its traceback goes to a file the user can send
+        with tempfile.NamedTemporaryFile(
+            "w", prefix="ribalta-error-", suffix=".log", delete=False
+        ) as log:
+            traceback.print_exc(file=log)
+        print(f"internal error, nothing was written; please send {log.name}", file=sys.stderr)
+        return 4
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,155 @@
+"""File in, files out: the headless run of a case, with progress, exit codes and a journal."""
+
+import contextlib
+import signal
+import sys
+import threading
+import time
+from pathlib import Path
+
+from core import study
+from core.case import read_case
+from core.errors import Cancelled
+from core.journal import Journal
+from core.report import atomic
+
+DONE, WITHOUT_NUMBER, CANCELLED = 0, 3, 130
+"""Exit codes; 1 input or output error and 2 wrong usage are of __main__, 4 an internal error."""
+
+
+def run(case_path: Path, output: Path | None, jobs: int, quiet: bool, resume: bool) -> int:
+    """Read a case, run it, write `<stem>.xlsx` and `<stem>.json`; returns the exit code.
+
+    Raises InputError for what the user can mend; nothing is written then.
+    """
+    case = read_case(case_path)
+    folder = output or case_path.parent
+    atomic.check_folder(folder)
+    stem = case_path.stem
+    cancel = threading.Event()
+    books: list[Journal] = []
+
+    def journal(key: str) -> Journal:
+        books.append(Journal(folder / f"{stem}.journal", key, resume))
+        return books[0]
+
+    with _interrupts(cancel), _progress(quiet) as show:
+        try:
+            result = study.run(
+                case,
+                base_dir=case_path.parent,
+                jobs=jobs,
+                journal=journal,
+                on_progress=show,
+                cancelled=cancel.is_set,
+            )
+        except Cancelled:
+            print(
+                f"cancelled: finished runs are in {folder / (stem + '.journal')}; "
+                "go on with --resume",
+                file=sys.stderr,
+            )
+            return CANCELLED
+    write(result, folder, stem)
+    for book in books:
+        book.remove()
+    if not quiet:
+        print(summary(result, folder, stem))
+    for wall, record, polarity, status in result.without_number:
+        sign = "+" if polarity > 0 else "-"
+        print(f"no number: {wall}, {record} ({sign}): {status}", file=sys.stderr)
+    return WITHOUT_NUMBER if result.without_number else DONE
+
+
+def write(result: study.StudyResult, folder: Path, stem: str) -> None:
+    """Workbook and JSON of a result, both or none. Raises OutputError."""
+    from core.report import json_report, workbook
+
+    drawn = (study.collapse_histories(result, wall) for wall in result.walls)
+    histories = []
+    for entry in drawn:
+        if entry:
+            histories.append(entry)
+        if len(histories) == workbook.HISTORY_WALLS:
+            break
+    atomic.write(
+        {
+            folder / f"{stem}.xlsx": workbook.content(result, histories),
+            folder / f"{stem}.json": json_report.dumps(result).encode(),
+        }
+    )
+
+
+def summary(result: study.StudyResult, folder: Path, stem: str) -> str:
+    """What a terminal shows of a result."""
+    lines = [f"{'wall':24} {'mechanism':10} {'rule':10} {'q':>6} {'robust':>7} {'Eq.15/16':>9}  Eq. 9"]
+    for wall in result.walls:
+        checks = ""
+        if wall.code_check:
+            code, histories = wall.code_check[0], wall.code_check[2]
+            checks = f"q code {code.ratio:.2f}"
+            if histories:
+                checks += f", q histories {histories.ratio:.2f}"
+        lines.append(
+            f"{wall.name[:24]:24} {wall.mechanism:10} {wall.set_rule or '-':10} "
+            f"{_short(wall.q_set):>6} {_short(wall.q_robust_set):>7} "
+            f"{_short(wall.closed_form_q):>9}  {checks}"
+        )
+    runs = [run for wall in result.walls for run in wall.runs]
+    analyses = sum(run.ida.analyses for run in runs)
+    lines.append(f"{len(runs)} runs, {analyses} analyses in {result.elapsed:.1f} s")
+    lines.append(f"{folder / (stem + '.xlsx')}\n{folder / (stem + '.json')}")
+    return "\n".join(lines)
+
+
+def _short(value: float | None) -> str:
+    return "-" if value is None else f"{value:.2f}"
+
+
+@contextlib.contextmanager
+def _interrupts(cancel: threading.Event):
+    """Ctrl-C asks the run to stop between two analyses; a second one stops at once."""
+
+    def handler(number, frame):
+        if cancel.is_set():
+            raise KeyboardInterrupt
+        cancel.set()
+
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    old = signal.signal(signal.SIGINT, handler)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, old)
+
+
+@contextlib.contextmanager
+def _progress(quiet: bool):
+    """A callback that shows progress on stderr: a bar on a terminal, else a line every ten seconds."""
+    if quiet:
+        yield lambda done, planned: None
+    elif sys.stderr.isatty():
+        from rich.console import Console
+        from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeRemainingColumn
+
+        bar = Progress(
+            "runs", BarColumn(), MofNCompleteColumn(), TimeRemainingColumn(),
+            console=Console(stderr=True), transient=True,
+        )  # fmt: skip
+        with bar:
+            task = bar.add_task("runs", total=None)
+            yield lambda done, planned: bar.update(task, completed=done, total=planned)
+    else:
+        start = last = time.monotonic()
+
+        def lines(done: int, planned: int) -> None:
+            nonlocal last
+            now = time.monotonic()
+            if now - last >= 10.0 and done:
+                last = now
+                left = (now - start) / done * (planned - done)
+                print(f"{done}/{planned} runs, about {left:.0f} s left", file=sys.stderr, flush=True)
+
+        yield lines

@@ -1,0 +1,29 @@
+"""`--inspect`: what the program makes of record files."""
+
+import sys
+from pathlib import Path
+
+from core import records
+from core.errors import RecordError
+from core.units import CM, G
+
+
+def inspect(paths: list[Path]) -> int:
+    """One line a file on stdout, refusals on stderr; exit code 1 if any file was refused."""
+    refused = 0
+    for path in paths:
+        try:
+            motion = records.read(path)
+        except RecordError as error:
+            print(f"refused: {error}", file=sys.stderr)
+            refused += 1
+            continue
+        print(
+            f"{path}: {motion.format}, {motion.acceleration.size} samples every "
+            f"{motion.time_step:g} s, unit {motion.unit}, PGA {motion.pga / G:.4f} g, "
+            f"PGV {motion.pgv / CM:.2f} cm/s, SI {motion.housner_intensity / CM:.2f} cm, "
+            f"5-95 % {motion.duration_5_95:.2f} s"
+        )
+        for warning in motion.warnings:
+            print(f"  {warning.text()}")
+    return 1 if refused else 0

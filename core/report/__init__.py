@@ -1,0 +1,1 @@
+"""A StudyResult as JSON and as a workbook. No computation."""

@@ -1,0 +1,58 @@
+"""Files that are whole or not there: temporary file, fsync, replace."""
+
+import contextlib
+import os
+import tempfile
+from pathlib import Path
+
+from core.errors import OutputError
+
+
+def check_folder(folder: Path) -> None:
+    """Create the folder if need be and prove that files can be made there; raises OutputError."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        tempfile.TemporaryFile(dir=folder).close()
+    except OSError as error:
+        raise OutputError(
+            f"{folder}: the output folder cannot be written ({error.strerror}): "
+            "name another with --output"
+        ) from None
+
+
+def write(files: dict[Path, bytes]) -> None:
+    """Write all files, or none: every one is on disk beside its place before any takes it.
+
+    Links are followed, so that the file behind is replaced. Raises OutputError; old files stay.
+    """
+    temporary: list[tuple[str, str]] = []
+    try:
+        for path, content in files.items():
+            target = os.path.realpath(path)
+            handle, name = tempfile.mkstemp(dir=os.path.dirname(target), prefix=".ribalta-")
+            temporary.append((name, target))
+            with os.fdopen(handle, "wb") as stream:
+                stream.write(content)
+                stream.flush()
+                os.fsync(stream.fileno())
+            os.chmod(name, _mode(target))
+        for name, target in temporary:
+            os.replace(name, target)
+    except OSError as error:
+        raise OutputError(
+            f"{path}: cannot be written ({error.strerror}): close it if it is open elsewhere, free "
+            "some space, or name another folder with --output; earlier results are untouched"
+        ) from None
+    finally:
+        for name, _ in temporary:
+            with contextlib.suppress(OSError):
+                os.unlink(name)
+
+
+def _mode(target: str) -> int:
+    """Permissions of the file that is replaced, else those a new file gets."""
+    with contextlib.suppress(OSError):
+        return os.stat(target).st_mode & 0o777
+    mask = os.umask(0)
+    os.umask(mask)
+    return 0o666 & ~mask

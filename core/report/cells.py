@@ -1,0 +1,157 @@
+"""Cells of the workbook: styles, safe text, live formulas that also carry their value."""
+
+import math
+import re
+import zipfile
+from dataclasses import dataclass, field
+from io import BytesIO
+from xml.sax.saxutils import escape
+
+from openpyxl import Workbook
+from openpyxl.cell.cell import ILLEGAL_CHARACTERS_RE, Cell
+from openpyxl.styles import Alignment, Border, Font, PatternFill, Side
+from openpyxl.utils import get_column_letter
+from openpyxl.workbook.defined_name import DefinedName
+from openpyxl.worksheet.worksheet import Worksheet
+
+INK = "1F2D3D"
+ACCENT = "2B5C8A"
+GOOD = "1B6E4B"
+BAD = "B3421B"
+QUIET = "6B7785"
+
+ACCELERATION = "0.000"
+RATIO = "0.00"
+EXACT = "0.0000"
+WHOLE = "0"
+
+_LINE = Side(style="thin", color="C9D1D9")
+_FORMULA = re.compile(r'<c r="([A-Z]+\d+)"((?: [a-z]+="[^"]*")*)><f>(.*?)</f><v ?/?>(?:</v>)?</c>')
+
+
+@dataclass
+class Book:
+    """A workbook with its language and the values its formula cells carry."""
+
+    language: str
+    workbook: Workbook = field(default_factory=Workbook)
+    cached: dict[tuple[str, str], object] = field(default_factory=dict)
+
+    def say(self, english: str, italian: str) -> str:
+        return italian if self.language == "it" else english
+
+    def sheet(self, english: str, italian: str, widths: list[float], landscape=False) -> Worksheet:
+        """A new A4 sheet, fitted to the page's width."""
+        sheet = self.workbook.create_sheet(self.say(english, italian))
+        for k, width in enumerate(widths, start=1):
+            sheet.column_dimensions[get_column_letter(k)].width = width
+        sheet.sheet_view.showGridLines = False
+        sheet.page_setup.paperSize = sheet.PAPERSIZE_A4
+        sheet.page_setup.orientation = "landscape" if landscape else "portrait"
+        sheet.page_setup.fitToWidth = 1
+        sheet.page_setup.fitToHeight = 0
+        sheet.sheet_properties.pageSetUpPr.fitToPage = True
+        sheet.page_margins.left = sheet.page_margins.right = 0.5
+        sheet.page_margins.top = sheet.page_margins.bottom = 0.6
+        sheet.oddFooter.left.text = "Ribalta  &A"
+        sheet.oddFooter.right.text = "&P / &N"
+        return sheet
+
+    def name(self, name: str, cell: Cell) -> None:
+        """Give a cell a name of the workbook."""
+        reference = f"'{cell.parent.title}'!${cell.column_letter}${cell.row}"
+        self.workbook.defined_names[name] = DefinedName(name, attr_text=reference)
+
+    def formula(self, cell: Cell, formula: str, value, number_format: str = EXACT) -> Cell:
+        """A live formula and the value the program computed for it (number or text)."""
+        cell.value = formula
+        style(cell, number_format=number_format)
+        self.cached[cell.parent.title, cell.coordinate] = value
+        return cell
+
+    def content(self) -> bytes:
+        """The file. Formula cells get their value, which previewers and Protected View show."""
+        self.workbook.calculation.fullCalcOnLoad = True
+        plain = BytesIO()
+        self.workbook.save(plain)
+        return with_values(plain.getvalue(), self.workbook.sheetnames, self.cached)
+
+
+def with_values(content: bytes, sheets: list[str], cached: dict) -> bytes:
+    """The same xlsx with the `<v>` of its formula cells filled."""
+    filled = BytesIO()
+    with zipfile.ZipFile(BytesIO(content)) as old, zipfile.ZipFile(filled, "w") as new:
+        for entry in old.infolist():
+            data = old.read(entry)
+            match = re.fullmatch(r"xl/worksheets/sheet(\d+)\.xml", entry.filename)
+            if match:
+                title = sheets[int(match[1]) - 1]
+                data = _FORMULA.sub(lambda m, t=title: _filled(m, cached[t, m[1]]), data.decode())
+                data = data.encode()
+            new.writestr(entry, data, zipfile.ZIP_DEFLATED)
+    return filled.getvalue()
+
+
+def _filled(match: re.Match, value) -> str:
+    attributes = re.sub(r' t="[^"]*"', "", match[2])
+    if isinstance(value, str):
+        attributes += ' t="str"'
+        shown = escape(value)
+    else:
+        shown = repr(float(value))
+    return f'<c r="{match[1]}"{attributes}><f>{match[3]}</f><v>{shown}</v></c>'
+
+
+def style(cell: Cell, bold=False, color=INK, size=10, number_format=None, wrap=False, align=None,
+          italic=False) -> Cell:  # fmt: skip
+    cell.font = Font(name="Calibri", size=size, bold=bold, color=color, italic=italic)
+    cell.alignment = Alignment(vertical="top" if wrap else "center", wrap_text=wrap, horizontal=align)
+    if number_format:
+        cell.number_format = number_format
+    return cell
+
+
+def text(sheet: Worksheet, row: int, column: int, content, **look) -> Cell:
+    """Text that can never become a formula."""
+    cell = sheet.cell(row, column)
+    cell.value = ILLEGAL_CHARACTERS_RE.sub(" ", str(content))[:32000]
+    cell.data_type = "s"
+    return style(cell, **look)
+
+
+def number(sheet: Worksheet, row: int, column: int, value, number_format: str, **look) -> Cell:
+    """A number, or a dash where there is none; a non-finite one is a word."""
+    if value is None:
+        return text(sheet, row, column, "–", align="right", **look)
+    if not math.isfinite(value):
+        return text(sheet, row, column, "not finite", **look)
+    cell = sheet.cell(row, column, value)
+    return style(cell, number_format=number_format, **look)
+
+
+def title(sheet: Worksheet, row: int, content: str, size: int = 14) -> None:
+    text(sheet, row, 1, content, bold=True, color=ACCENT, size=size)
+
+
+def header(sheet: Worksheet, row: int, labels: list[str], column: int = 1, height: int = 30) -> None:
+    """A header row of a table."""
+    for k, label in enumerate(labels):
+        cell = text(sheet, row, column + k, label, bold=True, color="FFFFFF", wrap=True)
+        cell.fill = PatternFill("solid", fgColor=ACCENT)
+        cell.alignment = Alignment(wrap_text=True, vertical="center", horizontal="center")
+    sheet.row_dimensions[row].height = height
+
+
+def rule(sheet: Worksheet, row: int, first: int, last: int) -> None:
+    """A thin line below a row of a table."""
+    for column in range(first, last + 1):
+        sheet.cell(row, column).border = Border(bottom=_LINE)
+
+
+def paragraph(sheet: Worksheet, row: int, content: str, last: int, characters: int, **look) -> int:
+    """Wrapped text over columns 1..last; its height follows from the characters a line holds."""
+    sheet.merge_cells(start_row=row, start_column=1, end_row=row, end_column=last)
+    text(sheet, row, 1, content, wrap=True, **look)
+    lines = sum(max(1, math.ceil(len(part) / characters)) for part in content.split("\n"))
+    sheet.row_dimensions[row].height = 13.5 * lines + 2
+    return row + 1

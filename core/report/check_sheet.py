@@ -1,0 +1,256 @@
+"""Check sheet: Eq. 2, 9, 10, 12, 13, 15, 16 as live formulas beside the program's own values."""
+
+import math
+
+from core.closed_forms import COEFFICIENTS
+from core.code_check import TITLE
+from core.report.cells import (
+    ACCELERATION, BAD, EXACT, GOOD, QUIET, RATIO, Book, header, number, paragraph, rule, style, text,
+    title,
+)  # fmt: skip
+from core.report.sheets import mechanism_word, rule_word
+from core.study import Q_SOURCES, PerRecord, StudyResult, WallResult
+from core.units import CM, G
+
+LIVE, ENGINE = 3, 4
+"""Columns of the live value and of the program's value in the vertical lists."""
+
+
+def check(book: Book, result: StudyResult) -> None:
+    """One block a wall: geometry, records, set, power law, closed forms, Eq. 9."""
+    say = book.say
+    widths = [34, 12, 13, 13, 9, 9, 9, 10, 10, 10, 10, 10, 10]
+    sheet = book.sheet("Check", "Verifica", widths, landscape=True)
+    title(sheet, 1, say("Check of the equations", "Verifica delle equazioni"))
+    paragraph(sheet, 2, say(
+        "Column C is a live formula of this sheet, column D the value of the program: they must agree. "
+        "In the tables of records each pair stands side by side.",
+        "La colonna C è una formula viva di questo foglio, la colonna D il valore del programma: devono "
+        "coincidere. Nelle tabelle dei record ogni coppia è affiancata."), len(widths), 150,
+        color=QUIET)  # fmt: skip
+    row = _demand(book, sheet, result, 4)
+    for index, wall in enumerate(result.walls, start=1):
+        row = _wall(book, sheet, result, wall, f"wall{index}", row + 1)
+    sheet.freeze_panes = "A4"
+
+
+def _input(book: Book, sheet, row, label, value, unit, name, shape=EXACT) -> int:
+    text(sheet, row, 1, label)
+    text(sheet, row, 2, book.say("input", "dato"), color=QUIET)
+    number(sheet, row, LIVE, value, shape)
+    text(sheet, row, 5, unit, color=QUIET)
+    if name and value is not None:
+        book.name(name, sheet.cell(row, LIVE))
+    rule(sheet, row, 1, 5)
+    return row + 1
+
+
+def _live(book: Book, sheet, row, label, equation, formula, value, unit, name=None, shape=EXACT) -> int:
+    text(sheet, row, 1, label)
+    text(sheet, row, 2, equation, color=QUIET)
+    if value is None:
+        number(sheet, row, LIVE, None, shape)
+    else:
+        book.formula(sheet.cell(row, LIVE), formula, value, shape)
+        if name:
+            book.name(name, sheet.cell(row, LIVE))
+    number(sheet, row, ENGINE, value, shape, color=QUIET)
+    text(sheet, row, 5, unit, color=QUIET)
+    rule(sheet, row, 1, 5)
+    return row + 1
+
+
+def _demand(book: Book, sheet, result: StudyResult, row: int) -> int:
+    say, demand = book.say, result.demand
+    row = _heads(book, sheet, row, say("Demand", "Domanda"))
+    row = _input(book, sheet, row, "g", G, "m/s²", "gravity", "0.00000")
+    if demand is None:
+        text(sheet, row, 1, say("No demand given: no check.", "Nessuna domanda: nessuna verifica."))
+        return row + 1
+    row = _input(book, sheet, row, say("a_g on rock", "a_g su suolo rigido"), demand.ag / G, "g",
+                 "demand_ag", ACCELERATION)  # fmt: skip
+    row = _input(book, sheet, row, "S", demand.soil_factor, "–", "demand_s", RATIO)
+    row = _live(book, sheet, row, "S a_g", "", "=demand_ag*demand_s", demand.pga / G, "g", "demand_pga",
+                ACCELERATION)  # fmt: skip
+    si = demand.intensity / CM if demand.intensity else None
+    label = say("SI of the demand", "SI della domanda")
+    row = _input(book, sheet, row, label, si, "cm", "demand_si", RATIO)
+    return _input(book, sheet, row, say("q of the code", "q di norma"), demand.q_code, "–", "code_q", RATIO)
+
+
+def _heads(book: Book, sheet, row: int, label: str) -> int:
+    say = book.say
+    header(sheet, row, [label, say("Equation", "Equazione"), say("Sheet", "Foglio"),
+                        say("Program", "Programma"), say("Unit", "Unità")], 1, 18)  # fmt: skip
+    return row + 1
+
+
+def _wall(book: Book, sheet, result: StudyResult, wall: WallResult, name: str, row: int) -> int:
+    label = f"{wall.name} – {mechanism_word(book, wall.mechanism)}"
+    row = _heads(book, sheet, row, label)
+    row = _geometry(book, sheet, wall, name, row)
+    if wall.per_record:
+        row = _records(book, sheet, wall, name, row + 1)
+    row = _closed(book, sheet, result, wall, name, row)
+    if wall.code_check:
+        row = _inequality(book, sheet, wall, name, row + 1)
+    for warning in wall.warnings:
+        row = paragraph(sheet, row, f"• {warning.text(book.language)}", 13, 150)
+    return row + 1
+
+
+def _geometry(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
+    say, block = book.say, wall.block
+    degrees = math.degrees(block.slenderness)
+    row = _input(book, sheet, row, "H", wall.height, "m", f"{name}_height", RATIO)
+    if block.is_rectangle and wall.wall.slenderness_deg is None:
+        row = _input(book, sheet, row, "t", wall.thickness, "m", f"{name}_thickness", "0.000")
+        row = _live(book, sheet, row, "α = arctan(t/H)", "Fig. 1",
+                    f"=DEGREES(ATAN({name}_thickness/{name}_height))", degrees, "°",
+                    f"{name}_slenderness")  # fmt: skip
+    else:
+        row = _input(book, sheet, row, "α", degrees, "°", f"{name}_slenderness")
+    if block.is_rectangle:
+        row = _live(book, sheet, row, "R = H / (2 cos α)", "Fig. 1",
+                    f"={name}_height/(2*COS(RADIANS({name}_slenderness)))", block.radius, "m",
+                    f"{name}_radius")  # fmt: skip
+        p = f"=SQRT(3*gravity/(4*{name}_radius))"
+    else:
+        row = _input(book, sheet, row, "R", block.radius, "m", f"{name}_radius")
+        row = _input(book, sheet, row, "I0/m", block.inertia_over_mass, "m²", f"{name}_inertia")
+        p = f"=SQRT(gravity*{name}_radius/{name}_inertia)"
+    row = _live(book, sheet, row, "p", "Eq. 1", p, block.frequency_parameter, "rad/s", f"{name}_p")
+    row = _live(book, sheet, row, "a_RM / g = tan α", "Eq. 2",
+                f"=TAN(RADIANS({name}_slenderness))", block.threshold_acceleration / G, "g",
+                f"{name}_a_rm", ACCELERATION)  # fmt: skip
+    ratio = wall.restitution
+    label = say("velocity ratio e", "rapporto di velocità e") + f" ({ratio.model})"
+    turn = f"(2*{name}_radius^2/{name}_inertia)" if not block.is_rectangle else "1.5"
+    eq4 = f"(1-{turn}*SIN(RADIANS({name}_slenderness))^2)"
+    eq6 = f"{eq4}^2*ABS(1-{turn}*COS(RADIANS({name}_slenderness))^2)"
+    formulas = {
+        "housner": ("Eq. 4", eq4),
+        "sorrentino_experimental": ("Eq. 5", f"0.95*{eq4}"),
+        "one_sided_theoretical": ("Eq. 6", eq6),
+        "one_sided_experimental": ("Eq. 7, v = 0", f"1.18*{eq6}"),
+    }
+    if ratio.model in formulas:
+        equation, formula = formulas[ratio.model]
+        return _live(book, sheet, row, label, equation, f"={formula}", ratio.ratio_at_rest, "–",
+                     f"{name}_velocity_ratio")  # fmt: skip
+    return _input(book, sheet, row, label, ratio.ratio_at_rest, "–", f"{name}_velocity_ratio")
+
+
+def _records(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
+    """The governing run of each record: Eq. 10, 12 and 15/16, live and of the program."""
+    say = book.say
+    form = "Eq. 16" if wall.mechanism == "one_sided" else "Eq. 15"
+    header(sheet, row, [
+        say("Record (governing sign)", "Record (segno governante)"), "SI [cm]", "PGA [g]",
+        say("Scale C", "Scala C"), "q\nEq. 10", say("program", "programma"), "q_eff\nEq. 12",
+        say("program", "programma"), "ln SI", "ln q_eff", f"q_eff\n{form}", f"q\n{form}",
+        say("program", "programma")], 1, 32)  # fmt: skip
+    first = row + 1
+    scale = {(run.record, run.polarity): run.scale for run in wall.runs}
+    for entry in wall.per_record:
+        row += 1
+        _record_row(book, sheet, wall, entry, scale.get((entry.record, entry.polarity)), name, row)
+    last = row
+    row += 1
+    formula = "AVERAGE" if wall.set_rule == "mean" else "MIN"
+    label = f"q ({rule_word(book, wall.set_rule)})"
+    row = _live(book, sheet, row, label, "", f"={formula}(E{first}:E{last})", wall.q_set, "–",
+                f"{name}_q_set")  # fmt: skip
+    law = wall.power_law
+    if law and all(entry.q is not None for entry in wall.per_record):
+        xs, ys = f"I{first}:I{last}", f"J{first}:J{last}"
+        row = _live(book, sheet, row, "C2", "Eq. 13", f"=SLOPE({ys},{xs})", law.c2, "–", f"{name}_c2")
+        row = _live(book, sheet, row, "C1", "Eq. 13", f"=EXP(INTERCEPT({ys},{xs}))", law.c1, "–",
+                    f"{name}_c1")  # fmt: skip
+        row = _live(book, sheet, row, "R²", "Eq. 13", f"=RSQ({ys},{xs})", law.r_squared, "–")
+    return row
+
+
+def _record_row(book: Book, sheet, wall, entry: PerRecord, scale, name: str, row: int) -> None:
+    sign = {1: " (+)", -1: " (−)", None: ""}[entry.polarity]
+    text(sheet, row, 1, entry.record + sign, wrap=len(entry.record) > 34)
+    number(sheet, row, 2, entry.intensity / CM, RATIO)
+    number(sheet, row, 3, entry.pga / G, ACCELERATION)
+    number(sheet, row, 4, abs(scale) if scale is not None else None, ACCELERATION)
+    if entry.q is None:
+        words = book.say("no number", "nessun valore")
+        text(sheet, row, 5, words, color=BAD)
+    else:
+        ln_si, ln_q = math.log(entry.intensity / CM), math.log(entry.q_eff)
+        book.formula(sheet.cell(row, 5), f"=D{row}*C{row}/{name}_a_rm", entry.q, RATIO)
+        number(sheet, row, 6, entry.q, RATIO, color=QUIET)
+        book.formula(sheet.cell(row, 7), f"=E{row}/C{row}", entry.q_eff, RATIO)
+        number(sheet, row, 8, entry.q_eff, RATIO, color=QUIET)
+        book.formula(sheet.cell(row, 9), f"=LN(B{row})", ln_si, RATIO)
+        book.formula(sheet.cell(row, 10), f"=LN(G{row})", ln_q, RATIO)
+    formula = _closed_formula(wall, name, f"B{row}")
+    book.formula(sheet.cell(row, 11), f"={formula}", entry.closed_form_q_eff, RATIO)
+    book.formula(sheet.cell(row, 12), f"=K{row}*C{row}", entry.closed_form_q, RATIO)
+    number(sheet, row, 13, entry.closed_form_q, RATIO, color=QUIET)
+    rule(sheet, row, 1, 13)
+
+
+def _closed_formula(wall: WallResult, name: str, intensity: str) -> str:
+    a1, a2, a3, c2 = COEFFICIENTS[wall.mechanism == "one_sided"]
+    return f"({a1:g}*{name}_slenderness+{a2:g}*{name}_height+{a3:g})*{intensity}^({c2:g})"
+
+
+def _closed(book: Book, sheet, result: StudyResult, wall: WallResult, name: str, row: int) -> int:
+    if wall.closed_form_q is None:
+        return row
+    form = "Eq. 16" if wall.mechanism == "one_sided" else "Eq. 15"
+    formula = _closed_formula(wall, name, "demand_si")
+    label = book.say("of the demand", "della domanda")
+    row = _live(book, sheet, row, f"q_eff {label}", form, f"={formula}", wall.closed_form_q_eff, "–",
+                f"{name}_q_eff_closed", RATIO)  # fmt: skip
+    return _live(book, sheet, row, f"q = q_eff S a_g / g {label}", form,
+                 f"={name}_q_eff_closed*demand_pga", wall.closed_form_q, "–",
+                 f"{name}_q_closed", RATIO)  # fmt: skip
+
+
+def _inequality(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
+    """Eq. 9 with the q of every source."""
+    say = book.say
+    words = {
+        "code": (say("q of the code", "q di norma"), "code_q"),
+        "closed_form": (say("q of Eq. 15/16", "q delle Eq. 15/16"), f"{name}_q_closed"),
+        "time_histories": (say("q of the time histories, collapse", "q delle storie, collasso"),
+                           f"{name}_q_set"),
+        "time_histories_slv": (say("q of the time histories, SLV", "q delle storie, SLV"), None),
+        "time_histories_robust": (say("q of the time histories, robust", "q delle storie, robusto"),
+                                  None),
+    }  # fmt: skip
+    label = say(TITLE, "Eq. 9, senza e* e FC")
+    header(sheet, row, [
+        label, "q", "a_RM [g]", "S a_g / q [g]", say("program", "programma"),
+        say("ratio", "rapporto"), say("program", "programma"), say("outcome", "esito")],
+        1, 32)  # fmt: skip
+    for source, inequality in zip(Q_SOURCES, wall.code_check, strict=True):
+        row += 1
+        label, reference = words[source]
+        text(sheet, row, 1, label)
+        if inequality is None:
+            text(sheet, row, 2, say("no number", "nessun valore"), color=QUIET)
+        else:
+            if reference:
+                book.formula(sheet.cell(row, 2), f"={reference}", inequality.q, RATIO)
+            else:
+                number(sheet, row, 2, inequality.q, RATIO)
+            capacity, demand = inequality.capacity / G, inequality.demand / G
+            book.formula(sheet.cell(row, 3), f"={name}_a_rm", capacity, ACCELERATION)
+            book.formula(sheet.cell(row, 4), f"=demand_pga/B{row}", demand, ACCELERATION)
+            number(sheet, row, 5, demand, ACCELERATION, color=QUIET)
+            book.formula(sheet.cell(row, 6), f"=C{row}/D{row}", inequality.ratio, RATIO)
+            number(sheet, row, 7, inequality.ratio, RATIO, color=QUIET)
+            yes, no = say("passed", "soddisfatta"), say("not passed", "non soddisfatta")
+            cell = book.formula(
+                sheet.cell(row, 8), f'=IF(F{row}>=1,"{yes}","{no}")', yes if inequality.passed else no
+            )
+            style(cell, bold=True, color=GOOD if inequality.passed else BAD)
+        rule(sheet, row, 1, 8)
+    return row + 2

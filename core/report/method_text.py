@@ -1,0 +1,105 @@
+"""The words of the Method sheet."""
+
+_PARAGRAPHS = (
+    (
+        ("Equation of motion", "Equazione del moto"),
+        (
+            "Rigid block on a rigid base, Eq. 1 in the form phi'' = -p^2 [moment law - beta "
+            "cos(alpha - phi)], seen from the pivot; ground acceleration linear between samples; "
+            "start at rest; g = 9.80665 m/s2. Uplift, impact and the kinks of a trilinear law are "
+            "located inside the sample. After the record the outcome is decided by energy.",
+            "Blocco rigido su base rigida, Eq. 1 nella forma phi'' = -p^2 [legge del momento - beta "
+            "cos(alpha - phi)], vista dalla cerniera; accelerazione del suolo lineare fra i campioni; "
+            "partenza da fermo; g = 9.80665 m/s2. Sollevamento, urto e spigoli della legge trilineare "
+            "sono localizzati nel passo. Dopo il record l'esito è deciso dall'energia.",
+        ),
+    ),
+    (
+        ("Equations used", "Equazioni usate"),
+        (
+            "Eq. 2 a_RM = g tan(alpha); Eq. 3-7 velocity ratio of an impact; Eq. 8 overturning "
+            "velocity; Fig. 3 trilinear law; Eq. 9 a_RM >= S a_g / q; Eq. 10 q = C PGA / a_RM; Eq. 11 "
+            "Housner intensity; Eq. 12 q_eff = q g / (a_g S); Eq. 13 q_eff = C1 SI^C2; Eq. 15, 16.",
+            "Eq. 2 a_RM = g tan(alpha); Eq. 3-7 rapporto di velocità all'urto; Eq. 8 velocità di "
+            "ribaltamento; Fig. 3 legge trilineare; Eq. 9 a_RM >= S a_g / q; Eq. 10 q = C PGA / a_RM; "
+            "Eq. 11 intensità di Housner; Eq. 12 q_eff = q g / (a_g S); Eq. 13 q_eff = C1 SI^C2; "
+            "Eq. 15, 16.",
+        ),
+    ),
+    (
+        ("Misprints of the paper handled", "Refusi dell'articolo trattati"),
+        (
+            "Eq. 1 is printed for positive rotations only. Eq. 6: the bracket in cos is negative for "
+            "slender walls, which is the reversal itself; its modulus is used. Eq. 8 lacks a square "
+            "root. Eq. 15 and 16 give q_eff, not q: q = q_eff a_g S / g. r is an energy ratio; here "
+            "the velocity ratio sqrt(r) is shown. Eq. 7 is held at 0 where it turns negative.",
+            "L'Eq. 1 è stampata per sole rotazioni positive. Eq. 6: la parentesi in cos è negativa "
+            "per pareti snelle, ed è l'inversione stessa; se ne usa il modulo. All'Eq. 8 manca una "
+            "radice. Le Eq. 15 e 16 danno q_eff, non q: q = q_eff a_g S / g. r è un rapporto di "
+            "energie; qui si mostra il rapporto di velocità sqrt(r). L'Eq. 7 è limitata a 0.",
+        ),
+    ),
+    (
+        ("q and its search", "q e la sua ricerca"),
+        (
+            "Collapse is not monotone in the multiplier: a wall can survive a stronger scale of the "
+            "same record. q is therefore the first collapse on a geometric grid, bisected, and is "
+            "given with the grid step. q_robust is the smallest grid q whose neighbourhood of +-10 % "
+            "(default) holds 16 % of collapsing points: it hardly depends on the step, and can lie "
+            "above or below q.",
+            "Il collasso non è monotono nel moltiplicatore: una parete può sopravvivere a una scala "
+            "maggiore dello stesso record. q è quindi il primo collasso su una griglia geometrica, con "
+            "bisezione, e si dà col passo della griglia. q_robust è il minimo q di griglia il cui "
+            "intorno di +-10 % (predefinito) contiene il 16 % di punti di collasso: dipende poco dal "
+            "passo e può essere maggiore o minore di q.",
+        ),
+    ),
+    (
+        ("Set of records, sign", "Insieme dei record, segno"),
+        (
+            "7 or more records with a number: mean; 3 to 6: minimum; fewer: minimum, flagged. A "
+            "one-sided wall is analysed with both signs of each record and the lower governs.",
+            "7 o più record con un valore: media; da 3 a 6: minimo; meno: minimo, segnalato. La parete "
+            "su un lato si analizza con entrambi i segni di ogni record e governa il minore.",
+        ),
+    ),
+    (
+        ("Words of an outcome", "Parole degli esiti"),
+        (
+            "collapse found: q is a number. No collapse found: none up to q_limit, left out of the set "
+            "and counted. Impact limit: more than 10 000 impacts within a sample, outcome unknown, the "
+            "set is incomplete.",
+            "Collasso trovato: q è un numero. Nessun collasso: fino a q_limit, escluso dall'insieme e "
+            "contato. Limite di urti: oltre 10 000 urti in un campione, esito ignoto, insieme "
+            "incompleto.",
+        ),
+    ),
+    (
+        ("Range of Eq. 15 and 16", "Campo delle Eq. 15 e 16"),
+        (
+            "Fitted on rectangular blocks, rigid law, Eq. 4 or Eq. 6, alpha 3.1-11.3 deg, H 3-11 m, "
+            "PGA 0.106-0.312 g, no load: outside, a warning. SI and a_g S belong to the same motion.",
+            "Tarate su blocchi rettangolari, legge rigida, Eq. 4 o Eq. 6, alpha 3.1-11.3°, H 3-11 m, "
+            "PGA 0.106-0.312 g, senza carico: fuori, un'avvertenza. SI e a_g S sono dello stesso moto.",
+        ),
+    ),
+    (
+        ("What is left out", "Che cosa è escluso"),
+        (
+            "Load and thrust of floors and roof, ties, sliding, vertical motion, cracking and crushing "
+            "of the masonry, the amplification of the motion along the height of a building, "
+            "confidence factor and e* of the Circolare. The motion amplifies small differences: an "
+            "input known to 1 % does not give a rotation known to 1 %.",
+            "Carichi e spinte di solai e coperture, catene, scorrimento, moto verticale, fessurazione "
+            "e schiacciamento della muratura, amplificazione del moto lungo l'altezza dell'edificio, "
+            "fattore di confidenza ed e* della Circolare. Il moto amplifica le piccole differenze: un "
+            "dato noto all'1 % non dà una rotazione nota all'1 %.",
+        ),
+    ),
+)
+
+
+def paragraphs(language: str) -> list[tuple[str, str]]:
+    """(label, body) in this language."""
+    k = 1 if language == "it" else 0
+    return [(label[k], body[k]) for label, body in _PARAGRAPHS]

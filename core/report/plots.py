@@ -1,0 +1,228 @@
+"""Sheets with native charts: q against SI, histories at collapse, survival map."""
+
+import math
+
+import numpy as np
+from openpyxl.chart import Reference, ScatterChart, Series
+from openpyxl.formatting.rule import ColorScaleRule
+from openpyxl.utils import get_column_letter
+
+from core.closed_forms import closed_form_q_eff
+from core.report.cells import (
+    ACCENT, BAD, GOOD, QUIET, RATIO, Book, header, number, paragraph, text, title,
+)  # fmt: skip
+from core.report.sheets import mechanism_word
+from core.study import CollapseHistories, StudyResult, WallResult
+from core.units import CM
+
+CHART_WALLS = 20
+CURVE_POINTS = 25
+HISTORY_POINTS = 1500
+MAP_ROWS = 200
+MAP_BIN = 0.02
+"""Width of a column of the survival map in ln q."""
+
+DATA = 16
+"""First column of the data behind the charts, right of what is printed."""
+
+
+def _chart(heading: str, x: str, y: str, width=24.0, height=9.5) -> ScatterChart:
+    chart = ScatterChart()
+    chart.title = heading
+    chart.style = 13
+    chart.x_axis.title, chart.y_axis.title = x, y
+    chart.x_axis.delete = chart.y_axis.delete = False
+    chart.x_axis.majorGridlines = None
+    chart.x_axis.number_format = chart.y_axis.number_format = "General"
+    chart.width, chart.height = width, height
+    chart.legend.position = "b"
+    return chart
+
+
+def _series(chart, sheet, columns, rows, color, points=False, dash=None, width=19000) -> None:
+    """Add one curve; columns (x, y), rows (first with the header of y, last)."""
+    x = Reference(sheet, min_col=columns[0], min_row=rows[0] + 1, max_row=rows[1])
+    y = Reference(sheet, min_col=columns[1], min_row=rows[0], max_row=rows[1])
+    series = Series(y, x, title_from_data=True)
+    series.smooth = False
+    if points:
+        series.marker.symbol, series.marker.size = "circle", 7
+        series.marker.graphicalProperties.solidFill = color
+        series.graphicalProperties.line.noFill = True
+    else:
+        series.marker.symbol = "none"
+        series.graphicalProperties.line.solidFill = color
+        series.graphicalProperties.line.width = width
+        if dash:
+            series.graphicalProperties.line.dashStyle = dash
+    chart.series.append(series)
+
+
+def q_against_si(book: Book, result: StudyResult) -> None:
+    """q_eff against SI: points, fitted power law, Eq. 15/16 with +-20 %, one chart a wall."""
+    say = book.say
+    sheet = book.sheet("q against SI", "q e SI", [10] * 14)
+    title(sheet, 1, say("Effective q against Housner intensity", "q effettivo e intensità di Housner"))
+    row = 3
+    walls = [wall for wall in result.walls if any(entry.q for entry in wall.per_record)]
+    if not walls:
+        text(sheet, row, 1, say("No run with a number of q.", "Nessuna analisi con un valore di q."))
+    for index, wall in enumerate(walls[:CHART_WALLS]):
+        column = DATA + 8 * index
+        last_point, last_curve = _si_data(book, sheet, wall, column)
+        label = f"{wall.name} – {mechanism_word(book, wall.mechanism)}"
+        chart = _chart(label, "SI [cm]", "q_eff [-]", 17.5, 9.5)
+        _series(chart, sheet, (column, column + 1), (2, last_point), ACCENT, points=True)
+        if wall.power_law:
+            _series(chart, sheet, (column + 2, column + 3), (2, last_curve), ACCENT)
+        _series(chart, sheet, (column + 2, column + 4), (2, last_curve), BAD)
+        for k in (5, 6):
+            _series(chart, sheet, (column + 2, column + k), (2, last_curve), BAD, dash="dash", width=9500)
+        chart.x_axis.scaling.min = 0
+        chart.y_axis.scaling.min = 0
+        sheet.add_chart(chart, f"A{row}")
+        row += 21
+    if len(walls) > CHART_WALLS:
+        names = ", ".join(wall.name for wall in walls[CHART_WALLS:])
+        row = paragraph(sheet, row, say("Not drawn: ", "Non disegnate: ") + names, 10, 90)
+    sheet.print_area = f"A1:J{max(row, 24)}"
+
+
+def _si_data(book: Book, sheet, wall: WallResult, column: int) -> tuple[int, int]:
+    """Points and curves behind one chart; returns their last rows."""
+    form = "Eq. 16" if wall.mechanism == "one_sided" else "Eq. 15"
+    law = wall.power_law
+    fit = f"C1 SI^C2 (R² {law.r_squared:.2f})" if law else "–"
+    text(sheet, 1, column, f"{wall.name} {wall.mechanism}", color=QUIET)
+    header(sheet, 2, ["SI [cm]", book.say("time histories", "storie temporali"), "SI [cm]", fit, form,
+                      f"{form} +20 %", f"{form} −20 %"], column, 30)  # fmt: skip
+    row = 2
+    points = [entry for entry in wall.per_record if entry.q is not None]
+    for entry in points:
+        row += 1
+        number(sheet, row, column, entry.intensity / CM, RATIO)
+        number(sheet, row, column + 1, entry.q_eff, RATIO)
+    low = 0.8 * min(entry.intensity for entry in points)
+    high = 1.25 * max(entry.intensity for entry in points)
+    for k, si in enumerate(np.geomspace(low, high, CURVE_POINTS)):
+        q_eff = closed_form_q_eff(
+            wall.block.slenderness, wall.block.height, float(si), wall.mechanism == "one_sided"
+        )
+        number(sheet, 3 + k, column + 2, float(si) / CM, RATIO)
+        if law:
+            number(sheet, 3 + k, column + 3, law.q_eff(float(si)), RATIO)
+        for m, factor in enumerate((1.0, 1.2, 0.8)):
+            number(sheet, 3 + k, column + 4 + m, factor * q_eff, RATIO)
+    return row, 2 + CURVE_POINTS
+
+
+def histories(book: Book, result: StudyResult, drawn: list[CollapseHistories]) -> None:
+    """theta/alpha of the governing record just below and just above first collapse."""
+    say = book.say
+    sheet = book.sheet("Histories", "Storie temporali", [10] * 14)
+    title(sheet, 1, say("Rotation at first collapse", "Rotazione al primo collasso"))
+    row = 3
+    for index, entry in enumerate(drawn[:CHART_WALLS]):
+        column = DATA + 5 * index
+        last = _history_data(book, sheet, entry, column)
+        sign = "+" if entry.polarity > 0 else "−"
+        label = (
+            f"{entry.wall.name} – {mechanism_word(book, entry.wall.mechanism)}: "
+            f"{entry.motion.name} ({sign})"
+        )
+        chart = _chart(label, "t [s]", "θ/α [-]", 17.5, 8.5)
+        _series(chart, sheet, (column, column + 1), (2, last[0]), GOOD, width=12000)
+        _series(chart, sheet, (column + 2, column + 3), (2, last[1]), BAD, width=12000)
+        chart.y_axis.scaling.min, chart.y_axis.scaling.max = -1.5, 1.5
+        chart.x_axis.scaling.min = 0
+        chart.x_axis.scaling.max = math.ceil(entry.motion.duration)
+        chart.x_axis.tickLblPos = "low"
+        sheet.add_chart(chart, f"A{row}")
+        row += 19
+    shown = {id(entry.wall) for entry in drawn[:CHART_WALLS]}
+    rest = [wall for wall in result.walls if id(wall) not in shown]
+    if rest:
+        names = ", ".join(f"{wall.name} ({mechanism_word(book, wall.mechanism)})" for wall in rest)
+        paragraph(sheet, row, say("Not drawn: ", "Non disegnate: ") + names, 10, 90)
+        row += 2
+    sheet.print_area = f"A1:J{max(row, 22)}"
+
+
+def _history_data(book: Book, sheet, entry: CollapseHistories, column: int) -> tuple[int, int]:
+    words = (book.say("survives", "resiste"), book.say("collapses", "crolla"))
+    text(sheet, 1, column, entry.wall.name, color=QUIET)
+    last = []
+    for k, (history, scale) in enumerate(zip(entry.histories, entry.scales, strict=True)):
+        header(sheet, 2, ["t [s]", f"C = {abs(scale):.4f} {words[k]}"], column + 2 * k, 30)
+        ratio = history.rotation / entry.wall.block.slenderness
+        row = 2
+        for sample in thinned(ratio, HISTORY_POINTS):
+            row += 1
+            sheet.cell(row, column + 2 * k, round(sample * entry.motion.time_step, 6))
+            sheet.cell(row, column + 2 * k + 1, float(ratio[sample]))
+        last.append(row)
+    return last[0], last[1]
+
+
+def thinned(values: np.ndarray, most: int) -> list[int]:
+    """Samples to draw: at most this many, each the largest in modulus of its piece, and the last."""
+    size = max(1, math.ceil(values.size / most))
+    pieces = range(0, values.size, size)
+    chosen = [start + int(np.argmax(np.abs(values[start : start + size]))) for start in pieces]
+    return chosen if chosen[-1] == values.size - 1 else [*chosen, values.size - 1]
+
+
+def survival_map(book: Book, result: StudyResult) -> None:
+    """A row a run, a column 0.02 of ln q: share of collapsing grid points, white to red."""
+    say = book.say
+    sheet = book.sheet("Survival map", "Mappa di sopravvivenza", [20, 11, 22, 5], landscape=True)
+    title(sheet, 1, say("Survival map", "Mappa di sopravvivenza"))
+    paragraph(sheet, 2, say(
+        "White survives, red collapses, between them both within a column of 2 % in q; grey was not "
+        "analysed. A white field right of a red one is a wall surviving a stronger motion.",
+        "Bianco resiste, rosso crolla, in mezzo entrambi entro il 2 % in q; grigio non analizzato. Un "
+        "campo bianco a destra di uno rosso è una parete che resiste a un moto più forte."), 60, 170,
+        color=QUIET)  # fmt: skip
+    runs = [(wall, run) for wall in result.walls for run in wall.runs]
+    if not runs:
+        text(sheet, 4, 1, say("No records.", "Nessun accelerogramma."))
+        return
+    shares = [_binned(run.ida, result.search.q_step) for _, run in runs[:MAP_ROWS]]
+    first = min(min(share) for share in shares)
+    last = max(max(share) for share in shares)
+    header(sheet, 4, [say("Wall", "Parete"), say("Mechanism", "Meccanismo"),
+                      say("Record", "Accelerogramma"), ""], 1, 18)  # fmt: skip
+    for k in range(first, last + 1):
+        sheet.column_dimensions[get_column_letter(5 + k - first)].width = 0.9
+    for k in range(first, last + 1, 10):
+        # the label stands over its ten columns
+        sheet.merge_cells(start_row=4, start_column=5 + k - first, end_row=4, end_column=14 + k - first)
+        text(sheet, 4, 5 + k - first, f"{math.exp(MAP_BIN * k):.2f}", size=8, color=QUIET)
+    for row, ((wall, run), share) in enumerate(zip(runs, shares, strict=False), start=5):
+        text(sheet, row, 1, wall.name)
+        text(sheet, row, 2, mechanism_word(book, wall.mechanism))
+        text(sheet, row, 3, run.record)
+        text(sheet, row, 4, "+" if run.polarity > 0 else "−", align="center")
+        for k in range(first, last + 1):
+            cell = sheet.cell(row, 5 + k - first, share.get(k, -1.0))
+            cell.number_format = ";;;"
+    area = f"E5:{get_column_letter(5 + last - first)}{4 + len(shares)}"
+    sheet.conditional_formatting.add(area, ColorScaleRule(
+        start_type="num", start_value=-1, start_color="C9D1D9", mid_type="num", mid_value=0,
+        mid_color="FFFFFF", end_type="num", end_value=1, end_color=BAD))  # fmt: skip
+    if len(runs) > MAP_ROWS:
+        text(sheet, 6 + len(shares), 1, say(
+            f"{len(runs) - MAP_ROWS} more runs are in the JSON.",
+            f"Altre {len(runs) - MAP_ROWS} analisi nel JSON."))  # fmt: skip
+    sheet.freeze_panes = "E5"
+    sheet.print_title_rows = "4:4"
+
+
+def _binned(ida, q_step: float) -> dict[int, float]:
+    """Share of collapsing points of a map by bin of ln q."""
+    bins: dict[int, list[bool]] = {}
+    start = math.log(ida.q_start)
+    for k, digit in enumerate(ida.outcomes):
+        log_q = start + (ida.first_index + k) * math.log1p(q_step)
+        bins.setdefault(math.floor(log_q / MAP_BIN + 1e-9), []).append(digit == "1")
+    return {k: sum(found) / len(found) for k, found in bins.items()}
