@@ -44,7 +44,7 @@ def write_example_records(folder, count: int = 7) -> None:
     """The bundled records of resources/: two columns [s], [g] with a header that says what they are."""
     folder.mkdir(parents=True, exist_ok=True)
     for seed in range(1, count + 1):
-        pga = (0.18 + 0.03 * seed) * G
+        pga = (0.15 + 0.02 * seed) * G
         motion = filtered_noise(seed, pga) / G
         lines = [
             f"# Ribalta example motion, seed {seed}: filtered noise, not a real record, not compatible",

@@ -31,10 +31,6 @@ SENTENCES = {
         "Scaled by {scale:g} as asked.",
         "Scalato per {scale:g} come richiesto.",
     ),
-    "generated": (
-        "Made by the program (filtered noise, seed {seed}): for trials, not for a verification.",
-        "Generato dal programma (rumore filtrato, seme {seed}): per prove, non per verifiche.",
-    ),
     "costa_above_housner": (
         "costa_upper: 0.98 exceeds Eq. 4 above alpha 6.63 deg (here {alpha:.2f}).",
         "costa_upper: 0.98 supera l'Eq. 4 oltre alpha 6.63° (qui {alpha:.2f}).",

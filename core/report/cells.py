@@ -52,7 +52,7 @@ class Book:
         sheet.page_setup.fitToHeight = 0
         sheet.sheet_properties.pageSetUpPr.fitToPage = True
         sheet.page_margins.left = sheet.page_margins.right = 0.5
-        sheet.page_margins.top = sheet.page_margins.bottom = 0.6
+        sheet.page_margins.top, sheet.page_margins.bottom = 0.6, 0.8
         sheet.oddFooter.left.text = "Ribalta  &A"
         sheet.oddFooter.right.text = "&P / &N"
         return sheet

@@ -2,6 +2,8 @@
 
 import math
 
+from openpyxl.worksheet.pagebreak import Break
+
 from core.closed_forms import COEFFICIENTS
 from core.code_check import TITLE
 from core.report.cells import (
@@ -30,6 +32,8 @@ def check(book: Book, result: StudyResult) -> None:
         color=QUIET)  # fmt: skip
     row = _demand(book, sheet, result, 4)
     for index, wall in enumerate(result.walls, start=1):
+        if index > 1:
+            sheet.row_breaks.append(Break(id=row))
         row = _wall(book, sheet, result, wall, f"wall{index}", row + 1)
     sheet.freeze_panes = "A4"
 
@@ -38,7 +42,7 @@ def _input(book: Book, sheet, row, label, value, unit, name, shape=EXACT) -> int
     text(sheet, row, 1, label)
     text(sheet, row, 2, book.say("input", "dato"), color=QUIET)
     number(sheet, row, LIVE, value, shape)
-    text(sheet, row, 5, unit, color=QUIET)
+    text(sheet, row, 5, unit, color=QUIET, align="center")
     if name and value is not None:
         book.name(name, sheet.cell(row, LIVE))
     rule(sheet, row, 1, 5)
@@ -55,7 +59,7 @@ def _live(book: Book, sheet, row, label, equation, formula, value, unit, name=No
         if name:
             book.name(name, sheet.cell(row, LIVE))
     number(sheet, row, ENGINE, value, shape, color=QUIET)
-    text(sheet, row, 5, unit, color=QUIET)
+    text(sheet, row, 5, unit, color=QUIET, align="center")
     rule(sheet, row, 1, 5)
     return row + 1
 
@@ -251,6 +255,7 @@ def _inequality(book: Book, sheet, wall: WallResult, name: str, row: int) -> int
             cell = book.formula(
                 sheet.cell(row, 8), f'=IF(F{row}>=1,"{yes}","{no}")', yes if inequality.passed else no
             )
-            style(cell, bold=True, color=GOOD if inequality.passed else BAD)
+            color = GOOD if inequality.passed else BAD
+            style(cell, bold=True, color=color, align="center")
         rule(sheet, row, 1, 8)
     return row + 2

@@ -4,8 +4,19 @@ import math
 
 import numpy as np
 from openpyxl.chart import Reference, ScatterChart, Series
+from openpyxl.chart.shapes import GraphicalProperties
+from openpyxl.chart.text import RichText, Text
+from openpyxl.chart.title import Title
+from openpyxl.drawing.line import LineProperties
+from openpyxl.drawing.text import (
+    CharacterProperties,
+    Paragraph,
+    ParagraphProperties,
+    RegularTextRun,
+)
 from openpyxl.formatting.rule import ColorScaleRule
 from openpyxl.utils import get_column_letter
+from openpyxl.worksheet.pagebreak import Break
 
 from core.closed_forms import closed_form_q_eff
 from core.report.cells import (
@@ -16,6 +27,7 @@ from core.study import CollapseHistories, StudyResult, WallResult
 from core.units import CM
 
 CHART_WALLS = 20
+CHARTS_PER_PAGE = 3
 CURVE_POINTS = 25
 HISTORY_POINTS = 1500
 MAP_ROWS = 200
@@ -28,11 +40,17 @@ DATA = 16
 
 def _chart(heading: str, x: str, y: str, width=24.0, height=9.5) -> ScatterChart:
     chart = ScatterChart()
-    chart.title = heading
     chart.style = 13
+    font = CharacterProperties(sz=1100, b=True)
+    chart.title = Title(
+        tx=Text(rich=RichText(p=[Paragraph(
+            pPr=ParagraphProperties(defRPr=font), r=[RegularTextRun(rPr=font, t=heading)])])),
+        overlay=False,
+    )  # fmt: skip
     chart.x_axis.title, chart.y_axis.title = x, y
     chart.x_axis.delete = chart.y_axis.delete = False
     chart.x_axis.majorGridlines = None
+    chart.y_axis.majorGridlines.spPr = GraphicalProperties(ln=LineProperties(solidFill="DDE3E8"))
     chart.x_axis.number_format = chart.y_axis.number_format = "General"
     chart.width, chart.height = width, height
     chart.legend.position = "b"
@@ -82,6 +100,8 @@ def q_against_si(book: Book, result: StudyResult) -> None:
         chart.y_axis.scaling.min = 0
         sheet.add_chart(chart, f"A{row}")
         row += 21
+        if index % CHARTS_PER_PAGE == CHARTS_PER_PAGE - 1:
+            sheet.row_breaks.append(Break(id=row - 2))
     if len(walls) > CHART_WALLS:
         names = ", ".join(wall.name for wall in walls[CHART_WALLS:])
         row = paragraph(sheet, row, say("Not drawn: ", "Non disegnate: ") + names, 10, 90)
@@ -139,6 +159,8 @@ def histories(book: Book, result: StudyResult, drawn: list[CollapseHistories]) -
         chart.x_axis.tickLblPos = "low"
         sheet.add_chart(chart, f"A{row}")
         row += 19
+        if index % CHARTS_PER_PAGE == CHARTS_PER_PAGE - 1:
+            sheet.row_breaks.append(Break(id=row - 2))
     shown = {id(entry.wall) for entry in drawn[:CHART_WALLS]}
     rest = [wall for wall in result.walls if id(wall) not in shown]
     if rest:

@@ -125,7 +125,7 @@ def _summary_row(book: Book, sheet, row: int, wall: WallResult) -> None:
     number(sheet, row, 4, wall.thickness, RATIO)
     number(sheet, row, 5, math.degrees(wall.block.slenderness), RATIO)
     number(sheet, row, 6, wall.block.threshold_acceleration / G, ACCELERATION)
-    text(sheet, row, 7, rule_word(book, wall.set_rule))
+    text(sheet, row, 7, rule_word(book, wall.set_rule), align="center")
     number(sheet, row, 8, wall.q_set, RATIO, bold=True)
     number(sheet, row, 9, wall.q_min, RATIO)
     number(sheet, row, 10, wall.q_robust_set, RATIO)

@@ -1,0 +1,45 @@
+"""Write requirements.lock: hash-pinned, no addresses, one section a group. Needs uv on the PATH.
+
+    python packaging/lock.py
+
+Each section holds what its group adds to the base; run.py installs base and the groups it needs.
+"""
+
+import re
+import subprocess
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+GROUPS = ("base", "test", "gui", "bench", "package")
+
+
+def resolved(extras: list[str], constraint: Path | None = None) -> dict[str, str]:
+    """Package -> its block of the lock, for all platforms and interpreters at once."""
+    command = ["uv", "pip", "compile", "--quiet", "--universal", "--generate-hashes", "--no-header",
+               "--no-annotate", "--no-emit-index-url", "--no-emit-find-links", "pyproject.toml"]  # fmt: skip
+    for extra in extras:
+        command += ["--extra", extra]
+    if constraint:
+        command += ["--constraint", str(constraint)]
+    text = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout
+    blocks = re.split(r"\n(?=[A-Za-z0-9])", text.strip())
+    return {block.splitlines()[0].rstrip(" \\"): block for block in blocks}
+
+
+def main() -> None:
+    everything = resolved(list(GROUPS[1:]))
+    with tempfile.TemporaryDirectory() as folder:
+        pins = Path(folder) / "pins.txt"
+        pins.write_text("\n".join(everything))
+        base = resolved([], pins)
+        lines = []
+        for group in GROUPS:
+            own = base if group == "base" else resolved([group], pins)
+            kept = [block for pin, block in own.items() if group == "base" or pin not in base]
+            lines += [f"# [{group}]", *kept]
+    (ROOT / "requirements.lock").write_text("\n".join(lines) + "\n")
+
+
+if __name__ == "__main__":
+    main()
