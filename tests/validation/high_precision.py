@@ -23,11 +23,14 @@ def _coefficients(phi, speed, beta, slope, p2, alpha, branch):
 
 
 def _value(c, t):
-    return mp.polyval(c[::-1], t)
+    total = mp.mpf(0)
+    for coefficient in reversed(c):
+        total = total * t + coefficient
+    return total
 
 
 def _rate(c, t):
-    return mp.polyval([k * c[k] for k in range(len(c) - 1, 0, -1)], t)
+    return _value([k * c[k] for k in range(1, len(c))], t)
 
 
 def _first_root(c, level, h, pieces=64):

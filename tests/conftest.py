@@ -1,0 +1,70 @@
+"""Shared fixtures: the shelf of real records, the reference histories, a wall of the paper."""
+
+import csv
+import math
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+
+
+def shelf_folder() -> Path | None:
+    """Folder of real records: RIBALTA_RECORDS, else shared/records beside the project."""
+    named = os.environ.get("RIBALTA_RECORDS")
+    folder = Path(named) if named else ROOT.parent / "shared" / "records"
+    return folder if (folder / "INDEX.csv").exists() else None
+
+
+@pytest.fixture(scope="session")
+def shelf() -> Path:
+    folder = shelf_folder()
+    if folder is None:
+        pytest.skip("no shelf of real records (RIBALTA_RECORDS or ../shared/records)")
+    return folder
+
+
+@pytest.fixture(scope="session")
+def index(shelf) -> dict[str, dict[str, str]]:
+    with open(shelf / "INDEX.csv", encoding="utf-8") as stream:
+        return {row["file"]: row for row in csv.DictReader(stream)}
+
+
+@pytest.fixture(scope="session")
+def reference():
+    """name -> (ground [m/s2], rotation / alpha, impact times [s], velocities before impact)."""
+
+    def load(name: str):
+        folder = Path(__file__).parent / "reference"
+        record = np.loadtxt(folder / f"{name}_record.csv", delimiter=",", skiprows=1)
+        impacts = np.loadtxt(folder / f"{name}_impacts.csv", delimiter=",", skiprows=1)
+        return np.ascontiguousarray(record[:, 1]), record[:, 2], impacts[:, 0], impacts[:, 1]
+
+    return load
+
+
+@pytest.fixture(scope="session")
+def make_model():
+    """A RockingModel from degrees, metres and names."""
+    from core.block import Block
+    from core.moment_rotation import LAWS
+    from core.restitution import restitution
+    from core.rocking import rocking_model
+
+    def make(alpha_deg=6.8, height=7.0, one_sided=False, model=None, ratio=None, law="rigid"):
+        block = Block.rectangle(height, math.radians(alpha_deg))
+        if ratio is not None:
+            model = "user"
+        model = model or ("one_sided_theoretical" if one_sided else "housner")
+        return rocking_model(block, one_sided, restitution(block, model, ratio), LAWS[law])
+
+    return make
+
+
+@pytest.fixture(scope="session")
+def el_centro(shelf):
+    from core import records
+
+    return records.read(shelf / "PEER_AT2" / "elCentro_variant_noheader4.AT2")

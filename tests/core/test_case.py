@@ -1,0 +1,145 @@
+"""The case file: every rule refuses in one sentence that names place, value and what is accepted."""
+
+import tomllib
+
+import pytest
+
+from core.case import dumps, parse_case, read_case
+from core.errors import InputError
+
+WALL = {"name": "w", "height_m": 7.0, "thickness_m": 0.83, "mechanism": "two_sided"}
+
+
+def case(wall=(), **rest):
+    return {"wall": [{**WALL, **dict(wall)}], **rest}
+
+
+def without(*keys, **more):
+    return {"wall": [{k: v for k, v in {**WALL, **more}.items() if k not in keys}]}
+
+
+@pytest.mark.parametrize(
+    "table, words",
+    [
+        ({}, ["no [[wall]]"]),
+        ({"wall": []}, ["no [[wall]]"]),
+        ({"wall": WALL}, ["[[wall]]"]),
+        ({"wall": ["x"]}, ["table"]),
+        (without("mechanism"), ["mechanism", "required", "one_sided"]),
+        (without("name"), ["name", "required"]),
+        (case({"mechanism": "sideways"}), ["sideways", "two_sided"]),
+        (case({"heigth_m": 3}), ["heigth_m", "height_m?"]),
+        (case({"height_m": float("nan")}), ["height_m", "nan", "0.1 to 60 m"]),
+        (case({"height_m": float("inf")}), ["height_m", "60"]),
+        (case({"height_m": -7.0}), ["height_m = -7.0", "0.1"]),
+        (case({"height_m": "7"}), ["height_m = '7'"]),
+        (case({"height_m": True}), ["height_m"]),
+        (case({"slenderness_deg": 6.8}), ["exactly one", "thickness_m, slenderness_deg"]),
+        (without("thickness_m"), ["exactly one", "none"]),
+        (without("height_m"), ["height_m missing"]),
+        (case({"radius_m": 3.0}), ["general block"]),
+        (without("height_m", "thickness_m", radius_m=3.0, slenderness_deg=7.0), ["inertia"]),
+        (case({"restitution": "bouncy"}), ["bouncy", "housner"]),
+        (case({"restitution": "user"}), ["velocity_ratio"]),
+        (case({"restitution": "housner", "velocity_ratio": 0.9}), ["velocity_ratio"]),
+        (case({"velocity_ratio": 1.2}), ["velocity_ratio", "0 to 1"]),
+        (case({"restitution": "one_sided_theoretical"}), ["one_sided"]),
+        (case({"law": "quadrilinear"}), ["quadrilinear", "doherty"]),
+        (case({"law": {"elastic_limit": 0.3, "plateau_end": 0.2}}), ["elastic_limit <="]),
+        (case({"law": {"elastic_limit": 0.3}}), ["plateau_end"]),
+        (case({"name": "a\u0007b"}), ["control characters"]),
+        (case({"name": "x" * 600}), ["500"]),
+        (case({"hinge_setback_m": 0.05}), ["hinge_setback_m", "not built yet"]),
+        (case(walls="walls.xlsx"), ["walls", "not built yet"]),
+        (case(generate={"count": 7}), ["generate", "not built yet"]),
+        (case(analysis={"method": "rk4"}), ["rk4", "not built yet"]),
+        (case(analysis={"method": "magic"}), ["magic", "taylor"]),
+        (case(analysis={"q_step": 0.0}), ["q_step", "0.0001"]),
+        (case(analysis={"q_stepp": 0.01}), ["q_step?"]),
+        (case(analysis={"polarity": "none"}), ["polarity"]),
+        (case(demand={"soil_factor": 1.2}), ["ag_g", "required"]),
+        (case(demand={"ag_g": 0.0}), ["ag_g = 0.0", "above 0"]),
+        (case(demand={"ag_g": 0.2, "confidence_factor": 1.35}), ["not built yet"]),
+        (case(demand=0.2), ["[demand] must be a table"]),
+        (case(record=[{"file": "a.txt", "unit": "knots"}]), ["knots", "m/s2"]),
+        (case(record=[{"unit": "g"}]), ["file", "required"]),
+        (case(record=[{"file": "a.txt", "scale": 0.0}]), ["scale = 0"]),
+        (case(record=[{"file": "a.txt", "column": 1.5}]), ["column", "whole number"]),
+        (case(report={"language": "de"}), ["language", "en, it"]),
+        (case(colour="red"), ["colour"]),
+        ({"wall": [WALL, WALL]}, ["same name"]),
+    ],
+)
+def test_that_a_wrong_case_is_refused_in_one_sentence(table, words):
+    with pytest.raises(InputError) as caught:
+        parse_case(table)
+    for word in words:
+        assert word in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+def test_that_defaults_follow_the_mechanism():
+    both = parse_case(case({"mechanism": "both"})).wall[0]
+    assert both.mechanisms() == ("two_sided", "one_sided")
+    assert both.restitution_of("two_sided").model == "housner"
+    assert both.restitution_of("one_sided").model == "one_sided_theoretical"
+    given = parse_case(case({"velocity_ratio": 0.9})).wall[0]
+    assert given.restitution_of("two_sided").ratio_at_rest == 0.9
+
+
+def test_that_three_ways_to_write_a_wall_are_one_block():
+    import math
+
+    ways = [
+        {"thickness_m": 0.83},
+        {"slenderness_deg": math.degrees(math.atan2(0.83, 7.0))},
+        {"height_over_thickness": 7.0 / 0.83},
+    ]
+    blocks = [
+        parse_case({"wall": [{**without("thickness_m")["wall"][0], **way}]}).wall[0].block()
+        for way in ways
+    ]
+    for block in blocks[1:]:
+        assert block.slenderness == pytest.approx(blocks[0].slenderness, rel=1e-14)
+        assert block.radius == pytest.approx(blocks[0].radius, rel=1e-14)
+
+
+def test_that_a_case_written_and_read_again_is_the_same():
+    full = case(
+        {"law": {"elastic_limit": 0.05, "plateau_end": 0.3}, "velocity_ratio": 0.91},
+        title='a "quoted" = title',
+        record=[{"file": "*.AT2"}, {"file": "b.txt", "unit": "g", "time_step_s": 0.01}],
+        analysis={"q_step": 0.01, "polarity": "reversed"},
+        demand={"ag_g": 0.1, "housner_intensity_cm": 50},
+        report={"language": "it", "client": "=SUM(A1)"},
+    )
+    first = parse_case(full)
+    again = parse_case(tomllib.loads(dumps(first)))
+    assert again == first
+    assert again.sha256 == first.sha256
+
+
+def test_that_files_that_are_no_case_are_one_sentence(tmp_path):
+    for name, content, word in (
+        ("a.toml", b"[[wall\n", "not TOML"),
+        ("b.toml", b"\xff\xfe\x00\x01", "not UTF-8"),
+        ("c.toml", b"just words", "not TOML"),
+    ):
+        path = tmp_path / name
+        path.write_bytes(content)
+        with pytest.raises(InputError, match=word) as caught:
+            read_case(path)
+        assert name in str(caught.value)
+    with pytest.raises(InputError, match="no such case"):
+        read_case(tmp_path / "nowhere.toml")
+    with pytest.raises(InputError, match="cannot be read"):
+        read_case(tmp_path)
+
+
+def test_that_every_shipped_case_can_be_read():
+    from tests.conftest import ROOT
+
+    shipped = sorted((ROOT / "resources" / "cases").glob("*.toml"))
+    assert shipped
+    for path in shipped:
+        assert read_case(path).wall

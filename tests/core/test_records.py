@@ -1,0 +1,241 @@
+"""Readers: the shelf against INDEX.csv, and the grammar on files made here."""
+
+import numpy as np
+import pytest
+
+from core import records
+from core.errors import InputError, RecordError
+from core.records.grammar import Options
+from core.units import CM, G
+
+READ = ("PEER_AT2", "ESM_ASCII", "SIGMA_ITACA_acc", "plain_txt")
+
+ASKED = {
+    "PEER_AT2/AND270.AT2": {"unit": "g"},
+    "PEER_AT2/IELC180.acc": {"unit": "g", "time_step": 0.01},
+    "plain_txt/sct190985.txt": {"unit": "g", "column": 3},
+    "plain_txt/tabasFN.txt": {"unit": "g", "time_step": 0.02},
+}
+"""What these files do not say."""
+
+MOTION = np.round(np.sin(np.arange(40) * 0.7) * np.exp(-0.05 * np.arange(40)), 5)
+
+
+def options_of(file: str, row: dict) -> Options:
+    given = dict(ASKED.get(file, {}))
+    if file.startswith("plain_txt") and "unit" not in given:
+        given["unit"] = row["units_in_file"].split()[0]
+    return Options(**given)
+
+
+def test_that_every_file_of_these_formats_has_its_known_measures(shelf, index):
+    read = 0
+    for file, row in index.items():
+        if not file.startswith(READ) or not row["pga_g"]:
+            continue
+        factor = 1.0
+        if "is x" in row["units_in_file"]:  # haselREC: the numbers are of the unscaled record
+            factor = 1.0 / float(row["units_in_file"].split("x")[1].rstrip(")"))
+        found = records.read(shelf / file, options_of(file, row), factor)
+        measures = (
+            (found.pga / G, "pga_g", 1e-4),
+            (found.housner_intensity / CM, "SI_psv5_cm", 0.01),
+            (found.pgv / CM, "pgv_cm_s", 0.01),
+            (found.arias, "arias_m_s", 0.001),
+        )
+        for value, key, digit in measures:
+            known = float(row[key])
+            assert abs(value - known) <= max(0.005 * known, 0.5001 * digit), (file, key)
+        assert found.acceleration.size == int(row["npts"]), file
+        assert found.time_step == pytest.approx(float(row["dt_s"]), rel=1e-9), file
+        read += 1
+    assert read >= 50
+
+
+def test_that_what_is_no_acceleration_is_refused(shelf):
+    for file, word in (
+        ("PEER_AT2/IELC180.DT2", "displacement"),
+        ("PEER_AT2/RSN57_SFERN_ORR021.VT2", "velocity"),
+        ("plain_txt/RSN1044_Damping5.txt", "spectrum"),
+        ("plain_txt/SeismoSignal_Imperial_Valley.txt", "spectrum"),
+        ("plain_txt/oqvmtk_dts_1.csv", "time column"),
+        ("SAC_MSEED/20190706031952.CJ.T001230.HNE.sac", "binary"),
+        ("SAC_MSEED/TA.M04C..HNE_20140824.mseed", "binary"),
+        ("KNET_KIKNET/test.knet", "K-NET"),
+        ("SMC/0111a.smc", "SMC"),
+        ("GEONET/20180212_211557_WPWS_20.V2A", "not read yet"),
+    ):
+        with pytest.raises(RecordError, match=word):
+            records.read(shelf / file)
+
+
+def test_that_a_velocity_without_unit_is_not_guessed(shelf):
+    with pytest.raises(RecordError, match="give unit"):
+        records.read(shelf / "plain_txt/RSN1063_NORTHR_RRS228.txt")
+
+
+def test_that_every_file_of_the_shelf_is_read_or_refused_in_one_sentence(shelf, index):
+    for file in index:
+        for options in (Options(), Options(unit="g", time_step=0.01)):
+            try:
+                records.read(shelf / file, options)
+            except RecordError as error:
+                assert "\n" not in str(error)
+                assert str(shelf) in str(error)
+
+
+@pytest.fixture
+def write(tmp_path):
+    def make(content, name="motion.txt", encoding="utf-8"):
+        path = tmp_path / name
+        data = content if isinstance(content, bytes) else content.encode(encoding)
+        path.write_bytes(data)
+        return path
+
+    return make
+
+
+def column(separator="\n", shape="{:.5f}"):
+    return separator.join(shape.format(value) for value in MOTION)
+
+
+def two(separator=" ", shape="{:.5f}", end="\n", decimal="."):
+    rows = [f"{0.01 * k:.2f}{separator}{shape.format(a)}" for k, a in enumerate(MOTION)]
+    return end.join(rows).replace(".", decimal) + end
+
+
+@pytest.mark.parametrize(
+    "content, options",
+    [
+        (column(), {"unit": "m/s2", "time_step": 0.01}),
+        (two(), {"unit": "m/s2"}),
+        (two("\t"), {"unit": "m/s2"}),
+        (two(","), {"unit": "m/s2"}),
+        (two(", "), {"unit": "m/s2"}),
+        (two(";", decimal=","), {"unit": "m/s2"}),
+        (two("\t", decimal=","), {"unit": "m/s2"}),
+        (two(";"), {"unit": "m/s2"}),
+        (two(end="\r\n"), {"unit": "m/s2"}),
+        (two(end="\r\r\n"), {"unit": "m/s2"}),
+        (two(end="\r"), {"unit": "m/s2"}),
+        ("\ufeff" + two(), {"unit": "m/s2"}),
+        (two() + "\x1a", {"unit": "m/s2"}),
+        (two(shape="{:.6E}").replace("E", "D"), {"unit": "m/s2"}),
+        ("a title\n40 0.01\n" + column(), {"unit": "m/s2"}),
+        ("40 0.01\n" + two(), {"unit": "m/s2"}),
+        ("# Acceleration (m/s2), dt=0.0100s\n" + column(), {}),
+        ("Time[s] Accel[m/s2]\n" + two(), {}),
+        ("one\ntwo 2\n" + two(), {"unit": "m/s2", "skip_lines": 2}),
+    ],
+)
+def test_that_plain_text_is_read_under_every_accepted_dress(write, content, options):
+    found = records.read(write(content), Options(**options))
+    assert np.array_equal(found.acceleration, MOTION)
+    assert found.time_step == 0.01
+
+
+@pytest.mark.parametrize("encoding", ["utf-16", "latin-1", "utf-8-sig"])
+def test_that_encodings_are_understood(write, encoding):
+    path = write("# accelerazione misurata così\n" + two(), encoding=encoding)
+    assert np.array_equal(records.read(path, Options(unit="m/s2")).acceleration, MOTION)
+
+
+def test_that_units_convert_with_standard_gravity(write):
+    for unit, factor in (("g", 9.80665), ("cm/s2", 0.01), ("mm/s2", 0.001), ("m/s2", 1.0)):
+        found = records.read(write(two()), Options(unit=unit))
+        assert np.array_equal(found.acceleration, MOTION * factor)
+
+
+def peer(declared=40, values=None, unit="ACCELERATION TIME HISTORY IN UNITS OF G", step=".01000"):
+    body = [f"{value:14.7E}" for value in (MOTION if values is None else values)]
+    rows = ["".join(body[k : k + 5]) for k in range(0, len(body), 5)]
+    head = ["PEER STRONG MOTION DATABASE RECORD", "EVENT, STATION", unit,
+            f"NPTS= {declared}, DT= {step} SEC"]  # fmt: skip
+    return "\n".join(head + rows) + "\n"
+
+
+def test_that_glued_negative_fields_are_split(write):
+    values = -np.abs(MOTION) - 1e-8
+    assert "E-01-" in peer(values=values)
+    found = records.read(write(peer(values=values)))
+    assert np.allclose(found.acceleration, values * G, rtol=1e-7)
+
+
+def test_that_a_short_last_line_is_accepted_and_said(write):
+    found = records.read(write(peer(declared=42, values=np.append(MOTION, [0.5]))))
+    assert found.acceleration.size == 41
+    assert "incomplete" in found.warnings[0].text()
+
+
+@pytest.mark.parametrize(
+    "content, options, word",
+    [
+        (peer(declared=60), {}, "declares 60"),
+        (peer(declared=30), {}, "declares 30"),
+        (peer(unit="VELOCITY TIME HISTORY IN UNITS OF CM/S"), {}, "velocity"),
+        (peer(unit="ACCELERATION TIME HISTORY"), {}, "give unit"),
+        (peer(), {"unit": "m/s2"}, "states unit g"),
+        (peer(), {"time_step": 0.02}, "states time_step_s"),
+        (peer().replace("E-01", "E-0x", 1), {}, "not numbers"),
+        (column(), {"unit": "g"}, "give time_step_s"),
+        (two(), {}, "give unit"),
+        (two().replace("0.05 ", "0.06 "), {"unit": "g"}, "sorted and even"),
+        (two().replace("0.05 ", "0.03 "), {"unit": "g"}, "sorted and even"),
+        (two() + "\n0.41 nan\n", {"unit": "g"}, "not numbers"),
+        (two() + "0.40 inf\n", {"unit": "g"}, "not numbers"),
+        (two() + "0.40 1_000\n", {"unit": "g"}, "not numbers"),
+        (two() + "0.40 ١٢\n", {"unit": "g"}, "not numbers"),
+        (two() + "0.40 1e400\n", {"unit": "g"}, "too large"),
+        (two() + "0.40 1 2\n", {"unit": "g"}, "3 columns"),
+        (two(" ", "{0:.5f} {0:.5f}"), {"unit": "g"}, "3 columns: say which"),
+        (two(" ", "{0:.5f} {0:.5f}"), {"unit": "g", "column": 7}, "column = 7"),
+        (peer(), {"column": 2}, "leave it out"),
+        ("40 0.01\n" + column()[:200], {"unit": "g"}, "declares 40"),
+        ("", {"unit": "g"}, "empty"),
+        ("just words\n", {"unit": "g"}, "no numbers"),
+        ("0.1\n0.2\n", {"unit": "g", "time_step": 0.01}, "too few"),
+        ("0\n" * 50, {"unit": "g", "time_step": 0.01}, "zero"),
+        (b"\x00\x01\x02\x03" * 100, {"unit": "g"}, "binary"),
+        (two(), {"unit": "furlong"}, "furlong"),
+    ],
+)
+def test_that_a_bad_file_is_refused_in_one_sentence(write, content, options, word):
+    with pytest.raises(RecordError, match=word) as caught:
+        records.read(write(content), Options(**options))
+    assert "motion.txt" in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+def test_that_gaps_inside_a_record_are_refused_and_nan_tails_dropped(write):
+    text = peer(declared=40, values=MOTION)
+    nan_tail = text + "NaN NaN NaN\n"
+    found = records.read(write(nan_tail))
+    assert found.acceleration.size == 40
+    assert "dropped" in found.warnings[0].text()
+    rows = text.splitlines()
+    rows[6] = "NaN " * 5
+    with pytest.raises(RecordError, match="gap"):
+        records.read(write("\n".join(rows)))
+
+
+def test_that_missing_files_and_folders_are_one_sentence(tmp_path):
+    with pytest.raises(RecordError, match="no such file"):
+        records.read(tmp_path / "nowhere.txt")
+    with pytest.raises(RecordError, match="cannot be read"):
+        records.read(tmp_path)
+
+
+def test_that_a_glob_without_match_is_an_error(tmp_path, write):
+    write(two(), "a.txt")
+    write(two(), "b.txt")
+    names = [path.name for path in records.expand("*.txt", tmp_path)]
+    assert names == ["a.txt", "b.txt"]
+    with pytest.raises(InputError, match="no file matches"):
+        records.expand("*.AT2", tmp_path)
+
+
+def test_that_suspicious_peaks_are_warned_of(write):
+    large = records.read(write(two().replace("0.01 ", "0.01 9")), Options(unit="g"))
+    assert any("above 2 g" in warning.text() for warning in large.warnings)
+    small = records.read(write(two(shape="{:.5f}")), Options(unit="mm/s2"))
+    assert any("below 0.001 g" in warning.text() for warning in small.warnings)

@@ -1,0 +1,222 @@
+"""study.run: set rules, polarity, threads, journal, demand."""
+
+import json
+from dataclasses import asdict
+
+import numpy as np
+import pytest
+
+from core import study
+from core.case import parse_case
+from core.errors import Cancelled, InputError
+from core.ida import Ida
+from core.journal import Journal
+from core.report import json_report
+from core.units import CM, G
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory, reference):
+    """Three short records made from the reference motion."""
+    place = tmp_path_factory.mktemp("records")
+    ground = reference("standard")[0][:900]
+    for k, factor in enumerate((0.9, 1.0, 1.1)):
+        lines = [f"{value * factor:.9e}" for value in np.roll(ground, 30 * k)]
+        (place / f"r{k}.txt").write_text("\n".join(lines))
+    return place
+
+
+def case(**more):
+    table = {
+        "wall": [
+            {"name": "w", "height_m": 5.0, "thickness_m": 0.5, "mechanism": "both"},
+            {"name": "v", "height_m": 4.0, "slenderness_deg": 8.0, "mechanism": "two_sided",
+             "law": "doherty"},
+        ],
+        "record": [{"file": "r*.txt", "unit": "m/s2", "time_step_s": 0.01}],
+        "analysis": {"q_step": 0.02},
+        "demand": {"ag_g": 0.2, "soil_factor": 1.2},
+    }  # fmt: skip
+    return parse_case({**table, **more})
+
+
+@pytest.fixture(scope="module")
+def result(folder):
+    return study.run(case(), base_dir=folder)
+
+
+def numbers(result) -> str:
+    """The JSON without what names the moment of the run."""
+    content = json_report.results(result)
+    del content["started_utc"]
+    return json.dumps(content)
+
+
+def test_that_threads_and_their_number_change_no_digit(folder, result):
+    for jobs in (2, 5):
+        assert numbers(study.run(case(), base_dir=folder, jobs=jobs)) == numbers(result)
+
+
+def test_that_a_wall_with_both_mechanisms_gives_two_entries(result):
+    assert [(wall.name, wall.mechanism) for wall in result.walls] == [
+        ("w", "two_sided"), ("w", "one_sided"), ("v", "two_sided"),
+    ]  # fmt: skip
+    assert [run.polarity for run in result.walls[1].runs] == [1, -1] * 3
+    assert [run.polarity for run in result.walls[0].runs] == [1] * 3
+
+
+def test_that_the_lower_sign_governs_quantity_by_quantity(result):
+    wall = result.walls[1]
+    for entry in wall.per_record:
+        runs = [run for run in wall.runs if run.record == entry.record]
+        assert entry.q == min(run.ida.q for run in runs)
+        assert entry.q_robust == min(run.ida.q_robust for run in runs)
+        assert entry.q_slv == min(run.ida.q_slv for run in runs)
+
+
+def test_that_q_is_c_pga_over_a_rm(result):
+    for wall in result.walls:
+        for run in wall.runs:
+            motion = next(m for m in result.motions if m.name == run.record)
+            q = run.scale * motion.pga / wall.block.threshold_acceleration
+            assert run.ida.q == pytest.approx(q, rel=1e-14)
+            assert run.q_eff == pytest.approx(run.ida.q * G / motion.pga, rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    "values, expected",
+    [
+        ([], None),
+        ([None, None], None),
+        ([2.0, None], 2.0),
+        ([3.0, 2.0, 4.0], 2.0),
+        ([3.0, 2.0, 4.0, 5.0, 6.0, 7.0], 2.0),
+        ([1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0], 4.0),
+        ([1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, None], 4.0),
+    ],
+)
+def test_that_a_set_is_its_mean_from_seven_numbers_else_its_minimum(values, expected):
+    assert study.set_value(values) == expected
+
+
+def test_that_three_records_take_the_minimum(result):
+    wall = result.walls[0]
+    assert wall.set_rule == "minimum"
+    assert wall.q_set == wall.q_min == min(entry.q for entry in wall.per_record)
+
+
+def test_that_fewer_records_are_flagged(folder):
+    few = study.run(
+        case(record=[{"file": "r0.txt", "unit": "m/s2", "time_step_s": 0.01}]), base_dir=folder
+    )
+    assert few.walls[0].set_rule == "too_few"
+    assert any(notice.code == "too_few" for notice in few.walls[0].warnings)
+
+
+def test_that_a_standing_wall_is_left_out_and_counted(folder):
+    tall = {"name": "w", "height_m": 30.0, "slenderness_deg": 11.0, "mechanism": "two_sided"}
+    found = study.run(
+        case(wall=[tall], analysis={"q_step": 0.05, "q_limit": 1.5}), base_dir=folder
+    )
+    wall = found.walls[0]
+    assert {run.ida.status for run in wall.runs} == {"no_collapse_found"}
+    assert wall.q_set is None and wall.power_law is None
+    assert any(notice.code == "no_collapse" for notice in wall.warnings)
+    assert len(found.without_number) == 3
+    assert json.loads(json_report.dumps(found))["walls"][0]["runs"][0]["q"] is None
+
+
+def test_that_an_impact_limit_makes_the_set_incomplete(folder, monkeypatch):
+    real = study.incremental_dynamic_analysis
+    calls = []
+
+    def limited(*arguments, **keywords):
+        found = real(*arguments, **keywords)
+        calls.append(1)
+        if len(calls) == 2:
+            return Ida(**{**asdict(found), "status": "impact_limit", "q": None, "bracket": None})
+        return found
+
+    monkeypatch.setattr(study, "incremental_dynamic_analysis", limited)
+    wall = study.run(case(), base_dir=folder).walls[0]
+    assert wall.set_rule == "incomplete"
+    assert wall.q_set is None and wall.q_robust_set is None
+    assert wall.code_check[2] is None
+    assert wall.code_check[0] is not None
+
+
+def test_that_the_intensity_of_the_demand_is_given_or_from_the_records(folder, result):
+    demand = result.demand
+    assert demand.intensity_source == "records_scaled"
+    scaled = [m.housner_intensity * demand.pga / m.pga for m in result.motions]
+    assert demand.intensity == pytest.approx(np.mean(scaled), rel=1e-14)
+    assert any(notice.code == "si_from_records" for notice in result.walls[0].warnings)
+    given = study.run(
+        case(demand={"ag_g": 0.2, "housner_intensity_cm": 80.0}), base_dir=folder
+    )
+    assert given.demand.intensity == 80.0 * CM
+    assert given.demand.intensity_source == "given"
+
+
+def test_that_a_case_without_records_gives_closed_forms_and_code_only(folder):
+    found = study.run(
+        case(record=[], demand={"ag_g": 0.2, "housner_intensity_cm": 80.0}), base_dir=folder
+    )
+    wall = found.walls[0]
+    assert wall.runs == () and wall.set_rule is None and wall.q_set is None
+    assert wall.closed_form_q == pytest.approx(wall.closed_form_q_eff * 0.2)
+    assert [check is not None for check in wall.code_check] == [True, True, False, False, False]
+
+
+def test_that_a_record_twice_in_a_case_is_refused(folder):
+    twice = [{"file": "r0.txt", "unit": "m/s2", "time_step_s": 0.01}] * 2
+    with pytest.raises(InputError, match="twice"):
+        study.run(case(record=twice), base_dir=folder)
+
+
+def test_that_collapse_histories_stand_on_both_sides_of_collapse(result):
+    for wall in result.walls:
+        pair = study.collapse_histories(result, wall)
+        assert [history.outcome for history in pair.histories] == [0, 1]
+        assert pair.scales[0] != pair.scales[1]
+
+
+def test_that_a_cancelled_run_keeps_its_journal_and_resumes_bit_identical(
+    folder, tmp_path, result
+):
+    path = tmp_path / "case.journal"
+    state = {"done": 0}
+
+    def progress(done, planned):
+        state["done"] = done
+
+    with pytest.raises(Cancelled):
+        study.run(
+            case(), base_dir=folder, journal=lambda key: Journal(path, key, False),
+            on_progress=progress, cancelled=lambda: state["done"] >= 4,
+        )  # fmt: skip
+    lines = path.read_bytes().count(b"\n")
+    assert lines >= 5
+    # a line cut by a kill
+    path.write_bytes(path.read_bytes() + b'{"run": "0/0/1", "resu')
+    first = []
+
+    def resumed(done, planned):
+        first.append(done)
+
+    again = study.run(
+        case(), base_dir=folder, journal=lambda key: Journal(path, key, True), on_progress=resumed
+    )
+    assert first[0] >= 4
+    assert numbers(again) == numbers(result)
+
+
+def test_that_a_journal_of_another_case_is_not_used(folder, tmp_path):
+    path = tmp_path / "case.journal"
+    study.run(case(), base_dir=folder, journal=lambda key: Journal(path, key, False))
+    first = []
+    study.run(
+        case(analysis={"q_step": 0.03}), base_dir=folder,
+        journal=lambda key: Journal(path, key, True), on_progress=lambda d, p: first.append(d),
+    )  # fmt: skip
+    assert first[0] == 0

@@ -1,0 +1,87 @@
+"""Independent truth in double precision: scipy's DOP853 restarted at samples and events."""
+
+import math
+
+import numpy as np
+from scipy.integrate import solve_ivp
+
+G = 9.80665
+
+
+def law(phi, alpha, kinks):
+    """Moment over m g R of the rigid or trilinear law."""
+    if kinks is None or phi >= kinks[1]:
+        return math.sin(alpha - phi)
+    plateau = math.sin(alpha - kinks[1])
+    return plateau * min(phi / kinks[0], 1.0)
+
+
+def history(ground, dt, alpha, p2, one_sided, ratio_of, kinks=None):
+    """theta at the samples, impact count; two-sided or one-sided, rigid or trilinear."""
+    threshold = math.tan(alpha) if kinks is None else 0.0
+    levels = [] if kinks is None else list(kinks)
+    side, phi, speed, moving = 1.0, 0.0, 0.0, False
+    rest = 1e-6 * math.sqrt(p2) * alpha
+    theta, impacts = [0.0], 0
+    for i in range(len(ground) - 1):
+        b0, b1 = ground[i] / G, ground[i + 1] / G
+        t = 0.0
+        while t < dt:
+            now = b0 + (b1 - b0) * t / dt
+            if not moving:
+                start = uplift(b0, b1, t, dt, threshold, one_sided)
+                if start is None:
+                    break
+                t, side = start
+                phi, speed, moving = 0.0, 0.0, True
+
+            def motion(s, y, b0=b0, b1=b1, side=side):
+                beta = side * (b0 + (b1 - b0) * s / dt)
+                return [y[1], -p2 * (law(y[0], alpha, kinks) - beta * math.cos(alpha - y[0]))]
+
+            events = [_event(0.0, -1)] + [_event(level, 0) for level in levels if level != phi]
+            found = solve_ivp(motion, (t, dt), [phi, speed], "DOP853", rtol=3e-14, atol=1e-18,
+                              max_step=dt / 4, events=events)  # fmt: skip
+            t = found.t[-1]
+            phi, speed = found.y[:, -1]
+            if found.status != 1:
+                break
+            if len(found.t_events[0]) == 0:
+                phi = min(levels, key=lambda level: abs(level - phi))
+                continue
+            impacts += 1
+            speed = ratio_of(-speed) * -speed
+            phi = 0.0
+            side = side if one_sided else -side
+            now = b0 + (b1 - b0) * t / dt
+            lifts = now > threshold or (now < -threshold and not one_sided)
+            moving = not (speed < rest and not lifts)
+        theta.append(side * phi if moving else 0.0)
+        if abs(theta[-1]) > 0.5 * math.pi:
+            break
+    return np.array(theta), impacts
+
+
+def _event(level, direction):
+    def crossing(s, y):
+        return y[0] - level
+
+    crossing.terminal = True
+    crossing.direction = direction
+    return crossing
+
+
+def uplift(b0, b1, t, dt, threshold, one_sided):
+    """(time, side) of the next uplift in [t, dt), or None."""
+    now = b0 + (b1 - b0) * t / dt
+    if now > threshold:
+        return t, 1.0
+    if now < -threshold and not one_sided:
+        return t, -1.0
+    if b1 > b0:
+        time, side = (threshold - b0) / (b1 - b0) * dt, 1.0
+    elif b1 < b0 and not one_sided:
+        time, side = (-threshold - b0) / (b1 - b0) * dt, -1.0
+    else:
+        return None
+    return (max(time, t), side) if time < dt else None

@@ -1,0 +1,69 @@
+"""The 40-digit histories `standard` and `hard` of tests/reference (see its README)."""
+
+import mpmath as mp
+import numpy as np
+import pytest
+
+from core.rocking import METHODS, Method, history
+from tests.validation import high_precision
+
+DT = 0.01
+
+
+def error(reference, make_model, name, method) -> float:
+    ground, truth, _, _ = reference(name)
+    model = make_model()
+    found = history(ground, DT, 1.0, model, method)
+    return float(np.abs(found.rotation / model.slenderness - truth).max())
+
+
+@pytest.mark.parametrize("name, tolerance", [("standard", 1e-12), ("hard", 1e-11)])
+def test_that_taylor_follows_the_reference_history(reference, make_model, name, tolerance):
+    # `hard` multiplies a last-digit error by 1e5: 1 ulp of alpha moves it by 1e-12
+    assert error(reference, make_model, name, METHODS["taylor"]) <= tolerance
+
+
+@pytest.mark.parametrize("name, tolerance", [("standard", 1e-11), ("hard", 1e-8)])
+def test_that_order_six_is_close_as_well(reference, make_model, name, tolerance):
+    assert error(reference, make_model, name, Method("taylor", 0, 6, 6)) <= tolerance
+
+
+@pytest.mark.parametrize("name, tolerance", [("standard", 1e-12), ("hard", 1e-11)])
+def test_that_impacts_come_at_the_reference_times_and_speeds(
+    reference, make_model, name, tolerance
+):
+    ground, _, times, before = reference(name)
+    model = make_model()
+    found = history(ground, DT, 1.0, model)
+    assert found.impact_time.size == times.size
+    assert np.abs(found.impact_time - times).max() <= tolerance
+    assert np.abs(found.impact_velocity - model.ratio_at_rest * before).max() <= tolerance
+
+
+def test_that_the_reference_velocities_are_those_before_the_impact(reference, make_model):
+    """Settles the heading of *_impacts.csv by a third way: 30 digits, another program."""
+    ground, _, times, column = reference("hard")
+    with mp.workdps(30):
+        alpha = mp.mpf("6.8") * mp.pi / 180
+        p2 = 3 * mp.mpf("9.80665") / 4 / (mp.mpf(7) / 2 / mp.cos(alpha))
+        ratio = 1 - mp.mpf("1.5") * mp.sin(alpha) ** 2
+        _, impacts = high_precision.history(ground[:200], DT, alpha, p2, False, lambda v: ratio)
+    assert len(impacts) == 2
+    for (time, before, after), known, velocity in zip(impacts, times, column, strict=False):
+        assert abs(time - known) < 1e-14
+        assert abs(before / velocity - 1) < 1e-12
+        assert abs(after / velocity - ratio) < 1e-12
+
+
+@pytest.mark.parametrize(
+    "method, name, stated",
+    [
+        ("newmark_paper", "standard", 0.63),
+        ("newmark_paper", "hard", 1.42),
+        ("newmark_paper_reset", "standard", 1.10),
+        ("newmark_paper_reset", "hard", 0.41),
+    ],
+)
+def test_that_the_papers_integrator_errs_as_stated(reference, make_model, method, name, stated):
+    # stated to two digits by PHYSICS section 8, from another program
+    assert error(reference, make_model, name, METHODS[method]) == pytest.approx(stated, abs=0.005)
