@@ -82,8 +82,8 @@ def turn():
         stream = open(path, "a")  # noqa: SIM115  (held to the end of the block)
     except OSError as error:
         raise Failure(
-            "the environment cannot be made in {}: {}; name a folder you can write in the variable "
-            "RIBALTA_ENV".format(ENVIRONMENT, error.strerror)
+            f"the environment cannot be made in {ENVIRONMENT}: {error.strerror}; "
+            "name a folder you can write in the variable RIBALTA_ENV"
         ) from None
     told = False
     with stream:
@@ -129,8 +129,8 @@ def ensure(groups):
                 json.dump({"groups": have, "contents": contents}, stream)
         except OSError as error:
             raise Failure(
-                "the environment cannot be written in {}: {}; free some space or name another "
-                "folder in the variable RIBALTA_ENV".format(ENVIRONMENT, error.strerror)
+                f"the environment cannot be written in {ENVIRONMENT}: {error.strerror}; "
+                "free some space or name another folder in the variable RIBALTA_ENV"
             ) from None
 
 
@@ -141,17 +141,17 @@ def create():
             __import__(module)
         except ImportError:
             raise Failure(
-                "this Python lacks the module {}: install it (Debian and Ubuntu: apt install "
-                "python3-venv) or start with a Python from python.org".format(module)
+                f"this Python lacks the module {module}: install it (Debian and Ubuntu: apt install "
+                "python3-venv) or start with a Python from python.org"
             ) from None
     if os.path.exists(ENVIRONMENT):
         if not os.path.exists(os.path.join(ENVIRONMENT, "pyvenv.cfg")) and os.listdir(ENVIRONMENT):
             raise Failure(
-                "{} exists and is not an environment: name another folder in the variable "
-                "RIBALTA_ENV".format(ENVIRONMENT)
+                f"{ENVIRONMENT} exists and is not an environment: name another folder in the variable "
+                "RIBALTA_ENV"
             )
         shutil.rmtree(ENVIRONMENT)
-    say("making the environment in {} (once)".format(ENVIRONMENT))
+    say(f"making the environment in {ENVIRONMENT} (once)")
     logged([sys.executable, "-m", "venv", ENVIRONMENT], "the environment could not be made")
 
 
@@ -176,12 +176,14 @@ def logged(command, trouble):
         with open(LOG, "w", encoding="utf-8", errors="replace") as log:
             code = subprocess.call(command, stdout=log, stderr=subprocess.STDOUT)
     except OSError as error:
-        raise Failure("{}: {}".format(trouble, error)) from None
+        raise Failure(f"{trouble}: {error}") from None
     if code:
         with open(LOG, encoding="utf-8", errors="replace") as log:
             lines = [line.strip() for line in log if line.strip()]
-        cause = next((line for line in reversed(lines) if "ERROR" in line), (lines or ["no word"])[-1])
-        raise Failure("{} ({}); the whole output is in {}".format(trouble, cause[:200], LOG))
+        cause = next(
+            (line for line in reversed(lines) if "ERROR" in line), (lines or ["no word"])[-1]
+        )
+        raise Failure(f"{trouble} ({cause[:200]}); the whole output is in {LOG}")
 
 
 def environment():
@@ -196,7 +198,7 @@ def hand_over(command):
     if os.name == "nt":
         return subprocess.call(command, env=environment())
     sys.stdout.flush()
-    os.execve(command[0], command, environment())
+    return os.execve(command[0], command, environment())
 
 
 def test(arguments):

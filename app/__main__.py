@@ -1,6 +1,7 @@
 """The program: `--batch` without a window, else the window; wrong input is one line and exit code 1."""
 
 import argparse
+import contextlib
 import faulthandler
 import os
 import sys
@@ -21,7 +22,9 @@ def parser() -> argparse.ArgumentParser:
     made.add_argument("--jobs", type=_jobs, metavar="N", help="threads (default: all cores)")
     made.add_argument("--quiet", action="store_true", help="no progress, no summary")
     made.add_argument("--resume", action="store_true", help="go on from the journal")
-    made.add_argument("--inspect", nargs="+", type=Path, metavar="FILE", help="say what records hold")
+    made.add_argument(
+        "--inspect", nargs="+", type=Path, metavar="FILE", help="say what records hold"
+    )
     made.add_argument("--version", action="store_true", help="version and commit")
     return made
 
@@ -34,7 +37,8 @@ def _jobs(word: str) -> int:
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the program; returns its exit code."""
-    faulthandler.enable()
+    with contextlib.suppress(OSError, AttributeError):  # no stderr: a windowed program, a test
+        faulthandler.enable()
     options = parser().parse_args(arguments)
     if not options.batch and (options.output or options.resume or options.jobs):
         parser().error("--output, --jobs and --resume go with --batch")
@@ -56,7 +60,8 @@ def main(arguments: list[str] | None = None) -> int:
             jobs = options.jobs or os.cpu_count() or 1
             return batch.run(options.batch, options.output, jobs, options.quiet, options.resume)
         print(
-            "the window is not built yet: run a case with --batch CASE (see --help)", file=sys.stderr
+            "the window is not built yet: run a case with --batch CASE (see --help)",
+            file=sys.stderr,
         )
         return 2
     except InputError as error:

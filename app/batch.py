@@ -82,7 +82,9 @@ def write(result: study.StudyResult, folder: Path, stem: str) -> None:
 
 def summary(result: study.StudyResult, folder: Path, stem: str) -> str:
     """What a terminal shows of a result."""
-    lines = [f"{'wall':24} {'mechanism':10} {'rule':10} {'q':>6} {'robust':>7} {'Eq.15/16':>9}  Eq. 9"]
+    lines = [
+        f"{'wall':24} {'mechanism':10} {'rule':10} {'q':>6} {'robust':>7} {'Eq.15/16':>9}  Eq. 9"
+    ]
     for wall in result.walls:
         checks = ""
         if wall.code_check:
@@ -150,6 +152,8 @@ def _progress(quiet: bool):
             if now - last >= 10.0 and done:
                 last = now
                 left = (now - start) / done * (planned - done)
-                print(f"{done}/{planned} runs, about {left:.0f} s left", file=sys.stderr, flush=True)
+                print(
+                    f"{done}/{planned} runs, about {left:.0f} s left", file=sys.stderr, flush=True
+                )
 
         yield lines

@@ -52,5 +52,3 @@ def write_example_records(folder, count: int = 7) -> None:
         ]
         lines += [f"{0.01 * k:.2f} {value:.7f}" for k, value in enumerate(motion)]
         (folder / f"noise_{seed}.txt").write_text("\n".join(lines) + "\n", encoding="ascii")
-
-

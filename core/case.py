@@ -20,16 +20,16 @@ MAX_TEXT = 500
 def _number(low, high, default=None, unit="", exclusive=False, whole=False):
     """A number in [low, high] (low excluded if exclusive), NaN and infinity refused."""
     kind = "int" if whole else "float"
-    return field(default=default, metadata=dict(kind=kind, low=low, high=high, unit=unit,
-                                                exclusive=exclusive))  # fmt: skip
+    rule = {"kind": kind, "low": low, "high": high, "unit": unit, "exclusive": exclusive}
+    return field(default=default, metadata=rule)
 
 
 def _text(default=""):
-    return field(default=default, metadata=dict(kind="text"))
+    return field(default=default, metadata={"kind": "text"})
 
 
 def _choice(*names, default=MISSING):
-    return field(default=default, metadata=dict(kind="choice", names=names))
+    return field(default=default, metadata={"kind": "choice", "names": names})
 
 
 @dataclass(frozen=True)
@@ -59,7 +59,7 @@ class Wall:
     inertia_over_mass_m2: float | None = _number(0.0025, 20000.0, unit="m2")
     restitution: str | None = _choice(*MODELS, default=None)
     velocity_ratio: float | None = _number(0.0, 1.0)
-    law: str | dict = field(default="rigid", metadata=dict(kind="law"))
+    law: str | dict = field(default="rigid", metadata={"kind": "law"})
 
     def block(self) -> Block:
         """Raises InputError for a wall without exactly one geometry."""
@@ -213,7 +213,9 @@ def read_case(path: Path) -> Case:
     except UnicodeDecodeError:
         raise InputError(f"{path}: not UTF-8 text: a case file is TOML, see the examples") from None
     except tomllib.TOMLDecodeError as error:
-        raise InputError(f"{path}: not TOML: {error}; see the examples in resources/cases") from None
+        raise InputError(
+            f"{path}: not TOML: {error}; see the examples in resources/cases"
+        ) from None
     try:
         return replace(parse_case(table), sha256=hashlib.sha256(content).hexdigest())
     except InputError as error:

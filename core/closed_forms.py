@@ -22,7 +22,9 @@ def effective_q(q: float, pga: float) -> float:
     return q * G / pga
 
 
-def closed_form_q_eff(slenderness: float, height: float, intensity: float, one_sided: bool) -> float:
+def closed_form_q_eff(
+    slenderness: float, height: float, intensity: float, one_sided: bool
+) -> float:
     """q_eff of Eq. 15 (two-sided) or Eq. 16 (one-sided) [-].
 
     slenderness [rad]; height [m]; intensity : SI [m]. The print sets these equal to q: the factor

@@ -200,7 +200,9 @@ def incremental_dynamic_analysis(
     bracket = grid.bisect(collapse, math.inf)
     if bracket is None:
         return _result(grid, "impact_limit", None, None)
-    grid.grow(grid.first, min(limit, max(grid.last, grid.index_below(search.map_span * bracket[1]))))
+    grid.grow(
+        grid.first, min(limit, max(grid.last, grid.index_below(search.map_span * bracket[1])))
+    )
     while (robust := _robust_index(grid, half)) is None and grid.last < limit:
         grid.grow(grid.first, min(limit, grid.last + max(half, 1)))
     return _result(grid, "collapse_found", bracket, robust)

@@ -15,7 +15,7 @@ class Journal:
         try:
             if resume and path.exists():
                 good = self._read(path.read_bytes(), key)
-            self._stream = open(path, "r+b" if good else "wb")
+            self._stream = path.open("r+b" if good else "wb")
             # drop a line cut by a kill before writing on
             self._stream.seek(good)
             self._stream.truncate()
@@ -51,7 +51,9 @@ class Journal:
         try:
             self._write({"run": run, "result": result})
         except OSError as error:
-            raise OutputError(f"{self.path}: the journal cannot be written: {error.strerror}") from None
+            raise OutputError(
+                f"{self.path}: the journal cannot be written: {error.strerror}"
+            ) from None
 
     def close(self) -> None:
         self._stream.close()

@@ -35,14 +35,18 @@ NOT_READ_YET = (
 MAX_BYTES = 200_000_000
 
 
-def read(path: Path, options: Options = Options(), scale: float = 1.0, name: str = "") -> GroundMotion:
+def read(
+    path: Path, options: Options = Options(), scale: float = 1.0, name: str = ""
+) -> GroundMotion:
     """The accelerogram of one file, in SI units.
 
     scale : multiplier asked by the user [-]. Raises RecordError naming file, place and way out.
     """
     try:
         if path.stat().st_size > MAX_BYTES:
-            raise RecordError(f"{path.stat().st_size / 1e6:.0f} MB is no accelerogram (up to 200 MB)")
+            raise RecordError(
+                f"{path.stat().st_size / 1e6:.0f} MB is no accelerogram (up to 200 MB)"
+            )
         content = path.read_bytes()
         return _motion(content, path, options, scale, name or path.stem)
     except FileNotFoundError:

@@ -114,7 +114,9 @@ def block(lines: list[str], first_line: int, declared: int, width: int | None = 
         values = values[:-1]
         not_numbers += 1
     if np.isnan(values).any():
-        raise RecordError(f"sample {int(np.argmax(np.isnan(values))) + 1} is NaN: a gap in the record")
+        raise RecordError(
+            f"sample {int(np.argmax(np.isnan(values))) + 1} is NaN: a gap in the record"
+        )
     warnings = []
     surplus = values[declared:]
     if surplus.any():

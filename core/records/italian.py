@@ -55,7 +55,9 @@ def read_sigma(lines: list[str], options: Options) -> Parsed:
         label, _, value = line.partition(":")
         header[label.strip()] = value.strip()
     if start is None:
-        raise RecordError("no line `Acceleration time series`: velocity, displacement or a spectrum?")
+        raise RecordError(
+            "no line `Acceleration time series`: velocity, displacement or a spectrum?"
+        )
     parsed = block(lines[start:], start + 1, _count(header["Number of Data"], "Number of Data"), 14)
     parsed.time_step = _positive(header["Time Increment (s)"], "Time Increment (s)")
     parsed.unit = _unit(lines[start - 1].split()[-1])

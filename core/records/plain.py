@@ -9,7 +9,8 @@ from core.records.grammar import NUMBER, Options, Parsed, numbers, to_float
 
 _TIME_STEP = re.compile(rf"\bdt\s*=\s*({NUMBER})", re.IGNORECASE)
 _UNIT = re.compile(
-    r"accel\w*\.?\s*[\[(]\s*(g|mm/s\^?2|mm/s/s|cm/s\^?2|cm/s/s|gal|m/s\^?2|m/s/s)\s*[\])]", re.IGNORECASE
+    r"accel\w*\.?\s*[\[(]\s*(g|mm/s\^?2|mm/s/s|cm/s\^?2|cm/s/s|gal|m/s\^?2|m/s/s)\s*[\])]",
+    re.IGNORECASE,
 )
 _REFUSED = re.compile(r"\b(velocity|displacement|spectrum|spectra|period)\b", re.IGNORECASE)
 _DECIMAL_COMMA = re.compile(r"[+-]?[0-9]+(,[0-9]+)?([EeDd][+-]?[0-9]+)?")

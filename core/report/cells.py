@@ -105,7 +105,9 @@ def _filled(match: re.Match, value) -> str:
 def style(cell: Cell, bold=False, color=INK, size=10, number_format=None, wrap=False, align=None,
           italic=False) -> Cell:  # fmt: skip
     cell.font = Font(name="Calibri", size=size, bold=bold, color=color, italic=italic)
-    cell.alignment = Alignment(vertical="top" if wrap else "center", wrap_text=wrap, horizontal=align)
+    cell.alignment = Alignment(
+        vertical="top" if wrap else "center", wrap_text=wrap, horizontal=align
+    )
     if number_format:
         cell.number_format = number_format
     return cell
@@ -133,7 +135,9 @@ def title(sheet: Worksheet, row: int, content: str, size: int = 14) -> None:
     text(sheet, row, 1, content, bold=True, color=ACCENT, size=size)
 
 
-def header(sheet: Worksheet, row: int, labels: list[str], column: int = 1, height: int = 30) -> None:
+def header(
+    sheet: Worksheet, row: int, labels: list[str], column: int = 1, height: int = 30
+) -> None:
     """A header row of a table."""
     for k, label in enumerate(labels):
         cell = text(sheet, row, column + k, label, bold=True, color="FFFFFF", wrap=True)

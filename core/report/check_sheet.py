@@ -7,7 +7,19 @@ from openpyxl.worksheet.pagebreak import Break
 from core.closed_forms import COEFFICIENTS
 from core.code_check import TITLE
 from core.report.cells import (
-    ACCELERATION, BAD, EXACT, GOOD, QUIET, RATIO, Book, header, number, paragraph, rule, style, text,
+    ACCELERATION,
+    BAD,
+    EXACT,
+    GOOD,
+    QUIET,
+    RATIO,
+    Book,
+    header,
+    number,
+    paragraph,
+    rule,
+    style,
+    text,
     title,
 )  # fmt: skip
 from core.report.sheets import mechanism_word, rule_word
@@ -49,7 +61,9 @@ def _input(book: Book, sheet, row, label, value, unit, name, shape=EXACT) -> int
     return row + 1
 
 
-def _live(book: Book, sheet, row, label, equation, formula, value, unit, name=None, shape=EXACT) -> int:
+def _live(
+    book: Book, sheet, row, label, equation, formula, value, unit, name=None, shape=EXACT
+) -> int:
     text(sheet, row, 1, label)
     text(sheet, row, 2, equation, color=QUIET)
     if value is None:
@@ -79,7 +93,9 @@ def _demand(book: Book, sheet, result: StudyResult, row: int) -> int:
     si = demand.intensity / CM if demand.intensity else None
     label = say("SI of the demand", "SI della domanda")
     row = _input(book, sheet, row, label, si, "cm", "demand_si", RATIO)
-    return _input(book, sheet, row, say("q of the code", "q di norma"), demand.q_code, "–", "code_q", RATIO)
+    return _input(
+        book, sheet, row, say("q of the code", "q di norma"), demand.q_code, "–", "code_q", RATIO
+    )
 
 
 def _heads(book: Book, sheet, row: int, label: str) -> int:
@@ -168,7 +184,9 @@ def _records(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
     law = wall.power_law
     if law and all(entry.q is not None for entry in wall.per_record):
         xs, ys = f"I{first}:I{last}", f"J{first}:J{last}"
-        row = _live(book, sheet, row, "C2", "Eq. 13", f"=SLOPE({ys},{xs})", law.c2, "–", f"{name}_c2")
+        row = _live(
+            book, sheet, row, "C2", "Eq. 13", f"=SLOPE({ys},{xs})", law.c2, "–", f"{name}_c2"
+        )
         row = _live(book, sheet, row, "C1", "Eq. 13", f"=EXP(INTERCEPT({ys},{xs}))", law.c1, "–",
                     f"{name}_c1")  # fmt: skip
         row = _live(book, sheet, row, "R²", "Eq. 13", f"=RSQ({ys},{xs})", law.r_squared, "–")
@@ -253,7 +271,9 @@ def _inequality(book: Book, sheet, wall: WallResult, name: str, row: int) -> int
             number(sheet, row, 7, inequality.ratio, RATIO, color=QUIET)
             yes, no = say("passed", "soddisfatta"), say("not passed", "non soddisfatta")
             cell = book.formula(
-                sheet.cell(row, 8), f'=IF(F{row}>=1,"{yes}","{no}")', yes if inequality.passed else no
+                sheet.cell(row, 8),
+                f'=IF(F{row}>=1,"{yes}","{no}")',
+                yes if inequality.passed else no,
             )
             color = GOOD if inequality.passed else BAD
             style(cell, bold=True, color=color, align="center")

@@ -20,7 +20,17 @@ from openpyxl.worksheet.pagebreak import Break
 
 from core.closed_forms import closed_form_q_eff
 from core.report.cells import (
-    ACCENT, BAD, GOOD, QUIET, RATIO, Book, header, number, paragraph, text, title,
+    ACCENT,
+    BAD,
+    GOOD,
+    QUIET,
+    RATIO,
+    Book,
+    header,
+    number,
+    paragraph,
+    text,
+    title,
 )  # fmt: skip
 from core.report.sheets import mechanism_word
 from core.study import CollapseHistories, StudyResult, WallResult
@@ -80,11 +90,15 @@ def q_against_si(book: Book, result: StudyResult) -> None:
     """q_eff against SI: points, fitted power law, Eq. 15/16 with +-20 %, one chart a wall."""
     say = book.say
     sheet = book.sheet("q against SI", "q e SI", [10] * 14)
-    title(sheet, 1, say("Effective q against Housner intensity", "q effettivo e intensità di Housner"))
+    title(
+        sheet, 1, say("Effective q against Housner intensity", "q effettivo e intensità di Housner")
+    )
     row = 3
     walls = [wall for wall in result.walls if any(entry.q for entry in wall.per_record)]
     if not walls:
-        text(sheet, row, 1, say("No run with a number of q.", "Nessuna analisi con un valore di q."))
+        text(
+            sheet, row, 1, say("No run with a number of q.", "Nessuna analisi con un valore di q.")
+        )
     for index, wall in enumerate(walls[:CHART_WALLS]):
         column = DATA + 8 * index
         last_point, last_curve = _si_data(book, sheet, wall, column)
@@ -95,7 +109,15 @@ def q_against_si(book: Book, result: StudyResult) -> None:
             _series(chart, sheet, (column + 2, column + 3), (2, last_curve), ACCENT)
         _series(chart, sheet, (column + 2, column + 4), (2, last_curve), BAD)
         for k in (5, 6):
-            _series(chart, sheet, (column + 2, column + k), (2, last_curve), BAD, dash="dash", width=9500)
+            _series(
+                chart,
+                sheet,
+                (column + 2, column + k),
+                (2, last_curve),
+                BAD,
+                dash="dash",
+                width=9500,
+            )
         chart.x_axis.scaling.min = 0
         chart.y_axis.scaling.min = 0
         sheet.add_chart(chart, f"A{row}")
@@ -218,7 +240,9 @@ def survival_map(book: Book, result: StudyResult) -> None:
         sheet.column_dimensions[get_column_letter(5 + k - first)].width = 0.9
     for k in range(first, last + 1, 10):
         # the label stands over its ten columns
-        sheet.merge_cells(start_row=4, start_column=5 + k - first, end_row=4, end_column=14 + k - first)
+        sheet.merge_cells(
+            start_row=4, start_column=5 + k - first, end_row=4, end_column=14 + k - first
+        )
         text(sheet, 4, 5 + k - first, f"{math.exp(MAP_BIN * k):.2f}", size=8, color=QUIET)
     for row, ((wall, run), share) in enumerate(zip(runs, shares, strict=False), start=5):
         text(sheet, row, 1, wall.name)

@@ -8,7 +8,19 @@ from openpyxl.styles import PatternFill
 from core.case import Case
 from core.code_check import TITLE
 from core.report.cells import (
-    ACCELERATION, BAD, GOOD, INK, QUIET, RATIO, WHOLE, Book, header, number, paragraph, rule, text,
+    ACCELERATION,
+    BAD,
+    GOOD,
+    INK,
+    QUIET,
+    RATIO,
+    WHOLE,
+    Book,
+    header,
+    number,
+    paragraph,
+    rule,
+    text,
     title,
 )  # fmt: skip
 from core.report.method_text import paragraphs
@@ -166,7 +178,13 @@ def inputs(book: Book, result: StudyResult) -> None:
     sheet = book.sheet("Input", "Dati", [26, 30, 44, 16])
     title(sheet, 1, say("Input as read", "Dati letti"))
     text(sheet, 2, 1, f"SHA-256 {case.sha256}", color=QUIET, size=8)
-    header(sheet, 4, [say("Section", "Sezione"), say("Key", "Chiave"), say("Value", "Valore"), ""], 1, 18)
+    header(
+        sheet,
+        4,
+        [say("Section", "Sezione"), say("Key", "Chiave"), say("Value", "Valore"), ""],
+        1,
+        18,
+    )
     row = 5
     given = case.given_keys()
     for section, index, place, values in _sections(case):

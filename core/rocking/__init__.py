@@ -51,7 +51,16 @@ def integrate(
     """`taylor.integrate` or the same of another method, by its integer code."""
     if code == TAYLOR:
         return taylor.integrate(
-            ground, dt, scale, model, option, start, rotation, velocity, impact_time, impact_velocity
+            ground,
+            dt,
+            scale,
+            model,
+            option,
+            start,
+            rotation,
+            velocity,
+            impact_time,
+            impact_velocity,
         )
     return newmark_paper.integrate(
         ground, dt, scale, model, option, start, rotation, velocity, impact_time, impact_velocity

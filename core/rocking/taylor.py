@@ -26,6 +26,7 @@ from core.units import G
 SERIES_TOLERANCE = 1e-15
 """Largest neglected term of a step, as a fraction of alpha."""
 
+
 @kernel
 def series(phi, speed, net, sine, cosine, beta, slope, p2, branch, order):
     """Taylor coefficients c0..c9 of phi(t) about the step's start, c8 = c9 = 0 for order 6 (Eq. 1).
@@ -139,7 +140,7 @@ def bracketed_root(c, level, which, low, high):
         following = time - step
         if not (low < following < high):
             following = 0.5 * (low + high)
-        if following == time or following == low or following == high:
+        if following == time or following in (low, high):
             return following
         time = following
     return time

@@ -54,9 +54,7 @@ def test_that_zero_padding_changes_no_spectrum(reference):
     padded = spectrum.displacement_spectrum(behind, 0.01, periods, 0.05)
     assert np.all(padded <= bare * (1 + 1e-12))
     assert np.allclose(padded, bare, rtol=3e-3)
-    assert np.array_equal(
-        spectrum.displacement_spectrum(before, 0.01, periods, 0.05), bare
-    )
+    assert np.array_equal(spectrum.displacement_spectrum(before, 0.01, periods, 0.05), bare)
 
 
 def test_that_measures_scale_as_they_must(reference):

@@ -7,7 +7,10 @@ import pytest
 
 from core.errors import Cancelled
 from core.ida import (
-    Search, collapse_share, fragility, incremental_dynamic_analysis,
+    Search,
+    collapse_share,
+    fragility,
+    incremental_dynamic_analysis,
 )  # fmt: skip
 from core.rocking import COLLAPSED, METHODS, STABLE, history
 from core.units import G
@@ -39,9 +42,7 @@ def test_that_every_number_is_its_definition(ground, make_model, one_sided, law)
     search = Search(q_step=0.02)
     found = search_of(ground, model, search)
     assert found.status == "collapse_found"
-    grid = [
-        found.q_start * 1.02 ** (found.first_index + k) for k in range(len(found.outcomes))
-    ]
+    grid = [found.q_start * 1.02 ** (found.first_index + k) for k in range(len(found.outcomes))]
     known = [brute(ground, model, q) for q in grid]
     assert found.outcomes == "".join(str(outcome) for outcome, _ in known)
     collapsed = np.array([outcome == COLLAPSED for outcome, _ in known])
@@ -61,7 +62,7 @@ def test_that_every_number_is_its_definition(ground, make_model, one_sided, law)
         outcome, peak = brute(ground, model, q)
         assert outcome == COLLAPSED or peak >= fraction
         outcome, peak = brute(ground, model, q / (1 + 2e-4))
-        assert index == 0 or outcome == STABLE and peak < fraction or q / 1.0002 < grid[index - 1]
+        assert index == 0 or (outcome == STABLE and peak < fraction) or q / 1.0002 < grid[index - 1]
     half = round(0.10 / math.log(1.02))
     shares = [
         sum(collapsed[max(0, k - half) : k + half + 1]) / (2 * half + 1)
@@ -123,8 +124,8 @@ def test_that_a_search_can_be_cancelled_between_chunks(ground, make_model):
 
 
 def test_that_a_trilinear_map_goes_down_until_a_whole_window_survives(make_model):
-    """A sudden lasting push overturns when its work passes the barrier: near 0.45 a_RM, below 0.5."""
-    ground = np.ones(1500)
+    """A square wave of 2 s pumps a small trilinear wall over at a quarter of a_RM, below 0.5."""
+    ground = np.where((np.arange(2001) // 100) % 2 == 0, 1.0, -1.0)
     found = search_of(ground, make_model(height=0.6, law="al_shawa"))
     assert found.status == "collapse_found"
     assert found.q < found.q_start

@@ -115,9 +115,7 @@ def test_that_fewer_records_are_flagged(folder):
 
 def test_that_a_standing_wall_is_left_out_and_counted(folder):
     tall = {"name": "w", "height_m": 30.0, "slenderness_deg": 11.0, "mechanism": "two_sided"}
-    found = study.run(
-        case(wall=[tall], analysis={"q_step": 0.05, "q_limit": 1.5}), base_dir=folder
-    )
+    found = study.run(case(wall=[tall], analysis={"q_step": 0.05, "q_limit": 1.5}), base_dir=folder)
     wall = found.walls[0]
     assert {run.ida.status for run in wall.runs} == {"no_collapse_found"}
     assert wall.q_set is None and wall.power_law is None
@@ -151,9 +149,7 @@ def test_that_the_intensity_of_the_demand_is_given_or_from_the_records(folder, r
     scaled = [m.housner_intensity * demand.pga / m.pga for m in result.motions]
     assert demand.intensity == pytest.approx(np.mean(scaled), rel=1e-14)
     assert any(notice.code == "si_from_records" for notice in result.walls[0].warnings)
-    given = study.run(
-        case(demand={"ag_g": 0.2, "housner_intensity_cm": 80.0}), base_dir=folder
-    )
+    given = study.run(case(demand={"ag_g": 0.2, "housner_intensity_cm": 80.0}), base_dir=folder)
     assert given.demand.intensity == 80.0 * CM
     assert given.demand.intensity_source == "given"
 
@@ -181,9 +177,7 @@ def test_that_collapse_histories_stand_on_both_sides_of_collapse(result):
         assert pair.scales[0] != pair.scales[1]
 
 
-def test_that_a_cancelled_run_keeps_its_journal_and_resumes_bit_identical(
-    folder, tmp_path, result
-):
+def test_that_a_cancelled_run_keeps_its_journal_and_resumes_bit_identical(folder, tmp_path, result):
     path = tmp_path / "case.journal"
     state = {"done": 0}
 

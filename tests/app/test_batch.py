@@ -1,0 +1,272 @@
+"""The program from outside: exit codes, files whole or untouched, no Qt, Ctrl-C, kill and resume."""
+
+import errno
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+
+from app import __main__ as program
+from app import batch
+from core.report import atomic
+from tests.conftest import ROOT
+
+CASE = """
+[[wall]]
+name = "w"
+height_m = 5.0
+thickness_m = 0.5
+mechanism = "both"
+[[record]]
+file = "r*.txt"
+unit = "m/s2"
+time_step_s = 0.01
+[analysis]
+q_step = 0.02
+[demand]
+ag_g = 0.2
+"""
+
+
+@pytest.fixture
+def case(tmp_path, reference):
+    ground = reference("standard")[0][:900]
+    for k in range(2):
+        text = "\n".join(f"{value:.9e}" for value in np.roll(ground, 50 * k))
+        (tmp_path / f"r{k}.txt").write_text(text)
+    path = tmp_path / "case.toml"
+    path.write_text(CASE)
+    return path
+
+
+def call(*arguments) -> int:
+    return program.main([str(argument) for argument in arguments])
+
+
+def start(*arguments, **keywords):
+    variables = dict(os.environ, PYTHONPATH=str(ROOT))
+    command = [sys.executable, "-P", "-m", "app", *map(str, arguments)]
+    return subprocess.Popen(
+        command,
+        env=variables,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        **keywords,
+    )
+
+
+def test_that_a_case_gives_workbook_and_json_beside_it(case, capsys):
+    assert call("--batch", case) == 0
+    assert sorted(path.name for path in case.parent.iterdir()) == [
+        "case.json", "case.toml", "case.xlsx", "r0.txt", "r1.txt",
+    ]  # fmt: skip
+    shown = capsys.readouterr()
+    assert "case.xlsx" in shown.out
+    assert shown.err == ""
+    content = json.loads((case.parent / "case.json").read_text())
+    assert list(content) == [
+        "program", "started_utc", "case", "case_sha256", "demand", "records", "walls",
+    ]  # fmt: skip
+    run = content["walls"][0]["runs"][0]
+    for key in ("record", "polarity", "status", "q", "bracket", "q_slv", "q_slc", "q_robust",
+                "collapse_scale", "q_eff", "q_last_survival", "survived_fraction",
+                "survival_windows", "q_step", "analyses", "impact_limited", "clamped",
+                "method"):  # fmt: skip
+        assert key in run
+    check = content["walls"][0]["code_check"]
+    assert [entry["q_source"] for entry in check] == [
+        "code", "closed_form", "time_histories", "time_histories_slv", "time_histories_robust",
+    ]  # fmt: skip
+    assert content["case"]["analysis"]["q_limit"] == 100.0
+
+
+def test_that_a_batch_leaves_no_qt_behind(case):
+    code = (
+        "import sys; from app.__main__ import main; "
+        f"assert main(['--batch', {str(case)!r}, '--quiet']) == 0; "
+        "bad = [m for m in sys.modules if m.split('.')[0] in ('PySide6', 'pyqtgraph')]; "
+        "assert not bad, bad"
+    )
+    variables = dict(os.environ, PYTHONPATH=str(ROOT))
+    subprocess.run([sys.executable, "-P", "-c", code], check=True, env=variables)
+
+
+def test_that_a_run_without_number_is_code_3_and_named(case, capsys):
+    case.write_text(CASE.replace("q_step = 0.02", "q_step = 0.05\nq_limit = 1.5"))
+    assert call("--batch", case) == 3
+    assert "no number: w (two_sided), r0 (+): no_collapse_found" in capsys.readouterr().err
+    assert (case.parent / "case.xlsx").exists()
+
+
+@pytest.mark.parametrize(
+    "change, words",
+    [
+        (("r*.txt", "*.AT2"), ["no file matches"]),
+        (("r*.txt", "nowhere.txt"), ["nowhere.txt", "no such file"]),
+        (('unit = "m/s2"\n', ""), ["r0.txt", "give unit"]),
+        (('mechanism = "both"', ""), ["mechanism", "required"]),
+        (("height_m = 5.0", "height_m = nan"), ["height_m", "nan"]),
+        (("ag_g", "agg"), ["did you mean ag_g?"]),
+        (("[[wall]]", "[[wall"), ["not TOML"]),
+    ],
+)
+def test_that_wrong_input_is_one_line_and_code_1_and_old_results_stay(case, capsys, change, words):
+    for name in ("case.xlsx", "case.json"):
+        (case.parent / name).write_text("old")
+    case.write_text(CASE.replace(*change))
+    assert call("--batch", case) == 1
+    shown = capsys.readouterr()
+    assert shown.out == ""
+    assert shown.err.count("\n") == 1 and shown.err.startswith("error: ")
+    for word in words:
+        assert word in shown.err
+    assert (case.parent / "case.xlsx").read_text() == "old"
+    assert (case.parent / "case.json").read_text() == "old"
+    assert not (case.parent / "case.journal").exists()
+
+
+def test_that_an_output_folder_is_made_or_refused(case, capsys):
+    assert call("--batch", case, "--output", case.parent / "new" / "deep", "--quiet") == 0
+    assert (case.parent / "new" / "deep" / "case.json").exists()
+    blocked = case.parent / "file"
+    blocked.write_text("")
+    assert call("--batch", case, "--output", blocked) == 1
+    assert "cannot be written" in capsys.readouterr().err
+
+
+def test_that_a_full_disk_leaves_the_old_report_and_nothing_half_written(case, capsys, monkeypatch):
+    assert call("--batch", case, "--quiet") == 0
+    before = {path.name: path.read_bytes() for path in case.parent.iterdir()}
+    real, calls = os.fsync, []
+
+    def full(handle):
+        calls.append(1)
+        if len(calls) > 7:  # after the journal's lines: the second file of the results
+            raise OSError(errno.ENOSPC, "No space left on device")
+        real(handle)
+
+    monkeypatch.setattr(os, "fsync", full)
+    assert call("--batch", case, "--quiet") == 1
+    assert "No space left" in capsys.readouterr().err
+    after = {path.name: path.read_bytes() for path in case.parent.iterdir()}
+    after.pop("case.journal", None)  # kept: the finished runs are not lost
+    assert after == before
+
+
+def test_that_a_link_stays_a_link_and_the_file_behind_is_replaced(tmp_path):
+    behind, link = tmp_path / "real.json", tmp_path / "link.json"
+    behind.write_text("old")
+    behind.chmod(0o640)
+    link.symlink_to(behind)
+    atomic.write({link: b"new"})
+    assert link.is_symlink() and behind.read_bytes() == b"new"
+    assert behind.stat().st_mode & 0o777 == 0o640
+
+
+def test_that_all_files_are_written_or_none(tmp_path):
+    good, bad = tmp_path / "a", tmp_path / "missing" / "b"
+    good.write_text("old")
+    with pytest.raises(Exception, match="cannot be written"):
+        atomic.write({good: b"new", bad: b"new"})
+    assert good.read_text() == "old"
+    assert list(tmp_path.iterdir()) == [good]
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [["--nonsense"], ["--batch"], ["--batch", "x", "--jobs", "0"], ["--output", "x"]],
+)
+def test_that_wrong_usage_is_code_2(arguments, capsys):
+    with pytest.raises(SystemExit) as caught:
+        call(*arguments)
+    assert caught.value.code == 2
+
+
+def test_that_an_internal_error_is_code_4_with_a_log(case, capsys, monkeypatch):
+    def broken(*arguments, **keywords):
+        raise ZeroDivisionError("a bug")
+
+    monkeypatch.setattr(batch.study, "run", broken)
+    assert call("--batch", case) == 4
+    line = capsys.readouterr().err
+    log = line.strip().split()[-1]
+    with open(log) as stream:
+        assert "a bug" in stream.read()
+    os.unlink(log)
+
+
+def test_that_inspect_tells_what_a_record_holds(case, capsys):
+    assert call("--inspect", ROOT / "resources" / "motions" / "noise_1.txt") == 0
+    assert "2501 samples every 0.01 s" in capsys.readouterr().out
+    assert call("--inspect", case.parent / "r0.txt") == 1
+    assert "refused" in capsys.readouterr().err
+
+
+def test_that_version_names_program_and_version(capsys):
+    assert call("--version") == 0
+    assert capsys.readouterr().out.startswith("Ribalta 0.")
+
+
+def finished(*arguments) -> int:
+    running = start(*arguments)
+    running.communicate()
+    return running.returncode
+
+
+LONG = CASE.replace("q_step = 0.02", "q_step = 0.0004").replace(
+    "thickness_m = 0.5", "thickness_m = 0.9"
+)
+
+
+def waited(path, lines, limit=60.0):
+    """Wait until the journal holds this many lines."""
+    end = time.monotonic() + limit
+    while not path.exists() or path.read_bytes().count(b"\n") < lines:
+        assert time.monotonic() < end, "the journal does not grow"
+
+
+@pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
+def test_that_ctrl_c_stops_with_130_and_keeps_the_journal_and_no_workbook(case):
+    case.write_text(LONG)
+    running = start("--batch", case, "--jobs", "1")
+    waited(case.with_suffix(".journal"), 2)
+    running.send_signal(signal.SIGINT)
+    _, error = running.communicate(timeout=60)
+    assert running.returncode == 130
+    assert "--resume" in error
+    assert case.with_suffix(".journal").exists()
+    assert not case.with_suffix(".xlsx").exists()
+
+
+@pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
+def test_that_a_killed_batch_resumes_to_the_same_digits(case, tmp_path):
+    case.write_text(LONG)
+    running = start("--batch", case, "--jobs", "1", "--quiet")
+    waited(case.with_suffix(".journal"), 3)
+    running.kill()
+    running.communicate()
+    assert finished("--batch", case, "--resume", "--quiet") == 0
+    resumed = json.loads(case.with_suffix(".json").read_text())
+    assert not case.with_suffix(".journal").exists()
+    fresh = tmp_path / "fresh"
+    assert finished("--batch", case, "--output", fresh, "--quiet") == 0
+    anew = json.loads((fresh / "case.json").read_text())
+    for content in (resumed, anew):
+        del content["started_utc"]
+    assert resumed == anew
+
+
+def test_that_every_shipped_case_runs(tmp_path, capsys):
+    shutil.copytree(
+        ROOT / "resources", tmp_path / "resources", ignore=shutil.ignore_patterns("*.xlsx")
+    )
+    for path in sorted((tmp_path / "resources" / "cases").glob("*.toml")):
+        assert call("--batch", path, "--output", tmp_path / "out", "--quiet") == 0
+        assert (tmp_path / "out" / f"{path.stem}.xlsx").stat().st_size > 10_000

@@ -1,0 +1,199 @@
+"""The workbook: live formulas recalculated by LibreOffice, safe text, words, one-page Summary."""
+
+import math
+import re
+import shutil
+import subprocess
+import zipfile
+from io import BytesIO
+
+import numpy as np
+import openpyxl
+import pytest
+
+from core import study
+from core.case import parse_case
+from core.report import workbook
+
+HOSTILE = '=HYPERLINK("http://x","y")'
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory, reference):
+    place = tmp_path_factory.mktemp("records")
+    ground = reference("standard")[0][:900]
+    for k in range(3):
+        text = "\n".join(f"{value:.9e}" for value in np.roll(ground, 30 * k) * (0.9 + 0.1 * k))
+        (place / f"r{k}.txt").write_text(text)
+    return place
+
+
+def made(folder, language="en", **more):
+    table = {
+        "title": HOSTILE,
+        "report": {"language": language, "client": "=1+1", "author": "@cmd", "site": "-2+3"},
+        "wall": [
+            {"name": "=cmd|'/c calc'!A1", "height_m": 5.0, "thickness_m": 0.5, "mechanism": "both"},
+            {"name": "general", "radius_m": 2.6, "slenderness_deg": 8.0,
+             "inertia_over_mass_m2": 9.5, "mechanism": "two_sided"},
+            {"name": "eq 7", "height_m": 4.0, "slenderness_deg": 7.0, "mechanism": "one_sided",
+             "restitution": "one_sided_experimental"},
+            {"name": "eq 5", "height_m": 4.0, "height_over_thickness": 9.0,
+             "mechanism": "two_sided", "restitution": "sorrentino_experimental"},
+        ],
+        "record": [{"file": "r*.txt", "unit": "m/s2", "time_step_s": 0.01}],
+        "analysis": {"q_step": 0.02},
+        "demand": {"ag_g": 0.2, "soil_factor": 1.2},
+    }  # fmt: skip
+    result = study.run(parse_case({**table, **more}), base_dir=folder)
+    drawn = [entry for wall in result.walls if (entry := study.collapse_histories(result, wall))]
+    return result, workbook.build(result, drawn)
+
+
+@pytest.fixture(scope="module")
+def book(folder):
+    return made(folder)[1]
+
+
+def formulas(book):
+    """(sheet, cell) -> formula of the workbook."""
+    return {
+        (sheet.title, cell.coordinate): cell.value
+        for sheet in book.workbook
+        for row in sheet.iter_rows()
+        for cell in row
+        if cell.data_type == "f"
+    }
+
+
+def test_that_every_formula_carries_its_value_and_nothing_else_is_a_formula(book):
+    assert set(formulas(book)) == set(book.cached)
+    assert len(book.cached) > 100
+    shown = openpyxl.load_workbook(BytesIO(book.content()), data_only=True)
+    for (sheet, cell), value in book.cached.items():
+        assert shown[sheet][cell].value == value
+
+
+def test_that_formulas_stand_on_the_check_sheet_with_named_cells(book):
+    found = formulas(book)
+    assert {sheet for sheet, _ in found} == {"Check"}
+    names = set(book.workbook.defined_names)
+    assert {"wall1_height", "wall1_a_rm", "demand_pga", "wall3_q_set"} <= names
+    for formula in found.values():
+        for word in re.findall(r"\b(?:wall\d+_\w+|demand_\w+|code_q|gravity)\b", formula):
+            assert word in names
+
+
+def test_that_libreoffice_recalculates_every_formula_to_the_programs_value(book, tmp_path):
+    office = shutil.which("soffice") or shutil.which("libreoffice")
+    if not office:
+        pytest.skip("LibreOffice is not installed: formulas were not recalculated")
+    bare = tmp_path / "bare.xlsx"
+    book.workbook.save(bare)  # without the values: LibreOffice would trust them
+    assert b"<v>" not in _formula_cells(bare)
+    subprocess.run(
+        [office, "--headless", f"-env:UserInstallation=file://{tmp_path}/profile", "--convert-to",
+         "xlsx:Calc MS Excel 2007 XML", "--outdir", tmp_path / "out", bare],
+        check=True, capture_output=True, timeout=180,
+    )  # fmt: skip
+    shown = openpyxl.load_workbook(tmp_path / "out" / "bare.xlsx", data_only=True)
+    for (sheet, cell), value in book.cached.items():
+        found = shown[sheet][cell].value
+        if isinstance(value, str):
+            assert found == value, (sheet, cell)
+        else:
+            # C1, C2 and R2 are sums over logarithms: their conditioning costs a digit
+            assert found == pytest.approx(value, rel=1e-12, abs=1e-13), (sheet, cell)
+
+
+def _formula_cells(path) -> bytes:
+    with zipfile.ZipFile(path) as archive:
+        sheets = [name for name in archive.namelist() if "worksheets/sheet" in name]
+        text = b"".join(archive.read(name) for name in sheets)
+    return b"".join(re.findall(rb"<c [^>]*><f>.*?</c>", text))
+
+
+def test_that_user_text_never_becomes_a_formula(book):
+    wanted = {HOSTILE, "=1+1", "@cmd", "-2+3", "=cmd|'/c calc'!A1"}
+    seen = set()
+    for sheet in openpyxl.load_workbook(BytesIO(book.content())):
+        for row in sheet.iter_rows():
+            for cell in row:
+                if cell.value in wanted:
+                    assert cell.data_type == "s"
+                    seen.add(cell.value)
+    assert seen == wanted
+
+
+def test_that_the_sheets_are_those_of_the_contract(folder, book):
+    assert book.workbook.sheetnames == [
+        "Summary", "Input", "Records", "Results", "Check", "q against SI", "Histories",
+        "Survival map", "Method",
+    ]  # fmt: skip
+    italian = made(folder, "it")[1]
+    assert italian.workbook.sheetnames[:5] == [
+        "Sintesi", "Dati", "Accelerogrammi", "Risultati", "Verifica",
+    ]  # fmt: skip
+    text = " ".join(
+        str(cell.value) for sheet in italian.workbook for row in sheet.iter_rows() for cell in row
+        if isinstance(cell.value, str)
+    )  # fmt: skip
+    for english in ("Warnings", "two-sided", "passed", "collapse found", "Ground"):
+        assert english not in text
+
+
+def test_that_displayed_numbers_are_the_results(folder):
+    result, book = made(folder)
+    sheet = book.workbook["Results"]
+    rows = list(sheet.iter_rows(min_row=4, max_row=3 + sum(len(w.runs) for w in result.walls)))
+    runs = [run for wall in result.walls for run in wall.runs]
+    for row, run in zip(rows, runs, strict=True):
+        assert row[5].value == run.ida.q
+        assert row[10].value == run.ida.q_robust
+        assert row[11].value == run.scale
+    record = book.workbook["Records"]
+    assert record["G4"].value == result.motions[0].pga / 9.80665
+
+
+def test_that_a_wall_without_number_shows_words_not_nan(folder):
+    tall = {"name": "w", "height_m": 30.0, "slenderness_deg": 11.0, "mechanism": "two_sided"}
+    result, book = made(folder, wall=[tall], analysis={"q_step": 0.05, "q_limit": 1.5})
+    assert result.walls[0].q_set is None
+    content = openpyxl.load_workbook(BytesIO(book.content()))
+    values = [c.value for s in content for row in s.iter_rows() for c in row]
+    assert "no number" in values and "no collapse found" in values
+    for value in values:
+        assert not isinstance(value, float) or math.isfinite(value)
+
+
+def test_that_a_case_without_records_or_demand_still_makes_every_sheet(folder):
+    for more in ({"record": []}, {"record": [], "demand": {"ag_g": 0.2}}):
+        table = {"record": [], **more}
+        if "demand" not in more:
+            table["demand"] = {"ag_g": 0.1, "housner_intensity_cm": 60.0}
+        _, book = made(folder, **table)
+        assert len(book.workbook.sheetnames) == 9
+        openpyxl.load_workbook(BytesIO(book.content()))
+
+
+def test_that_two_hundred_walls_fit_the_one_page_summary(folder, reference):
+    walls = [
+        {"name": f"wall {k}", "height_m": 5.0, "thickness_m": 0.5, "mechanism": "two_sided"}
+        for k in range(200)
+    ]
+    _, book = made(folder, wall=walls, record=[])
+    summary = book.workbook["Summary"]
+    assert summary.page_setup.fitToHeight == 1 == summary.page_setup.fitToWidth
+    assert summary.max_row < 60
+    assert "wall199_height" in book.workbook.defined_names
+
+
+def test_that_thinning_keeps_the_peaks():
+    from core.report.plots import thinned
+
+    values = np.zeros(100_000)
+    values[[7, 50_123, 99_999]] = (3.0, -5.0, 1.0)
+    chosen = thinned(values, 1500)
+    assert len(chosen) <= 1501
+    assert {7, 50_123, 99_999} <= set(chosen)
+    assert chosen == sorted(set(chosen))

@@ -1,0 +1,139 @@
+"""Speed of the methods, of the search and of the example batch, each also against a fixed loop.
+
+    python3 run.py bench
+
+Whole batches are timed as processes; the loop of sin and cos is measured in the same run, so that
+machines compare by the last column.
+"""
+
+import math
+import os
+import platform
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import numpy as np
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT))
+
+from core.block import Block  # noqa: E402
+from core.ida import Search, incremental_dynamic_analysis  # noqa: E402
+from core.kernel_cache import kernel  # noqa: E402
+from core.moment_rotation import LAWS  # noqa: E402
+from core.restitution import restitution  # noqa: E402
+from core.rocking import METHODS, Method, rocking_model, scan  # noqa: E402
+
+LOOP = 2_000_000
+
+
+@kernel
+def sine_cosine_loop(n):
+    """A fixed dependent loop of sin and cos: the yardstick of this machine."""
+    x = 0.5
+    for _ in range(n):
+        x = math.sin(x) + math.cos(x)
+    return x
+
+
+def median_seconds(call, repeats: int = 7) -> float:
+    """Median wall time of a call after one warm-up [s]."""
+    call()
+    times = []
+    for _ in range(repeats):
+        start = time.perf_counter()
+        call()
+        times.append(time.perf_counter() - start)
+    return statistics.median(times)
+
+
+def model_of(one_sided: bool, law: str = "rigid"):
+    block = Block.rectangle(7.0, math.radians(6.8))
+    name = "one_sided_theoretical" if one_sided else "housner"
+    return rocking_model(block, one_sided, restitution(block, name), LAWS[law])
+
+
+def batch_seconds(cache: str) -> float:
+    """Wall time of the example batch as its own process [s]."""
+    case = ROOT / "resources" / "cases" / "example.toml"
+    variables = dict(os.environ, PYTHONPATH=str(ROOT), RIBALTA_CACHE=cache)
+    with tempfile.TemporaryDirectory() as folder:
+        start = time.perf_counter()
+        subprocess.run(
+            [sys.executable, "-P", "-m", "app", "--batch", case, "--output", folder, "--quiet"],
+            check=True, env=variables,
+        )  # fmt: skip
+        return time.perf_counter() - start
+
+
+def first_analysis_seconds(cache: str) -> float:
+    """Start of the process to the end of the first analysis, warm kernels [s]."""
+    script = (
+        "from core.case import read_case; from core import study; from pathlib import Path;"
+        f"p = Path({str(ROOT / 'resources' / 'cases' / 'example.toml')!r}); c = read_case(p);"
+        "m, _ = study.read_records(c, p.parent);"
+        "from core.rocking import history; w = c.wall[0];"
+        "history(m[0].acceleration, m[0].time_step, 1.0, study._model(w, 'two_sided'))"
+    )
+    variables = dict(os.environ, PYTHONPATH=str(ROOT), RIBALTA_CACHE=cache)
+    start = time.perf_counter()
+    subprocess.run([sys.executable, "-P", "-c", script], check=True, env=variables)
+    return time.perf_counter() - start
+
+
+def line(label: str, value: float, unit: str, loops: float) -> None:
+    print(f"{label:58} {value:12.4g} {unit:22} {loops:10.4g}")
+
+
+def main() -> None:
+    yardstick = median_seconds(lambda: sine_cosine_loop(LOOP)) / LOOP
+    print(f"{platform.processor() or platform.machine()}, {os.cpu_count()} cores, "
+          f"Python {platform.python_version()}")  # fmt: skip
+    print(f"{'measured':58} {'value':>12} {'unit':22} {'in loops':>10}")
+    line("loop of sin and cos", yardstick * 1e9, "ns per turn", 1.0)
+    data = np.loadtxt(ROOT / "tests/reference/standard_record.csv", delimiter=",", skiprows=1)
+    ground = np.ascontiguousarray(data[:, 1])
+    pga = float(np.abs(ground).max())
+    methods = [("taylor order 8", METHODS["taylor"]), ("taylor order 6", Method("taylor", 0, 6, 6)),
+               ("newmark_paper", METHODS["newmark_paper"]),
+               ("newmark_paper_reset", METHODS["newmark_paper_reset"])]  # fmt: skip
+    scales, outcomes, peaks = np.ones(20), np.zeros(20, np.int64), np.zeros(20)
+    for law in ("rigid", "doherty"):
+        for label, method in methods:
+            model = model_of(False, law)
+            seconds = median_seconds(
+                lambda m=method, w=model: scan(
+                    m.code, m.option, ground, 0.01, scales, w, outcomes, peaks
+                )
+            )
+            each = seconds / (scales.size * (ground.size - 1))
+            line(f"{label}, standard, {law}", each * 1e9, "ns per sample", each / yardstick)
+    for label, one_sided in (("two-sided", False), ("one-sided", True)):
+        model = model_of(one_sided)
+
+        def search(w=model):
+            return incremental_dynamic_analysis(
+                ground, 0.01, pga, 1, w, METHODS["taylor"], Search()
+            )
+
+        seconds = median_seconds(search, 5)
+        analyses = search().analyses
+        line(f"search, {label}: analyses per second", analyses / seconds, "1/s",
+             seconds / analyses / yardstick)  # fmt: skip
+        line(f"search, {label}, {analyses} analyses", seconds * 1e3, "ms", seconds / yardstick)
+    with tempfile.TemporaryDirectory() as cache:
+        cold = batch_seconds(cache)
+        line("example batch, cold kernels", cold, "s", cold / yardstick)
+        warm = statistics.median(batch_seconds(cache) for _ in range(5))
+        line("example batch, warm kernels", warm, "s", warm / yardstick)
+        first_analysis_seconds(cache)
+        first = statistics.median(first_analysis_seconds(cache) for _ in range(5))
+        line("start to first analysis, warm kernels", first, "s", first / yardstick)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,105 @@
+"""Where compiled kernels live: private, checked, and never in the way of a start."""
+
+import json
+import os
+import re
+import subprocess
+import sys
+
+import pytest
+
+from core import kernel_cache
+from tests.conftest import ROOT
+
+SCRIPT = """
+import sys, hashlib, math, numpy as np
+from core import kernel_cache
+from core.rocking import METHODS, Method, RockingModel, history
+from core.spectrum import housner_intensity
+ground = np.loadtxt(sys.argv[1], delimiter=",", skiprows=1)[:900, 1].copy()
+digest = hashlib.sha256()
+a = math.radians(6.8)
+for one, ratio, drop, d1, d2 in ((0, .97, 0, 0, 0), (1, .45, 0, 0, 0), (1, .5, 9., 0, 0),
+                                 (0, .97, 0, .02, .28), (1, .45, 0, .06, .28)):
+    model = RockingModel(a, 2.0866, float(one), ratio, float(drop), d1 * a, d2 * a)
+    for method in (*METHODS.values(), Method("taylor", 0, 6, 6)):
+        for scale in (1.0, 2.7):
+            found = history(ground, 0.01, scale, model, method)
+            digest.update(found.rotation.tobytes() + found.velocity.tobytes())
+            digest.update(found.impact_time.tobytes() + repr((found.outcome, float(found.peak))).encode())
+digest.update(repr(housner_intensity(ground[:300], 0.01)).encode())
+print(digest.hexdigest(), kernel_cache.FOLDER)
+"""
+
+
+def run(**variables):
+    known = ROOT / "tests" / "reference" / "standard_record.csv"
+    found = subprocess.run(
+        [sys.executable, "-P", "-c", SCRIPT, known], capture_output=True, text=True, check=True,
+        env=dict(os.environ, PYTHONPATH=str(ROOT), **variables),
+    )  # fmt: skip
+    digest, folder = found.stdout.split()
+    return digest, folder
+
+
+def test_that_the_kernels_without_compiler_are_bit_identical():
+    compiled = run()[0]
+    assert run(NUMBA_DISABLE_JIT="1")[0] == compiled
+
+
+def test_that_damaged_cache_files_are_dropped_and_compiled_again(tmp_path):
+    digest, folder = run(RIBALTA_CACHE=str(tmp_path))
+    files = sorted(os.path.join(folder, name) for name in os.listdir(folder))
+    code = [name for name in files if name.endswith(".nbc")]
+    assert len(code) >= 3
+    for name in code[:2]:
+        with open(name, "r+b") as stream:
+            stream.seek(200)
+            stream.write(b"\x00" * 64)
+    with open(files[1], "r+b") as stream:
+        stream.truncate(10)
+    assert run(RIBALTA_CACHE=str(tmp_path))[0] == digest
+    # the manifest itself damaged: nothing is trusted, everything works
+    with open(os.path.join(folder, kernel_cache.MANIFEST), "w") as stream:
+        stream.write("[1, 2")
+    assert run(RIBALTA_CACHE=str(tmp_path)) == (digest, folder)
+
+
+def test_that_drop_damaged_keeps_what_is_sound(tmp_path):
+    for name in ("a.nbi", "b.nbc"):
+        (tmp_path / name).write_bytes(b"machine code " + name.encode())
+    kernel_cache.record(tmp_path)
+    (tmp_path / "c.nbc").write_bytes(b"never recorded")
+    (tmp_path / "b.nbc").write_bytes(b"changed")
+    kernel_cache.drop_damaged(tmp_path)
+    assert sorted(path.name for path in tmp_path.glob("*.nb*")) == ["a.nbi"]
+    assert set(json.loads((tmp_path / kernel_cache.MANIFEST).read_text())) == {"a.nbi", "b.nbc"}
+
+
+@pytest.mark.skipif(os.name == "nt", reason="owners and modes of POSIX")
+def test_that_a_folder_others_can_write_is_not_used(tmp_path):
+    base = tmp_path / "cache"
+    first = kernel_cache.prepare(base, "stamp")
+    assert first == base / "kernels-stamp"
+    assert first.stat().st_mode & 0o777 == 0o700
+    first.chmod(0o777)
+    other = kernel_cache.prepare(base, "stamp")
+    assert other != first and kernel_cache.private(other)
+
+
+def test_that_an_unwritable_place_falls_back_to_a_temporary_folder(tmp_path):
+    blocked = tmp_path / "file"
+    blocked.write_text("not a folder")
+    folder = kernel_cache.prepare(blocked / "below", "stamp")
+    assert folder.is_dir() and tmp_path not in folder.parents
+
+
+def test_that_the_stamp_follows_every_source():
+    assert len(kernel_cache.source_stamp()) == 16
+    assert kernel_cache.source_stamp() == kernel_cache.STAMP
+
+
+def test_that_no_kernel_is_fast_math_or_parallel():
+    for source in (ROOT / "core").rglob("*.py"):
+        text = source.read_text()
+        assert not re.search(r"fastmath\s*=|parallel\s*=|\bprange\b", text), source
