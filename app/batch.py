@@ -12,6 +12,7 @@ from core.case import read_case
 from core.errors import Cancelled
 from core.journal import Journal
 from core.report import atomic
+from core.results import StudyResult
 
 DONE, WITHOUT_NUMBER, CANCELLED = 0, 3, 130
 """Exit codes; 1 input or output error and 2 wrong usage are of __main__, 4 an internal error."""
@@ -61,7 +62,7 @@ def run(case_path: Path, output: Path | None, jobs: int, quiet: bool, resume: bo
     return WITHOUT_NUMBER if result.without_number else DONE
 
 
-def write(result: study.StudyResult, folder: Path, stem: str) -> None:
+def write(result: StudyResult, folder: Path, stem: str) -> None:
     """Workbook and JSON of a result, both or none. Raises OutputError."""
     from core.report import json_report, workbook
 
@@ -80,7 +81,7 @@ def write(result: study.StudyResult, folder: Path, stem: str) -> None:
     )
 
 
-def summary(result: study.StudyResult, folder: Path, stem: str) -> str:
+def summary(result: StudyResult, folder: Path, stem: str) -> str:
     """What a terminal shows of a result."""
     lines = [
         f"{'wall':24} {'mechanism':10} {'rule':10} {'q':>6} {'robust':>7} {'Eq.15/16':>9}  Eq. 9"

@@ -23,7 +23,7 @@ from core.report.cells import (
     title,
 )  # fmt: skip
 from core.report.sheets import mechanism_word, rule_word
-from core.study import Q_SOURCES, PerRecord, StudyResult, WallResult
+from core.results import Q_SOURCES, PerRecord, StudyResult, WallResult
 from core.units import CM, G
 
 LIVE, ENGINE = 3, 4

@@ -5,7 +5,7 @@ import math
 
 from core.code_check import LABEL
 from core.ground_motion import GroundMotion
-from core.study import Q_SOURCES, DemandResult, Run, StudyResult, WallResult
+from core.results import Q_SOURCES, DemandResult, Run, StudyResult, WallResult
 from core.units import CM, G
 from core.version import NAME, VERSION, commit
 

@@ -33,7 +33,7 @@ from core.report.cells import (
     title,
 )  # fmt: skip
 from core.report.sheets import mechanism_word
-from core.study import CollapseHistories, StudyResult, WallResult
+from core.results import CollapseHistories, StudyResult, WallResult
 from core.units import CM
 
 CHART_WALLS = 20

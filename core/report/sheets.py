@@ -25,7 +25,7 @@ from core.report.cells import (
 )  # fmt: skip
 from core.report.method_text import paragraphs
 from core.restitution import MODELS
-from core.study import StudyResult, WallResult
+from core.results import StudyResult, WallResult
 from core.units import CM, G
 from core.version import NAME, VERSION, commit
 

@@ -2,7 +2,7 @@
 
 from core.report import check_sheet, plots, sheets
 from core.report.cells import Book
-from core.study import CollapseHistories, StudyResult
+from core.results import CollapseHistories, StudyResult
 
 HISTORY_WALLS = 20
 """Walls whose histories and charts are drawn; the rest are listed."""

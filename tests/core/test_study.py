@@ -13,6 +13,7 @@ from core.ida import Ida
 from core.journal import Journal
 from core.report import json_report
 from core.units import CM, G
+from core.wall_result import set_value
 
 
 @pytest.fixture(scope="module")
@@ -96,7 +97,7 @@ def test_that_q_is_c_pga_over_a_rm(result):
     ],
 )
 def test_that_a_set_is_its_mean_from_seven_numbers_else_its_minimum(values, expected):
-    assert study.set_value(values) == expected
+    assert set_value(values) == expected
 
 
 def test_that_three_records_take_the_minimum(result):

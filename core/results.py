@@ -1,0 +1,140 @@
+"""What a study results in: frozen, in SI units, nothing computed later."""
+
+from dataclasses import dataclass, field
+
+from core.block import Block
+from core.case import Case, Wall
+from core.closed_forms import PowerLaw
+from core.code_check import Inequality
+from core.ground_motion import GroundMotion
+from core.ida import Fragility, Ida, Search
+from core.moment_rotation import MomentLaw
+from core.notices import Notice
+from core.restitution import Restitution
+from core.rocking import History, Method, RockingModel
+
+
+@dataclass(frozen=True)
+class DemandResult:
+    """Demand in SI units. pga : a_g S [m/s2]; intensity : SI [m] or None; intensity_source :
+    given, records_scaled or None."""
+
+    limit_state: str
+    ag: float
+    soil_factor: float
+    pga: float
+    intensity: float | None
+    intensity_source: str | None
+    q_code: float
+
+
+@dataclass(frozen=True)
+class Run:
+    """One wall under one record of one sign. scale : multiplier of the record at q; q_eff : Eq. 12."""
+
+    record: str
+    polarity: int
+    ida: Ida
+    scale: float | None
+    q_eff: float | None
+
+
+@dataclass(frozen=True)
+class PerRecord:
+    """Governing values of one record: the lower of both signs, quantity by quantity. polarity : of q."""
+
+    record: str
+    polarity: int | None
+    q: float | None
+    q_robust: float | None
+    q_slv: float | None
+    q_eff: float | None
+    intensity: float
+    pga: float
+    closed_form_q_eff: float
+    closed_form_q: float
+
+
+@dataclass(frozen=True)
+class WallResult:
+    """Results of one wall and mechanism; set values are None where the set has none."""
+
+    name: str
+    wall: Wall
+    block: Block
+    mechanism: str
+    restitution: Restitution
+    law: MomentLaw
+    model: RockingModel
+    runs: tuple[Run, ...]
+    per_record: tuple[PerRecord, ...]
+    set_rule: str | None
+    q_set: float | None
+    q_min: float | None
+    q_robust_set: float | None
+    q_slv_set: float | None
+    power_law: PowerLaw | None
+    fragility: Fragility | None
+    closed_form_q_eff: float | None
+    closed_form_q: float | None
+    code_check: tuple[Inequality | None, ...]
+    warnings: tuple[Notice, ...]
+
+    @property
+    def height(self) -> float:
+        """H [m] as given, else of the equivalent rectangle."""
+        return self.wall.height_m or self.block.height
+
+    @property
+    def thickness(self) -> float:
+        """t [m] as given, else H tan(alpha)."""
+        return self.wall.thickness_m or self.block.thickness
+
+
+@dataclass(frozen=True)
+class StudyResult:
+    """Everything that decides. motions : the records, SI units; walls : one entry per mechanism."""
+
+    case: Case
+    started_utc: str
+    method: Method
+    search: Search
+    demand: DemandResult | None
+    motions: tuple[GroundMotion, ...]
+    kinds: tuple[str, ...]
+    walls: tuple[WallResult, ...]
+    elapsed: float = field(compare=False, default=0.0)
+
+    @property
+    def without_number(self) -> list[tuple[str, str, int, str]]:
+        """(wall, record, polarity, status) of the runs that end without a q."""
+        return [
+            (f"{wall.name} ({wall.mechanism})", run.record, run.polarity, run.ida.status)
+            for wall in self.walls
+            for run in wall.runs
+            if run.ida.q is None
+        ]
+
+
+Q_SOURCES = (
+    "code",
+    "closed_form",
+    "time_histories",
+    "time_histories_slv",
+    "time_histories_robust",
+)
+"""Sources of q in the checks of Eq. 9, in the order of WallResult.code_check."""
+
+
+@dataclass(frozen=True)
+class CollapseHistories:
+    """Governing record of a wall at its last survived and its collapsing multiplier.
+
+    scales : (survived, collapsing) [-]; histories : of the same; motion : the record.
+    """
+
+    wall: WallResult
+    motion: GroundMotion
+    polarity: int
+    scales: tuple[float, float]
+    histories: tuple[History, History]

@@ -1,0 +1,184 @@
+"""From the runs of a wall to its result: governing sign, set, power law, checks, warnings."""
+
+import numpy as np
+
+from core import closed_forms
+from core.block import Block
+from core.code_check import inequality
+from core.ground_motion import GroundMotion
+from core.ida import Ida, fragility
+from core.notices import Notice, notice
+from core.results import Q_SOURCES, PerRecord, Run, WallResult
+from core.rocking import RockingModel
+from core.units import CM, G
+
+MEAN_FROM = 7
+MINIMUM_FROM = 3
+"""Records with a number from which the set takes the mean, and from which the minimum (EN 1998-1
+4.3.3.4.3(3): 7 records mean, 3 to 6 the most unfavourable)."""
+
+LARGE_SCALE = 10.0
+
+
+def run_result(model: RockingModel, motion: GroundMotion, polarity: int, ida: Ida) -> Run:
+    scale = q_eff = None
+    if ida.q is not None:
+        scale = ida.q * G * np.tan(model.slenderness) / motion.pga
+        q_eff = closed_forms.effective_q(ida.q, motion.pga)
+        scale = float(scale)
+    return Run(motion.name, polarity, ida, scale, q_eff)
+
+
+def _lower(values: list[float | None]) -> float | None:
+    known = [value for value in values if value is not None]
+    return min(known) if known else None
+
+
+def set_value(values: list[float | None]) -> float | None:
+    """Value of a set: mean of 7 or more numbers, else their minimum; None without numbers."""
+    known = [value for value in values if value is not None]
+    if len(known) >= MEAN_FROM:
+        return float(np.mean(known))
+    return min(known) if known else None
+
+
+def _per_record(motion: GroundMotion, runs: list[Run], block: Block, one_sided: bool) -> PerRecord:
+    with_q = [run for run in runs if run.ida.q is not None]
+    lowest = min(with_q, key=lambda run: run.ida.q) if with_q else None
+    si = motion.housner_intensity
+    shape = (block.slenderness, block.height, si)
+    return PerRecord(
+        record=motion.name,
+        polarity=lowest.polarity if lowest else None,
+        q=lowest.ida.q if lowest else None,
+        q_robust=_lower([run.ida.q_robust for run in runs]),
+        q_slv=_lower([run.ida.q_slv for run in runs]),
+        q_eff=lowest.q_eff if lowest else None,
+        intensity=si,
+        pga=motion.pga,
+        closed_form_q_eff=closed_forms.closed_form_q_eff(*shape, one_sided),
+        closed_form_q=closed_forms.closed_form_q(*shape, motion.pga, one_sided),
+    )
+
+
+def wall_result(wall, mechanism, model, runs, motions, search, demand) -> WallResult:
+    """Everything of one wall and mechanism from its runs; an incomplete set has no values."""
+    block, law = wall.block(), wall.moment_law()
+    one_sided = mechanism == "one_sided"
+    per_record = [
+        _per_record(motion, [r for r in runs if r.record == motion.name], block, one_sided)
+        for motion in motions
+    ]
+    numbers = [entry.q for entry in per_record if entry.q is not None]
+    incomplete = [run for run in runs if run.ida.status == "impact_limit"]
+    rule = None
+    if incomplete:
+        rule = "incomplete"
+    elif runs:
+        few = "minimum" if len(numbers) >= MINIMUM_FROM else "too_few"
+        rule = "mean" if len(numbers) >= MEAN_FROM else few
+    sets = {
+        name: None if incomplete else set_value([getattr(entry, name) for entry in per_record])
+        for name in ("q", "q_robust", "q_slv")
+    }
+    with_q = [entry for entry in per_record if entry.q is not None]
+    closed_q_eff = closed_q = None
+    if demand and demand.intensity:
+        shape = (block.slenderness, block.height, demand.intensity)
+        closed_q_eff = closed_forms.closed_form_q_eff(*shape, one_sided)
+        closed_q = closed_forms.closed_form_q(*shape, demand.pga, one_sided)
+    checks = ()
+    if demand:
+        sources = (demand.q_code, closed_q, sets["q"], sets["q_slv"], sets["q_robust"])
+        checks = tuple(
+            inequality(source, q, block.threshold_acceleration, demand.pga) if q else None
+            for source, q in zip(Q_SOURCES, sources, strict=True)
+        )
+    restitution = wall.restitution_of(mechanism)
+    fragile = fragility([run.ida for run in runs], search)
+    return WallResult(
+        name=wall.name,
+        wall=wall,
+        block=block,
+        mechanism=mechanism,
+        restitution=restitution,
+        law=law,
+        model=model,
+        runs=tuple(runs),
+        per_record=tuple(per_record),
+        set_rule=rule,
+        q_set=sets["q"],
+        q_min=min(numbers) if numbers else None,
+        q_robust_set=sets["q_robust"],
+        q_slv_set=sets["q_slv"],
+        power_law=closed_forms.fit_power_law(
+            [entry.intensity for entry in with_q], [entry.q_eff for entry in with_q]
+        ),
+        fragility=fragile,
+        closed_form_q_eff=closed_q_eff,
+        closed_form_q=closed_q,
+        code_check=checks,
+        warnings=tuple(
+            _model_notices(wall, block, mechanism, restitution, law)
+            + _set_notices(runs, numbers, incomplete, fragile, search)
+            + _form_notices(block, mechanism, restitution, law, per_record, demand, checks)
+        ),
+    )
+
+
+def _model_notices(wall, block, mechanism, restitution, law) -> list[Notice]:
+    found = []
+    if restitution.model == "costa_upper" and restitution.ratio_at_rest > _housner(block):
+        found.append(notice("costa_above_housner", alpha=float(np.degrees(block.slenderness))))
+    if mechanism == "one_sided" and not restitution.model.startswith(("one_sided", "user")):
+        found.append(notice("hogan", model=restitution.model))
+    if not block.is_rectangle:
+        found.append(notice("general_height", height=block.height))
+        if restitution.model.startswith("one_sided"):
+            found.append(notice("general_contact"))
+    if not law.is_rigid:
+        share = np.sin((1.0 - law.plateau_end) * block.slenderness) / np.sin(block.slenderness)
+        found.append(notice("trilinear_threshold", plateau=float(share)))
+    return found
+
+
+def _housner(block: Block) -> float:
+    return 1.0 - 2.0 * block.radius**2 / block.inertia_over_mass * np.sin(block.slenderness) ** 2
+
+
+def _set_notices(runs, numbers, incomplete, fragile, search) -> list[Notice]:
+    found = []
+    if incomplete:
+        found.append(notice("incomplete", n=len(incomplete)))
+    elif runs and len(numbers) < MINIMUM_FROM:
+        found.append(notice("too_few", n=len(numbers)))
+    standing = sum(run.ida.status == "no_collapse_found" for run in runs)
+    if standing:
+        found.append(notice("no_collapse", n=standing, limit=search.q_limit))
+    clamped = sum(run.ida.clamped for run in runs)
+    if clamped:
+        found.append(notice("clamped", n=clamped))
+    if fragile and fragile.n < MEAN_FROM:
+        found.append(notice("few_runs", n=fragile.n))
+    large = {run.record for run in runs if run.scale and abs(run.scale) > LARGE_SCALE}
+    if large:
+        found.append(notice("pga_too_small", n=len(large)))
+    return found
+
+
+def _form_notices(block, mechanism, restitution, law, per_record, demand, checks) -> list[Notice]:
+    pgas = [(entry.record, entry.pga) for entry in per_record]
+    if demand:
+        pgas.append(("demand", demand.pga))
+    found = closed_forms.range_notices(block.slenderness, block.height, pgas)
+    fitted = "one_sided_theoretical" if mechanism == "one_sided" else "housner"
+    if restitution.model != fitted or not law.is_rigid:
+        used = restitution.model + ("" if law.is_rigid else ", trilinear")
+        found.append(notice("eq15_model", fitted=fitted, used=used))
+    if demand and demand.intensity_source == "records_scaled":
+        found.append(notice("si_from_records", si=demand.intensity / CM))
+    if checks:
+        histories, robust = checks[2], checks[4]
+        if robust and robust.passed and not (histories and histories.passed):
+            found.append(notice("only_robust"))
+    return found
