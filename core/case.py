@@ -197,8 +197,6 @@ LATER = {
 }  # fmt: skip
 """Keys of the contract whose work is not built yet: refused, never ignored."""
 
-LATER_METHODS = ("newmark_events", "rk4", "dormand_prince", "linearised")
-
 
 def read_case(path: Path) -> Case:
     """The case of a TOML file. Raises InputError naming file, place, value and what is accepted."""
@@ -240,6 +238,13 @@ def parse_case(table: dict) -> Case:
         for mechanism in wall.mechanisms():
             wall.restitution_of(mechanism)
         wall.moment_law()
+    analysis = _section(Analysis, table.get("analysis", {}), "analysis", "[analysis]")
+    for wall in walls:
+        if analysis.method == "linearised" and not wall.moment_law().is_rigid:
+            raise InputError(
+                f'[analysis]: method linearised is for the rigid law; wall "{wall.name}" is '
+                "trilinear: take method auto"
+            )
     records = [
         _section(Record, entry, "record", f"record {k + 1}")
         for k, entry in enumerate(_tables(table, "record"))
@@ -253,7 +258,7 @@ def parse_case(table: dict) -> Case:
         report=_section(Report, table.get("report", {}), "report", "[report]"),
         wall=tuple(walls),
         record=tuple(records),
-        analysis=_section(Analysis, table.get("analysis", {}), "analysis", "[analysis]"),
+        analysis=analysis,
         demand=_section(Demand, demand, "demand", "[demand]") if demand is not None else None,
     )
     digest = hashlib.sha256(json.dumps(case.as_dict(), sort_keys=True).encode()).hexdigest()
@@ -327,8 +332,6 @@ def _value(entry, value, place: str):
     elif kind == "choice":
         if isinstance(value, str) and value in rule["names"]:
             return value
-        if value in LATER_METHODS:
-            raise InputError(f"{place} = {value!r} is not built yet: {_accepted(entry)}")
     elif kind == "text":
         printable = isinstance(value, str) and all(letter.isprintable() for letter in value)
         if printable and len(value) <= MAX_TEXT and (value or entry.default is not MISSING):

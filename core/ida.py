@@ -111,10 +111,7 @@ class _Map:
         moves = q_values > 1.0 if self.rigid else np.full(q_values.size, True)
         found, reached = np.empty(int(moves.sum()), np.int64), np.empty(int(moves.sum()))
         scales = self.to_scale * q_values[moves]
-        self.clamped += scan(
-            self.method.code, self.method.option, self.ground, self.dt, scales, self.model,
-            found, reached,
-        )  # fmt: skip
+        self.clamped += scan(self.method, self.ground, self.dt, scales, self.model, found, reached)
         self.analyses += scales.size
         outcomes[moves], peaks[moves] = found, reached
         return outcomes, peaks

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.kernel_cache import kernel
-from core.rocking import newmark_paper, taylor
+from core.rocking import dormand_prince, newmark_paper, stepped, taylor
 from core.rocking.model import RockingModel, rocking_model
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 
@@ -24,33 +24,51 @@ __all__ = [
 
 TAYLOR = 0
 NEWMARK_PAPER = 1
+NO_TABLE = np.empty(0)
 
 
 @dataclass(frozen=True)
 class Method:
-    """A method by name, its integer code for `scan`, its option, and its order of convergence."""
+    """A way to integrate the motion.
+
+    name; code : of the kernels; option : order of taylor, reset of newmark_paper, steps a sample of
+    newmark_events, rk4 and linearised, -log10 of the tolerance of dormand_prince; order : of
+    convergence, 0 where a method does not converge to the truth.
+    """
 
     name: str
     code: int
     option: int
     order: int
 
+    @property
+    def table(self) -> np.ndarray:
+        return dormand_prince.tableau() if self.code == stepped.DORMAND_PRINCE else NO_TABLE
+
 
 METHODS = {
-    "taylor": Method("taylor", TAYLOR, 8, 8),
-    "newmark_paper": Method("newmark_paper", NEWMARK_PAPER, 0, 1),
-    "newmark_paper_reset": Method("newmark_paper_reset", NEWMARK_PAPER, 1, 1),
+    method.name: method
+    for method in (
+        Method("taylor", TAYLOR, 8, 8),
+        Method("newmark_paper", NEWMARK_PAPER, 0, 1),
+        Method("newmark_paper_reset", NEWMARK_PAPER, 1, 1),
+        Method("newmark_events", stepped.NEWMARK_EVENTS, 1, 2),
+        Method("rk4", stepped.RK4, 1, 4),
+        Method("dormand_prince", stepped.DORMAND_PRINCE, 12, 8),
+        Method("linearised", stepped.LINEARISED, 1, 0),
+    )
 }
-"""Methods a user can ask for; option: the order of taylor, the reset of newmark_paper."""
+"""Methods a user can ask for."""
 
 
 @kernel
-def integrate(
-    code, ground, dt, scale, model, option, start, rotation, velocity, impact_time, impact_velocity
-):
-    """`taylor.integrate` or the same of another method, by its integer code."""
-    if code == TAYLOR:
-        return taylor.integrate(
+def compared(
+    code, ground, dt, scale, model, option, start, rotation, velocity, impact_time,
+    impact_velocity, table,
+):  # fmt: skip
+    """`taylor.integrate` of any other method, by its integer code."""
+    if code == NEWMARK_PAPER:
+        return newmark_paper.integrate(
             ground,
             dt,
             scale,
@@ -62,28 +80,49 @@ def integrate(
             impact_time,
             impact_velocity,
         )
-    return newmark_paper.integrate(
-        ground, dt, scale, model, option, start, rotation, velocity, impact_time, impact_velocity
-    )
+    return stepped.integrate(
+        code, ground, dt, scale, model, option, start, rotation, velocity, impact_time,
+        impact_velocity, table,
+    )  # fmt: skip
 
 
 @kernel
-def scan(code, option, ground, dt, scales, model, outcomes, peaks):
+def scan_taylor(order, ground, dt, scales, model, outcomes, peaks):
+    """`scan` by taylor: apart from the others, so that a start compiles no method it does not use."""
+    none = np.empty(0)
+    clamped = 0
+    for j in range(scales.size):
+        outcomes[j], peaks[j], _, clamps, _ = taylor.integrate(
+            ground, dt, scales[j], model, order, (0.0, 0.0), none, none, none, none
+        )
+        clamped += clamps
+    return clamped
+
+
+@kernel
+def scan_compared(code, option, ground, dt, scales, model, outcomes, peaks, table):
+    """`scan` by the other methods."""
+    none = np.empty(0)
+    clamped = 0
+    for j in range(scales.size):
+        outcomes[j], peaks[j], _, clamps, _ = compared(
+            code, ground, dt, scales[j], model, option, (0.0, 0.0), none, none, none, none, table
+        )
+        clamped += clamps
+    return clamped
+
+
+def scan(method: Method, ground, dt, scales, model, outcomes, peaks) -> int:
     """Analyses of one record at many multipliers; returns the number of clamped velocity ratios.
 
     ground : [m/s2], shape (n,); scales : multipliers [-], shape (m,), negative reverses the record;
     outcomes : results, codes of outcome.py, int64, shape (m,); peaks : results [rad], shape (m,).
     """
-    none = np.empty(0)
-    clamped = 0
-    for j in range(scales.size):
-        outcome, peak, _, clamps, _ = integrate(
-            code, ground, dt, scales[j], model, option, (0.0, 0.0), none, none, none, none
-        )
-        outcomes[j] = outcome
-        peaks[j] = peak
-        clamped += clamps
-    return clamped
+    if method.code == TAYLOR:
+        return scan_taylor(method.option, ground, dt, scales, model, outcomes, peaks)
+    return scan_compared(
+        method.code, method.option, ground, dt, scales, model, outcomes, peaks, method.table
+    )
 
 
 @dataclass(frozen=True)
@@ -119,10 +158,13 @@ def history(
     times = np.zeros(4096)
     while True:
         velocities = np.zeros(times.size)
-        outcome, peak, impacts, clamped, done = integrate(
-            method.code, ground, dt, scale, model, method.option, start,
-            rotation, velocity, times, velocities,
-        )  # fmt: skip
+        wanted = (model, method.option, start, rotation, velocity, times, velocities)
+        if method.code == TAYLOR:
+            outcome, peak, impacts, clamped, done = taylor.integrate(ground, dt, scale, *wanted)
+        else:
+            outcome, peak, impacts, clamped, done = compared(
+                method.code, ground, dt, scale, *wanted, method.table
+            )
         if impacts <= times.size:
             break
         times = np.zeros(impacts)

@@ -52,7 +52,7 @@ def without(*keys, **more):
         (case({"hinge_setback_m": 0.05}), ["hinge_setback_m", "not built yet"]),
         (case(walls="walls.xlsx"), ["walls", "not built yet"]),
         (case(generate={"count": 7}), ["generate", "not built yet"]),
-        (case(analysis={"method": "rk4"}), ["rk4", "not built yet"]),
+        (case({"law": "doherty"}, analysis={"method": "linearised"}), ["rigid law", "trilinear"]),
         (case(analysis={"method": "magic"}), ["magic", "taylor"]),
         (case(analysis={"q_step": 0.0}), ["q_step", "0.0001"]),
         (case(analysis={"q_stepp": 0.01}), ["q_step?"]),
