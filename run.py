@@ -3,7 +3,7 @@
 
     python3 run.py --batch CASE    run a case without a window (see --help)
     python3 run.py test [...]      ruff, import contracts, pytest
-    python3 run.py bench [...]     the benchmarks
+    python3 run.py bench [...]     the benchmarks; --work-precision for error against time
 
 The environment is .venv beside this file, or the folder named by RIBALTA_ENV. Standard library only.
 """
@@ -233,7 +233,7 @@ def main():
         ensure(["base", "test"])
         return test(arguments[1:])
     if word == "bench":
-        ensure(["base"])
+        ensure(["base", "test", "bench"] if "--work-precision" in arguments else ["base"])
         script = os.path.join(ROOT, "tests", "benchmarks", "bench.py")
         return hand_over([interpreter(), "-P", script, *arguments[1:]])
     ensure(["base"])

@@ -1,11 +1,13 @@
 """Speed of the methods, of the search and of the example batch, each also against a fixed loop.
 
     python3 run.py bench
+    python3 run.py bench --work-precision [--output DIR]    error against time, see work_precision.py
 
 Whole batches are timed as processes; the loop of sin and cos is measured in the same run, so that
 machines compare by the last column.
 """
 
+import argparse
 import math
 import os
 import platform
@@ -134,4 +136,13 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    words = argparse.ArgumentParser()
+    words.add_argument("--work-precision", action="store_true")
+    words.add_argument("--output", type=Path, default=Path("work_precision"))
+    options = words.parse_args()
+    if options.work_precision:
+        from tests.benchmarks import work_precision
+
+        work_precision.main(options.output)
+    else:
+        main()

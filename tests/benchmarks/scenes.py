@@ -1,0 +1,81 @@
+"""Scenes of the work-precision chart, and their truth in 30 digits by an independent program."""
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+
+import mpmath as mp
+import numpy as np
+
+from core import records
+from core.block import Block
+from core.ida import Search, incremental_dynamic_analysis
+from core.moment_rotation import LAWS
+from core.restitution import restitution
+from core.rocking import METHODS, RockingModel, rocking_model
+from tests.conftest import shelf_folder
+from tests.validation import high_precision
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A wall under a record. ground [m/s2], scale included; dt [s]; truth : theta / alpha."""
+
+    name: str
+    ground: np.ndarray
+    dt: float
+    model: RockingModel
+    truth: np.ndarray
+    impacts: int
+
+
+def wall(one_sided=False, model=None, law="rigid", height=7.0) -> RockingModel:
+    block = Block.rectangle(height, math.radians(6.8))
+    name = model or ("one_sided_theoretical" if one_sided else "housner")
+    return rocking_model(block, one_sided, restitution(block, name), LAWS[law])
+
+
+def _scene(name: str, ground, dt: float, model: RockingModel) -> Scene:
+    """A scene with its truth; the model's own doubles are the exact input."""
+    kinks = None if model.plateau_end == 0.0 else (model.elastic_end, model.plateau_end)
+    ratio = mp.mpf(model.ratio_at_rest)
+    theta, impacts = high_precision.history(
+        ground, dt, model.slenderness, model.p2, model.one_sided != 0.0, lambda v: ratio, kinks
+    )
+    truth = np.array([float(value) for value in theta]) / model.slenderness
+    return Scene(name, np.ascontiguousarray(ground), dt, model, truth, len(impacts))
+
+
+def reference(name: str) -> np.ndarray:
+    path = ROOT / "tests" / "reference" / f"{name}_record.csv"
+    return np.loadtxt(path, delimiter=",", skiprows=1)[:, 1].copy()
+
+
+def survived(ground: np.ndarray, dt: float, model: RockingModel) -> np.ndarray:
+    """The record scaled to the last survival below first collapse."""
+    pga = float(np.abs(ground).max())
+    found = incremental_dynamic_analysis(ground, dt, pga, 1, model, METHODS["taylor"], Search())
+    threshold = 9.80665 * math.tan(model.slenderness)
+    return ground * (found.bracket[0] * threshold / pga)
+
+
+def scenes() -> list[Scene]:
+    """All scenes; the real record only where the shelf is."""
+    standard, hard = reference("standard"), reference("hard")
+    two = wall()
+    made = [
+        _scene("standard", standard, 0.01, two),
+        _scene("hard", hard, 0.01, two),
+        _scene("one-sided, Eq. 6", 2.0 * standard, 0.01, wall(True)),
+        _scene("one-sided, Hogan", 0.7 * standard, 0.01, wall(True, "housner")),
+        _scene("trilinear, D1 0.02", 0.6 * standard, 0.01, wall(law="al_shawa")),
+        _scene("near collapse", survived(standard, 0.01, two), 0.01, two),
+        _scene("small wall, 0.5 m", 0.6 * standard, 0.01, wall(height=0.5)),
+    ]
+    shelf = shelf_folder()
+    if shelf:
+        record = records.read(shelf / "PEER_AT2" / "elCentro_variant_noheader4.AT2")
+        made.append(_scene("El Centro 1940", 0.8 * record.acceleration, record.time_step, two))
+    return made

@@ -1,0 +1,161 @@
+"""Error against time of every method and peer, over the scenes: a CSV and a chart.
+
+    python3 run.py bench --work-precision [--output DIR]
+
+Truth is the 30-digit solver of tests/validation/high_precision.py, never a method of the program.
+Failing points are drawn: an error above 1 alpha stands at the top.
+"""
+
+import csv
+import platform
+import statistics
+import time
+from pathlib import Path
+
+import numpy as np
+
+from core.rocking import METHODS, Method, history
+from tests.benchmarks.scenes import Scene, scenes
+
+OWN = (
+    [Method(f"taylor {order}", 0, order, order) for order in (6, 8)]
+    + [METHODS["newmark_paper"], METHODS["newmark_paper_reset"]]
+    + [Method("newmark_events", 2, steps, 2) for steps in (1, 2, 4, 8, 16)]
+    + [Method("rk4", 3, steps, 4) for steps in (1, 2, 4, 8, 16)]
+    + [METHODS["dormand_prince"], METHODS["linearised"]]
+)
+
+
+def peers() -> list[tuple[str, object]]:
+    """(label, solver) of what imports; what does not is named."""
+    from tests.benchmarks import peers as others
+
+    found = [("scipy DOP853 restarted", others.scipy_restarted)]
+    found += [
+        (f"scipy DOP853 naive {r:g}", lambda s, r=r: others.scipy_naive(s, r))
+        for r in (1e-6, 1e-10)
+    ]
+    try:
+        for tolerance in (0.0, 1e-9):
+            found.append((f"heyoka {tolerance or 'eps'}", others.Heyoka(tolerance)))
+    except ImportError:
+        print("heyoka is not installed: left out")
+    try:
+        import numbalsoda  # noqa: F401
+    except ImportError:
+        print("numbalsoda has no wheel here (needs a Fortran compiler): left out")
+    return found
+
+
+def timed(call, least: float = 0.02, most: int = 5) -> float:
+    """Median time of a call [s], fewer repeats for slow ones."""
+    start = time.perf_counter()
+    call()
+    once = time.perf_counter() - start
+    repeats = 1 if once > 1.0 else most
+    inner = max(1, int(least / max(once, 1e-7)))
+    times = []
+    for _ in range(repeats):
+        start = time.perf_counter()
+        for _ in range(inner):
+            call()
+        times.append((time.perf_counter() - start) / inner)
+    return statistics.median(times)
+
+
+def error(found: np.ndarray, scene: Scene) -> float:
+    """Largest |error| / alpha; a history that stops early fails entirely."""
+    if found.size != scene.truth.size or not np.isfinite(found).all():
+        return float("inf")
+    return float(np.abs(found - scene.truth).max())
+
+
+def measure(scene: Scene, others) -> list[dict]:
+    rows = []
+    for method in OWN:
+        if method.name == "linearised" and scene.model.plateau_end > 0.0:
+            continue
+
+        def call(m=method):
+            return history(scene.ground, scene.dt, 1.0, scene.model, m)
+
+        found = call().rotation / scene.model.slenderness
+        rows.append(row(scene, method.name, method.option, error(found, scene), timed(call)))
+    for label, solver in others:
+        if label.startswith("heyoka") and scene.model.plateau_end > 0.0:
+            continue
+        start = time.perf_counter()
+        found = solver(scene)
+        once = time.perf_counter() - start
+        seconds = once if once > 0.5 else timed(lambda s=solver: s(scene))
+        rows.append(row(scene, label, "", error(found, scene), seconds))
+    return rows
+
+
+def row(scene, name, option, err, seconds) -> dict:
+    return {"scene": scene.name, "impacts": scene.impacts, "samples": scene.ground.size,
+            "method": name, "option": option, "error_alpha": err, "seconds": seconds,
+            "ns_per_sample": 1e9 * seconds / (scene.ground.size - 1)}  # fmt: skip
+
+
+def chart(rows: list[dict], path: Path) -> None:
+    """One panel a scene, log time against log error, failures at the top edge."""
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    names = list(dict.fromkeys(r["scene"] for r in rows))
+    families = list(dict.fromkeys(family(r["method"]) for r in rows))
+    colours = dict(zip(families, plt.get_cmap("tab10").colors, strict=False))
+    columns = 3
+    lines = -(-(len(names) + 1) // columns)
+    figure, axes = plt.subplots(lines, columns, figsize=(13, 3.6 * lines), squeeze=False)
+    for axis, name in zip(axes.flat, names, strict=False):
+        for family_name in families:
+            points = [r for r in rows if r["scene"] == name and family(r["method"]) == family_name]
+            if not points:
+                continue
+            x = [1e6 * r["seconds"] for r in points]
+            y = [min(max(r["error_alpha"], 1e-16), 3.0) for r in points]
+            line = "-" if family_name in ("rk4", "newmark_events", "taylor") else "none"
+            marker = "o" if family_name in METHODS else "s"
+            axis.loglog(x, y, marker=marker, linestyle=line, color=colours[family_name],
+                        label=family_name, markersize=5)  # fmt: skip
+        impacts = next(r["impacts"] for r in rows if r["scene"] == name)
+        axis.set_title(f"{name}  ({impacts} impacts)", fontsize=10)
+        axis.axhspan(1.0, 5.0, color="0.9")
+        axis.set_ylim(1e-16, 5.0)
+        axis.set_xlabel("time per history [µs]", fontsize=8)
+        axis.set_ylabel("largest error / α", fontsize=8)
+        axis.grid(True, which="major", color="0.92")
+        axis.tick_params(labelsize=7)
+    handles, labels = axes.flat[0].get_legend_handles_labels()
+    for axis in list(axes.flat)[len(names) :]:
+        axis.axis("off")
+    list(axes.flat)[-1].legend(handles, labels, fontsize=9, loc="center", frameon=False)
+    figure.tight_layout()
+    figure.savefig(path, dpi=90)
+
+
+def family(name: str) -> str:
+    return "scipy naive" if "naive" in name else name.split(" ")[0]
+
+
+def main(folder: Path) -> None:
+    others = peers()
+    rows = []
+    for scene in scenes():
+        rows += measure(scene, others)
+        print(f"{scene.name}: {scene.ground.size} samples, {scene.impacts} impacts")
+        for r in rows:
+            if r["scene"] == scene.name:
+                print(f"  {r['method']:26} {r['option']!s:3} {r['error_alpha']:10.2e} alpha "
+                      f"{1e6 * r['seconds']:12.1f} us")  # fmt: skip
+    folder.mkdir(parents=True, exist_ok=True)
+    with open(folder / "work_precision.csv", "w", newline="") as stream:
+        writer = csv.DictWriter(stream, list(rows[0]))
+        writer.writeheader()
+        writer.writerows(rows)
+    chart(rows, folder / "work_precision.png")
+    print(f"{platform.machine()}, Python {platform.python_version()}: {folder}/work_precision.png")

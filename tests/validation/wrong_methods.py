@@ -1,0 +1,93 @@
+"""Deliberately wrong variants of the product's kernels: the same code with one name replaced.
+
+A kernel's Python source runs with its own globals but for the replacements, so that each variant
+differs from the product in exactly the mistake it shows.
+"""
+
+import math
+import types
+
+import numpy as np
+
+from core.moment_rotation import FAR, moment, moment_branch
+from core.rocking import NO_TABLE, stepped, taylor
+from core.rocking.events import ground_lifts
+from core.rocking.outcome import COLLAPSED, STABLE
+
+
+def variant(kernel, **replacements):
+    """The kernel's Python function with some of its globals replaced."""
+    source = getattr(kernel, "py_func", kernel)
+    known = {**source.__globals__, **replacements}
+    return types.FunctionType(source.__code__, known, source.__name__, source.__defaults__)
+
+
+def taylor_history(integrate, ground, dt, model, order=8):
+    """theta at the samples, and (outcome, peak, impacts, clamped, samples done)."""
+    rotation, none = np.zeros(len(ground)), np.empty(0)
+    result = integrate(
+        np.asarray(ground, float), dt, 1.0, model, order, (0.0, 0.0), rotation,
+        np.zeros(len(ground)), none, none,
+    )  # fmt: skip
+    return rotation, result
+
+
+def stepped_history(integrate, code, ground, dt, model, option=1):
+    rotation, none = np.zeros(len(ground)), np.empty(0)
+    result = integrate(
+        code, np.asarray(ground, float), dt, 1.0, model, option, (0.0, 0.0), rotation,
+        np.zeros(len(ground)), none, none, NO_TABLE,
+    )  # fmt: skip
+    return rotation, result
+
+
+def _uplift_at_sample(ground, slope, start, end, model, threshold):
+    side = ground_lifts(ground + slope * start, model, threshold)
+    return (start, side) if side != 0.0 else (end, 0.0)
+
+
+def _crossing_at_end(c, level, sign, h):
+    after = (c[0] - level) + taylor.increment(c, h)
+    return h if sign * after <= 0.0 else -1.0
+
+
+def _crossing_by_sign_change(c, level, sign, h):
+    """Located, but only where the end of the step lies beyond the level."""
+    after = (c[0] - level) + taylor.increment(c, h)
+    return taylor.first_crossing(c, level, sign, h) if sign * after <= 0.0 else -1.0
+
+
+def _rotation_decides(phi, speed, peak, model):
+    return (COLLAPSED if phi > model.slenderness else STABLE), max(peak, phi)
+
+
+def _never_rests(speed, ground, model, threshold):
+    return False
+
+
+def _one_branch(zone, model):
+    _, _, sine, slope, constant = moment_branch(zone, model)
+    return 0.0, FAR, sine, slope, constant
+
+
+def _rk4_through_kinks(code, phi, speed, beta, slope, h, model, zone, *rest):
+    """Runge-Kutta of order 4 on the law as it stands, kinks inside the step."""
+
+    def push(x, t):
+        return model.p2 * ((beta + t * slope) * math.cos(model.slenderness - x) - moment(x, model))
+
+    half = 0.5 * h
+    a1 = push(phi, 0.0)
+    a2 = push(phi + half * speed, half)
+    a3 = push(phi + half * (speed + half * a1), half)
+    a4 = push(phi + h * (speed + half * a2), h)
+    new = phi + h * speed + h * h / 6.0 * (a1 + a2 + a3)
+    return new, speed + h / 6.0 * (a1 + 2.0 * (a2 + a3) + a4)
+
+
+uplift_at_next_sample = variant(taylor.integrate, next_uplift=_uplift_at_sample)
+impact_at_end_of_step = variant(taylor.integrate, first_crossing=_crossing_at_end)
+double_crossing_missed = variant(taylor.integrate, first_crossing=_crossing_by_sign_change)
+rotation_decides_at_the_end = variant(taylor.integrate, end_of_record=_rotation_decides)
+no_rest = variant(taylor.integrate, stops_rocking=_never_rests)
+kinks_ignored = variant(stepped.integrate, advance=_rk4_through_kinks, moment_branch=_one_branch)
