@@ -32,6 +32,9 @@ def run(case_path: Path, output: Path | None, jobs: int, quiet: bool, resume: bo
 
     def journal(key: str) -> Journal:
         books.append(Journal(folder / f"{stem}.journal", key, resume))
+        if books[0].set_aside:
+            print(f"finished runs of an earlier start are in {books[0].set_aside}: to go on with "
+                  "them, rename it and add --resume", file=sys.stderr)  # fmt: skip
         return books[0]
 
     with _interrupts(cancel), _progress(quiet) as show:
@@ -51,9 +54,9 @@ def run(case_path: Path, output: Path | None, jobs: int, quiet: bool, resume: bo
                 file=sys.stderr,
             )
             return CANCELLED
-    write(result, folder, stem)
-    for book in books:
-        book.remove()
+        write(result, folder, stem)
+        for book in books:
+            book.remove()
     if not quiet:
         print(summary(result, folder, stem))
     for wall, record, polarity, status in result.without_number:

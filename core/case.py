@@ -239,6 +239,11 @@ def parse_case(table: dict) -> Case:
             wall.restitution_of(mechanism)
         wall.moment_law()
     analysis = _section(Analysis, table.get("analysis", {}), "analysis", "[analysis]")
+    if round(analysis.robust_window / math.log1p(analysis.q_step)) < 1:
+        raise InputError(
+            f"[analysis]: robust_window = {analysis.robust_window:g} is narrower than one step of q_step = "
+            f"{analysis.q_step:g}: widen the window or take a finer step"
+        )
     for wall in walls:
         if analysis.method == "linearised" and not wall.moment_law().is_rigid:
             raise InputError(
@@ -325,9 +330,9 @@ def _value(entry, value, place: str):
     kind = rule["kind"]
     if kind in ("float", "int"):
         fits = isinstance(value, (int, float) if kind == "float" else int)
-        if fits and not isinstance(value, bool) and math.isfinite(value):
+        if fits and not isinstance(value, bool):
             above = value > rule["low"] if rule["exclusive"] else value >= rule["low"]
-            if above and value <= rule["high"]:
+            if above and value <= rule["high"]:  # NaN is neither
                 return float(value) if kind == "float" else value
     elif kind == "choice":
         if isinstance(value, str) and value in rule["names"]:

@@ -142,9 +142,9 @@ class _Map:
 
     def bisect(self, index: int, fraction: float) -> tuple[float, float] | None:
         """Bracket of the first event between grid points index - 1 and index; None if a midpoint is
-        of unknown outcome."""
+        of unknown outcome; from 0 where the map cannot go lower."""
         if index == self.first:
-            return self.q_of(index), self.q_of(index)
+            return 0.0, self.q_of(index)
         low, high = self.q_of(index - 1), self.q_of(index)
         while high / low - 1.0 > BRACKET:
             middle = 0.5 * (low + high)
@@ -218,20 +218,20 @@ def _descend(grid: _Map, half: int) -> None:
         grid.grow(max(floor, grid.first - half - 1), grid.last)
 
 
-def collapse_share(collapsed: np.ndarray, half: int) -> np.ndarray:
-    """Share of collapsing points within +-half points of each point; the ends count as surviving."""
+def collapse_count(collapsed: np.ndarray, half: int) -> np.ndarray:
+    """Collapsing points within +-half points of each point; beyond the ends none collapses."""
     total = np.concatenate([[0], np.cumsum(collapsed)])
     index = np.arange(collapsed.size)
     low = np.maximum(index - half, 0)
     high = np.minimum(index + half, collapsed.size - 1)
-    return (total[high + 1] - total[low]) / (2 * half + 1)
+    return total[high + 1] - total[low]
 
 
 def _robust_index(grid: _Map, half: int) -> int | None:
     """Smallest grid index whose whole window holds a share >= 0.16 of collapsing points."""
-    share = collapse_share(grid.outcomes == COLLAPSED, half)
-    whole = share[: grid.outcomes.size - half]
-    hits = np.nonzero(whole >= ROBUST_SHARE)[0]
+    count = collapse_count(grid.outcomes == COLLAPSED, half)
+    whole = count[: grid.outcomes.size - half]
+    hits = np.nonzero(whole >= ROBUST_SHARE * (2 * half + 1))[0]
     return grid.first + int(hits[0]) if hits.size else None
 
 
@@ -293,25 +293,26 @@ class Fragility:
 
 
 def fragility(runs: list[Ida], search: Search) -> Fragility | None:
-    """Fragility over the runs with a map; above its end a map collapses, below it survives."""
+    """Fragility over the runs of a wall, each sign of a record a run of its own; runs that ended as
+    impact_limit have no map and are left out. Above its end a map collapses, below it survives."""
     runs = [run for run in runs if run.status != "impact_limit"]
     if not runs:
         return None
     half = search.half_window
     first = min(run.first_index for run in runs) - half
     last = max(run.first_index + len(run.outcomes) for run in runs) + half
-    mean = np.zeros(last - first + 1)
+    count = np.zeros(last - first + 1, np.int64)
     for run in runs:
-        collapsed = np.zeros(mean.size)
+        collapsed = np.zeros(count.size, np.int64)
         start = run.first_index - first
         stop = start + len(run.outcomes)
         collapsed[start:stop] = [digit == str(COLLAPSED) for digit in run.outcomes]
-        collapsed[stop:] = 1.0
-        mean += collapse_share(collapsed, half)
-    mean /= len(runs)
+        collapsed[stop:] = 1
+        count += collapse_count(collapsed, half)
     values = []
     for level in (0.05, 0.16, 0.50):
-        index = first + int(np.argmax(mean >= level))
-        q = runs[0].q_start * (1.0 + search.q_step) ** index
-        values.append(q if (mean >= level).any() and q <= search.q_limit else None)
+        # whole counts: 7 of 14 is 0.50, whatever its sum of fractions rounds to
+        reached = count >= level * len(runs) * (2 * half + 1) - 1e-6
+        q = runs[0].q_start * (1.0 + search.q_step) ** (first + int(np.argmax(reached)))
+        values.append(q if reached.any() and q <= search.q_limit else None)
     return Fragility(*values, n=len(runs))

@@ -8,13 +8,21 @@ from core.errors import OutputError
 
 
 class Journal:
-    """Finished runs by key. key : of case, samples and version; another key starts it anew."""
+    """Finished runs by key. key : of case, samples and version; another key starts it anew.
+
+    set_aside : where the finished runs of an earlier start went that is not resumed, or None.
+    """
 
     def __init__(self, path: Path, key: str, resume: bool):
         self.path, self.found, good = path, {}, 0
+        self.set_aside: Path | None = None
         try:
-            if resume and path.exists():
+            if path.exists():
                 good = self._read(path.read_bytes(), key)
+            if self.found and not resume:
+                self.set_aside = path.with_name(path.name + ".old")
+                os.replace(path, self.set_aside)
+                self.found, good = {}, 0
             self._stream = path.open("r+b" if good else "wb")
             # drop a line cut by a kill before writing on
             self._stream.seek(good)
@@ -35,6 +43,8 @@ class Journal:
             if k == 0 and entry != {"journal": key}:
                 return 0
             if k > 0:
+                if not isinstance(entry, dict) or "result" not in entry:
+                    break
                 self.found[entry["run"]] = entry["result"]
             good += len(line) + 1
         return good

@@ -80,6 +80,20 @@ SENTENCES = {
         "{n} record(s) with a number: the minimum is taken, too few for a design value.",
         "{n} record con un valore: si assume il minimo, troppo pochi per un valore di progetto.",
     ),
+    "coarse_window": (
+        "q_step is coarse for the robust window ({n} points on either side): one collapsing point "
+        "decides q_robust.",
+        "q_step è grande per la finestra robusta ({n} punti per lato): un solo punto di collasso "
+        "decide q_robust.",
+    ),
+    "no_numbers": (
+        "No record gives a number: the set has no value.",
+        "Nessun record dà un valore: l'insieme non ha un valore.",
+    ),
+    "nearly_elastic": (
+        "Velocity ratio {ratio:.3f}: impacts hardly dissipate, far from any measured wall.",
+        "Rapporto di velocità {ratio:.3f}: gli urti quasi non dissipano, lontano da ogni misura.",
+    ),
     "no_collapse": (
         "{n} run(s) without collapse up to q = {limit:g}: left out of the set and counted.",
         "{n} analisi senza collasso fino a q = {limit:g}: escluse dall'insieme e contate.",

@@ -20,9 +20,6 @@ MODELS = {
 }
 """Restitution models and their source."""
 
-COSTA_LIMIT = math.radians(6.63)
-"""Above this slenderness the 0.98 of Costa et al. exceeds Eq. 4 [rad]."""
-
 
 @dataclass(frozen=True)
 class Restitution:
@@ -78,6 +75,11 @@ def restitution(block: Block, model: str, velocity_ratio: float | None = None) -
     if model == "one_sided_experimental":
         # Eq. 7: sqrt(r_1s) (1.18 - 0.473 (v / theta_r')^2)
         ratio = one_sided_ratio(block)
+        if 1.18 * ratio > 1.0:
+            raise InputError(
+                f"Eq. 7 gives a velocity ratio of {1.18 * ratio:.3g} at vanishing speed, above 1: it was "
+                "fitted on rectangular walls; take one_sided_theoretical or give velocity_ratio"
+            )
         drop = 0.473 * ratio / overturning_velocity(block) ** 2
         return Restitution(model, 1.18 * ratio, drop)
     if model == "user" and velocity_ratio is not None and 0.0 <= velocity_ratio <= 1.0:

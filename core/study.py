@@ -17,6 +17,7 @@ from core.errors import Cancelled, InputError
 from core.ground_motion import GroundMotion
 from core.ida import Ida, Search, incremental_dynamic_analysis
 from core.journal import Journal
+from core.kernel_cache import FOLDER, STAMP, record
 from core.records.grammar import Options
 from core.results import CollapseHistories, DemandResult, StudyResult, WallResult
 from core.rocking import METHODS, RockingModel, history, rocking_model
@@ -86,6 +87,7 @@ def run(
             planned, models, motions, method, search, jobs, book, on_progress, cancelled
         )
     finally:
+        record(FOLDER)
         if book:
             book.close()
     demand = _demand(case, motions)
@@ -106,7 +108,7 @@ def run(
 
 def study_key(case: Case, motions: list[GroundMotion]) -> str:
     """Key of a study in the journal: version, what is asked, and the samples."""
-    parts = [VERSION, repr(case.as_dict())] + [motion.samples_sha256 for motion in motions]
+    parts = [VERSION, STAMP, repr(case.as_dict())] + [motion.samples_sha256 for motion in motions]
     return hashlib.sha256("\n".join(parts).encode()).hexdigest()
 
 

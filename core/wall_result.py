@@ -8,6 +8,7 @@ from core.code_check import inequality
 from core.ground_motion import GroundMotion
 from core.ida import Ida, fragility
 from core.notices import Notice, notice
+from core.restitution import housner_ratio
 from core.results import Q_SOURCES, PerRecord, Run, WallResult
 from core.rocking import RockingModel
 from core.units import CM, G
@@ -18,6 +19,9 @@ MINIMUM_FROM = 3
 4.3.3.4.3(3): 7 records mean, 3 to 6 the most unfavourable)."""
 
 LARGE_SCALE = 10.0
+
+NEARLY_ELASTIC = 0.99
+"""Above this velocity ratio a wall rocks for a very long time: warned."""
 
 
 def run_result(model: RockingModel, motion: GroundMotion, polarity: int, ida: Ida) -> Run:
@@ -34,12 +38,18 @@ def _lower(values: list[float | None]) -> float | None:
     return min(known) if known else None
 
 
-def set_value(values: list[float | None]) -> float | None:
-    """Value of a set: mean of 7 or more numbers, else their minimum; None without numbers."""
+def set_rule(numbers: int) -> str:
+    """Rule of a set by its count of records with a q: mean, minimum or too_few."""
+    few = "minimum" if numbers >= MINIMUM_FROM else "too_few"
+    return "mean" if numbers >= MEAN_FROM else few
+
+
+def set_value(values: list[float | None], rule: str | None) -> float | None:
+    """Value of a set under a rule: the mean, else the minimum; None if incomplete or empty."""
     known = [value for value in values if value is not None]
-    if len(known) >= MEAN_FROM:
-        return float(np.mean(known))
-    return min(known) if known else None
+    if not known or rule in (None, "incomplete"):
+        return None
+    return float(np.mean(known)) if rule == "mean" else min(known)
 
 
 def _per_record(motion: GroundMotion, runs: list[Run], block: Block, one_sided: bool) -> PerRecord:
@@ -75,10 +85,9 @@ def wall_result(wall, mechanism, model, runs, motions, search, demand) -> WallRe
     if incomplete:
         rule = "incomplete"
     elif runs:
-        few = "minimum" if len(numbers) >= MINIMUM_FROM else "too_few"
-        rule = "mean" if len(numbers) >= MEAN_FROM else few
+        rule = set_rule(len(numbers))
     sets = {
-        name: None if incomplete else set_value([getattr(entry, name) for entry in per_record])
+        name: set_value([getattr(entry, name) for entry in per_record], rule)
         for name in ("q", "q_robust", "q_slv")
     }
     with_q = [entry for entry in per_record if entry.q is not None]
@@ -128,10 +137,12 @@ def wall_result(wall, mechanism, model, runs, motions, search, demand) -> WallRe
 
 def _model_notices(wall, block, mechanism, restitution, law) -> list[Notice]:
     found = []
-    if restitution.model == "costa_upper" and restitution.ratio_at_rest > _housner(block):
+    if restitution.model == "costa_upper" and restitution.ratio_at_rest > housner_ratio(block):
         found.append(notice("costa_above_housner", alpha=float(np.degrees(block.slenderness))))
     if mechanism == "one_sided" and not restitution.model.startswith(("one_sided", "user")):
         found.append(notice("hogan", model=restitution.model))
+    if restitution.ratio_at_rest > NEARLY_ELASTIC and restitution.model == "user":
+        found.append(notice("nearly_elastic", ratio=restitution.ratio_at_rest))
     if not block.is_rectangle:
         found.append(notice("general_height", height=block.height))
         if restitution.model.startswith("one_sided"):
@@ -142,16 +153,14 @@ def _model_notices(wall, block, mechanism, restitution, law) -> list[Notice]:
     return found
 
 
-def _housner(block: Block) -> float:
-    return 1.0 - 2.0 * block.radius**2 / block.inertia_over_mass * np.sin(block.slenderness) ** 2
-
-
 def _set_notices(runs, numbers, incomplete, fragile, search) -> list[Notice]:
     found = []
     if incomplete:
         found.append(notice("incomplete", n=len(incomplete)))
     elif runs and len(numbers) < MINIMUM_FROM:
-        found.append(notice("too_few", n=len(numbers)))
+        found.append(notice("too_few" if numbers else "no_numbers", n=len(numbers)))
+    if runs and search.half_window < 3:
+        found.append(notice("coarse_window", n=search.half_window))
     standing = sum(run.ida.status == "no_collapse_found" for run in runs)
     if standing:
         found.append(notice("no_collapse", n=standing, limit=search.q_limit))

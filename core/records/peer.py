@@ -6,8 +6,8 @@ from core.errors import RecordError
 from core.notices import notice
 from core.records.grammar import NUMBER, Options, Parsed, block, numbers, to_float
 
-_KEYED = re.compile(r"NPTS\s*=\s*(\d+)\s*,?\s*DT\s*=\s*([0-9.]+)", re.IGNORECASE)
-_TRAILING = re.compile(r"^\s*(\d+)\s+([0-9.]+)\s+NPTS", re.IGNORECASE)
+_KEYED = re.compile(rf"NPTS\s*=\s*(\d+)\s*,?\s*DT\s*=\s*({NUMBER})(?![\w.])", re.IGNORECASE)
+_TRAILING = re.compile(rf"^\s*(\d+)\s+({NUMBER})\s+NPTS", re.IGNORECASE)
 _OTHER = re.compile(r"\b(VELOCITY|DISPLACEMENT)\b", re.IGNORECASE)
 _UNIT_G = re.compile(r"(UNITS? (OF|ARE)|ACCELERATION IN)\s*\(?G\b", re.IGNORECASE)
 _SCALE = re.compile(rf"scale factor\s*=\s*({NUMBER})", re.IGNORECASE)

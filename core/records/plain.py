@@ -89,9 +89,14 @@ def read(lines: list[str], options: Options) -> Parsed:
     unit = _UNIT.search("\n".join(head))
     word = unit[1].lower().replace("^", "").replace("/s/s", "/s2") if unit else None
     values, from_time = _columns(table, places, options, time_step)
+    stated = from_time if time_step is None else time_step
+    if from_time is not None and abs(from_time - stated) > 1e-3 * stated:
+        raise RecordError(
+            f"the header states a time step of {stated:g} s, the time column {from_time:g} s"
+        )
     return Parsed(
         values,
-        from_time if time_step is None else time_step,
+        stated,
         "cm/s2" if word == "gal" else word,
         details=tuple((f"line {k + 1}", text) for k, text in enumerate(head[:6])),
     )
@@ -120,22 +125,31 @@ def _columns(table, places, options: Options, time_step):
 
 
 def _even_step(times, places) -> float:
-    """Time step of a time column [s]; raises RecordError naming the first uneven line."""
+    """Time step of a time column [s]: every printed time within its own rounding of an even grid.
+
+    Raises RecordError naming the first line that is not.
+    """
+    if times.size < 3:
+        raise RecordError(f"{times.size} samples are too few for a record: at least 10")
     steps = np.diff(times)
-    dt = float(np.median(steps)) if steps.size else 0.0
-    if not dt > 0.0:
-        raise RecordError("column 1 does not grow: it is no time column; give one column with dt")
-    # times printed with few decimals: the last digit rounds
-    decimals = next((d for d in range(3, 13) if np.allclose(times, times.round(d), 0, 1e-13)), 12)
-    slack = max(1e-3 * dt, 1.01 * 10.0**-decimals)
-    uneven = np.abs(steps - dt) > slack
-    if uneven.any():
-        k = int(np.argmax(uneven))
+    dt = float((times[-1] - times[0]) / (times.size - 1))
+    decimals = next(
+        (d for d in range(1, 12) if np.allclose(times, times.round(d), rtol=0, atol=1e-13)), 12
+    )
+    rounding = 0.51 * 10.0**-decimals + 1e-9 * abs(times[-1])
+    away = np.abs(times - times[0] - dt * np.arange(times.size))
+    if not dt > 0.0 or away.max() > max(rounding, 1e-3 * dt) or (steps < 0.0).any():
+        usual = float(np.median(steps))
+        k = int(np.argmax(np.abs(steps - usual) > max(2.0 * rounding, 1e-3 * abs(usual))))
+        if (steps < 0.0).any():
+            k = int(np.argmax(steps < 0.0))
         raise RecordError(
             f"line {places[k + 1]}: the time goes from {times[k]:g} to {times[k + 1]:g} s, "
-            f"elsewhere by {dt:g} s: times must be sorted and even"
+            f"elsewhere by {usual:g} s: times must be sorted and even, without gaps"
         )
-    return float((times[-1] - times[0]) / (times.size - 1)) if slack > 1e-3 * dt else round_step(dt)
+    usual = round_step(float(np.median(steps)))
+    even = np.abs(times - times[0] - usual * np.arange(times.size)).max() <= rounding
+    return usual if even else round_step(dt)
 
 
 def round_step(dt: float) -> float:

@@ -21,32 +21,60 @@ def check_folder(folder: Path) -> None:
 
 
 def write(files: dict[Path, bytes]) -> None:
-    """Write all files, or none: every one is on disk beside its place before any takes it.
+    """Write all files, or none: every one is on disk beside its place before any takes it, and if one
+    cannot take its place those before it are put back.
 
     Links are followed, so that the file behind is replaced. Raises OutputError; old files stay.
     """
     temporary: list[tuple[str, str]] = []
+    replaced: list[tuple[str | None, str]] = []
+    path = None
     try:
         for path, content in files.items():
             target = os.path.realpath(path)
-            handle, name = tempfile.mkstemp(dir=os.path.dirname(target), prefix=".ribalta-")
+            name = _beside(target, content)
             temporary.append((name, target))
-            with os.fdopen(handle, "wb") as stream:
-                stream.write(content)
-                stream.flush()
-                os.fsync(stream.fileno())
             os.chmod(name, _mode(target))
         for name, target in temporary:
+            path, old = target, None
+            if os.path.isfile(target):
+                with open(target, "rb") as stream:
+                    old = _beside(target, stream.read())
+            replaced.append((old, target))
             os.replace(name, target)
+        replaced = [(old, "") for old, _ in replaced]
     except OSError as error:
         raise OutputError(
             f"{path}: cannot be written ({error.strerror}): close it if it is open elsewhere, free "
             "some space, or name another folder with --output; earlier results are untouched"
         ) from None
     finally:
+        for old, target in replaced:
+            with contextlib.suppress(OSError):
+                if target and old:
+                    os.chmod(old, _mode(target))
+                    os.replace(old, target)
+                elif target and os.path.isfile(target):
+                    os.unlink(target)
+                elif old:
+                    os.unlink(old)
         for name, _ in temporary:
             with contextlib.suppress(OSError):
                 os.unlink(name)
+
+
+def _beside(target: str, content: bytes) -> str:
+    """A temporary file in the target's folder, on disk; deleted if it cannot be written whole."""
+    handle, name = tempfile.mkstemp(dir=os.path.dirname(target), prefix=".ribalta-")
+    try:
+        with os.fdopen(handle, "wb") as stream:
+            stream.write(content)
+            stream.flush()
+            os.fsync(stream.fileno())
+    except OSError:
+        os.unlink(name)
+        raise
+    return name
 
 
 def _mode(target: str) -> int:

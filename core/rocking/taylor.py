@@ -23,7 +23,7 @@ from core.rocking.events import (
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.units import G
 
-SERIES_TOLERANCE = 1e-15
+SERIES_TOLERANCE = 1e-17
 """Largest neglected term of a step, as a fraction of alpha."""
 
 
@@ -183,10 +183,27 @@ def first_crossing(c, level, sign, h):
 
 
 @kernel
+def summit(c, h):
+    """Largest increment of the step's polynomial at a turning point inside [0, h] [rad], else 0."""
+    bend = h
+    if (curvature(c, 0.0) < 0.0) != (curvature(c, h) < 0.0):
+        bend = bracketed_root(c, 0.0, 2, 0.0, h)
+    highest = 0.0
+    start = 0.0
+    for half in range(2):
+        stop = bend if half == 0 else h
+        if (rate(c, start) < 0.0) != (rate(c, stop) < 0.0):
+            highest = max(highest, increment(c, bracketed_root(c, 0.0, 1, start, stop)))
+        start = stop
+    return highest
+
+
+@kernel
 def converged_step(c, h, order, stiffness, alpha):
     """Largest h / 2^n at which the first neglected term is below SERIES_TOLERANCE alpha.
 
-    stiffness : p2 (1 + |beta|) + phi'^2 [1/s2], the rate at which the terms of the series shrink.
+    stiffness : p2 (1 + |beta| + slope of the branch) + phi'^2 [1/s2], the square of the rate at which
+    the terms of the series can grow.
     """
     for _ in range(60):
         square = h * h
@@ -264,7 +281,8 @@ def integrate(
                 # at uplift phi'' is zero or outward; its rounding must not push the block down
                 c = (phi, speed, max(c[2], 0.0), c[3], c[4], c[5], c[6], c[7], c[8], c[9])
             push = p2 * (1.0 + max(abs(ground0), abs(ground1)) / G)
-            h = converged_step(c, dt - t, order, push + speed * speed, alpha)
+            stiff = push + p2 * branch[3] + speed * speed
+            h = converged_step(c, dt - t, order, stiff, alpha)
             # A chord stays within h^2/8 max|phi''| of the curve: far from both ends nothing happens.
             dphi = increment(c, h)
             reach = 0.125 * h * h * push
@@ -288,9 +306,8 @@ def integrate(
                     h = crossing
                 dphi = increment(c, h)
             speed_after = rate(c, h)
-            if speed > 0.0 and speed_after < 0.0 and max(phi, phi + dphi) + reach > peak:
-                summit = bracketed_root(c, 0.0, 1, 0.0, h)
-                peak = max(peak, phi + increment(c, summit))
+            if min(speed, -speed_after) > -push * h and max(phi, phi + dphi) + reach > peak:
+                peak = max(peak, phi + summit(c, h))
             t = t + h if h < dt - t else dt
             speed = speed_after
             if crossing < 0.0:
@@ -321,11 +338,7 @@ def integrate(
             if impacts - impacts_before > IMPACTS_PER_SAMPLE:
                 return IMPACT_LIMIT, peak, impacts, clamped, i + 1
             now = ground0 + slope * t
-            if arriving == 0.0 and h == 0.0:
-                # touched the threshold and left it: no hop at all, and time must go on
-                moving = False
-                t += 1e-12 * dt
-            elif stops_rocking(speed, now, model, threshold):
+            if stops_rocking(speed, now, model, threshold):
                 moving = False
                 speed = 0.0
             elif speed == 0.0 and model.one_sided == 0.0:

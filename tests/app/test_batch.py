@@ -170,6 +170,19 @@ def test_that_a_link_stays_a_link_and_the_file_behind_is_replaced(tmp_path):
     assert behind.stat().st_mode & 0o777 == 0o640
 
 
+def test_that_a_second_file_that_cannot_take_its_place_puts_the_first_back(tmp_path):
+    first, second = tmp_path / "a.xlsx", tmp_path / "b.json"
+    first.write_text("old")
+    second.mkdir()
+    with pytest.raises(Exception, match="earlier results are untouched"):
+        atomic.write({first: b"new", second: b"new"})
+    assert first.read_text() == "old"
+    first.unlink()
+    with pytest.raises(Exception, match="cannot be written"):
+        atomic.write({first: b"new", second: b"new"})
+    assert list(tmp_path.iterdir()) == [second]
+
+
 def test_that_all_files_are_written_or_none(tmp_path):
     good, bad = tmp_path / "a", tmp_path / "missing" / "b"
     good.write_text("old")

@@ -31,6 +31,8 @@ def without(*keys, **more):
         (case({"heigth_m": 3}), ["heigth_m", "height_m?"]),
         (case({"height_m": float("nan")}), ["height_m", "nan", "0.1 to 60 m"]),
         (case({"height_m": float("inf")}), ["height_m", "60"]),
+        (case({"height_m": 10**400}), ["height_m", "60"]),
+        (case(analysis={"q_step": 0.1, "robust_window": 0.01}), ["narrower than one step"]),
         (case({"height_m": -7.0}), ["height_m = -7.0", "0.1"]),
         (case({"height_m": "7"}), ["height_m = '7'"]),
         (case({"height_m": True}), ["height_m"]),

@@ -147,6 +147,11 @@ def test_that_a_general_block_follows_the_general_equations():
     assert same.height == pytest.approx(7.0)
 
 
+def test_that_eq_7_cannot_create_energy():
+    with pytest.raises(InputError, match="above 1"):
+        restitution(Block(math.radians(5.0), 1.0, 50.0), "one_sided_experimental")
+
+
 @pytest.mark.parametrize(
     "alpha, radius, inertia",
     [(0.0, 1, 2), (2.0, 1, 2), (0.1, 0, 2), (0.1, 1, 1), (0.1, math.nan, 2), (math.nan, 1, 2)],

@@ -99,9 +99,20 @@ def column(separator="\n", shape="{:.5f}"):
     return separator.join(shape.format(value) for value in MOTION)
 
 
-def two(separator=" ", shape="{:.5f}", end="\n", decimal="."):
-    rows = [f"{0.01 * k:.2f}{separator}{shape.format(a)}" for k, a in enumerate(MOTION)]
+def two(separator=" ", shape="{:.5f}", end="\n", decimal=".", every=0.01):
+    rows = [f"{every * k:.2f}{separator}{shape.format(a)}" for k, a in enumerate(MOTION)]
     return end.join(rows).replace(".", decimal) + end
+
+
+def thousandths(drop=None, double=None, jump=None):
+    """Times printed to the millisecond at 1 kHz: the print is as coarse as the step."""
+    rows = [f"{0.001 * k + (0.001 if jump and k > jump else 0):.3f} {a:.5f}"
+            for k, a in enumerate(MOTION)]  # fmt: skip
+    if drop:
+        del rows[drop]
+    if double:
+        rows.insert(double, rows[double])
+    return "\n".join(rows)
 
 
 @pytest.mark.parametrize(
@@ -161,6 +172,18 @@ def test_that_glued_negative_fields_are_split(write):
     assert np.allclose(found.acceleration, values * G, rtol=1e-7)
 
 
+@pytest.mark.parametrize("step", [".01000", "0.1000E-01", "1.0D-2", "10.0E-3"])
+def test_that_a_time_step_with_an_exponent_is_read_whole(write, step):
+    assert records.read(write(peer(step=step))).time_step == 0.01
+
+
+def test_that_times_rounded_in_print_are_even(write):
+    """256 samples a second printed to the millisecond: steps of 0.003 and 0.004."""
+    rows = [f"{k / 256:.3f} {a:.5f}" for k, a in enumerate(np.tile(MOTION, 20))]
+    found = records.read(write("\n".join(rows)), Options(unit="g"))
+    assert found.time_step == pytest.approx(1 / 256, rel=1e-3)
+
+
 def test_that_a_short_last_line_is_accepted_and_said(write):
     found = records.read(write(peer(declared=42, values=np.append(MOTION, [0.5]))))
     assert found.acceleration.size == 41
@@ -181,6 +204,12 @@ def test_that_a_short_last_line_is_accepted_and_said(write):
         (two(), {}, "give unit"),
         (two().replace("0.05 ", "0.06 "), {"unit": "g"}, "sorted and even"),
         (two().replace("0.05 ", "0.03 "), {"unit": "g"}, "sorted and even"),
+        (thousandths(drop=20), {"unit": "g"}, "without gaps"),
+        (thousandths(double=20), {"unit": "g"}, "without gaps"),
+        (thousandths(jump=20), {"unit": "g"}, "without gaps"),
+        ("# dt=0.01\n" + two(every=0.02), {"unit": "g"}, "header states a time step"),
+        ("40 0.02\n" + two(), {"unit": "g"}, "header states a time step"),
+        (peer(step="5.0E+00"), {}, "time step 5 s"),
         (two() + "\n0.41 nan\n", {"unit": "g"}, "not numbers"),
         (two() + "0.40 inf\n", {"unit": "g"}, "not numbers"),
         (two() + "0.40 1_000\n", {"unit": "g"}, "not numbers"),

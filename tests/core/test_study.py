@@ -13,7 +13,7 @@ from core.ida import Ida
 from core.journal import Journal
 from core.report import json_report
 from core.units import CM, G
-from core.wall_result import set_value
+from core.wall_result import set_rule, set_value
 
 
 @pytest.fixture(scope="module")
@@ -97,7 +97,14 @@ def test_that_q_is_c_pga_over_a_rm(result):
     ],
 )
 def test_that_a_set_is_its_mean_from_seven_numbers_else_its_minimum(values, expected):
-    assert set_value(values) == expected
+    numbers = sum(value is not None for value in values)
+    assert set_value(values, set_rule(numbers)) == expected
+    assert set_value(values, "incomplete") is None
+
+
+def test_that_one_rule_holds_for_every_quantity_of_a_set():
+    """Six records collapse, a seventh only reaches 0.40 alpha: q and q_slv are both minima."""
+    assert set_value([2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0], set_rule(6)) == 2.0
 
 
 def test_that_three_records_take_the_minimum(result):
@@ -204,6 +211,14 @@ def test_that_a_cancelled_run_keeps_its_journal_and_resumes_bit_identical(folder
     )
     assert first[0] >= 4
     assert numbers(again) == numbers(result)
+
+
+def test_that_a_start_without_resume_sets_finished_runs_aside(folder, tmp_path):
+    path = tmp_path / "case.journal"
+    study.run(case(), base_dir=folder, journal=lambda key: Journal(path, key, False))
+    kept = path.read_bytes()
+    study.run(case(), base_dir=folder, journal=lambda key: Journal(path, key, False))
+    assert (tmp_path / "case.journal.old").read_bytes() == kept
 
 
 def test_that_a_journal_of_another_case_is_not_used(folder, tmp_path):

@@ -47,6 +47,42 @@ def test_that_dop853_gives_the_same_history(
     assert difference.max() / model.slenderness <= 1e-9
 
 
+@pytest.mark.parametrize("law", ["al_shawa", (0.005, 0.28)])
+@pytest.mark.parametrize("one_sided", [False, True])
+def test_that_a_small_stiff_wall_is_as_exact(reference, make_model, one_sided, law):
+    """H 1 m, D1 down to 0.005: an elastic branch 140 times as stiff as p2, steps must shorten."""
+    ground = 0.9 * reference("standard")[0][:400]
+    model = make_model(height=1.0, one_sided=one_sided, law="al_shawa")
+    if isinstance(law, tuple):
+        ends = {
+            "elastic_end": law[0] * model.slenderness,
+            "plateau_end": law[1] * model.slenderness,
+        }
+        model = model._replace(**ends)
+    truth, impacts = high_precision.history(
+        ground, 0.01, model.slenderness, model.p2, one_sided,
+        lambda v: mp.mpf(model.ratio_at_rest), (model.elastic_end, model.plateau_end),
+    )  # fmt: skip
+    found = history(ground, 0.01, 1.0, model)
+    difference = np.abs(found.rotation - np.array([float(value) for value in truth]))
+    assert difference.max() / model.slenderness <= 1e-11
+    assert found.impact_time.size == len(impacts)
+
+
+@pytest.mark.parametrize("dt", [0.01, 0.05])
+def test_that_strong_motion_of_a_small_wall_shortens_the_steps(reference, make_model, dt):
+    """u'' of 60 a_RM on 20 cm: against the same record resampled 16 times finer."""
+    model = make_model(height=0.2)
+    ground = 60.0 * reference("standard")[0][160:200]
+    fine = np.interp(np.arange(16 * 39 + 1) / 16, np.arange(40), ground)
+    coarse = history(ground, dt, 1.0, model)
+    finer = history(fine, dt / 16, 1.0, model)
+    size = min(coarse.rotation.size, finer.rotation[::16].size) - 1
+    assert size >= 2
+    difference = np.abs(coarse.rotation[:size] - finer.rotation[::16][:size])
+    assert difference.max() / model.slenderness <= 1e-10
+
+
 @pytest.mark.parametrize("one_sided, law", [(True, "rigid"), (False, "al_shawa")])
 def test_that_thirty_digits_give_the_same_history(reference, make_model, one_sided, law):
     ground = reference("standard")[0][:450]

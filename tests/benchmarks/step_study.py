@@ -1,0 +1,108 @@
+"""How first collapse and q_robust hang on the step of the search, over more than 100 pairs.
+
+    python3 run.py bench --steps [--output DIR]
+
+One map at 0.02 % a pair; coarser grids are its every k-th point, so that nothing but the step differs.
+"""
+
+import csv
+import math
+import os
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import numpy as np
+
+from core import records
+from core.block import Block
+from core.ida import ROBUST_SHARE, Search, collapse_count, incremental_dynamic_analysis
+from core.moment_rotation import LAWS
+from core.records.grammar import Options
+from core.restitution import restitution
+from core.rocking import METHODS, rocking_model
+from tests.conftest import shelf_folder
+
+ROOT = Path(__file__).resolve().parents[2]
+FINE = 0.0002
+EVERY = (1, 2, 5, 10, 25, 50, 100)
+"""Steps 0.02, 0.04, 0.1, 0.2, 0.5, 1 and 2 %."""
+
+WALLS = ((3.0, 6.8), (5.0, 11.3), (7.0, 6.8))
+REAL = ("IELC180", "A-ELC180", "NIS090", "CPM000", "ARL360", "RSN175_IMPVALL.H_H-E12140",
+        "RSN763_LOMAP_GIL067", "RSN57_SFERN_ORR021", "RSN1633_MANJIL_ABBAR--L",
+        "RSN164_IMPVALL.H_H-CPE147", "RSN4843_CHUETSU_65006NS")  # fmt: skip
+
+
+def motions():
+    found = [records.read(path) for path in sorted((ROOT / "resources/motions").glob("*.txt"))]
+    shelf = shelf_folder()
+    if shelf:
+        for name in REAL:
+            path = next(shelf.glob(f"PEER_AT2/{name}.[aA][tT]2"))
+            found.append(records.read(path, Options()))
+    return found
+
+
+def fine_map(motion, height, alpha, one_sided) -> np.ndarray | None:
+    """Collapse flags from q = 1 at the finest step; None without a collapse."""
+    block = Block.rectangle(height, math.radians(alpha))
+    model = "one_sided_theoretical" if one_sided else "housner"
+    found = incremental_dynamic_analysis(
+        motion.acceleration, motion.time_step, motion.pga, 1,
+        rocking_model(block, one_sided, restitution(block, model), LAWS["rigid"]),
+        METHODS["taylor"], Search(q_step=FINE, map_span=1.8),
+    )  # fmt: skip
+    if found.status != "collapse_found":
+        return None
+    return np.array([digit == "1" for digit in found.outcomes])
+
+
+def first_collapse(flags: np.ndarray, every: int) -> float:
+    """ln q of first collapse on every k-th point, bisected down to the finest."""
+    high = int(np.argmax(flags[::every])) * every
+    low = high - every
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (low, middle) if flags[middle] else (middle, high)
+    return high * math.log1p(FINE)
+
+
+def robust(flags: np.ndarray, every: int) -> float:
+    coarse = flags[::every]
+    half = round(0.10 / (every * math.log1p(FINE)))
+    share = collapse_count(coarse, half)
+    hits = np.nonzero(share >= ROBUST_SHARE * (2 * half + 1))[0]
+    return int(hits[0]) * every * math.log1p(FINE) if hits.size else math.nan
+
+
+def main(folder: Path) -> None:
+    pairs = [(m, *wall, one) for m in motions() for wall in WALLS for one in (False, True)]
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        maps = [
+            flags for flags in pool.map(lambda pair: fine_map(*pair), pairs) if flags is not None
+        ]
+    rows = []
+    print(
+        f"{len(maps)} pairs; ratio to 0.02 %: median (bias), p90 of the modulus of the difference"
+    )
+    print(f"{'step':>7} {'first collapse':>30} {'q_robust':>30}")
+    finest = [(first_collapse(flags, 1), robust(flags, 1)) for flags in maps]
+    for every in EVERY:
+        row = {"step_percent": 100 * FINE * every, "pairs": len(maps)}
+        for k, (name, rule) in enumerate((("first", first_collapse), ("robust", robust))):
+            moved = np.array(
+                [rule(f, every) - fine[k] for f, fine in zip(maps, finest, strict=True)]
+            )
+            ratio = np.exp(moved[np.isfinite(moved)])
+            row[f"{name}_median_percent"] = 100 * (np.median(ratio) - 1)
+            row[f"{name}_mean_percent"] = 100 * (ratio.mean() - 1)
+            row[f"{name}_p90_percent"] = 100 * np.quantile(np.abs(ratio - 1), 0.9)
+        rows.append(row)
+        print(f"{row['step_percent']:6.2f}% " + " ".join(
+            f"{row[f'{n}_median_percent']:+9.2f} {row[f'{n}_mean_percent']:+9.2f} "
+            f"{row[f'{n}_p90_percent']:9.2f}" for n in ("first", "robust")))  # fmt: skip
+    folder.mkdir(parents=True, exist_ok=True)
+    with open(folder / "q_step.csv", "w", newline="") as stream:
+        writer = csv.DictWriter(stream, list(rows[0]))
+        writer.writeheader()
+        writer.writerows(rows)
