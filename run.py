@@ -197,7 +197,8 @@ def hand_over(command):
     """Become the program where the system can, else wait for it."""
     if os.name == "nt":
         return subprocess.call(command, env=environment())
-    sys.stdout.flush()
+    if sys.stdout:
+        sys.stdout.flush()
     return os.execve(command[0], command, environment())
 
 

@@ -40,6 +40,11 @@ def main(arguments: list[str] | None = None) -> int:
     with contextlib.suppress(OSError, AttributeError):  # no stderr: a windowed program, a test
         faulthandler.enable()
     options = parser().parse_args(arguments)
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):  # a name the terminal cannot show must not end a run
+            stream.reconfigure(errors="replace")
+    if options.batch and options.inspect:
+        parser().error("--batch and --inspect do not go together")
     if not options.batch and (options.output or options.resume or options.jobs):
         parser().error("--output, --jobs and --resume go with --batch")
     from core.errors import InputError
@@ -67,6 +72,9 @@ def main(arguments: list[str] | None = None) -> int:
     except InputError as error:
         print(f"error: {error}", file=sys.stderr)
         return 1
+    except BrokenPipeError:
+        sys.stdout = None
+        return 0
     except KeyboardInterrupt:
         print("stopped", file=sys.stderr)
         return 130

@@ -7,9 +7,9 @@ import threading
 import time
 from pathlib import Path
 
-from core import study
-from core.case import read_case
-from core.errors import Cancelled
+from core import records, study
+from core.case import Case, read_case
+from core.errors import Cancelled, InputError
 from core.journal import Journal
 from core.report import atomic
 from core.results import StudyResult
@@ -24,9 +24,40 @@ def run(case_path: Path, output: Path | None, jobs: int, quiet: bool, resume: bo
     Raises InputError for what the user can mend; nothing is written then.
     """
     case = read_case(case_path)
-    folder = output or case_path.parent
-    atomic.check_folder(folder)
-    stem = case_path.stem
+    folder, stem = output or case_path.parent, case_path.stem
+    made = []
+    try:
+        refuse_overwriting(case, case_path, folder)
+        made = atomic.check_folder(folder)
+        return run_in(case, case_path, folder, stem, jobs, quiet, resume)
+    except InputError as error:
+        for new in made:
+            with contextlib.suppress(OSError):
+                new.rmdir()
+        place = f"{case_path}: "
+        raise InputError(place + str(error).removeprefix(place)) from None
+
+
+def refuse_overwriting(case: Case, case_path: Path, folder: Path) -> None:
+    """Raise InputError where a result would take the place of the case or of a record."""
+    results = {
+        (folder / (case_path.stem + end)).resolve() for end in (".xlsx", ".json", ".journal")
+    }
+    sources = {case_path.resolve()}
+    for k, entry in enumerate(case.record, start=1):
+        try:
+            paths = records.expand(entry.file, case_path.parent)
+        except InputError as error:
+            raise InputError(f"record {k}: {error}") from None
+        sources |= {path.resolve() for path in paths}
+    for path in results & sources:
+        raise InputError(f"the results would overwrite {path}: rename it or give --output")
+
+
+def run_in(
+    case: Case, case_path: Path, folder: Path, stem: str, jobs: int, quiet: bool, resume: bool
+) -> int:
+    """`run` in a folder that is there."""
     cancel = threading.Event()
     books: list[Journal] = []
 
@@ -58,11 +89,19 @@ def run(case_path: Path, output: Path | None, jobs: int, quiet: bool, resume: bo
         for book in books:
             book.remove()
     if not quiet:
-        print(summary(result, folder, stem))
+        say(summary(result, folder, stem))
     for wall, record, polarity, status in result.without_number:
         sign = "+" if polarity > 0 else "-"
         print(f"no number: {wall}, {record} ({sign}): {status}", file=sys.stderr)
     return WITHOUT_NUMBER if result.without_number else DONE
+
+
+def say(text: str) -> None:
+    """Print what a closed or full stdout may refuse: the results are on disk already."""
+    try:
+        print(text, flush=True)
+    except OSError:
+        sys.stdout = None
 
 
 def write(result: StudyResult, folder: Path, stem: str) -> None:

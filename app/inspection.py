@@ -5,6 +5,7 @@ from pathlib import Path
 
 from core import records
 from core.errors import RecordError
+from core.records.grammar import Options
 from core.units import CM, G
 
 
@@ -15,6 +16,8 @@ def inspect(paths: list[Path]) -> int:
         try:
             motion = records.read(path)
         except RecordError as error:
+            if "give unit" in str(error) and _without_unit(path):
+                continue
             print(f"refused: {error}", file=sys.stderr)
             refused += 1
             continue
@@ -27,3 +30,16 @@ def inspect(paths: list[Path]) -> int:
         for warning in motion.warnings:
             print(f"  {warning.text()}")
     return 1 if refused else 0
+
+
+def _without_unit(path: Path) -> bool:
+    """Say what a file holds that does not state its unit; False if it lacks more than that."""
+    try:
+        motion = records.read(path, Options(unit="mm/s2"))
+    except RecordError:
+        return False
+    print(
+        f"{path}: {motion.format}, {motion.acceleration.size} samples every {motion.time_step:g} s, "
+        f"peak {motion.pga / 0.001:.5g}; the unit is not stated: give it in the case"
+    )
+    return True

@@ -1,5 +1,6 @@
 """The case: what the user asks. Keys, ranges, defaults and names in one place, for form and file."""
 
+import datetime
 import difflib
 import hashlib
 import json
@@ -15,6 +16,9 @@ from core.restitution import MODELS, Restitution, restitution
 from core.rocking import METHODS
 
 MAX_TEXT = 500
+
+LEAST_ELASTIC = 0.001
+"""Smallest D1 of a trilinear law: below it the branch is rigid in all but cost."""
 
 
 def _number(low, high, default=None, unit="", exclusive=False, whole=False):
@@ -148,16 +152,17 @@ class Analysis:
 class Demand:
     """[demand]: the motion asked of the wall; ag_g on rock, without soil_factor."""
 
-    ag_g: float = _number(0.0, 5.0, MISSING, unit="g", exclusive=True)
+    ag_g: float = _number(0.001, 5.0, MISSING, unit="g")
     limit_state: str = _choice("SLV", "SLC", "SLD", default="SLV")
     soil_factor: float = _number(0.5, 5.0, 1.0)
-    housner_intensity_cm: float | None = _number(0.0, 5000.0, unit="cm", exclusive=True)
+    housner_intensity_cm: float | None = _number(0.1, 5000.0, unit="cm")
     q_code: float = _number(1.0, 10.0, 2.0)
 
 
 @dataclass(frozen=True)
 class Case:
-    """One study. sha256 : of the file it was read from, else of its content."""
+    """One study. sha256 : of the file it was read from, else of its content; given : places
+    (section, index, key) the user wrote."""
 
     title: str = _text("Ribalta")
     report: Report = field(default_factory=Report)
@@ -166,14 +171,15 @@ class Case:
     analysis: Analysis = field(default_factory=Analysis)
     demand: Demand | None = None
     sha256: str = field(default="", compare=False)
+    given: frozenset = field(default=frozenset(), compare=False)
 
     def as_dict(self) -> dict:
         """Keys and values as in the file, defaults filled, None where nothing is given."""
         content = asdict(self)
-        del content["sha256"]
+        del content["sha256"], content["given"]
         return content
 
-    def given_keys(self) -> set[tuple]:
+    def differing(self) -> set[tuple]:
         """Places (section, index, key) whose value differs from the default."""
         found = set()
         for section, items in (("wall", self.wall), ("record", self.record),
@@ -201,6 +207,8 @@ LATER = {
 def read_case(path: Path) -> Case:
     """The case of a TOML file. Raises InputError naming file, place, value and what is accepted."""
     try:
+        if path.exists() and not path.is_file():
+            raise InputError(f"{path}: this is not a file and cannot be read: name a case (.toml)")
         content = path.read_bytes()
     except FileNotFoundError:
         raise InputError(f"{path}: there is no such case file") from None
@@ -210,9 +218,10 @@ def read_case(path: Path) -> Case:
         table = tomllib.loads(content.decode("utf-8-sig"))
     except UnicodeDecodeError:
         raise InputError(f"{path}: not UTF-8 text: a case file is TOML, see the examples") from None
-    except tomllib.TOMLDecodeError as error:
+    except (ValueError, RecursionError) as error:
+        reason = str(error).split("; use sys")[0]
         raise InputError(
-            f"{path}: not TOML: {error}; see the examples in resources/cases"
+            f"{path}: not TOML: {reason}; see the examples in resources/cases"
         ) from None
     try:
         return replace(parse_case(table), sha256=hashlib.sha256(content).hexdigest())
@@ -235,9 +244,13 @@ def parse_case(table: dict) -> Case:
         if names.count(name) > 1:
             raise InputError(f'two walls have the same name "{name}": names must differ')
     for wall in walls:
-        for mechanism in wall.mechanisms():
-            wall.restitution_of(mechanism)
-        wall.moment_law()
+        try:
+            for mechanism in wall.mechanisms():
+                wall.restitution_of(mechanism)
+            wall.moment_law()
+        except InputError as error:
+            place = f'wall "{wall.name}": '
+            raise InputError(place + str(error).removeprefix(place)) from None
     analysis = _section(Analysis, table.get("analysis", {}), "analysis", "[analysis]")
     if round(analysis.robust_window / math.log1p(analysis.q_step)) < 1:
         raise InputError(
@@ -267,7 +280,16 @@ def parse_case(table: dict) -> Case:
         demand=_section(Demand, demand, "demand", "[demand]") if demand is not None else None,
     )
     digest = hashlib.sha256(json.dumps(case.as_dict(), sort_keys=True).encode()).hexdigest()
-    return replace(case, sha256=digest)
+    return replace(case, sha256=digest, given=frozenset(_written(table)))
+
+
+def _written(table: dict):
+    """Places (section, index, key) the user wrote."""
+    for section in ("wall", "record", "report", "analysis", "demand"):
+        items = table.get(section) or []
+        for index, item in enumerate(items if isinstance(items, (list, tuple)) else [items]):
+            for key in item:
+                yield section, index, key
 
 
 def _tables(table: dict, key: str) -> list:
@@ -286,7 +308,7 @@ def _field(cls, key: str):
 
 
 def _known(cls, table: dict, section: str, place: str) -> None:
-    keys = [entry.name for entry in fields(cls) if entry.name != "sha256"]
+    keys = [entry.name for entry in fields(cls) if entry.name not in ("sha256", "given")]
     for key in table:
         if key in LATER[section]:
             raise InputError(f"{place}: {key} is not built yet in this version: leave it out")
@@ -321,7 +343,7 @@ def _accepted(entry) -> str:
         return f"{whole}{bracket} {rule['low']:g} to {rule['high']:g}{unit}"
     if rule["kind"] == "law":
         return f"one of {', '.join(LAWS)}, or {{ elastic_limit = ..., plateau_end = ... }}"
-    return f"text of 1 to {MAX_TEXT} characters without control characters"
+    return f"text in quotes, up to {MAX_TEXT} characters, without control characters"
 
 
 def _value(entry, value, place: str):
@@ -338,6 +360,8 @@ def _value(entry, value, place: str):
         if isinstance(value, str) and value in rule["names"]:
             return value
     elif kind == "text":
+        if isinstance(value, datetime.date):
+            value = value.isoformat()
         printable = isinstance(value, str) and all(letter.isprintable() for letter in value)
         if printable and len(value) <= MAX_TEXT and (value or entry.default is not MISSING):
             return value
@@ -348,10 +372,12 @@ def _value(entry, value, place: str):
             ends = list(value.values())
             if all(isinstance(end, (int, float)) and not isinstance(end, bool) for end in ends):
                 first, last = value["elastic_limit"], value["plateau_end"]
-                if 0.0 < first <= last < 1.0:
+                if LEAST_ELASTIC <= first <= last < 1.0:
                     return {"elastic_limit": float(first), "plateau_end": float(last)}
-                raise InputError(f"{place} = {value!r} is not accepted: 0 < elastic_limit <= "
-                                 "plateau_end < 1")  # fmt: skip
+                raise InputError(
+                    f"{place} = {value!r} is not accepted: {LEAST_ELASTIC:g} <= elastic_limit <= "
+                    "plateau_end < 1"
+                )
     raise InputError(f"{place} = {value!r} is not accepted: {_accepted(entry)}")
 
 
@@ -361,7 +387,7 @@ def dumps(case: Case) -> str:
 
     document = tomlkit.document()
     document["title"] = case.title
-    given = case.given_keys()
+    given = case.differing()
     content = case.as_dict()
     for section in ("report", "wall", "record", "analysis", "demand"):
         items = content[section] if isinstance(content[section], tuple) else [content[section]]

@@ -6,6 +6,9 @@ LABEL = "Eq. 9"
 TITLE = "Eq. 9, without e* and FC"
 """It compares a collapse q with a code value meant for life safety: never the only verdict."""
 
+ROUNDING = 1e-12
+"""What a ratio may miss of 1 by rounding alone [-]."""
+
 
 @dataclass(frozen=True)
 class Inequality:
@@ -22,7 +25,8 @@ class Inequality:
 
     @property
     def passed(self) -> bool:
-        return self.ratio >= 1.0
+        """Equality passes, also where the rounding of a_RM leaves it a last digit short."""
+        return self.ratio >= 1.0 - ROUNDING
 
 
 def inequality(q_source: str, q: float, threshold: float, pga: float) -> Inequality:

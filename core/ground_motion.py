@@ -15,6 +15,12 @@ LARGE_PGA = 2.0 * G
 SMALL_PGA = 0.001 * G
 """Outside these peaks [m/s2] the unit is probably wrong: warned."""
 
+LEAST_PGA = 1e-9
+"""Below this peak [m/s2] a record is one of zeros."""
+
+SHORTEST_STEP, LONGEST_STEP = 1e-5, 0.5
+"""Time steps accepted [s]."""
+
 
 @dataclass(frozen=True)
 class GroundMotion:
@@ -40,15 +46,16 @@ class GroundMotion:
         samples = np.ascontiguousarray(self.acceleration, dtype=np.float64).copy()
         samples.flags.writeable = False
         object.__setattr__(self, "acceleration", samples)
-        if not 0.0 < self.time_step < 1.0:
+        if not SHORTEST_STEP <= self.time_step <= LONGEST_STEP:
             raise RecordError(
-                f"time step {self.time_step:g} s is not accepted: above 0 and below 1 s"
+                f"time step {self.time_step:g} s is not accepted: {SHORTEST_STEP:g} to "
+                f"{LONGEST_STEP:g} s"
             )
         if samples.size < 10:
             raise RecordError(f"{samples.size} samples are too few for a record: at least 10")
         if not np.isfinite(samples).all():
             raise RecordError(f"sample {int(np.argmin(np.isfinite(samples))) + 1} is not a number")
-        if not samples.any():
+        if np.abs(samples).max() < LEAST_PGA:
             raise RecordError("all samples are zero: this record moves nothing")
 
     @property

@@ -17,6 +17,8 @@ class Journal:
         self.path, self.found, good = path, {}, 0
         self.set_aside: Path | None = None
         try:
+            if path.is_symlink():
+                path.unlink()
             if path.exists():
                 good = self._read(path.read_bytes(), key)
             if self.found and not resume:

@@ -28,20 +28,25 @@ from core.wall_result import run_result, wall_result
 
 def read_records(case: Case, base_dir: Path) -> tuple[list[GroundMotion], list[str]]:
     """Records of the case in order, globs expanded, and their kinds. Raises InputError."""
-    motions, kinds = [], []
-    for entry in case.record:
+    motions, kinds, seen = [], [], {}
+    for k, entry in enumerate(case.record, start=1):
         options = Options(entry.unit, entry.time_step_s, entry.column, entry.skip_lines)
-        for path in records.expand(entry.file, base_dir):
-            file = _relative(path, base_dir)
-            if file in [motion.file for motion in motions]:
-                raise InputError(f"record file {file} is in the case twice: leave one out")
-            motions.append(replace(records.read(path, options, entry.scale), file=file))
-            kinds.append(entry.kind)
+        try:
+            for path in records.expand(entry.file, base_dir):
+                file = _relative(path, base_dir)
+                motion = replace(records.read(path, options, entry.scale), file=file)
+                twin = seen.setdefault(motion.samples_sha256, file)
+                if twin != file or file in [known.file for known in motions]:
+                    raise InputError(
+                        f"{file} is in the case twice (the same samples as {twin}): leave one out"
+                    )
+                motions.append(motion)
+                kinds.append(entry.kind)
+        except InputError as error:
+            raise InputError(f"record {k}: {error}") from None
     names = [motion.name for motion in motions]
-    motions = [
-        motion if names.count(motion.name) == 1 else replace(motion, name=motion.file)
-        for motion in motions
-    ]
+    if len(set(names)) < len(names):
+        motions = [replace(motion, name=motion.file) for motion in motions]
     return motions, kinds
 
 
@@ -81,7 +86,7 @@ def run(
         for polarity in _polarities(mechanism, chosen.polarity)
     ]
     models = [_model(wall, mechanism) for wall, mechanism in walls]
-    book = journal(study_key(case, motions)) if journal else None
+    book = journal(f"{VERSION} {STAMP}") if journal else None
     try:
         found = _run_all(
             planned, models, motions, method, search, jobs, book, on_progress, cancelled
@@ -106,10 +111,10 @@ def run(
     )  # fmt: skip
 
 
-def study_key(case: Case, motions: list[GroundMotion]) -> str:
-    """Key of a study in the journal: version, what is asked, and the samples."""
-    parts = [VERSION, STAMP, repr(case.as_dict())] + [motion.samples_sha256 for motion in motions]
-    return hashlib.sha256("\n".join(parts).encode()).hexdigest()
+def run_key(model: RockingModel, motion: GroundMotion, polarity: int, method, search) -> str:
+    """Key of a run in the journal: all that decides its result, and nothing else."""
+    parts = (tuple(model), motion.samples_sha256, polarity, method, search)
+    return hashlib.sha256(repr(parts).encode()).hexdigest()
 
 
 def _polarities(mechanism: str, asked: str) -> tuple[int, ...]:
@@ -125,11 +130,13 @@ def _model(wall: Wall, mechanism: str) -> RockingModel:
 
 def _run_all(planned, models, motions, method, search, jobs, book, on_progress, cancelled):
     """Idas by (wall, record, polarity); independent runs on threads, the kernels hold no lock."""
-    found, todo = {}, []
+    found, todo, keys = {}, [], {}
     for entry in planned:
-        known = book.get("/".join(map(str, entry))) if book else None
+        wall, record, polarity = entry
+        keys[entry] = run_key(models[wall], motions[record], polarity, method, search)
+        known = _restored(book.get(keys[entry])) if book else None
         if known:
-            found[entry] = _restored(known)
+            found[entry] = known
         else:
             todo.append(entry)
     stop = threading.Event()
@@ -152,7 +159,7 @@ def _run_all(planned, models, motions, method, search, jobs, book, on_progress, 
                     entry = waiting.pop(future)
                     found[entry] = future.result()
                     if book:
-                        book.add("/".join(map(str, entry)), asdict(found[entry]))
+                        book.add(keys[entry], asdict(found[entry]))
                     on_progress(len(found), len(planned))
                 if cancelled():
                     raise Cancelled
@@ -163,11 +170,17 @@ def _run_all(planned, models, motions, method, search, jobs, book, on_progress, 
     return found
 
 
-def _restored(entry: dict) -> Ida:
-    """An Ida of the journal; JSON keeps doubles exactly but turns tuples into lists."""
-    entry["bracket"] = tuple(entry["bracket"]) if entry["bracket"] else None
-    entry["survival_windows"] = tuple(tuple(edges) for edges in entry["survival_windows"])
-    return Ida(**entry)
+def _restored(entry: dict | None) -> Ida | None:
+    """An Ida of the journal, None where there is none or its line is damaged; JSON keeps doubles
+    exactly but turns tuples into lists."""
+    if entry is None:
+        return None
+    try:
+        windows = tuple(tuple(edges) for edges in entry["survival_windows"])
+        bracket = tuple(entry["bracket"]) if entry["bracket"] else None
+        return Ida(**{**entry, "bracket": bracket, "survival_windows": windows})
+    except (TypeError, KeyError):
+        return None
 
 
 def _demand(case: Case, motions: list[GroundMotion]) -> DemandResult | None:

@@ -182,7 +182,7 @@ def _form_notices(block, mechanism, restitution, law, per_record, demand, checks
     found = closed_forms.range_notices(block.slenderness, block.height, pgas)
     fitted = "one_sided_theoretical" if mechanism == "one_sided" else "housner"
     if restitution.model != fitted or not law.is_rigid:
-        used = restitution.model + ("" if law.is_rigid else ", trilinear")
+        used = restitution.model + ("" if law.is_rigid else " + D1, D2")
         found.append(notice("eq15_model", fitted=fitted, used=used))
     if demand and demand.intensity_source == "records_scaled":
         found.append(notice("si_from_records", si=demand.intensity / CM))

@@ -26,13 +26,19 @@ NOT_READ_YET = (
     ("K-NET / KiK-net", re.compile(r"^Sampling Freq\(Hz\)", re.MULTILINE)),
     ("CWA", re.compile(r"^#SampleRate\(Hz\)", re.MULTILINE)),
     ("SMC", re.compile(r"\A[012] (UN)?(CORRECTED|KNOWN) ACCELEROGRAM")),
-    ("CSMIP, COSMOS or GeoNet", re.compile(r"\A.*(corrected (accelerogram|acceleration))", re.I)),
+    (
+        "CSMIP, COSMOS or GeoNet",
+        re.compile(r"\A\s*(un)?corrected (accelerogram\b|acceleration\s+\(format)", re.I),
+    ),
     ("response spectra (CSMIP V3)", re.compile(r"\ARESPONSE AND FOURIER", re.I)),
     ("USC volume", re.compile(r"\AFILE .*ACCELEROGRAM DATA OF VOLUME", re.I)),
 )
 """Known formats without a reader: refused by name, so that no other reader guesses at them."""
 
 MAX_BYTES = 200_000_000
+
+LARGEST_PGA = 20.0 * G
+"""Above this peak [m/s2] a file is not what it is said to be."""
 
 
 def read(
@@ -43,6 +49,8 @@ def read(
     scale : multiplier asked by the user [-]. Raises RecordError naming file, place and way out.
     """
     try:
+        if path.exists() and not path.is_file():
+            raise RecordError("this is not a file: name an accelerogram")
         if path.stat().st_size > MAX_BYTES:
             raise RecordError(
                 f"{path.stat().st_size / 1e6:.0f} MB is no accelerogram (up to 200 MB)"
@@ -51,10 +59,10 @@ def read(
         return _motion(content, path, options, scale, name or path.stem)
     except FileNotFoundError:
         raise RecordError(f"{path}: there is no such file") from None
-    except OSError as error:
-        raise RecordError(f"{path}: cannot be read: {error.strerror}") from None
-    except RecordError as error:
-        raise RecordError(f"{path}: {error}") from None
+    except (OSError, ValueError) as error:
+        if isinstance(error, RecordError):
+            raise RecordError(f"{path}: {error}") from None
+        raise RecordError(f"{path}: cannot be read: {error}") from None
 
 
 def _motion(content: bytes, path: Path, options: Options, scale: float, name: str) -> GroundMotion:
@@ -81,6 +89,11 @@ def _motion(content: bytes, path: Path, options: Options, scale: float, name: st
         warnings.append(notice("scaled", scale=scale))
     motion = parsed.values * UNITS[unit] * scale
     pga = float(np.abs(motion).max()) if motion.size else 0.0
+    if not pga <= LARGEST_PGA * abs(scale):
+        raise RecordError(
+            f"the peak would be {pga / G / abs(scale):.3g} g, beyond any earthquake (20 g): "
+            "velocity, a count of samples on top, or another unit?"
+        )
     if pga > LARGE_PGA:
         warnings.append(notice("large_pga", pga=pga / G))
     elif 0.0 < pga < SMALL_PGA:
@@ -117,11 +130,15 @@ def _agreed(key: str, stated, given, accepted: str):
 def expand(pattern: str, base_dir: Path) -> list[Path]:
     """Files of one `file` entry, relative to the case; a glob that matches nothing is an error."""
     path = base_dir / pattern
-    if not any(letter in pattern for letter in "*?[") or path.exists():
-        return [path]
-    anchor = Path(path.anchor) if Path(pattern).is_absolute() else base_dir
-    relative = str(Path(pattern).relative_to(anchor)) if Path(pattern).is_absolute() else pattern
-    found = sorted(entry for entry in anchor.glob(relative) if entry.is_file())
+    try:
+        if not any(letter in pattern for letter in "*?[") or path.exists():
+            return [path]
+        anchor = Path(path.anchor) if Path(pattern).is_absolute() else base_dir
+        relative = Path(pattern).relative_to(anchor) if Path(pattern).is_absolute() else pattern
+        found = sorted(entry for entry in anchor.glob(str(relative)) if entry.is_file())
+    except (ValueError, OSError) as error:
+        raise InputError(f"file = {pattern!r} is not accepted as a pattern: {error}") from None
     if not found:
-        raise InputError(f"record file = {pattern!r}: no file matches in {base_dir}")
+        place = "" if Path(pattern).is_absolute() else f" in {base_dir.resolve()}"
+        raise InputError(f"file = {pattern!r}: no file matches{place}")
     return found

@@ -17,6 +17,20 @@ _TOKEN = re.compile(NUMBER)
 _NUMBERS_ONLY = re.compile(rf"\s*(?:{NUMBER}\s*)*")
 _NAN = re.compile(r"[+-]?nan", re.IGNORECASE)
 
+_LENGTH_PER_S2 = r"(?:cm|mm|m)\s*/\s*s(?:ec)?(?:\s*/\s*s(?:ec)?|\s*(?:\^|\*\*)?\s*[2²])"
+_ACCELERATION = rf"(g(?:\s*/\s*10)?|gal|{_LENGTH_PER_S2})"
+_STATED = re.compile(
+    rf"[\[(]\s*{_ACCELERATION}\s*[\])]|units?\s*(?:of|are|is|in|[:=])?\s*\(?\s*{_ACCELERATION}(?![\w/])"
+    rf"|accelerations?\s+in\s+{_ACCELERATION}(?![\w/])",
+    re.IGNORECASE,
+)
+_OTHER_UNIT = re.compile(r"[\[(]\s*(cm|mm|m)(\s*/\s*s(ec)?)?\s*[\])]", re.IGNORECASE)
+OTHER_QUANTITY = re.compile(
+    r"\b(velocity|displacement|spectrum|spectra|period|velocit[àa]'?|spostament[oi]|spettr[oi]|periodo)"
+    r"(?!\w)",
+    re.IGNORECASE,
+)
+
 UNITS = {"g": G, "m/s2": 1.0, "cm/s2": 0.01, "mm/s2": 0.001}
 """Units of acceleration a user may name, in m/s2."""
 
@@ -43,6 +57,31 @@ class Options:
     time_step: float | None = None
     column: int | None = None
     skip_lines: int | None = None
+
+
+def stated_unit(head: str) -> str | None:
+    """Unit of acceleration a header states, a key of UNITS; raises RecordError for g/10."""
+    match = _STATED.search(head)
+    if not match:
+        return None
+    word = re.sub(r"\s", "", next(group for group in match.groups() if group)).lower()
+    if word.startswith("g/"):
+        raise RecordError("the unit is g/10: convert the file to g")
+    if word in ("g", "gal"):
+        return "g" if word == "g" else "cm/s2"
+    return word.split("/")[0] + "/s2"
+
+
+def refuse_other_quantity(head: str) -> None:
+    """Raise RecordError where a header speaks of something else than acceleration."""
+    if stated_unit(head):
+        return
+    other = OTHER_QUANTITY.search(head) or _OTHER_UNIT.search(head)
+    if other:
+        raise RecordError(
+            f"the header speaks of {other[0].strip('[()] ').lower()}: this is not an accelerogram; "
+            "take the acceleration file"
+        )
 
 
 def decode(content: bytes) -> list[str]:

@@ -6,7 +6,7 @@ from core.errors import RecordError
 from core.records.grammar import Options, Parsed, block, numbers, to_float
 
 _KEY = re.compile(r"^([A-Z][A-Z0-9_/^]*):\s?(.*)$")
-_SIGMA_DATA = re.compile(r"^\s*accel", re.IGNORECASE)
+_SIGMA_DATA = re.compile(r"^\s*accel\w* time series", re.IGNORECASE)
 _ESM_DETAILS = (
     "EVENT_NAME", "EVENT_DATE_YYYYMMDD", "MAGNITUDE_W", "MAGNITUDE_L", "NETWORK", "STATION_CODE",
     "STREAM", "EPICENTRAL_DISTANCE_KM", "SITE_CLASSIFICATION_EC8", "LOW_CUT_FREQUENCY_HZ",
@@ -58,8 +58,9 @@ def read_sigma(lines: list[str], options: Options) -> Parsed:
         raise RecordError(
             "no line `Acceleration time series`: velocity, displacement or a spectrum?"
         )
-    parsed = block(lines[start:], start + 1, _count(header["Number of Data"], "Number of Data"), 14)
-    parsed.time_step = _positive(header["Time Increment (s)"], "Time Increment (s)")
+    declared = _count(header.get("Number of Data", ""), "Number of Data")
+    parsed = block(lines[start:], start + 1, declared, 14)
+    parsed.time_step = _positive(header.get("Time Increment (s)", ""), "Time Increment (s)")
     parsed.unit = _unit(lines[start - 1].split()[-1])
     parsed.stated_peak = _optional(header.get("PGA (m/s/s)", ""))
     parsed.details = tuple(header.items())

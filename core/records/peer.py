@@ -4,12 +4,19 @@ import re
 
 from core.errors import RecordError
 from core.notices import notice
-from core.records.grammar import NUMBER, Options, Parsed, block, numbers, to_float
+from core.records.grammar import (
+    NUMBER,
+    Options,
+    Parsed,
+    block,
+    numbers,
+    stated_unit,
+    to_float,
+)  # fmt: skip
 
 _KEYED = re.compile(rf"NPTS\s*=\s*(\d+)\s*,?\s*DT\s*=\s*({NUMBER})(?![\w.])", re.IGNORECASE)
 _TRAILING = re.compile(rf"^\s*(\d+)\s+({NUMBER})\s+NPTS", re.IGNORECASE)
 _OTHER = re.compile(r"\b(VELOCITY|DISPLACEMENT)\b", re.IGNORECASE)
-_UNIT_G = re.compile(r"(UNITS? (OF|ARE)|ACCELERATION IN)\s*\(?G\b", re.IGNORECASE)
 _SCALE = re.compile(rf"scale factor\s*=\s*({NUMBER})", re.IGNORECASE)
 
 
@@ -34,7 +41,7 @@ def read(lines: list[str], options: Options) -> Parsed:
         raise RecordError(f"this file holds {other[1].lower()}: take the acceleration file (.AT2)")
     parsed = block(lines[row + 1 :], row + 2, declared)
     parsed.time_step = time_step
-    parsed.unit = "g" if _UNIT_G.search("\n".join(head)) else None
+    parsed.unit = stated_unit("\n".join(head))
     parsed.details = tuple((f"line {k + 1}", line.strip()) for k, line in enumerate(head[:-1]))
     scaled = _SCALE.search("\n".join(head))
     if scaled:
@@ -43,7 +50,10 @@ def read(lines: list[str], options: Options) -> Parsed:
 
 
 def recognises_matrix(lines: list[str]) -> bool:
-    rows = [numbers(line) for line in lines[:4]]
+    try:
+        rows = [numbers(line) for line in lines[:4]]
+    except RecordError:
+        return False
     return (
         len(rows) == 4
         and all(row is not None and len(row) == 3 for row in rows)

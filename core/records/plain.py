@@ -5,14 +5,18 @@ import re
 import numpy as np
 
 from core.errors import RecordError
-from core.records.grammar import NUMBER, Options, Parsed, numbers, to_float
+from core.records.grammar import (
+    NUMBER,
+    Options,
+    Parsed,
+    numbers,
+    refuse_other_quantity,
+    stated_unit,
+    to_float,
+)  # fmt: skip
 
-_TIME_STEP = re.compile(rf"\bdt\s*=\s*({NUMBER})", re.IGNORECASE)
-_UNIT = re.compile(
-    r"accel\w*\.?\s*[\[(]\s*(g|mm/s\^?2|mm/s/s|cm/s\^?2|cm/s/s|gal|m/s\^?2|m/s/s)\s*[\])]",
-    re.IGNORECASE,
-)
-_REFUSED = re.compile(r"\b(velocity|displacement|spectrum|spectra|period)\b", re.IGNORECASE)
+_TIME_STEP = re.compile(rf"\bdt\s*=\s*([0-9]+,[0-9]+|{NUMBER})\s*(ms\b)?", re.IGNORECASE)
+_NO_NUMBER = re.compile(rf"(?:{NUMBER}|[+-]?nan|[+-]?inf(?:inity)?|\*+|[,;\s])+", re.IGNORECASE)
 _DECIMAL_COMMA = re.compile(r"[+-]?[0-9]+(,[0-9]+)?([EeDd][+-]?[0-9]+)?")
 _INTEGER = re.compile(r"[0-9]+")
 
@@ -47,7 +51,12 @@ def read(lines: list[str], options: Options) -> Parsed:
         if text.startswith(("#", "%", "//", "!")):
             head.append(text)
             continue
-        row = _row(text)
+        try:
+            row = _row(text)
+        except RecordError as error:
+            raise RecordError(f"line {k}: {error}") from None
+        if row is None and _NO_NUMBER.fullmatch(text):
+            raise RecordError(f"line {k}: {text[:60]!r} is not numbers: a gap in the record?")
         if row:
             rows.append(row)
             places.append(k)
@@ -58,12 +67,7 @@ def read(lines: list[str], options: Options) -> Parsed:
                 raise RecordError(f"line {k}: {text[:60]!r} is not numbers")
         else:
             raise RecordError(f"line {k}: {text[:60]!r} is not numbers")
-    refused = _REFUSED.search("\n".join(head))
-    if refused and not _UNIT.search("\n".join(head)):
-        raise RecordError(
-            f"the header speaks of {refused[1].lower()}: this is not an accelerogram; "
-            "take the acceleration file"
-        )
+    refuse_other_quantity("\n".join(head))
     if not rows:
         raise RecordError("no numbers in this file")
     time_step, counted = None, None
@@ -85,10 +89,9 @@ def read(lines: list[str], options: Options) -> Parsed:
     table = np.array(rows)
     comment_step = _TIME_STEP.search("\n".join(head))
     if comment_step and time_step is None:
-        time_step = to_float(comment_step[1])
-    unit = _UNIT.search("\n".join(head))
-    word = unit[1].lower().replace("^", "").replace("/s/s", "/s2") if unit else None
-    values, from_time = _columns(table, places, options, time_step)
+        time_step = to_float(comment_step[1].replace(",", "."))
+        time_step *= 0.001 if comment_step[2] else 1.0
+    values, from_time = _columns(table, places, options)
     stated = from_time if time_step is None else time_step
     if from_time is not None and abs(from_time - stated) > 1e-3 * stated:
         raise RecordError(
@@ -97,12 +100,12 @@ def read(lines: list[str], options: Options) -> Parsed:
     return Parsed(
         values,
         stated,
-        "cm/s2" if word == "gal" else word,
+        stated_unit("\n".join(head)),
         details=tuple((f"line {k + 1}", text) for k, text in enumerate(head[:6])),
     )
 
 
-def _columns(table, places, options: Options, time_step):
+def _columns(table, places, options: Options):
     """The acceleration column and the time step of the time column, if there is one."""
     if table.shape[1] == 1:
         if options.column not in (None, 1):
@@ -111,6 +114,11 @@ def _columns(table, places, options: Options, time_step):
         steps = np.diff(values)
         if values.size > 3 and steps[0] > 0 and np.allclose(steps, steps[0], rtol=1e-6, atol=0):
             raise RecordError("this column grows evenly: it is a time column, not an acceleration")
+        if values.size > 20 and values[0] in (values.size - 1, values.size - 2):
+            raise RecordError(
+                f"the first value {values[0]:g} looks like a count of samples: pass over the lines on "
+                "top with skip_lines"
+            )
         return values, None
     if options.column is not None and not 2 <= options.column <= table.shape[1]:
         raise RecordError(
@@ -119,39 +127,45 @@ def _columns(table, places, options: Options, time_step):
     if table.shape[1] > 2 and options.column is None:
         raise RecordError(
             f"{table.shape[1]} columns: say which holds the acceleration with column = 2 to "
-            f"{table.shape[1]} (column 1 is time)"
+            f"{table.shape[1]} (column 1 is time); values wrapped over a line must stand one a line"
         )
-    return table[:, (options.column or 2) - 1], _even_step(table[:, 0], places)
+    step = _even_step(table[:, 0], places, options.time_step)
+    return table[:, (options.column or 2) - 1], step
 
 
-def _even_step(times, places) -> float:
-    """Time step of a time column [s]: every printed time within its own rounding of an even grid.
-
-    Raises RecordError naming the first line that is not.
-    """
+def _even_step(times, places, given: float | None) -> float:
+    """Time step of a time column [s]: the shortest number that reproduces every printed time within
+    its rounding, or the given one if it does. Raises RecordError naming the first line that fails."""
     if times.size < 3:
         raise RecordError(f"{times.size} samples are too few for a record: at least 10")
     steps = np.diff(times)
-    dt = float((times[-1] - times[0]) / (times.size - 1))
+    if (steps <= 0.0).all() or not np.median(steps) > 0.0:
+        raise RecordError(
+            "column 1 does not grow: it is no time column; one column is read with time_step_s, and a "
+            "decimal comma needs ; or a tab between columns"
+        )
+    mean = float((times[-1] - times[0]) / (times.size - 1))
     decimals = next(
         (d for d in range(1, 12) if np.allclose(times, times.round(d), rtol=0, atol=1e-13)), 12
     )
-    rounding = 0.51 * 10.0**-decimals + 1e-9 * abs(times[-1])
-    away = np.abs(times - times[0] - dt * np.arange(times.size))
-    if not dt > 0.0 or away.max() > max(rounding, 1e-3 * dt) or (steps < 0.0).any():
-        usual = float(np.median(steps))
-        k = int(np.argmax(np.abs(steps - usual) > max(2.0 * rounding, 1e-3 * abs(usual))))
-        if (steps < 0.0).any():
-            k = int(np.argmax(steps < 0.0))
-        raise RecordError(
-            f"line {places[k + 1]}: the time goes from {times[k]:g} to {times[k + 1]:g} s, "
-            f"elsewhere by {usual:g} s: times must be sorted and even, without gaps"
-        )
-    usual = round_step(float(np.median(steps)))
-    even = np.abs(times - times[0] - usual * np.arange(times.size)).max() <= rounding
-    return usual if even else round_step(dt)
-
-
-def round_step(dt: float) -> float:
-    """A time step freed of the rounding of subtracted times: 0.00999999999999979 is 0.01 [s]."""
-    return float(f"{dt:.9g}")
+    rounding = max(min(0.51 * 10.0**-decimals, 0.25 * abs(mean)), 1e-3 * abs(mean))
+    index = np.arange(times.size)
+    usual = float(np.median(steps))
+    # a step that nearly all pairs show and the rest break is a gap, not the rounding of another step
+    broken = np.abs(steps - usual) > 1e-6 * usual
+    gap = 0 < broken.sum() <= 0.05 * steps.size
+    candidates = [given] if given else []
+    candidates += [float(f"{usual:.9g}")] if gap else [float(f"{mean:.{d}g}") for d in range(1, 12)]
+    candidates += [] if gap else [1.0 / max(1, round(1.0 / mean))] if 0 < mean < 1 else []
+    for dt in candidates:
+        if np.abs(times - times[0] - dt * index).max() <= rounding and (steps >= 0.0).all():
+            return dt
+    k = int(np.argmax(np.abs(steps - usual) > max(2.0 * rounding, 1e-3 * usual)))
+    if (steps < 0.0).any():
+        k = int(np.argmax(steps < 0.0))
+    elif gap:
+        k = int(np.argmax(broken))
+    raise RecordError(
+        f"line {places[k + 1]}: the time goes from {times[k]:g} to {times[k + 1]:g} s, "
+        f"elsewhere by {usual:g} s: times must be sorted and even, without gaps"
+    )

@@ -8,8 +8,12 @@ from pathlib import Path
 from core.errors import OutputError
 
 
-def check_folder(folder: Path) -> None:
-    """Create the folder if need be and prove that files can be made there; raises OutputError."""
+def check_folder(folder: Path) -> list[Path]:
+    """Create the folder if need be and prove that files can be made there; raises OutputError.
+
+    Returns the folders that were not there before, the deepest first.
+    """
+    new = [place for place in (folder, *folder.parents) if not place.exists()]
     try:
         folder.mkdir(parents=True, exist_ok=True)
         tempfile.TemporaryFile(dir=folder).close()
@@ -18,6 +22,7 @@ def check_folder(folder: Path) -> None:
             f"{folder}: the output folder cannot be written ({error.strerror}): "
             "name another with --output"
         ) from None
+    return new
 
 
 def write(files: dict[Path, bytes]) -> None:
@@ -46,7 +51,8 @@ def write(files: dict[Path, bytes]) -> None:
     except OSError as error:
         raise OutputError(
             f"{path}: cannot be written ({error.strerror}): close it if it is open elsewhere, free "
-            "some space, or name another folder with --output; earlier results are untouched"
+            "some space, or name another folder with --output; earlier results are untouched, the "
+            "finished runs are kept for --resume"
         ) from None
     finally:
         for old, target in replaced:

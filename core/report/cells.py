@@ -152,6 +152,13 @@ def rule(sheet: Worksheet, row: int, first: int, last: int) -> None:
         sheet.cell(row, column).border = Border(bottom=_LINE)
 
 
+def heighten(sheet: Worksheet, row: int, *texts: tuple[str, float]) -> None:
+    """Give a row the height its wrapped texts need; texts : (content, width of its column)."""
+    lines = max(math.ceil(1.15 * len(content) / width) for content, width in texts)
+    if lines > 1:
+        sheet.row_dimensions[row].height = 14.0 * lines
+
+
 def paragraph(sheet: Worksheet, row: int, content: str, last: int, characters: int, **look) -> int:
     """Wrapped text over columns 1..last; its height follows from the characters a line holds."""
     sheet.merge_cells(start_row=row, start_column=1, end_row=row, end_column=last)

@@ -15,6 +15,7 @@ from core.report.cells import (
     RATIO,
     Book,
     header,
+    heighten,
     number,
     paragraph,
     rule,
@@ -33,7 +34,7 @@ LIVE, ENGINE = 3, 4
 def check(book: Book, result: StudyResult) -> None:
     """One block a wall: geometry, records, set, power law, closed forms, Eq. 9."""
     say = book.say
-    widths = [34, 12, 13, 13, 9, 9, 9, 10, 10, 10, 10, 10, 10]
+    widths = [34, 13, 13, 13, 12, 11, 12, 16, 11, 11, 11, 11, 12]
     sheet = book.sheet("Check", "Verifica", widths, landscape=True)
     title(sheet, 1, say("Check of the equations", "Verifica delle equazioni"))
     paragraph(sheet, 2, say(
@@ -100,8 +101,9 @@ def _demand(book: Book, sheet, result: StudyResult, row: int) -> int:
 
 def _heads(book: Book, sheet, row: int, label: str) -> int:
     say = book.say
+    height = 18 * math.ceil(len(label) / 30)
     header(sheet, row, [label, say("Equation", "Equazione"), say("Sheet", "Foglio"),
-                        say("Program", "Programma"), say("Unit", "Unità")], 1, 18)  # fmt: skip
+                        say("Program", "Programma"), say("Unit", "Unità")], 1, height)  # fmt: skip
     return row + 1
 
 
@@ -122,7 +124,8 @@ def _wall(book: Book, sheet, result: StudyResult, wall: WallResult, name: str, r
 def _geometry(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
     say, block = book.say, wall.block
     degrees = math.degrees(block.slenderness)
-    row = _input(book, sheet, row, "H", wall.height, "m", f"{name}_height", RATIO)
+    height = "H" if block.is_rectangle else f"H = 2 R_eq cos α ({say('equivalent', 'equivalente')})"
+    row = _input(book, sheet, row, height, wall.height, "m", f"{name}_height", RATIO)
     if block.is_rectangle and wall.wall.slenderness_deg is None:
         row = _input(book, sheet, row, "t", wall.thickness, "m", f"{name}_thickness", "0.000")
         row = _live(book, sheet, row, "α = arctan(t/H)", "Fig. 1",
@@ -195,7 +198,8 @@ def _records(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
 
 def _record_row(book: Book, sheet, wall, entry: PerRecord, scale, name: str, row: int) -> None:
     sign = {1: " (+)", -1: " (−)", None: ""}[entry.polarity]
-    text(sheet, row, 1, entry.record + sign, wrap=len(entry.record) > 34)
+    text(sheet, row, 1, entry.record + sign, wrap=True)
+    heighten(sheet, row, (entry.record + sign, 34))
     number(sheet, row, 2, entry.intensity / CM, RATIO)
     number(sheet, row, 3, entry.pga / G, ACCELERATION)
     number(sheet, row, 4, abs(scale) if scale is not None else None, ACCELERATION)
@@ -272,7 +276,7 @@ def _inequality(book: Book, sheet, wall: WallResult, name: str, row: int) -> int
             yes, no = say("passed", "soddisfatta"), say("not passed", "non soddisfatta")
             cell = book.formula(
                 sheet.cell(row, 8),
-                f'=IF(F{row}>=1,"{yes}","{no}")',
+                f'=IF(F{row}>=1-1E-12,"{yes}","{no}")',
                 yes if inequality.passed else no,
             )
             color = GOOD if inequality.passed else BAD

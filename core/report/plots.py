@@ -39,6 +39,8 @@ from core.units import CM
 CHART_WALLS = 20
 CHARTS_PER_PAGE = 3
 CURVE_POINTS = 25
+WIDE_SPREAD = 8.0
+"""Ratio of the largest to the smallest q_eff from which a chart has logarithmic axes."""
 HISTORY_POINTS = 1500
 MAP_ROWS = 200
 MAP_BIN = 0.02
@@ -118,8 +120,12 @@ def q_against_si(book: Book, result: StudyResult) -> None:
                 dash="dash",
                 width=9500,
             )
-        chart.x_axis.scaling.min = 0
-        chart.y_axis.scaling.min = 0
+        known = [entry.q_eff for entry in wall.per_record if entry.q_eff]
+        for axis in (chart.x_axis, chart.y_axis):
+            if max(known) > WIDE_SPREAD * min(known):
+                axis.scaling.logBase = 10
+            else:
+                axis.scaling.min = 0
         sheet.add_chart(chart, f"A{row}")
         row += 21
         if index % CHARTS_PER_PAGE == CHARTS_PER_PAGE - 1:
@@ -175,7 +181,9 @@ def histories(book: Book, result: StudyResult, drawn: list[CollapseHistories]) -
         chart = _chart(label, "t [s]", "θ/α [-]", 17.5, 8.5)
         _series(chart, sheet, (column, column + 1), (2, last[0]), GOOD, width=12000)
         _series(chart, sheet, (column + 2, column + 3), (2, last[1]), BAD, width=12000)
-        chart.y_axis.scaling.min, chart.y_axis.scaling.max = -1.5, 1.5
+        one_sided = entry.wall.mechanism == "one_sided"
+        chart.y_axis.scaling.min = -0.25 if one_sided else -1.5
+        chart.y_axis.scaling.max = 1.5
         chart.x_axis.scaling.min = 0
         chart.x_axis.scaling.max = math.ceil(entry.motion.duration)
         chart.x_axis.tickLblPos = "low"

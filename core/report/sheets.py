@@ -17,6 +17,7 @@ from core.report.cells import (
     WHOLE,
     Book,
     header,
+    heighten,
     number,
     paragraph,
     rule,
@@ -62,7 +63,7 @@ def status_word(book: Book, status: str) -> str:
 def summary(book: Book, result: StudyResult) -> None:
     """One A4 page: title block, demand, one row a wall, warnings."""
     say, report, case = book.say, result.case.report, result.case
-    widths = [20, 11, 7, 7, 7, 8, 13, 8, 8, 8, 9, 9, 9]
+    widths = [20, 11, 7, 7, 7, 8, 20, 8, 8, 8, 9, 9, 9]
     sheet = book.sheet("Summary", "Sintesi", widths, landscape=True)
     sheet.page_setup.fitToHeight = 1
     last = len(widths)
@@ -79,8 +80,9 @@ def summary(book: Book, result: StudyResult) -> None:
         (say("Project", "Progetto"), report.project), (say("Author", "Autore"), report.author),
         (say("Revision", "Revisione"), report.revision), (say("Date", "Data"), report.date),
     ]  # fmt: skip
+    started = result.started_utc[:16].replace("T", " ")
     block = [(label, value) for label, value in block if value]
-    block.append((say("Program", "Programma"), f"{NAME} {VERSION}, {result.started_utc}"))
+    block.append((say("Program", "Programma"), f"{NAME} {VERSION}, {started} UTC"))
     for label, value in block:
         text(sheet, row, 1, label, color=QUIET)
         text(sheet, row, 2, value)
@@ -129,9 +131,8 @@ def _demand_line(book: Book, sheet, result: StudyResult, row: int, last: int) ->
 
 
 def _summary_row(book: Book, sheet, row: int, wall: WallResult) -> None:
-    text(sheet, row, 1, wall.name, wrap=len(wall.name) > 20)
-    if len(wall.name) > 20:
-        sheet.row_dimensions[row].height = 14 * math.ceil(len(wall.name) / 18)
+    text(sheet, row, 1, wall.name, wrap=True)
+    heighten(sheet, row, (wall.name, 20))
     text(sheet, row, 2, mechanism_word(book, wall.mechanism))
     number(sheet, row, 3, wall.height, RATIO)
     number(sheet, row, 4, wall.thickness, RATIO)
@@ -186,17 +187,24 @@ def inputs(book: Book, result: StudyResult) -> None:
         18,
     )
     row = 5
-    given = case.given_keys()
+    given = case.given
+    text(sheet, row, 2, "title")
+    text(sheet, row, 3, case.title, wrap=True)
+    heighten(sheet, row, (case.title, 44))
+    row += 1
     for section, index, place, values in _sections(case):
         for key, value in values.items():
             if value is None or value == "":
                 continue
             text(sheet, row, 1, place)
             text(sheet, row, 2, key)
+            if isinstance(value, dict):
+                value = ", ".join(f"{name} = {end:g}" for name, end in value.items())
             if isinstance(value, (int, float)):
                 number(sheet, row, 3, value, "General", align="left")
             else:
-                text(sheet, row, 3, value, wrap=len(str(value)) > 44)
+                text(sheet, row, 3, value, wrap=True)
+                heighten(sheet, row, (str(value), 44))
             if (section, index, key) not in given:
                 text(sheet, row, 4, say("default", "predefinito"), color=QUIET, italic=True)
             rule(sheet, row, 1, 4)
@@ -228,8 +236,9 @@ def records(book: Book, result: StudyResult) -> None:
         "Arias [m/s]", "D5-95 [s]", "SI [cm]", "SHA-256"], 1, 32)  # fmt: skip
     row = 4
     for motion in result.motions:
-        text(sheet, row, 1, motion.name, wrap=len(motion.name) > 24)
-        text(sheet, row, 2, motion.file, wrap=len(motion.file) > 34)
+        text(sheet, row, 1, motion.name, wrap=True)
+        text(sheet, row, 2, motion.file, wrap=True)
+        heighten(sheet, row, (motion.name, 24), (motion.file, 34))
         text(sheet, row, 3, motion.format)
         for column, value, shape in (
             (4, motion.time_step, "0.00000"), (5, motion.acceleration.size, WHOLE),
@@ -283,9 +292,10 @@ def results(book: Book, result: StudyResult) -> None:
         for run in wall.runs:
             row += 1
             ida = run.ida
-            text(sheet, row, 1, wall.name, wrap=len(wall.name) > 20)
+            text(sheet, row, 1, wall.name, wrap=True)
             text(sheet, row, 2, mechanism_word(book, wall.mechanism))
-            text(sheet, row, 3, run.record, wrap=len(run.record) > 24)
+            text(sheet, row, 3, run.record, wrap=True)
+            heighten(sheet, row, (wall.name, 20), (run.record, 24))
             text(sheet, row, 4, "+" if run.polarity > 0 else "−", align="center")
             text(sheet, row, 5, status_word(book, ida.status), color=INK if ida.q else BAD)
             low, high = ida.bracket or (None, None)
@@ -324,12 +334,17 @@ def method(book: Book, result: StudyResult) -> None:
         (say("Method", "Metodo"), f"{result.method.name}, {say('order', 'ordine')} {result.method.order}"),
         (say("Search", "Ricerca"), f"q_step {settings.q_step:g}, q_limit {settings.q_limit:g}, map_span "
          f"{settings.map_span:g}, robust_window {settings.robust_window:g}"),
-        (say("Polarity", "Segno"), result.case.analysis.polarity),
+        (say("Sign of the records", "Segno dei record"), {
+            "both": say("both", "entrambi"), "as_recorded": say("as recorded", "come registrato"),
+            "reversed": say("reversed", "invertito")}[result.case.analysis.polarity]),
     ]  # fmt: skip
     for wall in result.walls:
         ratio = f"{wall.restitution.model} ({MODELS[wall.restitution.model]})"
         label = f"{wall.name}, {mechanism_word(book, wall.mechanism)}"
-        law = wall.wall.law if isinstance(wall.wall.law, str) else "trilinear"
+        law = say("rigid", "rigida")
+        if not wall.law.is_rigid:
+            ends = f"D1 {wall.law.elastic_limit:g}, D2 {wall.law.plateau_end:g}"
+            law = f"{say('trilinear', 'trilineare')} {ends}"
         facts.append((label, f"{ratio}, e = {wall.restitution.ratio_at_rest:.4f}; {law}"))
     if len(facts) > 46:
         facts = facts[:46] + [("…", say("see Input and the JSON", "vedi Dati e il JSON"))]

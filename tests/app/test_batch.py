@@ -132,6 +132,34 @@ def test_that_wrong_input_is_one_line_and_code_1_and_old_results_stay(case, caps
     assert not (case.parent / "case.journal").exists()
 
 
+def test_that_the_case_itself_is_never_overwritten(case, capsys):
+    for name in ("case.json", "case.journal"):
+        odd = case.with_name(name)
+        odd.write_text(CASE)
+        assert call("--batch", odd) == 1
+        assert "overwrite" in capsys.readouterr().err
+        assert odd.read_text() == CASE
+        odd.unlink()
+
+
+def test_that_an_error_leaves_no_folder_behind(case, capsys):
+    case.write_text(CASE.replace('unit = "m/s2"', 'unit = "g"').replace("r*.txt", "nowhere.txt"))
+    assert call("--batch", case, "--output", case.parent / "new" / "deep") == 1
+    shown = capsys.readouterr().err
+    assert shown.startswith(f"error: {case}: record 1: ")
+    assert not (case.parent / "new").exists()
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="no /dev/full here")
+def test_that_a_full_or_narrow_terminal_ends_no_run(case):
+    case.write_text(CASE.replace('name = "w"', 'name = "Façade α 墙"'))
+    variables = dict(os.environ, PYTHONPATH=str(ROOT), PYTHONIOENCODING="ascii")
+    command = [sys.executable, "-P", "-m", "app", "--batch", str(case)]
+    with open("/dev/full", "w") as full:
+        assert subprocess.run(command, stdout=full, env=variables).returncode == 0
+    assert subprocess.run(command, stdout=subprocess.PIPE, env=variables).returncode == 0
+
+
 def test_that_an_output_folder_is_made_or_refused(case, capsys):
     assert call("--batch", case, "--output", case.parent / "new" / "deep", "--quiet") == 0
     assert (case.parent / "new" / "deep" / "case.json").exists()
@@ -220,6 +248,11 @@ def test_that_inspect_tells_what_a_record_holds(case, capsys):
     assert "2501 samples every 0.01 s" in capsys.readouterr().out
     assert call("--inspect", case.parent / "r0.txt") == 1
     assert "refused" in capsys.readouterr().err
+    (case.parent / "two.txt").write_text(
+        "\n".join(f"{k * 0.01:.2f} {k % 7 - 3}" for k in range(99))
+    )
+    assert call("--inspect", case.parent / "two.txt") == 0
+    assert "99 samples every 0.01 s, peak 3; the unit is not stated" in capsys.readouterr().out
 
 
 def test_that_version_names_program_and_version(capsys):

@@ -86,6 +86,14 @@ def test_that_eq_9_by_hand_fails_with_q_2_for_the_wall_of_the_example():
     assert inequality("code", 4.0, block.threshold_acceleration, 0.26 * 1.2 * G).passed
 
 
+def test_that_exact_equality_passes_whatever_the_rounding():
+    """t/H = 0.1, a_g 0.2, q 2: the ratio is 1 and rounds to 0.9999999999999999."""
+    block = Block.rectangle(3.0, math.atan2(0.30, 3.0))
+    check = inequality("code", 2.0, block.threshold_acceleration, 0.2 * G)
+    assert check.ratio == pytest.approx(1.0, abs=1e-15)
+    assert check.passed
+
+
 def test_that_the_overturning_velocity_has_the_root_the_print_lacks():
     """6.8 deg, 7 m: 0.1713 rad/s; as printed it would be 0.0294 in 1/s2."""
     assert overturning_velocity(WALL) == pytest.approx(0.1713, abs=5e-5)

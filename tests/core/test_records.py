@@ -99,8 +99,8 @@ def column(separator="\n", shape="{:.5f}"):
     return separator.join(shape.format(value) for value in MOTION)
 
 
-def two(separator=" ", shape="{:.5f}", end="\n", decimal=".", every=0.01):
-    rows = [f"{every * k:.2f}{separator}{shape.format(a)}" for k, a in enumerate(MOTION)]
+def two(separator=" ", shape="{:.5f}", end="\n", decimal=".", every=0.01, places=2):
+    rows = [f"{every * k:.{places}f}{separator}{shape.format(a)}" for k, a in enumerate(MOTION)]
     return end.join(rows).replace(".", decimal) + end
 
 
@@ -201,6 +201,22 @@ def test_that_a_short_last_line_is_accepted_and_said(write):
         (peer(), {"time_step": 0.02}, "states time_step_s"),
         (peer().replace("E-01", "E-0x", 1), {}, "not numbers"),
         (column(), {"unit": "g"}, "give time_step_s"),
+        (peer(unit="ACCELERATION IN UNITS OF CM/S/S"), {"unit": "g"}, "states unit cm/s2"),
+        (peer(unit="ACCELERATION IN UNITS OF G/10"), {"unit": "g"}, "g/10"),
+        (peer(step="0.0.1"), {"unit": "g"}, "0.0.1|columns|numbers"),
+        ("Time [s]  Acc. [cm/s2]\n" + two(), {"unit": "g"}, "states unit cm/s2"),
+        ("t  Acceleration [m/s²]\n" + two(), {"unit": "g"}, "states unit m/s2"),
+        ("# Units: cm/s2\n" + two(), {"unit": "g"}, "states unit cm/s2"),
+        ("Tempo [s];Velocità [cm/s]\n" + two(";"), {"unit": "cm/s2"}, "velocità"),
+        ("t [s] v [m/s]\n" + two(), {"unit": "m/s2"}, "m/s: this is not"),
+        ("0.00 nan\n0.01 nan\n" + two(), {"unit": "g"}, "line 1.*gap"),
+        ("inf\n" + column(), {"unit": "g", "time_step": 0.01}, "line 1.*gap"),
+        ("********\n" + column(), {"unit": "g", "time_step": 0.01}, "line 1.*gap"),
+        ("41\n0.01\n" + column(), {"unit": "g", "time_step": 0.01}, "count of samples"),
+        ("1940\n" + column(), {"unit": "g", "time_step": 0.01}, "beyond any earthquake"),
+        (two().replace("0.61280", "6.1e200"), {"unit": "g"}, "beyond any earthquake"),
+        (column().replace("0.61280", "6.1e400"), {"unit": "g", "time_step": 0.01}, "line 2"),
+        (two(every=1e-9, places=12), {"unit": "g"}, "1e-05 to 0.5 s"),
         (two(), {}, "give unit"),
         (two().replace("0.05 ", "0.06 "), {"unit": "g"}, "sorted and even"),
         (two().replace("0.05 ", "0.03 "), {"unit": "g"}, "sorted and even"),
@@ -250,8 +266,40 @@ def test_that_gaps_inside_a_record_are_refused_and_nan_tails_dropped(write):
 def test_that_missing_files_and_folders_are_one_sentence(tmp_path):
     with pytest.raises(RecordError, match="no such file"):
         records.read(tmp_path / "nowhere.txt")
-    with pytest.raises(RecordError, match="cannot be read"):
+    with pytest.raises(RecordError, match="not a file"):
         records.read(tmp_path)
+
+
+def test_that_the_shortest_step_that_explains_the_print_is_taken(write, shelf):
+    rows = [f"{0.0039 * k:.3f} {a:.5f}" for k, a in enumerate(np.tile(MOTION, 50))]
+    assert records.read(write("\n".join(rows)), Options(unit="g")).time_step == 0.0039
+    given = records.read(write("\n".join(rows)), Options(unit="g", time_step=0.0039))
+    assert given.time_step == 0.0039
+    for name, dt in (("Kobe.dat", 0.02), ("CHV1-20140203E.txt", 0.005)):
+        unit = "cm/s2" if name.startswith("CHV1") else "m/s2"
+        assert records.read(shelf / "plain_txt" / name, Options(unit=unit)).time_step == dt
+
+
+def test_that_a_title_may_speak_of_a_corrected_acceleration(write):
+    found = records.read(write("Corrected acceleration of El Centro\n" + two()), Options(unit="g"))
+    assert found.format == "plain text"
+
+
+@pytest.mark.parametrize("comment, step", [("dt = 0,01 s", 0.01), ("dt = 5 ms", 0.005)])
+def test_that_a_time_step_in_a_comment_keeps_its_unit(write, comment, step):
+    found = records.read(write(f"# {comment}\n" + column()), Options(unit="g"))
+    assert found.time_step == step
+
+
+@pytest.mark.parametrize("pattern", ["**foo*.txt", "x" * 300 + "*", "[", "a\0b*"])
+def test_that_an_impossible_pattern_is_one_sentence(tmp_path, pattern):
+    try:
+        paths = records.expand(pattern, tmp_path)
+    except InputError as error:
+        assert "\n" not in str(error)
+    else:
+        with pytest.raises(InputError):
+            records.read(paths[0])
 
 
 def test_that_a_glob_without_match_is_an_error(tmp_path, write):
@@ -264,7 +312,7 @@ def test_that_a_glob_without_match_is_an_error(tmp_path, write):
 
 
 def test_that_suspicious_peaks_are_warned_of(write):
-    large = records.read(write(two().replace("0.01 ", "0.01 9")), Options(unit="g"))
+    large = records.read(write(two()), Options(unit="g"), 3.0)
     assert any("above 2 g" in warning.text() for warning in large.warnings)
     small = records.read(write(two(shape="{:.5f}")), Options(unit="mm/s2"))
     assert any("below 0.001 g" in warning.text() for warning in small.warnings)

@@ -172,6 +172,49 @@ def test_that_a_case_without_records_gives_closed_forms_and_code_only(folder):
     assert [check is not None for check in wall.code_check] == [True, True, False, False, False]
 
 
+def test_that_names_that_collide_become_paths(tmp_path, reference):
+    """a.txt, a.txt.txt and s/a.txt: stems and paths must not be taken for each other."""
+    ground = reference("standard")[0][:400]
+    (tmp_path / "s").mkdir()
+    for k, name in enumerate(("a.txt", "a.txt.txt", "s/a.txt")):
+        text = "\n".join(f"{value:.9e}" for value in np.roll(ground, 9 * k))
+        (tmp_path / name).write_text(text)
+    entries = [{"file": n, "unit": "m/s2", "time_step_s": 0.01} for n in ("a*.txt", "s/a.txt")]
+    motions, _ = study.read_records(case(record=entries), tmp_path)
+    assert [motion.name for motion in motions] == ["a.txt", "a.txt.txt", "s/a.txt"]
+
+
+def test_that_the_same_samples_under_two_names_are_refused(tmp_path, reference):
+    text = "\n".join(f"{value:.9e}" for value in reference("standard")[0][:400])
+    for name in ("a.txt", "b.txt"):
+        (tmp_path / name).write_text(text)
+    entries = [{"file": "*.txt", "unit": "m/s2", "time_step_s": 0.01}]
+    with pytest.raises(InputError, match=r"record 1: b\.txt is in the case twice.*a\.txt"):
+        study.read_records(case(record=entries), tmp_path)
+
+
+def test_that_a_new_title_or_demand_keeps_the_finished_runs(folder, tmp_path, result):
+    path = tmp_path / "case.journal"
+    study.run(case(), base_dir=folder, journal=lambda key: Journal(path, key, False))
+    first = []
+    study.run(
+        case(title="other", demand={"ag_g": 0.1}), base_dir=folder,
+        journal=lambda key: Journal(path, key, True), on_progress=lambda d, p: first.append((d, p)),
+    )  # fmt: skip
+    assert first[0][0] == first[0][1] > 0
+
+
+def test_that_a_damaged_line_of_a_journal_is_run_again(folder, tmp_path, result):
+    path = tmp_path / "case.journal"
+    study.run(case(), base_dir=folder, journal=lambda key: Journal(path, key, False))
+    lines = path.read_bytes().split(b"\n")
+    lines[2] = lines[2].replace(b'"status"', b'"stat"')
+    lines.insert(4, b"5")
+    path.write_bytes(b"\n".join(lines))
+    again = study.run(case(), base_dir=folder, journal=lambda key: Journal(path, key, True))
+    assert numbers(again) == numbers(result)
+
+
 def test_that_a_record_twice_in_a_case_is_refused(folder):
     twice = [{"file": "r0.txt", "unit": "m/s2", "time_step_s": 0.01}] * 2
     with pytest.raises(InputError, match="twice"):
