@@ -234,7 +234,8 @@ def main():
         ensure(["base", "test"])
         return test(arguments[1:])
     if word == "bench":
-        ensure(["base", "test", "bench"] if "--work-precision" in arguments else ["base"])
+        more = {"--work-precision": ["test", "bench"], "--steps": ["test"]}
+        ensure(["base"] + [group for key in more if key in arguments for group in more[key]])
         script = os.path.join(ROOT, "tests", "benchmarks", "bench.py")
         return hand_over([interpreter(), "-P", script, *arguments[1:]])
     ensure(["base"])

@@ -140,5 +140,10 @@ class Locator(_CacheLocator):
         return cls(py_func) if py_func.__module__.startswith("core.") else None
 
 
-kernel = njit(cache=True, nogil=True, error_model="numpy")
+OPTIONS = {"cache": True, "nogil": True, "error_model": "numpy"}
+
+kernel = njit(**OPTIONS)
 """Compiled once per machine; no lock held while it runs; never fastmath, never parallel."""
+
+inner_kernel = njit(forceinline=True, **OPTIONS)
+"""A kernel that becomes part of its callers, so that their loops can use vector instructions."""

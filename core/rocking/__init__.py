@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.kernel_cache import kernel
-from core.rocking import dormand_prince, newmark_paper, stepped, taylor
+from core.rocking import dormand_prince, lanes, newmark_paper, stepped, taylor
 from core.rocking.model import RockingModel, rocking_model
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 
@@ -118,6 +118,13 @@ def scan(method: Method, ground, dt, scales, model, outcomes, peaks) -> int:
     ground : [m/s2], shape (n,); scales : multipliers [-], shape (m,), negative reverses the record;
     outcomes : results, codes of outcome.py, int64, shape (m,); peaks : results [rad], shape (m,).
     """
+    lockstep = method.option == 8 and model.plateau_end == 0.0 and scales.size >= lanes.FEWEST
+    if method.code == TAYLOR and lockstep:
+        clamped = 0
+        for k in range(0, scales.size, lanes.WIDTH):
+            part = slice(k, k + lanes.WIDTH)
+            clamped += lanes.scan(ground, dt, scales[part], model, outcomes[part], peaks[part])
+        return clamped
     if method.code == TAYLOR:
         return scan_taylor(method.option, ground, dt, scales, model, outcomes, peaks)
     return scan_compared(

@@ -1,14 +1,15 @@
 """Taylor series of order 6 or 8, one step per sample, events at the roots of the step's polynomial.
 
 The ground acceleration is linear between samples, so Eq. 1 is analytic inside a sample and inside a
-branch of the moment law. The series carries sin and cos of the lean alpha - phi from step to step.
+branch of the moment law. sin and cos of the lean follow from those of the upright block by the addition
+theorem, so that no rounding is carried from step to step.
 Cost: about 100 floating-point operations a step. Fails: nowhere found; a step whose series has not
 converged is shortened until it has.
 """
 
 import math
 
-from core.kernel_cache import kernel
+from core.kernel_cache import inner_kernel, kernel
 from core.moment_rotation import FAR, moment_branch, zone_of
 from core.restitution import velocity_ratio
 from core.rocking.events import (
@@ -27,7 +28,7 @@ SERIES_TOLERANCE = 1e-17
 """Largest neglected term of a step, as a fraction of alpha."""
 
 
-@kernel
+@inner_kernel
 def series(phi, speed, net, sine, cosine, beta, slope, p2, branch, order):
     """Taylor coefficients c0..c9 of phi(t) about the step's start, c8 = c9 = 0 for order 6 (Eq. 1).
     The velocity is then of the named order, the rotation one higher.
@@ -78,11 +79,9 @@ def series(phi, speed, net, sine, cosine, beta, slope, p2, branch, order):
     return phi, v0, c2, c3, c4, c5, c6, c7, c8, c9
 
 
-@kernel
-def sine_and_cosine(x):
-    """sin and cos of a rotation [rad]; a short series to full precision below 0.25."""
-    if x > 0.25:
-        return math.sin(x), math.cos(x)
+@inner_kernel
+def sine_and_cosine_short(x):
+    """sin and cos of a rotation up to 0.25 rad by a short series, to full precision."""
     y = x * x
     tail = 1.0 / 5040.0 - y * (1.0 / 362880.0 - y * (1.0 / 39916800.0))
     s = x * (1.0 - y * (1.0 / 6.0 - y * (1.0 / 120.0 - y * tail)))
@@ -91,13 +90,21 @@ def sine_and_cosine(x):
 
 
 @kernel
+def sine_and_cosine(x):
+    """sin and cos of a rotation [rad]."""
+    if x > 0.25:
+        return math.sin(x), math.cos(x)
+    return sine_and_cosine_short(x)
+
+
+@inner_kernel
 def increment(c, t):
     """phi(t) - phi(0) of the step's polynomial [rad]."""
     tail = c[5] + t * (c[6] + t * (c[7] + t * (c[8] + t * c[9])))
     return t * (c[1] + t * (c[2] + t * (c[3] + t * (c[4] + t * tail))))
 
 
-@kernel
+@inner_kernel
 def rate(c, t):
     """phi'(t) of the step's polynomial [rad/s]."""
     tail = 5.0 * c[5] + t * (6.0 * c[6] + t * (7.0 * c[7] + t * (8.0 * c[8] + t * 9.0 * c[9])))
@@ -221,6 +228,117 @@ def converged_step(c, h, order, stiffness, alpha):
 
 
 @kernel
+def upright(model):
+    """Lift threshold [m/s2], sin(alpha) and cos(alpha): what every sample needs of the model."""
+    return lift_threshold(model), math.sin(model.slenderness), math.cos(model.slenderness)
+
+
+@kernel
+def through_sample(
+    ground0, ground1, dt, model, constants, order, state, start_time, impact_time, impact_velocity
+):
+    """Carry the block through one sample, rest, uplift, kinks and impacts included.
+
+    ground0, ground1 : ground acceleration at both ends [m/s2]; constants : of `upright`;
+    state : (side, phi [rad], speed [rad/s], moving, zone, peak [rad], impacts, clamped);
+    start_time [s] and the last two arguments : as `integrate`. Returns (outcome so far, state).
+    """
+    threshold, sine_upright, cosine_upright = constants
+    side, phi, speed, moving, zone, peak, impacts, clamped = state
+    alpha = model.slenderness
+    p2 = model.p2
+    slope = (ground1 - ground0) / dt
+    t = 0.0
+    impacts_before = impacts
+    events = 0
+    while t < dt:
+        if not moving:
+            t, side = next_uplift(ground0, slope, t, dt, model, threshold)
+            if t >= dt:
+                break
+            moving = True
+            phi = 0.0
+            speed = 0.0
+            zone = zone_of(phi, model)
+        branch = moment_branch(zone, model)
+        beta = (side / G) * (ground0 + slope * t)
+        s, k = sine_and_cosine(phi)
+        sine = sine_upright * k - cosine_upright * s
+        cosine = cosine_upright * k + sine_upright * s
+        if threshold > 0.0:
+            # sin(alpha - phi) - beta cos(alpha - phi) without its cancellation near uplift
+            short = (threshold - side * (ground0 + slope * t)) / G
+            net = cosine_upright * short * k - (cosine_upright + beta * sine_upright) * s
+        else:
+            net = branch[2] * sine + branch[3] * phi + branch[4] - beta * cosine
+        c = series(phi, speed, net, sine, cosine, beta, side / G * slope, p2, branch, order)
+        if phi == 0.0 and speed == 0.0:
+            # at uplift phi'' is zero or outward; its rounding must not push the block down
+            c = (phi, speed, max(c[2], 0.0), c[3], c[4], c[5], c[6], c[7], c[8], c[9])
+        push = p2 * (1.0 + max(abs(ground0), abs(ground1)) / G)
+        stiff = push + p2 * branch[3] + speed * speed
+        h = converged_step(c, dt - t, order, stiff, alpha)
+        # a chord stays within h^2/8 max|phi''| of the curve: far from both ends nothing happens
+        dphi = increment(c, h)
+        reach = 0.125 * h * h * push
+        crossing = -1.0
+        falling = True
+        if min(phi, phi + dphi) - branch[0] <= reach or branch[1] - max(phi, phi + dphi) <= reach:
+            for _ in range(30):
+                if turns_at_most_once(c, h):
+                    break
+                h *= 0.5
+            crossing = first_crossing(c, branch[0], 1.0, h)
+            if branch[1] < FAR:
+                upper = first_crossing(c, branch[1], -1.0, h)
+                if upper >= 0.0 and (crossing < 0.0 or upper < crossing):
+                    crossing = upper
+                    falling = False
+            if crossing >= 0.0:
+                h = crossing
+            dphi = increment(c, h)
+        speed_after = rate(c, h)
+        if min(speed, -speed_after) > -push * h and max(phi, phi + dphi) + reach > peak:
+            peak = max(peak, phi + summit(c, h))
+        t = t + h if h < dt - t else dt
+        speed = speed_after
+        if crossing < 0.0:
+            phi += dphi
+            peak = max(peak, phi)
+            if phi > LAST_ROTATION:
+                return COLLAPSED, (side, phi, speed, moving, zone, peak, impacts, clamped)
+            continue
+        events += 1
+        if events > 10 * IMPACTS_PER_SAMPLE:
+            return IMPACT_LIMIT, (side, phi, speed, moving, zone, peak, impacts, clamped)
+        if not falling or branch[0] > 0.0:
+            phi = branch[0] if falling else branch[1]
+            zone += -1 if falling else 1
+            peak = max(peak, phi)
+            continue
+        arriving = max(-speed, 0.0)
+        ratio, clamp = velocity_ratio(arriving, model)
+        clamped += clamp
+        phi = 0.0
+        speed = ratio * arriving
+        if model.one_sided == 0.0:
+            side = -side
+        if impacts < impact_time.size:
+            impact_time[impacts] = start_time + t
+            impact_velocity[impacts] = side * speed
+        impacts += 1
+        if impacts - impacts_before > IMPACTS_PER_SAMPLE:
+            return IMPACT_LIMIT, (side, phi, speed, moving, zone, peak, impacts, clamped)
+        now = ground0 + slope * t
+        if stops_rocking(speed, now, model, threshold):
+            moving = False
+            speed = 0.0
+        elif speed == 0.0 and model.one_sided == 0.0:
+            side = ground_lifts(now, model, threshold)
+    return STABLE, (side, phi, speed, moving, zone, peak, impacts, clamped)
+
+
+@kernel
 def integrate(
     ground, dt, scale, model, order, start, rotation, velocity, impact_time, impact_velocity
 ):
@@ -232,121 +350,32 @@ def integrate(
     or (0,) if not wanted; impact_time, impact_velocity : results [s], [rad/s] just after each impact.
     Returns (outcome, peak rotation [rad], impacts, clamped ratios, samples done).
     """
-    alpha = model.slenderness
-    p2 = model.p2
-    threshold = lift_threshold(model)
-    sine_upright = math.sin(alpha)
-    cosine_upright = math.cos(alpha)
+    constants = upright(model)
     keep = rotation.size > 0
-    impacts = 0
-    clamped = 0
     side = -1.0 if start[0] < 0.0 or (start[0] == 0.0 and start[1] < 0.0) else 1.0
     phi = side * start[0]
-    speed = side * start[1]
-    moving = phi != 0.0 or speed != 0.0
-    zone = zone_of(phi, model)
-    peak = phi
+    moving = phi != 0.0 or start[1] != 0.0
+    state = (side, phi, side * start[1], moving, zone_of(phi, model), phi, 0, 0)
     if keep:
         rotation[0] = start[0]
         velocity[0] = start[1]
     for i in range(ground.size - 1):
-        ground0 = scale * ground[i]
-        ground1 = scale * ground[i + 1]
-        slope = (ground1 - ground0) / dt
-        t = 0.0
-        impacts_before = impacts
-        events = 0
-        while t < dt:
-            if not moving:
-                t, side = next_uplift(ground0, slope, t, dt, model, threshold)
-                if t >= dt:
-                    break
-                moving = True
-                phi = 0.0
-                speed = 0.0
-                zone = zone_of(phi, model)
-            branch = moment_branch(zone, model)
-            beta = (side / G) * (ground0 + slope * t)
-            s, k = sine_and_cosine(phi)
-            sine = sine_upright * k - cosine_upright * s
-            cosine = cosine_upright * k + sine_upright * s
-            if threshold > 0.0:
-                # sin(alpha - phi) - beta cos(alpha - phi) without its cancellation near uplift
-                short = (threshold - side * (ground0 + slope * t)) / G
-                net = cosine_upright * short * k - (cosine_upright + beta * sine_upright) * s
-            else:
-                net = branch[2] * sine + branch[3] * phi + branch[4] - beta * cosine
-            c = series(phi, speed, net, sine, cosine, beta, side / G * slope, p2, branch, order)
-            if phi == 0.0 and speed == 0.0:
-                # at uplift phi'' is zero or outward; its rounding must not push the block down
-                c = (phi, speed, max(c[2], 0.0), c[3], c[4], c[5], c[6], c[7], c[8], c[9])
-            push = p2 * (1.0 + max(abs(ground0), abs(ground1)) / G)
-            stiff = push + p2 * branch[3] + speed * speed
-            h = converged_step(c, dt - t, order, stiff, alpha)
-            # A chord stays within h^2/8 max|phi''| of the curve: far from both ends nothing happens.
-            dphi = increment(c, h)
-            reach = 0.125 * h * h * push
-            crossing = -1.0
-            falling = True
-            if (
-                min(phi, phi + dphi) - branch[0] <= reach
-                or branch[1] - max(phi, phi + dphi) <= reach
-            ):
-                for _ in range(30):
-                    if turns_at_most_once(c, h):
-                        break
-                    h *= 0.5
-                crossing = first_crossing(c, branch[0], 1.0, h)
-                if branch[1] < FAR:
-                    upper = first_crossing(c, branch[1], -1.0, h)
-                    if upper >= 0.0 and (crossing < 0.0 or upper < crossing):
-                        crossing = upper
-                        falling = False
-                if crossing >= 0.0:
-                    h = crossing
-                dphi = increment(c, h)
-            speed_after = rate(c, h)
-            if min(speed, -speed_after) > -push * h and max(phi, phi + dphi) + reach > peak:
-                peak = max(peak, phi + summit(c, h))
-            t = t + h if h < dt - t else dt
-            speed = speed_after
-            if crossing < 0.0:
-                phi += dphi
-                peak = max(peak, phi)
-                if phi > LAST_ROTATION:
-                    return COLLAPSED, peak, impacts, clamped, i + 1
-                continue
-            events += 1
-            if events > 10 * IMPACTS_PER_SAMPLE:
-                return IMPACT_LIMIT, peak, impacts, clamped, i + 1
-            if not falling or branch[0] > 0.0:
-                phi = branch[0] if falling else branch[1]
-                zone += -1 if falling else 1
-                peak = max(peak, phi)
-                continue
-            arriving = max(-speed, 0.0)
-            ratio, clamp = velocity_ratio(arriving, model)
-            clamped += clamp
-            phi = 0.0
-            speed = ratio * arriving
-            if model.one_sided == 0.0:
-                side = -side
-            if impacts < impact_time.size:
-                impact_time[impacts] = i * dt + t
-                impact_velocity[impacts] = side * speed
-            impacts += 1
-            if impacts - impacts_before > IMPACTS_PER_SAMPLE:
-                return IMPACT_LIMIT, peak, impacts, clamped, i + 1
-            now = ground0 + slope * t
-            if stops_rocking(speed, now, model, threshold):
-                moving = False
-                speed = 0.0
-            elif speed == 0.0 and model.one_sided == 0.0:
-                side = ground_lifts(now, model, threshold)
+        outcome, state = through_sample(
+            scale * ground[i], scale * ground[i + 1], dt, model, constants, order, state, i * dt,
+            impact_time, impact_velocity,
+        )  # fmt: skip
+        if outcome != STABLE:
+            return outcome, state[5], state[6], state[7], i + 1
         if keep:
-            rotation[i + 1] = side * phi if moving else 0.0
-            velocity[i + 1] = side * speed if moving else 0.0
-    outcome = STABLE
-    if moving:
-        outcome, peak = end_of_record(phi, speed, peak, model)
-    return outcome, peak, impacts, clamped, ground.size
+            rotation[i + 1] = state[0] * state[1] if state[3] else 0.0
+            velocity[i + 1] = state[0] * state[2] if state[3] else 0.0
+    outcome, peak = at_end(state, model)
+    return outcome, peak, state[6], state[7], ground.size
+
+
+@kernel
+def at_end(state, model):
+    """(outcome, peak [rad]) once the ground is still, from the state after the last sample."""
+    if state[3]:
+        return end_of_record(state[1], state[2], state[5], model)
+    return STABLE, state[5]

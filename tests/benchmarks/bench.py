@@ -2,6 +2,7 @@
 
     python3 run.py bench
     python3 run.py bench --work-precision [--output DIR]    error against time, see work_precision.py
+    python3 run.py bench --steps [--output DIR]             q against the step, see step_study.py
 
 Whole batches are timed as processes; the loop of sin and cos is measured in the same run, so that
 machines compare by the last column.
@@ -28,7 +29,7 @@ from core.ida import Search, incremental_dynamic_analysis  # noqa: E402
 from core.kernel_cache import kernel  # noqa: E402
 from core.moment_rotation import LAWS  # noqa: E402
 from core.restitution import restitution  # noqa: E402
-from core.rocking import METHODS, Method, rocking_model, scan  # noqa: E402
+from core.rocking import METHODS, Method, rocking_model, scan, scan_taylor  # noqa: E402
 
 LOOP = 2_000_000
 
@@ -101,7 +102,7 @@ def main() -> None:
     ground = np.ascontiguousarray(data[:, 1])
     pga = float(np.abs(ground).max())
     methods = [("taylor order 6", Method("taylor", 0, 6, 6)), *METHODS.items()]
-    scales, outcomes, peaks = np.ones(20), np.zeros(20, np.int64), np.zeros(20)
+    scales, outcomes, peaks = np.ones(32), np.zeros(32, np.int64), np.zeros(32)
     for law in ("rigid", "doherty"):
         for label, method in methods:
             model = model_of(False, law)
@@ -112,6 +113,13 @@ def main() -> None:
             )
             each = seconds / (scales.size * (ground.size - 1))
             line(f"{label}, standard, {law}", each * 1e9, "ns per sample", each / yardstick)
+            if label == "taylor":
+                seconds = median_seconds(
+                    lambda w=model: scan_taylor(8, ground, 0.01, scales, w, outcomes, peaks)
+                )
+                each = seconds / (scales.size * (ground.size - 1))
+                name = f"{label}, one history at a time, standard, {law}"
+                line(name, each * 1e9, "ns per sample", each / yardstick)
     for label, one_sided in (("two-sided", False), ("one-sided", True)):
         model = model_of(one_sided)
 
@@ -138,11 +146,16 @@ def main() -> None:
 if __name__ == "__main__":
     words = argparse.ArgumentParser()
     words.add_argument("--work-precision", action="store_true")
+    words.add_argument("--steps", action="store_true")
     words.add_argument("--output", type=Path, default=Path("work_precision"))
     options = words.parse_args()
     if options.work_precision:
         from tests.benchmarks import work_precision
 
         work_precision.main(options.output)
+    elif options.steps:
+        from tests.benchmarks import step_study
+
+        step_study.main(options.output)
     else:
         main()

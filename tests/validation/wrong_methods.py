@@ -85,9 +85,18 @@ def _rk4_through_kinks(code, phi, speed, beta, slope, h, model, zone, *rest):
     return new, speed + h / 6.0 * (a1 + 2.0 * (a2 + a3) + a4)
 
 
-uplift_at_next_sample = variant(taylor.integrate, next_uplift=_uplift_at_sample)
-impact_at_end_of_step = variant(taylor.integrate, first_crossing=_crossing_at_end)
-double_crossing_missed = variant(taylor.integrate, first_crossing=_crossing_by_sign_change)
-rotation_decides_at_the_end = variant(taylor.integrate, end_of_record=_rotation_decides)
-no_rest = variant(taylor.integrate, stops_rocking=_never_rests)
+def taylor_variant(**replacements):
+    """`taylor.integrate` with names replaced in the sample it repeats and in its end."""
+    return variant(
+        taylor.integrate,
+        through_sample=variant(taylor.through_sample, **replacements),
+        at_end=variant(taylor.at_end, **replacements),
+    )
+
+
+uplift_at_next_sample = taylor_variant(next_uplift=_uplift_at_sample)
+impact_at_end_of_step = taylor_variant(first_crossing=_crossing_at_end)
+double_crossing_missed = taylor_variant(first_crossing=_crossing_by_sign_change)
+rotation_decides_at_the_end = taylor_variant(end_of_record=_rotation_decides)
+no_rest = taylor_variant(stops_rocking=_never_rests)
 kinks_ignored = variant(stepped.integrate, advance=_rk4_through_kinks, moment_branch=_one_branch)

@@ -1,0 +1,73 @@
+"""Multipliers in lockstep are single analyses, bit for bit."""
+
+import math
+
+import numpy as np
+import pytest
+
+from core.rocking import METHODS, lanes, scan, scan_taylor
+from core.rocking.model import RockingModel
+from core.units import G
+
+
+def both(ground, dt, scales, model):
+    outcomes, peaks = np.zeros(scales.size, np.int64), np.zeros(scales.size)
+    one_outcomes, one_peaks = outcomes.copy(), peaks.copy()
+    together = scan(METHODS["taylor"], ground, dt, scales, model, outcomes, peaks)
+    alone = scan_taylor(8, ground, dt, scales, model, one_outcomes, one_peaks)
+    return (outcomes, peaks, together), (one_outcomes, one_peaks, alone)
+
+
+def same(together, alone) -> bool:
+    return (
+        np.array_equal(together[0], alone[0])
+        and np.array_equal(together[1], alone[1])
+        and together[2] == alone[2]
+    )
+
+
+@pytest.mark.parametrize("name", ["standard", "hard"])
+@pytest.mark.parametrize("one_sided", [False, True])
+@pytest.mark.parametrize("size", [4, 7, 8, 15, 16, 17, 40])
+def test_that_lanes_equal_single_analyses_on_the_references(
+    reference, make_model, name, one_sided, size
+):
+    ground = reference(name)[0]
+    scales = np.linspace(0.5, 6.0, size) * (-1.0) ** np.arange(size)
+    for restitution in ("housner", "one_sided_experimental") if one_sided else ("housner",):
+        model = make_model(one_sided=one_sided, model=restitution)
+        together, alone = both(ground, 0.01, scales, model)
+        assert same(together, alone)
+    assert len(set(alone[0])) == 2 or size < 7
+
+
+def test_that_lanes_equal_single_analyses_on_random_walls_and_grounds():
+    rng = np.random.default_rng(11)
+    seen = set()
+    for _ in range(150):
+        alpha = math.radians(rng.uniform(0.5, 40.0))
+        p2 = 10.0 ** rng.uniform(-0.5, 2.0)
+        one_sided = float(rng.integers(2))
+        drop = rng.choice([0.0, 5.0])
+        model = RockingModel(alpha, p2, one_sided, rng.uniform(0.0, 1.0), drop, 0.0, 0.0)
+        dt = 10.0 ** rng.uniform(-3.5, -1.3)
+        ground = G * math.tan(alpha) * rng.normal(size=300)
+        ground[100:130] = 0.0
+        scales = rng.uniform(0.2, 8.0, 16)
+        together, alone = both(ground, dt, scales, model)
+        assert same(together, alone)
+        seen |= set(together[0])
+    assert seen >= {0, 1}
+
+
+def test_that_a_pass_takes_no_more_lanes_than_its_width(reference, make_model, monkeypatch):
+    sizes = []
+    real = lanes.scan
+
+    def watched(ground, dt, scales, *rest):
+        sizes.append(scales.size)
+        return real(ground, dt, scales, *rest)
+
+    monkeypatch.setattr(lanes, "scan", watched)
+    both(reference("standard")[0], 0.01, np.linspace(1, 2, 37), make_model())
+    assert sizes == [16, 16, 5]
