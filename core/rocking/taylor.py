@@ -168,8 +168,36 @@ def first_crossing(c, level, sign, h):
     """First time in (0, h] at which sign * (phi - level) falls to zero, from above or from a start
     on the level; -1.0 if never. Splits [0, h] where phi' is monotone, then where phi is, so that a
     double crossing inside the step is found. Valid where `turns_at_most_once` holds."""
+    bends_at_start = sign * curvature(c, 0.0)
+    bends_at_end = sign * curvature(c, h)
+    if bends_at_start < 0.0 and bends_at_end < 0.0:
+        # concave: one crossing at most, and Newton from its far side comes down to it
+        time = h
+        value = sign * ((c[0] - level) + increment(c, time))
+        if value > 0.0:
+            return -1.0
+        # the parabola's root is close; where it falls short, one Newton step leads past the crossing
+        v, a = sign * c[1], sign * c[2]
+        guess = -(v + math.sqrt(max(v * v - 4.0 * a * sign * (c[0] - level), 0.0))) / (2.0 * a)
+        if 0.0 < guess < h:
+            at_guess = sign * ((c[0] - level) + increment(c, guess))
+            gradient = sign * rate(c, guess)
+            if at_guess > 0.0 and gradient < 0.0:
+                guess -= at_guess / gradient
+                at_guess = sign * ((c[0] - level) + increment(c, guess))
+            if at_guess <= 0.0 and guess < h:
+                time = guess
+                value = at_guess
+        for _ in range(60):
+            gradient = sign * rate(c, time)
+            following = time - value / gradient if gradient < 0.0 else 0.0
+            if not 0.0 < following < time:
+                break
+            time = following
+            value = sign * ((c[0] - level) + increment(c, time))
+        return time
     bend = h
-    if (curvature(c, 0.0) < 0.0) != (curvature(c, h) < 0.0):
+    if (bends_at_start < 0.0) != (bends_at_end < 0.0):
         bend = bracketed_root(c, 0.0, 2, 0.0, h)
     start = 0.0
     for half in range(2):
