@@ -11,11 +11,10 @@ import numpy as np
 from core.kernel_cache import kernel
 from core.moment_rotation import FAR
 from core.rocking.outcome import STABLE
+from core.rocking.polynomial import increment, rate
 from core.rocking.taylor import (
     SERIES_TOLERANCE,
     at_end,
-    increment,
-    rate,
     series,
     sine_and_cosine_short,
     through_sample,
