@@ -234,7 +234,11 @@ def main():
         ensure(["base", "test"])
         return test(arguments[1:])
     if word == "bench":
-        more = {"--work-precision": ["test", "bench"], "--steps": ["test"]}
+        more = {
+            "--work-precision": ["test", "bench"],
+            "--q-error": ["test", "bench"],
+            "--steps": ["test"],
+        }
         ensure(["base"] + [group for key in more if key in arguments for group in more[key]])
         script = os.path.join(ROOT, "tests", "benchmarks", "bench.py")
         return hand_over([interpreter(), "-P", script, *arguments[1:]])

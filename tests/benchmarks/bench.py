@@ -2,6 +2,7 @@
 
     python3 run.py bench
     python3 run.py bench --work-precision [--output DIR]    error against time, see work_precision.py
+    python3 run.py bench --q-error [--output DIR]           error of q against time, see q_error.py
     python3 run.py bench --steps [--output DIR]             q against the step, see step_study.py
 
 Whole batches are timed as processes; the loop of sin and cos is measured in the same run, so that
@@ -146,6 +147,7 @@ def main() -> None:
 if __name__ == "__main__":
     words = argparse.ArgumentParser()
     words.add_argument("--work-precision", action="store_true")
+    words.add_argument("--q-error", action="store_true")
     words.add_argument("--steps", action="store_true")
     words.add_argument("--output", type=Path, default=Path("work_precision"))
     options = words.parse_args()
@@ -153,6 +155,10 @@ if __name__ == "__main__":
         from tests.benchmarks import work_precision
 
         work_precision.main(options.output)
+    elif options.q_error:
+        from tests.benchmarks import q_error
+
+        q_error.main(options.output)
     elif options.steps:
         from tests.benchmarks import step_study
 

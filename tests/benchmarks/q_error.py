@@ -1,0 +1,106 @@
+"""Error of q against time per search: every method at the default step, the default at every step.
+
+    python3 run.py bench --q-error [--output DIR]
+
+Truth of the methods is the default method on the same grid, so that only the integration differs; truth of
+the steps is the default at 0.05 %. A verdict changes where Eq. 9 with this q passes and the true one
+does not, or the other way round, at a demand of 0.2 g.
+"""
+
+import csv
+import statistics
+import time
+from pathlib import Path
+
+import numpy as np
+
+from core.ida import Search, incremental_dynamic_analysis
+from core.rocking import METHODS, Method, RockingModel
+from core.units import G
+from tests.benchmarks.scenes import wall
+from tests.benchmarks.step_study import motions
+
+DEMAND = 0.2 * G
+STEPS = (0.02, 0.01, 0.005, 0.002, 0.001)
+FINEST = 0.0005
+HEIGHTS = (3.0, 7.0)
+
+
+def search(motion, model: RockingModel, method: Method, step: float):
+    """(q, q_robust, seconds) of one search; None where it has no number."""
+    start = time.perf_counter()
+    found = incremental_dynamic_analysis(
+        motion.acceleration, motion.time_step, motion.pga, 1, model, method, Search(q_step=step)
+    )
+    return found.q, found.q_robust, time.perf_counter() - start
+
+
+def row(kind: str, name: str, found: list, truth: list, models: list) -> dict:
+    known = [k for k in range(len(found)) if found[k][0] and truth[k][0]]
+    first = np.array([abs(found[k][0] / truth[k][0] - 1.0) for k in known])
+    robust = np.array([abs(found[k][1] / truth[k][1] - 1.0) for k in known])
+    thresholds = [G * np.tan(models[k].slenderness) for k in known]
+    changed = [
+        (found[k][0] * a >= DEMAND) != (truth[k][0] * a >= DEMAND)
+        for k, a in zip(known, thresholds, strict=True)
+    ]
+    return {
+        "kind": kind, "name": name, "pairs": len(known),
+        "median_ms": 1e3 * statistics.median(entry[2] for entry in found),
+        "q_median_percent": 100 * np.median(first), "q_p90_percent": 100 * np.quantile(first, 0.9),
+        "robust_median_percent": 100 * np.median(robust),
+        "robust_p90_percent": 100 * np.quantile(robust, 0.9),
+        "verdicts_changed_percent": 100 * np.mean(changed),
+    }  # fmt: skip
+
+
+def chart(rows: list[dict], path: Path) -> None:
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    figure, axes = plt.subplots(1, 2, figsize=(11, 4), sharey=True)
+    for axis, kind in zip(axes, ("method", "step"), strict=True):
+        for entry in (entry for entry in rows if entry["kind"] == kind):
+            x = entry["median_ms"]
+            low, high = (max(entry[k], 1e-3) for k in ("q_median_percent", "q_p90_percent"))
+            axis.plot([x, x], [low, high], color="0.6")
+            axis.loglog([x], [low], "o", color="#2B5C8A")
+            axis.annotate(
+                entry["name"], (x, low), fontsize=7, xytext=(4, 3), textcoords="offset points"
+            )
+        axis.set_xlabel("time per search [ms]")
+        axis.grid(True, color="0.92")
+    axes[0].set_ylabel("error of q [%], median to 90 %")
+    axes[0].set_title("methods, q_step 0.5 %", fontsize=10)
+    axes[1].set_title("steps, taylor 8", fontsize=10)
+    figure.tight_layout()
+    figure.savefig(path, dpi=90)
+
+
+def main(folder: Path) -> None:
+    models = [(m, wall(one, height=h)) for m in motions() for h in HEIGHTS for one in (False, True)]
+    only = [model for _, model in models]
+    truth = [search(m, w, METHODS["taylor"], 0.005) for m, w in models]
+    rows = [row("method", "taylor 8", truth, truth, only)]
+    for method in (Method("taylor 6", 0, 6, 6), *list(METHODS.values())[1:]):
+        found = [search(m, w, method, 0.005) for m, w in models]
+        rows.append(row("method", method.name, found, truth, only))
+    fine = [search(m, w, METHODS["taylor"], FINEST) for m, w in models]
+    for step in STEPS:
+        found = [search(m, w, METHODS["taylor"], step) for m, w in models]
+        rows.append(row("step", f"{100 * step:g} %", found, fine, only))
+    for entry in rows:
+        print(
+            f"{entry['kind']:7}{entry['name']:22}{entry['median_ms']:9.1f} ms  q "
+            f"{entry['q_median_percent']:8.3f} {entry['q_p90_percent']:8.2f} %  robust "
+            f"{entry['robust_median_percent']:7.3f} {entry['robust_p90_percent']:7.2f} %  verdicts "
+            f"{entry['verdicts_changed_percent']:5.1f} %"
+        )
+    folder.mkdir(parents=True, exist_ok=True)
+    with open(folder / "q_error.csv", "w", newline="") as stream:
+        writer = csv.DictWriter(stream, list(rows[0]))
+        writer.writeheader()
+        writer.writerows(rows)
+    chart(rows, folder / "q_error.png")
