@@ -18,8 +18,9 @@ def peak_displacement(ground, dt, period, damping):
     """Largest |relative displacement| of an oscillator at rest under a ground motion [m].
 
     ground : acceleration, linear between samples [m/s2], shape (n,); dt [s]; period [s]; damping [-].
-    Exact recursion of Nigam and Jennings (1969); the free motion after the record counts too, so that
-    zeros appended to the record change nothing.
+    Exact recursion of Nigam and Jennings (1969). The peak is taken at the samples, as is the custom: with
+    few samples a period it lies below the true one (6 % at T = 0.1 s, dt = 0.02 s; 0.1 % of SI). The free
+    motion after the record counts too, exactly, so that zeros appended to the record change little.
     """
     w = 2.0 * math.pi / period
     wd = w * math.sqrt(1.0 - damping * damping)

@@ -74,6 +74,25 @@ def stops_rocking(speed, ground, model, threshold):
 
 
 @kernel
+def leave_impact(arriving, side, ground, model, threshold):
+    """What the block does after an impact at theta = 0 (Eq. 3, 7).
+
+    arriving : speed before it [rad/s], not negative; side : of the pivot it fell back to;
+    ground : acceleration at that instant [m/s2]. Returns (speed just after [rad/s], side just after,
+    side from here on, moving, 1 if Eq. 7 was held at 0).
+    """
+    ratio, clamped = velocity_ratio(arriving, model)
+    speed = ratio * arriving
+    after = side if model.one_sided != 0.0 else -side
+    if stops_rocking(speed, ground, model, threshold):
+        return speed, after, after, False, clamped
+    onward = after
+    if speed == 0.0 and model.one_sided == 0.0:
+        onward = ground_lifts(ground, model, threshold)
+    return speed, after, onward, True, clamped
+
+
+@kernel
 def end_of_record(phi, speed, peak, model):
     """Decide by energy what the block does once the ground is still.
 

@@ -7,16 +7,14 @@ import numpy as np
 
 from core.kernel_cache import kernel
 from core.moment_rotation import moment_branch, zone_of
-from core.restitution import velocity_ratio
 from core.rocking import dormand_prince, linearised, newmark_events, rk4
 from core.rocking.events import (
     IMPACTS_PER_SAMPLE,
     LAST_ROTATION,
     end_of_record,
-    ground_lifts,
+    leave_impact,
     lift_threshold,
     next_uplift,
-    stops_rocking,
 )
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.units import G
@@ -157,26 +155,22 @@ def integrate(
                 zone += -1 if falling else 1
                 continue
             arriving = max(-speed, 0.0)
-            ratio, clamp = velocity_ratio(arriving, model)
+            speed, after, side, moving, clamp = leave_impact(
+                arriving, side, ground0 + slope * t, model, threshold
+            )
             clamped += clamp
-            speed = ratio * arriving
-            if model.one_sided == 0.0:
-                side = -side
             if impacts < impact_time.size:
                 impact_time[impacts] = i * dt + t
-                impact_velocity[impacts] = side * speed
+                impact_velocity[impacts] = after * speed
+            if arriving == 0.0 and h == 0.0:
+                # pushed back by the rounding of the threshold: no hop, and time must go on
+                moving = False
+                t += 1e-12 * dt
+            if not moving:
+                speed = 0.0
             impacts += 1
             if impacts - impacts_before > IMPACTS_PER_SAMPLE:
                 return IMPACT_LIMIT, peak, impacts, clamped, i + 1
-            now = ground0 + slope * t
-            if arriving == 0.0 and h == 0.0:
-                moving = False
-                t += 1e-12 * dt
-            elif stops_rocking(speed, now, model, threshold):
-                moving = False
-                speed = 0.0
-            elif speed == 0.0 and model.one_sided == 0.0:
-                side = ground_lifts(now, model, threshold)
         if keep:
             rotation[i + 1] = side * phi if moving else 0.0
             velocity[i + 1] = side * speed if moving else 0.0

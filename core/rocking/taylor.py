@@ -11,15 +11,13 @@ import math
 
 from core.kernel_cache import inner_kernel, kernel
 from core.moment_rotation import FAR, moment_branch, zone_of
-from core.restitution import velocity_ratio
 from core.rocking.events import (
     IMPACTS_PER_SAMPLE,
     LAST_ROTATION,
     end_of_record,
-    ground_lifts,
+    leave_impact,
     lift_threshold,
     next_uplift,
-    stops_rocking,
 )
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.rocking.polynomial import (
@@ -216,24 +214,19 @@ def through_sample(
             peak = max(peak, phi)
             continue
         arriving = max(-speed, 0.0)
-        ratio, clamp = velocity_ratio(arriving, model)
-        clamped += clamp
         phi = 0.0
-        speed = ratio * arriving
-        if model.one_sided == 0.0:
-            side = -side
+        speed, after, side, moving, clamp = leave_impact(
+            arriving, side, ground0 + slope * t, model, threshold
+        )
+        clamped += clamp
         if impacts < impact_time.size:
             impact_time[impacts] = start_time + t
-            impact_velocity[impacts] = side * speed
+            impact_velocity[impacts] = after * speed
+        if not moving:
+            speed = 0.0
         impacts += 1
         if impacts - impacts_before > IMPACTS_PER_SAMPLE:
             return IMPACT_LIMIT, (side, phi, speed, moving, zone, peak, impacts, clamped)
-        now = ground0 + slope * t
-        if stops_rocking(speed, now, model, threshold):
-            moving = False
-            speed = 0.0
-        elif speed == 0.0 and model.one_sided == 0.0:
-            side = ground_lifts(now, model, threshold)
     return STABLE, (side, phi, speed, moving, zone, peak, impacts, clamped)
 
 

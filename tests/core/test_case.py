@@ -4,7 +4,8 @@ import tomllib
 
 import pytest
 
-from core.case import dumps, parse_case, read_case
+from core.case import parse_case, read_case
+from core.case_writer import dumps
 from core.errors import InputError
 
 WALL = {"name": "w", "height_m": 7.0, "thickness_m": 0.83, "mechanism": "two_sided"}

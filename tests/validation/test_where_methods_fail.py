@@ -134,9 +134,7 @@ def test_chatter_without_a_rest_rule_never_ends(make_model, one_sided, ratio):
     assert result[2] > 5 * found.impact_time.size
 
 
-def test_energy_ratio_taken_for_the_velocity_ratio_is_unsafe_by_a_tenth_and_more(
-    reference, make_model
-):
+def test_energy_ratio_taken_for_the_velocity_ratio_is_unsafe(reference, make_model):
     """r for sqrt(r): more damping, more q. One-sided, Eq. 6: 0.206 for 0.454."""
     ground = reference("standard")[0]
     pga = float(np.abs(ground).max())
@@ -146,10 +144,11 @@ def test_energy_ratio_taken_for_the_velocity_ratio_is_unsafe_by_a_tenth_and_more
             ground, DT, pga, 1, model, METHODS["taylor"], Search(q_step=0.02)
         ).q_robust
 
-    for one_sided in (False, True):
+    # q_robust rises by 2 % two-sided (0.979 squared) and by 8 % one-sided (0.454 squared)
+    for one_sided, unsafe in ((False, 1.01), (True, 1.05)):
         right = make_model(one_sided=one_sided)
         wrong = right._replace(ratio_at_rest=right.ratio_at_rest**2)
-        assert q(wrong) > q(right)
+        assert q(wrong) > unsafe * q(right)
 
 
 def test_eq_8_as_printed_turns_eq_7_off():
