@@ -8,7 +8,8 @@ import time
 from pathlib import Path
 
 from core import records, study
-from core.case import Case, read_case
+from core.case import Case
+from core.case_reader import read_case
 from core.errors import Cancelled, InputError
 from core.journal import Journal
 from core.report import atomic

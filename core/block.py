@@ -39,6 +39,17 @@ class Block:
         radius = height / (2.0 * math.cos(slenderness))
         return cls(slenderness, radius, 4.0 / 3.0 * radius * radius)
 
+    @classmethod
+    def with_setback(cls, height: float, thickness: float, setback: float) -> "Block":
+        """Rectangular wall turning about a hinge `setback` u inside its edge [m]: tan(alpha) = (t - 2u) / H,
+        R and I0 about that hinge."""
+        slenderness = math.atan2(thickness - 2.0 * setback, height)
+        if setback == 0.0:
+            return cls.rectangle(height, slenderness)
+        radius = 0.5 * math.hypot(height, thickness - 2.0 * setback)
+        own = (height * height + thickness * thickness) / 12.0
+        return cls(slenderness, radius, own + radius * radius)
+
     @property
     def is_rectangle(self) -> bool:
         return self.inertia_over_mass == 4.0 / 3.0 * self.radius * self.radius

@@ -1,21 +1,14 @@
 """The case: what the user asks. Keys, ranges, defaults and names in one place, for form and file."""
 
-import datetime
-import difflib
-import hashlib
-import json
 import math
-import tomllib
-from dataclasses import MISSING, asdict, dataclass, field, fields, replace
-from pathlib import Path
+from dataclasses import MISSING, asdict, dataclass, field, fields
 
 from core.block import Block
 from core.errors import InputError
 from core.moment_rotation import LAWS, MomentLaw
 from core.restitution import MODELS, Restitution, restitution
 from core.rocking import METHODS
-
-MAX_TEXT = 500
+from core.target_spectrum import NTC_TOPOGRAPHY, SOILS
 
 LEAST_ELASTIC = 0.001
 """Smallest D1 of a trilinear law: below it the branch is rigid in all but cost."""
@@ -30,6 +23,10 @@ def _number(low, high, default=None, unit="", exclusive=False, whole=False):
 
 def _text(default=""):
     return field(default=default, metadata={"kind": "text"})
+
+
+def _flag():
+    return field(default=False, metadata={"kind": "flag"})
 
 
 def _choice(*names, default=MISSING):
@@ -49,6 +46,10 @@ class Report:
     language: str = _choice("en", "it", default="en")
 
 
+MOST_SETBACK = 0.4
+"""Largest hinge setback over the thickness: at 0.5 nothing is left to turn about."""
+
+
 @dataclass(frozen=True)
 class Wall:
     """[[wall]]: geometry, mechanism, restitution, moment law."""
@@ -64,6 +65,40 @@ class Wall:
     restitution: str | None = _choice(*MODELS, default=None)
     velocity_ratio: float | None = _number(0.0, 1.0)
     law: str | dict = field(default="rigid", metadata={"kind": "law"})
+    hinge_setback_m: float = _number(0.0, 2.0, 0.0, unit="m")
+    compressive_strength_mpa: float | None = _number(0.1, 100.0, unit="MPa")
+    base_z_m: float = _number(0.0, 300.0, 0.0, unit="m")
+    length_m: float | None = _number(0.05, 200.0, unit="m")
+    unit_weight_kn_m3: float | None = _number(5.0, 40.0, unit="kN/m3")
+    back_restraint: str = _text()
+    unloaded_confirmed: bool = _flag()
+    floor: str = _text()
+    notes: str = _text()
+
+    @property
+    def thickness(self) -> float | None:
+        """t [m] of a rectangular wall, None of a general block."""
+        if self.thickness_m is not None or self.height_m is None:
+            return self.thickness_m
+        if self.slenderness_deg is not None:
+            return self.height_m * math.tan(math.radians(self.slenderness_deg))
+        return self.height_m / self.height_over_thickness
+
+    @property
+    def setback(self) -> float:
+        """u [m], the hinge inside the edge: as given, or 2 W / (3 f L) with W = unit weight t H L, the
+        triangle of stress under the wall about to turn."""
+        if self.compressive_strength_mpa is None:
+            return self.hinge_setback_m
+        weight = 1e3 * self.unit_weight_kn_m3 * self.thickness * self.height_m
+        return 2.0 * weight / (3.0 * 1e6 * self.compressive_strength_mpa)
+
+    @property
+    def weight(self) -> float | None:
+        """W [N] of the wall, None without length and unit weight."""
+        if None in (self.length_m, self.unit_weight_kn_m3, self.thickness):
+            return None
+        return 1e3 * self.unit_weight_kn_m3 * self.thickness * self.height_m * self.length_m
 
     def block(self) -> Block:
         """Raises InputError for a wall without exactly one geometry."""
@@ -88,13 +123,21 @@ class Wall:
                 f'wall "{self.name}": give height_m and exactly one of {", ".join(shape)} '
                 f"(found: height_m {'given' if self.height_m else 'missing'}; {found})"
             )
-        if self.thickness_m is not None:
-            alpha = math.atan2(self.thickness_m, self.height_m)
-        elif self.slenderness_deg is not None:
-            alpha = math.radians(self.slenderness_deg)
-        else:
-            alpha = math.atan(1.0 / self.height_over_thickness)
-        return Block.rectangle(self.height_m, alpha)
+        if self.compressive_strength_mpa is not None:
+            if self.hinge_setback_m or self.unit_weight_kn_m3 is None:
+                raise InputError(
+                    f'wall "{self.name}": compressive_strength_mpa gives the setback of the hinge: it '
+                    "takes unit_weight_kn_m3 and no hinge_setback_m"
+                )
+        thickness, setback = self.thickness, self.setback
+        if not setback < MOST_SETBACK * thickness:
+            raise InputError(
+                f'wall "{self.name}": the hinge setback {setback:.3f} m is not accepted: up to '
+                f"{MOST_SETBACK * thickness:.3f} m, {100 * MOST_SETBACK:.0f} % of the thickness"
+            )
+        if setback == 0.0 and self.slenderness_deg is not None:
+            return Block.rectangle(self.height_m, math.radians(self.slenderness_deg))
+        return Block.with_setback(self.height_m, thickness, setback)
 
     def mechanisms(self) -> tuple[str, ...]:
         return ("two_sided", "one_sided") if self.mechanism == "both" else (self.mechanism,)
@@ -137,6 +180,14 @@ class Record:
 
 
 @dataclass(frozen=True)
+class Generate:
+    """[generate]: artificial motions compatible with the spectrum of the demand."""
+
+    count: int = _number(1, 50, 7, whole=True)
+    seed: int = _number(0, 1_000_000, 1, whole=True)
+
+
+@dataclass(frozen=True)
 class Analysis:
     """[analysis]: method and search."""
 
@@ -146,17 +197,40 @@ class Analysis:
     map_span: float = _number(1.0, 10.0, 2.0)
     robust_window: float = _number(0.01, 0.5, 0.10)
     polarity: str = _choice("both", "as_recorded", "reversed", default="both")
+    accuracy: bool = _flag()
+
+
+@dataclass(frozen=True)
+class Spectrum:
+    """[demand.spectrum]: the elastic spectrum of a code; S follows from it."""
+
+    code: str = _choice("NTC2018", "EN1998")
+    soil: str = _choice(*SOILS)
+    f0: float | None = _number(2.0, 4.0)
+    tc_star_s: float | None = _number(0.05, 1.0, unit="s")
+    topography: str | None = _choice(*NTC_TOPOGRAPHY, default=None)
+    type: int | None = _number(1, 2, whole=True)
 
 
 @dataclass(frozen=True)
 class Demand:
-    """[demand]: the motion asked of the wall; ag_g on rock, without soil_factor."""
+    """[demand]: the motion asked of the wall; ag_g on rock ("su suolo rigido"), without S."""
 
     ag_g: float = _number(0.001, 5.0, MISSING, unit="g")
     limit_state: str = _choice("SLV", "SLC", "SLD", default="SLV")
-    soil_factor: float = _number(0.5, 5.0, 1.0)
+    soil_factor: float | None = _number(0.5, 5.0)
+    spectrum: Spectrum | None = field(default=None, metadata={"kind": "spectrum"})
+    spectrum_file: str | None = field(default=None, metadata={"kind": "text"})
     housner_intensity_cm: float | None = _number(0.1, 5000.0, unit="cm")
     q_code: float = _number(1.0, 10.0, 2.0)
+    confidence_factor: float = _number(1.0, 1.35, 1.35)
+    demand_scaling: str = _choice("as_given", "pga", default="as_given")
+    zeta_target: float = _number(0.1, 2.0, 1.0)
+    site: str = _text()
+    coordinates: str = _text()
+    nominal_life_years: float | None = _number(1.0, 1000.0, unit="years")
+    use_class_factor: float | None = _number(0.1, 5.0)
+    return_period_years: float | None = _number(1.0, 100000.0, unit="years")
 
 
 @dataclass(frozen=True)
@@ -168,6 +242,8 @@ class Case:
     report: Report = field(default_factory=Report)
     wall: tuple[Wall, ...] = ()
     record: tuple[Record, ...] = ()
+    walls: str | None = field(default=None, metadata={"kind": "text"})
+    generate: Generate | None = None
     analysis: Analysis = field(default_factory=Analysis)
     demand: Demand | None = None
     sha256: str = field(default="", compare=False)
@@ -184,198 +260,10 @@ class Case:
         found = set()
         for section, items in (("wall", self.wall), ("record", self.record),
                                ("report", [self.report]), ("analysis", [self.analysis]),
-                               ("demand", [self.demand] if self.demand else [])):  # fmt: skip
+                               ("demand", [self.demand] if self.demand else []),
+                               ("generate", [self.generate] if self.generate else [])):  # fmt: skip
             for index, item in enumerate(items):
                 for entry in fields(item):
                     if entry.default is MISSING or getattr(item, entry.name) != entry.default:
                         found.add((section, index, entry.name))
         return found
-
-
-LATER = {
-    "case": ("walls", "generate"),
-    "wall": ("hinge_setback_m", "base_z_m", "length_m", "unit_weight_kn_m3", "back_restraint",
-             "unloaded_confirmed"),
-    "record": ("channel",),
-    "analysis": ("accuracy",),
-    "demand": ("spectrum", "spectrum_file", "confidence_factor", "demand_scaling", "zeta_target"),
-    "report": (),
-}  # fmt: skip
-"""Keys of the contract whose work is not built yet: refused, never ignored."""
-
-
-def read_case(path: Path) -> Case:
-    """The case of a TOML file. Raises InputError naming file, place, value and what is accepted."""
-    try:
-        if path.exists() and not path.is_file():
-            raise InputError(f"{path}: this is not a file and cannot be read: name a case (.toml)")
-        content = path.read_bytes()
-    except FileNotFoundError:
-        raise InputError(f"{path}: there is no such case file") from None
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
-    try:
-        table = tomllib.loads(content.decode("utf-8-sig"))
-    except UnicodeDecodeError:
-        raise InputError(f"{path}: not UTF-8 text: a case file is TOML, see the examples") from None
-    except (ValueError, RecursionError) as error:
-        reason = str(error).split("; use sys")[0]
-        raise InputError(
-            f"{path}: not TOML: {reason}; see the examples in resources/cases"
-        ) from None
-    try:
-        return replace(parse_case(table), sha256=hashlib.sha256(content).hexdigest())
-    except InputError as error:
-        raise InputError(f"{path}: {error}") from None
-
-
-def parse_case(table: dict) -> Case:
-    """The case of a mapping with the keys of the file; every rule is checked here, once."""
-    _known(Case, table, "case", "case")
-    title = _value(_field(Case, "title"), table.get("title", "Ribalta"), "title")
-    walls = [
-        _section(Wall, entry, "wall", f'wall "{_name(entry, k)}"')
-        for k, entry in enumerate(_tables(table, "wall"))
-    ]
-    if not walls:
-        raise InputError("no [[wall]]: a case needs at least one wall")
-    names = [wall.name for wall in walls]
-    for name in names:
-        if names.count(name) > 1:
-            raise InputError(f'two walls have the same name "{name}": names must differ')
-    for wall in walls:
-        try:
-            for mechanism in wall.mechanisms():
-                wall.restitution_of(mechanism)
-            wall.moment_law()
-        except InputError as error:
-            place = f'wall "{wall.name}": '
-            raise InputError(place + str(error).removeprefix(place)) from None
-    analysis = _section(Analysis, table.get("analysis", {}), "analysis", "[analysis]")
-    if round(analysis.robust_window / math.log1p(analysis.q_step)) < 1:
-        raise InputError(
-            f"[analysis]: robust_window = {analysis.robust_window:g} is narrower than one step of q_step = "
-            f"{analysis.q_step:g}: widen the window or take a finer step"
-        )
-    for wall in walls:
-        if analysis.method == "linearised" and not wall.moment_law().is_rigid:
-            raise InputError(
-                f'[analysis]: method linearised is for the rigid law; wall "{wall.name}" is '
-                "trilinear: take method auto"
-            )
-    records = [
-        _section(Record, entry, "record", f"record {k + 1}")
-        for k, entry in enumerate(_tables(table, "record"))
-    ]
-    for k, record in enumerate(records):
-        if record.scale == 0.0:
-            raise InputError(f"record {k + 1}: scale = 0 is not accepted: other than 0")
-    demand = table.get("demand")
-    case = Case(
-        title=title,
-        report=_section(Report, table.get("report", {}), "report", "[report]"),
-        wall=tuple(walls),
-        record=tuple(records),
-        analysis=analysis,
-        demand=_section(Demand, demand, "demand", "[demand]") if demand is not None else None,
-    )
-    digest = hashlib.sha256(json.dumps(case.as_dict(), sort_keys=True).encode()).hexdigest()
-    return replace(case, sha256=digest, given=frozenset(_written(table)))
-
-
-def _written(table: dict):
-    """Places (section, index, key) the user wrote."""
-    for section in ("wall", "record", "report", "analysis", "demand"):
-        items = table.get(section) or []
-        for index, item in enumerate(items if isinstance(items, (list, tuple)) else [items]):
-            for key in item:
-                yield section, index, key
-
-
-def _tables(table: dict, key: str) -> list:
-    entries = table.get(key, [])
-    if not isinstance(entries, (list, tuple)):
-        raise InputError(f"{key} must be written [[{key}]], once for each")
-    return list(entries)
-
-
-def _name(entry, index: int):
-    return entry.get("name", index + 1) if isinstance(entry, dict) else index + 1
-
-
-def _field(cls, key: str):
-    return next(entry for entry in fields(cls) if entry.name == key)
-
-
-def _known(cls, table: dict, section: str, place: str) -> None:
-    keys = [entry.name for entry in fields(cls) if entry.name not in ("sha256", "given")]
-    for key in table:
-        if key in LATER[section]:
-            raise InputError(f"{place}: {key} is not built yet in this version: leave it out")
-        if key not in keys:
-            near = difflib.get_close_matches(key, keys + list(LATER[section]), 1)
-            hint = f"; did you mean {near[0]}?" if near else f"; known: {', '.join(keys)}"
-            raise InputError(f"{place}: unknown key {key!r}{hint}")
-
-
-def _section(cls, table, section: str, place: str):
-    if not isinstance(table, dict):
-        raise InputError(f"{place} must be a table of keys, not {table!r}")
-    _known(cls, table, section, place)
-    values = {}
-    for entry in fields(cls):
-        if entry.name in table:
-            values[entry.name] = _value(entry, table[entry.name], f"{place}: {entry.name}")
-        elif entry.default is MISSING:
-            rule = _accepted(entry)
-            raise InputError(f"{place}: {entry.name} is missing: it is required ({rule})")
-    return cls(**values)
-
-
-def _accepted(entry) -> str:
-    rule = entry.metadata
-    if rule["kind"] == "choice":
-        return "one of " + ", ".join(rule["names"])
-    if rule["kind"] in ("float", "int"):
-        bracket = "above" if rule["exclusive"] else "from"
-        unit = f" {rule['unit']}" if rule["unit"] else ""
-        whole = "a whole number " if rule["kind"] == "int" else ""
-        return f"{whole}{bracket} {rule['low']:g} to {rule['high']:g}{unit}"
-    if rule["kind"] == "law":
-        return f"one of {', '.join(LAWS)}, or {{ elastic_limit = ..., plateau_end = ... }}"
-    return f"text in quotes, up to {MAX_TEXT} characters, without control characters"
-
-
-def _value(entry, value, place: str):
-    """One value checked against its field; raises InputError with place, value, accepted."""
-    rule = entry.metadata
-    kind = rule["kind"]
-    if kind in ("float", "int"):
-        fits = isinstance(value, (int, float) if kind == "float" else int)
-        if fits and not isinstance(value, bool):
-            above = value > rule["low"] if rule["exclusive"] else value >= rule["low"]
-            if above and value <= rule["high"]:  # NaN is neither
-                return float(value) if kind == "float" else value
-    elif kind == "choice":
-        if isinstance(value, str) and value in rule["names"]:
-            return value
-    elif kind == "text":
-        if isinstance(value, datetime.date):
-            value = value.isoformat()
-        printable = isinstance(value, str) and all(letter.isprintable() for letter in value)
-        if printable and len(value) <= MAX_TEXT and (value or entry.default is not MISSING):
-            return value
-    elif kind == "law":
-        if isinstance(value, str) and value in LAWS:
-            return value
-        if isinstance(value, dict) and sorted(value) == ["elastic_limit", "plateau_end"]:
-            ends = list(value.values())
-            if all(isinstance(end, (int, float)) and not isinstance(end, bool) for end in ends):
-                first, last = value["elastic_limit"], value["plateau_end"]
-                if LEAST_ELASTIC <= first <= last < 1.0:
-                    return {"elastic_limit": float(first), "plateau_end": float(last)}
-                raise InputError(
-                    f"{place} = {value!r} is not accepted: {LEAST_ELASTIC:g} <= elastic_limit <= "
-                    "plateau_end < 1"
-                )
-    raise InputError(f"{place} = {value!r} is not accepted: {_accepted(entry)}")

@@ -11,15 +11,25 @@ def dumps(case: Case) -> str:
     document["title"] = case.title
     given = case.differing()
     content = case.as_dict()
-    for section in ("report", "wall", "record", "analysis", "demand"):
-        items = content[section] if isinstance(content[section], tuple) else [content[section]]
+    if case.walls is not None:
+        document["walls"] = case.walls
+    for section in ("report", "wall", "record", "generate", "analysis", "demand"):
+        found = content[section]
+        items = found if isinstance(found, tuple) else [found] if found is not None else []
         tables = [
-            {key: value for key, value in (item or {}).items() if (section, k, key) in given}
+            {key: _bare(value) for key, value in item.items() if (section, k, key) in given}
             for k, item in enumerate(items)
         ]
         if section in ("wall", "record"):
             if tables:
                 document[section] = tables
-        elif tables[0]:
+        elif tables and (tables[0] or section in ("generate", "demand")):
             document[section] = tables[0]
     return tomlkit.dumps(document)
+
+
+def _bare(value):
+    """A value of TOML: nested tables without the keys that are not given."""
+    if isinstance(value, dict):
+        return {key: part for key, part in value.items() if part is not None}
+    return value

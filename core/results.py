@@ -88,7 +88,7 @@ class WallResult:
     @property
     def thickness(self) -> float:
         """t [m] as given, else H tan(alpha)."""
-        return self.wall.thickness_m or self.block.thickness
+        return self.wall.thickness or self.block.thickness
 
 
 @dataclass(frozen=True)

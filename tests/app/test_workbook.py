@@ -12,7 +12,7 @@ import openpyxl
 import pytest
 
 from core import study
-from core.case import parse_case
+from core.case_reader import parse_case
 from core.report import workbook
 
 HOSTILE = '=HYPERLINK("http://x","y")'

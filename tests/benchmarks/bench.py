@@ -77,7 +77,7 @@ def batch_seconds(cache: str) -> float:
 def first_analysis_seconds(cache: str) -> float:
     """Start of the process to the end of the first analysis, warm kernels [s]."""
     script = (
-        "from core.case import read_case; from core import study; from pathlib import Path;"
+        "from core.case_reader import read_case; from core import study; from pathlib import Path;"
         f"p = Path({str(ROOT / 'resources' / 'cases' / 'example.toml')!r}); c = read_case(p);"
         "m, _ = study.read_records(c, p.parent);"
         "from core.rocking import history; w = c.wall[0];"

@@ -10,7 +10,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 from tests.benchmarks.scenes import Scene
-from tests.validation import dop853
+from core import independent_solver
 
 G = 9.80665
 
@@ -19,7 +19,7 @@ def scipy_restarted(scene: Scene) -> np.ndarray:
     """DOP853 restarted at samples and events, rtol 3e-14."""
     model = scene.model
     kinks = None if model.plateau_end == 0.0 else (model.elastic_end, model.plateau_end)
-    theta, _ = dop853.history(
+    theta, _ = independent_solver.history(
         scene.ground, scene.dt, model.slenderness, model.p2, model.one_sided != 0.0,
         lambda v: model.ratio_at_rest, kinks,
     )  # fmt: skip
@@ -39,7 +39,7 @@ def scipy_naive(scene: Scene, rtol: float = 1e-8) -> np.ndarray:
 
     def motion(t, y, side):
         beta = side * np.interp(t, times, scene.ground) / G
-        moment = dop853.law(y[0], alpha, kinks)
+        moment = independent_solver.law(y[0], alpha, kinks)
         return [y[1], -model.p2 * (moment - beta * math.cos(alpha - y[0]))]
 
     def impact(t, y, side):
@@ -49,7 +49,7 @@ def scipy_naive(scene: Scene, rtol: float = 1e-8) -> np.ndarray:
     while now < times[-1]:
         k = min(int(now / scene.dt + 1e-9), times.size - 2)
         if not moving:
-            start = dop853.uplift(
+            start = independent_solver.uplift(
                 scene.ground[k] / G, scene.ground[k + 1] / G, now - times[k], scene.dt, threshold,
                 model.one_sided != 0.0,
             )  # fmt: skip
@@ -106,7 +106,7 @@ class Heyoka:
             t = 0.0
             while t < dt:
                 if not moving:
-                    start = dop853.uplift(b0, b1, t, dt, threshold, one_sided)
+                    start = independent_solver.uplift(b0, b1, t, dt, threshold, one_sided)
                     if start is None:
                         break
                     t, side = start

@@ -4,7 +4,7 @@ import tomllib
 
 import pytest
 
-from core.case import parse_case, read_case
+from core.case_reader import parse_case, read_case
 from core.case_writer import dumps
 from core.errors import InputError
 
@@ -55,9 +55,10 @@ def without(*keys, **more):
         (case({"law": {"elastic_limit": 0.3}}), ["plateau_end"]),
         (case({"name": "a\u0007b"}), ["control characters"]),
         (case({"name": "x" * 600}), ["500"]),
-        (case({"hinge_setback_m": 0.05}), ["hinge_setback_m", "not built yet"]),
-        (case(walls="walls.xlsx"), ["walls", "not built yet"]),
-        (case(generate={"count": 7}), ["generate", "not built yet"]),
+        (case({"hinge_setback_m": 0.5}), ["hinge setback 0.500 m", "40 %"]),
+        (case({"compressive_strength_mpa": 2.0}), ["compressive_strength_mpa", "unit_weight"]),
+        (case(record=[{"file": "a.txt", "channel": 2}]), ["channel", "not built yet"]),
+        (case(generate={"count": 7}), ["generate", "spectrum"]),
         (case({"law": "doherty"}, analysis={"method": "linearised"}), ["rigid law", "trilinear"]),
         (case(analysis={"method": "magic"}), ["magic", "taylor"]),
         (case(analysis={"q_step": 0.0}), ["q_step", "0.0001"]),
@@ -65,7 +66,13 @@ def without(*keys, **more):
         (case(analysis={"polarity": "none"}), ["polarity"]),
         (case(demand={"soil_factor": 1.2}), ["ag_g", "required"]),
         (case(demand={"ag_g": 0.0}), ["ag_g = 0.0", "from 0.001 to 5 g"]),
-        (case(demand={"ag_g": 0.2, "confidence_factor": 1.35}), ["not built yet"]),
+        (case(demand={"ag_g": 0.2, "confidence_factor": 1.2}), ["confidence_factor", "setback", "1.35"]),
+        (case(demand={"ag_g": 0.2, "spectrum": {"code": "NTC2018", "soil": "B"}}), ["needs f0"]),
+        (case(demand={"ag_g": 0.2, "spectrum": {"code": "EN1998", "soil": "B", "type": 1, "f0": 2.5}}),
+         ["does not take f0"]),
+        (case(demand={"ag_g": 0.2, "soil_factor": 1.2,
+                      "spectrum": {"code": "EN1998", "soil": "B", "type": 1}}), ["soil_factor follows"]),
+        (case(analysis={"accuracy": 1}), ["accuracy", "true or false"]),
         (case(demand=0.2), ["[demand] must be a table"]),
         (case(record=[{"file": "a.txt", "unit": "knots"}]), ["knots", "m/s2"]),
         (case(record=[{"unit": "g"}]), ["file", "required"]),

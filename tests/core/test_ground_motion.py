@@ -35,7 +35,7 @@ def test_that_an_oscillator_follows_scipys_exact_linear_response(reference, peri
     ground = np.concatenate([reference("standard")[0], np.zeros(4000)])
     system = ([[0.0, 1.0], [-w * w, -2 * z * w]], [[0.0], [-1.0]], [[1.0, 0.0]], [[0.0]])
     _, response, _ = lsim(system, ground, np.arange(ground.size) * 0.01, interp=True)
-    found = spectrum.peak_displacement(ground, 0.01, period, z)
+    found = spectrum.peak_displacement(ground, 0.01, period, z, 1)
     assert found == pytest.approx(np.abs(response).max(), rel=1e-9)
 
 
@@ -52,14 +52,14 @@ def test_that_the_free_peak_is_the_largest_of_the_free_motion(u, v):
 def test_that_zero_padding_changes_no_spectrum(reference):
     ground = np.append(reference("standard")[0][:700], 0.0)
     periods = spectrum.HOUSNER_PERIODS
-    bare = spectrum.displacement_spectrum(ground, 0.01, periods, 0.05)
+    bare = spectrum.displacement_spectrum(ground, 0.01, periods, 0.05, 0)
     behind = np.concatenate([ground, np.zeros(2000)])
     before = np.concatenate([np.zeros(333), ground])
     # sampled maxima against the exact one of the free motion after the record
-    padded = spectrum.displacement_spectrum(behind, 0.01, periods, 0.05)
+    padded = spectrum.displacement_spectrum(behind, 0.01, periods, 0.05, 0)
     assert np.all(padded <= bare * (1 + 1e-12))
     assert np.allclose(padded, bare, rtol=3e-3)
-    assert np.array_equal(spectrum.displacement_spectrum(before, 0.01, periods, 0.05), bare)
+    assert np.array_equal(spectrum.displacement_spectrum(before, 0.01, periods, 0.05, 0), bare)
 
 
 def test_that_measures_scale_as_they_must(reference):
@@ -81,7 +81,7 @@ def test_that_spectra_and_arias_agree_with_eqsig(reference):
         signal = eqsig.AccSignal(ground, 0.01)
         signal.generate_response_spectrum(response_times=periods, xi=0.05)
         theirs = np.array(signal.s_d)
-    ours = spectrum.displacement_spectrum(ground, 0.01, periods, 0.05)
+    ours = spectrum.displacement_spectrum(ground, 0.01, periods, 0.05, 0)
     assert np.allclose(ours, theirs, rtol=2e-3)  # theirs is sampled at the record's step
     assert motion(ground).arias == pytest.approx(
         math.pi / (2 * G) * np.trapezoid(ground**2, dx=0.01), rel=1e-12

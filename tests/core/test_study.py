@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from core import study
-from core.case import parse_case
+from core.case_reader import parse_case
 from core.errors import Cancelled, InputError
 from core.ida import Ida
 from core.journal import Journal

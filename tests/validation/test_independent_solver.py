@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from core.rocking import history
-from tests.validation import dop853, high_precision
+from core import independent_solver
+from tests.validation import high_precision
 
 SAMPLES = 800
 """8 s of `standard`: a dozen impacts, and the amplification of rounding stays below 1e-9."""
@@ -36,7 +37,7 @@ def test_that_dop853_gives_the_same_history(
     def ratio_of(speed):
         return max(0.0, model.ratio_at_rest - model.ratio_drop * speed**2)
 
-    truth, impacts = dop853.history(
+    truth, impacts = independent_solver.history(
         ground, 0.01, model.slenderness, model.p2, one_sided, ratio_of, kinks
     )
     found = history(ground, 0.01, 1.0, model)

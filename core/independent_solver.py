@@ -1,11 +1,13 @@
-"""Independent truth in double precision: scipy's DOP853 restarted at samples and events."""
+"""Independent truth in double precision: scipy's DOP853 restarted at samples and events.
+
+It shares no line with the kernels: uplift, impacts, rest and kinks are its own. A second or two a history.
+"""
 
 import math
 
 import numpy as np
-from scipy.integrate import solve_ivp
 
-G = 9.80665
+from core.units import G
 
 
 def law(phi, alpha, kinks):
@@ -17,7 +19,13 @@ def law(phi, alpha, kinks):
 
 
 def history(ground, dt, alpha, p2, one_sided, ratio_of, kinks=None):
-    """theta at the samples, impact count; two-sided or one-sided, rigid or trilinear."""
+    """Rocking history (Coccia et al. 2016, Eq. 1); returns theta at the samples [rad], impact count.
+
+    ground : [m/s2], shape (n,); dt [s]; alpha [rad]; p2 [1/s2]; ratio_of(speed [rad/s]) : velocity ratio;
+    kinks : (phi1, phi2) of the trilinear law [rad], None for the rigid one.
+    """
+    from scipy.integrate import solve_ivp
+
     threshold = math.tan(alpha) if kinks is None else 0.0
     levels = [] if kinks is None else list(kinks)
     side, phi, speed, moving = 1.0, 0.0, 0.0, False

@@ -1,0 +1,266 @@
+"""A case file read and checked: every rule of the keys is applied here, once."""
+
+import datetime
+import difflib
+import hashlib
+import json
+import math
+import tomllib
+from dataclasses import MISSING, fields, replace
+from pathlib import Path
+
+from core.case import LEAST_ELASTIC, Analysis, Case, Demand, Generate, Record, Report, Spectrum, Wall
+from core.errors import InputError
+from core.moment_rotation import LAWS
+
+MAX_TEXT = 500
+
+FULL_FACTOR = 1.35
+"""Confidence factor where the compressive strength is not in alpha (Circolare 7/2019 C8.7.1.2.1)."""
+
+LATER = {"record": ("channel",)}
+"""Keys of the contract whose work is not built yet: refused, never ignored."""
+
+
+def read_case(path: Path) -> Case:
+    """The case of a TOML file. Raises InputError naming file, place, value and what is accepted."""
+    try:
+        if path.exists() and not path.is_file():
+            raise InputError(f"{path}: this is not a file and cannot be read: name a case (.toml)")
+        content = path.read_bytes()
+    except FileNotFoundError:
+        raise InputError(f"{path}: there is no such case file") from None
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
+    try:
+        table = tomllib.loads(content.decode("utf-8-sig"))
+    except UnicodeDecodeError:
+        raise InputError(f"{path}: not UTF-8 text: a case file is TOML, see the examples") from None
+    except (ValueError, RecursionError) as error:
+        reason = str(error).split("; use sys")[0]
+        raise InputError(
+            f"{path}: not TOML: {reason}; see the examples in resources/cases"
+        ) from None
+    try:
+        case = parse_case(table)
+        digest = hashlib.sha256(content)
+        if case.walls is not None:
+            from core.wall_table import read_walls
+
+            source = path.parent / case.walls
+            walls = read_walls(source)
+            digest.update(source.read_bytes())
+            case = with_walls(case, [*case.wall, *walls])
+        return replace(case, sha256=digest.hexdigest())
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from None
+
+
+def parse_case(table: dict) -> Case:
+    """The case of a mapping with the keys of the file; every rule is checked here, once."""
+    _known(Case, table, "case", "case")
+    title = _value(_field(Case, "title"), table.get("title", "Ribalta"), "title")
+    analysis = _section(Analysis, table.get("analysis", {}), "analysis", "[analysis]")
+    if round(analysis.robust_window / math.log1p(analysis.q_step)) < 1:
+        raise InputError(
+            f"[analysis]: robust_window = {analysis.robust_window:g} is narrower than one step of q_step = "
+            f"{analysis.q_step:g}: widen the window or take a finer step"
+        )
+    records = [
+        _section(Record, entry, "record", f"record {k + 1}")
+        for k, entry in enumerate(_tables(table, "record"))
+    ]
+    for k, record in enumerate(records):
+        if record.scale == 0.0:
+            raise InputError(f"record {k + 1}: scale = 0 is not accepted: other than 0")
+    demand = table.get("demand")
+    generate = table.get("generate")
+    case = Case(
+        title=title,
+        report=_section(Report, table.get("report", {}), "report", "[report]"),
+        record=tuple(records),
+        walls=_value(_field(Case, "walls"), table["walls"], "walls") if "walls" in table else None,
+        generate=_section(Generate, generate, "generate", "[generate]") if generate is not None else None,
+        analysis=analysis,
+        demand=_demand(demand) if demand is not None else None,
+        given=frozenset(_written(table)),
+    )
+    if case.generate and not (
+        case.demand and (case.demand.spectrum or case.demand.spectrum_file)
+    ):
+        raise InputError(
+            "[generate] makes motions compatible with the spectrum of the demand: give "
+            "[demand.spectrum] or spectrum_file"
+        )
+    walls = [
+        _section(Wall, entry, "wall", f'wall "{_name(entry, k)}"')
+        for k, entry in enumerate(_tables(table, "wall"))
+    ]
+    if case.walls is None:
+        return with_walls(case, walls)
+    return replace(case, wall=tuple(walls))
+
+
+def with_walls(case: Case, walls: list[Wall]) -> Case:
+    """The case with these walls, checked as a set. Raises InputError."""
+    if not walls:
+        raise InputError("no [[wall]]: a case needs at least one wall")
+    names = {}
+    for wall in walls:
+        if names.setdefault(wall.name, wall) is not wall:
+            raise InputError(f'two walls have the same name "{wall.name}": names must differ')
+        try:
+            wall.block()
+            for mechanism in wall.mechanisms():
+                wall.restitution_of(mechanism)
+            wall.moment_law()
+        except InputError as error:
+            place = f'wall "{wall.name}": '
+            raise InputError(place + str(error).removeprefix(place)) from None
+        if case.analysis.method == "linearised" and not wall.moment_law().is_rigid:
+            raise InputError(
+                f'[analysis]: method linearised is for the rigid law; wall "{wall.name}" is '
+                "trilinear: take method auto"
+            )
+        if case.demand and case.demand.confidence_factor < FULL_FACTOR and not wall.setback > 0.0:
+            raise InputError(
+                f"[demand]: confidence_factor = {case.demand.confidence_factor:g} is for walls whose "
+                "compressive strength is in alpha (Circolare C8.7.1.2.1): give "
+                f'hinge_setback_m above 0 for wall "{wall.name}", or 1.35'
+            )
+    case = replace(case, wall=tuple(walls), walls=None)
+    digest = hashlib.sha256(json.dumps(case.as_dict(), sort_keys=True).encode()).hexdigest()
+    return replace(case, sha256=digest)
+
+
+def parse_wall(table: dict) -> Wall:
+    """One wall of a mapping with the keys of [[wall]]. Raises InputError."""
+    return _section(Wall, table, "wall", f'wall "{_name(table, 0)}"')
+
+
+def _demand(table) -> Demand:
+    demand = _section(Demand, table, "demand", "[demand]")
+    asked = demand.spectrum
+    if asked and demand.spectrum_file:
+        raise InputError("[demand]: give spectrum or spectrum_file, not both")
+    if asked and demand.soil_factor is not None:
+        raise InputError("[demand]: soil_factor follows from [demand.spectrum]: leave it out")
+    if asked:
+        needed = {"NTC2018": ("f0", "tc_star_s", "topography"), "EN1998": ("type",)}
+        for code, keys in needed.items():
+            for key in keys:
+                if (getattr(asked, key) is not None) != (code == asked.code):
+                    verb = "needs" if code == asked.code else "does not take"
+                    raise InputError(f"[demand.spectrum]: code {asked.code} {verb} {key}")
+    if (asked or demand.spectrum_file) and demand.housner_intensity_cm is not None:
+        raise InputError(
+            "[demand]: housner_intensity_cm follows from the spectrum: leave one of them out"
+        )
+    return demand
+
+
+def _written(table: dict):
+    """Places (section, index, key) the user wrote."""
+    for section in ("wall", "record", "report", "analysis", "demand", "generate"):
+        items = table.get(section) or []
+        for index, item in enumerate(items if isinstance(items, (list, tuple)) else [items]):
+            for key in item:
+                yield section, index, key
+
+
+def _tables(table: dict, key: str) -> list:
+    entries = table.get(key, [])
+    if not isinstance(entries, (list, tuple)):
+        raise InputError(f"{key} must be written [[{key}]], once for each")
+    return list(entries)
+
+
+def _name(entry, index: int):
+    return entry.get("name", index + 1) if isinstance(entry, dict) else index + 1
+
+
+def _field(cls, key: str):
+    return next(entry for entry in fields(cls) if entry.name == key)
+
+
+def _known(cls, table: dict, section: str, place: str) -> None:
+    keys = [entry.name for entry in fields(cls) if entry.name not in ("sha256", "given")]
+    for key in table:
+        if key in LATER.get(section, ()):
+            raise InputError(f"{place}: {key} is not built yet in this version: leave it out")
+        if key not in keys:
+            near = difflib.get_close_matches(key, keys + list(LATER.get(section, ())), 1)
+            hint = f"; did you mean {near[0]}?" if near else f"; known: {', '.join(keys)}"
+            raise InputError(f"{place}: unknown key {key!r}{hint}")
+
+
+def _section(cls, table, section: str, place: str):
+    if not isinstance(table, dict):
+        raise InputError(f"{place} must be a table of keys, not {table!r}")
+    _known(cls, table, section, place)
+    values = {}
+    for entry in fields(cls):
+        if entry.name in table:
+            values[entry.name] = _value(entry, table[entry.name], f"{place}: {entry.name}")
+        elif entry.default is MISSING:
+            rule = _accepted(entry)
+            raise InputError(f"{place}: {entry.name} is missing: it is required ({rule})")
+    return cls(**values)
+
+
+def _accepted(entry) -> str:
+    rule = entry.metadata
+    if rule["kind"] == "choice":
+        return "one of " + ", ".join(rule["names"])
+    if rule["kind"] in ("float", "int"):
+        bracket = "above" if rule["exclusive"] else "from"
+        unit = f" {rule['unit']}" if rule["unit"] else ""
+        whole = "a whole number " if rule["kind"] == "int" else ""
+        return f"{whole}{bracket} {rule['low']:g} to {rule['high']:g}{unit}"
+    if rule["kind"] == "flag":
+        return "true or false"
+    if rule["kind"] == "spectrum":
+        return "a table [demand.spectrum]"
+    if rule["kind"] == "law":
+        return f"one of {', '.join(LAWS)}, or {{ elastic_limit = ..., plateau_end = ... }}"
+    return f"text in quotes, up to {MAX_TEXT} characters, without control characters"
+
+
+def _value(entry, value, place: str):
+    """One value checked against its field; raises InputError with place, value, accepted."""
+    rule = entry.metadata
+    kind = rule["kind"]
+    if kind in ("float", "int"):
+        fits = isinstance(value, (int, float) if kind == "float" else int)
+        if fits and not isinstance(value, bool):
+            above = value > rule["low"] if rule["exclusive"] else value >= rule["low"]
+            if above and value <= rule["high"]:  # NaN is neither
+                return float(value) if kind == "float" else value
+    elif kind == "choice":
+        if isinstance(value, str) and value in rule["names"]:
+            return value
+    elif kind == "text":
+        if isinstance(value, datetime.date):
+            value = value.isoformat()
+        printable = isinstance(value, str) and all(letter.isprintable() for letter in value)
+        if printable and len(value) <= MAX_TEXT and (value or entry.default is not MISSING):
+            return value
+    elif kind == "flag":
+        if isinstance(value, bool):
+            return value
+    elif kind == "spectrum":
+        return _section(Spectrum, value, "spectrum", "[demand.spectrum]")
+    elif kind == "law":
+        if isinstance(value, str) and value in LAWS:
+            return value
+        if isinstance(value, dict) and sorted(value) == ["elastic_limit", "plateau_end"]:
+            ends = list(value.values())
+            if all(isinstance(end, (int, float)) and not isinstance(end, bool) for end in ends):
+                first, last = value["elastic_limit"], value["plateau_end"]
+                if LEAST_ELASTIC <= first <= last < 1.0:
+                    return {"elastic_limit": float(first), "plateau_end": float(last)}
+                raise InputError(
+                    f"{place} = {value!r} is not accepted: {LEAST_ELASTIC:g} <= elastic_limit <= "
+                    "plateau_end < 1"
+                )
+    raise InputError(f"{place} = {value!r} is not accepted: {_accepted(entry)}")

@@ -1,0 +1,25 @@
+"""Numbers as people type them: decimal comma or point, in every locale."""
+
+import math
+import re
+
+from core.errors import InputError
+
+_NUMBER = re.compile(r"[+-]?([0-9]+([.,][0-9]*)?|[.,][0-9]+)([eE][+-]?[0-9]{1,3})?", re.ASCII)
+
+
+def parse_number(text: str) -> float:
+    """`0.312` and `0,312` both mean 0.312. Raises InputError for both marks at once, for a mark used twice,
+    and for anything that is not a finite number."""
+    bare = text.strip().replace("−", "-")
+    if "." in bare and "," in bare:
+        raise InputError(
+            f"{text.strip()!r} has both a point and a comma: write it with one decimal mark and no "
+            "thousands mark"
+        )
+    if not _NUMBER.fullmatch(bare):
+        raise InputError(f"{text.strip()!r} is not a number")
+    value = float(bare.replace(",", "."))
+    if not math.isfinite(value):
+        raise InputError(f"{text.strip()!r} is too large a number")
+    return value

@@ -1,0 +1,185 @@
+"""Walls of a table: .xlsx or .csv, one row a wall, a row of units below the heads."""
+
+import csv
+import io
+import re
+import zipfile
+from pathlib import Path
+
+from core.case import Wall
+from core.case_reader import parse_wall
+from core.errors import InputError
+from core.number import parse_number
+
+COLUMNS = {
+    "name": ("parete", "wall", "nome"),
+    "floor": ("piano", "storey", "story"),
+    "base_z_m": ("z", "quota"),
+    "height_m": ("h", "altezza", "height"),
+    "thickness_m": ("t", "spessore", "thickness"),
+    "length_m": ("l", "lunghezza", "length"),
+    "unit_weight_kn_m3": ("γ", "peso specifico", "unit weight", "gamma"),
+    "hinge_setback_m": ("u", "arretramento", "hinge setback"),
+    "mechanism": ("meccanismo",),
+    "back_restraint": ("vincolo", "restraint"),
+    "notes": ("note",),
+    "restitution": ("restituzione",),
+    "velocity_ratio": (),
+    "slenderness_deg": ("alpha", "α"),
+    "height_over_thickness": ("h/t",),
+    "law": ("legge",),
+}
+"""Key of a wall -> further heads of its column; the key itself is always one."""
+
+MECHANISMS = {
+    "su due lati": "two_sided", "due lati": "two_sided", "two-sided": "two_sided",
+    "su un lato": "one_sided", "un lato": "one_sided", "one-sided": "one_sided",
+    "entrambi": "both",
+}  # fmt: skip
+UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001, "kn/m3": 1.0, "kn/m³": 1.0, "deg": 1.0, "°": 1.0,
+         "-": 1.0, "–": 1.0, "": 1.0}  # fmt: skip
+LENGTHS = ("m", "cm", "mm")
+WORDS = ("name", "floor", "mechanism", "back_restraint", "notes", "restitution", "law")
+
+MOST_ROWS, MOST_COLUMNS, MOST_BYTES = 2000, 40, 20_000_000
+
+
+def read_walls(path: Path) -> list[Wall]:
+    """The walls of a table. Raises InputError in one sentence: file, row, column, what is accepted."""
+    try:
+        size = path.stat().st_size
+        if size > MOST_BYTES:
+            raise InputError(f"{size / 1e6:.0f} MB is no table of walls (up to 20 MB)")
+        content = path.read_bytes()
+        if path.suffix.lower() == ".xlsx":
+            rows = _xlsx_rows(content)
+        elif path.suffix.lower() in (".csv", ".txt"):
+            rows = text_rows(_decoded(content))
+        else:
+            raise InputError("a table of walls is .xlsx or .csv")
+        return walls_of(rows)
+    except FileNotFoundError:
+        raise InputError(f"{path}: there is no such table of walls") from None
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from None
+
+
+def _decoded(content: bytes) -> str:
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return content.decode("cp1252", errors="replace")
+
+
+def text_rows(text: str) -> list[list[str]]:
+    """Cells of a text with `;`, tab or `,` between them, as Excel saves and copies it."""
+    head = text.split("\n", 1)[0]
+    mark = next((mark for mark in (";", "\t", ",") if mark in head), ";")
+    try:
+        return [[cell.strip() for cell in row] for row in csv.reader(io.StringIO(text), delimiter=mark)]
+    except csv.Error as error:
+        raise InputError(f"not a table: {error}") from None
+
+
+def _xlsx_rows(content: bytes) -> list[list[str]]:
+    """Cells of the first sheet as text. Raises InputError for what a table of walls never holds."""
+    try:
+        with zipfile.ZipFile(io.BytesIO(content)) as folder:
+            if sum(entry.file_size for entry in folder.infolist()) > MOST_BYTES:
+                raise InputError("unpacked it is larger than 20 MB: no table of walls")
+            sheets = [n for n in folder.namelist() if n.startswith("xl/worksheets/sheet")]
+            if any(b"<mergeCell " in folder.read(name) for name in sheets):
+                raise InputError("cells are merged: a table of walls has one cell for each value")
+        from openpyxl import load_workbook
+
+        book = load_workbook(io.BytesIO(content), read_only=True, keep_links=False)
+        sheet = book.worksheets[0]
+        sheet.reset_dimensions()  # the tag that states them can lie
+        rows = []
+        for number, row in enumerate(sheet.iter_rows(max_col=MOST_COLUMNS), start=1):
+            if number > MOST_ROWS:
+                raise InputError(f"more than {MOST_ROWS} rows")
+            for cell in row:
+                if cell.data_type == "f":
+                    raise InputError(
+                        f"row {number}: {cell.coordinate} is a formula: paste it as a value"
+                    )
+            rows.append(["" if cell.value is None else str(cell.value).strip() for cell in row])
+        return rows
+    except InputError:
+        raise
+    except (zipfile.BadZipFile, KeyError, ValueError, TypeError, IndexError, AttributeError,
+            EOFError, NotImplementedError, SyntaxError) as error:  # fmt: skip
+        raise InputError(f"not a workbook Excel could have saved ({type(error).__name__})") from None
+
+
+def walls_of(rows: list[list[str]]) -> list[Wall]:
+    """Walls of a table's cells: a row of heads, a row of units, one row a wall; empty rows are skipped."""
+    rows = [(number, row) for number, row in enumerate(rows, start=1) if any(row)]
+    if len(rows) < 3:
+        raise InputError("a table of walls has a row of heads, a row of units and a row for each wall")
+    if len(rows) > MOST_ROWS or len(rows[0][1]) > 4 * MOST_COLUMNS:
+        raise InputError(f"more than {MOST_ROWS} rows or {4 * MOST_COLUMNS} columns")
+    keys = _heads(rows[0][1])
+    factors = _factors(keys, rows[1][1])
+    walls = []
+    for number, row in rows[2:]:
+        if any(cell for cell in row[len(keys) :]):
+            raise InputError(f"row {number}: there is a value beyond the last column")
+        table = {}
+        for key, factor, cell in zip(keys, factors, row, strict=False):
+            if key and cell:
+                table[key] = _cell(key, factor, cell, number)
+        table.setdefault("name", f"row {number}")
+        try:
+            walls.append(parse_wall(table))
+        except InputError as error:
+            raise InputError(f"row {number}: {error}") from None
+    return walls
+
+
+def _heads(cells: list[str]) -> list[str | None]:
+    known = {name: key for key, names in COLUMNS.items() for name in (key, *names)}
+    while cells and not cells[-1]:
+        cells = cells[:-1]
+    keys = []
+    for cell in cells:
+        name = re.sub(r"\s*[\[(].*", "", cell).strip().lower()
+        if name not in known:
+            raise InputError(
+                f"the column {cell!r} is not known: Parete, Piano, z, H, t, L, peso specifico, u, "
+                f"meccanismo, vincolo, note, or a key of [[wall]] ({', '.join(COLUMNS)})"
+            )
+        if known[name] in keys:
+            raise InputError(f"the column {cell!r} stands there twice")
+        keys.append(known[name])
+    return keys
+
+
+def _factors(keys: list, cells: list[str]) -> list[float]:
+    """What each column is multiplied with: its unit to that of its key."""
+    factors = []
+    for k, key in enumerate(keys):
+        unit = (cells[k] if k < len(cells) else "").strip("[]() ").lower()
+        length = key.endswith("_m")
+        if unit not in UNITS or (length and unit not in LENGTHS) or (not length and unit in LENGTHS):
+            accepted = "m, cm or mm" if length else "kN/m3, deg or empty"
+            raise InputError(
+                f"the unit {unit!r} of the column {key} is not accepted: {accepted} in the row below "
+                "the heads"
+            )
+        factors.append(UNITS[unit])
+    return factors
+
+
+def _cell(key: str, factor: float, cell: str, number: int):
+    if key == "mechanism":
+        return MECHANISMS.get(cell.lower(), cell.lower().replace("-", "_"))
+    if key in WORDS:
+        return cell
+    try:
+        return parse_number(cell) * factor
+    except InputError as error:
+        raise InputError(f"row {number}, {key}: {error}") from None
