@@ -123,12 +123,13 @@ class Wall:
                 f'wall "{self.name}": give height_m and exactly one of {", ".join(shape)} '
                 f"(found: height_m {'given' if self.height_m else 'missing'}; {found})"
             )
-        if self.compressive_strength_mpa is not None:
-            if self.hinge_setback_m or self.unit_weight_kn_m3 is None:
-                raise InputError(
-                    f'wall "{self.name}": compressive_strength_mpa gives the setback of the hinge: it '
-                    "takes unit_weight_kn_m3 and no hinge_setback_m"
-                )
+        if self.compressive_strength_mpa is not None and (
+            self.hinge_setback_m or self.unit_weight_kn_m3 is None
+        ):
+            raise InputError(
+                f'wall "{self.name}": compressive_strength_mpa gives the setback of the hinge: it '
+                "takes unit_weight_kn_m3 and no hinge_setback_m"
+            )
         thickness, setback = self.thickness, self.setback
         if not setback < MOST_SETBACK * thickness:
             raise InputError(

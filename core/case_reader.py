@@ -9,7 +9,17 @@ import tomllib
 from dataclasses import MISSING, fields, replace
 from pathlib import Path
 
-from core.case import LEAST_ELASTIC, Analysis, Case, Demand, Generate, Record, Report, Spectrum, Wall
+from core.case import (
+    LEAST_ELASTIC,
+    Analysis,
+    Case,
+    Demand,
+    Generate,
+    Record,
+    Report,
+    Spectrum,
+    Wall,
+)
 from core.errors import InputError
 from core.moment_rotation import LAWS
 
@@ -80,14 +90,14 @@ def parse_case(table: dict) -> Case:
         report=_section(Report, table.get("report", {}), "report", "[report]"),
         record=tuple(records),
         walls=_value(_field(Case, "walls"), table["walls"], "walls") if "walls" in table else None,
-        generate=_section(Generate, generate, "generate", "[generate]") if generate is not None else None,
+        generate=_section(Generate, generate, "generate", "[generate]")
+        if generate is not None
+        else None,
         analysis=analysis,
         demand=_demand(demand) if demand is not None else None,
         given=frozenset(_written(table)),
     )
-    if case.generate and not (
-        case.demand and (case.demand.spectrum or case.demand.spectrum_file)
-    ):
+    if case.generate and not (case.demand and (case.demand.spectrum or case.demand.spectrum_file)):
         raise InputError(
             "[generate] makes motions compatible with the spectrum of the demand: give "
             "[demand.spectrum] or spectrum_file"

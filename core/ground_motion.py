@@ -109,6 +109,10 @@ class GroundMotion:
         """SI [m], Eq. 11."""
         return spectrum.housner_intensity(self.acceleration, self.time_step)
 
+    def measure(self, cancelled=lambda: False) -> float:
+        """Compute the intensity once, so that threads can do it side by side."""
+        return self.housner_intensity
+
 
 def _integral(samples: np.ndarray, dt: float) -> np.ndarray:
     """Cumulative trapezoidal integral from 0, shape of samples."""

@@ -114,6 +114,14 @@ SENTENCES = {
         "The check passes on q_robust alone: first collapse does not pass.",
         "La verifica è soddisfatta solo con q_robust: il primo collasso non la soddisfa.",
     ),
+    "pga_scaling": (
+        "Every record is rescaled to PGA = a_g S: a compatible set loses its compatibility.",
+        "Ogni accelerogramma è riscalato a PGA = a_g S: un insieme compatibile perde la compatibilità.",
+    ),
+    "large_scaling": (
+        "{n} record(s) are scaled by more than 3 to reach the demand.",
+        "{n} accelerogrammi sono scalati oltre 3 volte per raggiungere la domanda.",
+    ),
     "pga_too_small": (
         "{n} record(s) must be scaled by more than 10 to reach collapse.",
         "{n} record devono essere scalati oltre 10 volte per raggiungere il collasso.",

@@ -2,30 +2,35 @@
 
 from dataclasses import dataclass, field
 
+from core.accuracy import Accuracy
 from core.block import Block
 from core.case import Case, Wall
 from core.closed_forms import PowerLaw
 from core.code_check import Inequality
+from core.compliance import Compliance
+from core.demand import DemandResult
+from core.demand_check import DemandCheck
 from core.ground_motion import GroundMotion
 from core.ida import Fragility, Ida, Search
+from core.kinematic import Check, Kinematic
 from core.moment_rotation import MomentLaw
 from core.notices import Notice
 from core.restitution import Restitution
 from core.rocking import History, Method, RockingModel
+from core.verdict import Verdict
 
 
 @dataclass(frozen=True)
-class DemandResult:
-    """Demand in SI units. pga : a_g S [m/s2]; intensity : SI [m] or None; intensity_source :
-    given, records_scaled or None."""
+class Assessment:
+    """Checks of one wall at the demand. kinematic : quantities of the mechanism, None above the ground;
+    checks : the table of methods, the most refined first; dynamic : None without records; lower_bound :
+    the dynamic check of the two-sided wall, should the restraint behind a one-sided one fail."""
 
-    limit_state: str
-    ag: float
-    soil_factor: float
-    pga: float
-    intensity: float | None
-    intensity_source: str | None
-    q_code: float
+    kinematic: Kinematic | None
+    checks: tuple[Check, ...]
+    dynamic: DemandCheck | None
+    lower_bound: DemandCheck | None
+    verdict: Verdict
 
 
 @dataclass(frozen=True)
@@ -79,6 +84,8 @@ class WallResult:
     closed_form_q: float | None
     code_check: tuple[Inequality | None, ...]
     warnings: tuple[Notice, ...]
+    assessment: Assessment | None = None
+    accuracy: Accuracy | None = None
 
     @property
     def height(self) -> float:
@@ -103,6 +110,7 @@ class StudyResult:
     motions: tuple[GroundMotion, ...]
     kinds: tuple[str, ...]
     walls: tuple[WallResult, ...]
+    compliance: Compliance | None = None
     elapsed: float = field(compare=False, default=0.0)
 
     @property

@@ -3,25 +3,25 @@
 import datetime
 import hashlib
 import os
-import threading
 from collections.abc import Callable
-from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from dataclasses import asdict, replace
 from pathlib import Path
 
-import numpy as np
-
 from core import records
+from core.accuracy import Accuracy, accuracy
+from core.assessment import assess
 from core.case import Case, Wall
-from core.errors import Cancelled, InputError
+from core.compliance import compliance
+from core.demand import demand_of, generated, with_records
+from core.errors import InputError
 from core.ground_motion import GroundMotion
 from core.ida import Ida, Search, incremental_dynamic_analysis
 from core.journal import Journal
 from core.kernel_cache import FOLDER, STAMP, record
 from core.records.grammar import Options
-from core.results import CollapseHistories, DemandResult, StudyResult, WallResult
+from core.results import CollapseHistories, Run, StudyResult, WallResult
 from core.rocking import METHODS, RockingModel, history, rocking_model
-from core.units import CM, G
+from core.threads import Threads
 from core.version import VERSION
 from core.wall_result import run_result, wall_result
 
@@ -74,41 +74,90 @@ def run(
     Raises InputError for what the user can mend, Cancelled when cancelled() is true.
     """
     started = datetime.datetime.now(datetime.UTC)
+    demand = demand_of(case, base_dir)
     motions, kinds = read_records(case, base_dir)
+    made = generated(case, demand) if demand else []
+    motions, kinds = motions + made, kinds + ["artificial"] * len(made)
     method = METHODS["taylor" if case.analysis.method == "auto" else case.analysis.method]
     chosen = case.analysis
     search = Search(chosen.q_step, chosen.q_limit, chosen.map_span, chosen.robust_window)
     walls = [(wall, mechanism) for wall in case.wall for mechanism in wall.mechanisms()]
+    signs = [_polarities(mechanism, chosen.polarity) for _, mechanism in walls]
     planned = [
         (index, record, polarity)
-        for index, (_, mechanism) in enumerate(walls)
+        for index in range(len(walls))
         for record in range(len(motions))
-        for polarity in _polarities(mechanism, chosen.polarity)
+        for polarity in signs[index]
     ]
     models = [_model(wall, mechanism) for wall, mechanism in walls]
     book = journal(f"{VERSION} {STAMP}") if journal else None
+    assessed = len(walls) if demand else 0
+    total = len(planned) + assessed
     try:
-        found = _run_all(
-            planned, models, motions, method, search, jobs, book, on_progress, cancelled
-        )
+        threads = Threads(jobs, cancelled)
+        threads.run({k: motion.measure for k, motion in enumerate(motions)}, lambda k, _: None)
+        found = _run_all(planned, models, motions, method, search, threads, book,
+                         lambda done: on_progress(done, total))  # fmt: skip
+        if demand:
+            demand = with_records(demand, motions)
+        rules = compliance(motions, kinds, demand) if demand else None
+        by_wall: dict[int, list] = {}
+        for entry in planned:
+            wall, number, polarity = entry
+            one = run_result(models[wall], motions[number], polarity, found[entry])
+            by_wall.setdefault(wall, []).append(one)
+        results = [
+            wall_result(wall, mechanism, models[k], by_wall.get(k, []), motions, search, demand)
+            for k, (wall, mechanism) in enumerate(walls)
+        ]
+        if demand:
+            checks = {
+                k: lambda stop, k=k: assess(
+                    results[k], motions, signs[k], demand, rules, method, search.q_step, stop
+                )
+                for k in range(len(walls))
+            }
+            done = threads.run(
+                checks, lambda k, _: None, lambda n: on_progress(len(planned) + n, total)
+            )
+            results = [replace(wall, assessment=done[k]) for k, wall in enumerate(results)]
+        if chosen.accuracy:
+            statements = {
+                k: lambda stop, wall=wall: _accuracy(wall, motions, method, search, stop)
+                for k, wall in enumerate(results)
+            }
+            said = threads.run(statements, lambda k, _: None)
+            results = [replace(wall, accuracy=said[k]) for k, wall in enumerate(results)]
     finally:
         record(FOLDER)
         if book:
             book.close()
-    demand = _demand(case, motions)
-    results = []
-    for index, (wall, mechanism) in enumerate(walls):
-        runs = [
-            run_result(models[index], motions[record], polarity, found[index, record, polarity])
-            for i, record, polarity in planned
-            if i == index
-        ]
-        results.append(wall_result(wall, mechanism, models[index], runs, motions, search, demand))
     elapsed = (datetime.datetime.now(datetime.UTC) - started).total_seconds()
     return StudyResult(
         case, started.isoformat(timespec="seconds"), method, search, demand,
-        tuple(motions), tuple(kinds), tuple(results), elapsed,
+        tuple(motions), tuple(kinds), tuple(results), rules, elapsed,
     )  # fmt: skip
+
+
+def _accuracy(wall: WallResult, motions, method, search, cancelled) -> Accuracy | None:
+    """The statement on the governing run of a wall; None without a q."""
+    lowest = lowest_run(wall)
+    if lowest is None:
+        return None
+    motion = next(motion for motion in motions if motion.name == lowest.record)
+    other = next(
+        (r.ida.q for r in wall.runs if r.record == lowest.record and r.polarity != lowest.polarity),
+        None,
+    )
+    return accuracy(
+        motion, lowest.polarity, lowest.ida, other, wall.model, method, search, cancelled
+    )
+
+
+def lowest_run(wall: WallResult) -> Run | None:
+    """The run with the lowest q of a wall; None without a collapse."""
+    runs = [run for run in wall.runs if run.ida.q is not None]
+    return min(runs, key=lambda run: run.ida.q) if runs else None
 
 
 def run_key(model: RockingModel, motion: GroundMotion, polarity: int, method, search) -> str:
@@ -128,9 +177,18 @@ def _model(wall: Wall, mechanism: str) -> RockingModel:
     return rocking_model(wall.block(), one_sided, wall.restitution_of(mechanism), wall.moment_law())
 
 
-def _run_all(planned, models, motions, method, search, jobs, book, on_progress, cancelled):
-    """Idas by (wall, record, polarity); independent runs on threads, the kernels hold no lock."""
-    found, todo, keys = {}, [], {}
+def _run_all(planned, models, motions, method, search, threads, book, on_progress):
+    """Idas by (wall, record, polarity)."""
+    found, todo, keys = {}, {}, {}
+
+    def search_of(entry):
+        wall, record, polarity = entry
+        motion = motions[record]
+        return lambda stop: incremental_dynamic_analysis(
+            motion.acceleration, motion.time_step, motion.pga, polarity, models[wall], method, search,
+            stop,
+        )  # fmt: skip
+
     for entry in planned:
         wall, record, polarity = entry
         keys[entry] = run_key(models[wall], motions[record], polarity, method, search)
@@ -138,35 +196,15 @@ def _run_all(planned, models, motions, method, search, jobs, book, on_progress, 
         if known:
             found[entry] = known
         else:
-            todo.append(entry)
-    stop = threading.Event()
+            todo[entry] = search_of(entry)
 
-    def one(entry) -> Ida:
-        wall, record, polarity = entry
-        motion = motions[record]
-        return incremental_dynamic_analysis(
-            motion.acceleration, motion.time_step, motion.pga, polarity, models[wall],
-            method, search, lambda: stop.is_set() or cancelled(),
-        )  # fmt: skip
+    def keep(entry, ida: Ida) -> None:
+        if book:
+            book.add(keys[entry], asdict(ida))
 
-    on_progress(len(found), len(planned))
-    with ThreadPoolExecutor(max(1, jobs)) as pool:
-        waiting: dict[Future, tuple] = {pool.submit(one, entry): entry for entry in todo}
-        try:
-            while waiting:
-                done, _ = wait(waiting, timeout=0.1, return_when=FIRST_COMPLETED)
-                for future in done:
-                    entry = waiting.pop(future)
-                    found[entry] = future.result()
-                    if book:
-                        book.add(keys[entry], asdict(found[entry]))
-                    on_progress(len(found), len(planned))
-                if cancelled():
-                    raise Cancelled
-        finally:
-            stop.set()
-            for future in waiting:
-                future.cancel()
+    on_progress(len(found))
+    restored = len(found)
+    found.update(threads.run(todo, keep, lambda done: on_progress(restored + done)))
     return found
 
 
@@ -183,29 +221,12 @@ def _restored(entry: dict | None) -> Ida | None:
         return None
 
 
-def _demand(case: Case, motions: list[GroundMotion]) -> DemandResult | None:
-    asked = case.demand
-    if asked is None:
-        return None
-    pga = asked.ag_g * G * asked.soil_factor
-    intensity, source = None, None
-    if asked.housner_intensity_cm is not None:
-        intensity, source = asked.housner_intensity_cm * CM, "given"
-    elif motions:
-        scaled = [motion.housner_intensity * pga / motion.pga for motion in motions]
-        intensity, source = float(np.mean(scaled)), "records_scaled"
-    return DemandResult(
-        asked.limit_state, asked.ag_g * G, asked.soil_factor, pga, intensity, source, asked.q_code
-    )
-
-
 def collapse_histories(result: StudyResult, wall: WallResult) -> CollapseHistories | None:
     """Integrate the governing record of a wall again on both sides of its first collapse; None
     without a collapse. The governing record is the one with the lowest q."""
-    runs = [run for run in wall.runs if run.ida.q is not None]
-    if not runs:
+    lowest = lowest_run(wall)
+    if lowest is None:
         return None
-    lowest = min(runs, key=lambda run: run.ida.q)
     motion = next(motion for motion in result.motions if motion.name == lowest.record)
     to_scale = lowest.polarity * wall.block.threshold_acceleration / motion.pga
     scales = tuple(to_scale * q for q in lowest.ida.bracket)

@@ -78,7 +78,9 @@ def text_rows(text: str) -> list[list[str]]:
     head = text.split("\n", 1)[0]
     mark = next((mark for mark in (";", "\t", ",") if mark in head), ";")
     try:
-        return [[cell.strip() for cell in row] for row in csv.reader(io.StringIO(text), delimiter=mark)]
+        return [
+            [cell.strip() for cell in row] for row in csv.reader(io.StringIO(text), delimiter=mark)
+        ]
     except csv.Error as error:
         raise InputError(f"not a table: {error}") from None
 
@@ -112,14 +114,18 @@ def _xlsx_rows(content: bytes) -> list[list[str]]:
         raise
     except (zipfile.BadZipFile, KeyError, ValueError, TypeError, IndexError, AttributeError,
             EOFError, NotImplementedError, SyntaxError) as error:  # fmt: skip
-        raise InputError(f"not a workbook Excel could have saved ({type(error).__name__})") from None
+        raise InputError(
+            f"not a workbook Excel could have saved ({type(error).__name__})"
+        ) from None
 
 
 def walls_of(rows: list[list[str]]) -> list[Wall]:
     """Walls of a table's cells: a row of heads, a row of units, one row a wall; empty rows are skipped."""
     rows = [(number, row) for number, row in enumerate(rows, start=1) if any(row)]
     if len(rows) < 3:
-        raise InputError("a table of walls has a row of heads, a row of units and a row for each wall")
+        raise InputError(
+            "a table of walls has a row of heads, a row of units and a row for each wall"
+        )
     if len(rows) > MOST_ROWS or len(rows[0][1]) > 4 * MOST_COLUMNS:
         raise InputError(f"more than {MOST_ROWS} rows or {4 * MOST_COLUMNS} columns")
     keys = _heads(rows[0][1])
@@ -164,7 +170,11 @@ def _factors(keys: list, cells: list[str]) -> list[float]:
     for k, key in enumerate(keys):
         unit = (cells[k] if k < len(cells) else "").strip("[]() ").lower()
         length = key.endswith("_m")
-        if unit not in UNITS or (length and unit not in LENGTHS) or (not length and unit in LENGTHS):
+        if (
+            unit not in UNITS
+            or (length and unit not in LENGTHS)
+            or (not length and unit in LENGTHS)
+        ):
             accepted = "m, cm or mm" if length else "kN/m3, deg or empty"
             raise InputError(
                 f"the unit {unit!r} of the column {key} is not accepted: {accepted} in the row below "

@@ -2,10 +2,15 @@
 
 import json
 import math
+from dataclasses import asdict
 
+from core.accuracy import ROUNDING, Accuracy
 from core.code_check import LABEL
+from core.compliance import Compliance
+from core.demand import DemandResult
+from core.demand_check import DemandCheck
 from core.ground_motion import GroundMotion
-from core.results import Q_SOURCES, DemandResult, Run, StudyResult, WallResult
+from core.results import Q_SOURCES, Assessment, Run, StudyResult, WallResult
 from core.units import CM, G
 from core.version import NAME, VERSION, commit
 
@@ -18,6 +23,7 @@ def results(result: StudyResult) -> dict:
         "case": result.case.as_dict(),
         "case_sha256": result.case.sha256,
         "demand": _demand(result.demand) if result.demand else None,
+        "compliance": _compliance(result.compliance) if result.compliance else None,
         "records": [
             _record(motion, kind) for motion, kind in zip(result.motions, result.kinds, strict=True)
         ],
@@ -38,6 +44,107 @@ def _demand(demand: DemandResult) -> dict:
         "pga_g": demand.pga / G,
         "housner_intensity_cm": demand.intensity / CM if demand.intensity else None,
         "intensity_source": demand.intensity_source,
+        "spectrum": demand.target.name if demand.target else None,
+        "confidence_factor": demand.confidence_factor,
+        "zeta_target": demand.zeta_target,
+        "demand_scaling": demand.asked.demand_scaling,
+        "warnings": [warning.text() for warning in demand.warnings],
+    }
+
+
+def _compliance(found: Compliance) -> dict:
+    return {
+        "compatible": found.compatible,
+        "stations": found.stations,
+        "rules": [asdict(rule) for rule in found.rules],
+    }
+
+
+def _demand_check(check: DemandCheck | None) -> dict | None:
+    if check is None:
+        return None
+    return {**asdict(check), "runs": [asdict(run) for run in check.runs]}
+
+
+def _assessment(found: Assessment | None) -> dict:
+    """The keys demand_check, lower_bound_check, kinematic_check and verdict of a wall."""
+    if found is None:
+        return {"demand_check": None, "kinematic_check": None, "verdict": None}
+    said = found.verdict
+    mechanism = found.kinematic
+    return {
+        "demand_check": _demand_check(found.dynamic),
+        "lower_bound_check": _demand_check(found.lower_bound),
+        "kinematic_check": {
+            "alpha0": mechanism.alpha0,
+            "e_star": mechanism.e_star,
+            "a0_star_g": mechanism.a0 / G,
+            "d0_m": mechanism.d0,
+            "d_limit_m": mechanism.d_limit,
+            "period_s": mechanism.period,
+            "s_de_m": mechanism.s_de,
+            "zeta_over_height": mechanism.zeta_over_height,
+            "checks": [
+                {
+                    "check": check.name,
+                    "clause": check.clause,
+                    "q": check.q,
+                    "unit": check.unit,
+                    "capacity": check.capacity,
+                    "demand": check.demand,
+                    "zeta": check.zeta,
+                    "passed": check.passed,
+                }
+                for check in found.checks
+            ],
+        }
+        if mechanism
+        else None,
+        "verdict": {
+            "code": said.code,
+            "governing": said.governing,
+            "zeta_e": said.zeta_e,
+            "zeta_target": said.zeta_target,
+            "reasons": [english for english, _ in said.reasons],
+            "text_it": said.text_it,
+            "text_en": said.text_en,
+            "lower_bound_zeta": said.lower_bound,
+        },
+    }
+
+
+def _uncertainty(found: Accuracy | None) -> dict:
+    """The key uncertainty of a wall, where it was asked for: solver and definition kept apart."""
+    if found is None:
+        return {}
+    return {
+        "uncertainty": {
+            "record": found.record,
+            "polarity": found.polarity,
+            "solver": {
+                "method": found.method,
+                "q": found.q,
+                "q_reference": found.q_reference,
+                "reference": "dormand_prince",
+                "q_error": found.solver_q_error,
+                "history_error": found.history_error,
+                "scale": found.scale,
+                "histories": [
+                    {"method": p.name, "option": p.option, "seconds": p.seconds, "error": p.error}
+                    for p in found.points
+                ],
+            },
+            "definition": {
+                "steps": [{"q_step": s, "q": q, "q_robust": r} for s, q, r in found.steps],
+                "step_spread": found.spread(1, found.steps),
+                "step_spread_robust": found.spread(2, found.steps),
+                "rounding": ROUNDING,
+                "rounded": [{"q": q, "q_robust": r} for q, r in found.rounded],
+                "rounding_spread": found.spread(0, found.rounded),
+                "rounding_spread_robust": found.spread(1, found.rounded),
+                "polarities": list(found.polarities) if found.polarities else None,
+            },
+        }
     }
 
 
@@ -144,5 +251,7 @@ def _wall(wall: WallResult, result: StudyResult) -> dict:
             }
             for source, check in zip(Q_SOURCES, wall.code_check, strict=False)
         ],
+        **_assessment(wall.assessment),
+        **_uncertainty(wall.accuracy),
         "warnings": [warning.text() for warning in wall.warnings],
     }

@@ -9,8 +9,8 @@ import math
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from tests.benchmarks.scenes import Scene
 from core import independent_solver
+from tests.benchmarks.scenes import Scene
 
 G = 9.80665
 

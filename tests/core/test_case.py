@@ -66,12 +66,30 @@ def without(*keys, **more):
         (case(analysis={"polarity": "none"}), ["polarity"]),
         (case(demand={"soil_factor": 1.2}), ["ag_g", "required"]),
         (case(demand={"ag_g": 0.0}), ["ag_g = 0.0", "from 0.001 to 5 g"]),
-        (case(demand={"ag_g": 0.2, "confidence_factor": 1.2}), ["confidence_factor", "setback", "1.35"]),
+        (
+            case(demand={"ag_g": 0.2, "confidence_factor": 1.2}),
+            ["confidence_factor", "setback", "1.35"],
+        ),
         (case(demand={"ag_g": 0.2, "spectrum": {"code": "NTC2018", "soil": "B"}}), ["needs f0"]),
-        (case(demand={"ag_g": 0.2, "spectrum": {"code": "EN1998", "soil": "B", "type": 1, "f0": 2.5}}),
-         ["does not take f0"]),
-        (case(demand={"ag_g": 0.2, "soil_factor": 1.2,
-                      "spectrum": {"code": "EN1998", "soil": "B", "type": 1}}), ["soil_factor follows"]),
+        (
+            case(
+                demand={
+                    "ag_g": 0.2,
+                    "spectrum": {"code": "EN1998", "soil": "B", "type": 1, "f0": 2.5},
+                }
+            ),
+            ["does not take f0"],
+        ),
+        (
+            case(
+                demand={
+                    "ag_g": 0.2,
+                    "soil_factor": 1.2,
+                    "spectrum": {"code": "EN1998", "soil": "B", "type": 1},
+                }
+            ),
+            ["soil_factor follows"],
+        ),
         (case(analysis={"accuracy": 1}), ["accuracy", "true or false"]),
         (case(demand=0.2), ["[demand] must be a table"]),
         (case(record=[{"file": "a.txt", "unit": "knots"}]), ["knots", "m/s2"]),

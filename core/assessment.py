@@ -1,0 +1,63 @@
+"""The checks of one wall at the demand, and its verdict."""
+
+from collections.abc import Callable
+
+from core.compliance import Compliance
+from core.demand import DemandResult
+from core.demand_check import demand_check
+from core.ground_motion import GroundMotion
+from core.kinematic import kinematic, linear, nonlinear
+from core.restitution import restitution
+from core.results import Assessment, WallResult
+from core.rocking import Method, rocking_model
+from core.verdict import verdict
+
+BUNDLED = "# Ribalta example motion"
+"""How the header of a bundled motion begins."""
+
+
+def is_bundled(motion: GroundMotion) -> bool:
+    """Whether a motion is one of the example's."""
+    return any(value.startswith(BUNDLED) for _, value in motion.details)
+
+
+def assess(
+    wall: WallResult,
+    motions: list[GroundMotion],
+    polarities: tuple[int, ...],
+    demand: DemandResult,
+    compliance: Compliance | None,
+    method: Method,
+    step: float,
+    cancelled: Callable[[], bool] = lambda: False,
+) -> Assessment:
+    """Dynamic, kinematic and simplified checks of a wall (Circolare 7/2019 C8.7.1.2.1); above the ground
+    none, since the motion of its floor is not known. step : of the search for zeta. Raises Cancelled."""
+    asked = wall.wall
+    bundled = any(is_bundled(motion) for motion in motions)
+    if asked.base_z_m > 0.0:
+        said = verdict(asked, wall.block, demand, (), None, compliance, len(motions), bundled, None)
+        return Assessment(None, (), None, None, said)
+    found = kinematic(wall.block, demand, asked.height_m is not None)
+    dynamic = demand_check(wall.model, motions, polarities, demand, method, step, cancelled)
+    below = None
+    if dynamic and asked.mechanism == "one_sided":
+        free = restitution(wall.block, "housner")
+        model = rocking_model(wall.block, False, free, wall.law)
+        below = demand_check(model, motions, (1,), demand, method, step, cancelled)
+    checks = []
+    if dynamic:
+        checks.append(dynamic.as_check())
+    if (displacement := nonlinear(found, demand)) is not None:
+        checks.append(displacement)
+    if demand.limit_state == "SLD":
+        checks.append(linear("linear_q_code", found, demand, 1.0))
+    else:
+        if wall.q_slv_set is not None:
+            checks.append(linear("linear_q_slv", found, demand, wall.q_slv_set))
+        checks.append(linear("linear_q_code", found, demand, demand.q_code))
+    said = verdict(
+        asked, wall.block, demand, tuple(checks), dynamic, compliance, len(motions), bundled,
+        below.zeta if below else None,
+    )  # fmt: skip
+    return Assessment(found, tuple(checks), dynamic, below, said)

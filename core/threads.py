@@ -1,0 +1,47 @@
+"""Independent work on threads: the kernels hold no lock, results do not depend on the number of threads."""
+
+import threading
+from collections.abc import Callable
+from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
+
+from core.errors import Cancelled
+
+
+class Threads:
+    """jobs : threads; cancelled : asked from the calling thread and, through `stop`, from the workers."""
+
+    def __init__(self, jobs: int, cancelled: Callable[[], bool]):
+        self.jobs, self.cancelled = max(1, jobs), cancelled
+
+    def run(
+        self,
+        tasks: dict[object, Callable],
+        on_result: Callable[[object, object], None],
+        on_count: Callable[[int], None] = lambda done: None,
+    ) -> dict:
+        """Results by key of `task(stop)`; on_result(key, result), on_count(done) from the calling thread.
+
+        Raises Cancelled within 0.1 s of a cancel and a task's stop, and whatever a task raises.
+        """
+        found, ended = {}, threading.Event()
+
+        def stop() -> bool:
+            return ended.is_set() or self.cancelled()
+
+        with ThreadPoolExecutor(self.jobs) as pool:
+            waiting = {pool.submit(task, stop): key for key, task in tasks.items()}
+            try:
+                while waiting:
+                    done, _ = wait(waiting, timeout=0.1, return_when=FIRST_COMPLETED)
+                    for future in done:
+                        key = waiting.pop(future)
+                        found[key] = future.result()
+                        on_result(key, found[key])
+                        on_count(len(found))
+                    if self.cancelled():
+                        raise Cancelled
+            finally:
+                ended.set()
+                for future in waiting:
+                    future.cancel()
+        return found
