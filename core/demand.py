@@ -16,7 +16,6 @@ from core.number import parse_number
 from core.target_spectrum import Target
 from core.units import CM, G
 
-
 LARGE_SCALING = 3.0
 """Scale factors of a record above this one are warned of."""
 

@@ -31,6 +31,10 @@ SENTENCES = {
         "Scaled by {scale:g} as asked.",
         "Scalato per {scale:g} come richiesto.",
     ),
+    "scaled_far": (
+        "Scaled by {scale:g} as asked: beyond 3 a record stands for an earthquake it was not.",
+        "Scalato per {scale:g} come richiesto: oltre 3 il record rappresenta un terremoto che non era.",
+    ),
     "costa_above_housner": (
         "costa_upper: 0.98 exceeds Eq. 4 above alpha 6.63 deg (here {alpha:.2f}).",
         "costa_upper: 0.98 supera l'Eq. 4 oltre alpha 6.63° (qui {alpha:.2f}).",
@@ -48,6 +52,17 @@ SENTENCES = {
         "General block: Eq. 15/16 use the equivalent height 2 R_eq cos(alpha) = {height:.2f} m.",
         "Blocco generico: le Eq. 15/16 usano l'altezza equivalente "
         "2 R_eq cos(alpha) = {height:.2f} m.",
+    ),
+    "setback_height": (
+        "Hinge setback: Eq. 15/16, fitted without one, use the height of the rectangle with the same p and "
+        "alpha, {height:.2f} m.",
+        "Arretramento della cerniera: le Eq. 15/16, tarate senza, usano l'altezza del rettangolo con gli "
+        "stessi p e alpha, {height:.2f} m.",
+    ),
+    "narrow_si": (
+        "The power law of q_eff rests on SI from {low:.0f} to {high:.0f} cm only: no meaning outside.",
+        "La legge di potenza di q_eff si basa solo su SI da {low:.0f} a {high:.0f} cm: senza significato "
+        "fuori.",
     ),
     "trilinear_threshold": (
         "Trilinear law: q keeps a_RM = g tan(alpha), although the wall starts to move at once and "

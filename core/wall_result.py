@@ -20,6 +20,9 @@ MINIMUM_FROM = 3
 
 LARGE_SCALE = 10.0
 
+NARROW_SI = 1.5
+"""Below this ratio of the largest to the smallest SI a power law is warned of."""
+
 NEARLY_ELASTIC = 0.99
 """Above this velocity ratio a wall rocks for a very long time: warned."""
 
@@ -97,13 +100,16 @@ def wall_result(wall, mechanism, model, runs, motions, search, demand) -> WallRe
         closed_q_eff = closed_forms.closed_form_q_eff(*shape, one_sided)
         closed_q = closed_forms.closed_form_q(*shape, demand.pga, one_sided)
     checks = ()
-    if demand:
+    if demand and wall.base_z_m == 0.0:  # above the ground the motion of the floor is not known
         sources = (demand.q_code, closed_q, sets["q"], sets["q_slv"], sets["q_robust"])
         checks = tuple(
             inequality(source, q, block.threshold_acceleration, demand.pga) if q else None
             for source, q in zip(Q_SOURCES, sources, strict=True)
         )
     restitution = wall.restitution_of(mechanism)
+    law_of_si = closed_forms.fit_power_law(
+        [entry.intensity for entry in with_q], [entry.q_eff for entry in with_q]
+    )
     fragile = fragility([run.ida for run in runs], search)
     return WallResult(
         name=wall.name,
@@ -120,16 +126,14 @@ def wall_result(wall, mechanism, model, runs, motions, search, demand) -> WallRe
         q_min=min(numbers) if numbers else None,
         q_robust_set=sets["q_robust"],
         q_slv_set=sets["q_slv"],
-        power_law=closed_forms.fit_power_law(
-            [entry.intensity for entry in with_q], [entry.q_eff for entry in with_q]
-        ),
+        power_law=law_of_si,
         fragility=fragile,
         closed_form_q_eff=closed_q_eff,
         closed_form_q=closed_q,
         code_check=checks,
         warnings=tuple(
             _model_notices(wall, block, mechanism, restitution, law)
-            + _set_notices(runs, numbers, incomplete, fragile, search)
+            + _set_notices(runs, numbers, incomplete, fragile, law_of_si, search)
             + _form_notices(block, mechanism, restitution, law, per_record, demand, checks)
         ),
     )
@@ -143,7 +147,9 @@ def _model_notices(wall, block, mechanism, restitution, law) -> list[Notice]:
         found.append(notice("hogan", model=restitution.model))
     if restitution.ratio_at_rest > NEARLY_ELASTIC and restitution.model == "user":
         found.append(notice("nearly_elastic", ratio=restitution.ratio_at_rest))
-    if not block.is_rectangle:
+    if wall.height_m is not None and wall.setback > 0.0:
+        found.append(notice("setback_height", height=block.height))
+    elif not block.is_rectangle:
         found.append(notice("general_height", height=block.height))
         if restitution.model.startswith("one_sided"):
             found.append(notice("general_contact"))
@@ -153,7 +159,7 @@ def _model_notices(wall, block, mechanism, restitution, law) -> list[Notice]:
     return found
 
 
-def _set_notices(runs, numbers, incomplete, fragile, search) -> list[Notice]:
+def _set_notices(runs, numbers, incomplete, fragile, power_law, search) -> list[Notice]:
     found = []
     if incomplete:
         found.append(notice("incomplete", n=len(incomplete)))
@@ -164,6 +170,9 @@ def _set_notices(runs, numbers, incomplete, fragile, search) -> list[Notice]:
     standing = sum(run.ida.status == "no_collapse_found" for run in runs)
     if standing:
         found.append(notice("no_collapse", n=standing, limit=search.q_limit))
+    if power_law and power_law.si_range_cm[1] < NARROW_SI * power_law.si_range_cm[0]:
+        low, high = power_law.si_range_cm
+        found.append(notice("narrow_si", low=low, high=high))
     clamped = sum(run.ida.clamped for run in runs)
     if clamped:
         found.append(notice("clamped", n=clamped))

@@ -121,7 +121,7 @@ def _xlsx_rows(content: bytes) -> list[list[str]]:
 
 def walls_of(rows: list[list[str]]) -> list[Wall]:
     """Walls of a table's cells: a row of heads, a row of units, one row a wall; empty rows are skipped."""
-    rows = [(number, row) for number, row in enumerate(rows, start=1) if any(row)]
+    rows = [(n, row) for n, row in enumerate(rows, start=1) if n == 2 or any(row)]
     if len(rows) < 3:
         raise InputError(
             "a table of walls has a row of heads, a row of units and a row for each wall"

@@ -37,6 +37,9 @@ NOT_READ_YET = (
 
 MAX_BYTES = 200_000_000
 
+LARGE_SCALE = 3.0
+"""Scales of a record beyond this one are warned of."""
+
 LARGEST_PGA = 20.0 * G
 """Above this peak [m/s2] a file is not what it is said to be."""
 
@@ -86,7 +89,8 @@ def _motion(content: bytes, path: Path, options: Options, scale: float, name: st
     if parsed.stated_peak and abs(peak - parsed.stated_peak) > 0.02 * parsed.stated_peak:
         warnings.append(notice("peak_differs", read=peak, stated=parsed.stated_peak))
     if scale != 1.0:
-        warnings.append(notice("scaled", scale=scale))
+        code = "scaled_far" if abs(scale) > LARGE_SCALE else "scaled"
+        warnings.append(notice(code, scale=scale))
     motion = parsed.values * UNITS[unit] * scale
     pga = float(np.abs(motion).max()) if motion.size else 0.0
     if not pga <= LARGEST_PGA * abs(scale):

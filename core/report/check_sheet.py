@@ -9,7 +9,6 @@ from core.code_check import TITLE
 from core.report.cells import (
     ACCELERATION,
     BAD,
-    EXACT,
     GOOD,
     QUIET,
     RATIO,
@@ -23,12 +22,11 @@ from core.report.cells import (
     text,
     title,
 )  # fmt: skip
+from core.report.circolare import spectrum_rows, wall_rows
+from core.report.rows import heads, input_row, live_row
 from core.report.sheets import mechanism_word, rule_word
 from core.results import Q_SOURCES, PerRecord, StudyResult, WallResult
 from core.units import CM, G
-
-LIVE, ENGINE = 3, 4
-"""Columns of the live value and of the program's value in the vertical lists."""
 
 
 def check(book: Book, result: StudyResult) -> None:
@@ -51,71 +49,38 @@ def check(book: Book, result: StudyResult) -> None:
     sheet.freeze_panes = "A4"
 
 
-def _input(book: Book, sheet, row, label, value, unit, name, shape=EXACT) -> int:
-    text(sheet, row, 1, label)
-    text(sheet, row, 2, book.say("input", "dato"), color=QUIET)
-    number(sheet, row, LIVE, value, shape)
-    text(sheet, row, 5, unit, color=QUIET, align="center")
-    if name and value is not None:
-        book.name(name, sheet.cell(row, LIVE))
-    rule(sheet, row, 1, 5)
-    return row + 1
-
-
-def _live(
-    book: Book, sheet, row, label, equation, formula, value, unit, name=None, shape=EXACT
-) -> int:
-    text(sheet, row, 1, label)
-    text(sheet, row, 2, equation, color=QUIET)
-    if value is None:
-        number(sheet, row, LIVE, None, shape)
-    else:
-        book.formula(sheet.cell(row, LIVE), formula, value, shape)
-        if name:
-            book.name(name, sheet.cell(row, LIVE))
-    number(sheet, row, ENGINE, value, shape, color=QUIET)
-    text(sheet, row, 5, unit, color=QUIET, align="center")
-    rule(sheet, row, 1, 5)
-    return row + 1
-
-
 def _demand(book: Book, sheet, result: StudyResult, row: int) -> int:
     say, demand = book.say, result.demand
-    row = _heads(book, sheet, row, say("Demand", "Domanda"))
-    row = _input(book, sheet, row, "g", G, "m/s²", "gravity", "0.00000")
+    row = heads(book, sheet, row, say("Demand", "Domanda"))
+    row = input_row(book, sheet, row, "g", G, "m/s²", "gravity", "0.00000")
     if demand is None:
         text(sheet, row, 1, say("No demand given: no check.", "Nessuna domanda: nessuna verifica."))
         return row + 1
-    row = _input(book, sheet, row, say("a_g on rock", "a_g su suolo rigido"), demand.ag / G, "g",
+    row = input_row(book, sheet, row, say("a_g on rock", "a_g su suolo rigido"), demand.ag / G, "g",
                  "demand_ag", ACCELERATION)  # fmt: skip
-    row = _input(book, sheet, row, "S", demand.soil_factor, "–", "demand_s", RATIO)
-    row = _live(book, sheet, row, "S a_g", "", "=demand_ag*demand_s", demand.pga / G, "g", "demand_pga",
+    row = input_row(book, sheet, row, "S", demand.soil_factor, "–", "demand_s", RATIO)
+    row = live_row(book, sheet, row, "S a_g", "", "=demand_ag*demand_s", demand.pga / G, "g", "demand_pga",
                 ACCELERATION)  # fmt: skip
     si = demand.intensity / CM if demand.intensity else None
     label = say("SI of the demand", "SI della domanda")
-    row = _input(book, sheet, row, label, si, "cm", "demand_si", RATIO)
-    return _input(
+    row = input_row(book, sheet, row, label, si, "cm", "demand_si", RATIO)
+    row = spectrum_rows(book, sheet, result, row)
+    return input_row(
         book, sheet, row, say("q of the code", "q di norma"), demand.q_code, "–", "code_q", RATIO
     )
 
 
-def _heads(book: Book, sheet, row: int, label: str) -> int:
-    say = book.say
-    height = 18 * math.ceil(len(label) / 30)
-    header(sheet, row, [label, say("Equation", "Equazione"), say("Sheet", "Foglio"),
-                        say("Program", "Programma"), say("Unit", "Unità")], 1, height)  # fmt: skip
-    return row + 1
-
-
 def _wall(book: Book, sheet, result: StudyResult, wall: WallResult, name: str, row: int) -> int:
     label = f"{wall.name} – {mechanism_word(book, wall.mechanism)}"
-    row = _heads(book, sheet, row, label)
+    row = heads(book, sheet, row, label)
     row = _geometry(book, sheet, wall, name, row)
     if wall.per_record:
         row = _records(book, sheet, wall, name, row + 1)
     row = _closed(book, sheet, result, wall, name, row)
     if wall.code_check:
         row = _inequality(book, sheet, wall, name, row + 1)
+    if wall.assessment and wall.assessment.kinematic:
+        row = wall_rows(book, sheet, result, wall, name, row + 1)
     for warning in wall.warnings:
         row = paragraph(sheet, row, f"• {warning.text(book.language)}", 13, 150)
     return row + 1
@@ -124,26 +89,51 @@ def _wall(book: Book, sheet, result: StudyResult, wall: WallResult, name: str, r
 def _geometry(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
     say, block = book.say, wall.block
     degrees = math.degrees(block.slenderness)
-    height = "H" if block.is_rectangle else f"H = 2 R_eq cos α ({say('equivalent', 'equivalente')})"
-    row = _input(book, sheet, row, height, wall.height, "m", f"{name}_height", RATIO)
-    if block.is_rectangle and wall.wall.slenderness_deg is None:
-        row = _input(book, sheet, row, "t", wall.thickness, "m", f"{name}_thickness", "0.000")
-        row = _live(book, sheet, row, "α = arctan(t/H)", "Fig. 1",
-                    f"=DEGREES(ATAN({name}_thickness/{name}_height))", degrees, "°",
-                    f"{name}_slenderness")  # fmt: skip
-    else:
-        row = _input(book, sheet, row, "α", degrees, "°", f"{name}_slenderness")
-    if block.is_rectangle:
-        row = _live(book, sheet, row, "R = H / (2 cos α)", "Fig. 1",
-                    f"={name}_height/(2*COS(RADIANS({name}_slenderness)))", block.radius, "m",
-                    f"{name}_radius")  # fmt: skip
+    rectangle, setback = block.is_rectangle, wall.wall.setback if wall.wall.height_m else 0.0
+    equivalent = f"H = 2 R_eq cos α ({say('equivalent', 'equivalente')})"
+    if rectangle or setback:
+        row = input_row(book, sheet, row, "H", wall.height, "m", f"{name}_height", RATIO)
+    if setback:
+        row = input_row(book, sheet, row, "t", wall.thickness, "m", f"{name}_thickness", "0.000")
+        row = input_row(book, sheet, row, say("hinge setback u", "arretramento cerniera u"), setback,
+                        "m", f"{name}_setback")  # fmt: skip
+        row = live_row(book, sheet, row, "α = arctan((t − 2u)/H)", "Fig. 1",
+                       f"=DEGREES(ATAN(({name}_thickness-2*{name}_setback)/{name}_height))", degrees,
+                       "°", f"{name}_slenderness")  # fmt: skip
+        row = live_row(book, sheet, row, "R", "Fig. 1",
+                       f"=SQRT({name}_height^2+({name}_thickness-2*{name}_setback)^2)/2", block.radius,
+                       "m", f"{name}_radius")  # fmt: skip
+        row = live_row(book, sheet, row, "I0/m", "Fig. 1",
+                       f"=({name}_height^2+{name}_thickness^2)/12+{name}_radius^2",
+                       block.inertia_over_mass, "m²", f"{name}_inertia")  # fmt: skip
+        p = f"=SQRT(gravity*{name}_radius/{name}_inertia)"
+    elif rectangle:
+        if wall.wall.slenderness_deg is None:
+            row = input_row(
+                book, sheet, row, "t", wall.thickness, "m", f"{name}_thickness", "0.000"
+            )
+            row = live_row(book, sheet, row, "α = arctan(t/H)", "Fig. 1",
+                           f"=DEGREES(ATAN({name}_thickness/{name}_height))", degrees, "°",
+                           f"{name}_slenderness")  # fmt: skip
+        else:
+            row = input_row(book, sheet, row, "α", degrees, "°", f"{name}_slenderness")
+        row = live_row(book, sheet, row, "R = H / (2 cos α)", "Fig. 1",
+                       f"={name}_height/(2*COS(RADIANS({name}_slenderness)))", block.radius, "m",
+                       f"{name}_radius")  # fmt: skip
         p = f"=SQRT(3*gravity/(4*{name}_radius))"
     else:
-        row = _input(book, sheet, row, "R", block.radius, "m", f"{name}_radius")
-        row = _input(book, sheet, row, "I0/m", block.inertia_over_mass, "m²", f"{name}_inertia")
+        row = input_row(book, sheet, row, "α", degrees, "°", f"{name}_slenderness")
+        row = input_row(book, sheet, row, "R", block.radius, "m", f"{name}_radius")
+        row = input_row(book, sheet, row, "I0/m", block.inertia_over_mass, "m²", f"{name}_inertia")
         p = f"=SQRT(gravity*{name}_radius/{name}_inertia)"
-    row = _live(book, sheet, row, "p", "Eq. 1", p, block.frequency_parameter, "rad/s", f"{name}_p")
-    row = _live(book, sheet, row, "a_RM / g = tan α", "Eq. 2",
+    if not rectangle:
+        row = live_row(book, sheet, row, equivalent, "Eq. 15, 16",
+                       f"=1.5*{name}_inertia/{name}_radius*COS(RADIANS({name}_slenderness))",
+                       block.height, "m", f"{name}_equivalent_height")  # fmt: skip
+    row = live_row(
+        book, sheet, row, "p", "Eq. 1", p, block.frequency_parameter, "rad/s", f"{name}_p"
+    )
+    row = live_row(book, sheet, row, "a_RM / g = tan α", "Eq. 2",
                 f"=TAN(RADIANS({name}_slenderness))", block.threshold_acceleration / G, "g",
                 f"{name}_a_rm", ACCELERATION)  # fmt: skip
     ratio = wall.restitution
@@ -159,9 +149,9 @@ def _geometry(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
     }
     if ratio.model in formulas:
         equation, formula = formulas[ratio.model]
-        return _live(book, sheet, row, label, equation, f"={formula}", ratio.ratio_at_rest, "–",
+        return live_row(book, sheet, row, label, equation, f"={formula}", ratio.ratio_at_rest, "–",
                      f"{name}_velocity_ratio")  # fmt: skip
-    return _input(book, sheet, row, label, ratio.ratio_at_rest, "–", f"{name}_velocity_ratio")
+    return input_row(book, sheet, row, label, ratio.ratio_at_rest, "–", f"{name}_velocity_ratio")
 
 
 def _records(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
@@ -182,17 +172,17 @@ def _records(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
     row += 1
     formula = "AVERAGE" if wall.set_rule == "mean" else "MIN"
     label = f"q ({rule_word(book, wall.set_rule)})"
-    row = _live(book, sheet, row, label, "", f"={formula}(E{first}:E{last})", wall.q_set, "–",
+    row = live_row(book, sheet, row, label, "", f"={formula}(E{first}:E{last})", wall.q_set, "–",
                 f"{name}_q_set")  # fmt: skip
     law = wall.power_law
     if law and all(entry.q is not None for entry in wall.per_record):
         xs, ys = f"I{first}:I{last}", f"J{first}:J{last}"
-        row = _live(
+        row = live_row(
             book, sheet, row, "C2", "Eq. 13", f"=SLOPE({ys},{xs})", law.c2, "–", f"{name}_c2"
         )
-        row = _live(book, sheet, row, "C1", "Eq. 13", f"=EXP(INTERCEPT({ys},{xs}))", law.c1, "–",
+        row = live_row(book, sheet, row, "C1", "Eq. 13", f"=EXP(INTERCEPT({ys},{xs}))", law.c1, "–",
                     f"{name}_c1")  # fmt: skip
-        row = _live(book, sheet, row, "R²", "Eq. 13", f"=RSQ({ys},{xs})", law.r_squared, "–")
+        row = live_row(book, sheet, row, "R²", "Eq. 13", f"=RSQ({ys},{xs})", law.r_squared, "–")
     return row
 
 
@@ -223,7 +213,8 @@ def _record_row(book: Book, sheet, wall, entry: PerRecord, scale, name: str, row
 
 def _closed_formula(wall: WallResult, name: str, intensity: str) -> str:
     a1, a2, a3, c2 = COEFFICIENTS[wall.mechanism == "one_sided"]
-    return f"({a1:g}*{name}_slenderness+{a2:g}*{name}_height+{a3:g})*{intensity}^({c2:g})"
+    height = "height" if wall.block.is_rectangle else "equivalent_height"
+    return f"({a1:g}*{name}_slenderness+{a2:g}*{name}_{height}+{a3:g})*{intensity}^({c2:g})"
 
 
 def _closed(book: Book, sheet, result: StudyResult, wall: WallResult, name: str, row: int) -> int:
@@ -232,9 +223,9 @@ def _closed(book: Book, sheet, result: StudyResult, wall: WallResult, name: str,
     form = "Eq. 16" if wall.mechanism == "one_sided" else "Eq. 15"
     formula = _closed_formula(wall, name, "demand_si")
     label = book.say("of the demand", "della domanda")
-    row = _live(book, sheet, row, f"q_eff {label}", form, f"={formula}", wall.closed_form_q_eff, "–",
+    row = live_row(book, sheet, row, f"q_eff {label}", form, f"={formula}", wall.closed_form_q_eff, "–",
                 f"{name}_q_eff_closed", RATIO)  # fmt: skip
-    return _live(book, sheet, row, f"q = q_eff S a_g / g {label}", form,
+    return live_row(book, sheet, row, f"q = q_eff S a_g / g {label}", form,
                  f"={name}_q_eff_closed*demand_pga", wall.closed_form_q, "–",
                  f"{name}_q_closed", RATIO)  # fmt: skip
 

@@ -84,16 +84,35 @@ _PARAGRAPHS = (
         ),
     ),
     (
+        ("Checks of the Circolare 7/2019", "Verifiche della Circolare 7/2019"),
+        (
+            "C8.7.1.2.1.9: time histories at the demand times FC, alpha exceeded in none, mean of the "
+            "largest rotations (7 records or more, else the largest) within 0.40 alpha (SLV), 0.60 (SLC); "
+            "zeta is the multiplier of the demand at which this first fails. C8.7.1.2.1.8: d = 0.40 d0 "
+            "(0.60), T = 1.68 pi sqrt(d/a) (1.56 pi), damping 8 % (10 %), S_De on the ground. "
+            "C8.7.1.2.1.7: q a0* / S against a_g, a0* = alpha0 g / (e* FC), e* = 0.75. The verdict "
+            "follows the most refined check that could be made, in this order. Sentences of the clauses "
+            "were read in a public transcription of the Circolare.",
+            "C8.7.1.2.1.9: storie temporali alla domanda moltiplicata per FC, alpha mai superato, media "
+            "delle rotazioni massime (da 7 record, altrimenti il massimo) entro 0.40 alpha (SLV), 0.60 "
+            "(SLC); zeta è il moltiplicatore della domanda al quale ciò cade per la prima volta. "
+            "C8.7.1.2.1.8: d = 0.40 d0 (0.60), T = 1.68 pi sqrt(d/a) (1.56 pi), smorzamento 8 % (10 %), "
+            "S_De al suolo. C8.7.1.2.1.7: q a0* / S rispetto ad a_g, a0* = alpha0 g / (e* FC), e* = 0.75. "
+            "L'esito segue la verifica più raffinata disponibile, in quest'ordine. I testi dei punti sono "
+            "stati letti in una trascrizione pubblica della Circolare.",
+        ),
+    ),
+    (
         ("What is left out", "Che cosa è escluso"),
         (
             "Load and thrust of floors and roof, ties, sliding, vertical motion, cracking and crushing "
-            "of the masonry, the amplification of the motion along the height of a building, "
-            "confidence factor and e* of the Circolare. The motion amplifies small differences: an "
-            "input known to 1 % does not give a rotation known to 1 %.",
+            "of the masonry, the amplification of the motion along the height of a building: a wall whose "
+            "base is above the ground is not assessed. Eq. 9 is without FC and e*. "
+            "The motion amplifies small differences: an input known to 1 % does not give a rotation known to 1 %.",
             "Carichi e spinte di solai e coperture, catene, scorrimento, moto verticale, fessurazione "
-            "e schiacciamento della muratura, amplificazione del moto lungo l'altezza dell'edificio, "
-            "fattore di confidenza ed e* della Circolare. Il moto amplifica le piccole differenze: un "
-            "dato noto all'1 % non dà una rotazione nota all'1 %.",
+            "e schiacciamento della muratura, amplificazione del moto lungo l'altezza dell'edificio: una "
+            "parete con la base sopra il suolo non è valutata. L'Eq. 9 è senza FC ed e*. "
+            "Il moto amplifica le piccole differenze: un dato noto all'1 % non dà una rotazione nota all'1 %.",
         ),
     ),
 )

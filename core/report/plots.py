@@ -50,7 +50,8 @@ DATA = 16
 """First column of the data behind the charts, right of what is printed."""
 
 
-def _chart(heading: str, x: str, y: str, width=24.0, height=9.5) -> ScatterChart:
+def new_chart(heading: str, x: str, y: str, width=24.0, height=9.5) -> ScatterChart:
+    """An empty scatter chart in the report's style; width, height [cm]."""
     chart = ScatterChart()
     chart.style = 13
     font = CharacterProperties(sz=1100, b=True)
@@ -69,7 +70,7 @@ def _chart(heading: str, x: str, y: str, width=24.0, height=9.5) -> ScatterChart
     return chart
 
 
-def _series(chart, sheet, columns, rows, color, points=False, dash=None, width=19000) -> None:
+def add_series(chart, sheet, columns, rows, color, points=False, dash=None, width=19000) -> None:
     """Add one curve; columns (x, y), rows (first with the header of y, last)."""
     x = Reference(sheet, min_col=columns[0], min_row=rows[0] + 1, max_row=rows[1])
     y = Reference(sheet, min_col=columns[1], min_row=rows[0], max_row=rows[1])
@@ -105,13 +106,13 @@ def q_against_si(book: Book, result: StudyResult) -> None:
         column = DATA + 8 * index
         last_point, last_curve = _si_data(book, sheet, wall, column)
         label = f"{wall.name} – {mechanism_word(book, wall.mechanism)}"
-        chart = _chart(label, "SI [cm]", "q_eff [-]", 17.5, 9.5)
-        _series(chart, sheet, (column, column + 1), (2, last_point), ACCENT, points=True)
+        chart = new_chart(label, "SI [cm]", "q_eff [-]", 17.5, 9.5)
+        add_series(chart, sheet, (column, column + 1), (2, last_point), ACCENT, points=True)
         if wall.power_law:
-            _series(chart, sheet, (column + 2, column + 3), (2, last_curve), ACCENT)
-        _series(chart, sheet, (column + 2, column + 4), (2, last_curve), BAD)
+            add_series(chart, sheet, (column + 2, column + 3), (2, last_curve), ACCENT)
+        add_series(chart, sheet, (column + 2, column + 4), (2, last_curve), BAD)
         for k in (5, 6):
-            _series(
+            add_series(
                 chart,
                 sheet,
                 (column + 2, column + k),
@@ -178,9 +179,9 @@ def histories(book: Book, result: StudyResult, drawn: list[CollapseHistories]) -
             f"{entry.wall.name} – {mechanism_word(book, entry.wall.mechanism)}: "
             f"{entry.motion.name} ({sign})"
         )
-        chart = _chart(label, "t [s]", "θ/α [-]", 17.5, 8.5)
-        _series(chart, sheet, (column, column + 1), (2, last[0]), GOOD, width=12000)
-        _series(chart, sheet, (column + 2, column + 3), (2, last[1]), BAD, width=12000)
+        chart = new_chart(label, "t [s]", "θ/α [-]", 17.5, 8.5)
+        add_series(chart, sheet, (column, column + 1), (2, last[0]), GOOD, width=12000)
+        add_series(chart, sheet, (column + 2, column + 3), (2, last[1]), BAD, width=12000)
         one_sided = entry.wall.mechanism == "one_sided"
         chart.y_axis.scaling.min = -0.25 if one_sided else -1.5
         chart.y_axis.scaling.max = 1.5

@@ -1,4 +1,4 @@
-"""Summary, Input, Records, Results and Method sheets."""
+"""Input, Records, Results and Method sheets."""
 
 import math
 import platform
@@ -6,11 +6,9 @@ import platform
 from openpyxl.styles import PatternFill
 
 from core.case import Case
-from core.code_check import TITLE
 from core.report.cells import (
     ACCELERATION,
     BAD,
-    GOOD,
     INK,
     QUIET,
     RATIO,
@@ -26,12 +24,9 @@ from core.report.cells import (
 )  # fmt: skip
 from core.report.method_text import paragraphs
 from core.restitution import MODELS
-from core.results import StudyResult, WallResult
+from core.results import StudyResult
 from core.units import CM, G
 from core.version import NAME, VERSION, commit
-
-SUMMARY_WALLS = 24
-"""Walls listed on the Summary, which is one page; the rest are on Results and Check."""
 
 
 def mechanism_word(book: Book, mechanism: str) -> str:
@@ -60,119 +55,6 @@ def status_word(book: Book, status: str) -> str:
     }[status]
 
 
-def summary(book: Book, result: StudyResult) -> None:
-    """One A4 page: title block, demand, one row a wall, warnings."""
-    say, report, case = book.say, result.case.report, result.case
-    widths = [20, 11, 7, 7, 7, 8, 20, 8, 8, 8, 9, 9, 9]
-    sheet = book.sheet("Summary", "Sintesi", widths, landscape=True)
-    sheet.page_setup.fitToHeight = 1
-    last = len(widths)
-    title(sheet, 1, case.title, 16)
-    paragraph(sheet, 2, say(
-        "Out-of-plane overturning of masonry walls: incremental dynamic analysis of the rocking block "
-        "and the force reduction factor q (Coccia, Di Carlo, Imperatore 2016)",
-        "Ribaltamento fuori piano di pareti in muratura: analisi dinamica incrementale del blocco "
-        "oscillante e fattore di struttura q (Coccia, Di Carlo, Imperatore 2016)"), last, 150,
-        color=QUIET)  # fmt: skip
-    row = 3
-    block = [
-        (say("Client", "Committente"), report.client), (say("Site", "Luogo"), report.site),
-        (say("Project", "Progetto"), report.project), (say("Author", "Autore"), report.author),
-        (say("Revision", "Revisione"), report.revision), (say("Date", "Data"), report.date),
-    ]  # fmt: skip
-    started = result.started_utc[:16].replace("T", " ")
-    block = [(label, value) for label, value in block if value]
-    block.append((say("Program", "Programma"), f"{NAME} {VERSION}, {started} UTC"))
-    for label, value in block:
-        text(sheet, row, 1, label, color=QUIET)
-        text(sheet, row, 2, value)
-        row += 1
-    row = _demand_line(book, sheet, result, row + 1, last)
-    header(sheet, row, [
-        say("Wall", "Parete"), say("Mechanism", "Meccanismo"), "H [m]", "t [m]", "α [°]",
-        "a_RM [g]", say("Rule of the set", "Regola dell'insieme"), "q", say("q minimum", "q minimo"),
-        say("q robust", "q robusto"), "q Eq. 15/16", say("Eq. 9\nq code", "Eq. 9\nq norma"),
-        say("Eq. 9\nq histories", "Eq. 9\nq storie")])  # fmt: skip
-    for wall in result.walls[:SUMMARY_WALLS]:
-        row += 1
-        _summary_row(book, sheet, row, wall)
-        rule(sheet, row, 1, last)
-    row += 2
-    if len(result.walls) > SUMMARY_WALLS:
-        row = paragraph(sheet, row, say(
-            f"{len(result.walls) - SUMMARY_WALLS} more walls on the sheets Results and Check.",
-            f"Altre {len(result.walls) - SUMMARY_WALLS} pareti nei fogli Risultati e Verifica."),
-            last, 150)  # fmt: skip
-    row = paragraph(sheet, row, say(
-        f"Ratios are those of {TITLE}: a_RM / (S a_g / q), passed from 1.00. They compare a collapse q "
-        "with a code value meant for the life-safety limit state: not a verdict on their own.",
-        "I rapporti sono quelli della Eq. 9, senza e* e FC: a_RM / (S a_g / q), soddisfatta da 1.00. "
-        "Confrontano un q di collasso con un valore di norma per lo stato limite di salvaguardia "
-        "della vita: da soli non sono un giudizio."), last, 150, italic=True, color=QUIET)  # fmt: skip
-    _warnings(book, sheet, result, row + 1, last)
-
-
-def _demand_line(book: Book, sheet, result: StudyResult, row: int, last: int) -> int:
-    demand, say = result.demand, book.say
-    if demand is None:
-        line = say("No demand given: no check.", "Nessuna domanda assegnata: nessuna verifica.")
-    else:
-        line = (
-            f"{say('Demand', 'Domanda')} {demand.limit_state}: a_g {demand.ag / G:.3f} g, "
-            f"S {demand.soil_factor:.2f}, S a_g {demand.pga / G:.3f} g"
-        )
-        if demand.intensity:
-            source = {
-                "given": say("given", "assegnata"),
-                "records_scaled": say("from the records", "dai record"),
-            }[demand.intensity_source]
-            line += f", SI {demand.intensity / CM:.1f} cm ({source})"
-    return paragraph(sheet, row, line, last, 150, bold=True)
-
-
-def _summary_row(book: Book, sheet, row: int, wall: WallResult) -> None:
-    text(sheet, row, 1, wall.name, wrap=True)
-    heighten(sheet, row, (wall.name, 20))
-    text(sheet, row, 2, mechanism_word(book, wall.mechanism))
-    number(sheet, row, 3, wall.height, RATIO)
-    number(sheet, row, 4, wall.thickness, RATIO)
-    number(sheet, row, 5, math.degrees(wall.block.slenderness), RATIO)
-    number(sheet, row, 6, wall.block.threshold_acceleration / G, ACCELERATION)
-    text(sheet, row, 7, rule_word(book, wall.set_rule), align="center")
-    number(sheet, row, 8, wall.q_set, RATIO, bold=True)
-    number(sheet, row, 9, wall.q_min, RATIO)
-    number(sheet, row, 10, wall.q_robust_set, RATIO)
-    number(sheet, row, 11, wall.closed_form_q, RATIO)
-    checks = dict(zip((12, 13), (wall.code_check[0], wall.code_check[2]), strict=True)) if (
-        wall.code_check) else {12: None, 13: None}  # fmt: skip
-    for column, check in checks.items():
-        color = INK if check is None else GOOD if check.passed else BAD
-        number(sheet, row, column, check.ratio if check else None, RATIO, color=color,
-               bold=check is not None)  # fmt: skip
-
-
-def _warnings(book: Book, sheet, result: StudyResult, row: int, last: int, most: int = 14) -> None:
-    """Each warning once, with the walls or records it belongs to."""
-    owners: dict[str, list[str]] = {}
-    for owner in (*result.walls, *result.motions):
-        for warning in owner.warnings:
-            name = owner.name
-            if isinstance(owner, WallResult):
-                name += f" ({mechanism_word(book, owner.mechanism)})"
-            owners.setdefault(warning.text(book.language), []).append(name)
-    text(sheet, row, 1, book.say("Warnings", "Avvertenze"), bold=True)
-    row += 1
-    if not owners:
-        text(sheet, row, 1, book.say("none", "nessuna"))
-    for line, names in list(owners.items())[:most]:
-        who = ", ".join(names[:4]) + (f" +{len(names) - 4}" if len(names) > 4 else "")
-        row = paragraph(sheet, row, f"• {line}  [{who}]", last, 140)
-    if len(owners) > most:
-        paragraph(sheet, row, book.say(
-            f"{len(owners) - most} more on the sheets Records and Check.",
-            f"Altre {len(owners) - most} nei fogli Accelerogrammi e Verifica."), last, 140)  # fmt: skip
-
-
 def inputs(book: Book, result: StudyResult) -> None:
     """Echo of the case; what the user did not write is marked as default."""
     say, case = book.say, result.case
@@ -199,7 +81,10 @@ def inputs(book: Book, result: StudyResult) -> None:
             text(sheet, row, 1, place)
             text(sheet, row, 2, key)
             if isinstance(value, dict):
-                value = ", ".join(f"{name} = {end:g}" for name, end in value.items())
+                parts = {name: end for name, end in value.items() if end is not None}
+                value = ", ".join(f"{name} = {end}" for name, end in parts.items())
+            if isinstance(value, bool):
+                value = say("yes", "sì") if value else say("no", "no")
             if isinstance(value, (int, float)):
                 number(sheet, row, 3, value, "General", align="left")
             else:
@@ -215,7 +100,7 @@ def inputs(book: Book, result: StudyResult) -> None:
 
 def _sections(case: Case):
     content = case.as_dict()
-    for section in ("report", "wall", "record", "analysis", "demand"):
+    for section in ("report", "wall", "record", "generate", "analysis", "demand"):
         items = content[section]
         if isinstance(items, dict):
             yield section, 0, f"[{section}]", items
@@ -355,7 +240,7 @@ def method(book: Book, result: StudyResult) -> None:
         sheet.row_dimensions[row].height = 14 * math.ceil(longest)
         rule(sheet, row, 1, 2)
         row += 1
-    row += 1
+    row = _uncertainty(book, sheet, result, row + 1)
     for label, body in paragraphs(book.language):
         text(sheet, row, 1, label, bold=True, wrap=True)
         text(sheet, row, 2, body, wrap=True)
@@ -364,3 +249,54 @@ def method(book: Book, result: StudyResult) -> None:
         sheet.cell(row, 1).fill = PatternFill("solid", fgColor="F2F5F8")
         rule(sheet, row, 1, 2)
         row += 1
+
+
+def _uncertainty(book: Book, sheet, result: StudyResult, row: int) -> int:
+    """How sure each q is, where the case asks for it: solver and definition as two statements."""
+    say = book.say
+    for wall in result.walls:
+        found = wall.accuracy
+        if found is None:
+            continue
+        title(sheet, row, f"{say('How sure', 'Quanto è sicuro')}: {wall.name}, "
+              f"{mechanism_word(book, wall.mechanism)}, {found.record}", 11)  # fmt: skip
+        rows = [
+            (say("Error of the solver", "Errore del solutore"), say(
+                f"q by dormand_prince: {_digits(found.q_reference)} against {found.q:.4f}, difference "
+                f"{_percent(found.solver_q_error)}; history against DOP853 of scipy at the last survived "
+                f"scale: {_power(found.history_error)} of alpha.",
+                f"q con dormand_prince: {_digits(found.q_reference)} contro {found.q:.4f}, differenza "
+                f"{_percent(found.solver_q_error)}; storia rispetto a DOP853 di scipy all'ultima scala "
+                f"sopportata: {_power(found.history_error)} di alpha.")),
+            (say("Spread by definition", "Dispersione per definizione"), say(
+                "q (q robust) by step of the search: ", "q (q robusto) per passo della ricerca: ")
+                + "; ".join(f"{100 * s:g} %: {_digits(q)} ({_digits(r)})" for s, q, r in found.steps)
+                + ". " + say("Samples rounded to five figures: q spreads ",
+                             "Campioni arrotondati a cinque cifre: q varia del ")
+                + f"{_percent(found.spread(0, found.rounded))}, q robust "
+                f"{_percent(found.spread(1, found.rounded))}."
+                + (say(" Sign: ", " Segno: ") + " / ".join(_digits(q) for q in found.polarities)
+                   if found.polarities else "")),
+            (say("Methods on this history", "Metodi su questa storia"), "; ".join(
+                f"{p.name}: {1e6 * p.seconds:.0f} µs, {_power(p.error)}" for p in found.points)),
+        ]  # fmt: skip
+        for label, body in rows:
+            row += 1
+            text(sheet, row, 1, label, bold=True, wrap=True)
+            text(sheet, row, 2, body, wrap=True)
+            sheet.row_dimensions[row].height = 13.8 * math.ceil(len(body) / 80) + 4
+            rule(sheet, row, 1, 2)
+        row += 2
+    return row
+
+
+def _digits(value: float | None) -> str:
+    return "–" if value is None else f"{value:.2f}"
+
+
+def _percent(value: float | None) -> str:
+    return "–" if value is None else f"{100 * value:.2g} %"
+
+
+def _power(value: float | None) -> str:
+    return "overturns" if value is None else f"{value:.0e}"

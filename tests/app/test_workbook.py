@@ -76,7 +76,7 @@ def test_that_every_formula_carries_its_value_and_nothing_else_is_a_formula(book
 
 def test_that_formulas_stand_on_the_check_sheet_with_named_cells(book):
     found = formulas(book)
-    assert {sheet for sheet, _ in found} == {"Check"}
+    assert {sheet for sheet, _ in found} == {"Check", "Dynamic check"}
     names = set(book.workbook.defined_names)
     assert {"wall1_height", "wall1_a_rm", "demand_pga", "wall3_q_set"} <= names
     for formula in found.values():
@@ -84,7 +84,26 @@ def test_that_formulas_stand_on_the_check_sheet_with_named_cells(book):
             assert word in names
 
 
-def test_that_libreoffice_recalculates_every_formula_to_the_programs_value(book, tmp_path):
+@pytest.fixture(scope="module")
+def ntc(folder):
+    """A hinge setback, one-sided, NTC 2018 spectrum, Italian, and a wall above the ground."""
+    walls = [
+        {"name": "a", "height_m": 5.0, "thickness_m": 0.6, "mechanism": "one_sided",
+         "hinge_setback_m": 0.03, "length_m": 4.0, "unit_weight_kn_m3": 18.0},
+        {"name": "b", "height_m": 4.0, "thickness_m": 0.4, "mechanism": "two_sided", "base_z_m": 3.0},
+        {"name": "c", "radius_m": 2.6, "slenderness_deg": 8.0, "inertia_over_mass_m2": 9.5,
+         "mechanism": "two_sided"},
+    ]  # fmt: skip
+    spectrum = {"code": "NTC2018", "f0": 2.4, "tc_star_s": 0.33, "soil": "C", "topography": "T2"}
+    demand = {"ag_g": 0.2, "confidence_factor": 1.35, "limit_state": "SLC", "spectrum": spectrum}
+    return made(folder, "it", wall=walls, demand=demand)[1]
+
+
+@pytest.mark.parametrize("which", ["book", "ntc"])
+def test_that_libreoffice_recalculates_every_formula_to_the_programs_value(
+    which, request, tmp_path
+):
+    book = request.getfixturevalue(which)
     office = shutil.which("soffice") or shutil.which("libreoffice")
     if not office:
         pytest.skip("LibreOffice is not installed: formulas were not recalculated")
@@ -127,8 +146,8 @@ def test_that_user_text_never_becomes_a_formula(book):
 
 def test_that_the_sheets_are_those_of_the_contract(folder, book):
     assert book.workbook.sheetnames == [
-        "Summary", "Input", "Records", "Results", "Check", "q against SI", "Histories",
-        "Survival map", "Method",
+        "Summary", "Input", "Records", "Results", "Check", "Dynamic check", "Spectral compatibility",
+        "q against SI", "Histories", "Survival map", "Method",
     ]  # fmt: skip
     italian = made(folder, "it")[1]
     assert italian.workbook.sheetnames[:5] == [
@@ -139,6 +158,22 @@ def test_that_the_sheets_are_those_of_the_contract(folder, book):
         if isinstance(cell.value, str)
     )  # fmt: skip
     for english in ("Warnings", "two-sided", "passed", "collapse found", "Ground"):
+        assert english not in text
+
+
+def test_that_the_engineers_judgement_is_left_blank(ntc):
+    sheet = ntc.workbook["Sintesi"]
+    label = next(c for row in sheet.iter_rows() for c in row if "Giudizio motivato" in str(c.value))
+    box = next(area for area in sheet.merged_cells.ranges if area.min_row == label.row + 1)
+    assert all(sheet.cell(*cell).value is None for cell in box.cells)
+
+
+def test_that_a_sheet_in_italian_says_nothing_in_english(ntc):
+    text = " ".join(
+        str(cell.value) for sheet in ntc.workbook for row in sheet.iter_rows() for cell in row
+        if isinstance(cell.value, str)
+    )  # fmt: skip
+    for english in ("Verified", "passed", "stable", "Capacity", "mean spectrum", "overturns"):
         assert english not in text
 
 
@@ -172,7 +207,7 @@ def test_that_a_case_without_records_or_demand_still_makes_every_sheet(folder):
         if "demand" not in more:
             table["demand"] = {"ag_g": 0.1, "housner_intensity_cm": 60.0}
         _, book = made(folder, **table)
-        assert len(book.workbook.sheetnames) == 9
+        assert len(book.workbook.sheetnames) == 11
         openpyxl.load_workbook(BytesIO(book.content()))
 
 
@@ -185,6 +220,7 @@ def test_that_two_hundred_walls_fit_the_one_page_summary(folder, reference):
     summary = book.workbook["Summary"]
     assert summary.page_setup.fitToHeight == 1 == summary.page_setup.fitToWidth
     assert summary.max_row < 60
+    assert len(list(book.workbook["Overview"].iter_rows(min_row=4))) == 200
     assert "wall199_height" in book.workbook.defined_names
 
 

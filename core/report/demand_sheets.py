@@ -1,0 +1,227 @@
+"""Sheets of the demand: the dynamic check record by record, and the compatibility of the records."""
+
+from openpyxl.chart import ScatterChart
+
+from core.compliance import RANGE, station_of
+from core.report.cells import (
+    ACCELERATION,
+    ACCENT,
+    BAD,
+    EXACT,
+    GOOD,
+    INK,
+    QUIET,
+    RATIO,
+    Book,
+    header,
+    heighten,
+    number,
+    paragraph,
+    rule,
+    style,
+    text,
+    title,
+)  # fmt: skip
+from core.report.plots import add_series, new_chart
+from core.report.sheets import mechanism_word
+from core.results import StudyResult, WallResult
+from core.units import G
+from core.words import word
+
+DATA = 16
+DRAWN_SPECTRA = 30
+
+
+def dynamic_check(book: Book, result: StudyResult) -> None:
+    """C8.7.1.2.1.9, one block a wall: peaks by record and sign, the rule as live formulas."""
+    say = book.say
+    widths = [34, 12, 12, 12, 13, 13, 14]
+    sheet = book.sheet("Dynamic check", "Verifica dinamica", widths)
+    title(sheet, 1, say("Dynamic check, Circolare 7/2019 C8.7.1.2.1.9",
+                        "Verifica dinamica, Circolare 7/2019 C8.7.1.2.1.9"))  # fmt: skip
+    walls = [wall for wall in result.walls if wall.assessment and wall.assessment.dynamic]
+    if not walls:
+        text(sheet, 3, 1, say(
+            "Not made: it takes records, a demand at SLV or SLC, and a wall on the ground.",
+            "Non eseguita: richiede accelerogrammi, una domanda allo SLV o SLC e una parete al suolo."))  # fmt: skip
+        return
+    row = paragraph(sheet, 2, say(
+        "Each record acts at the demand times FC. Passed if alpha is exceeded in no run and the set of the "
+        "largest rotations, of each record its worse sign, stays within the limit: mean from 7 records, else "
+        "the largest. ζ is the multiplier of the demand at which the rule first fails.",
+        "Ogni accelerogramma agisce alla domanda moltiplicata per FC. Soddisfatta se alpha non è mai "
+        "superato e l'insieme delle rotazioni massime, per ogni record il segno peggiore, resta entro il "
+        "limite: media da 7 record, altrimenti il massimo. ζ è il moltiplicatore della domanda al quale la "
+        "regola cade per la prima volta."), 7, 105, color=QUIET)  # fmt: skip
+    for wall in walls:
+        row = _wall(book, sheet, wall, wall.assessment.dynamic, row + 1)
+
+
+def _wall(book: Book, sheet, wall: WallResult, check, row: int) -> int:
+    say = book.say
+    label = f"{wall.name} – {mechanism_word(book, wall.mechanism)}"
+    header(sheet, row, [label, say("Factor", "Fattore"), "θmax/α (+)", "θmax/α (−)",
+                        say("worse", "peggiore"), say("program", "programma"), say("Status", "Esito")], 1,
+           32 if len(label) > 30 else 18)  # fmt: skip
+    first = row + 1
+    names = list(dict.fromkeys(run.record for run in check.runs))
+    overturns = word("overturned", book.language)
+    for record in names:
+        row += 1
+        runs = {run.polarity: run for run in check.runs if run.record == record}
+        text(sheet, row, 1, record, wrap=True)
+        heighten(sheet, row, (record, 34))
+        number(sheet, row, 2, next(iter(runs.values())).factor, ACCELERATION)
+        for column, sign in ((3, 1), (4, -1)):
+            if sign in runs:
+                run = runs[sign]
+                if run.peak_ratio is None:
+                    shown = word(run.status, book.language)
+                    text(sheet, row, column, shown, color=BAD, align="right")
+                else:
+                    number(sheet, row, column, run.peak_ratio, ACCELERATION,
+                           color=BAD if run.exceeded else INK)  # fmt: skip
+        peaks = [run.peak_ratio for run in runs.values()]
+        if None not in peaks:
+            book.formula(sheet.cell(row, 5), f"=MAX(C{row}:D{row})", max(peaks), ACCELERATION)
+            number(sheet, row, 6, max(peaks), ACCELERATION, color=QUIET)
+        status = next((run.status for run in runs.values() if run.status != "stable"), "stable")
+        text(sheet, row, 7, word(status, book.language), color=INK if status == "stable" else BAD,
+             align="center")  # fmt: skip
+        rule(sheet, row, 1, 7)
+    last = row
+    row += 1
+    text(sheet, row, 1, say("runs in which α is exceeded", "analisi in cui α è superato"))
+    area = f"C{first}:D{last}"
+    book.formula(sheet.cell(row, 5), f'=COUNTIF({area},">1")+COUNTIF({area},"{overturns}")',
+                 float(check.n_exceeded), "0")  # fmt: skip
+    number(sheet, row, 6, check.n_exceeded, "0", color=QUIET)
+    row += 1
+    text(sheet, row, 1, f"{word(check.set_rule, book.language)} θmax/α")
+    if check.peak_ratio is not None:
+        formula = "AVERAGE" if check.set_rule == "mean" else "MAX"
+        book.formula(
+            sheet.cell(row, 5), f"={formula}(E{first}:E{last})", check.peak_ratio, ACCELERATION
+        )
+        number(sheet, row, 6, check.peak_ratio, ACCELERATION, color=QUIET)
+    else:
+        text(sheet, row, 5, overturns, color=BAD, align="right")
+    row += 1
+    text(sheet, row, 1, say(f"limit {check.limit_state}", f"limite {check.limit_state}"))
+    number(sheet, row, 5, check.limit_ratio, RATIO)
+    row += 1
+    text(sheet, row, 1, say("rule at the demand", "regola alla domanda"))
+    yes, no = word("passed", book.language), word("not_passed", book.language)
+    cell = book.formula(
+        sheet.cell(row, 5),
+        f'=IF(AND(E{row - 3}=0,ISNUMBER(E{row - 2}),N(E{row - 2})<=E{row - 1}),"{yes}","{no}")',
+        yes if check.holds else no,
+    )
+    style(cell, bold=True, color=GOOD if check.holds else BAD, align="right")
+    row += 1
+    text(sheet, row, 1, "ζ", bold=True)
+    number(sheet, row, 5, check.zeta, EXACT, bold=True)
+    rule(sheet, row, 1, 7)
+    return row + 1
+
+
+def spectral_compatibility(book: Book, result: StudyResult) -> None:
+    """The rules of the codes one by one, the spectra, and what the files say of event and station."""
+    say, found = book.say, result.compliance
+    widths = [40, 30, 13, 13, 8, 15, 12, 12, 12]
+    sheet = book.sheet("Spectral compatibility", "Compatibilità spettrale", widths, landscape=True)
+    title(sheet, 1, say("Compatibility of the records with the target spectrum",
+                        "Compatibilità degli accelerogrammi con lo spettro"))  # fmt: skip
+    if found is None:
+        text(sheet, 3, 1, say(
+            "Not shown: it takes records and a target spectrum ([demand.spectrum] or spectrum_file).",
+            "Non mostrata: richiede accelerogrammi e uno spettro ([demand.spectrum] o spectrum_file)."))  # fmt: skip
+        return
+    verdict = (
+        say("The set is compatible", "L'insieme è compatibile")
+        if found.compatible
+        else say("The set is not compatible", "L'insieme non è compatibile")
+    )
+    text(sheet, 2, 1, f"{verdict}: {result.demand.target.name}", bold=True,
+         color=GOOD if found.compatible else BAD)  # fmt: skip
+    header(sheet, 4, [say("Rule", "Regola"), say("Clause", "Clausola"), say("Value", "Valore"),
+                      say("Limit", "Limite"), say("Unit", "Unità"), say("Outcome", "Esito")], 1, 18)  # fmt: skip
+    row = 4
+    for item in found.rules:
+        row += 1
+        text(sheet, row, 1, word(item.name, book.language))
+        text(sheet, row, 2, item.clause, color=QUIET, size=9)
+        for column, value in ((3, item.value), (4, item.limit)):
+            if value is not None and item.unit == "%":
+                value *= 100.0
+            shape = {"%": "0.0", "g": "0.000", "s": "0.0", "": "0"}[item.unit]
+            number(sheet, row, column, value, shape)
+        text(sheet, row, 5, item.unit, color=QUIET, align="center")
+        outcome = "shown" if item.passed is None else "passed" if item.passed else "not_passed"
+        color = QUIET if item.passed is None else GOOD if item.passed else BAD
+        text(sheet, row, 6, word(outcome, book.language), bold=item.passed is not None, color=color)
+        rule(sheet, row, 1, 6)
+    row = paragraph(sheet, row + 2, say(
+        f"A rigid block has no period T1: the rules are applied over {RANGE[0]}-{RANGE[1]} s and shown over "
+        "0.1-2.5 s, the band of SI. Records at the demand, FC apart. Peaks between samples are seen.",
+        f"Un blocco rigido non ha un periodo T1: le regole valgono fra {RANGE[0]} e {RANGE[1]} s e sono "
+        "mostrate fra 0.1 e 2.5 s, la banda di SI. Record alla domanda, senza FC."), 9, 140, color=QUIET)  # fmt: skip
+    chart = _spectra(book, sheet, result)
+    sheet.add_chart(chart, f"A{row + 1}")
+    _events(book, sheet, result, row + 22)
+    sheet.print_area = f"A1:I{row + 23 + len(result.motions)}"
+
+
+def _spectra(book: Book, sheet, result: StudyResult) -> ScatterChart:
+    found, say = result.compliance, book.say
+    text(sheet, 2, DATA, "T [s]", size=8)
+    names = [say("target", "spettro"), say("mean", "media"),
+             *(motion.name for motion in result.motions[:DRAWN_SPECTRA])]  # fmt: skip
+    curves = [found.target, found.mean, *found.spectra[:DRAWN_SPECTRA]]
+    for k, label in enumerate(names):
+        text(sheet, 2, DATA + 1 + k, label, size=8)
+    for n, period in enumerate(found.periods):
+        sheet.cell(3 + n, DATA, float(period))
+        for k, curve in enumerate(curves):
+            sheet.cell(3 + n, DATA + 1 + k, float(curve[n]) / G)
+    chart = new_chart(say("5 % acceleration spectra", "Spettri di accelerazione al 5 %"), "T [s]",
+                      "S_a [g]", 24.0, 10.0)  # fmt: skip
+    last = 2 + found.periods.size
+    for k in range(len(curves) - 1, -1, -1):
+        color, width = ((BAD, 25000), (ACCENT, 25000))[k] if k < 2 else ("B8C2CC", 6000)
+        add_series(chart, sheet, (DATA, DATA + 1 + k), (2, last), color, width=width)
+    chart.x_axis.scaling.min, chart.x_axis.scaling.max = 0, 2.5
+    chart.y_axis.scaling.min = 0
+    if len(curves) > 10:
+        chart.legend = None
+    return chart
+
+
+def _events(book: Book, sheet, result: StudyResult, row: int) -> None:
+    """What the files say; cells they leave open are blank for the engineer."""
+    say = book.say
+    header(sheet, row, [
+        say("Record", "Accelerogramma"), say("Event and station", "Evento e stazione"),
+        say("Kind", "Tipo"), say("Factor", "Fattore"), "", say("Magnitude", "Magnitudo"),
+        say("Distance", "Distanza"), say("Soil", "Suolo"), say("Filter", "Filtro")], 1, 18)  # fmt: skip
+    for motion, kind in zip(result.motions, result.kinds, strict=True):
+        row += 1
+        details = {key.lower(): value for key, value in motion.details}
+        text(sheet, row, 1, motion.name, wrap=True)
+        station = station_of(motion) or ""
+        text(sheet, row, 2, station, size=8, wrap=True)
+        heighten(sheet, row, (motion.name, 40), (station, 36))
+        text(sheet, row, 3, word(kind, book.language))
+        number(sheet, row, 4, result.demand.scaling(motion), ACCELERATION)
+        low, high = (
+            details.get("low_cut_frequency_hz", ""),
+            details.get("high_cut_frequency_hz", ""),
+        )
+        cells = (
+            details.get("magnitude_w") or details.get("magnitude_l", ""),
+            details.get("epicentral_distance_km", ""), details.get("site_classification_ec8", ""),
+            f"{low}-{high} Hz" if low or high else "",
+        )  # fmt: skip
+        for column, value in enumerate(cells, start=6):
+            text(sheet, row, column, value, size=8)
+        rule(sheet, row, 1, 9)

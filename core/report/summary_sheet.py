@@ -1,0 +1,373 @@
+"""Summary: the page an engineer signs, and the overview of all walls."""
+
+import math
+
+from openpyxl.chart import BarChart, LineChart, Reference, ScatterChart, Series
+from openpyxl.chart.layout import Layout, ManualLayout
+from openpyxl.styles import Alignment, Border, Side
+
+from core.code_check import LABEL
+from core.report.cells import (
+    ACCELERATION,
+    ACCENT,
+    BAD,
+    GOOD,
+    INK,
+    QUIET,
+    RATIO,
+    Book,
+    header,
+    heighten,
+    number,
+    paragraph,
+    rule,
+    text,
+    title,
+)  # fmt: skip
+from core.report.sheets import mechanism_word
+from core.results import Q_SOURCES, StudyResult, WallResult
+from core.units import CM, G
+from core.version import NAME, VERSION
+from core.words import ASSUMPTIONS, word
+
+SUMMARY_WALLS = 8
+"""Walls listed on the Summary, which is one page; all are on the Overview."""
+
+WIDTHS = [30, 12, 8, 9, 9, 7, 8, 14, 9, 8, 9, 9, 26]
+LAST = len(WIDTHS)
+AMBER = "8A5A00"
+COLORS = {"verified": GOOD, "not_activated": GOOD, "verified_refined": AMBER, "indicative": AMBER,
+          "undetermined": AMBER, "q2_unsafe": BAD, "not_verified": BAD}  # fmt: skip
+DATA = 20
+"""First column of the data behind the charts, right of what is printed."""
+
+
+def by_zeta(walls) -> list[WallResult]:
+    """Walls with the lowest zeta first; those without one at the end."""
+
+    def key(wall: WallResult) -> float:
+        zeta = wall.assessment.verdict.zeta_e if wall.assessment else None
+        return math.inf if zeta is None else zeta
+
+    return sorted(walls, key=key)
+
+
+def verdict_color(wall: WallResult) -> str:
+    """Green only where nothing is left to read: a warning turns it amber."""
+    if wall.assessment is None:
+        return INK
+    color = COLORS[wall.assessment.verdict.code]
+    return AMBER if color == GOOD and wall.warnings else color
+
+
+def summary(book: Book, result: StudyResult) -> None:
+    """One A4 page: title block, demand, walls, the governing wall's checks, verdict, signature."""
+    say, report, case = book.say, result.case.report, result.case
+    sheet = book.sheet("Summary", "Sintesi", WIDTHS, landscape=True)
+    sheet.page_setup.fitToHeight = 1
+    title(sheet, 1, case.title, 16)
+    paragraph(sheet, 2, say(
+        "Out-of-plane overturning of masonry walls: rocking analysis, force reduction factor q (Coccia, Di "
+        "Carlo, Imperatore 2016) and checks of the Circolare 7/2019, C8.7.1.2.1",
+        "Ribaltamento fuori piano di pareti in muratura: analisi del blocco oscillante, fattore di "
+        "struttura q (Coccia, Di Carlo, Imperatore 2016) e verifiche della Circolare 7/2019, C8.7.1.2.1"),
+        LAST, 160, color=QUIET)  # fmt: skip
+    row = _title_block(book, sheet, result, report, 3)
+    row = _demand_lines(book, sheet, result, row, LAST)
+    ordered = by_zeta(result.walls)
+    row = _walls_table(book, sheet, ordered[:SUMMARY_WALLS], row + 1)
+    if len(ordered) > SUMMARY_WALLS:
+        row = paragraph(sheet, row, say(
+            f"The {SUMMARY_WALLS} lowest of {len(ordered)} walls; all on the sheet Overview.",
+            f"Le {SUMMARY_WALLS} peggiori di {len(ordered)} pareti; tutte nel foglio Riepilogo."), LAST,
+            150, color=QUIET)  # fmt: skip
+    if ordered[0].assessment:
+        row = _governing(book, sheet, result, ordered[0], row + 1)
+    row = _warnings(book, sheet, result, row + 1, LAST)
+    _signature(book, sheet, row + 1)
+    sheet.print_area = f"A1:M{sheet.max_row}"
+
+
+def overview(book: Book, result: StudyResult) -> None:
+    """All walls, the lowest zeta first."""
+    sheet = book.sheet("Overview", "Riepilogo", WIDTHS, landscape=True)
+    title(sheet, 1, book.say("Overview of the walls", "Riepilogo delle pareti"))
+    last = _walls_table(book, sheet, by_zeta(result.walls), 3)
+    sheet.auto_filter.ref = f"A3:M{last - 1}"
+    sheet.freeze_panes = "B4"
+    sheet.print_title_rows = "3:3"
+
+
+def _title_block(book: Book, sheet, result: StudyResult, report, row: int) -> int:
+    """Labels and values in two columns."""
+    say, asked = book.say, result.case.demand
+    started = result.started_utc[:16].replace("T", " ")
+    block = [
+        (say("Client", "Committente"), report.client), (say("Site", "Luogo"), report.site),
+        (say("Project", "Progetto"), report.project), (say("Author", "Autore"), report.author),
+        (say("Revision", "Revisione"), report.revision), (say("Date", "Data"), report.date),
+        (say("Program", "Programma"), f"{NAME} {VERSION}, {started} UTC"),
+    ]  # fmt: skip
+    if asked:
+        life = [
+            f"{label} {value:g}" for label, value in (
+                ("V_N", asked.nominal_life_years), ("C_U", asked.use_class_factor),
+                ("T_R", asked.return_period_years)) if value is not None
+        ]  # fmt: skip
+        place = ", ".join(part for part in (asked.site, asked.coordinates, *life) if part)
+        block.append((say("Seismic site", "Sito sismico"), place))
+    block = [(label, value) for label, value in block if value]
+    for k, (label, value) in enumerate(block):
+        column = 1 if k % 2 == 0 else 7
+        text(sheet, row + k // 2, column, label, color=QUIET)
+        text(sheet, row + k // 2, column + (1 if column == 1 else 2), value)
+    return row + (len(block) + 1) // 2 + 1
+
+
+def _demand_lines(book: Book, sheet, result: StudyResult, row: int, last: int) -> int:
+    demand, say = result.demand, book.say
+    if demand is None:
+        line = say("No demand given: no check.", "Nessuna domanda assegnata: nessuna verifica.")
+        return paragraph(sheet, row, line, last, 150, bold=True)
+    line = (
+        f"{say('Demand', 'Domanda')} {demand.limit_state}: a_g {demand.ag / G:.3f} g "
+        f"({say('on rock, S apart', 'su suolo rigido, S a parte')}), S {demand.soil_factor:.3f}, "
+        f"S a_g {demand.pga / G:.3f} g, FC {demand.confidence_factor:.2f}"
+    )
+    if demand.target:
+        line += f", {demand.target.name}"
+    if demand.intensity:
+        source = {
+            "given": say("given", "assegnata"), "spectrum": say("of the spectrum", "dello spettro"),
+            "records_scaled": say("from the records", "dai record"),
+        }[demand.intensity_source]  # fmt: skip
+        line += f", SI {demand.intensity / CM:.1f} cm ({source})"
+    return paragraph(sheet, row, line, last, 150, bold=True)
+
+
+def _walls_table(book: Book, sheet, walls: list[WallResult], row: int) -> int:
+    say = book.say
+    header(sheet, row, [
+        say("Wall", "Parete"), say("Mechanism", "Meccanismo"), "H [m]", "t [m]", "u [m]", "H/t",
+        "α [°]", "a_RM [g]", "W [kN]", "q", say("q robust", "q robusto"), "ζ_E",
+        say("Verdict", "Esito")])  # fmt: skip
+    for wall in walls:
+        row += 1
+        text(sheet, row, 1, wall.name, wrap=True)
+        text(sheet, row, 2, mechanism_word(book, wall.mechanism))
+        verdict = wall.assessment.verdict if wall.assessment else None
+        label = word(verdict.code, book.language) if verdict else "–"
+        heighten(sheet, row, (wall.name, 24), (label, 26))
+        weight = wall.wall.weight
+        setback = wall.wall.setback if wall.wall.height_m else None
+        for column, value, shape in (
+            (3, wall.height, RATIO), (4, wall.thickness, RATIO), (5, setback, ACCELERATION),
+            (6, wall.height / wall.thickness, "0.0"),
+            (7, math.degrees(wall.block.slenderness), RATIO),
+            (8, wall.block.threshold_acceleration / G, ACCELERATION),
+            (9, weight / 1000.0 if weight else None, "0.0"), (10, wall.q_set, RATIO),
+            (11, wall.q_robust_set, RATIO),
+        ):  # fmt: skip
+            number(sheet, row, column, value, shape)
+        color = verdict_color(wall)
+        number(sheet, row, 12, verdict.zeta_e if verdict else None, RATIO, bold=True, color=color)
+        text(sheet, row, 13, label, bold=True, color=color, wrap=True)
+        rule(sheet, row, 1, LAST)
+    return row + 1
+
+
+def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: int) -> int:
+    """The wall with the lowest zeta: table of methods, sketch, peaks, verdict."""
+    say, found = book.say, wall.assessment
+    label = f"{wall.name} – {mechanism_word(book, wall.mechanism)}"
+    title(sheet, row, label, 12)
+    if found.kinematic:
+        line = f"α0 {found.kinematic.alpha0:.4f}, e* {found.kinematic.e_star:.2f}, a0* {found.kinematic.a0 / G:.3f} g"
+        text(sheet, row, 5, line, color=QUIET)
+    top = row + 1
+    header(sheet, top, [
+        say("Method", "Metodo"), say("Clause", "Clausola"), "q", say("Capacity", "Capacità"),
+        say("Demand", "Domanda"), say("Unit", "Unità"), "ζ", say("Outcome", "Esito")], 1, 18)  # fmt: skip
+    row = top
+    for check in found.checks:
+        row += 1
+        values = (check.q, check.capacity, check.demand, check.unit, check.zeta, check.passed)
+        _method_row(book, sheet, row, word(check.name, book.language), check.clause, values, True)
+    for source, check in zip(Q_SOURCES, wall.code_check, strict=False):
+        if check:
+            row += 1
+            values = (check.q, check.capacity / G, check.demand / G, "g", check.ratio, check.passed)
+            _method_row(book, sheet, row, word(source, book.language), LABEL, values, False)
+    if wall.wall.height_m:
+        _sketch(book, sheet, wall, f"I{top}")
+    if found.dynamic:
+        _peaks(book, sheet, found.dynamic, f"K{top}", 10.4, 6.2)
+    row = max(row, top + 11) + 1
+    said = found.verdict
+    row = paragraph(sheet, row, said.text(book.language), LAST, 120, bold=True, size=12,
+                    color=verdict_color(wall))  # fmt: skip
+    for reason in said.reasons:
+        row = paragraph(sheet, row, f"• {reason[1 if book.language == 'it' else 0]}", LAST, 150)
+    if said.lower_bound is not None:
+        row = paragraph(sheet, row, say(
+            f"Should the restraint behind fail, the wall rocks on both sides: zeta {said.lower_bound:.2f}.",
+            f"Se il vincolo posteriore cede, la parete oscilla su due lati: zeta {said.lower_bound:.2f}."),
+            LAST, 150)  # fmt: skip
+    return row
+
+
+def _method_row(
+    book: Book, sheet, row: int, label: str, clause: str, values, decides: bool
+) -> None:
+    q, capacity, demand, unit, zeta, passed = values
+    color = INK if decides else QUIET
+    text(sheet, row, 1, label, color=color)
+    text(sheet, row, 2, clause, color=QUIET, size=8)
+    for column, value, shape in ((3, q, RATIO), (4, capacity, ACCELERATION), (5, demand, ACCELERATION),
+                                 (7, zeta, RATIO)):  # fmt: skip
+        number(sheet, row, column, value, shape, color=color, bold=decides and column == 7)
+    text(sheet, row, 6, unit, color=QUIET, align="center")
+    outcome = "no_number" if passed is None else "passed" if passed else "not_passed"
+    shade = QUIET if passed is None or not decides else GOOD if passed else BAD
+    text(
+        sheet,
+        row,
+        8,
+        word(outcome, book.language),
+        color=shade,
+        bold=decides,
+        size=9,
+        align="center",
+    )
+    rule(sheet, row, 1, 8)
+
+
+def _sketch(book: Book, sheet, wall: WallResult, anchor: str) -> None:
+    """The wall to scale, its hinge and its ground, as a native chart."""
+    h, t, u = wall.height, wall.thickness, wall.wall.setback
+    outlines = (
+        [(0.0, 0.0), (t, 0.0), (t, h), (0.0, h), (0.0, 0.0)],
+        [(t - u, 0.0), (0.5 * t, 0.5 * h)],
+        [(-0.35 * h, 0.0), (0.35 * h + t, 0.0)],
+    )
+    chart = ScatterChart()
+    chart.style, chart.legend = 13, None
+    chart.width, chart.height = 3.6, 6.2
+    chart.title = None
+    for k, (points, color) in enumerate(zip(outlines, (ACCENT, BAD, QUIET), strict=True)):
+        column = DATA + 2 * k
+        for n, (x, y) in enumerate(points):
+            sheet.cell(1 + n, column, x)
+            sheet.cell(1 + n, column + 1, y)
+        xs = Reference(sheet, min_col=column, min_row=1, max_row=len(points))
+        ys = Reference(sheet, min_col=column + 1, min_row=1, max_row=len(points))
+        series = Series(ys, xs)
+        series.marker.symbol, series.smooth = "none", False
+        series.graphicalProperties.line.solidFill = color
+        series.graphicalProperties.line.width = 15000
+        chart.series.append(series)
+    chart.layout = Layout(ManualLayout(layoutTarget="inner", xMode="edge", yMode="edge",
+                                       x=0.05, y=0.05, w=0.9, h=0.9))  # fmt: skip
+    tall = 1.06 * h
+    wide = tall * (0.9 * chart.width) / (0.9 * chart.height)
+    wide = max(wide, 1.2 * t)
+    chart.y_axis.scaling.min, chart.y_axis.scaling.max = -0.03 * h, -0.03 * h + tall
+    chart.x_axis.scaling.min, chart.x_axis.scaling.max = 0.5 * t - 0.5 * wide, 0.5 * t + 0.5 * wide
+    chart.x_axis.delete = chart.y_axis.delete = True
+    chart.x_axis.majorGridlines = chart.y_axis.majorGridlines = None
+    sheet.add_chart(chart, anchor)
+
+
+def _peaks(book: Book, sheet, check, anchor: str, width: float, height: float) -> None:
+    """Peak rotation over alpha of each record at the demand, with lines at 0.40, 0.60 and 1.00."""
+    say = book.say
+    column = DATA + 8
+    heads = [say("record", "record"), "θmax/α", "0.40", "0.60", "1.00"]
+    for k, head in enumerate(heads):
+        text(sheet, 1, column + k, head, size=8, color=QUIET)
+    for n, run in enumerate(check.runs, start=2):
+        sign = (
+            "" if len({r.polarity for r in check.runs}) == 1 else " +" if run.polarity > 0 else " −"
+        )
+        text(sheet, n, column, f"{run.record}{sign}", size=8, color=QUIET)
+        # a wall that overturns has no peak: its bar fills the chart
+        sheet.cell(n, column + 1, 1.2 if run.peak_ratio is None else min(run.peak_ratio, 1.2))
+        for k, level in enumerate((0.40, 0.60, 1.00), start=2):
+            sheet.cell(n, column + k, level)
+    last = 1 + len(check.runs)
+    bars = BarChart()
+    bars.type, bars.style, bars.gapWidth = "col", 13, 60
+    bars.add_data(
+        Reference(sheet, min_col=column + 1, min_row=1, max_row=last), titles_from_data=True
+    )
+    bars.set_categories(Reference(sheet, min_col=column, min_row=2, max_row=last))
+    bars.series[0].graphicalProperties.solidFill = ACCENT
+    lines = LineChart()
+    for k, color in zip((2, 3, 4), (GOOD, AMBER, BAD), strict=True):
+        data = Reference(sheet, min_col=column + k, min_row=1, max_row=last)
+        lines.add_data(data, titles_from_data=True)
+        series = lines.series[-1]
+        series.marker.symbol, series.smooth = "none", False
+        series.graphicalProperties.line.solidFill = color
+        series.graphicalProperties.line.width = 14000
+    bars += lines
+    bars.y_axis.scaling.min, bars.y_axis.scaling.max = 0, 1.2
+    bars.y_axis.title, bars.x_axis.title = "θmax/α", None
+    bars.x_axis.delete = bars.y_axis.delete = False
+    bars.y_axis.majorGridlines = None
+    bars.legend.position = "r"
+    bars.width, bars.height = width, height
+    sheet.add_chart(bars, anchor)
+
+
+def _warnings(book: Book, sheet, result: StudyResult, row: int, last: int, most: int = 7) -> int:
+    """Each warning once, with the walls or records it belongs to."""
+    owners: dict[str, list[str]] = {}
+    for owner in (*result.walls, *result.motions):
+        for warning in owner.warnings:
+            name = owner.name
+            if isinstance(owner, WallResult):
+                name += f" ({mechanism_word(book, owner.mechanism)})"
+            owners.setdefault(warning.text(book.language), []).append(name)
+    for warning in result.demand.warnings if result.demand else ():
+        owners.setdefault(warning.text(book.language), []).append(book.say("demand", "domanda"))
+    text(sheet, row, 1, book.say("Warnings", "Avvertenze"), bold=True)
+    row += 1
+    if not owners:
+        text(sheet, row, 1, book.say("none", "nessuna"))
+        row += 1
+    for line, names in list(owners.items())[:most]:
+        who = ", ".join(names[:4]) + (f" +{len(names) - 4}" if len(names) > 4 else "")
+        row = paragraph(sheet, row, f"• {line}  [{who}]", last, 165)
+    if len(owners) > most:
+        row = paragraph(sheet, row, book.say(
+            f"{len(owners) - most} more on the sheets Records and Check.",
+            f"Altre {len(owners) - most} nei fogli Accelerogrammi e Verifica."), last, 140)  # fmt: skip
+    return row
+
+
+def _signature(book: Book, sheet, row: int) -> None:
+    """Assumptions to tick, the judgement the engineer writes (NTC 2018 10.2), place for a signature."""
+    say, k = book.say, 1 if book.language == "it" else 0
+    text(sheet, row, 1, say("Assumptions confirmed by the engineer", "Ipotesi confermate dal progettista"),
+         bold=True)  # fmt: skip
+    text(sheet, row, 7, say("Reasoned judgement on the results (NTC 2018 10.2)",
+                            "Giudizio motivato di accettabilità dei risultati (NTC 2018 10.2)"),
+         bold=True)  # fmt: skip
+    for n, assumption in enumerate(ASSUMPTIONS, start=1):
+        text(sheet, row + n, 1, f"☐  {assumption[k]}")
+    last = row + len(ASSUMPTIONS)
+    sheet.merge_cells(start_row=row + 1, start_column=7, end_row=last, end_column=LAST)
+    line = Side(style="thin", color=QUIET)
+    for r in range(row + 1, last + 1):
+        for c in range(7, LAST + 1):
+            sheet.cell(r, c).border = Border(
+                left=line if c == 7 else None, right=line if c == LAST else None,
+                top=line if r == row + 1 else None, bottom=line if r == last else None)  # fmt: skip
+    sheet.cell(row + 1, 7).alignment = Alignment(wrap_text=True, vertical="top")
+    row = last + 2
+    text(sheet, row, 1, say("Engineer", "Il progettista"), color=QUIET)
+    text(sheet, row, 7, say("Place and date", "Luogo e data"), color=QUIET)
+    text(sheet, row, 11, say("Signature and stamp", "Firma e timbro"), color=QUIET)
+    for c in (2, 3, 4, 8, 9, 10, 12, 13):
+        sheet.cell(row, c).border = Border(bottom=line)

@@ -1,0 +1,63 @@
+"""Words of results in each language, for report and window."""
+
+WORDS = {
+    "dynamic": ("Dynamic, time histories", "Dinamica, storie temporali"),
+    "nonlinear": ("Nonlinear kinematic", "Cinematica non lineare"),
+    "linear_q_slv": ("Linear kinematic, q of the histories", "Cinematica lineare, q delle storie"),
+    "linear_q_code": ("Linear kinematic, q of the code", "Cinematica lineare, q di norma"),
+    "code": ("Eq. 9, q of the code", "Eq. 9, q di norma"),
+    "closed_form": ("Eq. 9, q of Eq. 15/16", "Eq. 9, q delle Eq. 15/16"),
+    "time_histories": ("Eq. 9, q at collapse", "Eq. 9, q a collasso"),
+    "time_histories_slv": ("Eq. 9, q at SLV", "Eq. 9, q allo SLV"),
+    "time_histories_robust": ("Eq. 9, q robust", "Eq. 9, q robusto"),
+    "not_activated": ("mechanism not activated", "meccanismo non attivato"),
+    "verified": ("verified", "verificata"),
+    "verified_refined": ("verified, refined method only", "verificata, solo metodo raffinato"),
+    "q2_unsafe": (
+        "not verified, q of the code would pass",
+        "non verificata, q di norma la darebbe",
+    ),
+    "not_verified": ("not verified", "non verificata"),
+    "indicative": ("indicative only", "solo indicativa"),
+    "undetermined": ("undetermined", "non determinabile"),
+    "passed": ("passed", "soddisfatta"),
+    "not_passed": ("not passed", "non soddisfatta"),
+    "shown": ("shown only", "solo mostrato"),
+    "no_number": ("no number", "nessun valore"),
+    "comparison": ("comparison", "confronto"),
+    "mean_lower": ("mean spectrum, lowest below target", "spettro medio, minimo sotto lo spettro"),
+    "mean_upper": (
+        "mean spectrum, highest above target",
+        "spettro medio, massimo sopra lo spettro",
+    ),
+    "records": ("records, a station once", "accelerogrammi, una stazione una volta"),
+    "mean_pga": ("mean PGA against a_g S", "PGA media rispetto ad a_g S"),
+    "strong_part": ("pseudo-stationary part", "parte pseudo-stazionaria"),
+    "duration": ("total duration", "durata totale"),
+    "stable": ("stable", "stabile"),
+    "overturned": ("overturns", "ribalta"),
+    "impact_limit": ("impact limit", "limite di urti"),
+    "maximum": ("largest", "massimo"),
+    "mean": ("mean", "media"),
+    "natural": ("natural", "naturale"),
+    "artificial": ("artificial", "artificiale"),
+    "simulated": ("simulated", "simulato"),
+}
+"""Key -> (English, Italian)."""
+
+ASSUMPTIONS = (
+    ("monolithic wall, no leaves that part", "parete monolitica, senza paramenti che si separano"),
+    ("no load or thrust of floors and roof", "nessun carico o spinta di solai e copertura"),
+    (
+        "no ties, no other restraint than the one named",
+        "nessuna catena, nessun altro vincolo oltre a quello indicato",
+    ),
+    ("no sliding at the base", "nessuno scorrimento alla base"),
+    ("no vertical ground motion", "nessun moto verticale del suolo"),
+)
+"""What the engineer confirms by ticking."""
+
+
+def word(key: str, language: str) -> str:
+    """The word of a key in "en" or "it"; raises KeyError for an unknown key."""
+    return WORDS[key][1 if language == "it" else 0]

@@ -1,0 +1,122 @@
+"""Compatible motions: spectrum, PGA, length, ends, reproducibility; compliance of sets."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from core import target_spectrum as ts
+from core.artificial import compatible_motion
+from core.case_reader import parse_case
+from core.compliance import compliance, station_of
+from core.demand import demand_of, generated
+from core.ground_motion import GroundMotion
+from core.spectrum import displacement_spectrum, pseudo_acceleration_spectrum
+from core.units import G
+
+PERIODS = np.arange(0.1, 2.501, 0.02)
+TARGETS = [
+    ts.en1998(0.26 * G, 1, "B"),
+    ts.en1998(0.10 * G, 2, "D"),
+    ts.ntc2018(0.26 * G, 2.4, 0.35, "C", "T1"),
+]
+
+
+@pytest.mark.parametrize("target", TARGETS, ids=lambda target: target.name)
+@pytest.mark.parametrize("seed", [1, 500])
+def test_that_a_set_of_seven_follows_its_spectrum(target, seed):
+    motions = [compatible_motion(target, seed + k) for k in range(7)]
+    spectra = [pseudo_acceleration_spectrum(motion, 0.01, PERIODS) for motion in motions]
+    ratio = np.mean(spectra, axis=0) / target.acceleration(PERIODS)
+    assert ratio.min() >= 0.95 and ratio.max() <= 1.10
+    for motion in motions:
+        record = GroundMotion("m", motion, 0.01)
+        # samples are rounded to 1e-7 m/s2: what is left of drift is their sum
+        assert record.pga == pytest.approx(target.pga, abs=1e-6)
+        assert abs(record.velocity[-1]) < 1e-6
+        assert abs(np.trapezoid(record.velocity, dx=0.01)) < 1e-5
+        assert record.duration >= 25.0
+        # at long periods S_De tends to PGD: its last branch is the scale of a plausible one
+        plateau = ts.displacement(target, [4.0])[0]
+        assert 0.2 * plateau < record.pgd < 1.5 * plateau
+        assert motion[0] == 0.0 == motion[-1]
+
+
+def test_that_a_seed_gives_the_same_motion_and_another_seed_another():
+    one = compatible_motion(TARGETS[0], 5)
+    assert np.array_equal(one, compatible_motion(TARGETS[0], 5))
+    assert not np.array_equal(one, compatible_motion(TARGETS[0], 6))
+
+
+def test_that_looks_between_samples_find_the_peak_of_a_harmonic():
+    # resonance of a 0.1 s oscillator sampled four times a period: the samples miss the peaks
+    dt, period = 0.025, 0.1
+    time = np.arange(0.0, 6.0, dt)
+    ground = np.sin(2.0 * np.pi * time / 0.11 + 0.3)
+    fine = np.interp(np.arange(0.0, time[-1], dt / 64), time, ground)
+    truth = displacement_spectrum(fine, dt / 64, np.array([period]), 0.05, 0)[0]
+    seen = displacement_spectrum(ground, dt, np.array([period]), 0.05, 40)[0]
+    coarse = displacement_spectrum(ground, dt, np.array([period]), 0.05, 0)[0]
+    assert seen == pytest.approx(truth, rel=3e-3)
+    assert coarse < 0.99 * truth
+
+
+def case(**demand):
+    spectrum = {"code": "EN1998", "soil": "B", "type": 1}
+    return parse_case(
+        {
+            "wall": [{"name": "w", "height_m": 5.0, "thickness_m": 0.5, "mechanism": "two_sided"}],
+            "generate": {"count": 7},
+            "demand": {"ag_g": 0.26, "spectrum": spectrum, **demand},
+        }
+    )
+
+
+def test_that_a_generated_set_complies_and_half_of_it_does_not(tmp_path):
+    asked = case()
+    demand = demand_of(asked, tmp_path)
+    motions = generated(asked, demand)
+    found = compliance(motions, ["artificial"] * 7, demand)
+    assert found.compatible
+    assert {rule.name for rule in found.rules if rule.passed} >= {
+        "mean_lower", "records", "mean_pga", "strong_part", "duration",
+    }  # fmt: skip
+    halved = [replace(motion, acceleration=0.5 * motion.acceleration) for motion in motions]
+    wrong = compliance(halved, ["artificial"] * 7, demand)
+    assert not wrong.compatible
+    assert compliance(motions[:2], ["artificial"] * 2, demand).compatible is False
+
+
+def test_that_natural_records_have_an_upper_bound_too(tmp_path):
+    asked = case()
+    demand = demand_of(asked, tmp_path)
+    louder = [replace(m, acceleration=1.5 * m.acceleration) for m in generated(asked, demand)]
+    rules = compliance(louder, ["natural"] * 7, demand).rules
+    upper = next(rule for rule in rules if rule.name == "mean_upper" and rule.limit is not None)
+    assert upper.limit == 0.30 and upper.passed is False
+
+
+def test_that_two_components_of_a_station_count_once(tmp_path):
+    asked = case()
+    demand = demand_of(asked, tmp_path)
+    motions = [
+        replace(
+            motion,
+            format="PEER AT2",
+            details=(("line 2", f"IMPERIAL VALLEY 5/19/40, EL CENTRO ARRAY #9, {component}"),),
+        )
+        for motion, component in zip(generated(asked, demand), ("180", "270", "UP"), strict=False)
+    ]
+    assert len({station_of(motion) for motion in motions}) == 1
+    assert compliance(motions, ["natural"] * 3, demand).stations == 1
+
+
+def test_that_scaling_to_pga_scales_the_spectra(tmp_path):
+    plain, scaled = (demand_of(case(**more), tmp_path) for more in ({}, {"demand_scaling": "pga"}))
+    motions = [
+        replace(motion, acceleration=0.5 * motion.acceleration)
+        for motion in generated(case(), plain)
+    ]
+    assert scaled.scaling(motions[0]) == pytest.approx(2.0, rel=1e-6)
+    assert compliance(motions, ["artificial"] * 7, scaled).compatible
+    assert not compliance(motions, ["artificial"] * 7, plain).compatible

@@ -1,0 +1,155 @@
+"""Tables of walls: heads in two languages, units, decimal comma, hostile files."""
+
+import io
+import zipfile
+
+import pytest
+from openpyxl import Workbook
+
+from core.case_reader import read_case
+from core.errors import InputError
+from core.wall_table import read_walls, text_rows, walls_of
+
+CSV = """Parete;Piano;z;H;t;L;Peso specifico;u;Meccanismo;Vincolo;Note
+;;m;m;cm;m;kN/m3;cm;;;
+Facciata;terra;0;7,0;83;5;19;5;un lato;muri di spina;prova
+Timpano;2;6,5;3.5;45;4;18;;su due lati;;
+"""
+
+
+def book(rows, change=None) -> bytes:
+    made = Workbook()
+    for row in rows:
+        made.active.append(row)
+    if change:
+        change(made.active)
+    stream = io.BytesIO()
+    made.save(stream)
+    return stream.getvalue()
+
+
+ROWS = [["Wall", "H", "t", "mechanism"], ["", "m", "m", ""], ["a", 5.0, "0,5", "two_sided"]]
+
+
+def test_that_an_italian_csv_gives_its_walls(tmp_path):
+    path = tmp_path / "w.csv"
+    for encoding in ("utf-8-sig", "cp1252"):
+        path.write_bytes(CSV.encode(encoding))
+        first, second = read_walls(path)
+        assert (first.name, first.mechanism, first.back_restraint) == (
+            "Facciata",
+            "one_sided",
+            "muri di spina",
+        )
+        assert first.height_m == 7.0
+        assert first.thickness_m == pytest.approx(0.83, rel=1e-15)
+        assert first.hinge_setback_m == pytest.approx(0.05, rel=1e-15)
+        assert (second.base_z_m, second.height_m, second.floor) == (6.5, 3.5, "2")
+
+
+def test_that_commas_and_tabs_separate_too(tmp_path):
+    rows = "wall,H,t,mechanism\n,m,m,\na,5.0,0.5,two_sided\n"
+    assert walls_of(text_rows(rows)) == walls_of(text_rows(rows.replace(",", "\t")))
+
+
+def test_that_an_xlsx_gives_its_walls(tmp_path):
+    path = tmp_path / "w.xlsx"
+    path.write_bytes(book(ROWS))
+    (wall,) = read_walls(path)
+    assert (wall.name, wall.height_m, wall.thickness_m) == ("a", 5.0, 0.5)
+
+
+def test_that_the_template_is_read_as_it_is():
+    from tests.conftest import ROOT
+
+    walls = read_walls(ROOT / "resources" / "templates" / "walls.xlsx")
+    assert len(walls) == 2
+
+
+def test_that_a_case_takes_its_walls_from_the_table(tmp_path):
+    (tmp_path / "w.csv").write_text(CSV)
+    path = tmp_path / "c.toml"
+    path.write_text('title = "t"\nwalls = "w.csv"\n')
+    case = read_case(path)
+    assert [wall.name for wall in case.wall] == ["Facciata", "Timpano"]
+    changed = CSV.replace("83", "84")
+    (tmp_path / "w.csv").write_text(changed)
+    assert read_case(path).sha256 != case.sha256
+
+
+def merged(sheet):
+    sheet.merge_cells("A3:B3")
+
+
+def formula(sheet):
+    sheet["B3"] = "=1+1"
+
+
+def bomb() -> bytes:
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as folder:
+        folder.writestr("xl/worksheets/sheet1.xml", b"0" * 30_000_000)
+    return stream.getvalue()
+
+
+def lying(content: bytes) -> bytes:
+    """The same workbook whose dimension tag says it is one cell."""
+    import re
+
+    stream = io.BytesIO()
+    with zipfile.ZipFile(io.BytesIO(content)) as old, zipfile.ZipFile(stream, "w") as new:
+        for entry in old.infolist():
+            data = old.read(entry)
+            if entry.filename.endswith("sheet1.xml"):
+                data = re.sub(rb'<dimension ref="[^"]*"', b'<dimension ref="A1"', data)
+            new.writestr(entry, data)
+    return stream.getvalue()
+
+
+def test_that_a_lying_dimension_changes_nothing(tmp_path):
+    path = tmp_path / "w.xlsx"
+    path.write_bytes(lying(book(ROWS)))
+    assert len(read_walls(path)) == 1
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        (book(ROWS, merged), "merged"),
+        (book(ROWS, formula), "B3 is a formula"),
+        (bomb(), "larger than 20 MB"),
+        (b"not a zip", "not a workbook"),
+        (book(ROWS)[:-300], "not a workbook"),
+        (book([["Wall", "colour"], ["", ""], ["a", "red"]]), "'colour' is not known"),
+        (book([["Wall", "H"], ["", "ft"], ["a", 5]]), "unit 'ft'"),
+        (book([["Wall", "H"], ["", ""], ["a", 5]]), "unit ''"),
+        (book([*ROWS, ["b", "5,0.1", 0.5, "two_sided"]]), "row 4, height_m"),
+        (book([*ROWS, ["b", 5, 0.5, "sideways"]]), "row 4.*mechanism"),
+        (book([*ROWS, ["b", 500, 0.5, "two_sided"]]), "row 4.*height_m = 500"),
+        (book([["Wall", "Parete"], ["", ""], ["a", "b"]]), "twice"),
+        (book(ROWS[:2]), "a row of heads"),
+        (book([*ROWS, ["a", 5, 0.5, "both", None, 7]]), "beyond the last column"),
+    ],
+)
+def test_that_a_wrong_table_is_refused_in_one_sentence(tmp_path, content, words):
+    path = tmp_path / "w.xlsx"
+    path.write_bytes(content)
+    with pytest.raises(InputError, match=words) as caught:
+        read_walls(path)
+    assert "w.xlsx" in str(caught.value) and "\n" not in str(caught.value)
+
+
+def test_that_an_entity_bomb_is_refused(tmp_path):
+    content = book(ROWS)
+    stream = io.BytesIO()
+    evil = b'<?xml version="1.0"?><!DOCTYPE x [<!ENTITY a "aaaa"><!ENTITY b "&a;&a;">]>'
+    with zipfile.ZipFile(io.BytesIO(content)) as old, zipfile.ZipFile(stream, "w") as new:
+        for entry in old.infolist():
+            data = old.read(entry)
+            if entry.filename.endswith(("sheet1.xml", "workbook.xml")):
+                data = evil + data.split(b"?>", 1)[-1] if data.startswith(b"<?xml") else evil + data
+            new.writestr(entry, data)
+    path = tmp_path / "w.xlsx"
+    path.write_bytes(stream.getvalue())
+    with pytest.raises(InputError, match="not a workbook"):
+        read_walls(path)
