@@ -21,6 +21,14 @@ def is_bundled(motion: GroundMotion) -> bool:
     return any(value.startswith(BUNDLED) for _, value in motion.details)
 
 
+def _reached(wall: WallResult, demand: DemandResult) -> list[float | None] | None:
+    """q of each run at its first peak of the limit; None if a run ended without a number."""
+    if any(run.ida.status == "impact_limit" for run in wall.runs):
+        return None
+    name = "q_slc" if demand.limit_state == "SLC" else "q_slv"
+    return [getattr(run.ida, name) for run in wall.runs]
+
+
 def assess(
     wall: WallResult,
     motions: list[GroundMotion],
@@ -39,12 +47,14 @@ def assess(
         said = verdict(asked, wall.block, demand, (), None, compliance, len(motions), bundled, None)
         return Assessment(None, (), None, None, said)
     found = kinematic(wall.block, demand, asked.height_m is not None)
-    dynamic = demand_check(wall.model, motions, polarities, demand, method, step, cancelled)
+    dynamic = demand_check(
+        wall.model, motions, polarities, demand, method, step, _reached(wall, demand), cancelled
+    )
     below = None
     if dynamic and asked.mechanism == "one_sided":
         free = restitution(wall.block, "housner")
         model = rocking_model(wall.block, False, free, wall.law)
-        below = demand_check(model, motions, (1,), demand, method, step, cancelled)
+        below = demand_check(model, motions, (1,), demand, method, step, None, cancelled)
     checks = []
     if dynamic:
         checks.append(dynamic.as_check())

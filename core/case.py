@@ -178,6 +178,7 @@ class Record:
     skip_lines: int | None = _number(0, 1000, whole=True)
     scale: float = _number(-1000.0, 1000.0, 1.0)
     kind: str = _choice("natural", "artificial", "simulated", default="natural")
+    include: bool = field(default=True, metadata={"kind": "flag"})
 
 
 @dataclass(frozen=True)

@@ -111,6 +111,40 @@ def parse_case(table: dict) -> Case:
     return replace(case, wall=tuple(walls))
 
 
+def draft_case(table: dict) -> Case:
+    """The case of a mapping that may not be complete: unknown keys are refused, values are taken as they
+    are, a missing one is empty. For work in progress; `parse_case` decides what can run."""
+    _known(Case, table, "case", "case")
+
+    def section(cls, content, name):
+        if not isinstance(content, dict):
+            raise InputError(f"{name} must be a table of keys, not {content!r}")
+        _known(cls, content, name, name)
+        missing = {entry.name: "" for entry in fields(cls) if entry.default is MISSING}
+        return cls(**{**missing, **content})
+
+    def one(cls, name):
+        return section(cls, table[name], name) if name in table else None
+
+    demand = one(Demand, "demand")
+    if demand and demand.spectrum is not None:
+        demand = replace(demand, spectrum=section(Spectrum, demand.spectrum, "spectrum"))
+    return Case(
+        title=str(table.get("title", "Ribalta")),
+        report=one(Report, "report") or Report(),
+        wall=tuple(section(Wall, entry, "wall") for entry in _tables(table, "wall")),
+        record=tuple(section(Record, entry, "record") for entry in _tables(table, "record")),
+        generate=one(Generate, "generate"),
+        analysis=one(Analysis, "analysis") or Analysis(),
+        demand=demand,
+    )
+
+
+def check_value(cls, key: str, value):
+    """One value of a key of a section, checked; raises InputError that names what is accepted."""
+    return _value(_field(cls, key), value, key)
+
+
 def with_walls(case: Case, walls: list[Wall]) -> Case:
     """The case with these walls, checked as a set. Raises InputError."""
     if not walls:

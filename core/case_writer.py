@@ -6,7 +6,8 @@ from core.case import Case
 
 
 def dumps(case: Case) -> str:
-    """The case as TOML, only what differs from the defaults; `parse_case` reads it back equal."""
+    """The case as TOML, only what differs from the defaults; `parse_case` reads it back equal, and
+    `draft_case` one that is not complete."""
     document = tomlkit.document()
     document["title"] = case.title
     given = case.differing()
@@ -17,7 +18,11 @@ def dumps(case: Case) -> str:
         found = content[section]
         items = found if isinstance(found, tuple) else [found] if found is not None else []
         tables = [
-            {key: _bare(value) for key, value in item.items() if (section, k, key) in given}
+            {
+                key: _bare(value)
+                for key, value in item.items()
+                if (section, k, key) in given and value not in (None, "")
+            }
             for k, item in enumerate(items)
         ]
         if section in ("wall", "record"):

@@ -104,13 +104,23 @@ class _Set:
         exceeded = ((outcomes != 0) | (peaks > 1.0)).any(axis=0)
         return ~exceeded & (value <= self.limit)
 
-    def zeta(self, step: float) -> float | None:
-        """First failure of the rule on a geometric grid, bisected; None for an outcome without a number."""
-        uplift = min(
-            threshold_of(self.model) / (factor * motion.pga)
-            for (motion, _), factor in zip(self.pairs, self.factors, strict=True)
+    def zeta(self, step: float, reached: list[float | None] | None) -> float | None:
+        """First failure of the rule on a geometric grid, bisected; None for an outcome without a number.
+
+        reached : q of each run at which it first reaches the limit, as its search found: below the lowest
+        of them no run does, and the rule holds.
+        """
+        per_q = np.array(
+            [
+                threshold_of(self.model) / (factor * motion.pga)
+                for (motion, _), factor in zip(self.pairs, self.factors, strict=True)
+            ]
         )
-        low = uplift if self.model.plateau_end == 0.0 else TRILINEAR_FLOOR * uplift
+        if reached is not None:
+            known = [q * one for q, one in zip(reached, per_q, strict=True) if q is not None]
+            low = min(known, default=MOST) * (1.0 - 2.0 * BRACKET)
+        else:
+            low = per_q.min() * (1.0 if self.model.plateau_end == 0.0 else TRILINEAR_FLOOR)
         while low < MOST:
             grid = low * (1.0 + step) ** np.arange(1, CHUNK + 1)
             outcomes, peaks = self.analyse(grid)
@@ -143,11 +153,12 @@ def demand_check(
     demand: DemandResult,
     method: Method,
     step: float,
+    reached: list[float | None] | None = None,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> DemandCheck | None:
     """The dynamic check of one wall; None without records or for a limit state the clause has no limit for.
 
-    step : of the search for zeta [-]. Raises Cancelled.
+    step : of the search for zeta [-]; reached : as `_Set.zeta`, by record and sign. Raises Cancelled.
     """
     if not motions or demand.limit_state not in LIMIT_FRACTION:
         return None
@@ -164,7 +175,7 @@ def demand_check(
     )  # fmt: skip
     known = all(run.peak_ratio is not None for run in runs)
     worse = work.governing(peaks)[:, 0]
-    zeta = work.zeta(step)
+    zeta = work.zeta(step, reached)
     holds = bool(work.holds(outcomes, peaks)[0])
     return DemandCheck(
         limit_state=demand.limit_state,

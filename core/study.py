@@ -30,6 +30,8 @@ def read_records(case: Case, base_dir: Path) -> tuple[list[GroundMotion], list[s
     """Records of the case in order, globs expanded, and their kinds. Raises InputError."""
     motions, kinds, seen = [], [], {}
     for k, entry in enumerate(case.record, start=1):
+        if not entry.include:
+            continue
         options = Options(entry.unit, entry.time_step_s, entry.column, entry.skip_lines)
         try:
             for path in records.expand(entry.file, base_dir):

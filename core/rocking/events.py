@@ -6,6 +6,8 @@ motion are one analytic equation.
 
 import math
 
+import numpy as np
+
 from core.kernel_cache import kernel
 from core.moment_rotation import potential, rotation_at_potential
 from core.restitution import velocity_ratio
@@ -17,6 +19,9 @@ REST_FRACTION = 1e-6
 
 IMPACTS_PER_SAMPLE = 10_000
 """More impacts than this within one sample end the analysis as impact_limit."""
+
+LOOK_EVERY = 16
+"""Samples between two looks at whether an analysis is settled."""
 
 LAST_ROTATION = 0.5 * math.pi
 """Beyond this rotation [rad] the equation of motion has no meaning: collapsed."""
@@ -115,3 +120,27 @@ def end_of_record(phi, speed, peak, model):
     if energy > 0.0:
         peak = max(peak, rotation_at_potential(energy, model))
     return STABLE, peak
+
+
+@kernel
+def remaining_push(ground, dt):
+    """Bound of the integral of |u''| from each sample to the end [m/s], shape of ground."""
+    left = np.zeros(ground.size)
+    for i in range(ground.size - 2, -1, -1):
+        left[i] = left[i + 1] + 0.5 * dt * (abs(ground[i]) + abs(ground[i + 1]))
+    return left
+
+
+@kernel
+def settled(phi, speed, peak, push, model):
+    """Whether the rest of the record can neither overturn the block nor move it beyond its peak so far.
+
+    From Eq. 1 the root of twice the energy over I0 grows at most with p2 |u''| / g, impacts only lower it,
+    and below the barrier the energy bounds the rotation. phi, peak [rad]; speed [rad/s]; push : of
+    `remaining_push` times the multiplier [m/s].
+    """
+    if phi >= model.slenderness:
+        return False
+    energy = speed * speed + 2.0 * model.p2 * potential(phi, model)
+    reach = math.sqrt(energy) + model.p2 / G * push
+    return reach * reach < 1.999999 * model.p2 * potential(min(peak, model.slenderness), model)

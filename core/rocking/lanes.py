@@ -10,6 +10,7 @@ import numpy as np
 
 from core.kernel_cache import kernel
 from core.moment_rotation import FAR
+from core.rocking.events import LOOK_EVERY, remaining_push, settled
 from core.rocking.outcome import STABLE
 from core.rocking.polynomial import increment, rate
 from core.rocking.taylor import (
@@ -18,6 +19,7 @@ from core.rocking.taylor import (
     series,
     sine_and_cosine_short,
     through_sample,
+    turning_margin,
     upright,
 )
 from core.units import G
@@ -59,7 +61,8 @@ def plain_steps(lanes, ground0, ground1, dt, alpha, p2, constants, state):
         short = (threshold - sign * g0) / G
         net = cosine_upright * short * c - (cosine_upright + beta * sine_upright) * s
         terms = series(x, v, net, sine, cosine, beta, sign / G * slope, p2, branch, 8)
-        push = p2 * (1.0 + max(abs(g0), abs(g1)) / G)
+        forcing = max(abs(g0), abs(g1)) / G
+        push = p2 * (1.0 + forcing)
         stiff = push + v * v
         square = dt * dt
         power = square * square * dt * square * dt
@@ -68,13 +71,14 @@ def plain_steps(lanes, ground0, ground1, dt, alpha, p2, constants, state):
         dphi = increment(terms, dt)
         after = rate(terms, dt)
         reach = 0.125 * dt * dt * push
+        margin = turning_margin(v, after, dt * slope / G, forcing, p2, push, dt)
         y = x + dphi
         near = (
             (min(x, y) <= reach)
             | (x > SHORT)
             | (tail * ratio > SERIES_TOLERANCE * alpha)
             | (ratio >= 0.05)
-            | ((min(v, -after) > -push * dt) & (max(x, y) + reach > state[PEAK + k]))
+            | ((min(v, -after) > -margin) & (max(x, y) + reach > state[PEAK + k]))
         )
         state[PLAIN + k] = 0.0 if near else 1.0
         state[NEW_PHI + k] = y
@@ -100,6 +104,7 @@ def scan(ground, dt, scales, model, outcomes, peaks):
         state[SCALE + k] = scales[k]
         state[SIDE + k] = 1.0
     clamped = 0
+    left = remaining_push(ground, dt)
     for i in range(ground.size - 1):
         ground0 = ground[i]
         ground1 = ground[i + 1]
@@ -139,15 +144,33 @@ def scan(ground, dt, scales, model, outcomes, peaks):
                 continue
             outcomes[lane[k]] = outcome
             peaks[lane[k]] = peak
-            # the last lane takes the place of the one that leaves
-            lanes -= 1
-            lane[k] = lane[lanes]
-            moving[k] = moving[lanes]
-            for row in range(ROWS):
-                state[WIDTH * row + k] = state[WIDTH * row + lanes]
+            lanes = leave(k, lanes, lane, moving, state)
+        if i % LOOK_EVERY == 0 and model.ratio_drop == 0.0:
+            k = 0
+            while k < lanes:
+                push = abs(state[SCALE + k]) * left[i + 1]
+                if settled(state[PHI + k], state[SPEED + k], state[PEAK + k], push, model):
+                    outcomes[lane[k]] = STABLE
+                    peaks[lane[k]] = state[PEAK + k]
+                    lanes = leave(k, lanes, lane, moving, state)
+                else:
+                    k += 1
+        if lanes == 0:
+            break
     for k in range(lanes):
         outcomes[lane[k]], peaks[lane[k]] = at_end(block_of(state, moving, k), model)
     return clamped
+
+
+@kernel
+def leave(k, lanes, lane, moving, state):
+    """Take lane k out: the last one takes its place. Returns how many are left."""
+    lanes -= 1
+    lane[k] = lane[lanes]
+    moving[k] = moving[lanes]
+    for row in range(ROWS):
+        state[WIDTH * row + k] = state[WIDTH * row + lanes]
+    return lanes
 
 
 @kernel

@@ -14,10 +14,13 @@ from core.moment_rotation import FAR, moment_branch, zone_of
 from core.rocking.events import (
     IMPACTS_PER_SAMPLE,
     LAST_ROTATION,
+    LOOK_EVERY,
     end_of_record,
     leave_impact,
     lift_threshold,
     next_uplift,
+    remaining_push,
+    settled,
 )
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.rocking.polynomial import (
@@ -28,6 +31,9 @@ from core.rocking.polynomial import (
     turns_at_most_once,
 )
 from core.units import G
+
+SMALL_BOUNCE = 1e-3
+"""Speed over p alpha below which a bounce takes the short series."""
 
 SERIES_TOLERANCE = 1e-17
 """Largest neglected term of a step, as a fraction of alpha."""
@@ -124,10 +130,64 @@ def converged_step(c, h, order, stiffness, alpha):
     return h
 
 
+@inner_kernel
+def turning_margin(speed, after, rise, forcing, p2, push, h):
+    """How far the speed [rad/s] can leave its chord within a step: h^2 / 8 by the bound of its second
+    derivative, after Eq. 1.
+
+    speed, after : at both ends; rise : of the forcing u''/g over the step [-]; forcing : its bound plus
+    the slope of the moment law [-]; push : bound of the angular acceleration [1/s2].
+    """
+    fastest = max(abs(speed), abs(after)) + push * h
+    return 0.125 * h * p2 * (h * fastest * (1.0 + forcing) + abs(rise))
+
+
+@inner_kernel
+def small_bounce(speed, net, sine, cosine, beta, slope, p2):
+    """Flight of a small bounce from theta = 0, rigid law, by its series of fourth order (Eq. 1).
+
+    Returns (flight time [s], speed at its end, highest point); time -1 where the bounce is not that
+    simple. For speeds below SMALL_BOUNCE p alpha what is left out is below 1e-14 of p alpha.
+    """
+    v1 = -p2 * net
+    c2 = 0.5 * v1
+    s1 = -speed * cosine
+    k1 = speed * sine
+    v2 = -0.5 * p2 * (s1 - beta * k1 - slope * cosine)
+    s2 = -0.5 * (speed * k1 + v1 * cosine)
+    k2 = 0.5 * (speed * s1 + v1 * sine)
+    c4 = (-1.0 / 12.0) * p2 * (s2 - beta * k2 - slope * k1)
+    c3 = v2 * (1.0 / 3.0)
+    t = -speed / c2
+    if not (c2 < 0.0 and abs(c3) * t < -0.05 * c2 and abs(c4) * t * t < -0.05 * c2):
+        return -1.0, 0.0, 0.0
+    for _ in range(4):
+        value = speed + t * (c2 + t * (c3 + t * c4))
+        t -= value / (c2 + t * (2.0 * c3 + t * 3.0 * c4))
+    top = -0.5 * speed / c2
+    highest = top * (speed + top * (c2 + top * (c3 + top * c4)))
+    return t, speed + t * (2.0 * c2 + t * (3.0 * c3 + t * 4.0 * c4)), highest
+
+
 @kernel
 def upright(model):
     """Lift threshold [m/s2], sin(alpha) and cos(alpha): what every sample needs of the model."""
     return lift_threshold(model), math.sin(model.slenderness), math.cos(model.slenderness)
+
+
+@inner_kernel
+def land(speed, side, ground, time, model, threshold, impacts, clamped, times, velocities):
+    """An impact at theta = 0: (speed, side, moving, impacts, clamped) after it, noted in times [s] and
+    velocities [rad/s]. speed : just before it, inward negative (Eq. 3, 7)."""
+    speed, after, side, moving, clamp = leave_impact(
+        max(-speed, 0.0), side, ground, model, threshold
+    )
+    if impacts < times.size:
+        times[impacts] = time
+        velocities[impacts] = after * speed
+    if not moving:
+        speed = 0.0
+    return speed, side, moving, impacts + 1, clamped + clamp
 
 
 @kernel
@@ -144,6 +204,7 @@ def through_sample(
     side, phi, speed, moving, zone, peak, impacts, clamped = state
     alpha = model.slenderness
     p2 = model.p2
+    small = SMALL_BOUNCE * math.sqrt(p2) * alpha if threshold > 0.0 else 0.0
     slope = (ground1 - ground0) / dt
     t = 0.0
     impacts_before = impacts
@@ -159,6 +220,21 @@ def through_sample(
             zone = zone_of(phi, model)
         branch = moment_branch(zone, model)
         beta = (side / G) * (ground0 + slope * t)
+        if phi == 0.0 and 0.0 < speed < small:
+            net = cosine_upright * (threshold - side * (ground0 + slope * t)) / G
+            flight, landing, highest = small_bounce(
+                speed, net, sine_upright, cosine_upright, beta, side / G * slope, p2
+            )
+            if 0.0 < flight < dt - t:
+                t += flight
+                peak = max(peak, highest)
+                speed, side, moving, impacts, clamped = land(
+                    landing, side, ground0 + slope * t, start_time + t, model, threshold,
+                    impacts, clamped, impact_time, impact_velocity,
+                )  # fmt: skip
+                if impacts - impacts_before > IMPACTS_PER_SAMPLE:
+                    return IMPACT_LIMIT, (side, phi, speed, moving, zone, peak, impacts, clamped)
+                continue
         s, k = sine_and_cosine(phi)
         sine = sine_upright * k - cosine_upright * s
         cosine = cosine_upright * k + sine_upright * s
@@ -195,7 +271,9 @@ def through_sample(
                 h = crossing
             dphi = increment(c, h)
         speed_after = rate(c, h)
-        if min(speed, -speed_after) > -push * h and max(phi, phi + dphi) + reach > peak:
+        forcing = max(abs(ground0), abs(ground1)) / G + branch[3]
+        margin = turning_margin(speed, speed_after, h * slope / G, forcing, p2, push, h)
+        if min(speed, -speed_after) > -margin and max(phi, phi + dphi) + reach > peak:
             peak = max(peak, phi + summit(c, h))
         t = t + h if h < dt - t else dt
         speed = speed_after
@@ -213,18 +291,11 @@ def through_sample(
             zone += -1 if falling else 1
             peak = max(peak, phi)
             continue
-        arriving = max(-speed, 0.0)
         phi = 0.0
-        speed, after, side, moving, clamp = leave_impact(
-            arriving, side, ground0 + slope * t, model, threshold
-        )
-        clamped += clamp
-        if impacts < impact_time.size:
-            impact_time[impacts] = start_time + t
-            impact_velocity[impacts] = after * speed
-        if not moving:
-            speed = 0.0
-        impacts += 1
+        speed, side, moving, impacts, clamped = land(
+            speed, side, ground0 + slope * t, start_time + t, model, threshold, impacts, clamped,
+            impact_time, impact_velocity,
+        )  # fmt: skip
         if impacts - impacts_before > IMPACTS_PER_SAMPLE:
             return IMPACT_LIMIT, (side, phi, speed, moving, zone, peak, impacts, clamped)
     return STABLE, (side, phi, speed, moving, zone, peak, impacts, clamped)
@@ -244,6 +315,9 @@ def integrate(
     """
     constants = upright(model)
     keep = rotation.size > 0
+    # without a history to write nothing is integrated that decides nothing; Eq. 7 counts its clamps
+    stops = not keep and model.ratio_drop == 0.0
+    left = remaining_push(ground, dt) if stops else impact_time
     side = -1.0 if start[0] < 0.0 or (start[0] == 0.0 and start[1] < 0.0) else 1.0
     phi = side * start[0]
     moving = phi != 0.0 or start[1] != 0.0
@@ -258,6 +332,10 @@ def integrate(
         )  # fmt: skip
         if outcome != STABLE:
             return outcome, state[5], state[6], state[7], i + 1
+        if stops and i % LOOK_EVERY == 0:
+            push = abs(scale) * left[i + 1]
+            if settled(state[1], state[2], state[5], push, model):
+                return STABLE, state[5], state[6], state[7], i + 2
         if keep:
             rotation[i + 1] = state[0] * state[1] if state[3] else 0.0
             velocity[i + 1] = state[0] * state[2] if state[3] else 0.0

@@ -104,7 +104,16 @@ def test_that_zeta_is_where_the_rule_first_fails(designed):
     assert holds(found.zeta)
     # the rule is not monotone: it fails somewhere within the bracket, not at all of it
     assert not all(holds(found.zeta * (1.0 + k * 2e-6)) for k in range(1, 51))
-    for multiplier in np.geomspace(0.25, 0.999, 60) * found.zeta:
+    # first failure on the grid: from the first peak at 0.40 alpha, below which no record fails the rule
+    threshold = wall.block.threshold_acceleration
+    low = min(
+        run.ida.q_slv * threshold / (1.35 * motion.pga)
+        for run, motion in zip(wall.runs, designed.motions, strict=True)
+    )
+    grid = low * (1.0 - 2e-4) * 1.01 ** np.arange(200)
+    for multiplier in grid[grid < found.zeta]:
+        assert holds(multiplier), multiplier
+    for multiplier in np.geomspace(0.25, 0.95, 40) * low:
         assert holds(multiplier), multiplier
 
 

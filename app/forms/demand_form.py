@@ -1,0 +1,230 @@
+"""The demand, the analysis and the title block of the report."""
+
+from dataclasses import fields, replace
+
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFileDialog,
+    QGroupBox,
+    QLabel,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.forms.fields import ChoiceField, FlagField, NumberField, TextField, connect
+from app.language import tr
+from app.session import Session
+from core.case import Analysis, Demand, Report, Spectrum
+from core.demand import target_of
+from core.errors import InputError
+from core.target_spectrum import NTC_TOPOGRAPHY, SOILS
+from core.units import G
+
+
+class DemandForm(QWidget):
+    """Edits [demand]; `on_target(target)` is called with the spectrum after each change."""
+
+    def __init__(self, session: Session):
+        super().__init__()
+        self.session = session
+        self.given = QGroupBox(tr("Check against a demand"))
+        self.given.setCheckable(True)
+        self.given.toggled.connect(self._toggled)
+        self.state = ChoiceField(Demand, "limit_state", tr("Limit state"),
+                                 {name: name for name in ("SLV", "SLC", "SLD")})  # fmt: skip
+        self.ag = NumberField(
+            Demand, "ag_g", "a_g", "g", tip=tr("On rigid ground (su suolo rigido); S apart")
+        )
+        self.hint = QLabel(tr("a_g on rigid ground, S apart"))
+        self.kind = QComboBox()
+        self.kind.setAccessibleName(tr("Spectrum"))
+        for name, shown in (
+            ("none", tr("no spectrum, S given")), ("NTC2018", "NTC 2018"), ("EN1998", "EN 1998-1"),
+            ("file", tr("spectrum of a file")),
+        ):  # fmt: skip
+            self.kind.addItem(shown, name)
+        self.kind.activated.connect(self._kind_chosen)
+        self.soil_factor = NumberField(Demand, "soil_factor", "S", "", optional=True)
+        self.intensity = NumberField(
+            Demand, "housner_intensity_cm", tr("Intensity SI"), "cm", optional=True
+        )
+        self.f0 = NumberField(Spectrum, "f0", "F0")
+        self.tc = NumberField(Spectrum, "tc_star_s", "T_C*", "s")
+        self.soil = ChoiceField(Spectrum, "soil", tr("Soil"), {name: name for name in SOILS})
+        self.topography = ChoiceField(
+            Spectrum, "topography", tr("Topography"), {name: name for name in NTC_TOPOGRAPHY}
+        )
+        self.type = ChoiceField(Spectrum, "type", tr("Type"), {1: "1", 2: "2"})
+        self.file = QPushButton(tr("Choose file…"))
+        self.file.clicked.connect(self._choose_file)
+        self.factor = NumberField(
+            Demand, "confidence_factor", "FC", "",
+            tip=tr("1.35 where the compressive strength is not in α; lower with a hinge setback"),
+        )  # fmt: skip
+        self.scaling = ChoiceField(
+            Demand, "demand_scaling", tr("Records at the demand"),
+            {"as_given": tr("as given"), "pga": tr("scaled to PGA = a_g S")},
+        )  # fmt: skip
+        self.zeta = NumberField(Demand, "zeta_target", tr("ζ required"))
+        self.q_code = NumberField(Demand, "q_code", tr("q of the code"))
+        self.site = TextField(Demand, "site", tr("Site"))
+        self.coordinates = TextField(Demand, "coordinates", tr("Coordinates"))
+        self.life = NumberField(Demand, "nominal_life_years", "V_N", tr("years"), optional=True)
+        self.use = NumberField(Demand, "use_class_factor", "C_U", "", optional=True)
+        self.period = NumberField(Demand, "return_period_years", "T_R", tr("years"), optional=True)
+        self.summary = QLabel()
+        self.summary.setWordWrap(True)
+        self.of_demand = [self.state, self.ag, self.soil_factor, self.intensity, self.factor, self.scaling,
+                          self.zeta, self.q_code, self.site, self.coordinates, self.life, self.use,
+                          self.period]  # fmt: skip
+        self.of_spectrum = [self.f0, self.tc, self.soil, self.topography, self.type]
+        connect(self.of_demand, self._changed)
+        connect(self.of_spectrum, self._spectrum_changed)
+        inside = QVBoxLayout(self.given)
+        for widget in (self.state, self.ag, self.hint, self.kind, self.soil_factor, self.intensity,
+                       *self.of_spectrum, self.file, self.summary, self.factor, self.scaling, self.zeta,
+                       self.q_code, self.site, self.coordinates, self.life, self.use,
+                       self.period):  # fmt: skip
+            inside.addWidget(widget)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(6, 6, 6, 6)
+        layout.addWidget(self.given)
+        layout.addStretch(1)
+
+    def show_case(self) -> None:
+        """Fill the form from the session."""
+        demand = self.session.case.demand
+        self.given.blockSignals(True)
+        self.given.setChecked(demand is not None)
+        self.given.blockSignals(False)
+        if demand is None:
+            return
+        for field in self.of_demand:
+            field.show_value(getattr(demand, field.key))
+        spectrum = demand.spectrum
+        kind = spectrum.code if spectrum else "file" if demand.spectrum_file else "none"
+        self.kind.setCurrentIndex(self.kind.findData(kind))
+        for field in self.of_spectrum:
+            if spectrum:
+                field.show_value(getattr(spectrum, field.key))
+        self.soil_factor.setVisible(spectrum is None)
+        self.intensity.setVisible(kind == "none")
+        self.soil.setVisible(spectrum is not None)
+        for field in (self.f0, self.tc, self.topography):
+            field.setVisible(kind == "NTC2018")
+        self.type.setVisible(kind == "EN1998")
+        self.file.setVisible(kind == "file")
+        self.file.setText(demand.spectrum_file or tr("Choose file…"))
+        self.summary.setText(self._said(demand))
+
+    def _said(self, demand: Demand) -> str:
+        try:
+            target = target_of(demand, self.session.base_dir)
+        except (InputError, TypeError) as error:
+            return str(error)
+        if target is None:
+            return f"S a_g {demand.ag_g * (demand.soil_factor or 1.0):.3f} g"
+        words = f"S {target.soil:.3f}, S a_g {target.pga / G:.3f} g"
+        if hasattr(target, "t_b"):
+            words += f"\nT_B {target.t_b:.3f} s, T_C {target.t_c:.3f} s, T_D {target.t_d:.3f} s"
+        return words
+
+    def _toggled(self, on: bool) -> None:
+        self.session.edit(replace(self.session.case, demand=Demand(0.15) if on else None))
+
+    def _changed(self, field, value) -> None:
+        if self.session.case.demand is not None:
+            self.session.edit_section("demand", ("demand", field.key), **{field.key: value})
+
+    def _spectrum_changed(self, field, value) -> None:
+        demand = self.session.case.demand
+        if demand and demand.spectrum:
+            spectrum = replace(demand.spectrum, **{field.key: value})
+            self.session.edit_section("demand", ("demand", field.key), spectrum=spectrum)
+
+    def _kind_chosen(self, index: int) -> None:
+        kind = self.kind.itemData(index)
+        values = {"spectrum": None, "spectrum_file": None}
+        if kind == "NTC2018":
+            values["spectrum"] = Spectrum(kind, "B", f0=2.5, tc_star_s=0.35, topography="T1")
+        elif kind == "EN1998":
+            values["spectrum"] = Spectrum(kind, "B", type=1)
+        if values["spectrum"]:
+            values |= {"soil_factor": None, "housner_intensity_cm": None}
+        if kind == "file":
+            self._choose_file()
+            return
+        self.session.edit_section("demand", **values)
+
+    def _choose_file(self) -> None:
+        from pathlib import Path
+
+        name, _ = QFileDialog.getOpenFileName(self, tr("Spectrum: two columns, s and g"),
+                                              str(self.session.base_dir))  # fmt: skip
+        if name:
+            self.session.edit_section(
+                "demand", spectrum=None, spectrum_file=self.session.relative(Path(name)),
+                housner_intensity_cm=None,
+            )  # fmt: skip
+        else:
+            self.show_case()
+
+
+METHOD_NAMES = next(f for f in fields(Analysis) if f.name == "method").metadata["names"]
+
+
+class AnalysisForm(QWidget):
+    """Edits [analysis] and [report]."""
+
+    def __init__(self, session: Session):
+        super().__init__()
+        self.session = session
+        self.of_analysis = [
+            ChoiceField(Analysis, "method", tr("Method"), {
+                name: tr("automatic") if name == "auto" else name for name in METHOD_NAMES}),
+            NumberField(Analysis, "q_step", tr("Step of the search"), "%", 100.0),
+            NumberField(Analysis, "q_limit", tr("Largest q")),
+            NumberField(Analysis, "map_span", tr("Map up to times q")),
+            NumberField(Analysis, "robust_window", tr("Robust window"), "%", 100.0),
+            ChoiceField(Analysis, "polarity", tr("Sign of the records"), {
+                "both": tr("both"), "as_recorded": tr("as recorded"), "reversed": tr("reversed")}),
+            FlagField(Analysis, "accuracy", tr("State the accuracy"),
+                      tip=tr("Seconds a wall: error of the solver and spread of q in the report")),
+        ]  # fmt: skip
+        self.of_report = [
+            TextField(Report, key, label)
+            for key, label in (
+                ("client", tr("Client")), ("site", tr("Place")), ("project", tr("Project")),
+                ("author", tr("Author")), ("revision", tr("Revision")), ("date", tr("Date")))
+        ]  # fmt: skip
+        self.of_report.append(
+            ChoiceField(Report, "language", tr("Report in"), {"en": "English", "it": "Italiano"})
+        )
+        connect(self.of_analysis, lambda field, value: session.edit_section(
+            "analysis", ("analysis", field.key), **{field.key: value}))  # fmt: skip
+        connect(self.of_report, lambda field, value: session.edit_section(
+            "report", ("report", field.key), **{field.key: value}))  # fmt: skip
+        self.title_field = TextField(type(session.case), "title", tr("Title"))
+        self.title_field.edited.connect(
+            lambda value: session.edit(replace(session.case, title=value), "title")
+        )
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(6, 6, 6, 6)
+        for label, chosen in ((tr("Report"), [self.title_field, *self.of_report]),
+                              (tr("Analysis"), self.of_analysis)):  # fmt: skip
+            group = QGroupBox(label)
+            inside = QVBoxLayout(group)
+            for field in chosen:
+                inside.addWidget(field)
+            layout.addWidget(group)
+        layout.addStretch(1)
+
+    def show_case(self) -> None:
+        """Fill the form from the session."""
+        case = self.session.case
+        self.title_field.show_value(case.title)
+        for field in self.of_analysis:
+            field.show_value(getattr(case.analysis, field.key))
+        for field in self.of_report:
+            field.show_value(getattr(case.report, field.key))

@@ -1,0 +1,423 @@
+"""The walls: list, geometry with a drawing to scale, mechanism, restitution, law."""
+
+import math
+from dataclasses import replace
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFileDialog,
+    QGroupBox,
+    QHBoxLayout,
+    QLabel,
+    QListWidget,
+    QMessageBox,
+    QPushButton,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.forms.drawing import WallDrawing, mechanism_icon
+from app.forms.fields import ChoiceField, FlagField, NumberField, TextField, connect
+from app.forms.law_curve import LawCurve
+from app.language import tr
+from app.session import Session
+from core.case import Wall
+from core.errors import InputError
+from core.units import G
+from core.wall_table import read_walls, text_rows, walls_of
+
+FORMULAS = {
+    "housner": "e = 1 − 1.5 sin²α (Eq. 4)",
+    "sorrentino_experimental": "e = 0.95 (1 − 1.5 sin²α) (Eq. 5)",
+    "costa_upper": "e = 0.98 (Costa et al. 2013)",
+    "one_sided_theoretical": "e = (1 − 1.5 sin²α)² |1 − 1.5 cos²α| (Eq. 6)",
+    "one_sided_experimental": "e = √r₁ₛ (1.18 − 0.473 v²) (Eq. 7)",
+    "user": "e",
+}
+
+
+def named_models() -> dict:
+    """Restitution models as the list shows them; None is the default of the mechanism."""
+    return {
+        None: tr("default of the mechanism"),
+        "housner": "Housner (Eq. 4)",
+        "sorrentino_experimental": tr("Sorrentino, experimental (Eq. 5)"),
+        "costa_upper": tr("Costa, upper bound"),
+        "one_sided_theoretical": tr("one-sided, theoretical (Eq. 6)"),
+        "one_sided_experimental": tr("one-sided, experimental (Eq. 7)"),
+        "user": tr("given velocity ratio"),
+    }
+
+
+class WallForm(QWidget):
+    """Edits one wall of the session at a time; `current` is its index."""
+
+    def __init__(self, session: Session):
+        super().__init__()
+        self.session = session
+        self.showing = False
+        self.list = QListWidget()
+        self.list.setMaximumHeight(84)
+        self.list.setAccessibleName(tr("Walls"))
+        self.list.currentRowChanged.connect(self._selected)
+        self.drawing = WallDrawing()
+        self.summary = QLabel()
+        self.summary.setWordWrap(True)
+        self.problem = QLabel()
+        self.law_curve = LawCurve()
+        self._make_fields()
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(6, 6, 6, 6)
+        layout.addLayout(self._buttons())
+        layout.addWidget(self.list)
+        layout.addWidget(self._geometry())
+        layout.addWidget(self._mechanism())
+        layout.addWidget(self._impact())
+        layout.addWidget(self._more())
+        layout.addStretch(1)
+
+    # building
+
+    def _make_fields(self) -> None:
+        self.name = TextField(Wall, "name", tr("Name"))
+        self.height = NumberField(Wall, "height_m", tr("Height H"), "m")
+        self.thickness = NumberField(Wall, "thickness_m", tr("Thickness t"), "cm", 100.0)
+        self.slenderness = NumberField(
+            Wall,
+            "slenderness_deg",
+            tr("Slenderness α"),
+            "°",
+            tip=tr("arctan(t/H): larger is stockier"),
+        )
+        self.ratio = NumberField(Wall, "height_over_thickness", "H/t")
+        self.radius = NumberField(Wall, "radius_m", tr("Radius R"), "m")
+        self.inertia = NumberField(Wall, "inertia_over_mass_m2", "I0/m", "m²")
+        self.setback = NumberField(
+            Wall, "hinge_setback_m", tr("Hinge setback u"), "cm", 100.0,
+            tip=tr("The wall turns about a hinge inside its edge: tan α = (t − 2u)/H"),
+        )  # fmt: skip
+        self.strength = NumberField(
+            Wall, "compressive_strength_mpa", tr("Strength f"), "MPa", optional=True,
+            tip=tr("Gives the setback u = 2 W / (3 f L); takes the unit weight and no u"),
+        )  # fmt: skip
+        self.weight = NumberField(
+            Wall, "unit_weight_kn_m3", tr("Unit weight"), "kN/m³", optional=True
+        )
+        self.length = NumberField(Wall, "length_m", tr("Length L"), "m", optional=True)
+        self.base = NumberField(
+            Wall, "base_z_m", tr("Base above ground z"), "m",
+            tip=tr("Above the ground the motion of the floor is needed: no check is made"),
+        )  # fmt: skip
+        self.floor = TextField(Wall, "floor", tr("Floor"))
+        self.restraint = TextField(Wall, "back_restraint", tr("Restraint behind"))
+        self.notes = TextField(Wall, "notes", tr("Notes"))
+        self.unloaded = FlagField(Wall, "unloaded_confirmed", tr("No load from floors or roof"))
+        self.model = ChoiceField(Wall, "restitution", tr("Model"), named_models())
+        self.velocity_ratio = NumberField(Wall, "velocity_ratio", tr("Velocity ratio e"))
+        laws = {
+            "rigid": tr("rigid"), "doherty": "Doherty 0.06, 0.28", "al_shawa": "Al Shawa 0.02, 0.28",
+            "own": tr("own D1, D2"),
+        }  # fmt: skip
+        self.law = QComboBox()
+        for name, shown in laws.items():
+            self.law.addItem(shown, name)
+        self.law.setAccessibleName(tr("Moment-rotation law"))
+        self.law.activated.connect(self._law_chosen)
+        self.first = NumberField(Wall, "velocity_ratio", "D1")
+        self.last = NumberField(Wall, "velocity_ratio", "D2")
+        self.first.edited.connect(lambda value: self._law_end("elastic_limit", value))
+        self.last.edited.connect(lambda value: self._law_end("plateau_end", value))
+        self.fields = [
+            self.name, self.height, self.thickness, self.slenderness, self.ratio, self.radius,
+            self.inertia, self.setback, self.strength, self.weight, self.length, self.base,
+            self.floor, self.restraint, self.notes, self.unloaded, self.velocity_ratio,
+        ]  # fmt: skip
+        connect(self.fields, self._changed)
+        self.model.edited.connect(self._model_chosen)
+
+    def _buttons(self) -> QHBoxLayout:
+        row = QHBoxLayout()
+        for label, tip, slot in (
+            (tr("Add"), tr("Add a wall"), self.add),
+            (tr("Duplicate"), tr("Copy this wall"), self.duplicate),
+            (tr("Delete"), tr("Delete this wall"), self.delete),
+            (tr("Paste"), tr("Paste rows copied from Excel"), self.paste),
+            (tr("Table…"), tr("Read walls from .xlsx or .csv"), self.load_table),
+        ):
+            button = QPushButton(label)
+            button.setToolTip(tip)
+            button.clicked.connect(slot)
+            button.setMinimumWidth(40)
+            row.addWidget(button)
+        return row
+
+    def _geometry(self) -> QGroupBox:
+        group = QGroupBox(tr("Geometry"))
+        row = QHBoxLayout(group)
+        column = QVBoxLayout()
+        self.shape = QComboBox()
+        self.shape.setAccessibleName(tr("Geometry given by"))
+        for name, shown in (
+            ("thickness_m", tr("height and thickness")), ("slenderness_deg", tr("height and slenderness")),
+            ("height_over_thickness", tr("height and H/t")), ("general", tr("general block")),
+        ):  # fmt: skip
+            self.shape.addItem(shown, name)
+        self.shape.activated.connect(self._shape_chosen)
+        column.addWidget(self.name)
+        column.addWidget(self.shape)
+        for field in (self.height, self.thickness, self.slenderness, self.ratio, self.radius,
+                      self.inertia, self.setback):  # fmt: skip
+            column.addWidget(field)
+        column.addWidget(self.summary)
+        column.addStretch(1)
+        row.addLayout(column, 3)
+        row.addWidget(self.drawing, 2)
+        return group
+
+    def _mechanism(self) -> QGroupBox:
+        group = QGroupBox(tr("Mechanism"))
+        row = QHBoxLayout(group)
+        self.mechanisms = {}
+        for name, label, tip in (
+            ("two_sided", tr("two-sided"), tr("Free on both faces: rocks to both sides")),
+            ("one_sided", tr("one-sided"), tr("A restraint behind: rocks outwards only")),
+            ("both", tr("both"), tr("Two results: with the restraint behind and without")),
+        ):
+            button = QToolButton()
+            button.setIcon(mechanism_icon(name))
+            button.setIconSize(QSize(52, 52))
+            button.setText(label)
+            button.setToolTip(tip)
+            button.setAccessibleName(label)
+            button.setCheckable(True)
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
+            button.clicked.connect(lambda _, name=name: self._mechanism_chosen(name))
+            self.mechanisms[name] = button
+            row.addWidget(button)
+        row.addStretch(1)
+        return group
+
+    def _impact(self) -> QGroupBox:
+        group = QGroupBox(tr("Restitution and law"))
+        column = QVBoxLayout(group)
+        self.formula = QLabel()
+        self.formula.setWordWrap(True)
+        for widget in (self.model, self.velocity_ratio, self.formula):
+            column.addWidget(widget)
+        row = QHBoxLayout()
+        ends = QVBoxLayout()
+        ends.addWidget(self.law)
+        ends.addWidget(self.first)
+        ends.addWidget(self.last)
+        ends.addStretch(1)
+        row.addLayout(ends, 1)
+        row.addWidget(self.law_curve, 1)
+        column.addLayout(row)
+        return group
+
+    def _more(self) -> QGroupBox:
+        group = QGroupBox(tr("For checks and report"))
+        column = QVBoxLayout(group)
+        for field in (self.length, self.weight, self.strength, self.base, self.floor, self.restraint,
+                      self.unloaded, self.notes):  # fmt: skip
+            column.addWidget(field)
+        return group
+
+    # showing
+
+    @property
+    def current(self) -> int:
+        return max(0, self.list.currentRow())
+
+    @property
+    def wall(self) -> Wall | None:
+        walls = self.session.case.wall
+        return walls[self.current] if self.current < len(walls) else None
+
+    def _selected(self, row: int) -> None:
+        if not self.showing:
+            self.show_case()
+
+    def show_case(self) -> None:
+        """Fill the form from the session."""
+        self.showing = True
+        walls = self.session.case.wall
+        row = min(self.current, max(0, len(walls) - 1))
+        names = [wall.name for wall in walls]
+        if names != [self.list.item(k).text() for k in range(self.list.count())]:
+            self.list.clear()
+            self.list.addItems(names)
+        self.list.setCurrentRow(row if walls else -1)
+        self.showing = False
+        wall = self.wall
+        self.setProperty("empty", wall is None)
+        for group in self.findChildren(QGroupBox):
+            group.setEnabled(wall is not None)
+        self.drawing.show_wall(wall)
+        if wall is None:
+            self.summary.setText(tr("No wall yet: press Add."))
+            return
+        self._show_geometry(wall)
+        for name, button in self.mechanisms.items():
+            button.setChecked(wall.mechanism == name)
+        for field in self.fields:
+            field.show_value(getattr(wall, field.key))
+        self._show_impact(wall)
+
+    def _shape_of(self, wall: Wall) -> str:
+        if wall.radius_m is not None or wall.inertia_over_mass_m2 is not None:
+            return "general"
+        for key in ("slenderness_deg", "height_over_thickness"):
+            if getattr(wall, key) is not None:
+                return key
+        return "thickness_m"
+
+    def _show_geometry(self, wall: Wall) -> None:
+        shape = self._shape_of(wall)
+        self.shape.setCurrentIndex(self.shape.findData(shape))
+        general = shape == "general"
+        self.height.setVisible(not general)
+        self.setback.setVisible(not general and wall.compressive_strength_mpa is None)
+        self.thickness.setVisible(shape == "thickness_m")
+        self.slenderness.setVisible(general or shape == "slenderness_deg")
+        self.ratio.setVisible(shape == "height_over_thickness")
+        self.radius.setVisible(general)
+        self.inertia.setVisible(general)
+        try:
+            block = wall.block()
+        except (InputError, TypeError) as error:
+            self.summary.setText(str(error))
+            return
+        lines = [f"α {math.degrees(block.slenderness):.2f}°"]
+        if wall.thickness:
+            lines.append(f"H/t {wall.height_m / wall.thickness:.2f}")
+        if wall.height_m and wall.setback:
+            lines.append(f"u {100 * wall.setback:.1f} cm")
+        a = block.threshold_acceleration
+        lines.append(f"a_RM {a / G:.3f} g = {a:.2f} m/s²")
+        lines.append(f"R {block.radius:.3f} m, p {block.frequency_parameter:.3f} rad/s")
+        self.summary.setText("\n".join(lines))
+
+    def _show_impact(self, wall: Wall) -> None:
+        model = wall.restitution or ("user" if wall.velocity_ratio is not None else None)
+        self.model.show_value(model)
+        self.velocity_ratio.setVisible(model == "user")
+        lines = []
+        for mechanism in wall.mechanisms() if wall.mechanism else ():
+            try:
+                found = wall.restitution_of(mechanism)
+                word = tr("one-sided") if mechanism == "one_sided" else tr("two-sided")
+                lines.append(f"{word}: {FORMULAS[found.model]} = {found.ratio_at_rest:.4f}")
+            except (InputError, TypeError) as error:
+                lines.append(str(error))
+        self.formula.setText("\n".join(lines) or tr("Choose a mechanism."))
+        own = isinstance(wall.law, dict)
+        self.law.setCurrentIndex(self.law.findData("own" if own else wall.law))
+        for field, key in ((self.first, "elastic_limit"), (self.last, "plateau_end")):
+            field.setVisible(own)
+            if own:
+                field.show_value(wall.law[key])
+        self.law_curve.show_wall(wall)
+
+    # changes
+
+    def _changed(self, field, value) -> None:
+        if self.wall is not None:
+            self.session.edit_wall(
+                self.current, ("wall", self.current, field.key), **{field.key: value}
+            )
+
+    def _shape_chosen(self, index: int) -> None:
+        """Write the same block in another way."""
+        wall, shape = self.wall, self.shape.itemData(index)
+        if wall is None or shape == self._shape_of(wall):
+            return
+        try:
+            block = wall.block()
+        except (InputError, TypeError):
+            self.show_case()
+            return
+        blank = {"height_m": None, "thickness_m": None, "slenderness_deg": None,
+                 "height_over_thickness": None, "radius_m": None, "inertia_over_mass_m2": None,
+                 "hinge_setback_m": wall.hinge_setback_m}  # fmt: skip
+        height = wall.height_m or block.height
+        thickness = wall.thickness or block.thickness
+        if shape == "general":
+            blank |= {"radius_m": block.radius, "inertia_over_mass_m2": block.inertia_over_mass,
+                      "slenderness_deg": math.degrees(block.slenderness),
+                      "hinge_setback_m": 0.0}  # fmt: skip
+        else:
+            blank["height_m"] = height
+            blank[shape] = {
+                "thickness_m": thickness,
+                "slenderness_deg": math.degrees(math.atan2(thickness, height)),
+                "height_over_thickness": height / thickness,
+            }[shape]
+        self.session.edit_wall(self.current, **blank)
+
+    def _mechanism_chosen(self, name: str) -> None:
+        wall = self.wall
+        values = {"mechanism": name}
+        if name != "one_sided" and (wall.restitution or "").startswith("one_sided"):
+            values["restitution"] = None
+        self.session.edit_wall(self.current, **values)
+        self.show_case()
+
+    def _model_chosen(self, model) -> None:
+        wall = self.wall
+        if wall is None:
+            return
+        ratio = None
+        if model == "user":
+            try:
+                ratio = round(wall.restitution_of(wall.mechanisms()[0]).ratio_at_rest, 3)
+            except (InputError, TypeError):
+                ratio = 0.9
+        self.session.edit_wall(self.current, restitution=model, velocity_ratio=ratio)
+
+    def _law_chosen(self, index: int) -> None:
+        name = self.law.itemData(index)
+        law = {"elastic_limit": 0.06, "plateau_end": 0.28} if name == "own" else name
+        if self.wall is not None:
+            self.session.edit_wall(self.current, law=law)
+
+    def _law_end(self, key: str, value) -> None:
+        if self.wall is not None and isinstance(self.wall.law, dict):
+            law = {**self.wall.law, key: value}
+            self.session.edit_wall(self.current, ("wall", self.current, key), law=law)
+
+    def add(self) -> None:
+        self.session.add_walls([Wall(tr("wall"), "", height_m=4.0, thickness_m=0.4)])
+        self.list.setCurrentRow(len(self.session.case.wall) - 1)
+
+    def duplicate(self) -> None:
+        if self.wall is not None:
+            self.session.add_walls([replace(self.wall)])
+            self.list.setCurrentRow(len(self.session.case.wall) - 1)
+
+    def delete(self) -> None:
+        if self.wall is not None:
+            self.session.remove_wall(self.current)
+
+    def paste(self) -> None:
+        self._take(lambda: walls_of(text_rows(QGuiApplication.clipboard().text())))
+
+    def load_table(self) -> None:
+        from pathlib import Path
+
+        name, _ = QFileDialog.getOpenFileName(
+            self, tr("Read walls"), str(self.session.base_dir), tr("Tables") + " (*.xlsx *.csv)"
+        )
+        if name:
+            self._take(lambda: read_walls(Path(name)))
+
+    def _take(self, read) -> None:
+        try:
+            walls = read()
+        except InputError as error:
+            QMessageBox.warning(self, tr("Walls not read"), str(error))
+            return
+        self.session.add_walls(walls)

@@ -1,0 +1,245 @@
+"""One chart: curves with names and units, values under the cursor, copy, PNG, SVG, CSV (always light)."""
+
+import csv
+from pathlib import Path
+
+import numpy as np
+import pyqtgraph as pg
+from PySide6.QtCore import QBuffer, QIODevice, QMimeData, QSize, Qt
+from PySide6.QtGui import QGuiApplication, QImage, QPainter
+from PySide6.QtSvg import QSvgGenerator
+from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
+
+from app import theme
+from app.language import tr
+
+
+def numbers(values) -> np.ndarray:
+    """A contiguous float64 array of one dimension: anything else can crash the drawing."""
+    return np.ascontiguousarray(np.asarray(values, dtype=np.float64).ravel())
+
+
+class Chart(QWidget):
+    """A plot with axes `x` and `y`. Colours are roles of the theme: an index of its curves, or a name."""
+
+    def __init__(self, x: str, y: str, name: str):
+        super().__init__()
+        self.labels, self.name = (x, y), name
+        self.setAccessibleName(name)
+        self.view = pg.PlotWidget()
+        self.plot = self.view.getPlotItem()
+        self.plot.showGrid(x=True, y=True, alpha=0.25)
+        self.legend = self.plot.addLegend(offset=(-8, 8), labelTextSize="9pt")
+        self.items: list[tuple] = []
+        self.data: list[tuple[str, np.ndarray, np.ndarray]] = []
+        self.read = QLabel()
+        self.read.setMinimumWidth(150)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        layout.addWidget(self.view, 1)
+        layout.addLayout(self._bar())
+        self._proxy = pg.SignalProxy(
+            self.plot.scene().sigMouseMoved, rateLimit=30, slot=self._moved
+        )
+        self._dress(theme.current)
+
+    def _bar(self) -> QHBoxLayout:
+        bar = QHBoxLayout()
+        bar.addWidget(self.read)
+        bar.addStretch(1)
+        for label, tip, slot in (
+            (tr("Reset"), tr("Show everything"), self.reset), (tr("Copy"), tr("Copy the picture"), self.copy),
+            ("PNG", tr("Save as PNG"), lambda: self._save("png")),
+            ("SVG", tr("Save as SVG"), lambda: self._save("svg")),
+            ("CSV", tr("Save the data as CSV"), lambda: self._save("csv")),
+        ):  # fmt: skip
+            button = QToolButton()
+            button.setText(label)
+            button.setToolTip(tip)
+            button.setAccessibleName(f"{label}, {self.name}")
+            button.setAutoRaise(True)
+            button.clicked.connect(slot)
+            bar.addWidget(button)
+        return bar
+
+    # content
+
+    def clear(self) -> None:
+        for item, *_ in self.items:
+            self.plot.removeItem(item)
+        self.legend.clear()
+        self.items, self.data = [], []
+
+    def curve(
+        self, name: str, x, y, color=0, width=1.6, dash=False, legend=True
+    ) -> pg.PlotDataItem:
+        """A line; its data goes into the CSV."""
+        x, y = numbers(x), numbers(y)
+        item = pg.PlotDataItem(x, y, name=name if legend else None)
+        self.plot.addItem(item)
+        if not self.plot.ctrl.logXCheck.isChecked():
+            item.setClipToView(True)
+            item.setDownsampling(auto=True, method="peak")
+        self._keep(item, color, width, dash, False)
+        self.data.append((name, x, y))
+        return item
+
+    def points(self, name: str, x, y, color=0, size=8, legend=True) -> pg.PlotDataItem:
+        """Marks without a line."""
+        x, y = numbers(x), numbers(y)
+        item = pg.PlotDataItem(
+            x, y, pen=None, symbol="o", symbolSize=size, name=name if legend else None
+        )
+        self.plot.addItem(item)
+        self._keep(item, color, 1.0, False, True)
+        self.data.append((name, x, y))
+        return item
+
+    def bars(self, name: str, x, heights, color=0, width=0.7) -> None:
+        item = pg.BarGraphItem(x=numbers(x), height=numbers(heights), width=width)
+        self.plot.addItem(item)
+        self._keep(item, color, 1.0, False, True)
+        self.data.append((name, numbers(x), numbers(heights)))
+
+    def level(
+        self, value: float, label: str = "", color="quiet", vertical=False
+    ) -> pg.InfiniteLine:
+        """A line across the chart with a label."""
+        line = pg.InfiniteLine(value, 90 if vertical else 0, label=label or None,
+                               labelOpts={"position": 0.92 if vertical else 0.06, "fill": None})  # fmt: skip
+        self.plot.addItem(line, ignoreBounds=True)
+        self._keep(line, color, 1.2, True, False)
+        return line
+
+    def band(self, x, low, high, color=1) -> None:
+        """The area between two curves."""
+        shade = pg.mkColor(self._shade(theme.current, color))
+        shade.setAlpha(45)
+        ends = [pg.PlotDataItem(numbers(x), numbers(edge)) for edge in (low, high)]
+        for end in ends:
+            self.plot.addItem(end)
+            self._keep(end, color, 0.6, True, False)
+        area = pg.FillBetweenItem(*ends, brush=shade)
+        self.plot.addItem(area)
+        self.items.append((area, None, 0, False, False))
+
+    def add(self, item, legend: str | None = None) -> None:
+        """Any other item; it keeps its own colours."""
+        self.plot.addItem(item)
+        self.items.append((item, None, 0, False, False))
+
+    def set_log(self, on: bool) -> None:
+        self.plot.setLogMode(on, on)
+
+    def reset(self) -> None:
+        self.plot.autoRange()
+
+    # colours
+
+    @staticmethod
+    def _shade(chosen: theme.Theme, color) -> str:
+        return (
+            chosen.curves[color % len(chosen.curves)]
+            if isinstance(color, int)
+            else getattr(chosen, color)
+        )
+
+    def _keep(self, item, color, width, dash, filled) -> None:
+        self.items.append((item, color, width, dash, filled))
+        self._paint(item, color, width, dash, filled, theme.current)
+
+    def _paint(self, item, color, width, dash, filled, chosen) -> None:
+        if color is None:
+            return
+        shade = self._shade(chosen, color)
+        pen = pg.mkPen(
+            shade, width=width, style=Qt.PenStyle.DashLine if dash else Qt.PenStyle.SolidLine
+        )
+        if isinstance(item, pg.BarGraphItem):
+            item.setOpts(brush=shade, pen=shade)
+        elif filled:
+            item.setSymbolBrush(shade)
+            item.setSymbolPen(shade)
+        else:
+            item.setPen(pen)
+            if isinstance(item, pg.InfiniteLine) and hasattr(item, "label"):
+                item.label.setColor(shade)
+
+    def _dress(self, chosen: theme.Theme) -> None:
+        self.view.setBackground(chosen.back)
+        for side, label in zip(("bottom", "left"), self.labels, strict=True):
+            axis = self.plot.getAxis(side)
+            axis.enableAutoSIPrefix(False)
+            axis.setPen(chosen.quiet)
+            axis.setTextPen(chosen.ink)
+            self.plot.setLabel(side, label, color=chosen.ink)
+        self.legend.setLabelTextColor(chosen.ink)
+        for _, label in self.legend.items:
+            label.setText(label.text, color=chosen.ink)
+        for entry in self.items:
+            self._paint(*entry, chosen)
+
+    # values under the cursor
+
+    def _moved(self, event) -> None:
+        point = self.plot.vb.mapSceneToView(event[0])
+        x, y = point.x(), point.y()
+        if self.plot.ctrl.logXCheck.isChecked():
+            x, y = 10.0**x, 10.0**y
+        self.read.setText(f"  {self.labels[0]} {x:.4g}   {self.labels[1]} {y:.4g}")
+
+    # out
+
+    def image(self) -> QImage:
+        """The chart as a light picture, twice the size on the screen."""
+        self._dress(theme.LIGHT)
+        size = self.view.size()
+        image = QImage(2 * size, QImage.Format.Format_RGB32)
+        image.fill(Qt.GlobalColor.white)
+        painter = QPainter(image)
+        painter.scale(2.0, 2.0)
+        self.view.render(painter)
+        painter.end()
+        self._dress(theme.current)
+        return image
+
+    def write(self, path: Path) -> None:
+        """Write .png, .svg or .csv by the end of the name."""
+        if path.suffix == ".csv":
+            with open(path, "w", newline="", encoding="utf-8") as stream:
+                writer = csv.writer(stream)
+                writer.writerow(["curve", *self.labels])
+                for name, xs, ys in self.data:
+                    writer.writerows(
+                        (name, x, y) for x, y in zip(xs.tolist(), ys.tolist(), strict=True)
+                    )
+        elif path.suffix == ".svg":
+            self._dress(theme.LIGHT)
+            picture = QSvgGenerator()
+            picture.setFileName(str(path))
+            picture.setSize(QSize(self.view.size()))
+            painter = QPainter(picture)
+            self.view.render(painter)
+            painter.end()
+            self._dress(theme.current)
+        else:
+            self.image().save(str(path))
+
+    def copy(self) -> None:
+        """The picture to the clipboard, with its data as text for a spreadsheet."""
+        image = self.image()
+        content = QMimeData()
+        content.setImageData(image)
+        buffer = QBuffer()
+        buffer.open(QIODevice.OpenModeFlag.WriteOnly)
+        image.save(buffer, "PNG")
+        content.setData("image/png", buffer.data())
+        QGuiApplication.clipboard().setMimeData(content)
+
+    def _save(self, end: str) -> None:
+        name, _ = QFileDialog.getSaveFileName(
+            self, tr("Save the chart"), f"{self.name}.{end}", f"*.{end}"
+        )
+        if name:
+            self.write(Path(name).with_suffix("." + end))

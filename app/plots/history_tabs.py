@@ -1,0 +1,252 @@
+"""Tabs that integrate under the hand: Histories and Validation."""
+
+import math
+
+import numpy as np
+from PySide6.QtCore import QElapsedTimer, Qt, QTimer, Signal
+from PySide6.QtWidgets import (
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QSlider,
+    QSplitter,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.forms.drawing import WallDrawing
+from app.language import tr
+from app.plots.chart import Chart
+from core.ida import threshold_of
+from core.results import StudyResult, WallResult
+from core.rocking import COLLAPSED, history
+from core.units import G
+
+SLIDER = 2000
+SPAN = (0.5, 2.0)
+"""Range of the multiplier slider about q [-]."""
+
+
+class HistoriesTab(QWidget):
+    """theta/alpha under a multiplier that follows the slider, with the ground above it and a rocking wall."""
+
+    def __init__(self):
+        super().__init__()
+        self.record = QComboBox()
+        self.record.setAccessibleName(tr("Record"))
+        self.record.activated.connect(lambda _: self._chosen())
+        self.slider = QSlider(Qt.Orientation.Horizontal)
+        self.slider.setRange(0, SLIDER)
+        self.slider.setAccessibleName(tr("Multiplier of the record"))
+        self.slider.valueChanged.connect(lambda _: self.integrate())
+        self.words = QLabel()
+        self.words.setMinimumWidth(260)
+        self.play = QPushButton(tr("Play"))
+        self.play.setCheckable(True)
+        self.play.toggled.connect(self._toggled)
+        self.ground = Chart("t [s]", "u'' [g]", tr("Ground motion"))
+        self.rotation = Chart("t [s]", "θ/α [-]", tr("Rotation"))
+        self.rotation.plot.setXLink(self.ground.plot)
+        self.wall_drawing = WallDrawing(with_sizes=False)
+        self.wall_drawing.setMaximumWidth(170)
+        bar = QHBoxLayout()
+        bar.addWidget(self.record, 1)
+        bar.addWidget(self.slider, 2)
+        bar.addWidget(self.words)
+        bar.addWidget(self.play)
+        charts = QSplitter(Qt.Orientation.Vertical)
+        charts.addWidget(self.ground)
+        charts.addWidget(self.rotation)
+        charts.setSizes([160, 320])
+        row = QHBoxLayout()
+        row.addWidget(charts, 1)
+        row.addWidget(self.wall_drawing)
+        layout = QVBoxLayout(self)
+        layout.addLayout(bar)
+        layout.addLayout(row, 1)
+        self.timer = QTimer(self)
+        self.timer.setInterval(33)
+        self.timer.timeout.connect(self._frame)
+        self.clock = QElapsedTimer()
+        self.started = 0.0
+        self.shown = None
+        self.history = None
+        self.cursors = []
+
+    def show_wall(self, result: StudyResult, wall: WallResult) -> None:
+        self.shown = (result, wall)
+        self.wall_drawing.show_wall(wall.wall)
+        self.wall_drawing.one_sided = wall.mechanism == "one_sided"
+        self.record.clear()
+        for run in wall.runs:
+            self.record.addItem(f"{run.record} ({'+' if run.polarity > 0 else '−'})")
+        known = [k for k, run in enumerate(wall.runs) if run.ida.q is not None]
+        if known:
+            self.record.setCurrentIndex(min(known, key=lambda k: wall.runs[k].ida.q))
+        self._chosen()
+
+    @property
+    def run(self):
+        return self.shown[1].runs[self.record.currentIndex()] if self.shown else None
+
+    def _chosen(self) -> None:
+        """A record: its ground motion, and charts whose curves are then only given new data."""
+        self.ground.clear()
+        self.rotation.clear()
+        if self.shown is None or self.record.currentIndex() < 0:
+            return
+        result, _ = self.shown
+        self.motion = next(m for m in result.motions if m.name == self.run.record)
+        self.times = np.arange(self.motion.acceleration.size) * self.motion.time_step
+        self.ground_curve = self.ground.curve(
+            tr("ground"), self.times, self.motion.acceleration / G, 6, 1.0
+        )
+        self.ground.level(0.0)
+        self.curve = self.rotation.curve("θ/α", [0.0, 1.0], [0.0, 0.0], 0, 1.8)
+        self.marks = self.rotation.points(tr("impacts"), [], [], 1, 5)
+        for level in (-1.0, 1.0):
+            self.rotation.level(level, "α" if level > 0 else "−α", "bad")
+        self.cursors = [
+            chart.level(0.0, "", "ink", vertical=True) for chart in (self.ground, self.rotation)
+        ]
+        for line in self.cursors:
+            line.setMovable(True)
+            line.sigDragged.connect(lambda line: self.set_time(line.value()))
+        self.rotation.plot.setYRange(-1.4, 1.4)
+        self.ground.plot.setXRange(0.0, float(self.times[-1]), padding=0.01)
+        self.slider.blockSignals(True)
+        self.slider.setValue(SLIDER // 2)
+        self.slider.blockSignals(False)
+        self.integrate()
+
+    @property
+    def q(self) -> float:
+        middle = (self.run.ida.bracket or (2.0, 2.0))[0]
+        low, high = (math.log(end) for end in SPAN)
+        return middle * math.exp(low + (high - low) * self.slider.value() / SLIDER)
+
+    def integrate(self) -> None:
+        """The history at the slider's multiplier: a fraction of a millisecond, then drawn."""
+        if self.run is None:
+            return
+        result, wall = self.shown
+        scale = self.run.polarity * self.q * threshold_of(wall.model) / self.motion.pga
+        ground, dt = self.motion.acceleration, self.motion.time_step
+        self.history = history(ground, dt, scale, wall.model, result.method)
+        ratio = np.clip(self.history.rotation / wall.block.slenderness, -3.0, 3.0)
+        self.curve.setData(self.times[: ratio.size], ratio)
+        hits = self.history.impact_time[:2000]
+        self.marks.setData(hits, np.zeros(hits.size))
+        self.rotation.data = [("theta/alpha", self.times[: ratio.size], ratio)]
+        outcome = tr("overturns") if self.history.outcome == COLLAPSED else tr("stands")
+        self.words.setText(f"C {abs(scale):.3f}   q {self.q:.3f}   {outcome}   "
+                           f"θmax/α {min(self.history.peak / wall.block.slenderness, 9.99):.2f}")  # fmt: skip
+        self.set_time(self.cursors[0].value())
+
+    def set_time(self, time: float) -> None:
+        """Both cursors and the small wall at this time [s]."""
+        for line in self.cursors:
+            line.setValue(time)
+        rotation = self.history.rotation
+        sample = min(max(0, int(time / self.motion.time_step)), rotation.size - 1)
+        self.wall_drawing.turn(float(np.clip(rotation[sample], -1.5, 1.5)))
+
+    def _toggled(self, on: bool) -> None:
+        if on and self.history is not None:
+            at_end = self.cursors[0].value() >= self.times[self.history.rotation.size - 1]
+            self.started = 0.0 if at_end else self.cursors[0].value()
+            self.clock.start()
+            self.timer.start()
+        else:
+            self.timer.stop()
+
+    def _frame(self) -> None:
+        time = self.started + 0.001 * self.clock.elapsed()
+        self.set_time(time)
+        if time >= self.times[self.history.rotation.size - 1]:
+            self.play.setChecked(False)
+
+
+class ValidationTab(QWidget):
+    """Accuracy of the methods on the governing history, phase portrait, moment against rotation.
+
+    asked() : the user wants the accuracy statement of the wall shown.
+    """
+
+    asked = Signal()
+
+    def __init__(self):
+        super().__init__()
+        self.button = QPushButton(tr("State the accuracy for this wall (some seconds)"))
+        self.button.clicked.connect(self.asked)
+        self.words = QLabel(
+            tr(
+                "Error of the solver and spread of q by definition, for this wall and its governing record."
+            )
+        )
+        self.words.setWordWrap(True)
+        self.words.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.chart = Chart(
+            tr("time per history [ms]"), tr("error / α [-]"), tr("Accuracy against speed")
+        )
+        self.chart.set_log(True)
+        self.phase = Chart("θ/α [-]", "θ'/(p α) [-]", tr("Phase portrait"))
+        self.moment = Chart("θ/α [-]", "M/(m g R sin α) [-]", tr("Moment against rotation"))
+        lower = QHBoxLayout()
+        lower.addWidget(self.phase, 1)
+        lower.addWidget(self.moment, 1)
+        layout = QVBoxLayout(self)
+        layout.addWidget(self.button)
+        layout.addWidget(self.words)
+        layout.addWidget(self.chart, 1)
+        layout.addLayout(lower, 1)
+
+    def show_wall(self, result: StudyResult, wall: WallResult) -> None:
+        from core.moment_rotation import moment
+        from core.study import collapse_histories
+
+        self.phase.clear()
+        self.moment.clear()
+        self.show_accuracy(wall.accuracy)
+        alpha = wall.block.slenderness
+        ratio = np.linspace(0.0, 1.2, 121)
+        law = np.array([moment(x * alpha, wall.model) for x in ratio]) / math.sin(alpha)
+        self.moment.curve(tr("law"), ratio, law, 0, 2.0)
+        pair = collapse_histories(result, wall)
+        if pair is None:
+            return
+        speed = wall.block.frequency_parameter * alpha
+        for found, name, color in zip(
+            pair.histories, (tr("survives"), tr("overturns")), (0, 1), strict=True
+        ):
+            inside = np.abs(found.rotation) < 1.5 * alpha
+            self.phase.curve(
+                name, found.rotation[inside] / alpha, found.velocity[inside] / speed, color, 1.0
+            )
+        self.phase.reset()
+
+    def show_accuracy(self, found) -> None:
+        """The chart and the two statements; nothing before they are asked for."""
+        self.chart.clear()
+        if found is None:
+            return
+        for k, point in enumerate(found.points):
+            if point.error is not None:
+                name = f"{point.name}: {point.error:.0e}"
+                self.chart.points(name, [1e3 * point.seconds], [max(point.error, 1e-16)], k, 11)
+        self.chart.reset()
+
+        def share(value: float | None) -> str:
+            return "–" if value is None else f"{100 * value:.2g} %"
+
+        self.words.setText("\n".join((
+            tr("Solver ({method}): error of q {q}, of the history {history} α ({record}).").format(
+                method=found.method, q=share(found.solver_q_error),
+                history="–" if found.history_error is None else f"{found.history_error:.0e}",
+                record=found.record),
+            tr("Definition: by the step of the search q spreads {q}, q robust {robust}; by rounding the record "
+               "to five figures {rounded} and {rounded_robust}.").format(
+                q=share(found.spread(1, found.steps)), robust=share(found.spread(2, found.steps)),
+                rounded=share(found.spread(0, found.rounded)),
+                rounded_robust=share(found.spread(1, found.rounded))))))  # fmt: skip

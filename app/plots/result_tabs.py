@@ -1,0 +1,362 @@
+"""Tabs of a result: Check, Capacity, q against SI, Spectra."""
+
+import math
+
+import numpy as np
+import pyqtgraph as pg
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QSplitter,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app import theme
+from app.language import tr
+from app.plots.chart import Chart
+from app.plots.table import Table
+from core.closed_forms import closed_form_q_eff
+from core.code_check import LABEL
+from core.ida import COLLAPSED, fragility_curve, threshold_of
+from core.kinematic import LIMIT_FRACTION
+from core.results import Q_SOURCES, StudyResult, WallResult
+from core.rocking import scan
+from core.spectrum import HOUSNER_PERIODS, pseudo_acceleration_spectrum
+from core.units import CM, G
+from core.words import word
+
+VERDICT_COLORS = {"verified": "good", "not_activated": "good", "verified_refined": "amber",
+                  "indicative": "amber", "undetermined": "amber", "q2_unsafe": "bad",
+                  "not_verified": "bad"}  # fmt: skip
+
+
+def verdict_color(wall: WallResult) -> str:
+    """Green only beside no warning."""
+    name = VERDICT_COLORS[wall.assessment.verdict.code]
+    name = "amber" if name == "good" and wall.warnings else name
+    return getattr(theme.current, name)
+
+
+def digits(value: float | None, figures: int = 2) -> str:
+    return "–" if value is None else f"{value:.{figures}f}"
+
+
+class CheckTab(QWidget):
+    """The table of methods, the peaks at the demand, the verdict."""
+
+    def __init__(self, language: str):
+        super().__init__()
+        self.language = language
+        self.sentence = QLabel(tr("No result yet: press F5."))
+        self.sentence.setWordWrap(True)
+        self.sentence.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.reasons = QLabel()
+        self.reasons.setWordWrap(True)
+        self.reasons.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.table = Table(tr("Checks"), [
+            tr("Method"), tr("Clause"), "q", tr("Capacity"), tr("Demand"), tr("Unit"), "ζ", tr("Outcome")])  # fmt: skip
+        self.peaks = Chart(tr("record"), "θmax/α [-]", tr("Peaks at the demand"))
+        split = QSplitter(Qt.Orientation.Vertical)
+        split.addWidget(self.table)
+        split.addWidget(self.peaks)
+        layout = QVBoxLayout(self)
+        layout.addWidget(self.sentence)
+        layout.addWidget(self.reasons)
+        layout.addWidget(split, 1)
+
+    def show_wall(self, result: StudyResult, wall: WallResult) -> None:
+        found = wall.assessment
+        self.peaks.clear()
+        rows, colors = [], []
+        if found is None:
+            self.sentence.setText(
+                tr("No demand: no check. q of the wall: {q}").format(q=digits(wall.q_set))
+            )
+            self.sentence.setStyleSheet("font-size: 14pt;")
+            self.reasons.setText(self._warnings(wall))
+            self.table.show_rows([])
+            return
+        said = found.verdict
+        self.sentence.setText(said.text(self.language))
+        self.sentence.setStyleSheet(
+            f"font-size: 14pt; font-weight: 600; color: {verdict_color(wall)};"
+        )
+        reasons = [reason[1 if self.language == "it" else 0] for reason in said.reasons]
+        if said.lower_bound is not None:
+            reasons.append(
+                tr("Should the restraint behind fail: ζ {zeta}").format(
+                    zeta=digits(said.lower_bound)
+                )
+            )
+        lines = [f"• {reason}" for reason in reasons] + [self._warnings(wall)]
+        self.reasons.setText("\n".join(line for line in lines if line))
+        for check in found.checks:
+            color = theme.current.good if check.passed else theme.current.bad
+            outcome = (
+                "no_number" if check.passed is None else "passed" if check.passed else "not_passed"
+            )
+            rows.append([word(check.name, self.language), check.clause, digits(check.q),
+                         digits(check.capacity, 3), digits(check.demand, 3), check.unit, digits(check.zeta),
+                         word(outcome, self.language)])  # fmt: skip
+            colors.append([None] * 6 + [color, color])
+        for source, check in zip(Q_SOURCES, wall.code_check, strict=False):
+            if check:
+                outcome = word("passed" if check.passed else "not_passed", self.language)
+                rows.append([word(source, self.language), LABEL, digits(check.q),
+                             digits(check.capacity / G, 3), digits(check.demand / G, 3), "g",
+                             digits(check.ratio), f"{outcome} ({word('comparison', self.language)})"])  # fmt: skip
+                colors.append([theme.current.quiet] * 8)
+        self.table.show_rows(rows, colors)
+        if found.dynamic:
+            self._bars(found.dynamic)
+
+    def _warnings(self, wall: WallResult) -> str:
+        return "\n".join(f"• {warning.text(self.language)}" for warning in wall.warnings)
+
+    def _bars(self, check) -> None:
+        top = 1.2
+        heights = [
+            top if run.peak_ratio is None else min(run.peak_ratio, top) for run in check.runs
+        ]
+        places = np.arange(len(heights), dtype=float)
+        stands = [h for h, run in zip(heights, check.runs, strict=True) if not run.exceeded]
+        at = [x for x, run in zip(places, check.runs, strict=True) if not run.exceeded]
+        falls = [x for x, run in zip(places, check.runs, strict=True) if run.exceeded]
+        self.peaks.bars(tr("within α"), at, stands, 0)
+        self.peaks.bars(tr("exceeds α or overturns"), falls,
+                        [h for h, run in zip(heights, check.runs, strict=True) if run.exceeded], 1)  # fmt: skip
+        for fraction, label in ((0.40, "0.40 SLV"), (0.60, "0.60 SLC"), (1.00, "1.00 α")):
+            wanted = LIMIT_FRACTION.get(check.limit_state) == fraction
+            self.peaks.level(fraction, label, "bad" if wanted or fraction == 1.0 else "quiet")
+        signs = {run.polarity for run in check.runs}
+        names = [
+            run.record[:14] + ("" if len(signs) == 1 else " +" if run.polarity > 0 else " −")
+            for run in check.runs
+        ]
+        step = max(1, math.ceil(len(names) / 12))
+        ticks = [(k, name) for k, name in enumerate(names) if k % step == 0]
+        self.peaks.plot.getAxis("bottom").setTicks([ticks])
+        self.peaks.plot.setYRange(0.0, top)
+        self.peaks.plot.setXRange(-0.6, len(names) - 0.4)
+
+
+class CapacityTab(QWidget):
+    """Peak rotation against q of one record, survival strips of all, fragility of the wall."""
+
+    POINTS = 240
+
+    def __init__(self):
+        super().__init__()
+        self.record = QComboBox()
+        self.record.setAccessibleName(tr("Record"))
+        self.record.activated.connect(lambda _: self._show_peaks())
+        self.peaks = Chart("q [-]", "θmax/α [-]", tr("Peak rotation against q"))
+        self.strips = Chart("ln q [-]", tr("run"), tr("Survival map"))
+        self.fragility = Chart("q [-]", tr("share collapsed [-]"), tr("Fragility"))
+        top = QHBoxLayout()
+        top.addWidget(self.peaks, 1)
+        top.addWidget(self.fragility, 1)
+        layout = QVBoxLayout(self)
+        layout.addWidget(self.record)
+        layout.addLayout(top, 1)
+        layout.addWidget(self.strips, 1)
+        self.shown: tuple[StudyResult, WallResult] | None = None
+
+    def show_wall(self, result: StudyResult, wall: WallResult) -> None:
+        self.shown = (result, wall)
+        self.record.clear()
+        for run in wall.runs:
+            self.record.addItem(f"{run.record} ({'+' if run.polarity > 0 else '−'})")
+        self._show_peaks()
+        self._show_strips(wall)
+        self.fragility.clear()
+        q, count, n = fragility_curve([run.ida for run in wall.runs], result.search)
+        if n:
+            share = count / (n * (2 * result.search.half_window + 1))
+            self.fragility.curve(tr("fragility"), q, share, 0, 2.0)
+            for label, value in (
+                ("q", wall.q_set),
+                ("q SLV", wall.q_slv_set),
+                ("q robust", wall.q_robust_set),
+            ):
+                if value is not None:
+                    self.fragility.level(value, label, "ink", vertical=True)
+            self.fragility.reset()
+
+    def _show_peaks(self) -> None:
+        """Peaks at many q of the chosen run, integrated again: some ten milliseconds."""
+        self.peaks.clear()
+        if self.shown is None or self.record.currentIndex() < 0:
+            return
+        result, wall = self.shown
+        run = wall.runs[self.record.currentIndex()]
+        motion = next(motion for motion in result.motions if motion.name == run.record)
+        top = 1.6 * (run.ida.q or 5.0)
+        q = np.geomspace(run.ida.q_start, top, self.POINTS)
+        outcomes, peaks = np.zeros(q.size, np.int64), np.zeros(q.size)
+        scales = run.polarity * q * threshold_of(wall.model) / motion.pga
+        scan(
+            result.method,
+            motion.acceleration,
+            motion.time_step,
+            scales,
+            wall.model,
+            outcomes,
+            peaks,
+        )
+        ratio = np.where(outcomes == COLLAPSED, np.nan, peaks / wall.block.slenderness)
+        fell = q[outcomes == COLLAPSED]
+        self.peaks.curve(run.record, q, ratio, 0)
+        self.peaks.points(tr("overturns"), fell, np.full(fell.size, 1.25), 1, 4)
+        for level, label in ((0.40, "0.40"), (0.60, "0.60"), (1.0, "α")):
+            self.peaks.level(level, label)
+        if run.ida.q:
+            self.peaks.level(run.ida.q, "q", "bad", vertical=True)
+        self.peaks.plot.setYRange(0.0, 1.3)
+
+    def _show_strips(self, wall: WallResult) -> None:
+        self.strips.clear()
+        if not wall.runs:
+            return
+        first = min(run.ida.first_index for run in wall.runs)
+        last = max(run.ida.first_index + len(run.ida.outcomes) for run in wall.runs)
+        image = np.full((len(wall.runs), last - first), np.nan)
+        for k, run in enumerate(wall.runs):
+            start = run.ida.first_index - first
+            image[k, start : start + len(run.ida.outcomes)] = [int(d) for d in run.ida.outcomes]
+        step = math.log1p(self.shown[0].search.q_step)
+        low = math.log(wall.runs[0].ida.q_start) + first * step
+        colors = pg.ColorMap([0.0, 1.0], [theme.current.back, theme.current.curves[1]])
+        item = pg.ImageItem(
+            np.ascontiguousarray(np.nan_to_num(image, nan=0.0).T), levels=(0.0, 1.0)
+        )
+        item.setColorMap(colors)
+        item.setRect(low, -0.5, image.shape[1] * step, image.shape[0])
+        self.strips.add(item)
+        names = [
+            (k, f"{run.record[:14]} {'+' if run.polarity > 0 else '−'}")
+            for k, run in enumerate(wall.runs)
+        ]
+        self.strips.plot.getAxis("left").setTicks([names[:: max(1, len(names) // 14)]])
+        self.strips.reset()
+
+
+class IntensityTab(QWidget):
+    """q_eff against SI: points, power law, Eq. 15/16 with a band of 20 %."""
+
+    def __init__(self):
+        super().__init__()
+        self.log = QCheckBox(tr("Logarithmic axes"))
+        self.log.toggled.connect(lambda on: self.show_wall(*self.shown) if self.shown else None)
+        self.chart = Chart("SI [cm]", "q_eff [-]", tr("q against SI"))
+        self.words = QLabel()
+        layout = QVBoxLayout(self)
+        row = QHBoxLayout()
+        row.addWidget(self.log)
+        row.addWidget(self.words, 1)
+        layout.addLayout(row)
+        layout.addWidget(self.chart, 1)
+        self.shown = None
+
+    def show_wall(self, result: StudyResult, wall: WallResult) -> None:
+        self.shown = (result, wall)
+        self.chart.clear()
+        self.chart.set_log(self.log.isChecked())
+        known = [entry for entry in wall.per_record if entry.q is not None]
+        if not known:
+            self.words.setText(tr("No record with a q."))
+            return
+        si = np.array([entry.intensity for entry in known])
+        self.chart.points(tr("time histories"), si / CM, [entry.q_eff for entry in known], 0, 9)
+        x = np.geomspace(0.7 * si.min(), 1.4 * si.max(), 60)
+        one_sided = wall.mechanism == "one_sided"
+        form = "Eq. 16" if one_sided else "Eq. 15"
+        y = np.array(
+            [closed_form_q_eff(wall.block.slenderness, wall.block.height, v, one_sided) for v in x]
+        )
+        if not self.log.isChecked():
+            self.chart.band(x / CM, 0.8 * y, 1.2 * y, 1)
+        self.chart.curve(form, x / CM, y, 1, 2.0)
+        law = wall.power_law
+        text = tr("set: q {q}, q robust {robust}").format(
+            q=digits(wall.q_set), robust=digits(wall.q_robust_set)
+        )
+        if law:
+            self.chart.curve("C1 SI^C2", x / CM, [law.q_eff(v) for v in x], 0, 1.6, dash=True)
+            text += f"   C1 {law.c1:.3g}, C2 {law.c2:.2f}, R² {law.r_squared:.2f}"
+        self.words.setText(text)
+        self.chart.reset()
+
+
+class SpectraTab(QWidget):
+    """5 % acceleration spectra of the records, their mean, the target; the band of SI shaded."""
+
+    def __init__(self, language: str):
+        super().__init__()
+        self.language = language
+        self.chart = Chart("T [s]", "S_a [g]", tr("Spectra"))
+        self.table = Table(
+            tr("Compatibility"), [tr("Rule"), tr("Clause"), tr("Value"), tr("Limit"), tr("Outcome")]
+        )
+        self.words = QLabel()
+        split = QSplitter(Qt.Orientation.Vertical)
+        split.addWidget(self.chart)
+        split.addWidget(self.table)
+        split.setSizes([420, 180])
+        layout = QVBoxLayout(self)
+        layout.addWidget(self.words)
+        layout.addWidget(split, 1)
+        self.known: dict[str, np.ndarray] = {}
+
+    def show_records(self, motions, target, rules) -> None:
+        """motions : as loaded; target : of the demand or None; rules : Compliance or None."""
+        self.chart.clear()
+        spectra = []
+        for motion in motions:
+            key = motion.samples_sha256
+            if key not in self.known:
+                self.known[key] = pseudo_acceleration_spectrum(
+                    motion.acceleration, motion.time_step, HOUSNER_PERIODS
+                )
+            spectra.append(self.known[key] / G)
+        region = pg.LinearRegionItem((0.1, 2.5), movable=False, brush=pg.mkBrush(128, 128, 128, 18))
+        self.chart.add(region)
+        for motion, values in zip(motions, spectra, strict=True):
+            self.chart.curve(motion.name, HOUSNER_PERIODS, values, 6, 0.8, legend=False)
+        if spectra:
+            self.chart.curve(
+                tr("mean of the records"), HOUSNER_PERIODS, np.mean(spectra, axis=0), 0, 2.4
+            )
+        if target is not None:
+            periods = np.linspace(0.0, 4.0, 401)
+            self.chart.curve(
+                tr("target: {name}").format(name=target.name),
+                periods,
+                target.acceleration(periods) / G,
+                1,
+                2.4,
+            )
+        self.words.setText(
+            tr("SI is the area under the pseudo-velocity from 0.1 to 2.5 s (shaded).")
+        )
+        self.chart.reset()
+        rows, colors = [], []
+        for rule in rules.rules if rules else ():
+            percent = 100.0 if rule.unit == "%" else 1.0
+            outcome = "shown" if rule.passed is None else "passed" if rule.passed else "not_passed"
+            color = (
+                None
+                if rule.passed is None
+                else theme.current.good
+                if rule.passed
+                else theme.current.bad
+            )
+            rows.append([word(rule.name, self.language), rule.clause, f"{percent * rule.value:.3g} {rule.unit}",
+                         "–" if rule.limit is None else f"{percent * rule.limit:.3g} {rule.unit}",
+                         word(outcome, self.language)])  # fmt: skip
+            colors.append([None] * 4 + [color])
+        self.table.show_rows(rows, colors)

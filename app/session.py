@@ -1,0 +1,252 @@
+"""What the window works on: the case with its history, its file, its records and its result. No widget."""
+
+import contextlib
+import hashlib
+import json
+import os
+import tomllib
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+from core.case import Case, Record, Wall
+from core.case_reader import draft_case, parse_case, read_case
+from core.case_writer import dumps
+from core.errors import InputError, OutputError
+from core.report import atomic
+from core.results import StudyResult
+
+DEEPEST = 500
+"""Steps kept for undo."""
+
+
+class Session:
+    """A case being edited. Every change is a new frozen Case; old ones are kept for undo.
+
+    on_change : called after every change of case, file or result, without arguments.
+    """
+
+    def __init__(self, swaps: Path):
+        self.swaps = swaps
+        self.listeners: list[Callable[[], None]] = []
+        self.base_dir = Path.cwd()
+        self.path: Path | None = None
+        self.result: StudyResult | None = None
+        self._start(Case())
+
+    def _start(self, case: Case) -> None:
+        self.case = self.saved = case
+        self.past: list[Case] = []
+        self.future: list[Case] = []
+        self.last_place: object = None
+        self.result = None
+
+    def changed(self) -> None:
+        for listener in self.listeners:
+            listener()
+
+    # the case and its history
+
+    def edit(self, case: Case, place: object = None) -> None:
+        """A new case; edits of the same place in a row are one step of undo."""
+        if case == self.case:
+            return
+        if place is None or place != self.last_place:
+            self.past = [*self.past[-DEEPEST:], self.case]
+        self.future = []
+        self.last_place = place
+        self.case = case
+        self.changed()
+
+    def edit_wall(self, index: int, place: object = None, **values) -> None:
+        walls = list(self.case.wall)
+        walls[index] = replace(walls[index], **values)
+        self.edit(replace(self.case, wall=tuple(walls)), place)
+
+    def edit_section(self, section: str, place: object = None, **values) -> None:
+        """Change keys of report, analysis, demand or generate."""
+        changed = replace(getattr(self.case, section), **values)
+        self.edit(replace(self.case, **{section: changed}), place)
+
+    def undo(self) -> None:
+        if self.past:
+            self.future.append(self.case)
+            self.case = self.past.pop()
+            self.last_place = None
+            self.changed()
+
+    def redo(self) -> None:
+        if self.future:
+            self.past.append(self.case)
+            self.case = self.future.pop()
+            self.last_place = None
+            self.changed()
+
+    @property
+    def dirty(self) -> bool:
+        return self.case != self.saved
+
+    @property
+    def stale(self) -> bool:
+        """Whether the result is of another case than the one shown."""
+        return self.result is not None and self.result.case != self.checked()
+
+    def checked(self) -> Case | None:
+        """The case as the batch would read it, None where a rule is broken."""
+        try:
+            return parse_case(tomllib.loads(dumps(self.case)))
+        except InputError:
+            return None
+
+    def problem(self) -> str | None:
+        """The first broken rule in words; None if the case can run."""
+        try:
+            parse_case(tomllib.loads(dumps(self.case)))
+        except InputError as error:
+            return str(error)
+        return None
+
+    # walls and records
+
+    def add_walls(self, walls: list[Wall]) -> None:
+        names = {wall.name for wall in self.case.wall}
+        added = []
+        for wall in walls:
+            name, k = wall.name, 2
+            while name in names:
+                name, k = f"{wall.name} {k}", k + 1
+            names.add(name)
+            added.append(replace(wall, name=name))
+        self.edit(replace(self.case, wall=(*self.case.wall, *added)))
+
+    def remove_wall(self, index: int) -> None:
+        walls = [wall for k, wall in enumerate(self.case.wall) if k != index]
+        self.edit(replace(self.case, wall=tuple(walls)))
+
+    def add_records(self, records: list[Record]) -> None:
+        known = {record.file for record in self.case.record}
+        new = [record for record in records if record.file not in known]
+        self.edit(replace(self.case, record=(*self.case.record, *new)))
+
+    def edit_record(self, index: int, **values) -> None:
+        records = list(self.case.record)
+        records[index] = replace(records[index], **values)
+        self.edit(replace(self.case, record=tuple(records)))
+
+    def remove_records(self, indices: set[int]) -> None:
+        kept = [record for k, record in enumerate(self.case.record) if k not in indices]
+        self.edit(replace(self.case, record=tuple(kept)))
+
+    def relative(self, path: Path) -> str:
+        """A record's path as the case file will hold it."""
+        if self.path is None:
+            return str(path.resolve())
+        with contextlib.suppress(ValueError):  # another drive
+            return Path(os.path.relpath(path, self.base_dir)).as_posix()
+        return str(path.resolve())
+
+    # files
+
+    def new(self) -> None:
+        self.drop_swap()
+        self._start(Case())
+        self.path, self.base_dir = None, Path.cwd()
+        self.changed()
+
+    def open(self, path: Path) -> None:
+        """Open a case file, also one that is not complete yet; raises InputError and keeps what is open."""
+        try:
+            case = read_case(path)
+        except InputError as error:
+            try:
+                case = draft_case(tomllib.loads(path.read_text(encoding="utf-8-sig")))
+            except (OSError, ValueError):
+                raise error from None
+        self.drop_swap()
+        self._start(case)
+        self.path, self.base_dir = path.resolve(), path.resolve().parent
+        self.changed()
+
+    def save(self, path: Path | None = None) -> None:
+        """Write the case file, whole or not at all; record paths follow it to another folder."""
+        target = (path or self.path).resolve()
+        records = []
+        for record in self.case.record:
+            source = self.base_dir / record.file
+            if target.parent != self.base_dir or Path(record.file).is_absolute():
+                with contextlib.suppress(ValueError):
+                    name = Path(os.path.relpath(source, target.parent)).as_posix()
+                    record = replace(record, file=name)
+            records.append(record)
+        case = replace(self.case, record=tuple(records))
+        atomic.write({target: dumps(case).encode()})
+        self.drop_swap()
+        self.path, self.base_dir = target, target.parent
+        self.case = self.saved = case
+        self.last_place = None
+        self.changed()
+
+    # the swap file: what a kill -9 must not lose
+
+    @property
+    def swap(self) -> Path:
+        name = hashlib.sha256(str(self.path).encode()).hexdigest()[:16]
+        return self.swaps / f"{name}-{os.getpid()}.swap"
+
+    def autosave(self) -> None:
+        """Keep the unsaved case in the swap file; a full disk must not disturb the work."""
+        if not self.dirty:
+            self.drop_swap()
+            return
+        content = {
+            "path": str(self.path) if self.path else None,
+            "base_dir": str(self.base_dir),
+            "case": dumps(self.case),
+        }
+        with contextlib.suppress(OSError, OutputError):
+            self.swaps.mkdir(parents=True, exist_ok=True)
+            atomic.write({self.swap: json.dumps(content).encode()})
+
+    def drop_swap(self) -> None:
+        with contextlib.suppress(OSError):
+            self.swap.unlink(missing_ok=True)
+
+    def recoverable(self) -> list[Path]:
+        """Swap files whose program is gone."""
+        found = []
+        for path in sorted(self.swaps.glob("*.swap")) if self.swaps.exists() else []:
+            number = path.stem.rsplit("-", 1)[-1]
+            if number.isdigit() and int(number) != os.getpid() and not _alive(int(number)):
+                found.append(path)
+        return found
+
+    def recover(self, swap: Path) -> None:
+        """Take over the case of a swap file; the file it belongs to is untouched. Raises InputError."""
+        try:
+            content = json.loads(swap.read_text(encoding="utf-8"))
+            table = tomllib.loads(content["case"])
+            base = Path(content["base_dir"])
+        except (OSError, ValueError, KeyError, TypeError) as error:
+            raise InputError(f"{swap}: this autosaved case cannot be read: {error}") from None
+        case = draft_case(table)
+        saved = Case()
+        path = Path(content["path"]) if content["path"] else None
+        if path and path.exists():
+            with contextlib.suppress(InputError):
+                saved = read_case(path)
+        self._start(case)
+        self.saved, self.path, self.base_dir = saved, path, base
+        swap.unlink(missing_ok=True)
+        self.changed()
+
+
+def _alive(number: int) -> bool:
+    if os.name == "nt":
+        return False
+    try:
+        os.kill(number, 0)
+    except ProcessLookupError:
+        return False
+    except PermissionError:
+        return True
+    return True

@@ -1,0 +1,58 @@
+"""Work off the window's thread: one job at a time, cancelled by a flag, never killed."""
+
+import tempfile
+import threading
+import traceback
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject, QThread, Signal
+
+from core.errors import Cancelled, InputError
+
+
+class Job(QThread):
+    """Runs `work(job)` in a thread. `work` looks at `job.cancelled` and calls `job.progress`.
+
+    done(result), failed(sentence: str, log: str; no log for wrong input), stopped() : exactly one of them;
+    progressed(done, planned).
+    """
+
+    done = Signal(object)
+    failed = Signal(str, str)
+    stopped = Signal()
+    progressed = Signal(int, int)
+
+    def __init__(self, work: Callable, parent: QObject | None = None):
+        super().__init__(parent)
+        self._work = work
+        self._flag = threading.Event()
+
+    def cancel(self) -> None:
+        self._flag.set()
+
+    def cancelled(self) -> bool:
+        return self._flag.is_set()
+
+    def progress(self, done: int, planned: int) -> None:
+        self.progressed.emit(done, planned)
+
+    def run(self) -> None:
+        try:
+            result = self._work(self)
+        except Cancelled:
+            self.stopped.emit()
+        except InputError as error:
+            self.failed.emit(str(error), "")
+        except Exception as error:  # the worker's: an internal error must not be silent
+            self.failed.emit(f"{type(error).__name__}: {error}", write_log(traceback.format_exc()))
+        else:
+            self.done.emit(result)
+
+
+def write_log(text: str) -> str:
+    """Path of a log file with this traceback."""
+    with tempfile.NamedTemporaryFile(
+        "w", prefix="ribalta-error-", suffix=".log", delete=False, encoding="utf-8"
+    ) as log:
+        log.write(text)
+    return log.name
