@@ -35,6 +35,22 @@ def _jobs(word: str) -> int:
     return int(word)
 
 
+def window(case: Path | None) -> int:
+    """The window, imported here so that nothing else needs Qt. Raises InputError where Qt cannot start."""
+    from core.errors import InputError
+
+    try:
+        from app import window as qt
+    except ImportError as error:
+        raise InputError(
+            f"the window needs PySide6 and pyqtgraph, and on Linux libgl1, libegl1 and libxkbcommon0 "
+            f"({error}); start it with python3 run.py, or run a case with --batch"
+        ) from None
+    if case is not None and not case.exists():
+        raise InputError(f"{case}: there is no such case file")
+    return qt.main(case)
+
+
 def main(arguments: list[str] | None = None) -> int:
     """Run the program; returns its exit code."""
     with contextlib.suppress(OSError, AttributeError):  # no stderr: a windowed program, a test
@@ -64,11 +80,7 @@ def main(arguments: list[str] | None = None) -> int:
 
             jobs = options.jobs or os.cpu_count() or 1
             return batch.run(options.batch, options.output, jobs, options.quiet, options.resume)
-        print(
-            "the window is not built yet: run a case with --batch CASE (see --help)",
-            file=sys.stderr,
-        )
-        return 2
+        return window(options.case)
     except InputError as error:
         print(f"error: {error}", file=sys.stderr)
         return 1

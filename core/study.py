@@ -7,6 +7,8 @@ from collections.abc import Callable
 from dataclasses import asdict, replace
 from pathlib import Path
 
+import numpy as np
+
 from core import records
 from core.accuracy import Accuracy, accuracy
 from core.assessment import assess
@@ -15,12 +17,12 @@ from core.compliance import compliance
 from core.demand import demand_of, generated, with_records
 from core.errors import InputError
 from core.ground_motion import GroundMotion
-from core.ida import Ida, Search, incremental_dynamic_analysis
+from core.ida import Ida, Search, incremental_dynamic_analysis, threshold_of
 from core.journal import Journal
 from core.kernel_cache import FOLDER, STAMP, record
 from core.records.grammar import Options
 from core.results import CollapseHistories, Run, StudyResult, WallResult
-from core.rocking import METHODS, RockingModel, history, rocking_model
+from core.rocking import METHODS, RockingModel, history, rocking_model, scan
 from core.threads import Threads
 from core.version import VERSION
 from core.wall_result import run_result, wall_result
@@ -125,7 +127,7 @@ def run(
             results = [replace(wall, assessment=done[k]) for k, wall in enumerate(results)]
         if chosen.accuracy:
             statements = {
-                k: lambda stop, wall=wall: _accuracy(wall, motions, method, search, stop)
+                k: lambda stop, wall=wall: accuracy_of(wall, motions, method, search, stop)
                 for k, wall in enumerate(results)
             }
             said = threads.run(statements, lambda k, _: None)
@@ -141,7 +143,7 @@ def run(
     )  # fmt: skip
 
 
-def _accuracy(wall: WallResult, motions, method, search, cancelled) -> Accuracy | None:
+def accuracy_of(wall: WallResult, motions, method, search, cancelled) -> Accuracy | None:
     """The statement on the governing run of a wall; None without a q."""
     lowest = lowest_run(wall)
     if lowest is None:
@@ -160,6 +162,25 @@ def lowest_run(wall: WallResult) -> Run | None:
     """The run with the lowest q of a wall; None without a collapse."""
     runs = [run for run in wall.runs if run.ida.q is not None]
     return min(runs, key=lambda run: run.ida.q) if runs else None
+
+
+def warm(case: Case, motion: GroundMotion) -> None:
+    """Make the kernels of a case ready: a few analyses of its first wall."""
+    wall = case.wall[0]
+    model = _model(wall, wall.mechanisms()[0])
+    scales = np.full(16, 1.1 * threshold_of(model) / motion.pga)
+    for some in (16, 1):
+        outcomes, peaks = np.zeros(some, np.int64), np.zeros(some)
+        scan(
+            METHODS["taylor"],
+            motion.acceleration,
+            motion.time_step,
+            scales[:some],
+            model,
+            outcomes,
+            peaks,
+        )
+    history(motion.acceleration, motion.time_step, scales[0], model)
 
 
 def run_key(model: RockingModel, motion: GroundMotion, polarity: int, method, search) -> str:
