@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Start Ribalta on a machine that has only Python: make the environment, install, run.
 
+    python3 run.py [CASE]          open the window
     python3 run.py --batch CASE    run a case without a window (see --help)
     python3 run.py test [...]      ruff, import contracts, pytest
     python3 run.py bench [...]     the benchmarks; --work-precision for error against time
@@ -231,18 +232,22 @@ def main():
     arguments = sys.argv[1:]
     word = arguments[0] if arguments else ""
     if word == "test":
-        ensure(["base", "test"])
+        ensure(["base", "test", "gui"])
         return test(arguments[1:])
     if word == "bench":
         more = {
             "--work-precision": ["test", "bench"],
             "--q-error": ["test", "bench"],
-            "--steps": ["test"],
+            "--steps": ["test", "bench"],
+            "--window": ["gui"],
+            "--screenshots": ["gui"],
         }
         ensure(["base"] + [group for key in more if key in arguments for group in more[key]])
         script = os.path.join(ROOT, "tests", "benchmarks", "bench.py")
         return hand_over([interpreter(), "-P", script, *arguments[1:]])
-    ensure(["base"])
+    headless = {"--batch", "--inspect", "--version", "--help", "-h"}
+    windowed = not any(argument.split("=")[0] in headless for argument in arguments)
+    ensure(["base", "gui"] if windowed else ["base"])
     return hand_over([interpreter(), "-P", "-m", "app", *arguments])
 
 

@@ -40,7 +40,7 @@ def window(case: Path | None) -> int:
     from core.errors import InputError
 
     try:
-        from app import window as qt
+        from app import start as qt
     except ImportError as error:
         raise InputError(
             f"the window needs PySide6 and pyqtgraph, and on Linux libgl1, libegl1 and libxkbcommon0 "

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from core.case import Case, Record, Wall
 from core.case_reader import draft_case, parse_case, read_case
-from core.case_writer import dumps
+from core.case_writer import dumps, table_of
 from core.errors import InputError, OutputError
 from core.report import atomic
 from core.results import StudyResult
@@ -32,6 +32,7 @@ class Session:
         self.base_dir = Path.cwd()
         self.path: Path | None = None
         self.result: StudyResult | None = None
+        self._known: tuple | None = None
         self._start(Case())
 
     def _start(self, case: Case) -> None:
@@ -91,20 +92,23 @@ class Session:
         """Whether the result is of another case than the one shown."""
         return self.result is not None and self.result.case != self.checked()
 
+    def _judged(self) -> tuple[Case | None, str | None]:
+        """(the case as the batch would read it, None) or (None, the first broken rule)."""
+        if self._known is None or self._known[0] is not self.case:
+            try:
+                found = (parse_case(table_of(self.case)), None)
+            except InputError as error:
+                found = (None, str(error))
+            self._known = (self.case, found)
+        return self._known[1]
+
     def checked(self) -> Case | None:
         """The case as the batch would read it, None where a rule is broken."""
-        try:
-            return parse_case(tomllib.loads(dumps(self.case)))
-        except InputError:
-            return None
+        return self._judged()[0]
 
     def problem(self) -> str | None:
         """The first broken rule in words; None if the case can run."""
-        try:
-            parse_case(tomllib.loads(dumps(self.case)))
-        except InputError as error:
-            return str(error)
-        return None
+        return self._judged()[1]
 
     # walls and records
 

@@ -1,22 +1,19 @@
 """A case as TOML text."""
 
-import tomlkit
-
 from core.case import Case
 
 
-def dumps(case: Case) -> str:
-    """The case as TOML, only what differs from the defaults; `parse_case` reads it back equal, and
-    `draft_case` one that is not complete."""
-    document = tomlkit.document()
-    document["title"] = case.title
+def table_of(case: Case) -> dict:
+    """The case as a mapping with the keys of the file, only what differs from the defaults; `parse_case`
+    reads it back equal, and `draft_case` one that is not complete."""
+    found = {"title": case.title}
     given = case.differing()
     content = case.as_dict()
     if case.walls is not None:
-        document["walls"] = case.walls
+        found["walls"] = case.walls
     for section in ("report", "wall", "record", "generate", "analysis", "demand"):
-        found = content[section]
-        items = found if isinstance(found, tuple) else [found] if found is not None else []
+        items = content[section]
+        items = items if isinstance(items, tuple) else [items] if items is not None else []
         tables = [
             {
                 key: _bare(value)
@@ -27,9 +24,19 @@ def dumps(case: Case) -> str:
         ]
         if section in ("wall", "record"):
             if tables:
-                document[section] = tables
+                found[section] = tables
         elif tables and (tables[0] or section in ("generate", "demand")):
-            document[section] = tables[0]
+            found[section] = tables[0]
+    return found
+
+
+def dumps(case: Case) -> str:
+    """`table_of` as TOML text."""
+    import tomlkit
+
+    document = tomlkit.document()
+    for key, value in table_of(case).items():
+        document[key] = value
     return tomlkit.dumps(document)
 
 

@@ -20,6 +20,7 @@ from core.ground_motion import GroundMotion
 from core.ida import Ida, Search, incremental_dynamic_analysis, threshold_of
 from core.journal import Journal
 from core.kernel_cache import FOLDER, STAMP, record
+from core.moment_rotation import moment
 from core.records.grammar import Options
 from core.results import CollapseHistories, Run, StudyResult, WallResult
 from core.rocking import METHODS, RockingModel, history, rocking_model, scan
@@ -181,6 +182,7 @@ def warm(case: Case, motion: GroundMotion) -> None:
             peaks,
         )
     history(motion.acceleration, motion.time_step, scales[0], model)
+    moment(0.0, model)
 
 
 def run_key(model: RockingModel, motion: GroundMotion, polarity: int, method, search) -> str:

@@ -52,6 +52,7 @@ class WallDrawing(QWidget):
         self.update()
 
     def paintEvent(self, event) -> None:
+        """The wall, its ground, what stands behind it, its hinges and sizes."""
         if self.size_of is None:
             return
         painter = QPainter(self)

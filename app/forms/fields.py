@@ -148,6 +148,7 @@ class TextField(Field):
     def show_value(self, value: str) -> None:
         if self.editor.text() != (value or ""):
             self.editor.setText(value or "")
+            self.editor.setCursorPosition(0)
         self.show_error("")
 
 

@@ -17,8 +17,9 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QListWidget,
     QMenu,
-    QPushButton,
+    QSizePolicy,
     QTableWidgetItem,
+    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -177,11 +178,13 @@ class RecordsPanel(QWidget):
             (tr("Reverse"), tr("Change the sign of the selected records"), self.reverse),
             (tr("Remove"), tr("Remove the selected records"), self.remove),
         ):
-            button = QPushButton(label)
+            button = QToolButton()
+            button.setText(label)
             button.setToolTip(tip)
             button.clicked.connect(slot)
-            button.setMinimumWidth(40)
+            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             bar.addWidget(button)
+        bar.setSpacing(3)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)
         layout.addLayout(bar)

@@ -13,43 +13,21 @@ from PySide6.QtWidgets import (
     QLabel,
     QListWidget,
     QMessageBox,
-    QPushButton,
+    QSizePolicy,
     QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
 from app.forms.drawing import WallDrawing, mechanism_icon
-from app.forms.fields import ChoiceField, FlagField, NumberField, TextField, connect
-from app.forms.law_curve import LawCurve
+from app.forms.fields import FlagField, NumberField, TextField, connect
+from app.forms.impact_form import ImpactForm
 from app.language import tr
 from app.session import Session
 from core.case import Wall
 from core.errors import InputError
 from core.units import G
 from core.wall_table import read_walls, text_rows, walls_of
-
-FORMULAS = {
-    "housner": "e = 1 − 1.5 sin²α (Eq. 4)",
-    "sorrentino_experimental": "e = 0.95 (1 − 1.5 sin²α) (Eq. 5)",
-    "costa_upper": "e = 0.98 (Costa et al. 2013)",
-    "one_sided_theoretical": "e = (1 − 1.5 sin²α)² |1 − 1.5 cos²α| (Eq. 6)",
-    "one_sided_experimental": "e = √r₁ₛ (1.18 − 0.473 v²) (Eq. 7)",
-    "user": "e",
-}
-
-
-def named_models() -> dict:
-    """Restitution models as the list shows them; None is the default of the mechanism."""
-    return {
-        None: tr("default of the mechanism"),
-        "housner": "Housner (Eq. 4)",
-        "sorrentino_experimental": tr("Sorrentino, experimental (Eq. 5)"),
-        "costa_upper": tr("Costa, upper bound"),
-        "one_sided_theoretical": tr("one-sided, theoretical (Eq. 6)"),
-        "one_sided_experimental": tr("one-sided, experimental (Eq. 7)"),
-        "user": tr("given velocity ratio"),
-    }
 
 
 class WallForm(QWidget):
@@ -67,7 +45,7 @@ class WallForm(QWidget):
         self.summary = QLabel()
         self.summary.setWordWrap(True)
         self.problem = QLabel()
-        self.law_curve = LawCurve()
+        self.impact = ImpactForm(session, lambda: self.current)
         self._make_fields()
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)
@@ -75,7 +53,7 @@ class WallForm(QWidget):
         layout.addWidget(self.list)
         layout.addWidget(self._geometry())
         layout.addWidget(self._mechanism())
-        layout.addWidget(self._impact())
+        layout.addWidget(self.impact)
         layout.addWidget(self._more())
         layout.addStretch(1)
 
@@ -115,28 +93,12 @@ class WallForm(QWidget):
         self.restraint = TextField(Wall, "back_restraint", tr("Restraint behind"))
         self.notes = TextField(Wall, "notes", tr("Notes"))
         self.unloaded = FlagField(Wall, "unloaded_confirmed", tr("No load from floors or roof"))
-        self.model = ChoiceField(Wall, "restitution", tr("Model"), named_models())
-        self.velocity_ratio = NumberField(Wall, "velocity_ratio", tr("Velocity ratio e"))
-        laws = {
-            "rigid": tr("rigid"), "doherty": "Doherty 0.06, 0.28", "al_shawa": "Al Shawa 0.02, 0.28",
-            "own": tr("own D1, D2"),
-        }  # fmt: skip
-        self.law = QComboBox()
-        for name, shown in laws.items():
-            self.law.addItem(shown, name)
-        self.law.setAccessibleName(tr("Moment-rotation law"))
-        self.law.activated.connect(self._law_chosen)
-        self.first = NumberField(Wall, "velocity_ratio", "D1")
-        self.last = NumberField(Wall, "velocity_ratio", "D2")
-        self.first.edited.connect(lambda value: self._law_end("elastic_limit", value))
-        self.last.edited.connect(lambda value: self._law_end("plateau_end", value))
         self.fields = [
             self.name, self.height, self.thickness, self.slenderness, self.ratio, self.radius,
             self.inertia, self.setback, self.strength, self.weight, self.length, self.base,
-            self.floor, self.restraint, self.notes, self.unloaded, self.velocity_ratio,
+            self.floor, self.restraint, self.notes, self.unloaded,
         ]  # fmt: skip
         connect(self.fields, self._changed)
-        self.model.edited.connect(self._model_chosen)
 
     def _buttons(self) -> QHBoxLayout:
         row = QHBoxLayout()
@@ -147,11 +109,13 @@ class WallForm(QWidget):
             (tr("Paste"), tr("Paste rows copied from Excel"), self.paste),
             (tr("Table…"), tr("Read walls from .xlsx or .csv"), self.load_table),
         ):
-            button = QPushButton(label)
+            button = QToolButton()
+            button.setText(label)
             button.setToolTip(tip)
             button.clicked.connect(slot)
-            button.setMinimumWidth(40)
+            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             row.addWidget(button)
+        row.setSpacing(3)
         return row
 
     def _geometry(self) -> QGroupBox:
@@ -198,24 +162,6 @@ class WallForm(QWidget):
             self.mechanisms[name] = button
             row.addWidget(button)
         row.addStretch(1)
-        return group
-
-    def _impact(self) -> QGroupBox:
-        group = QGroupBox(tr("Restitution and law"))
-        column = QVBoxLayout(group)
-        self.formula = QLabel()
-        self.formula.setWordWrap(True)
-        for widget in (self.model, self.velocity_ratio, self.formula):
-            column.addWidget(widget)
-        row = QHBoxLayout()
-        ends = QVBoxLayout()
-        ends.addWidget(self.law)
-        ends.addWidget(self.first)
-        ends.addWidget(self.last)
-        ends.addStretch(1)
-        row.addLayout(ends, 1)
-        row.addWidget(self.law_curve, 1)
-        column.addLayout(row)
         return group
 
     def _more(self) -> QGroupBox:
@@ -265,7 +211,7 @@ class WallForm(QWidget):
             button.setChecked(wall.mechanism == name)
         for field in self.fields:
             field.show_value(getattr(wall, field.key))
-        self._show_impact(wall)
+        self.impact.show_wall(wall)
 
     def _shape_of(self, wall: Wall) -> str:
         if wall.radius_m is not None or wall.inertia_over_mass_m2 is not None:
@@ -300,27 +246,6 @@ class WallForm(QWidget):
         lines.append(f"a_RM {a / G:.3f} g = {a:.2f} m/s²")
         lines.append(f"R {block.radius:.3f} m, p {block.frequency_parameter:.3f} rad/s")
         self.summary.setText("\n".join(lines))
-
-    def _show_impact(self, wall: Wall) -> None:
-        model = wall.restitution or ("user" if wall.velocity_ratio is not None else None)
-        self.model.show_value(model)
-        self.velocity_ratio.setVisible(model == "user")
-        lines = []
-        for mechanism in wall.mechanisms() if wall.mechanism else ():
-            try:
-                found = wall.restitution_of(mechanism)
-                word = tr("one-sided") if mechanism == "one_sided" else tr("two-sided")
-                lines.append(f"{word}: {FORMULAS[found.model]} = {found.ratio_at_rest:.4f}")
-            except (InputError, TypeError) as error:
-                lines.append(str(error))
-        self.formula.setText("\n".join(lines) or tr("Choose a mechanism."))
-        own = isinstance(wall.law, dict)
-        self.law.setCurrentIndex(self.law.findData("own" if own else wall.law))
-        for field, key in ((self.first, "elastic_limit"), (self.last, "plateau_end")):
-            field.setVisible(own)
-            if own:
-                field.show_value(wall.law[key])
-        self.law_curve.show_wall(wall)
 
     # changes
 
@@ -365,29 +290,6 @@ class WallForm(QWidget):
             values["restitution"] = None
         self.session.edit_wall(self.current, **values)
         self.show_case()
-
-    def _model_chosen(self, model) -> None:
-        wall = self.wall
-        if wall is None:
-            return
-        ratio = None
-        if model == "user":
-            try:
-                ratio = round(wall.restitution_of(wall.mechanisms()[0]).ratio_at_rest, 3)
-            except (InputError, TypeError):
-                ratio = 0.9
-        self.session.edit_wall(self.current, restitution=model, velocity_ratio=ratio)
-
-    def _law_chosen(self, index: int) -> None:
-        name = self.law.itemData(index)
-        law = {"elastic_limit": 0.06, "plateau_end": 0.28} if name == "own" else name
-        if self.wall is not None:
-            self.session.edit_wall(self.current, law=law)
-
-    def _law_end(self, key: str, value) -> None:
-        if self.wall is not None and isinstance(self.wall.law, dict):
-            law = {**self.wall.law, key: value}
-            self.session.edit_wall(self.current, ("wall", self.current, key), law=law)
 
     def add(self) -> None:
         self.session.add_walls([Wall(tr("wall"), "", height_m=4.0, thickness_m=0.4)])

@@ -8,7 +8,15 @@ import pyqtgraph as pg
 from PySide6.QtCore import QBuffer, QIODevice, QMimeData, QSize, Qt
 from PySide6.QtGui import QGuiApplication, QImage, QPainter
 from PySide6.QtSvg import QSvgGenerator
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QFileDialog,
+    QHBoxLayout,
+    QLabel,
+    QSizePolicy,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from app import theme
 from app.language import tr
@@ -33,7 +41,8 @@ class Chart(QWidget):
         self.items: list[tuple] = []
         self.data: list[tuple[str, np.ndarray, np.ndarray]] = []
         self.read = QLabel()
-        self.read.setMinimumWidth(150)
+        self.read.setMinimumWidth(10)
+        self.read.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(0)
@@ -46,8 +55,7 @@ class Chart(QWidget):
 
     def _bar(self) -> QHBoxLayout:
         bar = QHBoxLayout()
-        bar.addWidget(self.read)
-        bar.addStretch(1)
+        bar.addWidget(self.read, 1)
         for label, tip, slot in (
             (tr("Reset"), tr("Show everything"), self.reset), (tr("Copy"), tr("Copy the picture"), self.copy),
             ("PNG", tr("Save as PNG"), lambda: self._save("png")),
@@ -71,14 +79,12 @@ class Chart(QWidget):
         self.legend.clear()
         self.items, self.data = [], []
 
-    def curve(
-        self, name: str, x, y, color=0, width=1.6, dash=False, legend=True
-    ) -> pg.PlotDataItem:
-        """A line; its data goes into the CSV."""
+    def curve(self, name, x, y, color=0, width=1.6, dash=False, legend=True, path=False):
+        """A line; its data goes into the CSV. path : x may go back and forth."""
         x, y = numbers(x), numbers(y)
         item = pg.PlotDataItem(x, y, name=name if legend else None)
         self.plot.addItem(item)
-        if not self.plot.ctrl.logXCheck.isChecked():
+        if not path and not self.plot.ctrl.logXCheck.isChecked():
             item.setClipToView(True)
             item.setDownsampling(auto=True, method="peak")
         self._keep(item, color, width, dash, False)
@@ -102,12 +108,15 @@ class Chart(QWidget):
         self._keep(item, color, 1.0, False, True)
         self.data.append((name, numbers(x), numbers(heights)))
 
-    def level(
-        self, value: float, label: str = "", color="quiet", vertical=False
-    ) -> pg.InfiniteLine:
-        """A line across the chart with a label."""
-        line = pg.InfiniteLine(value, 90 if vertical else 0, label=label or None,
-                               labelOpts={"position": 0.92 if vertical else 0.06, "fill": None})  # fmt: skip
+    def level(self, value: float, label: str = "", color="quiet", vertical=False, place=None):
+        """A line across the chart with a label; place : of the label along it, 0 to 1."""
+        place = place if place is not None else 0.92 if vertical else 0.06
+        line = pg.InfiniteLine(
+            value,
+            90 if vertical else 0,
+            label=label or None,
+            labelOpts={"position": place, "fill": None},
+        )
         self.plot.addItem(line, ignoreBounds=True)
         self._keep(line, color, 1.2, True, False)
         return line
@@ -128,6 +137,10 @@ class Chart(QWidget):
         """Any other item; it keeps its own colours."""
         self.plot.addItem(item)
         self.items.append((item, None, 0, False, False))
+
+    def ticks(self, side: str, places: list[tuple[float, str]]) -> None:
+        """Labels of an axis at these places."""
+        self.plot.getAxis(side).setTicks([places])
 
     def set_log(self, on: bool) -> None:
         self.plot.setLogMode(on, on)

@@ -41,7 +41,7 @@ class HistoriesTab(QWidget):
         self.slider.setAccessibleName(tr("Multiplier of the record"))
         self.slider.valueChanged.connect(lambda _: self.integrate())
         self.words = QLabel()
-        self.words.setMinimumWidth(260)
+        self.words.setMinimumWidth(120)
         self.play = QPushButton(tr("Play"))
         self.play.setCheckable(True)
         self.play.toggled.connect(self._toggled)
@@ -49,11 +49,11 @@ class HistoriesTab(QWidget):
         self.rotation = Chart("t [s]", "θ/α [-]", tr("Rotation"))
         self.rotation.plot.setXLink(self.ground.plot)
         self.wall_drawing = WallDrawing(with_sizes=False)
-        self.wall_drawing.setMaximumWidth(170)
+        self.wall_drawing.setFixedWidth(150)
         bar = QHBoxLayout()
+        self.record.setMinimumWidth(60)
         bar.addWidget(self.record, 1)
         bar.addWidget(self.slider, 2)
-        bar.addWidget(self.words)
         bar.addWidget(self.play)
         charts = QSplitter(Qt.Orientation.Vertical)
         charts.addWidget(self.ground)
@@ -64,6 +64,7 @@ class HistoriesTab(QWidget):
         row.addWidget(self.wall_drawing)
         layout = QVBoxLayout(self)
         layout.addLayout(bar)
+        layout.addWidget(self.words)
         layout.addLayout(row, 1)
         self.timer = QTimer(self)
         self.timer.setInterval(33)
@@ -75,6 +76,7 @@ class HistoriesTab(QWidget):
         self.cursors = []
 
     def show_wall(self, result: StudyResult, wall: WallResult) -> None:
+        """Fill the tab from one wall of a result."""
         self.shown = (result, wall)
         self.wall_drawing.show_wall(wall.wall)
         self.wall_drawing.one_sided = wall.mechanism == "one_sided"
@@ -203,6 +205,7 @@ class ValidationTab(QWidget):
         layout.addLayout(lower, 1)
 
     def show_wall(self, result: StudyResult, wall: WallResult) -> None:
+        """Fill the tab from one wall of a result."""
         from core.moment_rotation import moment
         from core.study import collapse_histories
 
@@ -222,7 +225,12 @@ class ValidationTab(QWidget):
         ):
             inside = np.abs(found.rotation) < 1.5 * alpha
             self.phase.curve(
-                name, found.rotation[inside] / alpha, found.velocity[inside] / speed, color, 1.0
+                name,
+                found.rotation[inside] / alpha,
+                found.velocity[inside] / speed,
+                color,
+                1.0,
+                path=True,
             )
         self.phase.reset()
 

@@ -69,6 +69,7 @@ class CheckTab(QWidget):
         layout.addWidget(split, 1)
 
     def show_wall(self, result: StudyResult, wall: WallResult) -> None:
+        """Fill the tab from one wall of a result."""
         found = wall.assessment
         self.peaks.clear()
         rows, colors = [], []
@@ -76,14 +77,14 @@ class CheckTab(QWidget):
             self.sentence.setText(
                 tr("No demand: no check. q of the wall: {q}").format(q=digits(wall.q_set))
             )
-            self.sentence.setStyleSheet("font-size: 14pt;")
+            self.sentence.setStyleSheet("font-size: 12pt;")
             self.reasons.setText(self._warnings(wall))
             self.table.show_rows([])
             return
         said = found.verdict
         self.sentence.setText(said.text(self.language))
         self.sentence.setStyleSheet(
-            f"font-size: 14pt; font-weight: 600; color: {verdict_color(wall)};"
+            f"font-size: 12pt; font-weight: 600; color: {verdict_color(wall)};"
         )
         reasons = [reason[1 if self.language == "it" else 0] for reason in said.reasons]
         if said.lower_bound is not None:
@@ -137,7 +138,7 @@ class CheckTab(QWidget):
             run.record[:14] + ("" if len(signs) == 1 else " +" if run.polarity > 0 else " −")
             for run in check.runs
         ]
-        step = max(1, math.ceil(len(names) / 12))
+        step = max(1, math.ceil(sum(len(name) for name in names) / 80))
         ticks = [(k, name) for k, name in enumerate(names) if k % step == 0]
         self.peaks.plot.getAxis("bottom").setTicks([ticks])
         self.peaks.plot.setYRange(0.0, top)
@@ -155,7 +156,7 @@ class CapacityTab(QWidget):
         self.record.setAccessibleName(tr("Record"))
         self.record.activated.connect(lambda _: self._show_peaks())
         self.peaks = Chart("q [-]", "θmax/α [-]", tr("Peak rotation against q"))
-        self.strips = Chart("ln q [-]", tr("run"), tr("Survival map"))
+        self.strips = Chart("q [-]", tr("run"), tr("Survival map"))
         self.fragility = Chart("q [-]", tr("share collapsed [-]"), tr("Fragility"))
         top = QHBoxLayout()
         top.addWidget(self.peaks, 1)
@@ -167,6 +168,7 @@ class CapacityTab(QWidget):
         self.shown: tuple[StudyResult, WallResult] | None = None
 
     def show_wall(self, result: StudyResult, wall: WallResult) -> None:
+        """Fill the tab from one wall of a result."""
         self.shown = (result, wall)
         self.record.clear()
         for run in wall.runs:
@@ -177,14 +179,14 @@ class CapacityTab(QWidget):
         q, count, n = fragility_curve([run.ida for run in wall.runs], result.search)
         if n:
             share = count / (n * (2 * result.search.half_window + 1))
-            self.fragility.curve(tr("fragility"), q, share, 0, 2.0)
-            for label, value in (
-                ("q", wall.q_set),
-                ("q SLV", wall.q_slv_set),
-                ("q robust", wall.q_robust_set),
-            ):
+            whole = slice(
+                0, q.size - result.search.half_window
+            )  # beyond it the window is not whole
+            self.fragility.curve(tr("fragility"), q[whole], share[whole], 0, 2.0)
+            marks = (("q", wall.q_set), ("q SLV", wall.q_slv_set), ("q robust", wall.q_robust_set))
+            for k, (label, value) in enumerate(marks):
                 if value is not None:
-                    self.fragility.level(value, label, "ink", vertical=True)
+                    self.fragility.level(value, label, "ink", vertical=True, place=0.95 - 0.09 * k)
             self.fragility.reset()
 
     def _show_peaks(self) -> None:
@@ -242,6 +244,12 @@ class CapacityTab(QWidget):
             for k, run in enumerate(wall.runs)
         ]
         self.strips.plot.getAxis("left").setTicks([names[:: max(1, len(names) // 14)]])
+        marks = [
+            q
+            for q in (0.5, 0.7, 1, 1.5, 2, 3, 4, 6, 8, 12, 16, 24, 40, 60, 100)
+            if math.log(q) >= low - 0.1
+        ]
+        self.strips.ticks("bottom", [(math.log(q), f"{q:g}") for q in marks])
         self.strips.reset()
 
 
@@ -263,6 +271,7 @@ class IntensityTab(QWidget):
         self.shown = None
 
     def show_wall(self, result: StudyResult, wall: WallResult) -> None:
+        """Fill the tab from one wall of a result."""
         self.shown = (result, wall)
         self.chart.clear()
         self.chart.set_log(self.log.isChecked())

@@ -4,6 +4,8 @@
     python3 run.py bench --work-precision [--output DIR]    error against time, see work_precision.py
     python3 run.py bench --q-error [--output DIR]           error of q against time, see q_error.py
     python3 run.py bench --steps [--output DIR]             q against the step, see step_study.py
+    python3 run.py bench --window                           start of the window, redraws, event loop
+    python3 run.py bench --screenshots [--output DIR]       every tab, both themes and languages
 
 Whole batches are timed as processes; the loop of sin and cos is measured in the same run, so that
 machines compare by the last column.
@@ -149,6 +151,8 @@ if __name__ == "__main__":
     words.add_argument("--work-precision", action="store_true")
     words.add_argument("--q-error", action="store_true")
     words.add_argument("--steps", action="store_true")
+    words.add_argument("--window", action="store_true")
+    words.add_argument("--screenshots", action="store_true")
     words.add_argument("--output", type=Path, default=Path("work_precision"))
     options = words.parse_args()
     if options.work_precision:
@@ -159,6 +163,14 @@ if __name__ == "__main__":
         from tests.benchmarks import q_error
 
         q_error.main(options.output)
+    elif options.window:
+        from tests.benchmarks import window_speed
+
+        window_speed.main()
+    elif options.screenshots:
+        from tests.benchmarks import screenshots
+
+        screenshots.main(options.output)
     elif options.steps:
         from tests.benchmarks import step_study
 

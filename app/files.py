@@ -1,0 +1,119 @@
+"""New, open, save, export: the files of a window, and the questions that go with them."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QSettings
+from PySide6.QtWidgets import QFileDialog, QMessageBox
+
+from app import batch
+from app.language import tr
+from app.session import Session
+from core.errors import InputError, OutputError
+
+EXAMPLE = Path(__file__).resolve().parents[1] / "resources" / "cases" / "example.toml"
+RECENT = 8
+
+
+class Files:
+    """What the menu File does for a window and its session."""
+
+    def __init__(self, window, session: Session, settings: QSettings):
+        self.window, self.session, self.settings = window, session, settings
+
+    def open(self, path: Path) -> bool:
+        """Open a case; the one at hand is saved or given up first."""
+        if not self.give_up():
+            return False
+        try:
+            self.session.open(path)
+        except InputError as error:
+            QMessageBox.warning(self.window, tr("Not opened"), str(error))
+            return False
+        if path != EXAMPLE:
+            self.remember(path)
+        self.window.card.setText(tr("No result yet: press F5."))
+        self.window.result_arrived(None)
+        return True
+
+    @property
+    def recent(self) -> list[str]:
+        """Names of the files of late; settings give a single one as text."""
+        found = self.settings.value("recent") or []
+        return [found] if isinstance(found, str) else list(found)
+
+    def remember(self, path: Path) -> None:
+        known = [name for name in self.recent if name != str(path)]
+        self.settings.setValue("recent", [str(path), *known][:RECENT])
+        self.window.refresh()
+
+    def new(self) -> None:
+        if self.give_up():
+            self.session.new()
+            self.window.result_arrived(None)
+
+    def ask_open(self) -> None:
+        name, _ = QFileDialog.getOpenFileName(
+            self.window, tr("Open a case"), str(self.session.base_dir), tr("Cases") + " (*.toml)"
+        )
+        if name:
+            self.open(Path(name))
+
+    def save(self) -> bool:
+        if self.session.path is None or self.session.path == EXAMPLE:
+            return self.save_as()
+        return self._save(None)
+
+    def save_as(self) -> bool:
+        name, _ = QFileDialog.getSaveFileName(
+            self.window, tr("Save the case"), str(self.session.path or self.session.base_dir / "case.toml"),
+            tr("Cases") + " (*.toml)",
+        )  # fmt: skip
+        return self._save(Path(name).with_suffix(".toml")) if name else False
+
+    def _save(self, path: Path | None) -> bool:
+        try:
+            self.session.save(path)
+        except OutputError as error:
+            QMessageBox.warning(self.window, tr("Not saved"), str(error))
+            return False
+        self.remember(self.session.path)
+        return True
+
+    def ask_export(self) -> None:
+        if self.export_refused():
+            return
+        stem = self.session.path.stem if self.session.path else "ribalta"
+        name, _ = QFileDialog.getSaveFileName(
+            self.window,
+            tr("Export the workbook"),
+            str(self.session.base_dir / f"{stem}.xlsx"),
+            "Excel (*.xlsx)",
+        )
+        if name:
+            self.export(Path(name))
+
+    def export_refused(self) -> bool:
+        """Whether there is nothing to export, or only results of an earlier input; says so."""
+        if self.session.result is None or self.session.stale:
+            reason = tr("The results are not of this input: run it first (F5).")
+            QMessageBox.information(self.window, tr("Nothing exported"), reason)
+            return True
+        return False
+
+    def export(self, path: Path) -> None:
+        """Workbook and JSON, as the batch writes them, off this thread."""
+        result = self.session.result
+        self.window.start(
+            lambda job: batch.write(result, path.parent, path.stem),
+            lambda _: self.window.word.setText(tr("Written: {path}").format(path=path)),
+        )
+
+    def give_up(self) -> bool:
+        """Whether the case at hand may go: saved, unchanged, or given up by the user."""
+        if not self.session.dirty:
+            return True
+        button = QMessageBox.StandardButton
+        answer = QMessageBox.question(self.window, tr("Unsaved changes"), tr("Save the changes of this case?"),
+            button.Save | button.Discard | button.Cancel,
+        )  # fmt: skip
+        return self.save() if answer == button.Save else answer == button.Discard

@@ -1,0 +1,131 @@
+"""Restitution model and moment law of a wall, with formula, value and curve."""
+
+from collections.abc import Callable
+
+from PySide6.QtWidgets import QComboBox, QGroupBox, QHBoxLayout, QLabel, QVBoxLayout
+
+from app.forms.fields import ChoiceField, NumberField
+from app.forms.law_curve import LawCurve
+from app.language import tr
+from app.session import Session
+from core.case import Wall
+from core.errors import InputError
+
+FORMULAS = {
+    "housner": "e = 1 − 1.5 sin²α (Eq. 4)",
+    "sorrentino_experimental": "e = 0.95 (1 − 1.5 sin²α) (Eq. 5)",
+    "costa_upper": "e = 0.98 (Costa et al. 2013)",
+    "one_sided_theoretical": "e = (1 − 1.5 sin²α)² |1 − 1.5 cos²α| (Eq. 6)",
+    "one_sided_experimental": "e = √r₁ₛ (1.18 − 0.473 v²) (Eq. 7)",
+    "user": "e",
+}
+
+
+def named_models() -> dict:
+    """Restitution models as the list shows them; None is the default of the mechanism."""
+    return {
+        None: tr("default of the mechanism"),
+        "housner": "Housner (Eq. 4)",
+        "sorrentino_experimental": tr("Sorrentino, experimental (Eq. 5)"),
+        "costa_upper": tr("Costa, upper bound"),
+        "one_sided_theoretical": tr("one-sided, theoretical (Eq. 6)"),
+        "one_sided_experimental": tr("one-sided, experimental (Eq. 7)"),
+        "user": tr("given velocity ratio"),
+    }
+
+
+class ImpactForm(QGroupBox):
+    """Edits restitution and law of the wall at `index()`."""
+
+    def __init__(self, session: Session, index: Callable[[], int]):
+        super().__init__(tr("Restitution and law"))
+        self.session, self.index = session, index
+        self.law_curve = LawCurve()
+        column = QVBoxLayout(self)
+        self.model = ChoiceField(Wall, "restitution", tr("Model"), named_models())
+        self.velocity_ratio = NumberField(Wall, "velocity_ratio", tr("Velocity ratio e"))
+        laws = {
+            "rigid": tr("rigid"), "doherty": "Doherty 0.06, 0.28", "al_shawa": "Al Shawa 0.02, 0.28",
+            "own": tr("own D1, D2"),
+        }  # fmt: skip
+        self.law = QComboBox()
+        for name, shown in laws.items():
+            self.law.addItem(shown, name)
+        self.law.setAccessibleName(tr("Moment-rotation law"))
+        self.law.activated.connect(self._law_chosen)
+        self.first = NumberField(Wall, "velocity_ratio", "D1")
+        self.last = NumberField(Wall, "velocity_ratio", "D2")
+        self.first.edited.connect(lambda value: self._law_end("elastic_limit", value))
+        self.last.edited.connect(lambda value: self._law_end("plateau_end", value))
+        self.model.edited.connect(self._model_chosen)
+        self.velocity_ratio.edited.connect(
+            lambda value: self._edit(("velocity_ratio",), velocity_ratio=value)
+        )
+        self.formula = QLabel()
+        self.formula.setWordWrap(True)
+        for widget in (self.model, self.velocity_ratio, self.formula):
+            column.addWidget(widget)
+        row = QHBoxLayout()
+        ends = QVBoxLayout()
+        ends.addWidget(self.law)
+        ends.addWidget(self.first)
+        ends.addWidget(self.last)
+        ends.addStretch(1)
+        row.addLayout(ends, 1)
+        row.addWidget(self.law_curve, 1)
+        column.addLayout(row)
+
+    @property
+    def wall(self) -> Wall | None:
+        walls = self.session.case.wall
+        return walls[self.index()] if self.index() < len(walls) else None
+
+    def _edit(self, place=None, **values) -> None:
+        if self.wall is not None:
+            self.session.edit_wall(self.index(), place and ("wall", self.index(), *place), **values)
+
+    def show_wall(self, wall: Wall) -> None:
+        """Fill the form from a wall."""
+        model = wall.restitution or ("user" if wall.velocity_ratio is not None else None)
+        self.model.show_value(model)
+        self.velocity_ratio.setVisible(model == "user")
+        self.velocity_ratio.show_value(wall.velocity_ratio)
+        lines = []
+        for mechanism in wall.mechanisms() if wall.mechanism else ():
+            try:
+                found = wall.restitution_of(mechanism)
+                word = tr("one-sided") if mechanism == "one_sided" else tr("two-sided")
+                lines.append(f"{word}: {FORMULAS[found.model]} = {found.ratio_at_rest:.4f}")
+            except (InputError, TypeError) as error:
+                lines.append(str(error))
+        self.formula.setText("\n".join(lines) or tr("Choose a mechanism."))
+        own = isinstance(wall.law, dict)
+        self.law.setCurrentIndex(self.law.findData("own" if own else wall.law))
+        for field, key in ((self.first, "elastic_limit"), (self.last, "plateau_end")):
+            field.setVisible(own)
+            if own:
+                field.show_value(wall.law[key])
+        self.law_curve.show_wall(wall)
+
+    def _model_chosen(self, model) -> None:
+        wall = self.wall
+        if wall is None:
+            return
+        ratio = None
+        if model == "user":
+            try:
+                ratio = round(wall.restitution_of(wall.mechanisms()[0]).ratio_at_rest, 3)
+            except (InputError, TypeError):
+                ratio = 0.9
+        self.session.edit_wall(self.index(), restitution=model, velocity_ratio=ratio)
+
+    def _law_chosen(self, index: int) -> None:
+        name = self.law.itemData(index)
+        law = {"elastic_limit": 0.06, "plateau_end": 0.28} if name == "own" else name
+        if self.wall is not None:
+            self.session.edit_wall(self.index(), law=law)
+
+    def _law_end(self, key: str, value) -> None:
+        if self.wall is not None and isinstance(self.wall.law, dict):
+            law = {**self.wall.law, key: value}
+            self.session.edit_wall(self.index(), ("wall", self.index(), key), law=law)

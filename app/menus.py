@@ -1,0 +1,85 @@
+"""The menus of the window."""
+
+from pathlib import Path
+
+from PySide6.QtGui import QAction, QActionGroup, QKeySequence
+from PySide6.QtWidgets import QDockWidget, QMessageBox
+
+from app import language, theme
+from app.files import EXAMPLE
+from app.language import tr
+from core.version import NAME, VERSION
+
+
+def build(window) -> None:
+    """Menu bar with all actions and their keys; the window gets `recent` and the actions it switches."""
+    key = QKeySequence.StandardKey
+    file = window.menuBar().addMenu(tr("&File"))
+    add(window, file, tr("&New"), window.files.new, key.New)
+    add(window, file, tr("&Open…"), window.files.ask_open, key.Open)
+    window.recent = file.addMenu(tr("Open &recent"))
+    add(window, file, tr("Open the &example"), lambda: window.files.open(EXAMPLE))
+    add(window, file, tr("&Save"), window.files.save, key.Save)
+    add(window, file, tr("Save &as…"), window.files.save_as, QKeySequence("Ctrl+Shift+S"))
+    file.addSeparator()
+    add(window, file, tr("&Export workbook…"), window.files.ask_export, QKeySequence("Ctrl+E"))
+    file.addSeparator()
+    add(window, file, tr("&Quit"), window.close, key.Quit)
+    edit = window.menuBar().addMenu(tr("&Edit"))
+    window.undo_action = add(window, edit, tr("&Undo"), window.session.undo, key.Undo)
+    window.redo_action = add(window, edit, tr("&Redo"), window.session.redo, QKeySequence("Ctrl+Y"))
+    add(
+        window, edit, tr("&Paste walls"), lambda: window.walls.paste(), QKeySequence("Ctrl+Shift+V")
+    )
+    runs = window.menuBar().addMenu(tr("&Run"))
+    window.run_action = add(window, runs, tr("&Run"), window.run, QKeySequence("F5"))
+    window.cancel_action = add(window, runs, tr("&Cancel"), window.cancel, QKeySequence("Esc"))
+    view = window.menuBar().addMenu(tr("&View"))
+    for dock in window.findChildren(QDockWidget):
+        view.addAction(dock.toggleViewAction())
+    view.addSeparator()
+    for k in range(window.tabs.count()):
+        add(window, view, window.tabs.tabText(k), lambda k=k: window.tabs.setCurrentIndex(k),
+                     QKeySequence(f"Ctrl+{k + 1}"))  # fmt: skip
+    view.addSeparator()
+    choices(window, view, tr("Theme"), "theme", {"light": tr("light"), "dark": tr("dark")},
+                  theme.current.name)  # fmt: skip
+    choices(window, view, tr("Language"), "language", language.LANGUAGES, window.language)
+    helps = window.menuBar().addMenu(tr("&Help"))
+    add(window, helps, tr("&About"), lambda: about(window))
+
+
+def show_recent(window) -> None:
+    """Files opened or saved of late."""
+    window.recent.clear()
+    for name in window.files.recent:
+        add(window, window.recent, name, lambda name=name: window.files.open(Path(name)))
+
+
+def add(window, menu, label: str, slot, keys=None) -> QAction:
+    """An entry of a menu."""
+    action = QAction(label, window)
+    action.triggered.connect(lambda _=False: slot())
+    if keys is not None:
+        action.setShortcut(QKeySequence(keys))
+    menu.addAction(action)
+    return action
+
+
+def choices(window, menu, label: str, setting: str, names: dict, current: str) -> None:
+    """A menu of which one entry is ticked."""
+    inside = menu.addMenu(label)
+    group = QActionGroup(inside)
+    for name, shown in names.items():
+        action = add(window, inside, shown, lambda name=name: window.set_choice(setting, name))
+        action.setCheckable(True)
+        action.setChecked(name == current)
+        group.addAction(action)
+
+
+def about(window) -> None:
+    """What this program is."""
+    QMessageBox.about(window, NAME, tr(
+        "{name} {version}\nOut-of-plane overturning of masonry walls (Coccia, Di Carlo, Imperatore 2016; "
+        "Circolare 7/2019 C8.7.1.2.1). The results are the engineer's responsibility.").format(
+            name=NAME, version=VERSION))  # fmt: skip

@@ -1,0 +1,43 @@
+"""What stands behind the tabs: pages made when first looked at, a veil over stale results."""
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor, QPainter
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from app import theme
+
+
+class Veil(QWidget):
+    """A grey veil over results that are of an earlier input; clicks go through it."""
+
+    def __init__(self, over: QWidget):
+        super().__init__(over)
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.hide()
+
+    def paintEvent(self, event) -> None:
+        shade = QColor(theme.current.window)
+        shade.setAlpha(165)
+        QPainter(self).fillRect(self.rect(), shade)
+
+    def cover(self, on: bool) -> None:
+        self.setGeometry(self.parentWidget().rect())
+        self.setVisible(on)
+        self.raise_()
+
+
+class Page(QWidget):
+    """A tab that is made when it is first looked at: the start is faster."""
+
+    def __init__(self, maker):
+        super().__init__()
+        self.maker, self.made = maker, None
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+
+    @property
+    def content(self) -> QWidget:
+        if self.made is None:
+            self.made = self.maker()
+            self.layout().addWidget(self.made)
+        return self.made

@@ -1,0 +1,106 @@
+"""The start of the window: application, theme, language, recovery, kernels, errors of slots."""
+
+import sys
+from pathlib import Path
+
+from PySide6.QtCore import QSettings, QStandardPaths, Qt, QTimer
+from PySide6.QtWidgets import QApplication, QMessageBox
+
+from app import language, theme
+from app.files import EXAMPLE
+from app.forms.law_curve import LawCurve
+from app.language import tr
+from app.window import MainWindow
+from app.worker import Job, write_log
+from core import study
+from core.errors import InputError
+from core.version import NAME
+
+
+def offer_recovery(window: MainWindow) -> None:
+    """After a crash: the autosaved case, if the user wants it back."""
+    for swap in window.session.recoverable():
+        button = QMessageBox.StandardButton
+        answer = QMessageBox.question(
+            window, tr("Autosaved case found"),
+            tr("The program ended without saving. Bring back the unsaved case?"), button.Yes | button.No,
+        )  # fmt: skip
+        if answer == button.Yes:
+            try:
+                window.session.recover(swap)
+                return
+            except InputError as error:
+                QMessageBox.warning(window, tr("Not opened"), str(error))
+        swap.unlink(missing_ok=True)
+
+
+def install_hook(window: MainWindow) -> None:
+    """An exception in a slot: a log and a dialog, never a silent stop."""
+
+    def hook(kind, value, trace) -> None:
+        import traceback
+
+        log = write_log("".join(traceback.format_exception(kind, value, trace)))
+        sentence = f"{kind.__name__}: {value}"
+        QTimer.singleShot(0, window, lambda: window.failed(sentence, log))
+
+    sys.excepthook = hook
+
+
+def make(arguments: list[str] | None = None) -> tuple[QApplication, MainWindow]:
+    """The application and its window, not shown yet."""
+    application = QApplication.instance() or QApplication(arguments or sys.argv[:1])
+    application.setApplicationName(NAME)
+    application.setOrganizationName(NAME)
+    folder = Path(QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppDataLocation))
+    folder.mkdir(parents=True, exist_ok=True)
+    settings = QSettings(str(folder / "window.ini"), QSettings.Format.IniFormat)
+    theme.set_theme(settings.value("theme") or "light")
+    language.set_language(settings.value("language") or language.system_language())
+    return application, MainWindow(settings, folder / "autosave")
+
+
+def warm_up(window: MainWindow) -> None:
+    """Compile or load the kernels in the background, with a word in the status line."""
+    from core.ground_motion import GroundMotion
+    from core.kernel_cache import FOLDER, record
+
+    def work(job):
+        case = window.session.checked()
+        motions = [m for m in window.records.motions if isinstance(m, GroundMotion)]
+        if case and motions:
+            study.warm(case, motions[0])
+            record(FOLDER)
+
+    if window.job is None:
+        job = Job(work, window)
+        window.word.setText(tr("Preparing the solver…"))
+        job.finished.connect(lambda: warmed(window))
+        window.warming = job
+        job.start()
+
+
+def warmed(window: MainWindow) -> None:
+    """The kernels are there: draw what needs them."""
+    LawCurve.ready = True
+    if window.job is None:
+        window.word.setText(tr("Ready."))
+    window.refresh()
+
+
+def main(path: Path | None) -> int:
+    """Show the window, on this case or the example; returns its exit code."""
+    application, window = make()
+    install_hook(window)
+    window.show()
+    if path is not None:
+        window.files.open(path)
+    else:
+        window.session.open(EXAMPLE)
+    QTimer.singleShot(0, lambda: offer_recovery(window))
+    window.records.loaded.connect(lambda: warm_up(window), Qt.ConnectionType.SingleShotConnection)
+    code = application.exec()
+    for job in (getattr(window, "warming", None),):
+        if job is not None:
+            job.wait()
+    return code

@@ -1,0 +1,204 @@
+"""What the window works on: history, files, autosave, recovery. No Qt."""
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import textwrap
+import time
+from dataclasses import replace
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from app.session import Session
+from core.case import Demand, Record, Wall
+from core.case_reader import parse_case, read_case
+from core.errors import InputError
+from tests.conftest import ROOT
+
+EXAMPLE = ROOT / "resources" / "cases" / "example.toml"
+
+
+@pytest.fixture
+def session(tmp_path):
+    made = Session(tmp_path / "swaps")
+    made.open(EXAMPLE)
+    return made
+
+
+def test_that_undo_and_redo_walk_over_every_edit(session):
+    first = session.case
+    session.edit_wall(0, "a", height_m=6.0)
+    session.edit_wall(0, "a", height_m=6.5)
+    session.edit_wall(0, "b", name="x")
+    second = session.case
+    session.undo()
+    assert session.case.wall[0].height_m == 6.5
+    session.undo()  # typing in one field is one step
+    assert session.case == first and not session.dirty
+    session.redo()
+    session.redo()
+    assert session.case == second
+    session.redo()
+    assert session.case == second
+
+
+@settings(max_examples=50, deadline=None)
+@given(
+    st.lists(
+        st.tuples(st.sampled_from(["height_m", "thickness_m"]), st.floats(0.2, 9.0)), max_size=12
+    )
+)
+def test_that_undoing_everything_gives_the_first_case(edits):
+    import tempfile
+    from pathlib import Path
+
+    with tempfile.TemporaryDirectory() as folder:
+        session = Session(Path(folder))
+        session.open(EXAMPLE)
+        first = session.case
+        for key, value in edits:
+            session.edit_wall(0, None, **{key: value})
+        for _ in edits:
+            session.undo()
+        assert session.case == first
+
+
+def test_that_what_is_saved_is_what_the_batch_reads(session, tmp_path):
+    session.edit_wall(0, height_m=6.25)
+    session.edit(replace(session.case, demand=Demand(0.3, spectrum=None, soil_factor=1.4)))
+    target = tmp_path / "other" / "case.toml"
+    target.parent.mkdir()
+    session.save(target)
+    assert not session.dirty
+    read = read_case(target)
+    assert read == session.case
+    # the record still names the same files from the new folder
+    assert (target.parent / read.record[0].file).parent.resolve() == ROOT / "resources" / "motions"
+
+
+def test_that_a_case_in_the_making_can_be_saved_and_opened_again(session, tmp_path):
+    session.add_walls([Wall("new", "", height_m=3.0)])
+    assert "mechanism" in session.problem() and session.checked() is None
+    session.save(tmp_path / "draft.toml")
+    again = Session(tmp_path / "swaps")
+    again.open(tmp_path / "draft.toml")
+    assert again.case.wall[-1].name == "new"
+    assert again.problem() is not None
+
+
+def test_that_a_file_that_is_no_case_changes_nothing(session, tmp_path):
+    before = session.case
+    for content in ("not toml [", '[[wall]]\ncolour = "red"\n'):
+        path = tmp_path / "bad.toml"
+        path.write_text(content)
+        with pytest.raises(InputError):
+            session.open(path)
+        assert session.case is before
+
+
+def test_that_a_failed_save_leaves_the_old_file(session, tmp_path, monkeypatch):
+    target = tmp_path / "case.toml"
+    session.save(target)
+    old = target.read_bytes()
+    session.edit_wall(0, height_m=6.0)
+
+    def full(*_):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(os, "fsync", full)
+    from core.errors import OutputError
+
+    with pytest.raises(OutputError):
+        session.save()
+    assert target.read_bytes() == old and session.dirty
+
+
+def test_that_stale_results_are_known(session):
+    class Result:
+        case = session.checked()
+
+    session.result = Result()
+    assert not session.stale
+    session.edit_wall(0, height_m=6.0)
+    assert session.stale
+    session.undo()
+    assert not session.stale
+
+
+def test_that_excluded_records_are_kept_in_the_file_and_not_run(session, tmp_path):
+    session.add_records([Record("nowhere.txt", include=False)])
+    assert session.problem() is None
+    session.save(tmp_path / "c.toml")
+    assert read_case(tmp_path / "c.toml").record[-1].include is False
+    from core import study
+
+    motions, _ = study.read_records(session.checked(), session.base_dir)
+    assert len(motions) == 7
+
+
+def test_that_a_killed_program_leaves_its_unsaved_case(tmp_path):
+    """kill -9 while editing: the next start finds the case as it was last autosaved."""
+    case = tmp_path / "case.toml"
+    shutil.copy(EXAMPLE, case)
+    script = textwrap.dedent(f"""
+        import sys, time
+        from pathlib import Path
+        sys.path.insert(0, {str(ROOT)!r})
+        from app.session import Session
+        session = Session(Path({str(tmp_path / "swaps")!r}))
+        session.open(Path({str(case)!r}))
+        session.edit_wall(0, height_m=6.125)
+        session.autosave()
+        print("ready", flush=True)
+        time.sleep(60)
+    """)
+    before = case.read_bytes()
+    with subprocess.Popen(
+        [sys.executable, "-c", script], stdout=subprocess.PIPE, text=True
+    ) as program:
+        assert program.stdout.readline().strip() == "ready"
+        other = Session(tmp_path / "swaps")
+        assert other.recoverable() == []  # still alive: its own
+        program.send_signal(signal.SIGKILL)
+        program.wait()
+    (swap,) = other.recoverable()
+    other.recover(swap)
+    assert other.case.wall[0].height_m == 6.125
+    assert other.dirty and other.path == case
+    assert case.read_bytes() == before
+    assert not other.recoverable()
+
+
+def test_that_a_damaged_swap_is_refused(tmp_path):
+    session = Session(tmp_path)
+    for content in (
+        "{",
+        json.dumps({"case": "x ="}),
+        json.dumps({"path": None, "base_dir": ".", "case": "bad = 1"}),
+    ):
+        path = tmp_path / "0123-999999999.swap"
+        path.write_text(content)
+        with pytest.raises(InputError):
+            session.recover(path)
+
+
+def test_that_saving_drops_the_swap(session, tmp_path):
+    session.edit_wall(0, height_m=6.0)
+    session.autosave()
+    assert session.swap.exists()
+    session.save(tmp_path / "c.toml")
+    assert list((tmp_path / "swaps").glob("*.swap")) == []
+    time.sleep(0)
+
+
+def test_that_every_case_of_the_resources_goes_through_the_writer():
+    from core.case_writer import table_of
+
+    for path in sorted((ROOT / "resources" / "cases").glob("*.toml")):
+        case = read_case(path)
+        assert parse_case(table_of(case)) == case
