@@ -12,7 +12,6 @@ from app.forms.law_curve import LawCurve
 from app.language import tr
 from app.window import MainWindow
 from app.worker import Job, write_log
-from core import study
 from core.errors import InputError
 from core.version import NAME
 
@@ -62,6 +61,7 @@ def make(arguments: list[str] | None = None) -> tuple[QApplication, MainWindow]:
 
 def warm_up(window: MainWindow) -> None:
     """Compile or load the kernels in the background, with a word in the status line."""
+    from core import study
     from core.ground_motion import GroundMotion
     from core.kernel_cache import FOLDER, record
 

@@ -33,7 +33,6 @@ from app.plots.history_tabs import HistoriesTab, ValidationTab
 from app.plots.result_tabs import CapacityTab, CheckTab, IntensityTab, SpectraTab, verdict_color
 from app.session import Session
 from app.worker import Job
-from core import study
 from core.demand import target_of
 from core.errors import InputError
 from core.version import NAME
@@ -273,6 +272,8 @@ class MainWindow(QMainWindow):
         if case is None or self.job is not None:
             return
         base = self.session.base_dir
+        from core import study
+
         self.start(
             lambda job: study.run(
                 case, base_dir=base, jobs=os.cpu_count() or 1, on_progress=job.progress,
@@ -359,6 +360,7 @@ class MainWindow(QMainWindow):
         result, k = self.session.result, self.chosen.currentIndex()
         if self.wall is None or self.job is not None:
             return
+        from core import study
 
         def arrived(found) -> None:
             if self.session.result is result:
