@@ -5,7 +5,6 @@ from pathlib import Path
 from PySide6.QtCore import QSettings
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 
-from app import batch
 from app.language import tr
 from app.session import Session
 from core.errors import InputError, OutputError
@@ -102,6 +101,8 @@ class Files:
 
     def export(self, path: Path) -> None:
         """Workbook and JSON, as the batch writes them, off this thread."""
+        from app import batch
+
         result = self.session.result
         self.window.start(
             lambda job: batch.write(result, path.parent, path.stem),

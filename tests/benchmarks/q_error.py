@@ -2,20 +2,26 @@
 
     python3 run.py bench --q-error [--output DIR]
 
+Also how far the linearised block is enough: its error of q against alpha.
+
 Truth of the methods is the default method on the same grid, so that only the integration differs; truth of
 the steps is the default at 0.05 %. A verdict changes where Eq. 9 with this q passes and the true one
 does not, or the other way round, at a demand of 0.2 g.
 """
 
 import csv
+import math
 import statistics
 import time
 from pathlib import Path
 
 import numpy as np
 
+from core.block import Block
 from core.ida import Search, incremental_dynamic_analysis
-from core.rocking import METHODS, Method, RockingModel
+from core.moment_rotation import LAWS
+from core.restitution import restitution
+from core.rocking import METHODS, Method, RockingModel, rocking_model
 from core.units import G
 from tests.benchmarks.scenes import wall
 from tests.benchmarks.step_study import motions
@@ -79,6 +85,27 @@ def chart(rows: list[dict], path: Path) -> None:
     figure.savefig(path, dpi=90)
 
 
+SLENDERNESS = (2.0, 4.0, 6.8, 10.0, 15.0, 20.0, 30.0)
+
+
+def linearised_by_slenderness() -> list[dict]:
+    """Error of q of the linearised equation against alpha, two-sided walls of 5 m, all motions."""
+    rows = []
+    for alpha in SLENDERNESS:
+        block = Block.rectangle(5.0, math.radians(alpha))
+        model = rocking_model(block, False, restitution(block, "housner"), LAWS["rigid"])
+        errors = []
+        for motion in motions():
+            true, _, _ = search(motion, model, METHODS["taylor"], 0.01)
+            found, _, _ = search(motion, model, METHODS["linearised"], 0.01)
+            if true and found:
+                errors.append(100.0 * abs(found / true - 1.0))
+        rows.append({"alpha_deg": alpha, "pairs": len(errors), "q_median_percent": float(np.median(errors)),
+                     "q_p90_percent": float(np.quantile(errors, 0.9)), "q_max_percent": max(errors)})  # fmt: skip
+        print(" ".join(f"{key} {value:.3g}" for key, value in rows[-1].items()))
+    return rows
+
+
 def main(folder: Path) -> None:
     models = [(m, wall(one, height=h)) for m in motions() for h in HEIGHTS for one in (False, True)]
     only = [model for _, model in models]
@@ -104,3 +131,8 @@ def main(folder: Path) -> None:
         writer.writeheader()
         writer.writerows(rows)
     chart(rows, folder / "q_error.png")
+    alphas = linearised_by_slenderness()
+    with open(folder / "linearised.csv", "w", newline="") as stream:
+        writer = csv.DictWriter(stream, list(alphas[0]))
+        writer.writeheader()
+        writer.writerows(alphas)

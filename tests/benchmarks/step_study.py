@@ -106,3 +106,30 @@ def main(folder: Path) -> None:
         writer = csv.DictWriter(stream, list(rows[0]))
         writer.writeheader()
         writer.writerows(rows)
+    chart(rows, folder / "q_step.png")
+
+
+def chart(rows: list[dict], path: Path) -> None:
+    """Bias and scatter of both definitions against the step."""
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    steps = [row["step_percent"] for row in rows[1:]]
+    figure, axes = plt.subplots(1, 2, figsize=(9, 3.4), sharex=True)
+    for name, label, color in (
+        ("first", "first collapse", "#B3421B"),
+        ("robust", "q_robust", "#2B5C8A"),
+    ):
+        axes[0].semilogx(steps, [row[f"{name}_median_percent"] for row in rows[1:]], "o-", color=color,
+                         label=label)  # fmt: skip
+        axes[1].semilogx(steps, [row[f"{name}_p90_percent"] for row in rows[1:]], "o-", color=color)
+    axes[0].set_ylabel("median against 0.02 % [%]")
+    axes[1].set_ylabel("90 % of pairs within [%]")
+    for axis in axes:
+        axis.set_xlabel("step of the search [%]")
+        axis.grid(True, color="0.92")
+    axes[0].legend(fontsize=8)
+    figure.tight_layout()
+    figure.savefig(path, dpi=90)
