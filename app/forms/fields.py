@@ -57,8 +57,8 @@ class Field(QWidget):
         self.setFocusProxy(self.editor)
 
     def make_editor(self) -> QWidget:
-        """The widget that edits; overridden."""
-        raise NotImplementedError
+        """The widget that edits: a line of text, where a kind of field has no other."""
+        return QLineEdit()
 
     def show_error(self, sentence: str) -> None:
         """Words below the field, none for a good value."""

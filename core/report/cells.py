@@ -29,6 +29,10 @@ _LINE = Side(style="thin", color="C9D1D9")
 _FORMULA = re.compile(r'<c r="([A-Z]+\d+)"((?: [a-z]+="[^"]*")*)><f>(.*?)</f><v ?/?>(?:</v>)?</c>')
 
 
+PIECE = 1 << 20
+"""Bytes of a sheet handled at a time."""
+
+
 @dataclass
 class Book:
     """A workbook with its language and the values its formula cells carry."""
@@ -82,13 +86,25 @@ def with_values(content: bytes, sheets: list[str], cached: dict) -> bytes:
     filled = BytesIO()
     with zipfile.ZipFile(BytesIO(content)) as old, zipfile.ZipFile(filled, "w") as new:
         for entry in old.infolist():
-            data = old.read(entry)
             match = re.fullmatch(r"xl/worksheets/sheet(\d+)\.xml", entry.filename)
-            if match:
-                title = sheets[int(match[1]) - 1]
-                data = _FORMULA.sub(lambda m, t=title: _filled(m, cached[t, m[1]]), data.decode())
-                data = data.encode()
-            new.writestr(entry, data, zipfile.ZIP_DEFLATED)
+            if not match:
+                new.writestr(entry, old.read(entry), zipfile.ZIP_DEFLATED)
+                continue
+            title = sheets[int(match[1]) - 1]
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            # some rows at a time: a sheet of many walls is a long text
+            with old.open(entry) as source, new.open(entry, "w", force_zip64=True) as target:
+                rest = b""
+                while True:
+                    block = source.read(PIECE)
+                    piece, mark, rest = (
+                        (rest + block).rpartition(b"</row>") if block else (rest, b"", b"")
+                    )
+                    text = (piece + mark).decode()
+                    text = _FORMULA.sub(lambda m, t=title: _filled(m, cached[t, m[1]]), text)
+                    target.write(text.encode())
+                    if not block:
+                        break
     return filled.getvalue()
 
 
