@@ -4,6 +4,7 @@
     python3 run.py [CASE]          open the window
     python3 run.py --batch CASE    run a case without a window (see --help)
     python3 run.py test [...]      ruff, import contracts, pytest
+    python3 run.py package         the frozen program in dist/ribalta, tried
     python3 run.py bench [...]     the benchmarks; --work-precision for error against time
 
 The environment is .venv beside this file, or the folder named by RIBALTA_ENV. Standard library only.
@@ -244,6 +245,10 @@ def main():
         }
         ensure(["base"] + [group for key in more if key in arguments for group in more[key]])
         script = os.path.join(ROOT, "tests", "benchmarks", "bench.py")
+        return hand_over([interpreter(), "-P", script, *arguments[1:]])
+    if word == "package":
+        ensure(["base", "gui", "package"])
+        script = os.path.join(ROOT, "packaging", "build.py")
         return hand_over([interpreter(), "-P", script, *arguments[1:]])
     headless = {"--batch", "--inspect", "--version", "--help", "-h"}
     windowed = not any(argument.split("=")[0] in headless for argument in arguments)
