@@ -28,7 +28,7 @@ def run(case_path: Path, output: Path | None, jobs: int, quiet: bool, resume: bo
     folder, stem = output or case_path.parent, case_path.stem
     made = []
     try:
-        refuse_overwriting(case, case_path, folder)
+        refuse_overwriting(case, case_path, folder, stem)
         made = atomic.check_folder(folder)
         return run_in(case, case_path, folder, stem, jobs, quiet, resume)
     except InputError as error:
@@ -39,12 +39,13 @@ def run(case_path: Path, output: Path | None, jobs: int, quiet: bool, resume: bo
         raise InputError(place + str(error).removeprefix(place)) from None
 
 
-def refuse_overwriting(case: Case, case_path: Path, folder: Path) -> None:
-    """Raise InputError where a result would take the place of the case or of a record."""
-    results = {
-        (folder / (case_path.stem + end)).resolve() for end in (".xlsx", ".json", ".journal")
-    }
+def refuse_overwriting(case: Case, case_path: Path, folder: Path, stem: str) -> None:
+    """Raise InputError where a result would take the place of the case or of a file it reads."""
+    results = {(folder / (stem + end)).resolve() for end in (".xlsx", ".json", ".journal")}
     sources = {case_path.resolve()}
+    for name in (case.table, case.demand.spectrum_file if case.demand else None):
+        if name:
+            sources.add((case_path.parent / name).resolve())
     for k, entry in enumerate(case.record, start=1):
         try:
             paths = records.expand(entry.file, case_path.parent)

@@ -6,11 +6,15 @@ from core.compliance import Compliance
 from core.demand import DemandResult
 from core.demand_check import demand_check
 from core.ground_motion import GroundMotion
+from core.ida import Search
 from core.kinematic import kinematic, linear, nonlinear
 from core.restitution import restitution
 from core.results import Assessment, WallResult
 from core.rocking import Method, rocking_model
-from core.verdict import verdict
+from core.verdict import Circumstances, verdict
+
+EXACT_METHODS = ("taylor", "dormand_prince")
+"""Methods whose result a verdict may rest on; the others are for comparison."""
 
 BUNDLED = "# Ribalta example motion"
 """How the header of a bundled motion begins."""
@@ -21,12 +25,14 @@ def is_bundled(motion: GroundMotion) -> bool:
     return any(value.startswith(BUNDLED) for _, value in motion.details)
 
 
-def _reached(wall: WallResult, demand: DemandResult) -> list[float | None] | None:
-    """q of each run at its first peak of the limit; None if a run ended without a number."""
+def _reached(wall: WallResult, demand: DemandResult, search: Search) -> list[float] | None:
+    """q of each run at its first peak of the limit, the last q searched where it had none; None if a run
+    ended without a number."""
     if any(run.ida.status == "impact_limit" for run in wall.runs):
         return None
     name = "q_slc" if demand.limit_state == "SLC" else "q_slv"
-    return [getattr(run.ida, name) for run in wall.runs]
+    found = [getattr(run.ida, name) for run in wall.runs]
+    return [search.q_limit if q is None else q for q in found]
 
 
 def assess(
@@ -36,25 +42,39 @@ def assess(
     demand: DemandResult,
     compliance: Compliance | None,
     method: Method,
-    step: float,
+    search: Search,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> Assessment:
     """Dynamic, kinematic and simplified checks of a wall (Circolare 7/2019 C8.7.1.2.1); above the ground
-    none, since the motion of its floor is not known. step : of the search for zeta. Raises Cancelled."""
+    none, since the motion of its floor is not known. search : whose step zeta takes. Raises Cancelled."""
     asked = wall.wall
-    bundled = any(is_bundled(motion) for motion in motions)
+    strongest = max((demand.scaling(m) * m.pga for m in motions), default=0.0)
+    doubtful = Circumstances(
+        records=len(motions),
+        bundled=any(is_bundled(motion) for motion in motions),
+        strongest=strongest,
+        both_signs=wall.mechanism == "two_sided" or len(polarities) == 2,
+        exact=method.name in EXACT_METHODS,
+    )
     if asked.base_z_m > 0.0:
-        said = verdict(asked, wall.block, demand, (), None, compliance, len(motions), bundled, None)
+        said = verdict(asked, wall.block, demand, (), None, compliance, doubtful, None)
         return Assessment(None, (), None, None, said)
     found = kinematic(wall.block, demand, asked.height_m is not None)
     dynamic = demand_check(
-        wall.model, motions, polarities, demand, method, step, _reached(wall, demand), cancelled
+        wall.model,
+        motions,
+        polarities,
+        demand,
+        method,
+        search.q_step,
+        _reached(wall, demand, search),
+        cancelled,
     )
     below = None
     if dynamic and asked.mechanism == "one_sided":
         free = restitution(wall.block, "housner")
         model = rocking_model(wall.block, False, free, wall.law)
-        below = demand_check(model, motions, (1,), demand, method, step, None, cancelled)
+        below = demand_check(model, motions, (1,), demand, method, search.q_step, None, cancelled)
     checks = []
     if dynamic:
         checks.append(dynamic.as_check())
@@ -66,8 +86,6 @@ def assess(
         if wall.q_slv_set is not None:
             checks.append(linear("linear_q_slv", found, demand, wall.q_slv_set))
         checks.append(linear("linear_q_code", found, demand, demand.q_code))
-    said = verdict(
-        asked, wall.block, demand, tuple(checks), dynamic, compliance, len(motions), bundled,
-        below.zeta if below else None,
-    )  # fmt: skip
+    lower = below.zeta if below else None
+    said = verdict(asked, wall.block, demand, tuple(checks), dynamic, compliance, doubtful, lower)
     return Assessment(found, tuple(checks), dynamic, below, said)

@@ -88,7 +88,7 @@ class Wall:
     def setback(self) -> float:
         """u [m], the hinge inside the edge: as given, or 2 W / (3 f L) with W = unit weight t H L, the
         triangle of stress under the wall about to turn."""
-        if self.compressive_strength_mpa is None:
+        if self.compressive_strength_mpa is None or self.thickness is None:
             return self.hinge_setback_m
         weight = 1e3 * self.unit_weight_kn_m3 * self.thickness * self.height_m
         return 2.0 * weight / (3.0 * 1e6 * self.compressive_strength_mpa)
@@ -105,6 +105,12 @@ class Wall:
         shape = ("thickness_m", "slenderness_deg", "height_over_thickness")
         given = [key for key in shape if getattr(self, key) is not None]
         if self.radius_m is not None or self.inertia_over_mass_m2 is not None:
+            if self.hinge_setback_m or self.compressive_strength_mpa is not None:
+                raise InputError(
+                    f'wall "{self.name}": a general block takes no hinge_setback_m and no '
+                    "compressive_strength_mpa: give radius_m, slenderness_deg and inertia_over_mass_m2 "
+                    "about the hinge itself"
+                )
             if self.height_m is not None or given != ["slenderness_deg"]:
                 raise InputError(
                     f'wall "{self.name}": a general block takes radius_m, slenderness_deg and '
@@ -238,7 +244,7 @@ class Demand:
 @dataclass(frozen=True)
 class Case:
     """One study. sha256 : of the file it was read from, else of its content; given : places
-    (section, index, key) the user wrote."""
+    (section, index, key) the user wrote; table : of walls they came from, "" if none."""
 
     title: str = _text("Ribalta")
     report: Report = field(default_factory=Report)
@@ -250,11 +256,12 @@ class Case:
     demand: Demand | None = None
     sha256: str = field(default="", compare=False)
     given: frozenset = field(default=frozenset(), compare=False)
+    table: str = field(default="", compare=False)
 
     def as_dict(self) -> dict:
         """Keys and values as in the file, defaults filled, None where nothing is given."""
         content = asdict(self)
-        del content["sha256"], content["given"]
+        del content["sha256"], content["given"], content["table"]
         return content
 
     def differing(self) -> set[tuple]:

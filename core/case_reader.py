@@ -60,7 +60,7 @@ def read_case(path: Path) -> Case:
             source = path.parent / case.walls
             walls = read_walls(source)
             digest.update(source.read_bytes())
-            case = with_walls(case, [*case.wall, *walls])
+            case = replace(with_walls(case, [*case.wall, *walls]), table=case.walls)
         return replace(case, sha256=digest.hexdigest())
     except InputError as error:
         raise InputError(f"{path}: {error}") from None
@@ -228,7 +228,7 @@ def _field(cls, key: str):
 
 
 def _known(cls, table: dict, section: str, place: str) -> None:
-    keys = [entry.name for entry in fields(cls) if entry.name not in ("sha256", "given")]
+    keys = [entry.name for entry in fields(cls) if entry.name not in ("sha256", "given", "table")]
     for key in table:
         if key in LATER.get(section, ()):
             raise InputError(f"{place}: {key} is not built yet in this version: leave it out")

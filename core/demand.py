@@ -60,6 +60,8 @@ def target_of(asked: Asked, base_dir: Path) -> Target | None:
 def _rows(path: Path) -> list[tuple[float, float]]:
     """(period [s], S_e [m/s2]) of a file: two columns, s and g; a head of words is skipped."""
     try:
+        if not path.is_file():
+            raise InputError(f"{path}: there is no such spectrum file")
         if path.stat().st_size > 1_000_000:
             raise InputError(f"{path}: larger than 1 MB: no spectrum of two columns")
         lines = path.read_text(encoding="utf-8-sig", errors="replace").splitlines()

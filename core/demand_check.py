@@ -2,7 +2,7 @@
 
 d_0 is exceeded in no run, and the mean of the largest rotations stays below 0.40 (SLV) or 0.60 (SLC) of
 it. The demand is amplified by the confidence factor; with fewer than seven records the largest rotation
-takes the place of the mean (EN 1998-1 4.3.3.4.3(3)).
+takes the place of the mean (EN 1998-1 4.3.3.4.3(3)); the components of one station count once.
 """
 
 import math
@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from core.compliance import station_of
 from core.demand import DemandResult
 from core.errors import Cancelled
 from core.ground_motion import GroundMotion
@@ -80,7 +81,8 @@ class _Set:
             demand.confidence_factor * demand.scaling(motion) for motion, _ in self.pairs
         ]
         self.limit = LIMIT_FRACTION[demand.limit_state]
-        self.mean = len(motions) >= MEAN_FROM
+        stations = {station_of(motion) or f"file {k}" for k, motion in enumerate(motions)}
+        self.mean = len(stations) >= MEAN_FROM
 
     def analyse(self, multipliers: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Outcomes and peaks over alpha, shape (runs, multipliers)."""
@@ -104,11 +106,11 @@ class _Set:
         exceeded = ((outcomes != 0) | (peaks > 1.0)).any(axis=0)
         return ~exceeded & (value <= self.limit)
 
-    def zeta(self, step: float, reached: list[float | None] | None) -> float | None:
+    def zeta(self, step: float, reached: list[float] | None) -> float | None:
         """First failure of the rule on a geometric grid, bisected; None for an outcome without a number.
 
-        reached : q of each run at which it first reaches the limit, as its search found: below the lowest
-        of them no run does, and the rule holds.
+        reached : q of each run up to which its search found no peak at the limit: below the lowest of
+        them none is there, and the rule holds.
         """
         per_q = np.array(
             [
@@ -117,8 +119,7 @@ class _Set:
             ]
         )
         if reached is not None:
-            known = [q * one for q, one in zip(reached, per_q, strict=True) if q is not None]
-            low = min(known, default=MOST) * (1.0 - 2.0 * BRACKET)
+            low = float((np.array(reached) * per_q).min()) * (1.0 - 2.0 * BRACKET)
         else:
             low = per_q.min() * (1.0 if self.model.plateau_end == 0.0 else TRILINEAR_FLOOR)
         while low < MOST:
@@ -153,7 +154,7 @@ def demand_check(
     demand: DemandResult,
     method: Method,
     step: float,
-    reached: list[float | None] | None = None,
+    reached: list[float] | None = None,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> DemandCheck | None:
     """The dynamic check of one wall; None without records or for a limit state the clause has no limit for.
@@ -177,6 +178,12 @@ def demand_check(
     worse = work.governing(peaks)[:, 0]
     zeta = work.zeta(step, reached)
     holds = bool(work.holds(outcomes, peaks)[0])
+    target = demand.zeta_target
+    at_target = holds if target == 1.0 else bool(work.holds(*work.analyse(np.array([target])))[0])
+    if zeta is not None:
+        # the grid of the search may step over a failure that the demand or the target itself shows
+        failures = [1.0] * (not holds) + [target] * (not at_target)
+        zeta = min([zeta, *failures])
     return DemandCheck(
         limit_state=demand.limit_state,
         runs=runs,
@@ -187,7 +194,7 @@ def demand_check(
         limit_ratio=work.limit,
         zeta=zeta,
         holds=holds,
-        passed=holds and zeta is not None and zeta >= demand.zeta_target - 1e-12,
+        passed=at_target and zeta is not None and zeta >= target - 1e-12,
     )
 
 

@@ -113,6 +113,13 @@ class StudyResult:
     compliance: Compliance | None = None
     elapsed: float = field(compare=False, default=0.0)
 
+    def left_to_read(self, wall: WallResult) -> bool:
+        """Whether a warning or a reason stands beside the verdict of a wall."""
+        reasons = wall.assessment.verdict.reasons if wall.assessment else ()
+        demand = self.demand.warnings if self.demand else ()
+        records = any(motion.warnings for motion in self.motions)
+        return bool(wall.warnings or reasons or demand or records)
+
     @property
     def without_number(self) -> list[tuple[str, str, int, str]]:
         """(wall, record, polarity, status) of the runs that end without a q."""

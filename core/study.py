@@ -118,7 +118,7 @@ def run(
         if demand:
             checks = {
                 k: lambda stop, k=k: assess(
-                    results[k], motions, signs[k], demand, rules, method, search.q_step, stop
+                    results[k], motions, signs[k], demand, rules, method, search, stop
                 )
                 for k in range(len(walls))
             }

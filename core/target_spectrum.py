@@ -162,4 +162,15 @@ def given(name: str, ag: float, soil: float, rows: list[tuple[float, float]]) ->
             f"{name}: covers {periods[0]:g} to {periods[-1]:g} s: the range 0.1 to 2.5 s of the Housner "
             "intensity must be inside"
         )
-    return GivenSpectrum(name, ag, soil, periods, values)
+    found = GivenSpectrum(name, ag, soil, periods, values)
+    if periods[0] <= 0.01 and abs(values[0] / found.pga - 1.0) > 0.05:
+        raise InputError(
+            f"{name}: it starts at {values[0] / G:.3f} g, but a_g S of the demand is {found.pga / G:.3f} g: "
+            "give ag_g and soil_factor of the same site"
+        )
+    if not 1.2 <= max(values) / found.pga <= 6.0:
+        raise InputError(
+            f"{name}: its largest ordinate, {max(values) / G:.3f} g, is {max(values) / found.pga:.2f} times "
+            "a_g S of the demand (1.2 to 6 is accepted): is the file in g, and of the same site?"
+        )
+    return found

@@ -103,9 +103,36 @@ REASONS = {
         "Every record is rescaled to a_g S: the compatibility of the set is broken.",
         "Ogni accelerogramma è riscalato ad a_g S: la compatibilità dell'insieme non vale più.",
     ),
+    "one_sign": (
+        "A one-sided wall was given each record with one sign only.",
+        "Una parete su un lato è stata analizzata con un solo segno di ogni accelerogramma.",
+    ),
+    "comparison_method": (
+        "The integrator chosen is for comparison only.",
+        "L'integratore scelto serve solo per confronto.",
+    ),
+    "no_soil_factor": (
+        "S is not given and taken as 1, rock.", "S non è assegnato ed è posto pari a 1, roccia.",
+    ),
+    "disagrees": (
+        "{method} gives zeta {zeta:.2f}: {outcome}.", "{method}: zeta {zeta:.2f}, {outcome}."
+    ),
 }  # fmt: skip
 
 STOCKY_DEG = 20.0
+
+
+@dataclass(frozen=True)
+class Circumstances:
+    """What a verdict must know beside the checks. records : files; bundled : some are the example's;
+    strongest : largest PGA at the demand, FC apart [m/s2]; both_signs : a one-sided wall was given each
+    record with both; exact : the integrator is not one for comparison."""
+
+    records: int
+    bundled: bool = False
+    strongest: float = 0.0
+    both_signs: bool = True
+    exact: bool = True
 
 
 @dataclass(frozen=True)
@@ -139,8 +166,7 @@ def verdict(
     checks: tuple[Check, ...],
     dynamic: DemandCheck | None,
     compliance: Compliance | None,
-    records: int,
-    bundled: bool,
+    circumstances: Circumstances,
     lower_bound: float | None,
 ) -> Verdict:
     """The verdict from the checks of a wall, the most refined first. checks : those that were made."""
@@ -150,15 +176,19 @@ def verdict(
     zeta = found.zeta if found else None
     target = demand.zeta_target
     doubts, limits = [], []
-    law = wall.moment_law()
-    activated = not law.is_rigid or (
-        demand.confidence_factor * demand.pga > block.threshold_acceleration
+    first = float(demand.target.acceleration([0.0])[0]) if demand.target else demand.pga
+    strongest = max(demand.pga, first, circumstances.strongest) * max(1.0, target)
+    at_rest = demand.confidence_factor * strongest <= block.threshold_acceleration
+    activated = (
+        not wall.moment_law().is_rigid
+        or not at_rest
+        or any(check.passed is False for check in checks)
     )
     if wall.base_z_m > 0.0:
         doubts.append(_reason("upper_floor", z=wall.base_z_m))
     elif found is None or zeta is None:
         doubts.append(_reason("no_number"))
-    elif activated and numerical_spread(zeta, target):
+    elif activated and numerical_spread(zeta, target) and not (dynamic and found.passed is False):
         doubts.append(_reason("within_spread", zeta=zeta, target=target))
     if dynamic and dynamic.holds and zeta is not None and zeta < min(1.0, target):
         doubts.append(_reason("weaker_fails", zeta=zeta))
@@ -169,11 +199,17 @@ def verdict(
             limits.append(_reason("not_compatible"))
         if demand.asked.demand_scaling == "pga":
             limits.append(_reason("pga_scaling"))
-        stations = compliance.stations if compliance else records
+        stations = compliance.stations if compliance else circumstances.records
         if stations < LEAST_RECORDS:
             limits.append(_reason("few_records", n=stations))
-        if bundled:
+        if circumstances.bundled:
             limits.append(_reason("bundled"))
+        if not circumstances.both_signs:
+            limits.append(_reason("one_sign"))
+        if not circumstances.exact:
+            limits.append(_reason("comparison_method"))
+    if demand.target is None and demand.asked.soil_factor is None:
+        limits.append(_reason("no_soil_factor"))
     alpha = math.degrees(block.slenderness)
     if alpha > STOCKY_DEG:
         limits.append(_reason("stocky", alpha=alpha))
@@ -189,8 +225,17 @@ def verdict(
         code = "verified" if q_code and q_code.passed else "verified_refined"
     else:
         code = "q2_unsafe" if q_code and q_code.passed else "not_verified"
-    if code == "not_activated":
-        limits = []
+    notes = [
+        tuple(
+            REASONS["disagrees"][k].format(
+                method=METHOD_WORDS[other.name][k].capitalize(), zeta=other.zeta,
+                outcome=(("passed", "soddisfatta") if other.passed else ("not passed", "non soddisfatta"))[k],
+            )
+            for k in (0, 1)
+        )
+        for other in checks
+        if found and other is not found and other.passed is not None and other.passed != found.passed
+    ]  # fmt: skip
     words = METHOD_WORDS[found.name] if found else ("", "")
     values = {
         "state": demand.limit_state, "zeta": zeta or 0.0, "q": demand.q_code,
@@ -200,7 +245,7 @@ def verdict(
     simply = code == "verified" and found.name == "linear_q_code"
     english, italian = SENTENCES["verified_simply" if simply else code]
     return Verdict(
-        code, found.name if found else None, zeta, target, (*doubts, *limits),
+        code, found.name if found else None, zeta, target, (*doubts, *limits, *notes),
         english.format(method=words[0], **values), italian.format(method=words[1], **values),
         lower_bound,
     )  # fmt: skip

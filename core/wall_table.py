@@ -4,6 +4,7 @@ import csv
 import io
 import re
 import zipfile
+import zlib
 from pathlib import Path
 
 from core.case import Wall
@@ -47,6 +48,8 @@ MOST_ROWS, MOST_COLUMNS, MOST_BYTES = 2000, 40, 20_000_000
 def read_walls(path: Path) -> list[Wall]:
     """The walls of a table. Raises InputError in one sentence: file, row, column, what is accepted."""
     try:
+        if path.exists() and not path.is_file():
+            raise InputError("this is not a file: name a table of walls")
         size = path.stat().st_size
         if size > MOST_BYTES:
             raise InputError(f"{size / 1e6:.0f} MB is no table of walls (up to 20 MB)")
@@ -100,7 +103,7 @@ def _xlsx_rows(content: bytes) -> list[list[str]]:
         sheet = book.worksheets[0]
         sheet.reset_dimensions()  # the tag that states them can lie
         rows = []
-        for number, row in enumerate(sheet.iter_rows(max_col=MOST_COLUMNS), start=1):
+        for number, row in enumerate(sheet.iter_rows(max_col=10 * MOST_COLUMNS), start=1):
             if number > MOST_ROWS:
                 raise InputError(f"more than {MOST_ROWS} rows")
             for cell in row:
@@ -108,12 +111,15 @@ def _xlsx_rows(content: bytes) -> list[list[str]]:
                     raise InputError(
                         f"row {number}: {cell.coordinate} is a formula: paste it as a value"
                     )
-            rows.append(["" if cell.value is None else str(cell.value).strip() for cell in row])
+            cells = ["" if cell.value is None else str(cell.value).strip() for cell in row]
+            while cells and not cells[-1]:
+                cells.pop()
+            rows.append(cells)
         return rows
     except InputError:
         raise
     except (zipfile.BadZipFile, KeyError, ValueError, TypeError, IndexError, AttributeError,
-            EOFError, NotImplementedError, SyntaxError) as error:  # fmt: skip
+            EOFError, NotImplementedError, SyntaxError, RuntimeError, zlib.error) as error:  # fmt: skip
         raise InputError(
             f"not a workbook Excel could have saved ({type(error).__name__})"
         ) from None

@@ -1,6 +1,6 @@
 """Build the frozen program in dist/ribalta and try it: version, a batch, the same results twice.
 
-    python3 run.py package
+python3 run.py package
 """
 
 import json
@@ -32,11 +32,16 @@ def smoke(program: Path) -> None:
         said = subprocess.run([program, "--version"], check=True, capture_output=True, text=True,
                               cwd=folder, env=variables)  # fmt: skip
         print(said.stdout.strip())
-        for command, place in (([program], "frozen"), ([sys.executable, "-P", "-m", "app"], "source")):
+        for command, place in (
+            ([program], "frozen"),
+            ([sys.executable, "-P", "-m", "app"], "source"),
+        ):
             more = {"PYTHONPATH": str(ROOT)} if place == "source" else {}
             subprocess.run([*command, "--batch", case, "--output", folder / place, "--quiet"], check=True,
                            cwd=folder, env={**variables, **more})  # fmt: skip
-        assert results(folder / "frozen") == results(folder / "source"), "other numbers than the source"
+        assert results(folder / "frozen") == results(folder / "source"), (
+            "other numbers than the source"
+        )
     print(f"{program}: batch equal to the source tree's")
 
 

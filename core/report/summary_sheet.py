@@ -43,21 +43,21 @@ DATA = 20
 
 
 def by_zeta(walls) -> list[WallResult]:
-    """Walls with the lowest zeta first; those without one at the end."""
+    """Walls without a zeta first, then the lowest."""
 
     def key(wall: WallResult) -> float:
         zeta = wall.assessment.verdict.zeta_e if wall.assessment else None
-        return math.inf if zeta is None else zeta
+        return -math.inf if zeta is None else zeta
 
     return sorted(walls, key=key)
 
 
-def verdict_color(wall: WallResult) -> str:
-    """Green only where nothing is left to read: a warning turns it amber."""
+def verdict_color(result: StudyResult, wall: WallResult) -> str:
+    """Green only where nothing is left to read: a warning or a reason turns it amber."""
     if wall.assessment is None:
         return INK
     color = COLORS[wall.assessment.verdict.code]
-    return AMBER if color == GOOD and wall.warnings else color
+    return AMBER if color == GOOD and result.left_to_read(wall) else color
 
 
 def summary(book: Book, result: StudyResult) -> None:
@@ -75,7 +75,7 @@ def summary(book: Book, result: StudyResult) -> None:
     row = _title_block(book, sheet, result, report, 3)
     row = _demand_lines(book, sheet, result, row, LAST)
     ordered = by_zeta(result.walls)
-    row = _walls_table(book, sheet, ordered[:SUMMARY_WALLS], row + 1)
+    row = _walls_table(book, sheet, result, ordered[:SUMMARY_WALLS], row + 1)
     if len(ordered) > SUMMARY_WALLS:
         row = paragraph(sheet, row, say(
             f"The {SUMMARY_WALLS} lowest of {len(ordered)} walls; all on the sheet Overview.",
@@ -92,7 +92,7 @@ def overview(book: Book, result: StudyResult) -> None:
     """All walls, the lowest zeta first."""
     sheet = book.sheet("Overview", "Riepilogo", WIDTHS, landscape=True)
     title(sheet, 1, book.say("Overview of the walls", "Riepilogo delle pareti"))
-    last = _walls_table(book, sheet, by_zeta(result.walls), 3)
+    last = _walls_table(book, sheet, result, by_zeta(result.walls), 3)
     sheet.auto_filter.ref = f"A3:M{last - 1}"
     sheet.freeze_panes = "B4"
     sheet.print_title_rows = "3:3"
@@ -145,7 +145,7 @@ def _demand_lines(book: Book, sheet, result: StudyResult, row: int, last: int) -
     return paragraph(sheet, row, line, last, 150, bold=True)
 
 
-def _walls_table(book: Book, sheet, walls: list[WallResult], row: int) -> int:
+def _walls_table(book: Book, sheet, result: StudyResult, walls: list[WallResult], row: int) -> int:
     say = book.say
     header(sheet, row, [
         say("Wall", "Parete"), say("Mechanism", "Meccanismo"), "H [m]", "t [m]", "u [m]", "H/t",
@@ -169,7 +169,7 @@ def _walls_table(book: Book, sheet, walls: list[WallResult], row: int) -> int:
             (11, wall.q_robust_set, RATIO),
         ):  # fmt: skip
             number(sheet, row, column, value, shape)
-        color = verdict_color(wall)
+        color = verdict_color(result, wall)
         number(sheet, row, 12, verdict.zeta_e if verdict else None, RATIO, bold=True, color=color)
         text(sheet, row, 13, label, bold=True, color=color, wrap=True)
         rule(sheet, row, 1, LAST)
@@ -205,7 +205,7 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
     row = max(row, top + 11) + 1
     said = found.verdict
     row = paragraph(sheet, row, said.text(book.language), LAST, 120, bold=True, size=12,
-                    color=verdict_color(wall))  # fmt: skip
+                    color=verdict_color(result, wall))  # fmt: skip
     for reason in said.reasons:
         row = paragraph(sheet, row, f"• {reason[1 if book.language == 'it' else 0]}", LAST, 150)
     if said.lower_bound is not None:

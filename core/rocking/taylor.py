@@ -147,7 +147,7 @@ def small_bounce(speed, net, sine, cosine, beta, slope, p2):
     """Flight of a small bounce from theta = 0, rigid law, by its series of fourth order (Eq. 1).
 
     Returns (flight time [s], speed at its end, highest point); time -1 where the bounce is not that
-    simple. For speeds below SMALL_BOUNCE p alpha what is left out is below 1e-14 of p alpha.
+    simple. For speeds below SMALL_BOUNCE p alpha what is left out is below 1e-11 of p alpha.
     """
     v1 = -p2 * net
     c2 = 0.5 * v1
@@ -159,7 +159,7 @@ def small_bounce(speed, net, sine, cosine, beta, slope, p2):
     c4 = (-1.0 / 12.0) * p2 * (s2 - beta * k2 - slope * k1)
     c3 = v2 * (1.0 / 3.0)
     t = -speed / c2
-    if not (c2 < 0.0 and abs(c3) * t < -0.05 * c2 and abs(c4) * t * t < -0.05 * c2):
+    if not (c2 < 0.0 and abs(c3) * t < -5e-3 * c2 and abs(c4) * t * t < -1e-5 * c2):
         return -1.0, 0.0, 0.0
     for _ in range(4):
         value = speed + t * (c2 + t * (c3 + t * c4))

@@ -316,3 +316,12 @@ def test_that_every_shipped_case_runs(tmp_path, capsys):
     for path in sorted((tmp_path / "resources" / "cases").glob("*.toml")):
         assert call("--batch", path, "--output", tmp_path / "out", "--quiet") == 0
         assert (tmp_path / "out" / f"{path.stem}.xlsx").stat().st_size > 10_000
+
+
+def test_that_the_table_of_walls_and_the_spectrum_are_not_overwritten(tmp_path, capsys):
+    shutil.copy(ROOT / "resources" / "templates" / "walls.xlsx", tmp_path / "c.xlsx")
+    before = (tmp_path / "c.xlsx").read_bytes()
+    (tmp_path / "c.toml").write_text('walls = "c.xlsx"\n')
+    assert call("--batch", str(tmp_path / "c.toml")) == 1
+    assert "overwrite" in capsys.readouterr().err
+    assert (tmp_path / "c.xlsx").read_bytes() == before

@@ -57,6 +57,21 @@ def without(*keys, **more):
         (case({"name": "x" * 600}), ["500"]),
         (case({"hinge_setback_m": 0.5}), ["hinge setback 0.500 m", "40 %"]),
         (case({"compressive_strength_mpa": 2.0}), ["compressive_strength_mpa", "unit_weight"]),
+        (
+            {
+                "wall": [
+                    {
+                        "name": "w",
+                        "radius_m": 3.5,
+                        "slenderness_deg": 6.8,
+                        "inertia_over_mass_m2": 16.5,
+                        "mechanism": "two_sided",
+                        "hinge_setback_m": 0.3,
+                    }
+                ]
+            },
+            ["general block takes no"],
+        ),
         (case(record=[{"file": "a.txt", "channel": 2}]), ["channel", "not built yet"]),
         (case(generate={"count": 7}), ["generate", "spectrum"]),
         (case({"law": "doherty"}, analysis={"method": "linearised"}), ["rigid law", "trilinear"]),

@@ -8,7 +8,7 @@ from core.compliance import Compliance
 from core.demand import demand_of
 from core.demand_check import DemandCheck
 from core.kinematic import Check
-from core.verdict import SENTENCES, verdict
+from core.verdict import SENTENCES, Circumstances, verdict
 
 SPECTRUM = {"code": "EN1998", "soil": "B", "type": 1}
 
@@ -24,8 +24,9 @@ def case(ag=0.26, wall=None, **demand):
 
 
 def said(dynamic=None, nonlinear=None, q2=None, compatible=True, records=7, bundled=False, ag=0.26,
-         wall=None, **demand):  # fmt: skip
+         wall=None, circumstances=None, **demand):  # fmt: skip
     """The verdict of checks with these zeta."""
+    circumstances = circumstances or {}
     asked = case(ag, wall, **demand)
     target = asked.demand.zeta_target
     found = []
@@ -39,7 +40,7 @@ def said(dynamic=None, nonlinear=None, q2=None, compatible=True, records=7, bund
     rules = Compliance(None, None, None, None, (), records, compatible)
     return verdict(
         asked.wall[0], asked.wall[0].block(), demand_of(asked, None), tuple(found), check,
-        rules if compatible is not None else None, records, bundled, None,
+        rules if compatible is not None else None, Circumstances(records, bundled, **circumstances), None,
     )  # fmt: skip
 
 
@@ -64,6 +65,10 @@ def said(dynamic=None, nonlinear=None, q2=None, compatible=True, records=7, bund
         ("undetermined", {"dynamic": 1.2, "q2": 1.1, "wall": {"base_z_m": 4.0}}),
         ("not_activated", {"dynamic": 3.0, "q2": 3.0, "ag": 0.05}),
         ("not_activated", {"dynamic": 3.0, "q2": 3.0, "ag": 0.05, "compatible": False}),
+        ("indicative", {"dynamic": 1.2, "q2": 1.1, "circumstances": {"both_signs": False}}),
+        ("indicative", {"dynamic": 1.2, "q2": 1.1, "circumstances": {"exact": False}}),
+        ("verified", {"dynamic": 1.2, "q2": 1.1, "ag": 0.05, "circumstances": {"strongest": 1.0}}),
+        ("not_verified", {"dynamic": 0.6, "ag": 0.05}),
         ("verified", {"dynamic": 0.85, "q2": 0.9, "zeta_target": 0.8}),
     ],
 )
@@ -80,7 +85,7 @@ def test_that_an_outcome_without_number_leaves_the_wall_undetermined():
     found = verdict(
         asked.wall[0], asked.wall[0].block(), demand_of(asked, None),
         (Check("dynamic", "", "-", None, None, None, None),), check,
-        Compliance(None, None, None, None, (), 7, True), 7, False, None,
+        Compliance(None, None, None, None, (), 7, True), Circumstances(7), None,
     )  # fmt: skip
     assert found.code == "undetermined" and "without a number" in found.reasons[0][0]
 
@@ -91,9 +96,26 @@ def test_that_the_rule_failing_at_a_weaker_motion_is_not_verified_in_silence():
     found = verdict(
         asked.wall[0], asked.wall[0].block(), demand_of(asked, None),
         (Check("dynamic", "", "-", None, None, 0.7, False),), check,
-        Compliance(None, None, None, None, (), 7, True), 7, False, None,
+        Compliance(None, None, None, None, (), 7, True), Circumstances(7), None,
     )  # fmt: skip
     assert found.code == "undetermined" and "weaker motion" in found.reasons[0][0]
+
+
+def test_that_a_check_that_disagrees_is_named():
+    found = said(dynamic=1.2, nonlinear=0.9, q2=1.1)
+    assert len(found.reasons) == 1 and "zeta 0.90: not passed" in found.reasons[0][0]
+    assert said(dynamic=1.2, nonlinear=1.3, q2=1.1).reasons == ()
+
+
+def test_that_a_soil_factor_nobody_gave_is_said(tmp_path):
+    table = {"wall": [{"name": "w", "height_m": 5.0, "thickness_m": 0.9, "mechanism": "two_sided"}]}
+    result = study.run(parse_case({**table, "demand": {"ag_g": 0.17}}), base_dir=tmp_path)
+    verdict_ = result.walls[0].assessment.verdict
+    assert verdict_.code == "indicative" and "taken as 1" in verdict_.reasons[0][0]
+    given = study.run(
+        parse_case({**table, "demand": {"ag_g": 0.17, "soil_factor": 1.0}}), base_dir=tmp_path
+    )
+    assert given.walls[0].assessment.verdict.code != "indicative"
 
 
 def test_that_no_sentence_says_safe():

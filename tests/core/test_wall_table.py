@@ -153,3 +153,19 @@ def test_that_an_entity_bomb_is_refused(tmp_path):
     path.write_bytes(stream.getvalue())
     with pytest.raises(InputError, match="not a workbook"):
         read_walls(path)
+
+
+def test_that_damaged_bytes_are_refused_and_never_an_internal_error(tmp_path):
+    import random
+
+    content = bytearray(book(ROWS))
+    chance = random.Random(1)
+    path = tmp_path / "w.xlsx"
+    for _ in range(300):
+        damaged = bytearray(content)
+        damaged[chance.randrange(len(damaged))] ^= 1 << chance.randrange(8)
+        path.write_bytes(damaged)
+        try:
+            read_walls(path)
+        except InputError as error:
+            assert "w.xlsx" in str(error)

@@ -145,3 +145,38 @@ def test_that_the_strength_of_the_masonry_gives_the_setback():
     # W per metre = 19 kN/m3 0.83 m 7 m = 110.39 kN/m; u = 2 110.39e3 / (3 2e6) = 0.036797 m
     wall = case(wall={"compressive_strength_mpa": 2.0, "unit_weight_kn_m3": 19.0}).wall[0]
     assert wall.setback == pytest.approx(0.036797, abs=1e-6)
+
+
+def test_that_a_search_that_ends_early_does_not_raise_zeta(tmp_path):
+    """q_limit below the first peak at 0.40 alpha: zeta is still searched, from where the search ended."""
+    wall = {"mechanism": "one_sided", "height_m": 5.0, "thickness_m": 0.6}
+    table = {"wall": wall, "demand": {"ag_g": 0.3}, "generate": {"count": 3}}
+    full = study.run(case(**table), base_dir=tmp_path).walls[0].assessment.dynamic
+    table["analysis"] = {"q_step": 0.01, "q_limit": 2.0}
+    short = study.run(case(**table), base_dir=tmp_path).walls[0].assessment.dynamic
+    assert short.zeta == pytest.approx(full.zeta, rel=0.05)
+
+
+def test_that_zeta_never_exceeds_a_failure_at_the_demand(tmp_path):
+    """A narrow failure the grid steps over: the rule fails at the demand, so zeta is at most 1."""
+    wall = {"mechanism": "one_sided", "height_m": 4.0, "thickness_m": 0.45}
+    for ag in (0.33, 0.34, 0.35, 0.36):
+        found = (
+            study.run(case(wall, {"ag_g": ag}, generate={"count": 7}), base_dir=tmp_path)
+            .walls[0]
+            .assessment.dynamic
+        )
+        assert found.holds or found.zeta <= 1.0
+
+
+def test_that_a_target_below_one_is_what_decides(tmp_path):
+    found = (
+        study.run(
+            case(demand={"ag_g": 0.25, "zeta_target": 0.4}, generate={"count": 7}),
+            base_dir=tmp_path,
+        )
+        .walls[0]
+        .assessment
+    )
+    assert not found.dynamic.holds and found.dynamic.zeta > 0.4 and found.dynamic.passed
+    assert found.verdict.code.startswith("verified")
