@@ -30,7 +30,6 @@ class Files:
             return False
         if path != EXAMPLE:
             self.remember(path)
-        self.window.card.setText(tr("No result yet: press F5."))
         self.window.result_arrived(None)
         return True
 
@@ -93,7 +92,7 @@ class Files:
 
     def export_refused(self) -> bool:
         """Whether there is nothing to export, or only results of an earlier input; says so."""
-        if self.session.result is None or self.session.stale:
+        if self.session.result is None or self.session.stale or self.window.job is not None:
             reason = tr("The results are not of this input: run it first (F5).")
             QMessageBox.information(self.window, tr("Nothing exported"), reason)
             return True
@@ -103,7 +102,13 @@ class Files:
         """Workbook and JSON, as the batch writes them, off this thread."""
         from app import batch
 
-        result = self.session.result
+        result, case = self.session.result, self.session.case
+        try:
+            here = self.session.path or self.session.base_dir / "case.toml"
+            batch.refuse_overwriting(case, here, path.parent, path.stem)
+        except InputError as error:
+            QMessageBox.warning(self.window, tr("Nothing exported"), str(error))
+            return
         self.window.start(
             lambda job: batch.write(result, path.parent, path.stem),
             lambda _: self.window.word.setText(tr("Written: {path}").format(path=path)),

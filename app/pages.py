@@ -5,6 +5,9 @@ from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from app import theme
+from app.language import tr
+from app.plots.result_tabs import verdict_color
+from core.words import word
 
 
 class Veil(QWidget):
@@ -35,9 +38,42 @@ class Page(QWidget):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
 
+    def empty(self) -> None:
+        """Forget what was shown; it is made anew when looked at."""
+        if self.made is not None:
+            self.layout().removeWidget(self.made)
+            self.made.setParent(None)
+            self.made.deleteLater()
+            self.made = None
+
     @property
     def content(self) -> QWidget:
         if self.made is None:
             self.made = self.maker()
             self.layout().addWidget(self.made)
         return self.made
+
+
+def card(result, language: str) -> str:
+    """The verdicts of a result as rich text."""
+    lines = []
+    for wall in result.walls[:40]:
+        if wall.assessment is None:
+            lines.append(f"<b>{_plain(wall.name)}</b>: q {wall.q_set or 0:.2f}")
+            continue
+        said = wall.assessment.verdict
+        zeta = "–" if said.zeta_e is None else f"{said.zeta_e:.2f}"
+        lines.append(
+            f"<b>{_plain(wall.name)}</b> ({word_of(wall.mechanism)})<br>"
+            f"<span style='color:{verdict_color(result, wall)}; font-weight:600'>ζ {zeta}, "
+            f"{word(said.code, language)}</span><br>{said.text(language)}"
+        )
+    return "<p>" + "</p><p>".join(lines) + "</p>"
+
+
+def word_of(mechanism: str) -> str:
+    return tr("one-sided") if mechanism == "one_sided" else tr("two-sided")
+
+
+def _plain(text: str) -> str:
+    return text.replace("&", "&amp;").replace("<", "&lt;")

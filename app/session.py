@@ -33,9 +33,12 @@ class Session:
         self.path: Path | None = None
         self.result: StudyResult | None = None
         self._known: tuple | None = None
+        self.generation = 0
         self._start(Case())
 
     def _start(self, case: Case) -> None:
+        """Another case: results on their way to the one before must not arrive here."""
+        self.generation += 1
         self.case = self.saved = case
         self.past: list[Case] = []
         self.future: list[Case] = []
@@ -163,9 +166,12 @@ class Session:
             case = read_case(path)
         except InputError as error:
             try:
-                case = draft_case(tomllib.loads(path.read_text(encoding="utf-8-sig")))
+                table = tomllib.loads(path.read_text(encoding="utf-8-sig"))
             except (OSError, ValueError):
                 raise error from None
+            if "walls" in table:
+                raise  # its table cannot be merged into a draft
+            case = draft_case(table)
         self.drop_swap()
         self._start(case)
         self.path, self.base_dir = path.resolve(), path.resolve().parent
@@ -174,21 +180,38 @@ class Session:
     def save(self, path: Path | None = None) -> None:
         """Write the case file, whole or not at all; record paths follow it to another folder."""
         target = (path or self.path).resolve()
-        records = []
-        for record in self.case.record:
-            source = self.base_dir / record.file
-            if target.parent != self.base_dir or Path(record.file).is_absolute():
-                with contextlib.suppress(ValueError):
-                    name = Path(os.path.relpath(source, target.parent)).as_posix()
-                    record = replace(record, file=name)
-            records.append(record)
-        case = replace(self.case, record=tuple(records))
+        old = self.base_dir
+
+        def moved(case: Case) -> Case:
+            return self._moved(case, old, target.parent)
+
+        case = moved(self.case)
         atomic.write({target: dumps(case).encode()})
         self.drop_swap()
         self.path, self.base_dir = target, target.parent
         self.case = self.saved = case
+        self.past, self.future = [moved(c) for c in self.past], [moved(c) for c in self.future]
+        if self.result is not None:
+            self.result = replace(self.result, case=moved(self.result.case))
         self.last_place = None
         self.changed()
+
+    @staticmethod
+    def _moved(case: Case, old: Path, new: Path) -> Case:
+        """The case with its paths as seen from another folder."""
+
+        def seen(name: str) -> str:
+            if new == old and not Path(name).is_absolute():
+                return name
+            with contextlib.suppress(ValueError):  # another drive
+                return Path(os.path.relpath(old / name, new)).as_posix()
+            return name
+
+        records = tuple(replace(record, file=seen(record.file)) for record in case.record)
+        demand = case.demand
+        if demand and demand.spectrum_file:
+            demand = replace(demand, spectrum_file=seen(demand.spectrum_file))
+        return replace(case, record=records, demand=demand)
 
     # the swap file: what a kill -9 must not lose
 

@@ -25,18 +25,18 @@ from PySide6.QtWidgets import (
 from app import language, menus, theme
 from app.files import Files
 from app.forms.demand_form import AnalysisForm, DemandForm
+from app.forms.fields import Field
 from app.forms.records_panel import RecordsPanel
 from app.forms.wall_form import WallForm
 from app.language import tr
-from app.pages import Page, Veil
+from app.pages import Page, Veil, card
 from app.plots.history_tabs import HistoriesTab, ValidationTab
-from app.plots.result_tabs import CapacityTab, CheckTab, IntensityTab, SpectraTab, verdict_color
+from app.plots.result_tabs import CapacityTab, CheckTab, IntensityTab, SpectraTab
 from app.session import Session
 from app.worker import Job
 from core.demand import target_of
 from core.errors import InputError
 from core.version import NAME
-from core.words import word
 
 AUTOSAVE_MS = 4000
 
@@ -77,6 +77,8 @@ class MainWindow(QMainWindow):
         self._docks()
         menus.build(self)
         self._status()
+        for field in self.findChildren(Field):
+            field.judged.connect(self.refresh)
         self.refresh()
 
     def _tabs(self) -> None:
@@ -148,6 +150,7 @@ class MainWindow(QMainWindow):
         area = QScrollArea()
         area.setWidgetResizable(True)
         area.setWidget(self.card)
+        self.card_veil = Veil(area)
         below = QDockWidget(tr("Verdict"), objectName="verdict")
         below.setWidget(area)
         self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, below)
@@ -197,12 +200,14 @@ class MainWindow(QMainWindow):
         mark = "*" if self.session.dirty else ""
         name = self.session.path.name if self.session.path else tr("untitled")
         self.setWindowTitle(f"{mark}{name} – {NAME}")
-        self.setWindowModified(self.session.dirty)
         self.undo_action.setEnabled(bool(self.session.past))
         self.redo_action.setEnabled(bool(self.session.future))
         stale = self.session.stale
         self.veil.cover(stale)
+        self.card_veil.cover(stale)
         problem = self.session.problem()
+        if any(field.wrong for field in self.findChildren(Field)):
+            problem = problem or tr("A field holds what is not accepted: see the words below it.")
         can_run = problem is None and self.job is None
         self.run_action.setEnabled(can_run)
         self.run_button.setEnabled(can_run)
@@ -269,8 +274,14 @@ class MainWindow(QMainWindow):
     def run(self) -> None:
         """Run the case off this thread; the window stays alive."""
         case = self.session.checked()
-        if case is None or self.job is not None:
+        if case is None or self.job is not None or not self.run_action.isEnabled():
             return
+        generation = self.session.generation
+
+        def arrived(result) -> None:
+            if generation == self.session.generation:
+                self.result_arrived(result)
+
         base = self.session.base_dir
         from core import study
 
@@ -279,10 +290,12 @@ class MainWindow(QMainWindow):
                 case, base_dir=base, jobs=os.cpu_count() or 1, on_progress=job.progress,
                 cancelled=job.cancelled,
             ),
-            self.result_arrived,
+            arrived,
         )  # fmt: skip
 
     def start(self, work, arrived) -> None:
+        if self.job is not None:
+            return
         self.job = Job(work, self)
         self.job.done.connect(arrived)
         self.job.failed.connect(self.failed)
@@ -328,6 +341,13 @@ class MainWindow(QMainWindow):
         self.fresh.clear()
         self.chosen.clear()
         if result is None:
+            self.cancel()
+            self.card.setText(tr("No result yet: press F5."))
+            for page in self.pages.values():
+                page.empty()
+            self.pages["check"].content  # noqa: B018  (it says what to do)
+            self.show_result()
+            self.refresh()
             return
         mechanisms = {"one_sided": tr("one-sided"), "two_sided": tr("two-sided")}
         for wall in result.walls:
@@ -336,29 +356,14 @@ class MainWindow(QMainWindow):
         self.word.setText(
             tr("{n} analyses in {seconds:.1f} s").format(n=analyses, seconds=result.elapsed)
         )
-        self._show_card(result)
+        self.card.setText(card(result, self.language))
         self.refresh()
         self.show_result()
-
-    def _show_card(self, result) -> None:
-        lines = []
-        for wall in result.walls[:40]:
-            if wall.assessment is None:
-                lines.append(f"<b>{_plain(wall.name)}</b>: q {wall.q_set or 0:.2f}")
-                continue
-            said = wall.assessment.verdict
-            zeta = "–" if said.zeta_e is None else f"{said.zeta_e:.2f}"
-            lines.append(
-                f"<b>{_plain(wall.name)}</b> ({word_of(wall.mechanism)})<br>"
-                f"<span style='color:{verdict_color(wall)}; font-weight:600'>ζ {zeta}, "
-                f"{word(said.code, self.language)}</span><br>{said.text(self.language)}"
-            )
-        self.card.setText("<p>" + "</p><p>".join(lines) + "</p>")
 
     def state_accuracy(self) -> None:
         """The accuracy statement of the wall shown, off this thread."""
         result, k = self.session.result, self.chosen.currentIndex()
-        if self.wall is None or self.job is not None:
+        if self.wall is None or self.job is not None or self.session.stale:
             return
         from core import study
 
@@ -367,7 +372,8 @@ class MainWindow(QMainWindow):
                 walls = list(result.walls)
                 walls[k] = replace(walls[k], accuracy=found)
                 self.session.result = replace(result, walls=tuple(walls))
-                self.pages["validation"].content.show_accuracy(found)
+                if self.chosen.currentIndex() == k:
+                    self.pages["validation"].content.show_accuracy(found)
                 self.word.setText("")
 
         wall = result.walls[k]
@@ -391,11 +397,3 @@ class MainWindow(QMainWindow):
         self.settings.setValue("geometry", self.saveGeometry())
         self.settings.setValue("state", self.saveState())
         event.accept()
-
-
-def word_of(mechanism: str) -> str:
-    return tr("one-sided") if mechanism == "one_sided" else tr("two-sided")
-
-
-def _plain(text: str) -> str:
-    return text.replace("&", "&amp;").replace("<", "&lt;")

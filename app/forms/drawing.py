@@ -61,10 +61,9 @@ class WallDrawing(QWidget):
         ink, quiet = QColor(theme.current.ink), QColor(theme.current.quiet)
         sizes = 34 if self.with_sizes else 8
         reach = thickness + (0.0 if self.with_sizes else 1.1 * height)
-        scale = min(
-            (self.height() - 2 * sizes + 12) / height, (self.width() - 2 * sizes - 16) / reach
-        )
-        base = QPointF(0.5 * self.width(), self.height() - sizes)
+        beside = 78 if self.with_sizes else 0  # room for the height in numbers
+        scale = min((self.height() - 2 * sizes + 12) / height, (self.width() - beside - 16) / reach)
+        base = QPointF(0.5 * (self.width() - beside) + 8, self.height() - sizes)
 
         def place(point: QPointF) -> QPointF:
             return QPointF(base.x() + scale * point.x(), base.y() - scale * point.y())

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import fields
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
@@ -27,6 +27,7 @@ class Field(QWidget):
     """Label, editor, unit and a line for its error. edited(value) : a value the case accepts."""
 
     edited = Signal(object)
+    judged = Signal()
 
     def __init__(self, section: type, key: str, label: str, unit: str = "", tip: str = ""):
         super().__init__()
@@ -62,9 +63,16 @@ class Field(QWidget):
 
     def show_error(self, sentence: str) -> None:
         """Words below the field, none for a good value."""
+        if sentence != self.message.text():
+            QTimer.singleShot(0, self, self.judged.emit)
         self.message.setText(sentence)
         self.message.setVisible(bool(sentence))
         self.editor.setStyleSheet(f"border: 1px solid {theme.current.bad};" if sentence else "")
+
+    @property
+    def wrong(self) -> bool:
+        """Whether what stands in the field is not in the case."""
+        return bool(self.message.text()) and not self.isHidden()
 
     def accepted(self, sentence: str) -> str:
         """What the field accepts, from the sentence of the case."""
@@ -107,6 +115,9 @@ class NumberField(Field):
         if not text.strip() and self.optional:
             self.show_error("")
             self.edited.emit(None)
+            return
+        if not text.strip():
+            self.show_error(tr("a number is needed here"))
             return
         try:
             number = parse_number(text)

@@ -162,6 +162,7 @@ class RecordsPanel(QWidget):
         self.motions: list = []
         self.rows: list[tuple[int | None, object]] = []
         self.key: object = None
+        self.pending = False
         self.jobs: set[Job] = set()
         self.table = Table(tr("Records"), [
             tr("Use"), tr("Record"), "PGA [g]", "PGV [cm/s]", "SI [cm]", tr("D5-95 [s]"), "Δt [s]",
@@ -201,6 +202,7 @@ class RecordsPanel(QWidget):
         if key == self.key:
             return
         self.key = key
+        self.pending = True  # the rows are of the records before
         base = self.session.base_dir
 
         def work(job):
@@ -237,7 +239,7 @@ class RecordsPanel(QWidget):
         key, found = answer
         if key != self.key:
             return
-        self.rows = found
+        self.rows, self.pending = found, False
         case = self.session.case
         self.motions = [
             motion for k, motion in found
@@ -280,11 +282,14 @@ class RecordsPanel(QWidget):
     # changes
 
     def _selected(self) -> set[int]:
+        if self.pending:
+            return set()
         rows = {index.row() for index in self.table.selectedIndexes()}
         return {self.rows[row][0] for row in rows if self.rows[row][0] is not None}
 
     def _ticked(self, item) -> None:
-        entry = self.rows[item.row()][0] if item.row() < len(self.rows) else None
+        known = not self.pending and item.row() < len(self.rows)
+        entry = self.rows[item.row()][0] if known else None
         if item.column() == 0 and entry is not None:
             self.session.edit_record(entry, include=item.checkState() == Qt.CheckState.Checked)
 
@@ -300,7 +305,7 @@ class RecordsPanel(QWidget):
 
     def remove(self) -> None:
         rows = {index.row() for index in self.table.selectedIndexes()}
-        if any(self.rows[row][0] is None for row in rows):
+        if not self.pending and any(self.rows[row][0] is None for row in rows):
             self.session.edit(replace(self.session.case, generate=None))
         if self._selected():
             self.session.remove_records(self._selected())

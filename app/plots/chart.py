@@ -91,11 +91,11 @@ class Chart(QWidget):
         self.data.append((name, x, y))
         return item
 
-    def points(self, name: str, x, y, color=0, size=8, legend=True) -> pg.PlotDataItem:
+    def points(self, name: str, x, y, color=0, size=8, legend=True, symbol="o") -> pg.PlotDataItem:
         """Marks without a line."""
         x, y = numbers(x), numbers(y)
         item = pg.PlotDataItem(
-            x, y, pen=None, symbol="o", symbolSize=size, name=name if legend else None
+            x, y, pen=None, symbol=symbol, symbolSize=size, name=name if legend else None
         )
         self.plot.addItem(item)
         self._keep(item, color, 1.0, False, True)

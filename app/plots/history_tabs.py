@@ -242,7 +242,10 @@ class ValidationTab(QWidget):
         for k, point in enumerate(found.points):
             if point.error is not None:
                 name = f"{point.name}: {point.error:.0e}"
-                self.chart.points(name, [1e3 * point.seconds], [max(point.error, 1e-16)], k, 11)
+                mark = "ost"[k // 7]  # colours come again after seven
+                self.chart.points(
+                    name, [1e3 * point.seconds], [max(point.error, 1e-16)], k, 11, symbol=mark
+                )
         self.chart.reset()
 
         def share(value: float | None) -> str:

@@ -34,10 +34,10 @@ VERDICT_COLORS = {"verified": "good", "not_activated": "good", "verified_refined
                   "not_verified": "bad"}  # fmt: skip
 
 
-def verdict_color(wall: WallResult) -> str:
-    """Green only beside no warning."""
+def verdict_color(result: StudyResult, wall: WallResult) -> str:
+    """Green only where nothing is left to read."""
     name = VERDICT_COLORS[wall.assessment.verdict.code]
-    name = "amber" if name == "good" and wall.warnings else name
+    name = "amber" if name == "good" and result.left_to_read(wall) else name
     return getattr(theme.current, name)
 
 
@@ -58,7 +58,7 @@ class CheckTab(QWidget):
         self.reasons.setWordWrap(True)
         self.reasons.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.table = Table(tr("Checks"), [
-            tr("Method"), tr("Clause"), "q", tr("Capacity"), tr("Demand"), tr("Unit"), "ζ", tr("Outcome")])  # fmt: skip
+            tr("Method"), "ζ", tr("Outcome"), tr("Clause"), "q", tr("Capacity"), tr("Demand"), tr("Unit")])  # fmt: skip
         self.peaks = Chart(tr("record"), "θmax/α [-]", tr("Peaks at the demand"))
         split = QSplitter(Qt.Orientation.Vertical)
         split.addWidget(self.table)
@@ -84,7 +84,7 @@ class CheckTab(QWidget):
         said = found.verdict
         self.sentence.setText(said.text(self.language))
         self.sentence.setStyleSheet(
-            f"font-size: 12pt; font-weight: 600; color: {verdict_color(wall)};"
+            f"font-size: 12pt; font-weight: 600; color: {verdict_color(result, wall)};"
         )
         reasons = [reason[1 if self.language == "it" else 0] for reason in said.reasons]
         if said.lower_bound is not None:
@@ -100,16 +100,16 @@ class CheckTab(QWidget):
             outcome = (
                 "no_number" if check.passed is None else "passed" if check.passed else "not_passed"
             )
-            rows.append([word(check.name, self.language), check.clause, digits(check.q),
-                         digits(check.capacity, 3), digits(check.demand, 3), check.unit, digits(check.zeta),
-                         word(outcome, self.language)])  # fmt: skip
-            colors.append([None] * 6 + [color, color])
+            rows.append([word(check.name, self.language), digits(check.zeta), word(outcome, self.language),
+                         check.clause, digits(check.q), digits(check.capacity, 3), digits(check.demand, 3),
+                         check.unit])  # fmt: skip
+            colors.append([None, color, color] + [None] * 5)
         for source, check in zip(Q_SOURCES, wall.code_check, strict=False):
             if check:
                 outcome = word("passed" if check.passed else "not_passed", self.language)
-                rows.append([word(source, self.language), LABEL, digits(check.q),
-                             digits(check.capacity / G, 3), digits(check.demand / G, 3), "g",
-                             digits(check.ratio), f"{outcome} ({word('comparison', self.language)})"])  # fmt: skip
+                rows.append([word(source, self.language), digits(check.ratio),
+                             f"{outcome} ({word('comparison', self.language)})", LABEL, digits(check.q),
+                             digits(check.capacity / G, 3), digits(check.demand / G, 3), "g"])  # fmt: skip
                 colors.append([theme.current.quiet] * 8)
         self.table.show_rows(rows, colors)
         if found.dynamic:

@@ -7,7 +7,6 @@ from dataclasses import asdict
 from core.accuracy import ROUNDING, Accuracy
 from core.code_check import LABEL
 from core.compliance import Compliance
-from core.demand import DemandResult
 from core.demand_check import DemandCheck
 from core.ground_motion import GroundMotion
 from core.results import Q_SOURCES, Assessment, Run, StudyResult, WallResult
@@ -22,8 +21,7 @@ def results(result: StudyResult) -> dict:
         "started_utc": result.started_utc,
         "case": result.case.as_dict(),
         "case_sha256": result.case.sha256,
-        "demand": _demand(result.demand) if result.demand else None,
-        "compliance": _compliance(result.compliance) if result.compliance else None,
+        "demand": _demand(result) if result.demand else None,
         "records": [
             _record(motion, kind) for motion, kind in zip(result.motions, result.kinds, strict=True)
         ],
@@ -36,7 +34,8 @@ def dumps(result: StudyResult) -> str:
     return json.dumps(results(result), indent=1, allow_nan=False, ensure_ascii=False) + "\n"
 
 
-def _demand(demand: DemandResult) -> dict:
+def _demand(result: StudyResult) -> dict:
+    demand = result.demand
     return {
         "limit_state": demand.limit_state,
         "ag_g": demand.ag / G,
@@ -48,6 +47,7 @@ def _demand(demand: DemandResult) -> dict:
         "confidence_factor": demand.confidence_factor,
         "zeta_target": demand.zeta_target,
         "demand_scaling": demand.asked.demand_scaling,
+        "compliance": _compliance(result.compliance) if result.compliance else None,
         "warnings": [warning.text() for warning in demand.warnings],
     }
 

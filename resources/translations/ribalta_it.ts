@@ -164,6 +164,10 @@
         <translation>senza nome</translation>
     </message>
     <message>
+        <source>A field holds what is not accepted: see the words below it.</source>
+        <translation>Un campo contiene un valore non accettato: vedere le parole sotto di esso.</translation>
+    </message>
+    <message>
         <source>The input has changed: press F5.</source>
         <translation>I dati sono cambiati: premere F5.</translation>
     </message>
@@ -448,6 +452,10 @@ Ribaltamento fuori piano di pareti in muratura (Coccia, Di Carlo, Imperatore 201
     <message>
         <source>from {low} to {high} {unit}</source>
         <translation>da {low} a {high} {unit}</translation>
+    </message>
+    <message>
+        <source>a number is needed here</source>
+        <translation>qui serve un numero</translation>
     </message>
     <message>
         <source>{text}: not a number</source>

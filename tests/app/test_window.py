@@ -196,6 +196,9 @@ def test_that_dropped_files_become_records(opened, application):
     opened.records.table.selectRow(1)
     opened.records.reverse()
     assert opened.session.case.record[1].scale == -1.0
+    opened.records.remove()  # the rows are of before: nothing is removed by mistake
+    assert len(opened.session.case.record) == 3
+    settle(application, lambda: not opened.records.pending)
     opened.records.table.item(2, 0).setCheckState(Qt.CheckState.Unchecked)
     assert opened.session.case.record[2].include is False
 
@@ -299,6 +302,51 @@ def test_that_every_editor_has_a_name_for_a_screen_reader(opened):
         and not isinstance(widget.parent(), QComboBox)
     ]  # fmt: skip
     assert [type(widget.parent()).__name__ for widget in nameless] == []
+
+
+def test_that_a_field_that_holds_nothing_accepted_stops_a_run(opened, application):
+    for text in ("", "45x", "9999999"):
+        type_into(opened.walls.thickness, "60")
+        field = opened.walls.thickness.editor
+        field.selectAll()
+        QTest.keyClick(field, Qt.Key.Key_Delete)
+        QTest.keyClicks(field, text)
+        application.processEvents()
+        assert not opened.run_button.isEnabled(), text
+        opened.run()
+        assert opened.job is None
+    type_into(opened.walls.thickness, "60")
+    application.processEvents()
+    assert opened.run_button.isEnabled()
+
+
+def test_that_a_result_of_another_case_never_arrives(opened, application):
+    opened.run()
+    path = opened.session.path
+    opened.files.open(path)  # the same words, but the run was of the case before
+    settle(application, lambda: opened.job is None)
+    assert opened.session.result is None
+    assert opened.chosen.count() == 0 and "F5" in opened.card.text()
+
+
+def test_that_only_one_job_runs_at_a_time(opened, application):
+    opened.run()
+    first = opened.job
+    opened.run()
+    opened.state_accuracy()
+    assert opened.job is first and opened.files.export_refused()
+    settle(application, lambda: opened.job is None)
+
+
+def test_that_an_export_never_takes_the_place_of_a_record(opened, application, monkeypatch):
+
+    said = []
+    run(application, opened)
+    monkeypatch.setattr(QMessageBox, "warning", lambda *a: said.append(a[-1]))
+    record = opened.session.base_dir / "small.json"
+    opened.session.edit_record(0, file=str(record))
+    opened.files.export(opened.session.base_dir / "small.xlsx")
+    assert said and "overwrite" in said[-1] and opened.job is None
 
 
 def test_that_a_failing_worker_is_a_dialog_with_a_log(opened, application, monkeypatch):
