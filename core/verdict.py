@@ -154,6 +154,10 @@ class Verdict:
         return self.text_it if language == "it" else self.text_en
 
 
+def _started(words: str) -> str:
+    return words[0].upper() + words[1:]
+
+
 def _reason(name: str, **values) -> tuple[str, str]:
     english, italian = REASONS[name]
     return english.format(**values), italian.format(**values)
@@ -228,7 +232,7 @@ def verdict(
     notes = [
         tuple(
             REASONS["disagrees"][k].format(
-                method=METHOD_WORDS[other.name][k].capitalize(), zeta=other.zeta,
+                method=_started(METHOD_WORDS[other.name][k]), zeta=other.zeta,
                 outcome=(("passed", "soddisfatta") if other.passed else ("not passed", "non soddisfatta"))[k],
             )
             for k in (0, 1)

@@ -102,7 +102,9 @@ class WallDrawing(QWidget):
         left = place(QPointF(-0.5 * thickness, 0.0))
         words = f"t {100 * thickness:.1f} cm" + (f", u {100 * setback:.1f} cm" if setback else "")
         width = painter.fontMetrics().horizontalAdvance(words)
-        painter.drawText(QPointF(0.5 * (left.x() + low.x()) - 0.5 * width, left.y() + 16), words)
+        painter.drawText(
+            QPointF(max(2.0, 0.5 * (left.x() + low.x()) - 0.5 * width), left.y() + 16), words
+        )
 
 
 def mechanism_icon(name: str, size: int = 52) -> QIcon:
