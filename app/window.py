@@ -66,7 +66,7 @@ class MainWindow(QMainWindow):
 
     def build(self) -> None:
         """Everything that speaks or has a colour; again after a change of language or theme."""
-        pg.setConfigOptions(antialias=True)
+        pg.setConfigOptions(antialias=True, exitCleanup=False)
         self.language = self.settings.value("language") or language.system_language()
         for dock in self.findChildren(QDockWidget):
             self.removeDockWidget(dock)

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import QBuffer, QIODevice, QMimeData, QSize, Qt
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QGuiApplication, QImage, QPainter
 from PySide6.QtSvg import QSvgGenerator
 from PySide6.QtWidgets import (
@@ -240,15 +240,8 @@ class Chart(QWidget):
             self.image().save(str(path))
 
     def copy(self) -> None:
-        """The picture to the clipboard, with its data as text for a spreadsheet."""
-        image = self.image()
-        content = QMimeData()
-        content.setImageData(image)
-        buffer = QBuffer()
-        buffer.open(QIODevice.OpenModeFlag.WriteOnly)
-        image.save(buffer, "PNG")
-        content.setData("image/png", buffer.data())
-        QGuiApplication.clipboard().setMimeData(content)
+        """The picture to the clipboard. Not by a QMimeData of ours: it crashes Qt when the program ends."""
+        QGuiApplication.clipboard().setImage(self.image())
 
     def _save(self, end: str) -> None:
         name, _ = QFileDialog.getSaveFileName(

@@ -11,7 +11,7 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
 
-from PySide6.QtCore import QLocale, QSettings, Qt
+from PySide6.QtCore import QEvent, QLocale, QSettings, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
@@ -24,7 +24,17 @@ APP = sorted((ROOT / "app").rglob("*.py"))
 
 @pytest.fixture(scope="module")
 def application():
-    return QApplication.instance() or QApplication([])
+    made = QApplication.instance() or QApplication([])
+    yield made
+    # widgets must go before the application does, or Qt crashes when Python ends
+    import gc
+
+    for widget in made.topLevelWidgets():
+        widget.close()
+        widget.deleteLater()
+    made.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    gc.collect()
+    made.processEvents()
 
 
 def settle(application, ready, seconds=120.0) -> None:
@@ -385,3 +395,20 @@ def test_that_many_redraws_and_random_events_do_no_harm(opened, application):
             opened.session.undo()
         application.processEvents()
     assert isinstance(opened.centralWidget(), QWidget)
+
+
+def test_that_a_copied_picture_lets_the_program_end(tmp_path):
+    """A QMimeData of Python's in the clipboard crashed Qt at exit: the end of the process is the test."""
+    import subprocess
+    import sys
+
+    script = (
+        "from PySide6.QtWidgets import QApplication; a = QApplication([]);"
+        "from app.plots.chart import Chart; c = Chart('x', 'y', 'n'); c.curve('k', [0, 1], [0, 1]); c.copy()"
+    )
+    found = subprocess.run(
+        [sys.executable, "-P", "-c", script],
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+        timeout=60,
+    )
+    assert found.returncode == 0
