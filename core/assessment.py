@@ -13,7 +13,7 @@ from core.results import Assessment, WallResult
 from core.rocking import Method, rocking_model
 from core.verdict import Circumstances, verdict
 
-EXACT_METHODS = ("taylor", "dormand_prince")
+EXACT_METHODS = ("auto", "taylor", "taylor_6", "dormand_prince")
 """Methods whose result a verdict may rest on; the others are for comparison."""
 
 BUNDLED = "# Ribalta example motion"

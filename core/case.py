@@ -7,7 +7,7 @@ from core.block import Block
 from core.errors import InputError
 from core.moment_rotation import LAWS, MomentLaw
 from core.restitution import MODELS, Restitution, restitution
-from core.rocking import METHODS
+from core.rocking import AUTO, METHODS
 from core.target_spectrum import NTC_TOPOGRAPHY, SOILS
 
 LEAST_ELASTIC = 0.001
@@ -199,7 +199,7 @@ class Generate:
 class Analysis:
     """[analysis]: method and search."""
 
-    method: str = _choice("auto", *METHODS, default="auto")
+    method: str = _choice(AUTO.name, *METHODS, default=AUTO.name)
     q_step: float = _number(1e-4, 0.1, 0.005)
     q_limit: float = _number(1.5, 1000.0, 100.0)
     map_span: float = _number(1.0, 10.0, 2.0)

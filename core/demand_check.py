@@ -15,12 +15,11 @@ from core.compliance import station_of
 from core.demand import DemandResult
 from core.errors import Cancelled
 from core.ground_motion import GroundMotion
-from core.ida import BRACKET, TRILINEAR_FLOOR, threshold_of
+from core.ida import BRACKET, CHUNK, TRILINEAR_FLOOR, bisection, threshold_of
 from core.kinematic import LIMIT_FRACTION, Check
 from core.rocking import COLLAPSED, IMPACT_LIMIT, Method, RockingModel, scan
 
 MEAN_FROM = 7
-CHUNK = 16
 MOST = 100.0
 """Multiplier of the demand up to which zeta is searched."""
 
@@ -130,21 +129,15 @@ class _Set:
                 k = int(np.argmax(fails))
                 if (outcomes[:, k] == IMPACT_LIMIT).any():
                     return None
-                return self._bisect(grid[k - 1] if k else low, grid[k])
+                bracket = bisection(grid[k - 1] if k else low, grid[k], self.failures)
+                return bracket[0] if bracket else None
             low = float(grid[-1])
         return MOST
 
-    def _bisect(self, low: float, high: float) -> float | None:
-        while high / low - 1.0 > BRACKET:
-            middle = 0.5 * (low + high)
-            outcomes, peaks = self.analyse(np.array([middle]))
-            if (outcomes == IMPACT_LIMIT).any():
-                return None
-            if self.holds(outcomes, peaks)[0]:
-                low = middle
-            else:
-                high = middle
-        return float(low)
+    def failures(self, multipliers: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Where the rule fails, and where a run has no number."""
+        outcomes, peaks = self.analyse(multipliers)
+        return ~self.holds(outcomes, peaks), (outcomes == IMPACT_LIMIT).any(axis=0)
 
 
 def demand_check(

@@ -12,6 +12,7 @@ import numpy as np
 
 from core.errors import Cancelled
 from core.rocking import COLLAPSED, IMPACT_LIMIT, STABLE, Method, RockingModel, scan
+from core.rocking.lanes import WIDTH
 from core.units import G
 
 BRACKET = 1e-4
@@ -26,7 +27,10 @@ ROBUST_SHARE = 0.16
 
 TRILINEAR_START = 0.5
 TRILINEAR_FLOOR = 0.05
-CHUNK = 16
+CHUNK = WIDTH
+
+HALVINGS = 3
+"""Bisections made at once: all midpoints they may ask for run in lockstep."""
 
 
 @dataclass(frozen=True)
@@ -131,6 +135,11 @@ class _Map:
             self.peaks = np.concatenate([peaks, self.peaks])
             self.first = start
 
+    def cut(self, last: int) -> None:
+        """Forget what was analysed beyond this grid point, so that no map depends on the chunks."""
+        self.outcomes = self.outcomes[: last - self.first + 1]
+        self.peaks = self.peaks[: last - self.first + 1]
+
     def first_reaching(self, fraction: float) -> int | None:
         """First grid index that collapses or whose peak reaches this fraction of alpha."""
         hits = self.reaches(self.outcomes, self.peaks, fraction)
@@ -145,17 +154,39 @@ class _Map:
         of unknown outcome; from 0 where the map cannot go lower."""
         if index == self.first:
             return 0.0, self.q_of(index)
-        low, high = self.q_of(index - 1), self.q_of(index)
-        while high / low - 1.0 > BRACKET:
-            middle = 0.5 * (low + high)
-            outcomes, peaks = self.analyse([middle])
-            if outcomes[0] == IMPACT_LIMIT:
+
+        def failures(middles):
+            outcomes, peaks = self.analyse(middles)
+            return self.reaches(outcomes, peaks, fraction), outcomes == IMPACT_LIMIT
+
+        return bisection(self.q_of(index - 1), self.q_of(index), failures)
+
+
+def bisection(low: float, high: float, failures) -> tuple[float, float] | None:
+    """Bracket of a failure between low, which holds, and high, which fails, not wider than BRACKET: the
+    one of arithmetic midpoints, one after the other.
+
+    failures(points) : (fails, unknown), flags of each point, shape of points. None where a midpoint the
+    bisection needs is unknown.
+    """
+    while high / low - 1.0 > BRACKET:
+        edges = np.array([low, high])
+        for _ in range(HALVINGS):
+            halved = np.empty(2 * edges.size - 1)
+            halved[::2], halved[1::2] = edges, 0.5 * (edges[:-1] + edges[1:])
+            edges = halved
+        fails, unknown = failures(edges[1:-1])
+        first, last = 0, edges.size - 1
+        while last - first > 1 and edges[last] / edges[first] - 1.0 > BRACKET:
+            middle = (first + last) // 2
+            if unknown[middle - 1]:
                 return None
-            if self.reaches(outcomes, peaks, fraction)[0]:
-                high = middle
+            if fails[middle - 1]:
+                last = middle
             else:
-                low = middle
-        return low, high
+                first = middle
+        low, high = float(edges[first]), float(edges[last])
+    return float(low), float(high)
 
 
 def threshold_of(model: RockingModel) -> float:
@@ -197,11 +228,11 @@ def incremental_dynamic_analysis(
     bracket = grid.bisect(collapse, math.inf)
     if bracket is None:
         return _result(grid, "impact_limit", None, None)
-    grid.grow(
-        grid.first, min(limit, max(grid.last, grid.index_below(search.map_span * bracket[1])))
-    )
+    end = min(limit, max(collapse, grid.index_below(search.map_span * bracket[1])))
+    grid.grow(grid.first, end)
     while (robust := _robust_index(grid, half)) is None and grid.last < limit:
         grid.grow(grid.first, min(limit, grid.last + max(half, 1)))
+    grid.cut(grid.last if robust is None else max(end, robust + half))
     return _result(grid, "collapse_found", bracket, robust)
 
 

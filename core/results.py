@@ -16,7 +16,7 @@ from core.kinematic import Check, Kinematic
 from core.moment_rotation import MomentLaw
 from core.notices import Notice
 from core.restitution import Restitution
-from core.rocking import History, Method, RockingModel
+from core.rocking import AUTO, History, Method, RockingModel, concrete
 from core.verdict import Verdict
 
 
@@ -112,6 +112,19 @@ class StudyResult:
     walls: tuple[WallResult, ...]
     compliance: Compliance | None = None
     elapsed: float = field(compare=False, default=0.0)
+
+    def method_of(self, wall: WallResult, record: str) -> Method:
+        """The method the runs of this wall and record took."""
+        dt = next(motion.time_step for motion in self.motions if motion.name == record)
+        return concrete(self.method, wall.model, dt)
+
+    @property
+    def method_words(self) -> str:
+        """Name of the method asked for; of auto with those it took."""
+        used = {self.method_of(wall, run.record).name for wall in self.walls for run in wall.runs}
+        if self.method.name != AUTO.name or not used:
+            return self.method.name
+        return f"{self.method.name} ({', '.join(sorted(used))})"
 
     def left_to_read(self, wall: WallResult) -> bool:
         """Whether a warning or a reason stands beside the verdict of a wall."""

@@ -23,7 +23,7 @@ from core.kernel_cache import FOLDER, STAMP, record
 from core.moment_rotation import moment
 from core.records.grammar import Options
 from core.results import CollapseHistories, Run, StudyResult, WallResult
-from core.rocking import METHODS, RockingModel, history, rocking_model, scan
+from core.rocking import AUTO, METHODS, RockingModel, history, rocking_model, scan
 from core.threads import Threads
 from core.version import VERSION
 from core.wall_result import run_result, wall_result
@@ -83,7 +83,7 @@ def run(
     motions, kinds = read_records(case, base_dir)
     made = generated(case, demand) if demand else []
     motions, kinds = motions + made, kinds + ["artificial"] * len(made)
-    method = METHODS["taylor" if case.analysis.method == "auto" else case.analysis.method]
+    method = METHODS.get(case.analysis.method, AUTO)
     chosen = case.analysis
     search = Search(chosen.q_step, chosen.q_limit, chosen.map_span, chosen.robust_window)
     walls = [(wall, mechanism) for wall in case.wall for mechanism in wall.mechanisms()]
@@ -173,7 +173,7 @@ def warm(case: Case, motion: GroundMotion) -> None:
     for some in (16, 1):
         outcomes, peaks = np.zeros(some, np.int64), np.zeros(some)
         scan(
-            METHODS["taylor"],
+            AUTO,
             motion.acceleration,
             motion.time_step,
             scales[:some],

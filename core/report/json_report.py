@@ -169,8 +169,9 @@ def _record(motion: GroundMotion, kind: str) -> dict:
     }
 
 
-def _run(run: Run, result: StudyResult) -> dict:
+def _run(run: Run, wall: WallResult, result: StudyResult) -> dict:
     ida = run.ida
+    method = result.method_of(wall, run.record)
     return {
         "record": run.record,
         "polarity": run.polarity,
@@ -189,7 +190,7 @@ def _run(run: Run, result: StudyResult) -> dict:
         "analyses": ida.analyses,
         "impact_limited": ida.impact_limited,
         "clamped": ida.clamped,
-        "method": {"name": result.method.name, "order": result.method.order},
+        "method": {"name": method.name, "order": method.order},
     }
 
 
@@ -208,7 +209,7 @@ def _wall(wall: WallResult, result: StudyResult) -> dict:
         "restitution": wall.restitution.model,
         "velocity_ratio": wall.restitution.ratio_at_rest,
         "law": wall.wall.law,
-        "runs": [_run(run, result) for run in wall.runs],
+        "runs": [_run(run, wall, result) for run in wall.runs],
         "per_record": [
             {
                 "record": entry.record,

@@ -160,10 +160,8 @@ def results(book: Book, result: StudyResult) -> None:
     sheet = book.sheet("Results", "Risultati", widths, landscape=True)
     step = 100 * result.search.q_step
     title(sheet, 1, say(
-        f"Incremental dynamic analysis: grid step {step:g} %, method {result.method.name} "
-        f"(order {result.method.order})",
-        f"Analisi dinamica incrementale: passo {step:g} %, metodo {result.method.name} "
-        f"(ordine {result.method.order})"))  # fmt: skip
+        f"Incremental dynamic analysis: grid step {step:g} %, method {result.method_words}",
+        f"Analisi dinamica incrementale: passo {step:g} %, metodo {result.method_words}"))  # fmt: skip
     header(sheet, 3, [
         say("Wall", "Parete"), say("Mechanism", "Meccanismo"), say("Record", "Accelerogramma"),
         say("Sign", "Segno"), say("Status", "Esito"), "q", say("bracket low", "da"),
@@ -216,7 +214,7 @@ def method(book: Book, result: StudyResult) -> None:
         (say("Program", "Programma"), f"{NAME} {VERSION} {commit()[:12]}"),
         ("Python", f"{platform.python_version()}, {platform.system()} {platform.machine()}"),
         (say("Case SHA-256", "SHA-256 del caso"), result.case.sha256),
-        (say("Method", "Metodo"), f"{result.method.name}, {say('order', 'ordine')} {result.method.order}"),
+        (say("Method", "Metodo"), result.method_words),
         (say("Search", "Ricerca"), f"q_step {settings.q_step:g}, q_limit {settings.q_limit:g}, map_span "
          f"{settings.map_span:g}, robust_window {settings.robust_window:g}"),
         (say("Sign of the records", "Segno dei record"), {

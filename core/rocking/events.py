@@ -20,7 +20,7 @@ REST_FRACTION = 1e-6
 IMPACTS_PER_SAMPLE = 10_000
 """More impacts than this within one sample end the analysis as impact_limit."""
 
-LOOK_EVERY = 16
+LOOK_EVERY = 64
 """Samples between two looks at whether an analysis is settled."""
 
 LAST_ROTATION = 0.5 * math.pi

@@ -1,50 +1,60 @@
-"""The polynomial of a Taylor step, c0 + c1 t + ... + c9 t^9 [rad], and where it crosses and turns."""
+"""The polynomial of a Taylor step, phi' = v0 + v1 t + ... + v8 t^8, t in units of the step, and where it
+crosses and turns. Angles in rad, rates in rad per step. Summed in pairs, so that one sum does not wait
+for the other."""
 
 import math
 
 from core.kernel_cache import inner_kernel, kernel
 
-
-@inner_kernel
-def increment(c, t):
-    """phi(t) - phi(0) of the step's polynomial [rad]."""
-    tail = c[5] + t * (c[6] + t * (c[7] + t * (c[8] + t * c[9])))
-    return t * (c[1] + t * (c[2] + t * (c[3] + t * (c[4] + t * tail))))
+ROTATION, RATE, CURVATURE = 0.0, 1.0, 2.0
+"""What `bracketed_root` looks for; floats, since numba compiles anew for every constant integer."""
 
 
 @inner_kernel
-def rate(c, t):
-    """phi'(t) of the step's polynomial [rad/s]."""
-    tail = 5.0 * c[5] + t * (6.0 * c[6] + t * (7.0 * c[7] + t * (8.0 * c[8] + t * 9.0 * c[9])))
-    return c[1] + t * (2.0 * c[2] + t * (3.0 * c[3] + t * (4.0 * c[4] + t * tail)))
+def increment(v, t):
+    """phi(t) - phi(0) [rad]."""
+    square = t * t
+    first = (0.5 * v[1] + t * ((1.0 / 3.0) * v[2])) + square * (0.25 * v[3] + t * (0.2 * v[4]))
+    last = (1.0 / 6.0) * v[5] + t * ((1.0 / 7.0) * v[6])
+    last = last + square * (0.125 * v[7] + t * ((1.0 / 9.0) * v[8]))
+    return t * v[0] + square * (first + square * square * last)
+
+
+@inner_kernel
+def change(v, t):
+    """phi'(t) - phi'(0) [rad per step]."""
+    square = t * t
+    first = (v[1] + t * v[2]) + square * (v[3] + t * v[4])
+    last = (v[5] + t * v[6]) + square * (v[7] + t * v[8])
+    return t * (first + square * square * last)
 
 
 @kernel
-def curvature(c, t):
-    """phi''(t) of the step's polynomial [rad/s2]."""
-    tail = 20.0 * c[5] + t * (30.0 * c[6] + t * (42.0 * c[7] + t * (56.0 * c[8] + t * 72.0 * c[9])))
-    return 2.0 * c[2] + t * (6.0 * c[3] + t * (12.0 * c[4] + t * tail))
+def curvature(v, t):
+    """phi''(t) [rad per step squared]."""
+    tail = 5.0 * v[5] + t * (6.0 * v[6] + t * (7.0 * v[7] + t * 8.0 * v[8]))
+    return v[1] + t * (2.0 * v[2] + t * (3.0 * v[3] + t * (4.0 * v[4] + t * tail)))
 
 
 @kernel
-def derivative(c, t, level, which):
-    """phi(t) - level, phi'(t) or phi''(t) for which = 0, 1, 2, and its slope."""
-    if which == 0:
-        return (c[0] - level) + increment(c, t), rate(c, t)
-    if which == 1:
-        return rate(c, t), curvature(c, t)
-    tail = 60.0 * c[5] + t * (120.0 * c[6] + t * (210.0 * c[7] + t * (336.0 * c[8])))
-    return curvature(c, t), 6.0 * c[3] + t * (24.0 * c[4] + t * tail)
+def value_and_slope(v, gap, which, t):
+    """gap + phi(t) - phi(0), phi'(t) or phi''(t), by `which`, and its slope."""
+    if which == ROTATION:
+        return gap + increment(v, t), v[0] + change(v, t)
+    if which == RATE:
+        return v[0] + change(v, t), curvature(v, t)
+    tail = 20.0 * v[5] + t * (30.0 * v[6] + t * (42.0 * v[7] + t * (56.0 * v[8])))
+    return curvature(v, t), 2.0 * v[2] + t * (6.0 * v[3] + t * (12.0 * v[4] + t * tail))
 
 
 @kernel
-def bracketed_root(c, level, which, low, high):
-    """Root of `derivative` between low and high, where its sign changes: Newton inside a bracket."""
-    at_low, _ = derivative(c, low, level, which)
+def bracketed_root(v, gap, which, low, high):
+    """Root of `value_and_slope` between low and high, where its sign changes: Newton in a bracket."""
+    at_low, _ = value_and_slope(v, gap, which, low)
     rising = at_low < 0.0
     time = 0.5 * (low + high)
     for _ in range(100):
-        value, gradient = derivative(c, time, level, which)
+        value, gradient = value_and_slope(v, gap, which, time)
         if value == 0.0:
             return time
         if (value < 0.0) == rising:
@@ -62,80 +72,81 @@ def bracketed_root(c, level, which, low, high):
 
 
 @kernel
-def turns_at_most_once(c, h):
+def turns_at_most_once(v, h):
     """Whether phi'' changes sign at most once in [0, h], by bounds on the polynomial's tail."""
-    a2 = abs(c[2]) * 2.0
-    a3 = abs(c[3]) * 6.0
-    t3 = h * (24.0 * abs(c[4]) + h * (60.0 * abs(c[5]) + h * (120.0 * abs(c[6]))))
-    t3 += h * h * h * h * (210.0 * abs(c[7]) + h * (336.0 * abs(c[8]) + h * 504.0 * abs(c[9])))
+    a2 = abs(v[1])
+    a3 = abs(v[2]) * 2.0
+    t3 = h * (6.0 * abs(v[3]) + h * (12.0 * abs(v[4]) + h * (20.0 * abs(v[5]))))
+    t3 += h * h * h * h * (30.0 * abs(v[6]) + h * (42.0 * abs(v[7]) + h * 56.0 * abs(v[8])))
     return t3 <= a3 or h * (a3 + t3) <= a2
 
 
 @kernel
-def first_crossing(c, level, sign, h):
-    """First time in (0, h] at which sign * (phi - level) falls to zero, from above or from a start
-    on the level; -1.0 if never. Splits [0, h] where phi' is monotone, then where phi is, so that a
+def first_crossing(v, gap, sign, h):
+    """First time in (0, h] at which sign * (gap + phi(t) - phi(0)) falls to zero, from above or from a
+    start at zero; -1.0 if never. Splits [0, h] where phi' is monotone, then where phi is, so that a
     double crossing inside the step is found. Valid where `turns_at_most_once` holds."""
-    bends_at_start = sign * curvature(c, 0.0)
-    bends_at_end = sign * curvature(c, h)
+    bends_at_start = sign * curvature(v, 0.0)
+    bends_at_end = sign * curvature(v, h)
     if bends_at_start < 0.0 and bends_at_end < 0.0:
         # concave: one crossing at most, and Newton from its far side comes down to it
         time = h
-        value = sign * ((c[0] - level) + increment(c, time))
+        value = sign * (gap + increment(v, time))
         if value > 0.0:
             return -1.0
         # the parabola's root is close; where it falls short, one Newton step leads past the crossing
-        v, a = sign * c[1], sign * c[2]
-        guess = -(v + math.sqrt(max(v * v - 4.0 * a * sign * (c[0] - level), 0.0))) / (2.0 * a)
+        speed, bend = sign * v[0], sign * v[1]
+        square = max(speed * speed - 2.0 * bend * sign * gap, 0.0)
+        guess = -(speed + math.sqrt(square)) / bend
         if 0.0 < guess < h:
-            at_guess = sign * ((c[0] - level) + increment(c, guess))
-            gradient = sign * rate(c, guess)
+            at_guess = sign * (gap + increment(v, guess))
+            gradient = sign * (v[0] + change(v, guess))
             if at_guess > 0.0 and gradient < 0.0:
                 guess -= at_guess / gradient
-                at_guess = sign * ((c[0] - level) + increment(c, guess))
+                at_guess = sign * (gap + increment(v, guess))
             if at_guess <= 0.0 and guess < h:
                 time = guess
                 value = at_guess
         for _ in range(60):
-            gradient = sign * rate(c, time)
+            gradient = sign * (v[0] + change(v, time))
             following = time - value / gradient if gradient < 0.0 else 0.0
             if not 0.0 < following < time:
                 break
             time = following
-            value = sign * ((c[0] - level) + increment(c, time))
+            value = sign * (gap + increment(v, time))
         return time
     bend = h
     if (bends_at_start < 0.0) != (bends_at_end < 0.0):
-        bend = bracketed_root(c, 0.0, 2, 0.0, h)
+        bend = bracketed_root(v, 0.0, CURVATURE, 0.0, h)
     start = 0.0
     for half in range(2):
         stop = bend if half == 0 else h
         middle = stop
-        if (rate(c, start) < 0.0) != (rate(c, stop) < 0.0):
-            middle = bracketed_root(c, 0.0, 1, start, stop)
+        if (v[0] + change(v, start) < 0.0) != (v[0] + change(v, stop) < 0.0):
+            middle = bracketed_root(v, 0.0, RATE, start, stop)
         for part in range(2):
             low = start if part == 0 else middle
             high = middle if part == 0 else stop
-            if high > low and sign * ((c[0] - level) + increment(c, high)) <= 0.0:
-                if sign * ((c[0] - level) + increment(c, low)) <= 0.0:
-                    rises = sign * rate(c, 0.5 * (low + high)) > 0.0
+            if high > low and sign * (gap + increment(v, high)) <= 0.0:
+                if sign * (gap + increment(v, low)) <= 0.0:
+                    rises = sign * (v[0] + change(v, 0.5 * (low + high))) > 0.0
                     return high if rises and low == 0.0 else low
-                return bracketed_root(c, level, 0, low, high)
+                return bracketed_root(v, gap, ROTATION, low, high)
         start = stop
     return -1.0
 
 
 @kernel
-def summit(c, h):
+def summit(v, h):
     """Largest increment of the step's polynomial at a turning point inside [0, h] [rad], else 0."""
     bend = h
-    if (curvature(c, 0.0) < 0.0) != (curvature(c, h) < 0.0):
-        bend = bracketed_root(c, 0.0, 2, 0.0, h)
+    if (curvature(v, 0.0) < 0.0) != (curvature(v, h) < 0.0):
+        bend = bracketed_root(v, 0.0, CURVATURE, 0.0, h)
     highest = 0.0
     start = 0.0
     for half in range(2):
         stop = bend if half == 0 else h
-        if (rate(c, start) < 0.0) != (rate(c, stop) < 0.0):
-            highest = max(highest, increment(c, bracketed_root(c, 0.0, 1, start, stop)))
+        if (v[0] + change(v, start) < 0.0) != (v[0] + change(v, stop) < 0.0):
+            highest = max(highest, increment(v, bracketed_root(v, 0.0, RATE, start, stop)))
         start = stop
     return highest

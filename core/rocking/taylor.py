@@ -9,6 +9,8 @@ converged is shortened until it has.
 
 import math
 
+import numpy as np
+
 from core.kernel_cache import inner_kernel, kernel
 from core.moment_rotation import FAR, moment_branch, zone_of
 from core.rocking.events import (
@@ -24,13 +26,16 @@ from core.rocking.events import (
 )
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.rocking.polynomial import (
+    change,
     first_crossing,
     increment,
-    rate,
     summit,
     turns_at_most_once,
 )
 from core.units import G
+
+SHORT = 0.25
+"""Rotation up to which the short series of sin and cos holds [rad]."""
 
 SMALL_BOUNCE = 1e-3
 """Speed over p alpha below which a bounce takes the short series."""
@@ -38,108 +43,110 @@ SMALL_BOUNCE = 1e-3
 SERIES_TOLERANCE = 1e-17
 """Largest neglected term of a step, as a fraction of alpha."""
 
+STIFFEST = 2.8
+"""Largest square of the rate of growth times the step at which the bound of the neglected term holds."""
+
+PER_G = 1.0 / G
+
 
 @inner_kernel
-def series(phi, speed, net, sine, cosine, beta, slope, p2, branch, order):
-    """Taylor coefficients c0..c9 of phi(t) about the step's start, c8 = c9 = 0 for order 6 (Eq. 1).
-    The velocity is then of the named order, the rotation one higher.
+def series(speed, net, sine, cosine, beta, rise, p2, factor, slope, order):
+    """Taylor coefficients v0..v8 of phi' about the step's start, time in steps, v7 = v8 = 0 for order 6
+    (Eq. 1). The velocity is then of the named order, the rotation one higher.
 
-    net : moment law less forcing at the start [-]; sine, cosine : of alpha - phi [-];
-    beta : u''/g seen from the pivot [-]; slope : its rate [1/s].
+    speed : [rad per step]; net : moment law less forcing at the start [-]; sine, cosine : of alpha - phi;
+    beta : u''/g seen from the pivot [-]; rise : of it over the step [-]; p2 : p^2 times the step squared
+    [-]; factor, slope : of the branch of the moment law. In each sum the term known last comes last.
     """
-    _, _, s, m, _ = branch
     v0 = speed
     v1 = -p2 * net
-    c2 = 0.5 * v1
     s1 = -v0 * cosine
     k1 = v0 * sine
-    a = -p2 * (s * s1 + m * v0 - beta * k1 - slope * cosine)
-    v2 = 0.5 * a
-    c3 = v2 * (1.0 / 3.0)
-    s2 = -0.5 * (v0 * k1 + v1 * cosine)
-    k2 = 0.5 * (v0 * s1 + v1 * sine)
-    a = -p2 * (s * s2 + m * c2 - beta * k2 - slope * k1)
-    v3 = a * (1.0 / 3.0)
-    c4 = 0.25 * v3
-    s3 = (-1.0 / 3.0) * (v0 * k2 + v1 * k1 + v2 * cosine)
-    k3 = (1.0 / 3.0) * (v0 * s2 + v1 * s1 + v2 * sine)
-    a = -p2 * (s * s3 + m * c3 - beta * k3 - slope * k2)
-    v4 = 0.25 * a
-    c5 = 0.2 * v4
-    s4 = -0.25 * (v0 * k3 + v1 * k2 + v2 * k1 + v3 * cosine)
-    k4 = 0.25 * (v0 * s3 + v1 * s2 + v2 * s1 + v3 * sine)
-    a = -p2 * (s * s4 + m * c4 - beta * k4 - slope * k3)
-    v5 = 0.2 * a
-    c6 = v5 * (1.0 / 6.0)
-    s5 = -0.2 * (v0 * k4 + v1 * k3 + v2 * k2 + v3 * k1 + v4 * cosine)
-    k5 = 0.2 * (v0 * s4 + v1 * s3 + v2 * s2 + v3 * s1 + v4 * sine)
-    a = -p2 * (s * s5 + m * c5 - beta * k5 - slope * k4)
-    v6 = a * (1.0 / 6.0)
-    c7 = v6 * (1.0 / 7.0)
+    v2 = -0.5 * p2 * ((slope * v0 - rise * cosine) + (factor * s1 - beta * k1))
+    s2 = -0.5 * (v1 * cosine + v0 * k1)
+    k2 = 0.5 * (v1 * sine + v0 * s1)
+    v3 = (-1.0 / 3.0) * p2 * ((slope * (0.5 * v1) - rise * k1) + (factor * s2 - beta * k2))
+    s3 = (-1.0 / 3.0) * ((v1 * k1 + v2 * cosine) + v0 * k2)
+    k3 = (1.0 / 3.0) * ((v1 * s1 + v2 * sine) + v0 * s2)
+    v4 = -0.25 * p2 * ((slope * ((1.0 / 3.0) * v2) - rise * k2) + (factor * s3 - beta * k3))
+    s4 = -0.25 * (((v1 * k2 + v2 * k1) + v3 * cosine) + v0 * k3)
+    k4 = 0.25 * (((v1 * s2 + v2 * s1) + v3 * sine) + v0 * s3)
+    v5 = -0.2 * p2 * ((slope * (0.25 * v3) - rise * k3) + (factor * s4 - beta * k4))
+    s5 = -0.2 * (((v1 * k3 + v2 * k2) + (v3 * k1 + v4 * cosine)) + v0 * k4)
+    k5 = 0.2 * (((v1 * s3 + v2 * s2) + (v3 * s1 + v4 * sine)) + v0 * s4)
+    v6 = (-1.0 / 6.0) * p2 * ((slope * (0.2 * v4) - rise * k4) + (factor * s5 - beta * k5))
     if order == 6:
-        return phi, v0, c2, c3, c4, c5, c6, c7, 0.0, 0.0
-    s6 = (-1.0 / 6.0) * (v0 * k5 + v1 * k4 + v2 * k3 + v3 * k2 + v4 * k1 + v5 * cosine)
-    k6 = (1.0 / 6.0) * (v0 * s5 + v1 * s4 + v2 * s3 + v3 * s2 + v4 * s1 + v5 * sine)
-    a = -p2 * (s * s6 + m * c6 - beta * k6 - slope * k5)
-    v7 = a * (1.0 / 7.0)
-    c8 = 0.125 * v7
-    s7 = v0 * k6 + v1 * k5 + v2 * k4 + v3 * k3 + v4 * k2 + v5 * k1 + v6 * cosine
-    k7 = v0 * s6 + v1 * s5 + v2 * s4 + v3 * s3 + v4 * s2 + v5 * s1 + v6 * sine
-    a = -p2 * ((-1.0 / 7.0) * s * s7 + m * c7 - (1.0 / 7.0) * beta * k7 - slope * k6)
-    c9 = a * (1.0 / 72.0)
-    return phi, v0, c2, c3, c4, c5, c6, c7, c8, c9
+        return v0, v1, v2, v3, v4, v5, v6, 0.0, 0.0
+    s6 = (-1.0 / 6.0) * (((v1 * k4 + v2 * k3) + (v3 * k2 + v4 * k1)) + v5 * cosine + v0 * k5)
+    k6 = (1.0 / 6.0) * (((v1 * s4 + v2 * s3) + (v3 * s2 + v4 * s1)) + v5 * sine + v0 * s5)
+    v7 = (-1.0 / 7.0) * p2 * (
+        (slope * ((1.0 / 6.0) * v5) - rise * k5) + (factor * s6 - beta * k6)
+    )  # fmt: skip
+    s7 = ((v1 * k5 + v2 * k4) + (v3 * k3 + v4 * k2)) + (v5 * k1 + v6 * cosine) + v0 * k6
+    k7 = ((v1 * s5 + v2 * s4) + (v3 * s3 + v4 * s2)) + (v5 * s1 + v6 * sine) + v0 * s6
+    v8 = -0.125 * p2 * (
+        (slope * ((1.0 / 7.0) * v6) - rise * k6) - (1.0 / 7.0) * (factor * s7 + beta * k7)
+    )  # fmt: skip
+    return v0, v1, v2, v3, v4, v5, v6, v7, v8
 
 
 @inner_kernel
 def sine_and_cosine_short(x):
-    """sin and cos of a rotation up to 0.25 rad by a short series, to full precision."""
+    """sin and cos of a rotation up to SHORT by a short series, to full precision."""
     y = x * x
-    tail = 1.0 / 5040.0 - y * (1.0 / 362880.0 - y * (1.0 / 39916800.0))
-    s = x * (1.0 - y * (1.0 / 6.0 - y * (1.0 / 120.0 - y * tail)))
-    tail = 1.0 / 720.0 - y * (1.0 / 40320.0 - y * (1.0 / 3628800.0 - y * (1.0 / 479001600.0)))
-    return s, 1.0 - y * (0.5 - y * (1.0 / 24.0 - y * tail))
+    z = y * y
+    tail = (1.0 / 120.0 - y * (1.0 / 5040.0)) + z * (1.0 / 362880.0 - y * (1.0 / 39916800.0))
+    s = x * ((1.0 - y * (1.0 / 6.0)) + z * tail)
+    tail = (1.0 / 40320.0 - y * (1.0 / 3628800.0)) + z * (1.0 / 479001600.0)
+    tail = (1.0 / 24.0 - y * (1.0 / 720.0)) + z * tail
+    return s, (1.0 - 0.5 * y) + z * tail
 
 
 @kernel
 def sine_and_cosine(x):
     """sin and cos of a rotation [rad]."""
-    if x > 0.25:
+    if x > SHORT:
         return math.sin(x), math.cos(x)
     return sine_and_cosine_short(x)
 
 
-@kernel
-def converged_step(c, h, order, stiffness, alpha):
-    """Largest h / 2^n at which the first neglected term is below SERIES_TOLERANCE alpha.
+@inner_kernel
+def last_terms(v, order):
+    """Size of the two last terms of the series over the number that bounds the next by them [rad]."""
+    if order == 8:
+        return (abs(v[7]) + abs(v[8])) * (1.0 / 720.0)
+    return (abs(v[5]) + abs(v[6])) * (1.0 / 336.0)
 
-    stiffness : p2 (1 + |beta| + slope of the branch) + phi'^2 [1/s2], the square of the rate at which
-    the terms of the series can grow.
+
+@kernel
+def converged_part(v, order, stiff, alpha):
+    """Largest part 1 / 2^n of the step at which the first neglected term is below SERIES_TOLERANCE alpha.
+
+    stiff : p2 (1 + |beta| + slope of the branch) + phi'^2 times the step squared [-], the square of the
+    rate at which the terms of the series can grow.
     """
+    tail = last_terms(v, order)
+    part = 1.0
     for _ in range(60):
-        square = h * h
-        power = square * square * h
-        if order == 8:
-            tail = power * square * h * (abs(c[8]) + h * abs(c[9]))
-            ratio = stiffness * square * (1.0 / 90.0)
-        else:
-            tail = power * h * (abs(c[6]) + h * abs(c[7]))
-            ratio = stiffness * square * (1.0 / 56.0)
-        if tail * ratio <= SERIES_TOLERANCE * alpha and ratio < 0.05:
+        if tail * stiff <= SERIES_TOLERANCE * alpha and stiff < STIFFEST:
             break
-        h *= 0.5
-    return h
+        part *= 0.5
+        stiff *= 0.25
+        tail *= 0.00390625 if order == 8 else 0.015625
+    return part
 
 
 @inner_kernel
-def turning_margin(speed, after, rise, forcing, p2, push, h):
-    """How far the speed [rad/s] can leave its chord within a step: h^2 / 8 by the bound of its second
+def turning_margin(speed, change, rise, forcing, p2, push):
+    """How far the speed [rad per step] can leave its chord within a step: 1/8 of the bound of its second
     derivative, after Eq. 1.
 
-    speed, after : at both ends; rise : of the forcing u''/g over the step [-]; forcing : its bound plus
-    the slope of the moment law [-]; push : bound of the angular acceleration [1/s2].
+    speed, change : at the start and over the step; rise : of the forcing u''/g over the step [-];
+    forcing : its bound plus the slope of the moment law [-]; p2 : times the step squared [-];
+    push : bound of the angular acceleration [rad per step squared].
     """
-    fastest = max(abs(speed), abs(after)) + push * h
-    return 0.125 * h * p2 * (h * fastest * (1.0 + forcing) + abs(rise))
+    fastest = max(abs(speed), abs(speed + change)) + push
+    return 0.125 * p2 * (fastest * (1.0 + forcing) + abs(rise))
 
 
 @inner_kernel
@@ -171,8 +178,26 @@ def small_bounce(speed, net, sine, cosine, beta, slope, p2):
 
 @kernel
 def upright(model):
-    """Lift threshold [m/s2], sin(alpha) and cos(alpha): what every sample needs of the model."""
-    return lift_threshold(model), math.sin(model.slenderness), math.cos(model.slenderness)
+    """(lift threshold [m/s2]; tan, sin and cos of alpha): what every sample needs of the model."""
+    alpha = model.slenderness
+    return lift_threshold(model), math.tan(alpha), math.sin(alpha), math.cos(alpha)
+
+
+@kernel
+def strongest(ground):
+    """Largest |u''| of a record [m/s2]."""
+    most = 0.0
+    for u in ground:
+        most = max(most, abs(u))
+    return most
+
+
+@kernel
+def last_rotation(pga, scale, model):
+    """Rotation [rad] beyond which a block that moves outward never comes back: the ground, at its
+    strongest [m/s2], cannot stop it. Not below SHORT, where the steps in lockstep end."""
+    lost = model.slenderness + math.atan(abs(scale) * PER_G * pga)
+    return min(max(lost, SHORT), LAST_ROTATION)
 
 
 @inner_kernel
@@ -192,109 +217,110 @@ def land(speed, side, ground, time, model, threshold, impacts, clamped, times, v
 
 @kernel
 def through_sample(
-    ground0, ground1, dt, model, constants, order, state, start_time, impact_time, impact_velocity
-):
+    ground0, ground1, dt, model, constants, order, last, state, start_time, impact_time, impact_velocity
+):  # fmt: skip
     """Carry the block through one sample, rest, uplift, kinks and impacts included.
 
     ground0, ground1 : ground acceleration at both ends [m/s2]; constants : of `upright`;
+    last : rotation [rad] beyond which it has collapsed;
     state : (side, phi [rad], speed [rad/s], moving, zone, peak [rad], impacts, clamped);
     start_time [s] and the last two arguments : as `integrate`. Returns (outcome so far, state).
     """
-    threshold, sine_upright, cosine_upright = constants
+    threshold, tangent, sine_upright, cosine_upright = constants
     side, phi, speed, moving, zone, peak, impacts, clamped = state
     alpha = model.slenderness
-    p2 = model.p2
-    small = SMALL_BOUNCE * math.sqrt(p2) * alpha if threshold > 0.0 else 0.0
-    slope = (ground1 - ground0) / dt
-    t = 0.0
+    small = SMALL_BOUNCE * math.sqrt(model.p2) * alpha if threshold > 0.0 else 0.0
+    jump = ground1 - ground0
+    forcing = max(abs(ground0), abs(ground1)) * PER_G
+    t = 0.0  # in samples
     impacts_before = impacts
     events = 0
-    while t < dt:
+    while t < 1.0:
         if not moving:
-            t, side = next_uplift(ground0, slope, t, dt, model, threshold)
-            if t >= dt:
+            t, side = next_uplift(ground0, jump, t, 1.0, model, threshold)
+            if t >= 1.0:
                 break
             moving = True
             phi = 0.0
             speed = 0.0
             zone = zone_of(phi, model)
-        branch = moment_branch(zone, model)
-        beta = (side / G) * (ground0 + slope * t)
+        low, high, factor, slope, constant = moment_branch(zone, model)
+        pull = side * PER_G
+        beta = pull * (ground0 + jump * t)
         if phi == 0.0 and 0.0 < speed < small:
-            net = cosine_upright * (threshold - side * (ground0 + slope * t)) / G
             flight, landing, highest = small_bounce(
-                speed, net, sine_upright, cosine_upright, beta, side / G * slope, p2
-            )
-            if 0.0 < flight < dt - t:
-                t += flight
+                speed, cosine_upright * (tangent - beta), sine_upright, cosine_upright, beta,
+                pull * jump / dt, model.p2,
+            )  # fmt: skip
+            if 0.0 < flight < (1.0 - t) * dt:
+                t += flight / dt
                 peak = max(peak, highest)
                 speed, side, moving, impacts, clamped = land(
-                    landing, side, ground0 + slope * t, start_time + t, model, threshold,
+                    landing, side, ground0 + jump * t, start_time + t * dt, model, threshold,
                     impacts, clamped, impact_time, impact_velocity,
                 )  # fmt: skip
                 if impacts - impacts_before > IMPACTS_PER_SAMPLE:
                     return IMPACT_LIMIT, (side, phi, speed, moving, zone, peak, impacts, clamped)
                 continue
+        rest_of_sample = 1.0 - t
+        step = dt * rest_of_sample
+        p2 = model.p2 * (step * step)
+        rise = pull * jump * rest_of_sample
         s, k = sine_and_cosine(phi)
         sine = sine_upright * k - cosine_upright * s
         cosine = cosine_upright * k + sine_upright * s
-        if threshold > 0.0:
-            # sin(alpha - phi) - beta cos(alpha - phi) without its cancellation near uplift
-            short = (threshold - side * (ground0 + slope * t)) / G
-            net = cosine_upright * short * k - (cosine_upright + beta * sine_upright) * s
-        else:
-            net = branch[2] * sine + branch[3] * phi + branch[4] - beta * cosine
-        c = series(phi, speed, net, sine, cosine, beta, side / G * slope, p2, branch, order)
+        # factor sin(alpha - phi) - beta cos(alpha - phi), without its cancellation near uplift
+        net = cosine_upright * (factor * tangent - beta) * k
+        net = net - (factor * cosine_upright + beta * sine_upright) * s + (slope * phi + constant)
+        v = series(speed * step, net, sine, cosine, beta, rise, p2, factor, slope, order)
         if phi == 0.0 and speed == 0.0:
             # at uplift phi'' is zero or outward; its rounding must not push the block down
-            c = (phi, speed, max(c[2], 0.0), c[3], c[4], c[5], c[6], c[7], c[8], c[9])
-        push = p2 * (1.0 + max(abs(ground0), abs(ground1)) / G)
-        stiff = push + p2 * branch[3] + speed * speed
-        h = converged_step(c, dt - t, order, stiff, alpha)
-        # a chord stays within h^2/8 max|phi''| of the curve: far from both ends nothing happens
-        dphi = increment(c, h)
-        reach = 0.125 * h * h * push
+            v = (v[0], max(v[1], 0.0), v[2], v[3], v[4], v[5], v[6], v[7], v[8])
+        push = p2 * (1.0 + forcing)
+        part = converged_part(v, order, push + p2 * slope + v[0] * v[0], alpha)
+        # a chord stays within 1/8 max|phi''| of the curve: far from both ends nothing happens
+        dphi = increment(v, part)
+        reach = 0.125 * push
         crossing = -1.0
         falling = True
-        if min(phi, phi + dphi) - branch[0] <= reach or branch[1] - max(phi, phi + dphi) <= reach:
+        if min(phi, phi + dphi) - low <= reach or high - max(phi, phi + dphi) <= reach:
             for _ in range(30):
-                if turns_at_most_once(c, h):
+                if turns_at_most_once(v, part):
                     break
-                h *= 0.5
-            crossing = first_crossing(c, branch[0], 1.0, h)
-            if branch[1] < FAR:
-                upper = first_crossing(c, branch[1], -1.0, h)
+                part *= 0.5
+            crossing = first_crossing(v, phi - low, 1.0, part)
+            if high < FAR:
+                upper = first_crossing(v, phi - high, -1.0, part)
                 if upper >= 0.0 and (crossing < 0.0 or upper < crossing):
                     crossing = upper
                     falling = False
             if crossing >= 0.0:
-                h = crossing
-            dphi = increment(c, h)
-        speed_after = rate(c, h)
-        forcing = max(abs(ground0), abs(ground1)) / G + branch[3]
-        margin = turning_margin(speed, speed_after, h * slope / G, forcing, p2, push, h)
-        if min(speed, -speed_after) > -margin and max(phi, phi + dphi) + reach > peak:
-            peak = max(peak, phi + summit(c, h))
-        t = t + h if h < dt - t else dt
-        speed = speed_after
+                part = crossing
+            dphi = increment(v, part)
+        dv = change(v, part)
+        margin = turning_margin(v[0], dv, rise, forcing + slope, p2, push)
+        if min(v[0], -(v[0] + dv)) > -margin and max(phi, phi + dphi) + reach > peak:
+            peak = max(peak, phi + summit(v, part))
+        t = t + part * rest_of_sample if part < 1.0 else 1.0
+        speed += dv * (1.0 / step)
         if crossing < 0.0:
             phi += dphi
             peak = max(peak, phi)
-            if phi > LAST_ROTATION:
+            if phi > last and (speed > 0.0 or phi > LAST_ROTATION):
                 return COLLAPSED, (side, phi, speed, moving, zone, peak, impacts, clamped)
             continue
         events += 1
         if events > 10 * IMPACTS_PER_SAMPLE:
             return IMPACT_LIMIT, (side, phi, speed, moving, zone, peak, impacts, clamped)
-        if not falling or branch[0] > 0.0:
-            phi = branch[0] if falling else branch[1]
+        if not falling or low > 0.0:
+            phi = low if falling else high
             zone += -1 if falling else 1
             peak = max(peak, phi)
             continue
         phi = 0.0
         speed, side, moving, impacts, clamped = land(
-            speed, side, ground0 + slope * t, start_time + t, model, threshold, impacts, clamped,
-            impact_time, impact_velocity,
+            speed, side, ground0 + jump * t, start_time + t * dt, model, threshold, impacts,
+            clamped, impact_time, impact_velocity,
         )  # fmt: skip
         if impacts - impacts_before > IMPACTS_PER_SAMPLE:
             return IMPACT_LIMIT, (side, phi, speed, moving, zone, peak, impacts, clamped)
@@ -318,16 +344,18 @@ def integrate(
     # without a history to write nothing is integrated that decides nothing; Eq. 7 counts its clamps
     stops = not keep and model.ratio_drop == 0.0
     left = remaining_push(ground, dt) if stops else impact_time
+    last = LAST_ROTATION if keep else last_rotation(strongest(ground), scale, model)
+    zero = np.int64(0)  # a plain 0 would be a type of its own, and compile everything again
     side = -1.0 if start[0] < 0.0 or (start[0] == 0.0 and start[1] < 0.0) else 1.0
     phi = side * start[0]
     moving = phi != 0.0 or start[1] != 0.0
-    state = (side, phi, side * start[1], moving, zone_of(phi, model), phi, 0, 0)
+    state = (side, phi, side * start[1], moving, zone_of(phi, model), phi, zero, zero)
     if keep:
         rotation[0] = start[0]
         velocity[0] = start[1]
     for i in range(ground.size - 1):
         outcome, state = through_sample(
-            scale * ground[i], scale * ground[i + 1], dt, model, constants, order, state, i * dt,
+            scale * ground[i], scale * ground[i + 1], dt, model, constants, order, last, state, i * dt,
             impact_time, impact_velocity,
         )  # fmt: skip
         if outcome != STABLE:

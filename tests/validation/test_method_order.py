@@ -33,11 +33,19 @@ def taylor_step(order):
     def step(h):
         lean = ALPHA - PHI
         net = math.sin(lean) - BETA * math.cos(lean)
-        branch = (0.0, 1e9, 1.0, 0.0, 0.0)
-        c = taylor.series(
-            PHI, SPEED, net, math.sin(lean), math.cos(lean), BETA, SLOPE, P2, branch, order
+        v = taylor.series(
+            SPEED * h,
+            net,
+            math.sin(lean),
+            math.cos(lean),
+            BETA,
+            SLOPE * h,
+            P2 * h * h,
+            1.0,
+            0.0,
+            order,
         )
-        return PHI + taylor.increment(c, h), taylor.rate(c, h)
+        return PHI + taylor.increment(v, 1.0), SPEED + taylor.change(v, 1.0) / h
 
     return step
 

@@ -46,15 +46,15 @@ def _uplift_at_sample(ground, slope, start, end, model, threshold):
     return (start, side) if side != 0.0 else (end, 0.0)
 
 
-def _crossing_at_end(c, level, sign, h):
-    after = (c[0] - level) + taylor.increment(c, h)
+def _crossing_at_end(v, gap, sign, h):
+    after = gap + taylor.increment(v, h)
     return h if sign * after <= 0.0 else -1.0
 
 
-def _crossing_by_sign_change(c, level, sign, h):
+def _crossing_by_sign_change(v, gap, sign, h):
     """Located, but only where the end of the step lies beyond the level."""
-    after = (c[0] - level) + taylor.increment(c, h)
-    return taylor.first_crossing(c, level, sign, h) if sign * after <= 0.0 else -1.0
+    after = gap + taylor.increment(v, h)
+    return taylor.first_crossing(v, gap, sign, h) if sign * after <= 0.0 else -1.0
 
 
 def _rotation_decides(phi, speed, peak, model):
