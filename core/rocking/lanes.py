@@ -19,11 +19,11 @@ from core.rocking.taylor import (
     SHORT,
     STIFFEST,
     at_end,
-    last_rotation,
+    largest_push,
     last_terms,
     series,
     sine_and_cosine_short,
-    strongest,
+    strongest_push,
     through_sample,
     turning_margin,
     upright,
@@ -33,9 +33,22 @@ WIDTH = 32
 """Lanes of one pass. Their state is one array of rows this long: the compiler then sees that the rows do
 not overlap, which it needs to use vector instructions."""
 
-SCALE, LAST, SIDE, PHI, SPEED, MOVING, PEAK, ZONE, LOW, HIGH, FACTOR, SLOPE, CONSTANT, EVENT = (
-    WIDTH * row for row in range(14)
-)
+(
+    SCALE,
+    STRONGEST,
+    SIDE,
+    PHI,
+    SPEED,
+    MOVING,
+    PEAK,
+    ZONE,
+    LOW,
+    HIGH,
+    FACTOR,
+    SLOPE,
+    CONSTANT,
+    EVENT,
+) = (WIDTH * row for row in range(14))
 ROWS = 14
 
 VECTOR = 8
@@ -75,19 +88,20 @@ def plain_steps(lanes, ground0, ground1, dt, model, constants, lowest, order, st
         v = series(speed * dt, net, sine, cosine, beta, rise, p2, factor, slope, order)
         dv = change(v, 1.0)
         y = x + increment(v, 1.0)
-        push = p2 * (1.0 + forcing)
-        stiff = push + p2 * slope + v[0] * v[0]
-        reach = 0.125 * push
-        margin = turning_margin(v[0], dv, rise, forcing + slope, p2, push)
+        growth = p2 * (1.0 + forcing + slope) + v[0] * v[0]
         lower = min(x, y)
         upper = max(x, y)
+        push = largest_push(upper, forcing, p2, sine_upright)
+        reach = 0.125 * push
+        margin = turning_margin(v[0], dv, rise, forcing + slope, p2, push)
+        after = v[0] + dv
         event = (
-            (lower - state[LOW + k] <= reach)
-            | (state[HIGH + k] - upper <= reach)
+            ((lower - state[LOW + k] <= reach) & (min(v[0], after) <= margin))
+            | ((state[HIGH + k] - upper <= reach) & (max(v[0], after) >= -margin))
             | (upper > SHORT)
-            | (last_terms(v, order) * stiff > SERIES_TOLERANCE * alpha)
-            | (stiff >= STIFFEST)
-            | ((min(v[0], -(v[0] + dv)) > -margin) & (upper + reach > state[PEAK + k]))
+            | (last_terms(v, order) * growth > SERIES_TOLERANCE * alpha)
+            | (growth >= STIFFEST)
+            | ((min(v[0], -after) > -margin) & (upper + reach > state[PEAK + k]))
         )
         rests = (
             (state[MOVING + k] == 0.0)
@@ -115,13 +129,13 @@ def scan(ground, dt, scales, model, order, outcomes, peaks):
     lanes = scales.size
     lane = np.arange(lanes)
     state = np.zeros(ROWS * WIDTH)
-    pga = strongest(ground)
+    strongest = strongest_push(ground)
     start = (1.0, 0.0, 0.0, False, zone_of(0.0, model), 0.0, zero, zero)
     up = 0.0
     down = 0.0
     for k in range(lanes):
         state[SCALE + k] = scales[k]
-        state[LAST + k] = last_rotation(pga, scales[k], model)
+        state[STRONGEST + k] = abs(scales[k]) * strongest
         put(k, start, model, state)
         up = max(up, scales[k])
         down = min(down, scales[k])
@@ -145,7 +159,7 @@ def scan(ground, dt, scales, model, order, outcomes, peaks):
                     continue
                 outcome, after = through_sample(
                     state[SCALE + k] * ground0, state[SCALE + k] * ground1, dt, model, constants, order,
-                    state[LAST + k], block_of(k, zero, state), 0.0, none, none,
+                    state[STRONGEST + k], block_of(k, zero, state), 0.0, none, none,
                 )  # fmt: skip
                 awake += int(after[3]) - int(state[MOVING + k])
                 clamped += after[7]

@@ -140,7 +140,21 @@ def first_crossing(v, gap, sign, h):
 def summit(v, h):
     """Largest increment of the step's polynomial at a turning point inside [0, h] [rad], else 0."""
     bend = h
-    if (curvature(v, 0.0) < 0.0) != (curvature(v, h) < 0.0):
+    bends_at_start = curvature(v, 0.0)
+    bends_at_end = curvature(v, h)
+    if bends_at_start < 0.0 and bends_at_end < 0.0:
+        # concave: at most one summit, and an error of its time counts squared
+        if v[0] <= 0.0 or v[0] + change(v, h) >= 0.0:
+            return 0.0
+        time = min(-v[0] / bends_at_start, h)
+        for _ in range(4):
+            step = (v[0] + change(v, time)) / curvature(v, time)
+            time -= step
+            if abs(step) <= 1e-9 * h:
+                break
+        if 0.0 < time < h:
+            return max(0.0, increment(v, time))
+    if (bends_at_start < 0.0) != (bends_at_end < 0.0):
         bend = bracketed_root(v, 0.0, CURVATURE, 0.0, h)
     highest = 0.0
     start = 0.0

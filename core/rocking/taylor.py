@@ -137,6 +137,17 @@ def converged_part(v, order, stiff, alpha):
 
 
 @inner_kernel
+def largest_push(upper, forcing, p2, sine_upright):
+    """Bound of |phi''| within a step [rad per step squared], after Eq. 1.
+
+    upper : the larger rotation of its ends [rad]; forcing : bound of |u''|/g; p2 : p^2 times the step
+    squared; sine_upright : sin(alpha), which no moment law exceeds by more than the rotation.
+    """
+    crude = 0.125 * p2 * (1.0 + forcing)
+    return p2 * (sine_upright + (upper + crude) + forcing)
+
+
+@inner_kernel
 def turning_margin(speed, change, rise, forcing, p2, push):
     """How far the speed [rad per step] can leave its chord within a step: 1/8 of the bound of its second
     derivative, after Eq. 1.
@@ -151,7 +162,7 @@ def turning_margin(speed, change, rise, forcing, p2, push):
 
 @inner_kernel
 def small_bounce(speed, net, sine, cosine, beta, slope, p2):
-    """Flight of a small bounce from theta = 0, rigid law, by its series of fourth order (Eq. 1).
+    """Flight of a small bounce from theta = 0, rigid law, by its series of fourth order (Eq. 1), in s.
 
     Returns (flight time [s], speed at its end, highest point); time -1 where the bounce is not that
     simple. For speeds below SMALL_BOUNCE p alpha what is left out is below 1e-11 of p alpha.
@@ -160,20 +171,25 @@ def small_bounce(speed, net, sine, cosine, beta, slope, p2):
     c2 = 0.5 * v1
     s1 = -speed * cosine
     k1 = speed * sine
-    v2 = -0.5 * p2 * (s1 - beta * k1 - slope * cosine)
+    v2 = -0.5 * p2 * ((s1 - beta * k1) - slope * cosine)
     s2 = -0.5 * (speed * k1 + v1 * cosine)
     k2 = 0.5 * (speed * s1 + v1 * sine)
-    c4 = (-1.0 / 12.0) * p2 * (s2 - beta * k2 - slope * k1)
+    c4 = (-1.0 / 12.0) * p2 * ((s2 - beta * k2) - slope * k1)
     c3 = v2 * (1.0 / 3.0)
-    t = -speed / c2
-    if not (c2 < 0.0 and abs(c3) * t < -5e-3 * c2 and abs(c4) * t * t < -1e-5 * c2):
+    per_c2 = 1.0 / c2
+    t = -speed * per_c2
+    bend = c3 * per_c2 * t
+    twist = c4 * per_c2 * (t * t)
+    if not (c2 < 0.0 and abs(bend) < 5e-3 and abs(twist) < 1e-5):
         return -1.0, 0.0, 0.0
-    for _ in range(4):
-        value = speed + t * (c2 + t * (c3 + t * c4))
-        t -= value / (c2 + t * (2.0 * c3 + t * 3.0 * c4))
-    top = -0.5 * speed / c2
+    # root of 1 - s - bend s^2 - twist s^3, s the time over that of a parabola: its series, then Newton
+    s = 1.0 - bend * (1.0 - 2.0 * bend) - twist
+    off = (1.0 - s) - s * s * (bend + twist * s)
+    s += off * (1.0 - 2.0 * bend * (1.0 - bend))
+    top = 0.5 * t
     highest = top * (speed + top * (c2 + top * (c3 + top * c4)))
-    return t, speed + t * (2.0 * c2 + t * (3.0 * c3 + t * 4.0 * c4)), highest
+    t *= s
+    return t, speed + t * (2.0 * c2 + t * (3.0 * c3 + t * (4.0 * c4))), highest
 
 
 @kernel
@@ -184,20 +200,31 @@ def upright(model):
 
 
 @kernel
-def strongest(ground):
-    """Largest |u''| of a record [m/s2]."""
+def strongest_push(ground):
+    """Largest |u''| / g of a record [-]."""
     most = 0.0
     for u in ground:
         most = max(most, abs(u))
-    return most
+    return most * PER_G
 
 
 @kernel
-def last_rotation(pga, scale, model):
-    """Rotation [rad] beyond which a block that moves outward never comes back: the ground, at its
-    strongest [m/s2], cannot stop it. Not below SHORT, where the steps in lockstep end."""
-    lost = model.slenderness + math.atan(abs(scale) * PER_G * pga)
-    return min(max(lost, SHORT), LAST_ROTATION)
+def lost(phi, speed, strongest, model):
+    """Whether the block never comes back: even the strongest ground, pushing inward all the time, lets it
+    over its barrier (energy, Eq. 1 beyond alpha). Not asked below SHORT, where the steps in lockstep end.
+
+    phi [rad]; speed : outward positive [rad/s]; strongest : bound of |u''|/g, FAR if it is to fall.
+    """
+    if phi > LAST_ROTATION:
+        return True
+    lean = phi - model.slenderness
+    if phi <= SHORT or lean <= 0.0 or speed <= 0.0:
+        return False
+    if math.tan(lean) >= strongest:
+        return True
+    top = math.sqrt(1.0 + strongest * strongest)
+    barrier = top - math.cos(lean) - strongest * math.sin(lean)
+    return speed * speed > 2.0 * model.p2 * barrier
 
 
 @inner_kernel
@@ -215,14 +242,15 @@ def land(speed, side, ground, time, model, threshold, impacts, clamped, times, v
     return speed, side, moving, impacts + 1, clamped + clamp
 
 
-@kernel
+@inner_kernel
 def through_sample(
-    ground0, ground1, dt, model, constants, order, last, state, start_time, impact_time, impact_velocity
+    ground0, ground1, dt, model, constants, order, strongest, state, start_time, impact_time,
+    impact_velocity,
 ):  # fmt: skip
     """Carry the block through one sample, rest, uplift, kinks and impacts included.
 
     ground0, ground1 : ground acceleration at both ends [m/s2]; constants : of `upright`;
-    last : rotation [rad] beyond which it has collapsed;
+    strongest : of `lost`;
     state : (side, phi [rad], speed [rad/s], moving, zone, peak [rad], impacts, clamped);
     start_time [s] and the last two arguments : as `integrate`. Returns (outcome so far, state).
     """
@@ -231,6 +259,8 @@ def through_sample(
     alpha = model.slenderness
     small = SMALL_BOUNCE * math.sqrt(model.p2) * alpha if threshold > 0.0 else 0.0
     jump = ground1 - ground0
+    per_dt = 1.0 / dt
+    rate = jump * per_dt
     forcing = max(abs(ground0), abs(ground1)) * PER_G
     t = 0.0  # in samples
     impacts_before = impacts
@@ -250,10 +280,10 @@ def through_sample(
         if phi == 0.0 and 0.0 < speed < small:
             flight, landing, highest = small_bounce(
                 speed, cosine_upright * (tangent - beta), sine_upright, cosine_upright, beta,
-                pull * jump / dt, model.p2,
+                pull * rate, model.p2,
             )  # fmt: skip
             if 0.0 < flight < (1.0 - t) * dt:
-                t += flight / dt
+                t += flight * per_dt
                 peak = max(peak, highest)
                 speed, side, moving, impacts, clamped = land(
                     landing, side, ground0 + jump * t, start_time + t * dt, model, threshold,
@@ -276,14 +306,22 @@ def through_sample(
         if phi == 0.0 and speed == 0.0:
             # at uplift phi'' is zero or outward; its rounding must not push the block down
             v = (v[0], max(v[1], 0.0), v[2], v[3], v[4], v[5], v[6], v[7], v[8])
-        push = p2 * (1.0 + forcing)
-        part = converged_part(v, order, push + p2 * slope + v[0] * v[0], alpha)
-        # a chord stays within 1/8 max|phi''| of the curve: far from both ends nothing happens
+        growth = p2 * (1.0 + forcing + slope) + v[0] * v[0]
+        part = converged_part(v, order, growth, alpha)
+        # a chord stays within 1/8 max|phi''| of the curve, one of the speed within the margin: far from
+        # both ends of the branch, or moving away from it, nothing happens
         dphi = increment(v, part)
+        dv = change(v, part)
+        push = largest_push(max(phi, phi + dphi), forcing, p2, sine_upright)
         reach = 0.125 * push
+        margin = turning_margin(v[0], dv, rise, forcing + slope, p2, push)
+        slowest = min(v[0], v[0] + dv)
+        fastest = max(v[0], v[0] + dv)
         crossing = -1.0
         falling = True
-        if min(phi, phi + dphi) - low <= reach or high - max(phi, phi + dphi) <= reach:
+        if (min(phi, phi + dphi) - low <= reach and slowest <= margin) or (
+            high - max(phi, phi + dphi) <= reach and fastest >= -margin
+        ):
             for _ in range(30):
                 if turns_at_most_once(v, part):
                     break
@@ -297,8 +335,7 @@ def through_sample(
             if crossing >= 0.0:
                 part = crossing
             dphi = increment(v, part)
-        dv = change(v, part)
-        margin = turning_margin(v[0], dv, rise, forcing + slope, p2, push)
+            dv = change(v, part)
         if min(v[0], -(v[0] + dv)) > -margin and max(phi, phi + dphi) + reach > peak:
             peak = max(peak, phi + summit(v, part))
         t = t + part * rest_of_sample if part < 1.0 else 1.0
@@ -306,7 +343,7 @@ def through_sample(
         if crossing < 0.0:
             phi += dphi
             peak = max(peak, phi)
-            if phi > last and (speed > 0.0 or phi > LAST_ROTATION):
+            if phi > SHORT and lost(phi, speed, strongest, model):
                 return COLLAPSED, (side, phi, speed, moving, zone, peak, impacts, clamped)
             continue
         events += 1
@@ -344,7 +381,7 @@ def integrate(
     # without a history to write nothing is integrated that decides nothing; Eq. 7 counts its clamps
     stops = not keep and model.ratio_drop == 0.0
     left = remaining_push(ground, dt) if stops else impact_time
-    last = LAST_ROTATION if keep else last_rotation(strongest(ground), scale, model)
+    strongest = FAR if keep else abs(scale) * strongest_push(ground)
     zero = np.int64(0)  # a plain 0 would be a type of its own, and compile everything again
     side = -1.0 if start[0] < 0.0 or (start[0] == 0.0 and start[1] < 0.0) else 1.0
     phi = side * start[0]
@@ -355,8 +392,8 @@ def integrate(
         velocity[0] = start[1]
     for i in range(ground.size - 1):
         outcome, state = through_sample(
-            scale * ground[i], scale * ground[i + 1], dt, model, constants, order, last, state, i * dt,
-            impact_time, impact_velocity,
+            scale * ground[i], scale * ground[i + 1], dt, model, constants, order, strongest, state,
+            i * dt, impact_time, impact_velocity,
         )  # fmt: skip
         if outcome != STABLE:
             return outcome, state[5], state[6], state[7], i + 1
