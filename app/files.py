@@ -6,6 +6,7 @@ from PySide6.QtCore import QSettings
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 
 from app.language import tr
+from app.sentences import said
 from app.session import Session
 from core.errors import InputError, OutputError
 
@@ -26,7 +27,7 @@ class Files:
         try:
             self.session.open(path)
         except InputError as error:
-            QMessageBox.warning(self.window, tr("Not opened"), str(error))
+            QMessageBox.warning(self.window, tr("Not opened"), said(error))
             return False
         if path != EXAMPLE:
             self.remember(path)
@@ -72,7 +73,7 @@ class Files:
         try:
             self.session.save(path)
         except OutputError as error:
-            QMessageBox.warning(self.window, tr("Not saved"), str(error))
+            QMessageBox.warning(self.window, tr("Not saved"), said(error))
             return False
         self.remember(self.session.path)
         return True
@@ -107,7 +108,7 @@ class Files:
             here = self.session.path or self.session.base_dir / "case.toml"
             batch.refuse_overwriting(case, here, path.parent, path.stem)
         except InputError as error:
-            QMessageBox.warning(self.window, tr("Nothing exported"), str(error))
+            QMessageBox.warning(self.window, tr("Nothing exported"), said(error))
             return
         self.window.start(
             lambda job: batch.write(result, path.parent, path.stem),

@@ -1,10 +1,10 @@
 """The language of the window: Qt Linguist files of resources/translations."""
 
-from pathlib import Path
-
 from PySide6.QtCore import QCoreApplication, QLocale, QTranslator
 
-FOLDER = Path(__file__).resolve().parents[1] / "resources" / "translations"
+from app import sentences
+
+FOLDER = sentences.FOLDER
 LANGUAGES = {"en": "English", "it": "Italiano"}
 
 _installed: list[QTranslator] = []
@@ -20,6 +20,7 @@ def set_language(code: str) -> None:
     application = QCoreApplication.instance()
     while _installed:
         application.removeTranslator(_installed.pop())
+    sentences.speak(code)
     if code != "en":
         translator = QTranslator()
         if translator.load(str(FOLDER / f"ribalta_{code}.qm")):

@@ -10,6 +10,7 @@ from app import language, theme
 from app.files import EXAMPLE
 from app.forms.law_curve import LawCurve
 from app.language import tr
+from app.sentences import said
 from app.window import MainWindow
 from app.worker import Job, write_log
 from core.errors import InputError
@@ -29,7 +30,7 @@ def offer_recovery(window: MainWindow) -> None:
                 window.session.recover(swap)
                 return
             except InputError as error:
-                QMessageBox.warning(window, tr("Not opened"), str(error))
+                QMessageBox.warning(window, tr("Not opened"), said(error))
         swap.unlink(missing_ok=True)
 
 

@@ -32,6 +32,7 @@ from app.language import tr
 from app.pages import Page, Veil, card
 from app.plots.history_tabs import HistoriesTab, ValidationTab
 from app.plots.result_tabs import CapacityTab, CheckTab, IntensityTab, SpectraTab
+from app.sentences import said
 from app.session import Session
 from app.worker import Job
 from core.demand import target_of
@@ -206,6 +207,7 @@ class MainWindow(QMainWindow):
         self.veil.cover(stale)
         self.card_veil.cover(stale)
         problem = self.session.problem()
+        problem = said(problem) if problem else None
         if any(field.wrong for field in self.findChildren(Field)):
             problem = problem or tr("A field holds what is not accepted: see the words below it.")
         can_run = problem is None and self.job is None

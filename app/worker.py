@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject, QThread, Signal
 
+from app.sentences import said
 from core.errors import Cancelled, InputError
 
 
@@ -42,7 +43,7 @@ class Job(QThread):
         except Cancelled:
             self.stopped.emit()
         except InputError as error:
-            self.failed.emit(str(error), "")
+            self.failed.emit(said(error), "")
         except Exception as error:  # the worker's: an internal error must not be silent
             self.failed.emit(f"{type(error).__name__}: {error}", write_log(traceback.format_exc()))
         else:

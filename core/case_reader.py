@@ -194,8 +194,11 @@ def _demand(table) -> Demand:
         for code, keys in needed.items():
             for key in keys:
                 if (getattr(asked, key) is not None) != (code == asked.code):
-                    verb = "needs" if code == asked.code else "does not take"
-                    raise InputError(f"[demand.spectrum]: code {asked.code} {verb} {key}")
+                    raise InputError(
+                        f"[demand.spectrum]: code {asked.code} needs {key}"
+                        if code == asked.code
+                        else f"[demand.spectrum]: code {asked.code} does not take {key}"
+                    )
     if (asked or demand.spectrum_file) and demand.housner_intensity_cm is not None:
         raise InputError(
             "[demand]: housner_intensity_cm follows from the spectrum: leave one of them out"

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
 
 from app.forms.fields import ChoiceField, FlagField, NumberField, TextField, connect
 from app.language import tr
+from app.sentences import said
 from app.session import Session
 from core.case import Analysis, Demand, Report, Spectrum
 from core.demand import target_of
@@ -122,7 +123,7 @@ class DemandForm(QWidget):
         try:
             target = target_of(demand, self.session.base_dir)
         except (InputError, TypeError) as error:
-            return str(error)
+            return said(error)
         if target is None:
             return f"S a_g {demand.ag_g * (demand.soil_factor or 1.0):.3f} g"
         words = f"S {target.soil:.3f}, S a_g {target.pga / G:.3f} g"

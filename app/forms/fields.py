@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 
 from app import theme
 from app.language import tr
+from app.sentences import said
 from core.case_reader import check_value
 from core.errors import InputError
 from core.number import parse_number
@@ -83,7 +84,7 @@ class Field(QWidget):
         try:
             value = check_value(self.section, self.key, value) if value is not None else None
         except InputError as error:
-            self.show_error(self.accepted(str(error)))
+            self.show_error(said(self.accepted(str(error))))
             return
         self.show_error("")
         self.edited.emit(value)

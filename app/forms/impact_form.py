@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QComboBox, QGroupBox, QHBoxLayout, QLabel, QVBoxLa
 from app.forms.fields import ChoiceField, NumberField
 from app.forms.law_curve import LawCurve
 from app.language import tr
+from app.sentences import said
 from app.session import Session
 from core.case import Wall
 from core.errors import InputError
@@ -97,7 +98,7 @@ class ImpactForm(QGroupBox):
                 word = tr("one-sided") if mechanism == "one_sided" else tr("two-sided")
                 lines.append(f"{word}: {FORMULAS[found.model]} = {found.ratio_at_rest:.4f}")
             except (InputError, TypeError) as error:
-                lines.append(str(error))
+                lines.append(said(error))
         self.formula.setText("\n".join(lines) or tr("Choose a mechanism."))
         own = isinstance(wall.law, dict)
         self.law.setCurrentIndex(self.law.findData("own" if own else wall.law))

@@ -28,6 +28,7 @@ from app import theme
 from app.language import tr
 from app.plots.chart import Chart
 from app.plots.table import Table
+from app.sentences import said
 from app.session import Session
 from app.worker import Job
 from core import records
@@ -48,7 +49,7 @@ def read(record: Record, base_dir: Path) -> list:
             for path in records.expand(record.file, base_dir)
         ]
     except InputError as error:
-        return [str(error)]
+        return [said(error)]
 
 
 def all_files(paths: list[Path]) -> list[Path]:
@@ -117,7 +118,7 @@ class ImportDialog(QDialog):
         try:
             self.change(time_step_s=parse_number(text) if text else None)
         except InputError as error:
-            self.words.setText(str(error))
+            self.words.setText(said(error))
 
     def change(self, **values) -> None:
         """Apply a choice to the selected files."""
@@ -217,7 +218,7 @@ class RecordsPanel(QWidget):
                         for m in (generated(case, asked) if asked and asked.target else [])
                     ]
                 except (InputError, TypeError) as error:
-                    found.append((None, str(error)))
+                    found.append((None, said(error)))
             for _, motion in found:
                 if not isinstance(motion, str):
                     motion.measure()

@@ -23,6 +23,7 @@ from app.forms.drawing import WallDrawing, mechanism_icon
 from app.forms.fields import FlagField, NumberField, TextField, connect
 from app.forms.impact_form import ImpactForm
 from app.language import tr
+from app.sentences import said
 from app.session import Session
 from core.case import Wall
 from core.errors import InputError
@@ -235,7 +236,7 @@ class WallForm(QWidget):
         try:
             block = wall.block()
         except (InputError, TypeError) as error:
-            self.summary.setText(str(error))
+            self.summary.setText(said(error))
             return
         lines = [f"α {math.degrees(block.slenderness):.2f}°"]
         if wall.thickness:
@@ -320,6 +321,6 @@ class WallForm(QWidget):
         try:
             walls = read()
         except InputError as error:
-            QMessageBox.warning(self, tr("Walls not read"), str(error))
+            QMessageBox.warning(self, tr("Walls not read"), said(error))
             return
         self.session.add_walls(walls)

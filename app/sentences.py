@@ -1,0 +1,47 @@
+"""Sentences of the core in the language of the window: what an input check says is English there."""
+
+import re
+from functools import cache
+from pathlib import Path
+
+FOLDER = Path(__file__).resolve().parents[1] / "resources" / "translations"
+HOLE = "{}"
+_spoken = ["en"]
+
+
+def speak(language: str) -> None:
+    """From now on `said` speaks this language."""
+    _spoken[:] = [language]
+
+
+@cache
+def catalogue(language: str) -> list[tuple[re.Pattern, str, str]]:
+    """(pattern, English, translation) of each sentence, those with most words of their own first."""
+    path = FOLDER / f"sentences_{language}.txt"
+    if not path.exists():
+        return []
+    lines = [line for line in path.read_text(encoding="utf-8").splitlines() if line[:1] != "#"]
+    pairs = sorted(
+        zip(lines[::2], lines[1::2], strict=True), key=lambda pair: -len(pair[0].replace(HOLE, ""))
+    )
+    return [
+        (re.compile("(.+?)".join(map(re.escape, english.split(HOLE))), re.DOTALL), english, other)
+        for english, other in pairs
+    ]
+
+
+def said(sentence: object, language: str | None = None) -> str:
+    """A sentence in the language of the window, what it names within it too; as it is where the
+    catalogue has none. Names in quotes stay."""
+    sentence, language = str(sentence), language or _spoken[0]
+    for pattern, english, other in catalogue(language):
+        found = pattern.fullmatch(sentence)
+        if found:
+            before = english.split(HOLE)
+            parts = [
+                part if start.endswith('"') else said(part, language)
+                for part, start in zip(found.groups(), before, strict=False)
+            ]
+            pieces = other.split(HOLE)
+            return "".join(piece + part for piece, part in zip(pieces, [*parts, ""], strict=True))
+    return sentence
