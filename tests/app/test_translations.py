@@ -74,7 +74,9 @@ def test_that_no_sentence_of_an_input_check_lacks_its_italian():
         ends = (sentence, re.sub("«[0-9]»$", "; did you mean «9»?", sentence), sentence[:-3])
         italian = [said(end, "it") for end in ends if said(end, "it") != end]
         assert italian, (file, sentence)
-        english = [part for part in re.split("«[0-9]»", sentence) if re.search("[a-z]{3} [a-z]{2}", part)]
+        english = [
+            part for part in re.split("«[0-9]»", sentence) if re.search("[a-z]{3} [a-z]{2}", part)
+        ]
         assert all(part.strip() not in italian[0] for part in english), (file, italian[0])
 
 

@@ -9,7 +9,8 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
 
-from PySide6.QtCore import QEvent, QEventLoop, QLocale, QSettings, Qt
+from PySide6.QtCore import QEvent, QEventLoop, QLocale, QMimeData, QPointF, QSettings, Qt, QUrl
+from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
@@ -206,6 +207,33 @@ def test_that_dropped_files_become_records(opened, application):
     settle(application, lambda: not opened.records.pending)
     opened.records.table.item(2, 0).setCheckState(Qt.CheckState.Unchecked)
     assert opened.session.case.record[2].include is False
+
+
+def test_that_files_and_folders_dropped_with_the_mouse_are_taken(opened, application, monkeypatch):
+    from app.forms.records_panel import ImportDialog
+
+    seen = []
+    monkeypatch.setattr(
+        ImportDialog, "exec", lambda dialog: seen.append(dialog) or dialog.DialogCode.Accepted
+    )
+    folder = ROOT / "resources" / "motions"
+    payload = QMimeData()
+    payload.setUrls([QUrl.fromLocalFile(str(folder)), QUrl("https://example.org/a.txt")])
+    place = QPointF(opened.records.rect().center())
+    keys = (
+        Qt.DropAction.CopyAction,
+        payload,
+        Qt.MouseButton.LeftButton,
+        Qt.KeyboardModifier.NoModifier,
+    )
+    enter = QDragEnterEvent(place.toPoint(), *keys)
+    application.sendEvent(opened.records, enter)
+    assert enter.isAccepted()
+    application.sendEvent(opened.records, QDropEvent(place, *keys))
+    names = {path.name for path in folder.glob("*.txt")}
+    settle(application, lambda: len(opened.records.motions) == len(names) + 1)
+    assert len(seen) == 1
+    assert {entry.file.split("/")[-1] for entry in opened.session.case.record} == names
 
 
 def test_that_a_file_that_is_no_record_is_said_in_the_dialog(opened, tmp_path):
