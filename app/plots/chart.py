@@ -28,16 +28,17 @@ def numbers(values) -> np.ndarray:
 
 
 class Chart(QWidget):
-    """A plot with axes `x` and `y`. Colours are roles of the theme: an index of its curves, or a name."""
+    """A plot with axes `x` and `y`. Colours are roles of the theme: an index of its curves, or a name.
+    left : where the legend stands, for curves that end high on the right."""
 
-    def __init__(self, x: str, y: str, name: str):
+    def __init__(self, x: str, y: str, name: str, left: bool = False):
         super().__init__()
         self.labels, self.name = (x, y), name
         self.setAccessibleName(name)
         self.view = pg.PlotWidget()
         self.plot = self.view.getPlotItem()
         self.plot.showGrid(x=True, y=True, alpha=0.25)
-        self.legend = self.plot.addLegend(offset=(-8, 8), labelTextSize="9pt")
+        self.legend = self.plot.addLegend(offset=(8 if left else -8, 8), labelTextSize="9pt")
         self.items: list[tuple] = []
         self.data: list[tuple[str, np.ndarray, np.ndarray]] = []
         self.read = QLabel()

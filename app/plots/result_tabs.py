@@ -155,9 +155,9 @@ class CapacityTab(QWidget):
         self.record = QComboBox()
         self.record.setAccessibleName(tr("Record"))
         self.record.activated.connect(lambda _: self._show_peaks())
-        self.peaks = Chart("q [-]", "θmax/α [-]", tr("Peak rotation against q"))
+        self.peaks = Chart("q [-]", "θmax/α [-]", tr("Peak rotation against q"), left=True)
         self.strips = Chart("q [-]", tr("run"), tr("Survival map"))
-        self.fragility = Chart("q [-]", tr("share collapsed [-]"), tr("Fragility"))
+        self.fragility = Chart("q [-]", tr("share collapsed [-]"), tr("Fragility"), left=True)
         top = QHBoxLayout()
         top.addWidget(self.peaks, 1)
         top.addWidget(self.fragility, 1)
@@ -183,7 +183,7 @@ class CapacityTab(QWidget):
                 0, q.size - result.search.half_window
             )  # beyond it the window is not whole
             self.fragility.curve(tr("fragility"), q[whole], share[whole], 0, 2.0)
-            marks = (("q", wall.q_set), ("q SLV", wall.q_slv_set), ("q robust", wall.q_robust_set))
+            marks = (("q", wall.q_set), ("q SLV", wall.q_slv_set), (tr("q robust"), wall.q_robust_set))
             for k, (label, value) in enumerate(marks):
                 if value is not None:
                     self.fragility.level(value, label, "ink", vertical=True, place=0.95 - 0.09 * k)
@@ -218,7 +218,7 @@ class CapacityTab(QWidget):
             self.peaks.level(level, label)
         if run.ida.q:
             self.peaks.level(run.ida.q, "q", "bad", vertical=True)
-        self.peaks.plot.setYRange(0.0, 1.3)
+        self.peaks.plot.setYRange(0.0, 1.45)
 
     def _show_strips(self, wall: WallResult) -> None:
         self.strips.clear()

@@ -4,6 +4,10 @@
 <context>
     <name />
     <message>
+        <source>q robust</source>
+        <translation>q robusto</translation>
+    </message>
+    <message>
         <source>Check</source>
         <translation>Verifica</translation>
     </message>
