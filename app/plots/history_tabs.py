@@ -98,7 +98,7 @@ class HistoriesTab(QWidget):
         self.rotation.clear()
         if self.shown is None or self.record.currentIndex() < 0:
             return
-        result, _ = self.shown
+        result, wall = self.shown
         self.motion = next(m for m in result.motions if m.name == self.run.record)
         self.times = np.arange(self.motion.acceleration.size) * self.motion.time_step
         self.ground_curve = self.ground.curve(
@@ -107,7 +107,8 @@ class HistoriesTab(QWidget):
         self.ground.level(0.0)
         self.curve = self.rotation.curve("θ/α", [0.0, 1.0], [0.0, 0.0], 0, 1.8)
         self.marks = self.rotation.points(tr("impacts"), [], [], 1, 5)
-        for level in (-1.0, 1.0):
+        both_ways = wall.model.one_sided == 0.0
+        for level in (-1.0, 1.0) if both_ways else (1.0,):
             self.rotation.level(level, "α" if level > 0 else "−α", "bad")
         self.cursors = [
             chart.level(0.0, "", "ink", vertical=True) for chart in (self.ground, self.rotation)
@@ -115,7 +116,7 @@ class HistoriesTab(QWidget):
         for line in self.cursors:
             line.setMovable(True)
             line.sigDragged.connect(lambda line: self.set_time(line.value()))
-        self.rotation.plot.setYRange(-1.4, 1.4)
+        self.rotation.plot.setYRange(-1.4 if both_ways else -0.2, 1.4)
         self.ground.plot.setXRange(0.0, float(self.times[-1]), padding=0.01)
         self.slider.blockSignals(True)
         self.slider.setValue(SLIDER // 2)

@@ -183,7 +183,11 @@ class CapacityTab(QWidget):
                 0, q.size - result.search.half_window
             )  # beyond it the window is not whole
             self.fragility.curve(tr("fragility"), q[whole], share[whole], 0, 2.0)
-            marks = (("q", wall.q_set), ("q SLV", wall.q_slv_set), (tr("q robust"), wall.q_robust_set))
+            marks = (
+                ("q", wall.q_set),
+                ("q SLV", wall.q_slv_set),
+                (tr("q robust"), wall.q_robust_set),
+            )
             for k, (label, value) in enumerate(marks):
                 if value is not None:
                     self.fragility.level(value, label, "ink", vertical=True, place=0.95 - 0.09 * k)

@@ -1,10 +1,12 @@
 """The search of PHYSICS section 5, against its definitions applied by brute force."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
+from core import ida
 from core.errors import Cancelled
 from core.ida import (
     Search,
@@ -77,6 +79,39 @@ def test_that_every_number_is_its_definition(ground, make_model, one_sided, law)
         assert found.survived_fraction == pytest.approx(share)
     inside = sum(sum(1 for q in grid if a <= q <= b) for a, b in found.survival_windows)
     assert inside == sum(survivors > first)
+
+
+def test_that_the_map_does_not_depend_on_how_many_points_run_at_once(
+    ground, make_model, monkeypatch
+):
+    for search in (Search(), Search(q_step=0.05), Search(q_step=0.02, map_span=1.0)):
+        whole = search_of(ground, make_model(), search)
+        with monkeypatch.context() as patched:
+            patched.setattr(ida, "CHUNK", 5)
+            parts = search_of(ground, make_model(), search)
+        assert replace(parts, analyses=0) == replace(whole, analyses=0)
+
+
+def test_that_midpoints_at_once_give_the_bracket_of_one_after_the_other():
+    rng = np.random.default_rng(4)
+    for _ in range(200):
+        low = rng.uniform(0.5, 5.0)
+        high = low * (1.0 + 10.0 ** rng.uniform(-5.0, -0.5))
+        edges = np.sort(rng.uniform(low, high, 5))
+
+        def fails(q, edges=edges, high=high):
+            return np.searchsorted(edges, q) % 2 == 1 or q == high
+
+        a, b = low, high
+        while b / a - 1.0 > ida.BRACKET:
+            middle = 0.5 * (a + b)
+            a, b = (a, middle) if fails(middle) else (middle, b)
+        found = ida.bisection(
+            low, high, lambda q, f=fails: (np.array([f(x) for x in q]), np.zeros(q.size, bool))
+        )
+        assert found == (a, b)
+    unknown = ida.bisection(1.0, 1.1, lambda q: (q > 1.02, q == q[3]))
+    assert unknown is None
 
 
 def test_that_q_up_to_one_is_rest_and_costs_no_analysis(ground, make_model):
