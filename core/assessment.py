@@ -32,6 +32,9 @@ def _reached(wall: WallResult, demand: DemandResult, search: Search) -> list[flo
         return None
     name = "q_slc" if demand.limit_state == "SLC" else "q_slv"
     found = [getattr(run.ida, name) for run in wall.runs]
+    # a wall that falls has reached the limit: without that q a midpoint of its bracket is unknown
+    if any(q is None and run.ida.q is not None for q, run in zip(found, wall.runs, strict=True)):
+        return None
     return [search.q_limit if q is None else q for q in found]
 
 

@@ -130,7 +130,7 @@ class _Set:
                 if (outcomes[:, k] == IMPACT_LIMIT).any():
                     return None
                 bracket = bisection(grid[k - 1] if k else low, grid[k], self.failures)
-                return bracket[0] if bracket else None
+                return min(bracket[0], MOST) if bracket else None
             low = float(grid[-1])
         return MOST
 

@@ -55,7 +55,7 @@ class Ida:
     status : collapse_found, no_collapse_found or impact_limit; q in bracket = (lo, hi), q = hi;
     q_slv, q_slc : first peak at 0.40, 0.60 alpha; q_robust, q_last_survival, survived_fraction,
     survival_windows : of the map, they depend on q_step; analyses : integrations made;
-    impact_limited : grid points of unknown outcome; clamped : impacts with Eq. 7 held at 0;
+    impact_limited : grid points of unknown outcome; clamped : impacts of the map with Eq. 7 held at 0;
     q_start, first_index, outcomes : the map, a digit of outcome.py per grid point.
     """
 
@@ -88,8 +88,8 @@ class _Map:
         self.first = 0
         self.outcomes = np.empty(0, np.int64)
         self.peaks = np.empty(0)
+        self.clamped = np.empty(0, np.int64)
         self.analyses = 0
-        self.clamped = 0
 
     def q_of(self, index: int) -> float:
         return self.q_start * (1.0 + self.search.q_step) ** index
@@ -105,40 +105,43 @@ class _Map:
     def last(self) -> int:
         return self.first + self.outcomes.size - 1
 
-    def analyse(self, q_values) -> tuple[np.ndarray, np.ndarray]:
-        """Outcomes and peaks at these q; below q = 1 a rigid wall rests, exactly."""
+    def analyse(self, q_values) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Outcomes, peaks and clamped ratios at these q; below q = 1 a rigid wall rests, exactly."""
         if self.cancelled():
             raise Cancelled
         q_values = np.asarray(q_values)
         outcomes = np.full(q_values.size, STABLE)
-        peaks = np.zeros(q_values.size)
+        peaks, clamped = np.zeros(q_values.size), np.zeros(q_values.size, np.int64)
         moves = q_values > 1.0 if self.rigid else np.full(q_values.size, True)
         found, reached = np.empty(int(moves.sum()), np.int64), np.empty(int(moves.sum()))
         scales = self.to_scale * q_values[moves]
-        self.clamped += scan(self.method, self.ground, self.dt, scales, self.model, found, reached)
+        clamped[moves] = scan(self.method, self.ground, self.dt, scales, self.model, found, reached)
         self.analyses += scales.size
         outcomes[moves], peaks[moves] = found, reached
-        return outcomes, peaks
+        return outcomes, peaks, clamped
 
     def grow(self, first: int, last: int) -> None:
         """Extend the map to grid points first..last, in chunks between which a cancel is seen."""
         while self.last < last:
             start = self.last + 1
             stop = min(last, start + CHUNK - 1)
-            found, peaks = self.analyse([self.q_of(k) for k in range(start, stop + 1)])
-            self.outcomes = np.concatenate([self.outcomes, found])
-            self.peaks = np.concatenate([self.peaks, peaks])
+            parts = self.analyse([self.q_of(k) for k in range(start, stop + 1)])
+            self._join((self.outcomes, self.peaks, self.clamped), parts)
         while self.first > first:
             start = max(first, self.first - CHUNK)
-            found, peaks = self.analyse([self.q_of(k) for k in range(start, self.first)])
-            self.outcomes = np.concatenate([found, self.outcomes])
-            self.peaks = np.concatenate([peaks, self.peaks])
+            parts = self.analyse([self.q_of(k) for k in range(start, self.first)])
+            self._join(parts, (self.outcomes, self.peaks, self.clamped))
             self.first = start
+
+    def _join(self, low, high) -> None:
+        self.outcomes, self.peaks, self.clamped = map(np.concatenate, zip(low, high, strict=True))
 
     def cut(self, last: int) -> None:
         """Forget what was analysed beyond this grid point, so that no map depends on the chunks."""
-        self.outcomes = self.outcomes[: last - self.first + 1]
-        self.peaks = self.peaks[: last - self.first + 1]
+        keep = slice(0, last - self.first + 1)
+        self.outcomes, self.peaks, self.clamped = (
+            self.outcomes[keep], self.peaks[keep], self.clamped[keep]
+        )  # fmt: skip
 
     def first_reaching(self, fraction: float) -> int | None:
         """First grid index that collapses or whose peak reaches this fraction of alpha."""
@@ -156,7 +159,7 @@ class _Map:
             return 0.0, self.q_of(index)
 
         def failures(middles):
-            outcomes, peaks = self.analyse(middles)
+            outcomes, peaks, _ = self.analyse(middles)
             return self.reaches(outcomes, peaks, fraction), outcomes == IMPACT_LIMIT
 
         return bisection(self.q_of(index - 1), self.q_of(index), failures)
@@ -222,11 +225,13 @@ def incremental_dynamic_analysis(
     before = grid.outcomes[: collapse - grid.first] if collapse is not None else grid.outcomes
     bracket = None
     if (before == IMPACT_LIMIT).any():
+        grid.cut(grid.last if collapse is None else collapse)
         return _result(grid, "impact_limit", None, None)
     if collapse is None:
         return _result(grid, "no_collapse_found", None, None)
     bracket = grid.bisect(collapse, math.inf)
     if bracket is None:
+        grid.cut(collapse)
         return _result(grid, "impact_limit", None, None)
     end = min(limit, max(collapse, grid.index_below(search.map_span * bracket[1])))
     grid.grow(grid.first, end)
@@ -298,7 +303,7 @@ def _result(grid: _Map, status: str, bracket, robust: int | None) -> Ida:
         survival_windows=tuple(windows),
         analyses=grid.analyses,
         impact_limited=int((grid.outcomes == IMPACT_LIMIT).sum()),
-        clamped=grid.clamped,
+        clamped=int(grid.clamped.sum()),
         q_start=grid.q_start,
         first_index=grid.first,
         outcomes="".join(map(str, grid.outcomes)),

@@ -20,7 +20,7 @@ from core.rocking.taylor import (
     STIFFEST,
     at_end,
     largest_push,
-    last_terms,
+    neglected,
     series,
     sine_and_cosine_short,
     strongest_push,
@@ -99,9 +99,9 @@ def plain_steps(lanes, ground0, ground1, dt, model, constants, lowest, order, st
             ((lower - state[LOW + k] <= reach) & (min(v[0], after) <= margin))
             | ((state[HIGH + k] - upper <= reach) & (max(v[0], after) >= -margin))
             | (upper > SHORT)
-            | (last_terms(v, order) * growth > SERIES_TOLERANCE * alpha)
+            | (neglected(v, growth, forcing, rise, p2, order) > SERIES_TOLERANCE * alpha)
             | (growth >= STIFFEST)
-            | ((min(v[0], -after) > -margin) & (upper + reach > state[PEAK + k]))
+            | ((min(v[0], -after) > -2.0 * margin) & (upper + reach > state[PEAK + k]))
         )
         rests = (
             (state[MOVING + k] == 0.0)
@@ -116,7 +116,7 @@ def plain_steps(lanes, ground0, ground1, dt, model, constants, lowest, order, st
 
 @kernel
 def scan(ground, dt, scales, model, order, outcomes, peaks):
-    """Analyses of one record at up to WIDTH multipliers; returns the clamped ratios.
+    """Analyses of one record at up to WIDTH multipliers; returns the clamped ratios of each.
 
     Arguments as `core.rocking.scan`, order : 6 or 8; the results are those of `taylor.integrate`, bit for
     bit.
@@ -140,7 +140,7 @@ def scan(ground, dt, scales, model, order, outcomes, peaks):
         up = max(up, scales[k])
         down = min(down, scales[k])
     awake = 0
-    clamped = 0
+    clamped = np.zeros(lanes, np.int64)
     left = remaining_push(ground, dt)
     for i in range(ground.size - 1):
         ground0 = ground[i]
@@ -162,7 +162,7 @@ def scan(ground, dt, scales, model, order, outcomes, peaks):
                     state[STRONGEST + k], block_of(k, zero, state), 0.0, none, none,
                 )  # fmt: skip
                 awake += int(after[3]) - int(state[MOVING + k])
-                clamped += after[7]
+                clamped[lane[k]] += after[7]
                 put(k, after, model, state)
                 if outcome == STABLE:
                     k += 1

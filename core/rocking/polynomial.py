@@ -147,7 +147,7 @@ def summit(v, h):
         if v[0] <= 0.0 or v[0] + change(v, h) >= 0.0:
             return 0.0
         time = min(-v[0] / bends_at_start, h)
-        for _ in range(4):
+        for _ in range(60):
             step = (v[0] + change(v, time)) / curvature(v, time)
             time -= step
             if abs(step) <= 1e-9 * h:

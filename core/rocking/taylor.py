@@ -111,28 +111,30 @@ def sine_and_cosine(x):
 
 
 @inner_kernel
-def last_terms(v, order):
-    """Size of the two last terms of the series over the number that bounds the next by them [rad]."""
+def neglected(v, growth, forcing, rise, p2, order):
+    """Bound of the first neglected term of a step [rad per step].
+
+    growth : p2 (1 + |beta| + slope of the branch) + phi'^2 times the step squared [-], the square of the
+    rate at which the terms of the series can grow; the other arguments as `turning_margin`. What order 6
+    leaves out also holds products of the two first terms, which do not grow out of its last ones.
+    """
     if order == 8:
-        return (abs(v[7]) + abs(v[8])) * (1.0 / 720.0)
-    return (abs(v[5]) + abs(v[6])) * (1.0 / 336.0)
+        return (abs(v[7]) + abs(v[8])) * (1.0 / 720.0) * growth
+    products = (1.0 + forcing) * (v[2] * v[2] + abs(v[1] * v[3])) + abs(rise * v[1] * v[2])
+    return (abs(v[5]) + abs(v[6])) * (1.0 / 336.0) * growth + p2 * products * (1.0 / 42.0)
 
 
 @kernel
-def converged_part(v, order, stiff, alpha):
-    """Largest part 1 / 2^n of the step at which the first neglected term is below SERIES_TOLERANCE alpha.
-
-    stiff : p2 (1 + |beta| + slope of the branch) + phi'^2 times the step squared [-], the square of the
-    rate at which the terms of the series can grow.
-    """
-    tail = last_terms(v, order)
+def converged_part(tail, growth, order, alpha):
+    """Largest part 1 / 2^n of the step at which the first neglected term, `tail` at its end, is below
+    SERIES_TOLERANCE alpha; growth : as `neglected`."""
     part = 1.0
     for _ in range(60):
-        if tail * stiff <= SERIES_TOLERANCE * alpha and stiff < STIFFEST:
+        if tail <= SERIES_TOLERANCE * alpha and growth < STIFFEST:
             break
         part *= 0.5
-        stiff *= 0.25
-        tail *= 0.00390625 if order == 8 else 0.015625
+        growth *= 0.25
+        tail *= 0.0009765625 if order == 8 else 0.00390625
     return part
 
 
@@ -180,7 +182,7 @@ def small_bounce(speed, net, sine, cosine, beta, slope, p2):
     t = -speed * per_c2
     bend = c3 * per_c2 * t
     twist = c4 * per_c2 * (t * t)
-    if not (c2 < 0.0 and abs(bend) < 5e-3 and abs(twist) < 1e-5):
+    if not (c2 < 0.0 and abs(bend) < 5e-3 and abs(twist) < 1e-6 and abs(bend * twist) < 1e-11):
         return -1.0, 0.0, 0.0
     # root of 1 - s - bend s^2 - twist s^3, s the time over that of a parabola: its series, then Newton
     s = 1.0 - bend * (1.0 - 2.0 * bend) - twist
@@ -307,7 +309,8 @@ def through_sample(
             # at uplift phi'' is zero or outward; its rounding must not push the block down
             v = (v[0], max(v[1], 0.0), v[2], v[3], v[4], v[5], v[6], v[7], v[8])
         growth = p2 * (1.0 + forcing + slope) + v[0] * v[0]
-        part = converged_part(v, order, growth, alpha)
+        tail = neglected(v, growth, forcing, rise, p2, order)
+        part = converged_part(tail, growth, order, alpha)
         # a chord stays within 1/8 max|phi''| of the curve, one of the speed within the margin: far from
         # both ends of the branch, or moving away from it, nothing happens
         dphi = increment(v, part)
@@ -336,7 +339,7 @@ def through_sample(
                 part = crossing
             dphi = increment(v, part)
             dv = change(v, part)
-        if min(v[0], -(v[0] + dv)) > -margin and max(phi, phi + dphi) + reach > peak:
+        if min(v[0], -(v[0] + dv)) > -2.0 * margin and max(phi, phi + dphi) + reach > peak:
             peak = max(peak, phi + summit(v, part))
         t = t + part * rest_of_sample if part < 1.0 else 1.0
         speed += dv * (1.0 / step)

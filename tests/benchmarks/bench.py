@@ -33,7 +33,8 @@ from core.ida import Search, incremental_dynamic_analysis  # noqa: E402
 from core.kernel_cache import kernel  # noqa: E402
 from core.moment_rotation import LAWS  # noqa: E402
 from core.restitution import restitution  # noqa: E402
-from core.rocking import METHODS, Method, rocking_model, scan, scan_taylor  # noqa: E402
+from core.rocking import AUTO, METHODS, rocking_model, scan, scan_taylor  # noqa: E402
+from core.threads import Threads  # noqa: E402
 
 LOOP = 2_000_000
 
@@ -105,10 +106,9 @@ def main() -> None:
     data = np.loadtxt(ROOT / "tests/reference/standard_record.csv", delimiter=",", skiprows=1)
     ground = np.ascontiguousarray(data[:, 1])
     pga = float(np.abs(ground).max())
-    methods = [("taylor order 6", Method("taylor", 0, 6, 6)), *METHODS.items()]
-    scales, outcomes, peaks = np.ones(32), np.zeros(32, np.int64), np.zeros(32)
+    scales, outcomes, peaks = np.ones(64), np.zeros(64, np.int64), np.zeros(64)
     for law in ("rigid", "doherty"):
-        for label, method in methods:
+        for label, method in METHODS.items():
             model = model_of(False, law)
             if label == "linearised" and law != "rigid":
                 continue
@@ -117,9 +117,11 @@ def main() -> None:
             )
             each = seconds / (scales.size * (ground.size - 1))
             line(f"{label}, standard, {law}", each * 1e9, "ns per sample", each / yardstick)
-            if label == "taylor":
+            if label in ("taylor", "taylor_6"):
                 seconds = median_seconds(
-                    lambda w=model: scan_taylor(8, ground, 0.01, scales, w, outcomes, peaks)
+                    lambda w=model, o=method.order: scan_taylor(
+                        o, ground, 0.01, scales, w, outcomes, peaks
+                    )
                 )
                 each = seconds / (scales.size * (ground.size - 1))
                 name = f"{label}, one history at a time, standard, {law}"
@@ -128,15 +130,20 @@ def main() -> None:
         model = model_of(one_sided)
 
         def search(w=model):
-            return incremental_dynamic_analysis(
-                ground, 0.01, pga, 1, w, METHODS["taylor"], Search()
-            )
+            return incremental_dynamic_analysis(ground, 0.01, pga, 1, w, AUTO, Search())
 
         seconds = median_seconds(search, 5)
         analyses = search().analyses
         line(f"search, {label}: analyses per second", analyses / seconds, "1/s",
              seconds / analyses / yardstick)  # fmt: skip
         line(f"search, {label}, {analyses} analyses", seconds * 1e3, "ms", seconds / yardstick)
+
+    def searches(jobs: int) -> None:
+        tasks = {k: lambda stop: search() for k in range(16)}
+        Threads(jobs, lambda: False).run(tasks, lambda key, result: None)
+
+    one, two = (median_seconds(lambda j=jobs: searches(j), 5) for jobs in (1, 2))
+    line("16 searches: time of one thread over that of two", one / two, "times", one / yardstick)
     with tempfile.TemporaryDirectory() as cache:
         cold = batch_seconds(cache)
         line("example batch, cold kernels", cold, "s", cold / yardstick)

@@ -21,7 +21,7 @@ from core.block import Block
 from core.ida import Search, incremental_dynamic_analysis
 from core.moment_rotation import LAWS
 from core.restitution import restitution
-from core.rocking import METHODS, Method, RockingModel, rocking_model
+from core.rocking import AUTO, METHODS, Method, RockingModel, rocking_model
 from core.units import G
 from tests.benchmarks.scenes import wall
 from tests.benchmarks.step_study import motions
@@ -111,7 +111,7 @@ def main(folder: Path) -> None:
     only = [model for _, model in models]
     truth = [search(m, w, METHODS["taylor"], 0.005) for m, w in models]
     rows = [row("method", "taylor 8", truth, truth, only)]
-    for method in (Method("taylor 6", 0, 6, 6), *list(METHODS.values())[1:]):
+    for method in (AUTO, *list(METHODS.values())[1:]):
         found = [search(m, w, method, 0.005) for m, w in models]
         rows.append(row("method", method.name, found, truth, only))
     fine = [search(m, w, METHODS["taylor"], FINEST) for m, w in models]

@@ -23,7 +23,7 @@ def same(together, alone) -> bool:
     return (
         np.array_equal(together[0], alone[0])
         and np.array_equal(together[1], alone[1])
-        and together[2] == alone[2]
+        and np.array_equal(together[2], alone[2])
     )
 
 
