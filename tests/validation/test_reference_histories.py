@@ -30,10 +30,10 @@ def test_that_order_six_cuts_its_steps_until_it_is_as_close(reference, make_mode
 
 def test_that_auto_takes_order_eight_where_a_sample_is_long_for_the_wall(make_model):
     eight = METHODS["taylor"]
-    assert concrete(AUTO, make_model(), 0.005) is METHODS["taylor_6"]
+    assert concrete(AUTO, make_model(), 0.003) is METHODS["taylor_6"]
     assert concrete(AUTO, make_model(), DT) is eight
-    assert concrete(AUTO, make_model(height=2.0), 0.005) is eight
-    assert concrete(AUTO, make_model(law="al_shawa"), 0.005) is eight
+    assert concrete(AUTO, make_model(height=2.0), 0.003) is eight
+    assert concrete(AUTO, make_model(law="al_shawa"), 0.003) is eight
     assert concrete(METHODS["rk4"], make_model(), DT) is METHODS["rk4"]
 
 
