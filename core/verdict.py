@@ -192,7 +192,11 @@ def verdict(
         doubts.append(_reason("upper_floor", z=wall.base_z_m))
     elif found is None or zeta is None:
         doubts.append(_reason("no_number"))
-    elif activated and numerical_spread(zeta, target) and not (dynamic and found.passed is False):
+    elif (
+        activated
+        and numerical_spread(zeta, target, found.name in ("dynamic", "linear_q_slv"))
+        and not (dynamic and found.passed is False)
+    ):
         doubts.append(_reason("within_spread", zeta=zeta, target=target))
     if dynamic and dynamic.holds and zeta is not None and zeta < min(1.0, target):
         doubts.append(_reason("weaker_fails", zeta=zeta))
