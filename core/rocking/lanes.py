@@ -10,22 +10,24 @@ import numpy as np
 
 from core.kernel_cache import kernel
 from core.moment_rotation import moment_branch, zone_of
+from core.rocking.bounds import (
+    SERIES_TOLERANCE,
+    STIFFEST,
+    largest_push,
+    neglected,
+    turning_margin,
+)
 from core.rocking.events import LOOK_EVERY, remaining_push, settled
 from core.rocking.outcome import STABLE
 from core.rocking.polynomial import change, increment
 from core.rocking.taylor import (
     PER_G,
-    SERIES_TOLERANCE,
     SHORT,
-    STIFFEST,
     at_end,
-    largest_push,
-    neglected,
     series,
     sine_and_cosine_short,
     strongest_push,
     through_sample,
-    turning_margin,
     upright,
 )
 

@@ -1,0 +1,61 @@
+"""What a Taylor step may leave out, and how far it can stray from its chord: bounds after Eq. 1."""
+
+from core.kernel_cache import inner_kernel, kernel
+
+SERIES_TOLERANCE = 1e-17
+"""Largest neglected term of a step, as a fraction of alpha."""
+
+STIFFEST = 2.8
+"""Largest square of the rate of growth times the step at which the bound of the neglected term holds."""
+
+
+@inner_kernel
+def neglected(v, growth, forcing, rise, p2, order):
+    """Bound of the first neglected term of a step [rad per step].
+
+    growth : p2 (1 + |beta| + slope of the branch) + phi'^2 times the step squared [-], the square of the
+    rate at which the terms of the series can grow; the other arguments as `turning_margin`. What order 6
+    leaves out also holds products of the two first terms, which do not grow out of its last ones.
+    """
+    if order == 8:
+        return (abs(v[7]) + abs(v[8])) * (1.0 / 720.0) * growth
+    products = (1.0 + forcing) * (v[2] * v[2] + abs(v[1] * v[3])) + abs(rise * v[1] * v[2])
+    return (abs(v[5]) + abs(v[6])) * (1.0 / 336.0) * growth + p2 * products * (1.0 / 42.0)
+
+
+@kernel
+def converged_part(tail, growth, order, alpha):
+    """Largest part 1 / 2^n of the step at which the first neglected term, `tail` at its end, is below
+    SERIES_TOLERANCE alpha; growth : as `neglected`."""
+    part = 1.0
+    for _ in range(60):
+        if tail <= SERIES_TOLERANCE * alpha and growth < STIFFEST:
+            break
+        part *= 0.5
+        growth *= 0.25
+        tail *= 0.0009765625 if order == 8 else 0.00390625
+    return part
+
+
+@inner_kernel
+def largest_push(upper, forcing, p2, sine_upright):
+    """Bound of |phi''| within a step [rad per step squared], after Eq. 1.
+
+    upper : the larger rotation of its ends [rad]; forcing : bound of |u''|/g; p2 : p^2 times the step
+    squared; sine_upright : sin(alpha), which no moment law exceeds by more than the rotation.
+    """
+    crude = 0.125 * p2 * (1.0 + forcing)
+    return p2 * (sine_upright + (upper + crude) + forcing)
+
+
+@inner_kernel
+def turning_margin(speed, change, rise, forcing, p2, push):
+    """How far the speed [rad per step] can leave its chord within a step: 1/8 of the bound of its second
+    derivative, after Eq. 1.
+
+    speed, change : at the start and over the step; rise : of the forcing u''/g over the step [-];
+    forcing : its bound plus the slope of the moment law [-]; p2 : times the step squared [-];
+    push : bound of the angular acceleration [rad per step squared].
+    """
+    fastest = max(abs(speed), abs(speed + change)) + push
+    return 0.125 * p2 * (fastest * (1.0 + forcing) + abs(rise))
