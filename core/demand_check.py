@@ -15,7 +15,7 @@ from core.compliance import station_of
 from core.demand import DemandResult
 from core.errors import Cancelled
 from core.ground_motion import GroundMotion
-from core.ida import BRACKET, CHUNK, TRILINEAR_FLOOR, bisection, threshold_of
+from core.ida import BRACKET, CHUNK, TRILINEAR_FLOOR, bisections, threshold_of
 from core.kinematic import LIMIT_FRACTION, Check
 from core.rocking import COLLAPSED, IMPACT_LIMIT, Method, RockingModel, scan
 
@@ -133,7 +133,8 @@ class _Set:
                 k = int(np.argmax(fails))
                 if (outcomes[:, k] == IMPACT_LIMIT).any():
                     return None
-                bracket = bisection(grid[k - 1] if k else low, grid[k], self.failures)
+                edges = (float(grid[k - 1]) if k else low, float(grid[k]))
+                (bracket,) = bisections([edges], lambda points: [self.failures(points[0])])
                 return min(bracket[0], MOST) if bracket else None
             low = float(grid[-1])
         return MOST

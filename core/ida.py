@@ -152,44 +152,71 @@ class _Map:
         reached = peaks >= fraction * self.model.slenderness
         return (outcomes == COLLAPSED) | ((outcomes == STABLE) & reached)
 
-    def bisect(self, index: int, fraction: float) -> tuple[float, float] | None:
-        """Bracket of the first event between grid points index - 1 and index; None if a midpoint is
-        of unknown outcome; from 0 where the map cannot go lower."""
-        if index == self.first:
-            return 0.0, self.q_of(index)
+    def brackets(self, fractions: tuple[float, ...]) -> list[tuple[float, float] | None]:
+        """Brackets of the first events of these fractions of alpha; None without one or where a midpoint
+        is of unknown outcome; from 0 where the map cannot go lower."""
+        firsts = [self.first_reaching(fraction) for fraction in fractions]
+        wanted = [k for k, first in enumerate(firsts) if first not in (None, self.first)]
 
         def failures(middles):
-            outcomes, peaks, _ = self.analyse(middles)
-            return self.reaches(outcomes, peaks, fraction), outcomes == IMPACT_LIMIT
+            outcomes, peaks, _ = self.analyse(np.concatenate(middles))
+            cuts = np.cumsum([part.size for part in middles])[:-1]
+            return [
+                (self.reaches(outcome, peak, fractions[wanted[k]]), outcome == IMPACT_LIMIT)
+                for k, (outcome, peak) in enumerate(
+                    zip(np.split(outcomes, cuts), np.split(peaks, cuts), strict=True)
+                )
+            ]
 
-        return bisection(self.q_of(index - 1), self.q_of(index), failures)
+        edges = [(self.q_of(firsts[k] - 1), self.q_of(firsts[k])) for k in wanted]
+        found = [None if first is None else (0.0, self.q_of(first)) for first in firsts]
+        for k, bracket in zip(wanted, bisections(edges, failures), strict=True):
+            found[k] = bracket
+        return found
 
 
-def bisection(low: float, high: float, failures) -> tuple[float, float] | None:
-    """Bracket of a failure between low, which holds, and high, which fails, not wider than BRACKET: the
-    one of arithmetic midpoints, one after the other.
+def bisections(brackets: list[tuple[float, float]], failures) -> list[tuple[float, float] | None]:
+    """Brackets of failures between low, which holds, and high, which fails, narrowed side by side until none
+    is wider than BRACKET: those of arithmetic midpoints, one after the other.
 
-    failures(points) : (fails, unknown), flags of each point, shape of points. None where a midpoint the
+    failures(points) : [(fails, unknown)], flags of each of the arrays of points. None where a midpoint a
     bisection needs is unknown.
     """
-    while high / low - 1.0 > BRACKET:
-        edges = np.array([low, high])
-        for _ in range(HALVINGS):
-            halved = np.empty(2 * edges.size - 1)
-            halved[::2], halved[1::2] = edges, 0.5 * (edges[:-1] + edges[1:])
-            edges = halved
-        fails, unknown = failures(edges[1:-1])
-        first, last = 0, edges.size - 1
-        while last - first > 1 and edges[last] / edges[first] - 1.0 > BRACKET:
-            middle = (first + last) // 2
-            if unknown[middle - 1]:
-                return None
-            if fails[middle - 1]:
-                last = middle
-            else:
-                first = middle
-        low, high = float(edges[first]), float(edges[last])
-    return float(low), float(high)
+    found = list(brackets)
+    while any(wide := [bracket is not None and not _narrow(*bracket) for bracket in found]):
+        edges = [_halved(*bracket) if k else np.zeros(2) for k, bracket in zip(wide, found)]
+        for k, (fails, unknown) in enumerate(failures([points[1:-1] for points in edges])):
+            if wide[k]:
+                found[k] = _narrowed(edges[k], fails, unknown)
+    return found
+
+
+def _narrow(low: float, high: float) -> bool:
+    return high / low - 1.0 <= BRACKET
+
+
+def _halved(low: float, high: float) -> np.ndarray:
+    """All midpoints that HALVINGS bisections may ask for, and the ends."""
+    edges = np.array([low, high])
+    for _ in range(HALVINGS):
+        halved = np.empty(2 * edges.size - 1)
+        halved[::2], halved[1::2] = edges, 0.5 * (edges[:-1] + edges[1:])
+        edges = halved
+    return edges
+
+
+def _narrowed(edges, fails, unknown) -> tuple[float, float] | None:
+    """Where bisecting between the first edge and the last leads, its midpoints known."""
+    first, last = 0, edges.size - 1
+    while last - first > 1 and not _narrow(edges[first], edges[last]):
+        middle = (first + last) // 2
+        if unknown[middle - 1]:
+            return None
+        if fails[middle - 1]:
+            last = middle
+        else:
+            first = middle
+    return float(edges[first]), float(edges[last])
 
 
 def threshold_of(model: RockingModel) -> float:
@@ -223,22 +250,20 @@ def incremental_dynamic_analysis(
         grid.grow(grid.first, min(limit, grid.last + CHUNK))
         collapse = grid.first_reaching(math.inf)
     before = grid.outcomes[: collapse - grid.first] if collapse is not None else grid.outcomes
-    bracket = None
-    if (before == IMPACT_LIMIT).any():
-        grid.cut(grid.last if collapse is None else collapse)
-        return _result(grid, "impact_limit", None, None)
+    unknown = bool((before == IMPACT_LIMIT).any())
+    fractions = (math.inf, SLV_FRACTION, SLC_FRACTION)
+    brackets = [None] * len(fractions) if unknown else grid.brackets(fractions)
     if collapse is None:
-        return _result(grid, "no_collapse_found", None, None)
-    bracket = grid.bisect(collapse, math.inf)
-    if bracket is None:
+        return _result(grid, "impact_limit" if unknown else "no_collapse_found", brackets, None)
+    if brackets[0] is None:
         grid.cut(collapse)
-        return _result(grid, "impact_limit", None, None)
-    end = min(limit, max(collapse, grid.index_below(search.map_span * bracket[1])))
+        return _result(grid, "impact_limit", [None] * len(fractions), None)
+    end = min(limit, max(collapse, grid.index_below(search.map_span * brackets[0][1])))
     grid.grow(grid.first, end)
     while (robust := _robust_index(grid, half)) is None and grid.last < limit:
         grid.grow(grid.first, min(limit, grid.last + max(half, 1)))
     grid.cut(grid.last if robust is None else max(end, robust + half))
-    return _result(grid, "collapse_found", bracket, robust)
+    return _result(grid, "collapse_found", brackets, robust)
 
 
 def _descend(grid: _Map, half: int) -> None:
@@ -271,13 +296,10 @@ def _robust_index(grid: _Map, half: int) -> int | None:
     return grid.first + int(hits[0]) if hits.size else None
 
 
-def _result(grid: _Map, status: str, bracket, robust: int | None) -> Ida:
+def _result(grid: _Map, status: str, brackets, robust: int | None) -> Ida:
+    """brackets : of q, q_slv, q_slc, each None where it has none."""
     found = status == "collapse_found"
-    limits = {}
-    for name, fraction in (("q_slv", SLV_FRACTION), ("q_slc", SLC_FRACTION)):
-        index = grid.first_reaching(fraction) if status != "impact_limit" else None
-        edges = grid.bisect(index, fraction) if index is not None else None
-        limits[name] = edges[1] if edges else None
+    q, q_slv, q_slc = (bracket[1] if bracket else None for bracket in brackets)
     windows, last, fraction = [], None, None
     if found:
         survives = grid.outcomes == STABLE
@@ -294,9 +316,10 @@ def _result(grid: _Map, status: str, bracket, robust: int | None) -> Ida:
         ]
     return Ida(
         status=status,
-        q=bracket[1] if bracket else None,
-        bracket=bracket,
-        **limits,
+        q=q,
+        bracket=brackets[0],
+        q_slv=q_slv,
+        q_slc=q_slc,
         q_robust=grid.q_of(robust) if robust is not None else None,
         q_last_survival=last,
         survived_fraction=fraction,

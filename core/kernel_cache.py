@@ -116,8 +116,9 @@ os.environ.setdefault(
     f"{__name__}.Locator,InTreeCacheLocator,UserWideCacheLocator,IPythonCacheLocator",
 )
 
-from numba import njit  # noqa: E402  (the locator must be named before numba is imported)
+from numba import njit, types  # noqa: E402  (the locator must be named before numba is imported)
 from numba.core.caching import _CacheLocator  # noqa: E402
+from numba.extending import lower_builtin, type_callable  # noqa: E402
 
 
 class Locator(_CacheLocator):
@@ -142,8 +143,27 @@ class Locator(_CacheLocator):
 
 OPTIONS = {"cache": True, "nogil": True, "error_model": "numpy"}
 
-kernel = njit(**OPTIONS)
-"""Compiled once per machine; no lock held while it runs; never fastmath, never parallel."""
+kernel = njit(forceinline=False, **OPTIONS)
+"""Compiled once per machine; no lock held while it runs; never fastmath, never parallel. An option not set
+here would be inherited from the kernel whose compilation asks for this one."""
 
 inner_kernel = njit(forceinline=True, **OPTIONS)
 """A kernel that becomes part of its callers, so that their loops can use vector instructions."""
+
+
+def widest_vectors() -> None:
+    """Called in a kernel: its loops use the widest vector registers of the processor. LLVM keeps to half of
+    them on some processors, and the bare arithmetic of the lanes then takes nearly twice as long."""
+
+
+@type_callable(widest_vectors)
+def _nothing(context):
+    return lambda: types.none
+
+
+@lower_builtin(widest_vectors)
+def _mark_function(context, builder, signature, arguments):
+    builder.function.attributes.add("noinline")
+    # llvmlite's list of known attributes lacks this one
+    set.add(builder.function.attributes, '"prefer-vector-width"="512"')
+    return context.get_dummy_value()

@@ -109,18 +109,6 @@ def compared(
 
 
 @kernel
-def scan_taylor(order, ground, dt, scales, model, outcomes, peaks):
-    """`scan` by taylor one analysis at a time: what the lanes are held against."""
-    none = np.empty(0)
-    clamped = np.zeros(scales.size, np.int64)
-    for j in range(scales.size):
-        outcomes[j], peaks[j], _, clamped[j], _ = taylor.integrate(
-            ground, dt, scales[j], model, order, (0.0, 0.0), none, none, none, none
-        )
-    return clamped
-
-
-@kernel
 def scan_compared(code, option, ground, dt, scales, model, outcomes, peaks, table):
     """`scan` by the other methods."""
     none = np.empty(0)
@@ -143,8 +131,8 @@ def scan(method: Method, ground, dt, scales, model, outcomes, peaks) -> np.ndarr
         clamped = np.zeros(scales.size, np.int64)
         for k in range(0, scales.size, lanes.WIDTH):
             part = slice(k, k + lanes.WIDTH)
-            clamped[part] = lanes.scan(
-                ground, dt, scales[part], model, method.option, outcomes[part], peaks[part]
+            clamped[part] = lanes.SCANS[method.order](
+                ground, dt, scales[part], model, outcomes[part], peaks[part]
             )
         return clamped
     return scan_compared(

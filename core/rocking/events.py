@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from core.kernel_cache import kernel
+from core.kernel_cache import inner_kernel, kernel
 from core.moment_rotation import potential, rotation_at_potential
 from core.restitution import velocity_ratio
 from core.rocking.outcome import COLLAPSED, STABLE
@@ -20,8 +20,17 @@ REST_FRACTION = 1e-6
 IMPACTS_PER_SAMPLE = 10_000
 """More impacts than this within one sample end the analysis as impact_limit."""
 
+MOST_BOUNCES = 7.0
+"""Bounces from the largest small one to rest, times the velocity ratio's distance from 1: ln(1000)."""
+
 LOOK_EVERY = 64
 """Samples between two looks at whether an analysis is settled."""
+
+LOST_EVERY = 8
+"""Samples between two looks at whether a block beyond alpha is lost."""
+
+QUIET = 8
+"""Samples of the ground looked at ahead of a dying chatter, the present one among them."""
 
 LAST_ROTATION = 0.5 * math.pi
 """Beyond this rotation [rad] the equation of motion has no meaning: collapsed."""
@@ -129,6 +138,69 @@ def remaining_push(ground, dt):
     for i in range(ground.size - 2, -1, -1):
         left[i] = left[i + 1] + 0.5 * dt * (abs(ground[i]) + abs(ground[i + 1]))
     return left
+
+
+UNKNOWN = (math.inf, 0.0, 0.0)
+"""In the place of what `ahead_of` gives, where every bounce is followed."""
+
+
+@kernel
+def quiet_windows(ground):
+    """Highest and lowest ground acceleration and largest change from sample to sample [m/s2] over the QUIET
+    samples from each on, shape (3, n); beyond the record the ground is still."""
+    windows = np.zeros((3, ground.size))
+    windows[0] = ground
+    windows[1] = ground
+    for i in range(ground.size):
+        following = ground[i + 1] if i + 1 < ground.size else 0.0
+        windows[2, i] = abs(following - ground[i])
+    shift = QUIET // 2
+    while shift > 0:
+        for i in range(ground.size):
+            later = i + shift
+            inside = later < ground.size
+            windows[0, i] = max(windows[0, i], windows[0, later] if inside else 0.0)
+            windows[1, i] = min(windows[1, i], windows[1, later] if inside else 0.0)
+            windows[2, i] = max(windows[2, i], windows[2, later] if inside else 0.0)
+        shift //= 2
+    return windows
+
+
+@inner_kernel
+def ahead_of(windows, i, scale):
+    """(highest, lowest, largest change) of the scaled ground over the window of sample i [m/s2]."""
+    highest = scale * windows[0, i]
+    lowest = scale * windows[1, i]
+    return max(highest, lowest), min(highest, lowest), abs(scale) * windows[2, i]
+
+
+@kernel
+def dies_down(speed, ahead, dt, time, impacts, peak, model, constants):
+    """Whether bounces of less and less height bring the block to rest within this time, rigid law.
+
+    Rigorous, so that the bounces need not be followed: over the window the pull back exceeds 0.9 of that
+    under the strongest ground, each flight lasts at most twice its speed over the pull, lands with the
+    energy it left with plus what the change of the ground adds, and leaves by the velocity ratio (Eq. 1, 3).
+    speed : just after an impact [rad/s]; ahead : of `ahead_of`; time : to the end of the window [s];
+    impacts : in this sample; constants : of `taylor.upright`.
+    """
+    threshold, _, _, cosine_upright = constants
+    highest, lowest, steepest = ahead
+    strongest = max(highest, -lowest)
+    free = cosine_upright * (threshold - (highest if model.one_sided != 0.0 else strongest)) / G
+    if not free > 0.0 or model.ratio_drop != 0.0:
+        return False
+    pull = 0.9 * model.p2 * free
+    height = 0.5 * speed * speed / pull
+    flight = 2.0 * speed / pull
+    gain = 0.5 * model.p2 * steepest / (G * dt) * flight / pull
+    loss = 1.0 - model.ratio_at_rest * (1.0 + gain)
+    return (
+        height * (1.0 + strongest / G) <= 0.1 * free
+        and height <= peak
+        and flight <= 0.999 * loss * time
+        and loss * (IMPACTS_PER_SAMPLE - impacts) >= MOST_BOUNCES
+    )
 
 
 @kernel

@@ -8,7 +8,7 @@ Samples in which every lane rests are skipped; lanes that have collapsed or sett
 
 import numpy as np
 
-from core.kernel_cache import kernel
+from core.kernel_cache import inner_kernel, kernel, widest_vectors
 from core.moment_rotation import moment_branch, zone_of
 from core.rocking.bounds import (
     SERIES_TOLERANCE,
@@ -17,13 +17,22 @@ from core.rocking.bounds import (
     neglected,
     turning_margin,
 )
-from core.rocking.events import LOOK_EVERY, remaining_push, settled
-from core.rocking.outcome import STABLE
+from core.rocking.events import (
+    LOOK_EVERY,
+    LOST_EVERY,
+    UNKNOWN,
+    ahead_of,
+    quiet_windows,
+    remaining_push,
+    settled,
+)
+from core.rocking.outcome import COLLAPSED, STABLE
 from core.rocking.polynomial import change, increment
 from core.rocking.taylor import (
     PER_G,
     SHORT,
     at_end,
+    lost,
     series,
     sine_and_cosine_short,
     strongest_push,
@@ -65,6 +74,7 @@ def plain_steps(lanes, ground0, ground1, dt, model, constants, lowest, order, st
 
     lowest : ground acceleration below which a resting block lifts to the other side [m/s2].
     """
+    widest_vectors()
     threshold, tangent, sine_upright, cosine_upright = constants
     alpha = model.slenderness
     p2 = model.p2 * (dt * dt)
@@ -116,17 +126,16 @@ def plain_steps(lanes, ground0, ground1, dt, model, constants, lowest, order, st
         state[PEAK + k] = state[PEAK + k] if event else max(state[PEAK + k], y)
 
 
-@kernel
+@inner_kernel
 def scan(ground, dt, scales, model, order, outcomes, peaks):
     """Analyses of one record at up to WIDTH multipliers; returns the clamped ratios of each.
 
-    Arguments as `core.rocking.scan`, order : 6 or 8; the results are those of `taylor.integrate`, bit for
-    bit.
+    Arguments as `core.rocking.scan`, order : 6 or 8. Outcomes and the peaks of what stays up are those of
+    `taylor.integrate`, bit for bit; the peak of a block that falls is where it was given up.
     """
     constants = upright(model)
     threshold = constants[0]
     lowest = -np.inf if model.one_sided != 0.0 else -threshold
-    none = np.empty(0)
     zero = np.int64(0)  # a plain 0 would be a type of its own, and compile everything again
     lanes = scales.size
     lane = np.arange(lanes)
@@ -144,24 +153,26 @@ def scan(ground, dt, scales, model, order, outcomes, peaks):
     awake = 0
     clamped = np.zeros(lanes, np.int64)
     left = remaining_push(ground, dt)
+    stops = model.ratio_drop == 0.0
+    windows = quiet_windows(ground if stops else ground[:0])
+    ahead = UNKNOWN
     for i in range(ground.size - 1):
         ground0 = ground[i]
         ground1 = ground[i + 1]
         high = max(up * max(ground0, ground1), down * min(ground0, ground1))
         low = min(up * min(ground0, ground1), down * max(ground0, ground1))
         if awake > 0 or high > threshold or low < lowest:
-            if order == 8:
-                plain_steps(lanes, ground0, ground1, dt, model, constants, lowest, 8, state)
-            else:
-                plain_steps(lanes, ground0, ground1, dt, model, constants, lowest, 6, state)
+            plain_steps(lanes, ground0, ground1, dt, model, constants, lowest, order, state)
             k = zero
             while k < lanes:
                 if state[EVENT + k] == 0.0:
                     k += 1
                     continue
+                if stops:
+                    ahead = ahead_of(windows, i, state[SCALE + k])
                 outcome, after = through_sample(
                     state[SCALE + k] * ground0, state[SCALE + k] * ground1, dt, model, constants, order,
-                    state[STRONGEST + k], block_of(k, zero, state), 0.0, none, none,
+                    state[STRONGEST + k], ahead, block_of(k, zero, state), 0.0, None,
                 )  # fmt: skip
                 awake += int(after[3]) - int(state[MOVING + k])
                 clamped[lane[k]] += after[7]
@@ -173,7 +184,19 @@ def scan(ground, dt, scales, model, order, outcomes, peaks):
                 peaks[lane[k]] = state[PEAK + k]
                 awake -= int(state[MOVING + k])
                 lanes = leave(k, lanes, lane, state)
-        if i % LOOK_EVERY == 0 and model.ratio_drop == 0.0:
+        if i % LOST_EVERY == 0:
+            k = zero
+            while k < lanes:
+                if state[PHI + k] > model.slenderness and lost(
+                    state[PHI + k], state[SPEED + k], state[STRONGEST + k], model
+                ):
+                    outcomes[lane[k]] = COLLAPSED
+                    peaks[lane[k]] = state[PEAK + k]
+                    awake -= int(state[MOVING + k])
+                    lanes = leave(k, lanes, lane, state)
+                else:
+                    k += 1
+        if i % LOOK_EVERY == 0 and stops:
             k = zero
             while k < lanes:
                 push = abs(state[SCALE + k]) * left[i + 1]
@@ -189,6 +212,21 @@ def scan(ground, dt, scales, model, order, outcomes, peaks):
     for k in range(zero, lanes):
         outcomes[lane[k]], peaks[lane[k]] = at_end(block_of(k, zero, state), model)
     return clamped
+
+
+@kernel
+def scan_6(ground, dt, scales, model, outcomes, peaks):
+    """`scan` by order 6: an order known to the compiler leaves the terms of the other out."""
+    return scan(ground, dt, scales, model, 6, outcomes, peaks)
+
+
+@kernel
+def scan_8(ground, dt, scales, model, outcomes, peaks):
+    """`scan` by order 8."""
+    return scan(ground, dt, scales, model, 8, outcomes, peaks)
+
+
+SCANS = {6: scan_6, 8: scan_8}
 
 
 @kernel

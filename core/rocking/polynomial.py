@@ -81,6 +81,39 @@ def turns_at_most_once(v, h):
     return t3 <= a3 or h * (a3 + t3) <= a2
 
 
+@inner_kernel
+def falls_faster_and_faster(v):
+    """Whether phi'' is negative all over the step, by a bound on the polynomial's tail."""
+    tail = (2.0 * abs(v[2]) + 3.0 * abs(v[3])) + (4.0 * abs(v[4]) + 5.0 * abs(v[5]))
+    return v[1] + (tail + (6.0 * abs(v[6]) + 7.0 * abs(v[7])) + 8.0 * abs(v[8])) < 0.0
+
+
+@kernel
+def landing(v, gap, h):
+    """Time in (0, h] at which gap + phi(t) - phi(0) falls to zero; -1.0 if it stays above. gap not negative.
+    Valid where phi'' < 0 in [0, h]: there is one such time at most."""
+    if gap + increment(v, h) > 0.0:
+        return -1.0
+    # the parabola's root is close, and then each step of Halley's triples the digits; a start that is short
+    # of the landing or beyond the step is replaced by the end, from where Newton's steps come down to it
+    square = max(v[0] * v[0] - 2.0 * v[1] * gap, 0.0)
+    time = min(-(v[0] + math.sqrt(square)) / v[1], h)
+    for _ in range(60):
+        slope = v[0] + change(v, time)
+        if slope >= 0.0:
+            time = h
+            continue
+        inverse = 1.0 / slope
+        step = (gap + increment(v, time)) * inverse
+        bend = step * inverse * (0.5 * v[1] + time * v[2])
+        near = abs(step) <= 1e-6 * time and abs(bend) <= 1e-6
+        time -= step * (1.0 + bend) if abs(bend) < 0.1 else step
+        if near or not time > 0.0:
+            break
+        time = min(time, h)
+    return min(max(time, 0.0), h)
+
+
 @kernel
 def first_crossing(v, gap, sign, h):
     """First time in (0, h] at which sign * (gap + phi(t) - phi(0)) falls to zero, from above or from a
@@ -88,33 +121,6 @@ def first_crossing(v, gap, sign, h):
     double crossing inside the step is found. Valid where `turns_at_most_once` holds."""
     bends_at_start = sign * curvature(v, 0.0)
     bends_at_end = sign * curvature(v, h)
-    if bends_at_start < 0.0 and bends_at_end < 0.0:
-        # concave: one crossing at most, and Newton from its far side comes down to it
-        time = h
-        value = sign * (gap + increment(v, time))
-        if value > 0.0:
-            return -1.0
-        # the parabola's root is close; where it falls short, one Newton step leads past the crossing
-        speed, bend = sign * v[0], sign * v[1]
-        square = max(speed * speed - 2.0 * bend * sign * gap, 0.0)
-        guess = -(speed + math.sqrt(square)) / bend
-        if 0.0 < guess < h:
-            at_guess = sign * (gap + increment(v, guess))
-            gradient = sign * (v[0] + change(v, guess))
-            if at_guess > 0.0 and gradient < 0.0:
-                guess -= at_guess / gradient
-                at_guess = sign * (gap + increment(v, guess))
-            if at_guess <= 0.0 and guess < h:
-                time = guess
-                value = at_guess
-        for _ in range(60):
-            gradient = sign * (v[0] + change(v, time))
-            following = time - value / gradient if gradient < 0.0 else 0.0
-            if not 0.0 < following < time:
-                break
-            time = following
-            value = sign * (gap + increment(v, time))
-        return time
     bend = h
     if (bends_at_start < 0.0) != (bends_at_end < 0.0):
         bend = bracketed_root(v, 0.0, CURVATURE, 0.0, h)

@@ -17,25 +17,27 @@ from core.rocking.bounds import converged_part, largest_push, neglected, turning
 from core.rocking.events import (
     IMPACTS_PER_SAMPLE,
     LAST_ROTATION,
-    LOOK_EVERY,
+    QUIET,
+    UNKNOWN,
+    dies_down,
     end_of_record,
     leave_impact,
     lift_threshold,
     next_uplift,
-    remaining_push,
-    settled,
 )
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.rocking.polynomial import (
     change,
+    falls_faster_and_faster,
     first_crossing,
     increment,
+    landing,
     summit,
     turns_at_most_once,
 )
 from core.units import G
 
-SHORT = 0.25
+SHORT = 0.8
 """Rotation up to which the short series of sin and cos holds [rad]."""
 
 SMALL_BOUNCE = 1e-3
@@ -90,9 +92,13 @@ def sine_and_cosine_short(x):
     """sin and cos of a rotation up to SHORT by a short series, to full precision."""
     y = x * x
     z = y * y
-    tail = (1.0 / 120.0 - y * (1.0 / 5040.0)) + z * (1.0 / 362880.0 - y * (1.0 / 39916800.0))
+    tail = (1.0 / 6227020800.0 - y * (1.0 / 1307674368000.0)) + z * (1.0 / 355687428096000.0)
+    tail = (1.0 / 362880.0 - y * (1.0 / 39916800.0)) + z * tail
+    tail = (1.0 / 120.0 - y * (1.0 / 5040.0)) + z * tail
     s = x * ((1.0 - y * (1.0 / 6.0)) + z * tail)
-    tail = (1.0 / 40320.0 - y * (1.0 / 3628800.0)) + z * (1.0 / 479001600.0)
+    last = 1.0 / 20922789888000.0 - y * (1.0 / 6402373705728000.0)
+    tail = (1.0 / 479001600.0 - y * (1.0 / 87178291200.0)) + z * last
+    tail = (1.0 / 40320.0 - y * (1.0 / 3628800.0)) + z * tail
     tail = (1.0 / 24.0 - y * (1.0 / 720.0)) + z * tail
     return s, (1.0 - 0.5 * y) + z * tail
 
@@ -156,14 +162,14 @@ def strongest_push(ground):
 @kernel
 def lost(phi, speed, strongest, model):
     """Whether the block never comes back: even the strongest ground, pushing inward all the time, lets it
-    over its barrier (energy, Eq. 1 beyond alpha). Not asked below SHORT, where the steps in lockstep end.
+    over its barrier (energy, Eq. 1 beyond alpha).
 
     phi [rad]; speed : outward positive [rad/s]; strongest : bound of |u''|/g, FAR if it is to fall.
     """
     if phi > LAST_ROTATION:
         return True
     lean = phi - model.slenderness
-    if phi <= SHORT or lean <= 0.0 or speed <= 0.0:
+    if lean <= 0.0 or speed <= 0.0:
         return False
     if math.tan(lean) >= strongest:
         return True
@@ -172,16 +178,32 @@ def lost(phi, speed, strongest, model):
     return speed * speed > 2.0 * model.p2 * barrier
 
 
+@kernel
+def crossing_of(v, phi, low, high, part):
+    """(part of the step looked at, first time at which phi leaves the branch or -1.0, whether below)."""
+    for _ in range(30):
+        if turns_at_most_once(v, part):
+            break
+        part *= 0.5
+    lower = first_crossing(v, phi - low, 1.0, part)
+    upper = first_crossing(v, phi - high, -1.0, part) if high < FAR else -1.0
+    if upper >= 0.0 and (lower < 0.0 or upper < lower):
+        return part, upper, False
+    return part, lower, True
+
+
 @inner_kernel
-def land(speed, side, ground, time, model, threshold, impacts, clamped, times, velocities):
-    """An impact at theta = 0: (speed, side, moving, impacts, clamped) after it, noted in times [s] and
-    velocities [rad/s]. speed : just before it, inward negative (Eq. 3, 7)."""
+def land(speed, side, ground, time, model, threshold, impacts, clamped, noted):
+    """An impact at theta = 0: (speed, side, moving, impacts, clamped) after it. speed : just before it,
+    inward negative (Eq. 3, 7); noted : as `through_sample`."""
     speed, after, side, moving, clamp = leave_impact(
         max(-speed, 0.0), side, ground, model, threshold
     )
-    if impacts < times.size:
-        times[impacts] = time
-        velocities[impacts] = after * speed
+    if noted is not None:
+        times, velocities = noted
+        if impacts < times.size:
+            times[impacts] = time
+            velocities[impacts] = after * speed
     if not moving:
         speed = 0.0
     return speed, side, moving, impacts + 1, clamped + clamp
@@ -189,15 +211,15 @@ def land(speed, side, ground, time, model, threshold, impacts, clamped, times, v
 
 @inner_kernel
 def through_sample(
-    ground0, ground1, dt, model, constants, order, strongest, state, start_time, impact_time,
-    impact_velocity,
+    ground0, ground1, dt, model, constants, order, strongest, ahead, state, start_time, noted
 ):  # fmt: skip
     """Carry the block through one sample, rest, uplift, kinks and impacts included.
 
     ground0, ground1 : ground acceleration at both ends [m/s2]; constants : of `upright`;
-    strongest : of `lost`;
+    strongest : of `lost`; ahead : of `dies_down`;
     state : (side, phi [rad], speed [rad/s], moving, zone, peak [rad], impacts, clamped);
-    start_time [s] and the last two arguments : as `integrate`. Returns (outcome so far, state).
+    start_time [s]; noted : (times [s], velocities [rad/s]) into which every impact is written, or None: a
+    chatter that dies down is then not followed. Returns (outcome so far, state).
     """
     threshold, tangent, sine_upright, cosine_upright = constants
     side, phi, speed, moving, zone, peak, impacts, clamped = state
@@ -223,7 +245,14 @@ def through_sample(
         pull = side * PER_G
         beta = pull * (ground0 + jump * t)
         if phi == 0.0 and 0.0 < speed < small:
-            flight, landing, highest = small_bounce(
+            if noted is None:
+                time = (QUIET - 1 - t) * dt
+                made = impacts - impacts_before
+                if dies_down(speed, ahead, dt, time, made, peak, model, constants):
+                    moving = False
+                    speed = 0.0
+                    break
+            flight, arriving, highest = small_bounce(
                 speed, cosine_upright * (tangent - beta), sine_upright, cosine_upright, beta,
                 pull * rate, model.p2,
             )  # fmt: skip
@@ -231,8 +260,8 @@ def through_sample(
                 t += flight * per_dt
                 peak = max(peak, highest)
                 speed, side, moving, impacts, clamped = land(
-                    landing, side, ground0 + jump * t, start_time + t * dt, model, threshold,
-                    impacts, clamped, impact_time, impact_velocity,
+                    arriving, side, ground0 + jump * t, start_time + t * dt, model, threshold,
+                    impacts, clamped, noted,
                 )  # fmt: skip
                 if impacts - impacts_before > IMPACTS_PER_SAMPLE:
                     return IMPACT_LIMIT, (side, phi, speed, moving, zone, peak, impacts, clamped)
@@ -268,16 +297,10 @@ def through_sample(
         if (min(phi, phi + dphi) - low <= reach and slowest <= margin) or (
             high - max(phi, phi + dphi) <= reach and fastest >= -margin
         ):
-            for _ in range(30):
-                if turns_at_most_once(v, part):
-                    break
-                part *= 0.5
-            crossing = first_crossing(v, phi - low, 1.0, part)
-            if high < FAR:
-                upper = first_crossing(v, phi - high, -1.0, part)
-                if upper >= 0.0 and (crossing < 0.0 or upper < crossing):
-                    crossing = upper
-                    falling = False
+            if high == FAR and falls_faster_and_faster(v):
+                crossing = landing(v, phi - low, part)
+            else:
+                part, crossing, falling = crossing_of(v, phi, low, high, part)
             if crossing >= 0.0:
                 part = crossing
             dphi = increment(v, part)
@@ -303,7 +326,7 @@ def through_sample(
         phi = 0.0
         speed, side, moving, impacts, clamped = land(
             speed, side, ground0 + jump * t, start_time + t * dt, model, threshold, impacts,
-            clamped, impact_time, impact_velocity,
+            clamped, noted,
         )  # fmt: skip
         if impacts - impacts_before > IMPACTS_PER_SAMPLE:
             return IMPACT_LIMIT, (side, phi, speed, moving, zone, peak, impacts, clamped)
@@ -318,38 +341,28 @@ def integrate(
 
     ground : ground acceleration [m/s2], shape (n,); dt : its time step [s]; scale : multiplier [-],
     negative for the reversed record; model : RockingModel; order : 6 or 8; start : initial rotation
-    [rad] and velocity [rad/s]; rotation, velocity : results at the samples [rad], [rad/s], shape (n,)
-    or (0,) if not wanted; impact_time, impact_velocity : results [s], [rad/s] just after each impact.
+    [rad] and velocity [rad/s]; rotation, velocity : results at the samples [rad], [rad/s], shape (n,);
+    impact_time, impact_velocity : results [s], [rad/s] just after each impact.
     Returns (outcome, peak rotation [rad], impacts, clamped ratios, samples done).
     """
     constants = upright(model)
-    keep = rotation.size > 0
-    # without a history to write nothing is integrated that decides nothing; Eq. 7 counts its clamps
-    stops = not keep and model.ratio_drop == 0.0
-    left = remaining_push(ground, dt) if stops else impact_time
-    strongest = FAR if keep else abs(scale) * strongest_push(ground)
+    noted = (impact_time, impact_velocity)
     zero = np.int64(0)  # a plain 0 would be a type of its own, and compile everything again
     side = -1.0 if start[0] < 0.0 or (start[0] == 0.0 and start[1] < 0.0) else 1.0
     phi = side * start[0]
     moving = phi != 0.0 or start[1] != 0.0
     state = (side, phi, side * start[1], moving, zone_of(phi, model), phi, zero, zero)
-    if keep:
-        rotation[0] = start[0]
-        velocity[0] = start[1]
+    rotation[0] = start[0]
+    velocity[0] = start[1]
     for i in range(ground.size - 1):
         outcome, state = through_sample(
-            scale * ground[i], scale * ground[i + 1], dt, model, constants, order, strongest, state,
-            i * dt, impact_time, impact_velocity,
+            scale * ground[i], scale * ground[i + 1], dt, model, constants, order, FAR, UNKNOWN, state,
+            i * dt, noted,
         )  # fmt: skip
         if outcome != STABLE:
             return outcome, state[5], state[6], state[7], i + 1
-        if stops and i % LOOK_EVERY == 0:
-            push = abs(scale) * left[i + 1]
-            if settled(state[1], state[2], state[5], push, model):
-                return STABLE, state[5], state[6], state[7], i + 2
-        if keep:
-            rotation[i + 1] = state[0] * state[1] if state[3] else 0.0
-            velocity[i + 1] = state[0] * state[2] if state[3] else 0.0
+        rotation[i + 1] = state[0] * state[1] if state[3] else 0.0
+        velocity[i + 1] = state[0] * state[2] if state[3] else 0.0
     outcome, peak = at_end(state, model)
     return outcome, peak, state[6], state[7], ground.size
 

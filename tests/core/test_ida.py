@@ -94,6 +94,7 @@ def test_that_the_map_does_not_depend_on_how_many_points_run_at_once(
 
 def test_that_midpoints_at_once_give_the_bracket_of_one_after_the_other():
     rng = np.random.default_rng(4)
+    brackets, functions, expected = [], [], []
     for _ in range(200):
         low = rng.uniform(0.5, 5.0)
         high = low * (1.0 + 10.0 ** rng.uniform(-5.0, -0.5))
@@ -106,12 +107,31 @@ def test_that_midpoints_at_once_give_the_bracket_of_one_after_the_other():
         while b / a - 1.0 > ida.BRACKET:
             middle = 0.5 * (a + b)
             a, b = (a, middle) if fails(middle) else (middle, b)
-        found = ida.bisection(
-            low, high, lambda q, f=fails: (np.array([f(x) for x in q]), np.zeros(q.size, bool))
-        )
-        assert found == (a, b)
-    unknown = ida.bisection(1.0, 1.1, lambda q: (q > 1.02, q == q[3]))
-    assert unknown is None
+        brackets.append((low, high))
+        functions.append(fails)
+        expected.append((a, b))
+
+    def flags(points):
+        return [
+            (np.array([f(x) for x in q], bool), np.zeros(q.size, bool))
+            for f, q in zip(functions, points, strict=True)
+        ]
+
+    assert ida.bisections(brackets, flags) == expected
+
+
+def test_that_an_unknown_midpoint_ends_its_own_bisection_only():
+    def flags(points):
+        return [
+            (q > 1.02, unknown(q)) for q, unknown in zip(points, (np.isnan, any_of), strict=True)
+        ]
+
+    def any_of(q):
+        return q > 0.0
+
+    first, second = ida.bisections([(1.0, 1.1), (1.0, 1.1)], flags)
+    assert first[0] <= 1.02 <= first[1] <= first[0] * (1.0 + ida.BRACKET)
+    assert second is None
 
 
 def test_that_q_up_to_one_is_rest_and_costs_no_analysis(ground, make_model):

@@ -7,17 +7,19 @@ import numpy as np
 import pytest
 
 from core.rocking import taylor
+from core.rocking.events import UNKNOWN
 from core.rocking.model import RockingModel
 
 
 def through(model, grounds, dt, order, phi, speed, peak):
     """(phi, speed, peak, impacts) after the samples between these ground accelerations [m/s2]."""
-    constants, none, zero = taylor.upright(model), np.empty(0), np.int64(0)
+    constants, zero = taylor.upright(model), np.int64(0)
+    noted = (np.empty(0), np.empty(0))
     zone = 2 if model.plateau_end == 0.0 or phi >= model.plateau_end else 1
     state = (1.0, phi, speed, True, zone, peak, zero, zero)
     for first, second in pairwise(grounds):
         _, state = taylor.through_sample(
-            first, second, dt, model, constants, order, 1e9, state, 0.0, none, none
+            first, second, dt, model, constants, order, 1e9, UNKNOWN, state, 0.0, noted
         )
     return state[1], state[2], state[5], state[6]
 
