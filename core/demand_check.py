@@ -15,7 +15,7 @@ from core.compliance import station_of
 from core.demand import DemandResult
 from core.errors import Cancelled
 from core.ground_motion import GroundMotion
-from core.ida import BRACKET, CHUNK, TRILINEAR_FLOOR, bisections, threshold_of
+from core.ida import BRACKET, TRILINEAR_FLOOR, bisections, threshold_of
 from core.kinematic import LIMIT_FRACTION, Check
 from core.rocking import COLLAPSED, IMPACT_LIMIT, Method, RockingModel, scan
 
@@ -23,6 +23,9 @@ MEAN_FROM = 7
 SPREAD = 0.02
 """What zeta, a first failure on a grid, moves by when the grid starts elsewhere or the record is rounded
 (measured on the wall of the bundled case: 1 to 3 %)."""
+
+AT_ONCE = 32
+"""Multipliers of a look for zeta, which often ends within the first."""
 
 MOST = 100.0
 """Multiplier of the demand up to which zeta is searched."""
@@ -126,7 +129,7 @@ class _Set:
         else:
             low = per_q.min() * (1.0 if self.model.plateau_end == 0.0 else TRILINEAR_FLOOR)
         while low < MOST:
-            grid = low * (1.0 + step) ** np.arange(1, CHUNK + 1)
+            grid = low * (1.0 + step) ** np.arange(1, AT_ONCE + 1)
             outcomes, peaks = self.analyse(grid)
             fails = ~self.holds(outcomes, peaks)
             if fails.any():

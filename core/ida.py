@@ -184,7 +184,9 @@ def bisections(brackets: list[tuple[float, float]], failures) -> list[tuple[floa
     """
     found = list(brackets)
     while any(wide := [bracket is not None and not _narrow(*bracket) for bracket in found]):
-        edges = [_halved(*bracket) if k else np.zeros(2) for k, bracket in zip(wide, found)]
+        edges = [
+            _halved(*bracket) if k else np.zeros(2) for k, bracket in zip(wide, found, strict=True)
+        ]
         for k, (fails, unknown) in enumerate(failures([points[1:-1] for points in edges])):
             if wide[k]:
                 found[k] = _narrowed(edges[k], fails, unknown)

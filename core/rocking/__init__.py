@@ -69,8 +69,8 @@ AUTO = Method("auto", TAYLOR, 0, 0)
 """The cheaper order of the Taylor series, both to the same tolerance, see `concrete`."""
 
 ORDER_SIX_UP_TO = 0.005
-"""Growth over a sample, p dt, up to which order 6 meets the tolerance of a step in one piece and is a sixth
-cheaper than order 8 (measured); beyond it its steps are cut, and order 8 is the cheaper one."""
+"""Growth over a sample, p dt, up to which order 6 meets the tolerance of a step in one piece and is the
+cheaper one (measured); beyond it its steps are cut, and order 8 is."""
 
 
 def concrete(method: Method, model: RockingModel, dt: float) -> Method:

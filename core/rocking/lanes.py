@@ -40,7 +40,7 @@ from core.rocking.taylor import (
     upright,
 )
 
-WIDTH = 32
+WIDTH = 64
 """Lanes of one pass. Their state is one array of rows this long: the compiler then sees that the rows do
 not overlap, which it needs to use vector instructions."""
 
@@ -76,7 +76,7 @@ def plain_steps(lanes, ground0, ground1, dt, model, constants, lowest, order, st
     """
     widest_vectors()
     threshold, tangent, sine_upright, cosine_upright = constants
-    alpha = model.slenderness
+    tolerance = SERIES_TOLERANCE * model.slenderness
     p2 = model.p2 * (dt * dt)
     per_dt = 1.0 / dt
     for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
@@ -111,7 +111,7 @@ def plain_steps(lanes, ground0, ground1, dt, model, constants, lowest, order, st
             ((lower - state[LOW + k] <= reach) & (min(v[0], after) <= margin))
             | ((state[HIGH + k] - upper <= reach) & (max(v[0], after) >= -margin))
             | (upper > SHORT)
-            | (neglected(v, growth, forcing, rise, p2, order) > SERIES_TOLERANCE * alpha)
+            | (neglected(v, growth, forcing, rise, p2, order) > tolerance)
             | (growth >= STIFFEST)
             | ((min(v[0], -after) > -2.0 * margin) & (upper + reach > state[PEAK + k]))
         )

@@ -72,13 +72,17 @@ def bracketed_root(v, gap, which, low, high):
 
 
 @kernel
-def turns_at_most_once(v, h):
-    """Whether phi'' changes sign at most once in [0, h], by bounds on the polynomial's tail."""
+def part_turning_once(v, h):
+    """Largest h / 2^n such that phi'' changes sign at most once in [0, h], by bounds on the polynomial."""
     a2 = abs(v[1])
     a3 = abs(v[2]) * 2.0
-    t3 = h * (6.0 * abs(v[3]) + h * (12.0 * abs(v[4]) + h * (20.0 * abs(v[5]))))
-    t3 += h * h * h * h * (30.0 * abs(v[6]) + h * (42.0 * abs(v[7]) + h * 56.0 * abs(v[8])))
-    return t3 <= a3 or h * (a3 + t3) <= a2
+    for _ in range(30):
+        t3 = h * (6.0 * abs(v[3]) + h * (12.0 * abs(v[4]) + h * (20.0 * abs(v[5]))))
+        t3 += h * h * h * h * (30.0 * abs(v[6]) + h * (42.0 * abs(v[7]) + h * 56.0 * abs(v[8])))
+        if t3 <= a3 or h * (a3 + t3) <= a2:
+            break
+        h *= 0.5
+    return h
 
 
 @inner_kernel
@@ -118,7 +122,7 @@ def landing(v, gap, h):
 def first_crossing(v, gap, sign, h):
     """First time in (0, h] at which sign * (gap + phi(t) - phi(0)) falls to zero, from above or from a
     start at zero; -1.0 if never. Splits [0, h] where phi' is monotone, then where phi is, so that a
-    double crossing inside the step is found. Valid where `turns_at_most_once` holds."""
+    double crossing inside the step is found. Valid where `part_turning_once` is h."""
     bends_at_start = sign * curvature(v, 0.0)
     bends_at_end = sign * curvature(v, h)
     bend = h

@@ -32,8 +32,8 @@ from core.rocking.polynomial import (
     first_crossing,
     increment,
     landing,
+    part_turning_once,
     summit,
-    turns_at_most_once,
 )
 from core.units import G
 
@@ -178,20 +178,6 @@ def lost(phi, speed, strongest, model):
     return speed * speed > 2.0 * model.p2 * barrier
 
 
-@kernel
-def crossing_of(v, phi, low, high, part):
-    """(part of the step looked at, first time at which phi leaves the branch or -1.0, whether below)."""
-    for _ in range(30):
-        if turns_at_most_once(v, part):
-            break
-        part *= 0.5
-    lower = first_crossing(v, phi - low, 1.0, part)
-    upper = first_crossing(v, phi - high, -1.0, part) if high < FAR else -1.0
-    if upper >= 0.0 and (lower < 0.0 or upper < lower):
-        return part, upper, False
-    return part, lower, True
-
-
 @inner_kernel
 def land(speed, side, ground, time, model, threshold, impacts, clamped, noted):
     """An impact at theta = 0: (speed, side, moving, impacts, clamped) after it. speed : just before it,
@@ -248,7 +234,9 @@ def through_sample(
             if noted is None:
                 time = (QUIET - 1 - t) * dt
                 made = impacts - impacts_before
-                if dies_down(speed, ahead, dt, time, made, peak, model, constants):
+                if made % 4 == 0 and dies_down(
+                    speed, ahead, dt, time, made, peak, model, constants
+                ):
                     moving = False
                     speed = 0.0
                     break
@@ -297,10 +285,16 @@ def through_sample(
         if (min(phi, phi + dphi) - low <= reach and slowest <= margin) or (
             high - max(phi, phi + dphi) <= reach and fastest >= -margin
         ):
-            if high == FAR and falls_faster_and_faster(v):
+            if falls_faster_and_faster(v):
                 crossing = landing(v, phi - low, part)
             else:
-                part, crossing, falling = crossing_of(v, phi, low, high, part)
+                part = part_turning_once(v, part)
+                crossing = first_crossing(v, phi - low, 1.0, part)
+            if high < FAR:
+                upper = first_crossing(v, phi - high, -1.0, part)
+                if upper >= 0.0 and (crossing < 0.0 or upper < crossing):
+                    crossing = upper
+                    falling = False
             if crossing >= 0.0:
                 part = crossing
             dphi = increment(v, part)

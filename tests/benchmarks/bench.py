@@ -33,7 +33,7 @@ from core.ida import Search, incremental_dynamic_analysis  # noqa: E402
 from core.kernel_cache import kernel  # noqa: E402
 from core.moment_rotation import LAWS  # noqa: E402
 from core.restitution import restitution  # noqa: E402
-from core.rocking import AUTO, METHODS, rocking_model, scan, scan_taylor  # noqa: E402
+from core.rocking import AUTO, METHODS, history, rocking_model, scan  # noqa: E402
 from core.threads import Threads  # noqa: E402
 
 LOOP = 2_000_000
@@ -118,12 +118,8 @@ def main() -> None:
             each = seconds / (scales.size * (ground.size - 1))
             line(f"{label}, standard, {law}", each * 1e9, "ns per sample", each / yardstick)
             if label in ("taylor", "taylor_6"):
-                seconds = median_seconds(
-                    lambda w=model, o=method.order: scan_taylor(
-                        o, ground, 0.01, scales, w, outcomes, peaks
-                    )
-                )
-                each = seconds / (scales.size * (ground.size - 1))
+                seconds = median_seconds(lambda m=method, w=model: history(ground, 0.01, 1.0, w, m))
+                each = seconds / (ground.size - 1)
                 name = f"{label}, one history at a time, standard, {law}"
                 line(name, each * 1e9, "ns per sample", each / yardstick)
     for label, one_sided in (("two-sided", False), ("one-sided", True)):
