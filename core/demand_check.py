@@ -17,7 +17,7 @@ from core.errors import Cancelled
 from core.ground_motion import GroundMotion
 from core.ida import BRACKET, TRILINEAR_FLOOR, bisections, threshold_of
 from core.kinematic import LIMIT_FRACTION, Check
-from core.rocking import COLLAPSED, IMPACT_LIMIT, Method, RockingModel, scan
+from core.rocking import COLLAPSED, IMPACT_LIMIT, Method, RockingModel, look_ahead, scan
 
 MEAN_FROM = 7
 SPREAD = 0.02
@@ -82,6 +82,9 @@ class _Set:
     def __init__(self, model, motions, polarities, demand, method, cancelled):
         self.model, self.method, self.cancelled = model, method, cancelled
         self.pairs = [(motion, sign) for motion in motions for sign in polarities]
+        self.aheads = [
+            look_ahead(motion.acceleration, motion.time_step) for motion, _ in self.pairs
+        ]
         self.signs = len(polarities)
         self.factors = [
             demand.confidence_factor * demand.scaling(motion) for motion, _ in self.pairs
@@ -98,7 +101,7 @@ class _Set:
             if self.cancelled():
                 raise Cancelled
             scan(self.method, motion.acceleration, motion.time_step, sign * factor * multipliers,
-                 self.model, outcomes[k], peaks[k])  # fmt: skip
+                 self.model, outcomes[k], peaks[k], self.aheads[k])  # fmt: skip
         return outcomes, peaks / self.model.slenderness
 
     def governing(self, peaks: np.ndarray) -> np.ndarray:

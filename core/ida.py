@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.errors import Cancelled
-from core.rocking import COLLAPSED, IMPACT_LIMIT, STABLE, Method, RockingModel, scan
+from core.rocking import COLLAPSED, IMPACT_LIMIT, STABLE, Method, RockingModel, look_ahead, scan
 from core.rocking.lanes import WIDTH
 from core.units import G
 
@@ -81,6 +81,7 @@ class _Map:
 
     def __init__(self, ground, dt, pga, sign, model, method, search, cancelled):
         self.ground, self.dt, self.model, self.method = ground, dt, model, method
+        self.ahead = look_ahead(ground, dt)
         self.search, self.cancelled = search, cancelled
         self.rigid = model.plateau_end == 0.0
         self.q_start = 1.0 if self.rigid else TRILINEAR_START
@@ -115,7 +116,9 @@ class _Map:
         moves = q_values > 1.0 if self.rigid else np.full(q_values.size, True)
         found, reached = np.empty(int(moves.sum()), np.int64), np.empty(int(moves.sum()))
         scales = self.to_scale * q_values[moves]
-        clamped[moves] = scan(self.method, self.ground, self.dt, scales, self.model, found, reached)
+        clamped[moves] = scan(
+            self.method, self.ground, self.dt, scales, self.model, found, reached, self.ahead
+        )
         self.analyses += scales.size
         outcomes[moves], peaks[moves] = found, reached
         return outcomes, peaks, clamped

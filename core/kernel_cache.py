@@ -118,6 +118,7 @@ os.environ.setdefault(
 
 from numba import njit, types  # noqa: E402  (the locator must be named before numba is imported)
 from numba.core.caching import _CacheLocator  # noqa: E402
+from numba.core.registry import CPUDispatcher  # noqa: E402
 from numba.extending import lower_builtin, type_callable  # noqa: E402
 
 
@@ -142,13 +143,37 @@ class Locator(_CacheLocator):
 
 
 OPTIONS = {"cache": True, "nogil": True, "error_model": "numpy"}
+NO_DOORS = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+DOORS = dict.fromkeys(NO_DOORS, False)
 
-kernel = njit(forceinline=False, **OPTIONS)
+kernel = njit(forceinline=False, **DOORS, **OPTIONS)
 """Compiled once per machine; no lock held while it runs; never fastmath, never parallel. An option not set
 here would be inherited from the kernel whose compilation asks for this one."""
 
-inner_kernel = njit(forceinline=True, **OPTIONS)
-"""A kernel that becomes part of its callers, so that their loops can use vector instructions."""
+
+class Doorless(CPUDispatcher):
+    """A kernel for other kernels alone: the doors by which Python calls one take longer to compile than most
+    of the code behind them. Called from Python it runs as Python."""
+
+    def __call__(self, *arguments):
+        return self.py_func(*arguments)
+
+
+def _doorless(forceinline: bool):
+    def decorate(function):
+        made = njit(forceinline=forceinline, **NO_DOORS, **OPTIONS)(function)
+        if isinstance(made, CPUDispatcher):  # not so where NUMBA_DISABLE_JIT is set
+            made.__class__ = Doorless
+        return made
+
+    return decorate
+
+
+subkernel = _doorless(False)
+"""A kernel for other kernels alone, see `Doorless`."""
+
+inner_kernel = _doorless(True)
+"""A subkernel that becomes part of its callers, so that their loops can use vector instructions."""
 
 
 def widest_vectors() -> None:

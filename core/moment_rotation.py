@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 
 from core.errors import require
-from core.kernel_cache import kernel
+from core.kernel_cache import kernel, subkernel
 
 FAR = 1e9
 """Upper end of the last branch of a law [rad]: never reached."""
@@ -46,7 +46,7 @@ LAWS = {
 """Named laws: Doherty et al. (2002), Al Shawa et al. (2015), as quoted by the paper, sect. 4.3."""
 
 
-@kernel
+@subkernel
 def zone_of(phi, model):
     """Branch of the moment law at this rotation (Fig. 3): 0 elastic, 1 plateau, 2 falling."""
     if phi >= model.plateau_end or model.plateau_end == 0.0:
@@ -54,7 +54,7 @@ def zone_of(phi, model):
     return 1 if phi >= model.elastic_end else 0
 
 
-@kernel
+@subkernel
 def moment_branch(zone, model):
     """(lower end, upper end, sine factor, slope, constant) of a branch of the moment law: over I0 p2
     the moment is sine * sin(alpha - phi) + slope * phi + constant (Fig. 3)."""
@@ -92,7 +92,7 @@ def potential(phi, model):
     return k * (phi2 - 0.5 * phi1) + math.cos(alpha - phi) - math.cos(alpha - phi2)
 
 
-@kernel
+@subkernel
 def rotation_at_potential(stored, model):
     """Rotation in [0, alpha] at which the potential reaches `stored`, below the barrier [rad]."""
     alpha = model.slenderness

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.kernel_cache import kernel
-from core.moment_rotation import moment_branch
 from core.rocking import dormand_prince, lanes, newmark_paper, stepped, taylor
+from core.rocking.events import look_ahead
 from core.rocking.model import RockingModel, rocking_model
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 
@@ -22,6 +22,7 @@ __all__ = [
     "RockingModel",
     "concrete",
     "history",
+    "look_ahead",
     "rocking_model",
     "scan",
 ]
@@ -78,7 +79,8 @@ def concrete(method: Method, model: RockingModel, dt: float) -> Method:
     slope of an elastic branch."""
     if method.name != AUTO.name:
         return method
-    slope = moment_branch(0, model)[3] if model.plateau_end > 0.0 else 0.0
+    phi1, phi2 = model.elastic_end, model.plateau_end
+    slope = math.sin(model.slenderness - phi2) / phi1 if phi2 > 0.0 else 0.0
     growth = dt * math.sqrt(model.p2 * (1.0 + slope))
     return METHODS["taylor_6" if growth <= ORDER_SIX_UP_TO else "taylor"]
 
@@ -120,21 +122,17 @@ def scan_compared(code, option, ground, dt, scales, model, outcomes, peaks, tabl
     return clamped
 
 
-def scan(method: Method, ground, dt, scales, model, outcomes, peaks) -> np.ndarray:
+def scan(method: Method, ground, dt, scales, model, outcomes, peaks, ahead=None) -> np.ndarray:
     """Analyses of one record at many multipliers; returns the clamped velocity ratios of each, shape (m,).
 
     ground : [m/s2], shape (n,); scales : multipliers [-], shape (m,), negative reverses the record;
-    outcomes : results, codes of outcome.py, int64, shape (m,); peaks : results [rad], shape (m,).
+    outcomes : results, codes of outcome.py, int64, shape (m,); peaks : results [rad], shape (m,);
+    ahead : `look_ahead(ground, dt)`, made here if it is not at hand.
     """
     method = concrete(method, model, dt)
     if method.code == TAYLOR:
-        clamped = np.zeros(scales.size, np.int64)
-        for k in range(0, scales.size, lanes.WIDTH):
-            part = slice(k, k + lanes.WIDTH)
-            clamped[part] = lanes.SCANS[method.order](
-                ground, dt, scales[part], model, outcomes[part], peaks[part]
-            )
-        return clamped
+        ahead = look_ahead(ground, dt) if ahead is None else ahead
+        return lanes.scan(method.order, ground, dt, scales, model, outcomes, peaks, ahead)
     return scan_compared(
         method.code, method.option, ground, dt, scales, model, outcomes, peaks, method.table
     )
@@ -174,12 +172,13 @@ def history(
     times = np.zeros(4096)
     while True:
         velocities = np.zeros(times.size)
-        wanted = (model, method.option, start, rotation, velocity, times, velocities)
+        wanted = (start, rotation, velocity, times, velocities)
         if method.code == TAYLOR:
-            outcome, peak, impacts, clamped, done = taylor.integrate(ground, dt, scale, *wanted)
+            integrate = taylor.INTEGRATE[method.order]
+            outcome, peak, impacts, clamped, done = integrate(ground, dt, scale, model, *wanted)
         else:
             outcome, peak, impacts, clamped, done = compared(
-                method.code, ground, dt, scale, *wanted, method.table
+                method.code, ground, dt, scale, model, method.option, *wanted, method.table
             )
         if impacts <= times.size:
             break

@@ -1,6 +1,6 @@
 """What a Taylor step may leave out, and how far it can stray from its chord: bounds after Eq. 1."""
 
-from core.kernel_cache import inner_kernel, kernel
+from core.kernel_cache import inner_kernel, subkernel
 
 SERIES_TOLERANCE = 1e-17
 """Largest neglected term of a step, as a fraction of alpha."""
@@ -23,7 +23,7 @@ def neglected(v, growth, forcing, rise, p2, order):
     return (abs(v[5]) + abs(v[6])) * (1.0 / 336.0) * growth + p2 * products * (1.0 / 42.0)
 
 
-@kernel
+@subkernel
 def converged_part(tail, growth, order, alpha):
     """Largest part 1 / 2^n of the step at which the first neglected term, `tail` at its end, is below
     SERIES_TOLERANCE alpha; growth : as `neglected`."""

@@ -2,11 +2,11 @@
 
 import math
 
-from core.kernel_cache import kernel
+from core.kernel_cache import subkernel
 from core.moment_rotation import moment_branch
 
 
-@kernel
+@subkernel
 def acceleration(phi, beta, model, zone):
     """phi'' [rad/s2] at rotation phi [rad] and u''/g = beta seen from the pivot."""
     _, _, sine, slope, constant = moment_branch(zone, model)
@@ -16,7 +16,7 @@ def acceleration(phi, beta, model, zone):
     return model.p2 * (beta * math.cos(model.slenderness - phi) - moment)
 
 
-@kernel
+@subkernel
 def stiffness(phi, beta, model, zone):
     """d phi'' / d phi [1/s2] on the same branch."""
     _, _, sine, slope, _ = moment_branch(zone, model)

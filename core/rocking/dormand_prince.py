@@ -9,7 +9,7 @@ import math
 
 import numpy as np
 
-from core.kernel_cache import kernel
+from core.kernel_cache import subkernel
 from core.rocking.branch import acceleration
 
 STAGES = 12
@@ -25,7 +25,7 @@ def tableau() -> np.ndarray:
     return np.ascontiguousarray(np.concatenate(rows))
 
 
-@kernel
+@subkernel
 def single_step(phi, speed, beta, slope, h, model, zone, table, rates, pushes):
     """One step of length h: rotation, velocity and the error relative to alpha and p alpha."""
     for i in range(STAGES):
@@ -55,7 +55,7 @@ def single_step(phi, speed, beta, slope, h, model, zone, table, rates, pushes):
     return new_phi, new_speed, error / model.slenderness * max(1.0, 1.0 / p)
 
 
-@kernel
+@subkernel
 def advance(phi, speed, beta, slope, h, model, zone, tolerance, table, rates, pushes):
     """Rotation [rad] and velocity [rad/s] after h [s], in as many steps as the tolerance asks."""
     done = 0.0

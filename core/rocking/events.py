@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from core.kernel_cache import inner_kernel, kernel
+from core.kernel_cache import inner_kernel, subkernel
 from core.moment_rotation import potential, rotation_at_potential
 from core.restitution import velocity_ratio
 from core.rocking.outcome import COLLAPSED, STABLE
@@ -36,7 +36,7 @@ LAST_ROTATION = 0.5 * math.pi
 """Beyond this rotation [rad] the equation of motion has no meaning: collapsed."""
 
 
-@kernel
+@subkernel
 def lift_threshold(model):
     """Ground acceleration above which the resting block lifts [m/s2], Eq. 2; 0 if trilinear."""
     if model.plateau_end > 0.0:
@@ -44,7 +44,7 @@ def lift_threshold(model):
     return G * math.tan(model.slenderness)
 
 
-@kernel
+@subkernel
 def ground_lifts(ground, model, threshold):
     """Side to which this ground acceleration [m/s2] lifts the resting block: 1.0, -1.0, 0.0 if none."""
     if ground > threshold:
@@ -54,7 +54,7 @@ def ground_lifts(ground, model, threshold):
     return 0.0
 
 
-@kernel
+@subkernel
 def next_uplift(ground, slope, start, end, model, threshold):
     """First time in [start, end) at which the resting block lifts, and to which side.
 
@@ -80,14 +80,14 @@ def next_uplift(ground, slope, start, end, model, threshold):
     return time, side
 
 
-@kernel
+@subkernel
 def stops_rocking(speed, ground, model, threshold):
     """Whether the block rests after an impact it leaves at this speed [rad/s], the ground at [m/s2]."""
     limit = REST_FRACTION * math.sqrt(model.p2) * model.slenderness
     return speed < limit and ground_lifts(ground, model, threshold) == 0.0
 
 
-@kernel
+@subkernel
 def leave_impact(arriving, side, ground, model, threshold):
     """What the block does after an impact at theta = 0 (Eq. 3, 7).
 
@@ -106,7 +106,7 @@ def leave_impact(arriving, side, ground, model, threshold):
     return speed, after, onward, True, clamped
 
 
-@kernel
+@subkernel
 def end_of_record(phi, speed, peak, model):
     """Decide by energy what the block does once the ground is still.
 
@@ -131,50 +131,39 @@ def end_of_record(phi, speed, peak, model):
     return STABLE, peak
 
 
-@kernel
-def remaining_push(ground, dt):
-    """Bound of the integral of |u''| from each sample to the end [m/s], shape of ground."""
-    left = np.zeros(ground.size)
-    for i in range(ground.size - 2, -1, -1):
-        left[i] = left[i + 1] + 0.5 * dt * (abs(ground[i]) + abs(ground[i + 1]))
-    return left
-
-
 UNKNOWN = (math.inf, 0.0, 0.0)
 """In the place of what `ahead_of` gives, where every bounce is followed."""
 
 
-@kernel
-def quiet_windows(ground):
-    """Highest and lowest ground acceleration and largest change from sample to sample [m/s2] over the QUIET
-    samples from each on, shape (3, n); beyond the record the ground is still."""
-    windows = np.zeros((3, ground.size))
-    windows[0] = ground
-    windows[1] = ground
-    for i in range(ground.size):
-        following = ground[i + 1] if i + 1 < ground.size else 0.0
-        windows[2, i] = abs(following - ground[i])
+def look_ahead(ground: np.ndarray, dt: float) -> np.ndarray:
+    """What is to come from each sample on, shape (4, n): highest and lowest ground acceleration and largest
+    change from sample to sample over QUIET samples [m/s2], a bound of the integral of |u''| to the end [m/s].
+
+    Beyond the record the ground is still. One call does for all analyses of a record.
+    """
+    longer = np.concatenate([ground, np.zeros(QUIET)])
+    windows = np.array([longer, -longer, np.abs(np.diff(longer, append=0.0))])
     shift = QUIET // 2
     while shift > 0:
-        for i in range(ground.size):
-            later = i + shift
-            inside = later < ground.size
-            windows[0, i] = max(windows[0, i], windows[0, later] if inside else 0.0)
-            windows[1, i] = min(windows[1, i], windows[1, later] if inside else 0.0)
-            windows[2, i] = max(windows[2, i], windows[2, later] if inside else 0.0)
+        np.maximum(windows[:, :-shift], windows[:, shift:], out=windows[:, :-shift])
         shift //= 2
-    return windows
+    size = np.abs(longer)
+    push = np.cumsum((0.5 * dt * (size[1:] + size[:-1]))[::-1])[::-1]
+    return np.vstack([windows[0], -windows[1], windows[2], np.append(push, 0.0)])[
+        :, : ground.size
+    ].copy()
 
 
 @inner_kernel
-def ahead_of(windows, i, scale):
-    """(highest, lowest, largest change) of the scaled ground over the window of sample i [m/s2]."""
-    highest = scale * windows[0, i]
-    lowest = scale * windows[1, i]
-    return max(highest, lowest), min(highest, lowest), abs(scale) * windows[2, i]
+def ahead_of(ahead, i, scale):
+    """(highest, lowest, largest change) of the scaled ground over the window of sample i [m/s2]; ahead : of
+    `look_ahead`."""
+    highest = scale * ahead[0, i]
+    lowest = scale * ahead[1, i]
+    return max(highest, lowest), min(highest, lowest), abs(scale) * ahead[2, i]
 
 
-@kernel
+@subkernel
 def dies_down(speed, ahead, dt, time, impacts, peak, model, constants):
     """Whether bounces of less and less height bring the block to rest within this time, rigid law.
 
@@ -203,13 +192,13 @@ def dies_down(speed, ahead, dt, time, impacts, peak, model, constants):
     )
 
 
-@kernel
+@subkernel
 def settled(phi, speed, peak, push, model):
     """Whether the rest of the record can neither overturn the block nor move it beyond its peak so far.
 
     From Eq. 1 the root of twice the energy over I0 grows at most with p2 |u''| / g, impacts only lower it,
-    and below the barrier the energy bounds the rotation. phi, peak [rad]; speed [rad/s]; push : of
-    `remaining_push` times the multiplier [m/s].
+    and below the barrier the energy bounds the rotation. phi, peak [rad]; speed [rad/s]; push : the last of
+    `look_ahead`, times the multiplier [m/s].
     """
     if phi >= model.slenderness:
         return False

@@ -8,7 +8,7 @@ Samples in which every lane rests are skipped; lanes that have collapsed or sett
 
 import numpy as np
 
-from core.kernel_cache import inner_kernel, kernel, widest_vectors
+from core.kernel_cache import kernel, subkernel, widest_vectors
 from core.moment_rotation import moment_branch, zone_of
 from core.rocking.bounds import (
     SERIES_TOLERANCE,
@@ -20,10 +20,7 @@ from core.rocking.bounds import (
 from core.rocking.events import (
     LOOK_EVERY,
     LOST_EVERY,
-    UNKNOWN,
     ahead_of,
-    quiet_windows,
-    remaining_push,
     settled,
 )
 from core.rocking.outcome import COLLAPSED, STABLE
@@ -35,7 +32,6 @@ from core.rocking.taylor import (
     lost,
     series,
     sine_and_cosine_short,
-    strongest_push,
     through_sample,
     upright,
 )
@@ -67,7 +63,7 @@ VECTOR = 8
 last lane hold old states and are not looked at."""
 
 
-@kernel
+@subkernel
 def plain_steps(lanes, ground0, ground1, dt, model, constants, lowest, order, state):
     """One full-sample step of each lane for which that is all there is to it, or rest; the others stay
     as they are, and their EVENT is 1.0.
@@ -126,110 +122,106 @@ def plain_steps(lanes, ground0, ground1, dt, model, constants, lowest, order, st
         state[PEAK + k] = state[PEAK + k] if event else max(state[PEAK + k], y)
 
 
-@inner_kernel
-def scan(ground, dt, scales, model, order, outcomes, peaks):
-    """Analyses of one record at up to WIDTH multipliers; returns the clamped ratios of each.
+def pass_by(order):
+    """The kernel of one pass by order 6 or 8, which the compiler is to know: it leaves other terms out."""
 
-    Arguments as `core.rocking.scan`, order : 6 or 8. Outcomes and the peaks of what stays up are those of
-    `taylor.integrate`, bit for bit; the peak of a block that falls is where it was given up.
+    @kernel
+    def one_pass(ground, dt, scales, model, ahead, lane, state, outcomes, peaks, clamped):
+        """Analyses of one record at up to WIDTH multipliers.
+
+        ahead : of `look_ahead`; lane, state : room to work, int64 of shape (lanes,) and zeros of shape
+        (ROWS * WIDTH,); the rest as `core.rocking.scan`.
+        """
+        constants = upright(model)
+        threshold = constants[0]
+        lowest = -np.inf if model.one_sided != 0.0 else -threshold
+        zero = np.int64(0)  # a plain 0 would be a type of its own, and compile everything again
+        lanes = scales.size
+        each = lanes == 0  # nor is this a plain False
+        start = (1.0, 0.0, 0.0, each, zone_of(0.0, model), 0.0, zero, zero)
+        strongest = 0.0
+        for u in ground:
+            strongest = max(strongest, abs(u))
+        up = 0.0
+        down = 0.0
+        for k in range(lanes):
+            lane[k] = k
+            state[SCALE + k] = scales[k]
+            state[STRONGEST + k] = abs(scales[k]) * strongest * PER_G
+            put(k, start, model, state)
+            up = max(up, scales[k])
+            down = min(down, scales[k])
+        awake = 0
+        for i in range(ground.size - 1):
+            ground0 = ground[i]
+            ground1 = ground[i + 1]
+            high = max(up * max(ground0, ground1), down * min(ground0, ground1))
+            low = min(up * min(ground0, ground1), down * max(ground0, ground1))
+            if awake > 0 or high > threshold or low < lowest:
+                plain_steps(lanes, ground0, ground1, dt, model, constants, lowest, order, state)
+                k = zero
+                while k < lanes:
+                    if state[EVENT + k] == 0.0:
+                        k += 1
+                        continue
+                    scale = state[SCALE + k]
+                    outcome, _, _, after = through_sample(
+                        scale * ground0, scale * ground1, dt, model, constants, order,
+                        state[STRONGEST + k], ahead_of(ahead, i, scale), block_of(k, zero, state),
+                        0.0, each,
+                    )  # fmt: skip
+                    awake += int(after[3]) - int(state[MOVING + k])
+                    clamped[lane[k]] += after[7]
+                    put(k, after, model, state)
+                    if outcome == STABLE:
+                        k += 1
+                        continue
+                    outcomes[lane[k]] = outcome
+                    peaks[lane[k]] = state[PEAK + k]
+                    awake -= int(state[MOVING + k])
+                    lanes = leave(k, lanes, lane, state)
+            if i % LOST_EVERY == 0:
+                # Eq. 7 counts clamped ratios to the end of the record
+                look = i % LOOK_EVERY == 0 and model.ratio_drop == 0.0
+                k = zero
+                while k < lanes:
+                    x, speed, peak = state[PHI + k], state[SPEED + k], state[PEAK + k]
+                    push = abs(state[SCALE + k]) * ahead[3, i + 1]
+                    falls = x > model.slenderness and lost(x, speed, state[STRONGEST + k], model)
+                    if falls or (look and settled(x, speed, peak, push, model)):
+                        outcomes[lane[k]] = COLLAPSED if falls else STABLE
+                        peaks[lane[k]] = peak
+                        awake -= int(state[MOVING + k])
+                        lanes = leave(k, lanes, lane, state)
+                    else:
+                        k += 1
+            if lanes == 0:
+                break
+        for k in range(zero, lanes):
+            outcomes[lane[k]], peaks[lane[k]] = at_end(block_of(k, zero, state), model)
+
+    return one_pass
+
+
+PASS = {order: pass_by(order) for order in (6, 8)}
+
+
+def scan(order, ground, dt, scales, model, outcomes, peaks, ahead):
+    """`core.rocking.scan` by order 6 or 8, in passes of WIDTH lanes. Outcomes and the peaks of what stays up
+    are those of `taylor.integrate`, bit for bit; the peak of a block that falls is where it was given up.
     """
-    constants = upright(model)
-    threshold = constants[0]
-    lowest = -np.inf if model.one_sided != 0.0 else -threshold
-    zero = np.int64(0)  # a plain 0 would be a type of its own, and compile everything again
-    lanes = scales.size
-    lane = np.arange(lanes)
-    state = np.zeros(ROWS * WIDTH)
-    strongest = strongest_push(ground)
-    start = (1.0, 0.0, 0.0, False, zone_of(0.0, model), 0.0, zero, zero)
-    up = 0.0
-    down = 0.0
-    for k in range(lanes):
-        state[SCALE + k] = scales[k]
-        state[STRONGEST + k] = abs(scales[k]) * strongest
-        put(k, start, model, state)
-        up = max(up, scales[k])
-        down = min(down, scales[k])
-    awake = 0
-    clamped = np.zeros(lanes, np.int64)
-    left = remaining_push(ground, dt)
-    stops = model.ratio_drop == 0.0
-    windows = quiet_windows(ground if stops else ground[:0])
-    ahead = UNKNOWN
-    for i in range(ground.size - 1):
-        ground0 = ground[i]
-        ground1 = ground[i + 1]
-        high = max(up * max(ground0, ground1), down * min(ground0, ground1))
-        low = min(up * min(ground0, ground1), down * max(ground0, ground1))
-        if awake > 0 or high > threshold or low < lowest:
-            plain_steps(lanes, ground0, ground1, dt, model, constants, lowest, order, state)
-            k = zero
-            while k < lanes:
-                if state[EVENT + k] == 0.0:
-                    k += 1
-                    continue
-                if stops:
-                    ahead = ahead_of(windows, i, state[SCALE + k])
-                outcome, after = through_sample(
-                    state[SCALE + k] * ground0, state[SCALE + k] * ground1, dt, model, constants, order,
-                    state[STRONGEST + k], ahead, block_of(k, zero, state), 0.0, None,
-                )  # fmt: skip
-                awake += int(after[3]) - int(state[MOVING + k])
-                clamped[lane[k]] += after[7]
-                put(k, after, model, state)
-                if outcome == STABLE:
-                    k += 1
-                    continue
-                outcomes[lane[k]] = outcome
-                peaks[lane[k]] = state[PEAK + k]
-                awake -= int(state[MOVING + k])
-                lanes = leave(k, lanes, lane, state)
-        if i % LOST_EVERY == 0:
-            k = zero
-            while k < lanes:
-                if state[PHI + k] > model.slenderness and lost(
-                    state[PHI + k], state[SPEED + k], state[STRONGEST + k], model
-                ):
-                    outcomes[lane[k]] = COLLAPSED
-                    peaks[lane[k]] = state[PEAK + k]
-                    awake -= int(state[MOVING + k])
-                    lanes = leave(k, lanes, lane, state)
-                else:
-                    k += 1
-        if i % LOOK_EVERY == 0 and stops:
-            k = zero
-            while k < lanes:
-                push = abs(state[SCALE + k]) * left[i + 1]
-                if settled(state[PHI + k], state[SPEED + k], state[PEAK + k], push, model):
-                    outcomes[lane[k]] = STABLE
-                    peaks[lane[k]] = state[PEAK + k]
-                    awake -= int(state[MOVING + k])
-                    lanes = leave(k, lanes, lane, state)
-                else:
-                    k += 1
-        if lanes == 0:
-            break
-    for k in range(zero, lanes):
-        outcomes[lane[k]], peaks[lane[k]] = at_end(block_of(k, zero, state), model)
+    clamped = np.zeros(scales.size, np.int64)
+    for k in range(0, scales.size, WIDTH):
+        part = slice(k, k + WIDTH)
+        lane, state = np.zeros(WIDTH, np.int64), np.zeros(ROWS * WIDTH)
+        PASS[order](
+            ground, dt, scales[part], model, ahead, lane, state, outcomes[part], peaks[part],
+            clamped[part],
+        )  # fmt: skip
     return clamped
 
 
-@kernel
-def scan_6(ground, dt, scales, model, outcomes, peaks):
-    """`scan` by order 6: an order known to the compiler leaves the terms of the other out."""
-    return scan(ground, dt, scales, model, 6, outcomes, peaks)
-
-
-@kernel
-def scan_8(ground, dt, scales, model, outcomes, peaks):
-    """`scan` by order 8."""
-    return scan(ground, dt, scales, model, 8, outcomes, peaks)
-
-
-SCANS = {6: scan_6, 8: scan_8}
-
-
-@kernel
+@subkernel
 def leave(k, lanes, lane, state):
     """Take lane k out: the last one takes its place. Returns how many are left."""
     lanes -= 1
@@ -239,7 +231,7 @@ def leave(k, lanes, lane, state):
     return lanes
 
 
-@kernel
+@subkernel
 def block_of(k, zero, state):
     """State of one lane as `taylor.through_sample` takes it; nothing is counted yet, zero : of int64."""
     moving = state[MOVING + k] != 0.0
@@ -249,7 +241,7 @@ def block_of(k, zero, state):
     )  # fmt: skip
 
 
-@kernel
+@subkernel
 def put(k, block, model, state):
     """Write this state into lane k, and the branch of the moment law it is on."""
     side, phi, speed, moving, zone, peak, _, _ = block

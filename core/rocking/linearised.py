@@ -7,10 +7,10 @@ the step; the stockier the wall the more.
 
 import math
 
-from core.kernel_cache import kernel
+from core.kernel_cache import subkernel
 
 
-@kernel
+@subkernel
 def advance(phi, speed, beta, slope, h, model, zone):
     """Rotation [rad] and velocity [rad/s] after h [s]; beta, slope : u''/g [-] and its rate [1/s]."""
     alpha = model.slenderness

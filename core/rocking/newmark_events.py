@@ -3,14 +3,14 @@
 Order 2. Fails: on small hops (0.6 alpha on `hard` at the record's step), where order 2 is too low.
 """
 
-from core.kernel_cache import kernel
+from core.kernel_cache import subkernel
 from core.rocking.branch import acceleration, stiffness
 
 NEWTON_TOLERANCE = 1e-14
 """Change of rotation at which Newton's iteration stops [rad]."""
 
 
-@kernel
+@subkernel
 def advance(phi, speed, beta, slope, h, model, zone):
     """Rotation [rad] and velocity [rad/s] after h [s]; beta, slope : u''/g [-] and its rate [1/s]."""
     push = acceleration(phi, beta, model, zone)

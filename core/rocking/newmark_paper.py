@@ -6,7 +6,7 @@ small hops (error 0.6 to 1.4 alpha on the reference histories); no step makes it
 
 import math
 
-from core.kernel_cache import kernel
+from core.kernel_cache import subkernel
 from core.moment_rotation import moment, moment_branch, zone_of
 from core.restitution import velocity_ratio
 from core.rocking.events import (
@@ -23,13 +23,13 @@ NEWTON_TOLERANCE = 1e-14
 """Change of rotation at which Newton's iteration stops [rad]."""
 
 
-@kernel
+@subkernel
 def acceleration(phi, beta, model):
     """phi'' [rad/s2] at u''/g = beta seen from the pivot, Eq. 1."""
     return model.p2 * (beta * math.cos(model.slenderness - phi) - moment(phi, model))
 
 
-@kernel
+@subkernel
 def stiffness(phi, beta, model):
     """d phi''/d phi [1/s2]."""
     _, _, sine, slope, _ = moment_branch(zone_of(phi, model), model)
@@ -37,7 +37,7 @@ def stiffness(phi, beta, model):
     return model.p2 * (beta * math.sin(model.slenderness - phi) - gradient)
 
 
-@kernel
+@subkernel
 def trapezoidal_step(phi, speed, push, beta_end, dt, model):
     """One implicit step; push is phi'' at its start. Returns phi, phi' and phi'' at its end."""
     quarter = 0.25 * dt * dt
@@ -53,7 +53,7 @@ def trapezoidal_step(phi, speed, push, beta_end, dt, model):
     return end, speed + 0.5 * dt * (push + push_end), push_end
 
 
-@kernel
+@subkernel
 def integrate(
     ground, dt, scale, model, reset, start, rotation, velocity, impact_time, impact_velocity
 ):

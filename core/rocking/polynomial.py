@@ -4,7 +4,7 @@ for the other."""
 
 import math
 
-from core.kernel_cache import inner_kernel, kernel
+from core.kernel_cache import inner_kernel, subkernel
 
 ROTATION, RATE, CURVATURE = 0.0, 1.0, 2.0
 """What `bracketed_root` looks for; floats, since numba compiles anew for every constant integer."""
@@ -29,14 +29,14 @@ def change(v, t):
     return t * (first + square * square * last)
 
 
-@kernel
+@subkernel
 def curvature(v, t):
     """phi''(t) [rad per step squared]."""
     tail = 5.0 * v[5] + t * (6.0 * v[6] + t * (7.0 * v[7] + t * 8.0 * v[8]))
     return v[1] + t * (2.0 * v[2] + t * (3.0 * v[3] + t * (4.0 * v[4] + t * tail)))
 
 
-@kernel
+@subkernel
 def value_and_slope(v, gap, which, t):
     """gap + phi(t) - phi(0), phi'(t) or phi''(t), by `which`, and its slope."""
     if which == ROTATION:
@@ -47,7 +47,7 @@ def value_and_slope(v, gap, which, t):
     return curvature(v, t), 2.0 * v[2] + t * (6.0 * v[3] + t * (12.0 * v[4] + t * tail))
 
 
-@kernel
+@subkernel
 def bracketed_root(v, gap, which, low, high):
     """Root of `value_and_slope` between low and high, where its sign changes: Newton in a bracket."""
     at_low, _ = value_and_slope(v, gap, which, low)
@@ -71,7 +71,7 @@ def bracketed_root(v, gap, which, low, high):
     return time
 
 
-@kernel
+@subkernel
 def part_turning_once(v, h):
     """Largest h / 2^n such that phi'' changes sign at most once in [0, h], by bounds on the polynomial."""
     a2 = abs(v[1])
@@ -92,7 +92,7 @@ def falls_faster_and_faster(v):
     return v[1] + (tail + (6.0 * abs(v[6]) + 7.0 * abs(v[7])) + 8.0 * abs(v[8])) < 0.0
 
 
-@kernel
+@subkernel
 def landing(v, gap, h):
     """Time in (0, h] at which gap + phi(t) - phi(0) falls to zero; -1.0 if it stays above. gap not negative.
     Valid where phi'' < 0 in [0, h]: there is one such time at most."""
@@ -118,7 +118,7 @@ def landing(v, gap, h):
     return min(max(time, 0.0), h)
 
 
-@kernel
+@subkernel
 def first_crossing(v, gap, sign, h):
     """First time in (0, h] at which sign * (gap + phi(t) - phi(0)) falls to zero, from above or from a
     start at zero; -1.0 if never. Splits [0, h] where phi' is monotone, then where phi is, so that a
@@ -146,7 +146,7 @@ def first_crossing(v, gap, sign, h):
     return -1.0
 
 
-@kernel
+@subkernel
 def summit(v, h):
     """Largest increment of the step's polynomial at a turning point inside [0, h] [rad], else 0."""
     bend = h

@@ -4,11 +4,11 @@ Cost: four evaluations of sin and cos a step. Fails: on small hops, whose errors
 the motion amplifies (1e-4 alpha on `hard` at the record's step); on a dip and return within one step.
 """
 
-from core.kernel_cache import kernel
+from core.kernel_cache import subkernel
 from core.rocking.branch import acceleration
 
 
-@kernel
+@subkernel
 def advance(phi, speed, beta, slope, h, model, zone):
     """Rotation [rad] and velocity [rad/s] after h [s]; beta, slope : u''/g [-] and its rate [1/s]."""
     half = 0.5 * h

@@ -5,7 +5,7 @@ A crossing is seen at the end of a step; a dip and return within one step is mis
 
 import numpy as np
 
-from core.kernel_cache import kernel
+from core.kernel_cache import subkernel
 from core.moment_rotation import moment_branch, zone_of
 from core.rocking import dormand_prince, linearised, newmark_events, rk4
 from core.rocking.events import (
@@ -25,7 +25,7 @@ DORMAND_PRINCE = 4
 LINEARISED = 5
 
 
-@kernel
+@subkernel
 def advance(code, phi, speed, beta, slope, h, model, zone, tolerance, table, rates, pushes):
     """Rotation [rad] and velocity [rad/s] after h [s] by the method of this code."""
     if code == NEWMARK_EVENTS:
@@ -39,7 +39,7 @@ def advance(code, phi, speed, beta, slope, h, model, zone, tolerance, table, rat
     )
 
 
-@kernel
+@subkernel
 def locate(
     code, phi, speed, beta, slope, h, model, zone, tolerance, table, rates, pushes, level, sign
 ):
@@ -79,7 +79,7 @@ def locate(
     return time
 
 
-@kernel
+@subkernel
 def integrate(
     code, ground, dt, scale, model, option, start, rotation, velocity, impact_time,
     impact_velocity, table,

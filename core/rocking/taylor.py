@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-from core.kernel_cache import inner_kernel, kernel
+from core.kernel_cache import inner_kernel, kernel, subkernel
 from core.moment_rotation import FAR, moment_branch, zone_of
 from core.rocking.bounds import converged_part, largest_push, neglected, turning_margin
 from core.rocking.events import (
@@ -103,7 +103,7 @@ def sine_and_cosine_short(x):
     return s, (1.0 - 0.5 * y) + z * tail
 
 
-@kernel
+@subkernel
 def sine_and_cosine(x):
     """sin and cos of a rotation [rad]."""
     if x > SHORT:
@@ -143,23 +143,14 @@ def small_bounce(speed, net, sine, cosine, beta, slope, p2):
     return t, speed + t * (2.0 * c2 + t * (3.0 * c3 + t * (4.0 * c4))), highest
 
 
-@kernel
+@subkernel
 def upright(model):
     """(lift threshold [m/s2]; tan, sin and cos of alpha): what every sample needs of the model."""
     alpha = model.slenderness
     return lift_threshold(model), math.tan(alpha), math.sin(alpha), math.cos(alpha)
 
 
-@kernel
-def strongest_push(ground):
-    """Largest |u''| / g of a record [-]."""
-    most = 0.0
-    for u in ground:
-        most = max(most, abs(u))
-    return most * PER_G
-
-
-@kernel
+@subkernel
 def lost(phi, speed, strongest, model):
     """Whether the block never comes back: even the strongest ground, pushing inward all the time, lets it
     over its barrier (energy, Eq. 1 beyond alpha).
@@ -179,33 +170,27 @@ def lost(phi, speed, strongest, model):
 
 
 @inner_kernel
-def land(speed, side, ground, time, model, threshold, impacts, clamped, noted):
-    """An impact at theta = 0: (speed, side, moving, impacts, clamped) after it. speed : just before it,
-    inward negative (Eq. 3, 7); noted : as `through_sample`."""
+def land(speed, side, ground, model, threshold, impacts, clamped):
+    """An impact at theta = 0: (speed, side, moving, impacts, clamped, rotation speed) after it, the last
+    with its sign. speed : just before it, inward negative [rad/s] (Eq. 3, 7)."""
     speed, after, side, moving, clamp = leave_impact(
         max(-speed, 0.0), side, ground, model, threshold
     )
-    if noted is not None:
-        times, velocities = noted
-        if impacts < times.size:
-            times[impacts] = time
-            velocities[impacts] = after * speed
-    if not moving:
-        speed = 0.0
-    return speed, side, moving, impacts + 1, clamped + clamp
+    return speed if moving else 0.0, side, moving, impacts + 1, clamped + clamp, after * speed
 
 
 @inner_kernel
 def through_sample(
-    ground0, ground1, dt, model, constants, order, strongest, ahead, state, start_time, noted
+    ground0, ground1, dt, model, constants, order, strongest, ahead, state, start, each
 ):  # fmt: skip
     """Carry the block through one sample, rest, uplift, kinks and impacts included.
 
     ground0, ground1 : ground acceleration at both ends [m/s2]; constants : of `upright`;
     strongest : of `lost`; ahead : of `dies_down`;
     state : (side, phi [rad], speed [rad/s], moving, zone, peak [rad], impacts, clamped);
-    start_time [s]; noted : (times [s], velocities [rad/s]) into which every impact is written, or None: a
-    chatter that dies down is then not followed. Returns (outcome so far, state).
+    start : where in the sample the state is, 0 to 1; each : whether to come back after each impact; else
+    a chatter that dies down is not followed.
+    Returns (outcome so far, where in the sample, rotation speed after the last impact [rad/s], state).
     """
     threshold, tangent, sine_upright, cosine_upright = constants
     side, phi, speed, moving, zone, peak, impacts, clamped = state
@@ -215,7 +200,8 @@ def through_sample(
     per_dt = 1.0 / dt
     rate = jump * per_dt
     forcing = max(abs(ground0), abs(ground1)) * PER_G
-    t = 0.0  # in samples
+    t = start  # in samples
+    hit = 0.0
     impacts_before = impacts
     events = 0
     while t < 1.0:
@@ -231,15 +217,16 @@ def through_sample(
         pull = side * PER_G
         beta = pull * (ground0 + jump * t)
         if phi == 0.0 and 0.0 < speed < small:
-            if noted is None:
-                time = (QUIET - 1 - t) * dt
-                made = impacts - impacts_before
-                if made % 4 == 0 and dies_down(
-                    speed, ahead, dt, time, made, peak, model, constants
-                ):
-                    moving = False
-                    speed = 0.0
-                    break
+            made = impacts - impacts_before
+            time = (QUIET - 1 - t) * dt
+            if (
+                not each
+                and made % 4 == 0
+                and dies_down(speed, ahead, dt, time, made, peak, model, constants)
+            ):
+                moving = False
+                speed = 0.0
+                break
             flight, arriving, highest = small_bounce(
                 speed, cosine_upright * (tangent - beta), sine_upright, cosine_upright, beta,
                 pull * rate, model.p2,
@@ -247,12 +234,18 @@ def through_sample(
             if 0.0 < flight < (1.0 - t) * dt:
                 t += flight * per_dt
                 peak = max(peak, highest)
-                speed, side, moving, impacts, clamped = land(
-                    arriving, side, ground0 + jump * t, start_time + t * dt, model, threshold,
-                    impacts, clamped, noted,
-                )  # fmt: skip
+                speed, side, moving, impacts, clamped, hit = land(
+                    arriving, side, ground0 + jump * t, model, threshold, impacts, clamped
+                )
+                if each:
+                    break
                 if impacts - impacts_before > IMPACTS_PER_SAMPLE:
-                    return IMPACT_LIMIT, (side, phi, speed, moving, zone, peak, impacts, clamped)
+                    return (
+                        IMPACT_LIMIT,
+                        t,
+                        hit,
+                        (side, phi, speed, moving, zone, peak, impacts, clamped),
+                    )
                 continue
         rest_of_sample = 1.0 - t
         step = dt * rest_of_sample
@@ -307,61 +300,79 @@ def through_sample(
             phi += dphi
             peak = max(peak, phi)
             if phi > SHORT and lost(phi, speed, strongest, model):
-                return COLLAPSED, (side, phi, speed, moving, zone, peak, impacts, clamped)
+                return COLLAPSED, t, hit, (side, phi, speed, moving, zone, peak, impacts, clamped)
             continue
         events += 1
         if events > 10 * IMPACTS_PER_SAMPLE:
-            return IMPACT_LIMIT, (side, phi, speed, moving, zone, peak, impacts, clamped)
+            return IMPACT_LIMIT, t, hit, (side, phi, speed, moving, zone, peak, impacts, clamped)
         if not falling or low > 0.0:
             phi = low if falling else high
             zone += -1 if falling else 1
             peak = max(peak, phi)
             continue
         phi = 0.0
-        speed, side, moving, impacts, clamped = land(
-            speed, side, ground0 + jump * t, start_time + t * dt, model, threshold, impacts,
-            clamped, noted,
-        )  # fmt: skip
+        speed, side, moving, impacts, clamped, hit = land(
+            speed, side, ground0 + jump * t, model, threshold, impacts, clamped
+        )
+        if each:
+            break
         if impacts - impacts_before > IMPACTS_PER_SAMPLE:
-            return IMPACT_LIMIT, (side, phi, speed, moving, zone, peak, impacts, clamped)
-    return STABLE, (side, phi, speed, moving, zone, peak, impacts, clamped)
+            return IMPACT_LIMIT, t, hit, (side, phi, speed, moving, zone, peak, impacts, clamped)
+    return STABLE, t, hit, (side, phi, speed, moving, zone, peak, impacts, clamped)
 
 
-@kernel
-def integrate(
-    ground, dt, scale, model, order, start, rotation, velocity, impact_time, impact_velocity
-):
-    """Rocking history of one wall under one scaled record (Eq. 1), rest, uplift and impacts included.
+def integrate_by(order):
+    """The kernel `integrate` of order 6 or 8, which the compiler is to know: it leaves other terms out."""
 
-    ground : ground acceleration [m/s2], shape (n,); dt : its time step [s]; scale : multiplier [-],
-    negative for the reversed record; model : RockingModel; order : 6 or 8; start : initial rotation
-    [rad] and velocity [rad/s]; rotation, velocity : results at the samples [rad], [rad/s], shape (n,);
-    impact_time, impact_velocity : results [s], [rad/s] just after each impact.
-    Returns (outcome, peak rotation [rad], impacts, clamped ratios, samples done).
-    """
-    constants = upright(model)
-    noted = (impact_time, impact_velocity)
-    zero = np.int64(0)  # a plain 0 would be a type of its own, and compile everything again
-    side = -1.0 if start[0] < 0.0 or (start[0] == 0.0 and start[1] < 0.0) else 1.0
-    phi = side * start[0]
-    moving = phi != 0.0 or start[1] != 0.0
-    state = (side, phi, side * start[1], moving, zone_of(phi, model), phi, zero, zero)
-    rotation[0] = start[0]
-    velocity[0] = start[1]
-    for i in range(ground.size - 1):
-        outcome, state = through_sample(
-            scale * ground[i], scale * ground[i + 1], dt, model, constants, order, FAR, UNKNOWN, state,
-            i * dt, noted,
-        )  # fmt: skip
-        if outcome != STABLE:
-            return outcome, state[5], state[6], state[7], i + 1
-        rotation[i + 1] = state[0] * state[1] if state[3] else 0.0
-        velocity[i + 1] = state[0] * state[2] if state[3] else 0.0
-    outcome, peak = at_end(state, model)
-    return outcome, peak, state[6], state[7], ground.size
+    @kernel
+    def integrate(
+        ground, dt, scale, model, start, rotation, velocity, impact_time, impact_velocity
+    ):
+        """Rocking history of one wall under one scaled record (Eq. 1), rest, uplift and impacts included.
+
+        ground : ground acceleration [m/s2], shape (n,); dt : its time step [s]; scale : multiplier [-],
+        negative for the reversed record; model : RockingModel; start : initial rotation [rad] and
+        velocity [rad/s]; rotation, velocity : results at the samples [rad], [rad/s], shape (n,);
+        impact_time, impact_velocity : results [s], [rad/s] just after each impact.
+        Returns (outcome, peak rotation [rad], impacts, clamped ratios, samples done).
+        """
+        constants = upright(model)
+        zero = np.int64(0)  # a plain 0 would be a type of its own, and compile everything again
+        each = ground.size > 0  # nor is this a plain True
+        side = -1.0 if start[0] < 0.0 or (start[0] == 0.0 and start[1] < 0.0) else 1.0
+        phi = side * start[0]
+        moving = phi != 0.0 or start[1] != 0.0
+        state = (side, phi, side * start[1], moving, zone_of(phi, model), phi, zero, zero)
+        rotation[0] = start[0]
+        velocity[0] = start[1]
+        for i in range(ground.size - 1):
+            t = 0.0
+            before = state[6]
+            while t < 1.0:
+                impacts = state[6]
+                outcome, t, hit, state = through_sample(
+                    scale * ground[i], scale * ground[i + 1], dt, model, constants, order, FAR, UNKNOWN,
+                    state, t, each,
+                )  # fmt: skip
+                if impacts < state[6] and impacts < impact_time.size:
+                    impact_time[impacts] = i * dt + t * dt
+                    impact_velocity[impacts] = hit
+                if state[6] - before > IMPACTS_PER_SAMPLE:
+                    outcome = IMPACT_LIMIT
+                if outcome != STABLE:
+                    return outcome, state[5], state[6], state[7], i + 1
+            rotation[i + 1] = state[0] * state[1] if state[3] else 0.0
+            velocity[i + 1] = state[0] * state[2] if state[3] else 0.0
+        outcome, peak = at_end(state, model)
+        return outcome, peak, state[6], state[7], ground.size
+
+    return integrate
 
 
-@kernel
+INTEGRATE = {order: integrate_by(order) for order in (6, 8)}
+
+
+@subkernel
 def at_end(state, model):
     """(outcome, peak [rad]) once the ground is still, from the state after the last sample."""
     if state[3]:

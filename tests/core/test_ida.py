@@ -222,7 +222,7 @@ def scripted(monkeypatch, outcome_of):
     """Replace the analyses by a rule q -> outcome, to reach outcomes real walls hardly give."""
     from core import ida
 
-    def scan(method, ground, dt, scales, model, outcomes, peaks):
+    def scan(method, ground, dt, scales, model, outcomes, peaks, ahead):
         for k, scale in enumerate(scales):
             outcomes[k] = outcome_of(abs(scale) / (G * math.tan(model.slenderness)))
             peaks[k] = 0.1 * model.slenderness

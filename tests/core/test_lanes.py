@@ -62,13 +62,13 @@ def test_that_lanes_equal_single_analyses_on_random_walls_and_grounds():
 
 def test_that_a_pass_takes_no_more_lanes_than_its_width(reference, make_model, monkeypatch):
     sizes = []
-    real = lanes.SCANS[8]
+    real = lanes.PASS[8]
 
     def watched(ground, dt, scales, *rest):
         sizes.append(scales.size)
         return real(ground, dt, scales, *rest)
 
-    monkeypatch.setitem(lanes.SCANS, 8, watched)
+    monkeypatch.setitem(lanes.PASS, 8, watched)
     scales = np.linspace(1, 2, lanes.WIDTH + 5)
     scan(METHODS["taylor"], reference("standard")[0], 0.01, scales, make_model(),
          np.zeros(scales.size, np.int64), np.zeros(scales.size))  # fmt: skip

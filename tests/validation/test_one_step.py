@@ -1,26 +1,32 @@
 """Single samples against the same sample cut into 64: peaks next to a turn, terms no bound may forget."""
 
 import math
-from itertools import pairwise
 
 import numpy as np
 import pytest
 
+from core.kernel_cache import kernel
 from core.rocking import taylor
 from core.rocking.events import UNKNOWN
 from core.rocking.model import RockingModel
 
 
-def through(model, grounds, dt, order, phi, speed, peak):
-    """(phi, speed, peak, impacts) after the samples between these ground accelerations [m/s2]."""
-    constants, zero = taylor.upright(model), np.int64(0)
-    noted = (np.empty(0), np.empty(0))
-    zone = 2 if model.plateau_end == 0.0 or phi >= model.plateau_end else 1
-    state = (1.0, phi, speed, True, zone, peak, zero, zero)
-    for first, second in pairwise(grounds):
-        _, state = taylor.through_sample(
-            first, second, dt, model, constants, order, 1e9, UNKNOWN, state, 0.0, noted
+@kernel
+def samples(model, grounds, dt, order, state):
+    """State after the samples between these ground accelerations [m/s2]."""
+    constants, each = taylor.upright(model), dt < 0.0
+    for i in range(grounds.size - 1):
+        _, _, _, state = taylor.through_sample(
+            grounds[i], grounds[i + 1], dt, model, constants, order, 1e9, UNKNOWN, state, 0.0, each
         )
+    return state
+
+
+def through(model, grounds, dt, order, phi, speed, peak):
+    """(phi, speed, peak, impacts) after these samples."""
+    zone = 2 if model.plateau_end == 0.0 or phi >= model.plateau_end else 1
+    start = (1.0, phi, speed, True, zone, peak, 0, 0)
+    state = samples(model, grounds, dt, order, start)
     return state[1], state[2], state[5], state[6]
 
 

@@ -97,7 +97,7 @@ def test_the_rotation_at_the_last_sample_is_wrong_near_the_separatrix(make_model
     for phi, speed in ((0.8, 0.6), (0.95, 0.2), (1.05, -0.2), (1.1, -0.15)):
         start = (phi * model.slenderness, speed * p * model.slenderness)
         late = wrong_methods.rotation_decides_at_the_end(
-            still, 1e-6, 1.0, model, 8, start, none, none, none, none
+            still, 1e-6, 1.0, model, start, np.zeros(3), np.zeros(3), none, none
         )[0]
         long = history(np.zeros(6001), 0.01, 1.0, model, start=start).outcome
         assert history(still, 1e-6, 1.0, model, start=start).outcome == long

@@ -19,15 +19,17 @@ def variant(kernel, **replacements):
     """The kernel's Python function with some of its globals replaced."""
     source = getattr(kernel, "py_func", kernel)
     known = {**source.__globals__, **replacements}
-    return types.FunctionType(source.__code__, known, source.__name__, source.__defaults__)
+    return types.FunctionType(
+        source.__code__, known, source.__name__, source.__defaults__, source.__closure__
+    )
 
 
-def taylor_history(integrate, ground, dt, model, order=8):
+def taylor_history(integrate, ground, dt, model):
     """theta at the samples, and (outcome, peak, impacts, clamped, samples done)."""
     rotation, none = np.zeros(len(ground)), np.empty(0)
     result = integrate(
-        np.asarray(ground, float), dt, 1.0, model, order, (0.0, 0.0), rotation,
-        np.zeros(len(ground)), none, none,
+        np.asarray(ground, float), dt, 1.0, model, (0.0, 0.0), rotation, np.zeros(len(ground)), none,
+        none,
     )  # fmt: skip
     return rotation, result
 
@@ -49,6 +51,10 @@ def _uplift_at_sample(ground, slope, start, end, model, threshold):
 def _crossing_at_end(v, gap, sign, h):
     after = gap + taylor.increment(v, h)
     return h if sign * after <= 0.0 else -1.0
+
+
+def _landing_at_end(v, gap, h):
+    return _crossing_at_end(v, gap, 1.0, h)
 
 
 def _crossing_by_sign_change(v, gap, sign, h):
@@ -86,16 +92,16 @@ def _rk4_through_kinks(code, phi, speed, beta, slope, h, model, zone, *rest):
 
 
 def taylor_variant(**replacements):
-    """`taylor.integrate` with names replaced in the sample it repeats and in its end."""
+    """`integrate` of order 8 with names replaced in the sample it repeats and in its end."""
     return variant(
-        taylor.integrate,
+        taylor.INTEGRATE[8],
         through_sample=variant(taylor.through_sample, **replacements),
         at_end=variant(taylor.at_end, **replacements),
     )
 
 
 uplift_at_next_sample = taylor_variant(next_uplift=_uplift_at_sample)
-impact_at_end_of_step = taylor_variant(first_crossing=_crossing_at_end)
+impact_at_end_of_step = taylor_variant(first_crossing=_crossing_at_end, landing=_landing_at_end)
 double_crossing_missed = taylor_variant(first_crossing=_crossing_by_sign_change)
 rotation_decides_at_the_end = taylor_variant(end_of_record=_rotation_decides)
 no_rest = taylor_variant(
