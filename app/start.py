@@ -8,7 +8,6 @@ from PySide6.QtWidgets import QApplication, QMessageBox
 
 from app import language, theme
 from app.files import EXAMPLE
-from app.forms.law_curve import LawCurve
 from app.language import tr
 from app.sentences import said
 from app.window import MainWindow
@@ -82,11 +81,9 @@ def warm_up(window: MainWindow) -> None:
 
 
 def warmed(window: MainWindow) -> None:
-    """The kernels are there: draw what needs them."""
-    LawCurve.ready = True
+    """The kernels are there."""
     if window.job is None:
         window.word.setText(tr("Ready."))
-    window.refresh()
 
 
 def main(path: Path | None) -> int:

@@ -1,4 +1,4 @@
-"""The decorator of every compiled kernel, and where its machine code is kept.
+"""The decorators of compiled kernels, and where their machine code is kept.
 
 numba's own cache misses changes in other files, depends on the working directory when frozen, and a
 damaged file kills the start. Here: one folder per user and per state of the sources, 0700, every file
@@ -6,12 +6,14 @@ checked against a hash before numba may load it. RIBALTA_CACHE names another fol
 """
 
 import atexit
+import functools
 import hashlib
 import json
 import os
 import shutil
 import sys
 import tempfile
+import threading
 import time
 from pathlib import Path
 
@@ -113,82 +115,51 @@ atexit.register(record, FOLDER)
 
 os.environ.setdefault(
     "NUMBA_CACHE_LOCATOR_CLASSES",
-    f"{__name__}.Locator,InTreeCacheLocator,UserWideCacheLocator,IPythonCacheLocator",
+    "core.numba_kernels.Locator,InTreeCacheLocator,UserWideCacheLocator,IPythonCacheLocator",
 )
 
-from numba import njit, types  # noqa: E402  (the locator must be named before numba is imported)
-from numba.core.caching import _CacheLocator  # noqa: E402
-from numba.core.registry import CPUDispatcher  # noqa: E402
-from numba.extending import lower_builtin, type_callable  # noqa: E402
+_lock = threading.RLock()
 
 
-class Locator(_CacheLocator):
-    """Puts the machine code of this program's kernels into FOLDER, under their module's name."""
+class Kernel:
+    """A function that numba compiles, or takes from FOLDER, when it is first called; until then numba need
+    not be there: it takes a third of the window's start.
 
-    def __init__(self, py_func):
-        self._place = f"{py_func.__module__}-{py_func.__code__.co_firstlineno}"
+    inlined : becomes part of its callers, so that their loops can use vector instructions; doors : whether
+    Python may call the compiled code. Those doors take longer to compile than most kernels; without them a
+    call from Python runs the function as Python.
+    """
 
-    def get_cache_path(self):
-        return str(FOLDER)
+    def __init__(self, function, inlined: bool, doors: bool):
+        functools.update_wrapper(self, function)
+        self.py_func, self.inlined, self.doors = function, inlined, doors
+        self._dispatcher = None
 
-    def get_source_stamp(self):
-        return STAMP
+    @property
+    def dispatcher(self):
+        """numba's object of this kernel."""
+        if self._dispatcher is None:
+            with _lock:
+                from core.numba_kernels import compiled
 
-    def get_disambiguator(self):
-        return self._place
-
-    @classmethod
-    def from_function(cls, py_func, py_file):
-        return cls(py_func) if py_func.__module__.startswith("core.") else None
-
-
-OPTIONS = {"cache": True, "nogil": True, "error_model": "numpy"}
-NO_DOORS = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-DOORS = dict.fromkeys(NO_DOORS, False)
-
-kernel = njit(forceinline=False, **DOORS, **OPTIONS)
-"""Compiled once per machine; no lock held while it runs; never fastmath, never parallel. An option not set
-here would be inherited from the kernel whose compilation asks for this one."""
-
-
-class Doorless(CPUDispatcher):
-    """A kernel for other kernels alone: the doors by which Python calls one take longer to compile than most
-    of the code behind them. Called from Python it runs as Python."""
+                if self._dispatcher is None:
+                    self._dispatcher = compiled(self.py_func, self.inlined, self.doors)
+        return self._dispatcher
 
     def __call__(self, *arguments):
-        return self.py_func(*arguments)
+        return self.dispatcher(*arguments) if self.doors else self.py_func(*arguments)
 
 
-def _doorless(forceinline: bool):
-    def decorate(function):
-        made = njit(forceinline=forceinline, **NO_DOORS, **OPTIONS)(function)
-        if isinstance(made, CPUDispatcher):  # not so where NUMBA_DISABLE_JIT is set
-            made.__class__ = Doorless
-        return made
+kernel = functools.partial(Kernel, inlined=False, doors=True)
+"""A kernel that Python calls."""
 
-    return decorate
+subkernel = functools.partial(Kernel, inlined=False, doors=False)
+"""A kernel that kernels call."""
 
-
-subkernel = _doorless(False)
-"""A kernel for other kernels alone, see `Doorless`."""
-
-inner_kernel = _doorless(True)
-"""A subkernel that becomes part of its callers, so that their loops can use vector instructions."""
+inner_kernel = functools.partial(Kernel, inlined=True, doors=False)
+"""A kernel that becomes part of the kernels that call it."""
 
 
 def widest_vectors() -> None:
     """Called in a kernel: its loops use the widest vector registers of the processor. LLVM keeps to half of
     them on some processors, and the bare arithmetic of the lanes then takes nearly twice as long."""
-
-
-@type_callable(widest_vectors)
-def _nothing(context):
-    return lambda: types.none
-
-
-@lower_builtin(widest_vectors)
-def _mark_function(context, builder, signature, arguments):
-    builder.function.attributes.add("noinline")
-    # llvmlite's list of known attributes lacks this one
-    set.add(builder.function.attributes, '"prefer-vector-width"="512"')
-    return context.get_dummy_value()

@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 
 from core.errors import require
-from core.kernel_cache import kernel, subkernel
+from core.kernel_cache import subkernel
 
 FAR = 1e9
 """Upper end of the last branch of a law [rad]: never reached."""
@@ -68,14 +68,14 @@ def moment_branch(zone, model):
     return 0.0, phi1, 0.0, plateau / phi1, 0.0
 
 
-@kernel
+@subkernel
 def moment(phi, model):
     """Restoring moment over m g R at rotation phi [-], continued analytically below 0."""
     _, _, sine, slope, constant = moment_branch(zone_of(phi, model), model)
     return sine * math.sin(model.slenderness - phi) + slope * phi + constant
 
 
-@kernel
+@subkernel
 def potential(phi, model):
     """Integral of the moment law from 0 to phi [-]: the stored energy over I0 p2 (Fig. 3)."""
     alpha = model.slenderness

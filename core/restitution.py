@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from core.block import Block
 from core.errors import InputError
-from core.kernel_cache import kernel
+from core.kernel_cache import subkernel
 
 MODELS = {
     "housner": "Eq. 4",
@@ -90,7 +90,7 @@ def restitution(block: Block, model: str, velocity_ratio: float | None = None) -
     )
 
 
-@kernel
+@subkernel
 def velocity_ratio(speed, model):
     """Velocity ratio of an impact at the given speed [rad/s], and 1 if Eq. 7 had to be clamped at 0."""
     ratio = model.ratio_at_rest - model.ratio_drop * speed * speed

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from core.kernel_cache import kernel
+from core.kernel_cache import kernel, subkernel
 
 DAMPING = 0.05
 """Damping ratio of the spectra [-]."""
@@ -16,7 +16,7 @@ HOUSNER_PERIODS = np.linspace(0.1, 2.5, 121)
 """Periods of the Housner intensity [s], every 0.02 s; a 0.1 s step would lose 1.1 %."""
 
 
-@kernel
+@subkernel
 def peak_displacement(ground, dt, period, damping, parts):
     """Largest |relative displacement| of an oscillator at rest under a ground motion [m].
 
@@ -54,7 +54,7 @@ def peak_displacement(ground, dt, period, damping, parts):
     return max(peak, free_peak(u, v, w, wd, damping))
 
 
-@kernel
+@subkernel
 def free_peak(u, v, w, wd, damping):
     """Largest |displacement| of the free motion from (u, v): at its first turning point."""
     sine = -w * w * u / wd - damping * w / wd * v

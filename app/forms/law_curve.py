@@ -12,12 +12,7 @@ from core.rocking import rocking_model
 
 
 class LawCurve(pg.PlotWidget):
-    """Moment over m g R sin(alpha) against theta/alpha.
-
-    ready : the kernels are loaded; before that nothing is drawn, so that the window does not wait.
-    """
-
-    ready = False
+    """Moment over m g R sin(alpha) against theta/alpha."""
 
     def __init__(self):
         super().__init__()
@@ -36,8 +31,6 @@ class LawCurve(pg.PlotWidget):
 
     def show_wall(self, wall: Wall) -> None:
         """Draw the law of this wall, nothing while it is not complete."""
-        if not LawCurve.ready:
-            return
         try:
             block, law = wall.block(), wall.moment_law()
         except (InputError, TypeError):

@@ -28,10 +28,8 @@ def main(folder: Path, case: Path = ROOT / "resources" / "cases" / "verdict.toml
 
     QStandardPaths.setTestModeEnabled(True)
     from app import start as program
-    from app.forms.law_curve import LawCurve
 
     folder.mkdir(parents=True, exist_ok=True)
-    LawCurve.ready = True
     application, window = program.make([])
     window.show()
     window.session.open(case)

@@ -204,7 +204,7 @@ def test_fastmath_deletes_the_check_for_nan():
 
     assert njit(guarded)(math.nan) == 1.0
     assert njit(fastmath=True)(guarded)(math.nan) == 0.0
-    assert not kernel(guarded).targetoptions.get("fastmath")
+    assert not kernel(guarded).dispatcher.targetoptions.get("fastmath")
 
 
 @pytest.mark.parametrize("dt", [1e-4, 1e-3, 0.005, 0.02, 0.05])

@@ -1,0 +1,59 @@
+"""What numba has to know of the kernels; imported with the first call of one."""
+
+from numba import njit, types
+from numba.core.caching import _CacheLocator
+from numba.extending import lower_builtin, type_callable, typeof_impl
+
+from core.kernel_cache import FOLDER, STAMP, Kernel, widest_vectors
+
+
+def compiled(function, inlined: bool, doors: bool):
+    """numba's dispatcher of a kernel's function: compiled once per machine; no lock held while it runs; never
+    fastmath, never parallel. An option not set here would be inherited from the kernel whose compilation
+    asks for this one."""
+    return njit(
+        cache=True,
+        nogil=True,
+        error_model="numpy",
+        forceinline=inlined,
+        no_cpython_wrapper=not doors,
+        no_cfunc_wrapper=not doors,
+    )(function)
+
+
+class Locator(_CacheLocator):
+    """Puts the machine code of this program's kernels into FOLDER, under their module's name."""
+
+    def __init__(self, py_func):
+        self._place = f"{py_func.__module__}-{py_func.__code__.co_firstlineno}"
+
+    def get_cache_path(self):
+        return str(FOLDER)
+
+    def get_source_stamp(self):
+        return STAMP
+
+    def get_disambiguator(self):
+        return self._place
+
+    @classmethod
+    def from_function(cls, py_func, py_file):
+        return cls(py_func) if py_func.__module__.startswith("core.") else None
+
+
+@typeof_impl.register(Kernel)
+def _type_of_kernel(value, context):
+    return types.Dispatcher(value.dispatcher)
+
+
+@type_callable(widest_vectors)
+def _nothing(context):
+    return lambda: types.none
+
+
+@lower_builtin(widest_vectors)
+def _mark_function(context, builder, signature, arguments):
+    builder.function.attributes.add("noinline")
+    # llvmlite's list of known attributes lacks this one
+    set.add(builder.function.attributes, '"prefer-vector-width"="512"')
+    return context.get_dummy_value()
