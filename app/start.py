@@ -1,5 +1,6 @@
 """The start of the window: application, theme, language, recovery, kernels, errors of slots."""
 
+import gc
 import sys
 from pathlib import Path
 
@@ -59,6 +60,13 @@ def make(arguments: list[str] | None = None) -> tuple[QApplication, MainWindow]:
     return application, MainWindow(settings, folder / "autosave")
 
 
+def show(window: MainWindow) -> None:
+    """Show the window. Python's collector is not to look through its modules and widgets again and again: it
+    would hold up the window for as long."""
+    window.show()
+    gc.freeze()
+
+
 def warm_up(window: MainWindow) -> None:
     """Compile or load the kernels in the background, with a word in the status line."""
     from core import study
@@ -90,7 +98,7 @@ def main(path: Path | None) -> int:
     """Show the window, on this case or the example; returns its exit code."""
     application, window = make()
     install_hook(window)
-    window.show()
+    show(window)
     if path is not None:
         window.files.open(path)
     else:

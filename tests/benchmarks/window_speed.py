@@ -18,7 +18,7 @@ from PySide6.QtCore import QStandardPaths
 QStandardPaths.setTestModeEnabled(True)
 from app import start as program
 application, window = program.make([])
-window.show(); application.processEvents()
+program.show(window); application.processEvents()
 shown = time.perf_counter() - start
 window.session.open(program.EXAMPLE); application.processEvents()
 print(shown, time.perf_counter() - start)
@@ -43,7 +43,7 @@ def main() -> None:
     from tests.benchmarks.screenshots import settle
 
     application, window = program.make([])
-    window.show()
+    program.show(window)
     window.session.open(program.EXAMPLE)
     settle(application, lambda: window.records.motions)
     gaps, last = [], [time.perf_counter()]
