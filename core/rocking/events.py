@@ -20,8 +20,9 @@ REST_FRACTION = 1e-6
 IMPACTS_PER_SAMPLE = 10_000
 """More impacts than this within one sample end the analysis as impact_limit."""
 
-MOST_BOUNCES = 7.0
-"""Bounces from the largest small one to rest, times the velocity ratio's distance from 1: ln(1000)."""
+MOST_BOUNCES = 20.0
+"""More than the bounces of a dying chatter to its rest, times the velocity ratio's distance from 1: the
+logarithm of its speed over that of rest."""
 
 LOOK_EVERY = 64
 """Samples between two looks at whether an analysis is settled."""

@@ -196,12 +196,16 @@ def through_sample(
     side, phi, speed, moving, zone, peak, impacts, clamped = state
     alpha = model.slenderness
     small = SMALL_BOUNCE * math.sqrt(model.p2) * alpha if threshold > 0.0 else 0.0
+    # faster chatter outlasts the window
+    loss = 1.0 - model.ratio_at_rest if threshold > 0.0 and not each else 0.0
+    dying = 0.5 * model.p2 * alpha * loss * (QUIET - 1) * dt
     jump = ground1 - ground0
     per_dt = 1.0 / dt
     rate = jump * per_dt
     forcing = max(abs(ground0), abs(ground1)) * PER_G
     t = start  # in samples
     hit = 0.0
+    outcome = STABLE
     impacts_before = impacts
     events = 0
     while t < 1.0:
@@ -216,17 +220,14 @@ def through_sample(
         low, high, factor, slope, constant = moment_branch(zone, model)
         pull = side * PER_G
         beta = pull * (ground0 + jump * t)
-        if phi == 0.0 and 0.0 < speed < small:
+        if phi == 0.0 and 0.0 < speed < dying and (speed > small or impacts % 4 == 0):
             made = impacts - impacts_before
             time = (QUIET - 1 - t) * dt
-            if (
-                not each
-                and made % 4 == 0
-                and dies_down(speed, ahead, dt, time, made, peak, model, constants)
-            ):
+            if dies_down(speed, ahead, dt, time, made, peak, model, constants):
                 moving = False
                 speed = 0.0
                 break
+        if phi == 0.0 and 0.0 < speed < small:
             flight, arriving, highest = small_bounce(
                 speed, cosine_upright * (tangent - beta), sine_upright, cosine_upright, beta,
                 pull * rate, model.p2,
@@ -240,12 +241,8 @@ def through_sample(
                 if each:
                     break
                 if impacts - impacts_before > IMPACTS_PER_SAMPLE:
-                    return (
-                        IMPACT_LIMIT,
-                        t,
-                        hit,
-                        (side, phi, speed, moving, zone, peak, impacts, clamped),
-                    )
+                    outcome = IMPACT_LIMIT
+                    break
                 continue
         rest_of_sample = 1.0 - t
         step = dt * rest_of_sample
@@ -300,11 +297,13 @@ def through_sample(
             phi += dphi
             peak = max(peak, phi)
             if phi > SHORT and lost(phi, speed, strongest, model):
-                return COLLAPSED, t, hit, (side, phi, speed, moving, zone, peak, impacts, clamped)
+                outcome = COLLAPSED
+                break
             continue
         events += 1
         if events > 10 * IMPACTS_PER_SAMPLE:
-            return IMPACT_LIMIT, t, hit, (side, phi, speed, moving, zone, peak, impacts, clamped)
+            outcome = IMPACT_LIMIT
+            break
         if not falling or low > 0.0:
             phi = low if falling else high
             zone += -1 if falling else 1
@@ -317,8 +316,9 @@ def through_sample(
         if each:
             break
         if impacts - impacts_before > IMPACTS_PER_SAMPLE:
-            return IMPACT_LIMIT, t, hit, (side, phi, speed, moving, zone, peak, impacts, clamped)
-    return STABLE, t, hit, (side, phi, speed, moving, zone, peak, impacts, clamped)
+            outcome = IMPACT_LIMIT
+            break
+    return outcome, t, hit, (side, phi, speed, moving, zone, peak, impacts, clamped)
 
 
 def integrate_by(order):

@@ -41,9 +41,9 @@ def walls(folder: Path, count: int) -> Path:
     for k in range(count):
         mechanism = "two_sided" if k % 2 else "one_sided"
         rows.append(f"w{k};{chance.uniform(3, 8):.2f};{chance.uniform(0.3, 0.9):.2f};{mechanism}")
-    (folder / "w.csv").write_text("\n".join(rows))
+    (folder / f"walls_{count}.csv").write_text("\n".join(rows))
     case = folder / f"walls_{count}.toml"
-    case.write_text(f'walls = "w.csv"\n[generate]\ncount = 7\n{DEMAND}')
+    case.write_text(f'walls = "walls_{count}.csv"\n[generate]\ncount = 7\n{DEMAND}')
     return case
 
 

@@ -103,3 +103,34 @@ def test_that_no_kernel_is_fast_math_or_parallel():
     for source in (ROOT / "core").rglob("*.py"):
         text = source.read_text()
         assert not re.search(r"fastmath\s*=|parallel\s*=|\bprange\b", text), source
+
+
+def test_that_numba_waits_for_the_first_call_of_a_kernel():
+    script = (
+        "import sys; import core.study, app.batch; early = 'numba' in sys.modules;"
+        "from core.spectrum import housner_intensity; import numpy as np;"
+        "housner_intensity(np.ones(50), 0.01); print(early, 'numba' in sys.modules)"
+    )
+    found = subprocess.run(
+        [sys.executable, "-P", "-c", script], capture_output=True, text=True, check=True,
+        env=dict(os.environ, PYTHONPATH=str(ROOT)),
+    )  # fmt: skip
+    assert found.stdout.split() == ["False", "True"]
+
+
+def test_that_kernels_of_kernels_run_as_python_when_python_calls_them():
+    @kernel_cache.subkernel
+    def half(x):
+        return "python" if isinstance(x, str) else 0.5 * x
+
+    @kernel_cache.subkernel
+    def quarter(x):
+        return 0.25 * x
+
+    @kernel_cache.kernel
+    def three_quarters(x):
+        return 0.5 * x + quarter(x)
+
+    assert half("a") == "python"
+    assert quarter(8.0) == 2.0
+    assert three_quarters(8.0) == 6.0
