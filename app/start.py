@@ -61,7 +61,7 @@ def make(arguments: list[str] | None = None) -> tuple[QApplication, MainWindow]:
 
 
 def show(window: MainWindow) -> None:
-    """Show the window. Python's collector is not to look through its modules and widgets again and again: it
+    """Show the window. Python's collector is not to look through what is there by now again and again: it
     would hold up the window for as long."""
     window.show()
     gc.freeze()

@@ -82,9 +82,7 @@ class _Set:
     def __init__(self, model, motions, polarities, demand, method, cancelled):
         self.model, self.method, self.cancelled = model, method, cancelled
         self.pairs = [(motion, sign) for motion in motions for sign in polarities]
-        self.aheads = [
-            look_ahead(motion.acceleration, motion.time_step) for motion, _ in self.pairs
-        ]
+        self.ahead = {id(m): look_ahead(m.acceleration, m.time_step) for m in motions}
         self.signs = len(polarities)
         self.factors = [
             demand.confidence_factor * demand.scaling(motion) for motion, _ in self.pairs
@@ -101,7 +99,7 @@ class _Set:
             if self.cancelled():
                 raise Cancelled
             scan(self.method, motion.acceleration, motion.time_step, sign * factor * multipliers,
-                 self.model, outcomes[k], peaks[k], self.aheads[k])  # fmt: skip
+                 self.model, outcomes[k], peaks[k], self.ahead[id(motion)])  # fmt: skip
         return outcomes, peaks / self.model.slenderness
 
     def governing(self, peaks: np.ndarray) -> np.ndarray:

@@ -139,7 +139,7 @@ class Kernel:
 
     @property
     def dispatcher(self):
-        """numba's object of this kernel."""
+        """numba's object of this kernel; to be called from Python only where there are doors."""
         if self._dispatcher is None:
             with _lock:
                 from core.numba_kernels import compiled

@@ -20,7 +20,6 @@ from core.ground_motion import GroundMotion
 from core.ida import Ida, Search, incremental_dynamic_analysis, threshold_of
 from core.journal import Journal
 from core.kernel_cache import FOLDER, STAMP, record
-from core.moment_rotation import moment
 from core.records.grammar import Options
 from core.results import CollapseHistories, Run, StudyResult, WallResult
 from core.rocking import AUTO, METHODS, RockingModel, history, rocking_model, scan
@@ -169,20 +168,11 @@ def warm(case: Case, motion: GroundMotion) -> None:
     """Make the kernels of a case ready: a few analyses of its first wall."""
     wall = case.wall[0]
     model = _model(wall, wall.mechanisms()[0])
+    method = METHODS.get(case.analysis.method, AUTO)
+    ground, dt = motion.acceleration, motion.time_step
     scales = np.full(16, 1.1 * threshold_of(model) / motion.pga)
-    for some in (16, 1):
-        outcomes, peaks = np.zeros(some, np.int64), np.zeros(some)
-        scan(
-            AUTO,
-            motion.acceleration,
-            motion.time_step,
-            scales[:some],
-            model,
-            outcomes,
-            peaks,
-        )
-    history(motion.acceleration, motion.time_step, scales[0], model)
-    moment(0.0, model)
+    scan(method, ground, dt, scales, model, np.zeros(16, np.int64), np.zeros(16))
+    history(ground, dt, scales[0], model, method)
 
 
 def run_key(model: RockingModel, motion: GroundMotion, polarity: int, method, search) -> str:

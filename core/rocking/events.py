@@ -170,7 +170,8 @@ def dies_down(speed, ahead, dt, time, impacts, peak, model, constants):
 
     Rigorous, so that the bounces need not be followed: over the window the pull back exceeds 0.9 of that
     under the strongest ground, each flight lasts at most twice its speed over the pull, lands with the
-    energy it left with plus what the change of the ground adds, and leaves by the velocity ratio (Eq. 1, 3).
+    energy it left with plus what the change of the ground adds, and leaves by the velocity ratio (Eq. 1, 3),
+    which must not depend on the speed. Beyond the record the ground is still, as `end_of_record` has it.
     speed : just after an impact [rad/s]; ahead : of `ahead_of`; time : to the end of the window [s];
     impacts : in this sample; constants : of `taylor.upright`.
     """

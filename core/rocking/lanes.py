@@ -129,7 +129,7 @@ def pass_by(order):
     def one_pass(ground, dt, scales, model, ahead, lane, state, outcomes, peaks, clamped):
         """Analyses of one record at up to WIDTH multipliers.
 
-        ahead : of `look_ahead`; lane, state : room to work, int64 of shape (lanes,) and zeros of shape
+        ahead : of `look_ahead`; lane, state : room to work, int64 of shape (WIDTH,) and zeros of shape
         (ROWS * WIDTH,); the rest as `core.rocking.scan`.
         """
         constants = upright(model)
@@ -208,7 +208,8 @@ PASS = {order: pass_by(order) for order in (6, 8)}
 
 def scan(order, ground, dt, scales, model, outcomes, peaks, ahead):
     """`core.rocking.scan` by order 6 or 8, in passes of WIDTH lanes. Outcomes and the peaks of what stays up
-    are those of `taylor.integrate`, bit for bit; the peak of a block that falls is where it was given up.
+    are those of whole histories, bit for bit; the peak of a block that falls is where it was given up.
+    (Peaks below 1e-12 rad of chatter that outlives the record can differ by the rounding of an arccosine.)
     """
     clamped = np.zeros(scales.size, np.int64)
     for k in range(0, scales.size, WIDTH):

@@ -109,7 +109,7 @@ def landing(v, gap, h):
             continue
         inverse = 1.0 / slope
         step = (gap + increment(v, time)) * inverse
-        bend = step * inverse * (0.5 * v[1] + time * v[2])
+        bend = 0.5 * step * inverse * curvature(v, time)
         near = abs(step) <= 1e-6 * time and abs(bend) <= 1e-6
         time -= step * (1.0 + bend) if abs(bend) < 0.1 else step
         if near or not time > 0.0:

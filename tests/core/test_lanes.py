@@ -5,7 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from core.rocking import COLLAPSED, METHODS, history, lanes, scan
+from core.rocking import COLLAPSED, METHODS, history, lanes, look_ahead, scan
+from core.rocking.events import QUIET
 from core.rocking.model import RockingModel
 from core.units import G
 
@@ -96,3 +97,15 @@ def test_that_chatter_under_a_nearly_lifting_ground_is_followed(make_model, rati
             ground[:4] = 1.3 * threshold
             ground *= rng.choice([-1.0, 1.0], ground.size) if rng.random() < 0.3 else 1.0
             assert_lanes_are_histories(ground, 0.01, np.linspace(0.9, 1.1, 16), model)
+
+
+def test_that_what_lies_ahead_is_what_a_plain_loop_finds():
+    rng = np.random.default_rng(3)
+    ground, dt = rng.normal(size=50), 0.02
+    ahead = look_ahead(ground, dt)
+    still = np.concatenate([ground, np.zeros(QUIET + 1)])
+    for i in range(50):
+        window = still[i : i + QUIET]
+        assert ahead[0, i] == window.max() and ahead[1, i] == window.min()
+        assert ahead[2, i] == np.abs(np.diff(still[i : i + QUIET + 1])).max()
+        assert ahead[3, i] == pytest.approx(np.trapezoid(np.abs(still[i:]), dx=dt), rel=1e-12)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from core.kernel_cache import kernel
-from core.rocking import taylor
+from core.rocking import polynomial, taylor
 from core.rocking.events import UNKNOWN
 from core.rocking.model import RockingModel
 
@@ -77,3 +77,14 @@ def test_that_chatter_is_that_of_the_sample_cut(make_model):
         whole, cut = whole_and_cut(model, first, second, dt, 8, 0.0, speed)
         scale = speed * dt
         assert abs(whole[0] - cut[0]) <= 1e-9 * scale
+
+
+def test_that_a_landing_is_found_to_rounding():
+    """Newton with a wrong curvature stops at 3e-13 here (root by 50 digits)."""
+    v = (
+        2.484121509596945e-08, -5.909802994313008e-08, -6.60767306546701e-10, 3.1464401658184993e-12,
+        -1.4177133816426164e-08, 8.92526227610986e-13, -1.7473643133420071e-10, -1.1823685623718447e-14,
+        -6.8720760775001e-13,
+    )  # fmt: skip
+    time = polynomial.landing(v, 6.20553598787473e-14, 1.0)
+    assert time == pytest.approx(0.7970220616854136, rel=4e-15)
