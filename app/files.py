@@ -14,6 +14,21 @@ EXAMPLE = Path(__file__).resolve().parents[1] / "resources" / "cases" / "example
 RECENT = 8
 
 
+def path_to_write(parent, title: str, proposal: str, kinds: str, end: str) -> Path | None:
+    """The file to write that the user names, None if none. Its ending is added where it lacks, and where that
+    makes it another file that is there, asked again."""
+    name, _ = QFileDialog.getSaveFileName(parent, title, proposal, kinds)
+    path = Path(name)
+    if not name or path.suffix.lower() == end:
+        return path if name else None
+    path = path.with_name(path.name + end)
+    if path.exists():
+        question = tr("{path} is there already. Overwrite it?").format(path=path)
+        if QMessageBox.question(parent, title, question) != QMessageBox.StandardButton.Yes:
+            return None
+    return path
+
+
 class Files:
     """What the menu File does for a window and its session."""
 
@@ -31,7 +46,7 @@ class Files:
             return False
         if path != EXAMPLE:
             self.remember(path)
-        self.window.result_arrived(None)
+        self.window.start_afresh()
         return True
 
     @property
@@ -48,7 +63,7 @@ class Files:
     def new(self) -> None:
         if self.give_up():
             self.session.new()
-            self.window.result_arrived(None)
+            self.window.start_afresh()
 
     def ask_open(self) -> None:
         name, _ = QFileDialog.getOpenFileName(
@@ -63,11 +78,10 @@ class Files:
         return self._save(None)
 
     def save_as(self) -> bool:
-        name, _ = QFileDialog.getSaveFileName(
-            self.window, tr("Save the case"), str(self.session.path or self.session.base_dir / "case.toml"),
-            tr("Cases") + " (*.toml)",
-        )  # fmt: skip
-        return self._save(Path(name).with_suffix(".toml")) if name else False
+        proposal = str(self.session.path or self.session.base_dir / "case.toml")
+        kinds = tr("Cases") + " (*.toml)"
+        path = path_to_write(self.window, tr("Save the case"), proposal, kinds, ".toml")
+        return self._save(path) if path else False
 
     def _save(self, path: Path | None) -> bool:
         try:
@@ -82,14 +96,11 @@ class Files:
         if self.export_refused():
             return
         stem = self.session.path.stem if self.session.path else "ribalta"
-        name, _ = QFileDialog.getSaveFileName(
-            self.window,
-            tr("Export the workbook"),
-            str(self.session.base_dir / f"{stem}.xlsx"),
-            "Excel (*.xlsx)",
-        )
-        if name:
-            self.export(Path(name))
+        proposal = str(self.session.base_dir / f"{stem}.xlsx")
+        title = tr("Export the workbook")
+        path = path_to_write(self.window, title, proposal, "Excel (*.xlsx)", ".xlsx")
+        if path:
+            self.export(path)
 
     def export_refused(self) -> bool:
         """Whether there is nothing to export, or only results of an earlier input; says so."""

@@ -338,13 +338,19 @@ class MainWindow(QMainWindow):
             self.job.cancel()
             self.word.setText(tr("Cancelling…"))
 
+    def start_afresh(self) -> None:
+        """Another case is open: nothing of the last one stays."""
+        self.cancel()
+        for field in self.findChildren(Field):
+            field.forget()
+        self.result_arrived(None)
+
     def result_arrived(self, result) -> None:
-        """Show a result of study.run."""
+        """Show a result of study.run, None while there is none."""
         self.session.result = result
         self.fresh.clear()
         self.chosen.clear()
         if result is None:
-            self.cancel()
             self.card.setText(tr("No result yet: press F5."))
             for page in self.pages.values():
                 page.empty()

@@ -33,6 +33,7 @@ class Field(QWidget):
     def __init__(self, section: type, key: str, label: str, unit: str = "", tip: str = ""):
         super().__init__()
         self.section, self.key = section, key
+        self.held = None
         grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setHorizontalSpacing(6)
@@ -87,7 +88,18 @@ class Field(QWidget):
             self.show_error(said(self.accepted(str(error))))
             return
         self.show_error("")
+        self.held = value
         self.edited.emit(value)
+
+    def keeps(self, value) -> bool:
+        """Whether something wrong stands here that the user has yet to mend: it is not taken away without a
+        word. A value that came from elsewhere (undo, another file) replaces it."""
+        return bool(self.message.text()) and value == self.held
+
+    def forget(self) -> None:
+        """Another case or wall: what was wrong in the last one is no more."""
+        self.held = None
+        self.show_error("")
 
 
 class NumberField(Field):
@@ -115,6 +127,7 @@ class NumberField(Field):
     def _typed(self, text: str) -> None:
         if not text.strip() and self.optional:
             self.show_error("")
+            self.held = None
             self.edited.emit(None)
             return
         if not text.strip():
@@ -129,6 +142,9 @@ class NumberField(Field):
 
     def show_value(self, value: float | None) -> None:
         """Show a value of the case, unless what stands there already means it."""
+        if self.keeps(value):
+            return
+        self.held = value
         if self.editor.hasFocus() and self._means(value):
             return
         shown = "" if value is None or value == "" else f"{value * self.factor:.{FIGURES}g}"
@@ -138,8 +154,6 @@ class NumberField(Field):
 
     def _means(self, value) -> bool:
         text = self.editor.text()
-        if self.message.isVisibleTo(self):
-            return True  # what is wrong stays until it is mended
         if not text.strip():
             return value is None
         try:
@@ -158,6 +172,9 @@ class TextField(Field):
         return editor
 
     def show_value(self, value: str) -> None:
+        if self.keeps(value):
+            return
+        self.held = value
         if self.editor.text() != (value or ""):
             self.editor.setText(value or "")
             self.editor.setCursorPosition(0)

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.forms.drawing import WallDrawing, mechanism_icon
-from app.forms.fields import FlagField, NumberField, TextField, connect
+from app.forms.fields import Field, FlagField, NumberField, TextField, connect
 from app.forms.impact_form import ImpactForm
 from app.language import tr
 from app.sentences import said
@@ -186,6 +186,8 @@ class WallForm(QWidget):
 
     def _selected(self, row: int) -> None:
         if not self.showing:
+            for field in self.findChildren(Field):
+                field.forget()
             self.show_case()
 
     def show_case(self) -> None:

@@ -9,9 +9,9 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QGuiApplication, QImage, QPainter
 from PySide6.QtSvg import QSvgGenerator
 from PySide6.QtWidgets import (
-    QFileDialog,
     QHBoxLayout,
     QLabel,
+    QMessageBox,
     QSizePolicy,
     QToolButton,
     QVBoxLayout,
@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 )
 
 from app import theme
+from app.files import path_to_write
 from app.language import tr
 
 
@@ -219,7 +220,8 @@ class Chart(QWidget):
         return image
 
     def write(self, path: Path) -> None:
-        """Write .png, .svg or .csv by the end of the name."""
+        """Write .png, .svg or .csv by the end of the name. Raises OSError; Qt itself says nothing."""
+        path.open("ab").close()
         if path.suffix == ".csv":
             with open(path, "w", newline="", encoding="utf-8") as stream:
                 writer = csv.writer(stream)
@@ -245,8 +247,11 @@ class Chart(QWidget):
         QGuiApplication.clipboard().setImage(self.image())
 
     def _save(self, end: str) -> None:
-        name, _ = QFileDialog.getSaveFileName(
-            self, tr("Save the chart"), f"{self.name}.{end}", f"*.{end}"
-        )
-        if name:
-            self.write(Path(name).with_suffix("." + end))
+        title = tr("Save the chart")
+        path = path_to_write(self, title, f"{self.name}.{end}", f"*.{end}", f".{end}")
+        if path is None:
+            return
+        try:
+            self.write(path)
+        except OSError as error:
+            QMessageBox.warning(self, title, f"{path}: {error.strerror}")

@@ -244,6 +244,10 @@
         <translation>I risultati non sono di questi dati: eseguire prima (F5).</translation>
     </message>
     <message>
+        <source>{path} is there already. Overwrite it?</source>
+        <translation>{path} esiste già. Sovrascrivere?</translation>
+    </message>
+    <message>
         <source>Nothing exported</source>
         <translation>Nulla esportato</translation>
     </message>
