@@ -81,12 +81,12 @@ def methods(model: RockingModel) -> list[Method]:
     return chosen
 
 
-def truth(motion: GroundMotion, scale: float, model: RockingModel) -> np.ndarray:
-    """theta [rad] of one history by the independent solver, up to its stop."""
+def truth(motion: GroundMotion, scale: float, model: RockingModel, cancelled) -> np.ndarray:
+    """theta [rad] of one history by the independent solver, up to its stop. Raises Cancelled."""
     kinks = None if model.plateau_end == 0.0 else (model.elastic_end, model.plateau_end)
     theta, _ = independent_solver.history(
         scale * motion.acceleration, motion.time_step, model.slenderness, model.p2,
-        model.one_sided != 0.0, lambda speed: velocity_ratio(speed, model)[0], kinks,
+        model.one_sided != 0.0, lambda speed: velocity_ratio(speed, model)[0], kinks, cancelled,
     )  # fmt: skip
     return theta
 
@@ -132,10 +132,12 @@ def accuracy(
         )
 
     scale = polarity * ida.bracket[0] * G * np.tan(model.slenderness) / motion.pga
-    theta = truth(motion, scale, model)
-    if cancelled():
-        raise Cancelled
-    points = tuple(point(motion, scale, model, each, theta) for each in methods(model))
+    theta = truth(motion, scale, model, cancelled)
+    points = []
+    for each in methods(model):
+        if cancelled():
+            raise Cancelled
+        points.append(point(motion, scale, model, each, theta))
     ground = motion.acceleration
     steps = [(search.q_step, ida.q, ida.q_robust)]
     for factor in STEP_FACTORS:
@@ -152,7 +154,7 @@ def accuracy(
     pair = (ida.q, other_sign) if polarity > 0 else (other_sign, ida.q)
     return Accuracy(
         record=motion.name, polarity=polarity, scale=float(scale), method=method.name, q=ida.q,
-        q_reference=searched(ground, search, METHODS["dormand_prince"]).q, points=points,
+        q_reference=searched(ground, search, METHODS["dormand_prince"]).q, points=tuple(points),
         steps=tuple(sorted(steps)), rounded=tuple(rounded),
         polarities=pair if model.one_sided else None,
     )  # fmt: skip

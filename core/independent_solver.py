@@ -7,6 +7,7 @@ import math
 
 import numpy as np
 
+from core.errors import Cancelled
 from core.units import G
 
 
@@ -18,11 +19,12 @@ def law(phi, alpha, kinks):
     return plateau * min(phi / kinks[0], 1.0)
 
 
-def history(ground, dt, alpha, p2, one_sided, ratio_of, kinks=None):
+def history(ground, dt, alpha, p2, one_sided, ratio_of, kinks=None, cancelled=lambda: False):
     """Rocking history (Coccia et al. 2016, Eq. 1); returns theta at the samples [rad], impact count.
 
     ground : [m/s2], shape (n,); dt [s]; alpha [rad]; p2 [1/s2]; ratio_of(speed [rad/s]) : velocity ratio;
-    kinks : (phi1, phi2) of the trilinear law [rad], None for the rigid one.
+    kinks : (phi1, phi2) of the trilinear law [rad], None for the rigid one; cancelled() : asked every few
+    samples. Raises Cancelled.
     """
     from scipy.integrate import solve_ivp
 
@@ -32,6 +34,8 @@ def history(ground, dt, alpha, p2, one_sided, ratio_of, kinks=None):
     rest = 1e-6 * math.sqrt(p2) * alpha
     theta, impacts = [0.0], 0
     for i in range(len(ground) - 1):
+        if i % 16 == 0 and cancelled():
+            raise Cancelled
         b0, b1 = ground[i] / G, ground[i + 1] / G
         t = 0.0
         while t < dt:

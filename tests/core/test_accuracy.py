@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from core.accuracy import NOISES, accuracy
+from core.accuracy import NOISES, accuracy, truth
+from core.errors import Cancelled
 from core.ground_motion import GroundMotion
 from core.ida import Search, incremental_dynamic_analysis
 from core.rocking import METHODS
@@ -44,3 +45,17 @@ def test_that_the_spread_by_definition_stands_apart(said):
     assert len(found.steps) >= 3 and len(found.rounded) == NOISES + 1
     assert found.spread(1, found.steps) >= 0.0
     assert found.polarities is None
+
+
+def test_that_the_independent_solver_ends_soon_after_a_cancel(make_model, reference):
+    """It takes seconds a history: a cancel is seen between its samples."""
+    asked = []
+
+    def cancelled():
+        asked.append(True)
+        return len(asked) > 3
+
+    model, ground = make_model(), reference("standard")[0]
+    with pytest.raises(Cancelled):
+        truth(GroundMotion("long", ground, 0.01), 1.0, model, cancelled)
+    assert len(asked) == 4
