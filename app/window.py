@@ -6,7 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pyqtgraph as pg
-from PySide6.QtCore import QByteArray, QSettings, Qt, QTimer
+from PySide6.QtCore import QByteArray, QSettings, QTimer
 from PySide6.QtWidgets import (
     QComboBox,
     QDockWidget,
@@ -14,20 +14,15 @@ from PySide6.QtWidgets import (
     QLabel,
     QMainWindow,
     QMessageBox,
-    QProgressBar,
     QPushButton,
-    QScrollArea,
     QTabWidget,
     QVBoxLayout,
     QWidget,
 )
 
-from app import language, menus, theme
+from app import docks, language, menus, theme
 from app.files import Files
-from app.forms.demand_form import AnalysisForm, DemandForm
 from app.forms.fields import Field
-from app.forms.records_panel import RecordsPanel
-from app.forms.wall_form import WallForm
 from app.language import tr
 from app.pages import Page, Veil, card
 from app.plots.history_tabs import HistoriesTab, ValidationTab
@@ -75,9 +70,9 @@ class MainWindow(QMainWindow):
             dock.deleteLater()
         self.menuBar().clear()
         self._tabs()
-        self._docks()
+        docks.build(self)
         menus.build(self)
-        self._status()
+        docks.build_status(self)
         for field in self.findChildren(Field):
             field.judged.connect(self.refresh)
         self.refresh()
@@ -121,61 +116,6 @@ class MainWindow(QMainWindow):
         tab = ValidationTab()
         tab.asked.connect(self.state_accuracy)
         return tab
-
-    def _docks(self) -> None:
-        self.walls, self.demand = WallForm(self.session), DemandForm(self.session)
-        self.analysis, self.records = AnalysisForm(self.session), RecordsPanel(self.session)
-        self.records.loaded.connect(self._records_loaded)
-        forms = QTabWidget()
-        for form, label in ((self.walls, tr("Walls")), (self.demand, tr("Demand")),
-                            (self.analysis, tr("Report"))):  # fmt: skip
-            area = QScrollArea()
-            area.setWidgetResizable(True)
-            area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-            area.setMinimumWidth(366)
-            area.setWidget(form)
-            forms.addTab(area, label)
-        self.forms = forms
-        left = QDockWidget(tr("Input"), objectName="input")
-        left.setWidget(forms)
-        self.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, left)
-        right = QDockWidget(tr("Records"), objectName="records")
-        self.records.setMinimumWidth(318)
-        right.setWidget(self.records)
-        self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, right)
-        self.card = QLabel(tr("No result yet: press F5."))
-        self.card.setWordWrap(True)
-        self.card.setTextFormat(Qt.TextFormat.RichText)
-        self.card.setMargin(8)
-        self.card.setAlignment(Qt.AlignmentFlag.AlignTop)
-        self.card.setAccessibleName(tr("Verdict"))
-        area = QScrollArea()
-        area.setWidgetResizable(True)
-        area.setWidget(self.card)
-        self.card_veil = Veil(area)
-        below = QDockWidget(tr("Verdict"), objectName="verdict")
-        below.setWidget(area)
-        self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, below)
-        self.resizeDocks([left, right], [348, 318], Qt.Orientation.Horizontal)
-        self.resizeDocks([right, below], [430, 260], Qt.Orientation.Vertical)
-        state = self.settings.value("state")
-        if isinstance(state, QByteArray):
-            self.restoreState(state)
-
-    def _status(self) -> None:
-        bar = self.statusBar()
-        for child in bar.findChildren(QWidget):
-            bar.removeWidget(child)
-        self.word = QLabel()
-        self.bar = QProgressBar()
-        self.bar.setMaximumWidth(220)
-        self.bar.setAccessibleName(tr("Progress"))
-        self.cancel_button = QPushButton(tr("Cancel"))
-        self.cancel_button.clicked.connect(self.cancel)
-        bar.addWidget(self.word, 1)
-        bar.addPermanentWidget(self.bar)
-        bar.addPermanentWidget(self.cancel_button)
-        self._running(self.job is not None)
 
     def set_choice(self, setting: str, name: str) -> None:
         """Change the theme or the language, and build the window again."""
@@ -225,7 +165,7 @@ class MainWindow(QMainWindow):
             self._show_spectra()
         menus.show_recent(self)
 
-    def _records_loaded(self) -> None:
+    def records_loaded(self) -> None:
         if self.tabs.currentWidget() is self.pages["spectra"]:
             self._show_spectra()
 
@@ -269,7 +209,8 @@ class MainWindow(QMainWindow):
 
     # running
 
-    def _running(self, on: bool) -> None:
+    def show_running(self, on: bool) -> None:
+        """Progress and Cancel, while there is something to cancel."""
         self.bar.setVisible(on)
         self.cancel_button.setVisible(on)
         self.cancel_action.setEnabled(on)
@@ -308,7 +249,7 @@ class MainWindow(QMainWindow):
         self.began = time.monotonic()
         self.bar.setRange(0, 0)
         self.word.setText(tr("Running…"))
-        self._running(True)
+        self.show_running(True)
         self.job.start()
         self.refresh()
 
@@ -324,7 +265,7 @@ class MainWindow(QMainWindow):
 
     def _ended(self) -> None:
         self.job = None
-        self._running(False)
+        self.show_running(False)
         self.refresh()
 
     def failed(self, sentence: str, log: str) -> None:

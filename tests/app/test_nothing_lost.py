@@ -1,16 +1,21 @@
 """What a user typed, named or started is not changed without a word."""
 
+import os
 from pathlib import Path
 
 import pytest
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
+
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 
 from app import files
 from app.plots.chart import Chart
-from tests.app.test_window import application, opened, settle, type_into  # noqa: F401
+from tests.app.driving import settle, type_into
 
 
-def test_that_a_refused_number_stays_and_keeps_the_run_back(opened, application):  # noqa: F811
+def test_that_a_refused_number_stays_and_keeps_the_run_back(opened, application):
     """Its first digits are in the case already: they must not pass for what was meant."""
     height = opened.walls.height
     thickness = opened.walls.thickness
@@ -22,7 +27,7 @@ def test_that_a_refused_number_stays_and_keeps_the_run_back(opened, application)
     assert not height.wrong and opened.session.case.wall[0].height_m == 6.0
 
 
-def test_that_another_case_does_not_take_over_what_was_wrong(opened, application):  # noqa: F811
+def test_that_another_case_does_not_take_over_what_was_wrong(opened, application):
     height = opened.walls.height
     type_into(height, "abc")
     opened.files.open(opened.session.path)
@@ -31,7 +36,7 @@ def test_that_another_case_does_not_take_over_what_was_wrong(opened, application
 
 @pytest.mark.parametrize("answer, written", [("Yes", True), ("No", False)])
 def test_that_an_ending_added_to_a_name_overwrites_nothing_unasked(
-    opened,  # noqa: F811
+    opened,
     tmp_path,
     monkeypatch,
     answer,
@@ -50,7 +55,7 @@ def test_that_an_ending_added_to_a_name_overwrites_nothing_unasked(
     assert files.path_to_write(opened, "", "", "", ".toml") is None
 
 
-def test_that_a_new_language_does_not_stop_the_run(opened, application):  # noqa: F811
+def test_that_a_new_language_does_not_stop_the_run(opened, application):
     opened.run()
     opened.set_choice("language", "it")
     settle(application, lambda: opened.job is None)
@@ -58,7 +63,7 @@ def test_that_a_new_language_does_not_stop_the_run(opened, application):  # noqa
     opened.set_choice("language", "en")
 
 
-def test_that_a_chart_not_written_says_so(opened, monkeypatch):  # noqa: F811
+def test_that_a_chart_not_written_says_so(opened, monkeypatch):
     said = []
     monkeypatch.setattr(QMessageBox, "warning", lambda *a: said.append(a[-1]))
     target = Path("/nowhere/at/all.png")

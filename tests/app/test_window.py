@@ -9,76 +9,14 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
 
-from PySide6.QtCore import QEvent, QEventLoop, QLocale, QMimeData, QPointF, QSettings, Qt, QUrl
+from PySide6.QtCore import QLocale, QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
-from app import language, theme, window
 from core.case_reader import read_case
+from tests.app.driving import run, settle, type_into
 from tests.conftest import ROOT
-
-
-@pytest.fixture(scope="module")
-def application():
-    made = QApplication.instance() or QApplication([])
-    yield made
-    # widgets must go before the application does, or Qt crashes when Python ends
-    import gc
-
-    for widget in made.topLevelWidgets():
-        widget.close()
-        widget.deleteLater()
-    made.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    gc.collect()
-    made.processEvents()
-
-
-def settle(application, ready, seconds=120.0) -> None:
-    end = time.monotonic() + seconds
-    while not ready():
-        assert time.monotonic() < end, "nothing came within the time"
-        application.processEvents(QEventLoop.ProcessEventsFlag.WaitForMoreEvents, 5)
-    application.processEvents()
-
-
-@pytest.fixture
-def opened(application, tmp_path, monkeypatch):
-    """A window on a small copy of the example; message boxes answer Discard."""
-    monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Discard)
-    monkeypatch.setattr(QMessageBox, "information", lambda *_: None)
-    monkeypatch.setattr(QMessageBox, "warning", lambda *a: pytest.fail(f"unexpected: {a[-1]}"))
-    theme.set_theme("light")
-    settings = QSettings(str(tmp_path / "window.ini"), QSettings.Format.IniFormat)
-    settings.setValue("language", "en")
-    language.set_language("en")
-    made = window.MainWindow(settings, tmp_path / "swaps")
-    path = tmp_path / "small.toml"
-    motion = ROOT / "resources" / "motions" / "noise_1.txt"
-    path.write_text(
-        f'[[wall]]\nname = "w"\nheight_m = 5.0\nthickness_m = 0.5\nmechanism = "two_sided"\n'
-        f'[[record]]\nfile = "{motion.as_posix()}"\nkind = "artificial"\n'
-        "[analysis]\nq_step = 0.02\n[demand]\nag_g = 0.2\nsoil_factor = 1.2\n"
-    )
-    made.show()
-    made.files.open(path)
-    settle(application, lambda: made.records.motions)
-    yield made
-    made.session.saved = made.session.case
-    made.close()
-    made.deleteLater()
-    application.processEvents()
-
-
-def run(application, made) -> None:
-    made.run()
-    settle(application, lambda: made.job is None)
-
-
-def type_into(field, text: str) -> None:
-    field.editor.setFocus()
-    field.editor.selectAll()
-    QTest.keyClicks(field.editor, text)
 
 
 @pytest.mark.parametrize("locale", ["it_IT", "de_DE", "en_US", "C"])

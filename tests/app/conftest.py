@@ -1,0 +1,62 @@
+"""The window under test, on a small case."""
+
+import os
+
+import pytest
+
+from tests.conftest import ROOT
+
+
+@pytest.fixture(scope="module")
+def application():
+    """The Qt application; tests that need it are skipped where Qt cannot start."""
+    os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+    pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
+    from PySide6.QtCore import QEvent
+    from PySide6.QtWidgets import QApplication
+
+    made = QApplication.instance() or QApplication([])
+    yield made
+    # widgets must go before the application does, or Qt crashes when Python ends
+    import gc
+
+    for widget in made.topLevelWidgets():
+        widget.close()
+        widget.deleteLater()
+    made.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    gc.collect()
+    made.processEvents()
+
+
+@pytest.fixture
+def opened(application, tmp_path, monkeypatch):
+    """A window on a small copy of the example; message boxes answer Discard."""
+    from PySide6.QtCore import QSettings
+    from PySide6.QtWidgets import QMessageBox
+
+    from app import language, theme, window
+    from tests.app.driving import settle
+
+    monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Discard)
+    monkeypatch.setattr(QMessageBox, "information", lambda *_: None)
+    monkeypatch.setattr(QMessageBox, "warning", lambda *a: pytest.fail(f"unexpected: {a[-1]}"))
+    theme.set_theme("light")
+    settings = QSettings(str(tmp_path / "window.ini"), QSettings.Format.IniFormat)
+    settings.setValue("language", "en")
+    language.set_language("en")
+    made = window.MainWindow(settings, tmp_path / "swaps")
+    path = tmp_path / "small.toml"
+    motion = ROOT / "resources" / "motions" / "noise_1.txt"
+    path.write_text(
+        f'[[wall]]\nname = "w"\nheight_m = 5.0\nthickness_m = 0.5\nmechanism = "two_sided"\n'
+        f'[[record]]\nfile = "{motion.as_posix()}"\nkind = "artificial"\n'
+        "[analysis]\nq_step = 0.02\n[demand]\nag_g = 0.2\nsoil_factor = 1.2\n"
+    )
+    made.show()
+    made.files.open(path)
+    settle(application, lambda: made.records.motions)
+    yield made
+    made.session.saved = made.session.case
+    made.close()
+    made.deleteLater()
+    application.processEvents()
