@@ -117,12 +117,11 @@ def write(result: StudyResult, folder: Path, stem: str) -> None:
             histories.append(entry)
         if len(histories) == workbook.HISTORY_WALLS:
             break
-    atomic.write(
-        {
-            folder / f"{stem}.xlsx": workbook.content(result, histories),
-            folder / f"{stem}.json": json_report.dumps(result).encode(),
-        }
-    )
+    text = json_report.dumps(
+        result
+    ).encode()  # first: the cells of the workbook take the most memory
+    book = workbook.content(result, histories)
+    atomic.write({folder / f"{stem}.xlsx": book, folder / f"{stem}.json": text})
 
 
 def summary(result: StudyResult, folder: Path, stem: str) -> str:

@@ -22,13 +22,13 @@ ACCENT = "2B5C8A"
 GOOD = "1B6E4B"
 BAD = "B3421B"
 QUIET = "6B7785"
+LINE = "C9D1D9"
 
 ACCELERATION = "0.000"
 RATIO = "0.00"
 EXACT = "0.0000"
 WHOLE = "0"
 
-_LINE = Side(style="thin", color="C9D1D9")
 _FORMULA = re.compile(r'<c r="([A-Z]+\d+)"((?: [a-z]+="[^"]*")*)><f>(.*?)</f><v ?/?>(?:</v>)?</c>')
 
 
@@ -125,28 +125,48 @@ def _filled(match: re.Match, value) -> str:
 
 
 def dress(cell: Cell, key: tuple, put_on: Callable[[], None]) -> Cell:
-    """Change a cell's style by put_on(), or by what that gave for an equal style and key before."""
+    """Change a cell's style by put_on(), or by what that gave for an equal style and key before. Cells of equal
+    looks share one style, which only put_on may change: a large report has a million cells."""
     known = _LOOKS.setdefault(cell.parent.parent, {})
     key = (tuple(cell._style or ()), key)
-    if key in known:
-        cell._style = copy(known[key])
-    else:
+    if key not in known:
+        cell._style = copy(cell._style)
         put_on()
-        known[key] = copy(cell._style)
+        known[key] = cell._style
+    cell._style = known[key]
     return cell
 
 
+def fill(cell: Cell, color: str) -> Cell:
+    """A plain colour behind a cell."""
+
+    def put_on() -> None:
+        cell.fill = PatternFill("solid", fgColor=color)
+
+    return dress(cell, ("fill", color), put_on)
+
+
+def frame(cell: Cell, color: str, *sides: str) -> Cell:
+    """Thin lines at these sides of a cell (left, right, top, bottom)."""
+
+    def put_on() -> None:
+        line = Side(style="thin", color=color)
+        cell.border = Border(**dict.fromkeys(sides, line))
+
+    return dress(cell, ("frame", color, sides), put_on)
+
+
 def style(cell: Cell, bold=False, color=INK, size=10, number_format=None, wrap=False, align=None,
-          italic=False) -> Cell:  # fmt: skip
+          italic=False, upright=None) -> Cell:  # fmt: skip
+    upright = upright or ("top" if wrap else "center")
+
     def put_on() -> None:
         cell.font = Font(name="Calibri", size=size, bold=bold, color=color, italic=italic)
-        cell.alignment = Alignment(
-            vertical="top" if wrap else "center", wrap_text=wrap, horizontal=align
-        )
+        cell.alignment = Alignment(vertical=upright, wrap_text=wrap, horizontal=align)
         if number_format:
             cell.number_format = number_format
 
-    return dress(cell, (bold, color, size, number_format, wrap, align, italic), put_on)
+    return dress(cell, (bold, color, size, number_format, wrap, align, italic, upright), put_on)
 
 
 def text(sheet: Worksheet, row: int, column: int, content, **look) -> Cell:
@@ -176,17 +196,16 @@ def header(
 ) -> None:
     """A header row of a table."""
     for k, label in enumerate(labels):
-        cell = text(sheet, row, column + k, label, bold=True, color="FFFFFF", wrap=True)
-        cell.fill = PatternFill("solid", fgColor=ACCENT)
-        cell.alignment = Alignment(wrap_text=True, vertical="center", horizontal="center")
+        cell = text(sheet, row, column + k, label, bold=True, color="FFFFFF", wrap=True,
+                    align="center", upright="center")  # fmt: skip
+        fill(cell, ACCENT)
     sheet.row_dimensions[row].height = height
 
 
 def rule(sheet: Worksheet, row: int, first: int, last: int) -> None:
     """A thin line below a row of a table."""
     for column in range(first, last + 1):
-        cell = sheet.cell(row, column)
-        dress(cell, ("rule",), lambda cell=cell: setattr(cell, "border", Border(bottom=_LINE)))
+        frame(sheet.cell(row, column), LINE, "bottom")
 
 
 def heighten(sheet: Worksheet, row: int, *texts: tuple[str, float]) -> None:

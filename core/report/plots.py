@@ -259,8 +259,7 @@ def survival_map(book: Book, result: StudyResult) -> None:
         text(sheet, row, 3, run.record)
         text(sheet, row, 4, "+" if run.polarity > 0 else "−", align="center")
         for k in range(first, last + 1):
-            cell = sheet.cell(row, 5 + k - first, share.get(k, -1.0))
-            cell.number_format = ";;;"
+            number(sheet, row, 5 + k - first, share.get(k, -1.0), ";;;")
     area = f"E5:{get_column_letter(5 + last - first)}{4 + len(shares)}"
     sheet.conditional_formatting.add(area, ColorScaleRule(
         start_type="num", start_value=-1, start_color="C9D1D9", mid_type="num", mid_value=0,

@@ -3,8 +3,6 @@
 import math
 import platform
 
-from openpyxl.styles import PatternFill
-
 from core.case import Case
 from core.report.cells import (
     ACCELERATION,
@@ -14,6 +12,7 @@ from core.report.cells import (
     RATIO,
     WHOLE,
     Book,
+    fill,
     header,
     heighten,
     number,
@@ -244,7 +243,7 @@ def method(book: Book, result: StudyResult) -> None:
         text(sheet, row, 2, body, wrap=True)
         lines = max(math.ceil(len(body) / 80), math.ceil(len(label) / 28))
         sheet.row_dimensions[row].height = 13.8 * lines + 4
-        sheet.cell(row, 1).fill = PatternFill("solid", fgColor="F2F5F8")
+        fill(sheet.cell(row, 1), "F2F5F8")
         rule(sheet, row, 1, 2)
         row += 1
 

@@ -4,7 +4,6 @@ import math
 
 from openpyxl.chart import BarChart, LineChart, Reference, ScatterChart, Series
 from openpyxl.chart.layout import Layout, ManualLayout
-from openpyxl.styles import Alignment, Border, Side
 
 from core.code_check import LABEL
 from core.report.cells import (
@@ -16,11 +15,13 @@ from core.report.cells import (
     QUIET,
     RATIO,
     Book,
+    frame,
     header,
     heighten,
     number,
     paragraph,
     rule,
+    style,
     text,
     title,
 )  # fmt: skip
@@ -358,16 +359,14 @@ def _signature(book: Book, sheet, row: int) -> None:
         text(sheet, row + n, 1, f"☐  {assumption[k]}")
     last = row + len(ASSUMPTIONS)
     sheet.merge_cells(start_row=row + 1, start_column=7, end_row=last, end_column=LAST)
-    line = Side(style="thin", color=QUIET)
     for r in range(row + 1, last + 1):
         for c in range(7, LAST + 1):
-            sheet.cell(r, c).border = Border(
-                left=line if c == 7 else None, right=line if c == LAST else None,
-                top=line if r == row + 1 else None, bottom=line if r == last else None)  # fmt: skip
-    sheet.cell(row + 1, 7).alignment = Alignment(wrap_text=True, vertical="top")
+            edges = {"left": c == 7, "right": c == LAST, "top": r == row + 1, "bottom": r == last}
+            frame(sheet.cell(r, c), QUIET, *(side for side, here in edges.items() if here))
+    style(sheet.cell(row + 1, 7), wrap=True)
     row = last + 2
     text(sheet, row, 1, say("Engineer", "Il progettista"), color=QUIET)
     text(sheet, row, 7, say("Place and date", "Luogo e data"), color=QUIET)
     text(sheet, row, 11, say("Signature and stamp", "Firma e timbro"), color=QUIET)
     for c in (2, 3, 4, 8, 9, 10, 12, 13):
-        sheet.cell(row, c).border = Border(bottom=line)
+        frame(sheet.cell(row, c), QUIET, "bottom")
