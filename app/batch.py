@@ -5,6 +5,7 @@ import signal
 import sys
 import threading
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 from core import records, study
@@ -106,8 +107,11 @@ def say(text: str) -> None:
         sys.stdout = None
 
 
-def write(result: StudyResult, folder: Path, stem: str) -> None:
-    """Workbook and JSON of a result, both or none. Raises OutputError."""
+def write(
+    result: StudyResult, folder: Path, stem: str, ready: Callable[[], None] = lambda: None
+) -> None:
+    """Workbook and JSON of a result, both or none. ready : called when all is made and nothing written yet.
+    Raises OutputError and what ready() raises."""
     from core.report import json_report, workbook
 
     drawn = (study.collapse_histories(result, wall) for wall in result.walls)
@@ -121,6 +125,7 @@ def write(result: StudyResult, folder: Path, stem: str) -> None:
         result
     ).encode()  # first: the cells of the workbook take the most memory
     book = workbook.content(result, histories)
+    ready()
     atomic.write({folder / f"{stem}.xlsx": book, folder / f"{stem}.json": text})
 
 

@@ -122,7 +122,7 @@ class Files:
             QMessageBox.warning(self.window, tr("Nothing exported"), said(error))
             return
         self.window.start(
-            lambda job: batch.write(result, path.parent, path.stem),
+            lambda job: batch.write(result, path.parent, path.stem, job.commit),
             lambda _: self.window.word.setText(tr("Written: {path}").format(path=path)),
         )
 

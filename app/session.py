@@ -99,7 +99,13 @@ class Session:
         """(the case as the batch would read it, None) or (None, the first broken rule)."""
         if self._known is None or self._known[0] is not self.case:
             try:
-                found = (parse_case(table_of(self.case)), None)
+                case = parse_case(table_of(self.case))
+                if self.saved.sha256 and not self.dirty:  # what the batch says of the file
+                    given = self.saved.given or case.given
+                    case = replace(
+                        case, sha256=self.saved.sha256, given=given, table=self.saved.table
+                    )
+                found = (case, None)
             except InputError as error:
                 found = (None, str(error))
             self._known = (self.case, found)
@@ -134,15 +140,6 @@ class Session:
         known = {record.file for record in self.case.record}
         new = [record for record in records if record.file not in known]
         self.edit(replace(self.case, record=(*self.case.record, *new)))
-
-    def edit_record(self, index: int, **values) -> None:
-        records = list(self.case.record)
-        records[index] = replace(records[index], **values)
-        self.edit(replace(self.case, record=tuple(records)))
-
-    def remove_records(self, indices: set[int]) -> None:
-        kept = [record for k, record in enumerate(self.case.record) if k not in indices]
-        self.edit(replace(self.case, record=tuple(kept)))
 
     def relative(self, path: Path) -> str:
         """A record's path as the case file will hold it."""
@@ -186,10 +183,14 @@ class Session:
             return self._moved(case, old, target.parent)
 
         case = moved(self.case)
-        atomic.write({target: dumps(case).encode()})
+        content = dumps(case).encode()
+        atomic.write({target: content})
         self.drop_swap()
         self.path, self.base_dir = target, target.parent
-        self.case = self.saved = case
+        self.case = case
+        digest = hashlib.sha256(content).hexdigest()
+        self.saved = replace(case, sha256=digest, given=frozenset(), table="")
+        self._known = None
         self.past, self.future = [moved(c) for c in self.past], [moved(c) for c in self.future]
         if self.result is not None:
             self.result = replace(self.result, case=moved(self.result.case))

@@ -1,10 +1,11 @@
 """The start of the window: application, theme, language, recovery, kernels, errors of slots."""
 
 import gc
+import os
 import sys
 from pathlib import Path
 
-from PySide6.QtCore import QSettings, QStandardPaths, Qt, QTimer
+from PySide6.QtCore import QSettings, QStandardPaths, QTimer
 from PySide6.QtWidgets import QApplication, QMessageBox
 
 from app import language, theme
@@ -12,7 +13,7 @@ from app.files import EXAMPLE
 from app.language import tr
 from app.sentences import said
 from app.window import MainWindow
-from app.worker import Job, write_log
+from app.worker import RUNNING, write_log
 from core.errors import InputError
 from core.version import NAME
 
@@ -67,33 +68,6 @@ def show(window: MainWindow) -> None:
     gc.freeze()
 
 
-def warm_up(window: MainWindow) -> None:
-    """Compile or load the kernels in the background, with a word in the status line."""
-    from core import study
-    from core.ground_motion import GroundMotion
-    from core.kernel_cache import FOLDER, record
-
-    def work(job):
-        case = window.session.checked()
-        motions = [m for m in window.records.motions if isinstance(m, GroundMotion)]
-        if case and motions:
-            study.warm(case, motions[0])
-            record(FOLDER)
-
-    if window.job is None:
-        job = Job(work, window)
-        window.word.setText(tr("Preparing the solver…"))
-        job.finished.connect(lambda: warmed(window))
-        window.warming = job
-        job.start()
-
-
-def warmed(window: MainWindow) -> None:
-    """The kernels are there."""
-    if window.job is None:
-        window.word.setText(tr("Ready."))
-
-
 def main(path: Path | None) -> int:
     """Show the window, on this case or the example; returns its exit code."""
     application, window = make()
@@ -104,9 +78,10 @@ def main(path: Path | None) -> int:
     else:
         window.session.open(EXAMPLE)
     QTimer.singleShot(0, lambda: offer_recovery(window))
-    window.records.loaded.connect(lambda: warm_up(window), Qt.ConnectionType.SingleShotConnection)
+    window.keep_warm()
     code = application.exec()
-    for job in (getattr(window, "warming", None),):
-        if job is not None:
-            job.wait()
+    if RUNNING:
+        # a thread that compiles cannot be stopped, and nobody is to wait for it
+        window.settings.sync()
+        os._exit(code)
     return code

@@ -32,6 +32,7 @@ from app.session import Session
 from app.worker import Job
 from core.demand import target_of
 from core.errors import InputError
+from core.journal import Memory
 from core.version import NAME
 
 AUTOSAVE_MS = 4000
@@ -47,6 +48,9 @@ class MainWindow(QMainWindow):
         self.session.listeners.append(self.refresh)
         self.files = Files(self, self.session, settings)
         self.job: Job | None = None
+        self.warming: Job | None = None
+        self.warm: set[str] | None = None
+        self.finished_runs = Memory()
         self.began = 0.0
         self.build()
         geometry = settings.value("geometry")
@@ -164,8 +168,10 @@ class MainWindow(QMainWindow):
         if self.tabs.currentWidget() is self.pages["spectra"]:
             self._show_spectra()
         menus.show_recent(self)
+        self.prepare()
 
     def records_loaded(self) -> None:
+        self.prepare()
         if self.tabs.currentWidget() is self.pages["spectra"]:
             self._show_spectra()
 
@@ -231,26 +237,30 @@ class MainWindow(QMainWindow):
 
         self.start(
             lambda job: study.run(
-                case, base_dir=base, jobs=os.cpu_count() or 1, on_progress=job.progress,
-                cancelled=job.cancelled,
+                case, base_dir=base, jobs=os.cpu_count() or 1, journal=lambda _: self.finished_runs,
+                on_progress=job.progress, cancelled=job.cancelled,
             ),
             arrived,
         )  # fmt: skip
 
     def start(self, work, arrived) -> None:
+        """Work off this thread, one at a time; `arrived(result)` unless it is cancelled before."""
         if self.job is not None:
             return
-        self.job = Job(work, self)
-        self.job.done.connect(arrived)
-        self.job.failed.connect(self.failed)
-        self.job.stopped.connect(lambda: self.word.setText(tr("Cancelled.")))
-        self.job.progressed.connect(self._progressed)
-        self.job.finished.connect(self._ended)
+        job = self.job = Job(work)
+
+        def unless_left(slot):
+            return lambda *values: slot(*values) if self.job is job else None
+
+        job.done.connect(unless_left(arrived))
+        job.failed.connect(unless_left(self.failed))
+        job.progressed.connect(unless_left(self._progressed))
+        job.finished.connect(unless_left(self._ended))
         self.began = time.monotonic()
         self.bar.setRange(0, 0)
         self.word.setText(tr("Running…"))
         self.show_running(True)
-        self.job.start()
+        job.start()
         self.refresh()
 
     def _progressed(self, done: int, planned: int) -> None:
@@ -275,13 +285,49 @@ class MainWindow(QMainWindow):
         QMessageBox.warning(self, tr("Not done"), sentence)
 
     def cancel(self) -> None:
-        if self.job is not None:
-            self.job.cancel()
-            self.word.setText(tr("Cancelling…"))
+        """Stop what runs: at once here, its thread ends when it can. What is being written is written."""
+        if self.job is not None and self.job.cancel():
+            self._ended()
+            self.word.setText(tr("Cancelled."))
+
+    def keep_warm(self) -> None:
+        """From now on compile or load kernels in the background, as soon as a case needs them."""
+        self.warm = set()
+        self.prepare()
+
+    def prepare(self) -> None:
+        """Make the kernels of the case's method ready, with a word in the status line."""
+        idle = self.warm is not None and self.warming is None and self.job is None
+        case = self.session.checked() if idle and self.records.motions else None
+        if case is None or case.analysis.method in self.warm:
+            return
+        motion, method = self.records.motions[0], case.analysis.method
+        self.warm.add(method)
+        preparing = tr("Preparing the solver…")
+        self.word.setText(preparing)
+
+        def work(job):
+            from core import study
+            from core.kernel_cache import FOLDER, record
+
+            study.warm(case, motion)
+            record(FOLDER)
+
+        def ended() -> None:
+            self.warming = None
+            if self.word.text() == preparing:
+                self.word.setText(tr("Ready."))
+            self.prepare()
+
+        self.warming = Job(work)
+        self.warming.failed.connect(lambda sentence, log: self.word.setText(f"{sentence} {log}"))
+        self.warming.finished.connect(ended)
+        self.warming.start()
 
     def start_afresh(self) -> None:
         """Another case is open: nothing of the last one stays."""
         self.cancel()
+        self.walls.list.setCurrentRow(0)
         for field in self.findChildren(Field):
             field.forget()
         self.result_arrived(None)
@@ -338,10 +384,9 @@ class MainWindow(QMainWindow):
         if not self.files.give_up():
             event.ignore()
             return
+        self.cancel()
         if self.job is not None:
-            self.job.cancel()
-            self.job.wait()
-        self.records.wait()
+            self.job.wait()  # it writes files
         self.timer.stop()
         self.session.drop_swap()
         self.settings.setValue("geometry", self.saveGeometry())

@@ -5,17 +5,21 @@ import threading
 import traceback
 from collections.abc import Callable
 
-from PySide6.QtCore import QObject, QThread, Signal
+from PySide6.QtCore import QThread, Signal
 
 from app.sentences import said
 from core.errors import Cancelled, InputError
 
+RUNNING: set["Job"] = set()
+"""Jobs whose threads have not ended: a thread's object must outlive it."""
+
 
 class Job(QThread):
-    """Runs `work(job)` in a thread. `work` looks at `job.cancelled` and calls `job.progress`.
+    """Runs `work(job)` in a thread. `work` looks at `job.cancelled` and calls `job.progress`; what cannot be
+    taken back, as writing files, it does after `job.commit()`.
 
     done(result), failed(sentence: str, log: str; no log for wrong input), stopped() : exactly one of them;
-    progressed(done, planned).
+    progressed(done, planned). A job that was cancelled may be left: its thread ends by itself.
     """
 
     done = Signal(object)
@@ -23,13 +27,30 @@ class Job(QThread):
     stopped = Signal()
     progressed = Signal(int, int)
 
-    def __init__(self, work: Callable, parent: QObject | None = None):
-        super().__init__(parent)
+    def __init__(self, work: Callable):
+        super().__init__()
         self._work = work
-        self._flag = threading.Event()
+        self._flag, self._commits = threading.Event(), threading.Lock()
+        self.committed = False
 
-    def cancel(self) -> None:
-        self._flag.set()
+    def start(self) -> None:
+        RUNNING.add(self)
+        self.finished.connect(lambda: RUNNING.discard(self))
+        super().start()
+
+    def cancel(self) -> bool:
+        """Ask the work to stop; False if it is too late for that."""
+        with self._commits:
+            if not self.committed:
+                self._flag.set()
+        return not self.committed
+
+    def commit(self) -> None:
+        """From here on nothing is cancelled any more. Raises Cancelled."""
+        with self._commits:
+            if self._flag.is_set():
+                raise Cancelled
+            self.committed = True
 
     def cancelled(self) -> bool:
         return self._flag.is_set()

@@ -73,3 +73,24 @@ class Journal:
     def remove(self) -> None:
         self.close()
         self.path.unlink(missing_ok=True)
+
+
+class Memory:
+    """Finished runs of one process by key, for the studies that follow; as a Journal, but not on disk.
+
+    most : runs kept, the oldest go first.
+    """
+
+    def __init__(self, most: int = 20_000):
+        self.most, self.found = most, {}
+
+    def get(self, run: str) -> dict | None:
+        return self.found.get(run)
+
+    def add(self, run: str, result: dict) -> None:
+        self.found[run] = result
+        while len(self.found) > self.most:
+            del self.found[next(iter(self.found))]
+
+    def close(self) -> None:
+        """Nothing is open."""

@@ -1,21 +1,15 @@
 """The records: drag and drop, what each file is, include, sign, generated sets."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QComboBox,
     QDialog,
-    QDialogButtonBox,
     QFileDialog,
-    QFormLayout,
     QHBoxLayout,
     QLabel,
-    QLineEdit,
-    QListWidget,
     QMenu,
     QSizePolicy,
     QTableWidgetItem,
@@ -25,130 +19,16 @@ from PySide6.QtWidgets import (
 )
 
 from app import theme
+from app.forms.import_dialog import ImportDialog, all_files, read
 from app.language import tr
-from app.plots.chart import Chart
 from app.plots.table import Table
 from app.sentences import said
 from app.session import Session
 from app.worker import Job
-from core import records
 from core.case import Generate, Record
 from core.demand import demand_of, generated
 from core.errors import InputError
-from core.number import parse_number
-from core.records.grammar import Options
 from core.units import CM, G
-
-
-def read(record: Record, base_dir: Path) -> list:
-    """Motions of one entry, or the sentence why there are none."""
-    options = Options(record.unit, record.time_step_s, record.column, record.skip_lines)
-    try:
-        return [
-            records.read(path, options, record.scale)
-            for path in records.expand(record.file, base_dir)
-        ]
-    except InputError as error:
-        return [said(error)]
-
-
-def all_files(paths: list[Path]) -> list[Path]:
-    """Files among these, folders opened."""
-    found = []
-    for path in paths:
-        found += sorted(f for f in path.rglob("*") if f.is_file()) if path.is_dir() else [path]
-    return [path for path in found if not path.name.startswith(".")][:500]
-
-
-class ImportDialog(QDialog):
-    """What was recognised in each file; unit and time step where the file does not say."""
-
-    def __init__(self, paths: list[Path], parent: QWidget | None = None):
-        super().__init__(parent)
-        self.setWindowTitle(tr("Records found"))
-        self.paths = paths
-        self.entries = {path: Record(str(path)) for path in paths}
-        self.list = QListWidget()
-        self.list.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
-        self.list.addItems([path.name for path in paths])
-        self.list.currentRowChanged.connect(lambda _: self.show_file())
-        self.words = QLabel()
-        self.words.setWordWrap(True)
-        self.chart = Chart("t [s]", "u'' [g]", tr("Preview"))
-        self.unit = QComboBox()
-        self.unit.addItem(tr("as the file says"), None)
-        for unit in ("g", "m/s2", "cm/s2", "mm/s2"):
-            self.unit.addItem(unit, unit)
-        self.unit.activated.connect(lambda k: self.change(unit=self.unit.itemData(k)))
-        self.step = QLineEdit()
-        self.step.setPlaceholderText(tr("as the file says"))
-        self.step.editingFinished.connect(self._step_given)
-        self.kind = QComboBox()
-        for kind, label in (("natural", tr("natural")), ("artificial", tr("artificial")),
-                            ("simulated", tr("simulated"))):  # fmt: skip
-            self.kind.addItem(label, kind)
-        self.kind.activated.connect(lambda k: self.change(kind=self.kind.itemData(k)))
-        form = QFormLayout()
-        form.addRow(tr("Unit"), self.unit)
-        form.addRow(tr("Time step [s]"), self.step)
-        form.addRow(tr("Kind"), self.kind)
-        self.buttons = QDialogButtonBox(
-            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
-        )
-        self.buttons.accepted.connect(self.accept)
-        self.buttons.rejected.connect(self.reject)
-        right = QVBoxLayout()
-        right.addWidget(self.words)
-        right.addWidget(self.chart, 1)
-        right.addLayout(form)
-        row = QHBoxLayout()
-        row.addWidget(self.list, 1)
-        row.addLayout(right, 2)
-        layout = QVBoxLayout(self)
-        layout.addWidget(
-            QLabel(tr("Choices apply to the files selected; those not readable are left out."))
-        )
-        layout.addLayout(row, 1)
-        layout.addWidget(self.buttons)
-        self.resize(QSize(820, 520))
-        self.list.setCurrentRow(0)
-
-    def _step_given(self) -> None:
-        text = self.step.text().strip()
-        try:
-            self.change(time_step_s=parse_number(text) if text else None)
-        except InputError as error:
-            self.words.setText(said(error))
-
-    def change(self, **values) -> None:
-        """Apply a choice to the selected files."""
-        rows = {index.row() for index in self.list.selectedIndexes()} or {self.list.currentRow()}
-        for row in rows:
-            path = self.paths[row]
-            self.entries[path] = replace(self.entries[path], **values)
-        self.show_file()
-
-    def show_file(self) -> None:
-        path = self.paths[max(0, self.list.currentRow())]
-        self.chart.clear()
-        (found, *_) = read(self.entries[path], path.parent)
-        if isinstance(found, str):
-            self.words.setText(found)
-            return
-        self.words.setText(
-            f"{found.format}: {found.acceleration.size} × {found.time_step:g} s, {found.unit}, "
-            f"PGA {found.pga / G:.3f} g"
-        )
-        times = np.arange(found.acceleration.size) * found.time_step
-        self.chart.curve(found.name, times, found.acceleration / G, 0, 1.0)
-        self.chart.reset()
-
-    def chosen(self) -> list[Record]:
-        """Entries of the files that can be read."""
-        return [
-            entry for path, entry in self.entries.items()
-            if not isinstance(read(entry, path.parent)[0], str)
-        ]  # fmt: skip
 
 
 class RecordsPanel(QWidget):
@@ -171,6 +51,9 @@ class RecordsPanel(QWidget):
         self.table.itemChanged.connect(self._ticked)
         self.table.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.table.customContextMenuRequested.connect(self._menu)
+        self.one_set = tr(
+            "Generated motions are one set: Remove takes them all, Generate… makes others."
+        )
         self.words = QLabel(tr("Drop accelerograms or folders here."))
         self.words.setWordWrap(True)
         bar = QHBoxLayout()
@@ -224,7 +107,7 @@ class RecordsPanel(QWidget):
                     motion.measure()
             return key, found
 
-        job = Job(work, self)
+        job = Job(work)
         job.done.connect(self._arrived)
         job.failed.connect(lambda sentence, log: self.words.setText(sentence))
         job.finished.connect(lambda: self.jobs.discard(job))
@@ -260,16 +143,16 @@ class RecordsPanel(QWidget):
             colors.append([theme.current.amber if motion.warnings else None] * 9)
         self.table.show_rows(rows, colors)
         for row, (k, motion) in enumerate(found):
-            if isinstance(motion, str) or k is None:
+            if isinstance(motion, str):
                 continue
             tick = QTableWidgetItem()
-            tick.setFlags(
-                Qt.ItemFlag.ItemIsUserCheckable
-                | Qt.ItemFlag.ItemIsEnabled
-                | Qt.ItemFlag.ItemIsSelectable
-            )
-            on = case.record[k].include
+            tick.setFlags(Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable)
+            on = k is None or case.record[k].include
             tick.setCheckState(Qt.CheckState.Checked if on else Qt.CheckState.Unchecked)
+            if k is None:
+                tick.setToolTip(self.one_set)
+            else:
+                tick.setFlags(tick.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             self.table.setItem(row, 0, tick)
             tips = "\n".join(w.text(case.report.language) for w in motion.warnings)
             self.table.item(row, 1).setToolTip(tips or motion.file)
@@ -283,16 +166,30 @@ class RecordsPanel(QWidget):
     # changes
 
     def _selected(self) -> set[int]:
-        if self.pending:
-            return set()
-        rows = {index.row() for index in self.table.selectedIndexes()}
-        return {self.rows[row][0] for row in rows if self.rows[row][0] is not None}
+        """Rows of the table that are selected, none while they are of the records before."""
+        return set() if self.pending else {index.row() for index in self.table.selectedIndexes()}
+
+    def _change(self, rows: set[int], change: Callable[[Record], Record | None]) -> None:
+        """Change the records of these rows, None to drop them. An entry of many files is written file by file
+        where only some of them are meant."""
+        case = self.session.case
+        found: list[Record | None] = []
+        for k, record in enumerate(case.record):
+            mine = [row for row, (entry, _) in enumerate(self.rows) if entry == k]
+            if rows.issuperset(mine) or rows.isdisjoint(mine):
+                found.append(change(record) if mine and mine[0] in rows else record)
+                continue
+            for row in mine:
+                name = self.session.relative(Path(self.rows[row][1].file))
+                one = replace(record, file=name)
+                found.append(change(one) if row in rows else one)
+        self.session.edit(replace(case, record=tuple(one for one in found if one is not None)))
 
     def _ticked(self, item) -> None:
         known = not self.pending and item.row() < len(self.rows)
-        entry = self.rows[item.row()][0] if known else None
-        if item.column() == 0 and entry is not None:
-            self.session.edit_record(entry, include=item.checkState() == Qt.CheckState.Checked)
+        if item.column() == 0 and known and self.rows[item.row()][0] is not None:
+            on = item.checkState() == Qt.CheckState.Checked
+            self._change({item.row()}, lambda record: replace(record, include=on))
 
     def _menu(self, place) -> None:
         menu = QMenu(self)
@@ -301,15 +198,16 @@ class RecordsPanel(QWidget):
         menu.exec(self.table.viewport().mapToGlobal(place))
 
     def reverse(self) -> None:
-        for entry in self._selected():
-            self.session.edit_record(entry, scale=-self.session.case.record[entry].scale)
+        rows = self._selected()
+        if any(self.rows[row][0] is None for row in rows):
+            self.words.setText(self.one_set)
+        self._change(rows, lambda record: replace(record, scale=-record.scale))
 
     def remove(self) -> None:
-        rows = {index.row() for index in self.table.selectedIndexes()}
-        if not self.pending and any(self.rows[row][0] is None for row in rows):
+        rows = self._selected()
+        if any(self.rows[row][0] is None for row in rows):
             self.session.edit(replace(self.session.case, generate=None))
-        if self._selected():
-            self.session.remove_records(self._selected())
+        self._change(rows, lambda record: None)
 
     def generate(self) -> None:
         """Seven compatible motions, or the same with the next seeds."""
@@ -331,6 +229,7 @@ class RecordsPanel(QWidget):
         """Add files and folders, after the dialog that shows what they are."""
         files = all_files(paths)
         if not files:
+            self.words.setText(tr("No files there."))
             return
         dialog = ImportDialog(files, self)
         if not ask or dialog.exec() == QDialog.DialogCode.Accepted:

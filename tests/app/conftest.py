@@ -20,6 +20,11 @@ def application():
     # widgets must go before the application does, or Qt crashes when Python ends
     import gc
 
+    from app.worker import RUNNING
+
+    for job in list(RUNNING):
+        job.cancel()
+        job.wait()
     for widget in made.topLevelWidgets():
         widget.close()
         widget.deleteLater()

@@ -1,0 +1,163 @@
+"""The dialog that shows what accelerogram files are, and asks for what they do not say."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+from PySide6.QtCore import QSize
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QDialog,
+    QDialogButtonBox,
+    QHBoxLayout,
+    QLabel,
+    QListWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.forms.fields import ChoiceField, NumberField, connect
+from app.language import tr
+from app.plots.chart import Chart
+from app.sentences import said
+from core import records
+from core.case import Record
+from core.errors import InputError
+from core.records.grammar import Options
+from core.units import G
+
+MOST_FILES = 500
+
+
+def read(record: Record, base_dir: Path) -> list:
+    """Motions of one entry, or the sentence why there are none."""
+    options = Options(record.unit, record.time_step_s, record.column, record.skip_lines)
+    try:
+        return [
+            records.read(path, options, record.scale)
+            for path in records.expand(record.file, base_dir)
+        ]
+    except InputError as error:
+        return [said(error)]
+
+
+def all_files(paths: list[Path]) -> list[Path]:
+    """Files among these, folders opened."""
+    found = []
+    for path in paths:
+        found += sorted(f for f in path.rglob("*") if f.is_file()) if path.is_dir() else [path]
+    return [path for path in found if not path.name.startswith(".")]
+
+
+class ImportDialog(QDialog):
+    """What was recognised in each file; the choices apply to the files selected."""
+
+    def __init__(self, paths: list[Path], parent: QWidget | None = None):
+        super().__init__(parent)
+        self.setWindowTitle(tr("Records found"))
+        self.paths = paths[:MOST_FILES]
+        self.entries = {path: Record(str(path)) for path in self.paths}
+        self.found: dict[Record, list] = {}
+        self.list = QListWidget()
+        self.list.setAccessibleName(tr("Files"))
+        self.list.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+        self.list.addItems([path.name for path in self.paths])
+        self.list.currentRowChanged.connect(lambda _: self._other_file())
+        self.words = QLabel()
+        self.words.setWordWrap(True)
+        self.chart = Chart("t [s]", "u'' [g]", tr("Preview"))
+        stated = tr("as the file says")
+        units = {None: stated} | {unit: unit for unit in ("g", "m/s2", "cm/s2", "mm/s2")}
+        kinds = {"natural": tr("natural"), "artificial": tr("artificial"),
+                 "simulated": tr("simulated")}  # fmt: skip
+        self.fields = [
+            ChoiceField(Record, "unit", tr("Unit"), units),
+            NumberField(Record, "time_step_s", tr("Time step"), "s", optional=True),
+            NumberField(Record, "column", tr("Column"), optional=True, whole=True,
+                        tip=tr("Of plain text: the column of the acceleration, 1 is the first")),
+            NumberField(Record, "skip_lines", tr("Lines to skip"), optional=True, whole=True,
+                        tip=tr("Of plain text: lines of the head before the numbers")),
+            ChoiceField(Record, "kind", tr("Kind"), kinds),
+        ]  # fmt: skip
+        connect(self.fields, lambda field, value: self.change(**{field.key: value}))
+        for field in self.fields[1:4]:
+            field.editor.setPlaceholderText(stated)
+            field.judged.connect(self._judge)
+        self.buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
+        )
+        self.buttons.accepted.connect(self.accept)
+        self.buttons.rejected.connect(self.reject)
+        right = QVBoxLayout()
+        right.addWidget(self.words)
+        right.addWidget(self.chart, 1)
+        for field in self.fields:
+            right.addWidget(field)
+        row = QHBoxLayout()
+        row.addWidget(self.list, 1)
+        row.addLayout(right, 2)
+        hint = tr("Choices apply to the files selected; those not readable are left out.")
+        if len(paths) > MOST_FILES:
+            left = tr("{n} more files are not shown: add them in parts.").format(
+                n=len(paths) - MOST_FILES
+            )
+            hint += " " + left
+        self.hint = QLabel(hint)
+        layout = QVBoxLayout(self)
+        layout.addWidget(self.hint)
+        layout.addLayout(row, 1)
+        layout.addWidget(self.buttons)
+        self.resize(QSize(820, 560))
+        self.list.setCurrentRow(0)
+
+    def _judge(self) -> None:
+        """No OK while a field holds what is not in the entries."""
+        ok = self.buttons.button(QDialogButtonBox.StandardButton.Ok)
+        ok.setEnabled(not any(field.wrong for field in self.fields))
+
+    def _other_file(self) -> None:
+        for field in self.fields:
+            field.forget()
+        self.show_file()
+
+    @property
+    def path(self) -> Path:
+        return self.paths[max(0, self.list.currentRow())]
+
+    def _read(self, path: Path) -> list:
+        """`read` of the entry of a file, once."""
+        entry = self.entries[path]
+        if entry not in self.found:
+            self.found[entry] = read(entry, path.parent)
+        return self.found[entry]
+
+    def change(self, **values) -> None:
+        """Apply a choice to the selected files."""
+        rows = {index.row() for index in self.list.selectedIndexes()} or {self.list.currentRow()}
+        for row in rows:
+            path = self.paths[row]
+            self.entries[path] = replace(self.entries[path], **values)
+        self.show_file()
+
+    def show_file(self) -> None:
+        """What the current file is with its choices."""
+        for field in self.fields:
+            field.show_value(getattr(self.entries[self.path], field.key))
+        self.chart.clear()
+        (found, *_) = self._read(self.path)
+        if isinstance(found, str):
+            self.words.setText(found)
+            return
+        self.words.setText(
+            f"{found.format}: {found.acceleration.size} × {found.time_step:g} s, {found.unit}, "
+            f"PGA {found.pga / G:.3f} g"
+        )
+        times = np.arange(found.acceleration.size) * found.time_step
+        self.chart.curve(found.name, times, found.acceleration / G, 0, 1.0)
+        self.chart.reset()
+
+    def chosen(self) -> list[Record]:
+        """Entries of the files that can be read."""
+        return [
+            self.entries[path] for path in self.paths if not isinstance(self._read(path)[0], str)
+        ]

@@ -1,0 +1,109 @@
+"""Records in the window: each motion by itself, the dialog that takes files in."""
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+
+from core.case import Record
+from tests.app.driving import settle, type_into
+from tests.conftest import ROOT
+
+
+@pytest.fixture
+def bundled(opened, application):
+    """The window with the three bundled motions as one entry."""
+    from dataclasses import replace
+
+    pattern = (ROOT / "resources" / "motions" / "noise_*.txt").as_posix()
+    case = replace(opened.session.case, record=(Record(pattern, kind="artificial"),))
+    opened.session.edit(case)
+    settle(application, lambda: not opened.records.pending and len(opened.records.motions) > 2)
+    return opened
+
+
+def files(window) -> list[str]:
+    return [entry.file.split("/")[-1] for entry in window.session.case.record]
+
+
+def test_that_one_motion_of_many_is_left_out_alone(bundled, application):
+    n = len(bundled.records.rows)
+    bundled.records.table.item(1, 0).setCheckState(Qt.CheckState.Unchecked)
+    entries = bundled.session.case.record
+    assert [entry.include for entry in entries] == [k != 1 for k in range(n)]
+    assert {entry.kind for entry in entries} == {"artificial"}
+    settle(application, lambda: not bundled.records.pending)
+    assert len(bundled.records.motions) == n - 1
+    bundled.session.undo()
+    assert files(bundled) == ["noise_*.txt"]
+
+
+def test_that_one_motion_of_many_is_turned_or_removed_alone_and_all_of_them_as_one(
+    bundled, application
+):
+    bundled.records.table.selectAll()
+    bundled.records.reverse()
+    assert [entry.scale for entry in bundled.session.case.record] == [-1.0]
+    settle(application, lambda: not bundled.records.pending)
+    n = len(bundled.records.rows)
+    bundled.records.table.selectRow(0)
+    bundled.records.remove()
+    assert files(bundled) == [f"noise_{k}.txt" for k in range(2, n + 1)]
+    assert {entry.scale for entry in bundled.session.case.record} == {-1.0}
+
+
+def test_that_generated_motions_are_ticked_and_stay_one_set(bundled, application):
+    bundled.session.edit_section("demand", soil_factor=None)
+    bundled.demand._kind_chosen(bundled.demand.kind.findData("EN1998"))
+    bundled.records.generate()
+    settle(application, lambda: not bundled.records.pending)
+    row = len(bundled.records.rows) - 1
+    tick = bundled.records.table.item(row, 0)
+    assert tick.checkState() == Qt.CheckState.Checked
+    assert not tick.flags() & Qt.ItemFlag.ItemIsUserCheckable
+    bundled.records.table.selectRow(row)
+    bundled.records.reverse()
+    assert bundled.records.words.text() == bundled.records.one_set
+    bundled.records.remove()
+    assert bundled.session.case.generate is None and files(bundled) == ["noise_*.txt"]
+
+
+def test_that_the_dialog_takes_only_choices_the_case_accepts_and_shows_those_of_each_file(
+    application, tmp_path
+):
+    from PySide6.QtWidgets import QDialogButtonBox
+
+    from app.forms.import_dialog import ImportDialog
+
+    samples = [f"{0.02 * k:.2f} {np.sin(0.1 * k):.6f}" for k in range(300)]
+    for name in ("a.txt", "b.txt"):
+        (tmp_path / name).write_text("\n".join(["head 1", *samples]))
+    dialog = ImportDialog([tmp_path / "a.txt", tmp_path / "b.txt"])
+    unit, step, column, skip, _ = dialog.fields
+    ok = dialog.buttons.button(QDialogButtonBox.StandardButton.Ok)
+    unit.offer("m/s2")
+    for text in ("-0.01", "nan", "3"):
+        type_into(step, text)
+        application.processEvents()
+        assert step.message.text() and not ok.isEnabled()
+        assert dialog.entries[tmp_path / "a.txt"].time_step_s is None
+    type_into(step, "0,02")
+    type_into(column, "2")
+    type_into(skip, "1")
+    application.processEvents()
+    assert ok.isEnabled()
+    (entry,) = dialog.chosen()
+    assert (entry.unit, entry.time_step_s, entry.column, entry.skip_lines) == ("m/s2", 0.02, 2, 1)
+    dialog.list.setCurrentRow(1)
+    assert step.editor.text() == "" and unit.editor.currentData() is None
+    dialog.list.setCurrentRow(0)
+    assert step.editor.text() == "0.02" and unit.editor.currentData() == "m/s2"
+    dialog.deleteLater()
+
+
+def test_that_files_beyond_what_the_dialog_shows_are_named(application, tmp_path):
+    from app.forms.import_dialog import MOST_FILES, ImportDialog
+
+    paths = [tmp_path / f"{k}.txt" for k in range(MOST_FILES + 3)]
+    dialog = ImportDialog(paths)
+    assert len(dialog.paths) == MOST_FILES and "3" in dialog.hint.text()
+    dialog.deleteLater()
