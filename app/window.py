@@ -152,8 +152,12 @@ class MainWindow(QMainWindow):
         self.veil.cover(stale)
         self.card_veil.cover(stale)
         problem = self.session.problem()
+        fields = self.findChildren(Field)
+        wall = self.walls.wall.name if self.walls.wall else ""
+        for field in fields:
+            field.show_rule(said(problem) if problem and field.named_in(problem, wall) else "")
         problem = said(problem) if problem else None
-        if any(field.wrong for field in self.findChildren(Field)):
+        if any(field.wrong for field in fields):
             problem = problem or tr("A field holds what is not accepted: see the words below it.")
         can_run = problem is None and self.job is None
         self.run_action.setEnabled(can_run)

@@ -138,8 +138,9 @@ class Wall:
             )
         thickness, setback = self.thickness, self.setback
         if not setback < MOST_SETBACK * thickness:
+            key = "hinge_setback_m" if self.hinge_setback_m else "compressive_strength_mpa"
             raise InputError(
-                f'wall "{self.name}": the hinge setback {setback:.3f} m is not accepted: up to '
+                f'wall "{self.name}": {key}: the hinge setback {setback:.3f} m is not accepted: up to '
                 f"{MOST_SETBACK * thickness:.3f} m, {100 * MOST_SETBACK:.0f} % of the thickness"
             )
         if setback == 0.0 and self.slenderness_deg is not None:

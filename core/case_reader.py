@@ -307,7 +307,7 @@ def _value(entry, value, place: str):
                 if LEAST_ELASTIC <= first <= last < 1.0:
                     return {"elastic_limit": float(first), "plateau_end": float(last)}
                 raise InputError(
-                    f"{place} = {value!r} is not accepted: {LEAST_ELASTIC:g} <= elastic_limit <= "
-                    "plateau_end < 1"
+                    f"{place}: elastic_limit = {first:g}, plateau_end = {last:g} are not accepted: "
+                    f"{LEAST_ELASTIC:g} <= elastic_limit <= plateau_end < 1"
                 )
     raise InputError(f"{place} = {value!r} is not accepted: {_accepted(entry)}")

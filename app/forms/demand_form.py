@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.forms.fields import ChoiceField, FlagField, NumberField, TextField, connect
+from app.forms.law_curve import SpectrumCurve
 from app.language import tr
 from app.sentences import said
 from app.session import Session
@@ -76,6 +77,7 @@ class DemandForm(QWidget):
         self.period = NumberField(Demand, "return_period_years", "T_R", tr("years"), optional=True)
         self.summary = QLabel()
         self.summary.setWordWrap(True)
+        self.curve = SpectrumCurve()
         self.of_demand = [self.state, self.ag, self.soil_factor, self.intensity, self.factor, self.scaling,
                           self.zeta, self.q_code, self.site, self.coordinates, self.life, self.use,
                           self.period]  # fmt: skip
@@ -84,7 +86,7 @@ class DemandForm(QWidget):
         connect(self.of_spectrum, self._spectrum_changed)
         inside = QVBoxLayout(self.given)
         for widget in (self.state, self.ag, self.hint, self.kind, self.soil_factor, self.intensity,
-                       *self.of_spectrum, self.file, self.summary, self.factor, self.scaling, self.zeta,
+                       *self.of_spectrum, self.file, self.summary, self.curve, self.factor, self.scaling, self.zeta,
                        self.q_code, self.site, self.coordinates, self.life, self.use,
                        self.period):  # fmt: skip
             inside.addWidget(widget)
@@ -117,13 +119,17 @@ class DemandForm(QWidget):
         self.type.setVisible(kind == "EN1998")
         self.file.setVisible(kind == "file")
         self.file.setText(demand.spectrum_file or tr("Choose file…"))
-        self.summary.setText(self._said(demand))
-
-    def _said(self, demand: Demand) -> str:
         try:
             target = target_of(demand, self.session.base_dir)
         except (InputError, TypeError) as error:
-            return said(error)
+            self.curve.show_target(None)
+            self.summary.setText(said(error))
+            return
+        self.curve.show_target(target)
+        self.summary.setText(self._said(demand, target))
+
+    @staticmethod
+    def _said(demand: Demand, target) -> str:
         if target is None:
             return f"S a_g {demand.ag_g * (demand.soil_factor or 1.0):.3f} g"
         words = f"S {target.soil:.3f}, S a_g {target.pga / G:.3f} g"

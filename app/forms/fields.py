@@ -1,9 +1,11 @@
 """Fields of a form: each knows its key, says its error in words, and speaks the office's unit."""
 
+import re
 from collections.abc import Callable
 from dataclasses import fields
 
-from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, Qt, QTimer, Signal
+from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
@@ -17,11 +19,15 @@ from PySide6.QtWidgets import (
 from app import theme
 from app.language import tr
 from app.sentences import said
+from core.case import Analysis, Demand, Spectrum, Wall
 from core.case_reader import check_value
 from core.errors import InputError
 from core.number import parse_number
 
 FIGURES = 12
+
+PLACES = {Demand: "[demand]", Spectrum: "[demand.spectrum]", Analysis: "[analysis]"}
+"""How sentences on these sections begin; those on walls name the wall."""
 
 
 class Field(QWidget):
@@ -34,6 +40,7 @@ class Field(QWidget):
         super().__init__()
         self.section, self.key = section, key
         self.held = None
+        self.error = self.rule = ""
         grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setHorizontalSpacing(6)
@@ -61,20 +68,46 @@ class Field(QWidget):
 
     def make_editor(self) -> QWidget:
         """The widget that edits: a line of text, where a kind of field has no other."""
-        return QLineEdit()
+        return Line(lambda: bool(self.error), self.take_back)
+
+    def take_back(self) -> None:
+        """The value of the case again, in the place of what was refused."""
+        value = self.held
+        self.forget()
+        self.editor.clear()
+        self.show_value(value)
 
     def show_error(self, sentence: str) -> None:
-        """Words below the field, none for a good value."""
-        if sentence != self.message.text():
+        """Words below the field on what stands in it, none for a good value."""
+        if sentence != self.error:
             QTimer.singleShot(0, self, self.judged.emit)
-        self.message.setText(sentence)
-        self.message.setVisible(bool(sentence))
-        self.editor.setStyleSheet(f"border: 1px solid {theme.current.bad};" if sentence else "")
+        self.error = sentence
+        self._show_words()
+
+    def show_rule(self, sentence: str) -> None:
+        """Words below the field on a rule that it breaks together with others; none if all hold."""
+        if sentence != self.rule:
+            self.rule = sentence
+            self._show_words()
+
+    def _show_words(self) -> None:
+        words = self.error or self.rule
+        self.message.setText(words)
+        self.message.setVisible(bool(words))
+        self.editor.setStyleSheet(f"border: 1px solid {theme.current.bad};" if words else "")
 
     @property
     def wrong(self) -> bool:
         """Whether what stands in the field is not in the case."""
-        return bool(self.message.text()) and not self.isHidden()
+        return bool(self.error) and not self.isHidden()
+
+    def named_in(self, problem: str, wall: str) -> bool:
+        """Whether a sentence of the case is about this field; wall : name of the wall the forms show."""
+        place = PLACES.get(self.section, "")
+        here = (
+            f'"{wall}"' in problem if self.section is Wall else place and problem.startswith(place)
+        )
+        return bool(here) and re.search(rf"\b{self.key}\b", problem) is not None
 
     def accepted(self, sentence: str) -> str:
         """What the field accepts, from the sentence of the case."""
@@ -94,12 +127,34 @@ class Field(QWidget):
     def keeps(self, value) -> bool:
         """Whether something wrong stands here that the user has yet to mend: it is not taken away without a
         word. A value that came from elsewhere (undo, another file) replaces it."""
-        return bool(self.message.text()) and value == self.held
+        return bool(self.error) and value == self.held
 
     def forget(self) -> None:
         """Another case or wall: what was wrong in the last one is no more."""
         self.held = None
         self.show_error("")
+
+
+class Line(QLineEdit):
+    """A line of text without an undo of its own: Ctrl+Z and Ctrl+Y are those of the case, but a text that is
+    not in the case is taken back first. refused() : whether there is one; taken_back() : what to do then."""
+
+    def __init__(self, refused: Callable[[], bool], take_back: Callable[[], None]):
+        super().__init__()
+        self.refused, self.take_back = refused, take_back
+
+    def event(self, event) -> bool:
+        if event.type() in (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress):
+            keys = QKeySequence.StandardKey
+            if event.matches(keys.Undo) or event.matches(keys.Redo):
+                if not self.refused() or event.matches(keys.Redo):
+                    event.ignore()
+                    return False
+                if event.type() == QEvent.Type.KeyPress:
+                    self.take_back()
+                event.accept()
+                return True
+        return super().event(event)
 
 
 class NumberField(Field):
@@ -118,7 +173,7 @@ class NumberField(Field):
         return tr("from {low} to {high} {unit}").format(low=low, high=high, unit=self.unit).strip()
 
     def make_editor(self) -> QLineEdit:
-        editor = QLineEdit()
+        editor = super().make_editor()
         editor.setAlignment(Qt.AlignmentFlag.AlignRight)
         editor.setMinimumWidth(64)
         editor.textEdited.connect(self._typed)
@@ -167,7 +222,7 @@ class TextField(Field):
     """A line of text."""
 
     def make_editor(self) -> QLineEdit:
-        editor = QLineEdit()
+        editor = super().make_editor()
         editor.textEdited.connect(self.offer)
         return editor
 

@@ -35,12 +35,37 @@ def named_models() -> dict:
     }
 
 
+def scopes() -> dict:
+    """What each model rests on and how far it goes."""
+    return {
+        "housner": tr("theory: angular momentum kept, no sliding, no bouncing"),
+        "sorrentino_experimental": tr("tests on walls of tuff units and of clay bricks"),
+        "costa_upper": tr("tests on sack stone masonry; above Eq. 4 for α > 6.63°"),
+        "one_sided_theoretical": tr("theory: impacts of base, upper corner and base again"),
+        "one_sided_experimental": tr(
+            "tests; v over the overturning velocity, beyond v = 1.58 held at e = 0; value for v = 0"
+        ),
+        "user": tr("given, 0 to 1"),
+    }
+
+
+class LawField(NumberField):
+    """An end of an own law over alpha, checked as the velocity ratio is: 0 to 1."""
+
+    def __init__(self, end: str, label: str):
+        super().__init__(Wall, "velocity_ratio", label)
+        self.end = end
+
+    def named_in(self, problem: str, wall: str) -> bool:
+        return f'wall "{wall}"' in problem and f"{self.end} = " in problem
+
+
 class ImpactForm(QGroupBox):
     """Edits restitution and law of the wall at `index()`."""
 
     def __init__(self, session: Session, index: Callable[[], int]):
         super().__init__(tr("Restitution and law"))
-        self.session, self.index = session, index
+        self.session, self.index, self.scopes = session, index, scopes()
         self.law_curve = LawCurve()
         column = QVBoxLayout(self)
         self.model = ChoiceField(Wall, "restitution", tr("Model"), named_models())
@@ -54,8 +79,8 @@ class ImpactForm(QGroupBox):
             self.law.addItem(shown, name)
         self.law.setAccessibleName(tr("Moment-rotation law"))
         self.law.activated.connect(self._law_chosen)
-        self.first = NumberField(Wall, "velocity_ratio", "D1")
-        self.last = NumberField(Wall, "velocity_ratio", "D2")
+        self.first = LawField("elastic_limit", "D1")
+        self.last = LawField("plateau_end", "D2")
         self.first.edited.connect(lambda value: self._law_end("elastic_limit", value))
         self.last.edited.connect(lambda value: self._law_end("plateau_end", value))
         self.model.edited.connect(self._model_chosen)
@@ -97,6 +122,7 @@ class ImpactForm(QGroupBox):
                 found = wall.restitution_of(mechanism)
                 word = tr("one-sided") if mechanism == "one_sided" else tr("two-sided")
                 lines.append(f"{word}: {FORMULAS[found.model]} = {found.ratio_at_rest:.4f}")
+                lines.append(f"({self.scopes[found.model]})")
             except (InputError, TypeError) as error:
                 lines.append(said(error))
         self.formula.setText("\n".join(lines) or tr("Choose a mechanism."))

@@ -1,4 +1,4 @@
-"""The moment-rotation law of a wall as a small curve."""
+"""Small curves beside the forms: the moment-rotation law of a wall, the spectrum of the demand."""
 
 import numpy as np
 import pyqtgraph as pg
@@ -9,12 +9,16 @@ from core.errors import InputError
 from core.moment_rotation import moment
 from core.restitution import Restitution
 from core.rocking import rocking_model
+from core.units import G
+
+LONGEST = 3.0
+"""Period up to which a spectrum is drawn [s]."""
 
 
-class LawCurve(pg.PlotWidget):
-    """Moment over m g R sin(alpha) against theta/alpha."""
+class SmallCurve(pg.PlotWidget):
+    """One curve to look at, not to work with."""
 
-    def __init__(self):
+    def __init__(self, x: str, y: str):
         super().__init__()
         self.setBackground(theme.current.back)
         self.setMinimumSize(110, 90)
@@ -23,11 +27,33 @@ class LawCurve(pg.PlotWidget):
         self.hideButtons()
         self.setMenuEnabled(False)
         self.curve = self.plot(pen=pg.mkPen(theme.current.curves[0], width=2))
-        for side, label in (("bottom", "θ/α"), ("left", "M/M₀")):
+        for side, label in (("bottom", x), ("left", y)):
             axis = self.getAxis(side)
+            axis.enableAutoSIPrefix(False)
             axis.setPen(theme.current.quiet)
             axis.setTextPen(theme.current.ink)
             self.setLabel(side, label)
+
+
+class SpectrumCurve(SmallCurve):
+    """Elastic 5 % spectrum of the demand [g] over the period [s]."""
+
+    def __init__(self):
+        super().__init__("T [s]", "Se [g]")
+
+    def show_target(self, target) -> None:
+        """Draw this target, nothing where there is none."""
+        self.setVisible(target is not None)
+        if target is not None:
+            periods = np.linspace(0.0, LONGEST, 151)
+            self.curve.setData(periods, np.asarray(target.acceleration(periods)) / G)
+
+
+class LawCurve(SmallCurve):
+    """Moment over m g R sin(alpha) against theta/alpha."""
+
+    def __init__(self):
+        super().__init__("θ/α", "M/M₀")
 
     def show_wall(self, wall: Wall) -> None:
         """Draw the law of this wall, nothing while it is not complete."""

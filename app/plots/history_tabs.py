@@ -141,7 +141,10 @@ class HistoriesTab(QWidget):
         self.curve.setData(self.times[: ratio.size], ratio)
         hits = self.history.impact_time[:2000]
         self.marks.setData(hits, np.zeros(hits.size))
-        self.rotation.data = [("theta/alpha", self.times[: ratio.size], ratio)]
+        self.rotation.data = [
+            ("theta/alpha", self.times[: ratio.size], ratio),
+            ("impacts", self.history.impact_time, np.zeros(self.history.impact_time.size)),
+        ]
         outcome = tr("overturns") if self.history.outcome == COLLAPSED else tr("stands")
         self.words.setText(f"C {abs(scale):.3f}   q {self.q:.3f}   {outcome}   "
                            f"θmax/α {min(self.history.peak / wall.block.slenderness, 9.99):.2f}")  # fmt: skip

@@ -200,10 +200,6 @@
         <translation>Non eseguito</translation>
     </message>
     <message>
-        <source>Cancelling…</source>
-        <translation>Interruzione…</translation>
-    </message>
-    <message>
         <source>one-sided</source>
         <translation>su un lato</translation>
     </message>
@@ -496,10 +492,6 @@ Ribaltamento fuori piano di pareti in muratura (Coccia, Di Carlo, Imperatore 201
     <message>
         <source>Unit</source>
         <translation>Unità</translation>
-    </message>
-    <message>
-        <source>Time step [s]</source>
-        <translation>Passo [s]</translation>
     </message>
     <message>
         <source>Kind</source>
@@ -1012,6 +1004,66 @@ Ribaltamento fuori piano di pareti in muratura (Coccia, Di Carlo, Imperatore 201
     <message>
         <source>SI is the area under the pseudo-velocity from 0.1 to 2.5 s (shaded).</source>
         <translation>SI è l'area sotto la pseudo-velocità da 0.1 a 2.5 s (in grigio).</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>File</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Passo temporale</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>Colonna</translation>
+    </message>
+    <message>
+        <source>Lines to skip</source>
+        <translation>Righe da saltare</translation>
+    </message>
+    <message>
+        <source>Of plain text: the column of the acceleration, 1 is the first</source>
+        <translation>Di testo semplice: la colonna dell'accelerazione, 1 è la prima</translation>
+    </message>
+    <message>
+        <source>Of plain text: lines of the head before the numbers</source>
+        <translation>Di testo semplice: righe d'intestazione prima dei numeri</translation>
+    </message>
+    <message>
+        <source>{n} more files are not shown: add them in parts.</source>
+        <translation>Altri {n} file non sono mostrati: aggiungerli a parti.</translation>
+    </message>
+    <message>
+        <source>Generated motions are one set: Remove takes them all, Generate… makes others.</source>
+        <translation>I moti generati sono un solo gruppo: Togli li toglie tutti, Genera… ne fa altri.</translation>
+    </message>
+    <message>
+        <source>No files there.</source>
+        <translation>Nessun file lì.</translation>
+    </message>
+    <message>
+        <source>theory: angular momentum kept, no sliding, no bouncing</source>
+        <translation>teoria: momento angolare conservato, senza scorrimento né rimbalzo</translation>
+    </message>
+    <message>
+        <source>tests on walls of tuff units and of clay bricks</source>
+        <translation>prove su pareti di tufo e di mattoni pieni</translation>
+    </message>
+    <message>
+        <source>tests on sack stone masonry; above Eq. 4 for α &gt; 6.63°</source>
+        <translation>prove su muratura a sacco; sopra l'Eq. 4 per α &gt; 6.63°</translation>
+    </message>
+    <message>
+        <source>theory: impacts of base, upper corner and base again</source>
+        <translation>teoria: urti di base, spigolo superiore e di nuovo base</translation>
+    </message>
+    <message>
+        <source>tests; v over the overturning velocity, beyond v = 1.58 held at e = 0; value for v = 0</source>
+        <translation>prove; v sulla velocità di ribaltamento, oltre v = 1.58 tenuto a e = 0; valore per v = 0</translation>
+    </message>
+    <message>
+        <source>given, 0 to 1</source>
+        <translation>dato, da 0 a 1</translation>
     </message>
 </context>
 </TS>

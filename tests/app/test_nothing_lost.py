@@ -8,6 +8,8 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
 
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 
 from app import files
@@ -70,3 +72,52 @@ def test_that_a_chart_not_written_says_so(opened, monkeypatch):
     monkeypatch.setattr("app.plots.chart.path_to_write", lambda *_: target)
     opened.findChildren(Chart)[0]._save("png")
     assert said == [f"{target}: No such file or directory"]
+
+
+def test_that_rules_between_fields_stand_at_the_fields(opened, application):
+    walls = opened.walls
+    walls.impact.law.setCurrentIndex(walls.impact.law.findData("own"))
+    walls.impact._law_chosen(walls.impact.law.currentIndex())
+    type_into(walls.impact.first, "0.5")
+    application.processEvents()
+    for field in (walls.impact.first, walls.impact.last):
+        assert "0.5" in field.message.text() and "{" not in field.message.text()
+    assert not opened.run_action.isEnabled()
+    type_into(walls.impact.last, "0.6")
+    application.processEvents()
+    assert not walls.impact.first.message.text() and opened.run_action.isEnabled()
+    type_into(walls.setback, "45")
+    application.processEvents()
+    assert "hinge setback" in walls.setback.message.text()
+    type_into(walls.setback, "0")
+    walls.duplicate()
+    type_into(walls.name, "w")
+    application.processEvents()
+    assert "same name" in walls.name.message.text()
+    type_into(walls.name, "v")
+    type_into(opened.demand.factor, "1")
+    application.processEvents()
+    assert "compressive strength" in opened.demand.factor.message.text()
+
+
+def test_that_undo_in_a_field_is_that_of_the_case_and_takes_refused_text_back_first(
+    opened, application
+):
+    field = opened.walls.thickness
+    before = opened.session.case.wall[0].thickness_m
+    opened.activateWindow()
+    type_into(field, "60")
+    type_into(opened.walls.height, "6")
+    QTest.keyClick(opened.walls.height.editor, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert opened.session.case.wall[0].height_m == 5.0
+    assert opened.session.case.wall[0].thickness_m == 0.6
+    type_into(field, "70x")
+    assert field.wrong
+    QTest.keyClick(field.editor, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    application.processEvents()
+    assert not field.wrong and field.editor.text() == "70"
+    for _ in range(3):
+        QTest.keyClick(field.editor, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert opened.session.case.wall[0].thickness_m == before
+    QTest.keyClick(field.editor, Qt.Key.Key_Y, Qt.KeyboardModifier.ControlModifier)
+    assert opened.session.case.wall[0].thickness_m != before

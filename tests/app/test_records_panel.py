@@ -45,6 +45,7 @@ def test_that_one_motion_of_many_is_turned_or_removed_alone_and_all_of_them_as_o
     assert [entry.scale for entry in bundled.session.case.record] == [-1.0]
     settle(application, lambda: not bundled.records.pending)
     n = len(bundled.records.rows)
+    bundled.records.table.clearSelection()
     bundled.records.table.selectRow(0)
     bundled.records.remove()
     assert files(bundled) == [f"noise_{k}.txt" for k in range(2, n + 1)]
