@@ -61,7 +61,7 @@ class WallDrawing(QWidget):
         ink, quiet = QColor(theme.current.ink), QColor(theme.current.quiet)
         sizes = 34 if self.with_sizes else 8
         reach = thickness + (0.0 if self.with_sizes else 1.1 * height)
-        beside = 78 if self.with_sizes else 0  # room for the height in numbers
+        beside = 30 if self.with_sizes else 0  # room for the height in numbers
         scale = min((self.height() - 2 * sizes + 12) / height, (self.width() - beside - 16) / reach)
         base = QPointF(0.5 * (self.width() - beside) + 8, self.height() - sizes)
 
@@ -98,7 +98,13 @@ class WallDrawing(QWidget):
         painter.drawLine(QPointF(x, low.y()), QPointF(x, high.y()))
         for y in (low.y(), high.y()):
             painter.drawLine(QPointF(x - 3, y), QPointF(x + 3, y))
-        painter.drawText(QPointF(x + 6, 0.5 * (low.y() + high.y())), f"H {height:.2f} m")
+        words = f"H {height:.2f} m"
+        painter.save()
+        half = 0.5 * painter.fontMetrics().horizontalAdvance(words)
+        painter.translate(x + 14, min(0.5 * (low.y() + high.y()) + half, low.y()))
+        painter.rotate(-90.0)
+        painter.drawText(QPointF(0.0, 0.0), words)
+        painter.restore()
         left = place(QPointF(-0.5 * thickness, 0.0))
         words = f"t {100 * thickness:.1f} cm" + (f", u {100 * setback:.1f} cm" if setback else "")
         width = painter.fontMetrics().horizontalAdvance(words)

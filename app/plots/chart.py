@@ -30,16 +30,20 @@ def numbers(values) -> np.ndarray:
 
 class Chart(QWidget):
     """A plot with axes `x` and `y`. Colours are roles of the theme: an index of its curves, or a name.
-    left : where the legend stands, for curves that end high on the right."""
+    left, beside : where the legend stands, for curves that end high on the right, or for many of them."""
 
-    def __init__(self, x: str, y: str, name: str, left: bool = False):
+    def __init__(self, x: str, y: str, name: str, left: bool = False, beside: bool = False):
         super().__init__()
         self.labels, self.name = (x, y), name
         self.setAccessibleName(name)
         self.view = pg.PlotWidget()
         self.plot = self.view.getPlotItem()
         self.plot.showGrid(x=True, y=True, alpha=0.25)
+        self.beside = beside
         self.legend = self.plot.addLegend(offset=(8 if left else -8, 8), labelTextSize="9pt")
+        if beside:
+            self.legend.setParentItem(self.plot)
+            self.legend.anchor((1, 0), (1, 0), (0, 8))
         self.items: list[tuple] = []
         self.data: list[tuple[str, np.ndarray, np.ndarray]] = []
         self.read = QLabel()
@@ -148,6 +152,8 @@ class Chart(QWidget):
         self.plot.setLogMode(on, on)
 
     def reset(self) -> None:
+        if self.beside:
+            self.plot.layout.setColumnFixedWidth(3, self.legend.boundingRect().width())
         self.plot.autoRange()
 
     # colours

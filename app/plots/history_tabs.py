@@ -194,7 +194,10 @@ class ValidationTab(QWidget):
         self.words.setWordWrap(True)
         self.words.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.chart = Chart(
-            tr("time per history [ms]"), tr("error / α [-]"), tr("Accuracy against speed")
+            tr("time per history [ms]"),
+            tr("error / α [-]"),
+            tr("Accuracy against speed"),
+            beside=True,
         )
         self.chart.set_log(True)
         self.phase = Chart("θ/α [-]", "θ'/(p α) [-]", tr("Phase portrait"))

@@ -299,7 +299,9 @@ class IntensityTab(QWidget):
             q=digits(wall.q_set), robust=digits(wall.q_robust_set)
         )
         if law:
-            self.chart.curve("C1 SI^C2", x / CM, [law.q_eff(v) for v in x], 0, 1.6, dash=True)
+            inside = np.geomspace(si.min(), si.max(), 60)  # where the records are, no further
+            fit = [law.q_eff(v) for v in inside]
+            self.chart.curve("C1 SI^C2", inside / CM, fit, 0, 1.6, dash=True)
             text += f"   C1 {law.c1:.3g}, C2 {law.c2:.2f}, R² {law.r_squared:.2f}"
         self.words.setText(text)
         self.chart.reset()

@@ -151,14 +151,16 @@ def _si_data(book: Book, sheet, wall: WallResult, column: int) -> tuple[int, int
         row += 1
         number(sheet, row, column, entry.intensity / CM, RATIO)
         number(sheet, row, column + 1, entry.q_eff, RATIO)
-    low = 0.8 * min(entry.intensity for entry in points)
-    high = 1.25 * max(entry.intensity for entry in points)
-    for k, si in enumerate(np.geomspace(low, high, CURVE_POINTS)):
+    # the power law is drawn where the records are, no further
+    first = min(entry.intensity for entry in points)
+    last = max(entry.intensity for entry in points)
+    places = np.geomspace(0.8 * first, 1.25 * last, CURVE_POINTS - 2)
+    for k, si in enumerate(np.sort([*places, first, last])):
         q_eff = closed_form_q_eff(
             wall.block.slenderness, wall.block.height, float(si), wall.mechanism == "one_sided"
         )
         number(sheet, 3 + k, column + 2, float(si) / CM, RATIO)
-        if law:
+        if law and first <= si <= last:
             number(sheet, 3 + k, column + 3, law.q_eff(float(si)), RATIO)
         for m, factor in enumerate((1.0, 1.2, 0.8)):
             number(sheet, 3 + k, column + 4 + m, factor * q_eff, RATIO)
