@@ -1,5 +1,6 @@
 """Work off the window's thread: one job at a time, cancelled by a flag, never killed."""
 
+import atexit
 import tempfile
 import threading
 import traceback
@@ -12,6 +13,14 @@ from core.errors import Cancelled, InputError
 
 RUNNING: set["Job"] = set()
 """Jobs whose threads have not ended: a thread's object must outlive it."""
+
+
+@atexit.register
+def end_jobs() -> None:
+    """Wait for the threads: Qt aborts where one outlives Python."""
+    for job in list(RUNNING):
+        job.cancel()
+        job.wait()
 
 
 class Job(QThread):

@@ -77,7 +77,8 @@ class DemandForm(QWidget):
         self.period = NumberField(Demand, "return_period_years", "T_R", tr("years"), optional=True)
         self.summary = QLabel()
         self.summary.setWordWrap(True)
-        self.curve = SpectrumCurve()
+        self.curve: SpectrumCurve | None = None
+        self.curve_place = QVBoxLayout()
         self.of_demand = [self.state, self.ag, self.soil_factor, self.intensity, self.factor, self.scaling,
                           self.zeta, self.q_code, self.site, self.coordinates, self.life, self.use,
                           self.period]  # fmt: skip
@@ -86,9 +87,11 @@ class DemandForm(QWidget):
         connect(self.of_spectrum, self._spectrum_changed)
         inside = QVBoxLayout(self.given)
         for widget in (self.state, self.ag, self.hint, self.kind, self.soil_factor, self.intensity,
-                       *self.of_spectrum, self.file, self.summary, self.curve, self.factor, self.scaling, self.zeta,
-                       self.q_code, self.site, self.coordinates, self.life, self.use,
-                       self.period):  # fmt: skip
+                       *self.of_spectrum, self.file, self.summary):  # fmt: skip
+            inside.addWidget(widget)
+        inside.addLayout(self.curve_place)
+        for widget in (self.factor, self.scaling, self.zeta, self.q_code, self.site, self.coordinates,
+                       self.life, self.use, self.period):  # fmt: skip
             inside.addWidget(widget)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)
@@ -122,11 +125,20 @@ class DemandForm(QWidget):
         try:
             target = target_of(demand, self.session.base_dir)
         except (InputError, TypeError) as error:
-            self.curve.show_target(None)
+            target = None
             self.summary.setText(said(error))
-            return
-        self.curve.show_target(target)
-        self.summary.setText(self._said(demand, target))
+        else:
+            self.summary.setText(self._said(demand, target))
+        if self.curve is not None:
+            self.curve.show_target(target)
+
+    def showEvent(self, event) -> None:
+        """The curve is made when it is first looked at: the start is faster."""
+        super().showEvent(event)
+        if self.curve is None:
+            self.curve = SpectrumCurve()
+            self.curve_place.addWidget(self.curve)
+            self.show_case()
 
     @staticmethod
     def _said(demand: Demand, target) -> str:

@@ -20,11 +20,9 @@ def application():
     # widgets must go before the application does, or Qt crashes when Python ends
     import gc
 
-    from app.worker import RUNNING
+    from app.worker import end_jobs
 
-    for job in list(RUNNING):
-        job.cancel()
-        job.wait()
+    end_jobs()
     for widget in made.topLevelWidgets():
         widget.close()
         widget.deleteLater()
