@@ -30,18 +30,19 @@ def numbers(values) -> np.ndarray:
 
 class Chart(QWidget):
     """A plot with axes `x` and `y`. Colours are roles of the theme: an index of its curves, or a name.
-    left, beside : where the legend stands, for curves that end high on the right, or for many of them."""
+    legend : the corner it stands in, of top or bottom and left or right, or beside for many curves."""
 
-    def __init__(self, x: str, y: str, name: str, left: bool = False, beside: bool = False):
+    def __init__(self, x: str, y: str, name: str, legend: str = "top right"):
         super().__init__()
         self.labels, self.name = (x, y), name
         self.setAccessibleName(name)
         self.view = pg.PlotWidget()
         self.plot = self.view.getPlotItem()
         self.plot.showGrid(x=True, y=True, alpha=0.25)
-        self.beside = beside
-        self.legend = self.plot.addLegend(offset=(8 if left else -8, 8), labelTextSize="9pt")
-        if beside:
+        self.beside = legend == "beside"
+        corner = (8 if "left" in legend else -8, -8 if "bottom" in legend else 8)
+        self.legend = self.plot.addLegend(offset=corner, labelTextSize="9pt")
+        if self.beside:
             self.legend.setParentItem(self.plot)
             self.legend.anchor((1, 0), (1, 0), (0, 8))
         self.items: list[tuple] = []

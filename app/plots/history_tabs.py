@@ -197,7 +197,7 @@ class ValidationTab(QWidget):
             tr("time per history [ms]"),
             tr("error / α [-]"),
             tr("Accuracy against speed"),
-            beside=True,
+            legend="beside",
         )
         self.chart.set_log(True)
         self.phase = Chart("θ/α [-]", "θ'/(p α) [-]", tr("Phase portrait"))

@@ -155,9 +155,9 @@ class CapacityTab(QWidget):
         self.record = QComboBox()
         self.record.setAccessibleName(tr("Record"))
         self.record.activated.connect(lambda _: self._show_peaks())
-        self.peaks = Chart("q [-]", "θmax/α [-]", tr("Peak rotation against q"), left=True)
+        self.peaks = Chart("q [-]", "θmax/α [-]", tr("Peak rotation against q"), "top left")
         self.strips = Chart("q [-]", tr("run"), tr("Survival map"))
-        self.fragility = Chart("q [-]", tr("share collapsed [-]"), tr("Fragility"), left=True)
+        self.fragility = Chart("q [-]", tr("share collapsed [-]"), tr("Fragility"), "bottom right")
         top = QHBoxLayout()
         top.addWidget(self.peaks, 1)
         top.addWidget(self.fragility, 1)
@@ -221,7 +221,7 @@ class CapacityTab(QWidget):
         for level, label in ((0.40, "0.40"), (0.60, "0.60"), (1.0, "α")):
             self.peaks.level(level, label)
         if run.ida.q:
-            self.peaks.level(run.ida.q, "q", "bad", vertical=True)
+            self.peaks.level(run.ida.q, "q", "bad", vertical=True, place=0.75)
         self.peaks.plot.setYRange(0.0, 1.45)
 
     def _show_strips(self, wall: WallResult) -> None:
