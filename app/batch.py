@@ -108,10 +108,14 @@ def say(text: str) -> None:
 
 
 def write(
-    result: StudyResult, folder: Path, stem: str, ready: Callable[[], None] = lambda: None
+    result: StudyResult,
+    folder: Path,
+    stem: str,
+    check: Callable[[], None] = lambda: None,
+    ready: Callable[[], None] = lambda: None,
 ) -> None:
-    """Workbook and JSON of a result, both or none. ready : called when all is made and nothing written yet.
-    Raises OutputError and what ready() raises."""
+    """Workbook and JSON of a result, both or none. check : called now and then, ready when all is made and
+    nothing written yet. Raises OutputError and what these two raise."""
     from core.report import json_report, workbook
 
     drawn = (study.collapse_histories(result, wall) for wall in result.walls)
@@ -119,12 +123,14 @@ def write(
     for entry in drawn:
         if entry:
             histories.append(entry)
+        check()
         if len(histories) == workbook.HISTORY_WALLS:
             break
     text = json_report.dumps(
         result
     ).encode()  # first: the cells of the workbook take the most memory
-    book = workbook.content(result, histories)
+    check()
+    book = workbook.content(result, histories, check)
     ready()
     atomic.write({folder / f"{stem}.xlsx": book, folder / f"{stem}.json": text})
 

@@ -60,6 +60,16 @@ def build(window) -> None:
         window.restoreState(state)
 
 
+def sides(window) -> list[QDockWidget]:
+    """What stands left and right of the tabs."""
+    return [window.findChild(QDockWidget, name) for name in ("input", "records")]
+
+
+def widen(window, widths: list[int]) -> None:
+    """Give the sides their widths again: another language asks for others."""
+    window.resizeDocks(sides(window), widths, Qt.Orientation.Horizontal)
+
+
 def build_status(window) -> None:
     """The line at the bottom: a word, progress, Cancel."""
     bar = window.statusBar()

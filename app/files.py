@@ -62,7 +62,7 @@ class Files:
 
     def new(self) -> None:
         if self.give_up():
-            self.session.new()
+            self.session.new(self.window.language)
             self.window.start_afresh()
 
     def ask_open(self) -> None:
@@ -84,13 +84,24 @@ class Files:
         return self._save(path) if path else False
 
     def _save(self, path: Path | None) -> bool:
+        here = path is None or path.resolve() == self.session.path
+        if here and self.session.changed_elsewhere:
+            question = tr("Another program has changed {path}. Overwrite it?")
+            if not self._agreed(tr("Save the case"), question.format(path=self.session.path)):
+                return False
         try:
             self.session.save(path)
         except OutputError as error:
             QMessageBox.warning(self.window, tr("Not saved"), said(error))
             return False
         self.remember(self.session.path)
+        if any(field.wrong for field in self.window.fields):
+            self.window.word.setText(tr("Saved without what stands in the red field."))
         return True
+
+    def _agreed(self, title: str, question: str) -> bool:
+        button = QMessageBox.StandardButton
+        return QMessageBox.question(self.window, title, question) == button.Yes
 
     def ask_export(self) -> None:
         if self.export_refused():
@@ -99,7 +110,11 @@ class Files:
         proposal = str(self.session.base_dir / f"{stem}.xlsx")
         title = tr("Export the workbook")
         path = path_to_write(self.window, title, proposal, "Excel (*.xlsx)", ".xlsx")
-        if path:
+        if path is None:
+            return
+        beside = path.with_suffix(".json")
+        question = tr("{path} is there already. Overwrite it?").format(path=beside)
+        if not beside.exists() or path.exists() or self._agreed(title, question):
             self.export(path)
 
     def export_refused(self) -> bool:
@@ -122,8 +137,9 @@ class Files:
             QMessageBox.warning(self.window, tr("Nothing exported"), said(error))
             return
         self.window.start(
-            lambda job: batch.write(result, path.parent, path.stem, job.commit),
+            lambda job: batch.write(result, path.parent, path.stem, job.check, job.commit),
             lambda _: self.window.word.setText(tr("Written: {path}").format(path=path)),
+            to_end=True,
         )
 
     def give_up(self) -> bool:

@@ -4,17 +4,21 @@ import contextlib
 import hashlib
 import json
 import os
+import time
 import tomllib
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-from core.case import Case, Record, Wall
+from core.case import Case, Record, Report, Wall
 from core.case_reader import draft_case, parse_case, read_case
 from core.case_writer import dumps, table_of
 from core.errors import InputError, OutputError
 from core.report import atomic
 from core.results import StudyResult
+
+PAUSE = 1.0
+"""A pause [s] that ends a step of undo."""
 
 DEEPEST = 500
 """Steps kept for undo."""
@@ -43,6 +47,8 @@ class Session:
         self.past: list[Case] = []
         self.future: list[Case] = []
         self.last_place: object = None
+        self.last_edit = 0.0
+        self.content: bytes | None = None
         self.result = None
 
     def changed(self) -> None:
@@ -52,13 +58,14 @@ class Session:
     # the case and its history
 
     def edit(self, case: Case, place: object = None) -> None:
-        """A new case; edits of the same place in a row are one step of undo."""
+        """A new case; edits of the same place without a pause are one step of undo."""
         if case == self.case:
             return
-        if place is None or place != self.last_place:
+        now = time.monotonic()
+        if place is None or place != self.last_place or now - self.last_edit > PAUSE:
             self.past = [*self.past[-DEEPEST:], self.case]
         self.future = []
-        self.last_place = place
+        self.last_place, self.last_edit = place, now
         self.case = case
         self.changed()
 
@@ -151,9 +158,10 @@ class Session:
 
     # files
 
-    def new(self) -> None:
+    def new(self, language: str = "en") -> None:
+        """An empty case with its report in this language."""
         self.drop_swap()
-        self._start(Case())
+        self._start(Case(report=Report(language=language)))
         self.path, self.base_dir = None, Path.cwd()
         self.changed()
 
@@ -172,7 +180,19 @@ class Session:
         self.drop_swap()
         self._start(case)
         self.path, self.base_dir = path.resolve(), path.resolve().parent
+        self.content = self._on_disk()
         self.changed()
+
+    def _on_disk(self) -> bytes | None:
+        try:
+            return self.path.read_bytes() if self.path else None
+        except OSError:
+            return None
+
+    @property
+    def changed_elsewhere(self) -> bool:
+        """Whether another program wrote the case's file since it was read or saved here."""
+        return self.content is not None and self._on_disk() not in (None, self.content)
 
     def save(self, path: Path | None = None) -> None:
         """Write the case file, whole or not at all; record paths follow it to another folder."""
@@ -185,6 +205,7 @@ class Session:
         case = moved(self.case)
         content = dumps(case).encode()
         atomic.write({target: content})
+        self.content = content
         self.drop_swap()
         self.path, self.base_dir = target, target.parent
         self.case = case
@@ -193,25 +214,40 @@ class Session:
         self._known = None
         self.past, self.future = [moved(c) for c in self.past], [moved(c) for c in self.future]
         if self.result is not None:
-            self.result = replace(self.result, case=moved(self.result.case))
+            self.result = self.moved_result(self.result, old)
         self.last_place = None
         self.changed()
+
+    def moved_result(self, result: StudyResult, old: Path) -> StudyResult:
+        """A result of the folder `old` as one of the case's folder now, and of its file."""
+        case, known = self._moved(result.case, old, self.base_dir), self.checked()
+        motions = tuple(
+            motion if motion.format == "generated" else replace(motion, file=name)
+            for motion, name in zip(
+                result.motions,
+                (self._seen(motion.file, old, self.base_dir) for motion in result.motions),
+                strict=True,
+            )
+        )
+        return replace(result, case=known if known == case else case, motions=motions)
+
+    @staticmethod
+    def _seen(name: str, old: Path, new: Path) -> str:
+        """A path as seen from another folder."""
+        if new == old and not Path(name).is_absolute():
+            return name
+        with contextlib.suppress(ValueError):  # another drive
+            return Path(os.path.relpath(old / name, new)).as_posix()
+        return name
 
     @staticmethod
     def _moved(case: Case, old: Path, new: Path) -> Case:
         """The case with its paths as seen from another folder."""
-
-        def seen(name: str) -> str:
-            if new == old and not Path(name).is_absolute():
-                return name
-            with contextlib.suppress(ValueError):  # another drive
-                return Path(os.path.relpath(old / name, new)).as_posix()
-            return name
-
-        records = tuple(replace(record, file=seen(record.file)) for record in case.record)
+        seen = Session._seen
+        records = tuple(replace(one, file=seen(one.file, old, new)) for one in case.record)
         demand = case.demand
         if demand and demand.spectrum_file:
-            demand = replace(demand, spectrum_file=seen(demand.spectrum_file))
+            demand = replace(demand, spectrum_file=seen(demand.spectrum_file, old, new))
         return replace(case, record=records, demand=demand)
 
     # the swap file: what a kill -9 must not lose
@@ -240,13 +276,22 @@ class Session:
             self.swap.unlink(missing_ok=True)
 
     def recoverable(self) -> list[Path]:
-        """Swap files whose program is gone."""
+        """Swap files whose program is gone, the newest first."""
         found = []
-        for path in sorted(self.swaps.glob("*.swap")) if self.swaps.exists() else []:
+        swaps = self.swaps.glob("*.swap") if self.swaps.exists() else []
+        for path in sorted(swaps, key=lambda swap: -swap.stat().st_mtime):
             number = path.stem.rsplit("-", 1)[-1]
             if number.isdigit() and int(number) != os.getpid() and not _alive(int(number)):
                 found.append(path)
         return found
+
+    @staticmethod
+    def told(swap: Path) -> str:
+        """Of which file a swap file is, and from when."""
+        when = time.strftime("%Y-%m-%d %H:%M", time.localtime(swap.stat().st_mtime))
+        with contextlib.suppress(OSError, ValueError, KeyError, TypeError):
+            return f"{json.loads(swap.read_text(encoding='utf-8'))['path'] or ''} {when}".strip()
+        return when
 
     def recover(self, swap: Path) -> None:
         """Take over the case of a swap file; the file it belongs to is untouched. Raises InputError."""

@@ -24,7 +24,8 @@ def offer_recovery(window: MainWindow) -> None:
         button = QMessageBox.StandardButton
         answer = QMessageBox.question(
             window, tr("Autosaved case found"),
-            tr("The program ended without saving. Bring back the unsaved case?"), button.Yes | button.No,
+            tr("The program ended without saving. Bring back the unsaved case?") + f"\n{window.session.told(swap)}",
+            button.Yes | button.No,
         )  # fmt: skip
         if answer == button.Yes:
             try:
@@ -78,10 +79,13 @@ def main(path: Path | None) -> int:
     else:
         window.session.open(EXAMPLE)
     QTimer.singleShot(0, lambda: offer_recovery(window))
-    window.keep_warm()
+    window.preparation.begin()
     code = application.exec()
-    if RUNNING:
+    if any(not job.isFinished() for job in RUNNING):
         # a thread that compiles cannot be stopped, and nobody is to wait for it
+        from core import kernel_cache
+
+        kernel_cache.close()
         window.settings.sync()
         os._exit(code)
     return code

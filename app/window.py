@@ -27,6 +27,7 @@ from app.language import tr
 from app.pages import Page, Veil, card
 from app.plots.history_tabs import HistoriesTab, ValidationTab
 from app.plots.result_tabs import CapacityTab, CheckTab, IntensityTab, SpectraTab
+from app.preparation import Preparation
 from app.sentences import said
 from app.session import Session
 from app.worker import Job
@@ -48,9 +49,9 @@ class MainWindow(QMainWindow):
         self.session.listeners.append(self.refresh)
         self.files = Files(self, self.session, settings)
         self.job: Job | None = None
-        self.warming: Job | None = None
-        self.warm: set[str] | None = None
+        self.preparation = Preparation(self)
         self.finished_runs = Memory()
+        self.closing = self.to_end = False
         self.began = 0.0
         self.build()
         geometry = settings.value("geometry")
@@ -77,7 +78,7 @@ class MainWindow(QMainWindow):
         docks.build(self)
         menus.build(self)
         docks.build_status(self)
-        for field in self.findChildren(Field):
+        for field in self.fields:
             field.judged.connect(self.refresh)
         self.refresh()
 
@@ -129,15 +130,22 @@ class MainWindow(QMainWindow):
             theme.set_theme(name)
         else:
             language.set_language(name)
-        self.records.wait()
         tab, wall = self.tabs.currentIndex(), self.chosen.currentIndex()
+        widths = [dock.width() for dock in docks.sides(self)]
         self.build()
+        QTimer.singleShot(0, self, lambda: docks.widen(self, widths))
         self.tabs.setCurrentIndex(tab)
         self.result_arrived(self.session.result)
         self.chosen.setCurrentIndex(wall)
         self.show_result()
 
     # what is shown
+
+    @property
+    def fields(self) -> list[Field]:
+        """The fields of the case; those of a dialog are not among them."""
+        forms = (self.walls, self.demand, self.analysis)
+        return [field for form in forms for field in form.findChildren(Field)]
 
     def refresh(self) -> None:
         """After every change of the session."""
@@ -152,12 +160,11 @@ class MainWindow(QMainWindow):
         self.veil.cover(stale)
         self.card_veil.cover(stale)
         problem = self.session.problem()
-        fields = self.findChildren(Field)
         wall = self.walls.wall.name if self.walls.wall else ""
-        for field in fields:
+        for field in self.fields:
             field.show_rule(said(problem) if problem and field.named_in(problem, wall) else "")
         problem = said(problem) if problem else None
-        if any(field.wrong for field in fields):
+        if any(field.wrong for field in self.fields):
             problem = problem or tr("A field holds what is not accepted: see the words below it.")
         can_run = problem is None and self.job is None
         self.run_action.setEnabled(can_run)
@@ -166,16 +173,17 @@ class MainWindow(QMainWindow):
             self.banner.setText(problem if len(problem) < 160 else problem[:157] + "…")
             self.banner.setToolTip(problem)
         else:
-            self.banner.setText(tr("The input has changed: press F5.") if stale else "")
+            ask = stale and self.job is None
+            self.banner.setText(tr("The input has changed: press F5.") if ask else "")
             self.banner.setToolTip("")
         self.banner.setWordWrap(True)
         if self.tabs.currentWidget() is self.pages["spectra"]:
             self._show_spectra()
         menus.show_recent(self)
-        self.prepare()
+        self.preparation.go_on()
 
     def records_loaded(self) -> None:
-        self.prepare()
+        self.preparation.go_on()
         if self.tabs.currentWidget() is self.pages["spectra"]:
             self._show_spectra()
 
@@ -230,15 +238,20 @@ class MainWindow(QMainWindow):
         case = self.session.checked()
         if case is None or self.job is not None or not self.run_action.isEnabled():
             return
-        generation = self.session.generation
+        generation, made = self.session.generation, self.finished_runs.analyses
+        base = self.session.base_dir
 
         def arrived(result) -> None:
             if generation == self.session.generation:
+                if base != self.session.base_dir:  # saved elsewhere meanwhile
+                    result = self.session.moved_result(result, base)
                 self.result_arrived(result)
+                self.word.setText(tr("{n} analyses in {seconds:.1f} s").format(
+                    n=self.finished_runs.analyses - made, seconds=result.elapsed))  # fmt: skip
 
-        base = self.session.base_dir
         from core import study
 
+        self.records.read_again()
         self.start(
             lambda job: study.run(
                 case, base_dir=base, jobs=os.cpu_count() or 1, journal=lambda _: self.finished_runs,
@@ -247,11 +260,13 @@ class MainWindow(QMainWindow):
             arrived,
         )  # fmt: skip
 
-    def start(self, work, arrived) -> None:
-        """Work off this thread, one at a time; `arrived(result)` unless it is cancelled before."""
+    def start(self, work, arrived, to_end: bool = False) -> None:
+        """Work off this thread, one at a time; `arrived(result)` unless it is cancelled before. to_end : the
+        window does not close before its end."""
         if self.job is not None:
             return
         job = self.job = Job(work)
+        self.to_end = to_end
 
         def unless_left(slot):
             return lambda *values: slot(*values) if self.job is job else None
@@ -281,10 +296,13 @@ class MainWindow(QMainWindow):
         self.job = None
         self.show_running(False)
         self.refresh()
+        if self.closing:
+            QTimer.singleShot(0, self.close)
 
     def failed(self, sentence: str, log: str) -> None:
         if log:
             sentence += "\n" + tr("Details are in {log}").format(log=log)
+        self.closing = False
         self.word.setText(tr("Not done."))
         QMessageBox.warning(self, tr("Not done"), sentence)
 
@@ -293,46 +311,15 @@ class MainWindow(QMainWindow):
         if self.job is not None and self.job.cancel():
             self._ended()
             self.word.setText(tr("Cancelled."))
-
-    def keep_warm(self) -> None:
-        """From now on compile or load kernels in the background, as soon as a case needs them."""
-        self.warm = set()
-        self.prepare()
-
-    def prepare(self) -> None:
-        """Make the kernels of the case's method ready, with a word in the status line."""
-        idle = self.warm is not None and self.warming is None and self.job is None
-        case = self.session.checked() if idle and self.records.motions else None
-        if case is None or case.analysis.method in self.warm:
-            return
-        motion, method = self.records.motions[0], case.analysis.method
-        self.warm.add(method)
-        preparing = tr("Preparing the solver…")
-        self.word.setText(preparing)
-
-        def work(job):
-            from core import study
-            from core.kernel_cache import FOLDER, record
-
-            study.warm(case, motion)
-            record(FOLDER)
-
-        def ended() -> None:
-            self.warming = None
-            if self.word.text() == preparing:
-                self.word.setText(tr("Ready."))
-            self.prepare()
-
-        self.warming = Job(work)
-        self.warming.failed.connect(lambda sentence, log: self.word.setText(f"{sentence} {log}"))
-        self.warming.finished.connect(ended)
-        self.warming.start()
+        elif self.job is not None:
+            self.word.setText(tr("It is being written."))
 
     def start_afresh(self) -> None:
         """Another case is open: nothing of the last one stays."""
         self.cancel()
         self.walls.list.setCurrentRow(0)
-        for field in self.findChildren(Field):
+        self.records.read_again()
+        for field in self.fields:
             field.forget()
         self.result_arrived(None)
 
@@ -352,10 +339,6 @@ class MainWindow(QMainWindow):
         mechanisms = {"one_sided": tr("one-sided"), "two_sided": tr("two-sided")}
         for wall in result.walls:
             self.chosen.addItem(f"{wall.name} – {mechanisms[wall.mechanism]}")
-        analyses = sum(run.ida.analyses for wall in result.walls for run in wall.runs)
-        self.word.setText(
-            tr("{n} analyses in {seconds:.1f} s").format(n=analyses, seconds=result.elapsed)
-        )
         self.card.setText(card(result, self.language))
         self.refresh()
         self.show_result()
@@ -368,13 +351,14 @@ class MainWindow(QMainWindow):
         from core import study
 
         def arrived(found) -> None:
-            if self.session.result is result:
-                walls = list(result.walls)
+            self.word.setText("")
+            present = self.session.result
+            if present is not None and present.walls is result.walls:
+                walls = list(present.walls)
                 walls[k] = replace(walls[k], accuracy=found)
-                self.session.result = replace(result, walls=tuple(walls))
+                self.session.result = replace(present, walls=tuple(walls))
                 if self.chosen.currentIndex() == k:
                     self.pages["validation"].content.show_accuracy(found)
-                self.word.setText("")
 
         wall = result.walls[k]
         self.start(
@@ -385,12 +369,16 @@ class MainWindow(QMainWindow):
         )
 
     def closeEvent(self, event) -> None:
-        if not self.files.give_up():
+        if not self.closing and not self.files.give_up():
             event.ignore()
             return
-        self.cancel()
+        if not self.to_end:
+            self.cancel()
         if self.job is not None:
-            self.job.wait()  # it writes files
+            # it writes files: the window goes when they are there, and stays to say if they are not
+            self.closing = True
+            event.ignore()
+            return
         self.timer.stop()
         self.session.drop_swap()
         self.settings.setValue("geometry", self.saveGeometry())

@@ -1,4 +1,4 @@
-"""Work off the window's thread: one job at a time, cancelled by a flag, never killed."""
+"""Work off the window's thread, cancelled by a flag. What a cancelled job still does arrives nowhere."""
 
 import atexit
 import tempfile
@@ -27,13 +27,12 @@ class Job(QThread):
     """Runs `work(job)` in a thread. `work` looks at `job.cancelled` and calls `job.progress`; what cannot be
     taken back, as writing files, it does after `job.commit()`.
 
-    done(result), failed(sentence: str, log: str; no log for wrong input), stopped() : exactly one of them;
+    done(result), failed(sentence: str, log: str; no log for wrong input) : one of them, none if it stops;
     progressed(done, planned). A job that was cancelled may be left: its thread ends by itself.
     """
 
     done = Signal(object)
     failed = Signal(str, str)
-    stopped = Signal()
     progressed = Signal(int, int)
 
     def __init__(self, work: Callable):
@@ -44,8 +43,14 @@ class Job(QThread):
 
     def start(self) -> None:
         RUNNING.add(self)
-        self.finished.connect(lambda: RUNNING.discard(self))
+        self.finished.connect(self._ended)
         super().start()
+
+    def _ended(self) -> None:
+        """Nothing is kept of it, its result least of all."""
+        RUNNING.discard(self)
+        self._work = None
+        self.deleteLater()
 
     def cancel(self) -> bool:
         """Ask the work to stop; False if it is too late for that."""
@@ -64,6 +69,11 @@ class Job(QThread):
     def cancelled(self) -> bool:
         return self._flag.is_set()
 
+    def check(self) -> None:
+        """Raises Cancelled where it is."""
+        if self._flag.is_set():
+            raise Cancelled
+
     def progress(self, done: int, planned: int) -> None:
         self.progressed.emit(done, planned)
 
@@ -71,7 +81,7 @@ class Job(QThread):
         try:
             result = self._work(self)
         except Cancelled:
-            self.stopped.emit()
+            pass
         except InputError as error:
             self.failed.emit(said(error), "")
         except Exception as error:  # the worker's: an internal error must not be silent

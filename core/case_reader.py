@@ -120,6 +120,11 @@ def draft_case(table: dict) -> Case:
         if not isinstance(content, dict):
             raise InputError(f"{name} must be a table of keys, not {content!r}")
         _known(cls, content, name, name)
+        for entry in fields(cls):
+            # what breaks a rule with others may be work in progress, what is of another kind is not
+            value = content.get(entry.name)
+            if entry.name in content and not (entry.metadata["kind"] == "law" and _ends(value)):
+                _value(entry, value, f"{name}: {entry.name}")
         missing = {entry.name: "" for entry in fields(cls) if entry.default is MISSING}
         return cls(**{**missing, **content})
 
@@ -130,7 +135,7 @@ def draft_case(table: dict) -> Case:
     if demand and demand.spectrum is not None:
         demand = replace(demand, spectrum=section(Spectrum, demand.spectrum, "spectrum"))
     return Case(
-        title=str(table.get("title", "Ribalta")),
+        title=_value(_field(Case, "title"), table.get("title", "Ribalta"), "title"),
         report=one(Report, "report") or Report(),
         wall=tuple(section(Wall, entry, "wall") for entry in _tables(table, "wall")),
         record=tuple(section(Record, entry, "record") for entry in _tables(table, "record")),
@@ -211,7 +216,7 @@ def _written(table: dict):
     for section in ("wall", "record", "report", "analysis", "demand", "generate"):
         items = table.get(section) or []
         for index, item in enumerate(items if isinstance(items, (list, tuple)) else [items]):
-            for key in item:
+            for key in item if isinstance(item, dict) else ():
                 yield section, index, key
 
 
@@ -253,6 +258,13 @@ def _section(cls, table, section: str, place: str):
             rule = _accepted(entry)
             raise InputError(f"{place}: {entry.name} is missing: it is required ({rule})")
     return cls(**values)
+
+
+def _ends(value) -> bool:
+    """Whether this is a law by two numbers."""
+    ends = list(value.values()) if isinstance(value, dict) else []
+    named = ends and sorted(value) == ["elastic_limit", "plateau_end"]
+    return bool(named) and all(type(end) in (int, float) for end in ends)
 
 
 def _accepted(entry) -> str:
@@ -300,14 +312,12 @@ def _value(entry, value, place: str):
     elif kind == "law":
         if isinstance(value, str) and value in LAWS:
             return value
-        if isinstance(value, dict) and sorted(value) == ["elastic_limit", "plateau_end"]:
-            ends = list(value.values())
-            if all(isinstance(end, (int, float)) and not isinstance(end, bool) for end in ends):
-                first, last = value["elastic_limit"], value["plateau_end"]
-                if LEAST_ELASTIC <= first <= last < 1.0:
-                    return {"elastic_limit": float(first), "plateau_end": float(last)}
-                raise InputError(
-                    f"{place}: elastic_limit = {first:g}, plateau_end = {last:g} are not accepted: "
-                    f"{LEAST_ELASTIC:g} <= elastic_limit <= plateau_end < 1"
-                )
+        if _ends(value):
+            first, last = value["elastic_limit"], value["plateau_end"]
+            if LEAST_ELASTIC <= first <= last < 1.0:
+                return {"elastic_limit": float(first), "plateau_end": float(last)}
+            raise InputError(
+                f"{place}: elastic_limit = {first!r}, plateau_end = {last!r} are not accepted: "
+                f"{LEAST_ELASTIC:g} <= elastic_limit <= plateau_end < 1"
+            )
     raise InputError(f"{place} = {value!r} is not accepted: {_accepted(entry)}")

@@ -1,5 +1,6 @@
 """The demand of a case in SI units: a_g, S, spectrum, intensity, and the motions it asks for."""
 
+import re
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -16,8 +17,14 @@ from core.number import parse_number
 from core.target_spectrum import Target
 from core.units import CM, G
 
+WEAK_RECORDS = 0.9
+"""Mean PGA of records taken as given over a_g S below which they are warned of."""
+
 LARGE_SCALING = 3.0
 """Scale factors of a record above this one are warned of."""
+
+OTHER_UNITS = re.compile(r"\b(ms|hz|[cm]?m/s\^?2|[cm]?m/s²|gal|%g)(?![a-z])", re.IGNORECASE)
+"""Units of a spectrum file that is not in s and g."""
 
 
 @dataclass(frozen=True)
@@ -73,6 +80,12 @@ def _rows(path: Path) -> list[tuple[float, float]]:
         try:
             period, ordinate = (parse_number(part) for part in parts)
         except (InputError, ValueError):
+            wrong = OTHER_UNITS.search(line)
+            if wrong and not rows:
+                raise InputError(
+                    f"{path}: line {k}: the head names {wrong[0]}: periods are read in s and S_e in g, "
+                    "convert them"
+                ) from None
             if rows and parts:
                 raise InputError(
                     f"{path}: line {k}: two numbers expected, period in s and S_e in g, found "
@@ -112,6 +125,9 @@ def with_records(demand: DemandResult, motions: list[GroundMotion]) -> DemandRes
     large = sum(demand.scaling(motion) > LARGE_SCALING for motion in motions)
     if large:
         found.append(notice("large_scaling", n=large))
+    share = float(np.mean([motion.pga for motion in motions])) / demand.pga
+    if demand.asked.demand_scaling == "as_given" and share < WEAK_RECORDS:
+        found.append(notice("weaker_records", share=share))
     if demand.intensity is None:
         intensity = mean_intensity(demand, motions)
         demand = replace(demand, intensity=intensity, intensity_source="records_scaled")

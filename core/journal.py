@@ -2,6 +2,7 @@
 
 import json
 import os
+import threading
 from pathlib import Path
 
 from core.errors import OutputError
@@ -78,19 +79,26 @@ class Journal:
 class Memory:
     """Finished runs of one process by key, for the studies that follow; as a Journal, but not on disk.
 
-    most : runs kept, the oldest go first.
+    most : digits of survival maps kept, what takes the room; the oldest runs go first. analyses : made by
+    all runs added so far. Several threads may add.
     """
 
-    def __init__(self, most: int = 20_000):
+    def __init__(self, most: int = 20_000_000):
         self.most, self.found = most, {}
+        self.size = self.analyses = 0
+        self._lock = threading.Lock()
 
     def get(self, run: str) -> dict | None:
         return self.found.get(run)
 
     def add(self, run: str, result: dict) -> None:
-        self.found[run] = result
-        while len(self.found) > self.most:
-            del self.found[next(iter(self.found))]
+        with self._lock:
+            self.found[run] = result
+            self.analyses += result["analyses"]
+            self.size += len(result["outcomes"])
+            while self.size > self.most:
+                oldest = self.found.pop(next(iter(self.found)))
+                self.size -= len(oldest["outcomes"])
 
     def close(self) -> None:
         """Nothing is open."""

@@ -48,6 +48,10 @@ def user_folder() -> Path:
     return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "ribalta"
 
 
+TEMPORARY = "ribalta-kernels-"
+"""How the name of a folder begins that goes with its process."""
+
+
 def private(folder: Path) -> bool:
     """Whether only this user can write there: another's file would be run as code."""
     if sys.platform == "win32":
@@ -71,9 +75,7 @@ def prepare(base: Path, stamp: str) -> Path:
             return folder
     except OSError:
         pass
-    folder = Path(tempfile.mkdtemp(prefix="ribalta-kernels-"))
-    atexit.register(shutil.rmtree, folder, ignore_errors=True)
-    return folder
+    return Path(tempfile.mkdtemp(prefix=TEMPORARY))
 
 
 def _hashes(folder: Path) -> dict[str, str]:
@@ -111,7 +113,15 @@ def _text(path: Path) -> str:
 
 STAMP = source_stamp()
 FOLDER = prepare(user_folder(), STAMP)
-atexit.register(record, FOLDER)
+
+
+@atexit.register
+def close() -> None:
+    """Before the process ends: what is compiled is kept, but for a folder of this process alone."""
+    record(FOLDER)
+    if FOLDER.name.startswith(TEMPORARY):
+        shutil.rmtree(FOLDER, ignore_errors=True)
+
 
 os.environ.setdefault(
     "NUMBA_CACHE_LOCATOR_CLASSES",

@@ -11,6 +11,17 @@ SENTENCES = {
         "PGA {pga:.2g} g is below 0.001 g: check the unit.",
         "PGA {pga:.2g} g sotto 0.001 g: verificare l'unità di misura.",
     ),
+    "offset": (
+        "The samples have a mean of {mean:.3g} g and leave a velocity of {velocity:.2g} m/s: an offset of the "
+        "baseline, which pushes the wall to one side. Correct the record.",
+        "I campioni hanno media {mean:.3g} g e lasciano una velocità di {velocity:.2g} m/s: uno scostamento della "
+        "linea di base, che spinge la parete da un lato. Correggere il record.",
+    ),
+    "weaker_records": (
+        "The records as given have a mean PGA of {share:.0%} of a_g S: the dynamic check is not at the demand.",
+        "I record così come dati hanno PGA media pari al {share:.0%} di a_g S: la verifica dinamica non è alla "
+        "domanda.",
+    ),
     "partial_last_line": (
         "{found} samples of the {declared} declared: the last line is incomplete.",
         "{found} campioni dei {declared} dichiarati: l'ultima riga è incompleta.",

@@ -18,7 +18,7 @@ from core.demand import demand_of, generated, with_records
 from core.errors import InputError
 from core.ground_motion import GroundMotion
 from core.ida import Ida, Search, incremental_dynamic_analysis, threshold_of
-from core.journal import Journal
+from core.journal import Journal, Memory
 from core.kernel_cache import FOLDER, STAMP, record
 from core.records.grammar import Options
 from core.results import CollapseHistories, Run, StudyResult, WallResult
@@ -66,7 +66,7 @@ def run(
     *,
     base_dir: Path,
     jobs: int = 1,
-    journal: Callable[[str], Journal] | None = None,
+    journal: Callable[[str], Journal | Memory] | None = None,
     on_progress: Callable[[int, int], None] = lambda done, planned: None,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> StudyResult:

@@ -3,7 +3,6 @@
 from dataclasses import fields, replace
 
 from PySide6.QtWidgets import (
-    QComboBox,
     QFileDialog,
     QGroupBox,
     QLabel,
@@ -12,7 +11,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.forms.fields import ChoiceField, FlagField, NumberField, TextField, connect
+from app.forms.fields import Choice, ChoiceField, FlagField, NumberField, TextField, connect
 from app.forms.law_curve import SpectrumCurve
 from app.language import tr
 from app.sentences import said
@@ -30,6 +29,11 @@ class DemandForm(QWidget):
     def __init__(self, session: Session):
         super().__init__()
         self.session = session
+        self.last: tuple | None = None
+        self.spectra = {
+            "NTC2018": Spectrum("NTC2018", "B", f0=2.5, tc_star_s=0.35, topography="T1"),
+            "EN1998": Spectrum("EN1998", "B", type=1),
+        }
         self.given = QGroupBox(tr("Check against a demand"))
         self.given.setCheckable(True)
         self.given.toggled.connect(self._toggled)
@@ -39,7 +43,7 @@ class DemandForm(QWidget):
             Demand, "ag_g", "a_g", "g", tip=tr("On rigid ground (su suolo rigido); S apart")
         )
         self.hint = QLabel(tr("a_g on rigid ground, S apart"))
-        self.kind = QComboBox()
+        self.kind = Choice()
         self.kind.setAccessibleName(tr("Spectrum"))
         for name, shown in (
             ("none", tr("no spectrum, S given")), ("NTC2018", "NTC 2018"), ("EN1998", "EN 1998-1"),
@@ -108,8 +112,7 @@ class DemandForm(QWidget):
             return
         for field in self.of_demand:
             field.show_value(getattr(demand, field.key))
-        spectrum = demand.spectrum
-        kind = spectrum.code if spectrum else "file" if demand.spectrum_file else "none"
+        spectrum, kind = demand.spectrum, self._kind_of(demand)
         self.kind.setCurrentIndex(self.kind.findData(kind))
         for field in self.of_spectrum:
             if spectrum:
@@ -141,6 +144,13 @@ class DemandForm(QWidget):
             self.show_case()
 
     @staticmethod
+    def _kind_of(demand: Demand) -> str:
+        """Where the spectrum is from."""
+        return (
+            demand.spectrum.code if demand.spectrum else "file" if demand.spectrum_file else "none"
+        )
+
+    @staticmethod
     def _said(demand: Demand, target) -> str:
         if target is None:
             return f"S a_g {demand.ag_g * (demand.soil_factor or 1.0):.3f} g"
@@ -150,7 +160,14 @@ class DemandForm(QWidget):
         return words
 
     def _toggled(self, on: bool) -> None:
-        self.session.edit(replace(self.session.case, demand=Demand(0.15) if on else None))
+        """With the demand go the motions made for it; both come back as they were."""
+        case = self.session.case
+        if on:
+            demand, made = self.last or (Demand(0.15), None)
+            self.session.edit(replace(case, demand=demand, generate=made))
+        else:
+            self.last = (case.demand, case.generate)
+            self.session.edit(replace(case, demand=None, generate=None))
 
     def _changed(self, field, value) -> None:
         if self.session.case.demand is not None:
@@ -163,12 +180,13 @@ class DemandForm(QWidget):
             self.session.edit_section("demand", ("demand", field.key), spectrum=spectrum)
 
     def _kind_chosen(self, index: int) -> None:
-        kind = self.kind.itemData(index)
+        kind, demand = self.kind.itemData(index), self.session.case.demand
+        if kind == self._kind_of(demand) != "file":
+            return
+        if demand.spectrum:
+            self.spectra[demand.spectrum.code] = demand.spectrum
         values = {"spectrum": None, "spectrum_file": None}
-        if kind == "NTC2018":
-            values["spectrum"] = Spectrum(kind, "B", f0=2.5, tc_star_s=0.35, topography="T1")
-        elif kind == "EN1998":
-            values["spectrum"] = Spectrum(kind, "B", type=1)
+        values["spectrum"] = self.spectra.get(kind)
         if values["spectrum"]:
             values |= {"soil_factor": None, "housner_intensity_cm": None}
         if kind == "file":

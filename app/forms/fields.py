@@ -9,6 +9,7 @@ from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
+    QDialog,
     QGridLayout,
     QLabel,
     QLineEdit,
@@ -39,7 +40,7 @@ class Field(QWidget):
     def __init__(self, section: type, key: str, label: str, unit: str = "", tip: str = ""):
         super().__init__()
         self.section, self.key = section, key
-        self.held = None
+        self.held = self.before = None
         self.error = self.rule = ""
         grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)
@@ -68,7 +69,21 @@ class Field(QWidget):
 
     def make_editor(self) -> QWidget:
         """The widget that edits: a line of text, where a kind of field has no other."""
-        return Line(lambda: bool(self.error), self.take_back)
+        line = Line(lambda: bool(self.error), self.take_back)
+        line.entered.connect(self._entered)
+        return line
+
+    def _entered(self) -> None:
+        """Editing begins: what stands here comes back should the text be refused."""
+        self.before = self.held
+
+    def refuse(self, sentence: str) -> None:
+        """Words at the field; the case goes back to the value from before the editing, for the beginning of a
+        refused text is not what was meant."""
+        self.show_error(sentence)
+        if self.held != self.before:
+            self.held = self.before
+            self.edited.emit(self.before)
 
     def take_back(self) -> None:
         """The value of the case again, in the place of what was refused."""
@@ -107,7 +122,8 @@ class Field(QWidget):
         here = (
             f'"{wall}"' in problem if self.section is Wall else place and problem.startswith(place)
         )
-        return bool(here) and re.search(rf"\b{self.key}\b", problem) is not None
+        keys = re.sub('"[^"]*"', "", problem)
+        return bool(here) and re.search(rf"\b{self.key}\b", keys) is not None
 
     def accepted(self, sentence: str) -> str:
         """What the field accepts, from the sentence of the case."""
@@ -118,7 +134,7 @@ class Field(QWidget):
         try:
             value = check_value(self.section, self.key, value) if value is not None else None
         except InputError as error:
-            self.show_error(said(self.accepted(str(error))))
+            self.refuse(said(self.accepted(str(error))))
             return
         self.show_error("")
         self.held = value
@@ -131,23 +147,44 @@ class Field(QWidget):
 
     def forget(self) -> None:
         """Another case or wall: what was wrong in the last one is no more."""
-        self.held = None
+        self.held = self.before = None
         self.show_error("")
 
 
+class Choice(QComboBox):
+    """A list to choose from that the mouse wheel passes by, unless it has the focus."""
+
+    def __init__(self):
+        super().__init__()
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+
+    def wheelEvent(self, event) -> None:
+        if self.hasFocus():
+            super().wheelEvent(event)
+        else:
+            event.ignore()
+
+
 class Line(QLineEdit):
-    """A line of text without an undo of its own: Ctrl+Z and Ctrl+Y are those of the case, but a text that is
-    not in the case is taken back first. refused() : whether there is one; taken_back() : what to do then."""
+    """A line of text whose Ctrl+Z and Ctrl+Y are those of the case, but in a dialog; a text that is not in the
+    case is taken back first. refused() : whether there is one; take_back() : what to do then."""
+
+    entered = Signal()
 
     def __init__(self, refused: Callable[[], bool], take_back: Callable[[], None]):
         super().__init__()
         self.refused, self.take_back = refused, take_back
 
+    def focusInEvent(self, event) -> None:
+        self.entered.emit()
+        super().focusInEvent(event)
+
     def event(self, event) -> bool:
         if event.type() in (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress):
-            keys = QKeySequence.StandardKey
-            if event.matches(keys.Undo) or event.matches(keys.Redo):
-                if not self.refused() or event.matches(keys.Redo):
+            undo = event.matches(QKeySequence.StandardKey.Undo)
+            of_case = not isinstance(self.window(), QDialog)
+            if of_case and (undo or event.matches(QKeySequence.StandardKey.Redo)):
+                if not (undo and self.refused()):
                     event.ignore()
                     return False
                 if event.type() == QEvent.Type.KeyPress:
@@ -155,6 +192,15 @@ class Line(QLineEdit):
                 event.accept()
                 return True
         return super().event(event)
+
+    def contextMenuEvent(self, event) -> None:
+        """The usual menu without an undo that the case knows nothing of."""
+        menu = self.createStandardContextMenu()
+        for action in menu.actions():
+            if action.objectName() in ("edit-undo", "edit-redo"):
+                menu.removeAction(action)
+        menu.exec(event.globalPos())
+        menu.deleteLater()
 
 
 class NumberField(Field):
@@ -186,12 +232,12 @@ class NumberField(Field):
             self.edited.emit(None)
             return
         if not text.strip():
-            self.show_error(tr("a number is needed here"))
+            self.refuse(tr("a number is needed here"))
             return
         try:
             number = parse_number(text)
-        except InputError as error:
-            self.show_error(tr("{text}: not a number").format(text=str(error).split(" ")[0]))
+        except InputError:
+            self.refuse(tr("{text}: not a number").format(text=text.strip()))
             return
         self.offer(int(number) if self.whole and number == int(number) else number / self.factor)
 
@@ -199,6 +245,8 @@ class NumberField(Field):
         """Show a value of the case, unless what stands there already means it."""
         if self.keeps(value):
             return
+        if value != self.held:
+            self.before = value
         self.held = value
         if self.editor.hasFocus() and self._means(value):
             return
@@ -229,6 +277,8 @@ class TextField(Field):
     def show_value(self, value: str) -> None:
         if self.keeps(value):
             return
+        if value != self.held:
+            self.before = value
         self.held = value
         if self.editor.text() != (value or ""):
             self.editor.setText(value or "")
@@ -244,7 +294,7 @@ class ChoiceField(Field):
         super().__init__(section, key, label, "", tip)
 
     def make_editor(self) -> QComboBox:
-        editor = QComboBox()
+        editor = Choice()
         editor.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         for name, shown in self.words.items():
             editor.addItem(shown, name)

@@ -2,9 +2,9 @@
 
 from collections.abc import Callable
 
-from PySide6.QtWidgets import QComboBox, QGroupBox, QHBoxLayout, QLabel, QVBoxLayout
+from PySide6.QtWidgets import QGroupBox, QHBoxLayout, QLabel, QVBoxLayout
 
-from app.forms.fields import ChoiceField, NumberField
+from app.forms.fields import Choice, ChoiceField, NumberField
 from app.forms.law_curve import LawCurve
 from app.language import tr
 from app.sentences import said
@@ -74,7 +74,7 @@ class ImpactForm(QGroupBox):
             "rigid": tr("rigid"), "doherty": "Doherty 0.06, 0.28", "al_shawa": "Al Shawa 0.02, 0.28",
             "own": tr("own D1, D2"),
         }  # fmt: skip
-        self.law = QComboBox()
+        self.law = Choice()
         for name, shown in laws.items():
             self.law.addItem(shown, name)
         self.law.setAccessibleName(tr("Moment-rotation law"))

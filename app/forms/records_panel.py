@@ -41,10 +41,10 @@ class RecordsPanel(QWidget):
         self.session = session
         self.setAcceptDrops(True)
         self.motions: list = []
+        self.left_out = ""
         self.rows: list[tuple[int | None, object]] = []
         self.key: object = None
         self.pending = False
-        self.jobs: set[Job] = set()
         self.table = Table(tr("Records"), [
             tr("Use"), tr("Record"), "PGA [g]", "PGV [cm/s]", "SI [cm]", tr("D5-95 [s]"), "Δt [s]",
             tr("Sign"), tr("Format")])  # fmt: skip
@@ -78,6 +78,11 @@ class RecordsPanel(QWidget):
 
     # loading, off this thread
 
+    def read_again(self) -> None:
+        """Read all files again: another program may have changed them."""
+        self.key = None
+        self.show_case()
+
     def show_case(self) -> None:
         """Read what changed among the records; the table follows when they are there."""
         case = self.session.case
@@ -109,15 +114,11 @@ class RecordsPanel(QWidget):
 
         job = Job(work)
         job.done.connect(self._arrived)
-        job.failed.connect(lambda sentence, log: self.words.setText(sentence))
-        job.finished.connect(lambda: self.jobs.discard(job))
-        self.jobs.add(job)
+        job.failed.connect(self._failed)
         job.start()
 
-    def wait(self) -> None:
-        """Until the reading threads have ended: before the window goes."""
-        for job in list(self.jobs):
-            job.wait()
+    def _failed(self, sentence: str, log: str) -> None:
+        self.words.setText(f"{sentence} {log}")
 
     def _arrived(self, answer) -> None:
         key, found = answer
@@ -158,9 +159,9 @@ class RecordsPanel(QWidget):
             self.table.item(row, 1).setToolTip(tips or motion.file)
         self.table.blockSignals(False)
         count = len(self.motions)
-        self.words.setText(
-            tr("{n} records in use. Drop accelerograms or folders here.").format(n=count)
-        )
+        words = tr("{n} records in use. Drop accelerograms or folders here.").format(n=count)
+        self.words.setText(f"{words} {self.left_out}".strip())
+        self.left_out = ""
         self.loaded.emit()
 
     # changes
@@ -232,11 +233,20 @@ class RecordsPanel(QWidget):
             self.words.setText(tr("No files there."))
             return
         dialog = ImportDialog(files, self)
-        if not ask or dialog.exec() == QDialog.DialogCode.Accepted:
-            chosen = dialog.chosen()
-            self.session.add_records(
-                [replace(entry, file=self.session.relative(Path(entry.file))) for entry in chosen]
+        try:
+            taken = not ask or dialog.exec() == QDialog.DialogCode.Accepted
+            chosen = dialog.chosen() if taken else []
+        finally:
+            dialog.deleteLater()
+        self.session.add_records(
+            [replace(entry, file=self.session.relative(Path(entry.file))) for entry in chosen]
+        )
+        left = len(dialog.paths) - len(chosen)
+        if taken and left:
+            self.left_out = tr("{n} files were left out: they cannot be read as they are.").format(
+                n=left
             )
+            self.words.setText(self.left_out)
 
     def dragEnterEvent(self, event) -> None:
         if event.mimeData().hasUrls():

@@ -6,7 +6,6 @@ from dataclasses import replace
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
-    QComboBox,
     QFileDialog,
     QGroupBox,
     QHBoxLayout,
@@ -20,7 +19,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.forms.drawing import WallDrawing, mechanism_icon
-from app.forms.fields import Field, FlagField, NumberField, TextField, connect
+from app.forms.fields import Choice, Field, FlagField, NumberField, TextField, connect
 from app.forms.impact_form import ImpactForm
 from app.language import tr
 from app.sentences import said
@@ -123,7 +122,7 @@ class WallForm(QWidget):
         group = QGroupBox(tr("Geometry"))
         row = QHBoxLayout(group)
         column = QVBoxLayout()
-        self.shape = QComboBox()
+        self.shape = Choice()
         self.shape.setAccessibleName(tr("Geometry given by"))
         for name, shown in (
             ("thickness_m", tr("height and thickness")), ("slenderness_deg", tr("height and slenderness")),
@@ -207,6 +206,7 @@ class WallForm(QWidget):
             group.setEnabled(wall is not None)
         self.drawing.show_wall(wall)
         if wall is None:
+            self._show_shape("thickness_m", False)
             self.summary.setText(tr("No wall yet: press Add."))
             return
         self._show_geometry(wall)
@@ -227,14 +227,7 @@ class WallForm(QWidget):
     def _show_geometry(self, wall: Wall) -> None:
         shape = self._shape_of(wall)
         self.shape.setCurrentIndex(self.shape.findData(shape))
-        general = shape == "general"
-        self.height.setVisible(not general)
-        self.setback.setVisible(not general and wall.compressive_strength_mpa is None)
-        self.thickness.setVisible(shape == "thickness_m")
-        self.slenderness.setVisible(general or shape == "slenderness_deg")
-        self.ratio.setVisible(shape == "height_over_thickness")
-        self.radius.setVisible(general)
-        self.inertia.setVisible(general)
+        self._show_shape(shape, wall.compressive_strength_mpa is not None)
         try:
             block = wall.block()
         except (InputError, TypeError) as error:
@@ -249,6 +242,17 @@ class WallForm(QWidget):
         lines.append(f"a_RM {a / G:.3f} g = {a:.2f} m/s²")
         lines.append(f"R {block.radius:.3f} m, p {block.frequency_parameter:.3f} rad/s")
         self.summary.setText("\n".join(lines))
+
+    def _show_shape(self, shape: str, setback_follows: bool) -> None:
+        """The fields that give this shape."""
+        general = shape == "general"
+        self.height.setVisible(not general)
+        self.setback.setVisible(not general and not setback_follows)
+        self.thickness.setVisible(shape == "thickness_m")
+        self.slenderness.setVisible(general or shape == "slenderness_deg")
+        self.ratio.setVisible(shape == "height_over_thickness")
+        self.radius.setVisible(general)
+        self.inertia.setVisible(general)
 
     # changes
 

@@ -40,6 +40,10 @@ MAX_BYTES = 200_000_000
 LARGE_SCALE = 3.0
 """Scales of a record beyond this one are warned of."""
 
+OFFSET_SHARE, OFFSET_VELOCITY = 0.01, 0.5
+"""Mean over the peak [-] and velocity left at the end [m/s] beyond both of which samples have an offset; the
+corrected records tried have means below 1e-4 of the peak."""
+
 LARGEST_PGA = 20.0 * G
 """Above this peak [m/s2] a file is not what it is said to be."""
 
@@ -102,6 +106,10 @@ def _motion(content: bytes, path: Path, options: Options, scale: float, name: st
         warnings.append(notice("large_pga", pga=pga / G))
     elif 0.0 < pga < SMALL_PGA:
         warnings.append(notice("small_pga", pga=pga / G))
+    mean = float(motion.mean()) if motion.size else 0.0
+    left = abs(mean) * motion.size * time_step
+    if abs(mean) > OFFSET_SHARE * pga and left > OFFSET_VELOCITY:
+        warnings.append(notice("offset", mean=mean / G, velocity=left))
     if options.skip_lines and title != "plain text":
         raise RecordError(f"skip_lines is for plain text; this file is {title}: leave it out")
     if options.column and title != "plain text":
@@ -122,7 +130,8 @@ def _motion(content: bytes, path: Path, options: Options, scale: float, name: st
 def _agreed(key: str, stated, given, accepted: str):
     """What the file states or the user gives; an error if neither or if they contradict."""
     if stated is None and given is None:
-        raise RecordError(f"the file does not state it: give {key} ({accepted}) for this record")
+        what = "unit of acceleration" if key == "unit" else "time step"
+        raise RecordError(f"the file does not state its {what}: give {key} ({accepted})")
     if stated is None or given is None:
         return given if stated is None else stated
     same = stated == given if isinstance(stated, str) else abs(stated - given) <= 1e-6 * stated

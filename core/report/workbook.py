@@ -1,5 +1,7 @@
 """StudyResult -> workbook: the sheets in order."""
 
+from collections.abc import Callable
+
 from core.report import check_sheet, demand_sheets, plots, sheets, summary_sheet
 from core.report.cells import Book
 from core.results import CollapseHistories, StudyResult
@@ -8,26 +10,35 @@ HISTORY_WALLS = 20
 """Walls whose histories and charts are drawn; the rest are listed."""
 
 
-def content(result: StudyResult, histories: list[CollapseHistories]) -> bytes:
-    """The xlsx file of a study. histories : of the first HISTORY_WALLS walls with a collapse."""
-    return build(result, histories).content()
+def content(
+    result: StudyResult,
+    histories: list[CollapseHistories],
+    check: Callable[[], None] = lambda: None,
+) -> bytes:
+    """The xlsx file of a study. histories : of the first HISTORY_WALLS walls with a collapse; check : called
+    between the sheets, may raise."""
+    book = build(result, histories, check)
+    check()
+    return book.content()
 
 
-def build(result: StudyResult, histories: list[CollapseHistories]) -> Book:
+def build(
+    result: StudyResult,
+    histories: list[CollapseHistories],
+    check: Callable[[], None] = lambda: None,
+) -> Book:
     """The workbook before it is saved, and the values of its formulas."""
     book = Book(result.case.report.language)
     book.workbook.remove(book.workbook.active)
-    summary_sheet.summary(book, result)
-    if len(result.walls) > summary_sheet.SUMMARY_WALLS:
-        summary_sheet.overview(book, result)
-    sheets.inputs(book, result)
-    sheets.records(book, result)
-    sheets.results(book, result)
-    check_sheet.check(book, result)
-    demand_sheets.dynamic_check(book, result)
-    demand_sheets.spectral_compatibility(book, result)
-    plots.q_against_si(book, result)
-    plots.histories(book, result, histories)
-    plots.survival_map(book, result)
-    sheets.method(book, result)
+    sheets_in_order = (
+        summary_sheet.summary, summary_sheet.overview, sheets.inputs, sheets.records, sheets.results,
+        check_sheet.check, demand_sheets.dynamic_check, demand_sheets.spectral_compatibility,
+        plots.q_against_si, lambda book, result: plots.histories(book, result, histories),
+        plots.survival_map, sheets.method,
+    )  # fmt: skip
+    for sheet in sheets_in_order:
+        if sheet is summary_sheet.overview and len(result.walls) <= summary_sheet.SUMMARY_WALLS:
+            continue  # the Summary lists them all
+        check()
+        sheet(book, result)
     return book

@@ -1065,5 +1065,21 @@ Ribaltamento fuori piano di pareti in muratura (Coccia, Di Carlo, Imperatore 201
         <source>given, 0 to 1</source>
         <translation>dato, da 0 a 1</translation>
     </message>
+    <message>
+        <source>It is being written.</source>
+        <translation>È in corso la scrittura.</translation>
+    </message>
+    <message>
+        <source>{n} files were left out: they cannot be read as they are.</source>
+        <translation>{n} file sono stati lasciati fuori: così come sono non si leggono.</translation>
+    </message>
+    <message>
+        <source>Saved without what stands in the red field.</source>
+        <translation>Salvato senza quanto sta nel campo rosso.</translation>
+    </message>
+    <message>
+        <source>Another program has changed {path}. Overwrite it?</source>
+        <translation>Un altro programma ha cambiato {path}. Sovrascriverlo?</translation>
+    </message>
 </context>
 </TS>

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox
 
 from app import files
 from app.plots.chart import Chart
-from tests.app.driving import settle, type_into
+from tests.app.driving import run, settle, type_into
 
 
 def test_that_a_refused_number_stays_and_keeps_the_run_back(opened, application):
@@ -115,9 +115,172 @@ def test_that_undo_in_a_field_is_that_of_the_case_and_takes_refused_text_back_fi
     assert field.wrong
     QTest.keyClick(field.editor, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     application.processEvents()
-    assert not field.wrong and field.editor.text() == "70"
+    assert not field.wrong and field.editor.text() == "60"
     for _ in range(3):
         QTest.keyClick(field.editor, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert opened.session.case.wall[0].thickness_m == before
     QTest.keyClick(field.editor, Qt.Key.Key_Y, Qt.KeyboardModifier.ControlModifier)
     assert opened.session.case.wall[0].thickness_m != before
+
+
+def test_that_a_refused_choice_in_the_import_dialog_keeps_no_run_back(
+    opened, application, tmp_path, monkeypatch
+):
+    from app.forms.import_dialog import ImportDialog
+
+    def refused(dialog):
+        type_into(dialog.fields[1], "abc")
+        return dialog.DialogCode.Rejected
+
+    bare = tmp_path / "bare.txt"
+    bare.write_text("0.1 0.2")
+    monkeypatch.setattr(ImportDialog, "exec", refused)
+    opened.records.take([bare])
+    opened.refresh()
+    assert opened.run_action.isEnabled()
+
+
+def test_that_a_pause_ends_a_step_of_undo(opened, monkeypatch):
+    from app import session
+
+    notes = opened.walls.notes
+    type_into(notes, "first")
+    monkeypatch.setattr(session, "PAUSE", -1.0)
+    notes.editor.end(False)
+    QTest.keyClicks(notes.editor, "!")
+    opened.session.undo()
+    assert opened.session.case.wall[0].notes == "first"
+
+
+def test_that_a_wall_named_like_a_key_misleads_no_message(opened, application):
+    type_into(opened.walls.name, "notes")
+    type_into(opened.walls.setback, "45")
+    application.processEvents()
+    assert opened.walls.setback.message.text() and not opened.walls.notes.message.text()
+
+
+@pytest.mark.parametrize("text", ["9..5", "999", "2,,6", ""])
+def test_that_the_beginning_of_a_refused_number_does_not_stay_in_the_case(opened, text):
+    type_into(opened.walls.height, text) if text else None
+    if not text:
+        opened.walls.height.editor.setFocus()
+        opened.walls.height.editor.selectAll()
+        QTest.keyClick(opened.walls.height.editor, Qt.Key.Key_Delete)
+    assert opened.walls.height.wrong
+    assert opened.session.case.wall[0].height_m == 5.0
+
+
+def test_that_the_wheel_over_a_list_without_the_focus_changes_nothing(opened, application):
+    from PySide6.QtCore import QPoint, QPointF
+    from PySide6.QtGui import QWheelEvent
+
+    from app.forms.fields import Choice
+
+    opened.walls.height.editor.setFocus()
+    before = opened.session.case
+    lists = opened.findChildren(Choice)
+    assert len(lists) > 8
+    for choice in lists:
+        place = QPointF(5, 5)
+        turned = QWheelEvent(
+            place, QPointF(choice.mapToGlobal(place.toPoint())), QPoint(), QPoint(0, -120),
+            Qt.MouseButton.NoButton, Qt.KeyboardModifier.NoModifier, Qt.ScrollPhase.NoScrollPhase, False,
+        )  # fmt: skip
+        application.sendEvent(choice, turned)
+    assert opened.session.case == before
+
+
+def test_that_choosing_the_spectrum_again_or_the_demand_off_and_on_loses_nothing(opened):
+    form = opened.demand
+    opened.session.edit_section("demand", soil_factor=None)
+    form._kind_chosen(form.kind.findData("NTC2018"))
+    type_into(form.f0, "2.4")
+    opened.records.generate()
+    case = opened.session.case
+    form._kind_chosen(form.kind.findData("NTC2018"))
+    assert opened.session.case == case
+    form._kind_chosen(form.kind.findData("EN1998"))
+    form._kind_chosen(form.kind.findData("NTC2018"))
+    assert opened.session.case == case
+    form.given.setChecked(False)
+    assert opened.session.case.demand is None and opened.session.case.generate is None
+    form.given.setChecked(True)
+    assert opened.session.case == case
+
+
+@pytest.mark.parametrize(
+    "line", ['height_m = "7,0"', "name = 3", "law = {a = 1}", "notes = 2", "height_m = 1e9"]
+)
+def test_that_a_case_with_a_value_of_another_kind_leaves_what_is_open(
+    opened, tmp_path, monkeypatch, line
+):
+    said = []
+    monkeypatch.setattr(QMessageBox, "warning", lambda *a: said.append(a[-1]))
+    bad = tmp_path / "bad.toml"
+    bad.write_text(f"[[wall]]\n{line}\n")
+    before, path = opened.session.case, opened.session.path
+    assert not opened.files.open(bad)
+    assert said and line.split(" = ")[0] in said[0]
+    assert opened.session.case == before and opened.session.path == path
+
+
+@pytest.mark.parametrize("text", ["record = 5", "wall = 3", "[report]\nrevision = 2", "title = 5"])
+def test_that_a_case_of_another_shape_is_refused_in_words(opened, tmp_path, monkeypatch, text):
+    said = []
+    monkeypatch.setattr(QMessageBox, "warning", lambda *a: said.append(a[-1]))
+    bad = tmp_path / "bad.toml"
+    bad.write_text(text)
+    assert not opened.files.open(bad) and said
+
+
+def test_that_a_case_changed_by_another_program_is_not_overwritten_unasked(opened, monkeypatch):
+    path = opened.session.path
+    path.write_text(path.read_text() + "# a note\n")
+    opened.session.edit_section("analysis", q_step=0.03)
+    asked = []
+    monkeypatch.setattr(
+        QMessageBox, "question", lambda *a: asked.append(a[2]) or QMessageBox.StandardButton.No
+    )
+    assert not opened.files.save() and "another program" in asked[0].lower()
+    assert path.read_text().endswith("# a note\n")
+
+
+def test_that_a_file_beside_the_workbook_is_not_overwritten_unasked(
+    opened, application, tmp_path, monkeypatch
+):
+    run(application, opened)
+    own = tmp_path / "own.json"
+    own.write_text("mine")
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "own.xlsx"), ""))
+    monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.No)
+    opened.files.ask_export()
+    assert opened.job is None and own.read_text() == "mine"
+
+
+def test_that_a_run_reads_records_that_changed_on_disk(opened, application, tmp_path):
+    from dataclasses import replace
+
+    (entry,) = opened.session.case.record
+    mine = tmp_path / "mine.txt"
+    mine.write_bytes(Path(entry.file).read_bytes())
+    opened.session.edit(replace(opened.session.case, record=(replace(entry, file=mine.name),)))
+    settle(application, lambda: not opened.records.pending)
+    mine.write_text("0 0\n0.01 1\n0.02 -2\n0.03 0\n")
+    opened.session.edit_section("analysis", q_step=0.05)
+    opened.records.read_again()
+    settle(application, lambda: not opened.records.pending)
+    assert not opened.records.motions or opened.records.motions[0].acceleration.size == 4
+
+
+def test_that_the_newest_of_two_autosaves_comes_first_and_says_of_which_file(opened, tmp_path):
+    import json
+
+    folder = opened.session.swaps
+    folder.mkdir(exist_ok=True)
+    for number, age in ((999998, 50), (999999, 500)):
+        swap = folder / f"x-{number}.swap"
+        swap.write_text(json.dumps({"path": "/a/b.toml", "base_dir": "/a", "case": ""}))
+        os.utime(swap, (1.7e9 - age, 1.7e9 - age))
+    found = opened.session.recoverable()
+    assert [path.name for path in found] == ["x-999998.swap", "x-999999.swap"]
+    assert opened.session.told(found[0]).startswith("/a/b.toml 20")

@@ -4,6 +4,7 @@ import threading
 from dataclasses import replace
 
 import pytest
+from PySide6.QtWidgets import QMessageBox
 
 from tests.app.driving import run, settle
 
@@ -98,14 +99,14 @@ def test_that_kernels_of_a_method_chosen_later_are_made_ready_and_a_failure_is_s
             raise RuntimeError("no compiler")
 
     monkeypatch.setattr(study, "warm", warm)
-    opened.keep_warm()
-    settle(application, lambda: opened.warming is None)
+    opened.preparation.begin()
+    settle(application, lambda: opened.preparation.job is None)
     opened.session.edit_section("analysis", method="rk4")
-    settle(application, lambda: opened.warming is None)
+    settle(application, lambda: opened.preparation.job is None)
     assert asked == ["auto", "rk4"]
     assert "no compiler" in opened.word.text()
     opened.session.edit_section("analysis", q_step=0.03)
-    assert opened.warming is None
+    assert opened.preparation.job is None
 
 
 def test_that_another_case_opens_with_its_first_wall(opened, application):
@@ -113,3 +114,122 @@ def test_that_another_case_opens_with_its_first_wall(opened, application):
     assert opened.walls.current == 1
     opened.files.open(opened.session.path)
     assert opened.walls.current == 0
+
+
+def test_that_a_window_closed_while_files_are_written_goes_when_they_are_there(
+    opened, application, tmp_path, monkeypatch
+):
+    from core.report import atomic
+
+    run(application, opened)
+    reached, goes_on = threading.Event(), threading.Event()
+    real = atomic.write
+
+    def slow(files):
+        reached.set()
+        goes_on.wait(60)
+        real(files)
+
+    monkeypatch.setattr(atomic, "write", slow)
+    opened.files.export(tmp_path / "small.xlsx")
+    assert reached.wait(60)
+    assert not opened.close() and opened.isVisible()
+    goes_on.set()
+    settle(application, lambda: not opened.isVisible())
+    assert (tmp_path / "small.xlsx").exists()
+
+
+def test_that_a_failed_export_keeps_a_closing_window_open_to_say_so(
+    opened, application, tmp_path, monkeypatch
+):
+    from core.errors import OutputError
+    from core.report import atomic
+
+    said = []
+    run(application, opened)
+    reached, goes_on = threading.Event(), threading.Event()
+
+    def full(files):
+        reached.set()
+        goes_on.wait(60)
+        raise OutputError("the disk is full")
+
+    monkeypatch.setattr(atomic, "write", full)
+    monkeypatch.setattr(QMessageBox, "warning", lambda *a: said.append(a[-1]))
+    opened.files.export(tmp_path / "small.xlsx")
+    assert reached.wait(60)
+    opened.close()
+    goes_on.set()
+    settle(application, lambda: opened.job is None)
+    assert said == ["the disk is full"] and opened.isVisible()
+
+
+def test_that_a_finished_job_is_kept_by_nobody(opened, application):
+    import gc
+    import weakref
+
+    from app.worker import RUNNING
+
+    class Result:
+        pass
+
+    held = []
+    opened.start(lambda job: Result(), lambda result: held.append(weakref.ref(result)))
+    settle(application, lambda: opened.job is None and not RUNNING)
+    gc.collect()
+    assert held[0]() is None
+
+
+def test_that_the_accuracy_statement_survives_a_save(opened, application, monkeypatch):
+    from core import study
+
+    run(application, opened)
+    reached, goes_on = threading.Event(), threading.Event()
+    real = study.accuracy_of
+
+    def slow(*arguments):
+        reached.set()
+        goes_on.wait(60)
+        return real(*arguments)
+
+    monkeypatch.setattr(study, "accuracy_of", slow)
+    opened.state_accuracy()
+    assert reached.wait(60)
+    opened.files.save()
+    goes_on.set()
+    settle(application, lambda: opened.job is None)
+    assert opened.session.result.walls[0].accuracy is not None
+
+
+def test_that_results_saved_after_the_run_name_the_file(opened, application, tmp_path):
+    import hashlib
+
+    opened.session.edit(replace(opened.session.case, title="another"))
+    run(application, opened)
+    path = tmp_path / "elsewhere" / "saved.toml"
+    path.parent.mkdir()
+    opened.session.save(path)
+    digest = hashlib.sha256(path.read_bytes()).hexdigest()
+    assert not opened.session.stale
+    assert opened.session.result.case.sha256 == digest
+    opened.session.edit(replace(opened.session.case, title="not saved"))
+    opened.session.save()
+    assert opened.session.stale and opened.session.result.case.sha256 == digest
+
+
+def test_that_the_memory_of_runs_is_bounded_and_takes_many_threads():
+    from core.journal import Memory
+
+    memory = Memory(most=1000)
+
+    def add(first: int) -> None:
+        for k in range(2000):
+            memory.add(f"{first} {k}", {"analyses": 1, "outcomes": "0" * 30})
+
+    threads = [threading.Thread(target=add, args=(k,)) for k in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert memory.analyses == 8000
+    assert memory.size == 30 * len(memory.found) <= 1000

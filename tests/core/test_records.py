@@ -316,3 +316,16 @@ def test_that_suspicious_peaks_are_warned_of(write):
     assert any("above 2 g" in warning.text() for warning in large.warnings)
     small = records.read(write(two(shape="{:.5f}")), Options(unit="mm/s2"))
     assert any("below 0.001 g" in warning.text() for warning in small.warnings)
+
+
+def test_that_an_offset_of_the_baseline_is_warned_of(tmp_path):
+    rng = np.random.default_rng(4)
+    samples = rng.normal(size=3000)
+    samples -= samples.mean()
+    for offset, codes in ((0.0, []), (0.1, ["offset"])):
+        path = tmp_path / f"{offset}.txt"
+        path.write_text(
+            "\n".join(f"{0.01 * k:.2f} {u + offset:.6f}" for k, u in enumerate(samples))
+        )
+        motion = records.read(path, Options("m/s2"))
+        assert [warning.code for warning in motion.warnings] == codes

@@ -1,12 +1,16 @@
 """Spectra of the codes at every branch, against values worked out by hand."""
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from core import target_spectrum as ts
+from core.case import Case, Demand
+from core.demand import demand_of, target_of, with_records
 from core.errors import InputError
+from core.ground_motion import GroundMotion
 from core.units import G
 
 A_G = 0.25 * G
@@ -110,3 +114,20 @@ def test_that_a_spectrum_of_a_file_gives_its_points_and_its_ends():
 def test_that_a_wrong_file_of_a_spectrum_is_refused(rows, words):
     with pytest.raises(InputError, match=words):
         ts.given("f", 3.0, 1.0, rows)
+
+
+@pytest.mark.parametrize(
+    "head", ["T[ms] Se[g]", "T (s); Se (m/s2)", "period [s] Se [cm/s2]", "f [Hz] Se"]
+)
+def test_that_a_spectrum_file_headed_by_other_units_is_refused(tmp_path, head):
+    (tmp_path / "s.txt").write_text(f"{head}\n0 0.2\n0.5 0.5\n2 0.1\n4 0.05\n")
+    with pytest.raises(InputError, match="the head names"):
+        target_of(Demand(0.2, spectrum_file="s.txt"), tmp_path)
+
+
+def test_that_records_far_below_the_demand_are_warned_of():
+    one = GroundMotion("a", np.sin(np.arange(500) * 0.3), 0.01, "a")
+    for ag, codes in ((0.1, []), (1.0, ["weaker_records"])):
+        case = Case(demand=Demand(ag, soil_factor=1.0))
+        asked = with_records(demand_of(case, Path()), [one])
+        assert [warning.code for warning in asked.warnings] == codes

@@ -1,0 +1,51 @@
+"""Kernels compiled or loaded in the background, as soon as a case needs them."""
+
+from app.language import tr
+from app.worker import Job
+
+
+class Preparation:
+    """Makes the kernels of the case's method ready, once for each method, while the window has no job."""
+
+    def __init__(self, window):
+        self.window = window
+        self.begun = False
+        self.methods: set[str] = set()
+        self.job: Job | None = None
+
+    def begin(self) -> None:
+        """From now on; before it the window is still being made."""
+        self.begun = True
+        self.go_on()
+
+    def go_on(self) -> None:
+        """Prepare what the case at hand needs, if it is not prepared and nothing else runs."""
+        window = self.window
+        if not self.begun or self.job or window.job or not window.records.motions:
+            return
+        case = window.session.checked()
+        if case is None or case.analysis.method in self.methods:
+            return
+        motion = window.records.motions[0]
+        self.methods.add(case.analysis.method)
+        preparing = tr("Preparing the solver…")
+        if window.word.text() in ("", tr("Ready.")):
+            window.word.setText(preparing)
+
+        def work(job):
+            from core import study
+            from core.kernel_cache import FOLDER, record
+
+            study.warm(case, motion)
+            record(FOLDER)
+
+        def ended() -> None:
+            self.job = None
+            if window.word.text() == preparing:
+                window.word.setText(tr("Ready."))
+            self.go_on()
+
+        self.job = Job(work)
+        self.job.failed.connect(lambda sentence, log: window.word.setText(f"{sentence} {log}"))
+        self.job.finished.connect(ended)
+        self.job.start()
