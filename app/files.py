@@ -104,6 +104,7 @@ class Files:
         return QMessageBox.question(self.window, title, question) == button.Yes
 
     def ask_export(self) -> None:
+        """Workbook and JSON to a place the user names; the JSON of another program is not taken unasked."""
         if self.export_refused():
             return
         stem = self.session.path.stem if self.session.path else "ribalta"
