@@ -31,6 +31,15 @@ from core.errors import InputError
 from core.units import CM, G
 
 
+def state_of(name: str) -> tuple | None:
+    """What tells whether a file is still the same; None where it is gone."""
+    try:
+        state = Path(name).stat()
+    except OSError:
+        return None
+    return state.st_mtime_ns, state.st_size
+
+
 class RecordsPanel(QWidget):
     """Table of the records. loaded() : the motions of the case are there; `motions` holds them."""
 
@@ -41,6 +50,7 @@ class RecordsPanel(QWidget):
         self.session = session
         self.setAcceptDrops(True)
         self.motions: list = []
+        self.states: dict[str, tuple | None] = {}
         self.left_out = ""
         self.rows: list[tuple[int | None, object]] = []
         self.key: object = None
@@ -79,9 +89,10 @@ class RecordsPanel(QWidget):
     # loading, off this thread
 
     def read_again(self) -> None:
-        """Read all files again: another program may have changed them."""
-        self.key = None
-        self.show_case()
+        """Read the files again if another program has changed one since."""
+        if any(state_of(name) != state for name, state in self.states.items()):
+            self.key = None
+            self.show_case()
 
     def show_case(self) -> None:
         """Read what changed among the records; the table follows when they are there."""
@@ -110,7 +121,8 @@ class RecordsPanel(QWidget):
             for _, motion in found:
                 if not isinstance(motion, str):
                     motion.measure()
-            return key, found
+            files = {m.file for _, m in found if not isinstance(m, str) and m.format != "generated"}
+            return key, found, {name: state_of(name) for name in files}
 
         job = Job(work)
         job.done.connect(self._arrived)
@@ -121,9 +133,10 @@ class RecordsPanel(QWidget):
         self.words.setText(f"{sentence} {log}")
 
     def _arrived(self, answer) -> None:
-        key, found = answer
+        key, found, states = answer
         if key != self.key:
             return
+        self.states = states
         self.rows, self.pending = found, False
         case = self.session.case
         self.motions = [

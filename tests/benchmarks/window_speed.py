@@ -40,6 +40,7 @@ def main() -> None:
 
     QStandardPaths.setTestModeEnabled(True)
     from app import start as program
+    from core.journal import Memory
     from tests.benchmarks.screenshots import settle
 
     application, window = program.make([])
@@ -60,6 +61,7 @@ def main() -> None:
         last[0] = time.perf_counter()
         timer.start(5)
         window.session.result = None
+        window.finished_runs = Memory()
         window.run()
         settle(application, lambda: window.job is None)
         timer.stop()
@@ -77,6 +79,7 @@ def main() -> None:
     print(
         f"dragged multiplier: {draws / (time.perf_counter() - start):.0f} histories integrated and drawn per second"
     )
+    window.finished_runs = Memory()
     window.run()
     settle(application, lambda: window.bar.maximum() > 0, 20.0)
     start = time.perf_counter()
