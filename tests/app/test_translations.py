@@ -95,3 +95,10 @@ def test_that_a_sentence_is_said_with_what_it_names_in_it():
     italian = said(sentence, "it")
     assert "non è ammesso: da 0.1 a 60 m" in italian and "none" in italian
     assert said("words of no check", "it") == "words of no check"
+
+
+def test_that_the_place_before_what_is_missing_is_italian_too():
+    rule = "mechanism is missing: it is required (one of one_sided, two_sided, both)"
+    end = "manca mechanism: è richiesto (uno fra one_sided, two_sided, both)"
+    assert said(f'wall "A1": {rule}', "it") == f'parete "A1": {end}'
+    assert said(f'row 3: wall "A1": {rule}', "it") == f'riga 3: parete "A1": {end}'
