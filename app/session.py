@@ -222,12 +222,10 @@ class Session:
         """A result of the folder `old` as one of the case's folder now, and of its file."""
         case, known = self._moved(result.case, old, self.base_dir), self.checked()
         motions = tuple(
-            motion if motion.format == "generated" else replace(motion, file=name)
-            for motion, name in zip(
-                result.motions,
-                (self._seen(motion.file, old, self.base_dir) for motion in result.motions),
-                strict=True,
-            )
+            motion
+            if motion.format == "generated"
+            else replace(motion, file=self._seen(motion.file, old, self.base_dir))
+            for motion in result.motions
         )
         return replace(result, case=known if known == case else case, motions=motions)
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 from PySide6.QtWidgets import QMessageBox
 
-from tests.app.driving import run, settle
+from tests.app.driving import Held, run, settle
 
 
 def test_that_a_job_that_cannot_stop_is_left_at_once_and_nothing_of_it_arrives(opened, application):
@@ -44,20 +44,12 @@ def test_that_an_export_cancelled_before_it_writes_leaves_no_file(
     from core.report import workbook
 
     run(application, opened)
-    reached, goes_on = threading.Event(), threading.Event()
-    real = workbook.content
-
-    def slow(*arguments):
-        reached.set()
-        goes_on.wait(60)
-        return real(*arguments)
-
-    monkeypatch.setattr(workbook, "content", slow)
+    held = Held(monkeypatch, workbook, "content")
     (tmp_path / "out").mkdir()
     opened.files.export(tmp_path / "out" / "small.xlsx")
-    assert reached.wait(60)
+    held.await_call()
     opened.cancel()
-    goes_on.set()
+    held.let_go()
     settle(application, lambda: not RUNNING)
     assert list((tmp_path / "out").iterdir()) == []
 
@@ -68,20 +60,12 @@ def test_that_an_export_that_writes_is_not_said_to_be_cancelled(
     from core.report import atomic
 
     run(application, opened)
-    reached, goes_on = threading.Event(), threading.Event()
-    real = atomic.write
-
-    def slow(files):
-        reached.set()
-        goes_on.wait(60)
-        real(files)
-
-    monkeypatch.setattr(atomic, "write", slow)
+    held = Held(monkeypatch, atomic, "write")
     opened.files.export(tmp_path / "small.xlsx")
-    assert reached.wait(60)
+    held.await_call()
     opened.cancel()
     assert opened.job is not None
-    goes_on.set()
+    held.let_go()
     settle(application, lambda: opened.job is None)
     assert (tmp_path / "small.xlsx").exists() and (tmp_path / "small.json").exists()
 
@@ -122,19 +106,11 @@ def test_that_a_window_closed_while_files_are_written_goes_when_they_are_there(
     from core.report import atomic
 
     run(application, opened)
-    reached, goes_on = threading.Event(), threading.Event()
-    real = atomic.write
-
-    def slow(files):
-        reached.set()
-        goes_on.wait(60)
-        real(files)
-
-    monkeypatch.setattr(atomic, "write", slow)
+    held = Held(monkeypatch, atomic, "write")
     opened.files.export(tmp_path / "small.xlsx")
-    assert reached.wait(60)
+    held.await_call()
     assert not opened.close() and opened.isVisible()
-    goes_on.set()
+    held.let_go()
     settle(application, lambda: not opened.isVisible())
     assert (tmp_path / "small.xlsx").exists()
 
@@ -147,19 +123,16 @@ def test_that_a_failed_export_keeps_a_closing_window_open_to_say_so(
 
     said = []
     run(application, opened)
-    reached, goes_on = threading.Event(), threading.Event()
 
     def full(files):
-        reached.set()
-        goes_on.wait(60)
         raise OutputError("the disk is full")
 
-    monkeypatch.setattr(atomic, "write", full)
+    held = Held(monkeypatch, atomic, "write", full)
     monkeypatch.setattr(QMessageBox, "warning", lambda *a: said.append(a[-1]))
     opened.files.export(tmp_path / "small.xlsx")
-    assert reached.wait(60)
+    held.await_call()
     opened.close()
-    goes_on.set()
+    held.let_go()
     settle(application, lambda: opened.job is None)
     assert said == ["the disk is full"] and opened.isVisible()
 
@@ -184,19 +157,11 @@ def test_that_the_accuracy_statement_survives_a_save(opened, application, monkey
     from core import study
 
     run(application, opened)
-    reached, goes_on = threading.Event(), threading.Event()
-    real = study.accuracy_of
-
-    def slow(*arguments):
-        reached.set()
-        goes_on.wait(60)
-        return real(*arguments)
-
-    monkeypatch.setattr(study, "accuracy_of", slow)
+    held = Held(monkeypatch, study, "accuracy_of")
     opened.state_accuracy()
-    assert reached.wait(60)
+    held.await_call()
     opened.files.save()
-    goes_on.set()
+    held.let_go()
     settle(application, lambda: opened.job is None)
     assert opened.session.result.walls[0].accuracy is not None
 
