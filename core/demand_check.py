@@ -15,9 +15,9 @@ from core.compliance import station_of
 from core.demand import DemandResult
 from core.errors import Cancelled
 from core.ground_motion import GroundMotion
-from core.ida import BRACKET, TRILINEAR_FLOOR, bisections, threshold_of
+from core.ida import BRACKET, CHUNK, TRILINEAR_FLOOR, bisections, threshold_of
 from core.kinematic import LIMIT_FRACTION, Check
-from core.rocking import COLLAPSED, IMPACT_LIMIT, Method, RockingModel, look_ahead, scan
+from core.rocking import COLLAPSED, IMPACT_LIMIT, Grounds, Method, RockingModel, scan_records
 
 MEAN_FROM = 7
 SPREAD = 0.02
@@ -82,8 +82,14 @@ class _Set:
     def __init__(self, model, motions, polarities, demand, method, cancelled):
         self.model, self.method, self.cancelled = model, method, cancelled
         self.pairs = [(motion, sign) for motion in motions for sign in polarities]
-        self.ahead = {id(m): look_ahead(m.acceleration, m.time_step) for m in motions}
         self.signs = len(polarities)
+        # records of one time step run together
+        self.groups = []
+        for dt in sorted({motion.time_step for motion in motions}):
+            records = [k for k, motion in enumerate(motions) if motion.time_step == dt]
+            grounds = Grounds.of([motions[k].acceleration for k in records], dt)
+            rows = [k * self.signs + j for k in records for j in range(self.signs)]
+            self.groups.append((grounds, np.array(rows), np.arange(len(rows)) // self.signs))
         self.factors = [
             demand.confidence_factor * demand.scaling(motion) for motion, _ in self.pairs
         ]
@@ -95,11 +101,21 @@ class _Set:
         """Outcomes and peaks over alpha, shape (runs, multipliers)."""
         shape = (len(self.pairs), multipliers.size)
         outcomes, peaks = np.empty(shape, np.int64), np.empty(shape)
-        for k, ((motion, sign), factor) in enumerate(zip(self.pairs, self.factors, strict=True)):
-            if self.cancelled():
-                raise Cancelled
-            scan(self.method, motion.acceleration, motion.time_step, sign * factor * multipliers,
-                 self.model, outcomes[k], peaks[k], self.ahead[id(motion)])  # fmt: skip
+        signed = np.array([sign * f for (_, sign), f in zip(self.pairs, self.factors, strict=True)])
+        for grounds, rows, record in self.groups:
+            scales = np.outer(signed[rows], multipliers).ravel()
+            which = np.repeat(record, multipliers.size)
+            found, reached = np.empty(scales.size, np.int64), np.empty(scales.size)
+            for start in range(0, scales.size, CHUNK):
+                if self.cancelled():
+                    raise Cancelled
+                part = slice(start, start + CHUNK)
+                scan_records(self.method, grounds, which[part], scales[part], self.model,
+                             found[part], reached[part])  # fmt: skip
+            outcomes[rows], peaks[rows] = (
+                found.reshape(len(rows), -1),
+                reached.reshape(len(rows), -1),
+            )
         return outcomes, peaks / self.model.slenderness
 
     def governing(self, peaks: np.ndarray) -> np.ndarray:

@@ -11,8 +11,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.errors import Cancelled
-from core.rocking import COLLAPSED, IMPACT_LIMIT, STABLE, Method, RockingModel, look_ahead, scan
-from core.rocking.lanes import WIDTH
+from core.rocking import (
+    COLLAPSED,
+    IMPACT_LIMIT,
+    STABLE,
+    Grounds,
+    Method,
+    RockingModel,
+    scan_records,
+)
 from core.units import G
 
 BRACKET = 1e-4
@@ -27,10 +34,11 @@ ROBUST_SHARE = 0.16
 
 TRILINEAR_START = 0.5
 TRILINEAR_FLOOR = 0.05
-CHUNK = WIDTH
+CHUNK = 128
+"""Analyses between two looks at whether the search is cancelled."""
 
 HALVINGS = 3
-"""Bisections made at once: all midpoints they may ask for run in lockstep."""
+"""Bisections made at once: all midpoints they may ask for run side by side."""
 
 
 @dataclass(frozen=True)
@@ -80,8 +88,7 @@ class _Map:
     """Outcomes and peaks on the grid, grown at both ends, and single analyses between its points."""
 
     def __init__(self, ground, dt, pga, sign, model, method, search, cancelled):
-        self.ground, self.dt, self.model, self.method = ground, dt, model, method
-        self.ahead = look_ahead(ground, dt)
+        self.grounds, self.model, self.method = Grounds.of([ground], dt), model, method
         self.search, self.cancelled = search, cancelled
         self.rigid = model.plateau_end == 0.0
         self.q_start = 1.0 if self.rigid else TRILINEAR_START
@@ -116,8 +123,9 @@ class _Map:
         moves = q_values > 1.0 if self.rigid else np.full(q_values.size, True)
         found, reached = np.empty(int(moves.sum()), np.int64), np.empty(int(moves.sum()))
         scales = self.to_scale * q_values[moves]
-        clamped[moves] = scan(
-            self.method, self.ground, self.dt, scales, self.model, found, reached, self.ahead
+        which = np.zeros(scales.size, np.int64)
+        clamped[moves] = scan_records(
+            self.method, self.grounds, which, scales, self.model, found, reached
         )
         self.analyses += scales.size
         outcomes[moves], peaks[moves] = found, reached

@@ -9,12 +9,14 @@ from core.kernel_cache import FOLDER, STAMP, Kernel, widest_vectors
 
 def compiled(function, inlined: bool, doors: bool):
     """numba's dispatcher of a kernel's function: compiled once per machine; no lock held while it runs; never
-    fastmath, never parallel. An option not set here would be inherited from the kernel whose compilation
-    asks for this one."""
+    fastmath, never parallel. Kernels allocate nothing (_nrt), so that no array handed on is counted: that took
+    a fifth of a pass. An option not set here would be inherited from the kernel whose compilation asks
+    for this one."""
     return njit(
         cache=True,
         nogil=True,
         error_model="numpy",
+        _nrt=False,
         forceinline=inlined,
         no_cpython_wrapper=not doors,
         no_cfunc_wrapper=not doors,

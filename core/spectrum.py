@@ -68,13 +68,17 @@ def free_peak(u, v, w, wd, damping):
 
 
 @kernel
+def _fill_spectrum(ground, dt, periods, damping, looks, spectrum):
+    for k in range(periods.size):
+        parts = max(1, math.ceil(looks * dt / periods[k]))
+        spectrum[k] = peak_displacement(ground, dt, periods[k], damping, parts)
+
+
 def displacement_spectrum(ground, dt, periods, damping, looks):
     """Relative displacement spectrum [m], shape of periods [s]; looks : least number of times a period the
     response is looked at, 0 for the samples alone; the rest as `peak_displacement`."""
     spectrum = np.empty(periods.size)
-    for k in range(periods.size):
-        parts = max(1, math.ceil(looks * dt / periods[k]))
-        spectrum[k] = peak_displacement(ground, dt, periods[k], damping, parts)
+    _fill_spectrum(ground, dt, periods, damping, looks, spectrum)
     return spectrum
 
 

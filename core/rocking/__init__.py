@@ -6,10 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.kernel_cache import kernel
-from core.rocking import dormand_prince, lanes, newmark_paper, stepped, taylor
-from core.rocking.events import look_ahead
+from core.rocking import dormand_prince, newmark_paper, passes, stepped, taylor
 from core.rocking.model import RockingModel, rocking_model
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
+from core.rocking.passes import Grounds
 
 __all__ = [
     "AUTO",
@@ -17,14 +17,15 @@ __all__ = [
     "IMPACT_LIMIT",
     "METHODS",
     "STABLE",
+    "Grounds",
     "History",
     "Method",
     "RockingModel",
     "concrete",
     "history",
-    "look_ahead",
     "rocking_model",
     "scan",
+    "scan_records",
 ]
 
 TAYLOR = 0
@@ -48,7 +49,10 @@ class Method:
 
     @property
     def table(self) -> np.ndarray:
-        return dormand_prince.tableau() if self.code == stepped.DORMAND_PRINCE else NO_TABLE
+        """Tableau of dormand_prince and room for its 2 x 12 stages."""
+        if self.code != stepped.DORMAND_PRINCE:
+            return NO_TABLE
+        return np.append(dormand_prince.tableau(), np.zeros(2 * dormand_prince.STAGES))
 
 
 METHODS = {
@@ -111,31 +115,41 @@ def compared(
 
 
 @kernel
-def scan_compared(code, option, ground, dt, scales, model, outcomes, peaks, table):
-    """`scan` by the other methods."""
-    none = np.empty(0)
-    clamped = np.zeros(scales.size, np.int64)
+def scan_compared(code, option, ground, dt, scales, model, outcomes, peaks, clamped, none, table):
+    """`scan` by the other methods. none : of no element."""
     for j in range(scales.size):
         outcomes[j], peaks[j], _, clamped[j], _ = compared(
             code, ground, dt, scales[j], model, option, (0.0, 0.0), none, none, none, none, table
         )
-    return clamped
 
 
-def scan(method: Method, ground, dt, scales, model, outcomes, peaks, ahead=None) -> np.ndarray:
+def scan(method: Method, ground, dt, scales, model, outcomes, peaks) -> np.ndarray:
     """Analyses of one record at many multipliers; returns the clamped velocity ratios of each, shape (m,).
 
     ground : [m/s2], shape (n,); scales : multipliers [-], shape (m,), negative reverses the record;
-    outcomes : results, codes of outcome.py, int64, shape (m,); peaks : results [rad], shape (m,);
-    ahead : `look_ahead(ground, dt)`, made here if it is not at hand.
+    outcomes : results, codes of outcome.py, int64, shape (m,); peaks : results [rad], shape (m,).
     """
-    method = concrete(method, model, dt)
+    which = np.zeros(scales.size, np.int64)
+    return scan_records(method, Grounds.of([ground], dt), which, scales, model, outcomes, peaks)
+
+
+def scan_records(
+    method: Method, grounds: Grounds, which, scales, model, outcomes, peaks
+) -> np.ndarray:
+    """`scan` of several records of one time step. which : record of each multiplier, int64, shape (m,)."""
+    method = concrete(method, model, grounds.dt)
     if method.code == TAYLOR:
-        ahead = look_ahead(ground, dt) if ahead is None else ahead
-        return lanes.scan(method.order, ground, dt, scales, model, outcomes, peaks, ahead)
-    return scan_compared(
-        method.code, method.option, ground, dt, scales, model, outcomes, peaks, method.table
-    )
+        return passes.scan(method.order, grounds, which, scales, model, outcomes, peaks)
+    clamped = np.zeros(scales.size, np.int64)
+    for k, (first, last) in enumerate(zip(grounds.first, grounds.last, strict=True)):
+        here = np.nonzero(which == k)[0]
+        found, reached, clamps = outcomes[here], peaks[here], clamped[here]
+        scan_compared(
+            method.code, method.option, grounds.ground[first : last + 1], grounds.dt, scales[here],
+            model, found, reached, clamps, NO_TABLE, method.table,
+        )  # fmt: skip
+        outcomes[here], peaks[here], clamped[here] = found, reached, clamps
+    return clamped
 
 
 @dataclass(frozen=True)

@@ -132,10 +132,6 @@ def end_of_record(phi, speed, peak, model):
     return STABLE, peak
 
 
-UNKNOWN = (math.inf, 0.0, 0.0)
-"""In the place of what `ahead_of` gives, where every bounce is followed."""
-
-
 def look_ahead(ground: np.ndarray, dt: float) -> np.ndarray:
     """What is to come from each sample on, shape (4, n): highest and lowest ground acceleration and largest
     change from sample to sample over QUIET samples [m/s2], a bound of the integral of |u''| to the end [m/s].
@@ -156,41 +152,34 @@ def look_ahead(ground: np.ndarray, dt: float) -> np.ndarray:
 
 
 @inner_kernel
-def ahead_of(ahead, i, scale):
-    """(highest, lowest, largest change) of the scaled ground over the window of sample i [m/s2]; ahead : of
-    `look_ahead`."""
-    highest = scale * ahead[0, i]
-    lowest = scale * ahead[1, i]
-    return max(highest, lowest), min(highest, lowest), abs(scale) * ahead[2, i]
-
-
-@subkernel
-def dies_down(speed, ahead, dt, time, impacts, peak, model, constants):
+def dies_down(speed, scale, ahead, i, dt, time, impacts, peak, model, constants):
     """Whether bounces of less and less height bring the block to rest within this time, rigid law.
 
     Rigorous, so that the bounces need not be followed: over the window the pull back exceeds 0.9 of that
     under the strongest ground, each flight lasts at most twice its speed over the pull, lands with the
     energy it left with plus what the change of the ground adds, and leaves by the velocity ratio (Eq. 1, 3),
     which must not depend on the speed. Beyond the record the ground is still, as `end_of_record` has it.
-    speed : just after an impact [rad/s]; ahead : of `ahead_of`; time : to the end of the window [s];
-    impacts : in this sample; constants : of `taylor.upright`.
+    speed : just after an impact [rad/s]; scale : multiplier [-]; ahead, i : of `look_ahead`, the sample;
+    time : to the end of the window [s]; impacts : in this sample; constants : of `taylor.upright`.
     """
     threshold, _, _, cosine_upright = constants
-    highest, lowest, steepest = ahead
+    highest = max(scale * ahead[0, i], scale * ahead[1, i])
+    lowest = min(scale * ahead[0, i], scale * ahead[1, i])
     strongest = max(highest, -lowest)
     free = cosine_upright * (threshold - (highest if model.one_sided != 0.0 else strongest)) / G
     if not free > 0.0 or model.ratio_drop != 0.0:
         return False
     pull = 0.9 * model.p2 * free
-    height = 0.5 * speed * speed / pull
-    flight = 2.0 * speed / pull
-    gain = 0.5 * model.p2 * steepest / (G * dt) * flight / pull
-    loss = 1.0 - model.ratio_at_rest * (1.0 + gain)
+    per_pull = 1.0 / pull
+    height = 0.5 * speed * speed * per_pull
+    flight = 2.0 * speed * per_pull
+    gain = 0.5 * model.p2 * abs(scale) * ahead[2, i] * (1.0 / G) * (flight * per_pull)
+    loss = dt - model.ratio_at_rest * (dt + gain)
     return (
-        height * (1.0 + strongest / G) <= 0.1 * free
+        height * (1.0 + strongest * (1.0 / G)) <= 0.1 * free
         and height <= peak
-        and flight <= 0.999 * loss * time
-        and loss * (IMPACTS_PER_SAMPLE - impacts) >= MOST_BOUNCES
+        and flight * dt <= 0.999 * loss * time
+        and loss * (IMPACTS_PER_SAMPLE - impacts) >= MOST_BOUNCES * dt
     )
 
 

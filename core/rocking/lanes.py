@@ -1,15 +1,13 @@
-"""Many multipliers of one record in lockstep: the plain step of the Taylor series on all lanes at once.
+"""The lanes of one pass: their state, and what all of them do at once.
 
-A loop without branches over contiguous lanes, which the compiler turns into vector instructions. A lane
-whose step is not plain (near uplift, impact, a kink or a new peak, a series not converged) goes through
-the sample by `taylor.through_sample` instead, so that results equal those of single analyses bit for bit.
-Samples in which every lane rests are skipped; lanes that have collapsed or settled leave.
+Two loops without branches over contiguous lanes, which the compiler turns into vector instructions: the
+step of the Taylor series to the end of each lane's sample, and the landing of the lanes that fall in it.
+A lane whose step is not that plain (a kink, a new peak, a series not converged, an outward pull while it
+falls) takes it by `taylor.through_sample`, so that results equal those of single analyses bit for bit.
 """
 
-import numpy as np
-
-from core.kernel_cache import kernel, subkernel, widest_vectors
-from core.moment_rotation import moment_branch, zone_of
+from core.kernel_cache import inner_kernel, subkernel, widest_vectors
+from core.moment_rotation import moment_branch
 from core.rocking.bounds import (
     SERIES_TOLERANCE,
     STIFFEST,
@@ -17,46 +15,57 @@ from core.rocking.bounds import (
     neglected,
     turning_margin,
 )
-from core.rocking.events import (
-    LOOK_EVERY,
-    LOST_EVERY,
-    ahead_of,
-    settled,
-)
-from core.rocking.outcome import COLLAPSED, STABLE
-from core.rocking.polynomial import change, increment
+from core.rocking.polynomial import change, increment, landing, shape
 from core.rocking.taylor import (
     PER_G,
     SHORT,
-    at_end,
-    lost,
+    may_top,
     series,
     sine_and_cosine_short,
     through_sample,
-    upright,
 )
 
 WIDTH = 64
-"""Lanes of one pass. Their state is one array of rows this long: the compiler then sees that the rows do
-not overlap, which it needs to use vector instructions."""
+"""Lanes of one pass. Their state is one array of rows: the compiler then sees that the rows do not overlap,
+which it needs to use vector instructions."""
+
+ROW = WIDTH + 8
+"""Length of a row: of 64, each eighth row would take the same place in the processor's tables."""
 
 (
     SCALE,
     STRONGEST,
+    FIRST,
+    SECOND,
     SIDE,
-    PHI,
-    SPEED,
     MOVING,
-    PEAK,
+    IMPACTS,
     ZONE,
     LOW,
     HIGH,
     FACTOR,
     SLOPE,
     CONSTANT,
-    EVENT,
-) = (WIDTH * row for row in range(14))
-ROWS = 14
+    NEXT,
+    PHI,
+    SPEED,
+    TIME,
+    PER_STEP,
+    PEAK,
+    SERIES,
+) = (ROW * row for row in range(20))
+"""FIRST, SECOND : scaled ground acceleration at the ends of the sample; TIME : where in it the lane is, 0 to
+1; PER_STEP : one over the time to its end [1/s]; IMPACTS : in this sample; NEXT : below; SERIES : v0 to v8."""
+LANE_ROWS = 19
+FALL_ROWS = 14
+"""From PHI to v8: what lanes that fall are copied with to where they lie side by side, from FALL on."""
+FALL = ROW * 28
+PLAIN = FALL + ROW * FALL_ROWS
+"""Whether such a fall is that plain."""
+ROWS = 28 + FALL_ROWS + 1
+
+STEPPED, BEYOND, FALLS, ALONE = 0.0, 1.0, 2.0, 3.0
+"""NEXT of a lane: through its sample; so and beyond alpha; to land in it; to be taken through it alone."""
 
 VECTOR = 8
 """Lanes are stepped in multiples of this, so that no remainder is left to single steps; those beyond the
@@ -64,28 +73,30 @@ last lane hold old states and are not looked at."""
 
 
 @subkernel
-def plain_steps(lanes, ground0, ground1, dt, model, constants, lowest, order, state):
-    """One full-sample step of each lane for which that is all there is to it, or rest; the others stay
-    as they are, and their EVENT is 1.0.
-
-    lowest : ground acceleration below which a resting block lifts to the other side [m/s2].
-    """
+def plain_steps(lanes, dt, model, constants, order, state):
+    """One step of each lane to the end of its sample, where that is all there is to it, and NEXT of each."""
     widest_vectors()
-    threshold, tangent, sine_upright, cosine_upright = constants
+    _, tangent, sine_upright, cosine_upright = constants
     tolerance = SERIES_TOLERANCE * model.slenderness
-    p2 = model.p2 * (dt * dt)
     per_dt = 1.0 / dt
     for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
-        scale = state[SCALE + k]
+        first = state[FIRST + k]
+        second = state[SECOND + k]
+        t = state[TIME + k]
+        per_step = state[PER_STEP + k]
         x = state[PHI + k]
         speed = state[SPEED + k]
         factor = state[FACTOR + k]
         slope = state[SLOPE + k]
-        first = scale * ground0
-        second = scale * ground1
+        low = state[LOW + k]
+        peak = state[PEAK + k]
+        rest_of_sample = 1.0 - t
+        step = dt * rest_of_sample
+        p2 = model.p2 * (step * step)
         pull = state[SIDE + k] * PER_G
-        beta = pull * first
-        rise = pull * (second - first)
+        jump = second - first
+        beta = pull * (first + jump * t)
+        rise = pull * jump * rest_of_sample
         forcing = max(abs(first), abs(second)) * PER_G
         s, c = sine_and_cosine_short(x)
         sine = sine_upright * c - cosine_upright * s
@@ -93,164 +104,145 @@ def plain_steps(lanes, ground0, ground1, dt, model, constants, lowest, order, st
         net = cosine_upright * (factor * tangent - beta) * c
         net = net - (factor * cosine_upright + beta * sine_upright) * s
         net = net + (slope * x + state[CONSTANT + k])
-        v = series(speed * dt, net, sine, cosine, beta, rise, p2, factor, slope, order)
+        v = series(speed * step, net, sine, cosine, beta, rise, p2, factor, slope, order)
+        lifted = (x == 0.0) & (speed == 0.0)
+        v1 = max(v[1], 0.0) if lifted else v[1]
+        v = (v[0], v1, v[2], v[3], v[4], v[5], v[6], v[7], v[8])
+        dphi = increment(v, 1.0)
         dv = change(v, 1.0)
-        y = x + increment(v, 1.0)
+        y = x + dphi
         growth = p2 * (1.0 + forcing + slope) + v[0] * v[0]
-        lower = min(x, y)
         upper = max(x, y)
         push = largest_push(upper, forcing, p2, sine_upright)
         reach = 0.125 * push
         margin = turning_margin(v[0], dv, rise, forcing + slope, p2, push)
         after = v[0] + dv
-        event = (
-            ((lower - state[LOW + k] <= reach) & (min(v[0], after) <= margin))
-            | ((state[HIGH + k] - upper <= reach) & (max(v[0], after) >= -margin))
+        bend, bulges, stays = shape(v, x - low, dphi, dv, 1.0)
+        near = (min(x, y) - low <= reach) & (min(v[0], after) <= margin)
+        falls = near & (not stays)
+        tops = (v[0] > -2.0 * margin) & (after < 2.0 * margin) & (not bulges)
+        alone = (
+            ((state[HIGH + k] - upper <= reach) & (max(v[0], after) >= -margin))
             | (upper > SHORT)
             | (neglected(v, growth, forcing, rise, p2, order) > tolerance)
             | (growth >= STIFFEST)
-            | ((min(v[0], -after) > -2.0 * margin) & (upper + reach > state[PEAK + k]))
+            | (falls & (low != 0.0))
+            | (state[MOVING + k] == 0.0)
+            | ((not falls) & tops & may_top(x, dphi, v[0], bend, reach, peak))
         )
-        rests = (
-            (state[MOVING + k] == 0.0)
-            & (max(first, second) <= threshold)
-            & (min(first, second) >= lowest)
+        stays = alone | falls
+        state[NEXT + k] = (
+            ALONE if alone else (FALLS if falls else (BEYOND if y > model.slenderness else STEPPED))
         )
-        state[EVENT + k] = 1.0 if event & (not rests) else 0.0
-        state[PHI + k] = x if event else y
-        state[SPEED + k] = speed if event else speed + dv * per_dt
-        state[PEAK + k] = state[PEAK + k] if event else max(state[PEAK + k], y)
+        state[FIRST + k] = first if stays else second
+        state[PHI + k] = x if stays else y
+        state[SPEED + k] = speed if stays else speed + dv * per_step
+        state[PEAK + k] = peak if stays else max(peak, y)
+        state[TIME + k] = t if stays else 0.0
+        state[PER_STEP + k] = per_step if stays else per_dt
+        state[IMPACTS + k] = state[IMPACTS + k] if stays else 0.0
+        state[SERIES + k] = v[0]
+        state[SERIES + ROW + k] = v[1]
+        state[SERIES + 2 * ROW + k] = v[2]
+        state[SERIES + 3 * ROW + k] = v[3]
+        state[SERIES + 4 * ROW + k] = v[4]
+        state[SERIES + 5 * ROW + k] = v[5]
+        state[SERIES + 6 * ROW + k] = v[6]
+        if order == 8:
+            state[SERIES + 7 * ROW + k] = v[7]
+            state[SERIES + 8 * ROW + k] = v[8]
 
 
-def pass_by(order):
-    """The kernel of one pass by order 6 or 8, which the compiler is to know: it leaves other terms out."""
+@subkernel
+def landings(falling, dt, model, rest_below, order, state):
+    """The impact of each lane that falls: time in the sample, speed after it, and whether it is that plain.
 
-    @kernel
-    def one_pass(ground, dt, scales, model, ahead, lane, state, outcomes, peaks, clamped):
-        """Analyses of one record at up to WIDTH multipliers.
-
-        ahead : of `look_ahead`; lane, state : room to work, int64 of shape (WIDTH,) and zeros of shape
-        (ROWS * WIDTH,); the rest as `core.rocking.scan`.
-        """
-        constants = upright(model)
-        threshold = constants[0]
-        lowest = -np.inf if model.one_sided != 0.0 else -threshold
-        zero = np.int64(0)  # a plain 0 would be a type of its own, and compile everything again
-        lanes = scales.size
-        each = lanes == 0  # nor is this a plain False
-        start = (1.0, 0.0, 0.0, each, zone_of(0.0, model), 0.0, zero, zero)
-        strongest = 0.0
-        for u in ground:
-            strongest = max(strongest, abs(u))
-        up = 0.0
-        down = 0.0
-        for k in range(lanes):
-            lane[k] = k
-            state[SCALE + k] = scales[k]
-            state[STRONGEST + k] = abs(scales[k]) * strongest * PER_G
-            put(k, start, model, state)
-            up = max(up, scales[k])
-            down = min(down, scales[k])
-        awake = 0
-        for i in range(ground.size - 1):
-            ground0 = ground[i]
-            ground1 = ground[i + 1]
-            high = max(up * max(ground0, ground1), down * min(ground0, ground1))
-            low = min(up * min(ground0, ground1), down * max(ground0, ground1))
-            if awake > 0 or high > threshold or low < lowest:
-                plain_steps(lanes, ground0, ground1, dt, model, constants, lowest, order, state)
-                k = zero
-                while k < lanes:
-                    if state[EVENT + k] == 0.0:
-                        k += 1
-                        continue
-                    scale = state[SCALE + k]
-                    outcome, _, _, after = through_sample(
-                        scale * ground0, scale * ground1, dt, model, constants, order,
-                        state[STRONGEST + k], ahead_of(ahead, i, scale), block_of(k, zero, state),
-                        0.0, each,
-                    )  # fmt: skip
-                    awake += int(after[3]) - int(state[MOVING + k])
-                    clamped[lane[k]] += after[7]
-                    put(k, after, model, state)
-                    if outcome == STABLE:
-                        k += 1
-                        continue
-                    outcomes[lane[k]] = outcome
-                    peaks[lane[k]] = state[PEAK + k]
-                    awake -= int(state[MOVING + k])
-                    lanes = leave(k, lanes, lane, state)
-            if i % LOST_EVERY == 0:
-                # Eq. 7 counts clamped ratios to the end of the record
-                look = i % LOOK_EVERY == 0 and model.ratio_drop == 0.0
-                k = zero
-                while k < lanes:
-                    x, speed, peak = state[PHI + k], state[SPEED + k], state[PEAK + k]
-                    push = abs(state[SCALE + k]) * ahead[3, i + 1]
-                    falls = x > model.slenderness and lost(x, speed, state[STRONGEST + k], model)
-                    if falls or (look and settled(x, speed, peak, push, model)):
-                        outcomes[lane[k]] = COLLAPSED if falls else STABLE
-                        peaks[lane[k]] = peak
-                        awake -= int(state[MOVING + k])
-                        lanes = leave(k, lanes, lane, state)
-                    else:
-                        k += 1
-            if lanes == 0:
-                break
-        for k in range(zero, lanes):
-            outcomes[lane[k]], peaks[lane[k]] = at_end(block_of(k, zero, state), model)
-
-    return one_pass
-
-
-PASS = {order: pass_by(order) for order in (6, 8)}
-
-
-def scan(order, ground, dt, scales, model, outcomes, peaks, ahead):
-    """`core.rocking.scan` by order 6 or 8, in passes of WIDTH lanes. Outcomes and the peaks of what stays up
-    are those of whole histories, bit for bit; the peak of a block that falls is where it was given up.
-    (Peaks below 1e-12 rad of chatter that outlives the record can differ by the rounding of an arccosine.)
+    rest_below : [rad/s], see `events.stops_rocking`.
     """
-    clamped = np.zeros(scales.size, np.int64)
-    for k in range(0, scales.size, WIDTH):
-        part = slice(k, k + WIDTH)
-        lane, state = np.zeros(WIDTH, np.int64), np.zeros(ROWS * WIDTH)
-        PASS[order](
-            ground, dt, scales[part], model, ahead, lane, state, outcomes[part], peaks[part],
-            clamped[part],
+    widest_vectors()
+    shift = FALL - PHI
+    for j in range((falling + VECTOR - 1) // VECTOR * VECTOR):
+        k = shift + j
+        v = (
+            state[SERIES + k], state[SERIES + ROW + k], state[SERIES + 2 * ROW + k],
+            state[SERIES + 3 * ROW + k], state[SERIES + 4 * ROW + k],
+            state[SERIES + 5 * ROW + k], state[SERIES + 6 * ROW + k],
+            state[SERIES + 7 * ROW + k] if order == 8 else 0.0,
+            state[SERIES + 8 * ROW + k] if order == 8 else 0.0,
         )  # fmt: skip
-    return clamped
+        t = state[TIME + k]
+        part, top, found = landing(v, state[PHI + k], 1.0)
+        speed = state[SPEED + k] + change(v, part) * state[PER_STEP + k]
+        arriving = max(-speed, 0.0)
+        ratio = max(model.ratio_at_rest - model.ratio_drop * arriving * arriving, 0.0)
+        speed = ratio * arriving
+        t = t + part * (1.0 - t)
+        plain = found & (top <= state[PEAK + k]) & (part < 1.0) & (t < 1.0) & (speed >= rest_below)
+        state[PLAIN + j] = 1.0 if plain else 0.0
+        state[SPEED + k] = speed
+        state[TIME + k] = t
+        state[PER_STEP + k] = 1.0 / (dt * (1.0 - t))
 
 
-@subkernel
-def leave(k, lanes, lane, state):
-    """Take lane k out: the last one takes its place. Returns how many are left."""
-    lanes -= 1
-    lane[k] = lane[lanes]
-    for row in range(ROWS):
-        state[WIDTH * row + k] = state[WIDTH * row + lanes]
-    return lanes
+@inner_kernel
+def fallen(count, busy, state):
+    """Copy the lanes that fall to where they lie side by side. busy : numbers of `count` lanes, all that
+    fall among them; returns how many do."""
+    falling = 0
+    for j in range(count):
+        k = busy[j]
+        if state[NEXT + k] == FALLS:
+            for row in range(FALL_ROWS):
+                state[FALL + ROW * row + falling] = state[PHI + ROW * row + k]
+            falling += 1
+    return falling
 
 
-@subkernel
-def block_of(k, zero, state):
-    """State of one lane as `taylor.through_sample` takes it; nothing is counted yet, zero : of int64."""
-    moving = state[MOVING + k] != 0.0
-    zone = int(state[ZONE + k])
-    return (
-        state[SIDE + k], state[PHI + k], state[SPEED + k], moving, zone, state[PEAK + k], zero, zero
+@inner_kernel
+def landed(k, j, model, state):
+    """Take over the impact of lane k from the j-th of the falls; False if it is not that plain."""
+    if state[PLAIN + j] == 0.0:
+        return False
+    state[PHI + k] = 0.0
+    state[SPEED + k] = state[FALL - PHI + SPEED + j]
+    state[TIME + k] = state[FALL - PHI + TIME + j]
+    state[PER_STEP + k] = state[FALL - PHI + PER_STEP + j]
+    state[IMPACTS + k] += 1.0
+    if model.one_sided == 0.0:
+        state[SIDE + k] = -state[SIDE + k]
+    return True
+
+
+@inner_kernel
+def alone(k, dt, model, constants, order, zero, state):
+    """Carry lane k to its next impact or through its sample. zero : of int64. Returns (outcome so far,
+    clamped ratios)."""
+    block = (
+        state[SIDE + k], state[PHI + k], state[SPEED + k], state[MOVING + k] != 0.0,
+        int(state[ZONE + k]), state[PEAK + k], zero, zero,
     )  # fmt: skip
+    outcome, time, _, block = through_sample(
+        state[FIRST + k], state[SECOND + k], dt, model, constants, order, state[STRONGEST + k], block,
+        state[TIME + k],
+    )  # fmt: skip
+    side, phi, speed, moving, zone, peak, impacts, clamped = block
+    put(k, side, phi, speed, zone, model, state)
+    state[MOVING + k] = 1.0 if moving else 0.0
+    state[PEAK + k] = peak
+    state[IMPACTS + k] += impacts
+    state[TIME + k] = time
+    if time < 1.0:
+        state[PER_STEP + k] = 1.0 / (dt * (1.0 - time))
+    return outcome, clamped
 
 
-@subkernel
-def put(k, block, model, state):
-    """Write this state into lane k, and the branch of the moment law it is on."""
-    side, phi, speed, moving, zone, peak, _, _ = block
+@inner_kernel
+def put(k, side, phi, speed, zone, model, state):
+    """Lane k moves so, on this branch of the moment law."""
     state[SIDE + k] = side
     state[PHI + k] = phi
     state[SPEED + k] = speed
-    state[MOVING + k] = 1.0 if moving else 0.0
-    state[PEAK + k] = peak
+    state[MOVING + k] = 1.0
     state[ZONE + k] = zone
     low, high, factor, slope, constant = moment_branch(zone, model)
     state[LOW + k] = low

@@ -29,7 +29,7 @@ def change(v, t):
     return t * (first + square * square * last)
 
 
-@subkernel
+@inner_kernel
 def curvature(v, t):
     """phi''(t) [rad per step squared]."""
     tail = 5.0 * v[5] + t * (6.0 * v[6] + t * (7.0 * v[7] + t * 8.0 * v[8]))
@@ -51,8 +51,11 @@ def value_and_slope(v, gap, which, t):
 def bracketed_root(v, gap, which, low, high):
     """Root of `value_and_slope` between low and high, where its sign changes: Newton in a bracket."""
     at_low, _ = value_and_slope(v, gap, which, low)
+    at_high, _ = value_and_slope(v, gap, which, high)
     rising = at_low < 0.0
-    time = 0.5 * (low + high)
+    time = low + (high - low) * (at_low / (at_low - at_high))
+    if not (low < time < high):
+        time = 0.5 * (low + high)
     for _ in range(100):
         value, gradient = value_and_slope(v, gap, which, time)
         if value == 0.0:
@@ -86,36 +89,73 @@ def part_turning_once(v, h):
 
 
 @inner_kernel
-def falls_faster_and_faster(v):
-    """Whether phi'' is negative all over the step, by a bound on the polynomial's tail."""
-    tail = (2.0 * abs(v[2]) + 3.0 * abs(v[3])) + (4.0 * abs(v[4]) + 5.0 * abs(v[5]))
-    return v[1] + (tail + (6.0 * abs(v[6]) + 7.0 * abs(v[7])) + 8.0 * abs(v[8])) < 0.0
+def wobble(v, h):
+    """Bound of how far phi''' strays from 2 v2 in [0, h] [rad per step cubed]."""
+    square = h * h
+    tail = 6.0 * abs(v[3]) + (h * (12.0 * abs(v[4])) + square * (20.0 * abs(v[5])))
+    last = 30.0 * abs(v[6]) + (h * (42.0 * abs(v[7])) + square * (56.0 * abs(v[8])))
+    return h * (tail + square * h * last)
 
 
-@subkernel
+@inner_kernel
+def shape(v, gap, dphi, dv, h):
+    """(upper bound of phi'' in [0, h], whether phi only rises, whether gap + phi(t) - phi(0) surely does not
+    fall to zero in (0, h]); gap not negative, dphi, dv : of phi and phi' over [0, h].
+
+    Where phi''' keeps its sign, phi' turns once at most, and phi then lies above one of its ends.
+    """
+    strays = wobble(v, h)
+    bend = v[1] + h * (2.0 * abs(v[2]) + 0.5 * strays)
+    rises = (v[0] >= 0.0) & (v[1] >= 0.0) & (2.0 * v[2] >= strays)
+    steady = 2.0 * abs(v[2]) >= strays
+    after = v[0] + dv
+    up = (v[0] >= 0.0) & ((v[2] <= 0.0) | (after <= 0.0))
+    down = (v[0] < 0.0) & (v[2] >= 0.0) & (after <= 0.0)
+    return bend, rises, rises | ((gap + dphi > 0.0) & ((bend < 0.0) | (steady & (up | down))))
+
+
+@inner_kernel
 def landing(v, gap, h):
-    """Time in (0, h] at which gap + phi(t) - phi(0) falls to zero; -1.0 if it stays above. gap not negative.
-    Valid where phi'' < 0 in [0, h]: there is one such time at most."""
-    if gap + increment(v, h) > 0.0:
-        return -1.0
-    # the parabola's root is close, and then each step of Halley's triples the digits; a start that is short
-    # of the landing or beyond the step is replaced by the end, from where Newton's steps come down to it
-    square = max(v[0] * v[0] - 2.0 * v[1] * gap, 0.0)
-    time = min(-(v[0] + math.sqrt(square)) / v[1], h)
-    for _ in range(60):
-        slope = v[0] + change(v, time)
-        if slope >= 0.0:
-            time = h
-            continue
-        inverse = 1.0 / slope
-        step = (gap + increment(v, time)) * inverse
-        bend = 0.5 * step * inverse * curvature(v, time)
-        near = abs(step) <= 1e-6 * time and abs(bend) <= 1e-6
-        time -= step * (1.0 + bend) if abs(bend) < 0.1 else step
-        if near or not time > 0.0:
-            break
-        time = min(time, h)
-    return min(max(time, 0.0), h)
+    """(first time in (0, h] at which gap + phi(t) - phi(0) falls to zero, bound of that sum until then, whether
+    this is sure); gap not negative.
+
+    From the root of the parabola or the end two steps of Newton on the cubic and three of Halley. The
+    time found is the first one where phi'' is negative until then, or where phi''' keeps its sign and phi' thus
+    turns from outward to inward once.
+    """
+    root = math.sqrt(max(v[0] * v[0] - 2.0 * v[1] * gap, 0.0))
+    time = min(-(v[0] + root) / v[1], h) if v[1] < 0.0 else h
+    for _ in range(2):
+        off = gap + time * (v[0] + time * (0.5 * v[1] + time * ((1.0 / 3.0) * v[2])))
+        slope = v[0] + time * (v[1] + time * v[2])
+        time -= off / slope if slope < 0.0 else 0.0
+    time, _, _, _ = halley(v, gap, min(time, h))
+    time, _, _, _ = halley(v, gap, time)
+    time, step, more, slope = halley(v, gap, time)
+    near = (
+        (abs(step) <= 1e-6 * time)
+        & (abs(more) <= 1e-6)
+        & (time > 0.0)
+        & (time <= h)
+        & (slope < 0.0)
+    )
+    strays = wobble(v, time)
+    bend = v[1] + time * (2.0 * abs(v[2]) + 0.5 * strays)
+    steady = 2.0 * abs(v[2]) >= strays
+    once = (v[0] > 0.0) | (v[2] >= 0.0) | (v[0] + max(v[1], 0.0) * time < 0.0)
+    top = 1.001 * max(v[0] + 0.5 * max(bend, 0.0) * time, 0.0) * time
+    highest = min(top, v[0] * v[0] / (-1.998 * bend)) if (bend < 0.0) & (v[0] > 0.0) else top
+    return time, gap + highest, near & ((bend < 0.0) | (steady & once))
+
+
+@inner_kernel
+def halley(v, gap, time):
+    """(time, Newton's step, what Halley's adds to it, slope) of a step to the root of gap + phi(t) - phi(0)."""
+    slope = v[0] + change(v, time)
+    inverse = 1.0 / slope if slope < 0.0 else 0.0
+    step = (gap + increment(v, time)) * inverse
+    bend = 0.5 * step * inverse * curvature(v, time)
+    return time - step * (1.0 + bend), step, bend, slope
 
 
 @subkernel

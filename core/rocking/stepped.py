@@ -3,8 +3,6 @@
 A crossing is seen at the end of a step; a dip and return within one step is missed (Taylor sees it).
 """
 
-import numpy as np
-
 from core.kernel_cache import subkernel
 from core.moment_rotation import moment_branch, zone_of
 from core.rocking import dormand_prince, linearised, newmark_events, rk4
@@ -87,12 +85,12 @@ def integrate(
     """Rocking history; arguments and results as `taylor.integrate`.
 
     code : one of this module; option : steps a sample, of dormand_prince -log10 of its tolerance;
-    table : `dormand_prince.tableau()`, or shape (0,) for the other methods.
+    table : of `Method.table`, shape (0,) but for dormand_prince.
     """
     threshold = lift_threshold(model)
     keep = rotation.size > 0
-    rates = np.zeros(dormand_prince.STAGES)
-    pushes = np.zeros(dormand_prince.STAGES)
+    rates = table[16 * dormand_prince.STAGES : 17 * dormand_prince.STAGES]
+    pushes = table[17 * dormand_prince.STAGES :]
     steps = 1 if code == DORMAND_PRINCE else option
     tolerance = 10.0 ** (-option) if code == DORMAND_PRINCE else 0.0
     impacts = 0

@@ -17,9 +17,6 @@ from core.rocking.bounds import converged_part, largest_push, neglected, turning
 from core.rocking.events import (
     IMPACTS_PER_SAMPLE,
     LAST_ROTATION,
-    QUIET,
-    UNKNOWN,
-    dies_down,
     end_of_record,
     leave_impact,
     lift_threshold,
@@ -28,20 +25,17 @@ from core.rocking.events import (
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.rocking.polynomial import (
     change,
-    falls_faster_and_faster,
     first_crossing,
     increment,
     landing,
     part_turning_once,
+    shape,
     summit,
 )
 from core.units import G
 
 SHORT = 0.8
 """Rotation up to which the short series of sin and cos holds [rad]."""
-
-SMALL_BOUNCE = 1e-3
-"""Speed over p alpha below which a bounce takes the short series."""
 
 PER_G = 1.0 / G
 
@@ -111,38 +105,6 @@ def sine_and_cosine(x):
     return sine_and_cosine_short(x)
 
 
-@inner_kernel
-def small_bounce(speed, net, sine, cosine, beta, slope, p2):
-    """Flight of a small bounce from theta = 0, rigid law, by its series of fourth order (Eq. 1), in s.
-
-    Returns (flight time [s], speed at its end, highest point); time -1 where the bounce is not that
-    simple. For speeds below SMALL_BOUNCE p alpha what is left out is below 1e-11 of p alpha.
-    """
-    v1 = -p2 * net
-    c2 = 0.5 * v1
-    s1 = -speed * cosine
-    k1 = speed * sine
-    v2 = -0.5 * p2 * ((s1 - beta * k1) - slope * cosine)
-    s2 = -0.5 * (speed * k1 + v1 * cosine)
-    k2 = 0.5 * (speed * s1 + v1 * sine)
-    c4 = (-1.0 / 12.0) * p2 * ((s2 - beta * k2) - slope * k1)
-    c3 = v2 * (1.0 / 3.0)
-    per_c2 = 1.0 / c2
-    t = -speed * per_c2
-    bend = c3 * per_c2 * t
-    twist = c4 * per_c2 * (t * t)
-    if not (c2 < 0.0 and abs(bend) < 5e-3 and abs(twist) < 1e-6 and abs(bend * twist) < 1e-11):
-        return -1.0, 0.0, 0.0
-    # root of 1 - s - bend s^2 - twist s^3, s the time over that of a parabola: its series, then Newton
-    s = 1.0 - bend * (1.0 - 2.0 * bend) - twist
-    off = (1.0 - s) - s * s * (bend + twist * s)
-    s += off * (1.0 - 2.0 * bend * (1.0 - bend))
-    top = 0.5 * t
-    highest = top * (speed + top * (c2 + top * (c3 + top * c4)))
-    t *= s
-    return t, speed + t * (2.0 * c2 + t * (3.0 * c3 + t * (4.0 * c4))), highest
-
-
 @subkernel
 def upright(model):
     """(lift threshold [m/s2]; tan, sin and cos of alpha): what every sample needs of the model."""
@@ -170,44 +132,35 @@ def lost(phi, speed, strongest, model):
 
 
 @inner_kernel
-def land(speed, side, ground, model, threshold, impacts, clamped):
-    """An impact at theta = 0: (speed, side, moving, impacts, clamped, rotation speed) after it, the last
-    with its sign. speed : just before it, inward negative [rad/s] (Eq. 3, 7)."""
-    speed, after, side, moving, clamp = leave_impact(
-        max(-speed, 0.0), side, ground, model, threshold
+def may_top(phi, dphi, speed, bend, reach, peak):
+    """Whether a step that turns can go beyond the peak so far [rad]. bend : of `largest_curvature`; reach :
+    how far the step strays from its chord [rad]."""
+    return (max(phi, phi + dphi) + reach > peak) & (
+        speed * speed + 1.998 * bend * (peak - phi) > 0.0
     )
-    return speed if moving else 0.0, side, moving, impacts + 1, clamped + clamp, after * speed
 
 
 @inner_kernel
 def through_sample(
-    ground0, ground1, dt, model, constants, order, strongest, ahead, state, start, each
+    ground0, ground1, dt, model, constants, order, strongest, state, start
 ):  # fmt: skip
-    """Carry the block through one sample, rest, uplift, kinks and impacts included.
+    """Carry the block to its next impact or through the sample; rest, uplift and kinks included.
 
     ground0, ground1 : ground acceleration at both ends [m/s2]; constants : of `upright`;
-    strongest : of `lost`; ahead : of `dies_down`;
+    strongest : of `lost`;
     state : (side, phi [rad], speed [rad/s], moving, zone, peak [rad], impacts, clamped);
-    start : where in the sample the state is, 0 to 1; each : whether to come back after each impact; else
-    a chatter that dies down is not followed.
-    Returns (outcome so far, where in the sample, rotation speed after the last impact [rad/s], state).
+    start : where in the sample the state is, 0 to 1.
+    Returns (outcome so far, where in the sample, rotation speed after the impact [rad/s], state).
     """
     threshold, tangent, sine_upright, cosine_upright = constants
     side, phi, speed, moving, zone, peak, impacts, clamped = state
     alpha = model.slenderness
-    small = SMALL_BOUNCE * math.sqrt(model.p2) * alpha if threshold > 0.0 else 0.0
-    # faster chatter outlasts the window
-    loss = 1.0 - model.ratio_at_rest if threshold > 0.0 and not each else 0.0
-    dying = 0.5 * model.p2 * alpha * loss * (QUIET - 1) * dt
     jump = ground1 - ground0
-    per_dt = 1.0 / dt
-    rate = jump * per_dt
     forcing = max(abs(ground0), abs(ground1)) * PER_G
     t = start  # in samples
     hit = 0.0
     outcome = STABLE
-    impacts_before = impacts
-    events = 0
+    kinks = 0
     while t < 1.0:
         if not moving:
             t, side = next_uplift(ground0, jump, t, 1.0, model, threshold)
@@ -220,30 +173,6 @@ def through_sample(
         low, high, factor, slope, constant = moment_branch(zone, model)
         pull = side * PER_G
         beta = pull * (ground0 + jump * t)
-        if phi == 0.0 and 0.0 < speed < dying and (speed > small or impacts % 4 == 0):
-            made = impacts - impacts_before
-            time = (QUIET - 1 - t) * dt
-            if dies_down(speed, ahead, dt, time, made, peak, model, constants):
-                moving = False
-                speed = 0.0
-                break
-        if phi == 0.0 and 0.0 < speed < small:
-            flight, arriving, highest = small_bounce(
-                speed, cosine_upright * (tangent - beta), sine_upright, cosine_upright, beta,
-                pull * rate, model.p2,
-            )  # fmt: skip
-            if 0.0 < flight < (1.0 - t) * dt:
-                t += flight * per_dt
-                peak = max(peak, highest)
-                speed, side, moving, impacts, clamped, hit = land(
-                    arriving, side, ground0 + jump * t, model, threshold, impacts, clamped
-                )
-                if each:
-                    break
-                if impacts - impacts_before > IMPACTS_PER_SAMPLE:
-                    outcome = IMPACT_LIMIT
-                    break
-                continue
         rest_of_sample = 1.0 - t
         step = dt * rest_of_sample
         p2 = model.p2 * (step * step)
@@ -268,28 +197,26 @@ def through_sample(
         push = largest_push(max(phi, phi + dphi), forcing, p2, sine_upright)
         reach = 0.125 * push
         margin = turning_margin(v[0], dv, rise, forcing + slope, p2, push)
-        slowest = min(v[0], v[0] + dv)
-        fastest = max(v[0], v[0] + dv)
+        falls = min(phi, phi + dphi) - low <= reach and min(v[0], v[0] + dv) <= margin
+        rises = high - max(phi, phi + dphi) <= reach and max(v[0], v[0] + dv) >= -margin
         crossing = -1.0
-        falling = True
-        if (min(phi, phi + dphi) - low <= reach and slowest <= margin) or (
-            high - max(phi, phi + dphi) <= reach and fastest >= -margin
-        ):
-            if falls_faster_and_faster(v):
-                crossing = landing(v, phi - low, part)
-            else:
+        bend, _, stays = shape(v, phi - low, dphi, dv, part)
+        if rises and bend >= 0.0:
+            part = part_turning_once(v, part)
+        if falls and not stays:
+            crossing, _, found = landing(v, phi - low, part)
+            if not found:
                 part = part_turning_once(v, part)
                 crossing = first_crossing(v, phi - low, 1.0, part)
-            if high < FAR:
-                upper = first_crossing(v, phi - high, -1.0, part)
-                if upper >= 0.0 and (crossing < 0.0 or upper < crossing):
-                    crossing = upper
-                    falling = False
-            if crossing >= 0.0:
-                part = crossing
-            dphi = increment(v, part)
-            dv = change(v, part)
-        if min(v[0], -(v[0] + dv)) > -2.0 * margin and max(phi, phi + dphi) + reach > peak:
+        if rises:
+            above = first_crossing(v, phi - high, -1.0, part)
+            falls = not (above >= 0.0 and (crossing < 0.0 or above < crossing))
+            crossing = crossing if falls else above
+        if crossing >= 0.0:
+            part = crossing
+        dphi = increment(v, part)
+        dv = change(v, part)
+        if min(v[0], -(v[0] + dv)) > -2.0 * margin and may_top(phi, dphi, v[0], bend, reach, peak):
             peak = max(peak, phi + summit(v, part))
         t = t + part * rest_of_sample if part < 1.0 else 1.0
         speed += dv * (1.0 / step)
@@ -300,22 +227,21 @@ def through_sample(
                 outcome = COLLAPSED
                 break
             continue
-        events += 1
-        if events > 10 * IMPACTS_PER_SAMPLE:
-            outcome = IMPACT_LIMIT
+        if falls and low == 0.0:
+            phi = 0.0
+            speed, after, side, moving, clamp = leave_impact(
+                max(-speed, 0.0), side, ground0 + jump * t, model, threshold
+            )
+            hit = after * speed
+            speed = speed if moving else 0.0
+            impacts += 1
+            clamped += clamp
             break
-        if not falling or low > 0.0:
-            phi = low if falling else high
-            zone += -1 if falling else 1
-            peak = max(peak, phi)
-            continue
-        phi = 0.0
-        speed, side, moving, impacts, clamped, hit = land(
-            speed, side, ground0 + jump * t, model, threshold, impacts, clamped
-        )
-        if each:
-            break
-        if impacts - impacts_before > IMPACTS_PER_SAMPLE:
+        phi = low if falls else high
+        zone += -1 if falls else 1
+        peak = max(peak, phi)
+        kinks += 1
+        if kinks > IMPACTS_PER_SAMPLE:
             outcome = IMPACT_LIMIT
             break
     return outcome, t, hit, (side, phi, speed, moving, zone, peak, impacts, clamped)
@@ -338,7 +264,6 @@ def integrate_by(order):
         """
         constants = upright(model)
         zero = np.int64(0)  # a plain 0 would be a type of its own, and compile everything again
-        each = ground.size > 0  # nor is this a plain True
         side = -1.0 if start[0] < 0.0 or (start[0] == 0.0 and start[1] < 0.0) else 1.0
         phi = side * start[0]
         moving = phi != 0.0 or start[1] != 0.0
@@ -351,8 +276,8 @@ def integrate_by(order):
             while t < 1.0:
                 impacts = state[6]
                 outcome, t, hit, state = through_sample(
-                    scale * ground[i], scale * ground[i + 1], dt, model, constants, order, FAR, UNKNOWN,
-                    state, t, each,
+                    scale * ground[i], scale * ground[i + 1], dt, model, constants, order, FAR,
+                    state, t,
                 )  # fmt: skip
                 if impacts < state[6] and impacts < impact_time.size:
                     impact_time[impacts] = i * dt + t * dt

@@ -222,13 +222,13 @@ def scripted(monkeypatch, outcome_of):
     """Replace the analyses by a rule q -> outcome, to reach outcomes real walls hardly give."""
     from core import ida
 
-    def scan(method, ground, dt, scales, model, outcomes, peaks, ahead):
+    def scan(method, grounds, which, scales, model, outcomes, peaks):
         for k, scale in enumerate(scales):
             outcomes[k] = outcome_of(abs(scale) / (G * math.tan(model.slenderness)))
             peaks[k] = 0.1 * model.slenderness
         return 0
 
-    monkeypatch.setattr(ida, "scan", scan)
+    monkeypatch.setattr(ida, "scan_records", scan)
 
 
 def test_that_an_unknown_outcome_before_collapse_leaves_no_number(make_model, monkeypatch):

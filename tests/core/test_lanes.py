@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from core.rocking import COLLAPSED, METHODS, history, lanes, look_ahead, scan
-from core.rocking.events import QUIET
+from core.rocking import COLLAPSED, METHODS, Grounds, history, lanes, scan, scan_records
+from core.rocking.events import QUIET, look_ahead
 from core.rocking.model import RockingModel
 from core.units import G
 
@@ -61,19 +61,23 @@ def test_that_lanes_equal_single_analyses_on_random_walls_and_grounds():
     assert seen >= {0, 1}
 
 
-def test_that_a_pass_takes_no_more_lanes_than_its_width(reference, make_model, monkeypatch):
-    sizes = []
-    real = lanes.PASS[8]
-
-    def watched(ground, dt, scales, *rest):
-        sizes.append(scales.size)
-        return real(ground, dt, scales, *rest)
-
-    monkeypatch.setitem(lanes.PASS, 8, watched)
-    scales = np.linspace(1, 2, lanes.WIDTH + 5)
-    scan(METHODS["taylor"], reference("standard")[0], 0.01, scales, make_model(),
-         np.zeros(scales.size, np.int64), np.zeros(scales.size))  # fmt: skip
-    assert sizes == [lanes.WIDTH, 5]
+def test_that_lanes_of_several_records_run_together(reference, make_model):
+    """More analyses than lanes, of records of different length, one after another in the same pass."""
+    grounds = [reference("standard")[0], 1.4 * reference("hard")[0][:700], np.zeros(5)]
+    model, rng = make_model(one_sided=True), np.random.default_rng(4)
+    which = rng.integers(0, 3, 3 * lanes.WIDTH + 5)
+    scales = rng.uniform(-4.0, 4.0, which.size)
+    for name in ("taylor", "rk4"):
+        found = np.zeros(which.size, np.int64), np.zeros(which.size)
+        alone = np.zeros(which.size, np.int64), np.zeros(which.size)
+        method = METHODS[name]
+        scan_records(method, Grounds.of(grounds, 0.01), which, scales, model, *found)
+        for k in range(which.size):
+            one = slice(k, k + 1)
+            scan(method, grounds[which[k]], 0.01, scales[one], model, alone[0][one], alone[1][one])
+        stable = found[0] != COLLAPSED
+        assert np.array_equal(found[0], alone[0]) and 0 < stable.sum() < which.size
+        assert np.array_equal(found[1][stable], alone[1][stable])
 
 
 def test_that_what_is_settled_or_dies_down_is_what_integrating_on_would_say(reference, make_model):

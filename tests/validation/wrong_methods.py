@@ -54,7 +54,7 @@ def _crossing_at_end(v, gap, sign, h):
 
 
 def _landing_at_end(v, gap, h):
-    return _crossing_at_end(v, gap, 1.0, h)
+    return h, -1.0, gap + taylor.increment(v, h) <= 0.0
 
 
 def _crossing_by_sign_change(v, gap, sign, h):
@@ -104,7 +104,5 @@ uplift_at_next_sample = taylor_variant(next_uplift=_uplift_at_sample)
 impact_at_end_of_step = taylor_variant(first_crossing=_crossing_at_end, landing=_landing_at_end)
 double_crossing_missed = taylor_variant(first_crossing=_crossing_by_sign_change)
 rotation_decides_at_the_end = taylor_variant(end_of_record=_rotation_decides)
-no_rest = taylor_variant(
-    land=variant(taylor.land, leave_impact=variant(leave_impact, stops_rocking=_never_rests))
-)
+no_rest = taylor_variant(leave_impact=variant(leave_impact, stops_rocking=_never_rests))
 kinks_ignored = variant(stepped.integrate, advance=_rk4_through_kinks, moment_branch=_one_branch)

@@ -1,0 +1,280 @@
+"""Analyses at many multipliers, in lanes that step together, each with its own clock.
+
+No lane waits for another: one that bounces falls behind, one that rests is put where the ground lifts it
+again, one that has collapsed, settled or come to its end leaves its place to the next analysis. So lanes
+may even belong to different records.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from core.kernel_cache import inner_kernel, kernel
+from core.moment_rotation import zone_of
+from core.rocking.events import (
+    IMPACTS_PER_SAMPLE,
+    LOOK_EVERY,
+    LOST_EVERY,
+    QUIET,
+    REST_FRACTION,
+    dies_down,
+    end_of_record,
+    look_ahead,
+    next_uplift,
+    settled,
+)
+from core.rocking.lanes import (
+    ALONE,
+    FALLS,
+    FIRST,
+    IMPACTS,
+    LANE_ROWS,
+    MOVING,
+    NEXT,
+    PEAK,
+    PER_STEP,
+    PHI,
+    ROW,
+    ROWS,
+    SCALE,
+    SECOND,
+    SPEED,
+    STEPPED,
+    STRONGEST,
+    TIME,
+    WIDTH,
+    alone,
+    fallen,
+    landed,
+    landings,
+    plain_steps,
+    put,
+)
+from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
+from core.rocking.taylor import PER_G, lost, upright
+
+
+@dataclass(frozen=True)
+class Grounds:
+    """Records of one time step laid end to end, as a pass takes them; made once for all analyses of them.
+
+    ground : [m/s2], a zero after each record; dt : [s]; first, last : index of the samples of each record,
+    shape (records,); strongest : |u''| of each [m/s2]; ahead : of `look_ahead`, shape (4, n).
+    """
+
+    ground: np.ndarray
+    dt: float
+    first: np.ndarray
+    last: np.ndarray
+    strongest: np.ndarray
+    ahead: np.ndarray
+
+    @classmethod
+    def of(cls, records, dt: float) -> "Grounds":
+        """records : ground accelerations [m/s2], each of shape (n,)."""
+        end = np.cumsum([record.size + 1 for record in records])
+        return cls(
+            ground=np.concatenate([np.append(record, 0.0) for record in records]),
+            dt=dt,
+            first=end - np.array([record.size + 1 for record in records]),
+            last=end - 2,
+            strongest=np.array([np.abs(record).max() for record in records]),
+            ahead=np.hstack([look_ahead(np.append(record, 0.0), dt) for record in records]),
+        )
+
+
+@inner_kernel
+def go_on(lanes, ground, sample, end, busy, state):
+    """To the next sample with the lanes that are through theirs. busy : the others, and those to be looked
+    at; returns how many these are."""
+    count = 0
+    for k in range(lanes):
+        step = state[NEXT + k]
+        i = sample[k] + int(step < FALLS)
+        sample[k] = i
+        state[SECOND + k] = state[SCALE + k] * ground[i + 1]
+        busy[count] = k
+        count += int((step > STEPPED) | (i & (LOOK_EVERY - 1) == 1) | (i == end[k]))
+    return count
+
+
+@inner_kernel
+def enter(k, i, dt, ground, sample, state):
+    """Put lane k at the start of sample i."""
+    sample[k] = i
+    state[FIRST + k] = state[SCALE + k] * ground[i]
+    state[SECOND + k] = state[SCALE + k] * ground[i + 1]
+    state[TIME + k] = 0.0
+    state[PER_STEP + k] = 1.0 / dt
+    state[IMPACTS + k] = 0.0
+
+
+@inner_kernel
+def lift(k, i, end, dt, model, threshold, ground, ahead, sample, state):
+    """Put the resting lane k where the ground lifts it first from sample i on, or at its end."""
+    scale = state[SCALE + k]
+    lowest = -math.inf if model.one_sided != 0.0 else -threshold
+    while i < end:
+        one, other = scale * ahead[0, i], scale * ahead[1, i]
+        if max(one, other) <= threshold and min(one, other) >= lowest:
+            i = min(i + QUIET - 1, end)
+            continue
+        first, second = scale * ground[i], scale * ground[i + 1]
+        time, side = next_uplift(first, second - first, 0.0, 1.0, model, threshold)
+        if time < 1.0:
+            enter(k, i, dt, ground, sample, state)
+            put(k, side, 0.0, 0.0, zone_of(0.0, model), model, state)
+            state[TIME + k] = time
+            state[PER_STEP + k] = 1.0 / (dt * (1.0 - time))
+            return
+        i += 1
+    enter(k, i, dt, ground, sample, state)
+
+
+@inner_kernel
+def dies(k, i, dying, dt, model, constants, ahead, state):
+    """Whether lane k, just after an impact in sample i, comes to rest without being followed. It is asked
+    of every fourth impact. dying : speed [rad/s] from which on a chatter outlasts the window."""
+    speed = state[SPEED + k]
+    if not (state[PHI + k] == 0.0 and 0.0 < speed < dying and int(state[IMPACTS + k]) & 3 == 1):
+        return False
+    time = (QUIET - 1 - state[TIME + k]) * dt
+    return dies_down(
+        speed, state[SCALE + k], ahead, i, dt, time, state[IMPACTS + k], state[PEAK + k], model,
+        constants,
+    )  # fmt: skip
+
+
+@inner_kernel
+def look(k, i, end, model, ahead, state):
+    """(whether it is over with lane k at the start of sample i, its outcome, its peak)."""
+    phi, speed, peak = state[PHI + k], state[SPEED + k], state[PEAK + k]
+    if (
+        phi > model.slenderness
+        and i % LOST_EVERY == 1
+        and lost(phi, speed, state[STRONGEST + k], model)
+    ):
+        return True, COLLAPSED, peak
+    # Eq. 7 counts clamped ratios to the end of the record
+    if i % LOOK_EVERY == 1 and model.ratio_drop == 0.0:
+        push = abs(state[SCALE + k]) * ahead[3, i]
+        if settled(phi, speed, peak, push, model):
+            return True, STABLE, peak
+    if i < end:
+        return False, STABLE, peak
+    if state[MOVING + k] == 0.0:
+        return True, STABLE, peak
+    outcome, peak = end_of_record(phi, speed, peak, model)
+    return True, outcome, peak
+
+
+@inner_kernel
+def leave(k, lanes, numbers, state):
+    """Take lane k out: the last one takes its place. Returns how many are left."""
+    lanes -= 1
+    for row in range(3):
+        numbers[WIDTH * row + k] = numbers[WIDTH * row + lanes]
+    for row in range(LANE_ROWS):
+        state[ROW * row + k] = state[ROW * row + lanes]
+    return lanes
+
+
+def pass_by(order):
+    """The kernel of one pass by order 6 or 8, which the compiler is to know: it leaves other terms out."""
+
+    @kernel
+    def one_pass(
+        ground, ahead, dt, firsts, lasts, strongest, which, scales, model, numbers, state, outcomes,
+        peaks, clamped,
+    ):  # fmt: skip
+        """These analyses, up to WIDTH at a time.
+
+        ground to strongest : of `Grounds`; which : record of each analysis; numbers, state : room to work,
+        int64 of shape (4 * WIDTH,) and zeros of shape (ROWS * ROW,); the rest as `core.rocking.scan`.
+        """
+        constants = upright(model)
+        threshold = constants[0]
+        zero = np.int64(0)  # a plain 0 would be a type of its own, and compile everything again
+        # of each lane its analysis, sample and last sample, then the lanes to be looked at
+        lane, sample = numbers[:WIDTH], numbers[WIDTH : 2 * WIDTH]
+        end, busy = numbers[2 * WIDTH : 3 * WIDTH], numbers[3 * WIDTH :]
+        rest_below = REST_FRACTION * math.sqrt(model.p2) * model.slenderness
+        loss = 1.0 - model.ratio_at_rest if threshold > 0.0 else 0.0
+        dying = 0.5 * model.p2 * model.slenderness * loss * (QUIET - 1) * dt
+        waiting = zero
+        lanes = zero
+        while True:
+            while lanes < WIDTH and waiting < scales.size:
+                record = which[waiting]
+                lane[lanes], end[lanes] = waiting, lasts[record]
+                state[SCALE + lanes] = scales[waiting]
+                state[STRONGEST + lanes] = abs(scales[waiting]) * strongest[record] * PER_G
+                state[PEAK + lanes] = 0.0
+                lift(
+                    lanes, firsts[record], lasts[record], dt, model, threshold, ground, ahead, sample,
+                    state,
+                )  # fmt: skip
+                waiting += 1
+                if sample[lanes] < lasts[record]:
+                    lanes += 1
+                else:
+                    outcomes[waiting - 1] = STABLE
+                    peaks[waiting - 1] = 0.0
+            if lanes == 0:
+                break
+            plain_steps(lanes, dt, model, constants, order, state)
+            count = go_on(lanes, ground, sample, end, busy, state)
+            falling = fallen(count, busy, state)
+            if falling > 0:
+                landings(falling, dt, model, rest_below, order, state)
+            # from the last on, so that what takes the place of a lane that leaves has been looked at
+            while count > 0:
+                count -= 1
+                k = busy[count]
+                step = state[NEXT + k]
+                outcome = STABLE
+                if step >= FALLS:
+                    falling -= int(step == FALLS)
+                    if step == ALONE or not landed(k, falling, model, state):
+                        outcome, clamps = alone(k, dt, model, constants, order, zero, state)
+                        clamped[lane[k]] += clamps
+                    if state[IMPACTS + k] > IMPACTS_PER_SAMPLE:
+                        outcome = IMPACT_LIMIT
+                if outcome == STABLE and step >= FALLS:
+                    i = sample[k]
+                    if dies(k, i, dying, dt, model, constants, ahead, state):
+                        state[MOVING + k] = 0.0
+                        state[SPEED + k] = 0.0
+                    elif state[TIME + k] < 1.0:
+                        continue
+                    if state[MOVING + k] == 0.0:
+                        lift(k, i + 1, end[k], dt, model, threshold, ground, ahead, sample, state)
+                    else:
+                        enter(k, i + 1, dt, ground, sample, state)
+                over, peak = True, state[PEAK + k]
+                if outcome == STABLE:
+                    over, outcome, peak = look(k, sample[k], end[k], model, ahead, state)
+                if over:
+                    outcomes[lane[k]] = outcome
+                    peaks[lane[k]] = peak
+                    lanes = leave(k, lanes, numbers, state)
+
+    return one_pass
+
+
+PASS = {order: pass_by(order) for order in (6, 8)}
+
+
+def scan(order, grounds, which, scales, model, outcomes, peaks):
+    """`core.rocking.scan` by order 6 or 8. Outcomes and the peaks of what stays up are those of whole
+    histories, bit for bit; the peak of a block that falls is where it was given up.
+    (Peaks below 1e-12 rad of chatter that outlives the record can differ by the rounding of an arccosine.)
+    """
+    clamped = np.zeros(scales.size, np.int64)
+    numbers, state = np.zeros(4 * WIDTH, np.int64), np.zeros(ROWS * ROW)
+    PASS[order](
+        grounds.ground, grounds.ahead, grounds.dt, grounds.first, grounds.last, grounds.strongest,
+        which, scales, model, numbers, state, outcomes, peaks, clamped,
+    )  # fmt: skip
+    return clamped
