@@ -28,6 +28,11 @@ from core.version import VERSION
 from core.wall_result import run_result, wall_result
 
 
+def twice(file: str, twin: str) -> str:
+    """The sentence about a record that another one of the case repeats."""
+    return f"{file} is in the case twice (the same samples as {twin}): leave one out"
+
+
 def read_records(case: Case, base_dir: Path) -> tuple[list[GroundMotion], list[str]]:
     """Records of the case in order, globs expanded, and their kinds. Raises InputError."""
     motions, kinds, seen = [], [], {}
@@ -41,9 +46,7 @@ def read_records(case: Case, base_dir: Path) -> tuple[list[GroundMotion], list[s
                 motion = replace(records.read(path, options, entry.scale), file=file)
                 twin = seen.setdefault(motion.samples_sha256, file)
                 if twin != file or file in [known.file for known in motions]:
-                    raise InputError(
-                        f"{file} is in the case twice (the same samples as {twin}): leave one out"
-                    )
+                    raise InputError(twice(file, twin))
                 motions.append(motion)
                 kinds.append(entry.kind)
         except InputError as error:

@@ -130,7 +130,8 @@ def walls_of(rows: list[list[str]]) -> list[Wall]:
     rows = [(n, row) for n, row in enumerate(rows, start=1) if n == 2 or any(row)]
     if len(rows) < 3:
         raise InputError(
-            "a table of walls has a row of heads, a row of units and a row for each wall"
+            "a table of walls has a row of heads (Parete; H; t; Meccanismo), a row of units "
+            "(; m; cm;) and a row for each wall"
         )
     if len(rows) > MOST_ROWS or len(rows[0][1]) > 4 * MOST_COLUMNS:
         raise InputError(f"more than {MOST_ROWS} rows or {4 * MOST_COLUMNS} columns")

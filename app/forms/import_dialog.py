@@ -4,7 +4,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import QSize
+from PySide6.QtCore import QSize, QTimer
+from PySide6.QtGui import QColor
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QDialog,
@@ -16,6 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app import theme
 from app.forms.fields import ChoiceField, NumberField, connect
 from app.language import tr
 from app.plots.chart import Chart
@@ -109,6 +111,26 @@ class ImportDialog(QDialog):
         layout.addWidget(self.buttons)
         self.resize(QSize(820, 560))
         self.list.setCurrentRow(0)
+        self.marked = 0
+        self.marking = QTimer(self)
+        self.marking.timeout.connect(self._mark_next)
+        self.marking.start(0)
+
+    def _mark_next(self) -> None:
+        """Read one file after another, between other events, and mark in the list what cannot be read."""
+        if self.marked == len(self.paths):
+            self.marking.stop()
+            return
+        self._mark(self.marked)
+        self.marked += 1
+
+    def _mark(self, row: int) -> None:
+        (found, *_) = self._read(self.paths[row])
+        bad, name = isinstance(found, str), self.paths[row].name
+        item = self.list.item(row)
+        item.setText(f"{name}  ✕" if bad else name)
+        item.setForeground(QColor(theme.current.bad if bad else theme.current.ink))
+        item.setToolTip(found if bad else "")
 
     def _judge(self) -> None:
         """No OK while a field holds what is not in the entries."""
@@ -137,6 +159,7 @@ class ImportDialog(QDialog):
         for row in rows:
             path = self.paths[row]
             self.entries[path] = replace(self.entries[path], **values)
+            self._mark(row)
         self.show_file()
 
     def show_file(self) -> None:

@@ -28,6 +28,7 @@ from app.worker import Job
 from core.case import Generate, Record
 from core.demand import demand_of, generated
 from core.errors import InputError
+from core.study import twice
 from core.units import CM, G
 
 
@@ -144,8 +145,8 @@ class RecordsPanel(QWidget):
             if not isinstance(motion, str) and (k is None or case.record[k].include)
         ]  # fmt: skip
         self.table.blockSignals(True)
-        rows, colors = [], []
-        for k, motion in found:
+        rows, colors, twins = [], [], self._twins()
+        for row, (k, motion) in enumerate(found):
             if isinstance(motion, str):
                 rows.append(["", motion, *[""] * 7])
                 colors.append([theme.current.bad] * 9)
@@ -154,7 +155,8 @@ class RecordsPanel(QWidget):
             rows.append(["", motion.name, f"{motion.pga / G:.3f}", f"{motion.pgv / CM:.1f}",
                          f"{motion.housner_intensity / CM:.1f}", f"{motion.duration_5_95:.1f}",
                          f"{motion.time_step:g}", sign, motion.format])  # fmt: skip
-            colors.append([theme.current.amber if motion.warnings else None] * 9)
+            color = theme.current.amber if motion.warnings else None
+            colors.append([theme.current.bad if row in twins else color] * 9)
         self.table.show_rows(rows, colors)
         for row, (k, motion) in enumerate(found):
             if isinstance(motion, str):
@@ -168,14 +170,28 @@ class RecordsPanel(QWidget):
             else:
                 tick.setFlags(tick.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             self.table.setItem(row, 0, tick)
-            tips = "\n".join(w.text(case.report.language) for w in motion.warnings)
-            self.table.item(row, 1).setToolTip(tips or motion.file)
+            tips = [w.text(case.report.language) for w in motion.warnings]
+            tips += [twins[row]] if row in twins else []
+            self.table.item(row, 1).setToolTip("\n".join(tips) or motion.file)
         self.table.blockSignals(False)
         count = len(self.motions)
         words = tr("{n} records in use. Drop accelerograms or folders here.").format(n=count)
-        self.words.setText(f"{words} {self.left_out}".strip())
+        self.words.setText("\n".join([*twins.values(), f"{words} {self.left_out}".strip()]))
         self.left_out = ""
         self.loaded.emit()
+
+    def _twins(self) -> dict[int, str]:
+        """What to say of the rows in use whose samples an earlier one has: no study takes both."""
+        seen, found = {}, {}
+        for row, (k, motion) in enumerate(self.rows):
+            used = not isinstance(motion, str) and (
+                k is None or self.session.case.record[k].include
+            )
+            if used:
+                first = seen.setdefault(motion.samples_sha256, row)
+                if first != row:
+                    found[row] = said(twice(motion.name, self.rows[first][1].name))
+        return found
 
     # changes
 

@@ -37,6 +37,7 @@ class WallForm(QWidget):
         super().__init__()
         self.session = session
         self.showing = False
+        self.former: tuple[Wall | None, Wall | None] = (None, None)
         self.list = QListWidget()
         self.list.setMaximumHeight(84)
         self.list.setAccessibleName(tr("Walls"))
@@ -267,6 +268,9 @@ class WallForm(QWidget):
         wall, shape = self.wall, self.shape.itemData(index)
         if wall is None or shape == self._shape_of(wall):
             return
+        before, after = self.former
+        if wall == after:
+            wall = before  # the way back from a general block rounds nothing and keeps the setback
         try:
             block = wall.block()
         except (InputError, TypeError):
@@ -283,12 +287,16 @@ class WallForm(QWidget):
                       "hinge_setback_m": 0.0}  # fmt: skip
         else:
             blank["height_m"] = height
-            blank[shape] = {
-                "thickness_m": thickness,
-                "slenderness_deg": math.degrees(math.atan2(thickness, height)),
-                "height_over_thickness": height / thickness,
-            }[shape]
+            blank[shape] = (
+                getattr(wall, shape)
+                or {
+                    "thickness_m": thickness,
+                    "slenderness_deg": math.degrees(math.atan2(thickness, height)),
+                    "height_over_thickness": height / thickness,
+                }[shape]
+            )
         self.session.edit_wall(self.current, **blank)
+        self.former = (wall, self.wall) if shape == "general" else (None, None)
 
     def _mechanism_chosen(self, name: str) -> None:
         wall = self.wall

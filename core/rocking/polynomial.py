@@ -74,20 +74,6 @@ def bracketed_root(v, gap, which, low, high):
     return time
 
 
-@subkernel
-def part_turning_once(v, h):
-    """Largest h / 2^n such that phi'' changes sign at most once in [0, h], by bounds on the polynomial."""
-    a2 = abs(v[1])
-    a3 = abs(v[2]) * 2.0
-    for _ in range(30):
-        t3 = h * (6.0 * abs(v[3]) + h * (12.0 * abs(v[4]) + h * (20.0 * abs(v[5]))))
-        t3 += h * h * h * h * (30.0 * abs(v[6]) + h * (42.0 * abs(v[7]) + h * 56.0 * abs(v[8])))
-        if t3 <= a3 or h * (a3 + t3) <= a2:
-            break
-        h *= 0.5
-    return h
-
-
 @inner_kernel
 def wobble(v, h):
     """Bound of how far phi''' strays from 2 v2 in [0, h] [rad per step cubed]."""
@@ -95,6 +81,19 @@ def wobble(v, h):
     tail = 6.0 * abs(v[3]) + (h * (12.0 * abs(v[4])) + square * (20.0 * abs(v[5])))
     last = 30.0 * abs(v[6]) + (h * (42.0 * abs(v[7])) + square * (56.0 * abs(v[8])))
     return h * (tail + square * h * last)
+
+
+@subkernel
+def part_turning_once(v, h):
+    """Largest h / 2^n such that phi'' changes sign at most once in [0, h], by bounds on the polynomial."""
+    a2 = abs(v[1])
+    a3 = abs(v[2]) * 2.0
+    for _ in range(30):
+        strays = wobble(v, h)
+        if strays <= a3 or h * (a3 + strays) <= a2:
+            break
+        h *= 0.5
+    return h
 
 
 @inner_kernel

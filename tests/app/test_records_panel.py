@@ -52,6 +52,20 @@ def test_that_one_motion_of_many_is_turned_or_removed_alone_and_all_of_them_as_o
     assert {entry.scale for entry in bundled.session.case.record} == {-1.0}
 
 
+def test_that_a_record_that_is_there_twice_is_named_at_once(bundled, application, tmp_path):
+    first = bundled.records.motions[0]
+    copy = tmp_path / "copy.txt"
+    copy.write_bytes((bundled.session.base_dir / first.file).read_bytes())
+    bundled.session.add_records([Record(str(copy), kind="artificial")])
+    settle(application, lambda: not bundled.records.pending)
+    assert "twice" in bundled.records.words.text() and "copy" in bundled.records.words.text()
+    last = bundled.records.table.rowCount() - 1
+    assert "twice" in bundled.records.table.item(last, 1).toolTip()
+    bundled.records.table.item(last, 0).setCheckState(Qt.CheckState.Unchecked)
+    settle(application, lambda: not bundled.records.pending)
+    assert "twice" not in bundled.records.words.text()
+
+
 def test_that_generated_motions_are_ticked_and_stay_one_set(bundled, application):
     bundled.session.edit_section("demand", soil_factor=None)
     bundled.demand._kind_chosen(bundled.demand.kind.findData("EN1998"))
@@ -107,4 +121,20 @@ def test_that_files_beyond_what_the_dialog_shows_are_named(application, tmp_path
     paths = [tmp_path / f"{k}.txt" for k in range(MOST_FILES + 3)]
     dialog = ImportDialog(paths)
     assert len(dialog.paths) == MOST_FILES and "3" in dialog.hint.text()
+    dialog.deleteLater()
+
+
+def test_that_the_dialog_marks_what_cannot_be_read(application, tmp_path):
+    from app.forms.import_dialog import ImportDialog
+
+    good, bad = tmp_path / "a_good.txt", tmp_path / "bad.txt"
+    good.write_text("\n".join(f"{np.sin(0.1 * k):.6f}" for k in range(300)))
+    bad.write_text("no numbers here")
+    dialog = ImportDialog([good, bad])
+    settle(application, lambda: dialog.marked == 2)
+    assert "✕" in dialog.list.item(0).text() and "✕" in dialog.list.item(1).text()
+    dialog.list.setCurrentRow(0)
+    dialog.change(unit="g", time_step_s=0.01)
+    assert "✕" not in dialog.list.item(0).text() and "✕" in dialog.list.item(1).text()
+    assert dialog.list.item(1).toolTip() and not dialog.list.item(0).toolTip()
     dialog.deleteLater()

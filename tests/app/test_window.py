@@ -62,6 +62,19 @@ def test_that_the_geometry_can_be_written_in_four_ways_and_stays_the_same_wall(o
         assert found.p2 == pytest.approx(block.p2, rel=1e-12)
 
 
+def test_that_the_way_back_from_a_general_block_rounds_nothing(opened):
+    opened.session.edit_wall(0, height_m=6.1, thickness_m=0.37, hinge_setback_m=0.013)
+    wall = opened.session.case.wall[0]
+    for shape in ("general", "thickness_m"):
+        opened.walls._shape_chosen(opened.walls.shape.findData(shape))
+    assert opened.session.case.wall[0] == wall
+    opened.walls._shape_chosen(opened.walls.shape.findData("general"))
+    opened.session.edit_wall(0, radius_m=2.5)  # another block: nothing to go back to
+    opened.walls._shape_chosen(opened.walls.shape.findData("thickness_m"))
+    found = opened.session.case.wall[0]
+    assert found.height_m != pytest.approx(6.1, rel=1e-3) and found.hinge_setback_m == 0.0
+
+
 def test_that_a_new_wall_has_no_mechanism_until_one_is_chosen(opened):
     opened.walls.add()
     assert opened.session.case.wall[-1].mechanism == ""
