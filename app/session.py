@@ -203,14 +203,17 @@ class Session:
             return self._moved(case, old, target.parent)
 
         case = moved(self.case)
-        content = dumps(case).encode()
+        before = (self.content or b"").decode("utf-8-sig", errors="replace")
+        text = dumps(case, before)
+        content = text.encode()
         atomic.write({target: content})
         self.content = content
         self.drop_swap()
         self.path, self.base_dir = target, target.parent
         self.case = case
         digest = hashlib.sha256(content).hexdigest()
-        self.saved = replace(case, sha256=digest, given=frozenset(), table="")
+        given = draft_case(tomllib.loads(text)).given
+        self.saved = replace(case, sha256=digest, given=given, table="")
         self._known = None
         self.past, self.future = [moved(c) for c in self.past], [moved(c) for c in self.future]
         if self.result is not None:

@@ -142,6 +142,7 @@ def draft_case(table: dict) -> Case:
         generate=one(Generate, "generate"),
         analysis=one(Analysis, "analysis") or Analysis(),
         demand=demand,
+        given=frozenset(_written(table)),
     )
 
 

@@ -1,6 +1,13 @@
 """A case as TOML text."""
 
+import tomllib
+
 from core.case import Case
+from core.case_reader import draft_case
+from core.errors import InputError
+
+IDENTITY = {"wall": "name", "record": "file"}
+"""Keys of many tables, and what a table of them is known by."""
 
 
 def table_of(case: Case) -> dict:
@@ -30,14 +37,62 @@ def table_of(case: Case) -> dict:
     return found
 
 
-def dumps(case: Case) -> str:
-    """`table_of` as TOML text."""
+def dumps(case: Case, before: str = "") -> str:
+    """`table_of` as TOML text. before : the file as it was: its comments, its order and the defaults it states
+    stay, as far as what is read back is the same case."""
     import tomlkit
+    from tomlkit.exceptions import TOMLKitError
 
-    document = tomlkit.document()
-    for key, value in table_of(case).items():
-        document[key] = value
-    return tomlkit.dumps(document)
+    plain, wanted = tomlkit.document(), table_of(case)
+    plain.update(wanted)
+    try:
+        document = tomlkit.parse(before)
+        _merge(document, wanted, case.as_dict())
+        text = tomlkit.dumps(document)
+        if draft_case(tomllib.loads(text)) == draft_case(wanted):
+            return text
+    except (TOMLKitError, ValueError, InputError):
+        pass
+    return tomlkit.dumps(plain)
+
+
+def _merge(target, wanted: dict, content: dict) -> None:
+    """Make a table of the file hold what is wanted. content : the same with all defaults."""
+    for key in list(target):
+        if key not in wanted and not _states(target[key], content.get(key)):
+            del target[key]
+    for key, value in wanted.items():
+        old = target.get(key)
+        if isinstance(value, dict) and isinstance(old, dict):
+            _merge(old, value, content[key])
+        elif key in IDENTITY and isinstance(old, list):
+            _merge_tables(old, value, content[key], IDENTITY[key])
+        elif old is None or not _states(old, value):
+            target[key] = value
+
+
+def _states(stated, content) -> bool:
+    """Whether what the file states is so."""
+    if isinstance(stated, dict) and isinstance(content, dict):
+        return all(key in content and _states(part, content[key]) for key, part in stated.items())
+    return stated == content and isinstance(stated, bool) == isinstance(content, bool)
+
+
+def _merge_tables(target: list, wanted: list[dict], content, identity: str) -> None:
+    """The same of [[wall]] or [[record]]: tables are known by their name or file, one renamed by its place."""
+    old, new = ([table.get(identity) for table in tables] for tables in (target, wanted))
+    if len(old) == len(new):
+        old = [b if a not in new and b not in old else a for a, b in zip(old, new, strict=True)]
+    kept = [name for name in old if name in new]
+    if kept != new[: len(kept)] or len(set(old)) < len(old):
+        kept = []  # another order: no comment must come to another wall
+    for k in reversed(range(len(old))):
+        if old[k] not in kept:
+            del target[k]
+    for table, value, full in zip(target, wanted, content, strict=False):
+        _merge(table, value, full)
+    for value in wanted[len(kept) :]:
+        target.append(value)
 
 
 def _bare(value):

@@ -186,6 +186,20 @@ def test_that_a_damaged_swap_is_refused(tmp_path):
             session.recover(path)
 
 
+def test_that_saving_keeps_comments_and_what_the_batch_says_of_the_file(session, tmp_path):
+    path = tmp_path / "c.toml"
+    text = EXAMPLE.read_text(encoding="utf-8").replace("[[wall]]", "# of mine\n[[wall]]", 1)
+    path.write_text(text, encoding="utf-8")
+    session.open(path)
+    session.edit_wall(0, height_m=6.0)
+    session.save()
+    assert "# of mine\n[[wall]]" in path.read_text(encoding="utf-8")
+    batch = read_case(path)
+    seen = session.checked()
+    assert seen == batch
+    assert (seen.sha256, seen.given, seen.table) == (batch.sha256, batch.given, batch.table)
+
+
 def test_that_saving_drops_the_swap(session, tmp_path):
     session.edit_wall(0, height_m=6.0)
     session.autosave()

@@ -1,6 +1,7 @@
 """The case file: every rule refuses in one sentence that names place, value and what is accepted."""
 
 import tomllib
+from dataclasses import replace
 
 import pytest
 
@@ -196,3 +197,67 @@ def test_that_every_shipped_case_can_be_read():
     assert shipped
     for path in shipped:
         assert read_case(path).wall
+
+
+COMMENTED = """\
+# the palace, north wing
+title = "Palazzo"   # as in the survey
+
+[[wall]]
+# measured twice
+name = "facade"
+height_m = 7.0  # to the cornice
+thickness_m = 0.83
+mechanism = "one_sided"
+
+[[wall]]
+name = "gable"      # of the roof
+height_m = 3
+thickness_m = 0.3
+mechanism = "two_sided"
+
+[demand]
+# from the map
+ag_g = 0.260
+confidence_factor = 1.35    # no tests of the masonry
+spectrum = { code = "NTC2018", f0 = 2.4, tc_star_s = 0.33, soil = "B", topography = "T1" }
+"""
+
+
+def test_that_comments_order_and_stated_defaults_of_a_file_stay():
+    case = parse_case(tomllib.loads(COMMENTED))
+    assert dumps(case, COMMENTED) == COMMENTED
+    wall = replace(case.wall[0], height_m=6.5)
+    text = dumps(replace(case, wall=(wall, case.wall[1])), COMMENTED)
+    assert text == COMMENTED.replace("7.0  # to", "6.5  # to")
+    text = dumps(replace(case, wall=(replace(case.wall[0], name="front"), case.wall[1])), COMMENTED)
+    assert text == COMMENTED.replace('"facade"', '"front"')
+
+
+def test_that_comments_go_with_their_wall():
+    case = parse_case(tomllib.loads(COMMENTED))
+    facade, gable = case.wall
+    new = replace(gable, name="new")
+    for walls, stay, gone in (
+        ((gable,), ["# of the roof"], ["# measured twice", "# to the cornice"]),
+        ((facade, gable, new), ["# measured twice", "# of the roof"], []),
+        ((gable, new), ["# of the roof"], ["# measured twice"]),
+        ((gable, facade), [], ["# of the roof", "# measured twice"]),
+    ):
+        changed = replace(case, wall=walls)
+        text = dumps(changed, COMMENTED)
+        assert parse_case(tomllib.loads(text)) == changed
+        assert all(comment in text for comment in [*stay, "# from the map"])
+        assert not any(comment in text for comment in gone)
+
+
+def test_that_a_file_of_any_kind_before_changes_no_case():
+    case = parse_case(tomllib.loads(COMMENTED))
+    for before in (
+        "",
+        "not toml [",
+        "x = 1\n",
+        'wall = [{name = "facade"}]\n',
+        "[wall]\n[demand.x]\n",
+    ):
+        assert parse_case(tomllib.loads(dumps(case, before))) == case
