@@ -3,6 +3,7 @@
 import argparse
 import contextlib
 import faulthandler
+import gc
 import os
 import sys
 import tempfile
@@ -39,6 +40,7 @@ def window(case: Path | None) -> int:
     """The window, imported here so that nothing else needs Qt. Raises InputError where Qt cannot start."""
     from core.errors import InputError
 
+    gc.disable()  # the imports leave it much to look through; `start.show` turns it on again
     try:
         from app import start as qt
     except ImportError as error:

@@ -67,6 +67,7 @@ def show(window: MainWindow) -> None:
     would hold up the window for as long."""
     window.show()
     gc.freeze()
+    gc.enable()
 
 
 def main(path: Path | None) -> int:

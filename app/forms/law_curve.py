@@ -63,7 +63,7 @@ class LawCurve(SmallCurve):
             self.curve.setData([], [])
             return
         model = rocking_model(block, False, Restitution("user", 1.0), law)
-        ratio = np.unique([0.0, 1.0, law.elastic_limit, law.plateau_end, *np.linspace(0, 1, 21)])
+        ratio = np.array(sorted({law.elastic_limit, law.plateau_end, *np.linspace(0.0, 1.0, 21)}))
         top = np.sin(block.slenderness)
         values = [moment(float(x) * block.slenderness, model) / top for x in ratio]
         if law.is_rigid:
