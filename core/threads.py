@@ -1,8 +1,10 @@
 """Independent work on threads: the kernels hold no lock, results do not depend on the number of threads."""
 
+import contextlib
+import queue
 import threading
 from collections.abc import Callable
-from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
+from concurrent.futures import ThreadPoolExecutor
 
 from core.errors import Cancelled
 
@@ -24,6 +26,9 @@ class Threads:
         Raises Cancelled within 0.1 s of a cancel and a task's stop, and whatever a task raises.
         """
         found, ended = {}, threading.Event()
+        done = (
+            queue.SimpleQueue()
+        )  # `wait` of thousands of futures looks at each of them every time
 
         def stop() -> bool:
             return ended.is_set() or self.cancelled()
@@ -31,9 +36,13 @@ class Threads:
         with ThreadPoolExecutor(self.jobs) as pool:
             waiting = {pool.submit(task, stop): key for key, task in tasks.items()}
             try:
-                while waiting:
-                    done, _ = wait(waiting, timeout=0.1, return_when=FIRST_COMPLETED)
-                    for future in done:
+                for future in list(waiting):
+                    future.add_done_callback(done.put)
+                while len(found) < len(tasks):
+                    future = None
+                    with contextlib.suppress(queue.Empty):
+                        future = done.get(timeout=0.1)
+                    if future is not None:
                         key = waiting.pop(future)
                         found[key] = future.result()
                         on_result(key, found[key])
