@@ -1,6 +1,7 @@
 """File in, files out: the headless run of a case, with progress, exit codes and a journal."""
 
 import contextlib
+import gc
 import signal
 import sys
 import threading
@@ -126,13 +127,23 @@ def write(
         check()
         if len(histories) == workbook.HISTORY_WALLS:
             break
-    text = json_report.dumps(
-        result
-    ).encode()  # first: the cells of the workbook take the most memory
+    # first the JSON: the cells of the workbook take the most memory
+    text = json_report.dumps(result).encode()
     check()
-    book = workbook.content(result, histories, check)
+    with _no_collector():
+        book = workbook.content(result, histories, check)
     ready()
     atomic.write({folder / f"{stem}.xlsx": book, folder / f"{stem}.json": text})
+
+
+@contextlib.contextmanager
+def _no_collector():
+    """Python's collector would look through the cells of a workbook again and again, which are no garbage."""
+    gc.disable()
+    try:
+        yield
+    finally:
+        gc.enable()
 
 
 def summary(result: StudyResult, folder: Path, stem: str) -> str:
