@@ -33,7 +33,7 @@ from core.ida import Search, incremental_dynamic_analysis  # noqa: E402
 from core.kernel_cache import kernel  # noqa: E402
 from core.moment_rotation import LAWS  # noqa: E402
 from core.restitution import restitution  # noqa: E402
-from core.rocking import AUTO, METHODS, history, rocking_model, scan  # noqa: E402
+from core.rocking import AUTO, METHODS, Grounds, history, rocking_model, scan_records  # noqa: E402
 from core.threads import Threads  # noqa: E402
 
 LOOP = 2_000_000
@@ -107,13 +107,16 @@ def main() -> None:
     ground = np.ascontiguousarray(data[:, 1])
     pga = float(np.abs(ground).max())
     scales, outcomes, peaks = np.ones(64), np.zeros(64, np.int64), np.zeros(64)
+    grounds, which = Grounds.of([ground], 0.01), np.zeros(64, np.int64)
     for law in ("rigid", "doherty"):
         for label, method in METHODS.items():
             model = model_of(False, law)
             if label == "linearised" and law != "rigid":
                 continue
             seconds = median_seconds(
-                lambda m=method, w=model: scan(m, ground, 0.01, scales, w, outcomes, peaks)
+                lambda m=method, w=model: scan_records(
+                    m, grounds, which, scales, w, outcomes, peaks
+                )
             )
             each = seconds / (scales.size * (ground.size - 1))
             line(f"{label}, standard, {law}", each * 1e9, "ns per sample", each / yardstick)
