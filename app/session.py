@@ -205,14 +205,15 @@ class Session:
         case = moved(self.case)
         before = (self.content or b"").decode("utf-8-sig", errors="replace")
         text = dumps(case, before)
-        content = text.encode()
+        content, given = text.encode(), frozenset()
+        with contextlib.suppress(InputError):  # a draft that breaks a rule is written as it is
+            given = draft_case(tomllib.loads(text)).given
         atomic.write({target: content})
         self.content = content
         self.drop_swap()
         self.path, self.base_dir = target, target.parent
         self.case = case
         digest = hashlib.sha256(content).hexdigest()
-        given = draft_case(tomllib.loads(text)).given
         self.saved = replace(case, sha256=digest, given=given, table="")
         self._known = None
         self.past, self.future = [moved(c) for c in self.past], [moved(c) for c in self.future]

@@ -37,9 +37,13 @@ def table_of(case: Case) -> dict:
     return found
 
 
+class _OtherTables(Exception):
+    """Tables came or went: a comment above one is the end of the one before, and would change its place."""
+
+
 def dumps(case: Case, before: str = "") -> str:
     """`table_of` as TOML text. before : the file as it was: its comments, its order and the defaults it states
-    stay, as far as what is read back is the same case."""
+    stay where no table came or went and what is read back is the same case."""
     import tomlkit
     from tomlkit.exceptions import TOMLKitError
 
@@ -51,7 +55,7 @@ def dumps(case: Case, before: str = "") -> str:
         text = tomlkit.dumps(document)
         if draft_case(tomllib.loads(text)) == draft_case(wanted):
             return text
-    except (TOMLKitError, ValueError, InputError):
+    except (_OtherTables, TOMLKitError, ValueError, InputError):
         pass
     return tomlkit.dumps(plain)
 
@@ -60,13 +64,15 @@ def _merge(target, wanted: dict, content: dict) -> None:
     """Make a table of the file hold what is wanted. content : the same with all defaults."""
     for key in list(target):
         if key not in wanted and not _states(target[key], content.get(key)):
+            if isinstance(target[key], (dict, list)):
+                raise _OtherTables
             del target[key]
     for key, value in wanted.items():
         old = target.get(key)
         if isinstance(value, dict) and isinstance(old, dict):
             _merge(old, value, content[key])
-        elif key in IDENTITY and isinstance(old, list):
-            _merge_tables(old, value, content[key], IDENTITY[key])
+        elif isinstance(value, dict) or key in IDENTITY:
+            _merge_tables(old or [], value, content[key], IDENTITY.get(key))
         elif old is None or not _states(old, value):
             target[key] = value
 
@@ -78,21 +84,15 @@ def _states(stated, content) -> bool:
     return stated == content and isinstance(stated, bool) == isinstance(content, bool)
 
 
-def _merge_tables(target: list, wanted: list[dict], content, identity: str) -> None:
+def _merge_tables(target: list, wanted: list[dict], content, identity: str | None) -> None:
     """The same of [[wall]] or [[record]]: tables are known by their name or file, one renamed by its place."""
+    if identity is None or len(target) != len(wanted):
+        raise _OtherTables
     old, new = ([table.get(identity) for table in tables] for tables in (target, wanted))
-    if len(old) == len(new):
-        old = [b if a not in new and b not in old else a for a, b in zip(old, new, strict=True)]
-    kept = [name for name in old if name in new]
-    if kept != new[: len(kept)] or len(set(old)) < len(old):
-        kept = []  # another order: no comment must come to another wall
-    for k in reversed(range(len(old))):
-        if old[k] not in kept:
-            del target[k]
-    for table, value, full in zip(target, wanted, content, strict=False):
+    if any(a != b and (a in new or b in old) for a, b in zip(old, new, strict=True)):
+        raise _OtherTables
+    for table, value, full in zip(target, wanted, content, strict=True):
         _merge(table, value, full)
-    for value in wanted[len(kept) :]:
-        target.append(value)
 
 
 def _bare(value):

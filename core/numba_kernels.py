@@ -1,5 +1,8 @@
 """What numba has to know of the kernels; imported with the first call of one."""
 
+import hashlib
+from pathlib import Path
+
 from numba import njit, types
 from numba.core.caching import _CacheLocator
 from numba.extending import lower_builtin, type_callable, typeof_impl
@@ -24,23 +27,27 @@ def compiled(function, inlined: bool, doors: bool):
 
 
 class Locator(_CacheLocator):
-    """Puts the machine code of this program's kernels into FOLDER, under their module's name."""
+    """Puts the machine code of kernels into FOLDER, under their module's name. A kernel of another module than
+    core's (a test's) is of its own file as well: numba alone would keep it when only core changes."""
 
     def __init__(self, py_func):
-        self._place = f"{py_func.__module__}-{py_func.__code__.co_firstlineno}"
+        name, code = py_func.__module__, py_func.__code__
+        self._place = f"{name}-{code.co_firstlineno}"
+        own = b"" if name.startswith("core.") else Path(code.co_filename).read_bytes()
+        self._stamp = STAMP + hashlib.sha256(own).hexdigest()[:16]
 
     def get_cache_path(self):
         return str(FOLDER)
 
     def get_source_stamp(self):
-        return STAMP
+        return self._stamp
 
     def get_disambiguator(self):
         return self._place
 
     @classmethod
     def from_function(cls, py_func, py_file):
-        return cls(py_func) if py_func.__module__.startswith("core.") else None
+        return cls(py_func) if py_func.__module__.split(".")[0] in ("core", "tests") else None
 
 
 @typeof_impl.register(Kernel)

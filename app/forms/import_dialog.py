@@ -111,18 +111,17 @@ class ImportDialog(QDialog):
         layout.addWidget(self.buttons)
         self.resize(QSize(820, 560))
         self.list.setCurrentRow(0)
-        self.marked = 0
+        self.unmarked = list(range(len(self.paths)))
         self.marking = QTimer(self)
         self.marking.timeout.connect(self._mark_next)
         self.marking.start(0)
 
     def _mark_next(self) -> None:
         """Read one file after another, between other events, and mark in the list what cannot be read."""
-        if self.marked == len(self.paths):
+        if self.unmarked:
+            self._mark(self.unmarked.pop(0))
+        else:
             self.marking.stop()
-            return
-        self._mark(self.marked)
-        self.marked += 1
 
     def _mark(self, row: int) -> None:
         (found, *_) = self._read(self.paths[row])
@@ -158,8 +157,10 @@ class ImportDialog(QDialog):
         rows = {index.row() for index in self.list.selectedIndexes()} or {self.list.currentRow()}
         for row in rows:
             path = self.paths[row]
+            self.found.pop(self.entries[path], None)
             self.entries[path] = replace(self.entries[path], **values)
-            self._mark(row)
+        self.unmarked = sorted(rows.union(self.unmarked))
+        self.marking.start(0)
         self.show_file()
 
     def show_file(self) -> None:

@@ -188,7 +188,8 @@ class RecordsPanel(QWidget):
                 k is None or self.session.case.record[k].include
             )
             if used:
-                first = seen.setdefault(motion.samples_sha256, row)
+                first = seen.get(motion.samples_sha256, seen.get(motion.file, row))
+                seen |= {motion.samples_sha256: first, motion.file: first}
                 if first != row:
                     found[row] = said(twice(motion.name, self.rows[first][1].name))
         return found

@@ -133,10 +133,10 @@ def lost(phi, speed, strongest, model):
 
 @inner_kernel
 def may_top(phi, dphi, speed, bend, reach, peak):
-    """Whether a step that turns can go beyond the peak so far [rad]. bend : of `largest_curvature`; reach :
+    """Whether a step that turns can go beyond the peak so far [rad]. bend : of `shape`; reach :
     how far the step strays from its chord [rad]."""
     return (max(phi, phi + dphi) + reach > peak) & (
-        speed * speed + 1.998 * bend * (peak - phi) > 0.0
+        speed * speed + 1.998 * bend * (peak - phi) >= 0.0
     )
 
 
@@ -200,7 +200,9 @@ def through_sample(
         falls = min(phi, phi + dphi) - low <= reach and min(v[0], v[0] + dv) <= margin
         rises = high - max(phi, phi + dphi) <= reach and max(v[0], v[0] + dv) >= -margin
         crossing = -1.0
-        bend, _, stays = shape(v, phi - low, dphi, dv, part)
+        bend, stays = 0.0, True
+        if falls or rises:
+            bend, _, stays = shape(v, phi - low, dphi, dv, part)
         if rises and bend >= 0.0:
             part = part_turning_once(v, part)
         if falls and not stays:

@@ -200,6 +200,12 @@ def test_that_saving_keeps_comments_and_what_the_batch_says_of_the_file(session,
     assert (seen.sha256, seen.given, seen.table) == (batch.sha256, batch.given, batch.table)
 
 
+def test_that_a_draft_that_breaks_a_rule_is_saved_whole(session, tmp_path):
+    session.edit_wall(0, notes="two\nlines")
+    session.save(tmp_path / "c.toml")
+    assert not session.dirty and session.path == (tmp_path / "c.toml").resolve()
+
+
 def test_that_saving_drops_the_swap(session, tmp_path):
     session.edit_wall(0, height_m=6.0)
     session.autosave()

@@ -53,6 +53,27 @@ def test_that_a_peak_next_to_a_turn_is_found(alpha, p2, dt, first, second, phi, 
     assert whole[2] == pytest.approx(cut[2], abs=1e-11 * alpha)
 
 
+@pytest.mark.parametrize("order", [6, 8])
+@pytest.mark.parametrize("one_sided", [0.0, 1.0])
+@pytest.mark.parametrize("dt", [0.005, 0.02, 0.1])
+@pytest.mark.parametrize(
+    "first, second, share",
+    [(2.0, -6.0, 0.0), (1.2, -0.9, 0.0), (1.01, -50.0, 0.0), (1.5, -8.0, 0.2)],
+)
+def test_that_a_peak_of_the_first_step_from_a_standing_start_is_found(
+    first, second, share, dt, one_sided, order
+):
+    """Lifted by the ground at its beginning, or let go leaning, and down again within the sample."""
+    alpha = 0.12
+    model = RockingModel(alpha, 2.1, one_sided, 0.9, 0.0, 0.0, 0.0)
+    lift = 9.80665 * math.tan(alpha)
+    whole, cut = whole_and_cut(
+        model, first * lift, second * lift, dt, order, share * alpha, 0.0, share * alpha
+    )
+    assert whole[2] > 0.0
+    assert whole[2] == pytest.approx(cut[2], rel=1e-9)
+
+
 def test_that_order_six_sees_the_products_of_a_strong_ground():
     """What it leaves out comes from v1 v2 and v2^2, not from its last terms alone."""
     alpha, p2 = 0.179145, 7.83972
