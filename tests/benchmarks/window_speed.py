@@ -13,8 +13,9 @@ ROOT = Path(__file__).resolve().parents[2]
 
 START = """
 import time; start = time.perf_counter()
-import gc; gc.disable()  # as app/__main__.py
 import sys; sys.path.insert(0, sys.argv[1])
+from app.__main__ import quicken_imports
+quicken_imports()
 from PySide6.QtCore import QStandardPaths
 QStandardPaths.setTestModeEnabled(True)
 from app import start as program
