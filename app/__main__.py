@@ -41,7 +41,7 @@ def quicken_imports() -> None:
     turns it on again. PySide reads the source of each module imported after it, to see whether it may ask for
     Qt's optional names, which no module here does: a seventh of the start."""
     gc.disable()
-    import PySide6.QtCore  # noqa: F401
+    import shiboken6  # noqa: F401
 
     with contextlib.suppress(ImportError, AttributeError):
         from shibokensupport import feature
