@@ -111,13 +111,18 @@ def _text(path: Path) -> str:
     return path.read_text() if path.exists() else ""
 
 
+BESIDE = "RIBALTA_KERNELS_BESIDE"
+"""Names the folder of the process that started this one, see core.compile_beside, which also closes it."""
+
 STAMP = source_stamp()
-FOLDER = prepare(user_folder(), STAMP)
+FOLDER = Path(os.environ[BESIDE]) if BESIDE in os.environ else prepare(user_folder(), STAMP)
 
 
 @atexit.register
 def close() -> None:
     """Before the process ends: what is compiled is kept, but for a folder of this process alone."""
+    if BESIDE in os.environ:
+        return
     record(FOLDER)
     if FOLDER.name.startswith(TEMPORARY):
         shutil.rmtree(FOLDER, ignore_errors=True)
@@ -139,18 +144,19 @@ class Kernel:
 
     inlined : becomes part of its callers, so that their loops can use vector instructions; doors : whether
     Python may call the compiled code. Those doors take longer to compile than most kernels; without them a
-    call from Python runs the function as Python.
+    call from Python runs the function as Python; awaited : called before it is compiled or loaded.
     """
 
-    def __init__(self, function, inlined: bool, doors: bool):
+    def __init__(self, function, inlined: bool, doors: bool, awaited=lambda: None):
         functools.update_wrapper(self, function)
         self.py_func, self.inlined, self.doors = function, inlined, doors
-        self._dispatcher = None
+        self._awaited, self._dispatcher = awaited, None
 
     @property
     def dispatcher(self):
         """numba's object of this kernel; to be called from Python only where there are doors."""
         if self._dispatcher is None:
+            self._awaited()
             with _lock:
                 from core.numba_kernels import compiled
 

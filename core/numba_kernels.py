@@ -1,5 +1,6 @@
 """What numba has to know of the kernels; imported with the first call of one."""
 
+import gc
 import hashlib
 from pathlib import Path
 
@@ -50,6 +51,24 @@ class Locator(_CacheLocator):
         return cls(py_func) if py_func.__module__.split(".")[0] in ("core", "tests") else None
 
 
+_types_of_call = types.Function.get_call_type
+_known = {}
+
+
+def _once(function, context, arguments, keywords):
+    """numba tries dozens of rules, some with an error's text, for each `a * b` of numbers: a quarter of a
+    compilation. The same call has the same types."""
+    if keywords or not all(isinstance(argument, types.Number) for argument in arguments):
+        return _types_of_call(function, context, arguments, keywords)
+    call = function.typing_key, arguments
+    if call not in _known:
+        _known[call] = _types_of_call(function, context, arguments, keywords)
+    return _known[call]
+
+
+types.Function.get_call_type = _once
+
+
 @typeof_impl.register(Kernel)
 def _type_of_kernel(value, context):
     return types.Dispatcher(value.dispatcher)
@@ -66,3 +85,7 @@ def _mark_function(context, builder, signature, arguments):
     # llvmlite's list of known attributes lacks this one
     set.add(builder.function.attributes, '"prefer-vector-width"="512"')
     return context.get_dummy_value()
+
+
+gc.freeze()
+"""What numba's import made stays to the end: the collector need not look through it while kernels compile."""

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from core import records
+from core import compile_beside, records
 from core.accuracy import Accuracy, accuracy
 from core.assessment import assess
 from core.case import Case, Wall
@@ -22,7 +22,7 @@ from core.journal import Journal, Memory
 from core.kernel_cache import FOLDER, STAMP, record
 from core.records.grammar import Options
 from core.results import CollapseHistories, Run, StudyResult, WallResult
-from core.rocking import AUTO, METHODS, RockingModel, history, rocking_model, scan
+from core.rocking import AUTO, METHODS, RockingModel, concrete, history, rocking_model, scan
 from core.threads import Threads
 from core.version import VERSION
 from core.wall_result import run_result, wall_result
@@ -97,6 +97,7 @@ def run(
         for polarity in signs[index]
     ]
     models = [_model(wall, mechanism) for wall, mechanism in walls]
+    _compile_beside(method, models, motions)
     book = journal(f"{VERSION} {STAMP}") if journal else None
     assessed = len(walls) if demand else 0
     total = len(planned) + assessed
@@ -172,10 +173,16 @@ def warm(case: Case, motion: GroundMotion) -> None:
     wall = case.wall[0]
     model = _model(wall, wall.mechanisms()[0])
     method = METHODS.get(case.analysis.method, AUTO)
+    _compile_beside(method, [model], [motion])
     ground, dt = motion.acceleration, motion.time_step
     scales = np.full(16, 1.1 * threshold_of(model) / motion.pga)
     scan(method, ground, dt, scales, model, np.zeros(16, np.int64), np.zeros(16))
     history(ground, dt, scales[0], model, method)
+
+
+def _compile_beside(method, models, motions) -> None:
+    steps = {motion.time_step for motion in motions}
+    compile_beside.start({concrete(method, model, dt).name for model in models for dt in steps})
 
 
 def run_key(model: RockingModel, motion: GroundMotion, polarity: int, method, search) -> str:

@@ -7,10 +7,12 @@ Cost: about 100 floating-point operations a step. Fails: nowhere found; a step w
 converged is shortened until it has.
 """
 
+import functools
 import math
 
 import numpy as np
 
+from core import compile_beside
 from core.kernel_cache import inner_kernel, kernel, subkernel
 from core.moment_rotation import FAR, moment_branch, zone_of
 from core.rocking.bounds import converged_part, largest_push, neglected, turning_margin
@@ -140,7 +142,7 @@ def may_top(phi, dphi, speed, bend, reach, peak):
     )
 
 
-@inner_kernel
+@functools.partial(inner_kernel, awaited=compile_beside.wait)
 def through_sample(
     ground0, ground1, dt, model, constants, order, strongest, state, start
 ):  # fmt: skip

@@ -134,3 +134,36 @@ def test_that_kernels_of_kernels_run_as_python_when_python_calls_them():
     assert half("a") == "python"
     assert quarter(8.0) == 2.0
     assert three_quarters(8.0) == 6.0
+
+
+COLD = """
+import sys, numpy as np
+from core import compile_beside
+from core.rocking import METHODS, RockingModel, history
+from core.rocking.taylor import through_sample
+compile_beside.sys.executable = sys.argv[1]
+compile_beside.start({"taylor_6", "rk4"})
+model = RockingModel(0.1, 2.0, 0.0, 0.97, 0.0, 0.0, 0.0)
+found = history(np.sin(np.arange(400.0)), 0.01, 3.0, model, METHODS["taylor_6"])
+taken = sum(through_sample.dispatcher.stats.cache_hits.values())
+print(taken, len(compile_beside._second), found.rotation.sum(), found.peak)
+compile_beside._second.clear() if taken else None
+compile_beside.start({"taylor_6"})
+print(len(compile_beside._second))
+"""
+
+
+def test_that_a_second_process_compiles_the_step_where_nothing_is_compiled(tmp_path):
+    def cold(executable, folder):
+        found = subprocess.run(
+            [sys.executable, "-P", "-c", COLD, executable], capture_output=True, text=True, check=True,
+            env=dict(os.environ, PYTHONPATH=str(ROOT), RIBALTA_CACHE=str(folder)),
+        )  # fmt: skip
+        return found.stdout.split()
+
+    taken, begun, *results, again = cold(sys.executable, tmp_path / "two")
+    assert (taken, begun, again) == ("1", "1", "0")  # and no other where it is compiled
+    missing = cold(str(tmp_path / "nothing"), tmp_path / "one")
+    assert missing == ["0", "0", *results, "0"]
+    # a second process that ends without having compiled anything
+    assert cold("/bin/false", tmp_path / "none")[2:4] == results
