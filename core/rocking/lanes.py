@@ -47,25 +47,28 @@ ROW = WIDTH + 8
     SLOPE,
     CONSTANT,
     NEXT,
+    SAMPLE,
+    LEFT,
     PHI,
     SPEED,
     TIME,
     PER_STEP,
     PEAK,
     SERIES,
-) = (ROW * row for row in range(20))
-"""FIRST, SECOND : scaled ground acceleration at the ends of the sample; TIME : where in it the lane is, 0 to
-1; PER_STEP : one over the time to its end [1/s]; IMPACTS : in this sample; NEXT : below; SERIES : v0 to v8."""
-LANE_ROWS = 19
+) = (ROW * row for row in range(22))
+"""FIRST, SECOND : ground acceleration at the ends of the sample, the first one scaled; TIME : where in it the
+lane is, 0 to 1; PER_STEP : one over the time to its end [1/s]; IMPACTS : in this sample; NEXT : below; LEFT :
+samples until it is to be looked at; SERIES : v0 to v8."""
+LANE_ROWS = 21
 FALL_ROWS = 14
 """From PHI to v8: what lanes that fall are copied with to where they lie side by side, from FALL on."""
-FALL = ROW * 28
+FALL = ROW * 30
 PLAIN = FALL + ROW * FALL_ROWS
 """Whether such a fall is that plain."""
-ROWS = 28 + FALL_ROWS + 1
+ROWS = 30 + FALL_ROWS + 1
 
-STEPPED, BEYOND, FALLS, ALONE = 0.0, 1.0, 2.0, 3.0
-"""NEXT of a lane: through its sample; so and beyond alpha; to land in it; to be taken through it alone."""
+STEPPED, LOOKED, FALLS, ALONE = 0.0, 1.0, 2.0, 3.0
+"""NEXT of a lane: through its sample; so and to be looked at; to land in it; to be taken through it alone."""
 
 VECTOR = 8
 """Lanes are stepped in multiples of this, so that no remainder is left to single steps; those beyond the
@@ -81,7 +84,8 @@ def plain_steps(lanes, dt, model, constants, order, state):
     per_dt = 1.0 / dt
     for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
         first = state[FIRST + k]
-        second = state[SECOND + k]
+        second = state[SCALE + k] * state[SECOND + k]
+        left = state[LEFT + k] - 1.0
         t = state[TIME + k]
         per_step = state[PER_STEP + k]
         x = state[PHI + k]
@@ -131,9 +135,10 @@ def plain_steps(lanes, dt, model, constants, order, state):
             | ((not falls) & tops & may_top(x, dphi, v[0], bend, reach, peak))
         )
         stays = alone | falls
-        state[NEXT + k] = (
-            ALONE if alone else (FALLS if falls else (BEYOND if y > model.slenderness else STEPPED))
-        )
+        looked = (y > model.slenderness) | (left <= 0.0)
+        state[NEXT + k] = ALONE if alone else (FALLS if falls else (LOOKED if looked else STEPPED))
+        state[SAMPLE + k] += 0.0 if stays else 1.0
+        state[LEFT + k] = left + 1.0 if stays else left
         state[FIRST + k] = first if stays else second
         state[PHI + k] = x if stays else y
         state[SPEED + k] = speed if stays else speed + dv * per_step
@@ -222,8 +227,8 @@ def alone(k, dt, model, constants, order, zero, state):
         int(state[ZONE + k]), state[PEAK + k], zero, zero,
     )  # fmt: skip
     outcome, time, _, block = through_sample(
-        state[FIRST + k], state[SECOND + k], dt, model, constants, order, state[STRONGEST + k], block,
-        state[TIME + k],
+        state[FIRST + k], state[SCALE + k] * state[SECOND + k], dt, model, constants, order,
+        state[STRONGEST + k], block, state[TIME + k],
     )  # fmt: skip
     side, phi, speed, moving, zone, peak, impacts, clamped = block
     put(k, side, phi, speed, zone, model, state)

@@ -30,6 +30,7 @@ from core.rocking.lanes import (
     FIRST,
     IMPACTS,
     LANE_ROWS,
+    LEFT,
     MOVING,
     NEXT,
     PEAK,
@@ -37,6 +38,7 @@ from core.rocking.lanes import (
     PHI,
     ROW,
     ROWS,
+    SAMPLE,
     SCALE,
     SECOND,
     SPEED,
@@ -85,33 +87,30 @@ class Grounds:
 
 
 @inner_kernel
-def go_on(lanes, ground, sample, end, busy, state):
-    """To the next sample with the lanes that are through theirs. busy : the others, and those to be looked
-    at; returns how many these are."""
+def go_on(lanes, ground, busy, state):
+    """The ground at the end of each lane's sample. busy : the lanes that are not through theirs, and those to
+    be looked at; returns how many these are."""
     count = 0
     for k in range(lanes):
-        step = state[NEXT + k]
-        i = sample[k] + int(step < FALLS)
-        sample[k] = i
-        state[SECOND + k] = state[SCALE + k] * ground[i + 1]
+        state[SECOND + k] = ground[int(state[SAMPLE + k]) + 1]
         busy[count] = k
-        count += int((step > STEPPED) | (i & (LOOK_EVERY - 1) == 1) | (i == end[k]))
+        count += int(state[NEXT + k] > STEPPED)
     return count
 
 
 @inner_kernel
-def enter(k, i, dt, ground, sample, state):
+def enter(k, i, dt, ground, state):
     """Put lane k at the start of sample i."""
-    sample[k] = i
+    state[SAMPLE + k] = i
     state[FIRST + k] = state[SCALE + k] * ground[i]
-    state[SECOND + k] = state[SCALE + k] * ground[i + 1]
+    state[SECOND + k] = ground[i + 1]
     state[TIME + k] = 0.0
     state[PER_STEP + k] = 1.0 / dt
     state[IMPACTS + k] = 0.0
 
 
 @inner_kernel
-def lift(k, i, end, dt, model, threshold, ground, ahead, sample, state):
+def lift(k, i, end, dt, model, threshold, ground, ahead, state):
     """Put the resting lane k where the ground lifts it first from sample i on, or at its end."""
     scale = state[SCALE + k]
     lowest = -math.inf if model.one_sided != 0.0 else -threshold
@@ -123,13 +122,13 @@ def lift(k, i, end, dt, model, threshold, ground, ahead, sample, state):
         first, second = scale * ground[i], scale * ground[i + 1]
         time, side = next_uplift(first, second - first, 0.0, 1.0, model, threshold)
         if time < 1.0:
-            enter(k, i, dt, ground, sample, state)
+            enter(k, i, dt, ground, state)
             put(k, side, 0.0, 0.0, zone_of(0.0, model), model, state)
             state[TIME + k] = time
             state[PER_STEP + k] = 1.0 / (dt * (1.0 - time))
             return
         i += 1
-    enter(k, i, dt, ground, sample, state)
+    enter(k, i, dt, ground, state)
 
 
 @inner_kernel
@@ -147,8 +146,16 @@ def dies(k, i, dying, dt, model, constants, ahead, state):
 
 
 @inner_kernel
-def look(k, i, end, model, ahead, state):
-    """(whether it is over with lane k at the start of sample i, its outcome, its peak)."""
+def look_again(k, end, state):
+    """When lane k, at the start of a sample, is to be looked at, if nothing happens before."""
+    i = int(state[SAMPLE + k])
+    state[LEFT + k] = min(end - i, LOOK_EVERY - ((i - 1) & (LOOK_EVERY - 1)))
+
+
+@inner_kernel
+def look(k, end, model, ahead, state):
+    """(whether it is over with lane k at the start of its sample, its outcome, its peak)."""
+    i = int(state[SAMPLE + k])
     phi, speed, peak = state[PHI + k], state[SPEED + k], state[PEAK + k]
     if (
         phi > model.slenderness
@@ -173,7 +180,7 @@ def look(k, i, end, model, ahead, state):
 def leave(k, lanes, numbers, state):
     """Take lane k out: the last one takes its place. Returns how many are left."""
     lanes -= 1
-    for row in range(3):
+    for row in range(2):
         numbers[WIDTH * row + k] = numbers[WIDTH * row + lanes]
     for row in range(LANE_ROWS):
         state[ROW * row + k] = state[ROW * row + lanes]
@@ -191,14 +198,13 @@ def pass_by(order):
         """These analyses, up to WIDTH at a time.
 
         ground to strongest : of `Grounds`; which : record of each analysis; numbers, state : room to work,
-        int64 of shape (4 * WIDTH,) and zeros of shape (ROWS * ROW,); the rest as `core.rocking.scan`.
+        int64 of shape (3 * WIDTH,) and zeros of shape (ROWS * ROW,); the rest as `core.rocking.scan`.
         """
         constants = upright(model)
         threshold = constants[0]
         zero = np.int64(0)  # a plain 0 would be a type of its own, and compile everything again
-        # of each lane its analysis, sample and last sample, then the lanes to be looked at
-        lane, sample = numbers[:WIDTH], numbers[WIDTH : 2 * WIDTH]
-        end, busy = numbers[2 * WIDTH : 3 * WIDTH], numbers[3 * WIDTH :]
+        # of each lane its analysis and last sample, then the lanes to be looked at
+        lane, end, busy = numbers[:WIDTH], numbers[WIDTH : 2 * WIDTH], numbers[2 * WIDTH :]
         rest_below = REST_FRACTION * math.sqrt(model.p2) * model.slenderness
         loss = 1.0 - model.ratio_at_rest if threshold > 0.0 else 0.0
         dying = 0.5 * model.p2 * model.slenderness * loss * (QUIET - 1) * dt
@@ -212,11 +218,11 @@ def pass_by(order):
                 state[STRONGEST + lanes] = abs(scales[waiting]) * strongest[record] * PER_G
                 state[PEAK + lanes] = 0.0
                 lift(
-                    lanes, firsts[record], lasts[record], dt, model, threshold, ground, ahead, sample,
-                    state,
-                )  # fmt: skip
+                    lanes, firsts[record], lasts[record], dt, model, threshold, ground, ahead, state
+                )
                 waiting += 1
-                if sample[lanes] < lasts[record]:
+                if state[SAMPLE + lanes] < lasts[record]:
+                    look_again(lanes, end[lanes], state)
                     lanes += 1
                 else:
                     outcomes[waiting - 1] = STABLE
@@ -224,7 +230,7 @@ def pass_by(order):
             if lanes == 0:
                 break
             plain_steps(lanes, dt, model, constants, order, state)
-            count = go_on(lanes, ground, sample, end, busy, state)
+            count = go_on(lanes, ground, busy, state)
             falling = fallen(count, busy, state)
             if falling > 0:
                 landings(falling, dt, model, rest_below, order, state)
@@ -242,19 +248,20 @@ def pass_by(order):
                     if state[IMPACTS + k] > IMPACTS_PER_SAMPLE:
                         outcome = IMPACT_LIMIT
                 if outcome == STABLE and step >= FALLS:
-                    i = sample[k]
+                    i = int(state[SAMPLE + k])
                     if dies(k, i, dying, dt, model, constants, ahead, state):
                         state[MOVING + k] = 0.0
                         state[SPEED + k] = 0.0
                     elif state[TIME + k] < 1.0:
                         continue
                     if state[MOVING + k] == 0.0:
-                        lift(k, i + 1, end[k], dt, model, threshold, ground, ahead, sample, state)
+                        lift(k, i + 1, end[k], dt, model, threshold, ground, ahead, state)
                     else:
-                        enter(k, i + 1, dt, ground, sample, state)
+                        enter(k, i + 1, dt, ground, state)
                 over, peak = True, state[PEAK + k]
                 if outcome == STABLE:
-                    over, outcome, peak = look(k, sample[k], end[k], model, ahead, state)
+                    over, outcome, peak = look(k, end[k], model, ahead, state)
+                    look_again(k, end[k], state)
                 if over:
                     outcomes[lane[k]] = outcome
                     peaks[lane[k]] = peak
@@ -272,7 +279,7 @@ def scan(order, grounds, which, scales, model, outcomes, peaks):
     (Peaks below 1e-12 rad of chatter that outlives the record can differ by the rounding of an arccosine.)
     """
     clamped = np.zeros(scales.size, np.int64)
-    numbers, state = np.zeros(4 * WIDTH, np.int64), np.zeros(ROWS * ROW)
+    numbers, state = np.zeros(3 * WIDTH, np.int64), np.zeros(ROWS * ROW)
     PASS[order](
         grounds.ground, grounds.ahead, grounds.dt, grounds.first, grounds.last, grounds.strongest,
         which, scales, model, numbers, state, outcomes, peaks, clamped,
