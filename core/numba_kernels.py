@@ -8,6 +8,7 @@ from numba import njit, types
 from numba.core.caching import _CacheLocator
 from numba.extending import lower_builtin, type_callable, typeof_impl
 
+from core.fused import fma
 from core.kernel_cache import FOLDER, STAMP, Kernel, widest_vectors
 
 
@@ -77,6 +78,16 @@ def _type_of_kernel(value, context):
 @type_callable(widest_vectors)
 def _nothing(context):
     return lambda: types.none
+
+
+@type_callable(fma)
+def _number(context):
+    return lambda x, y, z: types.float64
+
+
+@lower_builtin(fma, types.Float, types.Float, types.Float)
+def _instruction(context, builder, signature, arguments):
+    return builder.fma(*arguments)
 
 
 @lower_builtin(widest_vectors)

@@ -1,5 +1,6 @@
 """What a Taylor step may leave out, and how far it can stray from its chord: bounds after Eq. 1."""
 
+from core.fused import fma
 from core.kernel_cache import inner_kernel, subkernel
 
 SERIES_TOLERANCE = 1e-17
@@ -19,8 +20,8 @@ def neglected(v, growth, forcing, rise, p2, order):
     """
     if order == 8:
         return (abs(v[7]) + abs(v[8])) * (1.0 / 720.0) * growth
-    products = (1.0 + forcing) * (v[2] * v[2] + abs(v[1] * v[3])) + abs(rise * v[1] * v[2])
-    return (abs(v[5]) + abs(v[6])) * (1.0 / 336.0) * growth + p2 * products * (1.0 / 42.0)
+    products = fma(1.0 + forcing, fma(v[2], v[2], abs(v[1] * v[3])), abs(rise * v[1] * v[2]))
+    return fma(p2 * (1.0 / 42.0), products, (abs(v[5]) + abs(v[6])) * (1.0 / 336.0) * growth)
 
 
 @subkernel
@@ -44,8 +45,7 @@ def largest_push(upper, forcing, p2, sine_upright):
     upper : the larger rotation of its ends [rad]; forcing : bound of |u''|/g; p2 : p^2 times the step
     squared; sine_upright : sin(alpha), which no moment law exceeds by more than the rotation.
     """
-    crude = 0.125 * p2 * (1.0 + forcing)
-    return p2 * (sine_upright + (upper + crude) + forcing)
+    return p2 * (fma(0.125 * p2, 1.0 + forcing, upper) + (sine_upright + forcing))
 
 
 @inner_kernel
@@ -58,4 +58,4 @@ def turning_margin(speed, change, rise, forcing, p2, push):
     push : bound of the angular acceleration [rad per step squared].
     """
     fastest = max(abs(speed), abs(speed + change)) + push
-    return 0.125 * p2 * (fastest * (1.0 + forcing) + abs(rise))
+    return 0.125 * p2 * fma(fastest, 1.0 + forcing, abs(rise))

@@ -6,6 +6,7 @@ A lane whose step is not that plain (a kink, a new peak, a series not converged,
 falls) takes it by `taylor.through_sample`, so that results equal those of single analyses bit for bit.
 """
 
+from core.fused import fma
 from core.kernel_cache import inner_kernel, subkernel, widest_vectors
 from core.moment_rotation import moment_branch
 from core.rocking.bounds import (
@@ -17,10 +18,9 @@ from core.rocking.bounds import (
 )
 from core.rocking.polynomial import change, increment, landing, shape
 from core.rocking.taylor import (
-    PER_G,
     SHORT,
+    expansion,
     may_top,
-    series,
     sine_and_cosine_short,
     through_sample,
 )
@@ -62,10 +62,13 @@ samples until it is to be looked at; SERIES : v0 to v8."""
 LANE_ROWS = 21
 FALL_ROWS = 14
 """From PHI to v8: what lanes that fall are copied with to where they lie side by side, from FALL on."""
-FALL = ROW * 30
+STEP_P2, RISE, FORCING, GROWTH = (SERIES + ROW * row for row in range(9, 13))
+"""What `taylor.expansion` gives besides the series."""
+
+FALL = GROWTH + ROW
 PLAIN = FALL + ROW * FALL_ROWS
 """Whether such a fall is that plain."""
-ROWS = 30 + FALL_ROWS + 1
+ROWS = PLAIN // ROW + 1
 
 STEPPED, LOOKED, FALLS, ALONE = 0.0, 1.0, 2.0, 3.0
 """NEXT of a lane: through its sample; so and to be looked at; to land in it; to be taken through it alone."""
@@ -76,50 +79,69 @@ last lane hold old states and are not looked at."""
 
 
 @subkernel
-def plain_steps(lanes, dt, model, constants, order, state):
-    """One step of each lane to the end of its sample, where that is all there is to it, and NEXT of each."""
+def expansions(lanes, dt, model, constants, order, state):
+    """The series of each lane to the end of its sample."""
     widest_vectors()
-    _, tangent, sine_upright, cosine_upright = constants
+    for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
+        second = state[SCALE + k] * state[SECOND + k]
+        x = state[PHI + k]
+        s, c = sine_and_cosine_short(x)
+        branch = state[FACTOR + k], state[SLOPE + k], state[CONSTANT + k]
+        v, p2, rise, forcing, growth = expansion(
+            x, state[SPEED + k], s, c, state[SIDE + k], state[FIRST + k], second, state[TIME + k], dt,
+            branch, model, constants, order,
+        )  # fmt: skip
+        state[SERIES + k] = v[0]
+        state[SERIES + ROW + k] = v[1]
+        state[SERIES + 2 * ROW + k] = v[2]
+        state[SERIES + 3 * ROW + k] = v[3]
+        state[SERIES + 4 * ROW + k] = v[4]
+        state[SERIES + 5 * ROW + k] = v[5]
+        state[SERIES + 6 * ROW + k] = v[6]
+        if order == 8:
+            state[SERIES + 7 * ROW + k] = v[7]
+            state[SERIES + 8 * ROW + k] = v[8]
+        state[STEP_P2 + k] = p2
+        state[RISE + k] = rise
+        state[FORCING + k] = forcing
+        state[GROWTH + k] = growth
+
+
+@inner_kernel
+def series_of(k, order, state):
+    """v0 to v8 of the k-th lane or fall."""
+    return (
+        state[SERIES + k], state[SERIES + ROW + k], state[SERIES + 2 * ROW + k],
+        state[SERIES + 3 * ROW + k], state[SERIES + 4 * ROW + k], state[SERIES + 5 * ROW + k],
+        state[SERIES + 6 * ROW + k],
+        state[SERIES + 7 * ROW + k] if order == 8 else 0.0,
+        state[SERIES + 8 * ROW + k] if order == 8 else 0.0,
+    )  # fmt: skip
+
+
+@subkernel
+def plain_steps(lanes, dt, model, constants, order, state):
+    """One step of each lane to the end of its sample by its series, where that is all there is to it, and NEXT
+    of each. (A loop of its own: with that of `expansions` in one the processor waits for each lane's result.)
+    """
+    widest_vectors()
+    sine_upright = constants[2]
     tolerance = SERIES_TOLERANCE * model.slenderness
     per_dt = 1.0 / dt
     for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
-        first = state[FIRST + k]
-        second = state[SCALE + k] * state[SECOND + k]
+        v = series_of(k, order, state)
+        p2, rise = state[STEP_P2 + k], state[RISE + k]
+        forcing, growth = state[FORCING + k], state[GROWTH + k]
+        x, low, peak = state[PHI + k], state[LOW + k], state[PEAK + k]
+        speed, per_step = state[SPEED + k], state[PER_STEP + k]
         left = state[LEFT + k] - 1.0
-        t = state[TIME + k]
-        per_step = state[PER_STEP + k]
-        x = state[PHI + k]
-        speed = state[SPEED + k]
-        factor = state[FACTOR + k]
-        slope = state[SLOPE + k]
-        low = state[LOW + k]
-        peak = state[PEAK + k]
-        rest_of_sample = 1.0 - t
-        step = dt * rest_of_sample
-        p2 = model.p2 * (step * step)
-        pull = state[SIDE + k] * PER_G
-        jump = second - first
-        beta = pull * (first + jump * t)
-        rise = pull * jump * rest_of_sample
-        forcing = max(abs(first), abs(second)) * PER_G
-        s, c = sine_and_cosine_short(x)
-        sine = sine_upright * c - cosine_upright * s
-        cosine = cosine_upright * c + sine_upright * s
-        net = cosine_upright * (factor * tangent - beta) * c
-        net = net - (factor * cosine_upright + beta * sine_upright) * s
-        net = net + (slope * x + state[CONSTANT + k])
-        v = series(speed * step, net, sine, cosine, beta, rise, p2, factor, slope, order)
-        lifted = (x == 0.0) & (speed == 0.0)
-        v1 = max(v[1], 0.0) if lifted else v[1]
-        v = (v[0], v1, v[2], v[3], v[4], v[5], v[6], v[7], v[8])
         dphi = increment(v, 1.0)
         dv = change(v, 1.0)
         y = x + dphi
-        growth = p2 * (1.0 + forcing + slope) + v[0] * v[0]
         upper = max(x, y)
         push = largest_push(upper, forcing, p2, sine_upright)
         reach = 0.125 * push
-        margin = turning_margin(v[0], dv, rise, forcing + slope, p2, push)
+        margin = turning_margin(v[0], dv, rise, forcing + state[SLOPE + k], p2, push)
         after = v[0] + dv
         bend, bulges, stays = shape(v, x - low, dphi, dv, 1.0)
         near = (min(x, y) - low <= reach) & (min(v[0], after) <= margin)
@@ -139,23 +161,13 @@ def plain_steps(lanes, dt, model, constants, order, state):
         state[NEXT + k] = ALONE if alone else (FALLS if falls else (LOOKED if looked else STEPPED))
         state[SAMPLE + k] += 0.0 if stays else 1.0
         state[LEFT + k] = left + 1.0 if stays else left
-        state[FIRST + k] = first if stays else second
+        state[FIRST + k] = state[FIRST + k] if stays else state[SCALE + k] * state[SECOND + k]
         state[PHI + k] = x if stays else y
-        state[SPEED + k] = speed if stays else speed + dv * per_step
+        state[SPEED + k] = speed if stays else fma(dv, per_step, speed)
         state[PEAK + k] = peak if stays else max(peak, y)
-        state[TIME + k] = t if stays else 0.0
+        state[TIME + k] = state[TIME + k] if stays else 0.0
         state[PER_STEP + k] = per_step if stays else per_dt
         state[IMPACTS + k] = state[IMPACTS + k] if stays else 0.0
-        state[SERIES + k] = v[0]
-        state[SERIES + ROW + k] = v[1]
-        state[SERIES + 2 * ROW + k] = v[2]
-        state[SERIES + 3 * ROW + k] = v[3]
-        state[SERIES + 4 * ROW + k] = v[4]
-        state[SERIES + 5 * ROW + k] = v[5]
-        state[SERIES + 6 * ROW + k] = v[6]
-        if order == 8:
-            state[SERIES + 7 * ROW + k] = v[7]
-            state[SERIES + 8 * ROW + k] = v[8]
 
 
 @subkernel
@@ -168,20 +180,14 @@ def landings(falling, dt, model, rest_below, order, state):
     shift = FALL - PHI
     for j in range((falling + VECTOR - 1) // VECTOR * VECTOR):
         k = shift + j
-        v = (
-            state[SERIES + k], state[SERIES + ROW + k], state[SERIES + 2 * ROW + k],
-            state[SERIES + 3 * ROW + k], state[SERIES + 4 * ROW + k],
-            state[SERIES + 5 * ROW + k], state[SERIES + 6 * ROW + k],
-            state[SERIES + 7 * ROW + k] if order == 8 else 0.0,
-            state[SERIES + 8 * ROW + k] if order == 8 else 0.0,
-        )  # fmt: skip
+        v = series_of(k, order, state)
         t = state[TIME + k]
         part, top, found = landing(v, state[PHI + k], 1.0)
-        speed = state[SPEED + k] + change(v, part) * state[PER_STEP + k]
+        speed = fma(change(v, part), state[PER_STEP + k], state[SPEED + k])
         arriving = max(-speed, 0.0)
         ratio = max(model.ratio_at_rest - model.ratio_drop * arriving * arriving, 0.0)
         speed = ratio * arriving
-        t = t + part * (1.0 - t)
+        t = fma(part, 1.0 - t, t)
         plain = found & (top <= state[PEAK + k]) & (part < 1.0) & (t < 1.0) & (speed >= rest_below)
         state[PLAIN + j] = 1.0 if plain else 0.0
         state[SPEED + k] = speed

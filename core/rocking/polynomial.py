@@ -4,6 +4,7 @@ for the other."""
 
 import math
 
+from core.fused import fma
 from core.kernel_cache import inner_kernel, subkernel
 
 ROTATION, RATE, CURVATURE = 0.0, 1.0, 2.0
@@ -14,26 +15,27 @@ ROTATION, RATE, CURVATURE = 0.0, 1.0, 2.0
 def increment(v, t):
     """phi(t) - phi(0) [rad]."""
     square = t * t
-    first = (0.5 * v[1] + t * ((1.0 / 3.0) * v[2])) + square * (0.25 * v[3] + t * (0.2 * v[4]))
-    last = (1.0 / 6.0) * v[5] + t * ((1.0 / 7.0) * v[6])
-    last = last + square * (0.125 * v[7] + t * ((1.0 / 9.0) * v[8]))
-    return t * v[0] + square * (first + square * square * last)
+    first = fma((1.0 / 3.0) * t, v[2], 0.5 * v[1])
+    first = fma(square, fma(0.2 * t, v[4], 0.25 * v[3]), first)
+    last = fma((1.0 / 7.0) * t, v[6], (1.0 / 6.0) * v[5])
+    last = fma(square, fma((1.0 / 9.0) * t, v[8], 0.125 * v[7]), last)
+    return fma(square, fma(square * square, last, first), t * v[0])
 
 
 @inner_kernel
 def change(v, t):
     """phi'(t) - phi'(0) [rad per step]."""
     square = t * t
-    first = (v[1] + t * v[2]) + square * (v[3] + t * v[4])
-    last = (v[5] + t * v[6]) + square * (v[7] + t * v[8])
-    return t * (first + square * square * last)
+    first = fma(square, fma(t, v[4], v[3]), fma(t, v[2], v[1]))
+    last = fma(square, fma(t, v[8], v[7]), fma(t, v[6], v[5]))
+    return t * fma(square * square, last, first)
 
 
 @inner_kernel
 def curvature(v, t):
     """phi''(t) [rad per step squared]."""
-    tail = 5.0 * v[5] + t * (6.0 * v[6] + t * (7.0 * v[7] + t * 8.0 * v[8]))
-    return v[1] + t * (2.0 * v[2] + t * (3.0 * v[3] + t * (4.0 * v[4] + t * tail)))
+    tail = fma(t, fma(t, fma(t, 8.0 * v[8], 7.0 * v[7]), 6.0 * v[6]), 5.0 * v[5])
+    return fma(t, fma(t, fma(t, fma(t, tail, 4.0 * v[4]), 3.0 * v[3]), 2.0 * v[2]), v[1])
 
 
 @subkernel
@@ -78,9 +80,9 @@ def bracketed_root(v, gap, which, low, high):
 def wobble(v, h):
     """Bound of how far phi''' strays from 2 v2 in [0, h] [rad per step cubed]."""
     square = h * h
-    tail = 6.0 * abs(v[3]) + (h * (12.0 * abs(v[4])) + square * (20.0 * abs(v[5])))
-    last = 30.0 * abs(v[6]) + (h * (42.0 * abs(v[7])) + square * (56.0 * abs(v[8])))
-    return h * (tail + square * h * last)
+    tail = fma(20.0 * square, abs(v[5]), fma(12.0 * h, abs(v[4]), 6.0 * abs(v[3])))
+    last = fma(56.0 * square, abs(v[8]), fma(42.0 * h, abs(v[7]), 30.0 * abs(v[6])))
+    return h * fma(square * h, last, tail)
 
 
 @subkernel
@@ -104,7 +106,7 @@ def shape(v, gap, dphi, dv, h):
     Where phi''' keeps its sign, phi' turns once at most, and phi then lies above one of its ends.
     """
     strays = wobble(v, h)
-    bend = v[1] + h * (2.0 * abs(v[2]) + 0.5 * strays)
+    bend = fma(0.5 * h, strays, fma(2.0 * h, abs(v[2]), v[1]))
     rises = (v[0] >= 0.0) & (v[1] >= 0.0) & (2.0 * v[2] >= strays)
     steady = 2.0 * abs(v[2]) >= strays
     after = v[0] + dv
@@ -122,11 +124,11 @@ def landing(v, gap, h):
     time found is the first one where phi'' is negative until then, or where phi''' keeps its sign and phi' thus
     turns from outward to inward once.
     """
-    root = math.sqrt(max(v[0] * v[0] - 2.0 * v[1] * gap, 0.0))
+    root = math.sqrt(max(fma(v[0], v[0], -2.0 * v[1] * gap), 0.0))
     time = min(-(v[0] + root) / v[1], h) if v[1] < 0.0 else h
     for _ in range(2):
-        off = gap + time * (v[0] + time * (0.5 * v[1] + time * ((1.0 / 3.0) * v[2])))
-        slope = v[0] + time * (v[1] + time * v[2])
+        off = fma(time, fma(time, fma(time, (1.0 / 3.0) * v[2], 0.5 * v[1]), v[0]), gap)
+        slope = fma(time, fma(time, v[2], v[1]), v[0])
         time -= off / slope if slope < 0.0 else 0.0
     time, _, _, _ = halley(v, gap, min(time, h))
     time, _, _, _ = halley(v, gap, time)
@@ -139,7 +141,7 @@ def landing(v, gap, h):
         & (slope < 0.0)
     )
     strays = wobble(v, time)
-    bend = v[1] + time * (2.0 * abs(v[2]) + 0.5 * strays)
+    bend = fma(time, fma(0.5, strays, 2.0 * abs(v[2])), v[1])
     steady = 2.0 * abs(v[2]) >= strays
     once = (v[0] > 0.0) | (v[2] >= 0.0) | (v[0] + max(v[1], 0.0) * time < 0.0)
     top = 1.001 * max(v[0] + 0.5 * max(bend, 0.0) * time, 0.0) * time
@@ -154,7 +156,7 @@ def halley(v, gap, time):
     inverse = 1.0 / slope if slope < 0.0 else 0.0
     step = (gap + increment(v, time)) * inverse
     bend = 0.5 * step * inverse * curvature(v, time)
-    return time - step * (1.0 + bend), step, bend, slope
+    return fma(-step, 1.0 + bend, time), step, bend, slope
 
 
 @subkernel

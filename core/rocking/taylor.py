@@ -13,6 +13,7 @@ import math
 import numpy as np
 
 from core import compile_beside
+from core.fused import fma
 from core.kernel_cache import inner_kernel, kernel, subkernel
 from core.moment_rotation import FAR, moment_branch, zone_of
 from core.rocking.bounds import converged_part, largest_push, neglected, turning_margin
@@ -51,36 +52,70 @@ def series(speed, net, sine, cosine, beta, rise, p2, factor, slope, order):
     beta : u''/g seen from the pivot [-]; rise : of it over the step [-]; p2 : p^2 times the step squared
     [-]; factor, slope : of the branch of the moment law. In each sum the term known last comes last.
     """
+    factor, slope = -p2 * factor, -p2 * slope
+    beta, rise = p2 * beta, p2 * rise
     v0 = speed
     v1 = -p2 * net
     s1 = -v0 * cosine
     k1 = v0 * sine
-    v2 = -0.5 * p2 * ((slope * v0 - rise * cosine) + (factor * s1 - beta * k1))
-    s2 = -0.5 * (v1 * cosine + v0 * k1)
-    k2 = 0.5 * (v1 * sine + v0 * s1)
-    v3 = (-1.0 / 3.0) * p2 * ((slope * (0.5 * v1) - rise * k1) + (factor * s2 - beta * k2))
-    s3 = (-1.0 / 3.0) * ((v1 * k1 + v2 * cosine) + v0 * k2)
-    k3 = (1.0 / 3.0) * ((v1 * s1 + v2 * sine) + v0 * s2)
-    v4 = -0.25 * p2 * ((slope * ((1.0 / 3.0) * v2) - rise * k2) + (factor * s3 - beta * k3))
-    s4 = -0.25 * (((v1 * k2 + v2 * k1) + v3 * cosine) + v0 * k3)
-    k4 = 0.25 * (((v1 * s2 + v2 * s1) + v3 * sine) + v0 * s3)
-    v5 = -0.2 * p2 * ((slope * (0.25 * v3) - rise * k3) + (factor * s4 - beta * k4))
-    s5 = -0.2 * (((v1 * k3 + v2 * k2) + (v3 * k1 + v4 * cosine)) + v0 * k4)
-    k5 = 0.2 * (((v1 * s3 + v2 * s2) + (v3 * s1 + v4 * sine)) + v0 * s4)
-    v6 = (-1.0 / 6.0) * p2 * ((slope * (0.2 * v4) - rise * k4) + (factor * s5 - beta * k5))
+    v2 = 0.5 * fma(beta, k1, fma(factor, s1, fma(rise, cosine, slope * v0)))
+    s2 = -0.5 * fma(v0, k1, v1 * cosine)
+    k2 = 0.5 * fma(v0, s1, v1 * sine)
+    v3 = (1.0 / 3.0) * fma(beta, k2, fma(factor, s2, fma(rise, k1, slope * (0.5 * v1))))
+    s3 = (-1.0 / 3.0) * fma(v0, k2, fma(v2, cosine, v1 * k1))
+    k3 = (1.0 / 3.0) * fma(v0, s2, fma(v2, sine, v1 * s1))
+    v4 = 0.25 * fma(beta, k3, fma(factor, s3, fma(rise, k2, slope * ((1.0 / 3.0) * v2))))
+    s4 = -0.25 * fma(v0, k3, fma(v3, cosine, fma(v1, k2, v2 * k1)))
+    k4 = 0.25 * fma(v0, s3, fma(v3, sine, fma(v1, s2, v2 * s1)))
+    v5 = 0.2 * fma(beta, k4, fma(factor, s4, fma(rise, k3, slope * (0.25 * v3))))
+    s5 = -0.2 * fma(v0, k4, fma(v4, cosine, fma(v1, k3, fma(v3, k1, v2 * k2))))
+    k5 = 0.2 * fma(v0, s4, fma(v4, sine, fma(v1, s3, fma(v3, s1, v2 * s2))))
+    v6 = (1.0 / 6.0) * fma(beta, k5, fma(factor, s5, fma(rise, k4, slope * (0.2 * v4))))
     if order == 6:
         return v0, v1, v2, v3, v4, v5, v6, 0.0, 0.0
-    s6 = (-1.0 / 6.0) * (((v1 * k4 + v2 * k3) + (v3 * k2 + v4 * k1)) + v5 * cosine + v0 * k5)
-    k6 = (1.0 / 6.0) * (((v1 * s4 + v2 * s3) + (v3 * s2 + v4 * s1)) + v5 * sine + v0 * s5)
-    v7 = (-1.0 / 7.0) * p2 * (
-        (slope * ((1.0 / 6.0) * v5) - rise * k5) + (factor * s6 - beta * k6)
-    )  # fmt: skip
-    s7 = ((v1 * k5 + v2 * k4) + (v3 * k3 + v4 * k2)) + (v5 * k1 + v6 * cosine) + v0 * k6
-    k7 = ((v1 * s5 + v2 * s4) + (v3 * s3 + v4 * s2)) + (v5 * s1 + v6 * sine) + v0 * s6
-    v8 = -0.125 * p2 * (
-        (slope * ((1.0 / 7.0) * v6) - rise * k6) - (1.0 / 7.0) * (factor * s7 + beta * k7)
-    )  # fmt: skip
+    s6 = fma(v0, k5, fma(v5, cosine, fma(v1, k4, fma(v4, k1, fma(v2, k3, v3 * k2)))))
+    k6 = fma(v0, s5, fma(v5, sine, fma(v1, s4, fma(v4, s1, fma(v2, s3, v3 * s2)))))
+    s6, k6 = (-1.0 / 6.0) * s6, (1.0 / 6.0) * k6
+    v7 = fma(beta, k6, fma(factor, s6, fma(rise, k5, slope * ((1.0 / 6.0) * v5))))
+    v7 = (1.0 / 7.0) * v7
+    s7 = fma(v2, k4, v3 * k3)
+    k7 = fma(v2, s4, v3 * s3)
+    s7 = fma(v0, k6, fma(v6, cosine, fma(v1, k5, fma(v5, k1, fma(v4, k2, s7)))))
+    k7 = fma(v0, s6, fma(v6, sine, fma(v1, s5, fma(v5, s1, fma(v4, s2, k7)))))
+    v8 = fma(rise, k6, slope * ((1.0 / 7.0) * v6))
+    v8 = 0.125 * fma((1.0 / 7.0) * beta, k7, fma((-1.0 / 7.0) * factor, s7, v8))
     return v0, v1, v2, v3, v4, v5, v6, v7, v8
+
+
+@inner_kernel
+def expansion(x, speed, s, c, side, first, second, t, dt, branch, model, constants, order):
+    """The series of a step from t to the end of the sample: (v, p2, rise, forcing, growth), see `series` and
+    core.rocking.bounds.
+
+    x, speed : rotation [rad] and its rate [rad/s]; s, c : sin and cos of x; first, second : ground
+    acceleration at the ends of the sample [m/s2]; branch : (factor, slope, constant) of the moment law.
+    """
+    _, tangent, sine_upright, cosine_upright = constants
+    factor, slope, constant = branch
+    rest_of_sample = 1.0 - t
+    step = dt * rest_of_sample
+    p2 = model.p2 * (step * step)
+    pull = side * PER_G
+    jump = second - first
+    beta = pull * fma(jump, t, first)
+    rise = pull * jump * rest_of_sample
+    forcing = max(abs(first), abs(second)) * PER_G
+    sine = fma(sine_upright, c, -cosine_upright * s)
+    cosine = fma(cosine_upright, c, sine_upright * s)
+    # factor sin(alpha - phi) - beta cos(alpha - phi), without its cancellation near uplift
+    net = fma(-s, fma(factor, cosine_upright, beta * sine_upright), fma(slope, x, constant))
+    net = fma(cosine_upright * fma(factor, tangent, -beta), c, net)
+    v = series(speed * step, net, sine, cosine, beta, rise, p2, factor, slope, order)
+    # at uplift phi'' is zero or outward; its rounding must not push the block down
+    v1 = max(v[1], 0.0) if (x == 0.0) & (speed == 0.0) else v[1]
+    v = (v[0], v1, v[2], v[3], v[4], v[5], v[6], v[7], v[8])
+    growth = fma(p2, 1.0 + forcing + slope, v[0] * v[0])
+    return v, p2, rise, forcing, growth
 
 
 @inner_kernel
@@ -88,15 +123,16 @@ def sine_and_cosine_short(x):
     """sin and cos of a rotation up to SHORT by a short series, to full precision."""
     y = x * x
     z = y * y
-    tail = (1.0 / 6227020800.0 - y * (1.0 / 1307674368000.0)) + z * (1.0 / 355687428096000.0)
-    tail = (1.0 / 362880.0 - y * (1.0 / 39916800.0)) + z * tail
-    tail = (1.0 / 120.0 - y * (1.0 / 5040.0)) + z * tail
-    s = x * ((1.0 - y * (1.0 / 6.0)) + z * tail)
-    last = 1.0 / 20922789888000.0 - y * (1.0 / 6402373705728000.0)
-    tail = (1.0 / 479001600.0 - y * (1.0 / 87178291200.0)) + z * last
-    tail = (1.0 / 40320.0 - y * (1.0 / 3628800.0)) + z * tail
-    tail = (1.0 / 24.0 - y * (1.0 / 720.0)) + z * tail
-    return s, (1.0 - 0.5 * y) + z * tail
+    tail = fma(-y, 1.0 / 1307674368000.0, 1.0 / 6227020800.0)
+    tail = fma(z, 1.0 / 355687428096000.0, tail)
+    tail = fma(z, tail, fma(-y, 1.0 / 39916800.0, 1.0 / 362880.0))
+    tail = fma(z, tail, fma(-y, 1.0 / 5040.0, 1.0 / 120.0))
+    s = x * fma(z, tail, fma(-y, 1.0 / 6.0, 1.0))
+    last = fma(-y, 1.0 / 6402373705728000.0, 1.0 / 20922789888000.0)
+    tail = fma(z, last, fma(-y, 1.0 / 87178291200.0, 1.0 / 479001600.0))
+    tail = fma(z, tail, fma(-y, 1.0 / 3628800.0, 1.0 / 40320.0))
+    tail = fma(z, tail, fma(-y, 1.0 / 720.0, 1.0 / 24.0))
+    return s, fma(z, tail, fma(-y, 0.5, 1.0))
 
 
 @subkernel
@@ -138,7 +174,7 @@ def may_top(phi, dphi, speed, bend, reach, peak):
     """Whether a step that turns can go beyond the peak so far [rad]. bend : of `shape`; reach :
     how far the step strays from its chord [rad]."""
     return (max(phi, phi + dphi) + reach > peak) & (
-        speed * speed + 1.998 * bend * (peak - phi) >= 0.0
+        fma(speed, speed, 1.998 * bend * (peak - phi)) >= 0.0
     )
 
 
@@ -154,11 +190,10 @@ def through_sample(
     start : where in the sample the state is, 0 to 1.
     Returns (outcome so far, where in the sample, rotation speed after the impact [rad/s], state).
     """
-    threshold, tangent, sine_upright, cosine_upright = constants
+    threshold, _, sine_upright, _ = constants
     side, phi, speed, moving, zone, peak, impacts, clamped = state
     alpha = model.slenderness
     jump = ground1 - ground0
-    forcing = max(abs(ground0), abs(ground1)) * PER_G
     t = start  # in samples
     hit = 0.0
     outcome = STABLE
@@ -173,23 +208,11 @@ def through_sample(
             speed = 0.0
             zone = zone_of(phi, model)
         low, high, factor, slope, constant = moment_branch(zone, model)
-        pull = side * PER_G
-        beta = pull * (ground0 + jump * t)
-        rest_of_sample = 1.0 - t
-        step = dt * rest_of_sample
-        p2 = model.p2 * (step * step)
-        rise = pull * jump * rest_of_sample
-        s, k = sine_and_cosine(phi)
-        sine = sine_upright * k - cosine_upright * s
-        cosine = cosine_upright * k + sine_upright * s
-        # factor sin(alpha - phi) - beta cos(alpha - phi), without its cancellation near uplift
-        net = cosine_upright * (factor * tangent - beta) * k
-        net = net - (factor * cosine_upright + beta * sine_upright) * s + (slope * phi + constant)
-        v = series(speed * step, net, sine, cosine, beta, rise, p2, factor, slope, order)
-        if phi == 0.0 and speed == 0.0:
-            # at uplift phi'' is zero or outward; its rounding must not push the block down
-            v = (v[0], max(v[1], 0.0), v[2], v[3], v[4], v[5], v[6], v[7], v[8])
-        growth = p2 * (1.0 + forcing + slope) + v[0] * v[0]
+        s, c = sine_and_cosine(phi)
+        v, p2, rise, forcing, growth = expansion(
+            phi, speed, s, c, side, ground0, ground1, t, dt, (factor, slope, constant), model, constants,
+            order,
+        )  # fmt: skip
         tail = neglected(v, growth, forcing, rise, p2, order)
         part = converged_part(tail, growth, order, alpha)
         # a chord stays within 1/8 max|phi''| of the curve, one of the speed within the margin: far from
@@ -222,8 +245,8 @@ def through_sample(
         dv = change(v, part)
         if min(v[0], -(v[0] + dv)) > -2.0 * margin and may_top(phi, dphi, v[0], bend, reach, peak):
             peak = max(peak, phi + summit(v, part))
-        t = t + part * rest_of_sample if part < 1.0 else 1.0
-        speed += dv * (1.0 / step)
+        speed = fma(dv, 1.0 / (dt * (1.0 - t)), speed)
+        t = fma(part, 1.0 - t, t) if part < 1.0 else 1.0
         if crossing < 0.0:
             phi += dphi
             peak = max(peak, phi)
