@@ -3,7 +3,6 @@
 import argparse
 import contextlib
 import faulthandler
-import gc
 import os
 import sys
 import tempfile
@@ -36,26 +35,14 @@ def _jobs(word: str) -> int:
     return int(word)
 
 
-def quicken_imports() -> None:
-    """Spare the window's imports what only takes time. Python's collector finds nothing in them; `start.show`
-    turns it on again. PySide reads the source of each module imported after it, to see whether it may ask for
-    Qt's optional names, which no module here does: a seventh of the start."""
-    gc.disable()
-    import shiboken6  # noqa: F401
-
-    with contextlib.suppress(ImportError, AttributeError):
-        from shibokensupport import feature
-
-        if callable(feature._mod_uses_pyside):
-            feature._mod_uses_pyside = lambda module: True
-
-
 def window(case: Path | None) -> int:
     """The window, imported here so that nothing else needs Qt. Raises InputError where Qt cannot start."""
     from core.errors import InputError
 
     try:
-        quicken_imports()
+        from app.quick_imports import quicken
+
+        quicken()
         from app import start as qt
     except ImportError as error:
         raise InputError(
