@@ -16,6 +16,7 @@ from app.forms.records_panel import RecordsPanel
 from app.forms.wall_form import WallForm
 from app.language import tr
 from app.pages import Veil
+from app.sentences import captions
 
 
 def build(window) -> None:
@@ -33,6 +34,11 @@ def build(window) -> None:
         area.setWidget(form)
         forms.addTab(area, label)
     window.forms = forms
+    captions.update({
+        "[demand]": tr("Demand"), "[demand.spectrum]": tr("Spectrum"),
+        "spectrum_file": tr("spectrum of a file"), "[generate]": tr("Generate…"),
+        "[analysis]": tr("Analysis"), "[report]": tr("Report"), "[record]": tr("Records"),
+    })  # fmt: skip
     left = QDockWidget(tr("Input"), objectName="input")
     left.setWidget(forms)
     window.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, left)

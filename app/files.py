@@ -6,7 +6,7 @@ from PySide6.QtCore import QSettings
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 
 from app.language import tr
-from app.sentences import said
+from app.sentences import said, translated
 from app.session import Session
 from core.errors import InputError, OutputError
 
@@ -42,7 +42,7 @@ class Files:
         try:
             self.session.open(path)
         except InputError as error:
-            QMessageBox.warning(self.window, tr("Not opened"), said(error))
+            QMessageBox.warning(self.window, tr("Not opened"), translated(error))
             return False
         if path != EXAMPLE:
             self.remember(path)

@@ -8,6 +8,9 @@ FOLDER = Path(__file__).resolve().parents[1] / "resources" / "translations"
 HOLE = "{}"
 _spoken = ["en"]
 
+captions: dict[str, str] = {}
+"""What the forms call the keys, names and sections of a case file; each field adds its own."""
+
 
 def speak(language: str) -> None:
     """From now on `said` speaks this language."""
@@ -30,16 +33,25 @@ def catalogue(language: str) -> list[tuple[re.Pattern, str, str]]:
     ]
 
 
-def said(sentence: object, language: str | None = None) -> str:
-    """A sentence in the language of the window, what it names within it too; as it is where the
-    catalogue has none. Names in quotes stay."""
+def said(sentence: object) -> str:
+    """A sentence in the language of the window, with the words of its forms for what a case file calls otherwise;
+    names in quotes stay. (What is wrong in a file opened is said in the words of the file: `translated`.)"""
+    return re.sub(
+        r'"[^"]*"|\[[a-z.]+\]|\b[a-z]\w*_\w+\b',
+        lambda found: captions.get(found[0], found[0]),
+        translated(sentence),
+    )
+
+
+def translated(sentence: object, language: str | None = None) -> str:
+    """A sentence in a language, what it names within it too; as it is where the catalogue has none."""
     sentence, language = str(sentence), language or _spoken[0]
     for pattern, english, other in catalogue(language):
         found = pattern.fullmatch(sentence)
         if found:
             before = english.split(HOLE)
             parts = [
-                part if start.endswith('"') else said(part, language)
+                part if start.endswith('"') else translated(part, language)
                 for part, start in zip(found.groups(), before, strict=False)
             ]
             pieces = other.split(HOLE)

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QApplication, QMessageBox
 from app import language, theme
 from app.files import EXAMPLE
 from app.language import tr
-from app.sentences import said
+from app.sentences import translated
 from app.window import MainWindow
 from app.worker import RUNNING, write_log
 from core.errors import InputError
@@ -32,7 +32,7 @@ def offer_recovery(window: MainWindow) -> None:
                 window.session.recover(swap)
                 return
             except InputError as error:
-                QMessageBox.warning(window, tr("Not opened"), said(error))
+                QMessageBox.warning(window, tr("Not opened"), translated(error))
         swap.unlink(missing_ok=True)
 
 

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from app import theme
 from app.language import tr
-from app.sentences import said
+from app.sentences import captions, said
 from core.case import Analysis, Demand, Spectrum, Wall
 from core.case_reader import check_value
 from core.errors import InputError
@@ -40,6 +40,7 @@ class Field(QWidget):
     def __init__(self, section: type, key: str, label: str, unit: str = "", tip: str = ""):
         super().__init__()
         self.section, self.key = section, key
+        captions[self.key_in_sentences()] = label
         self.held = self.before = None
         self.error = self.rule = ""
         grid = QGridLayout(self)
@@ -66,6 +67,10 @@ class Field(QWidget):
         grid.addWidget(self.message, 1, 0, 1, 3)
         grid.setColumnStretch(1, 1)
         self.setFocusProxy(self.editor)
+
+    def key_in_sentences(self) -> str:
+        """What sentences of the core call what it edits."""
+        return self.key
 
     def make_editor(self) -> QWidget:
         """The widget that edits: a line of text, where a kind of field has no other."""
@@ -291,6 +296,7 @@ class ChoiceField(Field):
 
     def __init__(self, section, key, label, words: dict, tip=""):
         self.words = words
+        captions.update({name: shown for name, shown in words.items() if "_" in str(name)})
         super().__init__(section, key, label, "", tip)
 
     def make_editor(self) -> QComboBox:

@@ -53,8 +53,11 @@ class LawField(NumberField):
     """An end of an own law over alpha, checked as the velocity ratio is: 0 to 1."""
 
     def __init__(self, end: str, label: str):
-        super().__init__(Wall, "velocity_ratio", label)
         self.end = end
+        super().__init__(Wall, "velocity_ratio", label)
+
+    def key_in_sentences(self) -> str:
+        return self.end
 
     def named_in(self, problem: str, wall: str) -> bool:
         return f'wall "{wall}"' in problem and f"{self.end} = " in problem

@@ -22,7 +22,7 @@ from app.forms.drawing import WallDrawing, mechanism_icon
 from app.forms.fields import Choice, Field, FlagField, NumberField, TextField, connect
 from app.forms.impact_form import ImpactForm
 from app.language import tr
-from app.sentences import said
+from app.sentences import captions, said
 from app.session import Session
 from core.case import Wall
 from core.errors import InputError
@@ -157,6 +157,7 @@ class WallForm(QWidget):
             button.setText(label)
             button.setToolTip(tip)
             button.setAccessibleName(label)
+            captions[name] = label
             button.setCheckable(True)
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
             button.clicked.connect(lambda _, name=name: self._mechanism_chosen(name))

@@ -1,6 +1,8 @@
 """What a user typed, named or started is not changed without a word."""
 
 import os
+import re
+from dataclasses import fields
 from pathlib import Path
 
 import pytest
@@ -14,6 +16,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox
 
 from app import files
 from app.plots.chart import Chart
+from app.sentences import catalogue, said
 from tests.app.driving import run, settle, type_into
 
 
@@ -290,3 +293,28 @@ def test_that_the_newest_of_two_autosaves_comes_first_and_says_of_which_file(ope
     found = opened.session.recoverable()
     assert [path.name for path in found] == ["x-999998.swap", "x-999999.swap"]
     assert opened.session.told(found[0]).startswith("/a/b.toml 20")
+
+
+@pytest.mark.parametrize("language", ["en", "it"])
+def test_that_sentences_of_the_window_use_the_words_of_its_forms(opened, language):
+    from core.case import Analysis, Demand, Spectrum, Wall
+
+    opened.set_choice("language", language)
+    keys = {f.name for kind in (Wall, Demand, Spectrum, Analysis) for f in fields(kind)}
+    keys = {key for key in keys if "_" in key} | {
+        "one_sided",
+        "two_sided",
+        "[demand]",
+        "[analysis]",
+    }
+    seen = set()
+    for _, english, other in catalogue("it"):
+        sentence = english if language == "en" else other
+        found = said(english).replace("{}", "")
+        here = {
+            key for key in keys if re.search(rf"(?<![\w\[]){re.escape(key)}(?![\w\]])", sentence)
+        }
+        seen |= here
+        assert not [key for key in here if key in re.findall(r"\[[a-z.]+\]|\w+", found)], found
+    assert len(seen) > 15
+    assert said('wall "height_m": a general block takes no hinge_setback_m').count("height_m") == 1

@@ -4,7 +4,7 @@ import ast
 import re
 import xml.etree.ElementTree as ET
 
-from app.sentences import catalogue, said
+from app.sentences import catalogue, translated
 from core.case_reader import parse_case
 from core.errors import InputError
 from tests.conftest import ROOT
@@ -72,7 +72,7 @@ def test_that_no_sentence_of_an_input_check_lacks_its_italian():
             continue
         # a hint or a place that ends some sentences has an entry of its own
         ends = (sentence, re.sub("«[0-9]»$", "; did you mean «9»?", sentence), sentence[:-3])
-        italian = [said(end, "it") for end in ends if said(end, "it") != end]
+        italian = [translated(end, "it") for end in ends if translated(end, "it") != end]
         assert italian, (file, sentence)
         english = [
             part for part in re.split("«[0-9]»", sentence) if re.search("[a-z]{3} [a-z]{2}", part)
@@ -91,14 +91,14 @@ def test_that_a_sentence_is_said_with_what_it_names_in_it():
         parse_case({"wall": [wall]})
     except InputError as error:
         sentence = str(error)
-    assert said(sentence, "en") == sentence
-    italian = said(sentence, "it")
+    assert translated(sentence, "en") == sentence
+    italian = translated(sentence, "it")
     assert "non è ammesso: da 0.1 a 60 m" in italian and "none" in italian
-    assert said("words of no check", "it") == "words of no check"
+    assert translated("words of no check", "it") == "words of no check"
 
 
 def test_that_the_place_before_what_is_missing_is_italian_too():
     rule = "mechanism is missing: it is required (one of one_sided, two_sided, both)"
     end = "manca mechanism: è richiesto (uno fra one_sided, two_sided, both)"
-    assert said(f'wall "A1": {rule}', "it") == f'parete "A1": {end}'
-    assert said(f'row 3: wall "A1": {rule}', "it") == f'riga 3: parete "A1": {end}'
+    assert translated(f'wall "A1": {rule}', "it") == f'parete "A1": {end}'
+    assert translated(f'row 3: wall "A1": {rule}', "it") == f'riga 3: parete "A1": {end}'
