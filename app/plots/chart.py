@@ -1,6 +1,7 @@
 """One chart: curves with names and units, values under the cursor, copy, PNG, SVG, CSV (always light)."""
 
 import csv
+import math
 from pathlib import Path
 
 import numpy as np
@@ -46,6 +47,7 @@ class Chart(QWidget):
             self.legend.setParentItem(self.plot)
             self.legend.anchor((1, 0), (1, 0), (0, 8))
         self.items: list[tuple] = []
+        self.names: list[str] = []
         self.data: list[tuple[str, np.ndarray, np.ndarray]] = []
         self.read = QLabel()
         self.read.setMinimumWidth(10)
@@ -117,12 +119,16 @@ class Chart(QWidget):
 
     def level(self, value: float, label: str = "", color="quiet", vertical=False, place=None):
         """A line across the chart with a label; place : of the label along it, 0 to 1."""
-        place = place if place is not None else 0.92 if vertical else 0.06
+        options = {"position": place or (0.92 if vertical else 0.01), "fill": None}
+        if (
+            not vertical and place is None
+        ):  # it begins right of the axis, however narrow the chart is
+            options["anchors"] = [(0, 0), (0, 1)]
         line = pg.InfiniteLine(
             value,
             90 if vertical else 0,
             label=label or None,
-            labelOpts={"position": place, "fill": None},
+            labelOpts=options,
         )
         self.plot.addItem(line, ignoreBounds=True)
         self._keep(line, color, 1.2, True, False)
@@ -148,6 +154,19 @@ class Chart(QWidget):
     def ticks(self, side: str, places: list[tuple[float, str]]) -> None:
         """Labels of an axis at these places."""
         self.plot.getAxis(side).setTicks([places])
+
+    def names_below(self, names: list[str]) -> None:
+        """Names below the places 0, 1, 2 … of the axis, as many of them as its width holds."""
+        self.names = names
+        widest = max((self.fontMetrics().horizontalAdvance(name) for name in names), default=0)
+        room = 0.85 * self.view.width() / (widest + 12)
+        step = max(1, math.ceil(len(names) / max(1.0, room)))
+        self.ticks("bottom", [(k, names[k]) for k in range(0, len(names), step)])
+
+    def resizeEvent(self, event) -> None:
+        super().resizeEvent(event)
+        if self.names:
+            self.names_below(self.names)
 
     def set_log(self, on: bool) -> None:
         self.plot.setLogMode(on, on)

@@ -138,9 +138,7 @@ class CheckTab(QWidget):
             run.record[:14] + ("" if len(signs) == 1 else " +" if run.polarity > 0 else " −")
             for run in check.runs
         ]
-        step = max(1, math.ceil(sum(len(name) for name in names) / 80))
-        ticks = [(k, name) for k, name in enumerate(names) if k % step == 0]
-        self.peaks.plot.getAxis("bottom").setTicks([ticks])
+        self.peaks.names_below(names)
         self.peaks.plot.setYRange(0.0, top)
         self.peaks.plot.setXRange(-0.6, len(names) - 0.4)
 
