@@ -28,12 +28,13 @@ def start(names: set[str]) -> None:
     """Begin to compile the histories by those of these methods that are of the Taylor series, where none was
     ever compiled."""
     names = names & {"taylor", "taylor_6"}
-    alone = getattr(sys, "frozen", False) or (os.cpu_count() or 1) < 2
-    if alone or not names or _second or any(FOLDER.glob(STEP)):
+    if (os.cpu_count() or 1) < 2 or not names or _second or any(FOLDER.glob(STEP)):
         return
+    # the frozen program knows by its environment that it is the second one (packaging/entry.py)
+    module = [] if getattr(sys, "frozen", False) else ["-m", __name__]
     try:
         process = subprocess.Popen(
-            [sys.executable, "-m", __name__, *sorted(names)],
+            [sys.executable, *module, *sorted(names)],
             cwd=Path(__file__).parents[1],
             env={**os.environ, BESIDE: str(FOLDER.absolute())},
             stdin=subprocess.DEVNULL,
@@ -61,7 +62,8 @@ def wait() -> None:
             time.sleep(0.01)
 
 
-if __name__ == "__main__":
+def main() -> None:
+    """The second process: histories by the methods its arguments name."""
     from core.rocking import METHODS, RockingModel, history
 
     gc.disable()  # the process ends soon
@@ -70,3 +72,7 @@ if __name__ == "__main__":
     model = RockingModel(0.1, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0)
     for name in sys.argv[1:]:
         history(ground, 0.01, 1.0, model, METHODS[name])
+
+
+if __name__ == "__main__":
+    main()

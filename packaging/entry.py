@@ -1,7 +1,14 @@
-"""Entry of the frozen program."""
+"""Entry of the frozen program, and of its second process in a cold start."""
 
+import os
 import sys
 
-from app.__main__ import main
+from core import compile_beside
+from core.kernel_cache import BESIDE
 
-sys.exit(main())
+if BESIDE in os.environ:
+    compile_beside.main()
+else:
+    from app.__main__ import main
+
+    sys.exit(main())
