@@ -1,7 +1,8 @@
 """The lanes of one pass: their state, and what all of them do at once.
 
-Two loops without branches over contiguous lanes, which the compiler turns into vector instructions: the
-step of the Taylor series to the end of each lane's sample, and the landing of the lanes that fall in it.
+Loops without branches over contiguous lanes, which the compiler turns into vector instructions: what the step
+to the end of each lane's sample begins with, its Taylor series, what comes of it, and the landing of the lanes
+that fall in it.
 A lane whose step is not that plain (a kink, a new peak, a series not converged, an outward pull while it
 falls) takes it by `taylor.through_sample`, so that results equal those of single analyses bit for bit.
 """
@@ -21,6 +22,7 @@ from core.rocking.taylor import (
     SHORT,
     expansion,
     may_top,
+    set_out,
     sine_and_cosine_short,
     through_sample,
 )
@@ -62,8 +64,10 @@ samples until it is to be looked at; SERIES : v0 to v8."""
 LANE_ROWS = 21
 FALL_ROWS = 14
 """From PHI to v8: what lanes that fall are copied with to where they lie side by side, from FALL on."""
-STEP_P2, RISE, FORCING, GROWTH = (SERIES + ROW * row for row in range(9, 13))
-"""What `taylor.expansion` gives besides the series."""
+NET, SINE, COSINE, BETA, RISE, STEP_P2, FORCING, GROWTH = (
+    SERIES + ROW * row for row in range(9, 17)
+)
+"""Of `taylor.set_out` and `taylor.expansion`."""
 
 FALL = GROWTH + ROW
 PLAIN = FALL + ROW * FALL_ROWS
@@ -79,19 +83,38 @@ last lane hold old states and are not looked at."""
 
 
 @subkernel
-def expansions(lanes, dt, model, constants, order, state):
-    """The series of each lane to the end of its sample."""
+def settings_out(lanes, dt, model, constants, state):
+    """What the series of each lane to the end of its sample begins with."""
     widest_vectors()
     for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
         second = state[SCALE + k] * state[SECOND + k]
         x = state[PHI + k]
         s, c = sine_and_cosine_short(x)
         branch = state[FACTOR + k], state[SLOPE + k], state[CONSTANT + k]
-        v, p2, rise, forcing, growth = expansion(
+        begun = set_out(
             x, state[SPEED + k], s, c, state[SIDE + k], state[FIRST + k], second, state[TIME + k], dt,
-            branch, model, constants, order,
+            branch, model, constants,
         )  # fmt: skip
-        state[SERIES + k] = v[0]
+        state[SERIES + k] = begun[0]
+        state[NET + k] = begun[1]
+        state[SINE + k] = begun[2]
+        state[COSINE + k] = begun[3]
+        state[BETA + k] = begun[4]
+        state[RISE + k] = begun[5]
+        state[STEP_P2 + k] = begun[6]
+        state[FORCING + k] = begun[7]
+
+
+@subkernel
+def expansions(lanes, order, state):
+    """The series of each lane from there."""
+    widest_vectors()
+    for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
+        begun = (
+            state[SERIES + k], state[NET + k], state[SINE + k], state[COSINE + k], state[BETA + k],
+            state[RISE + k], state[STEP_P2 + k], state[FORCING + k],
+        )  # fmt: skip
+        v, growth = expansion(state[PHI + k], begun, state[FACTOR + k], state[SLOPE + k], order)
         state[SERIES + ROW + k] = v[1]
         state[SERIES + 2 * ROW + k] = v[2]
         state[SERIES + 3 * ROW + k] = v[3]
@@ -101,9 +124,6 @@ def expansions(lanes, dt, model, constants, order, state):
         if order == 8:
             state[SERIES + 7 * ROW + k] = v[7]
             state[SERIES + 8 * ROW + k] = v[8]
-        state[STEP_P2 + k] = p2
-        state[RISE + k] = rise
-        state[FORCING + k] = forcing
         state[GROWTH + k] = growth
 
 
@@ -122,7 +142,7 @@ def series_of(k, order, state):
 @subkernel
 def plain_steps(lanes, dt, model, constants, order, state):
     """One step of each lane to the end of its sample by its series, where that is all there is to it, and NEXT
-    of each. (A loop of its own: with that of `expansions` in one the processor waits for each lane's result.)
+    of each. (Three loops: in one the processor waits for the results of each lane.)
     """
     widest_vectors()
     sine_upright = constants[2]

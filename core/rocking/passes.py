@@ -54,6 +54,7 @@ from core.rocking.lanes import (
     landings,
     plain_steps,
     put,
+    settings_out,
 )
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.rocking.taylor import PER_G, lost, upright
@@ -231,7 +232,8 @@ def pass_by(order):
                     peaks[waiting - 1] = 0.0
             if lanes == 0:
                 break
-            expansions(lanes, dt, model, constants, order, state)
+            settings_out(lanes, dt, model, constants, state)
+            expansions(lanes, order, state)
             plain_steps(lanes, dt, model, constants, order, state)
             count = go_on(lanes, ground, busy, state)
             falling = fallen(count, busy, state)

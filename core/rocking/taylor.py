@@ -88,9 +88,9 @@ def series(speed, net, sine, cosine, beta, rise, p2, factor, slope, order):
 
 
 @inner_kernel
-def expansion(x, speed, s, c, side, first, second, t, dt, branch, model, constants, order):
-    """The series of a step from t to the end of the sample: (v, p2, rise, forcing, growth), see `series` and
-    core.rocking.bounds.
+def set_out(x, speed, s, c, side, first, second, t, dt, branch, model, constants):
+    """What the series of a step from t to the end of the sample begins with: (speed [rad per step], net, sine,
+    cosine, beta, rise, p2) of `series`, and the largest |u''|/g.
 
     x, speed : rotation [rad] and its rate [rad/s]; s, c : sin and cos of x; first, second : ground
     acceleration at the ends of the sample [m/s2]; branch : (factor, slope, constant) of the moment law.
@@ -110,12 +110,18 @@ def expansion(x, speed, s, c, side, first, second, t, dt, branch, model, constan
     # factor sin(alpha - phi) - beta cos(alpha - phi), without its cancellation near uplift
     net = fma(-s, fma(factor, cosine_upright, beta * sine_upright), fma(slope, x, constant))
     net = fma(cosine_upright * fma(factor, tangent, -beta), c, net)
-    v = series(speed * step, net, sine, cosine, beta, rise, p2, factor, slope, order)
+    return speed * step, net, sine, cosine, beta, rise, p2, forcing
+
+
+@inner_kernel
+def expansion(x, start, factor, slope, order):
+    """(series of a step, see `series`; its growth, see core.rocking.bounds). start : of `set_out`."""
+    speed, net, sine, cosine, beta, rise, p2, forcing = start
+    v = series(speed, net, sine, cosine, beta, rise, p2, factor, slope, order)
     # at uplift phi'' is zero or outward; its rounding must not push the block down
     v1 = max(v[1], 0.0) if (x == 0.0) & (speed == 0.0) else v[1]
     v = (v[0], v1, v[2], v[3], v[4], v[5], v[6], v[7], v[8])
-    growth = fma(p2, 1.0 + forcing + slope, v[0] * v[0])
-    return v, p2, rise, forcing, growth
+    return v, fma(p2, 1.0 + forcing + slope, speed * speed)
 
 
 @inner_kernel
@@ -209,10 +215,10 @@ def through_sample(
             zone = zone_of(phi, model)
         low, high, factor, slope, constant = moment_branch(zone, model)
         s, c = sine_and_cosine(phi)
-        v, p2, rise, forcing, growth = expansion(
-            phi, speed, s, c, side, ground0, ground1, t, dt, (factor, slope, constant), model, constants,
-            order,
-        )  # fmt: skip
+        branch = factor, slope, constant
+        begun = set_out(phi, speed, s, c, side, ground0, ground1, t, dt, branch, model, constants)
+        v, growth = expansion(phi, begun, factor, slope, order)
+        rise, p2, forcing = begun[5], begun[6], begun[7]
         tail = neglected(v, growth, forcing, rise, p2, order)
         part = converged_part(tail, growth, order, alpha)
         # a chord stays within 1/8 max|phi''| of the curve, one of the speed within the margin: far from
