@@ -37,6 +37,7 @@ def build(window) -> None:
     captions.update({
         "[demand]": tr("Demand"), "[demand.spectrum]": tr("Spectrum"),
         "spectrum_file": tr("spectrum of a file"), "[generate]": tr("Generate…"),
+        "time_step_s": tr("Time step"), "skip_lines": tr("Lines to skip"),
         "[analysis]": tr("Analysis"), "[report]": tr("Report"), "[record]": tr("Records"),
     })  # fmt: skip
     left = QDockWidget(tr("Input"), objectName="input")

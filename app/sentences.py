@@ -10,6 +10,12 @@ _spoken = ["en"]
 
 captions: dict[str, str] = {}
 """What the forms call the keys, names and sections of a case file; each field adds its own."""
+scales: dict[str, tuple[float, str]] = {}
+"""Of keys whose field has another unit: its factor and unit."""
+NAMED = re.compile(
+    r'"[^"]*"|\[[a-z.]+\]|(?<![\w./\\-])([a-z]\w*_\w+)(?![\w/\\-]|\.\w)( = (-?\d+(?:\.\d+)?(?:e[+-]?\d+)?))?'
+)
+"""Names in quotes, sections, keys and what they are; never a part of a path."""
 
 
 def speak(language: str) -> None:
@@ -36,11 +42,15 @@ def catalogue(language: str) -> list[tuple[re.Pattern, str, str]]:
 def said(sentence: object) -> str:
     """A sentence in the language of the window, with the words of its forms for what a case file calls otherwise;
     names in quotes stay. (What is wrong in a file opened is said in the words of the file: `translated`.)"""
-    return re.sub(
-        r'"[^"]*"|\[[a-z.]+\]|\b[a-z]\w*_\w+\b',
-        lambda found: captions.get(found[0], found[0]),
-        translated(sentence),
-    )
+    return NAMED.sub(_as_in_the_form, translated(sentence))
+
+
+def _as_in_the_form(found: re.Match) -> str:
+    key, value = found[1], found[3]
+    if value and key in scales:
+        factor, unit = scales[key]
+        return f"{captions[key]} = {float(value) * factor:g} {unit}"
+    return captions.get(key or found[0], key or found[0]) + (found[2] or "")
 
 
 def translated(sentence: object, language: str | None = None) -> str:

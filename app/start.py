@@ -84,8 +84,9 @@ def main(path: Path | None) -> int:
     code = application.exec()
     if any(not job.isFinished() for job in RUNNING):
         # a thread that compiles cannot be stopped, and nobody is to wait for it
-        from core import kernel_cache
+        from core import compile_beside, kernel_cache
 
+        compile_beside.end()
         kernel_cache.close()
         window.settings.sync()
         os._exit(code)

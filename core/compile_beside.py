@@ -13,9 +13,9 @@ from pathlib import Path
 
 import numpy as np
 
-from core.kernel_cache import BESIDE, FOLDER
+from core.kernel_cache import BESIDE, FOLDER, STAMP, TEMPORARY
 
-LONGEST = 120.0
+LONGEST = 20.0
 """Seconds after which the second process is not waited for: what it was to compile is compiled here."""
 
 STEP = "taylor.through_sample-*.nbc"
@@ -24,19 +24,28 @@ STEP = "taylor.through_sample-*.nbc"
 _second: list[subprocess.Popen] = []
 
 
+def cores() -> int:
+    """Processors this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
 def start(names: set[str]) -> None:
-    """Begin to compile the histories by those of these methods that are of the Taylor series, where none was
-    ever compiled."""
+    """Begin to compile the histories by the one of these methods that is of the Taylor series, where none was
+    ever compiled. Of two, each process would wait for the wrong one."""
     names = names & {"taylor", "taylor_6"}
-    if (os.cpu_count() or 1) < 2 or not names or _second or any(FOLDER.glob(STEP)):
+    if cores() < 2 or len(names) != 1 or _second or any(FOLDER.glob(STEP)) or not sys.executable:
         return
     # the frozen program knows by its environment that it is the second one (packaging/entry.py)
     module = [] if getattr(sys, "frozen", False) else ["-m", __name__]
+    root = str(Path(__file__).absolute().parents[1])
+    path = [root, *filter(None, [os.environ.get("PYTHONPATH")])]
     try:
         process = subprocess.Popen(
             [sys.executable, *module, *sorted(names)],
-            cwd=Path(__file__).parents[1],
-            env={**os.environ, BESIDE: str(FOLDER.absolute())},
+            cwd=root,
+            env={**os.environ, BESIDE: str(FOLDER.absolute()), "PYTHONPATH": os.pathsep.join(path)},
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
@@ -48,7 +57,8 @@ def start(names: set[str]) -> None:
 
 
 @atexit.register
-def _end() -> None:
+def end() -> None:
+    """Before this process ends, and before its cache is closed."""
     for process in _second:
         process.kill()
         process.wait()
@@ -64,6 +74,8 @@ def wait() -> None:
 
 def main() -> None:
     """The second process: histories by the methods its arguments name."""
+    if FOLDER.name != f"kernels-{STAMP}" and not FOLDER.name.startswith(TEMPORARY):
+        return  # other sources than those of the process that waits
     from core.rocking import METHODS, RockingModel, history
 
     gc.disable()  # the process ends soon

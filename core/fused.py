@@ -7,7 +7,8 @@ import numpy as np
 
 
 def fma(x: float, y: float, z: float) -> float:
-    """x y + z, rounded once. In a kernel one instruction (see core.numba_kernels); in Python exact and slow."""
+    """x y + z, rounded once. In a kernel one instruction (see core.numba_kernels); in Python slow, and exact
+    where x y is finite."""
     near = x * y + z
     if not math.isfinite(near):
         return near

@@ -61,7 +61,7 @@ def _once(function, context, arguments, keywords):
     compilation. The same call has the same types."""
     if keywords or not all(isinstance(argument, types.Number) for argument in arguments):
         return _types_of_call(function, context, arguments, keywords)
-    call = function.typing_key, arguments
+    call = function, arguments
     if call not in _known:
         _known[call] = _types_of_call(function, context, arguments, keywords)
     return _known[call]
@@ -99,4 +99,5 @@ def _mark_function(context, builder, signature, arguments):
 
 
 gc.freeze()
-"""What numba's import made stays to the end: the collector need not look through it while kernels compile."""
+"""What there is by now, most of it made by numba's import, stays to the end: the collector need not look through it
+while kernels compile."""

@@ -1,12 +1,11 @@
-"""Entry of the frozen program, and of its second process in a cold start."""
+"""Entry of the frozen program, and of its second process in a cold start (core.compile_beside)."""
 
 import os
 import sys
 
-from core import compile_beside
-from core.kernel_cache import BESIDE
+if "RIBALTA_KERNELS_BESIDE" in os.environ:
+    from core import compile_beside
 
-if BESIDE in os.environ:
     compile_beside.main()
 else:
     from app.__main__ import main

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from app import theme
 from app.language import tr
-from app.sentences import captions, said
+from app.sentences import captions, said, scales
 from core.case import Analysis, Demand, Spectrum, Wall
 from core.case_reader import check_value
 from core.errors import InputError
@@ -216,6 +216,8 @@ class NumberField(Field):
     ):
         self.factor, self.optional, self.whole = factor, optional, whole
         self.unit = unit
+        if factor != 1.0:
+            scales[key] = (factor, unit)
         super().__init__(section, key, label, unit, tip)
 
     def accepted(self, sentence: str) -> str:

@@ -22,7 +22,7 @@ from app.forms.drawing import WallDrawing, mechanism_icon
 from app.forms.fields import Choice, Field, FlagField, NumberField, TextField, connect
 from app.forms.impact_form import ImpactForm
 from app.language import tr
-from app.sentences import captions, said
+from app.sentences import captions, said, translated
 from app.session import Session
 from core.case import Wall
 from core.errors import InputError
@@ -336,6 +336,6 @@ class WallForm(QWidget):
         try:
             walls = read()
         except InputError as error:
-            QMessageBox.warning(self, tr("Walls not read"), said(error))
+            QMessageBox.warning(self, tr("Walls not read"), translated(error))
             return
         self.session.add_walls(walls)

@@ -318,3 +318,22 @@ def test_that_sentences_of_the_window_use_the_words_of_its_forms(opened, languag
         assert not [key for key in here if key in re.findall(r"\[[a-z.]+\]|\w+", found)], found
     assert len(seen) > 15
     assert said('wall "height_m": a general block takes no hinge_setback_m').count("height_m") == 1
+
+
+def test_that_sentences_of_the_window_keep_paths_and_show_values_as_the_fields_do(opened):
+    for path in (
+        "/tmp/one_sided/height_m.csv",
+        "one_sided/a.txt",
+        "a/one_sided",
+        "C:\\one_sided\\b.txt",
+    ):
+        assert said(f"{path}: there is no such table").startswith(path)
+    wide = said(
+        "[analysis]: robust_window = 0.01 is narrower than one step of q_step = 0.05: widen it"
+    )
+    assert (
+        wide
+        == "Analysis: Robust window = 1 % is narrower than one step of Step of the search = 5 %: widen it"
+    )
+    assert said("thickness_m = 83.0 is not accepted").startswith("Thickness t = 8300 cm is")
+    assert said("height_m = 83.0 is not accepted").startswith("Height H = 83.0 is")
