@@ -4,6 +4,7 @@ Collapse is not monotone in the multiplier, so q exists only together with its s
 grid q_k = q_start (1 + q_step)^k, shared by all runs of a study.
 """
 
+import functools
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -84,6 +85,12 @@ class Ida:
     outcomes: str
 
 
+@functools.lru_cache(1 << 16)
+def grid_point(q_start: float, q_step: float, index: int) -> float:
+    """q of a point of the grid; the searches of a study ask for the same ones."""
+    return q_start * (1.0 + q_step) ** index
+
+
 class _Map:
     """Outcomes and peaks on the grid, grown at both ends, and single analyses between its points."""
 
@@ -100,7 +107,7 @@ class _Map:
         self.analyses = 0
 
     def q_of(self, index: int) -> float:
-        return self.q_start * (1.0 + self.search.q_step) ** index
+        return grid_point(self.q_start, self.search.q_step, index)
 
     def index_below(self, q: float) -> int:
         """Largest grid index with q_k <= q."""
@@ -342,7 +349,7 @@ def _result(grid: _Map, status: str, brackets, robust: int | None) -> Ida:
         clamped=int(grid.clamped.sum()),
         q_start=grid.q_start,
         first_index=grid.first,
-        outcomes="".join(map(str, grid.outcomes)),
+        outcomes=(grid.outcomes + ord("0")).astype(np.uint8).tobytes().decode(),
     )
 
 
