@@ -322,7 +322,7 @@ def test_that_sentences_of_the_window_use_the_words_of_its_forms(opened, languag
 
 def test_that_sentences_of_the_window_keep_paths_and_show_values_as_the_fields_do(opened):
     for path in (
-        "/tmp/one_sided/height_m.csv",
+        "/data/one_sided/height_m.csv",
         "one_sided/a.txt",
         "a/one_sided",
         "C:\\one_sided\\b.txt",
