@@ -10,8 +10,9 @@ from core.code_check import Inequality
 from core.compliance import Compliance
 from core.demand import DemandResult
 from core.demand_check import DemandCheck
+from core.fragility import Fragility
 from core.ground_motion import GroundMotion
-from core.ida import Fragility, Ida, Search
+from core.ida import Ida, Search
 from core.kinematic import Check, Kinematic
 from core.moment_rotation import MomentLaw
 from core.notices import Notice

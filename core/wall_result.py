@@ -5,8 +5,9 @@ import numpy as np
 from core import closed_forms
 from core.block import Block
 from core.code_check import inequality
+from core.fragility import fragility
 from core.ground_motion import GroundMotion
-from core.ida import Ida, fragility
+from core.ida import Ida
 from core.notices import Notice, notice
 from core.restitution import housner_ratio
 from core.results import Q_SOURCES, PerRecord, Run, WallResult

@@ -21,10 +21,11 @@ from app.plots.chart import Chart
 from app.plots.table import Table
 from core.closed_forms import closed_form_q_eff
 from core.code_check import LABEL
-from core.ida import COLLAPSED, fragility_curve, threshold_of
+from core.fragility import fragility_curve
+from core.ida import threshold_of
 from core.kinematic import LIMIT_FRACTION
 from core.results import Q_SOURCES, StudyResult, WallResult
-from core.rocking import scan
+from core.rocking import COLLAPSED, scan
 from core.spectrum import HOUSNER_PERIODS, pseudo_acceleration_spectrum
 from core.units import CM, G
 from core.words import word

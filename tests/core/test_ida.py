@@ -8,10 +8,10 @@ import pytest
 
 from core import ida
 from core.errors import Cancelled
+from core.fragility import fragility
 from core.ida import (
     Search,
     collapse_count,
-    fragility,
     incremental_dynamic_analysis,
 )  # fmt: skip
 from core.rocking import COLLAPSED, IMPACT_LIMIT, METHODS, STABLE, history
