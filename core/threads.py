@@ -26,9 +26,8 @@ class Threads:
         Raises Cancelled within 0.1 s of a cancel and a task's stop, and whatever a task raises.
         """
         found, ended = {}, threading.Event()
-        done = (
-            queue.SimpleQueue()
-        )  # `wait` of thousands of futures looks at each of them every time
+        # not `wait`, which looks at each of thousands of futures every time
+        done = queue.SimpleQueue()
 
         def stop() -> bool:
             return ended.is_set() or self.cancelled()
