@@ -240,6 +240,7 @@ def main():
             "--work-precision": ["test", "bench"],
             "--q-error": ["test", "bench"],
             "--steps": ["test", "bench"],
+            "--zeta": ["test"],
             "--window": ["gui"],
             "--screenshots": ["gui"],
         }

@@ -147,22 +147,20 @@ def _no_collector():
 
 
 def summary(result: StudyResult, folder: Path, stem: str) -> str:
-    """What a terminal shows of a result."""
-    lines = [
-        f"{'wall':24} {'mechanism':10} {'rule':10} {'q':>6} {'robust':>7} {'Eq.15/16':>9}  Eq. 9"
-    ]
+    """What a terminal shows of a result: a line for each wall. With a demand its verdict, zeta and the check
+    that decides; Eq. 9 stands in the files only."""
+    lines = [f"{'wall':24} {'mechanism':10} {'rule':10} {'q':>6} {'robust':>7}"]
+    if result.demand:
+        lines[0] += f" {'zeta':>6}  {'verdict':16} by"
     for wall in result.walls:
-        checks = ""
-        if wall.code_check:
-            code, histories = wall.code_check[0], wall.code_check[2]
-            checks = f"q code {code.ratio:.2f}"
-            if histories:
-                checks += f", q histories {histories.ratio:.2f}"
-        lines.append(
+        line = (
             f"{wall.name[:24]:24} {wall.mechanism:10} {wall.set_rule or '-':10} "
-            f"{_short(wall.q_set):>6} {_short(wall.q_robust_set):>7} "
-            f"{_short(wall.closed_form_q):>9}  {checks}"
+            f"{_short(wall.q_set):>6} {_short(wall.q_robust_set):>7}"
         )
+        if wall.assessment:
+            said = wall.assessment.verdict
+            line += f" {_short(said.zeta_e):>6}  {said.code:16} {said.governing or '-'}"
+        lines.append(line)
     runs = [run for wall in result.walls for run in wall.runs]
     analyses = sum(run.ida.analyses for run in runs)
     lines.append(f"{len(runs)} runs, {analyses} analyses in {result.elapsed:.1f} s")

@@ -9,10 +9,10 @@ import numpy as np
 from core import independent_solver
 from core.errors import Cancelled
 from core.ground_motion import GroundMotion
-from core.ida import Ida, Search, incremental_dynamic_analysis
+from core.ida import Ida, Search, incremental_dynamic_analysis, threshold_of
+from core.limits import multiplier_of
 from core.restitution import velocity_ratio
 from core.rocking import METHODS, Method, RockingModel, concrete, history
-from core.units import G
 
 ROUNDING = 1e-5
 """Noise put on the samples, as a fraction of PGA: a record written with five figures."""
@@ -131,7 +131,7 @@ def accuracy(
             ground, motion.time_step, motion.pga, polarity, model, by, asked, cancelled
         )
 
-    scale = polarity * ida.bracket[0] * G * np.tan(model.slenderness) / motion.pga
+    scale = polarity * multiplier_of(ida.bracket[0], motion.pga, threshold_of(model))
     theta = truth(motion, scale, model, cancelled)
     points = []
     for each in methods(model):

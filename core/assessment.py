@@ -4,14 +4,15 @@ from collections.abc import Callable
 
 from core.compliance import Compliance
 from core.demand import DemandResult
-from core.demand_check import demand_check
+from core.demand_check import BOUND_STEP, demand_check
 from core.ground_motion import GroundMotion
 from core.ida import Search
-from core.kinematic import kinematic, linear, nonlinear
+from core.kinematic import Kinematic, linear, nonlinear, sld
 from core.restitution import restitution
 from core.results import Assessment, WallResult
 from core.rocking import Method, rocking_model
 from core.verdict import Circumstances, verdict
+from core.zeta import STEP
 
 EXACT_METHODS = ("auto", "taylor", "taylor_6", "dormand_prince")
 """Methods whose result a verdict may rest on; the others are for comparison."""
@@ -40,6 +41,7 @@ def _reached(wall: WallResult, demand: DemandResult, search: Search) -> list[flo
 
 def assess(
     wall: WallResult,
+    found: Kinematic | None,
     motions: list[GroundMotion],
     polarities: tuple[int, ...],
     demand: DemandResult,
@@ -49,7 +51,8 @@ def assess(
     cancelled: Callable[[], bool] = lambda: False,
 ) -> Assessment:
     """Dynamic, kinematic and simplified checks of a wall (Circolare 7/2019 C8.7.1.2.1); above the ground
-    none, since the motion of its floor is not known. search : whose step zeta takes. Raises Cancelled."""
+    none, since the motion of its floor is not known. found : its mechanism, None there;
+    search : of the runs. Raises Cancelled."""
     asked = wall.wall
     strongest = max((demand.scaling(m) * m.pga for m in motions), default=0.0)
     doubtful = Circumstances(
@@ -59,36 +62,32 @@ def assess(
         both_signs=wall.mechanism == "two_sided" or len(polarities) == 2,
         exact=method.name in EXACT_METHODS,
     )
-    if asked.base_z_m > 0.0:
-        said = verdict(asked, wall.block, demand, (), None, compliance, doubtful, None)
+    if found is None:
+        said = verdict(
+            asked, wall.mechanism, demand, (), None, None, compliance, doubtful, None
+        )  # fmt: skip
         return Assessment(None, (), None, None, said)
-    found = kinematic(wall.block, demand, asked.height_m is not None)
+    reached = _reached(wall, demand, search)
     dynamic = demand_check(
-        wall.model,
-        motions,
-        polarities,
-        demand,
-        method,
-        search.q_step,
-        _reached(wall, demand, search),
-        cancelled,
+        wall.model, motions, polarities, demand, method, reached, STEP, True, cancelled
     )
     below = None
     if dynamic and asked.mechanism == "one_sided":
         free = restitution(wall.block, "housner")
         model = rocking_model(wall.block, False, free, wall.law)
-        below = demand_check(model, motions, (1,), demand, method, search.q_step, None, cancelled)
-    checks = []
-    if dynamic:
-        checks.append(dynamic.as_check())
-    if (displacement := nonlinear(found, demand)) is not None:
-        checks.append(displacement)
+        below = demand_check(
+            model, motions, (1,), demand, method, None, BOUND_STEP, False, cancelled
+        )
+    rows = [dynamic.as_check() if dynamic else None, nonlinear(found, demand)]
     if demand.limit_state == "SLD":
-        checks.append(linear("linear_q_code", found, demand, 1.0))
-    else:
+        rows.append(sld(found, demand))
+    elif demand.limit_state == "SLV":
         if wall.q_slv_set is not None:
-            checks.append(linear("linear_q_slv", found, demand, wall.q_slv_set))
-        checks.append(linear("linear_q_code", found, demand, demand.q_code))
+            rows.append(linear("linear_q_slv", found, demand, wall.q_slv_set))
+        rows.append(linear("linear_q_code", found, demand, demand.q_code))
+    checks = tuple(check for check in rows if check is not None)
     lower = below.zeta if below else None
-    said = verdict(asked, wall.block, demand, tuple(checks), dynamic, compliance, doubtful, lower)
-    return Assessment(found, tuple(checks), dynamic, below, said)
+    said = verdict(
+        asked, wall.mechanism, demand, checks, dynamic, found, compliance, doubtful, lower
+    )
+    return Assessment(found, checks, dynamic, below, said)

@@ -5,6 +5,7 @@ from dataclasses import MISSING, asdict, dataclass, field, fields
 
 from core.block import Block
 from core.errors import InputError
+from core.limits import return_period
 from core.moment_rotation import LAWS, MomentLaw
 from core.restitution import MODELS, Restitution, restitution
 from core.rocking import AUTO, METHODS
@@ -25,8 +26,8 @@ def _text(default=""):
     return field(default=default, metadata={"kind": "text"})
 
 
-def _flag():
-    return field(default=False, metadata={"kind": "flag"})
+def _flag(default=False):
+    return field(default=default, metadata={"kind": "flag"})
 
 
 def _choice(*names, default=MISSING):
@@ -67,9 +68,11 @@ class Wall:
     law: str | dict = field(default="rigid", metadata={"kind": "law"})
     hinge_setback_m: float = _number(0.0, 2.0, 0.0, unit="m")
     compressive_strength_mpa: float | None = _number(0.1, 100.0, unit="MPa")
-    base_z_m: float = _number(0.0, 300.0, 0.0, unit="m")
+    base_z_m: float | None = _number(0.0, 300.0, unit="m")
     length_m: float | None = _number(0.05, 200.0, unit="m")
     unit_weight_kn_m3: float | None = _number(5.0, 40.0, unit="kN/m3")
+    free_element: bool | None = _flag(None)
+    elastic_modulus_mpa: float | None = _number(10.0, 100000.0, unit="MPa")
     back_restraint: str = _text()
     unloaded_confirmed: bool = _flag()
     floor: str = _text()
@@ -146,6 +149,16 @@ class Wall:
         if setback == 0.0 and self.slenderness_deg is not None:
             return Block.rectangle(self.height_m, math.radians(self.slenderness_deg))
         return Block.with_setback(self.height_m, thickness, setback)
+
+    def is_free(self, mechanism: str) -> bool:
+        """Whether the wall is free to vibrate before it moves, not restrained by continuity with transverse
+        walls (Circolare 7/2019 C8.7.1.2.1.3, .5): as asked, else a two-sided one is, a one-sided one not."""
+        return mechanism == "two_sided" if self.free_element is None else self.free_element
+
+    @property
+    def above_ground(self) -> bool:
+        """Whether the hinge is above the ground; with a demand its height is always given."""
+        return (self.base_z_m or 0.0) > 0.0
 
     def mechanisms(self) -> tuple[str, ...]:
         return ("two_sided", "one_sided") if self.mechanism == "both" else (self.mechanism,)
@@ -233,6 +246,8 @@ class Demand:
     housner_intensity_cm: float | None = _number(0.1, 5000.0, unit="cm")
     q_code: float = _number(1.0, 10.0, 2.0)
     confidence_factor: float = _number(1.0, 1.35, 1.35)
+    confidence_on: str = _choice("capacity", "demand", default="capacity")
+    period_range_s: tuple[float, float] | None = field(default=None, metadata={"kind": "range"})
     demand_scaling: str = _choice("as_given", "pga", default="as_given")
     zeta_target: float = _number(0.1, 2.0, 1.0)
     site: str = _text()
@@ -240,6 +255,15 @@ class Demand:
     nominal_life_years: float | None = _number(1.0, 1000.0, unit="years")
     use_class_factor: float | None = _number(0.1, 5.0)
     return_period_years: float | None = _number(1.0, 100000.0, unit="years")
+
+    @property
+    def return_period(self) -> float | None:
+        """T_R [years] as given, else of V_N and C_U (NTC 2018 Eq. 3.2.0, 2.4.1); None without either."""
+        if self.return_period_years is not None:
+            return self.return_period_years
+        if None in (self.nominal_life_years, self.use_class_factor):
+            return None
+        return return_period(self.nominal_life_years * self.use_class_factor, self.limit_state)
 
 
 @dataclass(frozen=True)

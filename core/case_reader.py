@@ -21,12 +21,27 @@ from core.case import (
     Wall,
 )
 from core.errors import InputError
+from core.limits import EXCEEDANCE, return_period
 from core.moment_rotation import LAWS
 
 MAX_TEXT = 500
 
 FULL_FACTOR = 1.35
 """Confidence factor where the compressive strength is not in alpha (Circolare 7/2019 C8.7.1.2.1)."""
+
+BASE_MISSING = (
+    "base_z_m is missing: with a demand the height of the hinge above the ground is required, 0 m for a wall "
+    "on the ground"
+)
+
+PERIOD_LIMITS = (0.02, 10.0)
+"""Periods accepted for the check of compatibility [s]."""
+
+SAME_PERIOD = 0.01
+"""T_R of tables are rounded: 475 years for 474.6."""
+
+USUAL_LIVES = (35.0, 50.0, 75.0, 100.0, 150.0, 200.0)
+"""V_R = V_N C_U [years] of the classes of NTC 2018 2.4."""
 
 LATER = {"record": ("channel",)}
 """Keys of the contract whose work is not built yet: refused, never ignored."""
@@ -58,7 +73,7 @@ def read_case(path: Path) -> Case:
             from core.wall_table import read_walls
 
             source = path.parent / case.walls
-            walls = read_walls(source)
+            walls = read_walls(source, case.demand is not None)
             digest.update(source.read_bytes())
             case = replace(with_walls(case, [*case.wall, *walls]), table=case.walls)
         return replace(case, sha256=digest.hexdigest())
@@ -172,6 +187,8 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
                 f'[analysis]: method linearised is for the rigid law; wall "{wall.name}" is '
                 "trilinear: take method auto"
             )
+        if case.demand and wall.base_z_m is None:
+            raise InputError(f'wall "{wall.name}": {BASE_MISSING}')
         if case.demand and case.demand.confidence_factor < FULL_FACTOR and not wall.setback > 0.0:
             raise InputError(
                 f"[demand]: confidence_factor = {case.demand.confidence_factor:g} is for walls whose "
@@ -205,11 +222,37 @@ def _demand(table) -> Demand:
                         if code == asked.code
                         else f"[demand.spectrum]: code {asked.code} does not take {key}"
                     )
+    _check_return_period(demand)
     if (asked or demand.spectrum_file) and demand.housner_intensity_cm is not None:
         raise InputError(
             "[demand]: housner_intensity_cm follows from the spectrum: leave one of them out"
         )
     return demand
+
+
+def _check_return_period(demand: Demand) -> None:
+    """T_R must be that of the limit state (NTC 2018 Eq. 3.2.0): by V_N and C_U where they are given, else not
+    the one that a weaker limit state has in the usual V_R. Raises InputError."""
+    state, stated = demand.limit_state, demand.return_period_years
+    if stated is None:
+        return
+    own = replace(demand, return_period_years=None).return_period
+    if own is not None and not math.isclose(stated, own, rel_tol=SAME_PERIOD):
+        raise InputError(
+            f"[demand]: return_period_years = {stated:g} contradicts nominal_life_years and "
+            f"use_class_factor, which give {own:.0f} years at {state} (NTC 2018 3.2.0): correct one of them"
+        )
+    if own is not None:
+        return
+    states = list(EXCEEDANCE)
+    for weaker in states[: states.index(state)]:
+        for life in USUAL_LIVES:
+            if math.isclose(stated, return_period(life, weaker), rel_tol=SAME_PERIOD):
+                raise InputError(
+                    f"[demand]: return_period_years = {stated:g} is that of {weaker} for V_R = {life:g} years, "
+                    f"not of {state}, which has {return_period(life, state):.0f} (NTC 2018 3.2.0): give the "
+                    f"motion of {state}, or nominal_life_years and use_class_factor if it is right"
+                )
 
 
 def _written(table: dict):
@@ -281,6 +324,8 @@ def _accepted(entry) -> str:
         return "true or false"
     if rule["kind"] == "spectrum":
         return "a table [demand.spectrum]"
+    if rule["kind"] == "range":
+        return f"two periods [low, high] in s, rising, from {PERIOD_LIMITS[0]:g} to {PERIOD_LIMITS[1]:g}"
     if rule["kind"] == "law":
         return f"one of {', '.join(LAWS)}, or {{ elastic_limit = ..., plateau_end = ... }}"
     return f"text in quotes, up to {MAX_TEXT} characters, without control characters"
@@ -308,6 +353,12 @@ def _value(entry, value, place: str):
     elif kind == "flag":
         if isinstance(value, bool):
             return value
+    elif kind == "range":
+        pair = list(value) if isinstance(value, (list, tuple)) else []
+        if len(pair) == 2 and all(type(end) in (int, float) for end in pair):
+            low, high = float(pair[0]), float(pair[1])
+            if PERIOD_LIMITS[0] <= low < high <= PERIOD_LIMITS[1]:
+                return (low, high)
     elif kind == "spectrum":
         return _section(Spectrum, value, "spectrum", "[demand.spectrum]")
     elif kind == "law":

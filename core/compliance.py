@@ -5,18 +5,25 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.demand import DemandResult
+from core.errors import InputError
 from core.ground_motion import GroundMotion
+from core.limits import MINIMUM_FROM
+from core.provenance import stations, unnamed
 from core.spectrum import HOUSNER_PERIODS, pseudo_acceleration_spectrum
+from core.target_spectrum import GivenSpectrum
 from core.units import G
 
 RANGE = (0.15, 2.0)
-"""Periods of the rules [s]: a rigid block has no period T that could narrow them."""
+"""Periods of the rules [s]: a rigid block has no period T that could narrow them. With natural records, whose
+range of interest is that of the structure, they go on to the longest T_SLV or T_SLC of the walls."""
+
+PERIOD_STEP = 0.02
+"""Step of the periods at which the mean is compared with the target [s]; both ends are among them."""
 
 LOWER = {"artificial": -0.10, "simulated": -0.20, "natural": -0.10}
 UPPER = {"natural": 0.30}
 """Mean 5 % spectrum against the target (NTC 2018 3.2.3.6)."""
 
-LEAST_RECORDS = 3
 STRONG_PART, WHOLE_LENGTH = 10.0, 25.0
 """Pseudo-stationary part and total duration of artificial motions [s]."""
 
@@ -39,7 +46,7 @@ class Rule:
 class Compliance:
     """The set against its target. periods [s]; spectra : S_a of each record at the demand [m/s2], FC
     apart, shape (records, periods); mean, target [m/s2]; stations : counted once each; compatible : by
-    the code of the spectrum."""
+    the code of the spectrum; period_range : of the rules [s]; unnamed : files that name no station."""
 
     periods: np.ndarray
     spectra: np.ndarray
@@ -48,20 +55,8 @@ class Compliance:
     rules: tuple[Rule, ...]
     stations: int
     compatible: bool
-
-
-def station_of(motion: GroundMotion) -> str | None:
-    """What the file says of event and station, without the component; None where it says nothing."""
-    details = dict(motion.details)
-    if details.get("STATION_CODE"):
-        event = details.get("EVENT_ID") or details.get("EVENT_NAME", "")
-        return f"{event} {details.get('NETWORK', '')} {details['STATION_CODE']}".strip()
-    if motion.format == "PEER AT2" and "," in details.get("line 2", ""):
-        return details["line 2"].rsplit(",", 1)[0].strip()
-    for key in ("STATION", "Station", "station", "station_name"):
-        if details.get(key):
-            return details[key]
-    return None
+    period_range: tuple[float, float] = RANGE
+    unnamed: int = 0
 
 
 def strong_duration(motion: GroundMotion) -> float:
@@ -71,26 +66,52 @@ def strong_duration(motion: GroundMotion) -> float:
     return float(np.count_nonzero(power >= 0.2 * power.max()) * motion.time_step)
 
 
+def period_range(kinds: list[str], longest: float, demand: DemandResult) -> tuple[float, float]:
+    """Periods of the rules [s]: as asked, else `RANGE`, with natural records up to the longest T_SLV or T_SLC
+    of the walls. Raises InputError beyond the spectrum of a file."""
+    low, high = RANGE
+    if "natural" in kinds:
+        high = max(high, longest)
+    if demand.asked.period_range_s is not None:
+        low, high = demand.asked.period_range_s
+    target = demand.target
+    if isinstance(target, GivenSpectrum) and high > target.periods[-1]:
+        raise InputError(
+            f"[demand]: period_range_s goes to {high:.2f} s, but {target.name} ends at "
+            f"{target.periods[-1]:.2f} s: shorten it or give the spectrum up to there"
+        )
+    return low, high
+
+
 def compliance(
-    motions: list[GroundMotion], kinds: list[str], demand: DemandResult
+    motions: list[GroundMotion], kinds: list[str], demand: DemandResult, longest: float = 0.0
 ) -> Compliance | None:
-    """The rules one by one; None without records or without a target spectrum."""
+    """The rules one by one; None without records or without a target spectrum. longest : T_SLV or T_SLC of
+    the walls [s]."""
     if not motions or demand.target is None:
         return None
+    asked_range = period_range(kinds, longest, demand)
+    shown = (HOUSNER_PERIODS[0], max(HOUSNER_PERIODS[-1], longest))
+    ends = (min(shown[0], asked_range[0]), max(shown[1], asked_range[1]))
+    steps = np.arange(ends[0], ends[1], PERIOD_STEP)
+    periods = np.unique(np.round([*steps, ends[1], *shown, *asked_range], 9))
     factors = [demand.scaling(motion) for motion in motions]
     spectra = np.array(
         [
-            factor * pseudo_acceleration_spectrum(m.acceleration, m.time_step, HOUSNER_PERIODS)
+            factor * pseudo_acceleration_spectrum(m.acceleration, m.time_step, periods)
             for m, factor in zip(motions, factors, strict=True)
         ]
     )
     mean = spectra.mean(axis=0)
-    target = demand.target.acceleration(HOUSNER_PERIODS)
+    target = demand.target.acceleration(periods)
     difference = mean / target - 1.0
-    inside = (RANGE[0] - 1e-9 <= HOUSNER_PERIODS) & (RANGE[1] + 1e-9 >= HOUSNER_PERIODS)
-    low, high = float(difference[inside].min()), float(difference[inside].max())
-    stations = {station_of(m) or f"file {k}" for k, m in enumerate(motions)}
-    count = float(len(stations))
+
+    def extremes(ends) -> tuple[float, float]:
+        inside = difference[(ends[0] - 1e-9 <= periods) & (ends[1] + 1e-9 >= periods)]
+        return float(inside.min()), float(inside.max())
+
+    low, high = extremes(asked_range)
+    count = float(len(stations(motions)))
     pga = float(np.mean([f * m.pga for m, f in zip(motions, factors, strict=True)]))
     lower = max(LOWER[kind] for kind in kinds)
     upper = UPPER["natural"] if "natural" in kinds else None
@@ -99,7 +120,7 @@ def compliance(
     rules = [
         Rule("NTC", ntc, "mean_lower", low, lower, "%", low >= lower),
         Rule("NTC", ntc, "mean_upper", high, upper, "%", None if upper is None else high <= upper),
-        Rule("EN", en + "(4)a", "records", count, LEAST_RECORDS, "", count >= LEAST_RECORDS),
+        Rule("EN", en + "(4)a", "records", count, MINIMUM_FROM, "", count >= MINIMUM_FROM),
         Rule("EN", en + "(4)b", "mean_pga", pga / G, demand.pga / G, "g",
              pga >= demand.pga * (1.0 - 1e-6)),
         Rule("EN", en + "(4)c", "mean_lower", low, -0.10, "%", low >= -0.10),
@@ -113,14 +134,15 @@ def compliance(
                  strong >= STRONG_PART - 1e-6),
             Rule("NTC", ntc, "duration", whole, WHOLE_LENGTH, "s", whole >= WHOLE_LENGTH - 1e-6),
         ]  # fmt: skip
+    least, most = extremes(shown)
     rules += [
-        Rule("shown", "0.1-2.5 s", "mean_lower", float(difference.min()), None, "%", None),
-        Rule("shown", "0.1-2.5 s", "mean_upper", float(difference.max()), None, "%", None),
+        Rule("shown", f"{shown[0]:.1f}-{shown[1]:.1f} s", name, value, None, "%", None)
+        for name, value in (("mean_lower", least), ("mean_upper", most))
     ]
     asked = demand.asked.spectrum  # a spectrum of a file names no code: both must be met
     codes = {"EN", "NTC"} if asked is None else {asked.code[:-4]}
     decides = [rule.passed for rule in rules if rule.code in (*codes, "both")]
     return Compliance(
-        HOUSNER_PERIODS, spectra, mean, target, tuple(rules), len(stations),
-        all(passed is not False for passed in decides),
+        periods, spectra, mean, target, tuple(rules), int(count),
+        all(passed is not False for passed in decides), asked_range, unnamed(motions),
     )  # fmt: skip

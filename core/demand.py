@@ -20,6 +20,9 @@ from core.units import CM, G
 WEAK_RECORDS = 0.9
 """Mean PGA of records taken as given over a_g S below which they are warned of."""
 
+LARGE_AG = 0.6 * G
+"""a_g on rock beyond that of any place in Italy: questioned."""
+
 LARGE_SCALING = 3.0
 """Scale factors of a record above this one are warned of."""
 
@@ -117,9 +120,11 @@ def demand_of(case: Case, base_dir: Path) -> DemandResult | None:
 
 def with_records(demand: DemandResult, motions: list[GroundMotion]) -> DemandResult:
     """The demand with what only the records give: an intensity that nothing else states, warnings."""
-    if not motions:
-        return demand
     found = []
+    if demand.ag > LARGE_AG:
+        found.append(notice("large_ag", ag=demand.ag / G))
+    if not motions:
+        return replace(demand, warnings=tuple(found))
     if demand.asked.demand_scaling == "pga":
         found.append(notice("pga_scaling"))
     large = sum(demand.scaling(motion) > LARGE_SCALING for motion in motions)

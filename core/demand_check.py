@@ -1,42 +1,60 @@
 """Dynamic check of the Circolare 7/2019, C8.7.1.2.1.9: every record at the demand.
 
-d_0 is exceeded in no run, and the mean of the largest rotations stays below 0.40 (SLV) or 0.60 (SLC) of
-it. The demand is amplified by the confidence factor; with fewer than seven records the largest rotation
-takes the place of the mean (EN 1998-1 4.3.3.4.3(3)); the components of one station count once.
+The rule: d_0 is exceeded in no run, and the mean of the largest rotations stays below 0.40 (SLV) or 0.60 (SLC)
+of it. With fewer than seven stations the largest rotation takes the place of the mean (EN 1998-1
+4.3.3.4.3(3)); the components of one station count once.
+
+The confidence factor FC acts on the strength of the capacity curve, as clause .3 has it ("si applica
+direttamente alla capacità in termini di resistenza"): strength over FC is, exactly, p^2 / FC under the ground
+times FC. Or, more cautiously, on the demand: the wall as it is under the ground times FC.
+
+Whether the rule holds is not monotone in the multiplier of the demand: zeta_E and zeta_16 are those of zeta.py.
 """
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
-from core.compliance import station_of
 from core.demand import DemandResult
 from core.errors import Cancelled
 from core.ground_motion import GroundMotion
-from core.ida import BRACKET, CHUNK, TRILINEAR_FLOOR, bisections, threshold_of
-from core.kinematic import LIMIT_FRACTION, Check
-from core.rocking import COLLAPSED, IMPACT_LIMIT, Grounds, Method, RockingModel, scan_records
+from core.ida import (
+    BRACKET,
+    CHUNK,
+    TRILINEAR_FLOOR,
+    threshold_of,
+)
+from core.kinematic import ROUNDING, Check
+from core.limits import LIMIT_FRACTION, MEAN_FROM, multiplier_of
+from core.provenance import stations
+from core.rocking import (
+    COLLAPSED,
+    IMPACT_LIMIT,
+    STABLE,
+    Grounds,
+    Method,
+    RockingModel,
+    scan_records,
+)
+from core.zeta import STEP, search_zeta
 
-MEAN_FROM = 7
-SPREAD = 0.02
-"""What zeta, a first failure on a grid, moves by when the grid starts elsewhere or the record is rounded
-(measured on the wall of the bundled case: 1 to 3 %)."""
+OTHER_STEP, BOUND_STEP = 0.005, 0.01
+"""Steps of the search for zeta [-] with FC on the other side, and should the restraint behind a wall fail."""
 
-AT_ONCE = 32
-"""Multipliers of a look for zeta, which often ends within the first."""
+ALONE = 2
+"""Records, the worst at the demand, that are analysed alone: most failures need no other."""
 
-MOST = 100.0
-"""Multiplier of the demand up to which zeta is searched."""
+EXPECTED = 0.9
+"""With FC on the strength no failure is expected below this share of the first one with FC on the demand."""
 
-STATUS = {0: "stable", COLLAPSED: "overturned", IMPACT_LIMIT: "impact_limit"}
+STATUS = {STABLE: "stable", COLLAPSED: "overturned", IMPACT_LIMIT: "impact_limit"}
 
 
 @dataclass(frozen=True)
 class DemandRun:
-    """One record and sign at the demand. factor : multiplier of the record, FC and scaling included;
-    peak_ratio : largest rotation over alpha, None unless stable; exceeded : alpha was exceeded."""
+    """One record and sign at the demand. factor : multiplier of the record, scaling and an FC on the demand
+    included; peak_ratio : largest rotation over alpha, None unless stable; exceeded : alpha was exceeded."""
 
     record: str
     polarity: int
@@ -47,10 +65,31 @@ class DemandRun:
 
 
 @dataclass(frozen=True)
+class OtherConfidence:
+    """The check with FC on the other side. confidence_on : capacity or demand; zeta : zeta_E, None where a run
+    has no number; passed : as of DemandCheck."""
+
+    confidence_on: str
+    zeta: float | None
+    passed: bool
+
+
+@dataclass(frozen=True)
 class DemandCheck:
-    """The rule at the demand. mean_peak_ratio : over the records, of each its worse sign; None where a
-    run overturns; set_rule : mean, or maximum below seven records; zeta : multiplier of the demand at
-    which the rule first fails, None where a run has no number; holds : the rule at the demand itself."""
+    """The rule at the demand.
+
+    mean_peak_ratio : over the records, of each its worse sign; None where a run overturns
+    set_rule : mean, or maximum below seven stations
+    confidence_on : where FC acts, capacity or demand
+    zeta : zeta_E, lowest multiplier of the demand around which half of the multipliers fail the rule; None
+        where a run below it has no number
+    zeta_spread : multipliers around which 45 % and 55 % fail: zeta_E on another grid lies between them
+    zeta_16, zeta_first : the same as zeta of 16 %, and the first failure on the grid
+    share_failing_at_demand : share of failing multipliers within +-10 % of zeta_target
+    holds, holds_at_target : the rule at the demand itself, and at zeta_target of it
+    passed : it holds at zeta_target, and zeta reaches zeta_target
+    zeta_other : the check with FC on the other side; None where FC is 1
+    """
 
     limit_state: str
     runs: tuple[DemandRun, ...]
@@ -62,6 +101,13 @@ class DemandCheck:
     zeta: float | None
     holds: bool
     passed: bool
+    holds_at_target: bool = True
+    confidence_on: str = "capacity"
+    zeta_spread: tuple[float, float] | None = None
+    zeta_16: float | None = None
+    zeta_first: float | None = None
+    share_failing_at_demand: float = 0.0
+    zeta_other: OtherConfidence | None = None
 
     @property
     def peak_ratio(self) -> float | None:
@@ -75,94 +121,123 @@ class DemandCheck:
             "dynamic", "C8.7.1.2.1.9", "-", self.limit_ratio, self.peak_ratio, self.zeta, passed
         )
 
+    def within_spread(self, target: float) -> bool:
+        """Whether the rule holds at the target, but the spread of zeta_E contains it."""
+        if self.zeta_spread is None or not self.holds_at_target:
+            return False
+        return self.zeta_spread[0] < target < self.zeta_spread[1]
+
 
 class _Set:
     """All runs of a wall at one multiplier of the demand after another."""
 
-    def __init__(self, model, motions, polarities, demand, method, cancelled):
+    def __init__(self, model, motions, polarities, demand, confidence_on, method, cancelled):
+        confidence = demand.confidence_factor
+        if confidence_on == "capacity":
+            model = model._replace(p2=model.p2 / confidence)
         self.model, self.method, self.cancelled = model, method, cancelled
-        self.pairs = [(motion, sign) for motion in motions for sign in polarities]
-        self.signs = len(polarities)
-        # records of one time step run together
-        self.groups = []
-        for dt in sorted({motion.time_step for motion in motions}):
-            records = [k for k, motion in enumerate(motions) if motion.time_step == dt]
-            grounds = Grounds.of([motions[k].acceleration for k in records], dt)
-            rows = [k * self.signs + j for k in records for j in range(self.signs)]
-            self.groups.append((grounds, np.array(rows), np.arange(len(rows)) // self.signs))
-        self.factors = [
-            demand.confidence_factor * demand.scaling(motion) for motion, _ in self.pairs
-        ]
+        self.motions, self.polarities = motions, polarities
+        self.ground_factors = [confidence * demand.scaling(motion) for motion in motions]
+        # what of it is of the demand
+        on_demand = confidence if confidence_on == "demand" else 1.0
+        self.factors = [on_demand * demand.scaling(motion) for motion in motions]
         self.limit = LIMIT_FRACTION[demand.limit_state]
-        stations = {station_of(motion) or f"file {k}" for k, motion in enumerate(motions)}
-        self.mean = len(stations) >= MEAN_FROM
+        self.mean = len(stations(motions)) >= MEAN_FROM
+        self.in_order(range(len(motions)))
 
-    def analyse(self, multipliers: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Outcomes and peaks over alpha, shape (runs, multipliers)."""
-        shape = (len(self.pairs), multipliers.size)
-        outcomes, peaks = np.empty(shape, np.int64), np.empty(shape)
-        signed = np.array([sign * f for (_, sign), f in zip(self.pairs, self.factors, strict=True)])
-        for grounds, rows, record in self.groups:
-            scales = np.outer(signed[rows], multipliers).ravel()
-            which = np.repeat(record, multipliers.size)
-            found, reached = np.empty(scales.size, np.int64), np.empty(scales.size)
-            for start in range(0, scales.size, CHUNK):
-                if self.cancelled():
-                    raise Cancelled
-                part = slice(start, start + CHUNK)
-                scan_records(self.method, grounds, which[part], scales[part], self.model,
-                             found[part], reached[part])  # fmt: skip
-            outcomes[rows], peaks[rows] = (
-                found.reshape(len(rows), -1),
-                reached.reshape(len(rows), -1),
+    def in_order(self, order) -> None:
+        """Which records `failures` takes first: the first two alone, then all others of a time step at once."""
+        order = list(order)
+        rest = order[ALONE:]
+        steps = dict.fromkeys(self.motions[k].time_step for k in rest)
+        batches = [[k] for k in order[:ALONE]]
+        batches += [[k for k in rest if self.motions[k].time_step == dt] for dt in steps]
+        self.batches = [
+            (
+                batch,
+                Grounds.of(
+                    [self.motions[k].acceleration for k in batch], self.motions[batch[0]].time_step
+                ),
             )
-        return outcomes, peaks / self.model.slenderness
+            for batch in batches
+        ]
 
-    def governing(self, peaks: np.ndarray) -> np.ndarray:
-        """Worse sign of each record, shape (records, multipliers)."""
-        return peaks.reshape(-1, self.signs, peaks.shape[1]).max(axis=1)
+    def analyse(self, batch: list[int], grounds: Grounds, multipliers: np.ndarray):
+        """Outcomes and peaks over alpha, shape (records of the batch, signs, multipliers)."""
+        signed = np.outer([self.ground_factors[k] for k in batch], np.array(self.polarities, float))
+        scales = np.multiply.outer(signed, multipliers).ravel()
+        which = np.repeat(np.arange(len(batch)), scales.size // len(batch))
+        found, reached = np.empty(scales.size, np.int64), np.empty(scales.size)
+        for start in range(0, scales.size, CHUNK):
+            if self.cancelled():
+                raise Cancelled
+            part = slice(start, start + CHUNK)
+            scan_records(self.method, grounds, which[part], scales[part], self.model,
+                         found[part], reached[part])  # fmt: skip
+        shape = (len(batch), len(self.polarities), multipliers.size)
+        return found.reshape(shape), reached.reshape(shape) / self.model.slenderness
 
-    def holds(self, outcomes: np.ndarray, peaks: np.ndarray) -> np.ndarray:
-        """Whether the rule holds at each multiplier."""
-        worse = self.governing(peaks)
-        value = worse.mean(axis=0) if self.mean else worse.max(axis=0)
-        exceeded = ((outcomes != 0) | (peaks > 1.0)).any(axis=0)
-        return ~exceeded & (value <= self.limit)
-
-    def zeta(self, step: float, reached: list[float] | None) -> float | None:
-        """First failure of the rule on a geometric grid, bisected; None for an outcome without a number.
-
-        reached : q of each run up to which its search found no peak at the limit: below the lowest of
-        them none is there, and the rule holds.
-        """
-        per_q = np.array(
-            [
-                threshold_of(self.model) / (factor * motion.pga)
-                for (motion, _), factor in zip(self.pairs, self.factors, strict=True)
-            ]
-        )
-        if reached is not None:
-            low = float((np.array(reached) * per_q).min()) * (1.0 - 2.0 * BRACKET)
-        else:
-            low = per_q.min() * (1.0 if self.model.plateau_end == 0.0 else TRILINEAR_FLOOR)
-        while low < MOST:
-            grid = low * (1.0 + step) ** np.arange(1, AT_ONCE + 1)
-            outcomes, peaks = self.analyse(grid)
-            fails = ~self.holds(outcomes, peaks)
-            if fails.any():
-                k = int(np.argmax(fails))
-                if (outcomes[:, k] == IMPACT_LIMIT).any():
-                    return None
-                edges = (float(grid[k - 1]) if k else low, float(grid[k]))
-                (bracket,) = bisections([edges], lambda points: [self.failures(points[0])])
-                return min(bracket[0], MOST) if bracket else None
-            low = float(grid[-1])
-        return MOST
+    def runs(self) -> tuple[DemandRun, ...]:
+        """Every record and sign at the demand itself."""
+        runs = {}
+        for batch, grounds in self.batches:
+            outcomes, peaks = self.analyse(batch, grounds, np.ones(1))
+            for k, record in enumerate(batch):
+                runs[record] = [
+                    DemandRun(
+                        self.motions[record].name, sign, self.factors[record],
+                        float(peaks[k, n, 0]) if outcomes[k, n, 0] == STABLE else None,
+                        bool(outcomes[k, n, 0] == COLLAPSED or peaks[k, n, 0] > 1.0),
+                        STATUS[int(outcomes[k, n, 0])],
+                    )
+                    for n, sign in enumerate(self.polarities)
+                ]  # fmt: skip
+        return tuple(run for record in sorted(runs) for run in runs[record])
 
     def failures(self, multipliers: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Where the rule fails, and where a run has no number."""
-        outcomes, peaks = self.analyse(multipliers)
-        return ~self.holds(outcomes, peaks), (outcomes == IMPACT_LIMIT).any(axis=0)
+        """Where the rule fails, and where that is for want of a number. A multiplier at which one record
+        makes it fail needs no other."""
+        fails, unknown = np.zeros((2, multipliers.size), bool)
+        total = np.zeros(multipliers.size)
+        for batch, grounds in self.batches:
+            here = np.nonzero(~fails | unknown)[0]
+            if here.size == 0:
+                break
+            outcomes, peaks = self.analyse(batch, grounds, multipliers[here])
+            worse = peaks.max(axis=1)
+            total[here] += worse.sum(axis=0)
+            value = total[here] / len(self.motions) if self.mean else worse.max(axis=0)
+            limited = (outcomes == IMPACT_LIMIT).any(axis=(0, 1))
+            failed = ((outcomes == COLLAPSED) | (peaks > 1.0)).any(axis=(0, 1))
+            failed |= value > self.limit
+            unknown[here] = (unknown[here] | limited) & ~failed
+            fails[here] |= failed | limited
+        return fails, unknown
+
+    def rule_holds(self, worse: np.ndarray) -> bool:
+        """The rule for peaks over alpha, of each record its worse sign, where no run overturns."""
+        value = worse.mean() if self.mean else worse.max()
+        return bool(worse.max() <= 1.0 and value <= self.limit)
+
+    @property
+    def rest(self) -> float:
+        """Multiplier up to which no wall moves, or, trilinear, from which the search starts."""
+        threshold = threshold_of(self.model)
+        least = min(
+            multiplier_of(1.0, factor * motion.pga, threshold)
+            for motion, factor in zip(self.motions, self.ground_factors, strict=True)
+        )
+        return least * (1.0 if self.model.plateau_end == 0.0 else TRILINEAR_FLOOR)
+
+    def first_peak(self, reached: list[float]) -> float:
+        """Multiplier below which no run of the search had a peak at the limit; reached : as `demand_check`."""
+        threshold = threshold_of(self.model)
+        pairs = zip(reached, np.repeat(range(len(self.motions)), len(self.polarities)), strict=True)
+        least = min(
+            multiplier_of(q, self.ground_factors[k] * self.motions[k].pga, threshold)
+            for q, k in pairs
+        )
+        return least * (1.0 - 2.0 * BRACKET)
 
 
 def demand_check(
@@ -171,52 +246,64 @@ def demand_check(
     polarities: tuple[int, ...],
     demand: DemandResult,
     method: Method,
-    step: float,
     reached: list[float] | None = None,
+    step: float = STEP,
+    other: bool = True,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> DemandCheck | None:
     """The dynamic check of one wall; None without records or for a limit state the clause has no limit for.
 
-    step : of the search for zeta [-]; reached : as `_Set.zeta`, by record and sign. Raises Cancelled.
+    reached : by record and sign, q up to which the search of this wall found no peak at the limit, so that the
+    rule holds below the lowest of them, FC on the demand; step : of the grid [-]; other : search zeta with FC
+    on the other side too, by OTHER_STEP. Raises Cancelled.
     """
     if not motions or demand.limit_state not in LIMIT_FRACTION:
         return None
-    work = _Set(model, motions, polarities, demand, method, cancelled)
-    outcomes, peaks = work.analyse(np.ones(1))
-    runs = tuple(
-        DemandRun(
-            motion.name, sign, factor,
-            float(peaks[k, 0]) if outcomes[k, 0] == 0 else None,
-            bool(outcomes[k, 0] == COLLAPSED or peaks[k, 0] > 1.0),
-            STATUS[int(outcomes[k, 0])],
+    side, target = demand.asked.confidence_on, demand.zeta_target
+    sides = {
+        name: _Set(model, motions, polarities, demand, name, method, cancelled)
+        for name in ("demand", "capacity")
+    }
+    work = sides[side]
+    runs = work.runs()
+    peaks = [run.peak_ratio for run in runs]
+    worse = None
+    if None not in peaks:
+        worse = np.array(peaks).reshape(len(motions), -1).max(axis=1)
+    worst = [max(run.peak_ratio or 2.0 for run in runs if run.record == m.name) for m in motions]
+    judged, expected = {}, 0.0
+    # what is found with FC on the demand tells where to look with FC on the strength
+    for name, there in sides.items():
+        if name != side and not (other and demand.confidence_factor > 1.0):
+            continue
+        there.in_order(np.argsort(-np.array(worst), kind="stable").tolist())
+        rest = there.rest if reached is None or name == "capacity" else there.first_peak(reached)
+        zeta = search_zeta(
+            there.failures, rest, target, expected, step if name == side else OTHER_STEP
         )
-        for k, ((motion, sign), factor) in enumerate(zip(work.pairs, work.factors, strict=True))
-    )  # fmt: skip
-    known = all(run.peak_ratio is not None for run in runs)
-    worse = work.governing(peaks)[:, 0]
-    zeta = work.zeta(step, reached)
-    holds = bool(work.holds(outcomes, peaks)[0])
-    target = demand.zeta_target
-    at_target = holds if target == 1.0 else bool(work.holds(*work.analyse(np.array([target])))[0])
-    if zeta is not None:
-        # the grid of the search may step over a failure that the demand or the target itself shows
-        failures = [1.0] * (not holds) + [target] * (not at_target)
-        zeta = min([zeta, *failures])
+        reaches = zeta.half is not None and zeta.half >= target - ROUNDING
+        judged[name] = zeta, zeta.holds_at_target and reaches
+        expected = EXPECTED * (zeta.first or 0.0)
+    found, passed = judged.pop(side)
+    second = None
+    for name, (zeta, fine) in judged.items():
+        second = OtherConfidence(name, zeta.half, fine)
     return DemandCheck(
         limit_state=demand.limit_state,
         runs=runs,
         n_exceeded=sum(run.exceeded for run in runs),
-        mean_peak_ratio=float(worse.mean()) if known else None,
-        max_peak_ratio=float(worse.max()) if known else None,
+        mean_peak_ratio=None if worse is None else float(worse.mean()),
+        max_peak_ratio=None if worse is None else float(worse.max()),
         set_rule="mean" if work.mean else "maximum",
         limit_ratio=work.limit,
-        zeta=zeta,
-        holds=holds,
-        passed=at_target and zeta is not None and zeta >= target - 1e-12,
+        zeta=found.half,
+        holds=worse is not None and work.rule_holds(worse),
+        passed=passed,
+        holds_at_target=found.holds_at_target,
+        confidence_on=side,
+        zeta_spread=found.spread,
+        zeta_16=found.sixteen,
+        zeta_first=found.first,
+        share_failing_at_demand=found.share_at_target,
+        zeta_other=second,
     )
-
-
-def numerical_spread(zeta: float, target: float, searched: bool) -> bool:
-    """Whether zeta is within what rounding leaves open of the target; searched : and the grid, where
-    time histories stand behind it."""
-    return math.isclose(zeta, target, rel_tol=SPREAD if searched else 10.0 * BRACKET)

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.errors import Cancelled
+from core.limits import LIMIT_FRACTION, multiplier_of
 from core.rocking import (
     COLLAPSED,
     IMPACT_LIMIT,
@@ -25,10 +26,6 @@ from core.units import G
 
 BRACKET = 1e-4
 """Bisection ends when the bracket of q is narrower than this fraction."""
-
-SLV_FRACTION = 0.40
-SLC_FRACTION = 0.60
-"""Peak rotations over alpha of the limit states SLV and SLC (Circolare 7/2019, C8.7.1.2.1.6)."""
 
 ROBUST_SHARE = 0.16
 """Share of collapsing grid points around q_robust [-]."""
@@ -99,7 +96,7 @@ class _Map:
         self.search, self.cancelled = search, cancelled
         self.rigid = model.plateau_end == 0.0
         self.q_start = 1.0 if self.rigid else TRILINEAR_START
-        self.to_scale = sign * threshold_of(model) / pga
+        self.sign, self.pga = sign, pga
         self.first = 0
         self.outcomes = np.empty(0, np.int64)
         self.peaks = np.empty(0)
@@ -129,7 +126,7 @@ class _Map:
         peaks, clamped = np.zeros(q_values.size), np.zeros(q_values.size, np.int64)
         moves = q_values > 1.0 if self.rigid else np.full(q_values.size, True)
         found, reached = np.empty(int(moves.sum()), np.int64), np.empty(int(moves.sum()))
-        scales = self.to_scale * q_values[moves]
+        scales = self.sign * multiplier_of(q_values[moves], self.pga, threshold_of(self.model))
         which = np.zeros(scales.size, np.int64)
         clamped[moves] = scan_records(
             self.method, self.grounds, which, scales, self.model, found, reached
@@ -271,7 +268,7 @@ def incremental_dynamic_analysis(
         collapse = grid.first_reaching(math.inf)
     before = grid.outcomes[: collapse - grid.first] if collapse is not None else grid.outcomes
     unknown = bool((before == IMPACT_LIMIT).any())
-    fractions = (math.inf, SLV_FRACTION, SLC_FRACTION)
+    fractions = (math.inf, LIMIT_FRACTION["SLV"], LIMIT_FRACTION["SLC"])
     brackets = [None] * len(fractions) if unknown else grid.brackets(fractions)
     if collapse is None:
         return _result(grid, "impact_limit" if unknown else "no_collapse_found", brackets, None)
@@ -293,14 +290,14 @@ def _descend(grid: _Map, half: int) -> None:
     width = half + 1
     while grid.first > floor:
         low = slice(0, width)
-        if not grid.reaches(grid.outcomes[low], grid.peaks[low], SLV_FRACTION).any():
+        if not grid.reaches(grid.outcomes[low], grid.peaks[low], LIMIT_FRACTION["SLV"]).any():
             break
         width = 2 * half + 1
         grid.grow(max(floor, grid.first - half - 1), grid.last)
 
 
 def collapse_count(collapsed: np.ndarray, half: int) -> np.ndarray:
-    """Collapsing points within +-half points of each point; beyond the ends none collapses."""
+    """Flagged (collapsing) points within +-half points of each point; beyond the ends there are none."""
     total = np.concatenate([[0], np.cumsum(collapsed)])
     index = np.arange(collapsed.size)
     low = np.maximum(index - half, 0)
@@ -308,12 +305,18 @@ def collapse_count(collapsed: np.ndarray, half: int) -> np.ndarray:
     return total[high + 1] - total[low]
 
 
+def first_with_share(flags: np.ndarray, half: int, share: float) -> int | None:
+    """First index whose whole window of +-half points holds at least this share of flags; None without one.
+    Before the first point there are none."""
+    count = collapse_count(flags, half)[: max(flags.size - half, 0)]
+    hits = np.nonzero(count >= share * (2 * half + 1))[0]
+    return int(hits[0]) if hits.size else None
+
+
 def _robust_index(grid: _Map, half: int) -> int | None:
     """Smallest grid index whose whole window holds a share >= 0.16 of collapsing points."""
-    count = collapse_count(grid.outcomes == COLLAPSED, half)
-    whole = count[: grid.outcomes.size - half]
-    hits = np.nonzero(whole >= ROBUST_SHARE * (2 * half + 1))[0]
-    return grid.first + int(hits[0]) if hits.size else None
+    found = first_with_share(grid.outcomes == COLLAPSED, half, ROBUST_SHARE)
+    return None if found is None else grid.first + found
 
 
 def _result(grid: _Map, status: str, brackets, robust: int | None) -> Ida:

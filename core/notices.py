@@ -17,6 +17,26 @@ SENTENCES = {
         "I campioni hanno media {mean:.3g} g e lasciano una velocità di {velocity:.2g} m/s: uno scostamento della "
         "linea di base, che spinge la parete da un lato. Correggere il record.",
     ),
+    "thin": (
+        "t = {cm:.1f} cm is below 10 cm: was another unit meant (m, cm, mm)?",
+        "t = {cm:.1f} cm è sotto 10 cm: si intendeva un'altra unità (m, cm, mm)?",
+    ),
+    "slender": (
+        "H/t = {ratio:.0f} is above 30 (H {h:g} m, t {t:g} m): is one of them in another unit?",
+        "H/t = {ratio:.0f} supera 30 (H {h:g} m, t {t:g} m): uno dei due è in un'altra unità?",
+    ),
+    "odd_weight": (
+        "Unit weight {w:g} kN/m3 is outside {low:g} to {high:g}: kg/m3 or t/m3 instead of kN/m3?",
+        "Peso specifico {w:g} kN/m³ fuori da {low:g}-{high:g}: kg/m³ o t/m³ al posto di kN/m³?",
+    ),
+    "odd_modulus": (
+        "E = {e:g} MPa is outside {low:g} to {high:g}: GPa, kPa or kg/cm2 instead of MPa?",
+        "E = {e:g} MPa fuori da {low:g}-{high:g}: GPa, kPa o kg/cm² al posto di MPa?",
+    ),
+    "large_ag": (
+        "a_g = {ag:.3g} g is above 0.6 g: m/s2 or % instead of g, or S counted in it?",
+        "a_g = {ag:.3g} g supera 0.6 g: m/s² o % al posto di g, oppure S già compreso?",
+    ),
     "weaker_records": (
         "The records as given have a mean PGA of {share:.0%} of a_g S: the dynamic check is not at the demand.",
         "I record così come dati hanno PGA media pari al {share:.0%} di a_g S: la verifica dinamica non è alla "

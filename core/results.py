@@ -1,6 +1,6 @@
 """What a study results in: frozen, in SI units, nothing computed later."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from core.accuracy import Accuracy
 from core.block import Block
@@ -13,11 +13,12 @@ from core.demand_check import DemandCheck
 from core.fragility import Fragility
 from core.ground_motion import GroundMotion
 from core.ida import Ida, Search
-from core.kinematic import Check, Kinematic
+from core.kinematic import SLD_CLAUSE, Check, Kinematic
 from core.moment_rotation import MomentLaw
 from core.notices import Notice
 from core.restitution import Restitution
 from core.rocking import AUTO, History, Method, RockingModel, concrete
+from core.units import G
 from core.verdict import Verdict
 
 
@@ -32,6 +33,24 @@ class Assessment:
     dynamic: DemandCheck | None
     lower_bound: DemandCheck | None
     verdict: Verdict
+
+    @property
+    def shown(self) -> tuple[tuple[Check, bool], ...]:
+        """Rows of the table of methods and whether each is a check of the verdict: beside these the dynamic
+        check with FC on the other side, and a_g,SLD, below which a_g,SLV of the displacement check is not."""
+        rows = []
+        for check in self.checks:
+            rows.append((check, True))
+            other = self.dynamic.zeta_other if self.dynamic else None
+            if check.name == "dynamic" and other:
+                passed = other.passed if other.zeta is not None else None
+                rows.append((replace(check, name=f"dynamic_{other.confidence_on}", demand=None, zeta=other.zeta,
+                                     passed=passed), False))  # fmt: skip
+            if check.name == "nonlinear" and self.kinematic.zeta_sld is not None:
+                found = self.kinematic
+                rows.append((Check("floor_sld", SLD_CLAUSE, "g", found.a0 / G, found.acceleration_demand / G,
+                                   found.zeta_sld, None), False))  # fmt: skip
+        return tuple(rows)
 
 
 @dataclass(frozen=True)

@@ -13,13 +13,15 @@ from core import compile_beside, records
 from core.accuracy import Accuracy, accuracy
 from core.assessment import assess
 from core.case import Case, Wall
-from core.compliance import compliance
+from core.compliance import compliance, period_range
 from core.demand import demand_of, generated, with_records
 from core.errors import InputError
 from core.ground_motion import GroundMotion
 from core.ida import Ida, Search, incremental_dynamic_analysis, threshold_of
 from core.journal import Journal, Memory
 from core.kernel_cache import FOLDER, STAMP, record
+from core.kinematic import kinematic
+from core.limits import multiplier_of
 from core.records.grammar import Options
 from core.results import CollapseHistories, Run, StudyResult, WallResult
 from core.rocking import AUTO, METHODS, RockingModel, concrete, history, rocking_model, scan
@@ -97,6 +99,13 @@ def run(
         for polarity in signs[index]
     ]
     models = [_model(wall, mechanism) for wall, mechanism in walls]
+    mechanisms = [
+        kinematic(wall, mechanism, demand) if demand and not wall.above_ground else None
+        for wall, mechanism in walls
+    ]
+    longest = max((found.period or 0.0 for found in mechanisms if found), default=0.0)
+    if demand and demand.target and motions:
+        period_range(kinds, longest, demand)  # refused before hours of work, not after
     _compile_beside(method, models, motions)
     book = journal(f"{VERSION} {STAMP}") if journal else None
     assessed = len(walls) if demand else 0
@@ -108,7 +117,7 @@ def run(
                          lambda done: on_progress(done, total))  # fmt: skip
         if demand:
             demand = with_records(demand, motions)
-        rules = compliance(motions, kinds, demand) if demand else None
+        rules = compliance(motions, kinds, demand, longest) if demand else None
         by_wall: dict[int, list] = {}
         for entry in planned:
             wall, number, polarity = entry
@@ -121,7 +130,15 @@ def run(
         if demand:
             checks = {
                 k: lambda stop, k=k: assess(
-                    results[k], motions, signs[k], demand, rules, method, search, stop
+                    results[k],
+                    mechanisms[k],
+                    motions,
+                    signs[k],
+                    demand,
+                    rules,
+                    method,
+                    search,
+                    stop,
                 )
                 for k in range(len(walls))
             }
@@ -175,7 +192,7 @@ def warm(case: Case, motion: GroundMotion) -> None:
     method = METHODS.get(case.analysis.method, AUTO)
     _compile_beside(method, [model], [motion])
     ground, dt = motion.acceleration, motion.time_step
-    scales = np.full(16, 1.1 * threshold_of(model) / motion.pga)
+    scales = np.full(16, multiplier_of(1.1, motion.pga, threshold_of(model)))
     scan(method, ground, dt, scales, model, np.zeros(16, np.int64), np.zeros(16))
     history(ground, dt, scales[0], model, method)
 
@@ -253,8 +270,10 @@ def collapse_histories(result: StudyResult, wall: WallResult) -> CollapseHistori
     if lowest is None:
         return None
     motion = next(motion for motion in result.motions if motion.name == lowest.record)
-    to_scale = lowest.polarity * wall.block.threshold_acceleration / motion.pga
-    scales = tuple(to_scale * q for q in lowest.ida.bracket)
+    scales = tuple(
+        lowest.polarity * multiplier_of(q, motion.pga, threshold_of(wall.model))
+        for q in lowest.ida.bracket
+    )
     pair = tuple(
         history(motion.acceleration, motion.time_step, scale, wall.model, result.method)
         for scale in scales

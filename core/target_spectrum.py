@@ -115,6 +115,22 @@ def displacement(target: Target, periods, damping: float = DAMPING) -> np.ndarra
     return target.acceleration(t, damping) * (t / (2.0 * math.pi)) ** 2
 
 
+def largest_displacement(target: Target, low: float, high: float, damping: float) -> float:
+    """Largest S_De on the periods [low, high] [s] in m: of a code's spectrum, which never falls, at its end."""
+    periods = [low, high]
+    if isinstance(target, GivenSpectrum):
+        known, values = np.array(target.periods), np.array(target.values)
+        slope = np.diff(values) / np.diff(known)
+        level = values[:-1] - slope * known[:-1]
+        # on a branch level + slope T, T^2 (level + slope T) is largest at T = -2 level / (3 slope)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            turn = -2.0 * level / (3.0 * slope)
+        inside = (turn > known[:-1]) & (turn < known[1:])
+        periods = np.concatenate([periods, known, turn[inside]])
+        periods = periods[(periods >= low) & (periods <= high)]
+    return float(displacement(target, periods, damping).max())
+
+
 def housner_intensity(target: Target) -> float:
     """SI [m] of a target spectrum, Eq. 11 on its pseudo-velocity."""
     velocity = target.acceleration(HOUSNER_PERIODS) * HOUSNER_PERIODS / (2.0 * math.pi)

@@ -3,10 +3,11 @@
 import math
 from dataclasses import dataclass
 
-from core.compliance import LEAST_RECORDS, Compliance
+from core.compliance import Compliance
 from core.demand import DemandResult
-from core.demand_check import DemandCheck, numerical_spread
-from core.kinematic import Check
+from core.demand_check import DemandCheck
+from core.kinematic import Check, Kinematic
+from core.limits import MEAN_FROM, MINIMUM_FROM
 from core.units import G
 
 ORDER = ("dynamic", "nonlinear", "linear_q_slv", "linear_q_code")
@@ -20,7 +21,10 @@ METHOD_WORDS = {
                      "la verifica cinematica lineare con q delle storie temporali (C8.7.1.2.1.7)"),
     "linear_q_code": ("the linear kinematic check with the q of the code (C8.7.1.2.1.7)",
                       "la verifica cinematica lineare con q di norma (C8.7.1.2.1.7)"),
+    "linear_sld": ("the linear kinematic check (C8.7.1.2.1.5)",
+                   "la verifica cinematica lineare (C8.7.1.2.1.5)"),
 }  # fmt: skip
+"""Label of a check -> (English, Italian)."""
 
 SENTENCES = {
     "not_activated": (
@@ -31,6 +35,10 @@ SENTENCES = {
         "Verified at {state}: zeta {zeta:.2f} by {method}; the check with q = {q:g} agrees.",
         "Verificata allo {state}: zeta {zeta:.2f} secondo {method}; la verifica con q = {q:g} concorda.",
     ),
+    "verified_plainly": (
+        "Verified at {state}: zeta {zeta:.2f} by {method}.",
+        "Verificata allo {state}: zeta {zeta:.2f} secondo {method}.",
+    ),
     "verified_simply": (
         "Verified at {state}: zeta {zeta:.2f} by {method}, the simplified one.",
         "Verificata allo {state}: zeta {zeta:.2f} secondo {method}, quella semplificata.",
@@ -40,6 +48,12 @@ SENTENCES = {
         "justify the refined method.",
         "Verificata allo {state} solo secondo {method}: zeta {zeta:.2f}. Con q = {q:g} non lo è: il "
         "progettista deve motivare il metodo raffinato.",
+    ),
+    "verified_alone": (
+        "Verified at {state} by {method} only: zeta {zeta:.2f}. The check with q = {q:g} could not be made: the "
+        "designer must justify the refined method.",
+        "Verificata allo {state} solo secondo {method}: zeta {zeta:.2f}. La verifica con q = {q:g} non è stata "
+        "possibile: il progettista deve motivare il metodo raffinato.",
     ),
     "q2_unsafe": (
         "Not verified at {state}: zeta {zeta:.2f} by {method}. The check with q = {q:g} alone would pass "
@@ -60,6 +74,24 @@ SENTENCES = {
         "Non determinabile allo {state}: vedere i motivi.",
     ),
 }  # fmt: skip
+"""Code of a verdict, or one of the ways to say `verified` and `verified_refined` -> (English, Italian)."""
+
+ADDED = {
+    "share": (
+        " Of the multipliers within 10 % of the demand {share:.0%} fail.",
+        " Dei moltiplicatori entro il 10 % dalla domanda il {share:.0%} non soddisfa la regola.",
+    ),
+    "confidence_demand": (
+        " With FC on the demand instead of the strength it is {not_}verified: zeta {zeta}.",
+        " Con FC sulla domanda anziché sulla resistenza {not_}è verificata: zeta {zeta}.",
+    ),
+    "confidence_capacity": (
+        " With FC on the strength, as C8.7.1.2.1.3 has it, it is {not_}verified: zeta {zeta}.",
+        " Con FC sulla resistenza, come nel C8.7.1.2.1.3, {not_}è verificata: zeta {zeta}.",
+    ),
+    "unloaded": (", if the wall carries no load.", ", se la parete non porta carichi."),
+}
+"""What a sentence is followed by."""
 
 REASONS = {
     "upper_floor": (
@@ -73,12 +105,37 @@ REASONS = {
         "Una storia temporale è terminata senza un valore (limite di urti).",
     ),
     "within_spread": (
-        "zeta {zeta:.4f} lies within the numerical spread of the target {target:.2f}.",
-        "zeta {zeta:.4f} è entro l'incertezza numerica del valore richiesto {target:.2f}.",
+        "zeta is known from {low:.3f} to {high:.3f} only, and the required {target:.2f} lies between.",
+        "zeta è nota solo fra {low:.3f} e {high:.3f}, e il valore richiesto {target:.2f} sta in mezzo.",
     ),
     "weaker_fails": (
-        "The rule holds at the demand itself but fails at {zeta:.2f} of it: a weaker motion is worse.",
-        "La regola vale alla domanda ma non a {zeta:.2f} di essa: un moto più debole è più gravoso.",
+        "The rule holds at the demand itself but fails around {zeta:.2f} of it: a weaker motion is worse.",
+        "La regola vale alla domanda ma non intorno a {zeta:.2f} di essa: un moto più debole è più gravoso.",
+    ),
+    "demand_fails": (
+        "The rule fails at the demand itself, though at fewer than half of the multipliers around it.",
+        "La regola non vale alla domanda stessa, benché a meno di metà dei moltiplicatori intorno ad essa.",
+    ),
+    "no_period": (
+        "Linear checks not made: an element free to vibrate is compared with the spectrum at T_0 "
+        "(C8.7.1.2.1.5, .7), which takes {missing}.",
+        "Verifiche lineari non eseguite: un elemento libero di vibrare si confronta con lo spettro in T_0 "
+        "(C8.7.1.2.1.5, .7), che richiede {missing}.",
+    ),
+    "no_check": (
+        "No check could be made.", "Nessuna verifica è stata possibile.",
+    ),
+    "no_restraint": (
+        "The restraint behind the wall is not named: one-sided rocking rests on it.",
+        "Il vincolo dietro la parete non è indicato: l'oscillazione su un lato si basa su di esso.",
+    ),
+    "more_records": (
+        "{n} stations: C8.7.1.2.1.9 advises more records than the analysis of the whole building takes.",
+        "{n} stazioni: il C8.7.1.2.1.9 consiglia un numero di accelerogrammi maggiore che per l'analisi globale.",
+    ),
+    "no_station": (
+        "{n} file(s) name no station: each was counted as a station of its own.",
+        "{n} file non indicano la stazione: ognuno è stato contato come una stazione a sé.",
     ),
     "not_compatible": (
         "The set of records is not compatible with the target spectrum.",
@@ -120,6 +177,14 @@ REASONS = {
 }  # fmt: skip
 
 STOCKY_DEG = 20.0
+
+MISSING_WORDS = {
+    "elastic_modulus_mpa": ("the elastic modulus E", "il modulo elastico E"),
+    "unit_weight_kn_m3": ("the unit weight", "il peso specifico"),
+    "height_m": ("a rectangular wall", "una parete rettangolare"),
+    "spectrum": ("the spectrum of the demand", "lo spettro della domanda"),
+}
+"""What T_0 and the spectrum there take -> (English, Italian)."""
 
 
 @dataclass(frozen=True)
@@ -165,63 +230,46 @@ def _reason(name: str, **values) -> tuple[str, str]:
 
 def verdict(
     wall,
-    block,
+    mechanism: str,
     demand: DemandResult,
     checks: tuple[Check, ...],
     dynamic: DemandCheck | None,
+    kinematic: Kinematic | None,
     compliance: Compliance | None,
     circumstances: Circumstances,
     lower_bound: float | None,
 ) -> Verdict:
-    """The verdict from the checks of a wall, the most refined first. checks : those that were made."""
+    """The verdict from the checks of a wall, the most refined first. checks : those that were made;
+    kinematic : None above the ground."""
+    block = wall.block()
     made = {check.name: check for check in checks}
     found = next((made[name] for name in ORDER if name in made), None)
     q_code = made.get("linear_q_code")
     zeta = found.zeta if found else None
     target = demand.zeta_target
-    doubts, limits = [], []
-    first = float(demand.target.acceleration([0.0])[0]) if demand.target else demand.pga
-    strongest = max(demand.pga, first, circumstances.strongest) * max(1.0, target)
-    at_rest = demand.confidence_factor * strongest <= block.threshold_acceleration
-    activated = (
-        not wall.moment_law().is_rigid
-        or not at_rest
-        or any(check.passed is False for check in checks)
-    )
-    if wall.base_z_m > 0.0:
+    activated = _activated(wall, block, demand, checks, circumstances)
+    doubts = []
+    if wall.above_ground:
         doubts.append(_reason("upper_floor", z=wall.base_z_m))
-    elif found is None or zeta is None:
+    elif found is None:
+        doubts.append(_reason("no_check"))
+    elif zeta is None:
         doubts.append(_reason("no_number"))
-    elif (
-        activated
-        and numerical_spread(zeta, target, found.name in ("dynamic", "linear_q_slv"))
-        and not (dynamic and found.passed is False)
-    ):
-        doubts.append(_reason("within_spread", zeta=zeta, target=target))
-    if dynamic and dynamic.holds and zeta is not None and zeta < min(1.0, target):
-        doubts.append(_reason("weaker_fails", zeta=zeta))
-    if dynamic:
-        if compliance is None:
-            limits.append(_reason("no_spectrum"))
-        elif not compliance.compatible:
-            limits.append(_reason("not_compatible"))
-        if demand.asked.demand_scaling == "pga":
-            limits.append(_reason("pga_scaling"))
-        stations = compliance.stations if compliance else circumstances.records
-        if stations < LEAST_RECORDS:
-            limits.append(_reason("few_records", n=stations))
-        if circumstances.bundled:
-            limits.append(_reason("bundled"))
-        if not circumstances.both_signs:
-            limits.append(_reason("one_sign"))
-        if not circumstances.exact:
-            limits.append(_reason("comparison_method"))
-    if demand.target is None and demand.asked.soil_factor is None:
-        limits.append(_reason("no_soil_factor"))
-    alpha = math.degrees(block.slenderness)
-    if alpha > STOCKY_DEG:
-        limits.append(_reason("stocky", alpha=alpha))
-    if wall.base_z_m > 0.0 or zeta is None:
+    elif activated and dynamic and dynamic.within_spread(target):
+        low, high = dynamic.zeta_spread
+        doubts.append(_reason("within_spread", zeta=zeta, target=target, low=low, high=high))
+    notes = []
+    if kinematic and kinematic.missing:
+        words = [MISSING_WORDS[key] for key in kinematic.missing]
+        english, italian = REASONS["no_period"]
+        notes.append((english.format(missing=", ".join(word[0] for word in words)),
+                      italian.format(missing=", ".join(word[1] for word in words))))  # fmt: skip
+    if dynamic and zeta is not None and zeta < target and dynamic.holds_at_target:
+        notes.append(_reason("weaker_fails", zeta=zeta))
+    if dynamic and zeta is not None and zeta >= target and not dynamic.holds_at_target:
+        notes.append(_reason("demand_fails"))
+    limits = _limits(wall, mechanism, block, demand, dynamic, compliance, circumstances)
+    if wall.above_ground or zeta is None:
         code = "undetermined"
     elif not activated:
         code = "not_activated"
@@ -230,13 +278,14 @@ def verdict(
     elif limits:
         code = "indicative"
     elif found.passed:
-        code = "verified" if q_code and q_code.passed else "verified_refined"
+        refined = demand.limit_state == "SLV" and not (q_code and q_code.passed)
+        code = "verified_refined" if refined else "verified"
     else:
         code = "q2_unsafe" if q_code and q_code.passed else "not_verified"
-    notes = [
+    notes += [
         tuple(
             REASONS["disagrees"][k].format(
-                method=_started(METHOD_WORDS[other.name][k]), zeta=other.zeta,
+                method=_started(METHOD_WORDS[other.label][k]), zeta=other.zeta,
                 outcome=(("passed", "soddisfatta") if other.passed else ("not passed", "non soddisfatta"))[k],
             )
             for k in (0, 1)
@@ -244,16 +293,90 @@ def verdict(
         for other in checks
         if found and other is not found and other.passed is not None and other.passed != found.passed
     ]  # fmt: skip
-    words = METHOD_WORDS[found.name] if found else ("", "")
-    values = {
-        "state": demand.limit_state, "zeta": zeta or 0.0, "q": demand.q_code,
-        "demand": demand.confidence_factor * demand.pga / G,
-        "a_rm": block.threshold_acceleration / G,
-    }  # fmt: skip
-    simply = code == "verified" and found.name == "linear_q_code"
-    english, italian = SENTENCES["verified_simply" if simply else code]
+    if dynamic and compliance and code != "not_activated":
+        if compliance.unnamed:
+            notes.append(_reason("no_station", n=compliance.unnamed))
+        if compliance.stations <= MEAN_FROM:
+            notes.append(_reason("more_records", n=compliance.stations))
+    english, italian = (
+        _sentence(k, code, wall, block, demand, found, q_code, dynamic) for k in (0, 1)
+    )
     return Verdict(
-        code, found.name if found else None, zeta, target, (*doubts, *limits, *notes),
-        english.format(method=words[0], **values), italian.format(method=words[1], **values),
+        code, found.name if found else None, zeta, target, (*doubts, *limits, *notes), english, italian,
         lower_bound,
     )  # fmt: skip
+
+
+def _activated(wall, block, demand: DemandResult, checks, circumstances: Circumstances) -> bool:
+    """Whether the motion can lift the wall at all, or a check fails all the same."""
+    first = float(demand.target.acceleration([0.0])[0]) if demand.target else demand.pga
+    strongest = max(demand.pga, first, circumstances.strongest) * max(1.0, demand.zeta_target)
+    at_rest = demand.confidence_factor * strongest <= block.threshold_acceleration
+    rigid = wall.moment_law().is_rigid
+    return not rigid or not at_rest or any(check.passed is False for check in checks)
+
+
+def _limits(
+    wall, mechanism: str, block, demand, dynamic, compliance, circumstances: Circumstances
+) -> list[tuple[str, str]]:
+    """Reasons for which the checks are indicative only."""
+    found = []
+    if dynamic:
+        if compliance is None:
+            found.append(_reason("no_spectrum"))
+        elif not compliance.compatible:
+            found.append(_reason("not_compatible"))
+        if demand.asked.demand_scaling == "pga":
+            found.append(_reason("pga_scaling"))
+        stations = compliance.stations if compliance else circumstances.records
+        if stations < MINIMUM_FROM:
+            found.append(_reason("few_records", n=stations))
+        if circumstances.bundled:
+            found.append(_reason("bundled"))
+        if not circumstances.both_signs:
+            found.append(_reason("one_sign"))
+        if not circumstances.exact:
+            found.append(_reason("comparison_method"))
+    if mechanism == "one_sided" and not wall.back_restraint:
+        found.append(_reason("no_restraint"))
+    if demand.target is None and demand.asked.soil_factor is None:
+        found.append(_reason("no_soil_factor"))
+    alpha = math.degrees(block.slenderness)
+    if alpha > STOCKY_DEG:
+        found.append(_reason("stocky", alpha=alpha))
+    return found
+
+
+def _sentence(k: int, code: str, wall, block, demand, found, q_code, dynamic) -> str:
+    """The sentence of a verdict, in English (k = 0) or Italian (1)."""
+    way = code
+    if code == "verified" and found.name == "linear_q_code":
+        way = "verified_simply" if demand.limit_state == "SLV" else "verified_plainly"
+    elif code == "verified" and q_code is None:
+        way = "verified_plainly"
+    elif code == "verified_refined" and q_code is None:
+        way = "verified_alone"
+    said = SENTENCES[way][k].format(
+        state=demand.limit_state, q=demand.q_code, zeta=found.zeta if found and found.zeta else 0.0,
+        method=METHOD_WORDS[found.label][k] if found else "",
+        demand=demand.confidence_factor * demand.pga / G, a_rm=block.threshold_acceleration / G,
+    )  # fmt: skip
+    if code not in ("undetermined", "not_activated") and dynamic:
+        said += _dynamic_words(k, dynamic, demand.zeta_target)
+    if code != "undetermined" and not wall.unloaded_confirmed:
+        said = said.removesuffix(".") + ADDED["unloaded"][k]
+    return said
+
+
+def _dynamic_words(k: int, dynamic: DemandCheck, target: float) -> str:
+    """How many multipliers around a demand that is met fail, and whether FC on the other side decides
+    differently."""
+    said, other = "", dynamic.zeta_other
+    if dynamic.passed and dynamic.zeta_16 is not None and dynamic.zeta_16 < target:
+        said += ADDED["share"][k].format(share=dynamic.share_failing_at_demand)
+    if other and other.passed != dynamic.passed:
+        said += ADDED[f"confidence_{other.confidence_on}"][k].format(
+            not_="" if other.passed else ("not ", "non ")[k],
+            zeta="–" if other.zeta is None else f"{other.zeta:.2f}",
+        )
+    return said

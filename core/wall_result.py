@@ -4,22 +4,25 @@ import numpy as np
 
 from core import closed_forms
 from core.block import Block
+from core.case import Wall
 from core.code_check import inequality
 from core.fragility import fragility
 from core.ground_motion import GroundMotion
-from core.ida import Ida
+from core.ida import Ida, threshold_of
+from core.limits import MEAN_FROM, MINIMUM_FROM, multiplier_of
 from core.notices import Notice, notice
 from core.restitution import housner_ratio
 from core.results import Q_SOURCES, PerRecord, Run, WallResult
 from core.rocking import RockingModel
-from core.units import CM, G
-
-MEAN_FROM = 7
-MINIMUM_FROM = 3
-"""Records with a number from which the set takes the mean, and from which the minimum (EN 1998-1
-4.3.3.4.3(3): 7 records mean, 3 to 6 the most unfavourable)."""
+from core.units import CM
 
 LARGE_SCALE = 10.0
+
+THIN, SLENDER = 0.10, 30.0
+"""t [m] below which, and H/t above which, a wall is questioned."""
+
+WEIGHTS, MODULI = (10.0, 28.0), (200.0, 10000.0)
+"""Unit weights [kN/m3] and elastic moduli [MPa] of masonry; others are questioned."""
 
 NARROW_SI = 1.5
 """Below this ratio of the largest to the smallest SI a power law is warned of."""
@@ -31,9 +34,8 @@ NEARLY_ELASTIC = 0.99
 def run_result(model: RockingModel, motion: GroundMotion, polarity: int, ida: Ida) -> Run:
     scale = q_eff = None
     if ida.q is not None:
-        scale = ida.q * G * np.tan(model.slenderness) / motion.pga
+        scale = multiplier_of(ida.q, motion.pga, threshold_of(model))
         q_eff = closed_forms.effective_q(ida.q, motion.pga)
-        scale = float(scale)
     return Run(motion.name, polarity, ida, scale, q_eff)
 
 
@@ -101,7 +103,7 @@ def wall_result(wall, mechanism, model, runs, motions, search, demand) -> WallRe
         closed_q_eff = closed_forms.closed_form_q_eff(*shape, one_sided)
         closed_q = closed_forms.closed_form_q(*shape, demand.pga, one_sided)
     checks = ()
-    if demand and wall.base_z_m == 0.0:  # above the ground the motion of the floor is not known
+    if demand and not wall.above_ground:  # above the ground the motion of the floor is not known
         sources = (demand.q_code, closed_q, sets["q"], sets["q_slv"], sets["q_robust"])
         checks = tuple(
             inequality(source, q, block.threshold_acceleration, demand.pga) if q else None
@@ -133,11 +135,27 @@ def wall_result(wall, mechanism, model, runs, motions, search, demand) -> WallRe
         closed_form_q=closed_q,
         code_check=checks,
         warnings=tuple(
-            _model_notices(wall, block, mechanism, restitution, law)
+            _unusual(wall)
+            + _model_notices(wall, block, mechanism, restitution, law)
             + _set_notices(runs, numbers, incomplete, fragile, law_of_si, search)
             + _form_notices(block, mechanism, restitution, law, per_record, demand, checks)
         ),
     )
+
+
+def _unusual(wall: Wall) -> list[Notice]:
+    """Input few engineers mean: accepted, and questioned with the likely slip of unit."""
+    found, t = [], wall.thickness
+    if t is not None and t < THIN:
+        found.append(notice("thin", cm=100.0 * t))
+    if t is not None and wall.height_m / t > SLENDER:
+        found.append(notice("slender", ratio=wall.height_m / t, h=wall.height_m, t=t))
+    weight, modulus = wall.unit_weight_kn_m3, wall.elastic_modulus_mpa
+    if weight is not None and not WEIGHTS[0] <= weight <= WEIGHTS[1]:
+        found.append(notice("odd_weight", w=weight, low=WEIGHTS[0], high=WEIGHTS[1]))
+    if modulus is not None and not MODULI[0] <= modulus <= MODULI[1]:
+        found.append(notice("odd_modulus", e=modulus, low=MODULI[0], high=MODULI[1]))
+    return found
 
 
 def _model_notices(wall, block, mechanism, restitution, law) -> list[Notice]:

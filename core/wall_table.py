@@ -8,7 +8,7 @@ import zlib
 from pathlib import Path
 
 from core.case import Wall
-from core.case_reader import parse_wall
+from core.case_reader import BASE_MISSING, parse_wall
 from core.errors import InputError
 from core.number import parse_number
 
@@ -29,6 +29,9 @@ COLUMNS = {
     "slenderness_deg": ("alpha", "α"),
     "height_over_thickness": ("h/t",),
     "law": ("legge",),
+    "elastic_modulus_mpa": ("e", "modulo elastico", "elastic modulus"),
+    "free_element": ("elemento libero", "libero di vibrare", "free element"),
+    "unloaded_confirmed": ("parete scarica", "senza carichi", "no load"),
 }
 """Key of a wall -> further heads of its column; the key itself is always one."""
 
@@ -37,16 +40,25 @@ MECHANISMS = {
     "su un lato": "one_sided", "un lato": "one_sided", "one-sided": "one_sided",
     "entrambi": "both",
 }  # fmt: skip
-UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001, "kn/m3": 1.0, "kn/m³": 1.0, "deg": 1.0, "°": 1.0,
-         "-": 1.0, "–": 1.0, "": 1.0}  # fmt: skip
-LENGTHS = ("m", "cm", "mm")
+NO_UNIT = {"": 1.0, "-": 1.0, "–": 1.0}
+UNITS = {
+    "_kn_m3": {"kn/m3": 1.0, "kn/m³": 1.0, **NO_UNIT},
+    "_mpa": {"mpa": 1.0, "n/mm2": 1.0, "n/mm²": 1.0, "gpa": 1000.0},
+    "_deg": {"deg": 1.0, "°": 1.0, **NO_UNIT},
+    "_m": {"m": 1.0, "cm": 0.01, "mm": 0.001},
+}
+"""End of a key -> units of its column, and what a number is multiplied with."""
+
 WORDS = ("name", "floor", "mechanism", "back_restraint", "notes", "restitution", "law")
+FLAGS = {"sì": True, "si": True, "yes": True, "true": True, "vero": True, "x": True, "1": True,
+         "no": False, "false": False, "falso": False, "0": False}  # fmt: skip
 
 MOST_ROWS, MOST_COLUMNS, MOST_BYTES = 2000, 40, 20_000_000
 
 
-def read_walls(path: Path) -> list[Wall]:
-    """The walls of a table. Raises InputError in one sentence: file, row, column, what is accepted."""
+def read_walls(path: Path, with_demand: bool = False) -> list[Wall]:
+    """The walls of a table. with_demand : the height of the base is needed. Raises InputError in one
+    sentence: file, row, column, what is accepted."""
     try:
         if path.exists() and not path.is_file():
             raise InputError("this is not a file: name a table of walls")
@@ -60,7 +72,7 @@ def read_walls(path: Path) -> list[Wall]:
             rows = text_rows(_decoded(content))
         else:
             raise InputError("a table of walls is .xlsx or .csv")
-        return walls_of(rows)
+        return walls_of(rows, with_demand)
     except FileNotFoundError:
         raise InputError(f"{path}: there is no such table of walls") from None
     except OSError as error:
@@ -125,8 +137,9 @@ def _xlsx_rows(content: bytes) -> list[list[str]]:
         ) from None
 
 
-def walls_of(rows: list[list[str]]) -> list[Wall]:
-    """Walls of a table's cells: a row of heads, a row of units, one row a wall; empty rows are skipped."""
+def walls_of(rows: list[list[str]], with_demand: bool = False) -> list[Wall]:
+    """Walls of a table's cells: a row of heads, a row of units, one row a wall; empty rows are skipped.
+    with_demand : an empty height of the base is an error, never the ground."""
     rows = [(n, row) for n, row in enumerate(rows, start=1) if n == 2 or any(row)]
     if len(rows) < 3:
         raise InputError(
@@ -147,6 +160,8 @@ def walls_of(rows: list[list[str]]) -> list[Wall]:
                 table[key] = _cell(key, factor, cell, number)
         table.setdefault("name", f"row {number}")
         try:
+            if with_demand and "base_z_m" not in table:
+                raise InputError(BASE_MISSING)
             walls.append(parse_wall(table))
         except InputError as error:
             raise InputError(f"row {number}: {error}") from None
@@ -176,18 +191,13 @@ def _factors(keys: list, cells: list[str]) -> list[float]:
     factors = []
     for k, key in enumerate(keys):
         unit = (cells[k] if k < len(cells) else "").strip("[]() ").lower()
-        length = key.endswith("_m")
-        if (
-            unit not in UNITS
-            or (length and unit not in LENGTHS)
-            or (not length and unit in LENGTHS)
-        ):
-            accepted = "m, cm or mm" if length else "kN/m3, deg or empty"
+        units = next((units for end, units in UNITS.items() if key.endswith(end)), NO_UNIT)
+        if unit not in units:
             raise InputError(
-                f"the unit {unit!r} of the column {key} is not accepted: {accepted} in the row below "
-                "the heads"
+                f"the unit {unit!r} of the column {key} is not accepted: one of "
+                f"{', '.join(name or 'empty' for name in units)} in the row below the heads"
             )
-        factors.append(UNITS[unit])
+        factors.append(units[unit])
     return factors
 
 
@@ -196,6 +206,10 @@ def _cell(key: str, factor: float, cell: str, number: int):
         return MECHANISMS.get(cell.lower(), cell.lower().replace("-", "_"))
     if key in WORDS:
         return cell
+    if key in ("free_element", "unloaded_confirmed"):
+        if cell.lower() not in FLAGS:
+            raise InputError(f"row {number}, {key}: {cell!r} is not accepted: sì, yes, x or no")
+        return FLAGS[cell.lower()]
     try:
         return parse_number(cell) * factor
     except InputError as error:

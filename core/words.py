@@ -5,6 +5,12 @@ WORDS = {
     "nonlinear": ("Nonlinear kinematic", "Cinematica non lineare"),
     "linear_q_slv": ("Linear kinematic, q of the histories", "Cinematica lineare, q delle storie"),
     "linear_q_code": ("Linear kinematic, q of the code", "Cinematica lineare, q di norma"),
+    "linear_sld": ("Linear kinematic", "Cinematica lineare"),
+    "floor_sld": ("a_g,SLD / a_g", "a_g,SLD / a_g"),
+    "dynamic_capacity": ("Dynamic, FC on the strength", "Dinamica, FC sulla resistenza"),
+    "dynamic_demand": ("Dynamic, FC on the demand", "Dinamica, FC sulla domanda"),
+    "confidence_capacity": ("FC on the strength", "FC sulla resistenza"),
+    "confidence_demand": ("FC on the demand", "FC sulla domanda"),
     "code": ("Eq. 9, q of the code", "Eq. 9, q di norma"),
     "closed_form": ("Eq. 9, q of Eq. 15/16", "Eq. 9, q delle Eq. 15/16"),
     "time_histories": ("Eq. 9, q at collapse", "Eq. 9, q a collasso"),
@@ -56,6 +62,9 @@ ASSUMPTIONS = (
     ("no vertical ground motion", "nessun moto verticale del suolo"),
 )
 """What the engineer confirms by ticking."""
+
+NO_LOAD = 1
+"""Of these the one that unloaded_confirmed of every wall ticks."""
 
 
 def word(key: str, language: str) -> str:

@@ -11,7 +11,15 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.forms.fields import Choice, ChoiceField, FlagField, NumberField, TextField, connect
+from app.forms.fields import (
+    Choice,
+    ChoiceField,
+    FlagField,
+    NumberField,
+    RangeField,
+    TextField,
+    connect,
+)
 from app.forms.law_curve import SpectrumCurve
 from app.language import tr
 from app.sentences import said
@@ -68,6 +76,15 @@ class DemandForm(QWidget):
             Demand, "confidence_factor", "FC", "",
             tip=tr("1.35 where the compressive strength is not in α; lower with a hinge setback"),
         )  # fmt: skip
+        self.confidence = ChoiceField(
+            Demand, "confidence_on", tr("FC acts"),
+            {"capacity": tr("on the strength"), "demand": tr("on the demand")},
+            tip=tr("C8.7.1.2.1.3: on the strength of the capacity curve; on the demand is more cautious"),
+        )  # fmt: skip
+        self.range = RangeField(
+            Demand, "period_range_s", tr("Periods compared"), "s",
+            tip=tr("Compatibility of the records; empty: 0.15 to 2.0 s, natural records to T_SLV"),
+        )  # fmt: skip
         self.scaling = ChoiceField(
             Demand, "demand_scaling", tr("Records at the demand"),
             {"as_given": tr("as given"), "pga": tr("scaled to PGA = a_g S")},
@@ -83,9 +100,9 @@ class DemandForm(QWidget):
         self.summary.setWordWrap(True)
         self.curve: SpectrumCurve | None = None
         self.curve_place = QVBoxLayout()
-        self.of_demand = [self.state, self.ag, self.soil_factor, self.intensity, self.factor, self.scaling,
-                          self.zeta, self.q_code, self.site, self.coordinates, self.life, self.use,
-                          self.period]  # fmt: skip
+        self.of_demand = [self.state, self.ag, self.soil_factor, self.intensity, self.factor,
+                          self.confidence, self.scaling, self.range, self.zeta, self.q_code,
+                          self.site, self.coordinates, self.life, self.use, self.period]  # fmt: skip
         self.of_spectrum = [self.f0, self.tc, self.soil, self.topography, self.type]
         connect(self.of_demand, self._changed)
         connect(self.of_spectrum, self._spectrum_changed)
@@ -94,8 +111,8 @@ class DemandForm(QWidget):
                        *self.of_spectrum, self.file, self.summary):  # fmt: skip
             inside.addWidget(widget)
         inside.addLayout(self.curve_place)
-        for widget in (self.factor, self.scaling, self.zeta, self.q_code, self.site, self.coordinates,
-                       self.life, self.use, self.period):  # fmt: skip
+        for widget in (self.factor, self.confidence, self.scaling, self.range, self.zeta, self.q_code,
+                       self.site, self.coordinates, self.life, self.use, self.period):  # fmt: skip
             inside.addWidget(widget)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)

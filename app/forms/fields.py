@@ -273,6 +273,37 @@ class NumberField(Field):
         return value is not None and abs(number / self.factor - value) <= 1e-12 * abs(value)
 
 
+class RangeField(Field):
+    """Two rising numbers with a space, a dash or a semicolon between them; empty for none."""
+
+    def make_editor(self) -> QLineEdit:
+        editor = super().make_editor()
+        editor.setAlignment(Qt.AlignmentFlag.AlignRight)
+        editor.textEdited.connect(self._typed)
+        return editor
+
+    def _typed(self, text: str) -> None:
+        if not text.strip():
+            self.show_error("")
+            self.held = None
+            self.edited.emit(None)
+            return
+        try:
+            self.offer([parse_number(part) for part in re.split(r"[\s;–-]+", text.strip())])
+        except InputError:
+            self.refuse(tr("{text}: not two numbers").format(text=text.strip()))
+
+    def show_value(self, value) -> None:
+        if self.keeps(value):
+            return
+        if value != self.held:
+            self.before = value
+        self.held = value
+        if not (self.editor.hasFocus() and value is not None):
+            self.editor.setText("" if value is None else " – ".join(f"{end:g}" for end in value))
+        self.show_error("")
+
+
 class TextField(Field):
     """A line of text."""
 

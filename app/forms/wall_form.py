@@ -19,7 +19,15 @@ from PySide6.QtWidgets import (
 )
 
 from app.forms.drawing import WallDrawing, mechanism_icon
-from app.forms.fields import Choice, Field, FlagField, NumberField, TextField, connect
+from app.forms.fields import (
+    Choice,
+    ChoiceField,
+    Field,
+    FlagField,
+    NumberField,
+    TextField,
+    connect,
+)
 from app.forms.impact_form import ImpactForm
 from app.language import tr
 from app.sentences import captions, said, translated
@@ -87,8 +95,17 @@ class WallForm(QWidget):
         )
         self.length = NumberField(Wall, "length_m", tr("Length L"), "m", optional=True)
         self.base = NumberField(
-            Wall, "base_z_m", tr("Base above ground z"), "m",
-            tip=tr("Above the ground the motion of the floor is needed: no check is made"),
+            Wall, "base_z_m", tr("Base above ground z"), "m", optional=True,
+            tip=tr("Needed with a demand: 0 on the ground. Above it no check is made yet"),
+        )  # fmt: skip
+        self.free = ChoiceField(
+            Wall, "free_element", tr("Free to vibrate"),
+            {None: tr("two-sided yes, one-sided no"), True: tr("yes"), False: tr("no")},
+            tip=tr("Parapet, gable top, pinnacle, free wall: no transverse wall holds it before it moves"),
+        )  # fmt: skip
+        self.modulus = NumberField(
+            Wall, "elastic_modulus_mpa", tr("Elastic modulus E"), "MPa", optional=True,
+            tip=tr("With the unit weight gives T_0 of an element free to vibrate (C8.7.1.7)"),
         )  # fmt: skip
         self.floor = TextField(Wall, "floor", tr("Floor"))
         self.restraint = TextField(Wall, "back_restraint", tr("Restraint behind"))
@@ -97,7 +114,7 @@ class WallForm(QWidget):
         self.fields = [
             self.name, self.height, self.thickness, self.slenderness, self.ratio, self.radius,
             self.inertia, self.setback, self.strength, self.weight, self.length, self.base,
-            self.floor, self.restraint, self.notes, self.unloaded,
+            self.free, self.modulus, self.floor, self.restraint, self.notes, self.unloaded,
         ]  # fmt: skip
         connect(self.fields, self._changed)
 
@@ -169,8 +186,8 @@ class WallForm(QWidget):
     def _more(self) -> QGroupBox:
         group = QGroupBox(tr("For checks and report"))
         column = QVBoxLayout(group)
-        for field in (self.length, self.weight, self.strength, self.base, self.floor, self.restraint,
-                      self.unloaded, self.notes):  # fmt: skip
+        for field in (self.base, self.free, self.modulus, self.weight, self.length, self.strength,
+                      self.restraint, self.unloaded, self.floor, self.notes):  # fmt: skip
             column.addWidget(field)
         return group
 
@@ -321,7 +338,8 @@ class WallForm(QWidget):
             self.session.remove_wall(self.current)
 
     def paste(self) -> None:
-        self._take(lambda: walls_of(text_rows(QGuiApplication.clipboard().text())))
+        text = QGuiApplication.clipboard().text()
+        self._take(lambda: walls_of(text_rows(text), self.session.case.demand is not None))
 
     def load_table(self) -> None:
         from pathlib import Path
@@ -330,7 +348,7 @@ class WallForm(QWidget):
             self, tr("Read walls"), str(self.session.base_dir), tr("Tables") + " (*.xlsx *.csv)"
         )
         if name:
-            self._take(lambda: read_walls(Path(name)))
+            self._take(lambda: read_walls(Path(name), self.session.case.demand is not None))
 
     def _take(self, read) -> None:
         try:

@@ -19,6 +19,7 @@ from app.forms.drawing import WallDrawing
 from app.language import tr
 from app.plots.chart import Chart
 from core.ida import threshold_of
+from core.limits import multiplier_of
 from core.results import StudyResult, WallResult
 from core.rocking import COLLAPSED, history
 from core.units import G
@@ -134,7 +135,7 @@ class HistoriesTab(QWidget):
         if self.run is None:
             return
         result, wall = self.shown
-        scale = self.run.polarity * self.q * threshold_of(wall.model) / self.motion.pga
+        scale = self.run.polarity * multiplier_of(self.q, self.motion.pga, threshold_of(wall.model))
         ground, dt = self.motion.acceleration, self.motion.time_step
         self.history = history(ground, dt, scale, wall.model, result.method)
         ratio = np.clip(self.history.rotation / wall.block.slenderness, -3.0, 3.0)

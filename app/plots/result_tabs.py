@@ -23,7 +23,7 @@ from core.closed_forms import closed_form_q_eff
 from core.code_check import LABEL
 from core.fragility import fragility_curve
 from core.ida import threshold_of
-from core.kinematic import LIMIT_FRACTION
+from core.limits import LIMIT_FRACTION, multiplier_of
 from core.results import Q_SOURCES, StudyResult, WallResult
 from core.rocking import COLLAPSED, scan
 from core.spectrum import HOUSNER_PERIODS, pseudo_acceleration_spectrum
@@ -94,17 +94,21 @@ class CheckTab(QWidget):
                     zeta=digits(said.lower_bound)
                 )
             )
+        if found.kinematic:
+            reasons.insert(0, self._mechanism(found))
         lines = [f"• {reason}" for reason in reasons] + [self._warnings(wall)]
         self.reasons.setText("\n".join(line for line in lines if line))
-        for check in found.checks:
+        for check, decides in found.shown:
             color = theme.current.good if check.passed else theme.current.bad
             outcome = (
                 "no_number" if check.passed is None else "passed" if check.passed else "not_passed"
             )
-            rows.append([word(check.name, self.language), digits(check.zeta), word(outcome, self.language),
+            if check.name == "floor_sld":
+                outcome = "shown"
+            rows.append([word(check.label, self.language), digits(check.zeta), word(outcome, self.language),
                          check.clause, digits(check.q), digits(check.capacity, 3), digits(check.demand, 3),
                          check.unit])  # fmt: skip
-            colors.append([None, color, color] + [None] * 5)
+            colors.append([None, color, color] + [None] * 5 if decides else [theme.current.quiet] * 8)
         for source, check in zip(Q_SOURCES, wall.code_check, strict=False):
             if check:
                 outcome = word("passed" if check.passed else "not_passed", self.language)
@@ -115,6 +119,20 @@ class CheckTab(QWidget):
         self.table.show_rows(rows, colors)
         if found.dynamic:
             self._bars(found.dynamic)
+
+    def _mechanism(self, found) -> str:
+        """Free to vibrate or restrained, T_0, and what the dynamic check says beside zeta_E."""
+        kinematic, dynamic = found.kinematic, found.dynamic
+        parts = [tr("Element free to vibrate") if kinematic.free_element else tr("Restrained by transverse walls")]
+        if kinematic.period_0 is not None:
+            parts.append(f"T_0 {kinematic.period_0:.3f} s")
+        parts.append(f"e* {kinematic.e_star:.0f}, a0* {kinematic.a0 / G:.3f} g")
+        if dynamic:
+            parts.append(word(f"confidence_{dynamic.confidence_on}", self.language))
+            parts.append(f"ζ_16 {digits(dynamic.zeta_16)}")
+            share = f"{dynamic.share_failing_at_demand:.0%}"
+            parts.append(tr("failing within ±10 % of the demand: {share}").format(share=share))
+        return "; ".join(parts)
 
     def _warnings(self, wall: WallResult) -> str:
         return "\n".join(f"• {warning.text(self.language)}" for warning in wall.warnings)
@@ -203,7 +221,7 @@ class CapacityTab(QWidget):
         top = 1.6 * (run.ida.q or 5.0)
         q = np.geomspace(run.ida.q_start, top, self.POINTS)
         outcomes, peaks = np.zeros(q.size, np.int64), np.zeros(q.size)
-        scales = run.polarity * q * threshold_of(wall.model) / motion.pga
+        scales = run.polarity * multiplier_of(q, motion.pga, threshold_of(wall.model))
         scan(
             result.method,
             motion.acceleration,

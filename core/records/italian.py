@@ -8,8 +8,9 @@ from core.records.grammar import Options, Parsed, block, numbers, to_float
 _KEY = re.compile(r"^([A-Z][A-Z0-9_/^]*):\s?(.*)$")
 _SIGMA_DATA = re.compile(r"^\s*accel\w* time series", re.IGNORECASE)
 _ESM_DETAILS = (
-    "EVENT_NAME", "EVENT_DATE_YYYYMMDD", "MAGNITUDE_W", "MAGNITUDE_L", "NETWORK", "STATION_CODE",
-    "STREAM", "EPICENTRAL_DISTANCE_KM", "SITE_CLASSIFICATION_EC8", "LOW_CUT_FREQUENCY_HZ",
+    "EVENT_NAME", "EVENT_ID", "EVENT_DATE_YYYYMMDD", "EVENT_TIME_HHMMSS", "MAGNITUDE_W",
+    "MAGNITUDE_L", "NETWORK", "STATION_CODE", "STREAM", "EPICENTRAL_DISTANCE_KM",
+    "SITE_CLASSIFICATION_EC8", "LOW_CUT_FREQUENCY_HZ",
     "HIGH_CUT_FREQUENCY_HZ", "PROCESSING", "DATA_LICENSE",
 )  # fmt: skip
 

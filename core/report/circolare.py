@@ -1,6 +1,7 @@
 """Live formulas of the Circolare's checks on the Check sheet: C8.7.1.2.1.7, .8 and .9."""
 
-from core.kinematic import DAMPING, LIMIT_FRACTION, PERIOD_FACTOR
+from core.kinematic import CANTILEVER, DAMPING, PERIOD_FACTOR
+from core.limits import LIMIT_FRACTION
 from core.report.cells import ACCELERATION, BAD, EXACT, GOOD, QUIET, RATIO, Book, style, text
 from core.report.rows import heads, input_row, live_row
 from core.results import StudyResult, WallResult
@@ -47,21 +48,32 @@ def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: st
     """Kinematic checks of one wall, linear and nonlinear, beside the program's values."""
     say, found = book.say, wall.assessment.kinematic
     demand = result.demand
-    row = heads(book, sheet, row, say("Circolare 7/2019, wall on the ground",
-                                      "Circolare 7/2019, parete al suolo"))  # fmt: skip
+    kind = (
+        say("element free to vibrate", "elemento libero di vibrare")
+        if found.free_element
+        else say("restrained by transverse walls", "vincolata ai muri trasversali")
+    )
+    row = heads(book, sheet, row, say(f"Circolare 7/2019, wall on the ground, {kind}",
+                                      f"Circolare 7/2019, parete al suolo, {kind}"))  # fmt: skip
     row = live_row(book, sheet, row, "α0 = tan α", "C8.7.1.1",
                    f"=TAN(RADIANS({name}_slenderness))", found.alpha0, "–", f"{name}_alpha0")  # fmt: skip
     row = input_row(book, sheet, row, "e* (C8.7.1.5)", found.e_star, "–", f"{name}_e_star", RATIO)
     row = live_row(book, sheet, row, "a0* = α0 g / (e* FC)", "C8.7.1.3",
                    f"={name}_alpha0/({name}_e_star*demand_fc)", found.a0 / G, "g",
                    f"{name}_a0_star")  # fmt: skip
+    if found.m_star is not None:
+        row = input_row(book, sheet, row, say("M* per metre", "M* per metro"), found.m_star, "kg/m",
+                        f"{name}_m_star", "0")  # fmt: skip
+    row = _sld(book, sheet, wall, name, demand, row)
     for check in found_checks(wall, "linear_q_slv", "linear_q_code"):
+        if check.label == "linear_sld":
+            row = _outcome(book, sheet, row, f"{name}_zeta_sld", check)
+            continue
         q = f"{name}_{check.name}"
-        label = word(check.name, book.language)
+        label = word(check.label, book.language)
         row = input_row(book, sheet, row, f"q: {label}", check.q, "–", q, EXACT)
         row = live_row(book, sheet, row, f"ζ: {label}", check.clause,
-                       f"={q}*{name}_a0_star/(demand_s*demand_ag)", check.zeta, "–",
-                       f"{q}_zeta")  # fmt: skip
+                       f"={q}*{name}_zeta_sld", check.zeta, "–", f"{q}_zeta")  # fmt: skip
         row = _outcome(book, sheet, row, f"{q}_zeta", check)
     for check in found_checks(wall, "nonlinear"):
         row = _displacement(book, sheet, wall, name, demand, check, row)
@@ -70,9 +82,45 @@ def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: st
             row = input_row(book, sheet, row, say("θmax/α of the set (Dynamic check)",
                             "θmax/α dell'insieme (Verifica dinamica)"), check.demand, "–",
                             f"{name}_peak", EXACT)  # fmt: skip
-        row = input_row(book, sheet, row, f"ζ: {word('dynamic', book.language)}", check.zeta, "–",
+        row = input_row(book, sheet, row, f"ζ_E: {word('dynamic', book.language)}", check.zeta, "–",
                         f"{name}_dynamic_zeta", EXACT)  # fmt: skip
+        dynamic = wall.assessment.dynamic
+        row = input_row(book, sheet, row, "ζ_16", dynamic.zeta_16, "–", None, EXACT)
+        if dynamic.zeta_other:
+            on = word(f"confidence_{dynamic.zeta_other.confidence_on}", book.language)
+            row = input_row(book, sheet, row, f"ζ_E, {on}", dynamic.zeta_other.zeta, "–", None, EXACT)  # fmt: skip
     return row
+
+
+def _sld(book: Book, sheet, wall, name: str, demand, row: int) -> int:
+    """a_g,SLD over a_g: against a_g S, of an element free to vibrate against S_e(T_0)."""
+    found, say = wall.assessment.kinematic, book.say
+    if found.zeta_sld is None:
+        text(sheet, row, 1, say("No linear check: T_0 is not known (see the verdict).",
+                                "Nessuna verifica lineare: T_0 non è noto (vedere l'esito)."),
+             color=QUIET, italic=True)  # fmt: skip
+        return row + 1
+    against, clause = "demand_pga", "C8.7.1.8"
+    if found.free_element:
+        asked, against, clause = wall.wall, f"{name}_se_t0", "C8.7.1.9"
+        drawn = asked.slenderness_deg is None or asked.setback
+        t = f"{name}_thickness" if drawn else f"({name}_height*TAN(RADIANS({name}_slenderness)))"
+        row = input_row(book, sheet, row, "E", asked.elastic_modulus_mpa, "MPa", f"{name}_modulus")
+        row = input_row(book, sheet, row, say("unit weight", "peso specifico"),
+                        asked.unit_weight_kn_m3, "kN/m³", f"{name}_weight")  # fmt: skip
+        row = live_row(book, sheet, row, "T_0 = κ (H/t) H √(w/(E g))", "C8.7.1.7",
+                       f"={CANTILEVER}*{name}_height/{t}*{name}_height"
+                       f"*SQRT({name}_weight/(1000*{name}_modulus*gravity))",
+                       found.period_0, "s", f"{name}_period_0")  # fmt: skip
+        if isinstance(demand.target, CodeSpectrum):
+            formula = f"=demand_pga*{spectrum_shape(f'{name}_period_0', 5.0)}"
+            row = live_row(book, sheet, row, "S_e(T_0, 5 %)", clause, formula,
+                           found.acceleration_demand / G, "g", against)  # fmt: skip
+        else:
+            row = input_row(book, sheet, row, "S_e(T_0, 5 %)", found.acceleration_demand / G, "g",
+                            against)  # fmt: skip
+    return live_row(book, sheet, row, "a_g,SLD / a_g", clause, f"={name}_a0_star/{against}",
+                    found.zeta_sld, "–", f"{name}_zeta_sld")  # fmt: skip
 
 
 def found_checks(wall: WallResult, *names: str):
@@ -95,26 +143,34 @@ def _displacement(book: Book, sheet, wall, name: str, demand, check, row: int) -
                    f"{name}_period")  # fmt: skip
     damping = 100.0 * DAMPING[state]
     if isinstance(demand.target, CodeSpectrum):
-        t, plateau = f"{name}_period", f"MAX(SQRT(10/(5+{damping:g})),0.55)*spectrum_f0"
-        shape = (
-            f"IF({t}<spectrum_tb,{t}/spectrum_tb*{plateau}+1-{t}/spectrum_tb,"
-            f"IF({t}<spectrum_tc,{plateau},IF({t}<spectrum_td,{plateau}*spectrum_tc/{t},"
-            f"{plateau}*spectrum_tc*spectrum_td/{t}^2)))"
-        )
-        formula = f"=demand_pga*gravity*{shape}*({t}/(2*PI()))^2"
+        t = f"{name}_period"
+        formula = f"=demand_pga*gravity*{spectrum_shape(t, damping)}*({t}/(2*PI()))^2"
         row = live_row(book, sheet, row, f"S_De(T_{state}, {damping:g} %)", "C8.7.1.12", formula,
                        found.s_de, "m", f"{name}_s_de")  # fmt: skip
     else:
-        row = input_row(book, sheet, row, f"S_De(T_{state}, {damping:g} %)", found.s_de, "m",
+        row = input_row(book, sheet, row, f"S_De max, [T_0, T_{state}], {damping:g} %", found.s_de, "m",
                         f"{name}_s_de")  # fmt: skip
-    row = live_row(book, sheet, row, f"ζ: {word('nonlinear', book.language)}", "C8.7.1.12",
-                   f"={name}_d_limit/{name}_s_de", check.zeta, "–", f"{name}_nonlinear_zeta")  # fmt: skip
-    row = _outcome(book, sheet, row, f"{name}_nonlinear_zeta", check)
-    text(sheet, row, 1, book.say(
-        f"d_C at the centre of mass; with C8.7.1.4 summed over the height, as e* is: ζ {found.zeta_over_height:.2f}.",
-        f"d_C nel baricentro; con la C8.7.1.4 sommata sull'altezza, come e*: ζ {found.zeta_over_height:.2f}."),
-        color=QUIET, italic=True)  # fmt: skip
-    return row + 1
+    ratio, formula = f"{name}_d_limit/{name}_s_de", f"={name}_d_limit/{name}_s_de"
+    if state == "SLV" and found.zeta_sld is not None:
+        row = live_row(book, sheet, row, f"d_{state} / S_De", "C8.7.1.12", formula,
+                       found.d_limit / found.s_de, "–")  # fmt: skip
+        label = book.say("not below a_g,SLD / a_g", "non minore di a_g,SLD / a_g")
+        row = live_row(book, sheet, row, label, "C8.7.1.2.1.8", f"={name}_zeta_sld",
+                       found.zeta_sld, "–")  # fmt: skip
+        formula = f"=MAX({ratio},{name}_zeta_sld)"
+    row = live_row(book, sheet, row, f"ζ: {word('nonlinear', book.language)}", "C8.7.1.2.1.8",
+                   formula, check.zeta, "–", f"{name}_nonlinear_zeta")  # fmt: skip
+    return _outcome(book, sheet, row, f"{name}_nonlinear_zeta", check)
+
+
+def spectrum_shape(t: str, damping: float) -> str:
+    """S_e(t) / (a_g S) of a code's spectrum as a formula; t : a named cell; damping [%]."""
+    plateau = f"MAX(SQRT(10/(5+{damping:g})),0.55)*spectrum_f0"
+    return (
+        f"IF({t}<spectrum_tb,{t}/spectrum_tb*{plateau}+1-{t}/spectrum_tb,"
+        f"IF({t}<spectrum_tc,{plateau},IF({t}<spectrum_td,{plateau}*spectrum_tc/{t},"
+        f"{plateau}*spectrum_tc*spectrum_td/{t}^2)))"
+    )
 
 
 def _outcome(book: Book, sheet, row: int, zeta: str, check) -> int:

@@ -1,8 +1,10 @@
 """Sheets of the demand: the dynamic check record by record, and the compatibility of the records."""
 
+import math
+
 from openpyxl.chart import ScatterChart
 
-from core.compliance import RANGE, station_of
+from core.provenance import provenance
 from core.report.cells import (
     ACCELERATION,
     ACCENT,
@@ -27,6 +29,7 @@ from core.report.sheets import mechanism_word
 from core.results import StudyResult, WallResult
 from core.units import G
 from core.words import word
+from core.zeta import STEP
 
 DATA = 16
 DRAWN_SPECTRA = 30
@@ -46,13 +49,19 @@ def dynamic_check(book: Book, result: StudyResult) -> None:
             "Non eseguita: richiede accelerogrammi, una domanda allo SLV o SLC e una parete al suolo."))  # fmt: skip
         return
     row = paragraph(sheet, 2, say(
-        "Each record acts at the demand times FC. Passed if alpha is exceeded in no run and the set of the "
-        "largest rotations, of each record its worse sign, stays within the limit: mean from 7 records, else "
-        "the largest. ζ is the multiplier of the demand at which the rule first fails.",
-        "Ogni accelerogramma agisce alla domanda moltiplicata per FC. Soddisfatta se alpha non è mai "
-        "superato e l'insieme delle rotazioni massime, per ogni record il segno peggiore, resta entro il "
-        "limite: media da 7 record, altrimenti il massimo. ζ è il moltiplicatore della domanda al quale la "
-        "regola cade per la prima volta."), 7, 105, color=QUIET)  # fmt: skip
+        "The rule: alpha is exceeded in no run and the set of the largest rotations, of each record its worse "
+        "sign, stays within the limit: mean from 7 stations, else the largest. FC divides the strength of the "
+        "wall (clause .3) or multiplies the demand, as said below. Whether the rule holds is not monotone in "
+        "the multiplier: ζ_E is the lowest multiplier of the demand at which half of those within ±10 % of it "
+        "fail, ζ_16 that at which 16 % do. Verified: the rule holds at the demand itself and ζ_E reaches what "
+        f"is required. Steps of {STEP:.2%}; another grid would give a ζ_E within the spread printed.",
+        "La regola: alpha non è mai superato e l'insieme delle rotazioni massime, per ogni accelerogramma il "
+        "segno peggiore, resta entro il limite: media da 7 stazioni, altrimenti il massimo. FC divide la "
+        "resistenza della parete (punto .3) o moltiplica la domanda, come indicato sotto. La regola non è "
+        "monotona nel moltiplicatore: ζ_E è il minimo moltiplicatore della domanda al quale metà di quelli "
+        "entro ±10 % non la soddisfa, ζ_16 quello al quale non la soddisfa il 16 %. Verificata: la regola vale "
+        f"alla domanda stessa e ζ_E raggiunge il valore richiesto. Passo {STEP:.2%}; un'altra griglia darebbe "
+        "uno ζ_E entro la dispersione indicata."), 7, 105, color=QUIET)  # fmt: skip
     for wall in walls:
         row = _wall(book, sheet, wall, wall.assessment.dynamic, row + 1)
 
@@ -118,9 +127,22 @@ def _wall(book: Book, sheet, wall: WallResult, check, row: int) -> int:
         yes if check.holds else no,
     )
     style(cell, bold=True, color=GOOD if check.holds else BAD, align="right")
-    row += 1
-    text(sheet, row, 1, "ζ", bold=True)
-    number(sheet, row, 5, check.zeta, EXACT, bold=True)
+    on = word(f"confidence_{check.confidence_on}", book.language)
+    low, high = check.zeta_spread or (None, None)
+    rows = [(f"ζ_E, {on}", check.zeta, EXACT),
+            (say("spread of ζ_E, from", "dispersione di ζ_E, da"), low, EXACT),
+            (say("spread of ζ_E, to", "dispersione di ζ_E, a"), high, EXACT), ("ζ_16", check.zeta_16, EXACT),
+            (say("ζ of the first failure on the grid", "ζ del primo cedimento sulla griglia"),
+             check.zeta_first, EXACT),
+            (say("share failing within ±10 % of the demand", "quota che cede entro ±10 % dalla domanda"),
+             check.share_failing_at_demand, "0%")]  # fmt: skip
+    if check.zeta_other:
+        on = word(f"confidence_{check.zeta_other.confidence_on}", book.language)
+        rows.insert(1, (f"ζ_E, {on}", check.zeta_other.zeta, EXACT))
+    for n, (label, value, shape) in enumerate(rows):
+        row += 1
+        text(sheet, row, 1, label, bold=n == 0)
+        number(sheet, row, 5, value, shape, bold=n == 0)
     rule(sheet, row, 1, 7)
     return row + 1
 
@@ -161,11 +183,14 @@ def spectral_compatibility(book: Book, result: StudyResult) -> None:
         color = QUIET if item.passed is None else GOOD if item.passed else BAD
         text(sheet, row, 6, word(outcome, book.language), bold=item.passed is not None, color=color)
         rule(sheet, row, 1, 6)
+    low, high = found.period_range
     row = paragraph(sheet, row + 2, say(
-        f"A rigid block has no period T1: the rules are applied over {RANGE[0]}-{RANGE[1]} s and shown over "
-        "0.1-2.5 s, the band of SI. Records at the demand, FC apart. Peaks between samples are seen.",
-        f"Un blocco rigido non ha un periodo T1: le regole valgono fra {RANGE[0]} e {RANGE[1]} s e sono "
-        "mostrate fra 0.1 e 2.5 s, la banda di SI. Record alla domanda, senza FC."), 9, 140, color=QUIET)  # fmt: skip
+        f"A rigid block has no period T1: the rules are applied from {low:.2f} to {high:.2f} s, with natural "
+        "records up to the longest T_SLV or T_SLC of the walls. Records at the demand, FC apart. Peaks between "
+        "samples are seen.",
+        f"Un blocco rigido non ha un periodo T1: le regole valgono da {low:.2f} a {high:.2f} s, con "
+        "accelerogrammi naturali fino al più lungo T_SLV o T_SLC delle pareti. Accelerogrammi alla domanda, "
+        "senza FC."), 9, 140, color=QUIET)  # fmt: skip
     chart = _spectra(book, sheet, result)
     sheet.add_chart(chart, f"A{row + 1}")
     _events(book, sheet, result, row + 22)
@@ -190,7 +215,7 @@ def _spectra(book: Book, sheet, result: StudyResult) -> ScatterChart:
     for k in range(len(curves) - 1, -1, -1):
         color, width = ((BAD, 25000), (ACCENT, 25000))[k] if k < 2 else ("B8C2CC", 6000)
         add_series(chart, sheet, (DATA, DATA + 1 + k), (2, last), color, width=width)
-    chart.x_axis.scaling.min, chart.x_axis.scaling.max = 0, 2.5
+    chart.x_axis.scaling.min, chart.x_axis.scaling.max = 0, math.ceil(2.0 * found.periods[-1]) / 2.0
     chart.y_axis.scaling.min = 0
     if len(curves) > 10:
         chart.legend = None
@@ -202,26 +227,18 @@ def _events(book: Book, sheet, result: StudyResult, row: int) -> None:
     say = book.say
     header(sheet, row, [
         say("Record", "Accelerogramma"), say("Event and station", "Evento e stazione"),
-        say("Kind", "Tipo"), say("Factor", "Fattore"), "", say("Magnitude", "Magnitudo"),
+        say("Kind", "Tipo"), say("Factor", "Fattore"), say("Date", "Data"), say("Magnitude", "Magnitudo"),
         say("Distance", "Distanza"), say("Soil", "Suolo"), say("Filter", "Filtro")], 1, 18)  # fmt: skip
     for motion, kind in zip(result.motions, result.kinds, strict=True):
         row += 1
-        details = {key.lower(): value for key, value in motion.details}
+        where = provenance(motion)
         text(sheet, row, 1, motion.name, wrap=True)
-        station = station_of(motion) or ""
+        station = f"{where.event}, {where.station}".strip(", ")
         text(sheet, row, 2, station, size=8, wrap=True)
         heighten(sheet, row, (motion.name, 40), (station, 36))
         text(sheet, row, 3, word(kind, book.language))
         number(sheet, row, 4, result.demand.scaling(motion), ACCELERATION)
-        low, high = (
-            details.get("low_cut_frequency_hz", ""),
-            details.get("high_cut_frequency_hz", ""),
-        )
-        cells = (
-            details.get("magnitude_w") or details.get("magnitude_l", ""),
-            details.get("epicentral_distance_km", ""), details.get("site_classification_ec8", ""),
-            f"{low}-{high} Hz" if low or high else "",
-        )  # fmt: skip
-        for column, value in enumerate(cells, start=6):
-            text(sheet, row, column, value, size=8)
+        cells = (where.date, where.magnitude, where.distance_km, where.site_class, where.filter)
+        for column, value in enumerate(cells, start=5):
+            text(sheet, row, column, value, size=8, wrap=True)
         rule(sheet, row, 1, 9)

@@ -9,6 +9,7 @@ from core.code_check import LABEL
 from core.compliance import Compliance
 from core.demand_check import DemandCheck
 from core.ground_motion import GroundMotion
+from core.provenance import provenance
 from core.results import Q_SOURCES, Assessment, Run, StudyResult, WallResult
 from core.units import CM, G
 from core.version import NAME, VERSION, commit
@@ -46,6 +47,8 @@ def _demand(result: StudyResult) -> dict:
         "spectrum": demand.target.name if demand.target else None,
         "confidence_factor": demand.confidence_factor,
         "zeta_target": demand.zeta_target,
+        "confidence_on": demand.asked.confidence_on,
+        "return_period_years": demand.asked.return_period,
         "demand_scaling": demand.asked.demand_scaling,
         "compliance": _compliance(result.compliance) if result.compliance else None,
         "warnings": [warning.text() for warning in demand.warnings],
@@ -55,6 +58,7 @@ def _demand(result: StudyResult) -> dict:
 def _compliance(found: Compliance) -> dict:
     return {
         "compatible": found.compatible,
+        "period_range_s": list(found.period_range),
         "stations": found.stations,
         "rules": [asdict(rule) for rule in found.rules],
     }
@@ -78,12 +82,19 @@ def _assessment(found: Assessment | None) -> dict:
         "kinematic_check": {
             "alpha0": mechanism.alpha0,
             "e_star": mechanism.e_star,
+            "m_star": mechanism.m_star,
             "a0_star_g": mechanism.a0 / G,
             "d0_m": mechanism.d0,
             "d_limit_m": mechanism.d_limit,
             "period_s": mechanism.period,
             "s_de_m": mechanism.s_de,
-            "zeta_over_height": mechanism.zeta_over_height,
+            "free_element": mechanism.free_element,
+            "period_0_s": mechanism.period_0,
+            "acceleration_demand_g": mechanism.acceleration_demand / G
+            if mechanism.acceleration_demand is not None
+            else None,
+            "zeta_sld": mechanism.zeta_sld,
+            "missing": list(mechanism.missing),
             "checks": [
                 {
                     "check": check.name,
@@ -164,6 +175,7 @@ def _record(motion: GroundMotion, kind: str) -> dict:
         "pgd_cm": motion.pgd / CM,
         "arias_m_s": motion.arias,
         "duration_5_95_s": motion.duration_5_95,
+        "provenance": asdict(provenance(motion)),
         "housner_intensity_cm": motion.housner_intensity / CM,
         "warnings": [warning.text() for warning in motion.warnings],
     }

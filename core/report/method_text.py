@@ -86,18 +86,24 @@ _PARAGRAPHS = (
     (
         ("Checks of the Circolare 7/2019", "Verifiche della Circolare 7/2019"),
         (
-            "C8.7.1.2.1.9: time histories at the demand times FC, alpha exceeded in none, mean of the "
-            "largest rotations (7 records or more, else the largest) within 0.40 alpha (SLV), 0.60 (SLC); "
-            "zeta is the multiplier of the demand at which this first fails. C8.7.1.2.1.8: d = 0.40 d0 "
-            "(0.60), T = 1.68 pi sqrt(d/a) (1.56 pi), damping 8 % (10 %), S_De on the ground. "
-            "C8.7.1.2.1.7: q a0* / S against a_g, a0* = alpha0 g / (e* FC), e* = 0.75. The verdict "
-            "follows the most refined check that could be made, in this order. Sentences of the clauses "
-            "were read in a public transcription of the Circolare.",
-            "C8.7.1.2.1.9: storie temporali alla domanda moltiplicata per FC, alpha mai superato, media "
-            "delle rotazioni massime (da 7 record, altrimenti il massimo) entro 0.40 alpha (SLV), 0.60 "
-            "(SLC); zeta è il moltiplicatore della domanda al quale ciò cade per la prima volta. "
+            "C8.7.1.2.1.9: time histories of the capacity curve with FC on its strength (p^2 / FC under the "
+            "ground times FC; or FC on the demand), alpha exceeded in none, mean of the largest rotations (7 "
+            "stations or more, else the largest) within 0.40 alpha (SLV), 0.60 (SLC); zeta_E is the lowest "
+            "multiplier of the demand at which half of those within 10 % of it fail this rule. C8.7.1.2.1.8: "
+            "d = 0.40 d0 (0.60), T = 1.68 pi sqrt(d/a) (1.56 pi), damping 8 % (10 %), against the largest S_De "
+            "on [T_0, T], T_0 = 0 for restrained walls; not below a_g,SLD. C8.7.1.2.1.5 and .7: a_g,SLD from "
+            "a0* = alpha0 g / (e* FC), e* = 1 for one wall (its weight at its centroid), against a_g S or, "
+            "free to vibrate, S_e(T_0, 5 %); a_g,SLV = q a_g,SLD. The verdict follows the most refined check "
+            "that could be made, in this order. Sentences of the clauses were read in a public transcription "
+            "of the Circolare.",
+            "C8.7.1.2.1.9: storie temporali della curva di capacità con FC sulla resistenza (p^2 / FC sotto il "
+            "moto moltiplicato per FC; oppure FC sulla domanda), alpha mai superato, media delle rotazioni "
+            "massime (da 7 stazioni, altrimenti il massimo) entro 0.40 alpha (SLV), 0.60 (SLC); zeta_E è il "
+            "minimo moltiplicatore della domanda al quale metà di quelli entro il 10 % non soddisfa la regola. "
             "C8.7.1.2.1.8: d = 0.40 d0 (0.60), T = 1.68 pi sqrt(d/a) (1.56 pi), smorzamento 8 % (10 %), "
-            "S_De al suolo. C8.7.1.2.1.7: q a0* / S rispetto ad a_g, a0* = alpha0 g / (e* FC), e* = 0.75. "
+            "rispetto al massimo S_De in [T_0, T], T_0 = 0 per pareti vincolate; non minore di a_g,SLD. "
+            "C8.7.1.2.1.5 e .7: a_g,SLD da a0* = alpha0 g / (e* FC), e* = 1 per una parete (peso nel "
+            "baricentro), rispetto ad a_g S o, se libera di vibrare, S_e(T_0, 5 %); a_g,SLV = q a_g,SLD. "
             "L'esito segue la verifica più raffinata disponibile, in quest'ordine. I testi dei punti sono "
             "stati letti in una trascrizione pubblica della Circolare.",
         ),

@@ -29,7 +29,7 @@ from core.report.sheets import mechanism_word
 from core.results import Q_SOURCES, StudyResult, WallResult
 from core.units import CM, G
 from core.version import NAME, VERSION
-from core.words import ASSUMPTIONS, word
+from core.words import ASSUMPTIONS, NO_LOAD, word
 
 SUMMARY_WALLS = 8
 """Walls listed on the Summary, which is one page; all are on the Overview."""
@@ -85,7 +85,7 @@ def summary(book: Book, result: StudyResult) -> None:
     if ordered[0].assessment:
         row = _governing(book, sheet, result, ordered[0], row + 1)
     row = _warnings(book, sheet, result, row + 1, LAST)
-    _signature(book, sheet, row + 1)
+    _signature(book, sheet, row + 1, all(wall.wall.unloaded_confirmed for wall in result.walls))
     sheet.print_area = f"A1:M{sheet.max_row}"
 
 
@@ -113,7 +113,7 @@ def _title_block(book: Book, sheet, result: StudyResult, report, row: int) -> in
         life = [
             f"{label} {value:g}" for label, value in (
                 ("V_N", asked.nominal_life_years), ("C_U", asked.use_class_factor),
-                ("T_R", asked.return_period_years)) if value is not None
+                ("T_R", asked.return_period and round(asked.return_period))) if value is not None
         ]  # fmt: skip
         place = ", ".join(part for part in (asked.site, asked.coordinates, *life) if part)
         block.append((say("Seismic site", "Sito sismico"), place))
@@ -133,7 +133,8 @@ def _demand_lines(book: Book, sheet, result: StudyResult, row: int, last: int) -
     line = (
         f"{say('Demand', 'Domanda')} {demand.limit_state}: a_g {demand.ag / G:.3f} g "
         f"({say('on rock, S apart', 'su suolo rigido, S a parte')}), S {demand.soil_factor:.3f}, "
-        f"S a_g {demand.pga / G:.3f} g, FC {demand.confidence_factor:.2f}"
+        f"S a_g {demand.pga / G:.3f} g, {word(f'confidence_{demand.asked.confidence_on}', book.language)} "
+        f"{demand.confidence_factor:.2f}"
     )
     if demand.target:
         line += f", {demand.target.name}"
@@ -183,17 +184,17 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
     label = f"{wall.name} – {mechanism_word(book, wall.mechanism)}"
     title(sheet, row, label, 12)
     if found.kinematic:
-        line = f"α0 {found.kinematic.alpha0:.4f}, e* {found.kinematic.e_star:.2f}, a0* {found.kinematic.a0 / G:.3f} g"
-        text(sheet, row, 5, line, color=QUIET)
+        text(sheet, row, 5, _mechanism_line(book, found.kinematic), color=QUIET)
     top = row + 1
     header(sheet, top, [
         say("Method", "Metodo"), say("Clause", "Clausola"), "q", say("Capacity", "Capacità"),
         say("Demand", "Domanda"), say("Unit", "Unità"), "ζ", say("Outcome", "Esito")], 1, 18)  # fmt: skip
     row = top
-    for check in found.checks:
+    for check, decides in found.shown:
         row += 1
         values = (check.q, check.capacity, check.demand, check.unit, check.zeta, check.passed)
-        _method_row(book, sheet, row, word(check.name, book.language), check.clause, values, True)
+        label = word(check.label, book.language)
+        _method_row(book, sheet, row, label, check.clause, values, decides, check.name == "floor_sld")
     for source, check in zip(Q_SOURCES, wall.code_check, strict=False):
         if check:
             row += 1
@@ -217,8 +218,25 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
     return row
 
 
+def _mechanism_line(book: Book, found) -> str:
+    """Quantities of the mechanism in one line."""
+    say = book.say
+    parts = [f"α0 {found.alpha0:.4f}", f"e* {found.e_star:.0f}", f"a0* {found.a0 / G:.3f} g"]
+    if found.m_star is not None:
+        parts.append(f"M* {found.m_star:.0f} kg/m")
+    if found.free_element:
+        parts.append(say("free to vibrate", "libera di vibrare"))
+        if found.period_0 is not None:
+            parts.append(f"T_0 {found.period_0:.3f} s")
+    else:
+        parts.append(say("restrained by transverse walls", "vincolata ai muri trasversali"))
+    if found.zeta_sld is not None:
+        parts.append(f"a_g,SLD/a_g {found.zeta_sld:.2f}")
+    return ", ".join(parts)
+
+
 def _method_row(
-    book: Book, sheet, row: int, label: str, clause: str, values, decides: bool
+    book: Book, sheet, row: int, label: str, clause: str, values, decides: bool, no_outcome=False
 ) -> None:
     q, capacity, demand, unit, zeta, passed = values
     color = INK if decides else QUIET
@@ -229,6 +247,8 @@ def _method_row(
         number(sheet, row, column, value, shape, color=color, bold=decides and column == 7)
     text(sheet, row, 6, unit, color=QUIET, align="center")
     outcome = "no_number" if passed is None else "passed" if passed else "not_passed"
+    if no_outcome:
+        outcome = "shown"
     shade = QUIET if passed is None or not decides else GOOD if passed else BAD
     text(
         sheet,
@@ -347,8 +367,9 @@ def _warnings(book: Book, sheet, result: StudyResult, row: int, last: int, most:
     return row
 
 
-def _signature(book: Book, sheet, row: int) -> None:
-    """Assumptions to tick, the judgement the engineer writes (NTC 2018 10.2), place for a signature."""
+def _signature(book: Book, sheet, row: int, unloaded: bool) -> None:
+    """Assumptions to tick, the judgement the engineer writes (NTC 2018 10.2), place for a signature.
+    unloaded : every wall was confirmed to carry no load."""
     say, k = book.say, 1 if book.language == "it" else 0
     text(sheet, row, 1, say("Assumptions confirmed by the engineer", "Ipotesi confermate dal progettista"),
          bold=True)  # fmt: skip
@@ -356,7 +377,8 @@ def _signature(book: Book, sheet, row: int) -> None:
                             "Giudizio motivato di accettabilità dei risultati (NTC 2018 10.2)"),
          bold=True)  # fmt: skip
     for n, assumption in enumerate(ASSUMPTIONS, start=1):
-        text(sheet, row + n, 1, f"☐  {assumption[k]}")
+        ticked = unloaded and n == NO_LOAD + 1
+        text(sheet, row + n, 1, f"{'☑' if ticked else '☐'}  {assumption[k]}")
     last = row + len(ASSUMPTIONS)
     sheet.merge_cells(start_row=row + 1, start_column=7, end_row=last, end_column=LAST)
     for r in range(row + 1, last + 1):

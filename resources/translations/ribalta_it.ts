@@ -1081,5 +1081,77 @@ Ribaltamento fuori piano di pareti in muratura (Coccia, Di Carlo, Imperatore 201
         <source>Another program has changed {path}. Overwrite it?</source>
         <translation>Un altro programma ha cambiato {path}. Sovrascriverlo?</translation>
     </message>
+    <message>
+        <source>Needed with a demand: 0 on the ground. Above it no check is made yet</source>
+        <translation>Richiesta con una domanda: 0 al suolo. Più in alto non si esegue ancora alcuna verifica</translation>
+    </message>
+    <message>
+        <source>Free to vibrate</source>
+        <translation>Libera di vibrare</translation>
+    </message>
+    <message>
+        <source>two-sided yes, one-sided no</source>
+        <translation>su due lati sì, su un lato no</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>sì</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>no</translation>
+    </message>
+    <message>
+        <source>Parapet, gable top, pinnacle, free wall: no transverse wall holds it before it moves</source>
+        <translation>Parapetto, sommità di timpano, pinnacolo, muro isolato: nessun muro trasversale la trattiene prima del moto</translation>
+    </message>
+    <message>
+        <source>Elastic modulus E</source>
+        <translation>Modulo elastico E</translation>
+    </message>
+    <message>
+        <source>With the unit weight gives T_0 of an element free to vibrate (C8.7.1.7)</source>
+        <translation>Con il peso specifico dà T_0 di un elemento libero di vibrare (C8.7.1.7)</translation>
+    </message>
+    <message>
+        <source>FC acts</source>
+        <translation>FC agisce</translation>
+    </message>
+    <message>
+        <source>on the strength</source>
+        <translation>sulla resistenza</translation>
+    </message>
+    <message>
+        <source>on the demand</source>
+        <translation>sulla domanda</translation>
+    </message>
+    <message>
+        <source>C8.7.1.2.1.3: on the strength of the capacity curve; on the demand is more cautious</source>
+        <translation>C8.7.1.2.1.3: sulla resistenza della curva di capacità; sulla domanda è più cautelativo</translation>
+    </message>
+    <message>
+        <source>Periods compared</source>
+        <translation>Periodi confrontati</translation>
+    </message>
+    <message>
+        <source>Compatibility of the records; empty: 0.15 to 2.0 s, natural records to T_SLV</source>
+        <translation>Compatibilità degli accelerogrammi; vuoto: da 0.15 a 2.0 s, naturali fino a T_SLV</translation>
+    </message>
+    <message>
+        <source>{text}: not two numbers</source>
+        <translation>{text}: non sono due numeri</translation>
+    </message>
+    <message>
+        <source>Element free to vibrate</source>
+        <translation>Elemento libero di vibrare</translation>
+    </message>
+    <message>
+        <source>Restrained by transverse walls</source>
+        <translation>Vincolata ai muri trasversali</translation>
+    </message>
+    <message>
+        <source>failing within ±10 % of the demand: {share}</source>
+        <translation>cedono entro ±10 % dalla domanda: {share}</translation>
+    </message>
 </context>
 </TS>

@@ -51,7 +51,7 @@ def opened(application, tmp_path, monkeypatch):
     path = tmp_path / "small.toml"
     motion = ROOT / "resources" / "motions" / "noise_1.txt"
     path.write_text(
-        f'[[wall]]\nname = "w"\nheight_m = 5.0\nthickness_m = 0.5\nmechanism = "two_sided"\n'
+        f'[[wall]]\nname = "w"\nheight_m = 5.0\nthickness_m = 0.5\nbase_z_m = 0\nmechanism = "two_sided"\n'
         f'[[record]]\nfile = "{motion.as_posix()}"\nkind = "artificial"\n'
         "[analysis]\nq_step = 0.02\n[demand]\nag_g = 0.2\nsoil_factor = 1.2\n"
     )

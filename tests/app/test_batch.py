@@ -23,6 +23,7 @@ name = "w"
 height_m = 5.0
 thickness_m = 0.5
 mechanism = "both"
+base_z_m = 0.0
 [[record]]
 file = "r*.txt"
 unit = "m/s2"

@@ -81,12 +81,15 @@ def test_that_a_new_wall_has_no_mechanism_until_one_is_chosen(opened):
     assert not opened.run_button.isEnabled() and "mechanism" in opened.banner.text()
     QTest.mouseClick(opened.walls.mechanisms["one_sided"], Qt.MouseButton.LeftButton)
     assert opened.session.case.wall[-1].mechanism == "one_sided"
-    assert opened.run_button.isEnabled()
+    # with a demand the height of the base is never guessed
+    assert not opened.run_button.isEnabled() and opened.walls.base.message.text()
+    type_into(opened.walls.base, "0")
+    assert opened.session.case.wall[-1].base_z_m == 0.0 and opened.run_button.isEnabled()
 
 
 def test_that_rows_copied_from_excel_become_walls(opened):
     QApplication.clipboard().setText(
-        "Parete\tH\tt\tMeccanismo\n\tm\tcm\t\nnord\t4,5\t45\tun lato\n"
+        "Parete\tz\tH\tt\tMeccanismo\n\tm\tm\tcm\t\nnord\t0\t4,5\t45\tun lato\n"
     )
     opened.walls.paste()
     wall = opened.session.case.wall[-1]

@@ -33,13 +33,13 @@ def made(folder, language="en", **more):
         "title": HOSTILE,
         "report": {"language": language, "client": "=1+1", "author": "@cmd", "site": "-2+3"},
         "wall": [
-            {"name": "=cmd|'/c calc'!A1", "height_m": 5.0, "thickness_m": 0.5, "mechanism": "both"},
+            {"name": "=cmd|'/c calc'!A1", "height_m": 5.0, "thickness_m": 0.5, "base_z_m": 0.0, "mechanism": "both"},
             {"name": "general", "radius_m": 2.6, "slenderness_deg": 8.0,
-             "inertia_over_mass_m2": 9.5, "mechanism": "two_sided"},
-            {"name": "eq 7", "height_m": 4.0, "slenderness_deg": 7.0, "mechanism": "one_sided",
+             "inertia_over_mass_m2": 9.5, "base_z_m": 0.0, "mechanism": "two_sided"},
+            {"name": "eq 7", "height_m": 4.0, "slenderness_deg": 7.0, "base_z_m": 0.0, "mechanism": "one_sided",
              "restitution": "one_sided_experimental"},
             {"name": "eq 5", "height_m": 4.0, "height_over_thickness": 9.0,
-             "mechanism": "two_sided", "restitution": "sorrentino_experimental"},
+             "base_z_m": 0.0, "mechanism": "two_sided", "restitution": "sorrentino_experimental"},
         ],
         "record": [{"file": "r*.txt", "unit": "m/s2", "time_step_s": 0.01}],
         "analysis": {"q_step": 0.02},
@@ -88,11 +88,13 @@ def test_that_formulas_stand_on_the_check_sheet_with_named_cells(book):
 def ntc(folder):
     """A hinge setback, one-sided, NTC 2018 spectrum, Italian, and a wall above the ground."""
     walls = [
-        {"name": "a", "height_m": 5.0, "thickness_m": 0.6, "mechanism": "one_sided",
+        {"name": "a", "height_m": 5.0, "thickness_m": 0.6, "base_z_m": 0.0, "mechanism": "one_sided",
          "hinge_setback_m": 0.03, "length_m": 4.0, "unit_weight_kn_m3": 18.0},
         {"name": "b", "height_m": 4.0, "thickness_m": 0.4, "mechanism": "two_sided", "base_z_m": 3.0},
+        {"name": "d", "height_m": 3.0, "slenderness_deg": 8.5, "base_z_m": 0.0, "mechanism": "two_sided",
+         "unit_weight_kn_m3": 18.0, "elastic_modulus_mpa": 600.0, "unloaded_confirmed": True},
         {"name": "c", "radius_m": 2.6, "slenderness_deg": 8.0, "inertia_over_mass_m2": 9.5,
-         "mechanism": "two_sided"},
+         "base_z_m": 0.0, "mechanism": "two_sided"},
     ]  # fmt: skip
     spectrum = {"code": "NTC2018", "f0": 2.4, "tc_star_s": 0.33, "soil": "C", "topography": "T2"}
     demand = {"ag_g": 0.2, "confidence_factor": 1.35, "limit_state": "SLC", "spectrum": spectrum}
@@ -191,7 +193,13 @@ def test_that_displayed_numbers_are_the_results(folder):
 
 
 def test_that_a_wall_without_number_shows_words_not_nan(folder):
-    tall = {"name": "w", "height_m": 30.0, "slenderness_deg": 11.0, "mechanism": "two_sided"}
+    tall = {
+        "name": "w",
+        "height_m": 30.0,
+        "slenderness_deg": 11.0,
+        "base_z_m": 0.0,
+        "mechanism": "two_sided",
+    }
     result, book = made(folder, wall=[tall], analysis={"q_step": 0.05, "q_limit": 1.5})
     assert result.walls[0].q_set is None
     content = openpyxl.load_workbook(BytesIO(book.content()))
@@ -213,7 +221,13 @@ def test_that_a_case_without_records_or_demand_still_makes_every_sheet(folder):
 
 def test_that_two_hundred_walls_fit_the_one_page_summary(folder, reference):
     walls = [
-        {"name": f"wall {k}", "height_m": 5.0, "thickness_m": 0.5, "mechanism": "two_sided"}
+        {
+            "name": f"wall {k}",
+            "height_m": 5.0,
+            "thickness_m": 0.5,
+            "base_z_m": 0.0,
+            "mechanism": "two_sided",
+        }
         for k in range(200)
     ]
     _, book = made(folder, wall=walls, record=[])

@@ -4,6 +4,7 @@
     python3 run.py bench --work-precision [--output DIR]    error against time, see work_precision.py
     python3 run.py bench --q-error [--output DIR]           error of q against time, see q_error.py
     python3 run.py bench --steps [--output DIR]             q against the step, see step_study.py
+    python3 run.py bench --zeta                             zeta of the dynamic check against its grid
     python3 run.py bench --memory                           peak memory and time of large work
     python3 run.py bench --window                           start of the window, redraws, event loop
     python3 run.py bench --screenshots [--output DIR]       every tab, both themes and languages
@@ -166,6 +167,7 @@ if __name__ == "__main__":
     words.add_argument("--work-precision", action="store_true")
     words.add_argument("--q-error", action="store_true")
     words.add_argument("--steps", action="store_true")
+    words.add_argument("--zeta", action="store_true")
     words.add_argument("--memory", action="store_true")
     words.add_argument("--window", action="store_true")
     words.add_argument("--screenshots", action="store_true")
@@ -179,6 +181,10 @@ if __name__ == "__main__":
         from tests.benchmarks import q_error
 
         q_error.main(options.output)
+    elif options.zeta:
+        from tests.benchmarks import zeta_spread
+
+        zeta_spread.main()
     elif options.memory:
         from tests.benchmarks import memory
 

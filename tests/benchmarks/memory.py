@@ -37,10 +37,10 @@ def batch(case: Path) -> tuple[float, float]:
 def walls(folder: Path, count: int) -> Path:
     """A case of many different walls, half of them one-sided, under seven compatible motions."""
     chance = random.Random(1)
-    rows = ["Parete;H;t;Meccanismo", ";m;m;"]
+    rows = ["Parete;z;H;t;Meccanismo", ";m;m;m;"]
     for k in range(count):
         mechanism = "two_sided" if k % 2 else "one_sided"
-        rows.append(f"w{k};{chance.uniform(3, 8):.2f};{chance.uniform(0.3, 0.9):.2f};{mechanism}")
+        rows.append(f"w{k};0;{chance.uniform(3, 8):.2f};{chance.uniform(0.3, 0.9):.2f};{mechanism}")
     (folder / f"walls_{count}.csv").write_text("\n".join(rows))
     case = folder / f"walls_{count}.toml"
     case.write_text(f'walls = "walls_{count}.csv"\n[generate]\ncount = 7\n{DEMAND}')

@@ -5,12 +5,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from core import study
 from core import target_spectrum as ts
 from core.artificial import compatible_motion
 from core.case_reader import parse_case
-from core.compliance import compliance, station_of
+from core.compliance import compliance
 from core.demand import demand_of, generated
+from core.errors import InputError
 from core.ground_motion import GroundMotion
+from core.provenance import stations
 from core.spectrum import displacement_spectrum, pseudo_acceleration_spectrum
 from core.units import G
 
@@ -65,7 +68,15 @@ def case(**demand):
     spectrum = {"code": "EN1998", "soil": "B", "type": 1}
     return parse_case(
         {
-            "wall": [{"name": "w", "height_m": 5.0, "thickness_m": 0.5, "mechanism": "two_sided"}],
+            "wall": [
+                {
+                    "name": "w",
+                    "height_m": 5.0,
+                    "thickness_m": 0.5,
+                    "base_z_m": 0.0,
+                    "mechanism": "two_sided",
+                }
+            ],
             "generate": {"count": 7},
             "demand": {"ag_g": 0.26, "spectrum": spectrum, **demand},
         }
@@ -107,7 +118,7 @@ def test_that_two_components_of_a_station_count_once(tmp_path):
         )
         for motion, component in zip(generated(asked, demand), ("180", "270", "UP"), strict=False)
     ]
-    assert len({station_of(motion) for motion in motions}) == 1
+    assert len(stations(motions)) == 1
     assert compliance(motions, ["natural"] * 3, demand).stations == 1
 
 
@@ -120,3 +131,41 @@ def test_that_scaling_to_pga_scales_the_spectra(tmp_path):
     assert scaled.scaling(motions[0]) == pytest.approx(2.0, rel=1e-6)
     assert compliance(motions, ["artificial"] * 7, scaled).compatible
     assert not compliance(motions, ["artificial"] * 7, plain).compatible
+
+
+def test_that_natural_records_are_compared_up_to_the_longest_period_of_the_walls(tmp_path):
+    """Weak beyond 2 s, as a set at -22 % there that passed: kind and range decide whether it is seen."""
+    asked = case()
+    demand = demand_of(asked, tmp_path)
+    motions = generated(asked, demand)
+    for kind, longest, high in (
+        ("natural", 3.4, 3.4),
+        ("natural", 1.2, 2.0),
+        ("artificial", 3.4, 2.0),
+    ):
+        found = compliance(motions, [kind] * 7, demand, longest)
+        assert found.period_range == (0.15, high)
+        inside = (found.periods >= 0.15 - 1e-9) & (found.periods <= high + 1e-9)
+        assert found.periods[inside][[0, -1]] == pytest.approx([0.15, high])
+        lower = next(
+            rule for rule in found.rules if rule.code == "NTC" and rule.name == "mean_lower"
+        )
+        assert lower.value == pytest.approx(
+            (found.mean / found.target - 1.0)[inside].min(), rel=1e-12
+        )
+    chosen = demand_of(case(period_range_s=[0.3, 2.6]), tmp_path)
+    assert compliance(motions, ["natural"] * 7, chosen, 3.4).period_range == (0.3, 2.6)
+
+
+def test_that_a_range_beyond_the_spectrum_of_a_file_is_refused(tmp_path):
+    rows = [(t, 0.312 * 2.0 / max(1.0, t)) for t in np.linspace(0.05, 3.0, 60)]
+    (tmp_path / "s.txt").write_text("\n".join(f"{t} {s}" for t, s in rows))
+    table = {
+        "wall": [{"name": "w", "height_m": 3.0, "thickness_m": 0.4, "base_z_m": 0.0, "mechanism": "two_sided"}],
+        "demand": {"ag_g": 0.26, "soil_factor": 1.2, "spectrum_file": "s.txt", "period_range_s": [0.15, 4.0]},
+        "generate": {"count": 1},
+    }  # fmt: skip
+    with pytest.raises(
+        InputError, match=r"period_range_s goes to 4.00 s, but s.txt ends at 3.00 s"
+    ):
+        study.run(parse_case(table), base_dir=tmp_path)

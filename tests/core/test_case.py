@@ -9,7 +9,13 @@ from core.case_reader import draft_case, parse_case, read_case
 from core.case_writer import dumps
 from core.errors import InputError
 
-WALL = {"name": "w", "height_m": 7.0, "thickness_m": 0.83, "mechanism": "two_sided"}
+WALL = {
+    "name": "w",
+    "height_m": 7.0,
+    "thickness_m": 0.83,
+    "base_z_m": 0.0,
+    "mechanism": "two_sided",
+}
 
 
 def case(wall=(), **rest):
@@ -209,12 +215,14 @@ name = "facade"
 height_m = 7.0  # to the cornice
 thickness_m = 0.83
 mechanism = "one_sided"
+base_z_m = 0
 
 [[wall]]
 name = "gable"      # of the roof
 height_m = 3
 thickness_m = 0.3
 mechanism = "two_sided"
+base_z_m = 0
 
 [demand]
 # from the map
@@ -267,3 +275,64 @@ def test_that_a_file_of_any_kind_before_changes_no_case():
         "[wall]\n[demand.x]\n",
     ):
         assert parse_case(tomllib.loads(dumps(case, before))) == case
+
+
+def test_that_the_height_of_the_base_is_never_guessed(tmp_path):
+    bare = {k: v for k, v in WALL.items() if k != "base_z_m"}
+    assert parse_case({"wall": [bare]}).wall[0].base_z_m is None
+    with pytest.raises(
+        InputError, match=r'wall "w": base_z_m is missing.*0 m for a wall on the ground'
+    ):
+        parse_case({"wall": [bare], "demand": {"ag_g": 0.2}})
+    (tmp_path / "walls.csv").write_text(
+        "Parete;z;H;t;Meccanismo\n;m;m;m;\na;0;4;0.5;entrambi\nb;;4;0.5;entrambi\n"
+    )
+    path = tmp_path / "case.toml"
+    path.write_text('walls = "walls.csv"\n[demand]\nag_g = 0.2\n')
+    with pytest.raises(InputError, match="walls.csv: row 4: base_z_m is missing"):
+        read_case(path)
+    path.write_text('walls = "walls.csv"\n')
+    assert [wall.base_z_m for wall in read_case(path).wall] == [0.0, None]
+
+
+@pytest.mark.parametrize(
+    ("demand", "words"),
+    [
+        # V_R = 50 years: SLV 474.6, SLC 974.8 (NTC 2018 3.2.0)
+        ({"nominal_life_years": 50, "use_class_factor": 1.0, "return_period_years": 975},
+         "give 475 years at SLV"),
+        ({"limit_state": "SLC", "return_period_years": 475}, "is that of SLV for V_R = 50 years"),
+        ({"limit_state": "SLC", "return_period_years": 712}, "is that of SLV for V_R = 75 years"),
+        ({"return_period_years": 50}, "is that of SLD for V_R = 50 years"),
+        ({"period_range_s": [2.0, 0.15]}, "period_range_s"),
+        ({"period_range_s": [0.15]}, "two periods"),
+        ({"confidence_on": "strength"}, "one of capacity, demand"),
+    ],
+)  # fmt: skip
+def test_that_a_demand_that_contradicts_itself_is_refused(demand, words):
+    with pytest.raises(InputError, match=words):
+        parse_case(case(demand={"ag_g": 0.2, **demand}))
+
+
+@pytest.mark.parametrize(
+    ("demand", "years"),
+    [
+        ({"nominal_life_years": 50, "use_class_factor": 1.0}, 474.56),
+        ({"nominal_life_years": 50, "use_class_factor": 1.5, "limit_state": "SLC"}, 1462.2),
+        ({"nominal_life_years": 50, "use_class_factor": 1.0, "limit_state": "SLD"}, 50.29),
+        ({"nominal_life_years": 50, "use_class_factor": 1.0, "return_period_years": 475}, 475.0),
+        ({"limit_state": "SLC", "return_period_years": 975}, 975.0),
+        ({"limit_state": "SLC", "nominal_life_years": 75, "use_class_factor": 1.3,
+          "return_period_years": 1901}, 1901.0),
+        ({}, None),
+    ],
+)  # fmt: skip
+def test_that_t_r_follows_from_v_n_and_c_u(demand, years):
+    found = parse_case(case(demand={"ag_g": 0.2, **demand})).demand.return_period
+    assert found == (None if years is None else pytest.approx(years, rel=1e-4))
+
+
+def test_that_a_range_of_periods_is_written_and_read_again():
+    first = parse_case(case(demand={"ag_g": 0.2, "period_range_s": [0.2, 3]}))
+    assert first.demand.period_range_s == (0.2, 3.0)
+    assert parse_case(tomllib.loads(dumps(first))) == first

@@ -30,8 +30,8 @@ def folder(tmp_path_factory, reference):
 def case(**more):
     table = {
         "wall": [
-            {"name": "w", "height_m": 5.0, "thickness_m": 0.5, "mechanism": "both"},
-            {"name": "v", "height_m": 4.0, "slenderness_deg": 8.0, "mechanism": "two_sided",
+            {"name": "w", "height_m": 5.0, "thickness_m": 0.5, "base_z_m": 0.0, "mechanism": "both"},
+            {"name": "v", "height_m": 4.0, "slenderness_deg": 8.0, "base_z_m": 0.0, "mechanism": "two_sided",
              "law": "doherty"},
         ],
         "record": [{"file": "r*.txt", "unit": "m/s2", "time_step_s": 0.01}],
@@ -122,7 +122,13 @@ def test_that_fewer_records_are_flagged(folder):
 
 
 def test_that_a_standing_wall_is_left_out_and_counted(folder):
-    tall = {"name": "w", "height_m": 30.0, "slenderness_deg": 11.0, "mechanism": "two_sided"}
+    tall = {
+        "name": "w",
+        "height_m": 30.0,
+        "slenderness_deg": 11.0,
+        "base_z_m": 0.0,
+        "mechanism": "two_sided",
+    }
     found = study.run(case(wall=[tall], analysis={"q_step": 0.05, "q_limit": 1.5}), base_dir=folder)
     wall = found.walls[0]
     assert {run.ida.status for run in wall.runs} == {"no_collapse_found"}
@@ -273,3 +279,29 @@ def test_that_a_journal_of_another_case_is_not_used(folder, tmp_path):
         journal=lambda key: Journal(path, key, True), on_progress=lambda d, p: first.append(d),
     )  # fmt: skip
     assert first[0] == 0
+
+
+@pytest.mark.parametrize(
+    ("wall", "code"),
+    [
+        ({"thickness_m": 0.05, "height_m": 1.0}, "thin"),
+        ({"thickness_m": 0.12, "height_m": 4.0}, "slender"),
+        ({"unit_weight_kn_m3": 8.0}, "odd_weight"),
+        ({"elastic_modulus_mpa": 20.0}, "odd_modulus"),
+        ({}, None),
+    ],
+)
+def test_that_input_no_engineer_means_is_questioned(wall, code, tmp_path):
+    base = {"name": "w", "height_m": 4.0, "thickness_m": 0.5, "base_z_m": 0.0, "mechanism": "two_sided",
+            "unit_weight_kn_m3": 18.0, "elastic_modulus_mpa": 900.0}  # fmt: skip
+    asked = parse_case({"wall": [{**base, **wall}], "demand": {"ag_g": 0.2}})
+    found = study.run(asked, base_dir=tmp_path)
+    unusual = {"thin", "slender", "odd_weight", "odd_modulus"}
+    codes = {warning.code for warning in found.walls[0].warnings} & unusual
+    assert codes == ({code} if code else set())
+    assert not [w for w in found.demand.warnings if w.code == "large_ag"]
+
+
+def test_that_a_large_a_g_is_questioned(tmp_path):
+    asked = case(record=[], demand={"ag_g": 0.61, "soil_factor": 1.2})
+    assert study.run(asked, base_dir=tmp_path).demand.warnings[0].code == "large_ag"

@@ -169,3 +169,55 @@ def test_that_damaged_bytes_are_refused_and_never_an_internal_error(tmp_path):
             read_walls(path)
         except InputError as error:
             assert "w.xlsx" in str(error)
+
+
+def test_that_free_elements_their_modulus_and_confirmations_are_columns():
+    rows = (
+        "Parete;z;H;t;Meccanismo;E;peso specifico;Elemento libero;Parete scarica\n;m;m;m;;GPa;kN/m3;;\n"
+        "a;0;4;0,5;su un lato;1,2;18;sì;x\nb;6;4;0,5;su due lati;;;no;\n"
+    )
+    a, b = walls_of(text_rows(rows))
+    assert (a.free_element, a.unloaded_confirmed, a.elastic_modulus_mpa) == (True, True, 1200.0)
+    assert (b.free_element, b.unloaded_confirmed, b.elastic_modulus_mpa) == (False, False, None)
+    with pytest.raises(InputError, match="row 3, free_element: 'forse' is not accepted"):
+        walls_of(text_rows(rows.replace(";sì;", ";forse;")))
+
+
+@pytest.mark.parametrize(
+    ("head", "unit", "cell", "key", "value"),
+    [
+        ("H", "cm", "400", "height_m", 4.0), ("t", "mm", "450", "thickness_m", 0.45),
+        ("t", "m", "0.45", "thickness_m", 0.45), ("L", "cm", "500", "length_m", 5.0),
+        ("u", "mm", "30", "hinge_setback_m", 0.03), ("z", "cm", "350", "base_z_m", 3.5),
+        ("E", "MPa", "900", "elastic_modulus_mpa", 900.0), ("E", "GPa", "0.9", "elastic_modulus_mpa", 900.0),
+        ("E", "N/mm2", "900", "elastic_modulus_mpa", 900.0), ("γ", "kN/m3", "18", "unit_weight_kn_m3", 18.0),
+    ],
+)  # fmt: skip
+def test_that_each_unit_of_a_table_has_its_factor(head, unit, cell, key, value):
+    cells = {
+        "Parete": ("", "a"),
+        "H": ("m", "4"),
+        "t": ("m", "0.5"),
+        "Meccanismo": ("", "entrambi"),
+    }
+    cells[head] = (unit, cell)
+    rows = [list(cells), [pair[0] for pair in cells.values()], [pair[1] for pair in cells.values()]]
+    (wall,) = walls_of(rows)
+    assert getattr(wall, key) == pytest.approx(value, rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("head", "unit"),
+    [("E", "kN/m3"), ("E", ""), ("γ", "MPa"), ("H", "kN/m3"), ("H", ""), ("Meccanismo", "m")],
+)
+def test_that_a_unit_of_another_quantity_is_refused(head, unit):
+    cells = {
+        "Parete": ("", "a"),
+        "H": ("m", "4"),
+        "t": ("m", "0.5"),
+        "Meccanismo": ("", "entrambi"),
+    }
+    cells[head] = (unit, cells.get(head, ("", "900"))[1])
+    rows = [list(cells), [pair[0] for pair in cells.values()], [pair[1] for pair in cells.values()]]
+    with pytest.raises(InputError, match="the unit"):
+        walls_of(rows)

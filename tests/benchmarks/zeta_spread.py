@@ -1,0 +1,153 @@
+"""How zeta_E, zeta_16 and zeta_first of the dynamic check hang on the grid of their search, over 120 sets.
+
+    python3 run.py bench --zeta
+
+Where the rule fails is found on a grid 20 times finer; the search of the program then runs on every 20th point,
+from seven starts, so that nothing but the step and its place differs. 60 sets of seven real records of the shelf
+and 60 of seven generated motions; walls, mechanisms and laws drawn by chance.
+"""
+
+import math
+import random
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+
+from core import records, target_spectrum
+from core.artificial import compatible_motion
+from core.case_reader import parse_case
+from core.demand import demand_of
+from core.demand_check import _Set
+from core.errors import InputError
+from core.ground_motion import GroundMotion
+from core.ida import ROBUST_SHARE, first_with_share
+from core.records.grammar import Options
+from core.rocking import AUTO
+from core.study import _model
+from core.units import G
+from core.zeta import HALF_FAIL, MAX_MULTIPLIER, STEP, WINDOW, Zeta, search_zeta
+from tests.conftest import shelf_folder
+
+FINER = 20
+STARTS = (0, 3, 6, 9, 12, 15, 18)
+SETS = 60
+LONGEST = 20000
+"""Samples of a record above which it is left out here: some are minutes of ground at rest."""
+
+STEPS = {1: "0.25 %", 2: "0.5 %", 4: "1 %"}
+"""Multiples of the step of the program that are tried."""
+
+
+def real_motions() -> list[GroundMotion]:
+    """Recorded accelerograms of the shelf that state their unit, but for scaled and matched ones."""
+    shelf, found = shelf_folder(), {}
+    if shelf is None:
+        return []
+    for path in sorted(shelf.rglob("*")):
+        named = path.name.startswith("P695")
+        if path.parent.name not in ("PEER_AT2", "SIGMA_ITACA_acc", "ESM_ASCII") and not named:
+            continue
+        if "Matched" in path.name or path.name.startswith("Oak"):
+            continue
+        try:
+            motion = records.read(path, Options("g" if named else None, None, None, None))
+        except InputError:
+            continue
+        if motion.acceleration.size <= LONGEST and motion.pga > 0.02 * G:
+            found.setdefault(motion.samples_sha256, motion)
+    return list(found.values())
+
+
+def draw(k: int, shelf: list[GroundMotion]):
+    """(model, motions, signs, demand) of set k."""
+    chance = random.Random(k)
+    height = chance.uniform(2.5, 12.0)
+    mechanism = chance.choice(("two_sided", "one_sided"))
+    wall = {
+        "name": "w", "height_m": height, "thickness_m": height * chance.uniform(0.05, 0.2),
+        "mechanism": mechanism, "base_z_m": 0.0,
+        "law": chance.choice(("rigid", "rigid", "rigid", "doherty")),
+    }  # fmt: skip
+    real = shelf and k < SETS
+    demand = {"ag_g": 0.25, "spectrum": {"code": "EN1998", "type": 1, "soil": chance.choice("ABCDE")},
+              "demand_scaling": "pga" if real else "as_given"}  # fmt: skip
+    case = parse_case({"wall": [wall], "demand": demand})
+    if real:
+        motions = chance.sample(shelf, 7)
+    else:
+        target = target_spectrum.en1998(0.25 * G, 1, demand["spectrum"]["soil"])
+        motions = [
+            GroundMotion(f"{n}", compatible_motion(target, 7 * k + n), 0.01, format="generated")
+            for n in range(7)
+        ]
+    signs = (1,) if mechanism == "two_sided" else (1, -1)
+    return _model(case.wall[0], mechanism), motions, signs, demand_of(case, None)
+
+
+def spread(k: int, shelf) -> dict[int, list[tuple]]:
+    """Of set k relative errors of zeta_E, zeta_16, zeta_first against the fine grid, whether the spread holds
+    the zeta_E of that grid, and its width in ln; by multiple of the step."""
+    model, motions, signs, demand = draw(k, shelf)
+    work = _Set(model, motions, signs, demand, "capacity", AUTO, lambda: False)
+    fine = (1.0 + STEP) ** (1.0 / FINER) - 1.0
+    rough = search_zeta(work.failures, work.rest, 1.0)
+    if rough.half is None or rough.half >= MAX_MULTIPLIER:
+        return {}
+    low = math.floor(math.log(0.85 * min(rough.first, rough.sixteen)) / math.log1p(fine))
+    high = math.ceil(math.log(1.5 * rough.half) / math.log1p(fine))
+    flags = np.concatenate(
+        [
+            work.failures((1.0 + fine) ** np.arange(start, min(start + 256, high)))[0]
+            for start in range(low, high, 256)
+        ]
+    )
+
+    def looked_up(multipliers):
+        place = np.rint(np.log(multipliers) / math.log1p(fine)).astype(int) - low
+        known = flags[np.clip(place, 0, flags.size - 1)] & (place >= 0)
+        return known | (place >= flags.size), np.zeros(known.size, bool)
+
+    def searched(step: float, target: float) -> Zeta:
+        return search_zeta(looked_up, work.rest, target, 0.0, step)
+
+    half = round(WINDOW / math.log1p(fine))
+    places = (
+        first_with_share(flags, half, HALF_FAIL), first_with_share(flags, half, ROBUST_SHARE),
+        int(np.argmax(flags)),
+    )  # fmt: skip
+    truth = np.array([(1.0 + fine) ** (low + place) for place in places])
+    found = {}
+    for factor in STEPS:
+        step = (1.0 + STEP) ** factor - 1.0
+        tries = [searched(step, (1.0 + fine) ** (factor * start)) for start in STARTS]
+        found[factor] = [
+            (*(np.array([one.half, one.sixteen, one.first]) / truth - 1.0),
+             one.spread[0] * (1.0 - step) <= truth[0] <= one.spread[1] * (1.0 + step),
+             math.log(one.spread[1] / one.spread[0]))
+            for one in tries
+        ]  # fmt: skip
+    return found
+
+
+def main() -> None:
+    shelf = real_motions()
+    print(f"{len(shelf)} real records" if shelf else "no shelf: generated sets only")
+    with ThreadPoolExecutor(2) as pool:
+        found = [part for part in pool.map(lambda k: spread(k, shelf), range(2 * SETS)) if part]
+    print(
+        f"{len(found)} sets, {len(STARTS)} starts each; |error| against a grid {FINER} times finer"
+    )
+    print(f"{'step':8} {'':10} {'median':>8} {'90 %':>8} {'worst':>8} {'mean':>8}")
+    for factor, label in STEPS.items():
+        rows = np.array([row for part in found for row in part[factor]])
+        for column, name in enumerate(("zeta_E", "zeta_16", "zeta_first")):
+            size = np.abs(rows[:, column])
+            numbers = (np.median(size), np.quantile(size, 0.9), size.max(), rows[:, column].mean())
+            print(
+                f"{label:8} {name:10} " + " ".join(f"{100 * x:7.2f}%" for x in numbers), flush=True
+            )
+        width = rows[:, 4]
+        print(
+            f"{label:8} spread     holds it {rows[:, 3].mean():.1%}, width {np.median(width):.1%} (median), "
+            f"{np.quantile(width, 0.9):.1%} (90 %), {width.max():.1%}"
+        )
