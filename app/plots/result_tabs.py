@@ -108,7 +108,9 @@ class CheckTab(QWidget):
             rows.append([word(check.label, self.language), digits(check.zeta), word(outcome, self.language),
                          check.clause, digits(check.q), digits(check.capacity, 3), digits(check.demand, 3),
                          check.unit])  # fmt: skip
-            colors.append([None, color, color] + [None] * 5 if decides else [theme.current.quiet] * 8)
+            colors.append(
+                [None, color, color] + [None] * 5 if decides else [theme.current.quiet] * 8
+            )
         for source, check in zip(Q_SOURCES, wall.code_check, strict=False):
             if check:
                 outcome = word("passed" if check.passed else "not_passed", self.language)
@@ -123,7 +125,11 @@ class CheckTab(QWidget):
     def _mechanism(self, found) -> str:
         """Free to vibrate or restrained, T_0, and what the dynamic check says beside zeta_E."""
         kinematic, dynamic = found.kinematic, found.dynamic
-        parts = [tr("Element free to vibrate") if kinematic.free_element else tr("Restrained by transverse walls")]
+        parts = [
+            tr("Element free to vibrate")
+            if kinematic.free_element
+            else tr("Restrained by transverse walls")
+        ]
         if kinematic.period_0 is not None:
             parts.append(f"T_0 {kinematic.period_0:.3f} s")
         parts.append(f"e* {kinematic.e_star:.0f}, a0* {kinematic.a0 / G:.3f} g")

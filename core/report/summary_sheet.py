@@ -194,7 +194,9 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
         row += 1
         values = (check.q, check.capacity, check.demand, check.unit, check.zeta, check.passed)
         label = word(check.label, book.language)
-        _method_row(book, sheet, row, label, check.clause, values, decides, check.name == "floor_sld")
+        _method_row(
+            book, sheet, row, label, check.clause, values, decides, check.name == "floor_sld"
+        )
     for source, check in zip(Q_SOURCES, wall.code_check, strict=False):
         if check:
             row += 1
