@@ -237,13 +237,24 @@ def _check_return_period(demand: Demand) -> None:
     if stated is None:
         return
     own = replace(demand, return_period_years=None).return_period
-    if own is not None and not math.isclose(stated, own, rel_tol=SAME_PERIOD):
-        raise InputError(
-            f"[demand]: return_period_years = {stated:g} contradicts nominal_life_years and "
-            f"use_class_factor, which give {own:.0f} years at {state} (NTC 2018 3.2.0): correct one of them"
-        )
     if own is not None:
+        # the hazard is given from 30 to 2475 years
+        if not any(
+            math.isclose(stated, years, rel_tol=SAME_PERIOD)
+            for years in (own, min(max(own, 30.0), 2475.0))
+        ):
+            raise InputError(
+                f"[demand]: return_period_years = {stated:g} contradicts nominal_life_years and "
+                f"use_class_factor, which give {own:.0f} years at {state} (NTC 2018 3.2.0): correct one of them"
+            )
         return
+    shortest = return_period(USUAL_LIVES[0], state)
+    if stated < (1.0 - SAME_PERIOD) * shortest:
+        raise InputError(
+            f"[demand]: return_period_years = {stated:g} is below the {shortest:.0f} years of {state} for V_R = "
+            f"{USUAL_LIVES[0]:g} years (NTC 2018 3.2.0): the motion of another limit state? Give "
+            "nominal_life_years and use_class_factor if it is right"
+        )
     states = list(EXCEEDANCE)
     for weaker in states[: states.index(state)]:
         for life in USUAL_LIVES:

@@ -46,7 +46,8 @@ class Rule:
 class Compliance:
     """The set against its target. periods [s]; spectra : S_a of each record at the demand [m/s2], FC
     apart, shape (records, periods); mean, target [m/s2]; stations : counted once each; compatible : by
-    the code of the spectrum; period_range : of the rules [s]; unnamed : files that name no station."""
+    the code of the spectrum; period_range : of the rules [s]; unnamed : files that name no
+    station; full_range : the periods that matter, where no range is asked [s]."""
 
     periods: np.ndarray
     spectra: np.ndarray
@@ -57,6 +58,13 @@ class Compliance:
     compatible: bool
     period_range: tuple[float, float] = RANGE
     unnamed: int = 0
+    full_range: tuple[float, float] = RANGE
+
+    @property
+    def narrow(self) -> bool:
+        """Whether the range asked leaves out periods that matter."""
+        low, high = self.period_range
+        return low > self.full_range[0] + 1e-9 or high < self.full_range[1] - 1e-9
 
 
 def strong_duration(motion: GroundMotion) -> float:
@@ -66,12 +74,14 @@ def strong_duration(motion: GroundMotion) -> float:
     return float(np.count_nonzero(power >= 0.2 * power.max()) * motion.time_step)
 
 
+def full_range(kinds: list[str], longest: float) -> tuple[float, float]:
+    """Periods that matter [s]: `RANGE`, with natural records up to the longest T_SLV or T_SLC of the walls."""
+    return RANGE[0], max(RANGE[1], longest) if "natural" in kinds else RANGE[1]
+
+
 def period_range(kinds: list[str], longest: float, demand: DemandResult) -> tuple[float, float]:
-    """Periods of the rules [s]: as asked, else `RANGE`, with natural records up to the longest T_SLV or T_SLC
-    of the walls. Raises InputError beyond the spectrum of a file."""
-    low, high = RANGE
-    if "natural" in kinds:
-        high = max(high, longest)
+    """Periods of the rules [s]: as asked, else all that matter. Raises InputError beyond the spectrum of a file."""
+    low, high = full_range(kinds, longest)
     if demand.asked.period_range_s is not None:
         low, high = demand.asked.period_range_s
     target = demand.target
@@ -145,4 +155,5 @@ def compliance(
     return Compliance(
         periods, spectra, mean, target, tuple(rules), int(count),
         all(passed is not False for passed in decides), asked_range, unnamed(motions),
+        full_range(kinds, longest),
     )  # fmt: skip

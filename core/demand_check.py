@@ -42,6 +42,9 @@ from core.zeta import STEP, search_zeta
 OTHER_STEP, BOUND_STEP = 0.005, 0.01
 """Steps of the search for zeta [-] with FC on the other side, and should the restraint behind a wall fail."""
 
+CLOSE = 0.05
+"""Distance of the former to zeta_target within which it takes the step of the check itself."""
+
 ALONE = 2
 """Records, the worst at the demand, that are analysed alone: most failures need no other."""
 
@@ -67,11 +70,12 @@ class DemandRun:
 @dataclass(frozen=True)
 class OtherConfidence:
     """The check with FC on the other side. confidence_on : capacity or demand; zeta : zeta_E, None where a run
-    has no number; passed : as of DemandCheck."""
+    has no number; passed, spread : as passed and zeta_spread of DemandCheck."""
 
     confidence_on: str
     zeta: float | None
     passed: bool
+    spread: tuple[float, float] | None = None
 
 
 @dataclass(frozen=True)
@@ -278,16 +282,17 @@ def demand_check(
             continue
         there.in_order(np.argsort(-np.array(worst), kind="stable").tolist())
         rest = there.rest if reached is None or name == "capacity" else there.first_peak(reached)
-        zeta = search_zeta(
-            there.failures, rest, target, expected, step if name == side else OTHER_STEP
-        )
+        taken = step if name == side else OTHER_STEP
+        zeta = search_zeta(there.failures, rest, target, expected, taken)
+        if taken > step and zeta.half is not None and abs(zeta.half / target - 1.0) < CLOSE:
+            zeta = search_zeta(there.failures, rest, target, expected, step)
         reaches = zeta.half is not None and zeta.half >= target - ROUNDING
         judged[name] = zeta, zeta.holds_at_target and reaches
         expected = EXPECTED * (zeta.first or 0.0)
     found, passed = judged.pop(side)
     second = None
     for name, (zeta, fine) in judged.items():
-        second = OtherConfidence(name, zeta.half, fine)
+        second = OtherConfidence(name, zeta.half, fine, zeta.spread)
     return DemandCheck(
         limit_state=demand.limit_state,
         runs=runs,

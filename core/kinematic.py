@@ -69,7 +69,8 @@ class Kinematic:
     period_0 : T_0 of a free element before it moves (C8.7.1.7) [s]; None where it is not known
     acceleration_demand : a_g S, of a free element S_e(T_0, 5 %) (clause .5) [m/s2]; None without T_0
     zeta_sld : a_g,SLD over a_g (C8.7.1.8, C8.7.1.9) [-]; None where acceleration_demand is
-    missing : keys of the case without which a free element has no linear check
+    missing : keys of the case without which a free element has no linear check; period_0 where its T_0 is so
+        long that it would be elastic up to d_SLV
     d_limit, a_limit : d_SLV = 0.40 d_0 or d_SLC = 0.60 d_0 [m], and the capacity there [m/s2]
     period : T_SLV or T_SLC (C8.7.1.10, .11) [s]
     s_de : largest S_De on [T_0, T_SLV] (clause .8) [m]; these four are None without a spectrum, at SLD
@@ -108,10 +109,19 @@ def _missing(wall: Wall, demand: DemandResult) -> tuple[str, ...]:
     return (*absent, *(["spectrum"] if demand.target is None else []))
 
 
+def _covers(target, period: float, name: str, wall: Wall) -> None:
+    """Raise InputError where the spectrum of a file ends before a period [s] it is read at."""
+    if isinstance(target, GivenSpectrum) and target.periods[-1] < period:
+        raise InputError(
+            f'wall "{wall.name}": {target.name} ends at {target.periods[-1]:.2f} s, before '
+            f"{name} = {period:.2f} s (C8.7.1.2.1.8): give the spectrum up to there"
+        )
+
+
 def kinematic(wall: Wall, mechanism: str, demand: DemandResult) -> Kinematic:
     """The mechanism of a wall on the ground.
 
-    Raises InputError where the spectrum of a file ends before T_SLV or T_SLC.
+    Raises InputError where the spectrum of a file ends before T_SLV, T_SLC or T_0.
     """
     block, free = wall.block(), wall.is_free(mechanism)
     alpha0 = math.tan(block.slenderness)
@@ -123,7 +133,11 @@ def kinematic(wall: Wall, mechanism: str, demand: DemandResult) -> Kinematic:
     period_0, acceleration, missing = None, demand.pga, ()
     if free:
         period_0, missing = elastic_period(wall), _missing(wall, demand)
+        if not missing and a0 * (period_0 / (2.0 * math.pi)) ** 2 >= LIMIT_FRACTION["SLV"] * d0:
+            missing = ("period_0",)  # elastic up to d_SLV: no rocking wall
         acceleration = None if missing else float(demand.target.acceleration([period_0])[0])
+        if not missing:
+            _covers(demand.target, period_0, "T_0", wall)
     zeta_sld = None if acceleration is None else a0 / acceleration
     found = (
         alpha0, E_STAR, mass, a0, d0, free, period_0, acceleration, zeta_sld, missing,
@@ -133,14 +147,10 @@ def kinematic(wall: Wall, mechanism: str, demand: DemandResult) -> Kinematic:
     share = LIMIT_FRACTION[demand.limit_state]
     d_limit, a_limit = share * d0, (1.0 - share) * a0
     period = PERIOD_FACTOR[demand.limit_state] * math.sqrt(d_limit / a_limit)
-    target = demand.target
-    if isinstance(target, GivenSpectrum) and target.periods[-1] < period:
-        raise InputError(
-            f'wall "{wall.name}": {target.name} ends at {target.periods[-1]:.2f} s, before '
-            f"T_{demand.limit_state} = {period:.2f} s (C8.7.1.2.1.8): give the spectrum up to there"
-        )
+    _covers(demand.target, period, f"T_{demand.limit_state}", wall)
+    start = 0.0 if missing or period_0 is None else min(period_0, period)
     s_de = target_spectrum.largest_displacement(
-        target, min(period_0 or 0.0, period), period, DAMPING[demand.limit_state]
+        demand.target, start, period, DAMPING[demand.limit_state]
     )
     return Kinematic(*found, d_limit, a_limit, period, s_de)
 

@@ -46,6 +46,10 @@ SENTENCES = {
         "{found} samples of the {declared} declared: the last line is incomplete.",
         "{found} campioni dei {declared} dichiarati: l'ultima riga è incompleta.",
     ),
+    "ends_moving": (
+        "The file declares no count and ends at {share:.0%} of its peak, not at rest: is its end cut off?",
+        "Il file non dichiara il numero di campioni e termina al {share:.0%} del picco, non in quiete: è troncato?",
+    ),
     "surplus_dropped": (
         "{count} surplus zeros or NaN at the end were dropped.",
         "{count} zeri o NaN in eccesso alla fine sono stati ignorati.",

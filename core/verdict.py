@@ -32,42 +32,42 @@ SENTENCES = {
         "Il meccanismo non si attiva: FC S a_g = {demand:.3f} g non supera a_RM = {a_rm:.3f} g.",
     ),
     "verified": (
-        "Verified at {state}: zeta {zeta:.2f} by {method}; the check with q = {q:g} agrees.",
-        "Verificata allo {state}: zeta {zeta:.2f} secondo {method}; la verifica con q = {q:g} concorda.",
+        "Verified at {state}: zeta {zeta} by {method}; the check with q = {q:g} agrees.",
+        "Verificata allo {state}: zeta {zeta} secondo {method}; la verifica con q = {q:g} concorda.",
     ),
     "verified_plainly": (
-        "Verified at {state}: zeta {zeta:.2f} by {method}.",
-        "Verificata allo {state}: zeta {zeta:.2f} secondo {method}.",
+        "Verified at {state}: zeta {zeta} by {method}.",
+        "Verificata allo {state}: zeta {zeta} secondo {method}.",
     ),
     "verified_simply": (
-        "Verified at {state}: zeta {zeta:.2f} by {method}, the simplified one.",
-        "Verificata allo {state}: zeta {zeta:.2f} secondo {method}, quella semplificata.",
+        "Verified at {state}: zeta {zeta} by {method}, the simplified one.",
+        "Verificata allo {state}: zeta {zeta} secondo {method}, quella semplificata.",
     ),
     "verified_refined": (
-        "Verified at {state} by {method} only: zeta {zeta:.2f}. With q = {q:g} it is not: the designer must "
+        "Verified at {state} by {method} only: zeta {zeta}. With q = {q:g} it is not: the designer must "
         "justify the refined method.",
-        "Verificata allo {state} solo secondo {method}: zeta {zeta:.2f}. Con q = {q:g} non lo è: il "
+        "Verificata allo {state} solo secondo {method}: zeta {zeta}. Con q = {q:g} non lo è: il "
         "progettista deve motivare il metodo raffinato.",
     ),
     "verified_alone": (
-        "Verified at {state} by {method} only: zeta {zeta:.2f}. The check with q = {q:g} could not be made: the "
+        "Verified at {state} by {method} only: zeta {zeta}. The check with q = {q:g} could not be made: the "
         "designer must justify the refined method.",
-        "Verificata allo {state} solo secondo {method}: zeta {zeta:.2f}. La verifica con q = {q:g} non è stata "
+        "Verificata allo {state} solo secondo {method}: zeta {zeta}. La verifica con q = {q:g} non è stata "
         "possibile: il progettista deve motivare il metodo raffinato.",
     ),
     "q2_unsafe": (
-        "Not verified at {state}: zeta {zeta:.2f} by {method}. The check with q = {q:g} alone would pass "
+        "Not verified at {state}: zeta {zeta} by {method}. The check with q = {q:g} alone would pass "
         "and is not conservative here.",
-        "Non verificata allo {state}: zeta {zeta:.2f} secondo {method}. La sola verifica con q = {q:g} "
+        "Non verificata allo {state}: zeta {zeta} secondo {method}. La sola verifica con q = {q:g} "
         "sarebbe soddisfatta: qui non è cautelativa.",
     ),
     "not_verified": (
-        "Not verified at {state}: zeta {zeta:.2f} by {method}.",
-        "Non verificata allo {state}: zeta {zeta:.2f} secondo {method}.",
+        "Not verified at {state}: zeta {zeta} by {method}.",
+        "Non verificata allo {state}: zeta {zeta} secondo {method}.",
     ),
     "indicative": (
-        "Indicative only: zeta {zeta:.2f} at {state} by {method}, not a verification.",
-        "Solo indicativo: zeta {zeta:.2f} allo {state} secondo {method}, non è una verifica.",
+        "Indicative only: zeta {zeta} at {state} by {method}, not a verification.",
+        "Solo indicativo: zeta {zeta} allo {state} secondo {method}, non è una verifica.",
     ),
     "undetermined": (
         "Undetermined at {state}: see the reasons.",
@@ -78,8 +78,8 @@ SENTENCES = {
 
 ADDED = {
     "share": (
-        " Of the multipliers within 10 % of the demand {share:.0%} fail.",
-        " Dei moltiplicatori entro il 10 % dalla domanda il {share:.0%} non soddisfa la regola.",
+        " Of the multipliers within 10 % of {demand} {share:.0%} fail.",
+        " Dei moltiplicatori entro il 10 % da{demand} il {share:.0%} non soddisfa la regola.",
     ),
     "confidence_demand": (
         " With FC on the demand instead of the strength it is {not_}verified: zeta {zeta}.",
@@ -95,9 +95,9 @@ ADDED = {
 
 REASONS = {
     "upper_floor": (
-        "The base of the wall is {z:.2f} m above the ground: not assessable with the ground motion alone, a "
+        "The base of the wall is {z:g} m above the ground: not assessable with the ground motion alone, a "
         "motion of the floor is needed.",
-        "La base della parete è a {z:.2f} m dal suolo: non valutabile con il solo moto del terreno, serve il "
+        "La base della parete è a {z:g} m dal suolo: non valutabile con il solo moto del terreno, serve il "
         "moto del piano.",
     ),
     "no_number": (
@@ -109,12 +109,29 @@ REASONS = {
         "zeta è nota solo fra {low:.3f} e {high:.3f}, e il valore richiesto {target:.2f} sta in mezzo.",
     ),
     "weaker_fails": (
-        "The rule holds at the demand itself but fails around {zeta:.2f} of it: a weaker motion is worse.",
-        "La regola vale alla domanda ma non intorno a {zeta:.2f} di essa: un moto più debole è più gravoso.",
+        "The rule holds at {at_en} itself but fails around {zeta:.2f} of it: a weaker motion is worse.",
+        "La regola vale {at_it} ma non intorno a {zeta:.2f} di essa: un moto più debole è più "
+        "gravoso.",
     ),
     "demand_fails": (
-        "The rule fails at the demand itself, though at fewer than half of the multipliers around it.",
-        "La regola non vale alla domanda stessa, benché a meno di metà dei moltiplicatori intorno ad essa.",
+        "The rule fails at {at_en} itself, though at fewer than half of the multipliers around.",
+        "La regola non vale {at_it} stessa, benché cada a meno di metà dei moltiplicatori intorno.",
+    ),
+    "whole_demand_fails": (
+        "The rule holds at the {target:g} of the demand that is required, and fails at the demand itself.",
+        "La regola vale al {target:g} della domanda richiesto, e non alla domanda stessa.",
+    ),
+    "narrow_range": (
+        "The records are compared with the spectrum from {low:g} to {high:g} s only, as asked: {least:g} to "
+        "{most:.2f} s are the periods that matter.",
+        "Gli accelerogrammi sono confrontati con lo spettro solo da {low:g} a {high:g} s, come richiesto: contano i "
+        "periodi da {least:g} a {most:.2f} s.",
+    ),
+    "rigid_free": (
+        "C8.7.1.2.1.3 asks an initial elastic branch of an element free to vibrate: the histories use the rigid law; "
+        "compare with law = {{ elastic_limit, plateau_end }}.",
+        "Il C8.7.1.2.1.3 richiede un ramo elastico iniziale per un elemento libero di vibrare: le storie usano la "
+        "legge rigida; confrontare con law = {{ elastic_limit, plateau_end }}.",
     ),
     "no_period": (
         "Linear checks not made: an element free to vibrate is compared with the spectrum at T_0 "
@@ -183,6 +200,10 @@ MISSING_WORDS = {
     "unit_weight_kn_m3": ("the unit weight", "il peso specifico"),
     "height_m": ("a rectangular wall", "una parete rettangolare"),
     "spectrum": ("the spectrum of the demand", "lo spettro della domanda"),
+    "period_0": (
+        "a shorter T_0 (E, unit weight and H/t as given make the wall elastic up to d_SLV)",
+        "un T_0 più breve (con E, peso specifico e H/t dati la parete è elastica fino a d_SLV)",
+    ),
 }
 """What T_0 and the spectrum there take -> (English, Italian)."""
 
@@ -247,7 +268,7 @@ def verdict(
     q_code = made.get("linear_q_code")
     zeta = found.zeta if found else None
     target = demand.zeta_target
-    activated = _activated(wall, block, demand, checks, circumstances)
+    activated = _activated(wall, block, demand, checks, kinematic, circumstances)
     doubts = []
     if wall.above_ground:
         doubts.append(_reason("upper_floor", z=wall.base_z_m))
@@ -264,10 +285,18 @@ def verdict(
         english, italian = REASONS["no_period"]
         notes.append((english.format(missing=", ".join(word[0] for word in words)),
                       italian.format(missing=", ".join(word[1] for word in words))))  # fmt: skip
-    if dynamic and zeta is not None and zeta < target and dynamic.holds_at_target:
-        notes.append(_reason("weaker_fails", zeta=zeta))
-    if dynamic and zeta is not None and zeta >= target and not dynamic.holds_at_target:
-        notes.append(_reason("demand_fails"))
+    at = {"at_en": "the demand", "at_it": "alla domanda"}
+    if target != 1.0:
+        at = {"at_en": f"{target:g} of the demand", "at_it": f"allo {target:g} della domanda"}
+    if dynamic and zeta is not None:
+        if zeta < target and dynamic.holds_at_target:
+            notes.append(_reason("weaker_fails", zeta=zeta, **at))
+        if zeta >= target and not dynamic.holds_at_target:
+            notes.append(_reason("demand_fails", **at))
+        if dynamic.passed and target < 1.0 <= zeta and not dynamic.holds:
+            notes.append(_reason("whole_demand_fails", target=target))
+        if kinematic and kinematic.free_element and wall.moment_law().is_rigid:
+            notes.append(_reason("rigid_free"))
     limits = _limits(wall, mechanism, block, demand, dynamic, compliance, circumstances)
     if wall.above_ground or zeta is None:
         code = "undetermined"
@@ -307,8 +336,16 @@ def verdict(
     )  # fmt: skip
 
 
-def _activated(wall, block, demand: DemandResult, checks, circumstances: Circumstances) -> bool:
-    """Whether the motion can lift the wall at all, or a check fails all the same."""
+def _activated(wall, block, demand: DemandResult, checks, kinematic, circumstances) -> bool:
+    """Whether the motion can lift the wall at all, or a check fails all the same. An element free to vibrate is
+    lifted by S_e(T_0) (C8.7.1.9): where T_0 is not known, neither is that it stays at rest."""
+    lifted = None if kinematic is None else kinematic.zeta_sld
+    if (
+        kinematic
+        and kinematic.free_element
+        and (lifted is None or lifted < max(1.0, demand.zeta_target))
+    ):
+        return True
     first = float(demand.target.acceleration([0.0])[0]) if demand.target else demand.pga
     strongest = max(demand.pga, first, circumstances.strongest) * max(1.0, demand.zeta_target)
     at_rest = demand.confidence_factor * strongest <= block.threshold_acceleration
@@ -326,6 +363,9 @@ def _limits(
             found.append(_reason("no_spectrum"))
         elif not compliance.compatible:
             found.append(_reason("not_compatible"))
+        elif compliance.narrow:
+            (low, high), (least, most) = compliance.period_range, compliance.full_range
+            found.append(_reason("narrow_range", low=low, high=high, least=least, most=most))
         if demand.asked.demand_scaling == "pga":
             found.append(_reason("pga_scaling"))
         stations = compliance.stations if compliance else circumstances.records
@@ -356,8 +396,11 @@ def _sentence(k: int, code: str, wall, block, demand, found, q_code, dynamic) ->
         way = "verified_plainly"
     elif code == "verified_refined" and q_code is None:
         way = "verified_alone"
+    zeta = f"{found.zeta:.2f}" if found and found.zeta is not None else "–"
+    if demand.zeta_target != 1.0:
+        zeta += f" ({('required', 'richiesto')[k]} {demand.zeta_target:g})"
     said = SENTENCES[way][k].format(
-        state=demand.limit_state, q=demand.q_code, zeta=found.zeta if found and found.zeta else 0.0,
+        state=demand.limit_state, q=demand.q_code, zeta=zeta,
         method=METHOD_WORDS[found.label][k] if found else "",
         demand=demand.confidence_factor * demand.pga / G, a_rm=block.threshold_acceleration / G,
     )  # fmt: skip
@@ -373,10 +416,18 @@ def _dynamic_words(k: int, dynamic: DemandCheck, target: float) -> str:
     differently."""
     said, other = "", dynamic.zeta_other
     if dynamic.passed and dynamic.zeta_16 is not None and dynamic.zeta_16 < target:
-        said += ADDED["share"][k].format(share=dynamic.share_failing_at_demand)
+        part = ("the demand", "lla domanda")[k]
+        if target != 1.0:
+            part = (f"{target:g} of the demand", f"l {target:g} della domanda")[k]
+        said += ADDED["share"][k].format(share=dynamic.share_failing_at_demand, demand=part)
     if other and other.passed != dynamic.passed:
+        zeta = "–" if other.zeta is None else f"{other.zeta:.2f}"
+        if not other.passed and other.zeta is not None and other.zeta >= target:
+            zeta += (
+                ", but the rule fails at the demand itself",
+                ", ma la regola non vale alla domanda stessa",
+            )[k]
         said += ADDED[f"confidence_{other.confidence_on}"][k].format(
-            not_="" if other.passed else ("not ", "non ")[k],
-            zeta="–" if other.zeta is None else f"{other.zeta:.2f}",
+            not_="" if other.passed else ("not ", "non ")[k], zeta=zeta
         )
     return said

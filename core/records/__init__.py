@@ -10,6 +10,7 @@ from core.errors import InputError, RecordError
 from core.ground_motion import LARGE_PGA, SMALL_PGA, GroundMotion
 from core.notices import notice
 from core.records import italian, peer, plain
+from core.records.cut import refuse_cut
 from core.records.grammar import UNITS, Options, decode
 from core.units import G
 
@@ -35,7 +36,12 @@ NOT_READ_YET = (
 )
 """Known formats without a reader: refused by name, so that no other reader guesses at them."""
 
-MAX_BYTES = 200_000_000
+MAX_BYTES = 20_000_000
+MAX_NUMBERS = 5_000_000
+"""Larger files are refused before they take the memory; the longest records known have 2 MB."""
+
+END_SHARE = 0.05
+"""Share of its peak at which a record without a declared count ends that is not at rest: is it cut?"""
 
 LARGE_SCALE = 3.0
 """Scales of a record beyond this one are warned of."""
@@ -60,7 +66,7 @@ def read(
             raise RecordError("this is not a file: name an accelerogram")
         if path.stat().st_size > MAX_BYTES:
             raise RecordError(
-                f"{path.stat().st_size / 1e6:.0f} MB is no accelerogram (up to 200 MB)"
+                f"{path.stat().st_size / 1e6:.0f} MB is no accelerogram (up to {MAX_BYTES // 1_000_000} MB)"
             )
         content = path.read_bytes()
         return _motion(content, path, options, scale, name or path.stem)
@@ -75,7 +81,10 @@ def read(
 def _motion(content: bytes, path: Path, options: Options, scale: float, name: str) -> GroundMotion:
     if not content.strip():
         raise RecordError("the file is empty")
+    if len(content) > MAX_NUMBERS and _separate(content) > MAX_NUMBERS:
+        raise RecordError(f"more than {MAX_NUMBERS} numbers are no accelerogram")
     lines = decode(content)
+    ended = content.rstrip(b"\x00\x1a")[-1:] in (b"\n", b"\r") or content[-2:] in (b"\n\0", b"\0\n")
     head = "\n".join(lines[:30])
     for title, pattern in NOT_READ_YET:
         if pattern.search(head):
@@ -84,6 +93,10 @@ def _motion(content: bytes, path: Path, options: Options, scale: float, name: st
             )
     title, reader = next((title, read) for title, knows, read in READERS if knows(lines))
     parsed = reader(lines, options)
+    if not ended and any(warning.code == "partial_last_line" for warning in parsed.warnings):
+        raise RecordError(
+            "samples of the last line are missing and it has no line end: the file is cut"
+        )
     unit = _agreed("unit", parsed.unit, options.unit, "g, m/s2, cm/s2 or mm/s2")
     if unit not in UNITS:
         raise RecordError(f"unit = {unit!r} is not accepted: {', '.join(UNITS)}")
@@ -92,6 +105,8 @@ def _motion(content: bytes, path: Path, options: Options, scale: float, name: st
     peak = float(np.abs(parsed.values).max()) if parsed.values.size else 0.0
     if parsed.stated_peak and abs(peak - parsed.stated_peak) > 0.02 * parsed.stated_peak:
         warnings.append(notice("peak_differs", read=peak, stated=parsed.stated_peak))
+    if not parsed.counted and peak and abs(parsed.values[-1]) > END_SHARE * peak:
+        warnings.append(notice("ends_moving", share=abs(parsed.values[-1]) / peak))
     if scale != 1.0:
         code = "scaled_far" if abs(scale) > LARGE_SCALE else "scaled"
         warnings.append(notice(code, scale=scale))
@@ -114,6 +129,7 @@ def _motion(content: bytes, path: Path, options: Options, scale: float, name: st
         raise RecordError(f"skip_lines is for plain text; this file is {title}: leave it out")
     if options.column and title != "plain text":
         raise RecordError(f"column is for plain text; this file is {title}: leave it out")
+    refuse_cut(lines, ended)
     return GroundMotion(
         name=name,
         acceleration=motion,
@@ -125,6 +141,12 @@ def _motion(content: bytes, path: Path, options: Options, scale: float, name: st
         details=parsed.details,
         warnings=tuple(warnings),
     )
+
+
+def _separate(content: bytes) -> int:
+    """Words of a text, counted without making them."""
+    blank = np.isin(np.frombuffer(content, np.uint8), np.frombuffer(b" \t\r\n,;", np.uint8))
+    return int(np.count_nonzero(blank[:-1] & ~blank[1:])) + 1
 
 
 def _agreed(key: str, stated, given, accepted: str):

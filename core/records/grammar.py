@@ -10,26 +10,42 @@ from core.errors import RecordError
 from core.notices import Notice, notice
 from core.units import G
 
-NUMBER = r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[EeDd][+-]?[0-9]+)?"
-"""A number: plain ASCII, as Fortran and C write it; no nan, inf, underscores or other digits."""
+NUMBER = r"[+-]?+(?:[0-9]++(?:\.[0-9]*+)?+|\.[0-9]++)(?:[EeDd][+-]?+[0-9]++)?+"
+"""A number: plain ASCII, as Fortran and C write it; no nan, inf, underscores or other digits. Possessive, so
+that no text makes the match go back and try again: linear time."""
 
 _TOKEN = re.compile(NUMBER)
-_NUMBERS_ONLY = re.compile(rf"\s*(?:{NUMBER}\s*)*")
+_NUMBERS_ONLY = re.compile(rf"\s*+(?:{NUMBER}(?=[\s+-]|\Z)\s*+)*+")
 _NAN = re.compile(r"[+-]?nan", re.IGNORECASE)
 
-_LENGTH_PER_S2 = r"(?:cm|mm|m)\s*/\s*s(?:ec)?(?:\s*/\s*s(?:ec)?|\s*(?:\^|\*\*)?\s*[2²])"
-_ACCELERATION = rf"(g(?:\s*/\s*10)?|gal|{_LENGTH_PER_S2})"
+_PER_S2 = r"(?:cm|mm|m)[ \t]*/[ \t]*s(?:ec)?(?:[ \t]*/[ \t]*s(?:ec)?|[ \t]*(?:\^|\*\*)?[ \t]*[2²])"
+_ACCELERATION = rf"(g(?:[ \t]*/[ \t]*10)?|gal|{_PER_S2})"
 _STATED = re.compile(
-    rf"[\[(]\s*{_ACCELERATION}\s*[\])]|units?\s*(?:of|are|is|in|[:=])?\s*\(?\s*{_ACCELERATION}(?![\w/])"
-    rf"|accelerations?\s+in\s+{_ACCELERATION}(?![\w/])",
+    rf"[\[(][ \t]*{_ACCELERATION}[ \t]*[\])]"
+    rf"|\bunits?\b[ \t]*(?:of|are|is|in|[:=])?[ \t]*\(?[ \t]*{_ACCELERATION}(?![\w/])"
+    rf"|\baccelerations?[ \t]+in[ \t]+{_ACCELERATION}(?![\w/])",
     re.IGNORECASE,
 )
-_OTHER_UNIT = re.compile(r"[\[(]\s*(cm|mm|m)(\s*/\s*s(ec)?)?\s*[\])]", re.IGNORECASE)
-OTHER_QUANTITY = re.compile(
-    r"\b(velocity|displacement|spectrum|spectra|period|velocit[àa]'?|spostament[oi]|spettr[oi]|periodo)"
-    r"(?!\w)",
-    re.IGNORECASE,
+_VALUE = re.compile(r"[0-9]\.?[ \t]*\Z|[0-9][EeDd][+-]?[0-9]+[ \t]*\Z")
+"""The end of a text that gives a number: what follows is its unit, not that of the samples."""
+
+_MOTION = re.compile(
+    r"\b(velocity|displacement|vel\.?|disp\.?|velocit[àa]'?|spostament[oi])(?!\w)", re.I
 )
+_MOTION_UNIT = re.compile(r"[\[(][ \t]*(cm|mm|m|in)([ \t]*/[ \t]*s(ec)?)?[ \t]*[\])]", re.I)
+_MOTION_UNITS_OF = re.compile(
+    r"\bunits?[ \t]+(?:of|in)[ \t]+(cm|mm|m|in)([ \t]*/[ \t]*s(ec)?)?(?![ \t]*[\w/^*])", re.I
+)
+_SPECTRUM = re.compile(
+    r"\b(spectr(?:um|a|al)|spettr[oi]|psa|psv|s_?[avd])(?!\w)|\bperiodo?[ \t]*[\[(]",
+    re.I,
+)
+_PERIOD = re.compile(r"\bperiodo?(?!\w)", re.I)
+_ACCELERATION_WORD = re.compile(r"\bacc", re.I)
+_OF_A_TARGET = re.compile(r"\b(target|match|compatib)", re.I)
+
+SHOWN = 60
+"""Characters of a file repeated in a sentence."""
 
 UNITS = {"g": G, "m/s2": 1.0, "cm/s2": 0.01, "mm/s2": 0.001}
 """Units of acceleration a user may name, in m/s2."""
@@ -38,7 +54,7 @@ UNITS = {"g": G, "m/s2": 1.0, "cm/s2": 0.01, "mm/s2": 0.001}
 @dataclass
 class Parsed:
     """What a reader found: values in the file's unit, shape (n,); time step [s] and unit, or None
-    where the file does not say; details and warnings."""
+    where the file does not say; details and warnings; counted : the file declares its count of samples."""
 
     values: np.ndarray
     time_step: float | None
@@ -46,6 +62,7 @@ class Parsed:
     details: tuple[tuple[str, str], ...] = ()
     warnings: list[Notice] = field(default_factory=list)
     stated_peak: float | None = None
+    counted: bool = False
 
 
 @dataclass(frozen=True)
@@ -59,12 +76,15 @@ class Options:
     skip_lines: int | None = None
 
 
-def stated_unit(head: str) -> str | None:
-    """Unit of acceleration a header states, a key of UNITS; raises RecordError for g/10."""
-    match = _STATED.search(head)
-    if not match:
-        return None
-    word = re.sub(r"\s", "", next(group for group in match.groups() if group)).lower()
+def quoted(text: str) -> str:
+    """A piece of a file in a sentence: its first characters."""
+    text = text.strip()
+    return repr(text if len(text) <= SHOWN else text[:SHOWN] + "…")
+
+
+def _unit_of(word: str) -> str:
+    """A unit as written to a key of UNITS; raises RecordError for g/10."""
+    word = re.sub(r"\s", "", word).lower()
     if word.startswith("g/"):
         raise RecordError("the unit is g/10: convert the file to g")
     if word in ("g", "gal"):
@@ -72,16 +92,48 @@ def stated_unit(head: str) -> str | None:
     return word.split("/")[0] + "/s2"
 
 
-def refuse_other_quantity(head: str) -> None:
-    """Raise RecordError where a header speaks of something else than acceleration."""
-    if stated_unit(head):
-        return
-    other = OTHER_QUANTITY.search(head) or _OTHER_UNIT.search(head)
-    if other:
+def stated_unit(head: str) -> str | None:
+    """Unit of acceleration a header states, a key of UNITS. A unit after a number is that of another quantity
+    (`gravity = 9.81 [m/s2]`, `PGA 0.013 (g)`) and states nothing; where it differs from the one stated, or two
+    are stated, nobody knows which holds. Raises RecordError then, and for g/10."""
+    found: dict[str, str] = {}
+    beside: dict[str, str] = {}
+    for line in head.splitlines():
+        for match in _STATED.finditer(line):
+            unit = _unit_of(next(group for group in match.groups() if group))
+            place = (
+                beside if _VALUE.search(line[max(0, match.start() - 40) : match.start()]) else found
+            )
+            place.setdefault(unit, line)
+    clash = [
+        *found.items(),
+        *((unit, line) for unit, line in beside.items() if found and unit not in found),
+    ]
+    if len(clash) > 1:
+        (one, first), (other, second) = clash[:2]
         raise RecordError(
-            f"the header speaks of {other[0].strip('[()] ').lower()}: this is not an accelerogram; "
-            "take the acceleration file"
+            f"the header speaks of two units, {one} in {quoted(first)} and {other} in {quoted(second)}: leave "
+            "the one of the samples"
         )
+    return next(iter(found), None)
+
+
+def refuse_other_quantity(head: str) -> None:
+    """Raise RecordError where a header speaks of a velocity, a displacement or a spectrum, whatever else stands
+    in it. A line that names the acceleration too is the head of a table; a record matched to a spectrum is one."""
+    plain = stated_unit(head) is None
+    for line in head.splitlines():
+        other = None
+        if not _OF_A_TARGET.search(line):
+            other = _SPECTRUM.search(line) or (plain and _PERIOD.search(line))
+        if not other and not _ACCELERATION_WORD.search(line):
+            patterns = (_MOTION, _MOTION_UNIT, _MOTION_UNITS_OF)
+            other = next((found for pattern in patterns if (found := pattern.search(line))), None)
+        if other:
+            raise RecordError(
+                f"the header speaks of {other[0].strip('[()] ').lower()}: this is not an accelerogram; "
+                "take the acceleration file"
+            )
 
 
 def decode(content: bytes) -> list[str]:
@@ -103,19 +155,21 @@ def decode(content: bytes) -> list[str]:
             text = body.decode("utf-8")
         except UnicodeDecodeError:
             text = body.decode("latin-1")
-    return re.sub(r"\r*\n|\r", "\n", text).rstrip("\n").split("\n")
+    text = re.sub(r"\r+\n?", lambda run: "\n" * (1 if run[0][-1] == "\n" else len(run[0])), text)
+    return text.rstrip("\n").split("\n")
 
 
 def to_float(token: str) -> float:
     """One number of the grammar, D exponents included; raises RecordError beyond the doubles."""
     value = float(token.replace("D", "E").replace("d", "e"))
     if not math.isfinite(value):
-        raise RecordError(f"{token} is too large for a number")
+        raise RecordError(f"{quoted(token)} is too large for a number")
     return value
 
 
 def numbers(line: str) -> list[float] | None:
-    """All numbers of a line, also glued ones (`1.0E-08-2.0E-08`); None if anything else is there."""
+    """All numbers of a line, also those glued by a sign (`1.0E-08-2.0E-08`); None if anything else is there:
+    `1.52.5` is not two numbers."""
     if not _NUMBERS_ONLY.fullmatch(line):
         return None
     return [to_float(token) for token in _TOKEN.findall(line)]
@@ -145,7 +199,7 @@ def block(lines: list[str], first_line: int, declared: int, width: int | None = 
         if row is None:
             tokens = line.replace(",", " ").split()
             if not all(_NAN.fullmatch(token) or _TOKEN.fullmatch(token) for token in tokens):
-                raise RecordError(f"line {first_line + k}: {line.strip()[:60]!r} is not numbers")
+                raise RecordError(f"line {first_line + k}: {quoted(line)} is not numbers")
             row = [math.nan if _NAN.fullmatch(token) else to_float(token) for token in tokens]
         rows.append(row)
     values = np.array([value for row in rows for value in row])
@@ -171,4 +225,4 @@ def block(lines: list[str], first_line: int, declared: int, width: int | None = 
                 f"{values.size} samples, but the header declares {declared}: the file is cut"
             )
         warnings.append(notice("partial_last_line", found=values.size, declared=declared))
-    return Parsed(values, None, None, warnings=warnings)
+    return Parsed(values, None, None, warnings=warnings, counted=True)

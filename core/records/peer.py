@@ -10,6 +10,7 @@ from core.records.grammar import (
     Parsed,
     block,
     numbers,
+    refuse_other_quantity,
     stated_unit,
     to_float,
 )  # fmt: skip
@@ -39,6 +40,9 @@ def read(lines: list[str], options: Options) -> Parsed:
     other = _OTHER.search(" ".join(head))
     if other:
         raise RecordError(f"this file holds {other[1].lower()}: take the acceleration file (.AT2)")
+    refuse_other_quantity("\n".join(head))
+    if any(_KEYED.search(line) or _TRAILING.search(line) for line in lines[row + 1 :]):
+        raise RecordError("a second header stands among the samples: two records in one file")
     parsed = block(lines[row + 1 :], row + 2, declared)
     parsed.time_step = time_step
     parsed.unit = stated_unit("\n".join(head))

@@ -10,14 +10,15 @@ from core.records.grammar import (
     Options,
     Parsed,
     numbers,
+    quoted,
     refuse_other_quantity,
     stated_unit,
     to_float,
 )  # fmt: skip
 
 _TIME_STEP = re.compile(rf"\bdt\s*=\s*([0-9]+,[0-9]+|{NUMBER})\s*(ms\b)?", re.IGNORECASE)
-_NO_NUMBER = re.compile(rf"(?:{NUMBER}|[+-]?nan|[+-]?inf(?:inity)?|\*+|[,;\s])+", re.IGNORECASE)
-_DECIMAL_COMMA = re.compile(r"[+-]?[0-9]+(,[0-9]+)?([EeDd][+-]?[0-9]+)?")
+_NO_NUMBER = re.compile(rf"(?:{NUMBER}|[+-]?nan|[+-]?inf(?:inity)?|\*++|[,;\s]++)++", re.IGNORECASE)
+_DECIMAL_COMMA = re.compile(r"[+-]?+[0-9]++(,[0-9]++)?+([EeDd][+-]?+[0-9]++)?+")
 _INTEGER = re.compile(r"[0-9]+")
 
 
@@ -56,7 +57,7 @@ def read(lines: list[str], options: Options) -> Parsed:
         except RecordError as error:
             raise RecordError(f"line {k}: {error}") from None
         if row is None and _NO_NUMBER.fullmatch(text):
-            raise RecordError(f"line {k}: {text[:60]!r} is not numbers: a gap in the record?")
+            raise RecordError(f"line {k}: {quoted(text)} is not numbers: a gap in the record?")
         if row:
             rows.append(row)
             places.append(k)
@@ -64,9 +65,9 @@ def read(lines: list[str], options: Options) -> Parsed:
             # a title; a `npts dt` line above it belongs to the head as well
             head.append(text)
             if rows:
-                raise RecordError(f"line {k}: {text[:60]!r} is not numbers")
+                raise RecordError(f"line {k}: {quoted(text)} is not numbers")
         else:
-            raise RecordError(f"line {k}: {text[:60]!r} is not numbers")
+            raise RecordError(f"line {k}: {quoted(text)} is not numbers")
     refuse_other_quantity("\n".join(head))
     if not rows:
         raise RecordError("no numbers in this file")
@@ -101,6 +102,7 @@ def read(lines: list[str], options: Options) -> Parsed:
         values,
         stated,
         stated_unit("\n".join(head)),
+        counted=counted is not None and time_step is not None,
         details=tuple((f"line {k + 1}", text) for k, text in enumerate(head[:6])),
     )
 

@@ -4,7 +4,6 @@ import math
 
 from openpyxl.chart import ScatterChart
 
-from core.provenance import provenance
 from core.report.cells import (
     ACCELERATION,
     ACCENT,
@@ -148,7 +147,7 @@ def _wall(book: Book, sheet, wall: WallResult, check, row: int) -> int:
 
 
 def spectral_compatibility(book: Book, result: StudyResult) -> None:
-    """The rules of the codes one by one, the spectra, and what the files say of event and station."""
+    """The rules of the codes one by one, and the spectra."""
     say, found = book.say, result.compliance
     widths = [40, 30, 13, 13, 8, 15, 12, 12, 12]
     sheet = book.sheet("Spectral compatibility", "Compatibilità spettrale", widths, landscape=True)
@@ -193,8 +192,7 @@ def spectral_compatibility(book: Book, result: StudyResult) -> None:
         "senza FC."), 9, 140, color=QUIET)  # fmt: skip
     chart = _spectra(book, sheet, result)
     sheet.add_chart(chart, f"A{row + 1}")
-    _events(book, sheet, result, row + 22)
-    sheet.print_area = f"A1:I{row + 23 + len(result.motions)}"
+    sheet.print_area = f"A1:I{row + 22}"
 
 
 def _spectra(book: Book, sheet, result: StudyResult) -> ScatterChart:
@@ -220,25 +218,3 @@ def _spectra(book: Book, sheet, result: StudyResult) -> ScatterChart:
     if len(curves) > 10:
         chart.legend = None
     return chart
-
-
-def _events(book: Book, sheet, result: StudyResult, row: int) -> None:
-    """What the files say; cells they leave open are blank for the engineer."""
-    say = book.say
-    header(sheet, row, [
-        say("Record", "Accelerogramma"), say("Event and station", "Evento e stazione"),
-        say("Kind", "Tipo"), say("Factor", "Fattore"), say("Date", "Data"), say("Magnitude", "Magnitudo"),
-        say("Distance", "Distanza"), say("Soil", "Suolo"), say("Filter", "Filtro")], 1, 18)  # fmt: skip
-    for motion, kind in zip(result.motions, result.kinds, strict=True):
-        row += 1
-        where = provenance(motion)
-        text(sheet, row, 1, motion.name, wrap=True)
-        station = f"{where.event}, {where.station}".strip(", ")
-        text(sheet, row, 2, station, size=8, wrap=True)
-        heighten(sheet, row, (motion.name, 40), (station, 36))
-        text(sheet, row, 3, word(kind, book.language))
-        number(sheet, row, 4, result.demand.scaling(motion), ACCELERATION)
-        cells = (where.date, where.magnitude, where.distance_km, where.site_class, where.filter)
-        for column, value in enumerate(cells, start=5):
-            text(sheet, row, column, value, size=8, wrap=True)
-        rule(sheet, row, 1, 9)

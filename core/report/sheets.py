@@ -4,6 +4,7 @@ import math
 import platform
 
 from core.case import Case
+from core.provenance import provenance
 from core.report.cells import (
     ACCELERATION,
     BAD,
@@ -26,6 +27,7 @@ from core.restitution import MODELS
 from core.results import StudyResult
 from core.units import CM, G
 from core.version import NAME, VERSION, commit
+from core.words import word
 
 
 def mechanism_word(book: Book, mechanism: str) -> str:
@@ -148,8 +150,32 @@ def records(book: Book, result: StudyResult) -> None:
         for warning in motion.warnings:
             line = f"• {motion.name}: {warning.text(book.language)}"
             row = paragraph(sheet, row, line, len(widths), 150)
+    _provenance(book, sheet, result, row + 1)
     sheet.freeze_panes = "A4"
     sheet.print_title_rows = "3:3"
+
+
+def _provenance(book: Book, sheet, result: StudyResult, row: int) -> None:
+    """What the files say of event and station; what they leave open is blank for the engineer."""
+    say = book.say
+    header(sheet, row, [
+        say("Record", "Accelerogramma"), say("Event and station", "Evento e stazione"),
+        say("Kind", "Tipo"), say("Factor", "Fattore"), say("Date", "Data"), "", say("Magnitude", "Magnitudo"),
+        "", say("Distance", "Distanza"), "", say("Soil", "Suolo"), "", say("Filter", "Filtro")], 1, 18)  # fmt: skip
+    for motion, kind in zip(result.motions, result.kinds, strict=True):
+        row += 1
+        where = provenance(motion)
+        text(sheet, row, 1, motion.name, wrap=True)
+        station = f"{where.event}, {where.station}".strip(", ")
+        text(sheet, row, 2, station, size=8, wrap=True)
+        heighten(sheet, row, (motion.name, 24), (station, 40))
+        text(sheet, row, 3, word(kind, book.language))
+        if result.demand:
+            number(sheet, row, 4, result.demand.scaling(motion), ACCELERATION)
+        cells = (where.date, where.magnitude, where.distance_km, where.site_class, where.filter)
+        for column, value in zip((5, 7, 9, 11, 13), cells, strict=True):
+            text(sheet, row, column, value, size=8)
+        rule(sheet, row, 1, 13)
 
 
 def results(book: Book, result: StudyResult) -> None:

@@ -151,7 +151,7 @@ def _walls_table(book: Book, sheet, result: StudyResult, walls: list[WallResult]
     say = book.say
     header(sheet, row, [
         say("Wall", "Parete"), say("Mechanism", "Meccanismo"), "H [m]", "t [m]", "u [m]", "H/t",
-        "α [°]", "a_RM [g]", "W [kN]", "q", say("q robust", "q robusto"), "ζ_E",
+        "α [°]", "a_RM [g]", "W [kN]", "q", say("q robust", "q robusto"), "ζ",
         say("Verdict", "Esito")])  # fmt: skip
     for wall in walls:
         row += 1

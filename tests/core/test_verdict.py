@@ -160,6 +160,30 @@ def test_that_fc_on_the_other_side_is_said_where_it_decides_differently():
     assert "it is verified: zeta 1.08" in said(0.8, check={"zeta_other": capacity}).text_en
 
 
+def test_that_another_target_than_one_is_said():
+    found = said(
+        0.85, q2=0.9, zeta_target=0.8, check={"zeta_16": 0.78, "share_failing_at_demand": 0.2}
+    )
+    assert (
+        "zeta 0.85 (required 0.8)" in found.text_en
+        and "10 % of 0.8 of the demand 20% fail" in found.text_en
+    )
+    whole = said(1.1, q2=1.2, zeta_target=0.8, check={"holds": False})
+    assert any("fails at the demand itself" in reason[0] for reason in whole.reasons)
+
+
+def test_that_a_range_that_leaves_out_periods_that_matter_is_indicative():
+    asked = case()
+    rules = Compliance(None, None, None, None, (), 8, True, (0.4, 0.42), 0, (0.15, 2.5))
+    assert rules.narrow and not Compliance(None, None, None, None, (), 8, True).narrow
+    histories = DemandCheck("SLV", (), 0, 0.1, 0.1, "mean", 0.4, 1.3, True, True, zeta_16=1.2)
+    found = verdict(
+        asked.wall[0], "two_sided", demand_of(asked, None), (histories.as_check(),), histories, None, rules,
+        Circumstances(8), None,
+    )  # fmt: skip
+    assert found.code == "indicative" and "0.15 to 2.50 s" in found.reasons[0][0]
+
+
 def test_that_a_load_nobody_excluded_is_in_the_sentence():
     assert said(dynamic=1.2, q2=1.1).text_en.endswith(", if the wall carries no load.")
     assert said(dynamic=1.2, q2=1.1).text_it.endswith(", se la parete non porta carichi.")

@@ -76,3 +76,8 @@ def test_that_the_target_is_looked_at_itself():
         failures, asked = rule((0.5, math.inf))
         search_zeta(failures, 0.1, target)
         assert target in asked
+
+
+def test_that_a_failure_at_the_target_itself_is_seen_beside_a_zeta_beyond():
+    found = search_zeta(rule((0.995, 1.005), (1.3, math.inf))[0], 0.2, 1.0)
+    assert found.half > 1.25 and not found.holds_at_target

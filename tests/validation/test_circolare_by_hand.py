@@ -374,16 +374,35 @@ def test_that_a_search_that_ends_early_does_not_raise_zeta(tmp_path):
     assert short.zeta == pytest.approx(full.zeta, rel=0.05)
 
 
-def test_that_a_rule_failing_at_the_demand_is_never_verified(tmp_path):
-    """Also where fewer than half of the multipliers around the demand fail."""
-    wall = {"mechanism": "one_sided", "height_m": 4.0, "thickness_m": 0.45}
-    for ag in (0.33, 0.34, 0.35, 0.36):
-        found = (
-            study.run(case(wall, {"ag_g": ag}, generate={"count": 7}), base_dir=tmp_path)
-            .walls[0]
-            .assessment.dynamic
-        )
-        assert found.passed == (found.holds and found.zeta >= 1.0)
+def test_that_a_wall_elastic_up_to_d_slv_has_no_linear_check():
+    """12 x 0.40 m, E 200 MPa: T_0 = 6.9 s beyond T_SLV, where S_e(T_0) is next to nothing and would let a wall of
+    d_SLV / S_De = 0.47 pass."""
+    wall = {
+        "height_m": 12.0,
+        "thickness_m": 0.40,
+        "elastic_modulus_mpa": 200.0,
+        "unit_weight_kn_m3": 19.0,
+    }
+    found, demand = mechanism_of(case({**wall, "free_element": True}))
+    assert found.period_0 > found.period and found.missing == ("period_0",)
+    assert linear("linear_q_code", found, demand, 2.0) is None
+    check = nonlinear(found, demand)
+    assert check.zeta == pytest.approx(0.080 / 0.170, abs=2e-3) and check.passed is False
+
+
+def test_that_a_free_element_is_not_called_at_rest_by_the_pga(tmp_path):
+    """FC S a_g is below a_RM, but FC S_e(T_0) is not (C8.7.1.9)."""
+    wall = {
+        "height_m": 1.2,
+        "thickness_m": 0.35,
+        "elastic_modulus_mpa": 200.0,
+        "unit_weight_kn_m3": 18.0,
+    }
+    for kind in (wall, {k: v for k, v in wall.items() if k[0] != "e"}):
+        found = study.run(case(kind, {"ag_g": 0.16}), base_dir=tmp_path).walls[0].assessment
+        assert found.verdict.code != "not_activated"
+    held = study.run(case({**wall, "free_element": False}, {"ag_g": 0.16}), base_dir=tmp_path)
+    assert held.walls[0].assessment.verdict.code == "not_activated"
 
 
 def test_that_a_target_below_one_is_what_decides(tmp_path):
