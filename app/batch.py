@@ -70,6 +70,9 @@ def run_in(
         if books[0].set_aside:
             print(f"finished runs of an earlier start are in {books[0].set_aside}: to go on with "
                   "them, rename it and add --resume", file=sys.stderr)  # fmt: skip
+        if books[0].dropped:
+            print(f"{books[0].dropped} damaged line(s) of the journal were dropped: these runs are made again",
+                  file=sys.stderr)  # fmt: skip
         return books[0]
 
     with _interrupts(cancel), _progress(quiet) as show:
@@ -92,6 +95,8 @@ def run_in(
         write(result, folder, stem)
         for book in books:
             book.remove()
+    for note in case.table_notes[1:]:
+        print(f"{case.table}: {note.text()}", file=sys.stderr)
     if not quiet:
         say(summary(result, folder, stem))
     for wall, record, polarity, status in result.without_number:

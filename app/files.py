@@ -53,7 +53,8 @@ class Files:
     def recent(self) -> list[str]:
         """Names of the files of late; settings give a single one as text."""
         found = self.settings.value("recent") or []
-        return [found] if isinstance(found, str) else list(found)
+        found = [found] if isinstance(found, str) else found
+        return [name for name in found if isinstance(name, str)] if isinstance(found, list) else []
 
     def remember(self, path: Path) -> None:
         known = [name for name in self.recent if name != str(path)]
@@ -120,7 +121,11 @@ class Files:
 
     def export_refused(self) -> bool:
         """Whether there is nothing to export, or only results of an earlier input; says so."""
-        if self.session.result is None or self.session.stale or self.window.job is not None:
+        changed = self.window.records.changed_on_disk
+        if changed:
+            self.window.records.read_again()
+        stale = self.session.result is None or self.session.stale
+        if stale or changed or self.window.job is not None:
             reason = tr("The results are not of this input: run it first (F5).")
             QMessageBox.information(self.window, tr("Nothing exported"), reason)
             return True

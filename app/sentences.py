@@ -23,6 +23,11 @@ def speak(language: str) -> None:
     _spoken[:] = [language]
 
 
+def spoken() -> str:
+    """The language of the window."""
+    return _spoken[0]
+
+
 @cache
 def catalogue(language: str) -> list[tuple[re.Pattern, str, str]]:
     """(pattern, English, translation) of each sentence, those with most words of their own first."""

@@ -4,16 +4,21 @@ import contextlib
 import hashlib
 import json
 import os
+import secrets
 import time
 import tomllib
+import weakref
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import BinaryIO
 
 from core.case import Case, Record, Report, Wall
 from core.case_reader import draft_case, parse_case, read_case
 from core.case_writer import dumps, table_of
 from core.errors import InputError, OutputError
+from core.journal import lock
+from core.names import key_of, name_of
 from core.report import atomic
 from core.results import StudyResult
 
@@ -36,6 +41,10 @@ class Session:
         self.base_dir = Path.cwd()
         self.path: Path | None = None
         self.result: StudyResult | None = None
+        self.samples: set[str] | None = None
+        """Hashes of the records as they are on disk, None while they are not read."""
+        self.token = secrets.token_hex(8)
+        self._held: BinaryIO | None = None
         self._known: tuple | None = None
         self.generation = 0
         self._start(Case())
@@ -99,8 +108,14 @@ class Session:
 
     @property
     def stale(self) -> bool:
-        """Whether the result is of another case than the one shown."""
-        return self.result is not None and self.result.case != self.checked()
+        """Whether the result is of another case than the one shown, or of records that another program has
+        changed since."""
+        if self.result is None:
+            return False
+        if self.result.case != self.checked():
+            return True
+        used = {m.samples_sha256 for m in self.result.motions if m.format != "generated"}
+        return self.samples is not None and not used <= self.samples
 
     def _judged(self) -> tuple[Case | None, str | None]:
         """(the case as the batch would read it, None) or (None, the first broken rule)."""
@@ -151,10 +166,10 @@ class Session:
     def relative(self, path: Path) -> str:
         """A record's path as the case file will hold it."""
         if self.path is None:
-            return str(path.resolve())
+            return key_of(str(path.resolve()))
         with contextlib.suppress(ValueError):  # another drive
-            return Path(os.path.relpath(path, self.base_dir)).as_posix()
-        return str(path.resolve())
+            return key_of(Path(os.path.relpath(path, self.base_dir)).as_posix())
+        return key_of(str(path.resolve()))
 
     # files
 
@@ -235,11 +250,11 @@ class Session:
 
     @staticmethod
     def _seen(name: str, old: Path, new: Path) -> str:
-        """A path as seen from another folder."""
+        """A path, as a case holds it, as seen from another folder."""
         if new == old and not Path(name).is_absolute():
             return name
         with contextlib.suppress(ValueError):  # another drive
-            return Path(os.path.relpath(old / name, new)).as_posix()
+            return key_of(Path(os.path.relpath(old / name_of(name), new)).as_posix())
         return name
 
     @staticmethod
@@ -256,8 +271,16 @@ class Session:
 
     @property
     def swap(self) -> Path:
-        name = hashlib.sha256(str(self.path).encode()).hexdigest()[:16]
-        return self.swaps / f"{name}-{os.getpid()}.swap"
+        name = hashlib.sha256(os.fsencode(str(self.path))).hexdigest()[:16]
+        return self.swaps / f"{name}-{self.token}.swap"
+
+    def _hold(self) -> None:
+        """While this file is locked the swap files of this session are in use, whatever runs elsewhere."""
+        if self._held is None:
+            self.swaps.mkdir(parents=True, exist_ok=True)
+            self._held = open(self.swaps / f"{self.token}.lock", "ab")  # noqa: SIM115  (to the end)
+            weakref.finalize(self, self._held.close)
+            lock(self._held)
 
     def autosave(self) -> None:
         """Keep the unsaved case in the swap file; a full disk must not disturb the work."""
@@ -270,58 +293,81 @@ class Session:
             "case": dumps(self.case),
         }
         with contextlib.suppress(OSError, OutputError):
-            self.swaps.mkdir(parents=True, exist_ok=True)
+            self._hold()
             atomic.write({self.swap: json.dumps(content).encode()})
 
     def drop_swap(self) -> None:
         with contextlib.suppress(OSError):
             self.swap.unlink(missing_ok=True)
 
+    def close(self) -> None:
+        """The session ends: its lock goes, and its swap files are anybody's."""
+        if self._held is not None:
+            with contextlib.suppress(OSError):
+                (self.swaps / f"{self.token}.lock").unlink(missing_ok=True)
+            self._held.close()
+            self._held = None
+
     def recoverable(self) -> list[Path]:
-        """Swap files whose program is gone, the newest first."""
+        """Swap files whose session is gone, the newest first."""
         found = []
-        swaps = self.swaps.glob("*.swap") if self.swaps.exists() else []
-        for path in sorted(swaps, key=lambda swap: -swap.stat().st_mtime):
-            number = path.stem.rsplit("-", 1)[-1]
-            if number.isdigit() and int(number) != os.getpid() and not _alive(int(number)):
-                found.append(path)
-        return found
+        with contextlib.suppress(OSError):
+            for path in self.swaps.glob("*.swap"):
+                token = path.stem.rsplit("-", 1)[-1]
+                if token != self.token and path.is_file() and not self._in_use(token):
+                    found.append((path.stat().st_mtime, path))
+        return [path for _, path in sorted(found, key=lambda entry: -entry[0])]
+
+    def _in_use(self, token: str) -> bool:
+        """Whether the session of this token still holds its lock."""
+        place = self.swaps / f"{token}.lock"
+        try:
+            if not place.is_file():
+                return False
+            with open(place, "ab") as stream:
+                lock(stream)
+            place.unlink(missing_ok=True)
+        except OSError:
+            return True
+        return False
 
     @staticmethod
     def told(swap: Path) -> str:
         """Of which file a swap file is, and from when."""
         when = time.strftime("%Y-%m-%d %H:%M", time.localtime(swap.stat().st_mtime))
-        with contextlib.suppress(OSError, ValueError, KeyError, TypeError):
+        with contextlib.suppress(OSError, ValueError, KeyError, TypeError, RecursionError):
             return f"{json.loads(swap.read_text(encoding='utf-8'))['path'] or ''} {when}".strip()
         return when
 
     def recover(self, swap: Path) -> None:
-        """Take over the case of a swap file; the file it belongs to is untouched. Raises InputError."""
+        """Take over the case of a swap file; the file it belongs to is untouched, and what cannot be read stays
+        where it is. Raises InputError."""
         try:
             content = json.loads(swap.read_text(encoding="utf-8"))
             table = tomllib.loads(content["case"])
             base = Path(content["base_dir"])
-        except (OSError, ValueError, KeyError, TypeError) as error:
-            raise InputError(f"{swap}: this autosaved case cannot be read: {error}") from None
-        case = draft_case(table)
-        saved = Case()
-        path = Path(content["path"]) if content["path"] else None
-        if path and path.exists():
-            with contextlib.suppress(InputError):
-                saved = read_case(path)
+            path = Path(content["path"]) if content["path"] else None
+            if "\0" in f"{path}{base}":
+                raise ValueError("its path is no name of a file")
+            case, saved = draft_case(table), Case()
+            if path and path.exists():
+                with contextlib.suppress(InputError):
+                    saved = read_case(path)
+        except (
+            OSError,
+            ValueError,
+            KeyError,
+            TypeError,
+            AttributeError,
+            RecursionError,
+            OverflowError,
+        ) as error:
+            raise InputError(
+                f"{swap}: this autosaved case cannot be read: {str(error)[:200]}"
+            ) from None
         self._start(case)
         self.saved, self.path, self.base_dir = saved, path, base
-        swap.unlink(missing_ok=True)
+        self.autosave()  # before the other goes: a kill in between loses nothing
+        with contextlib.suppress(OSError):
+            swap.unlink(missing_ok=True)
         self.changed()
-
-
-def _alive(number: int) -> bool:
-    if os.name == "nt":
-        return False
-    try:
-        os.kill(number, 0)
-    except ProcessLookupError:
-        return False
-    except PermissionError:
-        return True
-    return True

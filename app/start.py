@@ -1,5 +1,6 @@
 """The start of the window: application, theme, language, recovery, kernels, errors of slots."""
 
+import contextlib
 import gc
 import os
 import sys
@@ -25,7 +26,7 @@ def offer_recovery(window: MainWindow) -> None:
         answer = QMessageBox.question(
             window, tr("Autosaved case found"),
             tr("The program ended without saving. Bring back the unsaved case?") + f"\n{window.session.told(swap)}",
-            button.Yes | button.No,
+            button.Yes | button.Discard | button.Cancel, button.Yes,
         )  # fmt: skip
         if answer == button.Yes:
             try:
@@ -33,7 +34,10 @@ def offer_recovery(window: MainWindow) -> None:
                 return
             except InputError as error:
                 QMessageBox.warning(window, tr("Not opened"), translated(error))
-        swap.unlink(missing_ok=True)
+        elif answer == button.Discard:
+            with contextlib.suppress(OSError):
+                swap.unlink(missing_ok=True)
+        # anything else, Esc among it, is no order to discard: asked again at the next start
 
 
 def install_hook(window: MainWindow) -> None:
@@ -49,6 +53,12 @@ def install_hook(window: MainWindow) -> None:
     sys.excepthook = hook
 
 
+def chosen(settings: QSettings, key: str, names) -> str | None:
+    """A setting that is one of these names; None for anything else a file may hold."""
+    value = settings.value(key)
+    return value if isinstance(value, str) and value in names else None
+
+
 def make(arguments: list[str] | None = None) -> tuple[QApplication, MainWindow]:
     """The application and its window, not shown yet."""
     application = QApplication.instance() or QApplication(arguments or sys.argv[:1])
@@ -57,8 +67,10 @@ def make(arguments: list[str] | None = None) -> tuple[QApplication, MainWindow]:
     folder = Path(QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppDataLocation))
     folder.mkdir(parents=True, exist_ok=True)
     settings = QSettings(str(folder / "window.ini"), QSettings.Format.IniFormat)
-    theme.set_theme(settings.value("theme") or "light")
-    language.set_language(settings.value("language") or language.system_language())
+    theme.set_theme(chosen(settings, "theme", theme.THEMES) or "light")
+    language.set_language(
+        chosen(settings, "language", language.LANGUAGES) or language.system_language()
+    )
     return application, MainWindow(settings, folder / "autosave")
 
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pyqtgraph as pg
-from PySide6.QtCore import QByteArray, QSettings, QTimer
+from PySide6.QtCore import QByteArray, QEvent, QSettings, QTimer
 from PySide6.QtWidgets import (
     QComboBox,
     QDockWidget,
@@ -68,7 +68,9 @@ class MainWindow(QMainWindow):
     def build(self) -> None:
         """Everything that speaks or has a colour; again after a change of language or theme."""
         pg.setConfigOptions(antialias=True, exitCleanup=False)
-        self.language = self.settings.value("language") or language.system_language()
+        asked = self.settings.value("language")
+        known = isinstance(asked, str) and asked in language.LANGUAGES
+        self.language = asked if known else language.system_language()
         for dock in self.findChildren(QDockWidget):
             self.removeDockWidget(dock)
             dock.setParent(None)
@@ -182,7 +184,15 @@ class MainWindow(QMainWindow):
         menus.show_recent(self)
         self.preparation.go_on()
 
+    def changeEvent(self, event) -> None:
+        """Back from another program: has it changed a record?"""
+        super().changeEvent(event)
+        back = event.type() == QEvent.Type.ActivationChange and self.isActiveWindow()
+        if back and self.job is None and not self.records.pending:
+            self.records.read_again()
+
     def records_loaded(self) -> None:
+        self.refresh()
         self.preparation.go_on()
         if self.tabs.currentWidget() is self.pages["spectra"]:
             self._show_spectra()
@@ -381,6 +391,7 @@ class MainWindow(QMainWindow):
             return
         self.timer.stop()
         self.session.drop_swap()
+        self.session.close()
         self.settings.setValue("geometry", self.saveGeometry())
         self.settings.setValue("state", self.saveState())
         event.accept()

@@ -26,6 +26,11 @@ def _text(default=""):
     return field(default=default, metadata={"kind": "text"})
 
 
+def _path(default):
+    """A name of a file: longer than other text, and with any letter the system allows."""
+    return field(default=default, metadata={"kind": "path"})
+
+
 def _flag(default=False):
     return field(default=default, metadata={"kind": "flag"})
 
@@ -191,7 +196,7 @@ class Wall:
 class Record:
     """[[record]]: a file or a glob, and only what the file does not say."""
 
-    file: str = _text(MISSING)
+    file: str = _path(MISSING)
     unit: str | None = _choice("g", "m/s2", "cm/s2", "mm/s2", default=None)
     time_step_s: float | None = _number(1e-5, 0.5, unit="s")
     column: int | None = _number(1, 100, whole=True)
@@ -242,7 +247,7 @@ class Demand:
     limit_state: str = _choice("SLV", "SLC", "SLD", default="SLV")
     soil_factor: float | None = _number(0.5, 5.0)
     spectrum: Spectrum | None = field(default=None, metadata={"kind": "spectrum"})
-    spectrum_file: str | None = field(default=None, metadata={"kind": "text"})
+    spectrum_file: str | None = _path(None)
     housner_intensity_cm: float | None = _number(0.1, 5000.0, unit="cm")
     q_code: float = _number(1.0, 10.0, 2.0)
     confidence_factor: float = _number(1.0, 1.35, 1.35)
@@ -266,27 +271,33 @@ class Demand:
         return return_period(self.nominal_life_years * self.use_class_factor, self.limit_state)
 
 
+OWN_FIELDS = ("sha256", "given", "table", "table_notes")
+"""Fields of a Case that are no keys of a file."""
+
+
 @dataclass(frozen=True)
 class Case:
     """One study. sha256 : of the file it was read from, else of its content; given : places
-    (section, index, key) the user wrote; table : of walls they came from, "" if none."""
+    (section, index, key) the user wrote; table : of walls they came from, "" if none; table_notes : Notices on it."""
 
     title: str = _text("Ribalta")
     report: Report = field(default_factory=Report)
     wall: tuple[Wall, ...] = ()
     record: tuple[Record, ...] = ()
-    walls: str | None = field(default=None, metadata={"kind": "text"})
+    walls: str | None = _path(None)
     generate: Generate | None = None
     analysis: Analysis = field(default_factory=Analysis)
     demand: Demand | None = None
     sha256: str = field(default="", compare=False)
     given: frozenset = field(default=frozenset(), compare=False)
     table: str = field(default="", compare=False)
+    table_notes: tuple = field(default=(), compare=False)
 
     def as_dict(self) -> dict:
         """Keys and values as in the file, defaults filled, None where nothing is given."""
         content = asdict(self)
-        del content["sha256"], content["given"], content["table"]
+        for name in OWN_FIELDS:
+            del content[name]
         return content
 
     def differing(self) -> set[tuple]:

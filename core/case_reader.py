@@ -11,6 +11,7 @@ from pathlib import Path
 
 from core.case import (
     LEAST_ELASTIC,
+    OWN_FIELDS,
     Analysis,
     Case,
     Demand,
@@ -23,8 +24,16 @@ from core.case import (
 from core.errors import InputError
 from core.limits import EXCEEDANCE, return_period
 from core.moment_rotation import LAWS
+from core.names import is_text, name_of
 
-MAX_TEXT = 500
+MAX_TEXT, MAX_PATH = 500, 12_000
+"""Characters of a text and of a name of a file, each byte of which may take three (`names.key_of`)."""
+
+MAX_BYTES = 5_000_000
+"""A case file is a page or two; a larger file is something else."""
+
+SHOWN = 100
+"""Characters of a value repeated in a sentence."""
 
 FULL_FACTOR = 1.35
 """Confidence factor where the compressive strength is not in alpha (Circolare 7/2019 C8.7.1.2.1)."""
@@ -52,6 +61,10 @@ def read_case(path: Path) -> Case:
     try:
         if path.exists() and not path.is_file():
             raise InputError(f"{path}: this is not a file and cannot be read: name a case (.toml)")
+        if path.stat().st_size > MAX_BYTES:
+            raise InputError(
+                f"{path}: {path.stat().st_size / 1e6:.0f} MB is no case file (up to 5 MB)"
+            )
         content = path.read_bytes()
     except FileNotFoundError:
         raise InputError(f"{path}: there is no such case file") from None
@@ -62,7 +75,7 @@ def read_case(path: Path) -> Case:
     except UnicodeDecodeError:
         raise InputError(f"{path}: not UTF-8 text: a case file is TOML, see the examples") from None
     except (ValueError, RecursionError) as error:
-        reason = str(error).split("; use sys")[0]
+        reason = str(error).split("; use sys")[0][:200]
         raise InputError(
             f"{path}: not TOML: {reason}; see the examples in resources/cases"
         ) from None
@@ -70,12 +83,14 @@ def read_case(path: Path) -> Case:
         case = parse_case(table)
         digest = hashlib.sha256(content)
         if case.walls is not None:
-            from core.wall_table import read_walls
+            from core.wall_table import read_table
 
-            source = path.parent / case.walls
-            walls = read_walls(source, case.demand is not None)
+            source = path.parent / name_of(case.walls)
+            walls, notes = read_table(source, case.demand is not None)
             digest.update(source.read_bytes())
-            case = replace(with_walls(case, [*case.wall, *walls]), table=case.walls)
+            case = replace(
+                with_walls(case, [*case.wall, *walls]), table=case.walls, table_notes=tuple(notes)
+            )
         return replace(case, sha256=digest.hexdigest())
     except InputError as error:
         raise InputError(f"{path}: {error}") from None
@@ -133,7 +148,7 @@ def draft_case(table: dict) -> Case:
 
     def section(cls, content, name):
         if not isinstance(content, dict):
-            raise InputError(f"{name} must be a table of keys, not {content!r}")
+            raise InputError(f"{name} must be a table of keys, not {_repeated(content)}")
         _known(cls, content, name, name)
         for entry in fields(cls):
             # what breaks a rule with others may be work in progress, what is of another kind is not
@@ -283,7 +298,8 @@ def _tables(table: dict, key: str) -> list:
 
 
 def _name(entry, index: int):
-    return entry.get("name", index + 1) if isinstance(entry, dict) else index + 1
+    name = entry.get("name") if isinstance(entry, dict) else None
+    return name[:SHOWN] if isinstance(name, str) else index + 1
 
 
 def _field(cls, key: str):
@@ -291,19 +307,19 @@ def _field(cls, key: str):
 
 
 def _known(cls, table: dict, section: str, place: str) -> None:
-    keys = [entry.name for entry in fields(cls) if entry.name not in ("sha256", "given", "table")]
+    keys = [entry.name for entry in fields(cls) if entry.name not in OWN_FIELDS]
     for key in table:
         if key in LATER.get(section, ()):
             raise InputError(f"{place}: {key} is not built yet in this version: leave it out")
         if key not in keys:
             near = difflib.get_close_matches(key, keys + list(LATER.get(section, ())), 1)
             hint = f"; did you mean {near[0]}?" if near else f"; known: {', '.join(keys)}"
-            raise InputError(f"{place}: unknown key {key!r}{hint}")
+            raise InputError(f"{place}: unknown key {_repeated(key)}{hint}")
 
 
 def _section(cls, table, section: str, place: str):
     if not isinstance(table, dict):
-        raise InputError(f"{place} must be a table of keys, not {table!r}")
+        raise InputError(f"{place} must be a table of keys, not {_repeated(table)}")
     _known(cls, table, section, place)
     values = {}
     for entry in fields(cls):
@@ -339,6 +355,8 @@ def _accepted(entry) -> str:
         return f"two periods [low, high] in s, rising, from {PERIOD_LIMITS[0]:g} to {PERIOD_LIMITS[1]:g}"
     if rule["kind"] == "law":
         return f"one of {', '.join(LAWS)}, or {{ elastic_limit = ..., plateau_end = ... }}"
+    if rule["kind"] == "path":
+        return "the name of a file in quotes"
     return f"text in quotes, up to {MAX_TEXT} characters, without control characters"
 
 
@@ -358,8 +376,12 @@ def _value(entry, value, place: str):
     elif kind == "text":
         if isinstance(value, datetime.date):
             value = value.isoformat()
-        printable = isinstance(value, str) and all(letter.isprintable() for letter in value)
-        if printable and len(value) <= MAX_TEXT and (value or entry.default is not MISSING):
+        printable = isinstance(value, str) and len(value) <= MAX_TEXT and is_text(value)
+        if printable and (value or entry.default is not MISSING):
+            return value
+    elif kind == "path":
+        named = isinstance(value, str) and 0 < len(value) <= MAX_PATH and "\0" not in value
+        if named and name_of(value):
             return value
     elif kind == "flag":
         if isinstance(value, bool):
@@ -380,7 +402,16 @@ def _value(entry, value, place: str):
             if LEAST_ELASTIC <= first <= last < 1.0:
                 return {"elastic_limit": float(first), "plateau_end": float(last)}
             raise InputError(
-                f"{place}: elastic_limit = {first!r}, plateau_end = {last!r} are not accepted: "
+                f"{place}: elastic_limit = {_repeated(first)}, plateau_end = {_repeated(last)} are not accepted: "
                 f"{LEAST_ELASTIC:g} <= elastic_limit <= plateau_end < 1"
             )
-    raise InputError(f"{place} = {value!r} is not accepted: {_accepted(entry)}")
+    raise InputError(f"{place} = {_repeated(value)} is not accepted: {_accepted(entry)}")
+
+
+def _repeated(value) -> str:
+    """A value in a sentence, not longer than needed to know it."""
+    try:
+        words = repr(value)
+    except (ValueError, RecursionError):  # an integer of thousands of digits
+        words = f"a {type(value).__name__} too long to show"
+    return words if len(words) <= SHOWN else words[:SHOWN] + "…"

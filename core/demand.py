@@ -12,6 +12,7 @@ from core.case import Case
 from core.case import Demand as Asked
 from core.errors import InputError
 from core.ground_motion import GroundMotion
+from core.names import name_of
 from core.notices import Notice, notice
 from core.number import parse_number
 from core.target_spectrum import Target
@@ -57,7 +58,7 @@ def target_of(asked: Asked, base_dir: Path) -> Target | None:
     """The elastic spectrum of a demand. Raises InputError."""
     ag = asked.ag_g * G
     if asked.spectrum_file:
-        path = base_dir / asked.spectrum_file
+        path = base_dir / name_of(asked.spectrum_file)
         return target_spectrum.given(asked.spectrum_file, ag, asked.soil_factor or 1.0, _rows(path))
     chosen = asked.spectrum
     if chosen is None:

@@ -20,4 +20,4 @@ class Cancelled(Exception):
 def require(condition: bool, name: str, value, accepted: str) -> None:
     """Raise InputError naming the field, its value and what is accepted, unless condition holds."""
     if not condition:
-        raise InputError(f"{name} = {value!r} is not accepted: {accepted}")
+        raise InputError(f"{name} = {repr(value)[:100]} is not accepted: {accepted}")

@@ -1,5 +1,8 @@
 """Journal of finished runs: one line each, on disk before the next, so that a killed batch resumes."""
 
+import contextlib
+import errno
+import hashlib
 import json
 import os
 import threading
@@ -11,58 +14,69 @@ from core.errors import OutputError
 class Journal:
     """Finished runs by key. key : of case, samples and version; another key starts it anew.
 
-    set_aside : where the finished runs of an earlier start went that is not resumed, or None.
+    Each line carries a hash of itself: one that is damaged is dropped, and its run is made again.
+    set_aside : where the finished runs of an earlier start went that is not resumed, or None; dropped : lines
+    that were damaged. Raises OutputError for a file of somebody else, and while another batch writes it.
     """
 
     def __init__(self, path: Path, key: str, resume: bool):
-        self.path, self.found, good = path, {}, 0
+        self.path, self.found, self.dropped = path, {}, 0
         self.set_aside: Path | None = None
         try:
-            if path.is_symlink():
-                path.unlink()
-            if path.exists():
-                good = self._read(path.read_bytes(), key)
-            if self.found and not resume:
-                self.set_aside = path.with_name(path.name + ".old")
-                os.replace(path, self.set_aside)
-                self.found, good = {}, 0
-            self._stream = path.open("r+b" if good else "wb")
-            # drop a line cut by a kill before writing on
-            self._stream.seek(good)
-            self._stream.truncate()
-            if not good:
-                self._write({"journal": key})
+            self._stream = open(path, "a+b", buffering=0)  # noqa: SIM115  (held to the end of the batch)
+            self._begin(key, resume)
         except OSError as error:
             raise OutputError(f"{path}: the journal cannot be written: {error.strerror}") from None
 
-    def _read(self, content: bytes, key: str) -> int:
-        """Load whole lines; returns the bytes they take, 0 if the journal is of another study."""
-        good = 0
-        for k, line in enumerate(content.split(b"\n")[:-1]):
-            try:
-                entry = json.loads(line)
-            except ValueError:
-                break
-            if k == 0 and entry != {"journal": key}:
-                return 0
-            if k > 0:
-                if not isinstance(entry, dict) or "result" not in entry:
-                    break
-                self.found[entry["run"]] = entry["result"]
-            good += len(line) + 1
-        return good
+    def _begin(self, key: str, resume: bool) -> None:
+        try:
+            lock(self._stream)
+        except OSError:
+            self._stream.close()
+            raise OutputError(
+                f"{self.path}: another batch is writing these results: wait for it, or give another --output"
+            ) from None
+        self._stream.seek(0)
+        content = self._stream.readall()
+        head, *lines = content.split(b"\n")
+        if not ours(content):
+            self._stream.close()
+            raise OutputError(
+                f"{self.path}: this file is no journal of Ribalta and stays as it is: rename it, or give "
+                "another --output"
+            )
+        good = []
+        if _parsed(head) == {"journal": key}:
+            # what a kill cut off has no line end
+            for line in lines[:-1] if lines else []:
+                entry = _parsed(line)
+                if entry and entry.get("hash") == _hash(entry):
+                    self.found[entry["run"]] = entry["result"]
+                    good.append(line)
+                else:
+                    self.dropped += 1
+        if self.found and not resume:
+            self.set_aside = free_name(self.path)
+            self.set_aside.write_bytes(content)
+            self.found, self.dropped, good = {}, 0, []
+        whole = b"\n".join([json.dumps({"journal": key}).encode(), *good, b""])
+        if whole != content:
+            self._stream.truncate(0)
+            self._put(whole)
 
-    def _write(self, entry: dict) -> None:
-        self._stream.write(json.dumps(entry).encode() + b"\n")
-        self._stream.flush()
+    def _put(self, content: bytes) -> None:
+        """Append, on disk when this returns; raises OSError where not all of it could be written."""
+        while content:
+            content = content[self._stream.write(content) :]
         os.fsync(self._stream.fileno())
 
     def get(self, run: str) -> dict | None:
         return self.found.get(run)
 
     def add(self, run: str, result: dict) -> None:
+        entry = {"run": run, "result": result}
         try:
-            self._write({"run": run, "result": result})
+            self._put(json.dumps({**entry, "hash": _hash(entry)}).encode() + b"\n")
         except OSError as error:
             raise OutputError(
                 f"{self.path}: the journal cannot be written: {error.strerror}"
@@ -72,8 +86,52 @@ class Journal:
         self._stream.close()
 
     def remove(self) -> None:
+        """The batch is done; the file goes while nobody else can hold it."""
+        with contextlib.suppress(OSError):
+            self.path.unlink(missing_ok=True)
         self.close()
-        self.path.unlink(missing_ok=True)
+
+
+def ours(content: bytes) -> bool:
+    """Whether a file is a journal, or what a kill left of one."""
+    head = b'{"journal": "'
+    return content[: len(head)] == head[: len(content)]
+
+
+def free_name(path: Path) -> Path:
+    """`<path>.old`, or the first `.old2`, `.old3` that is not somebody else's file."""
+    for k in range(1, 1000):
+        place = path.with_name(f"{path.name}.old{k if k > 1 else ''}")
+        if not place.exists() or (place.is_file() and ours(place.read_bytes()[:64])):
+            return place
+    raise OSError(errno.EEXIST, os.strerror(errno.EEXIST), str(path))
+
+
+def lock(stream) -> None:
+    """Hold a file for this process alone, until it is closed; raises OSError where another one does."""
+    if os.name == "nt":
+        import msvcrt
+
+        stream.seek(0)
+        msvcrt.locking(stream.fileno(), msvcrt.LK_NBLCK, 1)
+    else:
+        import fcntl
+
+        fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
+
+
+def _parsed(line: bytes) -> dict | None:
+    try:
+        entry = json.loads(line)
+    except (ValueError, RecursionError):
+        return None
+    return entry if isinstance(entry, dict) else None
+
+
+def _hash(entry: dict) -> str:
+    """Of what a line says, whatever its hash."""
+    content = json.dumps([entry.get("run"), entry.get("result")])
+    return hashlib.sha256(content.encode()).hexdigest()[:16]
 
 
 class Memory:

@@ -79,16 +79,19 @@ def prepare(base: Path, stamp: str) -> Path:
 
 
 def _hashes(folder: Path) -> dict[str, str]:
-    files = sorted(folder.glob("*.nb[ic]"))
+    files = sorted(file for file in folder.glob("*.nb[ic]") if file.is_file())
     return {file.name: hashlib.sha256(file.read_bytes()).hexdigest() for file in files}
 
 
 def drop_damaged(folder: Path) -> None:
     """Delete what is not as this program left it: numba then compiles it again."""
     try:
-        known = json.loads((folder / MANIFEST).read_bytes())
-    except (OSError, ValueError):
+        known = json.loads(_content(folder / MANIFEST))
+    except (ValueError, RecursionError):
         known = {}
+    for odd in folder.iterdir():
+        if not odd.is_file():  # a pipe or a folder, at which a program could wait for ever
+            shutil.rmtree(odd) if odd.is_dir() and not odd.is_symlink() else odd.unlink()
     for name, digest in _hashes(folder).items():
         if not isinstance(known, dict) or known.get(name) != digest:
             (folder / name).unlink(missing_ok=True)
@@ -97,18 +100,18 @@ def drop_damaged(folder: Path) -> None:
 def record(folder: Path) -> None:
     """Write the hashes of the cache's files, atomically."""
     try:
-        content = json.dumps(_hashes(folder))
-        if not folder.exists() or content == _text(folder / MANIFEST):
+        content = json.dumps(_hashes(folder)).encode()
+        if not folder.exists() or content == _content(folder / MANIFEST):
             return
         temporary = folder / f"{MANIFEST}.{os.getpid()}"
-        temporary.write_text(content)
+        temporary.write_bytes(content)
         os.replace(temporary, folder / MANIFEST)
     except OSError:
         pass
 
 
-def _text(path: Path) -> str:
-    return path.read_text() if path.exists() else ""
+def _content(path: Path) -> bytes:
+    return path.read_bytes() if path.is_file() else b""
 
 
 BESIDE = "RIBALTA_KERNELS_BESIDE"

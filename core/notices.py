@@ -37,6 +37,18 @@ SENTENCES = {
         "a_g = {ag:.3g} g is above 0.6 g: m/s2 or % instead of g, or S counted in it?",
         "a_g = {ag:.3g} g supera 0.6 g: m/s² o % al posto di g, oppure S già compreso?",
     ),
+    "table_sheet": (
+        "Walls read from the sheet {sheet}.",
+        "Pareti lette dal foglio {sheet}.",
+    ),
+    "hidden_rows": (
+        "Hidden rows of the table of walls were not read: {rows}.",
+        "Righe nascoste della tabella delle pareti non lette: {rows}.",
+    ),
+    "other_sheets": (
+        "Other sheets of the table of walls were not read: {names}.",
+        "Altri fogli della tabella delle pareti non letti: {names}.",
+    ),
     "weaker_records": (
         "The records as given have a mean PGA of {share:.0%} of a_g S: the dynamic check is not at the demand.",
         "I record così come dati hanno PGA media pari al {share:.0%} di a_g S: la verifica dinamica non è alla "

@@ -8,18 +8,23 @@ from core.errors import InputError
 _NUMBER = re.compile(r"[+-]?([0-9]+([.,][0-9]*)?|[.,][0-9]+)([eE][+-]?[0-9]{1,3})?", re.ASCII)
 
 
+SHOWN = 60
+"""Characters of a text repeated in a sentence."""
+
+
 def parse_number(text: str) -> float:
     """`0.312` and `0,312` both mean 0.312. Raises InputError for both marks at once, for a mark used twice,
     and for anything that is not a finite number."""
     bare = text.strip().replace("−", "-")
+    text = bare if len(bare) <= SHOWN else bare[:SHOWN] + "…"
     if "." in bare and "," in bare:
         raise InputError(
-            f"{text.strip()!r} has both a point and a comma: write it with one decimal mark and no "
+            f"{text!r} has both a point and a comma: write it with one decimal mark and no "
             "thousands mark"
         )
     if not _NUMBER.fullmatch(bare):
-        raise InputError(f"{text.strip()!r} is not a number")
+        raise InputError(f"{text!r} is not a number")
     value = float(bare.replace(",", "."))
     if not math.isfinite(value):
-        raise InputError(f"{text.strip()!r} is too large a number")
+        raise InputError(f"{text!r} is too large a number")
     return value

@@ -10,6 +10,7 @@ from pathlib import Path
 from core.case import Wall
 from core.case_reader import BASE_MISSING, parse_wall
 from core.errors import InputError
+from core.notices import Notice, notice
 from core.number import parse_number
 
 COLUMNS = {
@@ -57,22 +58,27 @@ MOST_ROWS, MOST_COLUMNS, MOST_BYTES = 2000, 40, 20_000_000
 
 
 def read_walls(path: Path, with_demand: bool = False) -> list[Wall]:
-    """The walls of a table. with_demand : the height of the base is needed. Raises InputError in one
-    sentence: file, row, column, what is accepted."""
+    """The walls of `read_table`."""
+    return read_table(path, with_demand)[0]
+
+
+def read_table(path: Path, with_demand: bool = False) -> tuple[list[Wall], list[Notice]]:
+    """The walls of a table, and what was read and passed over: sheet, hidden rows, other sheets. with_demand :
+    the height of the base is needed. Raises InputError in one sentence: file, row, column, what is accepted."""
     try:
         if path.exists() and not path.is_file():
             raise InputError("this is not a file: name a table of walls")
         size = path.stat().st_size
         if size > MOST_BYTES:
             raise InputError(f"{size / 1e6:.0f} MB is no table of walls (up to 20 MB)")
-        content = path.read_bytes()
+        content, notes = path.read_bytes(), []
         if path.suffix.lower() == ".xlsx":
-            rows = _xlsx_rows(content)
+            rows, notes = _xlsx_rows(content)
         elif path.suffix.lower() in (".csv", ".txt"):
             rows = text_rows(_decoded(content))
         else:
             raise InputError("a table of walls is .xlsx or .csv")
-        return walls_of(rows, with_demand)
+        return walls_of(rows, with_demand), notes
     except FileNotFoundError:
         raise InputError(f"{path}: there is no such table of walls") from None
     except OSError as error:
@@ -83,6 +89,10 @@ def read_walls(path: Path, with_demand: bool = False) -> list[Wall]:
 
 def _decoded(content: bytes) -> str:
     try:
+        if content[:2] in (b"\xff\xfe", b"\xfe\xff"):  # "Unicode text" of Excel
+            return content.decode("utf-16")
+        if b"\0" in content:
+            raise InputError("this is no text: save the table as .xlsx or as CSV UTF-8")
         return content.decode("utf-8-sig")
     except UnicodeDecodeError:
         return content.decode("cp1252", errors="replace")
@@ -100,8 +110,9 @@ def text_rows(text: str) -> list[list[str]]:
         raise InputError(f"not a table: {error}") from None
 
 
-def _xlsx_rows(content: bytes) -> list[list[str]]:
-    """Cells of the first sheet as text. Raises InputError for what a table of walls never holds."""
+def _xlsx_rows(content: bytes) -> tuple[list[list[str]], list[Notice]]:
+    """Cells of the first sheet that is shown as text, hidden rows left empty, and what is to be said of it.
+    Raises InputError for what a table of walls never holds."""
     try:
         with zipfile.ZipFile(io.BytesIO(content)) as folder:
             if sum(entry.file_size for entry in folder.infolist()) > MOST_BYTES:
@@ -112,12 +123,18 @@ def _xlsx_rows(content: bytes) -> list[list[str]]:
         from openpyxl import load_workbook
 
         book = load_workbook(io.BytesIO(content), read_only=True, keep_links=False)
-        sheet = book.worksheets[0]
+        shown = [sheet for sheet in book.worksheets if sheet.sheet_state == "visible"]
+        if not shown:
+            raise InputError("every sheet is hidden: show the one with the walls")
+        sheet = shown[0]
         sheet.reset_dimensions()  # the tag that states them can lie
-        rows = []
+        rows, hidden = [], _hidden_rows(content, book, sheet.title)
         for number, row in enumerate(sheet.iter_rows(max_col=10 * MOST_COLUMNS), start=1):
             if number > MOST_ROWS:
                 raise InputError(f"more than {MOST_ROWS} rows")
+            if number in hidden:
+                rows.append([])
+                continue
             for cell in row:
                 if cell.data_type == "f":
                     raise InputError(
@@ -127,7 +144,14 @@ def _xlsx_rows(content: bytes) -> list[list[str]]:
             while cells and not cells[-1]:
                 cells.pop()
             rows.append(cells)
-        return rows
+        notes = [notice("table_sheet", sheet=sheet.title[:31])]
+        if hidden & set(range(1, len(rows) + 1)):
+            kept = ", ".join(str(k) for k in sorted(hidden)[:20])
+            notes.append(notice("hidden_rows", rows=kept))
+        others = [other.title[:31] for other in book.worksheets if other is not sheet]
+        if others:
+            notes.append(notice("other_sheets", names=", ".join(others[:10])))
+        return rows, notes
     except InputError:
         raise
     except (zipfile.BadZipFile, KeyError, ValueError, TypeError, IndexError, AttributeError,
@@ -135,6 +159,25 @@ def _xlsx_rows(content: bytes) -> list[list[str]]:
         raise InputError(
             f"not a workbook Excel could have saved ({type(error).__name__})"
         ) from None
+
+
+_ROW = re.compile(rb"<row\b([^>]*)>")
+_HIDDEN = re.compile(rb'\bhidden="(?:1|true)"')
+_NUMBER_OF_ROW = re.compile(rb'\br="([0-9]{1,7})"')
+
+
+def _hidden_rows(content: bytes, book, title: str) -> set[int]:
+    """Numbers of the rows of a sheet that are not shown, which the reader of cells does not tell."""
+    with zipfile.ZipFile(io.BytesIO(content)) as folder:
+        place = book[title]._worksheet_path.lstrip("/")
+        sheet = folder.read(place)
+    found, number = set(), 0
+    for match in _ROW.finditer(sheet):
+        stated = _NUMBER_OF_ROW.search(match[1])
+        number = int(stated[1]) if stated else number + 1
+        if _HIDDEN.search(match[1]):
+            found.add(number)
+    return found
 
 
 def walls_of(rows: list[list[str]], with_demand: bool = False) -> list[Wall]:
@@ -149,7 +192,7 @@ def walls_of(rows: list[list[str]], with_demand: bool = False) -> list[Wall]:
     if len(rows) > MOST_ROWS or len(rows[0][1]) > 4 * MOST_COLUMNS:
         raise InputError(f"more than {MOST_ROWS} rows or {4 * MOST_COLUMNS} columns")
     keys = _heads(rows[0][1])
-    factors = _factors(keys, rows[1][1])
+    factors = _factors(keys, rows[1][1], rows[0][1])
     walls = []
     for number, row in rows[2:]:
         if any(cell for cell in row[len(keys) :]):
@@ -177,25 +220,36 @@ def _heads(cells: list[str]) -> list[str | None]:
         name = re.sub(r"\s*[\[(].*", "", cell).strip().lower()
         if name not in known:
             raise InputError(
-                f"the column {cell!r} is not known: Parete, Piano, z, H, t, L, peso specifico, u, "
+                f"the column {cell[:60]!r} is not known: Parete, Piano, z, H, t, L, peso specifico, u, "
                 f"meccanismo, vincolo, note, or a key of [[wall]] ({', '.join(COLUMNS)})"
             )
         if known[name] in keys:
-            raise InputError(f"the column {cell!r} stands there twice")
+            raise InputError(f"the column {cell[:60]!r} stands there twice")
         keys.append(known[name])
     return keys
 
 
-def _factors(keys: list, cells: list[str]) -> list[float]:
-    """What each column is multiplied with: its unit to that of its key."""
+_HEAD_UNIT = re.compile(r"[\[(]([^\])]*)[\])]")
+
+
+def _factors(keys: list, cells: list[str], heads: list[str]) -> list[float]:
+    """What each column is multiplied with: its unit to that of its key. A unit in the head itself must be the
+    same one."""
     factors = []
     for k, key in enumerate(keys):
         unit = (cells[k] if k < len(cells) else "").strip("[]() ").lower()
         units = next((units for end, units in UNITS.items() if key.endswith(end)), NO_UNIT)
         if unit not in units:
             raise InputError(
-                f"the unit {unit!r} of the column {key} is not accepted: one of "
+                f"the unit {unit[:40]!r} of the column {key} is not accepted: one of "
                 f"{', '.join(name or 'empty' for name in units)} in the row below the heads"
+            )
+        stated = _HEAD_UNIT.search(heads[k])
+        named = stated and stated[1].strip().lower()
+        if named in units and units[named] != units[unit]:
+            raise InputError(
+                f"the column {heads[k][:60]!r} names {named}, the row of units below it {unit or 'none'}: correct "
+                "one of them"
             )
         factors.append(units[unit])
     return factors
@@ -208,7 +262,9 @@ def _cell(key: str, factor: float, cell: str, number: int):
         return cell
     if key in ("free_element", "unloaded_confirmed"):
         if cell.lower() not in FLAGS:
-            raise InputError(f"row {number}, {key}: {cell!r} is not accepted: sì, yes, x or no")
+            raise InputError(
+                f"row {number}, {key}: {cell[:60]!r} is not accepted: sì, yes, x or no"
+            )
         return FLAGS[cell.lower()]
     try:
         return parse_number(cell) * factor

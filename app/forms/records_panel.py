@@ -28,6 +28,7 @@ from app.worker import Job
 from core.case import Generate, Record
 from core.demand import demand_of, generated
 from core.errors import InputError
+from core.names import name_of
 from core.study import twice
 from core.units import CM, G
 
@@ -89,9 +90,14 @@ class RecordsPanel(QWidget):
 
     # loading, off this thread
 
+    @property
+    def changed_on_disk(self) -> bool:
+        """Whether another program has changed a file since it was read."""
+        return any(state_of(name) != state for name, state in self.states.items())
+
     def read_again(self) -> None:
         """Read the files again if another program has changed one since."""
-        if any(state_of(name) != state for name, state in self.states.items()):
+        if self.changed_on_disk:
             self.key = None
             self.show_case()
 
@@ -104,6 +110,7 @@ class RecordsPanel(QWidget):
             return
         self.key = key
         self.pending = True  # the rows are of the records before
+        self.session.samples = None
         base = self.session.base_dir
 
         def work(job):
@@ -144,6 +151,7 @@ class RecordsPanel(QWidget):
             motion for k, motion in found
             if not isinstance(motion, str) and (k is None or case.record[k].include)
         ]  # fmt: skip
+        self.session.samples = {motion.samples_sha256 for motion in self.motions}
         self.table.blockSignals(True)
         rows, colors, twins = [], [], self._twins()
         for row, (k, motion) in enumerate(found):
@@ -211,7 +219,7 @@ class RecordsPanel(QWidget):
                 found.append(change(record) if mine and mine[0] in rows else record)
                 continue
             for row in mine:
-                name = self.session.relative(Path(self.rows[row][1].file))
+                name = self.session.relative(Path(name_of(self.rows[row][1].file)))
                 one = replace(record, file=name)
                 found.append(change(one) if row in rows else one)
         self.session.edit(replace(case, record=tuple(one for one in found if one is not None)))
@@ -269,7 +277,10 @@ class RecordsPanel(QWidget):
         finally:
             dialog.deleteLater()
         self.session.add_records(
-            [replace(entry, file=self.session.relative(Path(entry.file))) for entry in chosen]
+            [
+                replace(entry, file=self.session.relative(Path(name_of(entry.file))))
+                for entry in chosen
+            ]
         )
         left = len(dialog.paths) - len(chosen)
         if taken and left:
@@ -280,7 +291,11 @@ class RecordsPanel(QWidget):
 
     def dragEnterEvent(self, event) -> None:
         if event.mimeData().hasUrls():
-            event.acceptProposedAction()
+            event.setDropAction(Qt.DropAction.CopyAction)
+            event.accept()
 
     def dropEvent(self, event) -> None:
+        """Files are read where they are: a move would have the file manager delete them there."""
+        event.setDropAction(Qt.DropAction.CopyAction)
+        event.accept()
         self.take([Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()])

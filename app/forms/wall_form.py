@@ -30,12 +30,12 @@ from app.forms.fields import (
 )
 from app.forms.impact_form import ImpactForm
 from app.language import tr
-from app.sentences import captions, said, translated
+from app.sentences import captions, said, spoken, translated
 from app.session import Session
 from core.case import Wall
 from core.errors import InputError
 from core.units import G
-from core.wall_table import read_walls, text_rows, walls_of
+from core.wall_table import read_table, text_rows, walls_of
 
 
 class WallForm(QWidget):
@@ -348,7 +348,17 @@ class WallForm(QWidget):
             self, tr("Read walls"), str(self.session.base_dir), tr("Tables") + " (*.xlsx *.csv)"
         )
         if name:
-            self._take(lambda: read_walls(Path(name), self.session.case.demand is not None))
+            notes = []
+
+            def read():
+                walls, found = read_table(Path(name), self.session.case.demand is not None)
+                notes.extend(found)
+                return walls
+
+            self._take(read)
+            if len(notes) > 1:
+                lines = "\n".join(note.text(spoken()) for note in notes)
+                QMessageBox.information(self, tr("Read walls"), lines)
 
     def _take(self, read) -> None:
         try:

@@ -1,13 +1,14 @@
 """One chart: curves with names and units, values under the cursor, copy, PNG, SVG, CSV (always light)."""
 
 import csv
+import io
 import math
 from pathlib import Path
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QGuiApplication, QImage, QPainter
+from PySide6.QtCore import QBuffer, QIODevice, QRect, Qt
+from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtSvg import QSvgGenerator
 from PySide6.QtWidgets import (
     QHBoxLayout,
@@ -22,6 +23,10 @@ from PySide6.QtWidgets import (
 from app import theme
 from app.files import path_to_write
 from app.language import tr
+from app.plots.table import plain_cell
+from app.sentences import said
+from core.errors import OutputError
+from core.report import atomic
 
 
 def numbers(values) -> np.ndarray:
@@ -233,40 +238,60 @@ class Chart(QWidget):
     # out
 
     def image(self) -> QImage:
-        """The chart as a light picture, twice the size on the screen."""
-        self._dress(theme.LIGHT)
-        size = self.view.size()
-        image = QImage(2 * size, QImage.Format.Format_RGB32)
+        """The chart as a light picture, twice the size on the screen. Painted as a widget: the marks are placed in
+        pixels of the screen, and a scene painted to another size would leave them there."""
+        image = QImage(2 * self.view.size(), QImage.Format.Format_RGB32)
+        image.setDevicePixelRatio(2.0)
         image.fill(Qt.GlobalColor.white)
-        painter = QPainter(image)
-        painter.scale(2.0, 2.0)
-        self.view.render(painter)
-        painter.end()
-        self._dress(theme.current)
+        self._paint_light(image)
+        image.setDevicePixelRatio(1.0)
         return image
 
-    def write(self, path: Path) -> None:
-        """Write .png, .svg or .csv by the end of the name. Raises OSError; Qt itself says nothing."""
-        path.open("ab").close()
-        if path.suffix == ".csv":
-            with open(path, "w", newline="", encoding="utf-8") as stream:
-                writer = csv.writer(stream)
-                writer.writerow(["curve", *self.labels])
-                for name, xs, ys in self.data:
-                    writer.writerows(
-                        (name, x, y) for x, y in zip(xs.tolist(), ys.tolist(), strict=True)
-                    )
-        elif path.suffix == ".svg":
-            self._dress(theme.LIGHT)
-            picture = QSvgGenerator()
-            picture.setFileName(str(path))
-            picture.setSize(QSize(self.view.size()))
-            painter = QPainter(picture)
-            self.view.render(painter)
-            painter.end()
+    def _paint_light(self, device) -> None:
+        """The view as on the screen, in the light theme, without the pixel caches of the screen."""
+        marks = [item.scatter for item, *_ in self.items if isinstance(item, pg.PlotDataItem)]
+        mode = self.view.cacheMode()
+        self._dress(theme.LIGHT)
+        self.view.setCacheMode(type(mode)(0))
+        for mark in marks:
+            mark.opts["useCache"] = False
+        try:
+            QWidget.render(self.view, device)
+        finally:
+            for mark in marks:
+                mark.opts["useCache"] = True
+            self.view.setCacheMode(mode)
             self._dress(theme.current)
-        else:
-            self.image().save(str(path))
+
+    def content(self, end: str) -> bytes:
+        """The file .png, .svg or .csv."""
+        if end == ".csv":
+            text = io.StringIO(newline="")
+            writer = csv.writer(text)
+            writer.writerow(["curve", *self.labels])
+            for name, xs, ys in self.data:
+                label = plain_cell(name)
+                writer.writerows(
+                    (label, x, y) for x, y in zip(xs.tolist(), ys.tolist(), strict=True)
+                )
+            return text.getvalue().encode()
+        room = QBuffer()
+        room.open(QIODevice.OpenModeFlag.WriteOnly)
+        if end == ".svg":
+            picture = QSvgGenerator()
+            picture.setOutputDevice(room)
+            size = self.view.size()
+            picture.setSize(size)
+            picture.setViewBox(QRect(0, 0, size.width(), size.height()))
+            picture.setResolution(self.view.logicalDpiX())
+            self._paint_light(picture)
+        elif not self.image().save(room, "PNG"):
+            raise OutputError(tr("The picture cannot be made."))
+        return bytes(room.data())
+
+    def write(self, path: Path) -> None:
+        """Write .png, .svg or .csv by the end of the name, whole or not at all. Raises OutputError."""
+        atomic.write({path: self.content(path.suffix)})
 
     def copy(self) -> None:
         """The picture to the clipboard. Not by a QMimeData of ours: it crashes Qt when the program ends."""
@@ -279,5 +304,5 @@ class Chart(QWidget):
             return
         try:
             self.write(path)
-        except OSError as error:
-            QMessageBox.warning(self, title, f"{path}: {error.strerror}")
+        except OutputError as error:
+            QMessageBox.warning(self, title, said(error))

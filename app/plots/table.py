@@ -4,6 +4,16 @@ from PySide6.QtGui import QColor, QGuiApplication, QKeySequence
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
 
+def plain_cell(text: str) -> str:
+    """Text that no spreadsheet takes for a formula."""
+    number = text.replace(",", ".").replace("\u2212", "-")
+    try:
+        float(number)
+    except ValueError:
+        return f"'{text}" if text[:1] in ("=", "+", "-", "@", "\t", "\r") else text
+    return text
+
+
 class Table(QTableWidget):
     """Read-only cells; Ctrl+C copies the selection, or all of it, with tabs between the cells."""
 
@@ -39,7 +49,8 @@ class Table(QTableWidget):
             )
         for r in rows:
             cells = (self.item(r, c) for c in columns)
-            lines.append("\t".join(cell.text() if cell else "" for cell in cells))
+            words = (" ".join(cell.text().split()) if cell else "" for cell in cells)
+            lines.append("\t".join(map(plain_cell, words)))
         return "\n".join(lines)
 
     def keyPressEvent(self, event) -> None:

@@ -8,6 +8,7 @@ import numpy as np
 
 from core.errors import InputError, RecordError
 from core.ground_motion import LARGE_PGA, SMALL_PGA, GroundMotion
+from core.names import name_of, shown
 from core.notices import notice
 from core.records import italian, peer, plain
 from core.records.cut import refuse_cut
@@ -69,7 +70,7 @@ def read(
                 f"{path.stat().st_size / 1e6:.0f} MB is no accelerogram (up to {MAX_BYTES // 1_000_000} MB)"
             )
         content = path.read_bytes()
-        return _motion(content, path, options, scale, name or path.stem)
+        return _motion(content, path, options, scale, name or shown(path.stem))
     except FileNotFoundError:
         raise RecordError(f"{path}: there is no such file") from None
     except (OSError, ValueError) as error:
@@ -164,6 +165,7 @@ def _agreed(key: str, stated, given, accepted: str):
 
 def expand(pattern: str, base_dir: Path) -> list[Path]:
     """Files of one `file` entry, relative to the case; a glob that matches nothing is an error."""
+    pattern = name_of(pattern)
     path = base_dir / pattern
     try:
         if not any(letter in pattern for letter in "*?[") or path.exists():
@@ -172,8 +174,10 @@ def expand(pattern: str, base_dir: Path) -> list[Path]:
         relative = Path(pattern).relative_to(anchor) if Path(pattern).is_absolute() else pattern
         found = sorted(entry for entry in anchor.glob(str(relative)) if entry.is_file())
     except (ValueError, OSError) as error:
-        raise InputError(f"file = {pattern!r} is not accepted as a pattern: {error}") from None
+        raise InputError(
+            f"file = {pattern[:200]!r} is not accepted as a pattern: {str(error)[:200]}"
+        ) from None
     if not found:
         place = "" if Path(pattern).is_absolute() else f" in {base_dir.resolve()}"
-        raise InputError(f"file = {pattern!r}: no file matches{place}")
+        raise InputError(f"file = {pattern[:200]!r}: no file matches{place}")
     return found

@@ -1,11 +1,15 @@
 """Files that are whole or not there: temporary file, fsync, replace."""
 
 import contextlib
+import json
 import os
 import tempfile
 from pathlib import Path
 
 from core.errors import OutputError
+
+PREFIX, COMMIT = ".ribalta-", ".commit"
+"""Names of temporary files: prefix, number of the process, chance; and of the list of moves under way."""
 
 
 def check_folder(folder: Path) -> list[Path]:
@@ -13,11 +17,16 @@ def check_folder(folder: Path) -> list[Path]:
 
     Returns the folders that were not there before, the deepest first.
     """
-    new = [place for place in (folder, *folder.parents) if not place.exists()]
+    new: list[Path] = []
     try:
+        new = [place for place in (folder, *folder.parents) if not place.exists()]
         folder.mkdir(parents=True, exist_ok=True)
-        tempfile.TemporaryFile(dir=folder).close()
+        clean(folder)
+        os.unlink(_beside(str(folder / "x"), b"x"))
     except OSError as error:
+        for place in new:
+            with contextlib.suppress(OSError):
+                place.rmdir()
         raise OutputError(
             f"{folder}: the output folder cannot be written ({error.strerror}): "
             "name another with --output"
@@ -27,58 +36,126 @@ def check_folder(folder: Path) -> list[Path]:
 
 def write(files: dict[Path, bytes]) -> None:
     """Write all files, or none: every one is on disk beside its place before any takes it, and if one
-    cannot take its place those before it are put back.
+    cannot take its place those before it are put back. A kill between two of them is finished by the next
+    `clean` of the folder, from a list that is on disk before the first.
 
     Links are followed, so that the file behind is replaced. Raises OutputError; old files stay.
     """
-    temporary: list[tuple[str, str]] = []
-    replaced: list[tuple[str | None, str]] = []
-    path = None
+    moves: dict[str, str] = {}
+    old: dict[str, str | None] = {}
+    path = listed = None
+    done = False
     try:
         for path, content in files.items():
             target = os.path.realpath(path)
+            clean(Path(target).parent)
             name = _beside(target, content)
-            temporary.append((name, target))
+            moves[name] = target
             os.chmod(name, _mode(target))
-        for name, target in temporary:
-            path, old = target, None
+        for target in moves.values():
+            path, old[target] = target, None
             if os.path.isfile(target):
                 with open(target, "rb") as stream:
-                    old = _beside(target, stream.read())
-            replaced.append((old, target))
+                    old[target] = _beside(target, stream.read())
+        if len(moves) > 1:
+            listed = _beside(next(iter(moves.values())), json.dumps(moves).encode(), COMMIT)
+        for name, target in moves.items():
+            path = target
             os.replace(name, target)
-        replaced = [(old, "") for old, _ in replaced]
+        for folder in {os.path.dirname(target) for target in moves.values()}:
+            _sync_folder(folder)
+        done = True
     except OSError as error:
         raise OutputError(
-            f"{path}: cannot be written ({error.strerror}): close it if it is open elsewhere, free "
-            "some space, or name another folder with --output; earlier results are untouched, the "
-            "finished runs are kept for --resume"
+            f"{path}: cannot be written ({error.strerror}): close it if it is open elsewhere, free some space, or "
+            "take another folder; what was there is untouched"
         ) from None
     finally:
-        for old, target in replaced:
-            with contextlib.suppress(OSError):
-                if target and old:
-                    os.chmod(old, _mode(target))
-                    os.replace(old, target)
-                elif target and os.path.isfile(target):
+        for name, target in moves.items():
+            if done or os.path.exists(name) or target not in old:
+                continue
+            with contextlib.suppress(OSError):  # it took its place, and another could not
+                if old[target]:
+                    os.chmod(old[target], _mode(target))
+                    os.replace(old[target], target)
+                else:
                     os.unlink(target)
-                elif old:
-                    os.unlink(old)
-        for name, _ in temporary:
+        for name in (listed, *old.values(), *moves):
+            if name:
+                with contextlib.suppress(OSError):
+                    os.unlink(name)
+
+
+def clean(folder: Path) -> None:
+    """Finish or remove what a killed process left in a folder."""
+    with contextlib.suppress(OSError):
+        left = [path for path in folder.glob(f"{PREFIX}*-*") if not _in_use(path)]
+        for path in left:
+            if path.name.endswith(COMMIT):
+                with contextlib.suppress(OSError, ValueError, AttributeError):
+                    for name, target in json.loads(path.read_bytes()).items():
+                        if os.path.dirname(name) == os.path.dirname(target) and os.path.isfile(
+                            name
+                        ):
+                            os.replace(name, target)
+        for path in left:
             with contextlib.suppress(OSError):
-                os.unlink(name)
+                path.unlink()
 
 
-def _beside(target: str, content: bytes) -> str:
+def _in_use(path: Path) -> bool:
+    """Whether the process in the name of a temporary file still runs, as far as can be told; what is no file
+    of ours is left alone."""
+    number = path.name.removeprefix(PREFIX).split("-")[0]
+    if not number.isdigit() or not path.is_file() or path.is_symlink():
+        return True
+    return alive(int(number))
+
+
+def alive(number: int) -> bool:
+    """Whether a process of this number runs."""
+    if number == os.getpid():
+        return True
+    if os.name == "nt":
+        import ctypes
+
+        handle = ctypes.windll.kernel32.OpenProcess(0x1000, False, number)
+        if handle:
+            ctypes.windll.kernel32.CloseHandle(handle)
+        return bool(handle)
+    try:
+        os.kill(number, 0)
+    except (ProcessLookupError, OverflowError):
+        return False
+    except PermissionError:
+        return True
+    return True
+
+
+def _sync_folder(folder: str) -> None:
+    """The names of a folder on disk; not every system can."""
+    if os.name == "nt":
+        return
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
+
+
+def _beside(target: str, content: bytes, end: str = "") -> str:
     """A temporary file in the target's folder, on disk; deleted if it cannot be written whole."""
-    handle, name = tempfile.mkstemp(dir=os.path.dirname(target), prefix=".ribalta-")
+    handle, name = tempfile.mkstemp(
+        dir=os.path.dirname(target), prefix=f"{PREFIX}{os.getpid()}-", suffix=end
+    )
     try:
         with os.fdopen(handle, "wb") as stream:
             stream.write(content)
             stream.flush()
             os.fsync(stream.fileno())
     except OSError:
-        os.unlink(name)
+        with contextlib.suppress(OSError):
+            os.unlink(name)
         raise
     return name
 

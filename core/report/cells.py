@@ -17,6 +17,8 @@ from openpyxl.utils import get_column_letter
 from openpyxl.workbook.defined_name import DefinedName
 from openpyxl.worksheet.worksheet import Worksheet
 
+from core.names import shown
+
 INK = "1F2D3D"
 ACCENT = "2B5C8A"
 GOOD = "1B6E4B"
@@ -172,7 +174,7 @@ def style(cell: Cell, bold=False, color=INK, size=10, number_format=None, wrap=F
 def text(sheet: Worksheet, row: int, column: int, content, **look) -> Cell:
     """Text that can never become a formula."""
     cell = sheet.cell(row, column)
-    cell.value = ILLEGAL_CHARACTERS_RE.sub(" ", str(content))[:32000]
+    cell.value = shown(ILLEGAL_CHARACTERS_RE.sub(" ", str(content)))[:32000]
     cell.data_type = "s"
     return style(cell, **look)
 

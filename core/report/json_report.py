@@ -9,6 +9,7 @@ from core.code_check import LABEL
 from core.compliance import Compliance
 from core.demand_check import DemandCheck
 from core.ground_motion import GroundMotion
+from core.names import shown
 from core.provenance import provenance
 from core.results import Q_SOURCES, Assessment, Run, StudyResult, WallResult
 from core.units import CM, G
@@ -162,7 +163,7 @@ def _uncertainty(found: Accuracy | None) -> dict:
 def _record(motion: GroundMotion, kind: str) -> dict:
     return {
         "name": motion.name,
-        "file": motion.file,
+        "file": shown(motion.file),
         "kind": kind,
         "file_sha256": motion.file_sha256,
         "samples_sha256": motion.samples_sha256,

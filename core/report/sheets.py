@@ -95,6 +95,8 @@ def inputs(book: Book, result: StudyResult) -> None:
                 text(sheet, row, 4, say("default", "predefinito"), color=QUIET, italic=True)
             rule(sheet, row, 1, 4)
             row += 1
+    for note in case.table_notes:
+        row = paragraph(sheet, row, f"• {note.text(book.language)}", 4, 110, color=QUIET)
     sheet.freeze_panes = "A5"
     sheet.print_title_rows = "4:4"
 

@@ -250,7 +250,7 @@ def test_that_inspect_tells_what_a_record_holds(case, capsys):
     assert call("--inspect", case.parent / "r0.txt") == 1
     assert "refused" in capsys.readouterr().err
     (case.parent / "two.txt").write_text(
-        "\n".join(f"{k * 0.01:.2f} {k % 7 - 3}" for k in range(99))
+        "\n".join(f"{k * 0.01:.2f} {k % 7 - 3}" for k in range(99)) + "\n"
     )
     assert call("--inspect", case.parent / "two.txt") == 0
     assert "99 samples every 0.01 s, peak 3; the unit is not stated" in capsys.readouterr().out

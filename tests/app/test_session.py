@@ -120,6 +120,7 @@ def test_that_a_failed_save_leaves_the_old_file(session, tmp_path, monkeypatch):
 def test_that_stale_results_are_known(session):
     class Result:
         case = session.checked()
+        motions = ()
 
     session.result = Result()
     assert not session.stale

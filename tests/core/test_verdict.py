@@ -10,7 +10,8 @@ from core.compliance import Compliance
 from core.demand import demand_of
 from core.demand_check import DemandCheck, OtherConfidence
 from core.kinematic import Check
-from core.verdict import SENTENCES, Circumstances, verdict
+from core.verdict import Circumstances, verdict
+from core.verdict_text import SENTENCES
 
 SPECTRUM = {"code": "EN1998", "soil": "B", "type": 1}
 

@@ -1,0 +1,193 @@
+"""Sentences of the verdict and its reasons, English and Italian. Never the word "safe"."""
+
+METHOD_WORDS = {
+    "dynamic": ("the dynamic check (C8.7.1.2.1.9)", "la verifica dinamica (C8.7.1.2.1.9)"),
+    "nonlinear": ("the nonlinear kinematic check (C8.7.1.2.1.8)",
+                  "la verifica cinematica non lineare (C8.7.1.2.1.8)"),
+    "linear_q_slv": ("the linear kinematic check with q of the time histories (C8.7.1.2.1.7)",
+                     "la verifica cinematica lineare con q delle storie temporali (C8.7.1.2.1.7)"),
+    "linear_q_code": ("the linear kinematic check with the q of the code (C8.7.1.2.1.7)",
+                      "la verifica cinematica lineare con q di norma (C8.7.1.2.1.7)"),
+    "linear_sld": ("the linear kinematic check (C8.7.1.2.1.5)",
+                   "la verifica cinematica lineare (C8.7.1.2.1.5)"),
+}  # fmt: skip
+"""Label of a check -> (English, Italian)."""
+
+SENTENCES = {
+    "not_activated": (
+        "The mechanism does not start: FC S a_g = {demand:.3f} g does not exceed a_RM = {a_rm:.3f} g.",
+        "Il meccanismo non si attiva: FC S a_g = {demand:.3f} g non supera a_RM = {a_rm:.3f} g.",
+    ),
+    "verified": (
+        "Verified at {state}: zeta {zeta} by {method}; the check with q = {q:g} agrees.",
+        "Verificata allo {state}: zeta {zeta} secondo {method}; la verifica con q = {q:g} concorda.",
+    ),
+    "verified_plainly": (
+        "Verified at {state}: zeta {zeta} by {method}.",
+        "Verificata allo {state}: zeta {zeta} secondo {method}.",
+    ),
+    "verified_simply": (
+        "Verified at {state}: zeta {zeta} by {method}, the simplified one.",
+        "Verificata allo {state}: zeta {zeta} secondo {method}, quella semplificata.",
+    ),
+    "verified_refined": (
+        "Verified at {state} by {method} only: zeta {zeta}. With q = {q:g} it is not: the designer must "
+        "justify the refined method.",
+        "Verificata allo {state} solo secondo {method}: zeta {zeta}. Con q = {q:g} non lo è: il "
+        "progettista deve motivare il metodo raffinato.",
+    ),
+    "verified_alone": (
+        "Verified at {state} by {method} only: zeta {zeta}. The check with q = {q:g} could not be made: the "
+        "designer must justify the refined method.",
+        "Verificata allo {state} solo secondo {method}: zeta {zeta}. La verifica con q = {q:g} non è stata "
+        "possibile: il progettista deve motivare il metodo raffinato.",
+    ),
+    "q2_unsafe": (
+        "Not verified at {state}: zeta {zeta} by {method}. The check with q = {q:g} alone would pass "
+        "and is not conservative here.",
+        "Non verificata allo {state}: zeta {zeta} secondo {method}. La sola verifica con q = {q:g} "
+        "sarebbe soddisfatta: qui non è cautelativa.",
+    ),
+    "not_verified": (
+        "Not verified at {state}: zeta {zeta} by {method}.",
+        "Non verificata allo {state}: zeta {zeta} secondo {method}.",
+    ),
+    "indicative": (
+        "Indicative only: zeta {zeta} at {state} by {method}, not a verification.",
+        "Solo indicativo: zeta {zeta} allo {state} secondo {method}, non è una verifica.",
+    ),
+    "undetermined": (
+        "Undetermined at {state}: see the reasons.",
+        "Non determinabile allo {state}: vedere i motivi.",
+    ),
+}  # fmt: skip
+"""Code of a verdict, or one of the ways to say `verified` and `verified_refined` -> (English, Italian)."""
+
+ADDED = {
+    "share": (
+        " Of the multipliers within 10 % of {demand} {share:.0%} fail.",
+        " Dei moltiplicatori entro il 10 % da{demand} il {share:.0%} non soddisfa la regola.",
+    ),
+    "confidence_demand": (
+        " With FC on the demand instead of the strength it is {not_}verified: zeta {zeta}.",
+        " Con FC sulla domanda anziché sulla resistenza {not_}è verificata: zeta {zeta}.",
+    ),
+    "confidence_capacity": (
+        " With FC on the strength, as C8.7.1.2.1.3 has it, it is {not_}verified: zeta {zeta}.",
+        " Con FC sulla resistenza, come nel C8.7.1.2.1.3, {not_}è verificata: zeta {zeta}.",
+    ),
+    "unloaded": (", if the wall carries no load.", ", se la parete non porta carichi."),
+}
+"""What a sentence is followed by."""
+
+REASONS = {
+    "upper_floor": (
+        "The base of the wall is {z:g} m above the ground: not assessable with the ground motion alone, a "
+        "motion of the floor is needed.",
+        "La base della parete è a {z:g} m dal suolo: non valutabile con il solo moto del terreno, serve il "
+        "moto del piano.",
+    ),
+    "no_number": (
+        "A time history ended without a number (impact limit).",
+        "Una storia temporale è terminata senza un valore (limite di urti).",
+    ),
+    "within_spread": (
+        "zeta is known from {low:.3f} to {high:.3f} only, and the required {target:.2f} lies between.",
+        "zeta è nota solo fra {low:.3f} e {high:.3f}, e il valore richiesto {target:.2f} sta in mezzo.",
+    ),
+    "weaker_fails": (
+        "The rule holds at {at_en} itself but fails around {zeta:.2f} of it: a weaker motion is worse.",
+        "La regola vale {at_it} ma non intorno a {zeta:.2f} di essa: un moto più debole è più "
+        "gravoso.",
+    ),
+    "demand_fails": (
+        "The rule fails at {at_en} itself, though at fewer than half of the multipliers around.",
+        "La regola non vale {at_it} stessa, benché cada a meno di metà dei moltiplicatori intorno.",
+    ),
+    "whole_demand_fails": (
+        "The rule holds at the {target:g} of the demand that is required, and fails at the demand itself.",
+        "La regola vale al {target:g} della domanda richiesto, e non alla domanda stessa.",
+    ),
+    "narrow_range": (
+        "The records are compared with the spectrum from {low:g} to {high:g} s only, as asked: {least:g} to "
+        "{most:.2f} s are the periods that matter.",
+        "Gli accelerogrammi sono confrontati con lo spettro solo da {low:g} a {high:g} s, come richiesto: contano i "
+        "periodi da {least:g} a {most:.2f} s.",
+    ),
+    "rigid_free": (
+        "C8.7.1.2.1.3 asks an initial elastic branch of an element free to vibrate: the histories use the rigid law; "
+        "compare with law = {{ elastic_limit, plateau_end }}.",
+        "Il C8.7.1.2.1.3 richiede un ramo elastico iniziale per un elemento libero di vibrare: le storie usano la "
+        "legge rigida; confrontare con law = {{ elastic_limit, plateau_end }}.",
+    ),
+    "no_period": (
+        "Linear checks not made: an element free to vibrate is compared with the spectrum at T_0 "
+        "(C8.7.1.2.1.5, .7), which takes {missing}.",
+        "Verifiche lineari non eseguite: un elemento libero di vibrare si confronta con lo spettro in T_0 "
+        "(C8.7.1.2.1.5, .7), che richiede {missing}.",
+    ),
+    "no_check": (
+        "No check could be made.", "Nessuna verifica è stata possibile.",
+    ),
+    "no_restraint": (
+        "The restraint behind the wall is not named: one-sided rocking rests on it.",
+        "Il vincolo dietro la parete non è indicato: l'oscillazione su un lato si basa su di esso.",
+    ),
+    "more_records": (
+        "{n} stations: C8.7.1.2.1.9 advises more records than the analysis of the whole building takes.",
+        "{n} stazioni: il C8.7.1.2.1.9 consiglia un numero di accelerogrammi maggiore che per l'analisi globale.",
+    ),
+    "no_station": (
+        "{n} file(s) name no station: each was counted as a station of its own.",
+        "{n} file non indicano la stazione: ognuno è stato contato come una stazione a sé.",
+    ),
+    "not_compatible": (
+        "The set of records is not compatible with the target spectrum.",
+        "L'insieme degli accelerogrammi non è compatibile con lo spettro.",
+    ),
+    "no_spectrum": (
+        "No target spectrum is given: the compatibility of the records is not shown.",
+        "Spettro non assegnato: la compatibilità degli accelerogrammi non è dimostrata.",
+    ),
+    "few_records": (
+        "{n} record(s): fewer than 3.", "{n} accelerogrammi: meno di 3."
+    ),
+    "bundled": (
+        "The records are the bundled example, for trials only.",
+        "Gli accelerogrammi sono quelli di esempio, solo per prova.",
+    ),
+    "stocky": (
+        "alpha {alpha:.1f} deg is outside the range in which the kinematic model is usual (up to 20 deg).",
+        "alpha {alpha:.1f}° è fuori dal campo usuale del modello cinematico (fino a 20°).",
+    ),
+    "pga_scaling": (
+        "Every record is rescaled to a_g S: the compatibility of the set is broken.",
+        "Ogni accelerogramma è riscalato ad a_g S: la compatibilità dell'insieme non vale più.",
+    ),
+    "one_sign": (
+        "A one-sided wall was given each record with one sign only.",
+        "Una parete su un lato è stata analizzata con un solo segno di ogni accelerogramma.",
+    ),
+    "comparison_method": (
+        "The integrator chosen is for comparison only.",
+        "L'integratore scelto serve solo per confronto.",
+    ),
+    "no_soil_factor": (
+        "S is not given and taken as 1, rock.", "S non è assegnato ed è posto pari a 1, roccia.",
+    ),
+    "disagrees": (
+        "{method} gives zeta {zeta:.2f}: {outcome}.", "{method}: zeta {zeta:.2f}, {outcome}."
+    ),
+}  # fmt: skip
+
+MISSING_WORDS = {
+    "elastic_modulus_mpa": ("the elastic modulus E", "il modulo elastico E"),
+    "unit_weight_kn_m3": ("the unit weight", "il peso specifico"),
+    "height_m": ("a rectangular wall", "una parete rettangolare"),
+    "spectrum": ("the spectrum of the demand", "lo spettro della domanda"),
+    "period_0": (
+        "a shorter T_0 (E, unit weight and H/t as given make the wall elastic up to d_SLV)",
+        "un T_0 più breve (con E, peso specifico e H/t dati la parete è elastica fino a d_SLV)",
+    ),
+}
+"""What T_0 and the spectrum there take -> (English, Italian)."""

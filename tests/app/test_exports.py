@@ -1,0 +1,133 @@
+"""Charts that leave the program: whole, light, and every mark where its axes say."""
+
+import csv
+import io
+
+import numpy as np
+import pytest
+
+pytest.importorskip("PySide6")
+
+from PySide6.QtCore import QByteArray, QPointF
+from PySide6.QtGui import QColor, QImage, QPainter
+from PySide6.QtSvg import QSvgRenderer
+
+from app import theme
+from app.plots.chart import Chart
+from app.plots.table import Table, plain_cell
+from core.errors import OutputError
+
+MARKS = ((61.7, 16.3), (80.0, 5.0), (100.0, 20.0), (118.0, 9.0))
+
+
+@pytest.fixture
+def chart(application):
+    theme.set_theme("dark")
+    made = Chart("SI [cm]", "q_eff [-]", "q against SI")
+    made.resize(720, 460)
+    made.points("time histories", *np.transpose(MARKS), 0, 12)
+    made.curve("Eq. 15", [60.0, 120.0], [6.0, 18.0], 1, 3.0)
+    made.plot.setXRange(50.0, 130.0, padding=0)
+    made.plot.setYRange(0.0, 25.0, padding=0)
+    made.show()
+    application.processEvents()
+    yield made
+    made.deleteLater()
+    theme.set_theme("light")
+
+
+def place(chart, x, y) -> QPointF:
+    """Where a point of the axes is in the view [px]."""
+    return chart.view.mapFromScene(chart.plot.vb.mapViewToScene(QPointF(x, y)))
+
+
+def near(image: QImage, x: float, y: float, shade: str, reach: int) -> bool:
+    """Whether a pixel of this colour is within reach."""
+    wanted = QColor(shade)
+    for dx in range(-reach, reach + 1):
+        for dy in range(-reach, reach + 1):
+            found = image.pixelColor(round(x) + dx, round(y) + dy)
+            if max(abs(found.red() - wanted.red()), abs(found.green() - wanted.green()),
+                   abs(found.blue() - wanted.blue())) < 40:  # fmt: skip
+                return True
+    return False
+
+
+def drawn(chart, end) -> QImage:
+    """The exported file as pixels, twice the size on the screen."""
+    content = chart.content(end)
+    if end == ".png":
+        return QImage.fromData(content, "PNG")
+    image = QImage(2 * chart.view.size(), QImage.Format.Format_RGB32)
+    image.fill(QColor("white"))
+    painter = QPainter(image)
+    QSvgRenderer(QByteArray(content)).render(painter)
+    painter.end()
+    return image
+
+
+@pytest.mark.parametrize("end", [".png", ".svg"])
+def test_that_every_mark_and_line_is_where_its_axes_say(chart, end):
+    image, light = drawn(chart, end), theme.LIGHT
+    assert (image.width(), image.height()) == (2 * chart.view.width(), 2 * chart.view.height())
+    for x, y in MARKS:
+        at = place(chart, x, y)
+        assert near(image, 2 * at.x(), 2 * at.y(), light.curves[0], 2), (x, y)
+    for x, y in ((60.5, 6.1), (90.0, 12.0), (119.5, 17.9)):
+        at = place(chart, x, y)
+        assert near(image, 2 * at.x(), 2 * at.y(), light.curves[1], 3), (x, y)
+
+
+@pytest.mark.parametrize("end", [".png", ".svg"])
+def test_that_a_picture_is_whole_and_light(chart, end):
+    image = drawn(chart, end)
+    width, height = image.width(), image.height()
+    assert all(
+        image.pixelColor(x, y).lightness() > 240
+        for x, y in ((3, 3), (width - 4, 3), (3, height - 4), (width - 4, height - 4))
+    )
+    # ink in each quarter: axis labels left and below, marks and legend right and above
+    for left, top in ((0, 0), (width // 2, 0), (0, height // 2), (width // 2, height // 2)):
+        dark = sum(
+            image.pixelColor(x, y).lightness() < 200
+            for x in range(left, left + width // 2, 3)
+            for y in range(top, top + height // 2, 3)
+        )
+        assert dark > 20
+    assert chart.view.backgroundBrush().color().lightness() < 100  # the screen stays dark
+
+
+def test_that_the_data_of_a_chart_can_be_read_back_and_run_no_formula(chart):
+    chart.curve("=HYPERLINK(1)", [1.0], [2.0])
+    rows = list(csv.reader(io.StringIO(chart.content(".csv").decode())))
+    assert rows[0] == ["curve", "SI [cm]", "q_eff [-]"]
+    assert [(float(x), float(y)) for name, x, y in rows if name == "time histories"] == list(MARKS)
+    assert rows[-1] == ["'=HYPERLINK(1)", "1.0", "2.0"]
+
+
+@pytest.mark.parametrize(
+    ("text", "copied"),
+    [("=1+1", "'=1+1"), ("@x", "'@x"), ("-A1", "'-A1"), ("+cmd", "'+cmd"), ("-0,5", "-0,5"), ("−1.2", "−1.2"),
+     ("wall", "wall"), ("–", "–"), ("a\tb\nc", "a b c")],
+)  # fmt: skip
+def test_that_a_copied_cell_is_never_a_formula(application, text, copied):
+    table = Table("t", ["a", "b"])
+    table.show_rows([[text, "x"]])
+    assert table.text().split("\n")[1].split("\t") == [copied, "x"]
+    assert plain_cell(plain_cell("wall")) == "wall"
+
+
+def test_that_a_chart_that_cannot_be_written_says_so_and_leaves_the_old_one(chart, tmp_path):
+    path = tmp_path / "c.png"
+    path.write_bytes(b"old")
+    with pytest.raises(OutputError, match="cannot be written"):
+        chart.write(tmp_path / "none" / "c.png")
+    tmp_path.chmod(0o555)
+    try:
+        chart.write(path)  # as root a folder can always be written
+        assert path.read_bytes().startswith(b"\x89PNG")
+    except OutputError:
+        assert path.read_bytes() == b"old"
+    finally:
+        tmp_path.chmod(0o755)
+    assert [p.name for p in tmp_path.iterdir()] == ["c.png"]
