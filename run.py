@@ -6,6 +6,8 @@
     python3 run.py test [...]      ruff, import contracts, pytest
     python3 run.py package         the frozen program in dist/ribalta, tried
     python3 run.py bench [...]     the benchmarks; --work-precision for error against time
+    python3 run.py mutate [...]    small faults in the modules that decide: do the tests find them?
+    python3 run.py fuzz [...]      hostile input for everything that reads, as long as asked
 
 The environment is .venv beside this file, or the folder named by RIBALTA_ENV. Standard library only.
 """
@@ -24,6 +26,7 @@ import time
 ROOT = os.path.dirname(os.path.abspath(__file__))
 ENVIRONMENT = os.path.abspath(os.environ.get("RIBALTA_ENV") or os.path.join(ROOT, ".venv"))
 STAMP = os.path.join(ENVIRONMENT, "ribalta.json")
+MARK = os.path.join(ENVIRONMENT, "ribalta-environment")
 LOG = ENVIRONMENT + ".log"
 OLDEST = (3, 11)
 
@@ -147,12 +150,22 @@ def create():
                 "python3-venv) or start with a Python from python.org"
             ) from None
     if os.path.exists(ENVIRONMENT):
-        if not os.path.exists(os.path.join(ENVIRONMENT, "pyvenv.cfg")) and os.listdir(ENVIRONMENT):
+        own = [STAMP, MARK]
+        if "RIBALTA_ENV" not in os.environ:
+            own.append(os.path.join(ENVIRONMENT, "pyvenv.cfg"))
+        if not os.path.isdir(ENVIRONMENT) or (
+            os.listdir(ENVIRONMENT) and not any(os.path.isfile(name) for name in own)
+        ):
             raise Failure(
-                f"{ENVIRONMENT} exists and is not an environment: name another folder in the variable "
-                "RIBALTA_ENV"
+                f"{ENVIRONMENT} was not made by run.py and stays as it is: name another folder, empty or new, "
+                "in the variable RIBALTA_ENV"
             )
         shutil.rmtree(ENVIRONMENT)
+    os.makedirs(ENVIRONMENT)
+    with open(
+        MARK, "w", encoding="utf-8"
+    ) as stream:  # first of all, so that what a kill leaves is known
+        stream.write("made by run.py, which may delete it\n")
     say(f"making the environment in {ENVIRONMENT} (once)")
     logged([sys.executable, "-m", "venv", ENVIRONMENT], "the environment could not be made")
 
@@ -185,6 +198,8 @@ def logged(command, trouble):
         cause = next(
             (line for line in reversed(lines) if "ERROR" in line), (lines or ["no word"])[-1]
         )
+        if any("DO NOT MATCH THE HASHES" in line for line in lines):
+            trouble = "the installation was refused: a package served is not the one requirements.lock names"
         raise Failure(f"{trouble} ({cause[:200]}); the whole output is in {LOG}")
 
 
@@ -246,6 +261,11 @@ def main():
         }
         ensure(["base"] + [group for key in more if key in arguments for group in more[key]])
         script = os.path.join(ROOT, "tests", "benchmarks", "bench.py")
+        return hand_over([interpreter(), "-P", script, *arguments[1:]])
+    if word in ("mutate", "fuzz"):
+        ensure(["base", "test"])
+        folder = {"mutate": "mutation", "fuzz": "fuzz"}[word]
+        script = os.path.join(ROOT, "tests", folder, word + ".py")
         return hand_over([interpreter(), "-P", script, *arguments[1:]])
     if word == "package":
         ensure(["base", "gui", "package"])

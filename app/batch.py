@@ -4,6 +4,7 @@ import contextlib
 import gc
 import signal
 import sys
+import tempfile
 import threading
 import time
 from collections.abc import Callable
@@ -12,7 +13,7 @@ from pathlib import Path
 from core import records, study
 from core.case import Case
 from core.case_reader import read_case
-from core.errors import Cancelled, InputError
+from core.errors import Cancelled, InputError, OutputError
 from core.journal import Journal
 from core.report import atomic
 from core.results import StudyResult
@@ -135,8 +136,14 @@ def write(
     # first the JSON: the cells of the workbook take the most memory
     text = json_report.dumps(result).encode()
     check()
-    with _no_collector():
-        book = workbook.content(result, histories, check)
+    try:
+        with _no_collector():
+            book = workbook.content(result, histories, check)
+    except OSError as error:  # openpyxl makes the sheets in the folder of temporary files
+        raise OutputError(
+            f"the workbook cannot be made ({error.strerror}): free some space in {tempfile.gettempdir()}, or name "
+            "another folder in the variable TMPDIR"
+        ) from None
     ready()
     atomic.write({folder / f"{stem}.xlsx": book, folder / f"{stem}.json": text})
 

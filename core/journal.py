@@ -24,7 +24,11 @@ class Journal:
         self.set_aside: Path | None = None
         try:
             self._stream = open(path, "a+b", buffering=0)  # noqa: SIM115  (held to the end of the batch)
-            self._begin(key, resume)
+            try:
+                self._begin(key, resume)
+            except (OSError, OutputError):
+                self._stream.close()
+                raise
         except OSError as error:
             raise OutputError(f"{path}: the journal cannot be written: {error.strerror}") from None
 
@@ -32,7 +36,6 @@ class Journal:
         try:
             lock(self._stream)
         except OSError:
-            self._stream.close()
             raise OutputError(
                 f"{self.path}: another batch is writing these results: wait for it, or give another --output"
             ) from None
@@ -40,7 +43,6 @@ class Journal:
         content = self._stream.readall()
         head, *lines = content.split(b"\n")
         if not ours(content):
-            self._stream.close()
             raise OutputError(
                 f"{self.path}: this file is no journal of Ribalta and stays as it is: rename it, or give "
                 "another --output"

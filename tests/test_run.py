@@ -75,9 +75,38 @@ def test_that_a_folder_of_the_user_is_never_deleted(run):
     os.makedirs(run.ENVIRONMENT)
     precious = os.path.join(run.ENVIRONMENT, "thesis.tex")
     open(precious, "w").close()
-    with pytest.raises(run.Failure, match="not an environment"):
+    with pytest.raises(run.Failure, match="was not made by run.py"):
         run.ensure(["base"])
     assert os.path.exists(precious)
+
+
+def test_that_an_environment_of_another_program_is_refused_not_deleted(run):
+    os.makedirs(os.path.join(run.ENVIRONMENT, "lib"))
+    for name in ("pyvenv.cfg", "lib/precious.py"):
+        with open(os.path.join(run.ENVIRONMENT, name), "w") as stream:
+            stream.write("mine")
+    with pytest.raises(run.Failure, match="stays as it is"):
+        run.ensure(["base"])
+    assert os.path.exists(os.path.join(run.ENVIRONMENT, "lib", "precious.py")) and not run.calls
+
+
+def test_that_what_a_kill_left_of_an_environment_of_ours_is_made_anew(run):
+    os.makedirs(run.ENVIRONMENT)
+    open(run.MARK, "w").close()
+    open(os.path.join(run.ENVIRONMENT, "half"), "w").close()
+    run.ensure(["base"])
+    assert not os.path.exists(os.path.join(run.ENVIRONMENT, "half"))
+
+
+def test_that_a_package_that_differs_from_the_lock_is_not_a_matter_of_the_network(run):
+    description = importlib.util.spec_from_file_location("again", ROOT / "run.py")
+    fresh = importlib.util.module_from_spec(description)
+    description.loader.exec_module(fresh)
+    os.makedirs(os.path.dirname(fresh.LOG), exist_ok=True)
+    words = "ERROR: THESE PACKAGES DO NOT MATCH THE HASHES FROM THE REQUIREMENTS FILE."
+    command = [sys.executable, "-c", f"print({words!r}); raise SystemExit(1)"]
+    with pytest.raises(fresh.Failure, match="not the one requirements.lock names"):
+        fresh.logged(command, "the installation failed: check the network")
 
 
 def test_that_a_place_that_cannot_be_written_is_one_sentence(tmp_path):

@@ -22,7 +22,7 @@ def check_folder(folder: Path) -> list[Path]:
         new = [place for place in (folder, *folder.parents) if not place.exists()]
         folder.mkdir(parents=True, exist_ok=True)
         clean(folder)
-        os.unlink(_beside(str(folder / "x"), b"x"))
+        _remove(_beside(str(folder / "x"), b"x"))
     except OSError as error:
         for place in new:
             with contextlib.suppress(OSError):
@@ -82,8 +82,7 @@ def write(files: dict[Path, bytes]) -> None:
                     os.unlink(target)
         for name in (listed, *old.values(), *moves):
             if name:
-                with contextlib.suppress(OSError):
-                    os.unlink(name)
+                _remove(name)
 
 
 def clean(folder: Path) -> None:
@@ -154,10 +153,21 @@ def _beside(target: str, content: bytes, end: str = "") -> str:
             stream.flush()
             os.fsync(stream.fileno())
     except OSError:
-        with contextlib.suppress(OSError):
-            os.unlink(name)
+        _remove(name)
         raise
     return name
+
+
+def _remove(name: str) -> None:
+    """Delete a temporary file; what a passing fault leaves is tried once more, the rest goes with `clean`."""
+    for _ in range(2):
+        try:
+            os.unlink(name)
+        except FileNotFoundError:
+            return
+        except OSError:
+            continue
+        return
 
 
 def _mode(target: str) -> int:

@@ -203,7 +203,7 @@ def test_that_a_second_file_that_cannot_take_its_place_puts_the_first_back(tmp_p
     first, second = tmp_path / "a.xlsx", tmp_path / "b.json"
     first.write_text("old")
     second.mkdir()
-    with pytest.raises(Exception, match="earlier results are untouched"):
+    with pytest.raises(Exception, match="what was there is untouched"):
         atomic.write({first: b"new", second: b"new"})
     assert first.read_text() == "old"
     first.unlink()
@@ -324,3 +324,60 @@ def test_that_the_table_of_walls_and_the_spectrum_are_not_overwritten(tmp_path, 
     assert call("--batch", str(tmp_path / "c.toml")) == 1
     assert "overwrite" in capsys.readouterr().err
     assert (tmp_path / "c.xlsx").read_bytes() == before
+
+
+def test_that_a_full_folder_of_temporary_files_is_one_sentence(case, tmp_path, monkeypatch, capsys):
+    import errno
+    import os
+
+    from openpyxl.worksheet import _writer
+
+    def full(*_, **__):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(_writer, "create_temporary_file", full)
+    assert call("--batch", case, "--output", tmp_path / "out", "--quiet") == 1
+    error = capsys.readouterr().err
+    assert "the workbook cannot be made (No space left on device)" in error and "TMPDIR" in error
+    assert [path.suffix for path in (tmp_path / "out").iterdir()] == [".journal"]
+
+
+def test_that_parents_that_cannot_be_read_are_one_sentence(case, tmp_path, monkeypatch, capsys):
+    from pathlib import Path
+
+    real = Path.exists
+
+    def exists(self, *more):
+        if "closed" in self.name:
+            raise PermissionError(13, "Permission denied")
+        return real(self, *more)
+
+    monkeypatch.setattr(Path, "exists", exists)
+    assert call("--batch", case, "--output", tmp_path / "closed" / "out", "--quiet") == 1
+    assert "the output folder cannot be written (Permission denied)" in capsys.readouterr().err
+
+
+def test_that_a_number_of_thousands_of_digits_is_one_sentence(case, capsys):
+    text = case.read_text()
+    for value in ("0x" + "f" * 20000, "1" * 4000, "[" * 50 + "]" * 50):
+        case.write_text(text.replace("height_m = 5.0", f"height_m = {value}"))
+        assert call("--batch", case) == 1
+        error = capsys.readouterr().err
+        assert error.count("\n") == 1 and len(error) < 600
+
+
+def test_that_the_terminal_names_verdict_zeta_and_deciding_check_of_each_wall(case, capsys):
+    assert call("--batch", case) == 0
+    out = capsys.readouterr().out
+    assert "verdict" in out.splitlines()[0] and "Eq. 9" not in out
+    assert out.splitlines()[1].split()[0] == "w" and out.splitlines()[1].split()[-1] == "dynamic"
+
+
+def test_that_a_second_batch_on_the_same_output_is_refused(case, tmp_path, capsys):
+    from core.journal import Journal
+
+    (tmp_path / "out").mkdir()
+    held = Journal(tmp_path / "out" / "case.journal", "other", False)
+    assert call("--batch", case, "--output", tmp_path / "out", "--quiet") == 1
+    assert "another batch is writing" in capsys.readouterr().err
+    held.close()

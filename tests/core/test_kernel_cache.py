@@ -183,3 +183,33 @@ def test_that_a_second_process_compiles_the_step_where_nothing_is_compiled(tmp_p
     assert missing == ["0", "0", *results, "0"]
     # a second process that ends without having compiled anything
     assert cold("/bin/false", tmp_path / "none")[2:4] == results
+
+
+def test_that_no_flipped_bit_of_the_manifest_ends_a_run(tmp_path):
+    """The cache heals itself: what is not as recorded is compiled again."""
+    folder = tmp_path / "kernels-x"
+    folder.mkdir(mode=0o700)
+    (folder / "a.nbi").write_bytes(b"index")
+    kernel_cache.record(folder)
+    good = (folder / "manifest.json").read_bytes()
+    for place in range(len(good)):
+        for bit in (0, 3, 7):
+            changed = bytearray(good)
+            changed[place] ^= 1 << bit
+            (folder / "manifest.json").write_bytes(changed)
+            (folder / "a.nbi").write_bytes(b"index")
+            kernel_cache.drop_damaged(folder)
+            kernel_cache.record(folder)
+            known = json.loads((folder / "manifest.json").read_bytes())
+            assert set(known) == {path.name for path in folder.glob("*.nbi")}
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes on this system")
+def test_that_a_pipe_in_the_cache_holds_nobody_up(tmp_path):
+    folder = tmp_path / "kernels-x"
+    folder.mkdir(mode=0o700)
+    for name in ("a.nbi", "manifest.json"):
+        os.mkfifo(folder / name)
+    assert kernel_cache.prepare(tmp_path, "x") == folder
+    kernel_cache.record(folder)
+    assert (folder / "manifest.json").read_bytes() == b"{}"

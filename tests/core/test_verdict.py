@@ -67,6 +67,9 @@ def said(dynamic=None, nonlinear=None, q2=None, compatible=True, records=8, bund
         ("indicative", {"dynamic": 1.2, "q2": 1.1, "bundled": True}),
         ("indicative", {"dynamic": 1.2, "q2": 1.1, "demand_scaling": "pga"}),
         ("indicative", {"nonlinear": 1.2, "q2": 1.1, "wall": {"thickness_m": 3.0}, "ag": 0.9}),
+        # alpha = arctan(t / 7): 19.9 and 20.1 degrees
+        ("verified", {"nonlinear": 1.2, "q2": 1.1, "wall": {"thickness_m": 2.534}, "ag": 0.9}),
+        ("indicative", {"nonlinear": 1.2, "q2": 1.1, "wall": {"thickness_m": 2.562}, "ag": 0.9}),
         ("undetermined", {"dynamic": 1.02, "q2": 0.9, "check": {"zeta_spread": (0.99, 1.05)}}),
         (
             "undetermined",

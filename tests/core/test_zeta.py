@@ -81,3 +81,10 @@ def test_that_the_target_is_looked_at_itself():
 def test_that_a_failure_at_the_target_itself_is_seen_beside_a_zeta_beyond():
     found = search_zeta(rule((0.995, 1.005), (1.3, math.inf))[0], 0.2, 1.0)
     assert found.half > 1.25 and not found.holds_at_target
+
+
+def test_that_the_search_begins_where_the_wall_begins_to_move_whatever_the_target():
+    for target in (0.5, 1.0, 1.3, 1.9):
+        assert search_zeta(rule((0.55, math.inf))[0], 0.5, target).half == pytest.approx(
+            0.55, rel=1e-4
+        )

@@ -1,0 +1,273 @@
+"""Hostile input for everything that reads: records, cases, tables of walls, journals, autosaved cases, spectra.
+
+    python3 run.py fuzz [--seconds N] [--seed N] [TARGET ...]
+
+Good files are changed at random: bits flipped, pieces cut out, doubled, exchanged with those of other files, ends cut
+off, numbers made absurd. Whatever comes is read or refused by an InputError of one line within a second: every other
+exception, a result that is no finite number, or a message that repeats more than a piece of the input, is a find,
+whose bytes are kept in a file that is named.
+"""
+
+import argparse
+import io
+import json
+import math
+import random
+import sys
+import tempfile
+import time
+import tomllib
+import warnings
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+from core import records
+from core.case import Demand
+from core.case_reader import draft_case, parse_case, read_case
+from core.case_writer import dumps
+from core.demand import target_of
+from core.errors import InputError
+from core.journal import Journal
+from core.records.grammar import Options
+from core.wall_table import read_table
+from tests.conftest import shelf_folder
+
+ROOT = Path(__file__).resolve().parents[2]
+SLOWEST = 2.0
+"""Seconds one input may take, of a machine that others use too."""
+
+LONGEST = 2000
+"""Characters of a message, two paths of the system among them."""
+
+WORDS = [
+    b"1e400", b"-", b"nan", b"inf", b"0x1F", b"9" * 400, b"\xff\xfe", b"\x00", b"\r", b"\n\n", b"=cmd()",
+    b"NPTS= 1000000000", b"[g] (cm/s2)", b"wall", b"[[wall]]\n", b"*" * 300, b"1.5.2", b";", b",", b"\t", b"{",
+    b"]", b'"', b"true", b"1_000", b"\xe2\x80\x8b",
+]  # fmt: skip
+
+
+def changed(chance: random.Random, seeds: list[bytes]) -> bytes:
+    """A good file with some faults."""
+    data = bytearray(chance.choice(seeds))
+    for _ in range(chance.choice((1, 1, 1, 2, 4, 16))):
+        if not data:
+            break
+        at = chance.randrange(len(data))
+        size = chance.choice((1, 2, 5, 20, 200))
+        kind = chance.randrange(8)
+        if kind == 0:
+            data[at] ^= 1 << chance.randrange(8)
+        elif kind == 1:
+            del data[at : at + size]
+        elif kind == 2:
+            data[at:at] = data[at : at + size] * chance.choice((1, 2, 50))
+        elif kind == 3:
+            del data[at:]
+        elif kind == 4:
+            data[at:at] = chance.choice(WORDS)
+        elif kind == 5:
+            other = chance.choice(seeds)
+            start = chance.randrange(len(other) or 1)
+            data[at : at + size] = other[start : start + size]
+        elif kind == 6:
+            data[at : at + size] = bytes(chance.randrange(256) for _ in range(size))
+        else:
+            data[at : at + 1] = str(chance.choice((0, -1, 10**9, 10**18, 1e-300))).encode()
+    return bytes(data[:400_000])
+
+
+def _record(content: bytes, folder: Path) -> None:
+    for options in (Options(), Options("g", 0.01)):
+        try:
+            motion = records._motion(content, folder / "x.txt", options, 1.0, "x")
+        except InputError as error:
+            check_sentence(error)
+            continue
+        assert np.isfinite(motion.acceleration).all() and 0.0 < motion.pga < 21.0 * 9.80665
+        assert 1e-5 <= motion.time_step <= 0.5
+
+
+def _case(content: bytes, folder: Path) -> None:
+    path = folder / "x.toml"
+    path.write_bytes(content)
+    case = read_case(path)
+    for wall in case.wall:
+        assert math.isfinite(wall.block().p2)
+    again = parse_case(tomllib.loads(dumps(case))) if not case.table else case
+    assert again == case
+
+
+def _table(content: bytes, folder: Path) -> None:
+    path = folder / "x.csv"
+    path.write_bytes(content)
+    for wall in read_table(path, True)[0]:
+        assert wall.base_z_m is not None and (wall.height_m or wall.block().height) >= 0.1
+
+
+def _workbook(content: bytes, folder: Path) -> None:
+    path = folder / "x.xlsx"
+    path.write_bytes(content)
+    read_table(path, False)
+
+
+def _journal(content: bytes, folder: Path) -> None:
+    path = folder / "x.journal"
+    path.write_bytes(content)
+    try:
+        book = Journal(path, "key", True)
+    except InputError:
+        assert path.read_bytes() == content
+        raise
+    try:
+        assert all(result == {"q": float(name[3:])} for name, result in book.found.items())
+    finally:
+        book.close()
+
+
+def _swap(content: bytes, folder: Path) -> None:
+    from app.session import Session
+
+    path = folder / "x-aa.swap"
+    path.write_bytes(content)
+    session = Session(folder / "swaps")
+    session.told(path)
+    session.recover(path)
+    session.problem()
+    session.drop_swap()
+    session.close()
+
+
+def _spectrum(content: bytes, folder: Path) -> None:
+    (folder / "s.txt").write_bytes(content)
+    target = target_of(Demand(0.26, soil_factor=1.2, spectrum_file="s.txt"), folder)
+    assert np.isfinite(target.acceleration(np.linspace(0.0, 9.0, 50))).all()
+
+
+def _draft(content: bytes, folder: Path) -> None:
+    try:
+        table = tomllib.loads(content.decode())
+    except (ValueError, RecursionError):
+        return
+    draft_case(table)
+
+
+def seeds(folder: Path) -> dict[str, list[bytes]]:
+    """Good files of each target."""
+    cases = [path.read_bytes() for path in sorted((ROOT / "resources" / "cases").glob("*.toml"))]
+    cases.append(
+        b'walls = "w.csv"\n[[wall]]\nname = "a"\nradius_m = 2.0\nslenderness_deg = 7.0\n'
+        b'inertia_over_mass_m2 = 6.0\nbase_z_m = 0\nmechanism = "two_sided"\n'
+        b"law = { elastic_limit = 0.05, plateau_end = 0.3 }\n[demand]\nag_g = 0.2\nperiod_range_s = [0.2, 3.0]\n"
+    )
+    motion = (ROOT / "resources" / "motions" / "noise_1.txt").read_bytes()[:6000]
+    motions = [
+        motion,
+        motion.replace(b"\n", b"\r\n"),
+        b"# Acceleration (g), dt=0.01s\n" + b"0.1\n-0.2\n0.05\n" * 20,
+    ]
+    shelf = shelf_folder()
+    if shelf:
+        for name in (
+            "PEER_AT2/ARL360.at2", "PEER_AT2/AND270.AT2", "ESM_ASCII/HI.ARS1..HNE.D.20190728.160908.C.ACC.ASC",
+            "SIGMA_ITACA_acc/16839_H1.cor.acc", "plain_txt/Hollister.dat",
+            "plain_txt/eqsig_test_motion_dt0p01.txt", "plain_txt/OpenSees_Northridge.dat",
+        ):  # fmt: skip
+            motions.append((shelf / name).read_bytes()[:12000])
+    table = (
+        "Parete;z;H;t;Meccanismo;E;peso specifico\n;m;m;cm;;MPa;kN/m3\n"
+        "a;0;4,5;45;su un lato;900;18\nb;6;3;30;entrambi;;\n"
+    )
+    book = Journal(folder / "seed.journal", "key", False)
+    for k in range(5):
+        book.add(f"run{k}", {"q": float(k)})
+    book.close()
+    spectrum = "\n".join(
+        f"{t:.2f} {0.312 * min(1 + 10 * t, 2.5, 1.25 / max(t, 0.1)):.4f}"
+        for t in np.linspace(0, 4, 80)
+    )
+    return {
+        "record": motions,
+        "case": cases,
+        "draft": cases,
+        "table": [table.encode(), table.replace(";", "\t").encode("utf-16")],
+        "workbook": [(ROOT / "resources" / "templates" / "walls.xlsx").read_bytes()],
+        "journal": [(folder / "seed.journal").read_bytes()],
+        "swap": [json.dumps({"path": None, "base_dir": ".", "case": case.decode()}).encode() for case in cases],
+        "spectrum": [spectrum.encode()],
+    }  # fmt: skip
+
+
+TARGETS: dict[str, Callable[[bytes, Path], None]] = {
+    "record": _record, "case": _case, "draft": _draft, "table": _table, "workbook": _workbook, "journal": _journal,
+    "swap": _swap, "spectrum": _spectrum,
+}  # fmt: skip
+
+
+def inside(content: bytes, chance: random.Random) -> bytes:
+    """A workbook whose parts are changed, in a whole zip."""
+    room = io.BytesIO()
+    with zipfile.ZipFile(io.BytesIO(content)) as old, zipfile.ZipFile(room, "w") as new:
+        parts = [entry.filename for entry in old.infolist()]
+        struck = chance.choice(parts)
+        for name in parts:
+            data = old.read(name)
+            new.writestr(name, changed(chance, [data]) if name == struck and data else data)
+    return room.getvalue()
+
+
+def check_sentence(error: InputError) -> None:
+    text = str(error)
+    assert "\n" not in text and len(text) < LONGEST, f"a message of {len(text)} characters"
+
+
+def attack(name: str, seconds: float, seed: int) -> tuple[int, str | None]:
+    """(inputs tried, what was found or None)."""
+    chance, count = random.Random(f"{name} {seed}"), 0
+    with tempfile.TemporaryDirectory() as place:
+        folder = Path(place)
+        good = seeds(folder)[name]
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            whole_zip = name == "workbook" and chance.random() < 0.8
+            content = inside(good[0], chance) if whole_zip else changed(chance, good)
+            count += 1
+            start = time.monotonic()
+            try:
+                with warnings.catch_warnings():  # openpyxl's, of what it passes over
+                    warnings.simplefilter("ignore")
+                    TARGETS[name](content, folder)
+            except InputError as error:
+                check_sentence(error)
+            except BaseException as error:
+                kept = Path(tempfile.mkstemp(prefix=f"ribalta-{name}-")[1])
+                kept.write_bytes(content)
+                return count, f"{type(error).__name__}: {str(error)[:200]}; input kept in {kept}"
+            if time.monotonic() - start > SLOWEST:
+                kept = Path(tempfile.mkstemp(prefix=f"ribalta-{name}-slow-")[1])
+                kept.write_bytes(content)
+                return count, f"took {time.monotonic() - start:.1f} s; input kept in {kept}"
+    return count, None
+
+
+def main() -> int:
+    words = argparse.ArgumentParser()
+    words.add_argument("targets", nargs="*", default=list(TARGETS))
+    words.add_argument("--seconds", type=float, default=60.0, help="for each target")
+    words.add_argument("--seed", type=int, default=random.randrange(10**6))
+    options = words.parse_args()
+    found = 0
+    for name in options.targets:
+        count, trouble = attack(name, options.seconds, options.seed)
+        found += trouble is not None
+        print(
+            f"{name:10} {count:9} inputs, seed {options.seed}: {trouble or 'nothing found'}",
+            flush=True,
+        )
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,15 @@
+"""Some seconds of hostile input for each reader; `python3 run.py fuzz` goes on for hours."""
+
+import os
+
+import pytest
+
+from tests.fuzz.fuzz import TARGETS, attack
+
+SECONDS = float(os.environ.get("RIBALTA_FUZZ_SECONDS", "8"))
+
+
+@pytest.mark.parametrize("name", TARGETS)
+def test_that_whatever_comes_is_read_or_refused_in_one_sentence(name):
+    count, found = attack(name, SECONDS, 1)
+    assert found is None and count > 10

@@ -1,0 +1,153 @@
+"""Are the tests awake? Small faults put into the modules that decide, one at a time; each must fail a test.
+
+    python3 run.py mutate [--each N] [MODULE ...]
+
+A tool of our own, since mutmut and cosmic-ray run the whole suite for each fault: here a module knows its tests,
+and compiled kernels, which are in none of these modules, are kept for all runs. The faults are drawn by chance
+with a fixed seed: comparisons at their limit, signs, factors, limits moved by a tenth, conditions turned. Faults
+that change nothing are named in `survivors.txt`, each with its reason.
+"""
+
+import argparse
+import ast
+import os
+import random
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+HAND = "tests/validation/test_circolare_by_hand.py"
+TESTS = {
+    "core/kinematic.py": [HAND],
+    "core/demand_check.py": [HAND, "tests/core/test_study.py"],
+    "core/zeta.py": ["tests/core/test_zeta.py"],
+    "core/ida.py": ["tests/core/test_ida.py"],
+    "core/verdict.py": ["tests/core/test_verdict.py", HAND],
+    "core/limits.py": ["tests/core/test_case.py", HAND],
+    "core/records/grammar.py": ["tests/core/test_records.py"],
+    "core/records/plain.py": ["tests/core/test_records.py"],
+    "core/records/cut.py": ["tests/core/test_records.py"],
+    "core/wall_table.py": ["tests/core/test_wall_table.py"],
+}
+COMPARED = {ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt, ast.Eq: ast.NotEq,
+            ast.NotEq: ast.Eq, ast.Is: ast.IsNot, ast.IsNot: ast.Is, ast.In: ast.NotIn}  # fmt: skip
+REPLACED = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.And: ast.Or,
+            ast.Or: ast.And, ast.BitAnd: ast.BitOr, ast.BitOr: ast.BitAnd}  # fmt: skip
+SECONDS = 240
+
+
+def faults(tree: ast.Module) -> list[tuple[ast.AST, str]]:
+    """(node, attribute) of every place a fault can be put."""
+    annotations = {
+        id(part)
+        for node in ast.walk(tree)
+        for name in ("annotation", "returns")
+        if getattr(node, name, None)
+        for part in ast.walk(getattr(node, name))
+    }
+    found: list[tuple[ast.AST, str]] = []
+    for node in ast.walk(tree):
+        if id(node) in annotations:
+            continue
+        if isinstance(node, ast.Compare) and type(node.ops[0]) in COMPARED:
+            found.append((node, "ops"))
+        elif isinstance(node, (ast.BinOp, ast.BoolOp)) and type(node.op) in REPLACED:
+            texts = isinstance(node, ast.BinOp) and any(
+                isinstance(side, (ast.JoinedStr, ast.List))
+                or isinstance(getattr(side, "value", 0), str)
+                for side in (node.left, node.right)
+            )
+            if not texts:
+                found.append((node, "op"))
+        elif isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not):
+            found.append((node, "operand"))
+        elif isinstance(node, ast.Constant) and type(node.value) in (int, float, bool):
+            found.append((node, "value"))
+    return found
+
+
+def put(node: ast.AST, attribute: str) -> None:
+    """Put the fault."""
+    if attribute == "ops":
+        node.ops[0] = COMPARED[type(node.ops[0])]()
+    elif attribute == "op":
+        node.op = REPLACED[type(node.op)]()
+    elif attribute == "operand":
+        node.op = ast.UAdd()
+        node.operand = ast.Call(ast.Name("bool", ast.Load()), [node.operand], [])
+    elif isinstance(node.value, bool):
+        node.value = not node.value
+    else:
+        node.value = node.value + 1 if isinstance(node.value, int) else node.value * 1.1 or 0.1
+
+
+def tested(tree: Path, tests: list[str], environment: dict) -> bool:
+    """Whether the tests of a module pass in this tree."""
+    command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", *tests]
+    try:
+        found = subprocess.run(
+            command, cwd=tree, env=environment, capture_output=True, timeout=SECONDS
+        )
+    except subprocess.TimeoutExpired:
+        return False
+    return found.returncode == 0
+
+
+def main() -> int:
+    words = argparse.ArgumentParser()
+    words.add_argument("modules", nargs="*", default=list(TESTS))
+    words.add_argument("--each", type=int, default=12, help="faults in each module; 0: all")
+    options = words.parse_args()
+    known = (Path(__file__).parent / "survivors.txt").read_text(encoding="utf-8")
+    killed = survived = excused = 0
+    with tempfile.TemporaryDirectory() as name:
+        tree = Path(name) / "tree"
+        shutil.copytree(
+            ROOT, tree, ignore=shutil.ignore_patterns(".git", ".venv*", "dist", "build")
+        )
+        # the kernels are of no module that changes: compiled once for all
+        cache = tree / "core" / "kernel_cache.py"
+        cache.write_text(cache.read_text().replace("STAMP = source_stamp()", 'STAMP = "mutants"'))
+        environment = dict(
+            os.environ, PYTHONPATH=str(tree), RIBALTA_CACHE=str(Path(name) / "cache"),
+            RIBALTA_RECORDS=os.environ.get("RIBALTA_RECORDS", str(ROOT.parent / "shared" / "records")),
+        )  # fmt: skip
+        for module in options.modules:
+            source = (ROOT / module).read_text(encoding="utf-8")
+            if not tested(tree, TESTS[module], environment):
+                print(f"{module}: its tests fail without a fault")
+                return 1
+            places = range(len(faults(ast.parse(source))))
+            chosen = random.Random(module).sample(
+                places, min(options.each or len(places), len(places))
+            )
+            for place in sorted(chosen):
+                changed = ast.parse(source)
+                node, attribute = faults(changed)[place]
+                line = source.splitlines()[node.lineno - 1].strip()
+                before = ast.unparse(node)
+                put(node, attribute)
+                (tree / module).write_text(ast.unparse(ast.fix_missing_locations(changed)))
+                if not tested(tree, TESTS[module], environment):
+                    killed += 1
+                elif f"{module}: {before} -> {ast.unparse(node)}" in known:
+                    excused += 1
+                else:
+                    survived += 1
+                    print(
+                        f"{module}:{node.lineno}: {before} -> {ast.unparse(node)}   in   {line}",
+                        flush=True,
+                    )
+            (tree / module).write_text(source)
+    total = killed + survived
+    print(
+        f"{killed} of {total} faults found ({killed / max(total, 1):.0%}); {excused} change nothing, as stated"
+    )
+    return 0 if killed >= 0.9 * total else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
