@@ -158,3 +158,40 @@ def test_that_a_full_disk_in_the_journal_is_one_sentence(tmp_path, monkeypatch, 
     again = Journal(path, "key", True)
     assert all(result == {"q": float(name[3:])} for name, result in again.found.items())
     again.close()
+
+
+def test_that_a_disk_that_takes_half_a_file_leaves_the_old_one(tmp_path):
+    """A write that ends short, by the system's limit on the size of a file."""
+    resource = pytest.importorskip("resource")
+    script = f"""
+import resource, signal, sys
+from pathlib import Path
+sys.path.insert(0, {str(ROOT)!r})
+from core.errors import OutputError
+from core.report import atomic
+from core.journal import Journal
+signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+resource.setrlimit(resource.RLIMIT_FSIZE, (10_000, 10_000))
+folder = Path({str(tmp_path)!r})
+def fill():
+    book = Journal(folder / "d.journal", "key", False)
+    for k in range(99):
+        book.add(str(k), {{"x": "z" * 900}})
+for write in (lambda: atomic.write({{folder / "a.xlsx": b"x" * 100_000, folder / "a.json": b"y"}}), fill):
+    try:
+        write()
+    except OutputError as error:
+        assert "File too large" in str(error), error
+    else:
+        raise SystemExit("written")
+"""
+    assert resource
+    (tmp_path / "a.xlsx").write_bytes(b"old")
+    found = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+    assert found.returncode == 0, found.stderr
+    assert (tmp_path / "a.xlsx").read_bytes() == b"old" and not (tmp_path / "a.json").exists()
+    again = Journal(tmp_path / "d.journal", "key", True)
+    assert len(again.found) >= 9 and all(
+        result == {"x": "z" * 900} for result in again.found.values()
+    )
+    again.close()

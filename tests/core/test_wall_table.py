@@ -8,7 +8,7 @@ from openpyxl import Workbook
 
 from core.case_reader import read_case
 from core.errors import InputError
-from core.wall_table import read_walls, text_rows, walls_of
+from core.wall_table import read_table, read_walls, text_rows, walls_of
 
 CSV = """Parete;Piano;z;H;t;L;Peso specifico;u;Meccanismo;Vincolo;Note
 ;;m;m;cm;m;kN/m3;cm;;;
@@ -221,3 +221,66 @@ def test_that_a_unit_of_another_quantity_is_refused(head, unit):
     rows = [list(cells), [pair[0] for pair in cells.values()], [pair[1] for pair in cells.values()]]
     with pytest.raises(InputError, match="the unit"):
         walls_of(rows)
+
+
+def workbook(tmp_path, hide=(), sheets=()):
+    """A table of three walls; rows to hide, and further sheets (name, hidden)."""
+    import openpyxl
+
+    book = openpyxl.Workbook()
+    sheet = book.active
+    sheet.title = "Pareti"
+    sheet.append(["Parete", "z", "H", "t", "Meccanismo"])
+    sheet.append([None, "m", "m", "cm", None])
+    for name in "abc":
+        sheet.append([name, 0, 4, 45, "su un lato"])
+    for number in hide:
+        sheet.row_dimensions[number].hidden = True
+    for name, hidden in sheets:
+        other = book.create_sheet(name, 0 if hidden else None)
+        other.append(["not", "walls"])
+        other.sheet_state = "hidden" if hidden else "visible"
+    path = tmp_path / "w.xlsx"
+    book.save(path)
+    return path
+
+
+def test_that_hidden_rows_and_sheets_are_not_read_and_said(tmp_path):
+    walls, notes = read_table(
+        workbook(tmp_path, hide=(4,), sheets=[("Old", True), ("Note", False)])
+    )
+    assert [wall.name for wall in walls] == ["a", "c"]
+    assert [note.text() for note in notes] == [
+        "Walls read from the sheet Pareti.",
+        "Hidden rows of the table of walls were not read: 4.",
+        "Other sheets of the table of walls were not read: Old, Note.",
+    ]
+    assert "foglio Pareti" in notes[0].text("it")
+    walls, notes = read_table(workbook(tmp_path))
+    assert len(walls) == 3 and len(notes) == 1
+
+
+@pytest.mark.parametrize(
+    ("head", "unit", "word"),
+    [("t (mm)", "cm", "names mm, the row of units below it cm"), ("H [cm]", "m", "names cm"),
+     ("E [GPa]", "MPa", "names gpa")],
+)  # fmt: skip
+def test_that_a_unit_in_the_head_that_contradicts_the_row_of_units_is_refused(head, unit, word):
+    heads = ["Parete", "H", "t", "Meccanismo", "E"]
+    units = ["", "m", "m", "", "MPa"]
+    place = next(k for k, name in enumerate(heads) if head.startswith(name))
+    heads[place], units[place] = head, unit
+    with pytest.raises(InputError, match=word):
+        walls_of([heads, units, ["a", "4", "0.5", "entrambi", "900"]])
+    heads[place] = head.replace("mm", unit).replace("[cm]", f"[{unit}]").replace("GPa", unit)
+    assert len(walls_of([heads, units, ["a", "4", "0.5", "entrambi", "900"]])) == 1
+
+
+def test_that_unicode_text_of_a_spreadsheet_is_read_or_refused_by_name(tmp_path):
+    rows = "Parete\tH\tt\tMeccanismo\n\tm\tm\t\nè\t4\t0,5\tentrambi\n"
+    path = tmp_path / "w.txt"
+    path.write_bytes(rows.encode("utf-16"))
+    assert read_walls(path)[0].name == "è"
+    path.write_bytes(rows.encode("utf-16-le"))
+    with pytest.raises(InputError, match="no text: save the table as"):
+        read_walls(path)
