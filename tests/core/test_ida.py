@@ -7,14 +7,18 @@ import numpy as np
 import pytest
 
 from core import ida
+from core.block import Block
 from core.errors import Cancelled
 from core.fragility import fragility
 from core.ida import (
     Search,
     collapse_count,
+    first_with_share,
     incremental_dynamic_analysis,
 )  # fmt: skip
-from core.rocking import COLLAPSED, IMPACT_LIMIT, METHODS, STABLE, history
+from core.moment_rotation import LAWS
+from core.restitution import restitution
+from core.rocking import COLLAPSED, IMPACT_LIMIT, METHODS, STABLE, history, rocking_model
 from core.units import G
 
 TAYLOR = METHODS["taylor"]
@@ -295,3 +299,22 @@ def test_that_a_real_wall_can_reach_the_impact_limit(make_model):
     ground = np.full(3, -19.56)
     found = history(ground, 0.00986, 1.0, model, start=(0.0, 2.62e-6))
     assert found.outcome == IMPACT_LIMIT
+
+
+def test_that_a_share_met_exactly_is_met():
+    """16 % of 25 points are 4: `q_robust` and zeta_16 are where the share is reached, not passed."""
+    flags = np.zeros(60, bool)
+    flags[40:44] = True
+    assert (
+        first_with_share(flags, 12, 0.16) == 31
+    )  # 31 + 12 = 43: the fourth point comes into the window
+    assert first_with_share(flags[:43], 12, 0.16) is None  # only whole windows count
+
+
+def test_that_a_wall_may_fall_just_above_its_threshold():
+    """A push that lasts: whatever exceeds a_RM overturns, so q is within a step of 1."""
+    block = Block.rectangle(4.0, math.radians(6.0))
+    model = rocking_model(block, True, restitution(block, "one_sided_theoretical"), LAWS["rigid"])
+    ground = np.concatenate([np.full(3000, 1.0), np.zeros(10)])
+    found = incremental_dynamic_analysis(ground, 0.01, 1.0, 1, model, METHODS["taylor"], Search())
+    assert 1.0 < found.q < 1.01 and found.outcomes[0] == "0"

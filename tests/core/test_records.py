@@ -256,7 +256,9 @@ def test_that_gaps_inside_a_record_are_refused_and_nan_tails_dropped(write):
     nan_tail = text + "NaN NaN NaN\n"
     found = records.read(write(nan_tail))
     assert found.acceleration.size == 40
-    assert "dropped" in found.warnings[0].text()
+    assert "3 surplus zeros or NaN at the end were dropped" in found.warnings[0].text()
+    zeros = records.read(write(text + "0.0 0.0\nNaN NaN\n"))
+    assert "4 surplus zeros or NaN" in zeros.warnings[0].text()
     rows = text.splitlines()
     rows[6] = "NaN " * 5
     with pytest.raises(RecordError, match="gap"):

@@ -26,7 +26,7 @@ TESTS = {
     "core/zeta.py": ["tests/core/test_zeta.py"],
     "core/ida.py": ["tests/core/test_ida.py"],
     "core/verdict.py": ["tests/core/test_verdict.py", HAND],
-    "core/limits.py": ["tests/core/test_case.py", HAND],
+    "core/limits.py": ["tests/core/test_limits.py", "tests/core/test_case.py", HAND],
     "core/records/grammar.py": ["tests/core/test_records.py"],
     "core/records/plain.py": ["tests/core/test_records.py"],
     "core/records/cut.py": ["tests/core/test_records.py"],

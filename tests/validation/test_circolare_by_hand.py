@@ -64,7 +64,11 @@ def test_that_a_wall_on_the_ground_is_the_hand_calculation(
     assert found.period == pytest.approx(period, abs=5e-6)
     assert found.s_de == pytest.approx(s_de, abs=5e-6)
     assert found.d0 == pytest.approx(thickness / 2.0, rel=1e-12)
-    assert linear("linear_q_code", found, demand, 2.0).zeta == pytest.approx(zeta_linear, abs=5e-5)
+    check = linear("linear_q_code", found, demand, 2.0)
+    assert check.zeta == pytest.approx(zeta_linear, abs=5e-5) and check.q == 2.0
+    # a_g,SLV against a_g, both in g
+    assert check.demand == pytest.approx(0.26, rel=1e-12)
+    assert check.capacity == pytest.approx(0.26 * check.zeta, rel=1e-12)
     assert found.d_limit / found.s_de == pytest.approx(raw, abs=5e-5)
     # clause .8: where the a_g,SLV of the displacement check is below a_g,SLD, that counts
     assert nonlinear(found, demand).zeta == pytest.approx(counted, abs=5e-5)
@@ -124,7 +128,9 @@ def test_that_the_check_at_sld_is_against_the_ground_or_the_spectrum_at_t_0():
     for kind, demanded in ((HELD, 0.312), (FREE, 0.780)):
         asked = case({"height_m": 3.0, "thickness_m": 0.45, **kind}, {"limit_state": "SLD"})
         check = sld(*mechanism_of(asked))
-        assert check.clause == "C8.7.1.2.1.5"
+        assert check.clause == "C8.7.1.2.1.5" and check.unit == "g"
+        assert check.demand == pytest.approx(demanded, rel=1e-12)
+        assert check.capacity == pytest.approx(0.45 / 3.0 / 1.35, rel=1e-12)
         assert check.zeta == pytest.approx(0.45 / 3.0 / 1.35 / demanded, rel=1e-12)
 
 
