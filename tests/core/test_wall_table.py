@@ -191,7 +191,8 @@ def test_that_free_elements_their_modulus_and_confirmations_are_columns():
         ("u", "mm", "30", "hinge_setback_m", 0.03), ("z", "cm", "350", "base_z_m", 3.5),
         ("E", "MPa", "900", "elastic_modulus_mpa", 900.0), ("E", "GPa", "0.9", "elastic_modulus_mpa", 900.0),
         ("E", "N/mm2", "900", "elastic_modulus_mpa", 900.0), ("γ", "kn/m³", "18", "unit_weight_kn_m3", 18.0),
-        ("γ", "-", "18", "unit_weight_kn_m3", 18.0), ("H", "mm", "4000", "height_m", 4.0), ("γ", "kN/m3", "18", "unit_weight_kn_m3", 18.0),
+        ("γ", "-", "18", "unit_weight_kn_m3", 18.0), ("H", "mm", "4000", "height_m", 4.0),
+        ("γ", "kN/m3", "18", "unit_weight_kn_m3", 18.0),
     ],
 )  # fmt: skip
 def test_that_each_unit_of_a_table_has_its_factor(head, unit, cell, key, value):

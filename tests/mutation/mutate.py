@@ -22,7 +22,7 @@ ROOT = Path(__file__).resolve().parents[2]
 HAND = "tests/validation/test_circolare_by_hand.py"
 TESTS = {
     "core/kinematic.py": [HAND],
-    "core/demand_check.py": [HAND, "tests/core/test_study.py"],
+    "core/demand_check.py": [HAND, "tests/core/test_verdict.py", "tests/core/test_study.py"],
     "core/zeta.py": ["tests/core/test_zeta.py"],
     "core/ida.py": ["tests/core/test_ida.py"],
     "core/verdict.py": ["tests/core/test_verdict.py", HAND],

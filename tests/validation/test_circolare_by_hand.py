@@ -1,6 +1,7 @@
 """Checks of the Circolare 7/2019, C8.7.1.2.1.1 to .9, worked out by hand."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -8,6 +9,7 @@ import pytest
 from core import independent_solver, study
 from core.case_reader import parse_case
 from core.demand import demand_of
+from core.demand_check import demand_check
 from core.errors import InputError
 from core.ida import incremental_dynamic_analysis
 from core.kinematic import kinematic, linear, nonlinear, sld
@@ -284,6 +286,30 @@ def test_that_the_dynamic_check_is_what_single_histories_say(designed):
     assert found.n_exceeded == sum(run.exceeded for run in found.runs)
     overturned = any(run.status == "overturned" for run in found.runs)
     assert found.mean_peak_ratio == (None if overturned else pytest.approx(np.mean(peaks)))
+
+
+def test_that_records_scaled_to_the_pga_are_the_records_at_the_demand(designed, tmp_path):
+    """Half of each record, scaled to a_g S, is the record: the same peaks and the same zeta."""
+    wall, demand = designed.walls[0], designed.demand
+    weak = [replace(m, acceleration=0.5 * m.acceleration) for m in designed.motions]
+    for confidence_on in ("capacity", "demand"):
+        asked = {"confidence_on": confidence_on}
+        plain = demand_of(case(HELD, asked), tmp_path)
+        scaled = demand_of(case(HELD, {**asked, "demand_scaling": "pga"}), tmp_path)
+        first = demand_check(wall.model, list(designed.motions), (1,), plain, AUTO)
+        second = demand_check(wall.model, weak, (1,), scaled, AUTO)
+        factor = (
+            2.0 * (1.35 if confidence_on == "demand" else 1.0) * demand.pga / (2.0 * weak[0].pga)
+        )
+        assert second.runs[0].factor == pytest.approx(factor, rel=1e-12)
+        assert second.zeta == pytest.approx(first.zeta, rel=0.01)
+        assert second.n_exceeded == first.n_exceeded
+        for one, other in zip(first.runs, second.runs, strict=True):
+            assert other.status == one.status
+            assert one.peak_ratio is None or other.peak_ratio == pytest.approx(
+                one.peak_ratio, rel=1e-6
+            )
+    assert demand_check(wall.model, [], (1,), plain, AUTO) is None
 
 
 STEP = 0.0025
