@@ -12,6 +12,7 @@ from core.errors import Cancelled
 from core.fragility import fragility
 from core.ida import (
     Search,
+    bisections,
     collapse_count,
     first_with_share,
     incremental_dynamic_analysis,
@@ -318,3 +319,13 @@ def test_that_a_wall_may_fall_just_above_its_threshold():
     ground = np.concatenate([np.full(3000, 1.0), np.zeros(10)])
     found = incremental_dynamic_analysis(ground, 0.01, 1.0, 1, model, METHODS["taylor"], Search())
     assert 1.0 < found.q < 1.01 and found.outcomes[0] == "0"
+
+
+def test_that_only_a_midpoint_a_bisection_needs_must_be_known():
+    def failures(unknown_at):
+        return lambda points: [(points[0] > 1.7, np.abs(points[0] - unknown_at) < 1e-9)]
+
+    assert bisections([(1.0, 2.0)], failures(1.5)) == [None]
+    assert bisections([(1.0, 2.0)], failures(1.625)) == [None]
+    ((low, high),) = bisections([(1.0, 2.0)], failures(1.25))  # 1.5 holds: 1.25 is not asked for
+    assert low <= 1.7 <= high and high / low - 1.0 <= 1e-4

@@ -286,3 +286,13 @@ def test_that_unicode_text_of_a_spreadsheet_is_read_or_refused_by_name(tmp_path)
     path.write_bytes(rows.encode("utf-16-le"))
     with pytest.raises(InputError, match="no text: save the table as"):
         read_walls(path)
+
+
+def test_that_a_slenderness_in_degrees_is_taken_as_it_is():
+    for unit in ("deg", "°", "-", ""):
+        rows = [
+            ["Parete", "H", "alpha", "Meccanismo"],
+            ["", "m", unit, ""],
+            ["a", "4", "7.5", "entrambi"],
+        ]
+        assert walls_of(rows)[0].slenderness_deg == 7.5
