@@ -139,6 +139,20 @@ def ensure(groups):
             ) from None
 
 
+def made_here():
+    """Whether run.py made the folder of the environment: by its mark, by the stamp of an earlier version beside
+    a pyvenv.cfg, or since it is .venv of this project."""
+    config = os.path.isfile(os.path.join(ENVIRONMENT, "pyvenv.cfg"))
+    if os.path.isfile(MARK) or (config and "RIBALTA_ENV" not in os.environ):
+        return True
+    try:
+        with open(STAMP, encoding="utf-8") as stream:
+            stamp = json.load(stream)
+        return config and set(stamp) == {"groups", "contents"}
+    except (OSError, ValueError, TypeError):
+        return False
+
+
 def create():
     """A new, empty environment; an old or broken one goes first."""
     for module in ("venv", "ensurepip"):
@@ -150,18 +164,20 @@ def create():
                 "python3-venv) or start with a Python from python.org"
             ) from None
     if os.path.exists(ENVIRONMENT):
-        own = [STAMP, MARK]
-        if "RIBALTA_ENV" not in os.environ:
-            own.append(os.path.join(ENVIRONMENT, "pyvenv.cfg"))
-        if not os.path.isdir(ENVIRONMENT) or (
-            os.listdir(ENVIRONMENT) and not any(os.path.isfile(name) for name in own)
-        ):
+        if not os.path.isdir(ENVIRONMENT) or (os.listdir(ENVIRONMENT) and not made_here()):
             raise Failure(
                 f"{ENVIRONMENT} was not made by run.py and stays as it is: name another folder, empty or new, "
                 "in the variable RIBALTA_ENV"
             )
-        shutil.rmtree(ENVIRONMENT)
-    os.makedirs(ENVIRONMENT)
+        for name in os.listdir(
+            ENVIRONMENT
+        ):  # the mark last, so that a kill leaves it known as ours
+            path = os.path.join(ENVIRONMENT, name)
+            if os.path.isdir(path) and not os.path.islink(path):
+                shutil.rmtree(path)
+            elif path != MARK:
+                os.unlink(path)
+    os.makedirs(ENVIRONMENT, exist_ok=True)
     with open(
         MARK, "w", encoding="utf-8"
     ) as stream:  # first of all, so that what a kill leaves is known

@@ -15,6 +15,7 @@ from core.case import Case
 from core.case_reader import read_case
 from core.errors import Cancelled, InputError, OutputError
 from core.journal import Journal
+from core.names import name_of
 from core.report import atomic
 from core.results import StudyResult
 
@@ -48,7 +49,7 @@ def refuse_overwriting(case: Case, case_path: Path, folder: Path, stem: str) -> 
     sources = {case_path.resolve()}
     for name in (case.table, case.demand.spectrum_file if case.demand else None):
         if name:
-            sources.add((case_path.parent / name).resolve())
+            sources.add((case_path.parent / name_of(name)).resolve())
     for k, entry in enumerate(case.record, start=1):
         try:
             paths = records.expand(entry.file, case_path.parent)

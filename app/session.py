@@ -303,6 +303,8 @@ class Session:
     def close(self) -> None:
         """The session ends: its lock goes, and its swap files are anybody's."""
         if self._held is not None:
+            if os.name == "nt":
+                self._held.close()
             with contextlib.suppress(OSError):
                 (self.swaps / f"{self.token}.lock").unlink(missing_ok=True)
             self._held.close()
@@ -368,6 +370,7 @@ class Session:
         self._start(case)
         self.saved, self.path, self.base_dir = saved, path, base
         self.autosave()  # before the other goes: a kill in between loses nothing
-        with contextlib.suppress(OSError):
-            swap.unlink(missing_ok=True)
+        if self.swap.is_file() or not self.dirty:
+            with contextlib.suppress(OSError):
+                swap.unlink(missing_ok=True)
         self.changed()

@@ -35,36 +35,60 @@ class Journal:
     def _begin(self, key: str, resume: bool) -> None:
         try:
             lock(self._stream)
-        except OSError:
+        except OSError as error:
+            if error.errno not in (errno.EAGAIN, errno.EACCES, errno.EWOULDBLOCK, errno.EDEADLK):
+                raise
             raise OutputError(
                 f"{self.path}: another batch is writing these results: wait for it, or give another --output"
             ) from None
+        if not _is_at(self._stream, self.path):
+            raise OutputError(f"{self.path}: another batch has just ended here: start again")
         self._stream.seek(0)
         content = self._stream.readall()
-        head, *lines = content.split(b"\n")
         if not ours(content):
             raise OutputError(
                 f"{self.path}: this file is no journal of Ribalta and stays as it is: rename it, or give "
                 "another --output"
             )
-        good = []
-        if _parsed(head) == {"journal": key}:
-            # what a kill cut off has no line end
-            for line in lines[:-1] if lines else []:
-                entry = _parsed(line)
-                if entry and entry.get("hash") == _hash(entry):
-                    self.found[entry["run"]] = entry["result"]
-                    good.append(line)
-                else:
-                    self.dropped += 1
-        if self.found and not resume:
+        head, *lines = content.split(b"\n")
+        mine = _parsed(head) == {HEAD: key}
+        good, kept = [], 0
+        # what a kill cut off has no line end
+        for line in lines[:-1] if mine else []:
+            entry = _parsed(line)
+            if entry and entry.get("hash") == _hash(entry):
+                self.found[entry["run"]] = entry["result"]
+                good.append(line)
+            else:
+                self.dropped += 1
+            if not self.dropped:
+                kept += len(line) + 1
+        if (self.found and not resume) or (lines[:-1] and not mine):
             self.set_aside = free_name(self.path)
             self.set_aside.write_bytes(content)
-            self.found, self.dropped, good = {}, 0, []
-        whole = b"\n".join([json.dumps({"journal": key}).encode(), *good, b""])
-        if whole != content:
+            self.found, self.dropped, good, mine = {}, 0, [], False
+        if not mine:
             self._stream.truncate(0)
-            self._put(whole)
+            self._put(json.dumps({HEAD: key}).encode() + b"\n")
+        elif not self.dropped:
+            self._stream.truncate(len(head) + 1 + kept)
+        else:
+            self._rewrite(b"\n".join([head, *good, b""]))
+
+    def _rewrite(self, content: bytes) -> None:
+        """The whole lines in a file of their own, which takes the place of the damaged one."""
+        place = self.path.with_name(f"{self.path.name}.new")
+        with open(place, "wb") as stream:
+            stream.write(content)
+            stream.flush()
+            os.fsync(stream.fileno())
+        damaged = self._stream
+        if os.name == "nt":
+            damaged.close()
+        os.replace(place, self.path)
+        self._stream = open(self.path, "a+b", buffering=0)  # noqa: SIM115
+        lock(self._stream)
+        damaged.close()
 
     def _put(self, content: bytes) -> None:
         """Append, on disk when this returns; raises OSError where not all of it could be written."""
@@ -88,16 +112,30 @@ class Journal:
         self._stream.close()
 
     def remove(self) -> None:
-        """The batch is done; the file goes while nobody else can hold it."""
+        """The batch is done; where the system can, the file goes while nobody else can hold it."""
+        if os.name == "nt":
+            self.close()
         with contextlib.suppress(OSError):
             self.path.unlink(missing_ok=True)
         self.close()
 
 
+HEAD = "Ribalta journal"
+"""The key of the first line: no other program's file begins with it."""
+
+
 def ours(content: bytes) -> bool:
-    """Whether a file is a journal, or what a kill left of one."""
-    head = b'{"journal": "'
-    return content[: len(head)] == head[: len(content)]
+    """Whether a file is a journal, or what a kill left of the first line of one."""
+    start = b'{"' + HEAD.encode() + b'": "'
+    return content[: len(start)] == start[: len(content)]
+
+
+def _is_at(stream, path: Path) -> bool:
+    """Whether this name still is the file that was opened: another batch may have removed it in between."""
+    try:
+        return os.path.samestat(os.fstat(stream.fileno()), path.stat())
+    except OSError:
+        return False
 
 
 def free_name(path: Path) -> Path:

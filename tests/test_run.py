@@ -90,6 +90,17 @@ def test_that_an_environment_of_another_program_is_refused_not_deleted(run):
     assert os.path.exists(os.path.join(run.ENVIRONMENT, "lib", "precious.py")) and not run.calls
 
 
+def test_that_results_of_the_program_are_no_environment(run):
+    """The window exports `ribalta.json` by default: a name is no proof."""
+    os.makedirs(run.ENVIRONMENT)
+    for name, content in (("ribalta.json", '{"program": {}}'), ("thesis.txt", "mine")):
+        with open(os.path.join(run.ENVIRONMENT, name), "w") as stream:
+            stream.write(content)
+    with pytest.raises(run.Failure, match="stays as it is"):
+        run.ensure(["base"])
+    assert sorted(os.listdir(run.ENVIRONMENT)) == ["ribalta.json", "thesis.txt"]
+
+
 def test_that_what_a_kill_left_of_an_environment_of_ours_is_made_anew(run):
     os.makedirs(run.ENVIRONMENT)
     open(run.MARK, "w").close()

@@ -291,7 +291,7 @@ class Chart(QWidget):
 
     def write(self, path: Path) -> None:
         """Write .png, .svg or .csv by the end of the name, whole or not at all. Raises OutputError."""
-        atomic.write({path: self.content(path.suffix)})
+        atomic.write({path: self.content(path.suffix.lower())})
 
     def copy(self) -> None:
         """The picture to the clipboard. Not by a QMimeData of ours: it crashes Qt when the program ends."""

@@ -1,6 +1,7 @@
 """Files that are whole or not there: temporary file, fsync, replace."""
 
 import contextlib
+import errno
 import json
 import os
 import tempfile
@@ -57,8 +58,10 @@ def write(files: dict[Path, bytes]) -> None:
             if os.path.isfile(target):
                 with open(target, "rb") as stream:
                     old[target] = _beside(target, stream.read())
-        if len(moves) > 1:
-            listed = _beside(next(iter(moves.values())), json.dumps(moves).encode(), COMMIT)
+        if len(moves) > 1 and len({os.path.dirname(target) for target in moves.values()}) == 1:
+            # bare names: of this folder, whatever it is called later
+            names = {os.path.basename(name): os.path.basename(to) for name, to in moves.items()}
+            listed = _beside(next(iter(moves.values())), json.dumps(names).encode(), COMMIT)
         for name, target in moves.items():
             path = target
             os.replace(name, target)
@@ -71,6 +74,8 @@ def write(files: dict[Path, bytes]) -> None:
             "take another folder; what was there is untouched"
         ) from None
     finally:
+        if not done and listed:
+            _remove(listed)  # first of all: a kill from here on must not finish what is taken back
         for name, target in moves.items():
             if done or os.path.exists(name) or target not in old:
                 continue
@@ -91,15 +96,22 @@ def clean(folder: Path) -> None:
         left = [path for path in folder.glob(f"{PREFIX}*-*") if not _in_use(path)]
         for path in left:
             if path.name.endswith(COMMIT):
-                with contextlib.suppress(OSError, ValueError, AttributeError):
-                    for name, target in json.loads(path.read_bytes()).items():
-                        if os.path.dirname(name) == os.path.dirname(target) and os.path.isfile(
-                            name
-                        ):
-                            os.replace(name, target)
+                _finish(path)
         for path in left:
             with contextlib.suppress(OSError):
                 path.unlink()
+
+
+def _finish(listed: Path) -> None:
+    """Make the moves of a list that a kill interrupted: temporary files of the same process, in this folder."""
+    own = listed.name.split("-")[1]
+    with contextlib.suppress(OSError, ValueError, AttributeError, TypeError):
+        moves = json.loads(listed.read_bytes())
+        for name, target in moves.items():
+            bare = name == os.path.basename(name) and target == os.path.basename(target)
+            source = listed.with_name(name)
+            if bare and target and name.startswith(f"{PREFIX}{own}-") and source.is_file():
+                os.replace(source, listed.with_name(target))
 
 
 def _in_use(path: Path) -> bool:
@@ -135,9 +147,15 @@ def _sync_folder(folder: str) -> None:
     """The names of a folder on disk; not every system can."""
     if os.name == "nt":
         return
-    handle = os.open(folder, os.O_RDONLY)
+    try:
+        handle = os.open(folder, os.O_RDONLY)
+    except PermissionError:
+        return
     try:
         os.fsync(handle)
+    except OSError as error:
+        if error.errno not in (errno.EINVAL, errno.ENOTSUP, errno.EACCES):
+            raise
     finally:
         os.close(handle)
 

@@ -132,12 +132,18 @@ def test_that_what_is_not_ours_or_in_use_is_left_alone(tmp_path):
     outside = tmp_path / "sub"
     outside.mkdir()
     (tmp_path / ".ribalta-999999-far").write_bytes(b"x")
-    moves = {str(tmp_path / ".ribalta-999999-far"): str(outside / "planted")}
-    (tmp_path / ".ribalta-999998-a.commit").write_text(json.dumps(moves))
+    (tmp_path / "mine").write_bytes(b"mine")
+    for number, moves in (
+        (999998, {str(tmp_path / ".ribalta-999999-far"): str(outside / "planted")}),
+        (999997, {".ribalta-999999-far": "planted"}),
+        (999999, {"mine": "planted", ".ribalta-999999-far": "../planted"}),
+        (999996, [1]), (999995, {"sub/x": "sub/y"}),
+    ):  # fmt: skip
+        (tmp_path / f".ribalta-{number}-a.commit").write_text(json.dumps(moves))
     atomic.clean(tmp_path)
     assert list(outside.iterdir()) == []
     left = {path.name for path in tmp_path.iterdir()}
-    assert left == {*names, ".ribalta-999999-pipe", "sub"}
+    assert left == {*names, ".ribalta-999999-pipe", "sub", "mine"}
 
 
 @pytest.mark.parametrize("for_ever", [False, True])
@@ -195,3 +201,36 @@ for write in (lambda: atomic.write({{folder / "a.xlsx": b"x" * 100_000, folder /
         result == {"x": "z" * 900} for result in again.found.values()
     )
     again.close()
+
+
+def test_that_a_folder_that_cannot_be_synced_can_be_written(tmp_path, monkeypatch):
+    """Some network drives know no fsync of a folder."""
+    real = os.fsync
+
+    def fsync(handle):
+        if os.path.isdir(f"/proc/self/fd/{handle}"):
+            raise OSError(errno.EINVAL, "Invalid argument")
+        return real(handle)
+
+    monkeypatch.setattr(os, "fsync", fsync)
+    atomic.write({tmp_path / "a.xlsx": b"1", tmp_path / "a.json": b"2"})
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["a.json", "a.xlsx"]
+
+
+def test_that_a_kill_is_finished_also_where_the_folder_was_renamed(tmp_path):
+    folder = tmp_path / "out"
+    folder.mkdir()
+    one, two = folder / "a.xlsx", folder / "a.json"
+    one.write_bytes(b"old 1")
+    two.write_bytes(b"old 2")
+    # after the list is on disk and the first file in its place
+    for number in range(8, 20):
+        script = KILLED.format(root=str(ROOT), number=number, one=str(one), two=str(two))
+        subprocess.run([sys.executable, "-c", script])
+        moved = folder.rename(tmp_path / f"out{number}")
+        atomic.clean(moved)
+        pair = ((moved / "a.xlsx").read_bytes(), (moved / "a.json").read_bytes())
+        assert pair in ((b"old 1", b"old 2"), (b"new 1", b"new 2"))
+        folder = moved.rename(tmp_path / "out")
+        one.write_bytes(b"old 1")
+        two.write_bytes(b"old 2")

@@ -107,7 +107,7 @@ def test_that_a_second_batch_on_the_same_output_is_refused(tmp_path):
 
 def test_that_what_a_kill_left_of_the_first_line_is_a_journal_still(tmp_path):
     path = tmp_path / "c.journal"
-    for content in (b"", b'{"jour', b'{"journal": "0.3'):
+    for content in (b"", b'{"Riba', b'{"Ribalta journal": "0.3'):
         path.write_bytes(content)
         Journal(path, KEY, True).close()
-        assert json.loads(path.read_bytes()) == {"journal": KEY}
+        assert json.loads(path.read_bytes()) == {"Ribalta journal": KEY}

@@ -64,7 +64,9 @@ def test_that_stations_and_events_that_differ_are_more(shelf):
 
 def test_that_a_file_without_a_station_counts_as_one_and_is_said(tmp_path):
     for name in "ab":
-        lines = "\n".join(f"{0.01 * k} {(-1) ** k * (1 + k % 3) + ord(name)}" for k in range(60))
+        lines = (
+            "\n".join(f"{0.01 * k} {(-1) ** k * (1 + k % 3) + ord(name)}" for k in range(60)) + "\n"
+        )
         (tmp_path / f"{name}.txt").write_text(lines)
     from core.records.grammar import Options
 
