@@ -5,6 +5,7 @@ import difflib
 import hashlib
 import json
 import math
+import re
 import tomllib
 from dataclasses import MISSING, fields, replace
 from pathlib import Path
@@ -29,7 +30,13 @@ from core.names import is_text, name_of
 MAX_TEXT, MAX_PATH = 500, 12_000
 """Characters of a text and of a name of a file, each byte of which may take three (`names.key_of`)."""
 
-MAX_BYTES = 5_000_000
+MAX_DOTS = 50
+_DOTTED = re.compile(
+    rf"^[ \t]*+\[*+(?:[ \t]*+[A-Za-z0-9_\"'-]++[ \t]*+\.){{{MAX_DOTS}}}", re.MULTILINE
+)
+"""Keys of many parts, which take tomllib the square of their number."""
+
+MAX_BYTES = 2_000_000
 """A case file is a page or two; a larger file is something else."""
 
 SHOWN = 100
@@ -63,7 +70,7 @@ def read_case(path: Path) -> Case:
             raise InputError(f"{path}: this is not a file and cannot be read: name a case (.toml)")
         if path.stat().st_size > MAX_BYTES:
             raise InputError(
-                f"{path}: {path.stat().st_size / 1e6:.0f} MB is no case file (up to 5 MB)"
+                f"{path}: {path.stat().st_size / 1e6:.0f} MB is no case file (up to 2 MB)"
             )
         content = path.read_bytes()
     except FileNotFoundError:
@@ -71,7 +78,10 @@ def read_case(path: Path) -> Case:
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from None
     try:
-        table = tomllib.loads(content.decode("utf-8-sig"))
+        text = content.decode("utf-8-sig")
+        if _DOTTED.search(text):
+            raise InputError(f"{path}: not TOML: a key of more than {MAX_DOTS} parts")
+        table = tomllib.loads(text)
     except UnicodeDecodeError:
         raise InputError(f"{path}: not UTF-8 text: a case file is TOML, see the examples") from None
     except (ValueError, RecursionError) as error:

@@ -50,6 +50,15 @@ UNITS = {
 }
 """End of a key -> units of its column, and what a number is multiplied with."""
 
+OTHER_UNITS = frozenset(
+    (
+        "m", "cm", "mm", "dm", "km", "in", "ft", "foot", "feet", "inch", "yd", "deg", "°", "rad", "grad", "kpa", "mpa",
+        "gpa", "pa", "n/mm2", "n/mm²", "kg/cm2", "psi", "kn/m3", "kn/m³", "kg/m3", "kg/m³", "t/m3", "t/m³", "g/cm3",
+        "n/m3", "%", "g",
+    )
+)  # fmt: skip
+"""Units a head may name; another word in brackets is no unit."""
+
 WORDS = ("name", "floor", "mechanism", "back_restraint", "notes", "restitution", "law")
 FLAGS = {"sì": True, "si": True, "yes": True, "true": True, "vero": True, "x": True, "1": True,
          "no": False, "false": False, "falso": False, "0": False}  # fmt: skip
@@ -161,21 +170,26 @@ def _xlsx_rows(content: bytes) -> tuple[list[list[str]], list[Notice]]:
         ) from None
 
 
-_ROW = re.compile(rb"<row\b([^>]*)>")
-_HIDDEN = re.compile(rb'\bhidden="(?:1|true)"')
-_NUMBER_OF_ROW = re.compile(rb'\br="([0-9]{1,7})"')
-
-
 def _hidden_rows(content: bytes, book, title: str) -> set[int]:
     """Numbers of the rows of a sheet that are not shown, which the reader of cells does not tell."""
+    from defusedxml.ElementTree import iterparse
+
     with zipfile.ZipFile(io.BytesIO(content)) as folder:
-        place = book[title]._worksheet_path.lstrip("/")
-        sheet = folder.read(place)
-    found, number = set(), 0
-    for match in _ROW.finditer(sheet):
-        stated = _NUMBER_OF_ROW.search(match[1])
-        number = int(stated[1]) if stated else number + 1
-        if _HIDDEN.search(match[1]):
+        sheet = folder.read(book[title]._worksheet_path.lstrip("/"))
+    found, number, all_hidden = set(), 0, False
+    for _, node in iterparse(io.BytesIO(sheet), events=("start",)):
+        name = node.tag.rpartition("}")[2]
+        if name == "sheetFormatPr":
+            all_hidden = node.get("zeroHeight") in ("1", "true")
+        if name != "row":
+            continue
+        number = int(node.get("r") or number + 1)
+        flat = node.get("ht") is not None and float(node.get("ht")) == 0.0
+        if (
+            flat
+            or node.get("hidden") in ("1", "true")
+            or (all_hidden and node.get("hidden") is None)
+        ):
             found.add(number)
     return found
 
@@ -244,13 +258,13 @@ def _factors(keys: list, cells: list[str], heads: list[str]) -> list[float]:
                 f"the unit {unit[:40]!r} of the column {key} is not accepted: one of "
                 f"{', '.join(name or 'empty' for name in units)} in the row below the heads"
             )
-        stated = _HEAD_UNIT.search(heads[k])
-        named = stated and stated[1].strip().lower()
-        if named in units and units[named] != units[unit]:
-            raise InputError(
-                f"the column {heads[k][:60]!r} names {named}, the row of units below it {unit or 'none'}: correct "
-                "one of them"
-            )
+        for named in _HEAD_UNIT.findall(heads[k]):
+            word = re.sub(r"^(in|unit|unità)\b|[. ]", "", named.strip().lower())
+            if units.get(word, None if word in OTHER_UNITS else units[unit]) != units[unit]:
+                raise InputError(
+                    f"the column {heads[k][:60]!r} names {named[:20]}, the row of units below it {unit or 'none'}: "
+                    "correct one of them"
+                )
         factors.append(units[unit])
     return factors
 

@@ -1,17 +1,16 @@
 """A table whose cells copy into Word and Excel."""
 
+import re
+
 from PySide6.QtGui import QColor, QGuiApplication, QKeySequence
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
 
 def plain_cell(text: str) -> str:
     """Text that no spreadsheet takes for a formula."""
-    number = text.replace(",", ".").replace("\u2212", "-")
-    try:
-        float(number)
-    except ValueError:
-        return f"'{text}" if text[:1] in ("=", "+", "-", "@", "\t", "\r") else text
-    return text
+    if re.fullmatch(r"[+-]?[0-9]+([.,][0-9]+)?([eE][+-]?[0-9]+)?", text):
+        return text
+    return f"'{text}" if text.strip()[:1] in ("=", "+", "-", "@") else text
 
 
 class Table(QTableWidget):

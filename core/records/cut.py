@@ -63,7 +63,7 @@ def refuse_cut(lines: list[str], ended: bool) -> None:
     if even and (not ended or len(line.rstrip()) >= next(iter(lengths))):
         whole = len(line.rstrip()) >= next(iter(lengths))
     elif shape is not None:
-        zero = last == "0" and (ended or "0" in _first(lines, place))
+        zero = not last.strip("+-0.") and (ended or (last == "0" and "0" in _first(lines, place)))
         whole = zero or _shapes(last)[shape] == shapes[0][shape]
     else:
         shortest = min((exponent for (_, exponent), _ in shapes), default=0)
@@ -74,9 +74,10 @@ def refuse_cut(lines: list[str], ended: bool) -> None:
             if shape is None and not ended
             else "not as long as the numbers above it"
         )
+        mend = "write it with as many digits" if ended else "end the last line with a line break"
         raise RecordError(
-            f"the last number, {quoted(last)}, is {why}: the file looks cut there; copy it anew, or end the last "
-            "line with a line break if it is whole"
+            f"the last number, {quoted(last)}, is {why}: the file looks cut there; copy it anew, or {mend} if it is "
+            "whole"
         )
 
 

@@ -18,31 +18,39 @@ _TOKEN = re.compile(NUMBER)
 _NUMBERS_ONLY = re.compile(rf"\s*+(?:{NUMBER}(?=[\s+-]|\Z)\s*+)*+")
 _NAN = re.compile(r"[+-]?nan", re.IGNORECASE)
 
-_PER_S2 = r"(?:cm|mm|m)[ \t]*/[ \t]*s(?:ec)?(?:[ \t]*/[ \t]*s(?:ec)?|[ \t]*(?:\^|\*\*)?[ \t]*[2²])"
-_ACCELERATION = rf"(g(?:[ \t]*/[ \t]*10)?|gal|{_PER_S2})"
+_B = r"[ \t]*+"
+_PER_S2 = rf"(?:cm|mm|m){_B}/{_B}s(?:ec)?(?:{_B}/{_B}s(?:ec)?|{_B}(?:\^|\*\*)?{_B}[2²])"
+_ACCELERATION = rf"(g(?:{_B}/{_B}10)?|gal|{_PER_S2})"
+_SAID_OF = rf"\bunits?\b{_B}(?:(?:of|are|is|in)\b|[:=])?{_B}\(?{_B}"
 _STATED = re.compile(
-    rf"[\[(][ \t]*{_ACCELERATION}[ \t]*[\])]"
-    rf"|\bunits?\b[ \t]*(?:of|are|is|in|[:=])?[ \t]*\(?[ \t]*{_ACCELERATION}(?![\w/])"
-    rf"|\baccelerations?[ \t]+in[ \t]+{_ACCELERATION}(?![\w/])",
+    rf"[\[(]{_B}{_ACCELERATION}{_B}[\])]|{_SAID_OF}{_ACCELERATION}(?![\w/])"
+    rf"|\baccelerations?[ \t]++in[ \t]++{_ACCELERATION}(?![\w/])",
     re.IGNORECASE,
 )
 _VALUE = re.compile(r"[0-9]\.?[ \t]*\Z|[0-9][EeDd][+-]?[0-9]+[ \t]*\Z")
 """The end of a text that gives a number: what follows is its unit, not that of the samples."""
 
-_MOTION = re.compile(
-    r"\b(velocity|displacement|vel\.?|disp\.?|velocit[àa]'?|spostament[oi])(?!\w)", re.I
+_LABEL = re.compile(r"\b(pga|peak|max(imum)?|min(imum)?|gravity|picco|massim[oa])\b", re.I)
+"""Words of a line that gives one value, not the samples."""
+
+_NUMBER_AFTER = re.compile(r"[ \t]*+[:=]?[ \t]*+[+-]?[.0-9]")
+
+_LENGTH_OR_SPEED = r"(?:cm|mm|m|in)(?:[ \t]*+/[ \t]*+s(?:ec)?\.?|[ \t]++s-1)?"
+_MOTION = re.compile(r"\b(veloc\w*|vel(?![a-z]{2})\w*|displ\w*|disp\b\.?|spostament\w*)", re.I)
+_MOTION_UNIT = re.compile(
+    rf"(?<![0-9] )(?<![0-9])[\[(]{_B}{_LENGTH_OR_SPEED}{_B}[\])](?!{_B}[:=]?{_B}[+-]?[0-9])", re.I
 )
-_MOTION_UNIT = re.compile(r"[\[(][ \t]*(cm|mm|m|in)([ \t]*/[ \t]*s(ec)?)?[ \t]*[\])]", re.I)
-_MOTION_UNITS_OF = re.compile(
-    r"\bunits?[ \t]+(?:of|in)[ \t]+(cm|mm|m|in)([ \t]*/[ \t]*s(ec)?)?(?![ \t]*[\w/^*])", re.I
-)
+_MOTION_SAID = re.compile(rf"{_SAID_OF}{_LENGTH_OR_SPEED}(?!{_B}[\w/^*])", re.I)
 _SPECTRUM = re.compile(
-    r"\b(spectr(?:um|a|al)|spettr[oi]|psa|psv|s_?[avd])(?!\w)|\bperiodo?[ \t]*[\[(]",
+    r"\b(spectr(?:um|a|al)|spettr\w*|response(?![ \t]+spectr)|fourier|fft|psa|psv|pseudo\w*|s_?[avde]\b(?!{_B}=))"
+    r"|\b(?:periods?|periodo|frequenc(?:y|ies)|frequenza)[ \t]*+[\[(]".replace("{_B}", _B),
     re.I,
 )
-_PERIOD = re.compile(r"\bperiodo?(?!\w)", re.I)
-_ACCELERATION_WORD = re.compile(r"\bacc", re.I)
-_OF_A_TARGET = re.compile(r"\b(target|match|compatib)", re.I)
+_PERIOD = re.compile(r"\bperiod(?:s|o)?\b", re.I)
+_ACCELERATION_WORD = re.compile(r"\bacc(?:\b|el)", re.I)
+_OF_A_TARGET = re.compile(r"\b(target|match|compatib|return|ritorno|corner|filter|sampling)", re.I)
+HEAD_LINE = 500
+"""Characters of a line of a header that are looked at."""
 
 SHOWN = 60
 """Characters of a file repeated in a sentence."""
@@ -92,19 +100,25 @@ def _unit_of(word: str) -> str:
     return word.split("/")[0] + "/s2"
 
 
+def head_lines(head: str) -> list[str]:
+    """Lines of a header, blanks folded: what is looked at of each is short, so that no line takes long."""
+    return [
+        re.sub(r"[ \t]{3,}", "  ", line[: 4 * HEAD_LINE])[:HEAD_LINE] for line in head.splitlines()
+    ]
+
+
 def stated_unit(head: str) -> str | None:
     """Unit of acceleration a header states, a key of UNITS. A unit after a number is that of another quantity
     (`gravity = 9.81 [m/s2]`, `PGA 0.013 (g)`) and states nothing; where it differs from the one stated, or two
     are stated, nobody knows which holds. Raises RecordError then, and for g/10."""
     found: dict[str, str] = {}
     beside: dict[str, str] = {}
-    for line in head.splitlines():
+    for line in head_lines(head):
         for match in _STATED.finditer(line):
             unit = _unit_of(next(group for group in match.groups() if group))
-            place = (
-                beside if _VALUE.search(line[max(0, match.start() - 40) : match.start()]) else found
-            )
-            place.setdefault(unit, line)
+            value = _VALUE.search(line[max(0, match.start() - 40) : match.start()])
+            of_one = value or (_LABEL.search(line) and _NUMBER_AFTER.match(line, match.end()))
+            (beside if of_one or _LABEL.search(line) else found).setdefault(unit, line)
     clash = [
         *found.items(),
         *((unit, line) for unit, line in beside.items() if found and unit not in found),
@@ -122,12 +136,20 @@ def refuse_other_quantity(head: str) -> None:
     """Raise RecordError where a header speaks of a velocity, a displacement or a spectrum, whatever else stands
     in it. A line that names the acceleration too is the head of a table; a record matched to a spectrum is one."""
     plain = stated_unit(head) is None
-    for line in head.splitlines():
+    for line in head_lines(head):
         other = None
         if not _OF_A_TARGET.search(line):
             other = _SPECTRUM.search(line) or (plain and _PERIOD.search(line))
-        if not other and not _ACCELERATION_WORD.search(line):
-            patterns = (_MOTION, _MOTION_UNIT, _MOTION_UNITS_OF)
+        fields = [field for field in re.split(r"[;,\t]| {2,}|(?<=[\])]) ", line) if field.strip()]
+        # the head of a table names the acceleration in a field of its own, without another quantity in it
+        table = len(fields) > 1 and any(
+            _ACCELERATION_WORD.search(field)
+            and not _MOTION.search(field)
+            and not _MOTION_UNIT.search(field)
+            for field in fields
+        )
+        if not other and not table:
+            patterns = (_MOTION, _MOTION_UNIT, _MOTION_SAID)
             other = next((found for pattern in patterns if (found := pattern.search(line))), None)
         if other:
             raise RecordError(

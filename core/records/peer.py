@@ -15,8 +15,8 @@ from core.records.grammar import (
     to_float,
 )  # fmt: skip
 
-_KEYED = re.compile(rf"NPTS\s*=\s*(\d+)\s*,?\s*DT\s*=\s*({NUMBER})(?![\w.])", re.IGNORECASE)
-_TRAILING = re.compile(rf"^\s*(\d+)\s+({NUMBER})\s+NPTS", re.IGNORECASE)
+_KEYED = re.compile(rf"NPTS\s*+=\s*+(\d++)\s*+,?\s*+DT\s*+=\s*+({NUMBER})(?![\w.])", re.IGNORECASE)
+_TRAILING = re.compile(rf"^\s*+(\d++)\s++({NUMBER})\s++NPTS", re.IGNORECASE)
 _OTHER = re.compile(r"\b(VELOCITY|DISPLACEMENT)\b", re.IGNORECASE)
 _SCALE = re.compile(rf"scale factor\s*=\s*({NUMBER})", re.IGNORECASE)
 
@@ -40,7 +40,9 @@ def read(lines: list[str], options: Options) -> Parsed:
     other = _OTHER.search(" ".join(head))
     if other:
         raise RecordError(f"this file holds {other[1].lower()}: take the acceleration file (.AT2)")
-    refuse_other_quantity("\n".join(head))
+    refuse_other_quantity(
+        "\n".join(line for line in head[2:] if re.search(r"\bunits?\b", line, re.I))
+    )
     if any(_KEYED.search(line) or _TRAILING.search(line) for line in lines[row + 1 :]):
         raise RecordError("a second header stands among the samples: two records in one file")
     parsed = block(lines[row + 1 :], row + 2, declared)

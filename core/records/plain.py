@@ -9,6 +9,7 @@ from core.records.grammar import (
     NUMBER,
     Options,
     Parsed,
+    head_lines,
     numbers,
     quoted,
     refuse_other_quantity,
@@ -71,6 +72,8 @@ def read(lines: list[str], options: Options) -> Parsed:
     refuse_other_quantity("\n".join(head))
     if not rows:
         raise RecordError("no numbers in this file")
+    if options.column is not None:
+        _refuse_column(head, len(rows[-1]), options.column)
     time_step, counted = None, None
     first = rows[0]
     if len(first) == 2 and len(rows) > 2 and first[0] == int(first[0]) >= 10 and 0 < first[1] < 1:
@@ -105,6 +108,14 @@ def read(lines: list[str], options: Options) -> Parsed:
         counted=counted is not None and time_step is not None,
         details=tuple((f"line {k + 1}", text) for k, text in enumerate(head[:6])),
     )
+
+
+def _refuse_column(head: list[str], width: int, column: int) -> None:
+    """Raise RecordError where a head names another quantity above the column that is asked for."""
+    for line in head_lines("\n".join(head)):
+        for fields in (re.split(r"[;,\t]", line), re.split(r" {2,}", line.strip()), line.split()):
+            if len(fields) == width and 1 <= column <= width:
+                refuse_other_quantity(fields[column - 1])
 
 
 def _columns(table, places, options: Options):

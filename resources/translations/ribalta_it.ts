@@ -1153,5 +1153,9 @@ Ribaltamento fuori piano di pareti in muratura (Coccia, Di Carlo, Imperatore 201
         <source>failing within ±10 % of the demand: {share}</source>
         <translation>cedono entro ±10 % dalla domanda: {share}</translation>
     </message>
+    <message>
+        <source>The picture cannot be made.</source>
+        <translation>L'immagine non può essere prodotta.</translation>
+    </message>
 </context>
 </TS>

@@ -108,7 +108,8 @@ def test_that_the_data_of_a_chart_can_be_read_back_and_run_no_formula(chart):
 @pytest.mark.parametrize(
     ("text", "copied"),
     [("=1+1", "'=1+1"), ("@x", "'@x"), ("-A1", "'-A1"), ("+cmd", "'+cmd"), ("-0,5", "-0,5"), ("−1.2", "−1.2"),
-     ("wall", "wall"), ("–", "–"), ("a\tb\nc", "a b c")],
+     ("wall", "wall"), ("–", "–"), ("a\tb\nc", "a b c"), ("-inf", "'-inf"), ("-1_0", "'-1_0"),
+     ("1e-3", "1e-3"), ("-3.2", "-3.2")],
 )  # fmt: skip
 def test_that_a_copied_cell_is_never_a_formula(application, text, copied):
     table = Table("t", ["a", "b"])
@@ -131,3 +132,10 @@ def test_that_a_chart_that_cannot_be_written_says_so_and_leaves_the_old_one(char
     finally:
         tmp_path.chmod(0o755)
     assert [p.name for p in tmp_path.iterdir()] == ["c.png"]
+
+
+def test_that_the_ending_decides_in_any_case(chart, tmp_path):
+    chart.write(tmp_path / "x.CSV")
+    chart.write(tmp_path / "x.SVG")
+    assert (tmp_path / "x.CSV").read_text().startswith("curve")
+    assert (tmp_path / "x.SVG").read_bytes().startswith(b"<?xml")

@@ -457,3 +457,17 @@ def test_that_dropped_files_are_copied_never_moved(opened, tmp_path):
     event.setDropAction(Qt.DropAction.MoveAction)
     opened.records.dropEvent(event)
     assert event.dropAction() == Qt.DropAction.CopyAction
+
+
+def test_that_a_spectrum_file_changed_on_disk_makes_the_results_stale(
+    opened, application, tmp_path
+):
+    rows = [(0.05 * k, 0.24 * min(1.0 + k, 2.5, 25.0 / max(k, 1))) for k in range(100)]
+    place = tmp_path / "s.txt"
+    place.write_text("\n".join(f"{t:.2f} {s:.5f}" for t, s in rows) + "\n")
+    opened.session.edit_section("demand", spectrum_file=place.name, housner_intensity_cm=None)
+    settle(application, lambda: not opened.records.pending)
+    run(application, opened)
+    assert not opened.session.stale
+    place.write_text("\n".join(f"{t:.2f} {s * (1.2 if t > 1 else 1):.5f}" for t, s in rows) + "\n")
+    assert opened.session.stale

@@ -339,3 +339,11 @@ def test_that_a_range_of_periods_is_written_and_read_again():
     first = parse_case(case(demand={"ag_g": 0.2, "period_range_s": [0.2, 3]}))
     assert first.demand.period_range_s == (0.2, 3.0)
     assert parse_case(tomllib.loads(dumps(first))) == first
+
+
+def test_that_a_key_of_thousands_of_parts_is_refused_at_once(tmp_path):
+    path = tmp_path / "c.toml"
+    for text in ("a." * 30000 + "b = 1", "[" + "a." * 30000 + "b]", "[[" + "a . " * 9000 + "b]]"):
+        path.write_text(f'title = "x"\n{text}\n')
+        with pytest.raises(InputError, match="more than 50 parts"):
+            read_case(path)

@@ -393,6 +393,22 @@ def test_that_numbers_of_no_one_shape_need_a_line_end(write):
         ("T Sa\n", ["sa: this"]),
         ("Period (s), PSA (g)\n", ["period"]),
         ("Acceleration response spectrum [g]\n", ["spectrum"]),
+        ("units: m/s\n", ["m/s"]),
+        ("Unit: cm\n", ["cm"]),
+        ("units = cm/s\n", ["cm/s"]),
+        ("units cm/sec\n", ["cm/sec"]),
+        ("t v [cm/sec.]\n", ["cm/sec"]),
+        ("time velocity_x\n", ["velocity_x"]),
+        ("displacements\n", ["displacements"]),
+        ("VelX\n", ["velx"]),
+        ("acc integrated to velocity (cm/s)\n", ["velocity"]),
+        ("Accelerometer: velocity\n", ["velocity"]),
+        ("Accra station velocity [cm/s]\n", ["velocity"]),
+        ("T Se(T) (g)\n", ["se: this"]),
+        ("Pseudo acceleration (g)\n", ["pseudo"]),
+        ("Frequency (Hz) Amplitude (g)\n", ["frequency"]),
+        ("Fourier [g]\n", ["fourier"]),
+        ("Periods(s) (g)\n", ["periods"]),
     ],
 )
 @pytest.mark.parametrize("unit", [None, "g", "cm/s2"])
@@ -408,15 +424,55 @@ def test_that_two_units_or_another_quantity_are_refused_whatever_is_given(write,
         ("PGA = 0.31 g at 4.2 s\nTime [s] Accel [m/s2]\n", "m/s2"),
         ("# Matched acceleration (g), dt=0.01s\n# Target Spectrum: ASCE7.txt\n", "g"),
         ("PGA 1.0 (m/s2)\nacceleration in m/s2\n", "m/s2"),
+        ("Epicentral distance (m) 12\nVs30 300 [m/s]\nAcc (g)\n", "g"),
+        ("periodo di ritorno TR=475\nt [s]  Acc (g)\n", "g"),
+        ("SD = 0.2\nAcc (g)\n", "g"),
     ],
 )
 def test_that_one_unit_said_twice_or_beside_a_number_without_brackets_is_read(write, head, unit):
     assert records.read(write(head + two())).unit == unit
 
 
-def test_that_a_unit_beside_a_number_is_not_that_of_the_samples(write):
+@pytest.mark.parametrize(
+    "head",
+    [
+        "PGA 0.013 (g)",
+        "PGA (g): 0.9",
+        "PGA [g]: 0.31",
+        "PGA (g) 0.31",
+        "Max acc (g): 0.3",
+        "gravity 9.81 (m/s2)",
+    ],
+)
+def test_that_the_unit_of_one_value_is_not_that_of_the_samples(write, head):
     with pytest.raises(RecordError, match="give unit"):
-        records.read(write("PGA 0.013 (g)\n" + two()))
+        records.read(write(f"{head}\n" + two()))
+
+
+def test_that_a_column_of_another_quantity_is_refused(write):
+    rows = "\n".join(f"{0.01 * k:.2f} {a:.5f} {3 * a:.5f}" for k, a in enumerate(MOTION)) + "\n"
+    for head in (
+        "Time[s] Acc[g] Vel[cm/s]\n",
+        "Time[s];Acc[g];Vel[cm/s]\n",
+        "t  acc  displacement\n",
+    ):
+        content = head + (rows.replace(" ", ";") if ";" in head else rows)
+        assert records.read(write(content), Options("g", column=2)).pga < 20.0
+        with pytest.raises(RecordError, match=r"vel|displacement|cm/s"):
+            records.read(write(content), Options("g", column=3))
+
+
+@pytest.mark.parametrize("zero", ["0", "0.0", "0.", ".0", "-0.0"])
+def test_that_a_last_zero_may_be_written_shorter(write, zero):
+    content = column(shape="{:.7f}") + f"\n{zero}\n"
+    assert records.read(write(content), Options("g", 0.01)).acceleration[-1] == 0.0
+
+
+def test_that_names_of_stations_are_no_quantities(write):
+    for station in ("Vel 3", "DISP. PLANT", "SPECTRUM HALL (m)", "PERIODO"):
+        lines = peer().split("\n")
+        lines[1] = f"IMPERIAL VALLEY 5/19/40, {station}, 180"
+        assert records.read(write("\n".join(lines))).unit == "g"
 
 
 def test_that_unsigned_glue_is_not_two_numbers(write):
@@ -443,7 +499,8 @@ def test_that_a_record_without_count_that_ends_moving_is_warned_of(write):
 @pytest.mark.parametrize(
     "line",
     ["1" * 4000 + " nan", "*" * 4000, "1.5" * 2000, "1 " * 2000 + "x", "1.5e" * 2000, "-" * 4000,
-     "(" * 4000, "[g" * 2000, "9" * 4000 + " (g", "units " * 1000, "1,2" * 1500 + "x", " " * 4000 + "x"],
+     "(" * 4000, "[g" * 2000, "9" * 4000 + " (g", "units " * 1000, "1,2" * 1500 + "x", " " * 4000 + "x",
+     "unit" + " " * 8000 + "x", "(cm/s" + " " * 20000, "units of" + " " * 20000, "npts=1" + " " * 20000, "vel" * 5000],
 )  # fmt: skip
 def test_that_no_line_takes_more_than_linear_time(write, line):
     """Twice the line, about twice the steps: a backtracking grammar would need minutes at this length."""

@@ -265,7 +265,9 @@ def test_that_hidden_rows_and_sheets_are_not_read_and_said(tmp_path):
 @pytest.mark.parametrize(
     ("head", "unit", "word"),
     [("t (mm)", "cm", "names mm, the row of units below it cm"), ("H [cm]", "m", "names cm"),
-     ("E [GPa]", "MPa", "names gpa")],
+     ("E [GPa]", "MPa", "names GPa"), ("t (mm.)", "cm", "names mm."), ("t (in mm)", "cm", "names in mm"),
+     ("t (dm)", "cm", "names dm"), ("t (muro) (mm)", "cm", "names mm"), ("H (ft)", "m", "names ft"),
+     ("E [kPa]", "MPa", "names kPa")],
 )  # fmt: skip
 def test_that_a_unit_in_the_head_that_contradicts_the_row_of_units_is_refused(head, unit, word):
     heads = ["Parete", "H", "t", "Meccanismo", "E"]
@@ -274,7 +276,7 @@ def test_that_a_unit_in_the_head_that_contradicts_the_row_of_units_is_refused(he
     heads[place], units[place] = head, unit
     with pytest.raises(InputError, match=word):
         walls_of([heads, units, ["a", "4", "0.5", "entrambi", "900"]])
-    heads[place] = head.replace("mm", unit).replace("[cm]", f"[{unit}]").replace("GPa", unit)
+    heads[place] = f"{head[0]} (misurato) [{unit}]"
     assert len(walls_of([heads, units, ["a", "4", "0.5", "entrambi", "900"]])) == 1
 
 
@@ -296,3 +298,26 @@ def test_that_a_slenderness_in_degrees_is_taken_as_it_is():
             ["a", "4", "7.5", "entrambi"],
         ]
         assert walls_of(rows)[0].slenderness_deg == 7.5
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ('hidden="1"', "hidden='1'"),
+        ('hidden="1"', 'ht="0" customHeight="1"'),
+        ('hidden="1"', 'hidden="true"'),
+    ],
+)
+def test_that_a_row_is_hidden_however_a_workbook_says_it(tmp_path, old, new):
+    import zipfile
+
+    path = workbook(tmp_path, hide=(4,))
+    with zipfile.ZipFile(path) as book:
+        parts = {name: book.read(name) for name in book.namelist()}
+    sheet = "xl/worksheets/sheet1.xml"
+    assert old.encode() in parts[sheet]
+    parts[sheet] = parts[sheet].replace(old.encode(), new.encode())
+    with zipfile.ZipFile(path, "w") as book:
+        for name, content in parts.items():
+            book.writestr(name, content)
+    assert [wall.name for wall in read_table(path)[0]] == ["a", "c"]
