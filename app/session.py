@@ -16,6 +16,7 @@ from typing import BinaryIO
 from core.case import Case, Record, Report, Wall
 from core.case_reader import draft_case, parse_case, read_case
 from core.case_writer import dumps, table_of
+from core.demand import target_of
 from core.errors import InputError, OutputError
 from core.journal import lock
 from core.names import key_of, name_of
@@ -114,6 +115,11 @@ class Session:
             return False
         if self.result.case != self.checked():
             return True
+        demand = self.case.demand
+        if demand and demand.spectrum_file and self.result.demand:
+            with contextlib.suppress(InputError, TypeError):
+                if target_of(demand, self.base_dir) != self.result.demand.target:
+                    return True
         used = {m.samples_sha256 for m in self.result.motions if m.format != "generated"}
         return self.samples is not None and not used <= self.samples
 
