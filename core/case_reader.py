@@ -23,7 +23,7 @@ from core.case import (
     Wall,
 )
 from core.errors import InputError
-from core.limits import EXCEEDANCE, return_period
+from core.limits import check_return_period
 from core.moment_rotation import LAWS
 from core.names import is_text, name_of
 
@@ -52,12 +52,6 @@ BASE_MISSING = (
 
 PERIOD_LIMITS = (0.02, 10.0)
 """Periods accepted for the check of compatibility [s]."""
-
-SAME_PERIOD = 0.01
-"""T_R of tables are rounded: 475 years for 474.6."""
-
-USUAL_LIVES = (35.0, 50.0, 75.0, 100.0, 150.0, 200.0)
-"""V_R = V_N C_U [years] of the classes of NTC 2018 2.4."""
 
 LATER = {"record": ("channel",)}
 """Keys of the contract whose work is not built yet: refused, never ignored."""
@@ -247,48 +241,14 @@ def _demand(table) -> Demand:
                         if code == asked.code
                         else f"[demand.spectrum]: code {asked.code} does not take {key}"
                     )
-    _check_return_period(demand)
+    if demand.return_period_years is not None:
+        own = replace(demand, return_period_years=None).return_period
+        check_return_period(demand.limit_state, demand.return_period_years, own)
     if (asked or demand.spectrum_file) and demand.housner_intensity_cm is not None:
         raise InputError(
             "[demand]: housner_intensity_cm follows from the spectrum: leave one of them out"
         )
     return demand
-
-
-def _check_return_period(demand: Demand) -> None:
-    """T_R must be that of the limit state (NTC 2018 Eq. 3.2.0): by V_N and C_U where they are given, else not
-    the one that a weaker limit state has in the usual V_R. Raises InputError."""
-    state, stated = demand.limit_state, demand.return_period_years
-    if stated is None:
-        return
-    own = replace(demand, return_period_years=None).return_period
-    if own is not None:
-        # the hazard is given from 30 to 2475 years
-        if not any(
-            math.isclose(stated, years, rel_tol=SAME_PERIOD)
-            for years in (own, min(max(own, 30.0), 2475.0))
-        ):
-            raise InputError(
-                f"[demand]: return_period_years = {stated:g} contradicts nominal_life_years and "
-                f"use_class_factor, which give {own:.0f} years at {state} (NTC 2018 3.2.0): correct one of them"
-            )
-        return
-    shortest = return_period(USUAL_LIVES[0], state)
-    if stated < (1.0 - SAME_PERIOD) * shortest:
-        raise InputError(
-            f"[demand]: return_period_years = {stated:g} is below the {shortest:.0f} years of {state} for V_R = "
-            f"{USUAL_LIVES[0]:g} years (NTC 2018 3.2.0): the motion of another limit state? Give "
-            "nominal_life_years and use_class_factor if it is right"
-        )
-    states = list(EXCEEDANCE)
-    for weaker in states[: states.index(state)]:
-        for life in USUAL_LIVES:
-            if math.isclose(stated, return_period(life, weaker), rel_tol=SAME_PERIOD):
-                raise InputError(
-                    f"[demand]: return_period_years = {stated:g} is that of {weaker} for V_R = {life:g} years, "
-                    f"not of {state}, which has {return_period(life, state):.0f} (NTC 2018 3.2.0): give the "
-                    f"motion of {state}, or nominal_life_years and use_class_factor if it is right"
-                )
 
 
 def _written(table: dict):
