@@ -329,3 +329,20 @@ def test_that_only_a_midpoint_a_bisection_needs_must_be_known():
     assert bisections([(1.0, 2.0)], failures(1.625)) == [None]
     ((low, high),) = bisections([(1.0, 2.0)], failures(1.25))  # 1.5 holds: 1.25 is not asked for
     assert low <= 1.7 <= high and high / low - 1.0 <= 1e-4
+
+
+@pytest.mark.parametrize(
+    ("fails", "unknown", "found"),
+    [
+        # edges 1, 2, 3, 4, 5: their midpoints 2, 3, 4 are asked from the middle one
+        ([False, True, True], [False, False, False], (2.0, 3.0)),
+        ([False, False, False], [False, False, False], (4.0, 5.0)),
+        ([True, True, True], [False, False, False], (1.0, 2.0)),
+        ([False, True, True], [False, True, False], None),
+        ([False, True, True], [True, False, False], None),
+        ([False, True, True], [False, False, True], (2.0, 3.0)),  # never asked for
+        ([False, False, True], [True, False, False], (3.0, 4.0)),
+    ],
+)
+def test_that_a_bisection_stops_only_at_a_midpoint_it_asks_for(fails, unknown, found):
+    assert ida._narrowed(np.arange(1.0, 6.0), np.array(fails), np.array(unknown)) == found
