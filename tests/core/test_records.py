@@ -387,6 +387,7 @@ def test_that_numbers_of_no_one_shape_need_a_line_end(write):
         ("gravity = 9.81 [m/s2]\nTime [s]  Acc [g]\n", ["m/s2", "g in"]),
         ("PGA 0.013 (g)\nacceleration in cm/s2\n", ["cm/s2", "g in"]),
         ("units: cm/s2\nTime [s] Accel [g]\n", ["cm/s2", "g in"]),
+        ("units: cm/s2\nacceleration in m/s2\nTime [s] Accel [g]\n", ["cm/s2 in", "m/s2 in"]),
         ("Velocity (cm/s)\n(g)\n", ["velocity"]),
         ("Vel. of the station (g)\n", ["vel"]),
         ("# UNITS OF CM/S\n", ["cm/s"]),
