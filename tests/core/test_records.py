@@ -546,3 +546,12 @@ def test_that_an_esm_header_that_contradicts_itself_is_refused(write):
     ):
         with pytest.raises(RecordError, match=word):
             records.read(write(content))
+
+
+@pytest.mark.parametrize("step, shape", [(1 / 204.8, ".10f"), (0.003052, ".3f"), (1 / 300, ".4f")])
+def test_that_a_step_of_any_length_is_found_in_times_as_printed(step, shape, write):
+    # 1/204.8 s is no round number; of 0.003052 s in thousandths 5.2 % of the steps are 0.004
+    rows = [f"{k * step:{shape}} {MOTION[k % 40]:g}" for k in range(1000)]
+    found = records.read(write("\n".join(rows) + "\n"), Options("m/s2"))
+    # the last of the 1000 times within a thousandth of a step
+    assert 999 * abs(found.time_step - step) <= 1e-3 * step
