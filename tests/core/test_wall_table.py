@@ -181,6 +181,10 @@ def test_that_free_elements_their_modulus_and_confirmations_are_columns():
     assert (b.free_element, b.unloaded_confirmed, b.elastic_modulus_mpa) == (False, False, None)
     with pytest.raises(InputError, match="row 3, free_element: 'forse' is not accepted"):
         walls_of(text_rows(rows.replace(";sì;", ";forse;")))
+    for word in ("sì", "si", "Yes", "true", "VERO", "x", "1"):
+        assert walls_of(text_rows(rows.replace(";sì;", f";{word};")))[0].free_element is True
+    for word in ("no", "false", "FALSO", "0"):
+        assert walls_of(text_rows(rows.replace(";sì;", f";{word};")))[0].free_element is False
 
 
 @pytest.mark.parametrize(
@@ -223,6 +227,19 @@ def test_that_a_unit_of_another_quantity_is_refused(head, unit):
     rows = [list(cells), [pair[0] for pair in cells.values()], [pair[1] for pair in cells.values()]]
     with pytest.raises(InputError, match="the unit"):
         walls_of(rows)
+
+
+def test_that_the_units_a_column_takes_are_listed():
+    rows = "Parete;z;H;t;Meccanismo;notes\n;m;m;ft;;\na;0;4;45;su un lato;\n"
+    with pytest.raises(
+        InputError, match="the unit 'ft' of the column thickness_m .*: one of (m, cm|cm, m), "
+    ):
+        walls_of(text_rows(rows))
+    rows = rows.replace("ft;;", "m;;m").replace(";45;", ";0.45;")
+    with pytest.raises(
+        InputError, match="the unit 'm' of the column notes is not accepted: one of empty, -"
+    ):
+        walls_of(text_rows(rows))
 
 
 def workbook(tmp_path, hide=(), sheets=()):
@@ -306,6 +323,7 @@ def test_that_a_slenderness_in_degrees_is_taken_as_it_is():
         ('hidden="1"', "hidden='1'"),
         ('hidden="1"', 'ht="0" customHeight="1"'),
         ('hidden="1"', 'hidden="true"'),
+        ("<row r=", "<row n="),  # a row without its number follows the one above
     ],
 )
 def test_that_a_row_is_hidden_however_a_workbook_says_it(tmp_path, old, new):
