@@ -10,6 +10,11 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
 
+STANDING = {
+    "name": "w", "height_m": 30.0, "slenderness_deg": 11.0, "base_z_m": 0.0, "mechanism": "two_sided",
+}  # fmt: skip
+"""A wall that motions of the example do not overturn."""
+
 
 def shelf_folder() -> Path | None:
     """Folder of real records: RIBALTA_RECORDS, else shared/records beside the project."""

@@ -14,6 +14,7 @@ import pytest
 from core import study
 from core.case_reader import parse_case
 from core.report import workbook
+from tests.conftest import STANDING
 
 HOSTILE = '=HYPERLINK("http://x","y")'
 
@@ -193,14 +194,7 @@ def test_that_displayed_numbers_are_the_results(folder):
 
 
 def test_that_a_wall_without_number_shows_words_not_nan(folder):
-    tall = {
-        "name": "w",
-        "height_m": 30.0,
-        "slenderness_deg": 11.0,
-        "base_z_m": 0.0,
-        "mechanism": "two_sided",
-    }
-    result, book = made(folder, wall=[tall], analysis={"q_step": 0.05, "q_limit": 1.5})
+    result, book = made(folder, wall=[STANDING], analysis={"q_step": 0.05, "q_limit": 1.5})
     assert result.walls[0].q_set is None
     content = openpyxl.load_workbook(BytesIO(book.content()))
     values = [c.value for s in content for row in s.iter_rows() for c in row]

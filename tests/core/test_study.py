@@ -14,6 +14,7 @@ from core.journal import Journal
 from core.report import json_report
 from core.units import CM, G
 from core.wall_result import set_rule, set_value
+from tests.conftest import STANDING
 
 
 @pytest.fixture(scope="module")
@@ -122,14 +123,9 @@ def test_that_fewer_records_are_flagged(folder):
 
 
 def test_that_a_standing_wall_is_left_out_and_counted(folder):
-    tall = {
-        "name": "w",
-        "height_m": 30.0,
-        "slenderness_deg": 11.0,
-        "base_z_m": 0.0,
-        "mechanism": "two_sided",
-    }
-    found = study.run(case(wall=[tall], analysis={"q_step": 0.05, "q_limit": 1.5}), base_dir=folder)
+    found = study.run(
+        case(wall=[STANDING], analysis={"q_step": 0.05, "q_limit": 1.5}), base_dir=folder
+    )
     wall = found.walls[0]
     assert {run.ida.status for run in wall.runs} == {"no_collapse_found"}
     assert wall.q_set is None and wall.power_law is None

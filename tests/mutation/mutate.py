@@ -20,16 +20,18 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 HAND = "tests/validation/test_circolare_by_hand.py"
+DISPLACEMENT = "tests/validation/test_displacement_demand.py"
+READERS = ["tests/core/test_records.py", "tests/core/test_record_refusals.py"]
 TESTS = {
-    "core/kinematic.py": [HAND],
+    "core/kinematic.py": [HAND, DISPLACEMENT],
     "core/demand_check.py": [HAND, "tests/core/test_verdict.py", "tests/core/test_study.py"],
     "core/zeta.py": ["tests/core/test_zeta.py"],
     "core/ida.py": ["tests/core/test_ida.py"],
     "core/verdict.py": ["tests/core/test_verdict.py", HAND],
     "core/limits.py": ["tests/core/test_limits.py", "tests/core/test_case.py", HAND],
-    "core/records/grammar.py": ["tests/core/test_records.py"],
-    "core/records/plain.py": ["tests/core/test_records.py"],
-    "core/records/cut.py": ["tests/core/test_records.py"],
+    "core/records/grammar.py": READERS,
+    "core/records/plain.py": READERS,
+    "core/records/cut.py": READERS,
     "core/wall_table.py": ["tests/core/test_wall_table.py"],
 }
 COMPARED = {ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt, ast.Eq: ast.NotEq,
