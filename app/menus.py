@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from PySide6.QtCore import QSettings
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QDockWidget, QMessageBox
 
@@ -75,6 +76,12 @@ def choices(window, menu, label: str, setting: str, names: dict, current: str) -
         action.setCheckable(True)
         action.setChecked(name == current)
         group.addAction(action)
+
+
+def chosen(settings: QSettings, key: str, names) -> str | None:
+    """A setting that is one of these names; None for anything else a file may hold."""
+    value = settings.value(key)
+    return value if isinstance(value, str) and value in names else None
 
 
 def about(window) -> None:

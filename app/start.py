@@ -9,7 +9,7 @@ from pathlib import Path
 from PySide6.QtCore import QSettings, QStandardPaths, QTimer
 from PySide6.QtWidgets import QApplication, QMessageBox
 
-from app import language, theme
+from app import language, menus, theme
 from app.files import EXAMPLE
 from app.language import tr
 from app.sentences import translated
@@ -53,12 +53,6 @@ def install_hook(window: MainWindow) -> None:
     sys.excepthook = hook
 
 
-def chosen(settings: QSettings, key: str, names) -> str | None:
-    """A setting that is one of these names; None for anything else a file may hold."""
-    value = settings.value(key)
-    return value if isinstance(value, str) and value in names else None
-
-
 def make(arguments: list[str] | None = None) -> tuple[QApplication, MainWindow]:
     """The application and its window, not shown yet."""
     application = QApplication.instance() or QApplication(arguments or sys.argv[:1])
@@ -67,10 +61,9 @@ def make(arguments: list[str] | None = None) -> tuple[QApplication, MainWindow]:
     folder = Path(QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppDataLocation))
     folder.mkdir(parents=True, exist_ok=True)
     settings = QSettings(str(folder / "window.ini"), QSettings.Format.IniFormat)
-    theme.set_theme(chosen(settings, "theme", theme.THEMES) or "light")
-    language.set_language(
-        chosen(settings, "language", language.LANGUAGES) or language.system_language()
-    )
+    theme.set_theme(menus.chosen(settings, "theme", theme.THEMES) or "light")
+    asked = menus.chosen(settings, "language", language.LANGUAGES)
+    language.set_language(asked or language.system_language())
     return application, MainWindow(settings, folder / "autosave")
 
 

@@ -68,9 +68,8 @@ class MainWindow(QMainWindow):
     def build(self) -> None:
         """Everything that speaks or has a colour; again after a change of language or theme."""
         pg.setConfigOptions(antialias=True, exitCleanup=False)
-        asked = self.settings.value("language")
-        known = isinstance(asked, str) and asked in language.LANGUAGES
-        self.language = asked if known else language.system_language()
+        asked = menus.chosen(self.settings, "language", language.LANGUAGES)
+        self.language = asked or language.system_language()
         for dock in self.findChildren(QDockWidget):
             self.removeDockWidget(dock)
             dock.setParent(None)

@@ -224,12 +224,12 @@ def test_that_no_content_of_a_swap_file_ends_the_program(opened, content):
 def test_that_no_value_of_the_settings_keeps_the_window_from_starting(application, tmp_path, value):
     from PySide6.QtCore import QSettings
 
-    from app import start, theme, window
+    from app import menus, theme, window
 
     settings = QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat)
     for key in ("theme", "language", "recent", "geometry", "state"):
         settings.setValue(key, value)
-    assert start.chosen(settings, "theme", theme.THEMES) is None
+    assert menus.chosen(settings, "theme", theme.THEMES) is None
     made = window.MainWindow(settings, tmp_path / "swaps")
     made.session.saved = made.session.case
     made.close()
