@@ -1,23 +1,20 @@
 """File in, files out: the headless run of a case, with progress, exit codes and a journal."""
 
 import contextlib
-import gc
 import signal
 import sys
-import tempfile
 import threading
 import time
-from collections.abc import Callable
 from pathlib import Path
 
-from core import records, study
-from core.case import Case
-from core.case_reader import read_case
-from core.errors import Cancelled, InputError, OutputError
-from core.journal import Journal
-from core.names import name_of
-from core.report import atomic
-from core.results import StudyResult
+from app import export
+from core import atomic_write
+from core.case.reader import read_case
+from core.case.schema import Case
+from core.errors import Cancelled, InputError
+from core.study.journal import Journal
+from core.study.results import StudyResult
+from core.study.run import run as run_study
 
 DONE, WITHOUT_NUMBER, CANCELLED = 0, 3, 130
 """Exit codes; 1 input or output error and 2 wrong usage are of __main__, 4 an internal error."""
@@ -32,8 +29,8 @@ def run(case_path: Path, output: Path | None, jobs: int, quiet: bool, resume: bo
     folder, stem = output or case_path.parent, case_path.stem
     made = []
     try:
-        refuse_overwriting(case, case_path, folder, stem)
-        made = atomic.check_folder(folder)
+        export.refuse_overwriting(case, case_path, folder, stem)
+        made = atomic_write.check_folder(folder)
         return run_in(case, case_path, folder, stem, jobs, quiet, resume)
     except InputError as error:
         for new in made:
@@ -41,23 +38,6 @@ def run(case_path: Path, output: Path | None, jobs: int, quiet: bool, resume: bo
                 new.rmdir()
         place = f"{case_path}: "
         raise InputError(place + str(error).removeprefix(place)) from None
-
-
-def refuse_overwriting(case: Case, case_path: Path, folder: Path, stem: str) -> None:
-    """Raise InputError where a result would take the place of the case or of a file it reads."""
-    results = {(folder / (stem + end)).resolve() for end in (".xlsx", ".json", ".journal")}
-    sources = {case_path.resolve()}
-    for name in (case.table, case.demand.spectrum_file if case.demand else None):
-        if name:
-            sources.add((case_path.parent / name_of(name)).resolve())
-    for k, entry in enumerate(case.record, start=1):
-        try:
-            paths = records.expand(entry.file, case_path.parent)
-        except InputError as error:
-            raise InputError(f"record {k}: {error}") from None
-        sources |= {path.resolve() for path in paths}
-    for path in results & sources:
-        raise InputError(f"the results would overwrite {path}: rename it or give --output")
 
 
 def run_in(
@@ -79,7 +59,7 @@ def run_in(
 
     with _interrupts(cancel), _progress(quiet) as show:
         try:
-            result = study.run(
+            result = run_study(
                 case,
                 base_dir=case_path.parent,
                 jobs=jobs,
@@ -94,7 +74,7 @@ def run_in(
                 file=sys.stderr,
             )
             return CANCELLED
-        write(result, folder, stem)
+        export.write(result, folder, stem)
         for book in books:
             book.remove()
     for note in case.table_notes[1:]:
@@ -113,50 +93,6 @@ def say(text: str) -> None:
         print(text, flush=True)
     except OSError:
         sys.stdout = None
-
-
-def write(
-    result: StudyResult,
-    folder: Path,
-    stem: str,
-    check: Callable[[], None] = lambda: None,
-    ready: Callable[[], None] = lambda: None,
-) -> None:
-    """Workbook and JSON of a result, both or none. check : called now and then, ready when all is made and
-    nothing written yet. Raises OutputError and what these two raise."""
-    from core.report import json_report, workbook
-
-    drawn = (study.collapse_histories(result, wall) for wall in result.walls)
-    histories = []
-    for entry in drawn:
-        if entry:
-            histories.append(entry)
-        check()
-        if len(histories) == workbook.HISTORY_WALLS:
-            break
-    # first the JSON: the cells of the workbook take the most memory
-    text = json_report.dumps(result).encode()
-    check()
-    try:
-        with _no_collector():
-            book = workbook.content(result, histories, check)
-    except OSError as error:  # openpyxl makes the sheets in the folder of temporary files
-        raise OutputError(
-            f"the workbook cannot be made ({error.strerror}): free some space in {tempfile.gettempdir()}, or name "
-            "another folder in the variable TMPDIR"
-        ) from None
-    ready()
-    atomic.write({folder / f"{stem}.xlsx": book, folder / f"{stem}.json": text})
-
-
-@contextlib.contextmanager
-def _no_collector():
-    """Python's collector would look through the cells of a workbook again and again, which are no garbage."""
-    gc.disable()
-    try:
-        yield
-    finally:
-        gc.enable()
 
 
 def summary(result: StudyResult, folder: Path, stem: str) -> str:

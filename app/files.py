@@ -133,17 +133,17 @@ class Files:
 
     def export(self, path: Path) -> None:
         """Workbook and JSON, as the batch writes them, off this thread."""
-        from app import batch
+        from app import export
 
         result, case = self.session.result, self.session.case
         try:
             here = self.session.path or self.session.base_dir / "case.toml"
-            batch.refuse_overwriting(case, here, path.parent, path.stem)
+            export.refuse_overwriting(case, here, path.parent, path.stem)
         except InputError as error:
             QMessageBox.warning(self.window, tr("Nothing exported"), said(error))
             return
         self.window.start(
-            lambda job: batch.write(result, path.parent, path.stem, job.check, job.commit),
+            lambda job: export.write(result, path.parent, path.stem, job.check, job.commit),
             lambda _: self.window.word.setText(tr("Written: {path}").format(path=path)),
             to_end=True,
         )

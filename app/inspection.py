@@ -3,9 +3,9 @@
 import sys
 from pathlib import Path
 
-from core import records
 from core.errors import RecordError
-from core.records.grammar import Options
+from core.ground import records
+from core.ground.records.grammar import Options
 from core.units import CM, G
 
 

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from app import theme
 from app.language import tr
 from app.plots.result_tabs import verdict_color
-from core.words import word
+from core.text.words import word
 
 
 class Veil(QWidget):

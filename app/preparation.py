@@ -33,11 +33,11 @@ class Preparation:
             window.word.setText(preparing)
 
         def work(job):
-            from core import study
-            from core.kernel_cache import FOLDER, record
+            from core.jit import cache
+            from core.study.run import warm
 
-            study.warm(case, motion)
-            record(FOLDER)
+            warm(case, motion)
+            cache.record(cache.folder())
 
         def ended() -> None:
             self.job = None

@@ -13,15 +13,16 @@ from dataclasses import replace
 from pathlib import Path
 from typing import BinaryIO
 
-from core.case import Case, Record, Report, Wall
-from core.case_reader import draft_case, parse_case, read_case
-from core.case_writer import dumps, table_of
-from core.demand import target_of
+from core import atomic_write
+from core.case.reader import read_case
+from core.case.rules import draft_case, parse_case
+from core.case.schema import Case, Record, Report, Wall
+from core.case.writer import dumps, table_of
 from core.errors import InputError, OutputError
-from core.journal import lock
-from core.names import key_of, name_of
-from core.report import atomic
-from core.results import StudyResult
+from core.file_names import key_of, name_of
+from core.study.demand_input import target_of
+from core.study.journal import lock
+from core.study.results import StudyResult
 
 PAUSE = 1.0
 """A pause [s] that ends a step of undo."""
@@ -229,7 +230,7 @@ class Session:
         content, given = text.encode(), frozenset()
         with contextlib.suppress(InputError):  # a draft that breaks a rule is written as it is
             given = draft_case(tomllib.loads(text)).given
-        atomic.write({target: content})
+        atomic_write.write({target: content})
         self.content = content
         self.drop_swap()
         self.path, self.base_dir = target, target.parent
@@ -300,7 +301,7 @@ class Session:
         }
         with contextlib.suppress(OSError, OutputError):
             self._hold()
-            atomic.write({self.swap: json.dumps(content).encode()})
+            atomic_write.write({self.swap: json.dumps(content).encode()})
 
     def drop_swap(self) -> None:
         with contextlib.suppress(OSError):

@@ -89,10 +89,11 @@ def main(path: Path | None) -> int:
     code = application.exec()
     if any(not job.isFinished() for job in RUNNING):
         # a thread that compiles cannot be stopped, and nobody is to wait for it
-        from core import compile_beside, kernel_cache
+        from core.jit import cache
+        from core.study import precompile
 
-        compile_beside.end()
-        kernel_cache.close()
+        precompile.end()
+        cache.close()
         window.settings.sync()
         os._exit(code)
     return code

@@ -31,9 +31,9 @@ from app.preparation import Preparation
 from app.sentences import said
 from app.session import Session
 from app.worker import Job
-from core.demand import target_of
 from core.errors import InputError
-from core.journal import Memory
+from core.study.demand_input import target_of
+from core.study.journal import Memory
 from core.version import NAME
 
 AUTOSAVE_MS = 4000
@@ -258,11 +258,11 @@ class MainWindow(QMainWindow):
                 self.word.setText(tr("{n} analyses in {seconds:.1f} s").format(
                     n=self.finished_runs.analyses - made, seconds=result.elapsed))  # fmt: skip
 
-        from core import study
+        from core.study.run import run
 
         self.records.read_again()
         self.start(
-            lambda job: study.run(
+            lambda job: run(
                 case, base_dir=base, jobs=os.cpu_count() or 1, journal=lambda _: self.finished_runs,
                 on_progress=job.progress, cancelled=job.cancelled,
             ),
@@ -357,7 +357,7 @@ class MainWindow(QMainWindow):
         result, k = self.session.result, self.chosen.currentIndex()
         if self.wall is None or self.job is not None or self.session.stale:
             return
-        from core import study
+        from core.study.run import accuracy_of
 
         def arrived(found) -> None:
             self.word.setText("")
@@ -371,7 +371,7 @@ class MainWindow(QMainWindow):
 
         wall = result.walls[k]
         self.start(
-            lambda job: study.accuracy_of(
+            lambda job: accuracy_of(
                 wall, result.motions, result.method, result.search, job.cancelled
             ),
             arrived,

@@ -1,12 +1,12 @@
-"""Entry of the frozen program, and of its second process in a cold start (core.compile_beside)."""
+"""Entry of the frozen program, and of its second process in a cold start (core.study.precompile)."""
 
 import os
 import sys
 
-if "RIBALTA_KERNELS_BESIDE" in os.environ:
-    from core import compile_beside
+if "RIBALTA_SECOND_PROCESS" in os.environ:
+    from core.study import precompile
 
-    compile_beside.main()
+    precompile.main()
 else:
     from app.__main__ import main
 

@@ -53,10 +53,10 @@ def reference():
 @pytest.fixture(scope="session")
 def make_model():
     """A RockingModel from degrees, metres and names."""
-    from core.block import Block
-    from core.moment_rotation import LAWS
-    from core.restitution import restitution
-    from core.rocking import rocking_model
+    from core.wall.block import Block
+    from core.wall.moment_rotation import LAWS
+    from core.wall.restitution import restitution
+    from core.wall.rocking_model import rocking_model
 
     def make(alpha_deg=6.8, height=7.0, one_sided=False, model=None, ratio=None, law="rigid"):
         block = Block.rectangle(height, math.radians(alpha_deg))
@@ -70,6 +70,6 @@ def make_model():
 
 @pytest.fixture(scope="session")
 def el_centro(shelf):
-    from core import records
+    from core.ground import records
 
     return records.read(shelf / "PEER_AT2" / "elCentro_variant_noheader4.AT2")

@@ -37,7 +37,7 @@ def test_that_no_record_of_the_shelf_is_in_the_project(shelf, index):
 
 
 def test_that_the_bundled_motions_are_those_the_program_makes(tmp_path):
-    from core.artificial import write_example_records
+    from core.ground.artificial import write_example_records
 
     write_example_records(tmp_path)
     for path in sorted((ROOT / "resources" / "motions").glob("*.txt")):

@@ -24,10 +24,10 @@ from app.forms.law_curve import SpectrumCurve
 from app.language import tr
 from app.sentences import said
 from app.session import Session
-from core.case import Analysis, Demand, Report, Spectrum
-from core.demand import target_of
+from core.case.schema import Analysis, Demand, Report, Spectrum
+from core.codes.target_spectrum import NTC_TOPOGRAPHY, SOILS
 from core.errors import InputError
-from core.target_spectrum import NTC_TOPOGRAPHY, SOILS
+from core.study.demand_input import target_of
 from core.units import G
 
 

@@ -20,10 +20,10 @@ from PySide6.QtWidgets import (
 from app import theme
 from app.language import tr
 from app.sentences import captions, said, scales
-from core.case import Analysis, Demand, Spectrum, Wall
-from core.case_reader import check_value
+from core.case.number import parse_number
+from core.case.rules import check_value
+from core.case.schema import Analysis, Demand, Spectrum, Wall
 from core.errors import InputError
-from core.number import parse_number
 
 FIGURES = 12
 

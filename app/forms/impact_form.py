@@ -9,7 +9,7 @@ from app.forms.law_curve import LawCurve
 from app.language import tr
 from app.sentences import said
 from app.session import Session
-from core.case import Wall
+from core.case.schema import Wall
 from core.errors import InputError
 
 FORMULAS = {

@@ -22,10 +22,10 @@ from app.forms.fields import ChoiceField, NumberField, connect
 from app.language import tr
 from app.plots.chart import Chart
 from app.sentences import said
-from core import records
-from core.case import Record
+from core.case.schema import Record
 from core.errors import InputError
-from core.records.grammar import Options
+from core.ground import records
+from core.ground.records.grammar import Options
 from core.units import G
 
 MOST_FILES = 500

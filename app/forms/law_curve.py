@@ -4,12 +4,12 @@ import numpy as np
 import pyqtgraph as pg
 
 from app import theme
-from core.case import Wall
+from core.case.schema import Wall
 from core.errors import InputError
-from core.moment_rotation import moment
-from core.restitution import Restitution
-from core.rocking import rocking_model
 from core.units import G
+from core.wall.moment_rotation import moment
+from core.wall.restitution import Restitution
+from core.wall.rocking_model import rocking_model
 
 LONGEST = 3.0
 """Period up to which a spectrum is drawn [s]."""

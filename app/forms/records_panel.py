@@ -25,11 +25,11 @@ from app.plots.table import Table
 from app.sentences import said
 from app.session import Session
 from app.worker import Job
-from core.case import Generate, Record
-from core.demand import demand_of, generated
+from core.case.schema import Generate, Record
 from core.errors import InputError
-from core.names import name_of
-from core.study import twice
+from core.file_names import name_of
+from core.study.demand_input import demand_of, generated
+from core.study.record_input import twice
 from core.units import CM, G
 
 

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.forms.drawing import WallDrawing, mechanism_icon
+from app.drawing import WallDrawing, mechanism_icon
 from app.forms.fields import (
     Choice,
     ChoiceField,
@@ -32,10 +32,10 @@ from app.forms.impact_form import ImpactForm
 from app.language import tr
 from app.sentences import captions, said, spoken, translated
 from app.session import Session
-from core.case import Wall
+from core.case.schema import Wall
+from core.case.wall_table import read_table, text_rows, walls_of
 from core.errors import InputError
 from core.units import G
-from core.wall_table import read_table, text_rows, walls_of
 
 
 class WallForm(QWidget):

@@ -25,8 +25,8 @@ from app.files import path_to_write
 from app.language import tr
 from app.plots.table import plain_cell
 from app.sentences import said
+from core import atomic_write
 from core.errors import OutputError
-from core.report import atomic
 
 
 def numbers(values) -> np.ndarray:
@@ -291,7 +291,7 @@ class Chart(QWidget):
 
     def write(self, path: Path) -> None:
         """Write .png, .svg or .csv by the end of the name, whole or not at all. Raises OutputError."""
-        atomic.write({path: self.content(path.suffix.lower())})
+        atomic_write.write({path: self.content(path.suffix.lower())})
 
     def copy(self) -> None:
         """The picture to the clipboard. Not by a QMimeData of ours: it crashes Qt when the program ends."""

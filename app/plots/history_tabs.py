@@ -15,13 +15,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.forms.drawing import WallDrawing
+from app.drawing import WallDrawing
 from app.language import tr
 from app.plots.chart import Chart
-from core.ida import threshold_of
-from core.limits import multiplier_of
-from core.results import StudyResult, WallResult
-from core.rocking import COLLAPSED, history
+from core.capacity.ida import multiplier_of, threshold_of
+from core.rocking.history import history
+from core.rocking.outcome import COLLAPSED
+from core.study.results import StudyResult, WallResult
 from core.units import G
 
 SLIDER = 2000
@@ -214,8 +214,8 @@ class ValidationTab(QWidget):
 
     def show_wall(self, result: StudyResult, wall: WallResult) -> None:
         """Fill the tab from one wall of a result."""
-        from core.moment_rotation import moment
-        from core.study import collapse_histories
+        from core.study.governing import collapse_histories
+        from core.wall.moment_rotation import moment
 
         self.phase.clear()
         self.moment.clear()

@@ -19,16 +19,17 @@ from app import theme
 from app.language import tr
 from app.plots.chart import Chart
 from app.plots.table import Table
-from core.closed_forms import closed_form_q_eff
-from core.code_check import LABEL
-from core.fragility import fragility_curve
-from core.ida import threshold_of
-from core.limits import LIMIT_FRACTION, multiplier_of
-from core.results import Q_SOURCES, StudyResult, WallResult
-from core.rocking import COLLAPSED, scan
-from core.spectrum import HOUSNER_PERIODS, pseudo_acceleration_spectrum
+from core.capacity.closed_forms import closed_form_q_eff
+from core.capacity.fragility import fragility_curve
+from core.capacity.ida import multiplier_of, threshold_of
+from core.capacity.limit_states import LIMIT_FRACTION
+from core.codes.eq9 import LABEL
+from core.ground.response_spectrum import HOUSNER_PERIODS, pseudo_acceleration_spectrum
+from core.rocking.history import scan
+from core.rocking.outcome import COLLAPSED
+from core.study.results import Q_SOURCES, StudyResult, WallResult
+from core.text.words import word
 from core.units import CM, G
-from core.words import word
 
 VERDICT_COLORS = {"verified": "good", "not_activated": "good", "verified_refined": "amber",
                   "indicative": "amber", "undetermined": "amber", "q2_unsafe": "bad",

@@ -17,7 +17,7 @@ from openpyxl.utils import get_column_letter
 from openpyxl.workbook.defined_name import DefinedName
 from openpyxl.worksheet.worksheet import Worksheet
 
-from core.names import shown
+from core.file_names import shown
 
 INK = "1F2D3D"
 ACCENT = "2B5C8A"

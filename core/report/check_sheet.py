@@ -4,8 +4,8 @@ import math
 
 from openpyxl.worksheet.pagebreak import Break
 
-from core.closed_forms import COEFFICIENTS
-from core.code_check import TITLE
+from core.capacity.closed_forms import COEFFICIENTS
+from core.codes.eq9 import TITLE
 from core.report.cells import (
     ACCELERATION,
     BAD,
@@ -25,7 +25,7 @@ from core.report.cells import (
 from core.report.circolare import spectrum_rows, wall_rows
 from core.report.rows import heads, input_row, live_row
 from core.report.sheets import mechanism_word, rule_word
-from core.results import Q_SOURCES, PerRecord, StudyResult, WallResult
+from core.study.results import Q_SOURCES, PerRecord, StudyResult, WallResult
 from core.units import CM, G
 
 

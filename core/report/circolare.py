@@ -1,13 +1,13 @@
 """Live formulas of the Circolare's checks on the Check sheet: C8.7.1.2.1.7, .8 and .9."""
 
-from core.kinematic import CANTILEVER, DAMPING, PERIOD_FACTOR
-from core.limits import LIMIT_FRACTION
+from core.capacity.limit_states import LIMIT_FRACTION
+from core.codes.kinematic import CANTILEVER, DAMPING, PERIOD_FACTOR
+from core.codes.target_spectrum import EN_AMPLIFICATION, NTC_SOIL, NTC_TOPOGRAPHY, CodeSpectrum
 from core.report.cells import ACCELERATION, BAD, EXACT, GOOD, QUIET, RATIO, Book, style, text
 from core.report.rows import heads, input_row, live_row
-from core.results import StudyResult, WallResult
-from core.target_spectrum import EN_AMPLIFICATION, NTC_SOIL, NTC_TOPOGRAPHY, CodeSpectrum
+from core.study.results import StudyResult, WallResult
+from core.text.words import word
 from core.units import G
-from core.words import word
 
 
 def spectrum_rows(book: Book, sheet, result: StudyResult, row: int) -> int:

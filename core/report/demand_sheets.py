@@ -4,6 +4,7 @@ import math
 
 from openpyxl.chart import ScatterChart
 
+from core.codes.multiplier_search import STEP
 from core.report.cells import (
     ACCELERATION,
     ACCENT,
@@ -25,10 +26,9 @@ from core.report.cells import (
 )  # fmt: skip
 from core.report.plots import add_series, new_chart
 from core.report.sheets import mechanism_word
-from core.results import StudyResult, WallResult
+from core.study.results import StudyResult, WallResult
+from core.text.words import word
 from core.units import G
-from core.words import word
-from core.zeta import STEP
 
 DATA = 16
 DRAWN_SPECTRA = 30

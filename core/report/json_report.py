@@ -4,14 +4,14 @@ import json
 import math
 from dataclasses import asdict
 
-from core.accuracy import ROUNDING, Accuracy
-from core.code_check import LABEL
-from core.compliance import Compliance
-from core.demand_check import DemandCheck
-from core.ground_motion import GroundMotion
-from core.names import shown
-from core.provenance import provenance
-from core.results import Q_SOURCES, Assessment, Run, StudyResult, WallResult
+from core.capacity.accuracy import ROUNDING, Accuracy
+from core.codes.dynamic_check import DemandCheck
+from core.codes.eq9 import LABEL
+from core.codes.record_compatibility import Compliance
+from core.file_names import shown
+from core.ground.ground_motion import GroundMotion
+from core.ground.provenance import provenance
+from core.study.results import Q_SOURCES, Assessment, Run, StudyResult, WallResult
 from core.units import CM, G
 from core.version import NAME, VERSION, commit
 
@@ -48,9 +48,9 @@ def _demand(result: StudyResult) -> dict:
         "spectrum": demand.target.name if demand.target else None,
         "confidence_factor": demand.confidence_factor,
         "zeta_target": demand.zeta_target,
-        "confidence_on": demand.asked.confidence_on,
-        "return_period_years": demand.asked.return_period,
-        "demand_scaling": demand.asked.demand_scaling,
+        "confidence_on": demand.confidence_on,
+        "return_period_years": demand.return_period,
+        "demand_scaling": demand.record_scaling,
         "compliance": _compliance(result.compliance) if result.compliance else None,
         "warnings": [warning.text() for warning in demand.warnings],
     }

@@ -18,7 +18,7 @@ from openpyxl.formatting.rule import ColorScaleRule
 from openpyxl.utils import get_column_letter
 from openpyxl.worksheet.pagebreak import Break
 
-from core.closed_forms import closed_form_q_eff
+from core.capacity.closed_forms import closed_form_q_eff
 from core.report.cells import (
     ACCENT,
     BAD,
@@ -33,7 +33,7 @@ from core.report.cells import (
     title,
 )  # fmt: skip
 from core.report.sheets import mechanism_word
-from core.results import CollapseHistories, StudyResult, WallResult
+from core.study.results import CollapseHistories, StudyResult, WallResult
 from core.units import CM
 
 CHART_WALLS = 20

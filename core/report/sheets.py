@@ -3,8 +3,8 @@
 import math
 import platform
 
-from core.case import Case
-from core.provenance import provenance
+from core.case.schema import Case
+from core.ground.provenance import provenance
 from core.report.cells import (
     ACCELERATION,
     BAD,
@@ -23,11 +23,11 @@ from core.report.cells import (
     title,
 )  # fmt: skip
 from core.report.method_text import paragraphs
-from core.restitution import MODELS
-from core.results import StudyResult
+from core.study.results import StudyResult
+from core.text.words import word
 from core.units import CM, G
 from core.version import NAME, VERSION, commit
-from core.words import word
+from core.wall.restitution import MODELS
 
 
 def mechanism_word(book: Book, mechanism: str) -> str:

@@ -5,7 +5,7 @@ import math
 from openpyxl.chart import BarChart, LineChart, Reference, ScatterChart, Series
 from openpyxl.chart.layout import Layout, ManualLayout
 
-from core.code_check import LABEL
+from core.codes.eq9 import LABEL
 from core.report.cells import (
     ACCELERATION,
     ACCENT,
@@ -26,10 +26,10 @@ from core.report.cells import (
     title,
 )  # fmt: skip
 from core.report.sheets import mechanism_word
-from core.results import Q_SOURCES, StudyResult, WallResult
+from core.study.results import Q_SOURCES, StudyResult, WallResult
+from core.text.words import ASSUMPTIONS, NO_LOAD, word
 from core.units import CM, G
 from core.version import NAME, VERSION
-from core.words import ASSUMPTIONS, NO_LOAD, word
 
 SUMMARY_WALLS = 8
 """Walls listed on the Summary, which is one page; all are on the Overview."""
@@ -133,7 +133,7 @@ def _demand_lines(book: Book, sheet, result: StudyResult, row: int, last: int) -
     line = (
         f"{say('Demand', 'Domanda')} {demand.limit_state}: a_g {demand.ag / G:.3f} g "
         f"({say('on rock, S apart', 'su suolo rigido, S a parte')}), S {demand.soil_factor:.3f}, "
-        f"S a_g {demand.pga / G:.3f} g, {word(f'confidence_{demand.asked.confidence_on}', book.language)} "
+        f"S a_g {demand.pga / G:.3f} g, {word(f'confidence_{demand.confidence_on}', book.language)} "
         f"{demand.confidence_factor:.2f}"
     )
     if demand.target:

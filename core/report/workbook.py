@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from core.report import check_sheet, demand_sheets, plots, sheets, summary_sheet
 from core.report.cells import Book
-from core.results import CollapseHistories, StudyResult
+from core.study.results import CollapseHistories, StudyResult
 
 HISTORY_WALLS = 20
 """Walls whose histories and charts are drawn; the rest are listed."""

@@ -1,120 +1,109 @@
-"""The lanes of one pass: their state, and what all of them do at once.
+"""What all lanes of a pass do at once.
 
-Loops without branches over contiguous lanes, which the compiler turns into vector instructions: what the step
-to the end of each lane's sample begins with, its Taylor series, what comes of it, and the landing of the lanes
-that fall in it.
-A lane whose step is not that plain (a kink, a new peak, a series not converged, an outward pull while it
-falls) takes it by `taylor.through_sample`, so that results equal those of single analyses bit for bit.
+Loops without branches over contiguous lanes, which the compiler turns into vector instructions: the initial terms of
+the step to the end of each lane's sample, its Taylor coefficients, what comes of it, and the impacts of the lanes
+that fall. A lane whose step is not that plain (a kink, a new peak, a series not converged, an outward pull while it
+falls) takes it by `taylor.through_sample`, so that results equal those of single analyses bit for bit
+(resources/docs/physics.md, section 10).
 """
 
-from core.fused import fma
-from core.kernel_cache import inner_kernel, subkernel, widest_vectors
-from core.moment_rotation import moment_branch
-from core.rocking.bounds import (
+from core.jit.decorators import inner_kernel, subkernel, widest_vectors
+from core.jit.fma import fma
+from core.rocking.lane_state import (
+    BETA,
+    CHECK,
+    CONSTANT,
+    COSINE,
+    FACTOR,
+    FALL,
+    FALL_ROWS,
+    FALLS,
+    FIRST,
+    FORCING,
+    GROWTH,
+    HIGH,
+    IMPACTS,
+    LEFT,
+    LOW,
+    MOVING,
+    NET,
+    NEXT,
+    PEAK,
+    PER_STEP,
+    PHI,
+    PLAIN,
+    RISE,
+    ROW,
+    SAMPLE,
+    SCALAR,
+    SCALE,
+    SECOND,
+    SERIES,
+    SIDE,
+    SINE,
+    SLOPE,
+    SPEED,
+    STEP_P2,
+    STEPPED,
+    STRONGEST,
+    TIME,
+    VECTOR,
+    ZONE,
+    set_lane,
+)  # fmt: skip
+from core.rocking.taylor import BlockState, peak_may_grow, through_sample
+from core.rocking.taylor_bounds import (
+    MAX_GROWTH,
     SERIES_TOLERANCE,
-    STIFFEST,
     largest_push,
     neglected,
     turning_margin,
 )
-from core.rocking.polynomial import change, increment, landing, shape
-from core.rocking.taylor import (
-    SHORT,
-    expansion,
-    may_top,
-    set_out,
+from core.rocking.taylor_polynomial import change, increment, landing, shape
+from core.rocking.taylor_series import (
+    SHORT_SERIES,
+    InitialTerms,
+    initial_terms,
     sine_and_cosine_short,
-    through_sample,
+    taylor_coefficients,
 )
-
-WIDTH = 64
-"""Lanes of one pass. Their state is one array of rows: the compiler then sees that the rows do not overlap,
-which it needs to use vector instructions."""
-
-ROW = WIDTH + 8
-"""Length of a row: of 64, each eighth row would take the same place in the processor's tables."""
-
-(
-    SCALE,
-    STRONGEST,
-    FIRST,
-    SECOND,
-    SIDE,
-    MOVING,
-    IMPACTS,
-    ZONE,
-    LOW,
-    HIGH,
-    FACTOR,
-    SLOPE,
-    CONSTANT,
-    NEXT,
-    SAMPLE,
-    LEFT,
-    PHI,
-    SPEED,
-    TIME,
-    PER_STEP,
-    PEAK,
-    SERIES,
-) = (ROW * row for row in range(22))
-"""FIRST, SECOND : ground acceleration at the ends of the sample, the first one scaled; TIME : where in it the
-lane is, 0 to 1; PER_STEP : one over the time to its end [1/s]; IMPACTS : in this sample; NEXT : below; LEFT :
-samples until it is to be looked at; SERIES : v0 to v8."""
-LANE_ROWS = 21
-FALL_ROWS = 14
-"""From PHI to v8: what lanes that fall are copied with to where they lie side by side, from FALL on."""
-NET, SINE, COSINE, BETA, RISE, STEP_P2, FORCING, GROWTH = (
-    SERIES + ROW * row for row in range(9, 17)
-)
-"""Of `taylor.set_out` and `taylor.expansion`."""
-
-FALL = GROWTH + ROW
-PLAIN = FALL + ROW * FALL_ROWS
-"""Whether such a fall is that plain."""
-ROWS = PLAIN // ROW + 1
-
-STEPPED, LOOKED, FALLS, ALONE = 0.0, 1.0, 2.0, 3.0
-"""NEXT of a lane: through its sample; so and to be looked at; to land in it; to be taken through it alone."""
-
-VECTOR = 8
-"""Lanes are stepped in multiples of this, so that no remainder is left to single steps; those beyond the
-last lane hold old states and are not looked at."""
 
 
 @subkernel
-def settings_out(lanes, dt, model, constants, state):
-    """What the series of each lane to the end of its sample begins with."""
+def lane_initial_terms(lanes, dt, model, constants, state):
+    """`InitialTerms` of the step of each lane to the end of its sample."""
     widest_vectors()
     for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
         second = state[SCALE + k] * state[SECOND + k]
         x = state[PHI + k]
         s, c = sine_and_cosine_short(x)
         branch = state[FACTOR + k], state[SLOPE + k], state[CONSTANT + k]
-        begun = set_out(
+        start = initial_terms(
             x, state[SPEED + k], s, c, state[SIDE + k], state[FIRST + k], second, state[TIME + k], dt,
             branch, model, constants,
         )  # fmt: skip
-        state[SERIES + k] = begun[0]
-        state[NET + k] = begun[1]
-        state[SINE + k] = begun[2]
-        state[COSINE + k] = begun[3]
-        state[BETA + k] = begun[4]
-        state[RISE + k] = begun[5]
-        state[STEP_P2 + k] = begun[6]
-        state[FORCING + k] = begun[7]
+        state[SERIES + k] = start.speed
+        state[NET + k] = start.net
+        state[SINE + k] = start.sine
+        state[COSINE + k] = start.cosine
+        state[BETA + k] = start.beta
+        state[RISE + k] = start.rise
+        state[STEP_P2 + k] = start.p2
+        state[FORCING + k] = start.forcing
 
 
 @subkernel
-def expansions(lanes, order, state):
-    """The series of each lane from there."""
+def lane_taylor_coefficients(lanes, order, state):
+    """The Taylor coefficients of each lane from its initial terms."""
     widest_vectors()
     for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
-        begun = (
+        start = InitialTerms(
             state[SERIES + k], state[NET + k], state[SINE + k], state[COSINE + k], state[BETA + k],
             state[RISE + k], state[STEP_P2 + k], state[FORCING + k],
         )  # fmt: skip
-        v, growth = expansion(state[PHI + k], begun, state[FACTOR + k], state[SLOPE + k], order)
+        v, growth = taylor_coefficients(
+            state[PHI + k], start, state[FACTOR + k], state[SLOPE + k], order
+        )
         state[SERIES + ROW + k] = v[1]
         state[SERIES + 2 * ROW + k] = v[2]
         state[SERIES + 3 * ROW + k] = v[3]
@@ -129,7 +118,7 @@ def expansions(lanes, order, state):
 
 @inner_kernel
 def series_of(k, order, state):
-    """v0 to v8 of the k-th lane or fall."""
+    """v0 to v8 of the k-th lane, or of the k-th of those that fall."""
     return (
         state[SERIES + k], state[SERIES + ROW + k], state[SERIES + 2 * ROW + k],
         state[SERIES + 3 * ROW + k], state[SERIES + 4 * ROW + k], state[SERIES + 5 * ROW + k],
@@ -140,12 +129,11 @@ def series_of(k, order, state):
 
 
 @subkernel
-def plain_steps(lanes, dt, model, constants, order, state):
-    """One step of each lane to the end of its sample by its series, where that is all there is to it, and NEXT
-    of each. (Three loops: in one the processor waits for the results of each lane.)
+def vector_step(lanes, dt, model, constants, order, state):
+    """One step of each lane to the end of its sample by its series, where nothing else happens in it, and NEXT of
+    each. (Initial terms, coefficients and step are three loops: in one the processor waits for each lane's results.)
     """
     widest_vectors()
-    sine_upright = constants[2]
     tolerance = SERIES_TOLERANCE * model.slenderness
     per_dt = 1.0 / dt
     for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
@@ -159,7 +147,7 @@ def plain_steps(lanes, dt, model, constants, order, state):
         dv = change(v, 1.0)
         y = x + dphi
         upper = max(x, y)
-        push = largest_push(upper, forcing, p2, sine_upright)
+        push = largest_push(upper, forcing, p2, constants.sine)
         reach = 0.125 * push
         margin = turning_margin(v[0], dv, rise, forcing + state[SLOPE + k], p2, push)
         after = v[0] + dv
@@ -167,18 +155,18 @@ def plain_steps(lanes, dt, model, constants, order, state):
         near = (min(x, y) - low <= reach) & (min(v[0], after) <= margin)
         falls = near & (not stays)
         tops = (v[0] > -2.0 * margin) & (after < 2.0 * margin) & (not bulges)
-        alone = (
+        scalar = (
             ((state[HIGH + k] - upper <= reach) & (max(v[0], after) >= -margin))
-            | (upper > SHORT)
+            | (upper > SHORT_SERIES)
             | (neglected(v, growth, forcing, rise, p2, order) > tolerance)
-            | (growth >= STIFFEST)
+            | (growth >= MAX_GROWTH)
             | (falls & (low != 0.0))
             | (state[MOVING + k] == 0.0)
-            | ((not falls) & tops & may_top(x, dphi, v[0], bend, reach, peak))
+            | ((not falls) & tops & peak_may_grow(x, dphi, v[0], bend, reach, peak))
         )
-        stays = alone | falls
-        looked = (y > model.slenderness) | (left <= 0.0)
-        state[NEXT + k] = ALONE if alone else (FALLS if falls else (LOOKED if looked else STEPPED))
+        stays = scalar | falls
+        check = (y > model.slenderness) | (left <= 0.0)
+        state[NEXT + k] = SCALAR if scalar else (FALLS if falls else (CHECK if check else STEPPED))
         state[SAMPLE + k] += 0.0 if stays else 1.0
         state[LEFT + k] = left + 1.0 if stays else left
         state[FIRST + k] = state[FIRST + k] if stays else state[SCALE + k] * state[SECOND + k]
@@ -191,8 +179,8 @@ def plain_steps(lanes, dt, model, constants, order, state):
 
 
 @subkernel
-def landings(falling, dt, model, rest_below, order, state):
-    """The impact of each lane that falls: time in the sample, speed after it, and whether it is that plain.
+def locate_impacts(falling, dt, model, rest_below, order, state):
+    """The impact of each lane that falls: time in the sample, speed after it, and whether this located it.
 
     rest_below : [rad/s], see `events.stops_rocking`.
     """
@@ -216,7 +204,7 @@ def landings(falling, dt, model, rest_below, order, state):
 
 
 @inner_kernel
-def fallen(count, busy, state):
+def gather_falling(count, busy, state):
     """Copy the lanes that fall to where they lie side by side. busy : numbers of `count` lanes, all that
     fall among them; returns how many do."""
     falling = 0
@@ -230,8 +218,8 @@ def fallen(count, busy, state):
 
 
 @inner_kernel
-def landed(k, j, model, state):
-    """Take over the impact of lane k from the j-th of the falls; False if it is not that plain."""
+def scatter_impact(k, j, model, state):
+    """Take over the impact of lane k from the j-th of the falls; False if it was not located."""
     if state[PLAIN + j] == 0.0:
         return False
     state[PHI + k] = 0.0
@@ -245,10 +233,10 @@ def landed(k, j, model, state):
 
 
 @inner_kernel
-def alone(k, dt, model, constants, order, zero, state):
+def scalar_step(k, dt, model, constants, order, zero, state):
     """Carry lane k to its next impact or through its sample. zero : of int64. Returns (outcome so far,
     clamped ratios)."""
-    block = (
+    block = BlockState(
         state[SIDE + k], state[PHI + k], state[SPEED + k], state[MOVING + k] != 0.0,
         int(state[ZONE + k]), state[PEAK + k], zero, zero,
     )  # fmt: skip
@@ -257,7 +245,7 @@ def alone(k, dt, model, constants, order, zero, state):
         state[STRONGEST + k], block, state[TIME + k],
     )  # fmt: skip
     side, phi, speed, moving, zone, peak, impacts, clamped = block
-    put(k, side, phi, speed, zone, model, state)
+    set_lane(k, side, phi, speed, zone, model, state)
     state[MOVING + k] = 1.0 if moving else 0.0
     state[PEAK + k] = peak
     state[IMPACTS + k] += impacts
@@ -265,19 +253,3 @@ def alone(k, dt, model, constants, order, zero, state):
     if time < 1.0:
         state[PER_STEP + k] = 1.0 / (dt * (1.0 - time))
     return outcome, clamped
-
-
-@inner_kernel
-def put(k, side, phi, speed, zone, model, state):
-    """Lane k moves so, on this branch of the moment law."""
-    state[SIDE + k] = side
-    state[PHI + k] = phi
-    state[SPEED + k] = speed
-    state[MOVING + k] = 1.0
-    state[ZONE + k] = zone
-    low, high, factor, slope, constant = moment_branch(zone, model)
-    state[LOW + k] = low
-    state[HIGH + k] = high
-    state[FACTOR + k] = factor
-    state[SLOPE + k] = slope
-    state[CONSTANT + k] = constant

@@ -14,7 +14,7 @@ import pytest
 
 from app import __main__ as program
 from app import batch
-from core.report import atomic
+from core import atomic_write
 from tests.conftest import ROOT
 
 CASE = """
@@ -194,7 +194,7 @@ def test_that_a_link_stays_a_link_and_the_file_behind_is_replaced(tmp_path):
     behind.write_text("old")
     behind.chmod(0o640)
     link.symlink_to(behind)
-    atomic.write({link: b"new"})
+    atomic_write.write({link: b"new"})
     assert link.is_symlink() and behind.read_bytes() == b"new"
     assert behind.stat().st_mode & 0o777 == 0o640
 
@@ -204,11 +204,11 @@ def test_that_a_second_file_that_cannot_take_its_place_puts_the_first_back(tmp_p
     first.write_text("old")
     second.mkdir()
     with pytest.raises(Exception, match="what was there is untouched"):
-        atomic.write({first: b"new", second: b"new"})
+        atomic_write.write({first: b"new", second: b"new"})
     assert first.read_text() == "old"
     first.unlink()
     with pytest.raises(Exception, match="cannot be written"):
-        atomic.write({first: b"new", second: b"new"})
+        atomic_write.write({first: b"new", second: b"new"})
     assert list(tmp_path.iterdir()) == [second]
 
 
@@ -216,7 +216,7 @@ def test_that_all_files_are_written_or_none(tmp_path):
     good, bad = tmp_path / "a", tmp_path / "missing" / "b"
     good.write_text("old")
     with pytest.raises(Exception, match="cannot be written"):
-        atomic.write({good: b"new", bad: b"new"})
+        atomic_write.write({good: b"new", bad: b"new"})
     assert good.read_text() == "old"
     assert list(tmp_path.iterdir()) == [good]
 
@@ -235,7 +235,7 @@ def test_that_an_internal_error_is_code_4_with_a_log(case, capsys, monkeypatch):
     def broken(*arguments, **keywords):
         raise ZeroDivisionError("a bug")
 
-    monkeypatch.setattr(batch.study, "run", broken)
+    monkeypatch.setattr(batch, "run_study", broken)
     assert call("--batch", case) == 4
     line = capsys.readouterr().err
     log = line.strip().split()[-1]
@@ -374,7 +374,7 @@ def test_that_the_terminal_names_verdict_zeta_and_deciding_check_of_each_wall(ca
 
 
 def test_that_a_second_batch_on_the_same_output_is_refused(case, tmp_path, capsys):
-    from core.journal import Journal
+    from core.study.journal import Journal
 
     (tmp_path / "out").mkdir()
     held = Journal(tmp_path / "out" / "case.journal", "other", False)

@@ -179,7 +179,7 @@ def test_that_choosing_the_spectrum_again_or_the_demand_off_and_on_loses_nothing
 
 @pytest.mark.parametrize("language", ["en", "it"])
 def test_that_sentences_of_the_window_use_the_words_of_its_forms(opened, language):
-    from core.case import Analysis, Demand, Spectrum, Wall
+    from core.case.schema import Analysis, Demand, Spectrum, Wall
 
     opened.set_choice("language", language)
     keys = {f.name for kind in (Wall, Demand, Spectrum, Analysis) for f in fields(kind)}

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
-from core.case import Record
+from core.case.schema import Record
 from tests.app.driving import settle, type_into
 from tests.conftest import ROOT
 

@@ -26,7 +26,7 @@ def test_that_a_job_that_cannot_stop_is_left_at_once_and_nothing_of_it_arrives(o
 
 
 def test_that_finished_runs_are_used_again(opened, application, monkeypatch):
-    from core import study
+    from core.study import run as study
 
     run(application, opened)
     first = opened.session.result
@@ -57,10 +57,10 @@ def test_that_an_export_cancelled_before_it_writes_leaves_no_file(
 def test_that_an_export_that_writes_is_not_said_to_be_cancelled(
     opened, application, tmp_path, monkeypatch
 ):
-    from core.report import atomic
+    from core import atomic_write
 
     run(application, opened)
-    held = Held(monkeypatch, atomic, "write")
+    held = Held(monkeypatch, atomic_write, "write")
     opened.files.export(tmp_path / "small.xlsx")
     held.await_call()
     opened.cancel()
@@ -73,7 +73,7 @@ def test_that_an_export_that_writes_is_not_said_to_be_cancelled(
 def test_that_kernels_of_a_method_chosen_later_are_made_ready_and_a_failure_is_said(
     opened, application, monkeypatch
 ):
-    from core import study
+    from core.study import run as study
 
     asked = []
 
@@ -103,10 +103,10 @@ def test_that_another_case_opens_with_its_first_wall(opened, application):
 def test_that_a_window_closed_while_files_are_written_goes_when_they_are_there(
     opened, application, tmp_path, monkeypatch
 ):
-    from core.report import atomic
+    from core import atomic_write
 
     run(application, opened)
-    held = Held(monkeypatch, atomic, "write")
+    held = Held(monkeypatch, atomic_write, "write")
     opened.files.export(tmp_path / "small.xlsx")
     held.await_call()
     assert not opened.close() and opened.isVisible()
@@ -118,8 +118,8 @@ def test_that_a_window_closed_while_files_are_written_goes_when_they_are_there(
 def test_that_a_failed_export_keeps_a_closing_window_open_to_say_so(
     opened, application, tmp_path, monkeypatch
 ):
+    from core import atomic_write
     from core.errors import OutputError
-    from core.report import atomic
 
     said = []
     run(application, opened)
@@ -127,7 +127,7 @@ def test_that_a_failed_export_keeps_a_closing_window_open_to_say_so(
     def full(files):
         raise OutputError("the disk is full")
 
-    held = Held(monkeypatch, atomic, "write", full)
+    held = Held(monkeypatch, atomic_write, "write", full)
     monkeypatch.setattr(QMessageBox, "warning", lambda *a: said.append(a[-1]))
     opened.files.export(tmp_path / "small.xlsx")
     held.await_call()
@@ -154,7 +154,7 @@ def test_that_a_finished_job_is_kept_by_nobody(opened, application):
 
 
 def test_that_the_accuracy_statement_survives_a_save(opened, application, monkeypatch):
-    from core import study
+    from core.study import run as study
 
     run(application, opened)
     held = Held(monkeypatch, study, "accuracy_of")
@@ -183,7 +183,7 @@ def test_that_results_saved_after_the_run_name_the_file(opened, application, tmp
 
 
 def test_that_the_memory_of_runs_is_bounded_and_takes_many_threads():
-    from core.journal import Memory
+    from core.study.journal import Memory
 
     memory = Memory(most=1000)
 

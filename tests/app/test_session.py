@@ -14,8 +14,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.session import Session
-from core.case import Demand, Record, Wall
-from core.case_reader import parse_case, read_case
+from core.case.reader import read_case
+from core.case.rules import parse_case
+from core.case.schema import Demand, Record, Wall
 from core.errors import InputError
 from tests.conftest import ROOT
 
@@ -135,9 +136,9 @@ def test_that_excluded_records_are_kept_in_the_file_and_not_run(session, tmp_pat
     assert session.problem() is None
     session.save(tmp_path / "c.toml")
     assert read_case(tmp_path / "c.toml").record[-1].include is False
-    from core import study
+    from core.study.record_input import read_records
 
-    motions, _ = study.read_records(session.checked(), session.base_dir)
+    motions, _ = read_records(session.checked(), session.base_dir)
     assert len(motions) == 7
 
 
@@ -216,7 +217,7 @@ def test_that_saving_drops_the_swap(session, tmp_path):
 
 
 def test_that_every_case_of_the_resources_goes_through_the_writer():
-    from core.case_writer import table_of
+    from core.case.writer import table_of
 
     for path in sorted((ROOT / "resources" / "cases").glob("*.toml")):
         case = read_case(path)

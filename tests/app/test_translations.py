@@ -5,7 +5,7 @@ import re
 import xml.etree.ElementTree as ET
 
 from app.sentences import catalogue, translated
-from core.case_reader import parse_case
+from core.case.rules import parse_case
 from core.errors import InputError
 from tests.conftest import ROOT
 

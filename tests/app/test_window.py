@@ -15,7 +15,7 @@ from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
-from core.case_reader import read_case
+from core.case.reader import read_case
 from tests.app.driving import run, settle, type_into
 from tests.conftest import ROOT
 
@@ -209,8 +209,8 @@ def test_that_a_file_that_is_no_record_is_said_in_the_dialog(opened, tmp_path):
 
 
 def test_that_the_slider_integrates_what_the_core_says(opened, application):
-    from core.ida import threshold_of
-    from core.rocking import history
+    from core.capacity.ida import threshold_of
+    from core.rocking.history import history
 
     run(application, opened)
     opened.tabs.setCurrentIndex(1)

@@ -11,9 +11,10 @@ import numpy as np
 import openpyxl
 import pytest
 
-from core import study
-from core.case_reader import parse_case
+from core.case.rules import parse_case
 from core.report import workbook
+from core.study import run as study
+from core.study.governing import collapse_histories
 from tests.conftest import STANDING
 
 HOSTILE = '=HYPERLINK("http://x","y")'
@@ -47,7 +48,7 @@ def made(folder, language="en", **more):
         "demand": {"ag_g": 0.2, "soil_factor": 1.2},
     }  # fmt: skip
     result = study.run(parse_case({**table, **more}), base_dir=folder)
-    drawn = [entry for wall in result.walls if (entry := study.collapse_histories(result, wall))]
+    drawn = [entry for wall in result.walls if (entry := collapse_histories(result, wall))]
     return result, workbook.build(result, drawn)
 
 

@@ -29,13 +29,16 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
-from core.block import Block  # noqa: E402
-from core.ida import Search, incremental_dynamic_analysis  # noqa: E402
-from core.kernel_cache import kernel  # noqa: E402
-from core.moment_rotation import LAWS  # noqa: E402
-from core.restitution import restitution  # noqa: E402
-from core.rocking import AUTO, METHODS, Grounds, history, rocking_model, scan_records  # noqa: E402
-from core.threads import Threads  # noqa: E402
+from core.capacity.ida import Search, incremental_dynamic_analysis  # noqa: E402
+from core.jit.decorators import kernel  # noqa: E402
+from core.rocking.history import history, scan_records  # noqa: E402
+from core.rocking.lane_scheduler import Grounds  # noqa: E402
+from core.rocking.methods import AUTO, METHODS  # noqa: E402
+from core.study.threads import Threads  # noqa: E402
+from core.wall.block import Block  # noqa: E402
+from core.wall.moment_rotation import LAWS  # noqa: E402
+from core.wall.restitution import restitution  # noqa: E402
+from core.wall.rocking_model import rocking_model  # noqa: E402
 
 LOOP = 2_000_000
 
@@ -82,10 +85,11 @@ def batch_seconds(cache: str) -> float:
 def first_analysis_seconds(cache: str) -> float:
     """Start of the process to the end of the first analysis, warm kernels [s]."""
     script = (
-        "from core.case_reader import read_case; from core import study; from pathlib import Path;"
+        "from core.case.reader import read_case; from core.study import run as study; from pathlib import Path;"
+        "from core.study.record_input import read_records;"
         f"p = Path({str(ROOT / 'resources' / 'cases' / 'example.toml')!r}); c = read_case(p);"
-        "m, _ = study.read_records(c, p.parent);"
-        "from core.rocking import history; w = c.wall[0];"
+        "m, _ = read_records(c, p.parent);"
+        "from core.rocking.history import history; w = c.wall[0];"
         "history(m[0].acceleration, m[0].time_step, 1.0, study._model(w, 'two_sided'))"
     )
     variables = dict(os.environ, PYTHONPATH=str(ROOT), RIBALTA_CACHE=cache)

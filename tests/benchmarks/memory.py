@@ -49,7 +49,7 @@ def walls(folder: Path, count: int) -> Path:
 
 def long_record(folder: Path) -> Path:
     """A case of one wall under a record of a million samples."""
-    from core.artificial import filtered_noise
+    from core.ground.artificial import filtered_noise
 
     one = filtered_noise(1, 2.0)
     samples = (one[k % one.size] for k in range(1_000_000))

@@ -9,7 +9,7 @@ import math
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from core import independent_solver
+from core.capacity import independent_solver
 from tests.benchmarks.scenes import Scene
 
 G = 9.80665

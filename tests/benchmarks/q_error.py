@@ -17,12 +17,13 @@ from pathlib import Path
 
 import numpy as np
 
-from core.block import Block
-from core.ida import Search, incremental_dynamic_analysis
-from core.moment_rotation import LAWS
-from core.restitution import restitution
-from core.rocking import AUTO, METHODS, Method, RockingModel, rocking_model
+from core.capacity.ida import Search, incremental_dynamic_analysis
+from core.rocking.methods import AUTO, METHODS, Method
 from core.units import G
+from core.wall.block import Block
+from core.wall.moment_rotation import LAWS
+from core.wall.restitution import restitution
+from core.wall.rocking_model import RockingModel, rocking_model
 from tests.benchmarks.scenes import wall
 from tests.benchmarks.step_study import motions
 

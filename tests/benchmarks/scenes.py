@@ -7,12 +7,13 @@ from pathlib import Path
 import mpmath as mp
 import numpy as np
 
-from core import records
-from core.block import Block
-from core.ida import Search, incremental_dynamic_analysis
-from core.moment_rotation import LAWS
-from core.restitution import restitution
-from core.rocking import METHODS, RockingModel, rocking_model
+from core.capacity.ida import Search, incremental_dynamic_analysis
+from core.ground import records
+from core.rocking.methods import METHODS
+from core.wall.block import Block
+from core.wall.moment_rotation import LAWS
+from core.wall.restitution import restitution
+from core.wall.rocking_model import RockingModel, rocking_model
 from tests.conftest import shelf_folder
 from tests.validation import high_precision
 

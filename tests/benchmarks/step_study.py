@@ -13,13 +13,14 @@ from pathlib import Path
 
 import numpy as np
 
-from core import records
-from core.block import Block
-from core.ida import ROBUST_SHARE, Search, collapse_count, incremental_dynamic_analysis
-from core.moment_rotation import LAWS
-from core.records.grammar import Options
-from core.restitution import restitution
-from core.rocking import METHODS, rocking_model
+from core.capacity.ida import ROBUST_SHARE, Search, collapse_count, incremental_dynamic_analysis
+from core.ground import records
+from core.ground.records.grammar import Options
+from core.rocking.methods import METHODS
+from core.wall.block import Block
+from core.wall.moment_rotation import LAWS
+from core.wall.restitution import restitution
+from core.wall.rocking_model import rocking_model
 from tests.conftest import shelf_folder
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -55,7 +55,7 @@ def main() -> None:
 
     QStandardPaths.setTestModeEnabled(True)
     from app import start as program
-    from core.journal import Memory
+    from core.study.journal import Memory
     from tests.benchmarks.screenshots import settle
 
     application, window = program.make([])

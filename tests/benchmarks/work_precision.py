@@ -14,7 +14,8 @@ from pathlib import Path
 
 import numpy as np
 
-from core.rocking import METHODS, Method, history
+from core.rocking.history import history
+from core.rocking.methods import METHODS, Method
 from tests.benchmarks.scenes import Scene, scenes
 
 OWN = (

@@ -13,19 +13,20 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
-from core import records, target_spectrum
-from core.artificial import compatible_motion
-from core.case_reader import parse_case
-from core.demand import demand_of
-from core.demand_check import _Set
+from core.capacity.ida import ROBUST_SHARE, first_with_share
+from core.case.rules import parse_case
+from core.codes import target_spectrum
+from core.codes.dynamic_check import _Set
+from core.codes.multiplier_search import HALF_FAIL, MAX_MULTIPLIER, STEP, WINDOW, Zeta, search_zeta
 from core.errors import InputError
-from core.ground_motion import GroundMotion
-from core.ida import ROBUST_SHARE, first_with_share
-from core.records.grammar import Options
-from core.rocking import AUTO
-from core.study import _model
+from core.ground import records
+from core.ground.artificial import compatible_motion
+from core.ground.ground_motion import GroundMotion
+from core.ground.records.grammar import Options
+from core.rocking.methods import AUTO
+from core.study.demand_input import demand_of
+from core.study.run import _model
 from core.units import G
-from core.zeta import HALF_FAIL, MAX_MULTIPLIER, STEP, WINDOW, Zeta, search_zeta
 from tests.conftest import shelf_folder
 
 FINER = 20

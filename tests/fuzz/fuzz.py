@@ -24,15 +24,16 @@ from pathlib import Path
 
 import numpy as np
 
-from core import records
-from core.case import Demand
-from core.case_reader import draft_case, parse_case, read_case
-from core.case_writer import dumps
-from core.demand import target_of
+from core.case.reader import read_case
+from core.case.rules import draft_case, parse_case
+from core.case.schema import Demand
+from core.case.wall_table import read_table
+from core.case.writer import dumps
 from core.errors import InputError
-from core.journal import Journal
-from core.records.grammar import Options
-from core.wall_table import read_table
+from core.ground import records
+from core.ground.records.grammar import Options
+from core.study.demand_input import target_of
+from core.study.journal import Journal
 from tests.conftest import shelf_folder
 
 ROOT = Path(__file__).resolve().parents[2]

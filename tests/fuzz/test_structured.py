@@ -7,13 +7,13 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from core import records
-from core.case_reader import draft_case, parse_case
-from core.case_writer import dumps
+from core.case.rules import draft_case, parse_case
+from core.case.wall_table import walls_of
+from core.case.writer import dumps
 from core.errors import InputError
-from core.journal import Journal
-from core.records.grammar import Options
-from core.wall_table import walls_of
+from core.ground import records
+from core.ground.records.grammar import Options
+from core.study.journal import Journal
 
 SLOWLY = settings(deadline=None, max_examples=60, suppress_health_check=list(HealthCheck))
 

@@ -21,18 +21,26 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 HAND = "tests/validation/test_circolare_by_hand.py"
 DISPLACEMENT = "tests/validation/test_displacement_demand.py"
-READERS = ["tests/core/test_records.py", "tests/core/test_record_refusals.py"]
+READERS = ["tests/core/ground/test_records.py", "tests/core/ground/test_record_refusals.py"]
 TESTS = {
-    "core/kinematic.py": [HAND, DISPLACEMENT],
-    "core/demand_check.py": [HAND, "tests/core/test_verdict.py", "tests/core/test_study.py"],
-    "core/zeta.py": ["tests/core/test_zeta.py"],
-    "core/ida.py": ["tests/core/test_ida.py"],
-    "core/verdict.py": ["tests/core/test_verdict.py", HAND],
-    "core/limits.py": ["tests/core/test_limits.py", "tests/core/test_case.py", HAND],
-    "core/records/grammar.py": READERS,
-    "core/records/plain.py": READERS,
-    "core/records/cut.py": READERS,
-    "core/wall_table.py": ["tests/core/test_wall_table.py"],
+    "core/codes/kinematic.py": [HAND, DISPLACEMENT],
+    "core/codes/dynamic_check.py": [
+        HAND,
+        "tests/core/codes/test_verdict.py",
+        "tests/core/study/test_run.py",
+    ],
+    "core/codes/multiplier_search.py": ["tests/core/codes/test_multiplier_search.py"],
+    "core/capacity/ida.py": ["tests/core/capacity/test_ida.py"],
+    "core/codes/verdict.py": ["tests/core/codes/test_verdict.py", HAND],
+    "core/codes/limits.py": [
+        "tests/core/codes/test_limits.py",
+        "tests/core/case/test_case.py",
+        HAND,
+    ],
+    "core/ground/records/grammar.py": READERS,
+    "core/ground/records/plain.py": READERS,
+    "core/ground/records/cut.py": READERS,
+    "core/case/wall_table.py": ["tests/core/case/test_wall_table.py"],
 }
 COMPARED = {ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt, ast.Eq: ast.NotEq,
             ast.NotEq: ast.Eq, ast.Is: ast.IsNot, ast.IsNot: ast.Is, ast.In: ast.NotIn}  # fmt: skip
@@ -111,7 +119,7 @@ def main() -> int:
             ROOT, tree, ignore=shutil.ignore_patterns(".git", ".venv*", "dist", "build")
         )
         # the kernels are of no module that changes: compiled once for all
-        cache = tree / "core" / "kernel_cache.py"
+        cache = tree / "core" / "cache.py"
         cache.write_text(cache.read_text().replace("STAMP = source_stamp()", 'STAMP = "mutants"'))
         environment = dict(
             os.environ, PYTHONPATH=str(tree), RIBALTA_CACHE=str(Path(name) / "cache"),

@@ -6,14 +6,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from core import independent_solver, study
-from core.case_reader import parse_case
-from core.demand import demand_of
-from core.demand_check import demand_check
-from core.ida import incremental_dynamic_analysis
-from core.kinematic import linear, nonlinear, sld
-from core.limits import multiplier_of
-from core.rocking import AUTO, COLLAPSED, METHODS, history
+from core.capacity import independent_solver
+from core.capacity.ida import incremental_dynamic_analysis, multiplier_of
+from core.case.rules import parse_case
+from core.codes.dynamic_check import demand_check
+from core.codes.kinematic import linear, nonlinear, sld
+from core.rocking.history import history
+from core.rocking.methods import AUTO, METHODS
+from core.rocking.outcome import COLLAPSED
+from core.study import run as study
+from core.study.demand_input import demand_of
 from core.units import G
 from tests.validation.circolare import FREE, HELD, NTC_C, case, mechanism_of
 

@@ -5,11 +5,11 @@ import math
 import numpy as np
 import pytest
 
-from core.case_reader import parse_case
-from core.demand import demand_of
+from core.case.rules import parse_case
+from core.codes.kinematic import kinematic, linear, nonlinear
+from core.codes.target_spectrum import given, largest_displacement
 from core.errors import InputError
-from core.kinematic import kinematic, linear, nonlinear
-from core.target_spectrum import given, largest_displacement
+from core.study.demand_input import demand_of
 from core.units import G
 from tests.validation.circolare import FREE, case, mechanism_of
 

@@ -4,11 +4,12 @@ import math
 
 import pytest
 
-from core.block import Block
-from core.ida import Search, incremental_dynamic_analysis
-from core.moment_rotation import LAWS
-from core.restitution import restitution
-from core.rocking import METHODS, rocking_model
+from core.capacity.ida import Search, incremental_dynamic_analysis
+from core.rocking.methods import METHODS
+from core.wall.block import Block
+from core.wall.moment_rotation import LAWS
+from core.wall.restitution import restitution
+from core.wall.rocking_model import rocking_model
 
 HEIGHTS = (3.0, 5.0, 7.0, 9.0, 11.0)
 

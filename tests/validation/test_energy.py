@@ -5,8 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from core.rocking import COLLAPSED, history
-from core.rocking.model import RockingModel
+from core.rocking.history import history
+from core.rocking.outcome import COLLAPSED
+from core.wall.rocking_model import RockingModel
 
 
 def energy(rotation, velocity, model):

@@ -6,8 +6,8 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from core import independent_solver
-from core.rocking import history
+from core.capacity import independent_solver
+from core.rocking.history import history
 from tests.validation import high_precision
 
 SAMPLES = 800

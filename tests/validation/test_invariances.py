@@ -3,7 +3,9 @@
 import numpy as np
 import pytest
 
-from core.rocking import METHODS, STABLE, history
+from core.rocking.history import history
+from core.rocking.methods import METHODS
+from core.rocking.outcome import STABLE
 
 
 @pytest.mark.parametrize("method", METHODS.values(), ids=METHODS)

@@ -6,8 +6,11 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from core.rocking import METHODS, Method, dormand_prince, history, stepped, taylor
-from core.rocking.model import RockingModel
+from core.rocking import taylor, taylor_series
+from core.rocking.compared import dormand_prince, stepped
+from core.rocking.history import history
+from core.rocking.methods import METHODS, Method
+from core.wall.rocking_model import RockingModel
 from tests.validation import high_precision
 
 ALPHA, P2, BETA, SLOPE, PHI, SPEED = 0.2, 4.0, 0.05, 0.11, 0.09, 0.13
@@ -33,7 +36,7 @@ def taylor_step(order):
     def step(h):
         lean = ALPHA - PHI
         net = math.sin(lean) - BETA * math.cos(lean)
-        v = taylor.series(
+        v = taylor_series.series(
             SPEED * h,
             net,
             math.sin(lean),

@@ -5,15 +5,16 @@ import math
 import numpy as np
 import pytest
 
-from core.kernel_cache import kernel
-from core.rocking import polynomial, taylor
-from core.rocking.model import RockingModel
+from core.jit.decorators import kernel
+from core.rocking import taylor, taylor_polynomial
+from core.rocking.taylor_series import wall_constants
+from core.wall.rocking_model import RockingModel
 
 
 @kernel
 def samples(model, grounds, dt, order, state):
     """State after the samples between these ground accelerations [m/s2]."""
-    constants = taylor.upright(model)
+    constants = wall_constants(model)
     for i in range(grounds.size - 1):
         time = 0.0
         while time < 1.0:
@@ -26,7 +27,7 @@ def samples(model, grounds, dt, order, state):
 def through(model, grounds, dt, order, phi, speed, peak):
     """(phi, speed, peak, impacts) after these samples."""
     zone = 2 if model.plateau_end == 0.0 or phi >= model.plateau_end else 1
-    start = (1.0, phi, speed, True, zone, peak, 0, 0)
+    start = taylor.BlockState(1.0, phi, speed, True, zone, peak, 0, 0)
     state = samples(model, grounds, dt, order, start)
     return state[1], state[2], state[5], state[6]
 
@@ -42,7 +43,7 @@ def whole_and_cut(model, first, second, dt, order, phi, speed, peak=0.0):
     [
         # turns down and up again within the sample, the first speed inward
         (0.02703, 1.116, 0.0230246, 2.40346, -1.17715, 1.76107e-5, -0.00119388),
-        # no curvature at its end, where Newton for the summit starts
+        # no curvature at its end, where Newton for the interior_maximum starts
         (0.02168, 1.99, 0.0431843, 0.0543336, 0.271313, 0.00753425, 4.23105e-5),
     ],
 )
@@ -108,5 +109,5 @@ def test_that_a_landing_is_found_to_rounding():
         -1.4177133816426164e-08, 8.92526227610986e-13, -1.7473643133420071e-10, -1.1823685623718447e-14,
         -6.8720760775001e-13,
     )  # fmt: skip
-    time, _, found = polynomial.landing(v, 6.20553598787473e-14, 1.0)
+    time, _, found = taylor_polynomial.landing(v, 6.20553598787473e-14, 1.0)
     assert found and time == pytest.approx(0.7970220616854136, rel=4e-15)

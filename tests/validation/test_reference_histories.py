@@ -4,7 +4,8 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from core.rocking import AUTO, METHODS, concrete, history
+from core.rocking.history import history
+from core.rocking.methods import AUTO, METHODS, resolve_auto
 from tests.validation import high_precision
 
 DT = 0.01
@@ -30,11 +31,11 @@ def test_that_order_six_cuts_its_steps_until_it_is_as_close(reference, make_mode
 
 def test_that_auto_takes_order_eight_where_a_sample_is_long_for_the_wall(make_model):
     eight = METHODS["taylor"]
-    assert concrete(AUTO, make_model(), 0.003) is METHODS["taylor_6"]
-    assert concrete(AUTO, make_model(), DT) is eight
-    assert concrete(AUTO, make_model(height=2.0), 0.003) is eight
-    assert concrete(AUTO, make_model(law="al_shawa"), 0.003) is eight
-    assert concrete(METHODS["rk4"], make_model(), DT) is METHODS["rk4"]
+    assert resolve_auto(AUTO, make_model(), 0.003) is METHODS["taylor_6"]
+    assert resolve_auto(AUTO, make_model(), DT) is eight
+    assert resolve_auto(AUTO, make_model(height=2.0), 0.003) is eight
+    assert resolve_auto(AUTO, make_model(law="al_shawa"), 0.003) is eight
+    assert resolve_auto(METHODS["rk4"], make_model(), DT) is METHODS["rk4"]
 
 
 @pytest.mark.parametrize("name, tolerance", [("standard", 1e-12), ("hard", 1e-11)])

@@ -12,14 +12,17 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from core.block import Block
-from core.ida import Search, incremental_dynamic_analysis
-from core.kernel_cache import kernel
-from core.moment_rotation import LAWS
-from core.restitution import overturning_velocity, restitution
-from core.rocking import METHODS, STABLE, Method, history, rocking_model, stepped
-from core.rocking.model import RockingModel
+from core.capacity.ida import Search, incremental_dynamic_analysis
+from core.jit.decorators import kernel
+from core.rocking.compared import stepped
+from core.rocking.history import history
+from core.rocking.methods import METHODS, Method
+from core.rocking.outcome import STABLE
 from core.units import G
+from core.wall.block import Block
+from core.wall.moment_rotation import LAWS
+from core.wall.restitution import overturning_velocity, restitution
+from core.wall.rocking_model import RockingModel, rocking_model
 from tests.validation import high_precision, wrong_methods
 from tests.validation.wrong_methods import stepped_history, taylor_history
 

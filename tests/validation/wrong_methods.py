@@ -9,10 +9,12 @@ import types
 
 import numpy as np
 
-from core.moment_rotation import FAR, moment, moment_branch
-from core.rocking import NO_TABLE, stepped, taylor
-from core.rocking.events import ground_lifts, leave_impact
+from core.rocking import taylor
+from core.rocking.compared import stepped
+from core.rocking.events import leave_impact, uplift_side
+from core.rocking.methods import NO_TABLE
 from core.rocking.outcome import COLLAPSED, STABLE
+from core.wall.moment_rotation import FAR, moment, moment_branch
 
 
 def variant(kernel, **replacements):
@@ -44,7 +46,7 @@ def stepped_history(integrate, code, ground, dt, model, option=1):
 
 
 def _uplift_at_sample(ground, slope, start, end, model, threshold):
-    side = ground_lifts(ground + slope * start, model, threshold)
+    side = uplift_side(ground + slope * start, model, threshold)
     return (start, side) if side != 0.0 else (end, 0.0)
 
 
@@ -92,10 +94,13 @@ def _rk4_through_kinks(code, phi, speed, beta, slope, h, model, zone, *rest):
 
 
 def taylor_variant(**replacements):
-    """`integrate` of order 8 with names replaced in the sample it repeats and in its end."""
+    """`integrate` of order 8 with names replaced in the sample it repeats, its parts, and its end."""
+    parts = {
+        name: variant(getattr(taylor, name), **replacements) for name in ("first_event", "impact")
+    }
     return variant(
         taylor.INTEGRATE[8],
-        through_sample=variant(taylor.through_sample, **replacements),
+        through_sample=variant(taylor.through_sample, **replacements, **parts),
         at_end=variant(taylor.at_end, **replacements),
     )
 

@@ -1,0 +1,161 @@
+"""How sure a q is, in two statements kept apart: the error of its solver, the spread of its definition."""
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from core.capacity import independent_solver
+from core.capacity.ida import Ida, Search, incremental_dynamic_analysis, multiplier_of, threshold_of
+from core.errors import Cancelled
+from core.ground.ground_motion import GroundMotion
+from core.rocking.history import history
+from core.rocking.methods import METHODS, Method, resolve_auto
+from core.wall.restitution import velocity_ratio
+from core.wall.rocking_model import RockingModel
+
+ROUNDING = 1e-5
+"""Noise put on the samples, as a fraction of PGA: a record written with five figures."""
+
+NOISES = 8
+STEP_FACTORS = (4.0, 2.0, 0.5, 0.2)
+"""Steps of the search tried, as multiples of the one asked."""
+
+REPEATS = 5
+
+
+@dataclass(frozen=True)
+class MethodPoint:
+    """One method on the governing history. seconds : per history; error : largest |difference| of theta
+    over alpha against the independent solver up to its end [-], None where the method overturns the wall
+    that survives."""
+
+    name: str
+    option: int
+    seconds: float
+    error: float | None
+
+
+@dataclass(frozen=True)
+class Accuracy:
+    """The statement for one wall, on its governing record and sign.
+
+    scale : multiplier of the histories, the last survived one; points : the methods on it;
+    solver_q_error : |q / q_reference - 1| [-], q_reference : of the same search by dormand_prince;
+    steps : (q_step, q, q_robust); rounded : (q, q_robust) of the record with ROUNDING noise;
+    polarities : (q as recorded, q reversed), None for a two-sided wall.
+    """
+
+    record: str
+    polarity: int
+    scale: float
+    method: str
+    q: float
+    q_reference: float | None
+    points: tuple[MethodPoint, ...]
+    steps: tuple[tuple[float, float | None, float | None], ...]
+    rounded: tuple[tuple[float | None, float | None], ...]
+    polarities: tuple[float | None, float | None] | None
+
+    @property
+    def solver_q_error(self) -> float | None:
+        return None if self.q_reference is None else abs(self.q / self.q_reference - 1.0)
+
+    @property
+    def history_error(self) -> float | None:
+        """Error of the method used on the governing history, over alpha [-]."""
+        return next((point.error for point in self.points if point.name == self.method), None)
+
+    def spread(self, index: int, rows: tuple) -> float | None:
+        """Largest over smallest of a column, less one; None with fewer than two numbers."""
+        known = [row[index] for row in rows if row[index] is not None]
+        return max(known) / min(known) - 1.0 if len(known) > 1 else None
+
+
+def methods(model: RockingModel) -> list[Method]:
+    """Methods of the chart, cheapest settings first."""
+    chosen = list(METHODS.values())
+    chosen += [replace(METHODS[name], option=4) for name in ("newmark_events", "rk4")]
+    if model.plateau_end > 0.0:
+        chosen = [method for method in chosen if method.name != "linearised"]
+    return chosen
+
+
+def truth(motion: GroundMotion, scale: float, model: RockingModel, cancelled) -> np.ndarray:
+    """theta [rad] of one history by the independent solver, up to its stop. Raises Cancelled."""
+    kinks = None if model.plateau_end == 0.0 else (model.elastic_end, model.plateau_end)
+    theta, _ = independent_solver.history(
+        scale * motion.acceleration, motion.time_step, model.slenderness, model.p2,
+        model.one_sided != 0.0, lambda speed: velocity_ratio(speed, model)[0], kinks, cancelled,
+    )  # fmt: skip
+    return theta
+
+
+def point(motion, scale, model, method: Method, theta: np.ndarray) -> MethodPoint:
+    """Time and error of one method on one history."""
+    ground, dt = motion.acceleration, motion.time_step
+    found = history(ground, dt, scale, model, method)
+    seconds = []
+    for _ in range(REPEATS):
+        start = time.perf_counter()
+        history(ground, dt, scale, model, method)
+        seconds.append(time.perf_counter() - start)
+    name = method.name
+    if method.name in ("newmark_events", "rk4") and method.option > 1:
+        name += f", {method.option} steps"
+    error = None
+    if found.rotation.size >= theta.size:
+        error = float(np.abs(found.rotation[: theta.size] - theta).max() / model.slenderness)
+    return MethodPoint(name, method.option, min(seconds), error)
+
+
+def accuracy(
+    motion: GroundMotion,
+    polarity: int,
+    ida: Ida,
+    other_sign: float | None,
+    model: RockingModel,
+    method: Method,
+    search: Search,
+    cancelled: Callable[[], bool] = lambda: False,
+) -> Accuracy:
+    """The statement for one run with a q. other_sign : q of the same record reversed, if searched.
+
+    Some seconds: a history of the independent solver, 14 searches. Raises Cancelled.
+    """
+
+    method = resolve_auto(method, model, motion.time_step)
+
+    def searched(ground, asked: Search, by: Method) -> Ida:
+        return incremental_dynamic_analysis(
+            ground, motion.time_step, motion.pga, polarity, model, by, asked, cancelled
+        )
+
+    scale = polarity * multiplier_of(ida.bracket[0], motion.pga, threshold_of(model))
+    theta = truth(motion, scale, model, cancelled)
+    points = []
+    for each in methods(model):
+        if cancelled():
+            raise Cancelled
+        points.append(point(motion, scale, model, each, theta))
+    ground = motion.acceleration
+    steps = [(search.q_step, ida.q, ida.q_robust)]
+    for factor in STEP_FACTORS:
+        step = factor * search.q_step
+        if 1e-4 <= step <= 0.05:
+            found = searched(ground, replace(search, q_step=step), method)
+            steps.append((step, found.q, found.q_robust))
+    noise = np.random.Generator(np.random.PCG64(1))
+    rounded = [(ida.q, ida.q_robust)]
+    for _ in range(NOISES):
+        moved = ground + ROUNDING * motion.pga * noise.uniform(-1.0, 1.0, ground.size)
+        found = searched(moved, search, method)
+        rounded.append((found.q, found.q_robust))
+    pair = (ida.q, other_sign) if polarity > 0 else (other_sign, ida.q)
+    return Accuracy(
+        record=motion.name, polarity=polarity, scale=float(scale), method=method.name, q=ida.q,
+        q_reference=searched(ground, search, METHODS["dormand_prince"]).q, points=tuple(points),
+        steps=tuple(sorted(steps)), rounded=tuple(rounded),
+        polarities=pair if model.one_sided else None,
+    )  # fmt: skip

@@ -1,0 +1,367 @@
+"""Incremental dynamic analysis: first collapse, survival map, q_robust (Eq. 10).
+
+Collapse is not monotone in the multiplier, so q exists only together with its search: one geometric
+grid q_k = q_start (1 + q_step)^k, shared by all runs of a study.
+"""
+
+import functools
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from core.capacity.limit_states import LIMIT_FRACTION
+from core.errors import Cancelled
+from core.rocking.history import scan_records
+from core.rocking.lane_scheduler import Grounds
+from core.rocking.methods import Method
+from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
+from core.units import G
+from core.wall.rocking_model import RockingModel
+
+BRACKET = 1e-4
+"""Bisection ends when the bracket of q is narrower than this fraction."""
+
+ROBUST_SHARE = 0.16
+"""Share of collapsing grid points around q_robust [-]."""
+
+TRILINEAR_START = 0.5
+TRILINEAR_FLOOR = 0.05
+CHUNK = 128
+"""Analyses between two looks at whether the search is cancelled."""
+
+HALVINGS = 3
+"""Bisections made at once: all midpoints they may ask for run side by side."""
+
+
+@dataclass(frozen=True)
+class Search:
+    """Settings of the search. q_step, robust_window (in ln q), map_span [-], q_limit [-]."""
+
+    q_step: float = 0.005
+    q_limit: float = 100.0
+    map_span: float = 2.0
+    robust_window: float = 0.10
+
+    @property
+    def half_window(self) -> int:
+        """Grid points on either side of the robust window."""
+        return round(self.robust_window / math.log1p(self.q_step))
+
+
+@dataclass(frozen=True)
+class Ida:
+    """Result of the search for one wall, record and polarity; a number is None where it has none.
+
+    status : collapse_found, no_collapse_found or impact_limit; q in bracket = (lo, hi), q = hi;
+    q_slv, q_slc : first peak at 0.40, 0.60 alpha; q_robust, q_last_survival, survived_fraction,
+    survival_windows : of the map, they depend on q_step; analyses : integrations made;
+    impact_limited : grid points of unknown outcome; clamped : impacts of the map with Eq. 7 held at 0;
+    q_start, first_index, outcomes : the map, a digit of outcome.py per grid point.
+    """
+
+    status: str
+    q: float | None
+    bracket: tuple[float, float] | None
+    q_slv: float | None
+    q_slc: float | None
+    q_robust: float | None
+    q_last_survival: float | None
+    survived_fraction: float | None
+    survival_windows: tuple[tuple[float, float], ...]
+    analyses: int
+    impact_limited: int
+    clamped: int
+    q_start: float
+    first_index: int
+    outcomes: str
+
+
+@functools.lru_cache(1 << 16)
+def grid_point(q_start: float, q_step: float, index: int) -> float:
+    """q of a point of the grid; the searches of a study ask for the same ones."""
+    return q_start * (1.0 + q_step) ** index
+
+
+class _Map:
+    """Outcomes and peaks on the grid, grown at both ends, and single analyses between its points."""
+
+    def __init__(self, ground, dt, pga, sign, model, method, search, cancelled):
+        self.grounds, self.model, self.method = Grounds.of([ground], dt), model, method
+        self.search, self.cancelled = search, cancelled
+        self.rigid = model.plateau_end == 0.0
+        self.q_start = 1.0 if self.rigid else TRILINEAR_START
+        self.sign, self.pga = sign, pga
+        self.first = 0
+        self.outcomes = np.empty(0, np.int64)
+        self.peaks = np.empty(0)
+        self.clamped = np.empty(0, np.int64)
+        self.analyses = 0
+
+    def q_of(self, index: int) -> float:
+        return grid_point(self.q_start, self.search.q_step, index)
+
+    def index_below(self, q: float) -> int:
+        """Largest grid index with q_k <= q."""
+        index = math.floor(math.log(q / self.q_start) / math.log1p(self.search.q_step)) + 1
+        while self.q_of(index) > q:
+            index -= 1
+        return index
+
+    @property
+    def last(self) -> int:
+        return self.first + self.outcomes.size - 1
+
+    def analyse(self, q_values) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Outcomes, peaks and clamped ratios at these q; below q = 1 a rigid wall rests, exactly."""
+        if self.cancelled():
+            raise Cancelled
+        q_values = np.asarray(q_values)
+        outcomes = np.full(q_values.size, STABLE)
+        peaks, clamped = np.zeros(q_values.size), np.zeros(q_values.size, np.int64)
+        moves = q_values > 1.0 if self.rigid else np.full(q_values.size, True)
+        found, reached = np.empty(int(moves.sum()), np.int64), np.empty(int(moves.sum()))
+        scales = self.sign * multiplier_of(q_values[moves], self.pga, threshold_of(self.model))
+        which = np.zeros(scales.size, np.int64)
+        clamped[moves] = scan_records(
+            self.method, self.grounds, which, scales, self.model, found, reached
+        )
+        self.analyses += scales.size
+        outcomes[moves], peaks[moves] = found, reached
+        return outcomes, peaks, clamped
+
+    def grow(self, first: int, last: int) -> None:
+        """Extend the map to grid points first..last, in chunks between which a cancel is seen."""
+        while self.last < last:
+            start = self.last + 1
+            stop = min(last, start + CHUNK - 1)
+            parts = self.analyse([self.q_of(k) for k in range(start, stop + 1)])
+            self._join((self.outcomes, self.peaks, self.clamped), parts)
+        while self.first > first:
+            start = max(first, self.first - CHUNK)
+            parts = self.analyse([self.q_of(k) for k in range(start, self.first)])
+            self._join(parts, (self.outcomes, self.peaks, self.clamped))
+            self.first = start
+
+    def _join(self, low, high) -> None:
+        self.outcomes, self.peaks, self.clamped = map(np.concatenate, zip(low, high, strict=True))
+
+    def cut(self, last: int) -> None:
+        """Forget what was analysed beyond this grid point, so that no map depends on the chunks."""
+        keep = slice(0, last - self.first + 1)
+        self.outcomes, self.peaks, self.clamped = (
+            self.outcomes[keep], self.peaks[keep], self.clamped[keep]
+        )  # fmt: skip
+
+    def first_reaching(self, fraction: float) -> int | None:
+        """First grid index that collapses or whose peak reaches this fraction of alpha."""
+        hits = self.reaches(self.outcomes, self.peaks, fraction)
+        return self.first + int(np.argmax(hits)) if hits.any() else None
+
+    def reaches(self, outcomes, peaks, fraction: float):
+        reached = peaks >= fraction * self.model.slenderness
+        return (outcomes == COLLAPSED) | ((outcomes == STABLE) & reached)
+
+    def brackets(self, fractions: tuple[float, ...]) -> list[tuple[float, float] | None]:
+        """Brackets of the first events of these fractions of alpha; None without one or where a midpoint
+        is of unknown outcome; from 0 where the map cannot go lower."""
+        firsts = [self.first_reaching(fraction) for fraction in fractions]
+        wanted = [k for k, first in enumerate(firsts) if first not in (None, self.first)]
+
+        def failures(middles):
+            outcomes, peaks, _ = self.analyse(np.concatenate(middles))
+            cuts = np.cumsum([part.size for part in middles])[:-1]
+            return [
+                (self.reaches(outcome, peak, fractions[wanted[k]]), outcome == IMPACT_LIMIT)
+                for k, (outcome, peak) in enumerate(
+                    zip(np.split(outcomes, cuts), np.split(peaks, cuts), strict=True)
+                )
+            ]
+
+        edges = [(self.q_of(firsts[k] - 1), self.q_of(firsts[k])) for k in wanted]
+        found = [None if first is None else (0.0, self.q_of(first)) for first in firsts]
+        for k, bracket in zip(wanted, bisections(edges, failures), strict=True):
+            found[k] = bracket
+        return found
+
+
+def bisections(brackets: list[tuple[float, float]], failures) -> list[tuple[float, float] | None]:
+    """Brackets of failures between low, which holds, and high, which fails, narrowed side by side until none
+    is wider than BRACKET: those of arithmetic midpoints, one after the other.
+
+    failures(points) : [(fails, unknown)], flags of each of the arrays of points. None where a midpoint a
+    bisection needs is unknown.
+    """
+    found = list(brackets)
+    while any(wide := [bracket is not None and not _narrow(*bracket) for bracket in found]):
+        edges = [
+            _halved(*bracket) if k else np.zeros(2) for k, bracket in zip(wide, found, strict=True)
+        ]
+        for k, (fails, unknown) in enumerate(failures([points[1:-1] for points in edges])):
+            if wide[k]:
+                found[k] = _narrowed(edges[k], fails, unknown)
+    return found
+
+
+def _narrow(low: float, high: float) -> bool:
+    return high / low - 1.0 <= BRACKET
+
+
+def _halved(low: float, high: float) -> np.ndarray:
+    """All midpoints that HALVINGS bisections may ask for, and the ends."""
+    edges = np.array([low, high])
+    for _ in range(HALVINGS):
+        halved = np.empty(2 * edges.size - 1)
+        halved[::2], halved[1::2] = edges, 0.5 * (edges[:-1] + edges[1:])
+        edges = halved
+    return edges
+
+
+def _narrowed(edges, fails, unknown) -> tuple[float, float] | None:
+    """Where bisecting between the first edge and the last leads, its midpoints known."""
+    first, last = 0, edges.size - 1
+    while last - first > 1 and not _narrow(edges[first], edges[last]):
+        middle = (first + last) // 2
+        if unknown[middle - 1]:
+            return None
+        if fails[middle - 1]:
+            last = middle
+        else:
+            first = middle
+    return float(edges[first]), float(edges[last])
+
+
+def multiplier_of(q, pga: float, threshold: float):
+    """Multiplier C of a record of this PGA at q = C PGA / a_RM (Coccia et al. 2016, Eq. 10) [-].
+
+    q : [-], a number or an array; pga : of the unscaled record [m/s2]; threshold : a_RM [m/s2], Eq. 2.
+    """
+    return threshold / pga * q
+
+
+def threshold_of(model: RockingModel) -> float:
+    """a_RM [m/s2] of the rigid law, Eq. 2: the denominator of q under every law."""
+    return G * math.tan(model.slenderness)
+
+
+def incremental_dynamic_analysis(
+    ground: np.ndarray,
+    dt: float,
+    pga: float,
+    sign: int,
+    model: RockingModel,
+    method: Method,
+    search: Search,
+    cancelled: Callable[[], bool] = lambda: False,
+) -> Ida:
+    """Search one run (PHYSICS: section 5).
+
+    ground : [m/s2], shape (n,); dt [s]; pga : of the unscaled record [m/s2]; sign : 1 as recorded, -1
+    reversed. Raises Cancelled between two chunks of analyses when `cancelled()` is true.
+    """
+    grid = _Map(ground, dt, pga, sign, model, method, search, cancelled)
+    half = search.half_window
+    limit = grid.index_below(search.q_limit)
+    grid.grow(0, 0)
+    if not grid.rigid:
+        _descend(grid, half)
+    collapse = None
+    while collapse is None and grid.last < limit:
+        grid.grow(grid.first, min(limit, grid.last + CHUNK))
+        collapse = grid.first_reaching(math.inf)
+    before = grid.outcomes[: collapse - grid.first] if collapse is not None else grid.outcomes
+    unknown = bool((before == IMPACT_LIMIT).any())
+    fractions = (math.inf, LIMIT_FRACTION["SLV"], LIMIT_FRACTION["SLC"])
+    brackets = [None] * len(fractions) if unknown else grid.brackets(fractions)
+    if collapse is None:
+        return _result(grid, "impact_limit" if unknown else "no_collapse_found", brackets, None)
+    if brackets[0] is None:
+        grid.cut(collapse)
+        return _result(grid, "impact_limit", [None] * len(fractions), None)
+    end = min(limit, max(collapse, grid.index_below(search.map_span * brackets[0][1])))
+    grid.grow(grid.first, end)
+    while (robust := _robust_index(grid, half)) is None and grid.last < limit:
+        grid.grow(grid.first, min(limit, grid.last + max(half, 1)))
+    grid.cut(grid.last if robust is None else max(end, robust + half))
+    return _result(grid, "collapse_found", brackets, robust)
+
+
+def _descend(grid: _Map, half: int) -> None:
+    """Extend a trilinear map downwards until a whole robust window survives below it."""
+    floor = grid.index_below(TRILINEAR_FLOOR) + 1
+    grid.grow(max(floor, -half), 0)
+    width = half + 1
+    while grid.first > floor:
+        low = slice(0, width)
+        if not grid.reaches(grid.outcomes[low], grid.peaks[low], LIMIT_FRACTION["SLV"]).any():
+            break
+        width = 2 * half + 1
+        grid.grow(max(floor, grid.first - half - 1), grid.last)
+
+
+def collapse_count(collapsed: np.ndarray, half: int) -> np.ndarray:
+    """Flagged (collapsing) points within +-half points of each point; beyond the ends there are none."""
+    total = np.concatenate([[0], np.cumsum(collapsed)])
+    index = np.arange(collapsed.size)
+    low = np.maximum(index - half, 0)
+    high = np.minimum(index + half, collapsed.size - 1)
+    return total[high + 1] - total[low]
+
+
+def first_with_share(flags: np.ndarray, half: int, share: float) -> int | None:
+    """First index whose whole window of +-half points holds at least this share of flags; None without one.
+    Before the first point there are none."""
+    count = collapse_count(flags, half)[: max(flags.size - half, 0)]
+    hits = np.nonzero(count >= share * (2 * half + 1))[0]
+    return int(hits[0]) if hits.size else None
+
+
+def _robust_index(grid: _Map, half: int) -> int | None:
+    """Smallest grid index whose whole window holds a share >= 0.16 of collapsing points."""
+    found = first_with_share(grid.outcomes == COLLAPSED, half, ROBUST_SHARE)
+    return None if found is None else grid.first + found
+
+
+def _result(grid: _Map, status: str, brackets, robust: int | None) -> Ida:
+    """brackets : of q, q_slv, q_slc, each None where it has none."""
+    found = status == "collapse_found"
+    q, q_slv, q_slc = (bracket[1] if bracket else None for bracket in brackets)
+    windows, last, fraction = [], None, None
+    if found:
+        survives = grid.outcomes == STABLE
+        start = int(np.argmax(grid.outcomes == COLLAPSED))
+        last_index = int(np.nonzero(survives)[0][-1]) if survives.any() else None
+        last = grid.q_of(grid.first + last_index) if last_index is not None else None
+        known = grid.outcomes[start : (last_index or 0) + 1]
+        known = known[known != IMPACT_LIMIT]
+        fraction = float((known == STABLE).mean()) if known.size else 0.0
+        windows = [
+            (grid.q_of(grid.first + a), grid.q_of(grid.first + b))
+            for a, b in _runs(survives)
+            if a > start
+        ]
+    return Ida(
+        status=status,
+        q=q,
+        bracket=brackets[0],
+        q_slv=q_slv,
+        q_slc=q_slc,
+        q_robust=grid.q_of(robust) if robust is not None else None,
+        q_last_survival=last,
+        survived_fraction=fraction,
+        survival_windows=tuple(windows),
+        analyses=grid.analyses,
+        impact_limited=int((grid.outcomes == IMPACT_LIMIT).sum()),
+        clamped=int(grid.clamped.sum()),
+        q_start=grid.q_start,
+        first_index=grid.first,
+        outcomes=(grid.outcomes + ord("0")).astype(np.uint8).tobytes().decode(),
+    )
+
+
+def _runs(flags: np.ndarray) -> list[tuple[int, int]]:
+    """First and last index of each unbroken run of true flags."""
+    edges = np.diff(np.concatenate([[0], flags.astype(int), [0]]))
+    starts, stops = np.nonzero(edges == 1)[0], np.nonzero(edges == -1)[0]
+    return [(int(a), int(b) - 1) for a, b in zip(starts, stops, strict=True)]

@@ -1,0 +1,63 @@
+"""A case file read and checked."""
+
+import hashlib
+import re
+import tomllib
+from dataclasses import replace
+from pathlib import Path
+
+from core.case.rules import parse_case, with_walls
+from core.case.schema import Case
+from core.case.wall_table import read_table
+from core.errors import InputError
+from core.file_names import name_of
+
+MAX_DOTS = 50
+_DOTTED = re.compile(
+    rf"^[ \t]*+\[*+(?:[ \t]*+[A-Za-z0-9_\"'-]++[ \t]*+\.){{{MAX_DOTS}}}", re.MULTILINE
+)
+"""Keys of many parts, which take tomllib the square of their number."""
+
+MAX_BYTES = 2_000_000
+"""A case file is a page or two; a larger file is something else."""
+
+
+def read_case(path: Path) -> Case:
+    """The case of a TOML file. Raises InputError naming file, place, value and what is accepted."""
+    try:
+        if path.exists() and not path.is_file():
+            raise InputError(f"{path}: this is not a file and cannot be read: name a case (.toml)")
+        if path.stat().st_size > MAX_BYTES:
+            raise InputError(
+                f"{path}: {path.stat().st_size / 1e6:.0f} MB is no case file (up to 2 MB)"
+            )
+        content = path.read_bytes()
+    except FileNotFoundError:
+        raise InputError(f"{path}: there is no such case file") from None
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
+    try:
+        text = content.decode("utf-8-sig")
+        if _DOTTED.search(text):
+            raise InputError(f"{path}: not TOML: a key of more than {MAX_DOTS} parts")
+        table = tomllib.loads(text)
+    except UnicodeDecodeError:
+        raise InputError(f"{path}: not UTF-8 text: a case file is TOML, see the examples") from None
+    except (ValueError, RecursionError) as error:
+        reason = str(error).split("; use sys")[0][:200]
+        raise InputError(
+            f"{path}: not TOML: {reason}; see the examples in resources/cases"
+        ) from None
+    try:
+        case = parse_case(table)
+        digest = hashlib.sha256(content)
+        if case.walls is not None:
+            source = path.parent / name_of(case.walls)
+            walls, notes = read_table(source, case.demand is not None)
+            digest.update(source.read_bytes())
+            case = replace(
+                with_walls(case, [*case.wall, *walls]), table=case.walls, table_notes=tuple(notes)
+            )
+        return replace(case, sha256=digest.hexdigest())
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from None

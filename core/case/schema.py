@@ -1,0 +1,314 @@
+"""The case: what the user asks. Keys, ranges, defaults and names in one place, for form and file."""
+
+import math
+from dataclasses import MISSING, asdict, dataclass, field, fields
+
+from core.codes.limits import return_period
+from core.codes.target_spectrum import NTC_TOPOGRAPHY, SOILS
+from core.errors import InputError
+from core.rocking.methods import AUTO, METHODS
+from core.wall.block import Block
+from core.wall.moment_rotation import LAWS, MomentLaw
+from core.wall.restitution import MODELS, Restitution, restitution
+
+LEAST_ELASTIC = 0.001
+"""Smallest D1 of a trilinear law: below it the branch is rigid in all but cost."""
+
+
+def _number(low, high, default=None, unit="", exclusive=False, whole=False):
+    """A number in [low, high] (low excluded if exclusive), NaN and infinity refused."""
+    kind = "int" if whole else "float"
+    rule = {"kind": kind, "low": low, "high": high, "unit": unit, "exclusive": exclusive}
+    return field(default=default, metadata=rule)
+
+
+def _text(default=""):
+    return field(default=default, metadata={"kind": "text"})
+
+
+def _path(default):
+    """A name of a file: longer than other text, and with any letter the system allows."""
+    return field(default=default, metadata={"kind": "path"})
+
+
+def _flag(default=False):
+    return field(default=default, metadata={"kind": "flag"})
+
+
+def _choice(*names, default=MISSING):
+    return field(default=default, metadata={"kind": "choice", "names": names})
+
+
+@dataclass(frozen=True)
+class Report:
+    """[report]: what the title block of the workbook says."""
+
+    client: str = _text()
+    site: str = _text()
+    project: str = _text()
+    author: str = _text()
+    revision: str = _text()
+    date: str = _text()
+    language: str = _choice("en", "it", default="en")
+
+
+MOST_SETBACK = 0.4
+"""Largest hinge setback over the thickness: at 0.5 nothing is left to turn about."""
+
+
+@dataclass(frozen=True)
+class Wall:
+    """[[wall]]: geometry, mechanism, restitution, moment law."""
+
+    name: str = _text(MISSING)
+    mechanism: str = _choice("one_sided", "two_sided", "both")
+    height_m: float | None = _number(0.1, 60.0, unit="m")
+    thickness_m: float | None = _number(0.005, 20.0, unit="m")
+    slenderness_deg: float | None = _number(0.05, 60.0, unit="deg")
+    height_over_thickness: float | None = _number(0.5, 1000.0)
+    radius_m: float | None = _number(0.05, 60.0, unit="m")
+    inertia_over_mass_m2: float | None = _number(0.0025, 20000.0, unit="m2")
+    restitution: str | None = _choice(*MODELS, default=None)
+    velocity_ratio: float | None = _number(0.0, 1.0)
+    law: str | dict = field(default="rigid", metadata={"kind": "law"})
+    hinge_setback_m: float = _number(0.0, 2.0, 0.0, unit="m")
+    compressive_strength_mpa: float | None = _number(0.1, 100.0, unit="MPa")
+    base_z_m: float | None = _number(0.0, 300.0, unit="m")
+    length_m: float | None = _number(0.05, 200.0, unit="m")
+    unit_weight_kn_m3: float | None = _number(5.0, 40.0, unit="kN/m3")
+    free_element: bool | None = _flag(None)
+    elastic_modulus_mpa: float | None = _number(10.0, 100000.0, unit="MPa")
+    back_restraint: str = _text()
+    unloaded_confirmed: bool = _flag()
+    floor: str = _text()
+    notes: str = _text()
+
+    @property
+    def thickness(self) -> float | None:
+        """t [m] of a rectangular wall, None of a general block."""
+        if self.thickness_m is not None or self.height_m is None:
+            return self.thickness_m
+        if self.slenderness_deg is not None:
+            return self.height_m * math.tan(math.radians(self.slenderness_deg))
+        return self.height_m / self.height_over_thickness
+
+    @property
+    def setback(self) -> float:
+        """u [m], the hinge inside the edge: as given, or 2 W / (3 f L) with W = unit weight t H L, the
+        triangle of stress under the wall about to turn."""
+        if self.compressive_strength_mpa is None or self.thickness is None:
+            return self.hinge_setback_m
+        weight = 1e3 * self.unit_weight_kn_m3 * self.thickness * self.height_m
+        return 2.0 * weight / (3.0 * 1e6 * self.compressive_strength_mpa)
+
+    @property
+    def weight(self) -> float | None:
+        """W [N] of the wall, None without length and unit weight."""
+        if None in (self.length_m, self.unit_weight_kn_m3, self.thickness):
+            return None
+        return 1e3 * self.unit_weight_kn_m3 * self.thickness * self.height_m * self.length_m
+
+    def block(self) -> Block:
+        """Raises InputError for a wall without exactly one geometry."""
+        shape = ("thickness_m", "slenderness_deg", "height_over_thickness")
+        given = [key for key in shape if getattr(self, key) is not None]
+        if self.radius_m is not None or self.inertia_over_mass_m2 is not None:
+            if self.hinge_setback_m or self.compressive_strength_mpa is not None:
+                raise InputError(
+                    f'wall "{self.name}": a general block takes no hinge_setback_m and no '
+                    "compressive_strength_mpa: give radius_m, slenderness_deg and inertia_over_mass_m2 "
+                    "about the hinge itself"
+                )
+            if self.height_m is not None or given != ["slenderness_deg"]:
+                raise InputError(
+                    f'wall "{self.name}": a general block takes radius_m, slenderness_deg and '
+                    "inertia_over_mass_m2 and nothing else; a rectangular one takes height_m"
+                )
+            if self.radius_m is None or self.inertia_over_mass_m2 is None:
+                raise InputError(
+                    f'wall "{self.name}": a general block needs radius_m and inertia_over_mass_m2'
+                )
+            return Block(
+                math.radians(self.slenderness_deg), self.radius_m, self.inertia_over_mass_m2
+            )
+        if self.height_m is None or len(given) != 1:
+            found = ", ".join(given) or "none"
+            raise InputError(
+                f'wall "{self.name}": give height_m and exactly one of {", ".join(shape)} '
+                f"(found: height_m {'given' if self.height_m else 'missing'}; {found})"
+            )
+        if self.compressive_strength_mpa is not None and (
+            self.hinge_setback_m or self.unit_weight_kn_m3 is None
+        ):
+            raise InputError(
+                f'wall "{self.name}": compressive_strength_mpa gives the setback of the hinge: it '
+                "takes unit_weight_kn_m3 and no hinge_setback_m"
+            )
+        thickness, setback = self.thickness, self.setback
+        if not setback < MOST_SETBACK * thickness:
+            key = "hinge_setback_m" if self.hinge_setback_m else "compressive_strength_mpa"
+            raise InputError(
+                f'wall "{self.name}": {key}: the hinge setback {setback:.3f} m is not accepted: up to '
+                f"{MOST_SETBACK * thickness:.3f} m, {100 * MOST_SETBACK:.0f} % of the thickness"
+            )
+        if setback == 0.0 and self.slenderness_deg is not None:
+            return Block.rectangle(self.height_m, math.radians(self.slenderness_deg))
+        return Block.with_setback(self.height_m, thickness, setback)
+
+    def is_free(self, mechanism: str) -> bool:
+        """Whether the wall is free to vibrate before it moves, not restrained by continuity with transverse
+        walls (Circolare 7/2019 C8.7.1.2.1.3, .5): as asked, else a two-sided one is, a one-sided one not."""
+        return mechanism == "two_sided" if self.free_element is None else self.free_element
+
+    @property
+    def above_ground(self) -> bool:
+        """Whether the hinge is above the ground; with a demand its height is always given."""
+        return (self.base_z_m or 0.0) > 0.0
+
+    def mechanisms(self) -> tuple[str, ...]:
+        return ("two_sided", "one_sided") if self.mechanism == "both" else (self.mechanism,)
+
+    def restitution_of(self, mechanism: str) -> Restitution:
+        """Restitution for one mechanism: as asked, else the default that follows the mechanism."""
+        model = self.restitution or ("user" if self.velocity_ratio is not None else None)
+        if model is None:
+            model = "one_sided_theoretical" if mechanism == "one_sided" else "housner"
+        if model.startswith("one_sided") and mechanism == "two_sided":
+            raise InputError(
+                f'wall "{self.name}": restitution {model} is for one_sided walls; for mechanism '
+                f"{self.mechanism} take housner, sorrentino_experimental, costa_upper or user, "
+                "or write two walls"
+            )
+        if (model == "user") != (self.velocity_ratio is not None):
+            raise InputError(
+                f'wall "{self.name}": velocity_ratio goes with restitution "user" (or with none), '
+                f"and restitution user needs it"
+            )
+        return restitution(self.block(), model, self.velocity_ratio)
+
+    def moment_law(self) -> MomentLaw:
+        if isinstance(self.law, str):
+            return LAWS[self.law]
+        return MomentLaw(self.law["elastic_limit"], self.law["plateau_end"])
+
+
+@dataclass(frozen=True)
+class Record:
+    """[[record]]: a file or a glob, and only what the file does not say."""
+
+    file: str = _path(MISSING)
+    unit: str | None = _choice("g", "m/s2", "cm/s2", "mm/s2", default=None)
+    time_step_s: float | None = _number(1e-5, 0.5, unit="s")
+    column: int | None = _number(1, 100, whole=True)
+    skip_lines: int | None = _number(0, 1000, whole=True)
+    scale: float = _number(-1000.0, 1000.0, 1.0)
+    kind: str = _choice("natural", "artificial", "simulated", default="natural")
+    include: bool = field(default=True, metadata={"kind": "flag"})
+
+
+@dataclass(frozen=True)
+class Generate:
+    """[generate]: artificial motions compatible with the spectrum of the demand."""
+
+    count: int = _number(1, 50, 7, whole=True)
+    seed: int = _number(0, 1_000_000, 1, whole=True)
+
+
+@dataclass(frozen=True)
+class Analysis:
+    """[analysis]: method and search."""
+
+    method: str = _choice(AUTO.name, *METHODS, default=AUTO.name)
+    q_step: float = _number(1e-4, 0.1, 0.005)
+    q_limit: float = _number(1.5, 1000.0, 100.0)
+    map_span: float = _number(1.0, 10.0, 2.0)
+    robust_window: float = _number(0.01, 0.5, 0.10)
+    polarity: str = _choice("both", "as_recorded", "reversed", default="both")
+    accuracy: bool = _flag()
+
+
+@dataclass(frozen=True)
+class Spectrum:
+    """[demand.spectrum]: the elastic spectrum of a code; S follows from it."""
+
+    code: str = _choice("NTC2018", "EN1998")
+    soil: str = _choice(*SOILS)
+    f0: float | None = _number(2.0, 4.0)
+    tc_star_s: float | None = _number(0.05, 1.0, unit="s")
+    topography: str | None = _choice(*NTC_TOPOGRAPHY, default=None)
+    type: int | None = _number(1, 2, whole=True)
+
+
+@dataclass(frozen=True)
+class Demand:
+    """[demand]: the motion asked of the wall; ag_g on rock ("su suolo rigido"), without S."""
+
+    ag_g: float = _number(0.001, 5.0, MISSING, unit="g")
+    limit_state: str = _choice("SLV", "SLC", "SLD", default="SLV")
+    soil_factor: float | None = _number(0.5, 5.0)
+    spectrum: Spectrum | None = field(default=None, metadata={"kind": "spectrum"})
+    spectrum_file: str | None = _path(None)
+    housner_intensity_cm: float | None = _number(0.1, 5000.0, unit="cm")
+    q_code: float = _number(1.0, 10.0, 2.0)
+    confidence_factor: float = _number(1.0, 1.35, 1.35)
+    confidence_on: str = _choice("capacity", "demand", default="capacity")
+    period_range_s: tuple[float, float] | None = field(default=None, metadata={"kind": "range"})
+    demand_scaling: str = _choice("as_given", "pga", default="as_given")
+    zeta_target: float = _number(0.1, 2.0, 1.0)
+    site: str = _text()
+    coordinates: str = _text()
+    nominal_life_years: float | None = _number(1.0, 1000.0, unit="years")
+    use_class_factor: float | None = _number(0.1, 5.0)
+    return_period_years: float | None = _number(1.0, 100000.0, unit="years")
+
+    @property
+    def return_period(self) -> float | None:
+        """T_R [years] as given, else of V_N and C_U (NTC 2018 Eq. 3.2.0, 2.4.1); None without either."""
+        if self.return_period_years is not None:
+            return self.return_period_years
+        if None in (self.nominal_life_years, self.use_class_factor):
+            return None
+        return return_period(self.nominal_life_years * self.use_class_factor, self.limit_state)
+
+
+OWN_FIELDS = ("sha256", "given", "table", "table_notes")
+"""Fields of a Case that are no keys of a file."""
+
+
+@dataclass(frozen=True)
+class Case:
+    """One study. sha256 : of the file it was read from, else of its content; given : places
+    (section, index, key) the user wrote; table : of walls they came from, "" if none; table_notes : Notices on it."""
+
+    title: str = _text("Ribalta")
+    report: Report = field(default_factory=Report)
+    wall: tuple[Wall, ...] = ()
+    record: tuple[Record, ...] = ()
+    walls: str | None = _path(None)
+    generate: Generate | None = None
+    analysis: Analysis = field(default_factory=Analysis)
+    demand: Demand | None = None
+    sha256: str = field(default="", compare=False)
+    given: frozenset = field(default=frozenset(), compare=False)
+    table: str = field(default="", compare=False)
+    table_notes: tuple = field(default=(), compare=False)
+
+    def as_dict(self) -> dict:
+        """Keys and values as in the file, defaults filled, None where nothing is given."""
+        content = asdict(self)
+        for name in OWN_FIELDS:
+            del content[name]
+        return content
+
+    def differing(self) -> set[tuple]:
+        """Places (section, index, key) whose value differs from the default."""
+        found = set()
+        for section, items in (("wall", self.wall), ("record", self.record),
+                               ("report", [self.report]), ("analysis", [self.analysis]),
+                               ("demand", [self.demand] if self.demand else []),
+                               ("generate", [self.generate] if self.generate else [])):  # fmt: skip
+            for index, item in enumerate(items):
+                for entry in fields(item):
+                    if entry.default is MISSING or getattr(item, entry.name) != entry.default:
+                        found.add((section, index, entry.name))
+        return found

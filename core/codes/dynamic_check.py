@@ -1,0 +1,306 @@
+"""Dynamic check of the Circolare 7/2019, C8.7.1.2.1.9: every record at the demand.
+
+The rule: d_0 is exceeded in no run, and the mean of the largest rotations stays below 0.40 (SLV) or 0.60 (SLC)
+of it. With fewer than seven stations the largest rotation takes the place of the mean (EN 1998-1
+4.3.3.4.3(3)); the components of one station count once.
+
+The confidence factor FC acts on the strength of the capacity curve, as clause .3 has it ("si applica
+direttamente alla capacità in termini di resistenza"): strength over FC is, exactly, p^2 / FC under the ground
+times FC. Or, more cautiously, on the demand: the wall as it is under the ground times FC.
+
+Whether the rule holds is not monotone in the multiplier of the demand: zeta_E and zeta_16 are those of zeta.py.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from core.capacity.ida import BRACKET, CHUNK, TRILINEAR_FLOOR, multiplier_of, threshold_of
+from core.capacity.limit_states import LIMIT_FRACTION
+from core.codes.demand import DemandResult
+from core.codes.kinematic import ROUNDING, Check
+from core.codes.limits import MEAN_FROM
+from core.codes.multiplier_search import STEP, search_zeta
+from core.errors import Cancelled
+from core.ground.ground_motion import GroundMotion
+from core.ground.provenance import stations
+from core.rocking.history import scan_records
+from core.rocking.lane_scheduler import Grounds
+from core.rocking.methods import Method
+from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
+from core.wall.rocking_model import RockingModel
+
+OTHER_STEP, BOUND_STEP = 0.005, 0.01
+"""Steps of the search for zeta [-] with FC on the other side, and should the restraint behind a wall fail."""
+
+CLOSE = 0.05
+"""Distance of the former to zeta_target within which it takes the step of the check itself."""
+
+ALONE = 2
+"""Records, the worst at the demand, that are analysed alone: most failures need no other."""
+
+EXPECTED = 0.9
+"""With FC on the strength no failure is expected below this share of the first one with FC on the demand."""
+
+STATUS = {STABLE: "stable", COLLAPSED: "overturned", IMPACT_LIMIT: "impact_limit"}
+
+
+@dataclass(frozen=True)
+class DemandRun:
+    """One record and sign at the demand. factor : multiplier of the record, scaling and an FC on the demand
+    included; peak_ratio : largest rotation over alpha, None unless stable; exceeded : alpha was exceeded."""
+
+    record: str
+    polarity: int
+    factor: float
+    peak_ratio: float | None
+    exceeded: bool
+    status: str
+
+
+@dataclass(frozen=True)
+class OtherConfidence:
+    """The check with FC on the other side. confidence_on : capacity or demand; zeta : zeta_E, None where a run
+    has no number; passed, spread : as passed and zeta_spread of DemandCheck."""
+
+    confidence_on: str
+    zeta: float | None
+    passed: bool
+    spread: tuple[float, float] | None = None
+
+
+@dataclass(frozen=True)
+class DemandCheck:
+    """The rule at the demand.
+
+    mean_peak_ratio : over the records, of each its worse sign; None where a run overturns
+    set_rule : mean, or maximum below seven stations
+    confidence_on : where FC acts, capacity or demand
+    zeta : zeta_E, lowest multiplier of the demand around which half of the multipliers fail the rule; None
+        where a run below it has no number
+    zeta_spread : multipliers around which 45 % and 55 % fail: zeta_E on another grid lies between them
+    zeta_16, zeta_first : the same as zeta of 16 %, and the first failure on the grid
+    share_failing_at_demand : share of failing multipliers within +-10 % of zeta_target
+    holds, holds_at_target : the rule at the demand itself, and at zeta_target of it
+    passed : it holds at zeta_target, and zeta reaches zeta_target
+    zeta_other : the check with FC on the other side; None where FC is 1
+    """
+
+    limit_state: str
+    runs: tuple[DemandRun, ...]
+    n_exceeded: int
+    mean_peak_ratio: float | None
+    max_peak_ratio: float | None
+    set_rule: str
+    limit_ratio: float
+    zeta: float | None
+    holds: bool
+    passed: bool
+    holds_at_target: bool = True
+    confidence_on: str = "capacity"
+    zeta_spread: tuple[float, float] | None = None
+    zeta_16: float | None = None
+    zeta_first: float | None = None
+    share_failing_at_demand: float = 0.0
+    zeta_other: OtherConfidence | None = None
+
+    @property
+    def peak_ratio(self) -> float | None:
+        """What the rule compares with the limit: mean or maximum of the peaks."""
+        return self.mean_peak_ratio if self.set_rule == "mean" else self.max_peak_ratio
+
+    def as_check(self) -> Check:
+        """This check as a row of the table of methods."""
+        passed = self.passed if self.zeta is not None else None
+        return Check(
+            "dynamic", "C8.7.1.2.1.9", "-", self.limit_ratio, self.peak_ratio, self.zeta, passed
+        )
+
+    def within_spread(self, target: float) -> bool:
+        """Whether the rule holds at the target, but the spread of zeta_E contains it."""
+        if self.zeta_spread is None or not self.holds_at_target:
+            return False
+        return self.zeta_spread[0] < target < self.zeta_spread[1]
+
+
+class _Set:
+    """All runs of a wall at one multiplier of the demand after another."""
+
+    def __init__(self, model, motions, polarities, demand, confidence_on, method, cancelled):
+        confidence = demand.confidence_factor
+        if confidence_on == "capacity":
+            model = model._replace(p2=model.p2 / confidence)
+        self.model, self.method, self.cancelled = model, method, cancelled
+        self.motions, self.polarities = motions, polarities
+        self.ground_factors = [confidence * demand.scaling(motion) for motion in motions]
+        # what of it is of the demand
+        on_demand = confidence if confidence_on == "demand" else 1.0
+        self.factors = [on_demand * demand.scaling(motion) for motion in motions]
+        self.limit = LIMIT_FRACTION[demand.limit_state]
+        self.mean = len(stations(motions)) >= MEAN_FROM
+        self.in_order(range(len(motions)))
+
+    def in_order(self, order) -> None:
+        """Which records `failures` takes first: the first two alone, then all others of a time step at once."""
+        order = list(order)
+        rest = order[ALONE:]
+        steps = dict.fromkeys(self.motions[k].time_step for k in rest)
+        batches = [[k] for k in order[:ALONE]]
+        batches += [[k for k in rest if self.motions[k].time_step == dt] for dt in steps]
+        self.batches = [
+            (
+                batch,
+                Grounds.of(
+                    [self.motions[k].acceleration for k in batch], self.motions[batch[0]].time_step
+                ),
+            )
+            for batch in batches
+        ]
+
+    def analyse(self, batch: list[int], grounds: Grounds, multipliers: np.ndarray):
+        """Outcomes and peaks over alpha, shape (records of the batch, signs, multipliers)."""
+        signed = np.outer([self.ground_factors[k] for k in batch], np.array(self.polarities, float))
+        scales = np.multiply.outer(signed, multipliers).ravel()
+        which = np.repeat(np.arange(len(batch)), scales.size // len(batch))
+        found, reached = np.empty(scales.size, np.int64), np.empty(scales.size)
+        for start in range(0, scales.size, CHUNK):
+            if self.cancelled():
+                raise Cancelled
+            part = slice(start, start + CHUNK)
+            scan_records(self.method, grounds, which[part], scales[part], self.model,
+                         found[part], reached[part])  # fmt: skip
+        shape = (len(batch), len(self.polarities), multipliers.size)
+        return found.reshape(shape), reached.reshape(shape) / self.model.slenderness
+
+    def runs(self) -> tuple[DemandRun, ...]:
+        """Every record and sign at the demand itself."""
+        runs = {}
+        for batch, grounds in self.batches:
+            outcomes, peaks = self.analyse(batch, grounds, np.ones(1))
+            for k, record in enumerate(batch):
+                runs[record] = [
+                    DemandRun(
+                        self.motions[record].name, sign, self.factors[record],
+                        float(peaks[k, n, 0]) if outcomes[k, n, 0] == STABLE else None,
+                        bool(outcomes[k, n, 0] == COLLAPSED or peaks[k, n, 0] > 1.0),
+                        STATUS[int(outcomes[k, n, 0])],
+                    )
+                    for n, sign in enumerate(self.polarities)
+                ]  # fmt: skip
+        return tuple(run for record in sorted(runs) for run in runs[record])
+
+    def failures(self, multipliers: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Where the rule fails, and where that is for want of a number. A multiplier at which one record
+        makes it fail needs no other."""
+        fails, unknown = np.zeros((2, multipliers.size), bool)
+        total = np.zeros(multipliers.size)
+        for batch, grounds in self.batches:
+            here = np.nonzero(~fails | unknown)[0]
+            if here.size == 0:
+                break
+            outcomes, peaks = self.analyse(batch, grounds, multipliers[here])
+            worse = peaks.max(axis=1)
+            total[here] += worse.sum(axis=0)
+            value = total[here] / len(self.motions) if self.mean else worse.max(axis=0)
+            limited = (outcomes == IMPACT_LIMIT).any(axis=(0, 1))
+            failed = ((outcomes == COLLAPSED) | (peaks > 1.0)).any(axis=(0, 1))
+            failed |= value > self.limit
+            unknown[here] = (unknown[here] | limited) & ~failed
+            fails[here] |= failed | limited
+        return fails, unknown
+
+    def rule_holds(self, worse: np.ndarray) -> bool:
+        """The rule for peaks over alpha, of each record its worse sign, where no run overturns."""
+        value = worse.mean() if self.mean else worse.max()
+        return bool(worse.max() <= 1.0 and value <= self.limit)
+
+    @property
+    def rest(self) -> float:
+        """Multiplier up to which no wall moves, or, trilinear, from which the search starts."""
+        threshold = threshold_of(self.model)
+        least = min(
+            multiplier_of(1.0, factor * motion.pga, threshold)
+            for motion, factor in zip(self.motions, self.ground_factors, strict=True)
+        )
+        return least * (1.0 if self.model.plateau_end == 0.0 else TRILINEAR_FLOOR)
+
+    def first_peak(self, reached: list[float]) -> float:
+        """Multiplier below which no run of the search had a peak at the limit; reached : as `demand_check`."""
+        threshold = threshold_of(self.model)
+        pairs = zip(reached, np.repeat(range(len(self.motions)), len(self.polarities)), strict=True)
+        least = min(
+            multiplier_of(q, self.ground_factors[k] * self.motions[k].pga, threshold)
+            for q, k in pairs
+        )
+        return least * (1.0 - 2.0 * BRACKET)
+
+
+def demand_check(
+    model: RockingModel,
+    motions: list[GroundMotion],
+    polarities: tuple[int, ...],
+    demand: DemandResult,
+    method: Method,
+    reached: list[float] | None = None,
+    step: float = STEP,
+    other: bool = True,
+    cancelled: Callable[[], bool] = lambda: False,
+) -> DemandCheck | None:
+    """The dynamic check of one wall; None without records or for a limit state the clause has no limit for.
+
+    reached : by record and sign, q up to which the search of this wall found no peak at the limit, so that the
+    rule holds below the lowest of them, FC on the demand; step : of the grid [-]; other : search zeta with FC
+    on the other side too, by OTHER_STEP. Raises Cancelled.
+    """
+    if not motions or demand.limit_state not in LIMIT_FRACTION:
+        return None
+    side, target = demand.confidence_on, demand.zeta_target
+    sides = {
+        name: _Set(model, motions, polarities, demand, name, method, cancelled)
+        for name in ("demand", "capacity")
+    }
+    work = sides[side]
+    runs = work.runs()
+    peaks = [run.peak_ratio for run in runs]
+    worse = None
+    if None not in peaks:
+        worse = np.array(peaks).reshape(len(motions), -1).max(axis=1)
+    worst = [max(run.peak_ratio or 2.0 for run in runs if run.record == m.name) for m in motions]
+    judged, expected = {}, 0.0
+    # what is found with FC on the demand tells where to look with FC on the strength
+    for name, there in sides.items():
+        if name != side and not (other and demand.confidence_factor > 1.0):
+            continue
+        there.in_order(np.argsort(-np.array(worst), kind="stable").tolist())
+        rest = there.rest if reached is None or name == "capacity" else there.first_peak(reached)
+        taken = step if name == side else OTHER_STEP
+        zeta = search_zeta(there.failures, rest, target, expected, taken)
+        if taken > step and zeta.half is not None and abs(zeta.half / target - 1.0) < CLOSE:
+            zeta = search_zeta(there.failures, rest, target, expected, step)
+        reaches = zeta.half is not None and zeta.half >= target - ROUNDING
+        judged[name] = zeta, zeta.holds_at_target and reaches
+        expected = EXPECTED * (zeta.first or 0.0)
+    found, passed = judged.pop(side)
+    second = None
+    for name, (zeta, fine) in judged.items():
+        second = OtherConfidence(name, zeta.half, fine, zeta.spread)
+    return DemandCheck(
+        limit_state=demand.limit_state,
+        runs=runs,
+        n_exceeded=sum(run.exceeded for run in runs),
+        mean_peak_ratio=None if worse is None else float(worse.mean()),
+        max_peak_ratio=None if worse is None else float(worse.max()),
+        set_rule="mean" if work.mean else "maximum",
+        limit_ratio=work.limit,
+        zeta=found.half,
+        holds=worse is not None and work.rule_holds(worse),
+        passed=passed,
+        holds_at_target=found.holds_at_target,
+        confidence_on=side,
+        zeta_spread=found.spread,
+        zeta_16=found.sixteen,
+        zeta_first=found.first,
+        share_failing_at_demand=found.share_at_target,
+        zeta_other=second,
+    )

@@ -1,0 +1,190 @@
+"""Kinematic checks of a wall on the ground, Circolare 7/2019 C8.7.1.2.1.1 to .8, for a single block.
+
+The clauses put the weight of each block at its centroid: for one wall turning about its base the sums of
+C8.7.1.4 and C8.7.1.5 have one term, so that e* = 1 and d = d_C at the centroid. (Summed over the height, as
+if each course were a block, e* would be 0.75 and a0* a third higher than the acceleration that lifts the wall.)
+"""
+
+import math
+from dataclasses import dataclass
+
+from core.capacity.limit_states import LIMIT_FRACTION
+from core.codes import target_spectrum
+from core.codes.demand import DemandResult
+from core.codes.target_spectrum import GivenSpectrum
+from core.errors import InputError
+from core.units import G
+
+PERIOD_FACTOR = {"SLV": 1.68 * math.pi, "SLC": 1.56 * math.pi}
+DAMPING = {"SLV": 0.08, "SLC": 0.10}
+"""C8.7.1.10, C8.7.1.11 and the damping of C8.7.1.12."""
+
+E_STAR = 1.0
+"""e* of one block, C8.7.1.5 with one term."""
+
+CANTILEVER = 6.2
+"""kappa of C8.7.1.7 for a cantilever (beam theory: 6.190)."""
+
+SLD_CLAUSE = "C8.7.1.2.1.5"
+Q_CLAUSE = "C8.7.1.2.1.7"
+DISPLACEMENT_CLAUSE = "C8.7.1.2.1.8"
+
+ROUNDING = 1e-12
+"""What zeta may miss of the one required by rounding alone [-]."""
+
+
+@dataclass(frozen=True)
+class Check:
+    """One row of the table of methods. name : dynamic, nonlinear, linear_q_slv, linear_q_code; clause;
+    capacity, demand : in `unit`, None where the row has none; zeta : of the check; passed iff
+    zeta >= zeta_target; q : of the row."""
+
+    name: str
+    clause: str
+    unit: str
+    capacity: float | None
+    demand: float | None
+    zeta: float | None
+    passed: bool | None
+    q: float | None = None
+
+    @property
+    def label(self) -> str:
+        """Key of its words: the check of SLD takes no q."""
+        sld = self.clause == SLD_CLAUSE and self.name == "linear_q_code"
+        return "linear_sld" if sld else self.name
+
+
+@dataclass(frozen=True)
+class Kinematic:
+    """Quantities of the mechanism.
+
+    alpha0 : multiplier that starts it (C8.7.1.1) [-]
+    e_star : share of the mass that takes part (C8.7.1.5) [-]
+    m_star : the mass that takes part, per metre of wall [kg/m]; None without a unit weight
+    a0 : spectral acceleration that starts it, with FC (C8.7.1.3) [m/s2]
+    d0 : displacement of the centroid at which nothing holds the wall [m]
+    free_element : free to vibrate, not restrained by transverse walls before it moves (clauses .3, .5, .7)
+    period_0 : T_0 of a free element before it moves (C8.7.1.7) [s]; None where it is not known
+    acceleration_demand : a_g S, of a free element S_e(T_0, 5 %) (clause .5) [m/s2]; None without T_0
+    zeta_sld : a_g,SLD over a_g (C8.7.1.8, C8.7.1.9) [-]; None where acceleration_demand is
+    missing : keys of the case without which a free element has no linear check; period_0 where its T_0 is so
+        long that it would be elastic up to d_SLV
+    d_limit, a_limit : d_SLV = 0.40 d_0 or d_SLC = 0.60 d_0 [m], and the capacity there [m/s2]
+    period : T_SLV or T_SLC (C8.7.1.10, .11) [s]
+    s_de : largest S_De on [T_0, T_SLV] (clause .8) [m]; these four are None without a spectrum, at SLD
+    """
+
+    alpha0: float
+    e_star: float
+    m_star: float | None
+    a0: float
+    d0: float
+    free_element: bool
+    period_0: float | None
+    acceleration_demand: float | None
+    zeta_sld: float | None
+    missing: tuple[str, ...] = ()
+    d_limit: float | None = None
+    a_limit: float | None = None
+    period: float | None = None
+    s_de: float | None = None
+
+
+def elastic_period(wall) -> float | None:
+    """T_0 = kappa lambda L sqrt(W / (E g)) [s], C8.7.1.7, of the wall as a cantilever of length L = H,
+    lambda = L / t, W the unit weight; None where E, the unit weight or the rectangle is not given."""
+    if None in (wall.elastic_modulus_mpa, wall.unit_weight_kn_m3, wall.height_m):
+        return None
+    weight, modulus = 1e3 * wall.unit_weight_kn_m3, 1e6 * wall.elastic_modulus_mpa
+    slender = wall.height_m / wall.thickness
+    return CANTILEVER * slender * wall.height_m * math.sqrt(weight / (modulus * G))
+
+
+def _missing(wall, demand: DemandResult) -> tuple[str, ...]:
+    """Keys a free element lacks for S_e(T_0)."""
+    keys = ("elastic_modulus_mpa", "unit_weight_kn_m3", "height_m")
+    absent = [key for key in keys if getattr(wall, key) is None]
+    return (*absent, *(["spectrum"] if demand.target is None else []))
+
+
+def _covers(target, period: float, name: str, wall) -> None:
+    """Raise InputError where the spectrum of a file ends before a period [s] it is read at."""
+    if isinstance(target, GivenSpectrum) and target.periods[-1] < period:
+        raise InputError(
+            f'wall "{wall.name}": {target.name} ends at {target.periods[-1]:.2f} s, before '
+            f"{name} = {period:.2f} s (C8.7.1.2.1.8): give the spectrum up to there"
+        )
+
+
+def kinematic(wall, mechanism: str, demand: DemandResult) -> Kinematic:
+    """The mechanism of a wall on the ground.
+
+    Raises InputError where the spectrum of a file ends before T_SLV, T_SLC or T_0.
+    """
+    block, free = wall.block(), wall.is_free(mechanism)
+    alpha0 = math.tan(block.slenderness)
+    a0 = alpha0 * G / (E_STAR * demand.confidence_factor)
+    d0 = block.radius * math.sin(block.slenderness)
+    mass = None
+    if wall.unit_weight_kn_m3 is not None and wall.height_m is not None:
+        mass = E_STAR * 1e3 * wall.unit_weight_kn_m3 * wall.height_m * wall.thickness / G
+    period_0, acceleration, missing = None, demand.pga, ()
+    if free:
+        period_0, missing = elastic_period(wall), _missing(wall, demand)
+        if not missing and a0 * (period_0 / (2.0 * math.pi)) ** 2 >= LIMIT_FRACTION["SLV"] * d0:
+            missing = ("period_0",)  # elastic up to d_SLV: no rocking wall
+        acceleration = None if missing else float(demand.target.acceleration([period_0])[0])
+        if not missing:
+            _covers(demand.target, period_0, "T_0", wall)
+    zeta_sld = None if acceleration is None else a0 / acceleration
+    found = (
+        alpha0, E_STAR, mass, a0, d0, free, period_0, acceleration, zeta_sld, missing,
+    )  # fmt: skip
+    if demand.target is None or demand.limit_state not in LIMIT_FRACTION:
+        return Kinematic(*found)
+    share = LIMIT_FRACTION[demand.limit_state]
+    d_limit, a_limit = share * d0, (1.0 - share) * a0
+    period = PERIOD_FACTOR[demand.limit_state] * math.sqrt(d_limit / a_limit)
+    _covers(demand.target, period, f"T_{demand.limit_state}", wall)
+    start = 0.0 if missing or period_0 is None else min(period_0, period)
+    s_de = target_spectrum.largest_displacement(
+        demand.target, start, period, DAMPING[demand.limit_state]
+    )
+    return Kinematic(*found, d_limit, a_limit, period, s_de)
+
+
+def _passed(zeta: float, demand: DemandResult) -> bool:
+    return zeta >= demand.zeta_target - ROUNDING
+
+
+def sld(found: Kinematic, demand: DemandResult) -> Check | None:
+    """C8.7.1.2.1.5: a0* against the largest acceleration of the ground a_g S (C8.7.1.8), of an element free
+    to vibrate against S_e(T_0, 5 %) (C8.7.1.9). None where T_0 of a free element is not known."""
+    if found.zeta_sld is None:
+        return None
+    return Check("linear_q_code", SLD_CLAUSE, "g", found.a0 / G, found.acceleration_demand / G,
+                 found.zeta_sld, _passed(found.zeta_sld, demand), 1.0)  # fmt: skip
+
+
+def linear(name: str, found: Kinematic, demand: DemandResult, q: float) -> Check | None:
+    """C8.7.1.2.1.7, at SLV only: a_g,SLV = q a_g,SLD >= a_g, a_g,SLD obtained by C8.7.1.8, for an element
+    free to vibrate by C8.7.1.9 (T_0). None where its T_0 is not known."""
+    if found.zeta_sld is None:
+        return None
+    zeta = q * found.zeta_sld
+    return Check(name, Q_CLAUSE, "g", zeta * demand.ag / G, demand.ag / G, zeta,
+                 _passed(zeta, demand), q)  # fmt: skip
+
+
+def nonlinear(found: Kinematic, demand: DemandResult) -> Check | None:
+    """C8.7.1.2.1.8: d_SLV against the largest S_De on [T_0, T_SLV] (T_0 = 0 for restrained walls; for the
+    spectrum of a code that is S_De(T_SLV)). Where the a_g,SLV of this check is below a_g,SLD, a_g,SLD counts
+    for SLV too. None without a spectrum."""
+    if found.d_limit is None:
+        return None
+    zeta = found.d_limit / found.s_de
+    if demand.limit_state == "SLV" and found.zeta_sld is not None:
+        zeta = max(zeta, found.zeta_sld)
+    return Check("nonlinear", DISPLACEMENT_CLAUSE, "m", found.d_limit, found.s_de, zeta,
+                 _passed(zeta, demand))  # fmt: skip

@@ -1,0 +1,55 @@
+"""The rule of a set of records, and the return period of a limit state."""
+
+import math
+
+from core.errors import InputError
+
+MEAN_FROM = 7
+MINIMUM_FROM = 3
+"""Records from which a set takes the mean, and from which the most unfavourable (EN 1998-1 4.3.3.4.3(3))."""
+
+EXCEEDANCE = {"SLO": 0.81, "SLD": 0.63, "SLV": 0.10, "SLC": 0.05}
+"""P_VR, probability that a limit state's motion is exceeded in V_R (NTC 2018 Tab. 3.2.I)."""
+
+SAME_PERIOD = 0.01
+"""T_R of tables are rounded: 475 years for 474.6."""
+
+USUAL_LIVES = (35.0, 50.0, 75.0, 100.0, 150.0, 200.0)
+"""V_R = V_N C_U [years] of the classes of NTC 2018 2.4."""
+
+
+def return_period(reference_period: float, limit_state: str) -> float:
+    """T_R = -V_R / ln(1 - P_VR) [years] (NTC 2018 Eq. 3.2.0); reference_period : V_R = V_N C_U [years]."""
+    return -reference_period / math.log1p(-EXCEEDANCE[limit_state])
+
+
+def check_return_period(state: str, stated: float, own: float | None) -> None:
+    """T_R stated [years] must be that of the limit state (NTC 2018 Eq. 3.2.0): `own`, by V_N and C_U, where they
+    are given, else not the one that a weaker limit state has in the usual V_R. Raises InputError."""
+    if own is not None:
+        # the hazard is given from 30 to 2475 years
+        if not any(
+            math.isclose(stated, years, rel_tol=SAME_PERIOD)
+            for years in (own, min(max(own, 30.0), 2475.0))
+        ):
+            raise InputError(
+                f"[demand]: return_period_years = {stated:g} contradicts nominal_life_years and "
+                f"use_class_factor, which give {own:.0f} years at {state} (NTC 2018 3.2.0): correct one of them"
+            )
+        return
+    shortest = return_period(USUAL_LIVES[0], state)
+    if stated < (1.0 - SAME_PERIOD) * shortest:
+        raise InputError(
+            f"[demand]: return_period_years = {stated:g} is below the {shortest:.0f} years of {state} for V_R = "
+            f"{USUAL_LIVES[0]:g} years (NTC 2018 3.2.0): the motion of another limit state? Give "
+            "nominal_life_years and use_class_factor if it is right"
+        )
+    states = list(EXCEEDANCE)
+    for weaker in states[: states.index(state)]:
+        for life in USUAL_LIVES:
+            if math.isclose(stated, return_period(life, weaker), rel_tol=SAME_PERIOD):
+                raise InputError(
+                    f"[demand]: return_period_years = {stated:g} is that of {weaker} for V_R = {life:g} years, "
+                    f"not of {state}, which has {return_period(life, state):.0f} (NTC 2018 3.2.0): give the "
+                    f"motion of {state}, or nominal_life_years and use_class_factor if it is right"
+                )

@@ -1,0 +1,159 @@
+"""Are the records compatible with the target spectrum? NTC 2018 3.2.3.6 and EN 1998-1 3.2.3.1.2."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from core.codes.demand import DemandResult
+from core.codes.limits import MINIMUM_FROM
+from core.codes.target_spectrum import GivenSpectrum
+from core.errors import InputError
+from core.ground.ground_motion import GroundMotion
+from core.ground.provenance import stations, unnamed
+from core.ground.response_spectrum import HOUSNER_PERIODS, pseudo_acceleration_spectrum
+from core.units import G
+
+RANGE = (0.15, 2.0)
+"""Periods of the rules [s]: a rigid block has no period T that could narrow them. With natural records, whose
+range of interest is that of the structure, they go on to the longest T_SLV or T_SLC of the walls."""
+
+PERIOD_STEP = 0.02
+"""Step of the periods at which the mean is compared with the target [s]; both ends are among them."""
+
+LOWER = {"artificial": -0.10, "simulated": -0.20, "natural": -0.10}
+UPPER = {"natural": 0.30}
+"""Mean 5 % spectrum against the target (NTC 2018 3.2.3.6)."""
+
+STRONG_PART, WHOLE_LENGTH = 10.0, 25.0
+"""Pseudo-stationary part and total duration of artificial motions [s]."""
+
+
+@dataclass(frozen=True)
+class Rule:
+    """One rule: code (NTC, EN or shown), clause, name, value, limit, passed (None: shown only); unit of
+    both: %, g, s or empty."""
+
+    code: str
+    clause: str
+    name: str
+    value: float
+    limit: float | None
+    unit: str
+    passed: bool | None
+
+
+@dataclass(frozen=True)
+class Compliance:
+    """The set against its target. periods [s]; spectra : S_a of each record at the demand [m/s2], FC
+    apart, shape (records, periods); mean, target [m/s2]; stations : counted once each; compatible : by
+    the code of the spectrum; period_range : of the rules [s]; unnamed : files that name no
+    station; full_range : the periods that matter, where no range is asked [s]."""
+
+    periods: np.ndarray
+    spectra: np.ndarray
+    mean: np.ndarray
+    target: np.ndarray
+    rules: tuple[Rule, ...]
+    stations: int
+    compatible: bool
+    period_range: tuple[float, float] = RANGE
+    unnamed: int = 0
+    full_range: tuple[float, float] = RANGE
+
+    @property
+    def narrow(self) -> bool:
+        """Whether the range asked leaves out periods that matter."""
+        low, high = self.period_range
+        return low > self.full_range[0] + 1e-9 or high < self.full_range[1] - 1e-9
+
+
+def strong_duration(motion: GroundMotion) -> float:
+    """Time [s] the power of a motion, smoothed over 2 s, is at least a fifth of its largest."""
+    size = max(1, round(2.0 / motion.time_step))
+    power = np.convolve(motion.acceleration**2, np.full(size, 1.0 / size), "same")
+    return float(np.count_nonzero(power >= 0.2 * power.max()) * motion.time_step)
+
+
+def full_range(kinds: list[str], longest: float) -> tuple[float, float]:
+    """Periods that matter [s]: `RANGE`, with natural records up to the longest T_SLV or T_SLC of the walls."""
+    return RANGE[0], max(RANGE[1], longest) if "natural" in kinds else RANGE[1]
+
+
+def period_range(kinds: list[str], longest: float, demand: DemandResult) -> tuple[float, float]:
+    """Periods of the rules [s]: as asked, else all that matter. Raises InputError beyond the spectrum of a file."""
+    low, high = full_range(kinds, longest)
+    if demand.period_range is not None:
+        low, high = demand.period_range
+    target = demand.target
+    if isinstance(target, GivenSpectrum) and high > target.periods[-1]:
+        raise InputError(
+            f"[demand]: period_range_s goes to {high:.2f} s, but {target.name} ends at "
+            f"{target.periods[-1]:.2f} s: shorten it or give the spectrum up to there"
+        )
+    return low, high
+
+
+def compliance(
+    motions: list[GroundMotion], kinds: list[str], demand: DemandResult, longest: float = 0.0
+) -> Compliance | None:
+    """The rules one by one; None without records or without a target spectrum. longest : T_SLV or T_SLC of
+    the walls [s]."""
+    if not motions or demand.target is None:
+        return None
+    asked_range = period_range(kinds, longest, demand)
+    shown = (HOUSNER_PERIODS[0], max(HOUSNER_PERIODS[-1], longest))
+    ends = (min(shown[0], asked_range[0]), max(shown[1], asked_range[1]))
+    steps = np.arange(ends[0], ends[1], PERIOD_STEP)
+    periods = np.unique(np.round([*steps, ends[1], *shown, *asked_range], 9))
+    factors = [demand.scaling(motion) for motion in motions]
+    spectra = np.array(
+        [
+            factor * pseudo_acceleration_spectrum(m.acceleration, m.time_step, periods)
+            for m, factor in zip(motions, factors, strict=True)
+        ]
+    )
+    mean = spectra.mean(axis=0)
+    target = demand.target.acceleration(periods)
+    difference = mean / target - 1.0
+
+    def extremes(ends) -> tuple[float, float]:
+        inside = difference[(ends[0] - 1e-9 <= periods) & (ends[1] + 1e-9 >= periods)]
+        return float(inside.min()), float(inside.max())
+
+    low, high = extremes(asked_range)
+    count = float(len(stations(motions)))
+    pga = float(np.mean([f * m.pga for m, f in zip(motions, factors, strict=True)]))
+    lower = max(LOWER[kind] for kind in kinds)
+    upper = UPPER["natural"] if "natural" in kinds else None
+    ntc = "NTC 2018 3.2.3.6"
+    en = "EN 1998-1 3.2.3.1.2"
+    rules = [
+        Rule("NTC", ntc, "mean_lower", low, lower, "%", low >= lower),
+        Rule("NTC", ntc, "mean_upper", high, upper, "%", None if upper is None else high <= upper),
+        Rule("EN", en + "(4)a", "records", count, MINIMUM_FROM, "", count >= MINIMUM_FROM),
+        Rule("EN", en + "(4)b", "mean_pga", pga / G, demand.pga / G, "g",
+             pga >= demand.pga * (1.0 - 1e-6)),
+        Rule("EN", en + "(4)c", "mean_lower", low, -0.10, "%", low >= -0.10),
+    ]  # fmt: skip
+    made = [m for m, kind in zip(motions, kinds, strict=True) if kind == "artificial"]
+    if made:
+        strong = min(strong_duration(motion) for motion in made)
+        whole = min(motion.duration for motion in made)
+        rules += [
+            Rule("both", f"{ntc}, {en}(3)", "strong_part", strong, STRONG_PART, "s",
+                 strong >= STRONG_PART - 1e-6),
+            Rule("NTC", ntc, "duration", whole, WHOLE_LENGTH, "s", whole >= WHOLE_LENGTH - 1e-6),
+        ]  # fmt: skip
+    least, most = extremes(shown)
+    rules += [
+        Rule("shown", f"{shown[0]:.1f}-{shown[1]:.1f} s", name, value, None, "%", None)
+        for name, value in (("mean_lower", least), ("mean_upper", most))
+    ]
+    # a spectrum of a file names no code: both must be met
+    codes = {demand.spectrum_code[:-4]} if demand.spectrum_code else {"EN", "NTC"}
+    decides = [rule.passed for rule in rules if rule.code in (*codes, "both")]
+    return Compliance(
+        periods, spectra, mean, target, tuple(rules), int(count),
+        all(passed is not False for passed in decides), asked_range, unnamed(motions),
+        full_range(kinds, longest),
+    )  # fmt: skip

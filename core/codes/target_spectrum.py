@@ -1,0 +1,192 @@
+"""Elastic spectra of the codes: NTC 2018 3.2.3.2.1, EN 1998-1 3.2.2.2, or a file of two columns."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from core.errors import InputError
+from core.ground.response_spectrum import DAMPING, HOUSNER_PERIODS
+from core.units import G
+
+SOILS = ("A", "B", "C", "D", "E")
+
+NTC_SOIL = {
+    # S_S = a - b F0 ag/g within [low, high]; C_C = c T_C*^d (NTC 2018 Tab. 3.2.IV)
+    "A": (1.00, 0.00, 1.00, 1.00, 1.00, 0.00),
+    "B": (1.40, 0.40, 1.00, 1.20, 1.10, -0.20),
+    "C": (1.70, 0.60, 1.00, 1.50, 1.05, -0.33),
+    "D": (2.40, 1.50, 0.90, 1.80, 1.25, -0.50),
+    "E": (2.00, 1.10, 1.00, 1.60, 1.15, -0.40),
+}
+NTC_TOPOGRAPHY = {"T1": 1.0, "T2": 1.2, "T3": 1.2, "T4": 1.4}
+"""S_T at the top of the relief (NTC 2018 Tab. 3.2.V)."""
+
+EN_SOIL = {
+    # type -> soil -> S, T_B, T_C, T_D (EN 1998-1 Tables 3.2 and 3.3)
+    1: {"A": (1.00, 0.15, 0.40, 2.0), "B": (1.20, 0.15, 0.50, 2.0), "C": (1.15, 0.20, 0.60, 2.0),
+        "D": (1.35, 0.20, 0.80, 2.0), "E": (1.40, 0.15, 0.50, 2.0)},
+    2: {"A": (1.00, 0.05, 0.25, 1.2), "B": (1.35, 0.05, 0.25, 1.2), "C": (1.50, 0.10, 0.25, 1.2),
+        "D": (1.80, 0.10, 0.30, 1.2), "E": (1.60, 0.05, 0.25, 1.2)},
+}  # fmt: skip
+EN_AMPLIFICATION = 2.5
+
+
+@dataclass(frozen=True)
+class CodeSpectrum:
+    """Four branches. ag : on rock [m/s2]; soil : S [-]; amplification : F0 [-]; t_b, t_c, t_d [s]."""
+
+    name: str
+    ag: float
+    soil: float
+    amplification: float
+    t_b: float
+    t_c: float
+    t_d: float
+
+    @property
+    def pga(self) -> float:
+        """a_g S [m/s2]."""
+        return self.ag * self.soil
+
+    def acceleration(self, periods, damping: float = DAMPING) -> np.ndarray:
+        """Elastic S_e [m/s2], shape of periods [s]; eta = sqrt(10 / (5 + xi)) >= 0.55 (NTC 3.2.2, 3.2.4)."""
+        t = np.asarray(periods, dtype=float)
+        eta = max(math.sqrt(10.0 / (5.0 + 100.0 * damping)), 0.55)
+        plateau = eta * self.amplification
+        shape = np.select(
+            [t < self.t_b, t < self.t_c, t < self.t_d],
+            [
+                t / self.t_b * plateau + (1.0 - t / self.t_b),
+                plateau,
+                plateau * self.t_c / np.maximum(t, self.t_c),
+            ],
+            plateau * self.t_c * self.t_d / np.maximum(t, self.t_d) ** 2,
+        )
+        return self.pga * shape
+
+    @property
+    def ground_displacement(self) -> float:
+        """d_g = 0.025 a_g S T_C T_D [m] (NTC 3.2.12)."""
+        return 0.025 * self.pga * self.t_c * self.t_d
+
+
+@dataclass(frozen=True)
+class GivenSpectrum:
+    """A 5 % spectrum read from a file, linear between its points. periods [s]; values : S_e [m/s2]."""
+
+    name: str
+    ag: float
+    soil: float
+    periods: tuple[float, ...]
+    values: tuple[float, ...]
+
+    @property
+    def pga(self) -> float:
+        """a_g S of the demand [m/s2]; the file should start there."""
+        return self.ag * self.soil
+
+    def acceleration(self, periods, damping: float = DAMPING) -> np.ndarray:
+        """Elastic S_e [m/s2]; other damping by eta beyond the first point, constant displacement
+        beyond the last. Below the first period the line goes to a_g S."""
+        t = np.asarray(periods, dtype=float)
+        known = np.array(self.periods)
+        values = np.array(self.values)
+        if known[0] > 0.0:
+            known, values = np.insert(known, 0, 0.0), np.insert(values, 0, self.pga)
+        eta = max(math.sqrt(10.0 / (5.0 + 100.0 * damping)), 0.55)
+        base = np.interp(t, known, values)
+        beyond = t > known[-1]
+        base = np.where(beyond, values[-1] * (known[-1] / np.maximum(t, known[-1])) ** 2, base)
+        first = known[1]
+        return base * np.where(t < first, 1.0 + (eta - 1.0) * t / first, eta)
+
+    @property
+    def ground_displacement(self) -> float | None:
+        return None
+
+
+Target = CodeSpectrum | GivenSpectrum
+
+
+def displacement(target: Target, periods, damping: float = DAMPING) -> np.ndarray:
+    """S_De = S_e (T / 2 pi)^2 [m] (NTC 3.2.10)."""
+    t = np.asarray(periods, dtype=float)
+    return target.acceleration(t, damping) * (t / (2.0 * math.pi)) ** 2
+
+
+def largest_displacement(target: Target, low: float, high: float, damping: float) -> float:
+    """Largest S_De on the periods [low, high] [s] in m: of a code's spectrum, which never falls, at its end."""
+    periods = [low, high]
+    if isinstance(target, GivenSpectrum):
+        known, values = np.array(target.periods), np.array(target.values)
+        slope = np.diff(values) / np.diff(known)
+        level = values[:-1] - slope * known[:-1]
+        # on a branch level + slope T, T^2 (level + slope T) is largest at T = -2 level / (3 slope)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            turn = -2.0 * level / (3.0 * slope)
+        inside = (turn > known[:-1]) & (turn < known[1:])
+        periods = np.concatenate([periods, known, turn[inside]])
+        periods = periods[(periods >= low) & (periods <= high)]
+    return float(displacement(target, periods, damping).max())
+
+
+def housner_intensity(target: Target) -> float:
+    """SI [m] of a target spectrum, Eq. 11 on its pseudo-velocity."""
+    velocity = target.acceleration(HOUSNER_PERIODS) * HOUSNER_PERIODS / (2.0 * math.pi)
+    return float(np.trapezoid(velocity, HOUSNER_PERIODS))
+
+
+def ntc2018(ag: float, f0: float, tc_star: float, soil: str, topography: str) -> CodeSpectrum:
+    """NTC 2018 3.2.3.2.1, Eq. 3.2.2 to 3.2.7. ag : on rigid ground, S apart [m/s2]; tc_star : T_C* [s].
+
+    Raises InputError where T_B < T_C < T_D does not hold.
+    """
+    a, b, low, high, c, d = NTC_SOIL[soil]
+    factor = min(max(a - b * f0 * ag / G, low), high) * NTC_TOPOGRAPHY[topography]
+    t_c = c * tc_star**d * tc_star
+    t_d = 4.0 * ag / G + 1.6
+    if not t_c < t_d:
+        raise InputError(
+            f"tc_star_s = {tc_star:g} s on soil {soil} gives T_C = {t_c:.2f} s, not below "
+            f"T_D = {t_d:.2f} s: check tc_star_s and ag_g"
+        )
+    return CodeSpectrum(f"NTC 2018, {soil}, {topography}", ag, factor, f0, t_c / 3.0, t_c, t_d)
+
+
+def en1998(ag: float, kind: int, soil: str) -> CodeSpectrum:
+    """EN 1998-1 3.2.2.2, recommended spectra of type 1 and 2, Tables 3.2 and 3.3. ag : on rock [m/s2]."""
+    factor, t_b, t_c, t_d = EN_SOIL[kind][soil]
+    name = f"EN 1998-1 type {kind}, {soil}"
+    return CodeSpectrum(name, ag, factor, EN_AMPLIFICATION, t_b, t_c, t_d)
+
+
+def given(name: str, ag: float, soil: float, rows: list[tuple[float, float]]) -> GivenSpectrum:
+    """A spectrum of (period [s], S_e [m/s2]) rows. Raises InputError for fewer than 5 rows, periods not
+    rising, values not positive, or a range that does not hold 0.1 to 2.5 s."""
+    periods = tuple(row[0] for row in rows)
+    values = tuple(row[1] for row in rows)
+    if len(rows) < 5:
+        raise InputError(f"{name}: {len(rows)} rows are too few for a spectrum: at least 5")
+    for k in range(1, len(rows)):
+        if not periods[k] > periods[k - 1]:
+            raise InputError(f"{name}: row {k + 1}: the periods must rise, found {periods[k]:g} s")
+    if not (periods[0] >= 0.0 and all(0.0 < value < 20.0 * G for value in values)):
+        raise InputError(f"{name}: periods from 0 s and ordinates above 0 g to 20 g are accepted")
+    if periods[0] > 0.1 or periods[-1] < 2.5:
+        raise InputError(
+            f"{name}: covers {periods[0]:g} to {periods[-1]:g} s: the range 0.1 to 2.5 s of the Housner "
+            "intensity must be inside"
+        )
+    found = GivenSpectrum(name, ag, soil, periods, values)
+    if periods[0] <= 0.01 and abs(values[0] / found.pga - 1.0) > 0.05:
+        raise InputError(
+            f"{name}: it starts at {values[0] / G:.3f} g, but a_g S of the demand is {found.pga / G:.3f} g: "
+            "give ag_g and soil_factor of the same site"
+        )
+    if not 1.2 <= max(values) / found.pga <= 6.0:
+        raise InputError(
+            f"{name}: its largest ordinate, {max(values) / G:.3f} g, is {max(values) / found.pga:.2f} times "
+            "a_g S of the demand (1.2 to 6 is accepted): is the file in g, and of the same site?"
+        )
+    return found

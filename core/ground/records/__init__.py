@@ -1,0 +1,183 @@
+"""Accelerogram files: one reader per format, recognised by content, in this explicit table."""
+
+import hashlib
+import re
+from pathlib import Path
+
+import numpy as np
+
+from core.errors import InputError, RecordError
+from core.file_names import name_of, shown
+from core.ground.ground_motion import LARGE_PGA, SMALL_PGA, GroundMotion
+from core.ground.records import italian, peer, plain
+from core.ground.records.cut import refuse_cut
+from core.ground.records.grammar import UNITS, Options, decode
+from core.text.notices import notice
+from core.units import G
+
+READERS = (
+    ("PEER AT2", peer.recognises, peer.read),
+    ("tab matrix", peer.recognises_matrix, peer.read_matrix),
+    ("ESM ASCII", italian.recognises_esm, italian.read_esm),
+    ("SIGMA acc", italian.recognises_sigma, italian.read_sigma),
+    ("plain text", plain.recognises, plain.read),
+)
+"""(format, recognises(lines), read(lines, options)); the first that recognises the content reads it."""
+
+NOT_READ_YET = (
+    ("K-NET / KiK-net", re.compile(r"^Sampling Freq\(Hz\)", re.MULTILINE)),
+    ("CWA", re.compile(r"^#SampleRate\(Hz\)", re.MULTILINE)),
+    ("SMC", re.compile(r"\A[012] (UN)?(CORRECTED|KNOWN) ACCELEROGRAM")),
+    (
+        "CSMIP, COSMOS or GeoNet",
+        re.compile(r"\A\s*(un)?corrected (accelerogram\b|acceleration\s+\(format)", re.I),
+    ),
+    ("response spectra (CSMIP V3)", re.compile(r"\ARESPONSE AND FOURIER", re.I)),
+    ("USC volume", re.compile(r"\AFILE .*ACCELEROGRAM DATA OF VOLUME", re.I)),
+)
+"""Known formats without a reader: refused by name, so that no other reader guesses at them."""
+
+MAX_BYTES = 20_000_000
+MAX_NUMBERS = 5_000_000
+"""Larger files are refused before they take the memory; the longest records known have 2 MB."""
+
+END_SHARE = 0.05
+"""Share of its peak at which a record without a declared count ends that is not at rest: is it cut?"""
+
+LARGE_SCALE = 3.0
+"""Scales of a record beyond this one are warned of."""
+
+OFFSET_SHARE, OFFSET_VELOCITY = 0.01, 0.5
+"""Mean over the peak [-] and velocity left at the end [m/s] beyond both of which samples have an offset; the
+corrected records tried have means below 1e-4 of the peak."""
+
+LARGEST_PGA = 20.0 * G
+"""Above this peak [m/s2] a file is not what it is said to be."""
+
+
+def read(
+    path: Path, options: Options = Options(), scale: float = 1.0, name: str = ""
+) -> GroundMotion:
+    """The accelerogram of one file, in SI units.
+
+    scale : multiplier asked by the user [-]. Raises RecordError naming file, place and way out.
+    """
+    try:
+        if path.exists() and not path.is_file():
+            raise RecordError("this is not a file: name an accelerogram")
+        if path.stat().st_size > MAX_BYTES:
+            raise RecordError(
+                f"{path.stat().st_size / 1e6:.0f} MB is no accelerogram (up to {MAX_BYTES // 1_000_000} MB)"
+            )
+        content = path.read_bytes()
+        return _motion(content, path, options, scale, name or shown(path.stem))
+    except FileNotFoundError:
+        raise RecordError(f"{path}: there is no such file") from None
+    except (OSError, ValueError) as error:
+        if isinstance(error, RecordError):
+            raise RecordError(f"{path}: {error}") from None
+        raise RecordError(f"{path}: cannot be read: {error}") from None
+
+
+def _motion(content: bytes, path: Path, options: Options, scale: float, name: str) -> GroundMotion:
+    if not content.strip():
+        raise RecordError("the file is empty")
+    if len(content) > MAX_NUMBERS and _separate(content) > MAX_NUMBERS:
+        raise RecordError(f"more than {MAX_NUMBERS} numbers are no accelerogram")
+    lines = decode(content)
+    ended = content.rstrip(b"\x00\x1a")[-1:] in (b"\n", b"\r") or content[-2:] in (b"\n\0", b"\0\n")
+    head = "\n".join(lines[:30])
+    for title, pattern in NOT_READ_YET:
+        if pattern.search(head):
+            raise RecordError(
+                f"{title} files are not read yet: convert to two columns, time and acceleration"
+            )
+    title, reader = next((title, read) for title, knows, read in READERS if knows(lines))
+    parsed = reader(lines, options)
+    if not ended and any(warning.code == "partial_last_line" for warning in parsed.warnings):
+        raise RecordError(
+            "samples of the last line are missing and it has no line end: the file is cut"
+        )
+    unit = _agreed("unit", parsed.unit, options.unit, "g, m/s2, cm/s2 or mm/s2")
+    if unit not in UNITS:
+        raise RecordError(f"unit = {unit!r} is not accepted: {', '.join(UNITS)}")
+    time_step = _agreed("time_step_s", parsed.time_step, options.time_step, "in seconds")
+    warnings = list(parsed.warnings)
+    peak = float(np.abs(parsed.values).max()) if parsed.values.size else 0.0
+    if parsed.stated_peak and abs(peak - parsed.stated_peak) > 0.02 * parsed.stated_peak:
+        warnings.append(notice("peak_differs", read=peak, stated=parsed.stated_peak))
+    if not parsed.counted and peak and abs(parsed.values[-1]) > END_SHARE * peak:
+        warnings.append(notice("ends_moving", share=abs(parsed.values[-1]) / peak))
+    if scale != 1.0:
+        code = "scaled_far" if abs(scale) > LARGE_SCALE else "scaled"
+        warnings.append(notice(code, scale=scale))
+    motion = parsed.values * UNITS[unit] * scale
+    pga = float(np.abs(motion).max()) if motion.size else 0.0
+    if not pga <= LARGEST_PGA * abs(scale):
+        raise RecordError(
+            f"the peak would be {pga / G / abs(scale):.3g} g, beyond any earthquake (20 g): "
+            "velocity, a count of samples on top, or another unit?"
+        )
+    if pga > LARGE_PGA:
+        warnings.append(notice("large_pga", pga=pga / G))
+    elif 0.0 < pga < SMALL_PGA:
+        warnings.append(notice("small_pga", pga=pga / G))
+    mean = float(motion.mean()) if motion.size else 0.0
+    left = abs(mean) * motion.size * time_step
+    if abs(mean) > OFFSET_SHARE * pga and left > OFFSET_VELOCITY:
+        warnings.append(notice("offset", mean=mean / G, velocity=left))
+    if options.skip_lines and title != "plain text":
+        raise RecordError(f"skip_lines is for plain text; this file is {title}: leave it out")
+    if options.column and title != "plain text":
+        raise RecordError(f"column is for plain text; this file is {title}: leave it out")
+    refuse_cut(lines, ended)
+    return GroundMotion(
+        name=name,
+        acceleration=motion,
+        time_step=time_step,
+        file=str(path),
+        file_sha256=hashlib.sha256(content).hexdigest(),
+        format=title,
+        unit=unit,
+        details=parsed.details,
+        warnings=tuple(warnings),
+    )
+
+
+def _separate(content: bytes) -> int:
+    """Words of a text, counted without making them."""
+    blank = np.isin(np.frombuffer(content, np.uint8), np.frombuffer(b" \t\r\n,;", np.uint8))
+    return int(np.count_nonzero(blank[:-1] & ~blank[1:])) + 1
+
+
+def _agreed(key: str, stated, given, accepted: str):
+    """What the file states or the user gives; an error if neither or if they contradict."""
+    if stated is None and given is None:
+        what = "unit of acceleration" if key == "unit" else "time step"
+        raise RecordError(f"the file does not state its {what}: give {key} ({accepted})")
+    if stated is None or given is None:
+        return given if stated is None else stated
+    same = stated == given if isinstance(stated, str) else abs(stated - given) <= 1e-6 * stated
+    if not same:
+        raise RecordError(f"the file states {key} {stated}, the case gives {given}: remove {key}")
+    return stated
+
+
+def expand(pattern: str, base_dir: Path) -> list[Path]:
+    """Files of one `file` entry, relative to the case; a glob that matches nothing is an error."""
+    pattern = name_of(pattern)
+    path = base_dir / pattern
+    try:
+        if not any(letter in pattern for letter in "*?[") or path.exists():
+            return [path]
+        anchor = Path(path.anchor) if Path(pattern).is_absolute() else base_dir
+        relative = Path(pattern).relative_to(anchor) if Path(pattern).is_absolute() else pattern
+        found = sorted(entry for entry in anchor.glob(str(relative)) if entry.is_file())
+    except (ValueError, OSError) as error:
+        raise InputError(
+            f"file = {pattern[:200]!r} is not accepted as a pattern: {str(error)[:200]}"
+        ) from None
+    if not found:
+        place = "" if Path(pattern).is_absolute() else f" in {base_dir.resolve()}"
+        raise InputError(f"file = {pattern[:200]!r}: no file matches{place}")
+    return found

@@ -1,0 +1,87 @@
+"""Is a file cut inside its last number? `E-03` cut to `E-0` is a thousand times larger, and no count sees it."""
+
+import re
+
+from core.errors import RecordError
+from core.ground.records.grammar import quoted
+
+NEIGHBOURS = 20
+"""Lines above the last one that its last number is compared with."""
+
+LEAST, FEWEST_DIGITS = 4, 3
+"""Numbers of one shape, and digits, that make it the shape of a file."""
+
+_TOKEN = re.compile(
+    r"[+-]?(?P<whole>[0-9]*)(?:[.,](?P<decimals>[0-9]*))?(?:[EeDd][+-]?(?P<exponent>[0-9]*))?"
+)
+
+
+def _shapes(token: str) -> tuple[tuple[int, int], tuple[int, int]]:
+    """(decimals, digits of the exponent) and (significant digits, digits of the exponent)."""
+    found = _TOKEN.match(token)
+    exponent = len(found["exponent"] or "")
+    mantissa = (found["whole"] + (found["decimals"] or "")).lstrip("0")
+    return (len(found["decimals"] or ""), exponent), (len(mantissa), exponent)
+
+
+def _tokens(line: str) -> list[str]:
+    """The numbers of a line, also glued ones; the mark of decimals may be a comma where ; or tabs stand between."""
+    if re.search(r"[0-9],[0-9]", line) and not ("." in line and "," in line):
+        parts = re.split(r"[;\t]" if re.search(r"[;\t]", line) else r"[,\s]", line)
+    else:
+        parts = re.split(r"[,;\s]", line)
+    glued = [re.split(r"(?<=[0-9.])(?=[+-])", part.strip()) for part in parts]
+    return [token for part in glued for token in part if token]
+
+
+def refuse_cut(lines: list[str], ended: bool) -> None:
+    """Raise RecordError where the last number of a file may be half a number.
+
+    lines : of the file; ended : its last line has a line end. Where the lines above it have one length, or the
+    numbers of its column one shape (decimals, digits of the exponent), the last has it too or is cut; where they
+    have none, a last line without an end may be cut anywhere.
+    """
+    tail = [line for line in lines[-NEIGHBOURS - 1 :] if line.strip()]
+    rows = [(line, _tokens(line)) for line in tail]
+    rows = [(line, row) for line, row in rows if all(_TOKEN.fullmatch(token) for token in row)]
+    if not rows or rows[-1][0] != tail[-1]:
+        return  # what is no number is refused by the reader, or ends the file as NaN
+    (line, (*_, last)), place = rows[-1], len(rows[-1][1]) - 1
+    above = [row[place] for _, row in rows[:-1] if len(row) > place]
+    if len(above) < LEAST:
+        above = [token for _, row in rows for token in row][:-1]
+    shapes = [_shapes(token) for token in above if token != "0"]
+    # of decimals or of significant digits, whichever is the same throughout
+    shape = next(
+        (kind for kind in (0, 1)
+         if len(above) >= LEAST and len({pair[kind] for pair in shapes}) == 1
+         and max(shapes[0][kind]) >= (1, FEWEST_DIGITS)[kind]), None,
+    )  # fmt: skip
+    lengths = {len(other.rstrip()) for other, _ in rows[:-1]}
+    one_row = all(len(row) == place + 1 for _, row in rows)
+    even = one_row and len(lengths) == 1 and len(rows) > LEAST
+    if even and (not ended or len(line.rstrip()) >= next(iter(lengths))):
+        whole = len(line.rstrip()) >= next(iter(lengths))
+    elif shape is not None:
+        zero = not last.strip("+-0.") and (ended or (last == "0" and "0" in _first(lines, place)))
+        whole = zero or _shapes(last)[shape] == shapes[0][shape]
+    else:
+        shortest = min((exponent for (_, exponent), _ in shapes), default=0)
+        whole = ended and _shapes(last)[0][1] >= shortest
+    if not whole:
+        why = (
+            "without a line end"
+            if shape is None and not ended
+            else "not as long as the numbers above it"
+        )
+        mend = "write it with as many digits" if ended else "end the last line with a line break"
+        raise RecordError(
+            f"the last number, {quoted(last)}, is {why}: the file looks cut there; copy it anew, or {mend} if it is "
+            "whole"
+        )
+
+
+def _first(lines: list[str], place: int) -> list[str]:
+    """Numbers of this column in the first lines: does the file write zero as 0?"""
+    rows = (_tokens(line) for line in lines[:NEIGHBOURS] if line.strip())
+    return [row[place] for row in rows if len(row) > place]

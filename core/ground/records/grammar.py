@@ -1,0 +1,250 @@
+"""What every text format shares: bytes to lines, the strict number grammar, the count check."""
+
+import math
+import re
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from core.errors import RecordError
+from core.text.notices import Notice, notice
+from core.units import G
+
+NUMBER = r"[+-]?+(?:[0-9]++(?:\.[0-9]*+)?+|\.[0-9]++)(?:[EeDd][+-]?+[0-9]++)?+"
+"""A number: plain ASCII, as Fortran and C write it; no nan, inf, underscores or other digits. Possessive, so
+that no text makes the match go back and try again: linear time."""
+
+_TOKEN = re.compile(NUMBER)
+_NUMBERS_ONLY = re.compile(rf"\s*+(?:{NUMBER}(?=[\s+-]|\Z)\s*+)*+")
+_NAN = re.compile(r"[+-]?nan", re.IGNORECASE)
+
+_B = r"[ \t]*+"
+_PER_S2 = rf"(?:cm|mm|m){_B}/{_B}s(?:ec)?(?:{_B}/{_B}s(?:ec)?|{_B}(?:\^|\*\*)?{_B}[2²])"
+_ACCELERATION = rf"(g(?:{_B}/{_B}10)?|gal|{_PER_S2})"
+_SAID_OF = rf"\bunits?\b{_B}(?:(?:of|are|is|in)\b|[:=])?{_B}\(?{_B}"
+_STATED = re.compile(
+    rf"[\[(]{_B}{_ACCELERATION}{_B}[\])]|{_SAID_OF}{_ACCELERATION}(?![\w/])"
+    rf"|\baccelerations?[ \t]++in[ \t]++{_ACCELERATION}(?![\w/])",
+    re.IGNORECASE,
+)
+_VALUE = re.compile(r"[0-9]\.?[ \t]*\Z|[0-9][EeDd][+-]?[0-9]+[ \t]*\Z")
+"""The end of a text that gives a number: what follows is its unit, not that of the samples."""
+
+_LABEL = re.compile(r"\b(pga|peak|max(imum)?|min(imum)?|gravity|picco|massim[oa])\b", re.I)
+"""Words of a line that gives one value, not the samples."""
+
+_NUMBER_AFTER = re.compile(r"[ \t]*+[:=]?[ \t]*+[+-]?[.0-9]")
+
+_LENGTH_OR_SPEED = r"(?:cm|mm|m|in)(?:[ \t]*+/[ \t]*+s(?:ec)?\.?|[ \t]++s-1)?"
+_MOTION = re.compile(r"\b(veloc\w*|vel(?![a-z]{2})\w*|displ\w*|disp\b\.?|spostament\w*)", re.I)
+_MOTION_UNIT = re.compile(
+    rf"(?<![0-9] )(?<![0-9])[\[(]{_B}{_LENGTH_OR_SPEED}{_B}[\])](?!{_B}[:=]?{_B}[+-]?[0-9])", re.I
+)
+_MOTION_SAID = re.compile(rf"{_SAID_OF}{_LENGTH_OR_SPEED}(?!{_B}[\w/^*])", re.I)
+_SPECTRUM = re.compile(
+    r"\b(spectr(?:um|a|al)|spettr\w*|response(?![ \t]+spectr)|fourier|fft|psa|psv|pseudo\w*|s_?[avde]\b(?!{_B}=))"
+    r"|\b(?:periods?|periodo|frequenc(?:y|ies)|frequenza)[ \t]*+[\[(]".replace("{_B}", _B),
+    re.I,
+)
+_PERIOD = re.compile(r"\bperiod(?:s|o)?\b", re.I)
+_ACCELERATION_WORD = re.compile(r"\bacc(?:\b|el)", re.I)
+_OF_A_TARGET = re.compile(r"\b(target|match|compatib|return|ritorno|corner|filter|sampling)", re.I)
+HEAD_LINE = 500
+"""Characters of a line of a header that are looked at."""
+
+SHOWN = 60
+"""Characters of a file repeated in a sentence."""
+
+UNITS = {"g": G, "m/s2": 1.0, "cm/s2": 0.01, "mm/s2": 0.001}
+"""Units of acceleration a user may name, in m/s2."""
+
+
+@dataclass
+class Parsed:
+    """What a reader found: values in the file's unit, shape (n,); time step [s] and unit, or None
+    where the file does not say; details and warnings; counted : the file declares its count of samples."""
+
+    values: np.ndarray
+    time_step: float | None
+    unit: str | None
+    details: tuple[tuple[str, str], ...] = ()
+    warnings: list[Notice] = field(default_factory=list)
+    stated_peak: float | None = None
+    counted: bool = False
+
+
+@dataclass(frozen=True)
+class Options:
+    """What the user says of a file, only where the file does not: unit (a key of UNITS),
+    time_step [s], column (counted from 1, time included), skip_lines (text lines on top)."""
+
+    unit: str | None = None
+    time_step: float | None = None
+    column: int | None = None
+    skip_lines: int | None = None
+
+
+def quoted(text: str) -> str:
+    """A piece of a file in a sentence: its first characters."""
+    text = text.strip()
+    return repr(text if len(text) <= SHOWN else text[:SHOWN] + "…")
+
+
+def _unit_of(word: str) -> str:
+    """A unit as written to a key of UNITS; raises RecordError for g/10."""
+    word = re.sub(r"\s", "", word).lower()
+    if word.startswith("g/"):
+        raise RecordError("the unit is g/10: convert the file to g")
+    if word in ("g", "gal"):
+        return "g" if word == "g" else "cm/s2"
+    return word.split("/")[0] + "/s2"
+
+
+def head_lines(head: str) -> list[str]:
+    """Lines of a header, blanks folded: what is looked at of each is short, so that no line takes long."""
+    return [
+        re.sub(r"[ \t]{3,}", "  ", line[: 4 * HEAD_LINE])[:HEAD_LINE] for line in head.splitlines()
+    ]
+
+
+def stated_unit(head: str) -> str | None:
+    """Unit of acceleration a header states, a key of UNITS. A unit after a number is that of another quantity
+    (`gravity = 9.81 [m/s2]`, `PGA 0.013 (g)`) and states nothing; where it differs from the one stated, or two
+    are stated, nobody knows which holds. Raises RecordError then, and for g/10."""
+    found: dict[str, str] = {}
+    beside: dict[str, str] = {}
+    for line in head_lines(head):
+        for match in _STATED.finditer(line):
+            unit = _unit_of(next(group for group in match.groups() if group))
+            value = _VALUE.search(line[max(0, match.start() - 40) : match.start()])
+            of_one = value or (_LABEL.search(line) and _NUMBER_AFTER.match(line, match.end()))
+            (beside if of_one or _LABEL.search(line) else found).setdefault(unit, line)
+    clash = [
+        *found.items(),
+        *((unit, line) for unit, line in beside.items() if found and unit not in found),
+    ]
+    if len(clash) > 1:
+        (one, first), (other, second) = clash[:2]
+        raise RecordError(
+            f"the header speaks of two units, {one} in {quoted(first)} and {other} in {quoted(second)}: leave "
+            "the one of the samples"
+        )
+    return next(iter(found), None)
+
+
+def refuse_other_quantity(head: str) -> None:
+    """Raise RecordError where a header speaks of a velocity, a displacement or a spectrum, whatever else stands
+    in it. A line that names the acceleration too is the head of a table; a record matched to a spectrum is one."""
+    plain = stated_unit(head) is None
+    for line in head_lines(head):
+        other = None
+        if not _OF_A_TARGET.search(line):
+            other = _SPECTRUM.search(line) or (plain and _PERIOD.search(line))
+        fields = [field for field in re.split(r"[;,\t]| {2,}|(?<=[\])]) ", line) if field.strip()]
+        # the head of a table names the acceleration in a field of its own, without another quantity in it
+        table = len(fields) > 1 and any(
+            _ACCELERATION_WORD.search(field)
+            and not _MOTION.search(field)
+            and not _MOTION_UNIT.search(field)
+            for field in fields
+        )
+        if not other and not table:
+            patterns = (_MOTION, _MOTION_UNIT, _MOTION_SAID)
+            other = next((found for pattern in patterns if (found := pattern.search(line))), None)
+        if other:
+            raise RecordError(
+                f"the header speaks of {other[0].strip('[()] ').lower()}: this is not an accelerogram; "
+                "take the acceleration file"
+            )
+
+
+def decode(content: bytes) -> list[str]:
+    """Lines of a text file: UTF-8 or UTF-16 by their marks, else UTF-8, else Latin-1.
+
+    Raises RecordError for a binary file.
+    """
+    if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        text = content.decode("utf-16", errors="replace")
+    else:
+        body = content.removeprefix(b"\xef\xbb\xbf").rstrip(b"\x00\x1a")
+        control = sum(body[:4096].count(byte) for byte in range(9)) + body[:4096].count(0x7F)
+        if control:
+            raise RecordError(
+                "this is a binary file; SAC and miniSEED need instrument metadata: convert it to text "
+                "with ObsPy (stream.write) or download the processed ASCII file"
+            )
+        try:
+            text = body.decode("utf-8")
+        except UnicodeDecodeError:
+            text = body.decode("latin-1")
+    text = re.sub(r"\r+\n?", lambda run: "\n" * (1 if run[0][-1] == "\n" else len(run[0])), text)
+    return text.rstrip("\n").split("\n")
+
+
+def to_float(token: str) -> float:
+    """One number of the grammar, D exponents included; raises RecordError beyond the doubles."""
+    value = float(token.replace("D", "E").replace("d", "e"))
+    if not math.isfinite(value):
+        raise RecordError(f"{quoted(token)} is too large for a number")
+    return value
+
+
+def numbers(line: str) -> list[float] | None:
+    """All numbers of a line, also those glued by a sign (`1.0E-08-2.0E-08`); None if anything else is there:
+    `1.52.5` is not two numbers."""
+    if not _NUMBERS_ONLY.fullmatch(line):
+        return None
+    return [to_float(token) for token in _TOKEN.findall(line)]
+
+
+def fixed_width(line: str, width: int) -> list[float] | None:
+    """Numbers in columns of this width; None unless every column holds exactly one."""
+    line = line.rstrip()
+    fields = [line[k : k + width].strip() for k in range(0, len(line), width)]
+    if not all(_TOKEN.fullmatch(entry) for entry in fields):
+        return None
+    return [to_float(entry) for entry in fields]
+
+
+def block(lines: list[str], first_line: int, declared: int, width: int | None = None) -> Parsed:
+    """Samples of a wrapped block with a declared count.
+
+    first_line : number of the block's first line in the file, from 1, for messages.
+    Accepts a short last line and surplus zeros or NaN, with a warning; raises RecordError otherwise.
+    """
+    rows, not_numbers = [], 0
+    for k, line in enumerate(lines):
+        if not line.strip():
+            continue
+        row = fixed_width(line, width) if width else None
+        row = numbers(line) if row is None else row
+        if row is None:
+            tokens = line.replace(",", " ").split()
+            if not all(_NAN.fullmatch(token) or _TOKEN.fullmatch(token) for token in tokens):
+                raise RecordError(f"line {first_line + k}: {quoted(line)} is not numbers")
+            row = [math.nan if _NAN.fullmatch(token) else to_float(token) for token in tokens]
+        rows.append(row)
+    values = np.array([value for row in rows for value in row])
+    while values.size and math.isnan(values[-1]):
+        values = values[:-1]
+        not_numbers += 1
+    if np.isnan(values).any():
+        raise RecordError(
+            f"sample {int(np.argmax(np.isnan(values))) + 1} is NaN: a gap in the record"
+        )
+    warnings = []
+    surplus = values[declared:]
+    if surplus.any():
+        raise RecordError(f"{values.size} samples, but the header declares {declared}")
+    if surplus.size or not_numbers:
+        warnings.append(notice("surplus_dropped", count=surplus.size + not_numbers))
+    values = values[:declared]
+    missing = declared - values.size
+    if missing:
+        widest = max((len(row) for row in rows), default=0)
+        if not rows or missing >= widest or not (not_numbers or len(rows[-1]) < widest):
+            raise RecordError(
+                f"{values.size} samples, but the header declares {declared}: the file is cut"
+            )
+        warnings.append(notice("partial_last_line", found=values.size, declared=declared))
+    return Parsed(values, None, None, warnings=warnings, counted=True)

@@ -1,0 +1,78 @@
+"""PEER .AT2, old and NGA dialects, and the tab matrix `acceleration, dt, npts`."""
+
+import re
+
+from core.errors import RecordError
+from core.ground.records.grammar import (
+    NUMBER,
+    Options,
+    Parsed,
+    block,
+    numbers,
+    refuse_other_quantity,
+    stated_unit,
+    to_float,
+)  # fmt: skip
+from core.text.notices import notice
+
+_KEYED = re.compile(rf"NPTS\s*+=\s*+(\d++)\s*+,?\s*+DT\s*+=\s*+({NUMBER})(?![\w.])", re.IGNORECASE)
+_TRAILING = re.compile(rf"^\s*+(\d++)\s++({NUMBER})\s++NPTS", re.IGNORECASE)
+_OTHER = re.compile(r"\b(VELOCITY|DISPLACEMENT)\b", re.IGNORECASE)
+_SCALE = re.compile(rf"scale factor\s*=\s*({NUMBER})", re.IGNORECASE)
+
+
+def _header(lines: list[str]):
+    for k, line in enumerate(lines[:12]):
+        match = _KEYED.search(line) or _TRAILING.search(line)
+        if match:
+            return k, int(match[1]), to_float(match[2])
+    return None
+
+
+def recognises(lines: list[str]) -> bool:
+    return _header(lines) is not None
+
+
+def read(lines: list[str], options: Options) -> Parsed:
+    """Raises RecordError for velocity, displacement, and counts that do not agree."""
+    row, declared, time_step = _header(lines)
+    head = lines[: row + 1]
+    other = _OTHER.search(" ".join(head))
+    if other:
+        raise RecordError(f"this file holds {other[1].lower()}: take the acceleration file (.AT2)")
+    refuse_other_quantity(
+        "\n".join(line for line in head[2:] if re.search(r"\bunits?\b", line, re.I))
+    )
+    if any(_KEYED.search(line) or _TRAILING.search(line) for line in lines[row + 1 :]):
+        raise RecordError("a second header stands among the samples: two records in one file")
+    parsed = block(lines[row + 1 :], row + 2, declared)
+    parsed.time_step = time_step
+    parsed.unit = stated_unit("\n".join(head))
+    parsed.details = tuple((f"line {k + 1}", line.strip()) for k, line in enumerate(head[:-1]))
+    scaled = _SCALE.search("\n".join(head))
+    if scaled:
+        parsed.warnings.append(notice("already_scaled", factor=scaled[1]))
+    return parsed
+
+
+def recognises_matrix(lines: list[str]) -> bool:
+    try:
+        rows = [numbers(line) for line in lines[:4]]
+    except RecordError:
+        return False
+    return (
+        len(rows) == 4
+        and all(row is not None and len(row) == 3 for row in rows)
+        and 0.0 < rows[0][1] < 1.0
+        and rows[0][2] == int(rows[0][2]) > 10
+        and all(row[1:] == [0.0, 0.0] for row in rows[1:])
+    )
+
+
+def read_matrix(lines: list[str], options: Options) -> Parsed:
+    """First column acceleration, time step and count beside the first sample; the unit is not said."""
+    _, time_step, declared = numbers(lines[0])
+    column = [line.split()[0] if line.split() else "" for line in lines]
+    parsed = block(column, 1, int(declared))
+    parsed.time_step = time_step
+    return parsed

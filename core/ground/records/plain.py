@@ -1,0 +1,184 @@
+"""Plain text: one column, time and columns, `npts dt` headers, `#` comments, comma or point decimals."""
+
+import re
+
+import numpy as np
+
+from core.errors import RecordError
+from core.ground.records.grammar import (
+    NUMBER,
+    Options,
+    Parsed,
+    head_lines,
+    numbers,
+    quoted,
+    refuse_other_quantity,
+    stated_unit,
+    to_float,
+)  # fmt: skip
+
+_TIME_STEP = re.compile(rf"\bdt\s*=\s*([0-9]+,[0-9]+|{NUMBER})\s*(ms\b)?", re.IGNORECASE)
+_NO_NUMBER = re.compile(rf"(?:{NUMBER}|[+-]?nan|[+-]?inf(?:inity)?|\*++|[,;\s]++)++", re.IGNORECASE)
+_DECIMAL_COMMA = re.compile(r"[+-]?+[0-9]++(,[0-9]++)?+([EeDd][+-]?+[0-9]++)?+")
+_INTEGER = re.compile(r"[0-9]+")
+
+
+def recognises(lines: list[str]) -> bool:
+    return True
+
+
+def _row(line: str) -> list[float] | None:
+    """The numbers of one line under any of the accepted separators, None if it is text."""
+    fields = [entry.strip() for entry in re.split(r"[;\t]", line.strip()) if entry.strip()]
+    if "," in line:
+        if fields and all(_DECIMAL_COMMA.fullmatch(entry) for entry in fields):
+            # one comma in every field and `;` or tab between: decimal commas
+            if len(fields) > 1 or ";" in line or "\t" in line:
+                return [to_float(entry.replace(",", ".")) for entry in fields]
+            parts = [part.strip() for part in line.split(",")]
+            return [to_float(part) for part in parts] if len(parts) > 1 else None
+        line = line.replace(",", " ")
+    return numbers(line.replace(";", " "))
+
+
+def read(lines: list[str], options: Options) -> Parsed:
+    """Raises RecordError for spectra, uneven or unsorted time, several columns without a choice,
+    and rows that are not numbers."""
+    skip = options.skip_lines or 0
+    head, rows, places = list(lines[:skip]), [], []
+    for k, line in enumerate(lines[skip:], start=skip + 1):
+        text = line.strip()
+        if not text:
+            continue
+        if text.startswith(("#", "%", "//", "!")):
+            head.append(text)
+            continue
+        try:
+            row = _row(text)
+        except RecordError as error:
+            raise RecordError(f"line {k}: {error}") from None
+        if row is None and _NO_NUMBER.fullmatch(text):
+            raise RecordError(f"line {k}: {quoted(text)} is not numbers: a gap in the record?")
+        if row:
+            rows.append(row)
+            places.append(k)
+        elif not rows or (len(rows) == 1 and len(rows[0]) <= 2):
+            # a title; a `npts dt` line above it belongs to the head as well
+            head.append(text)
+            if rows:
+                raise RecordError(f"line {k}: {quoted(text)} is not numbers")
+        else:
+            raise RecordError(f"line {k}: {quoted(text)} is not numbers")
+    refuse_other_quantity("\n".join(head))
+    if not rows:
+        raise RecordError("no numbers in this file")
+    if options.column is not None:
+        _refuse_column(head, len(rows[-1]), options.column)
+    time_step, counted = None, None
+    first = rows[0]
+    if len(first) == 2 and len(rows) > 2 and first[0] == int(first[0]) >= 10 and 0 < first[1] < 1:
+        counted = int(first[0])
+        if abs(len(rows) - 1 - counted) <= 1 or len(rows[1]) == 1:
+            time_step = first[1]
+            rows, places = rows[1:], places[1:]
+            if len(rows) != counted:
+                raise RecordError(f"{len(rows)} samples, but the header declares {counted}")
+    width = len(rows[0])
+    for row, place in zip(rows, places, strict=True):
+        if len(row) != width:
+            raise RecordError(
+                f"line {place}: {len(row)} columns, {width} above it; text lines on top can be "
+                "passed over with skip_lines"
+            )
+    table = np.array(rows)
+    comment_step = _TIME_STEP.search("\n".join(head))
+    if comment_step and time_step is None:
+        time_step = to_float(comment_step[1].replace(",", "."))
+        time_step *= 0.001 if comment_step[2] else 1.0
+    values, from_time = _columns(table, places, options)
+    stated = from_time if time_step is None else time_step
+    if from_time is not None and abs(from_time - stated) > 1e-3 * stated:
+        raise RecordError(
+            f"the header states a time step of {stated:g} s, the time column {from_time:g} s"
+        )
+    return Parsed(
+        values,
+        stated,
+        stated_unit("\n".join(head)),
+        counted=counted is not None and time_step is not None,
+        details=tuple((f"line {k + 1}", text) for k, text in enumerate(head[:6])),
+    )
+
+
+def _refuse_column(head: list[str], width: int, column: int) -> None:
+    """Raise RecordError where a head names another quantity above the column that is asked for."""
+    for line in head_lines("\n".join(head)):
+        for fields in (re.split(r"[;,\t]", line), re.split(r" {2,}", line.strip()), line.split()):
+            if len(fields) == width and 1 <= column <= width:
+                refuse_other_quantity(fields[column - 1])
+
+
+def _columns(table, places, options: Options):
+    """The acceleration column and the time step of the time column, if there is one."""
+    if table.shape[1] == 1:
+        if options.column not in (None, 1):
+            raise RecordError(f"column {options.column} asked for, but there is one column")
+        values = table[:, 0]
+        steps = np.diff(values)
+        if values.size > 3 and steps[0] > 0 and np.allclose(steps, steps[0], rtol=1e-6, atol=0):
+            raise RecordError("this column grows evenly: it is a time column, not an acceleration")
+        if values.size > 20 and values[0] in (values.size - 1, values.size - 2):
+            raise RecordError(
+                f"the first value {values[0]:g} looks like a count of samples: pass over the lines on "
+                "top with skip_lines"
+            )
+        return values, None
+    if options.column is not None and not 2 <= options.column <= table.shape[1]:
+        raise RecordError(
+            f"column = {options.column} is not accepted: 2 to {table.shape[1]} (column 1 is time)"
+        )
+    if table.shape[1] > 2 and options.column is None:
+        raise RecordError(
+            f"{table.shape[1]} columns: say which holds the acceleration with column = 2 to "
+            f"{table.shape[1]} (column 1 is time); values wrapped over a line must stand one a line"
+        )
+    step = _even_step(table[:, 0], places, options.time_step)
+    return table[:, (options.column or 2) - 1], step
+
+
+def _even_step(times, places, given: float | None) -> float:
+    """Time step of a time column [s]: the shortest number that reproduces every printed time within
+    its rounding, or the given one if it does. Raises RecordError naming the first line that fails."""
+    if times.size < 3:
+        raise RecordError(f"{times.size} samples are too few for a record: at least 10")
+    steps = np.diff(times)
+    if (steps <= 0.0).all() or not np.median(steps) > 0.0:
+        raise RecordError(
+            "column 1 does not grow: it is no time column; one column is read with time_step_s, and a "
+            "decimal comma needs ; or a tab between columns"
+        )
+    mean = float((times[-1] - times[0]) / (times.size - 1))
+    decimals = next(
+        (d for d in range(1, 12) if np.allclose(times, times.round(d), rtol=0, atol=1e-13)), 12
+    )
+    rounding = max(min(0.51 * 10.0**-decimals, 0.25 * abs(mean)), 1e-3 * abs(mean))
+    index = np.arange(times.size)
+    usual = float(np.median(steps))
+    # a step that nearly all pairs show and the rest break is a gap, not the rounding of another step
+    broken = np.abs(steps - usual) > 1e-6 * usual
+    gap = 0 < broken.sum() <= 0.05 * steps.size
+    candidates = [given] if given else []
+    candidates += [float(f"{usual:.9g}")] if gap else [float(f"{mean:.{d}g}") for d in range(1, 12)]
+    candidates += [] if gap else [1.0 / max(1, round(1.0 / mean))] if 0 < mean < 1 else []
+    for dt in candidates:
+        if np.abs(times - times[0] - dt * index).max() <= rounding and (steps >= 0.0).all():
+            return dt
+    k = int(np.argmax(np.abs(steps - usual) > max(2.0 * rounding, 1e-3 * usual)))
+    if (steps < 0.0).any():
+        k = int(np.argmax(steps < 0.0))
+    elif gap:
+        k = int(np.argmax(broken))
+    raise RecordError(
+        f"line {places[k + 1]}: the time goes from {times[k]:g} to {times[k + 1]:g} s, "
+        f"elsewhere by {usual:g} s: times must be sorted and even, without gaps"
+    )

@@ -1,0 +1,147 @@
+"""Where the machine code of compiled kernels is kept.
+
+numba's own cache misses changes in other files, depends on the working directory when frozen, and a
+damaged file kills the start. Here: one folder per user and per state of the sources, 0700, every file
+checked against a hash before numba may load it. RIBALTA_CACHE names another folder.
+"""
+
+import atexit
+import functools
+import hashlib
+import json
+import os
+import shutil
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+from core.version import VERSION
+
+MANIFEST = "manifest.json"
+
+KEEP_SECONDS = 30 * 86400
+"""Caches of other versions are deleted after this time."""
+
+
+@functools.cache
+def stamp() -> str:
+    """Hash of all sources a kernel may come from; of the program file when frozen."""
+    digest = hashlib.sha256(VERSION.encode())
+    if getattr(sys, "frozen", False):
+        state = os.stat(sys.executable)
+        digest.update(f"{state.st_size} {state.st_mtime_ns}".encode())
+    else:
+        for source in sorted(Path(__file__).parents[1].rglob("*.py")):
+            digest.update(source.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+def user_folder() -> Path:
+    """Folder of this user's caches, by the custom of the system."""
+    if "RIBALTA_CACHE" in os.environ:
+        return Path(os.environ["RIBALTA_CACHE"])
+    if sys.platform == "win32":
+        return Path(os.environ.get("LOCALAPPDATA", Path.home())) / "Ribalta"
+    if sys.platform == "darwin":
+        return Path.home() / "Library" / "Caches" / "Ribalta"
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "ribalta"
+
+
+TEMPORARY = "ribalta-kernels-"
+"""How the name of a folder begins that goes with its process."""
+
+
+def private(folder: Path) -> bool:
+    """Whether only this user can write there: another's file would be run as code."""
+    if sys.platform == "win32":
+        return True
+    state = folder.lstat()
+    return folder.is_dir() and state.st_uid == os.getuid() and not state.st_mode & 0o022
+
+
+def prepare(base: Path, name: str) -> Path:
+    """The cache folder of this name, checked; a temporary one where the user's is unwritable or not private."""
+    folder = base / f"kernels-{name}"
+    try:
+        folder.mkdir(parents=True, exist_ok=True, mode=0o700)
+        if private(folder):
+            tempfile.TemporaryFile(dir=folder).close()
+            for old in base.glob("kernels-*"):
+                unused = time.time() - old.stat().st_mtime > KEEP_SECONDS
+                if old != folder and unused and private(old):
+                    shutil.rmtree(old, ignore_errors=True)
+            drop_damaged(folder)
+            return folder
+    except OSError:
+        pass
+    return Path(tempfile.mkdtemp(prefix=TEMPORARY))
+
+
+def _hashes(folder: Path) -> dict[str, str]:
+    files = sorted(file for file in folder.glob("*.nb[ic]") if file.is_file())
+    return {file.name: hashlib.sha256(file.read_bytes()).hexdigest() for file in files}
+
+
+def drop_damaged(folder: Path) -> None:
+    """Delete what is not as this program left it: numba then compiles it again."""
+    try:
+        known = json.loads(_content(folder / MANIFEST))
+    except (ValueError, RecursionError):
+        known = {}
+    for odd in folder.iterdir():
+        if not odd.is_file():  # a pipe or a folder, at which a program could wait for ever
+            shutil.rmtree(odd) if odd.is_dir() and not odd.is_symlink() else odd.unlink()
+    for name, digest in _hashes(folder).items():
+        if not isinstance(known, dict) or known.get(name) != digest:
+            (folder / name).unlink(missing_ok=True)
+
+
+def record(folder: Path) -> None:
+    """Write the hashes of the cache's files, atomically."""
+    try:
+        content = json.dumps(_hashes(folder)).encode()
+        if not folder.exists() or content == _content(folder / MANIFEST):
+            return
+        temporary = folder / f"{MANIFEST}.{os.getpid()}"
+        temporary.write_bytes(content)
+        os.replace(temporary, folder / MANIFEST)
+    except OSError:
+        pass
+
+
+def _content(path: Path) -> bytes:
+    return path.read_bytes() if path.is_file() else b""
+
+
+SECOND_PROCESS = "RIBALTA_SECOND_PROCESS"
+"""Variable of the process that core.study.precompile starts; it names the folder of the process that started it,
+which also closes the folder."""
+
+
+@functools.cache
+def folder() -> Path:
+    """The folder of this process, made and checked with the first kernel that is needed."""
+    if SECOND_PROCESS in os.environ:
+        return Path(os.environ[SECOND_PROCESS])
+    atexit.register(close)
+    return prepare(user_folder(), stamp())
+
+
+def close() -> None:
+    """Before the process ends: keep what was compiled, and delete a folder of this process alone."""
+    if SECOND_PROCESS in os.environ or not folder.cache_info().currsize:
+        return
+    record(folder())
+    if folder().name.startswith(TEMPORARY):
+        shutil.rmtree(folder(), ignore_errors=True)
+
+
+def configure_numba() -> None:
+    """Before numba compiles its first kernel: it asks this cache, and optimises at level 1. The code is as fast as
+    with level 3 (measured, resources/docs/speed.md), and is there a sixth sooner."""
+    os.environ.setdefault(
+        "NUMBA_CACHE_LOCATOR_CLASSES",
+        "core.jit.numba_extensions.Locator,InTreeCacheLocator,UserWideCacheLocator,IPythonCacheLocator",
+    )
+    os.environ.setdefault("NUMBA_OPT", "1")

@@ -1,0 +1,46 @@
+"""A function that numba compiles when it is first called."""
+
+import functools
+import threading
+from collections.abc import Callable
+
+_lock = threading.RLock()
+
+
+class Kernel:
+    """A function that numba compiles, or loads from the cache, when it is first called.
+
+    function : the Python function, kept as `py_func`
+    compiler : makes numba's dispatcher of (function, inlined, python_wrapper)
+    inlined : the function becomes part of its callers, so that their loops can use vector instructions
+    python_wrapper : Python may call the compiled code. The wrapper takes longer to compile than most kernels;
+        without it a call from Python runs the Python function
+    before_compile : called before the function is compiled or loaded, if set
+    """
+
+    def __init__(self, function, compiler: Callable, inlined: bool, python_wrapper: bool):
+        functools.update_wrapper(self, function)
+        self.py_func, self.inlined, self.python_wrapper = function, inlined, python_wrapper
+        self.before_compile: Callable[[], None] | None = None
+        self._compiler, self._dispatcher = compiler, None
+
+    @property
+    def dispatcher(self):
+        """numba's object of this kernel; Python may call it only where there is a wrapper."""
+        if self._dispatcher is None:
+            if self.before_compile is not None:
+                self.before_compile()
+            with _lock:
+                if self._dispatcher is None:
+                    self._dispatcher = self._compiler(
+                        self.py_func, self.inlined, self.python_wrapper
+                    )
+        return self._dispatcher
+
+    def __call__(self, *arguments):
+        return self.dispatcher(*arguments) if self.python_wrapper else self.py_func(*arguments)
+
+
+def widest_vectors() -> None:
+    """Called in a kernel: its loops use the widest vector registers of the processor. LLVM keeps to half of
+    them on some processors, and the bare arithmetic of the lanes then takes nearly twice as long."""

@@ -1,0 +1,104 @@
+"""What numba has to know of the kernels; imported with the first call of one."""
+
+import gc
+import hashlib
+from pathlib import Path
+
+from numba import njit, types
+from numba.core.caching import _CacheLocator
+from numba.extending import lower_builtin, type_callable, typeof_impl
+
+from core.jit import cache
+from core.jit.fma import fma
+from core.jit.kernel import Kernel, widest_vectors
+
+
+def compiled(function, inlined: bool, python_wrapper: bool):
+    """numba's dispatcher of a kernel's function: compiled once per machine; no lock held while it runs; never
+    fastmath, never parallel. Kernels allocate nothing (_nrt), so that no array handed on is counted: that took
+    a fifth of a pass. An option not set here would be inherited from the kernel whose compilation asks
+    for this one."""
+    return njit(
+        cache=True,
+        nogil=True,
+        error_model="numpy",
+        _nrt=False,
+        forceinline=inlined,
+        no_cpython_wrapper=not python_wrapper,
+        no_cfunc_wrapper=not python_wrapper,
+    )(function)
+
+
+class Locator(_CacheLocator):
+    """Puts the machine code of kernels into the cache, under their module's name. A kernel of another module than
+    core's (a test's) is of its own file as well: numba alone would keep it when only core changes."""
+
+    def __init__(self, py_func):
+        name, code = py_func.__module__, py_func.__code__
+        self._place = f"{name}-{code.co_firstlineno}"
+        own = b"" if name.startswith("core.") else Path(code.co_filename).read_bytes()
+        self._stamp = cache.stamp() + hashlib.sha256(own).hexdigest()[:16]
+
+    def get_cache_path(self):
+        return str(cache.folder())
+
+    def get_source_stamp(self):
+        return self._stamp
+
+    def get_disambiguator(self):
+        return self._place
+
+    @classmethod
+    def from_function(cls, py_func, py_file):
+        return cls(py_func) if py_func.__module__.split(".")[0] in ("core", "tests") else None
+
+
+_types_of_call = types.Function.get_call_type
+_known = {}
+
+
+def _once(function, context, arguments, keywords):
+    """numba tries dozens of rules, some with an error's text, for each `a * b` of numbers: a quarter of a
+    compilation. The same call has the same types."""
+    if keywords or not all(isinstance(argument, types.Number) for argument in arguments):
+        return _types_of_call(function, context, arguments, keywords)
+    call = function, arguments
+    if call not in _known:
+        _known[call] = _types_of_call(function, context, arguments, keywords)
+    return _known[call]
+
+
+types.Function.get_call_type = _once
+
+
+@typeof_impl.register(Kernel)
+def _type_of_kernel(value, context):
+    return types.Dispatcher(value.dispatcher)
+
+
+@type_callable(widest_vectors)
+def _nothing(context):
+    return lambda: types.none
+
+
+@type_callable(fma)
+def _number(context):
+    return lambda x, y, z: types.float64
+
+
+@lower_builtin(fma, types.Float, types.Float, types.Float)
+def _instruction(context, builder, signature, arguments):
+    return builder.fma(*arguments)
+
+
+@lower_builtin(widest_vectors)
+def _mark_function(context, builder, signature, arguments):
+    builder.function.attributes.add("noinline")
+    # llvmlite's list of known attributes lacks this one
+    set.add(builder.function.attributes, '"prefer-vector-width"="512"')
+    return context.get_dummy_value()
+
+
+gc.freeze()
+"""What there is by now, most of it made by numba's import, stays to the end: the collector need not look through it
+while kernels compile."""

@@ -1,0 +1,114 @@
+"""When an analysis may end before its record: the rest of the ground cannot change what it is asked for
+(resources/docs/physics.md, section 9)."""
+
+import math
+
+import numpy as np
+
+from core.jit.decorators import inner_kernel, subkernel
+from core.rocking.events import IMPACTS_PER_SAMPLE, LAST_ROTATION
+from core.units import G
+from core.wall.moment_rotation import potential
+
+MAX_BOUNCES = 20.0
+"""More than the bounces of a dying chatter to its rest, times the velocity ratio's distance from 1: the
+logarithm of its speed over that of rest."""
+
+SETTLED_EVERY = 64
+"""Samples between two checks of whether an analysis is settled."""
+
+RECOVERY_EVERY = 8
+"""Samples between two checks of whether a block beyond alpha can still recover."""
+
+LOOKAHEAD = 8
+"""Samples of the ground whose bounds are known ahead of each sample, that sample among them."""
+
+
+@subkernel
+def cannot_recover(phi, speed, strongest, model):
+    """Whether the block surely overturns: even under the strongest ground, pushing inward all the time, its energy
+    exceeds the barrier (Eq. 1 beyond alpha, resources/docs/physics.md, section 9).
+
+    phi [rad]; speed : outward positive [rad/s]
+    strongest : bound of |u''|/g; with FAR only the rotation decides
+    """
+    if phi > LAST_ROTATION:
+        return True
+    lean = phi - model.slenderness
+    if lean <= 0.0 or speed <= 0.0:
+        return False
+    if math.tan(lean) >= strongest:
+        return True
+    top = math.sqrt(1.0 + strongest * strongest)
+    barrier = top - math.cos(lean) - strongest * math.sin(lean)
+    return speed * speed > 2.0 * model.p2 * barrier
+
+
+def lookahead_bounds(ground: np.ndarray, dt: float) -> np.ndarray:
+    """Bounds of the ground from each sample on, shape (4, n): highest and lowest ground acceleration and largest
+    change from sample to sample over LOOKAHEAD samples [m/s2], a bound of the integral of |u''| to the end [m/s].
+
+    Beyond the record the ground is still. Computed once for all analyses of a record.
+    """
+    longer = np.concatenate([ground, np.zeros(LOOKAHEAD)])
+    windows = np.array([longer, -longer, np.abs(np.diff(longer, append=0.0))])
+    shift = LOOKAHEAD // 2
+    while shift > 0:
+        np.maximum(windows[:, :-shift], windows[:, shift:], out=windows[:, :-shift])
+        shift //= 2
+    size = np.abs(longer)
+    push = np.cumsum((0.5 * dt * (size[1:] + size[:-1]))[::-1])[::-1]
+    return np.vstack([windows[0], -windows[1], windows[2], np.append(push, 0.0)])[
+        :, : ground.size
+    ].copy()
+
+
+@inner_kernel
+def chatter_ends(speed, scale, ahead, i, dt, time, impacts, peak, model, constants):
+    """Whether ever smaller bounces surely bring the block to rest within this time, rigid law.
+
+    A bound, so that the bounces need not be integrated: over the window the restoring acceleration exceeds 0.9 of
+    that under the strongest ground; each flight lasts at most twice its speed over that acceleration, lands with
+    the energy it left with plus what the change of the ground adds, and leaves by the velocity ratio (Eq. 1, 3),
+    which must not depend on the speed. Beyond the record the ground is still, as in `end_of_record`.
+
+    speed : just after an impact [rad/s]; scale : multiplier [-]
+    ahead, i : of `lookahead_bounds`, and the sample
+    dt : the sample [s]; time : to the end of the window [s]
+    impacts : in this sample; peak : largest rotation so far [rad]
+    constants : WallConstants
+    """
+    threshold, cosine_alpha = constants.threshold, constants.cosine
+    highest = max(scale * ahead[0, i], scale * ahead[1, i])
+    lowest = min(scale * ahead[0, i], scale * ahead[1, i])
+    strongest = max(highest, -lowest)
+    free = cosine_alpha * (threshold - (highest if model.one_sided != 0.0 else strongest)) / G
+    if not free > 0.0 or model.ratio_drop != 0.0:
+        return False
+    pull = 0.9 * model.p2 * free
+    per_pull = 1.0 / pull
+    height = 0.5 * speed * speed * per_pull
+    flight = 2.0 * speed * per_pull
+    gain = 0.5 * model.p2 * abs(scale) * ahead[2, i] * (1.0 / G) * (flight * per_pull)
+    loss = dt - model.ratio_at_rest * (dt + gain)
+    return (
+        height * (1.0 + strongest * (1.0 / G)) <= 0.1 * free
+        and height <= peak
+        and flight * dt <= 0.999 * loss * time
+        and loss * (IMPACTS_PER_SAMPLE - impacts) >= MAX_BOUNCES * dt
+    )
+
+
+@subkernel
+def settled(phi, speed, peak, push, model):
+    """Whether the rest of the record can neither overturn the block nor move it beyond its peak so far.
+
+    From Eq. 1 the root of twice the energy over I0 grows at most with p2 |u''| / g, impacts only lower it,
+    and below the barrier the energy bounds the rotation. phi, peak [rad]; speed [rad/s]; push : the last of
+    `lookahead_bounds`, times the multiplier [m/s].
+    """
+    if phi >= model.slenderness:
+        return False
+    energy = speed * speed + 2.0 * model.p2 * potential(phi, model)
+    reach = math.sqrt(energy) + model.p2 / G * push
+    return reach * reach < 1.999999 * model.p2 * potential(min(peak, model.slenderness), model)

@@ -1,0 +1,94 @@
+"""One rocking history in full, and the outcomes of many multipliers of a record."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from core.rocking import lane_scheduler, taylor
+from core.rocking.compared.comparison import integrate_comparison, scan_comparison
+from core.rocking.lane_scheduler import Grounds
+from core.rocking.methods import METHODS, NO_TABLE, TAYLOR, Method, resolve_auto
+from core.wall.rocking_model import RockingModel
+
+
+def scan(method: Method, ground, dt, scales, model, outcomes, peaks) -> np.ndarray:
+    """Analyses of one record at many multipliers; returns the clamped velocity ratios of each, shape (m,).
+
+    ground : [m/s2], shape (n,); dt : [s]
+    scales : multipliers [-], shape (m,), negative reverses the record
+    outcomes : results, codes of outcome.py, int64, shape (m,)
+    peaks : results [rad], shape (m,)
+    """
+    which = np.zeros(scales.size, np.int64)
+    return scan_records(method, Grounds.of([ground], dt), which, scales, model, outcomes, peaks)
+
+
+def scan_records(
+    method: Method, grounds: Grounds, which, scales, model, outcomes, peaks
+) -> np.ndarray:
+    """`scan` of several records of one time step. which : record of each multiplier, int64, shape (m,)."""
+    method = resolve_auto(method, model, grounds.dt)
+    if method.code == TAYLOR:
+        return lane_scheduler.scan(method.order, grounds, which, scales, model, outcomes, peaks)
+    clamped = np.zeros(scales.size, np.int64)
+    for k, (first, last) in enumerate(zip(grounds.first, grounds.last, strict=True)):
+        here = np.nonzero(which == k)[0]
+        codes, reached, clamps = outcomes[here], peaks[here], clamped[here]
+        scan_comparison(
+            method.code, method.option, grounds.ground[first : last + 1], grounds.dt, scales[here],
+            model, codes, reached, clamps, NO_TABLE, method.table,
+        )  # fmt: skip
+        outcomes[here], peaks[here], clamped[here] = codes, reached, clamps
+    return clamped
+
+
+@dataclass(frozen=True)
+class History:
+    """One analysis in full.
+
+    rotation, velocity : at the samples up to the stop [rad], [rad/s]
+    impact_time, impact_velocity : [s], and just after each impact [rad/s]
+    outcome : a code of outcome.py
+    peak : largest |rotation|, the free motion after the record included [rad]
+    clamped : count of impacts whose Eq. 7 was held at 0
+    """
+
+    rotation: np.ndarray
+    velocity: np.ndarray
+    impact_time: np.ndarray
+    impact_velocity: np.ndarray
+    outcome: int
+    peak: float
+    clamped: int
+
+
+def history(
+    ground: np.ndarray,
+    dt: float,
+    scale: float,
+    model: RockingModel,
+    method: Method = METHODS["taylor"],
+    start: tuple[float, float] = (0.0, 0.0),
+) -> History:
+    """Rocking history of one wall under one scaled record (Eq. 1); units as `taylor.integrate`."""
+    method = resolve_auto(method, model, dt)
+    rotation = np.zeros(ground.size)
+    velocity = np.zeros(ground.size)
+    times = np.zeros(4096)
+    while True:
+        velocities = np.zeros(times.size)
+        wanted = (start, rotation, velocity, times, velocities)
+        if method.code == TAYLOR:
+            integrate = taylor.INTEGRATE[method.order]
+            outcome, peak, impacts, clamped, done = integrate(ground, dt, scale, model, *wanted)
+        else:
+            outcome, peak, impacts, clamped, done = integrate_comparison(
+                method.code, ground, dt, scale, model, method.option, *wanted, method.table
+            )
+        if impacts <= times.size:
+            break
+        times = np.zeros(impacts)
+    return History(
+        rotation[:done], velocity[:done], times[:impacts], velocities[:impacts],
+        outcome, peak, clamped,
+    )  # fmt: skip

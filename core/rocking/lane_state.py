@@ -1,0 +1,94 @@
+"""The state of the lanes: one array of rows, so that the compiler sees that the rows do not overlap, which it needs
+to use vector instructions. Row r of lane k is state[r + k], where r is one of the offsets below.
+
+row                       unit            what it holds
+SCALE                     -               multiplier of the record
+STRONGEST                 -               bound of |u''|/g of the scaled record
+FIRST, SECOND             m/s2            ground at the ends of the sample, the first one scaled
+SIDE                      -               of the pivot, 1.0 or -1.0
+MOVING                    -               0.0 at rest
+IMPACTS                   -               so far in this sample
+ZONE                      -               branch of the moment law
+LOW, HIGH                 rad             ends of that branch
+FACTOR, SLOPE, CONSTANT   -               f, m and c of that branch
+NEXT                      -               one of STEPPED, CHECK, FALLS, SCALAR
+SAMPLE                    -               number of the sample
+LEFT                      -               samples until the next check of whether the analysis has ended
+PHI, SPEED                rad, rad/s      rotation seen from the pivot and its rate
+TIME                      -               where in the sample the lane is, 0 to 1
+PER_STEP                  1/s             one over the time to the end of the sample
+PEAK                      rad             largest rotation so far
+SERIES                    rad per step    v0 to v8, nine rows
+NET to FORCING            -               of `taylor_series.InitialTerms`; SINE, COSINE of alpha - phi
+GROWTH                    -               of `taylor_series.taylor_coefficients`
+FALL                                      rows PHI to v8 of the lanes that fall, gathered side by side
+PLAIN                     -               1.0 where the impact of such a lane is located by vector instructions
+"""
+
+from core.jit.decorators import inner_kernel
+from core.wall.moment_rotation import moment_branch
+
+WIDTH = 64
+"""Lanes of one pass."""
+
+ROW = WIDTH + 8
+"""Length of a row. Rows of 64 would meet in the same sets of the processor's cache: padded."""
+
+(
+    SCALE,
+    STRONGEST,
+    FIRST,
+    SECOND,
+    SIDE,
+    MOVING,
+    IMPACTS,
+    ZONE,
+    LOW,
+    HIGH,
+    FACTOR,
+    SLOPE,
+    CONSTANT,
+    NEXT,
+    SAMPLE,
+    LEFT,
+    PHI,
+    SPEED,
+    TIME,
+    PER_STEP,
+    PEAK,
+    SERIES,
+) = (ROW * row for row in range(22))
+LANE_ROWS = 21
+"""Rows that move with a lane to another place: all before SERIES."""
+FALL_ROWS = 14
+"""Rows from PHI to v8."""
+NET, SINE, COSINE, BETA, RISE, STEP_P2, FORCING, GROWTH = (
+    SERIES + ROW * row for row in range(9, 17)
+)
+FALL = GROWTH + ROW
+PLAIN = FALL + ROW * FALL_ROWS
+ROWS = PLAIN // ROW + 1
+
+STEPPED, CHECK, FALLS, SCALAR = 0.0, 1.0, 2.0, 3.0
+"""NEXT of a lane after a vector step: through its sample; the same, and due to be checked for its end; falling to an
+impact in its sample; to be taken through its sample by the scalar step."""
+
+VECTOR = 8
+"""Lanes are stepped in multiples of this, so that no remainder is left to scalar instructions; those beyond the
+last lane hold old states that nobody reads."""
+
+
+@inner_kernel
+def set_lane(k, side, phi, speed, zone, model, state):
+    """Set lane k moving with this state, on this branch of the moment law."""
+    state[SIDE + k] = side
+    state[PHI + k] = phi
+    state[SPEED + k] = speed
+    state[MOVING + k] = 1.0
+    state[ZONE + k] = zone
+    low, high, factor, slope, constant = moment_branch(zone, model)
+    state[LOW + k] = low
+    state[HIGH + k] = high
+    state[FACTOR + k] = factor
+    state[SLOPE + k] = slope
+    state[CONSTANT + k] = constant

@@ -1,0 +1,176 @@
+"""The Taylor series of one step (resources/docs/physics.md, section 6).
+
+The ground acceleration is linear between samples, so Eq. 1 is analytic inside a sample and inside a branch of the
+moment law, and the coefficients of its solution follow from each other. sin and cos of alpha - phi are formed from
+those of alpha and phi by the addition theorem, so that no rounding is carried from step to step.
+"""
+
+import math
+from typing import NamedTuple
+
+from core.jit.decorators import inner_kernel, subkernel
+from core.jit.fma import fma
+from core.rocking.events import uplift_threshold
+from core.units import G
+
+SHORT_SERIES = 0.8
+"""Rotation up to which the short series of sin and cos holds to full precision [rad]."""
+
+PER_G = 1.0 / G
+
+
+class WallConstants(NamedTuple):
+    """What every sample needs of a wall. threshold : a_RM, see `uplift_threshold` [m/s2]; tangent, sine, cosine :
+    of alpha [-]."""
+
+    threshold: float
+    tangent: float
+    sine: float
+    cosine: float
+
+
+class InitialTerms(NamedTuple):
+    """Where the series of a step begins, at its start.
+
+    speed : phi' [rad per step]
+    net : moment law less forcing, f sin(alpha - phi) + m phi + c - beta cos(alpha - phi) [-]
+    sine, cosine : of alpha - phi [-]
+    beta : u''/g seen from the pivot [-]
+    rise : change of beta over the step [-]
+    p2 : p^2 times the step squared [-]
+    forcing : largest |u''|/g of the sample [-]
+    """
+
+    speed: float
+    net: float
+    sine: float
+    cosine: float
+    beta: float
+    rise: float
+    p2: float
+    forcing: float
+
+
+@subkernel
+def wall_constants(model):
+    """WallConstants of a RockingModel."""
+    alpha = model.slenderness
+    return WallConstants(uplift_threshold(model), math.tan(alpha), math.sin(alpha), math.cos(alpha))
+
+
+@inner_kernel
+def initial_terms(x, speed, s, c, side, first, second, t, dt, branch, model, constants):
+    """InitialTerms of a step from t to the end of the sample.
+
+    x, speed : rotation [rad] and its rate [rad/s], seen from the pivot
+    s, c : sin and cos of x [-]
+    side : of the pivot, 1.0 or -1.0
+    first, second : ground acceleration at the ends of the sample [m/s2]
+    t : start of the step as a fraction of the sample [-]; dt : the sample [s]
+    branch : (factor, slope, constant) of the moment law [-]
+    """
+    tangent, sine_alpha, cosine_alpha = constants.tangent, constants.sine, constants.cosine
+    factor, slope, constant = branch
+    rest_of_sample = 1.0 - t
+    step = dt * rest_of_sample
+    p2 = model.p2 * (step * step)
+    pull = side * PER_G
+    jump = second - first
+    beta = pull * fma(jump, t, first)
+    rise = pull * jump * rest_of_sample
+    forcing = max(abs(first), abs(second)) * PER_G
+    sine = fma(sine_alpha, c, -cosine_alpha * s)
+    cosine = fma(cosine_alpha, c, sine_alpha * s)
+    # factor sin(alpha - phi) - beta cos(alpha - phi), without its cancellation near uplift
+    net = fma(-s, fma(factor, cosine_alpha, beta * sine_alpha), fma(slope, x, constant))
+    net = fma(cosine_alpha * fma(factor, tangent, -beta), c, net)
+    return InitialTerms(speed * step, net, sine, cosine, beta, rise, p2, forcing)
+
+
+@inner_kernel
+def series(speed, net, sine, cosine, beta, rise, p2, factor, slope, order):
+    """Taylor coefficients v0..v8 of phi' about the start of a step, time in units of the step; v7 = v8 = 0 for
+    order 6. The velocity is then of the named order, the rotation one higher.
+
+    Eq. 1 on one branch of the moment law, phi'' = -p2 (f sin(alpha - phi) + m phi + c) + p2 (beta + dbeta t)
+    cos(alpha - phi), with s_n, k_n the coefficients of sin and cos of alpha - phi, is the recurrence
+        n s_n = -sum_(i<n) v_i k_(n-1-i),   n k_n = sum_(i<n) v_i s_(n-1-i),
+        n v_n = -p2 (f s_(n-1) + m v_(n-2)/(n-1)) + p2 (beta k_(n-1) + dbeta k_(n-2)).
+    In each sum the term known last comes last, so that the processor waits for one product only.
+
+    speed to p2 : see `InitialTerms`, rise is dbeta
+    factor, slope : f and m of the branch of the moment law [-]
+    """
+    factor, slope = -p2 * factor, -p2 * slope
+    beta, rise = p2 * beta, p2 * rise
+    v0 = speed
+    v1 = -p2 * net
+    s1 = -v0 * cosine
+    k1 = v0 * sine
+    v2 = 0.5 * fma(beta, k1, fma(factor, s1, fma(rise, cosine, slope * v0)))
+    s2 = -0.5 * fma(v0, k1, v1 * cosine)
+    k2 = 0.5 * fma(v0, s1, v1 * sine)
+    v3 = (1.0 / 3.0) * fma(beta, k2, fma(factor, s2, fma(rise, k1, slope * (0.5 * v1))))
+    s3 = (-1.0 / 3.0) * fma(v0, k2, fma(v2, cosine, v1 * k1))
+    k3 = (1.0 / 3.0) * fma(v0, s2, fma(v2, sine, v1 * s1))
+    v4 = 0.25 * fma(beta, k3, fma(factor, s3, fma(rise, k2, slope * ((1.0 / 3.0) * v2))))
+    s4 = -0.25 * fma(v0, k3, fma(v3, cosine, fma(v1, k2, v2 * k1)))
+    k4 = 0.25 * fma(v0, s3, fma(v3, sine, fma(v1, s2, v2 * s1)))
+    v5 = 0.2 * fma(beta, k4, fma(factor, s4, fma(rise, k3, slope * (0.25 * v3))))
+    s5 = -0.2 * fma(v0, k4, fma(v4, cosine, fma(v1, k3, fma(v3, k1, v2 * k2))))
+    k5 = 0.2 * fma(v0, s4, fma(v4, sine, fma(v1, s3, fma(v3, s1, v2 * s2))))
+    v6 = (1.0 / 6.0) * fma(beta, k5, fma(factor, s5, fma(rise, k4, slope * (0.2 * v4))))
+    if order == 6:
+        return v0, v1, v2, v3, v4, v5, v6, 0.0, 0.0
+    s6 = fma(v0, k5, fma(v5, cosine, fma(v1, k4, fma(v4, k1, fma(v2, k3, v3 * k2)))))
+    k6 = fma(v0, s5, fma(v5, sine, fma(v1, s4, fma(v4, s1, fma(v2, s3, v3 * s2)))))
+    s6, k6 = (-1.0 / 6.0) * s6, (1.0 / 6.0) * k6
+    v7 = fma(beta, k6, fma(factor, s6, fma(rise, k5, slope * ((1.0 / 6.0) * v5))))
+    v7 = (1.0 / 7.0) * v7
+    s7 = fma(v2, k4, v3 * k3)
+    k7 = fma(v2, s4, v3 * s3)
+    s7 = fma(v0, k6, fma(v6, cosine, fma(v1, k5, fma(v5, k1, fma(v4, k2, s7)))))
+    k7 = fma(v0, s6, fma(v6, sine, fma(v1, s5, fma(v5, s1, fma(v4, s2, k7)))))
+    v8 = fma(rise, k6, slope * ((1.0 / 7.0) * v6))
+    v8 = 0.125 * fma((1.0 / 7.0) * beta, k7, fma((-1.0 / 7.0) * factor, s7, v8))
+    return v0, v1, v2, v3, v4, v5, v6, v7, v8
+
+
+@inner_kernel
+def taylor_coefficients(x, start, factor, slope, order):
+    """(v0..v8 of `series`, the square of the rate at which they can grow, see `taylor_bounds.neglected`).
+
+    x : rotation at the start [rad]; start : InitialTerms; factor, slope : of the branch of the moment law [-]
+    """
+    v = series(
+        start.speed, start.net, start.sine, start.cosine, start.beta, start.rise, start.p2, factor, slope, order
+    )  # fmt: skip
+    # at uplift phi'' is zero or outward; its rounding must not push the block down
+    v1 = max(v[1], 0.0) if (x == 0.0) & (start.speed == 0.0) else v[1]
+    v = (v[0], v1, v[2], v[3], v[4], v[5], v[6], v[7], v[8])
+    return v, fma(start.p2, 1.0 + start.forcing + slope, start.speed * start.speed)
+
+
+@inner_kernel
+def sine_and_cosine_short(x):
+    """sin and cos of a rotation up to SHORT_SERIES by a short series, to full precision."""
+    y = x * x
+    z = y * y
+    tail = fma(-y, 1.0 / 1307674368000.0, 1.0 / 6227020800.0)
+    tail = fma(z, 1.0 / 355687428096000.0, tail)
+    tail = fma(z, tail, fma(-y, 1.0 / 39916800.0, 1.0 / 362880.0))
+    tail = fma(z, tail, fma(-y, 1.0 / 5040.0, 1.0 / 120.0))
+    s = x * fma(z, tail, fma(-y, 1.0 / 6.0, 1.0))
+    last = fma(-y, 1.0 / 6402373705728000.0, 1.0 / 20922789888000.0)
+    tail = fma(z, last, fma(-y, 1.0 / 87178291200.0, 1.0 / 479001600.0))
+    tail = fma(z, tail, fma(-y, 1.0 / 3628800.0, 1.0 / 40320.0))
+    tail = fma(z, tail, fma(-y, 1.0 / 720.0, 1.0 / 24.0))
+    return s, fma(z, tail, fma(-y, 0.5, 1.0))
+
+
+@subkernel
+def sine_and_cosine(x):
+    """sin and cos of a rotation [rad]."""
+    if x > SHORT_SERIES:
+        return math.sin(x), math.cos(x)
+    return sine_and_cosine_short(x)

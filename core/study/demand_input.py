@@ -1,0 +1,115 @@
+"""The demand of a case, and the motions generated for it."""
+
+import re
+from pathlib import Path
+
+from core.case.number import parse_number
+from core.case.schema import Case, Demand
+from core.codes import target_spectrum
+from core.codes.demand import DemandResult
+from core.codes.target_spectrum import Target
+from core.errors import InputError
+from core.file_names import name_of
+from core.ground.artificial import compatible_motion
+from core.ground.ground_motion import GroundMotion
+from core.units import CM, G
+
+OTHER_UNITS = re.compile(r"\b(ms|hz|[cm]?m/s\^?2|[cm]?m/s²|gal|%g)(?![a-z])", re.IGNORECASE)
+"""Units of a spectrum file that is not in s and g."""
+
+
+def target_of(asked: Demand, base_dir: Path) -> Target | None:
+    """The elastic spectrum of a demand. Raises InputError."""
+    ag = asked.ag_g * G
+    if asked.spectrum_file:
+        path = base_dir / name_of(asked.spectrum_file)
+        return target_spectrum.given(asked.spectrum_file, ag, asked.soil_factor or 1.0, _rows(path))
+    chosen = asked.spectrum
+    if chosen is None:
+        return None
+    if chosen.code == "EN1998":
+        return target_spectrum.en1998(ag, chosen.type, chosen.soil)
+    return target_spectrum.ntc2018(ag, chosen.f0, chosen.tc_star_s, chosen.soil, chosen.topography)
+
+
+def _rows(path: Path) -> list[tuple[float, float]]:
+    """(period [s], S_e [m/s2]) of a file: two columns, s and g; a head of words is skipped."""
+    try:
+        if not path.is_file():
+            raise InputError(f"{path}: there is no such spectrum file")
+        if path.stat().st_size > 1_000_000:
+            raise InputError(f"{path}: larger than 1 MB: no spectrum of two columns")
+        lines = path.read_text(encoding="utf-8-sig", errors="replace").splitlines()
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
+    rows = []
+    for k, line in enumerate(lines, start=1):
+        parts = line.replace(";", " ").split()
+        try:
+            period, ordinate = (parse_number(part) for part in parts)
+        except (InputError, ValueError):
+            wrong = OTHER_UNITS.search(line)
+            if wrong and not rows:
+                raise InputError(
+                    f"{path}: line {k}: the head names {wrong[0]}: periods are read in s and S_e in g, "
+                    "convert them"
+                ) from None
+            if rows and parts:
+                raise InputError(
+                    f"{path}: line {k}: two numbers expected, period in s and S_e in g, found "
+                    f"{line.strip()[:60]!r}"
+                ) from None
+            continue
+        rows.append((period, ordinate * G))
+    return rows
+
+
+def demand_of(case: Case, base_dir: Path) -> DemandResult | None:
+    """The demand but for an intensity that only records can give. Raises InputError."""
+    asked = case.demand
+    if asked is None:
+        return None
+    target = target_of(asked, base_dir)
+    ag = asked.ag_g * G
+    soil = target.soil if target else asked.soil_factor or 1.0
+    intensity, source = None, None
+    if target:
+        intensity, source = target_spectrum.housner_intensity(target), "spectrum"
+    elif asked.housner_intensity_cm is not None:
+        intensity, source = asked.housner_intensity_cm * CM, "given"
+    return DemandResult(
+        limit_state=asked.limit_state,
+        ag=ag,
+        soil_factor=soil,
+        pga=ag * soil,
+        intensity=intensity,
+        intensity_source=source,
+        q_code=asked.q_code,
+        confidence_factor=asked.confidence_factor,
+        zeta_target=asked.zeta_target,
+        target=target,
+        spectrum_code=asked.spectrum.code if asked.spectrum else None,
+        confidence_on=asked.confidence_on,
+        record_scaling=asked.demand_scaling,
+        period_range=asked.period_range_s,
+        soil_factor_stated=target is not None or asked.soil_factor is not None,
+        return_period=asked.return_period,
+    )
+
+
+def generated(case: Case, demand: DemandResult) -> list[GroundMotion]:
+    """The motions of [generate], compatible with the demand's spectrum."""
+    if case.generate is None:
+        return []
+    seeds = range(case.generate.seed, case.generate.seed + case.generate.count)
+    return [
+        GroundMotion(
+            name=f"compatible {seed}",
+            acceleration=compatible_motion(demand.target, seed),
+            time_step=0.01,
+            file=f"generated, seed {seed}",
+            format="generated",
+            details=(("spectrum", demand.target.name), ("seed", str(seed))),
+        )
+        for seed in seeds
+    ]

@@ -1,0 +1,108 @@
+"""The second process of a cold start: it compiles the kernels of single histories while this one compiles others.
+
+numba compiles one kernel at a time in a process, and most of a cold start is its work.
+"""
+
+import atexit
+import gc
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+
+from core.jit.cache import SECOND_PROCESS, TEMPORARY, folder, stamp
+from core.rocking.history import history
+from core.rocking.methods import METHODS
+from core.rocking.taylor import through_sample
+from core.wall.rocking_model import RockingModel
+
+MAX_WAIT = 20.0
+"""Seconds after which the second process is not waited for: what it was to compile is compiled here."""
+
+STEP_FILE = "taylor.through_sample-*.nbc"
+"""File of the step of a history in the cache."""
+
+_second: list[subprocess.Popen] = []
+
+
+def cores() -> int:
+    """Processors this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+def start(names: set[str]) -> None:
+    """Begin to compile the histories by the one of these methods that is of the Taylor series, where none was
+    ever compiled. Of two, each process would wait for the wrong one."""
+    names = names & {"taylor", "taylor_6"}
+    if (
+        cores() < 2
+        or len(names) != 1
+        or _second
+        or any(folder().glob(STEP_FILE))
+        or not sys.executable
+    ):
+        return
+    # the frozen program knows by its environment that it is the second one (packaging/entry.py)
+    module = [] if getattr(sys, "frozen", False) else ["-m", __name__]
+    root = str(Path(__file__).absolute().parents[2])
+    path = [root, *filter(None, [os.environ.get("PYTHONPATH")])]
+    try:
+        process = subprocess.Popen(
+            [sys.executable, *module, *sorted(names)],
+            cwd=root,
+            env={
+                **os.environ,
+                SECOND_PROCESS: str(folder().absolute()),
+                "PYTHONPATH": os.pathsep.join(path),
+            },
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+            creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
+        )
+    except OSError:
+        return
+    _second.append(process)
+    atexit.register(end)  # after the cache's own, so that it runs before that is closed
+    through_sample.before_compile = wait
+
+
+def end() -> None:
+    """Before this process ends: end the second one."""
+    for process in _second:
+        process.kill()
+        process.wait()
+
+
+def wait() -> None:
+    """Until the step of a history is compiled by the second process, if there is one, or that has ended."""
+    latest = time.monotonic() + MAX_WAIT
+    for process in _second:
+        while (
+            process.poll() is None
+            and time.monotonic() < latest
+            and not any(folder().glob(STEP_FILE))
+        ):
+            time.sleep(0.01)
+
+
+def main() -> None:
+    """The second process: histories by the methods its arguments name."""
+    if folder().name != f"kernels-{stamp()}" and not folder().name.startswith(TEMPORARY):
+        return  # other sources than those of the process that waits
+
+    gc.disable()  # the process ends soon
+    ground = np.zeros(2)
+    ground.flags.writeable = False  # as that of a record: another type for numba
+    model = RockingModel(0.1, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0)
+    for name in sys.argv[1:]:
+        history(ground, 0.01, 1.0, model, METHODS[name])
+
+
+if __name__ == "__main__":
+    main()

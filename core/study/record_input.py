@@ -1,0 +1,47 @@
+"""The records of a case, read in order."""
+
+import os
+from dataclasses import replace
+from pathlib import Path
+
+from core.case.schema import Case
+from core.errors import InputError
+from core.ground import records
+from core.ground.ground_motion import GroundMotion
+from core.ground.records.grammar import Options
+
+
+def twice(file: str, twin: str) -> str:
+    """The sentence about a record that another one of the case repeats."""
+    return f"{file} is in the case twice (the same samples as {twin}): leave one out"
+
+
+def read_records(case: Case, base_dir: Path) -> tuple[list[GroundMotion], list[str]]:
+    """Records of the case in order, globs expanded, and their kinds. Raises InputError."""
+    motions, kinds, seen = [], [], {}
+    for k, entry in enumerate(case.record, start=1):
+        if not entry.include:
+            continue
+        options = Options(entry.unit, entry.time_step_s, entry.column, entry.skip_lines)
+        try:
+            for path in records.expand(entry.file, base_dir):
+                file = _relative(path, base_dir)
+                motion = replace(records.read(path, options, entry.scale), file=file)
+                twin = seen.setdefault(motion.samples_sha256, file)
+                if twin != file or file in [known.file for known in motions]:
+                    raise InputError(twice(file, twin))
+                motions.append(motion)
+                kinds.append(entry.kind)
+        except InputError as error:
+            raise InputError(f"record {k}: {error}") from None
+    names = [motion.name for motion in motions]
+    if len(set(names)) < len(names):
+        motions = [replace(motion, name=motion.file) for motion in motions]
+    return motions, kinds
+
+
+def _relative(path: Path, base_dir: Path) -> str:
+    try:
+        return Path(os.path.relpath(path, base_dir)).as_posix()
+    except ValueError:  # another drive
+        return path.as_posix()

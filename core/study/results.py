@@ -1,0 +1,190 @@
+"""What a study results in: frozen, in SI units, nothing computed later."""
+
+from dataclasses import dataclass, field, replace
+
+from core.capacity.accuracy import Accuracy
+from core.capacity.closed_forms import PowerLaw
+from core.capacity.fragility import Fragility
+from core.capacity.ida import Ida, Search
+from core.case.schema import Case, Wall
+from core.codes.demand import DemandResult
+from core.codes.dynamic_check import DemandCheck
+from core.codes.eq9 import Inequality
+from core.codes.kinematic import SLD_CLAUSE, Check, Kinematic
+from core.codes.record_compatibility import Compliance
+from core.codes.verdict import Verdict
+from core.ground.ground_motion import GroundMotion
+from core.rocking.history import History
+from core.rocking.methods import AUTO, Method, resolve_auto
+from core.text.notices import Notice
+from core.units import G
+from core.wall.block import Block
+from core.wall.moment_rotation import MomentLaw
+from core.wall.restitution import Restitution
+from core.wall.rocking_model import RockingModel
+
+
+@dataclass(frozen=True)
+class Assessment:
+    """Checks of one wall at the demand. kinematic : quantities of the mechanism, None above the ground;
+    checks : the table of methods, the most refined first; dynamic : None without records; lower_bound :
+    the dynamic check of the two-sided wall, should the restraint behind a one-sided one fail."""
+
+    kinematic: Kinematic | None
+    checks: tuple[Check, ...]
+    dynamic: DemandCheck | None
+    lower_bound: DemandCheck | None
+    verdict: Verdict
+
+    @property
+    def shown(self) -> tuple[tuple[Check, bool], ...]:
+        """Rows of the table of methods and whether each is a check of the verdict: beside these the dynamic
+        check with FC on the other side, and a_g,SLD, below which a_g,SLV of the displacement check is not."""
+        rows = []
+        for check in self.checks:
+            rows.append((check, True))
+            other = self.dynamic.zeta_other if self.dynamic else None
+            if check.name == "dynamic" and other:
+                passed = other.passed if other.zeta is not None else None
+                rows.append((replace(check, name=f"dynamic_{other.confidence_on}", demand=None, zeta=other.zeta,
+                                     passed=passed), False))  # fmt: skip
+            if check.name == "nonlinear" and self.kinematic.zeta_sld is not None:
+                found = self.kinematic
+                rows.append((Check("floor_sld", SLD_CLAUSE, "g", found.a0 / G, found.acceleration_demand / G,
+                                   found.zeta_sld, None), False))  # fmt: skip
+        return tuple(rows)
+
+
+@dataclass(frozen=True)
+class Run:
+    """One wall under one record of one sign. scale : multiplier of the record at q; q_eff : Eq. 12."""
+
+    record: str
+    polarity: int
+    ida: Ida
+    scale: float | None
+    q_eff: float | None
+
+
+@dataclass(frozen=True)
+class PerRecord:
+    """Governing values of one record: the lower of both signs, quantity by quantity. polarity : of q."""
+
+    record: str
+    polarity: int | None
+    q: float | None
+    q_robust: float | None
+    q_slv: float | None
+    q_eff: float | None
+    intensity: float
+    pga: float
+    closed_form_q_eff: float
+    closed_form_q: float
+
+
+@dataclass(frozen=True)
+class WallResult:
+    """Results of one wall and mechanism; set values are None where the set has none."""
+
+    name: str
+    wall: Wall
+    block: Block
+    mechanism: str
+    restitution: Restitution
+    law: MomentLaw
+    model: RockingModel
+    runs: tuple[Run, ...]
+    per_record: tuple[PerRecord, ...]
+    set_rule: str | None
+    q_set: float | None
+    q_min: float | None
+    q_robust_set: float | None
+    q_slv_set: float | None
+    power_law: PowerLaw | None
+    fragility: Fragility | None
+    closed_form_q_eff: float | None
+    closed_form_q: float | None
+    code_check: tuple[Inequality | None, ...]
+    warnings: tuple[Notice, ...]
+    assessment: Assessment | None = None
+    accuracy: Accuracy | None = None
+
+    @property
+    def height(self) -> float:
+        """H [m] as given, else of the equivalent rectangle."""
+        return self.wall.height_m or self.block.height
+
+    @property
+    def thickness(self) -> float:
+        """t [m] as given, else H tan(alpha)."""
+        return self.wall.thickness or self.block.thickness
+
+
+@dataclass(frozen=True)
+class StudyResult:
+    """Everything that decides. motions : the records, SI units; walls : one entry per mechanism."""
+
+    case: Case
+    started_utc: str
+    method: Method
+    search: Search
+    demand: DemandResult | None
+    motions: tuple[GroundMotion, ...]
+    kinds: tuple[str, ...]
+    walls: tuple[WallResult, ...]
+    compliance: Compliance | None = None
+    elapsed: float = field(compare=False, default=0.0)
+
+    def method_of(self, wall: WallResult, record: str) -> Method:
+        """The method the runs of this wall and record took."""
+        dt = next(motion.time_step for motion in self.motions if motion.name == record)
+        return resolve_auto(self.method, wall.model, dt)
+
+    @property
+    def method_words(self) -> str:
+        """Name of the method asked for; of auto with those it took."""
+        used = {self.method_of(wall, run.record).name for wall in self.walls for run in wall.runs}
+        if self.method.name != AUTO.name or not used:
+            return self.method.name
+        return f"{self.method.name} ({', '.join(sorted(used))})"
+
+    def left_to_read(self, wall: WallResult) -> bool:
+        """Whether a warning or a reason stands beside the verdict of a wall."""
+        reasons = wall.assessment.verdict.reasons if wall.assessment else ()
+        demand = self.demand.warnings if self.demand else ()
+        records = any(motion.warnings for motion in self.motions)
+        return bool(wall.warnings or reasons or demand or records)
+
+    @property
+    def without_number(self) -> list[tuple[str, str, int, str]]:
+        """(wall, record, polarity, status) of the runs that end without a q."""
+        return [
+            (f"{wall.name} ({wall.mechanism})", run.record, run.polarity, run.ida.status)
+            for wall in self.walls
+            for run in wall.runs
+            if run.ida.q is None
+        ]
+
+
+Q_SOURCES = (
+    "code",
+    "closed_form",
+    "time_histories",
+    "time_histories_slv",
+    "time_histories_robust",
+)
+"""Sources of q in the checks of Eq. 9, in the order of WallResult.code_check."""
+
+
+@dataclass(frozen=True)
+class CollapseHistories:
+    """Governing record of a wall at its last survived and its collapsing multiplier.
+
+    scales : (survived, collapsing) [-]; histories : of the same; motion : the record.
+    """
+
+    wall: WallResult
+    motion: GroundMotion
+    polarity: int
+    scales: tuple[float, float]
+    histories: tuple[History, History]

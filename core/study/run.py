@@ -1,0 +1,222 @@
+"""The one call that makes results: a case in, a frozen StudyResult out. Window, batch, tests use it."""
+
+import datetime
+import hashlib
+from collections.abc import Callable
+from dataclasses import asdict, replace
+from pathlib import Path
+
+import numpy as np
+
+from core.capacity.accuracy import Accuracy, accuracy
+from core.capacity.ida import Ida, Search, incremental_dynamic_analysis, multiplier_of, threshold_of
+from core.case.schema import Case, Wall
+from core.codes.demand import with_records
+from core.codes.kinematic import kinematic
+from core.codes.record_compatibility import compliance, period_range
+from core.ground.ground_motion import GroundMotion
+from core.jit import cache
+from core.rocking.history import history, scan
+from core.rocking.methods import AUTO, METHODS, resolve_auto
+from core.study import precompile
+from core.study.assessment import assess
+from core.study.demand_input import demand_of, generated
+from core.study.governing import lowest_run
+from core.study.journal import Journal, Memory
+from core.study.record_input import read_records
+from core.study.results import StudyResult, WallResult
+from core.study.threads import Threads
+from core.study.wall_result import run_result, wall_result
+from core.version import VERSION
+from core.wall.rocking_model import RockingModel, rocking_model
+
+
+def run(
+    case: Case,
+    *,
+    base_dir: Path,
+    jobs: int = 1,
+    journal: Callable[[str], Journal | Memory] | None = None,
+    on_progress: Callable[[int, int], None] = lambda done, planned: None,
+    cancelled: Callable[[], bool] = lambda: False,
+) -> StudyResult:
+    """Run a study.
+
+    base_dir : folder record paths start from; jobs : threads, which change no result; journal : makes
+    the Journal of finished runs from the study's key; on_progress(done, planned) and cancelled() are
+    called from this thread, the latter from the workers as well.
+    Raises InputError for what the user can mend, Cancelled when cancelled() is true.
+    """
+    started = datetime.datetime.now(datetime.UTC)
+    demand = demand_of(case, base_dir)
+    motions, kinds = read_records(case, base_dir)
+    made = generated(case, demand) if demand else []
+    motions, kinds = motions + made, kinds + ["artificial"] * len(made)
+    method = METHODS.get(case.analysis.method, AUTO)
+    chosen = case.analysis
+    search = Search(chosen.q_step, chosen.q_limit, chosen.map_span, chosen.robust_window)
+    walls = [(wall, mechanism) for wall in case.wall for mechanism in wall.mechanisms()]
+    signs = [_polarities(mechanism, chosen.polarity) for _, mechanism in walls]
+    planned = [
+        (index, record, polarity)
+        for index in range(len(walls))
+        for record in range(len(motions))
+        for polarity in signs[index]
+    ]
+    models = [_model(wall, mechanism) for wall, mechanism in walls]
+    mechanisms = [
+        kinematic(wall, mechanism, demand) if demand and not wall.above_ground else None
+        for wall, mechanism in walls
+    ]
+    longest = max((found.period or 0.0 for found in mechanisms if found), default=0.0)
+    if demand and demand.target and motions:
+        period_range(kinds, longest, demand)  # refused before hours of work, not after
+    _precompile(method, models, motions)
+    book = journal(f"{VERSION} {cache.stamp()}") if journal else None
+    assessed = len(walls) if demand else 0
+    total = len(planned) + assessed
+    try:
+        threads = Threads(jobs, cancelled)
+        threads.run({k: motion.measure for k, motion in enumerate(motions)}, lambda k, _: None)
+        found = _run_all(planned, models, motions, method, search, threads, book,
+                         lambda done: on_progress(done, total))  # fmt: skip
+        if demand:
+            demand = with_records(demand, motions)
+        rules = compliance(motions, kinds, demand, longest) if demand else None
+        by_wall: dict[int, list] = {}
+        for entry in planned:
+            wall, number, polarity = entry
+            one = run_result(models[wall], motions[number], polarity, found[entry])
+            by_wall.setdefault(wall, []).append(one)
+        results = [
+            wall_result(wall, mechanism, models[k], by_wall.get(k, []), motions, search, demand)
+            for k, (wall, mechanism) in enumerate(walls)
+        ]
+        if demand:
+            checks = {
+                k: lambda stop, k=k: assess(
+                    results[k],
+                    mechanisms[k],
+                    motions,
+                    signs[k],
+                    demand,
+                    rules,
+                    method,
+                    search,
+                    stop,
+                )
+                for k in range(len(walls))
+            }
+            done = threads.run(
+                checks, lambda k, _: None, lambda n: on_progress(len(planned) + n, total)
+            )
+            results = [replace(wall, assessment=done[k]) for k, wall in enumerate(results)]
+        if chosen.accuracy:
+            statements = {
+                k: lambda stop, wall=wall: accuracy_of(wall, motions, method, search, stop)
+                for k, wall in enumerate(results)
+            }
+            said = threads.run(statements, lambda k, _: None)
+            results = [replace(wall, accuracy=said[k]) for k, wall in enumerate(results)]
+    finally:
+        cache.record(cache.folder())
+        if book:
+            book.close()
+    elapsed = (datetime.datetime.now(datetime.UTC) - started).total_seconds()
+    return StudyResult(
+        case, started.isoformat(timespec="seconds"), method, search, demand,
+        tuple(motions), tuple(kinds), tuple(results), rules, elapsed,
+    )  # fmt: skip
+
+
+def accuracy_of(wall: WallResult, motions, method, search, cancelled) -> Accuracy | None:
+    """The statement on the governing run of a wall; None without a q."""
+    lowest = lowest_run(wall)
+    if lowest is None:
+        return None
+    motion = next(motion for motion in motions if motion.name == lowest.record)
+    other = next(
+        (r.ida.q for r in wall.runs if r.record == lowest.record and r.polarity != lowest.polarity),
+        None,
+    )
+    return accuracy(
+        motion, lowest.polarity, lowest.ida, other, wall.model, method, search, cancelled
+    )
+
+
+def warm(case: Case, motion: GroundMotion) -> None:
+    """Make the kernels of a case ready: a few analyses of its first wall."""
+    wall = case.wall[0]
+    model = _model(wall, wall.mechanisms()[0])
+    method = METHODS.get(case.analysis.method, AUTO)
+    _precompile(method, [model], [motion])
+    ground, dt = motion.acceleration, motion.time_step
+    scales = np.full(16, multiplier_of(1.1, motion.pga, threshold_of(model)))
+    scan(method, ground, dt, scales, model, np.zeros(16, np.int64), np.zeros(16))
+    history(ground, dt, scales[0], model, method)
+
+
+def _precompile(method, models, motions) -> None:
+    steps = {motion.time_step for motion in motions}
+    precompile.start({resolve_auto(method, model, dt).name for model in models for dt in steps})
+
+
+def run_key(model: RockingModel, motion: GroundMotion, polarity: int, method, search) -> str:
+    """Key of a run in the journal: all that decides its result, and nothing else."""
+    parts = (tuple(model), motion.samples_sha256, polarity, method, search)
+    return hashlib.sha256(repr(parts).encode()).hexdigest()
+
+
+def _polarities(mechanism: str, asked: str) -> tuple[int, ...]:
+    if mechanism == "two_sided" or asked == "as_recorded":
+        return (1,)
+    return (-1,) if asked == "reversed" else (1, -1)
+
+
+def _model(wall: Wall, mechanism: str) -> RockingModel:
+    one_sided = mechanism == "one_sided"
+    return rocking_model(wall.block(), one_sided, wall.restitution_of(mechanism), wall.moment_law())
+
+
+def _run_all(planned, models, motions, method, search, threads, book, on_progress):
+    """Idas by (wall, record, polarity)."""
+    found, todo, keys = {}, {}, {}
+
+    def search_of(entry):
+        wall, record, polarity = entry
+        motion = motions[record]
+        return lambda stop: incremental_dynamic_analysis(
+            motion.acceleration, motion.time_step, motion.pga, polarity, models[wall], method, search,
+            stop,
+        )  # fmt: skip
+
+    for entry in planned:
+        wall, record, polarity = entry
+        keys[entry] = run_key(models[wall], motions[record], polarity, method, search)
+        known = _restored(book.get(keys[entry])) if book else None
+        if known:
+            found[entry] = known
+        else:
+            todo[entry] = search_of(entry)
+
+    def keep(entry, ida: Ida) -> None:
+        if book:
+            book.add(keys[entry], asdict(ida))
+
+    on_progress(len(found))
+    restored = len(found)
+    found.update(threads.run(todo, keep, lambda done: on_progress(restored + done)))
+    return found
+
+
+def _restored(entry: dict | None) -> Ida | None:
+    """An Ida of the journal, None where there is none or its line is damaged; JSON keeps doubles
+    exactly but turns tuples into lists."""
+    if entry is None:
+        return None
+    try:
+        windows = tuple(tuple(edges) for edges in entry["survival_windows"])
+        bracket = tuple(entry["bracket"]) if entry["bracket"] else None
+        return Ida(**{**entry, "bracket": bracket, "survival_windows": windows})
+    except (TypeError, KeyError):
+        return None

@@ -1,0 +1,221 @@
+"""From the runs of a wall to its result: governing sign, set, power law, checks, warnings."""
+
+import numpy as np
+
+from core.capacity import closed_forms
+from core.capacity.fragility import fragility
+from core.capacity.ida import Ida, multiplier_of, threshold_of
+from core.case.schema import Wall
+from core.codes.eq9 import inequality
+from core.codes.limits import MEAN_FROM, MINIMUM_FROM
+from core.ground.ground_motion import GroundMotion
+from core.study.results import Q_SOURCES, PerRecord, Run, WallResult
+from core.text.notices import Notice, notice
+from core.units import CM
+from core.wall.block import Block
+from core.wall.restitution import housner_ratio
+from core.wall.rocking_model import RockingModel
+
+LARGE_SCALE = 10.0
+
+THIN, SLENDER = 0.10, 30.0
+"""t [m] below which, and H/t above which, a wall is questioned."""
+
+WEIGHTS, MODULI = (10.0, 28.0), (200.0, 10000.0)
+"""Unit weights [kN/m3] and elastic moduli [MPa] of masonry; others are questioned."""
+
+NARROW_SI = 1.5
+"""Below this ratio of the largest to the smallest SI a power law is warned of."""
+
+NEARLY_ELASTIC = 0.99
+"""Above this velocity ratio a wall rocks for a very long time: warned."""
+
+
+def run_result(model: RockingModel, motion: GroundMotion, polarity: int, ida: Ida) -> Run:
+    scale = q_eff = None
+    if ida.q is not None:
+        scale = multiplier_of(ida.q, motion.pga, threshold_of(model))
+        q_eff = closed_forms.effective_q(ida.q, motion.pga)
+    return Run(motion.name, polarity, ida, scale, q_eff)
+
+
+def _lower(values: list[float | None]) -> float | None:
+    known = [value for value in values if value is not None]
+    return min(known) if known else None
+
+
+def set_rule(numbers: int) -> str:
+    """Rule of a set by its count of records with a q: mean, minimum or too_few."""
+    few = "minimum" if numbers >= MINIMUM_FROM else "too_few"
+    return "mean" if numbers >= MEAN_FROM else few
+
+
+def set_value(values: list[float | None], rule: str | None) -> float | None:
+    """Value of a set under a rule: the mean, else the minimum; None if incomplete or empty."""
+    known = [value for value in values if value is not None]
+    if not known or rule in (None, "incomplete"):
+        return None
+    return float(np.mean(known)) if rule == "mean" else min(known)
+
+
+def _per_record(motion: GroundMotion, runs: list[Run], block: Block, one_sided: bool) -> PerRecord:
+    with_q = [run for run in runs if run.ida.q is not None]
+    lowest = min(with_q, key=lambda run: run.ida.q) if with_q else None
+    si = motion.housner_intensity
+    shape = (block.slenderness, block.height, si)
+    return PerRecord(
+        record=motion.name,
+        polarity=lowest.polarity if lowest else None,
+        q=lowest.ida.q if lowest else None,
+        q_robust=_lower([run.ida.q_robust for run in runs]),
+        q_slv=_lower([run.ida.q_slv for run in runs]),
+        q_eff=lowest.q_eff if lowest else None,
+        intensity=si,
+        pga=motion.pga,
+        closed_form_q_eff=closed_forms.closed_form_q_eff(*shape, one_sided),
+        closed_form_q=closed_forms.closed_form_q(*shape, motion.pga, one_sided),
+    )
+
+
+def wall_result(wall, mechanism, model, runs, motions, search, demand) -> WallResult:
+    """Everything of one wall and mechanism from its runs; an incomplete set has no values."""
+    block, law = wall.block(), wall.moment_law()
+    one_sided = mechanism == "one_sided"
+    per_record = [
+        _per_record(motion, [r for r in runs if r.record == motion.name], block, one_sided)
+        for motion in motions
+    ]
+    numbers = [entry.q for entry in per_record if entry.q is not None]
+    incomplete = [run for run in runs if run.ida.status == "impact_limit"]
+    rule = None
+    if incomplete:
+        rule = "incomplete"
+    elif runs:
+        rule = set_rule(len(numbers))
+    sets = {
+        name: set_value([getattr(entry, name) for entry in per_record], rule)
+        for name in ("q", "q_robust", "q_slv")
+    }
+    with_q = [entry for entry in per_record if entry.q is not None]
+    closed_q_eff = closed_q = None
+    if demand and demand.intensity:
+        shape = (block.slenderness, block.height, demand.intensity)
+        closed_q_eff = closed_forms.closed_form_q_eff(*shape, one_sided)
+        closed_q = closed_forms.closed_form_q(*shape, demand.pga, one_sided)
+    checks = ()
+    if demand and not wall.above_ground:  # above the ground the motion of the floor is not known
+        sources = (demand.q_code, closed_q, sets["q"], sets["q_slv"], sets["q_robust"])
+        checks = tuple(
+            inequality(source, q, block.threshold_acceleration, demand.pga) if q else None
+            for source, q in zip(Q_SOURCES, sources, strict=True)
+        )
+    restitution = wall.restitution_of(mechanism)
+    law_of_si = closed_forms.fit_power_law(
+        [entry.intensity for entry in with_q], [entry.q_eff for entry in with_q]
+    )
+    fragile = fragility([run.ida for run in runs], search)
+    return WallResult(
+        name=wall.name,
+        wall=wall,
+        block=block,
+        mechanism=mechanism,
+        restitution=restitution,
+        law=law,
+        model=model,
+        runs=tuple(runs),
+        per_record=tuple(per_record),
+        set_rule=rule,
+        q_set=sets["q"],
+        q_min=min(numbers) if numbers else None,
+        q_robust_set=sets["q_robust"],
+        q_slv_set=sets["q_slv"],
+        power_law=law_of_si,
+        fragility=fragile,
+        closed_form_q_eff=closed_q_eff,
+        closed_form_q=closed_q,
+        code_check=checks,
+        warnings=tuple(
+            _unusual(wall)
+            + _model_notices(wall, block, mechanism, restitution, law)
+            + _set_notices(runs, numbers, incomplete, fragile, law_of_si, search)
+            + _form_notices(block, mechanism, restitution, law, per_record, demand, checks)
+        ),
+    )
+
+
+def _unusual(wall: Wall) -> list[Notice]:
+    """Input few engineers mean: accepted, and questioned with the likely slip of unit."""
+    found, t = [], wall.thickness
+    if t is not None and t < THIN:
+        found.append(notice("thin", cm=100.0 * t))
+    if t is not None and wall.height_m / t > SLENDER:
+        found.append(notice("slender", ratio=wall.height_m / t, h=wall.height_m, t=t))
+    weight, modulus = wall.unit_weight_kn_m3, wall.elastic_modulus_mpa
+    if weight is not None and not WEIGHTS[0] <= weight <= WEIGHTS[1]:
+        found.append(notice("odd_weight", w=weight, low=WEIGHTS[0], high=WEIGHTS[1]))
+    if modulus is not None and not MODULI[0] <= modulus <= MODULI[1]:
+        found.append(notice("odd_modulus", e=modulus, low=MODULI[0], high=MODULI[1]))
+    return found
+
+
+def _model_notices(wall, block, mechanism, restitution, law) -> list[Notice]:
+    found = []
+    if restitution.model == "costa_upper" and restitution.ratio_at_rest > housner_ratio(block):
+        found.append(notice("costa_above_housner", alpha=float(np.degrees(block.slenderness))))
+    if mechanism == "one_sided" and not restitution.model.startswith(("one_sided", "user")):
+        found.append(notice("hogan", model=restitution.model))
+    if restitution.ratio_at_rest > NEARLY_ELASTIC and restitution.model == "user":
+        found.append(notice("nearly_elastic", ratio=restitution.ratio_at_rest))
+    if wall.height_m is not None and wall.setback > 0.0:
+        found.append(notice("setback_height", height=block.height))
+    elif not block.is_rectangle:
+        found.append(notice("general_height", height=block.height))
+        if restitution.model.startswith("one_sided"):
+            found.append(notice("general_contact"))
+    if not law.is_rigid:
+        share = np.sin((1.0 - law.plateau_end) * block.slenderness) / np.sin(block.slenderness)
+        found.append(notice("trilinear_threshold", plateau=float(share)))
+    return found
+
+
+def _set_notices(runs, numbers, incomplete, fragile, power_law, search) -> list[Notice]:
+    found = []
+    if incomplete:
+        found.append(notice("incomplete", n=len(incomplete)))
+    elif runs and len(numbers) < MINIMUM_FROM:
+        found.append(notice("too_few" if numbers else "no_numbers", n=len(numbers)))
+    if runs and search.half_window < 3:
+        found.append(notice("coarse_window", n=search.half_window))
+    standing = sum(run.ida.status == "no_collapse_found" for run in runs)
+    if standing:
+        found.append(notice("no_collapse", n=standing, limit=search.q_limit))
+    if power_law and power_law.si_range_cm[1] < NARROW_SI * power_law.si_range_cm[0]:
+        low, high = power_law.si_range_cm
+        found.append(notice("narrow_si", low=low, high=high))
+    clamped = sum(run.ida.clamped for run in runs)
+    if clamped:
+        found.append(notice("clamped", n=clamped))
+    if fragile and fragile.n < MEAN_FROM:
+        found.append(notice("few_runs", n=fragile.n))
+    large = {run.record for run in runs if run.scale and abs(run.scale) > LARGE_SCALE}
+    if large:
+        found.append(notice("pga_too_small", n=len(large)))
+    return found
+
+
+def _form_notices(block, mechanism, restitution, law, per_record, demand, checks) -> list[Notice]:
+    pgas = [(entry.record, entry.pga) for entry in per_record]
+    if demand:
+        pgas.append(("demand", demand.pga))
+    found = closed_forms.range_notices(block.slenderness, block.height, pgas)
+    fitted = "one_sided_theoretical" if mechanism == "one_sided" else "housner"
+    if restitution.model != fitted or not law.is_rigid:
+        used = restitution.model + ("" if law.is_rigid else " + D1, D2")
+        found.append(notice("eq15_model", fitted=fitted, used=used))
+    if demand and demand.intensity_source == "records_scaled":
+        found.append(notice("si_from_records", si=demand.intensity / CM))
+    if checks:
+        histories, robust = checks[2], checks[4]
+        if robust and robust.passed and not (histories and histories.passed):
+            found.append(notice("only_robust"))
+    return found

@@ -1,0 +1,341 @@
+"""Tables of walls: heads in two languages, units, decimal comma, hostile files."""
+
+import io
+import zipfile
+
+import pytest
+from openpyxl import Workbook
+
+from core.case.reader import read_case
+from core.case.wall_table import read_table, read_walls, text_rows, walls_of
+from core.errors import InputError
+
+CSV = """Parete;Piano;z;H;t;L;Peso specifico;u;Meccanismo;Vincolo;Note
+;;m;m;cm;m;kN/m3;cm;;;
+Facciata;terra;0;7,0;83;5;19;5;un lato;muri di spina;prova
+Timpano;2;6,5;3.5;45;4;18;;su due lati;;
+"""
+
+
+def book(rows, change=None) -> bytes:
+    made = Workbook()
+    for row in rows:
+        made.active.append(row)
+    if change:
+        change(made.active)
+    stream = io.BytesIO()
+    made.save(stream)
+    return stream.getvalue()
+
+
+ROWS = [["Wall", "H", "t", "mechanism"], ["", "m", "m", ""], ["a", 5.0, "0,5", "two_sided"]]
+
+
+def test_that_an_italian_csv_gives_its_walls(tmp_path):
+    path = tmp_path / "w.csv"
+    for encoding in ("utf-8-sig", "cp1252"):
+        path.write_bytes(CSV.encode(encoding))
+        first, second = read_walls(path)
+        assert (first.name, first.mechanism, first.back_restraint) == (
+            "Facciata",
+            "one_sided",
+            "muri di spina",
+        )
+        assert first.height_m == 7.0
+        assert first.thickness_m == pytest.approx(0.83, rel=1e-15)
+        assert first.hinge_setback_m == pytest.approx(0.05, rel=1e-15)
+        assert (second.base_z_m, second.height_m, second.floor) == (6.5, 3.5, "2")
+
+
+def test_that_commas_and_tabs_separate_too(tmp_path):
+    rows = "wall,H,t,mechanism\n,m,m,\na,5.0,0.5,two_sided\n"
+    assert walls_of(text_rows(rows)) == walls_of(text_rows(rows.replace(",", "\t")))
+
+
+def test_that_an_xlsx_gives_its_walls(tmp_path):
+    path = tmp_path / "w.xlsx"
+    path.write_bytes(book(ROWS))
+    (wall,) = read_walls(path)
+    assert (wall.name, wall.height_m, wall.thickness_m) == ("a", 5.0, 0.5)
+
+
+def test_that_the_template_is_read_as_it_is():
+    from tests.conftest import ROOT
+
+    walls = read_walls(ROOT / "resources" / "templates" / "walls.xlsx")
+    assert len(walls) == 2
+
+
+def test_that_a_case_takes_its_walls_from_the_table(tmp_path):
+    (tmp_path / "w.csv").write_text(CSV)
+    path = tmp_path / "c.toml"
+    path.write_text('title = "t"\nwalls = "w.csv"\n')
+    case = read_case(path)
+    assert [wall.name for wall in case.wall] == ["Facciata", "Timpano"]
+    changed = CSV.replace("83", "84")
+    (tmp_path / "w.csv").write_text(changed)
+    assert read_case(path).sha256 != case.sha256
+
+
+def merged(sheet):
+    sheet.merge_cells("A3:B3")
+
+
+def formula(sheet):
+    sheet["B3"] = "=1+1"
+
+
+def bomb() -> bytes:
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as folder:
+        folder.writestr("xl/worksheets/sheet1.xml", b"0" * 30_000_000)
+    return stream.getvalue()
+
+
+def lying(content: bytes) -> bytes:
+    """The same workbook whose dimension tag says it is one cell."""
+    import re
+
+    stream = io.BytesIO()
+    with zipfile.ZipFile(io.BytesIO(content)) as old, zipfile.ZipFile(stream, "w") as new:
+        for entry in old.infolist():
+            data = old.read(entry)
+            if entry.filename.endswith("sheet1.xml"):
+                data = re.sub(rb'<dimension ref="[^"]*"', b'<dimension ref="A1"', data)
+            new.writestr(entry, data)
+    return stream.getvalue()
+
+
+def test_that_a_lying_dimension_changes_nothing(tmp_path):
+    path = tmp_path / "w.xlsx"
+    path.write_bytes(lying(book(ROWS)))
+    assert len(read_walls(path)) == 1
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        (book(ROWS, merged), "merged"),
+        (book(ROWS, formula), "B3 is a formula"),
+        (bomb(), "larger than 20 MB"),
+        (b"not a zip", "not a workbook"),
+        (book(ROWS)[:-300], "not a workbook"),
+        (book([["Wall", "colour"], ["", ""], ["a", "red"]]), "'colour' is not known"),
+        (book([["Wall", "H"], ["", "ft"], ["a", 5]]), "unit 'ft'"),
+        (book([["Wall", "H"], ["", ""], ["a", 5]]), "unit ''"),
+        (book([*ROWS, ["b", "5,0.1", 0.5, "two_sided"]]), "row 4, height_m"),
+        (book([*ROWS, ["b", 5, 0.5, "sideways"]]), "row 4.*mechanism"),
+        (book([*ROWS, ["b", 500, 0.5, "two_sided"]]), "row 4.*height_m = 500"),
+        (book([["Wall", "Parete"], ["", ""], ["a", "b"]]), "twice"),
+        (book(ROWS[:2]), "a row of heads"),
+        (book([*ROWS, ["a", 5, 0.5, "both", None, 7]]), "beyond the last column"),
+    ],
+)
+def test_that_a_wrong_table_is_refused_in_one_sentence(tmp_path, content, words):
+    path = tmp_path / "w.xlsx"
+    path.write_bytes(content)
+    with pytest.raises(InputError, match=words) as caught:
+        read_walls(path)
+    assert "w.xlsx" in str(caught.value) and "\n" not in str(caught.value)
+
+
+def test_that_an_entity_bomb_is_refused(tmp_path):
+    content = book(ROWS)
+    stream = io.BytesIO()
+    evil = b'<?xml version="1.0"?><!DOCTYPE x [<!ENTITY a "aaaa"><!ENTITY b "&a;&a;">]>'
+    with zipfile.ZipFile(io.BytesIO(content)) as old, zipfile.ZipFile(stream, "w") as new:
+        for entry in old.infolist():
+            data = old.read(entry)
+            if entry.filename.endswith(("sheet1.xml", "workbook.xml")):
+                data = evil + data.split(b"?>", 1)[-1] if data.startswith(b"<?xml") else evil + data
+            new.writestr(entry, data)
+    path = tmp_path / "w.xlsx"
+    path.write_bytes(stream.getvalue())
+    with pytest.raises(InputError, match="not a workbook"):
+        read_walls(path)
+
+
+def test_that_damaged_bytes_are_refused_and_never_an_internal_error(tmp_path):
+    import random
+
+    content = bytearray(book(ROWS))
+    chance = random.Random(1)
+    path = tmp_path / "w.xlsx"
+    for _ in range(300):
+        damaged = bytearray(content)
+        damaged[chance.randrange(len(damaged))] ^= 1 << chance.randrange(8)
+        path.write_bytes(damaged)
+        try:
+            read_walls(path)
+        except InputError as error:
+            assert "w.xlsx" in str(error)
+
+
+def test_that_free_elements_their_modulus_and_confirmations_are_columns():
+    rows = (
+        "Parete;z;H;t;Meccanismo;E;peso specifico;Elemento libero;Parete scarica\n;m;m;m;;GPa;kN/m3;;\n"
+        "a;0;4;0,5;su un lato;1,2;18;sì;x\nb;6;4;0,5;su due lati;;;no;\n"
+    )
+    a, b = walls_of(text_rows(rows))
+    assert (a.free_element, a.unloaded_confirmed, a.elastic_modulus_mpa) == (True, True, 1200.0)
+    assert (b.free_element, b.unloaded_confirmed, b.elastic_modulus_mpa) == (False, False, None)
+    with pytest.raises(InputError, match="row 3, free_element: 'forse' is not accepted"):
+        walls_of(text_rows(rows.replace(";sì;", ";forse;")))
+    for word in ("sì", "si", "Yes", "true", "VERO", "x", "1"):
+        assert walls_of(text_rows(rows.replace(";sì;", f";{word};")))[0].free_element is True
+    for word in ("no", "false", "FALSO", "0"):
+        assert walls_of(text_rows(rows.replace(";sì;", f";{word};")))[0].free_element is False
+
+
+@pytest.mark.parametrize(
+    ("head", "unit", "cell", "key", "value"),
+    [
+        ("H", "cm", "400", "height_m", 4.0), ("t", "mm", "450", "thickness_m", 0.45),
+        ("t", "m", "0.45", "thickness_m", 0.45), ("L", "cm", "500", "length_m", 5.0),
+        ("u", "mm", "30", "hinge_setback_m", 0.03), ("z", "cm", "350", "base_z_m", 3.5),
+        ("E", "MPa", "900", "elastic_modulus_mpa", 900.0), ("E", "GPa", "0.9", "elastic_modulus_mpa", 900.0),
+        ("E", "N/mm2", "900", "elastic_modulus_mpa", 900.0), ("γ", "kn/m³", "18", "unit_weight_kn_m3", 18.0),
+        ("γ", "-", "18", "unit_weight_kn_m3", 18.0), ("H", "mm", "4000", "height_m", 4.0),
+        ("γ", "kN/m3", "18", "unit_weight_kn_m3", 18.0),
+    ],
+)  # fmt: skip
+def test_that_each_unit_of_a_table_has_its_factor(head, unit, cell, key, value):
+    cells = {
+        "Parete": ("", "a"),
+        "H": ("m", "4"),
+        "t": ("m", "0.5"),
+        "Meccanismo": ("", "entrambi"),
+    }
+    cells[head] = (unit, cell)
+    rows = [list(cells), [pair[0] for pair in cells.values()], [pair[1] for pair in cells.values()]]
+    (wall,) = walls_of(rows)
+    assert getattr(wall, key) == pytest.approx(value, rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("head", "unit"),
+    [("E", "kN/m3"), ("E", ""), ("γ", "MPa"), ("H", "kN/m3"), ("H", ""), ("Meccanismo", "m")],
+)
+def test_that_a_unit_of_another_quantity_is_refused(head, unit):
+    cells = {
+        "Parete": ("", "a"),
+        "H": ("m", "4"),
+        "t": ("m", "0.5"),
+        "Meccanismo": ("", "entrambi"),
+    }
+    cells[head] = (unit, cells.get(head, ("", "900"))[1])
+    rows = [list(cells), [pair[0] for pair in cells.values()], [pair[1] for pair in cells.values()]]
+    with pytest.raises(InputError, match="the unit"):
+        walls_of(rows)
+
+
+def test_that_the_units_a_column_takes_are_listed():
+    rows = "Parete;z;H;t;Meccanismo;notes\n;m;m;ft;;\na;0;4;45;su un lato;\n"
+    with pytest.raises(
+        InputError, match="the unit 'ft' of the column thickness_m .*: one of (m, cm|cm, m), "
+    ):
+        walls_of(text_rows(rows))
+    rows = rows.replace("ft;;", "m;;m").replace(";45;", ";0.45;")
+    with pytest.raises(
+        InputError, match="the unit 'm' of the column notes is not accepted: one of empty, -"
+    ):
+        walls_of(text_rows(rows))
+
+
+def workbook(tmp_path, hide=(), sheets=()):
+    """A table of three walls; rows to hide, and further sheets (name, hidden)."""
+    import openpyxl
+
+    book = openpyxl.Workbook()
+    sheet = book.active
+    sheet.title = "Pareti"
+    sheet.append(["Parete", "z", "H", "t", "Meccanismo"])
+    sheet.append([None, "m", "m", "cm", None])
+    for name in "abc":
+        sheet.append([name, 0, 4, 45, "su un lato"])
+    for number in hide:
+        sheet.row_dimensions[number].hidden = True
+    for name, hidden in sheets:
+        other = book.create_sheet(name, 0 if hidden else None)
+        other.append(["not", "walls"])
+        other.sheet_state = "hidden" if hidden else "visible"
+    path = tmp_path / "w.xlsx"
+    book.save(path)
+    return path
+
+
+def test_that_hidden_rows_and_sheets_are_not_read_and_said(tmp_path):
+    walls, notes = read_table(
+        workbook(tmp_path, hide=(4,), sheets=[("Old", True), ("Note", False)])
+    )
+    assert [wall.name for wall in walls] == ["a", "c"]
+    assert [note.text() for note in notes] == [
+        "Walls read from the sheet Pareti.",
+        "Hidden rows of the table of walls were not read: 4.",
+        "Other sheets of the table of walls were not read: Old, Note.",
+    ]
+    assert "foglio Pareti" in notes[0].text("it")
+    walls, notes = read_table(workbook(tmp_path))
+    assert len(walls) == 3 and len(notes) == 1
+
+
+@pytest.mark.parametrize(
+    ("head", "unit", "word"),
+    [("t (mm)", "cm", "names mm, the row of units below it cm"), ("H [cm]", "m", "names cm"),
+     ("E [GPa]", "MPa", "names GPa"), ("t (mm.)", "cm", "names mm."), ("t (in mm)", "cm", "names in mm"),
+     ("t (dm)", "cm", "names dm"), ("t (muro) (mm)", "cm", "names mm"), ("H (ft)", "m", "names ft"),
+     ("E [kPa]", "MPa", "names kPa")],
+)  # fmt: skip
+def test_that_a_unit_in_the_head_that_contradicts_the_row_of_units_is_refused(head, unit, word):
+    heads = ["Parete", "H", "t", "Meccanismo", "E"]
+    units = ["", "m", "m", "", "MPa"]
+    place = next(k for k, name in enumerate(heads) if head.startswith(name))
+    heads[place], units[place] = head, unit
+    with pytest.raises(InputError, match=word):
+        walls_of([heads, units, ["a", "4", "0.5", "entrambi", "900"]])
+    heads[place] = f"{head[0]} (misurato) [{unit}]"
+    assert len(walls_of([heads, units, ["a", "4", "0.5", "entrambi", "900"]])) == 1
+
+
+def test_that_unicode_text_of_a_spreadsheet_is_read_or_refused_by_name(tmp_path):
+    rows = "Parete\tH\tt\tMeccanismo\n\tm\tm\t\nè\t4\t0,5\tentrambi\n"
+    path = tmp_path / "w.txt"
+    path.write_bytes(rows.encode("utf-16"))
+    assert read_walls(path)[0].name == "è"
+    path.write_bytes(rows.encode("utf-16-le"))
+    with pytest.raises(InputError, match="no text: save the table as"):
+        read_walls(path)
+
+
+def test_that_a_slenderness_in_degrees_is_taken_as_it_is():
+    for unit in ("deg", "°", "-", ""):
+        rows = [
+            ["Parete", "H", "alpha", "Meccanismo"],
+            ["", "m", unit, ""],
+            ["a", "4", "7.5", "entrambi"],
+        ]
+        assert walls_of(rows)[0].slenderness_deg == 7.5
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ('hidden="1"', "hidden='1'"),
+        ('hidden="1"', 'ht="0" customHeight="1"'),
+        ('hidden="1"', 'hidden="true"'),
+        ("<row r=", "<row n="),  # a row without its number follows the one above
+    ],
+)
+def test_that_a_row_is_hidden_however_a_workbook_says_it(tmp_path, old, new):
+    import zipfile
+
+    path = workbook(tmp_path, hide=(4,))
+    with zipfile.ZipFile(path) as book:
+        parts = {name: book.read(name) for name in book.namelist()}
+    sheet = "xl/worksheets/sheet1.xml"
+    assert old.encode() in parts[sheet]
+    parts[sheet] = parts[sheet].replace(old.encode(), new.encode())
+    with zipfile.ZipFile(path, "w") as book:
+        for name, content in parts.items():
+            book.writestr(name, content)
+    assert [wall.name for wall in read_table(path)[0]] == ["a", "c"]

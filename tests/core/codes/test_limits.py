@@ -1,0 +1,59 @@
+"""Numbers of the limit states and of sets, each against its clause."""
+
+import pytest
+
+from core.capacity.ida import multiplier_of
+from core.capacity.limit_states import LIMIT_FRACTION
+from core.codes.limits import MEAN_FROM, MINIMUM_FROM, check_return_period, return_period
+from core.errors import InputError
+
+
+@pytest.mark.parametrize(
+    ("state", "years"), [("SLO", 30.11), ("SLD", 50.29), ("SLV", 474.56), ("SLC", 974.79)]
+)
+def test_that_t_r_of_fifty_years_is_the_known_one(state, years):
+    # NTC 2018 3.2.0: -50 / ln(1 - P_VR), P_VR 81, 63, 10, 5 %
+    assert return_period(50.0, state) == pytest.approx(years, abs=0.005)
+
+
+def test_that_the_limits_are_those_of_the_clauses():
+    assert LIMIT_FRACTION == {"SLV": 0.40, "SLC": 0.60}  # C8.7.1.2.1.6
+    assert (MEAN_FROM, MINIMUM_FROM) == (7, 3)  # EN 1998-1 4.3.3.4.3(3)
+
+
+def test_that_q_is_c_pga_over_a_rm():
+    # Eq. 10: q = 2.4 under a PGA of 3 m/s2 with a_RM = 1.2 m/s2 is C = 0.96
+    assert multiplier_of(2.4, 3.0, 1.2) == pytest.approx(0.96, rel=1e-15)
+
+
+# T_R of SLV and of SLD by hand, -V_R / ln(0.9) and -V_R / ln(0.37), for V_R of NTC 2018 2.4 (V_N C_U)
+SLV = {35: 332.2, 50: 474.6, 75: 711.8, 100: 949.1, 150: 1423.7, 200: 1898.2}
+SLD = {35: 35.2, 50: 50.3, 75: 75.4, 100: 100.6, 150: 150.9, 200: 201.2}
+
+
+@pytest.mark.parametrize("life", SLV)
+def test_that_the_period_of_a_weaker_limit_state_is_refused(life):
+    # at SLC the T_R of SLV of every usual V_R, from the shortest that SLC has (682 years)
+    if SLV[life] < 682.0:
+        with pytest.raises(InputError, match="below the 682 years of SLC"):
+            check_return_period("SLC", SLV[life], None)
+    else:
+        with pytest.raises(InputError, match=f"is that of SLV for V_R = {life} years"):
+            check_return_period("SLC", SLV[life] * 1.009, None)
+        check_return_period("SLC", SLV[life] * 1.012, None)
+    with pytest.raises(InputError, match="below the 332 years of SLV"):
+        check_return_period("SLV", SLD[life], None)
+    check_return_period("SLV", SLV[life], None)
+
+
+def test_that_a_period_stated_beside_the_life_is_the_one_it_gives():
+    check_return_period("SLV", 475.0, 474.6)
+    check_return_period("SLV", 475.0, None)
+    # the hazard ends at 30 and at 2475 years
+    check_return_period("SLO", 30.0, 21.1)
+    check_return_period("SLC", 2475.0, 3899.2)
+    for stated in (479.6, 469.6, 30.0, 2475.0):
+        with pytest.raises(InputError, match="give 475 years at SLV"):
+            check_return_period("SLV", stated, 474.6)
+    with pytest.raises(InputError, match="give 3899 years"):
+        check_return_period("SLC", 2400.0, 3899.2)

@@ -1,0 +1,134 @@
+"""Spectra of the codes at every branch, against values worked out by hand."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from core.case.schema import Case, Demand
+from core.codes import target_spectrum as ts
+from core.codes.demand import with_records
+from core.errors import InputError
+from core.ground.ground_motion import GroundMotion
+from core.study.demand_input import demand_of, target_of
+from core.units import G
+
+A_G = 0.25 * G
+
+
+def by_hand(t, ag_s, eta, f0, tb, tc, td):
+    """NTC 2018 3.2.2, branch by branch."""
+    if t < tb:
+        return ag_s * eta * f0 * (t / tb + (1.0 - t / tb) / (eta * f0))
+    if t < tc:
+        return ag_s * eta * f0
+    if t < td:
+        return ag_s * eta * f0 * tc / t
+    return ag_s * eta * f0 * tc * td / t**2
+
+
+@pytest.mark.parametrize("damping", [0.02, 0.05, 0.08, 0.10, 0.30])
+@pytest.mark.parametrize("kind", [1, 2])
+@pytest.mark.parametrize("soil", ts.SOILS)
+def test_that_every_branch_of_en1998_is_its_formula(kind, soil, damping):
+    target = ts.en1998(A_G, kind, soil)
+    s, tb, tc, td = ts.EN_SOIL[kind][soil]
+    eta = max(math.sqrt(10.0 / (5.0 + 100.0 * damping)), 0.55)
+    periods = [0.0, 0.5 * tb, tb, 0.5 * (tb + tc), tc, 0.5 * (tc + td), td, 3.0 * td]
+    found = target.acceleration(periods, damping)
+    for t, value in zip(periods, found, strict=True):
+        assert value == pytest.approx(by_hand(t, A_G * s, eta, 2.5, tb, tc, td), rel=1e-13)
+
+
+def test_that_the_branches_meet_at_tb_tc_and_td():
+    for target in (ts.en1998(A_G, 1, "C"), ts.ntc2018(A_G, 2.4, 0.33, "D", "T2")):
+        for corner in (target.t_b, target.t_c, target.t_d):
+            below, above = target.acceleration([corner * (1 - 1e-12), corner * (1 + 1e-12)])
+            assert below == pytest.approx(above, rel=1e-10)
+
+
+def test_that_the_wrong_variants_of_public_codes_are_not_ours():
+    two_c = ts.en1998(A_G, 2, "C")
+    assert two_c.t_c == 0.25  # not 0.60
+    target = ts.en1998(A_G, 1, "B")
+    assert target.t_d == 2.0  # not 2.5
+    # the last branch is TC TD / T^2, not (TC T) / T^2: it falls with the square of T
+    two, four = target.acceleration([2.0, 4.0])
+    assert four == pytest.approx(two / 4.0, rel=1e-13)
+
+
+@pytest.mark.parametrize(
+    ("soil", "s", "cc"),
+    [
+        # F0 ag/g = 2.5 * 0.25 = 0.625, T_C* = 0.30 s; Tab. 3.2.IV by hand
+        ("A", 1.00, 1.0),
+        ("B", 1.40 - 0.40 * 0.625, 1.10 * 0.30**-0.20),
+        ("C", 1.70 - 0.60 * 0.625, 1.05 * 0.30**-0.33),
+        ("D", 2.40 - 1.50 * 0.625, 1.25 * 0.30**-0.50),
+        ("E", 2.00 - 1.10 * 0.625, 1.15 * 0.30**-0.40),
+    ],
+)
+def test_that_the_soils_of_ntc2018_are_those_of_its_table(soil, s, cc):
+    target = ts.ntc2018(A_G, 2.5, 0.30, soil, "T1")
+    assert target.soil == pytest.approx(s, rel=1e-13)
+    assert target.t_c == pytest.approx(cc * 0.30, rel=1e-13)
+    assert target.t_b == pytest.approx(target.t_c / 3.0, rel=1e-13)
+    assert target.t_d == pytest.approx(4.0 * 0.25 + 1.6, rel=1e-13)
+    assert ts.ntc2018(A_G, 2.5, 0.30, soil, "T4").soil == pytest.approx(1.4 * s, rel=1e-13)
+
+
+def test_that_the_soil_factor_is_held_within_its_limits():
+    assert ts.ntc2018(0.02 * G, 2.5, 0.3, "C", "T1").soil == 1.5
+    assert ts.ntc2018(0.9 * G, 2.5, 0.3, "D", "T1").soil == 0.9
+
+
+def test_that_the_intensity_of_a_spectrum_is_the_integral_of_its_velocity():
+    target = ts.en1998(A_G, 1, "B")
+    t = np.linspace(0.1, 2.5, 240001)
+    fine = np.trapezoid(target.acceleration(t) * t / (2.0 * math.pi), t)
+    # 0.02 s against 1e-5 s: the kinks at T_C and T_D are grid points
+    assert ts.housner_intensity(target) == pytest.approx(fine, rel=1e-4)
+
+
+def test_that_a_spectrum_of_a_file_gives_its_points_and_its_ends():
+    rows = [(0.0, 3.0), (0.1, 7.0), (0.5, 7.0), (1.0, 3.5), (2.5, 1.0)]
+    target = ts.given("f", 3.0, 1.0, rows)
+    assert target.acceleration([0.1, 0.3, 1.0]).tolist() == [7.0, 7.0, 3.5]
+    assert target.acceleration([5.0])[0] == pytest.approx(0.25, rel=1e-13)
+    eight = target.acceleration([0.0, 1.0], 0.08)
+    assert eight[0] == 3.0
+    assert eight[1] == pytest.approx(3.5 * math.sqrt(10 / 13), rel=1e-13)
+
+
+@pytest.mark.parametrize(
+    ("rows", "words"),
+    [
+        ([(0.1, 1.0)] * 3, "too few"),
+        ([(0.1, 1.0), (0.1, 1.0), (0.2, 1.0), (1.0, 1.0), (3.0, 1.0)], "must rise"),
+        ([(0.2, 1.0), (0.3, 1.0), (0.4, 1.0), (1.0, 1.0), (3.0, 1.0)], "0.1 to 2.5"),
+        ([(0.0, 2.0), (0.1, 7.0), (0.4, 7.0), (1.0, 3.0), (3.0, 1.0)], "starts at"),
+        ([(0.05, 49.0), (0.1, 49.0), (0.4, 49.0), (1.0, 49.0), (3.0, 49.0)], "is the file in g"),
+        ([(0.0, -1.0), (0.1, 1.0), (0.4, 1.0), (1.0, 1.0), (3.0, 1.0)], "above 0 g"),
+    ],
+)
+def test_that_a_wrong_file_of_a_spectrum_is_refused(rows, words):
+    with pytest.raises(InputError, match=words):
+        ts.given("f", 3.0, 1.0, rows)
+
+
+@pytest.mark.parametrize(
+    "head", ["T[ms] Se[g]", "T (s); Se (m/s2)", "period [s] Se [cm/s2]", "f [Hz] Se"]
+)
+def test_that_a_spectrum_file_headed_by_other_units_is_refused(tmp_path, head):
+    (tmp_path / "s.txt").write_text(f"{head}\n0 0.2\n0.5 0.5\n2 0.1\n4 0.05\n")
+    with pytest.raises(InputError, match="the head names"):
+        target_of(Demand(0.2, spectrum_file="s.txt"), tmp_path)
+
+
+def test_that_records_far_below_the_demand_are_warned_of():
+    one = GroundMotion("a", np.sin(np.arange(500) * 0.3), 0.01, "a")
+    for ag, codes in ((0.1, []), (0.6, ["weaker_records"])):
+        case = Case(demand=Demand(ag, soil_factor=1.0))
+        asked = with_records(demand_of(case, Path()), [one])
+        assert [warning.code for warning in asked.warnings] == codes

@@ -1,0 +1,220 @@
+"""Where compiled kernels live: private, checked, and never in the way of a start."""
+
+import json
+import os
+import re
+import subprocess
+import sys
+
+import pytest
+
+from core.jit import cache, decorators
+from core.study import precompile
+from tests.conftest import ROOT
+
+SCRIPT = """
+import sys, hashlib, math, numpy as np
+from core.jit import cache
+from core.ground.response_spectrum import housner_intensity
+from core.rocking.history import history, scan
+from core.rocking.methods import METHODS
+from core.wall.rocking_model import RockingModel
+ground = np.loadtxt(sys.argv[1], delimiter=",", skiprows=1)[:500, 1].copy()
+digest = hashlib.sha256()
+a = math.radians(6.8)
+for one, ratio, drop, d1, d2 in ((0, .97, 0, 0, 0), (1, .45, 0, 0, 0), (1, .5, 9., 0, 0),
+                                 (0, .97, 0, .02, .28), (1, .45, 0, .06, .28)):
+    model = RockingModel(a, 2.0866, float(one), ratio, float(drop), d1 * a, d2 * a)
+    for method in METHODS.values():
+        for scale in (1.0, 2.7):
+            found = history(ground, 0.01, scale, model, method)
+            digest.update(found.rotation.tobytes() + found.velocity.tobytes())
+            digest.update(found.impact_time.tobytes() + repr((found.outcome, float(found.peak))).encode())
+    for name in sys.argv[2:]:
+        outcomes, peaks = np.zeros(80, np.int64), np.zeros(80)
+        clamped = scan(METHODS[name], ground, 0.01, np.linspace(0.5, 6.0, 80), model, outcomes, peaks)
+        digest.update(outcomes.tobytes() + peaks.tobytes() + clamped.tobytes())
+digest.update(repr(housner_intensity(ground[:300], 0.01)).encode())
+print(digest.hexdigest(), cache.folder())
+"""
+
+
+def run(*scanned, **variables):
+    """(digest of histories by all methods and of scans by these, the cache's folder) of a process."""
+    known = ROOT / "tests" / "reference" / "standard_record.csv"
+    found = subprocess.run(
+        [sys.executable, "-P", "-c", SCRIPT, known, *scanned], capture_output=True, text=True, check=True,
+        env=dict(os.environ, PYTHONPATH=str(ROOT), **variables),
+    )  # fmt: skip
+    digest, folder = found.stdout.split()
+    return digest, folder
+
+
+def test_that_the_kernels_without_compiler_are_bit_identical():
+    compiled = run()[0]
+    assert run(NUMBA_DISABLE_JIT="1")[0] == compiled
+
+
+def test_that_a_processor_without_wide_registers_or_fused_products_gives_the_same_bits(tmp_path):
+    orders = ("taylor", "taylor_6")
+    plain = run(
+        *orders, RIBALTA_CACHE=str(tmp_path), NUMBA_CPU_NAME="generic", NUMBA_CPU_FEATURES=""
+    )
+    assert plain[0] == run(*orders)[0]
+
+
+def test_that_damaged_cache_files_are_dropped_and_compiled_again(tmp_path):
+    digest, folder = run(RIBALTA_CACHE=str(tmp_path))
+    files = sorted(os.path.join(folder, name) for name in os.listdir(folder))
+    code = [name for name in files if name.endswith(".nbc")]
+    assert len(code) >= 3
+    for name in code[:2]:
+        with open(name, "r+b") as stream:
+            stream.seek(200)
+            stream.write(b"\x00" * 64)
+    with open(files[1], "r+b") as stream:
+        stream.truncate(10)
+    assert run(RIBALTA_CACHE=str(tmp_path))[0] == digest
+    # the manifest itself damaged: nothing is trusted, everything works
+    with open(os.path.join(folder, cache.MANIFEST), "w") as stream:
+        stream.write("[1, 2")
+    assert run(RIBALTA_CACHE=str(tmp_path)) == (digest, folder)
+
+
+def test_that_drop_damaged_keeps_what_is_sound(tmp_path):
+    for name in ("a.nbi", "b.nbc"):
+        (tmp_path / name).write_bytes(b"machine code " + name.encode())
+    cache.record(tmp_path)
+    (tmp_path / "c.nbc").write_bytes(b"never recorded")
+    (tmp_path / "b.nbc").write_bytes(b"changed")
+    cache.drop_damaged(tmp_path)
+    assert sorted(path.name for path in tmp_path.glob("*.nb*")) == ["a.nbi"]
+    assert set(json.loads((tmp_path / cache.MANIFEST).read_text())) == {"a.nbi", "b.nbc"}
+
+
+@pytest.mark.skipif(os.name == "nt", reason="owners and modes of POSIX")
+def test_that_a_folder_others_can_write_is_not_used(tmp_path):
+    base = tmp_path / "cache"
+    first = cache.prepare(base, "stamp")
+    assert first == base / "kernels-stamp"
+    assert first.stat().st_mode & 0o777 == 0o700
+    first.chmod(0o777)
+    other = cache.prepare(base, "stamp")
+    assert other != first and cache.private(other)
+
+
+def test_that_an_unwritable_place_falls_back_to_a_temporary_folder(tmp_path):
+    blocked = tmp_path / "file"
+    blocked.write_text("not a folder")
+    folder = cache.prepare(blocked / "below", "stamp")
+    assert folder.is_dir() and tmp_path not in folder.parents
+
+
+def test_that_the_stamp_follows_every_source():
+    assert len(cache.stamp()) == 16
+    assert cache.stamp.__wrapped__() == cache.stamp()
+
+
+def test_that_no_kernel_is_fast_math_or_parallel():
+    for source in (ROOT / "core").rglob("*.py"):
+        text = source.read_text()
+        assert not re.search(r"fastmath\s*=|parallel\s*=|\bprange\b", text), source
+
+
+def test_that_numba_waits_for_the_first_call_of_a_kernel():
+    script = (
+        "import sys; import core.study.run, app.batch; early = 'numba' in sys.modules;"
+        "from core.ground.response_spectrum import housner_intensity; import numpy as np;"
+        "housner_intensity(np.ones(50), 0.01); print(early, 'numba' in sys.modules)"
+    )
+    found = subprocess.run(
+        [sys.executable, "-P", "-c", script], capture_output=True, text=True, check=True,
+        env=dict(os.environ, PYTHONPATH=str(ROOT)),
+    )  # fmt: skip
+    assert found.stdout.split() == ["False", "True"]
+
+
+def test_that_kernels_of_kernels_run_as_python_when_python_calls_them():
+    @decorators.subkernel
+    def half(x):
+        return "python" if isinstance(x, str) else 0.5 * x
+
+    @decorators.subkernel
+    def quarter(x):
+        return 0.25 * x
+
+    @decorators.kernel
+    def three_quarters(x):
+        return 0.5 * x + quarter(x)
+
+    assert half("a") == "python"
+    assert quarter(8.0) == 2.0
+    assert three_quarters(8.0) == 6.0
+
+
+COLD = """
+import sys, numpy as np
+from core.study import precompile
+from core.rocking.history import history
+from core.rocking.methods import METHODS
+from core.wall.rocking_model import RockingModel
+from core.rocking.taylor import through_sample
+precompile.sys.executable = sys.argv[1]
+precompile.start({"taylor_6", "rk4"})
+model = RockingModel(0.1, 2.0, 0.0, 0.97, 0.0, 0.0, 0.0)
+found = history(np.sin(np.arange(400.0)), 0.01, 3.0, model, METHODS["taylor_6"])
+taken = sum(through_sample.dispatcher.stats.cache_hits.values())
+print(taken, len(precompile._second), found.rotation.sum(), found.peak)
+precompile.end()
+precompile._second.clear()
+precompile.start({"taylor_6"})
+print(len(precompile._second))
+precompile.end()
+"""
+
+
+@pytest.mark.skipif(precompile.cores() < 2, reason="one processor: there is no second process")
+def test_that_a_second_process_compiles_the_step_where_nothing_is_compiled(tmp_path):
+    def cold(executable, folder):
+        found = subprocess.run(
+            [sys.executable, "-P", "-c", COLD, executable], capture_output=True, text=True, check=True,
+            env=dict(os.environ, PYTHONPATH=str(ROOT), RIBALTA_CACHE=str(folder)),
+        )  # fmt: skip
+        return found.stdout.split()
+
+    taken, begun, *results, again = cold(sys.executable, tmp_path / "two")
+    assert (taken, begun, again) == ("1", "1", "0")  # and no other where it is compiled
+    missing = cold(str(tmp_path / "nothing"), tmp_path / "one")
+    assert missing == ["0", "0", *results, "0"]
+    # a second process that ends without having compiled anything
+    assert cold("/bin/false", tmp_path / "none")[2:4] == results
+
+
+def test_that_no_flipped_bit_of_the_manifest_ends_a_run(tmp_path):
+    """The cache heals itself: what is not as recorded is compiled again."""
+    folder = tmp_path / "kernels-x"
+    folder.mkdir(mode=0o700)
+    (folder / "a.nbi").write_bytes(b"index")
+    cache.record(folder)
+    good = (folder / "manifest.json").read_bytes()
+    for place in range(len(good)):
+        for bit in (0, 3, 7):
+            changed = bytearray(good)
+            changed[place] ^= 1 << bit
+            (folder / "manifest.json").write_bytes(changed)
+            (folder / "a.nbi").write_bytes(b"index")
+            cache.drop_damaged(folder)
+            cache.record(folder)
+            known = json.loads((folder / "manifest.json").read_bytes())
+            assert set(known) == {path.name for path in folder.glob("*.nbi")}
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes on this system")
+def test_that_a_pipe_in_the_cache_holds_nobody_up(tmp_path):
+    folder = tmp_path / "kernels-x"
+    folder.mkdir(mode=0o700)
+    for name in ("a.nbi", "manifest.json"):
+        os.mkfifo(folder / name)
+    assert cache.prepare(tmp_path, "x") == folder
+    cache.record(folder)
+    assert (folder / "manifest.json").read_bytes() == b"{}"

@@ -1,0 +1,119 @@
+"""Multipliers in lockstep are single analyses, bit for bit."""
+
+import math
+
+import numpy as np
+import pytest
+
+from core.rocking.early_stop import LOOKAHEAD, lookahead_bounds
+from core.rocking.history import history, scan, scan_records
+from core.rocking.lane_scheduler import Grounds
+from core.rocking.lane_state import WIDTH
+from core.rocking.methods import METHODS
+from core.rocking.outcome import COLLAPSED
+from core.units import G
+from core.wall.rocking_model import RockingModel
+
+
+def assert_lanes_are_histories(ground, dt, scales, model, name="taylor"):
+    """Outcomes, peaks and clamped ratios of the lanes are those of whole histories, bit for bit; a block
+    that falls is given up on its way. Returns the outcomes."""
+    outcomes, peaks = np.zeros(scales.size, np.int64), np.zeros(scales.size)
+    clamped = scan(METHODS[name], ground, dt, scales, model, outcomes, peaks)
+    for k, scale in enumerate(scales):
+        whole = history(ground, dt, scale, model, METHODS[name])
+        assert (outcomes[k], clamped[k]) == (whole.outcome, whole.clamped)
+        if whole.outcome == COLLAPSED:
+            assert model.slenderness <= peaks[k] <= whole.peak
+        else:
+            assert peaks[k] == whole.peak
+    return outcomes
+
+
+@pytest.mark.parametrize("name", ["standard", "hard"])
+@pytest.mark.parametrize("one_sided", [False, True])
+@pytest.mark.parametrize("law", ["rigid", "doherty"])
+@pytest.mark.parametrize("size", [1, 7, 8, 32, 33, 70])
+def test_that_lanes_equal_single_analyses_on_the_references(
+    reference, make_model, name, one_sided, law, size
+):
+    ground = reference(name)[0]
+    scales = np.linspace(0.5, 6.0, size) * (-1.0) ** np.arange(size)
+    for restitution in ("housner", "one_sided_experimental") if one_sided else ("housner",):
+        model = make_model(one_sided=one_sided, model=restitution, law=law)
+        for method in ("taylor", "taylor_6"):
+            outcomes = assert_lanes_are_histories(ground, 0.01, scales, model, method)
+    assert len(set(outcomes)) == 2 or size < 7
+
+
+def test_that_lanes_equal_single_analyses_on_random_walls_and_grounds():
+    rng = np.random.default_rng(11)
+    seen = set()
+    for _ in range(150):
+        alpha = math.radians(rng.uniform(0.5, 40.0))
+        p2 = 10.0 ** rng.uniform(-0.5, 2.0)
+        one_sided = float(rng.integers(2))
+        drop = rng.choice([0.0, 5.0])
+        law = rng.choice([0.0, alpha]) * np.array([0.05, 0.3])
+        model = RockingModel(alpha, p2, one_sided, rng.uniform(0.0, 1.0), drop, *law)
+        dt = 10.0 ** rng.uniform(-3.5, -1.3)
+        ground = G * math.tan(alpha) * rng.normal(size=300)
+        ground[100:130] = 0.0
+        scales = rng.uniform(0.2, 8.0, 16)
+        name = rng.choice(["taylor", "taylor_6"])
+        seen |= set(assert_lanes_are_histories(ground, dt, scales, model, name))
+    assert seen >= {0, 1}
+
+
+def test_that_lanes_of_several_records_run_together(reference, make_model):
+    """More analyses than lanes, of records of different length, one after another in the same pass."""
+    grounds = [reference("standard")[0], 1.4 * reference("hard")[0][:700], np.zeros(5)]
+    model, rng = make_model(one_sided=True), np.random.default_rng(4)
+    which = rng.integers(0, 3, 3 * WIDTH + 5)
+    scales = rng.uniform(-4.0, 4.0, which.size)
+    for name in ("taylor", "rk4"):
+        found = np.zeros(which.size, np.int64), np.zeros(which.size)
+        alone = np.zeros(which.size, np.int64), np.zeros(which.size)
+        method = METHODS[name]
+        scan_records(method, Grounds.of(grounds, 0.01), which, scales, model, *found)
+        for k in range(which.size):
+            one = slice(k, k + 1)
+            scan(method, grounds[which[k]], 0.01, scales[one], model, alone[0][one], alone[1][one])
+        stable = found[0] != COLLAPSED
+        assert np.array_equal(found[0], alone[0]) and 0 < stable.sum() < which.size
+        assert np.array_equal(found[1][stable], alone[1][stable])
+
+
+def test_that_what_is_settled_or_dies_down_is_what_integrating_on_would_say(reference, make_model):
+    """Analyses that stop early, and chatter not followed to its end, change no bit of what is reported."""
+    ground = np.concatenate([reference("standard")[0], 0.02 * reference("hard")[0]])
+    for one_sided in (False, True):
+        for law in ("rigid", "doherty"):
+            model = make_model(one_sided=one_sided, law=law)
+            assert_lanes_are_histories(ground, 0.01, np.linspace(0.4, 2.5, 40), model)
+
+
+@pytest.mark.parametrize("ratio", [0.0, 0.3, 0.9, 0.99, 0.999, 1.0])
+def test_that_chatter_under_a_nearly_lifting_ground_is_followed(make_model, ratio):
+    """The ground stays a hair below what lifts the block, or goes beyond it, while the bounces die down."""
+    rng = np.random.default_rng(5)
+    for one_sided in (False, True):
+        model = make_model(one_sided=one_sided, ratio=ratio)
+        threshold = 9.80665 * math.tan(model.slenderness)
+        for _ in range(12):
+            ground = threshold * np.repeat(rng.uniform(0.95, 1.02, 20), rng.integers(1, 12, 20))
+            ground[:4] = 1.3 * threshold
+            ground *= rng.choice([-1.0, 1.0], ground.size) if rng.random() < 0.3 else 1.0
+            assert_lanes_are_histories(ground, 0.01, np.linspace(0.9, 1.1, 16), model)
+
+
+def test_that_what_lies_ahead_is_what_a_plain_loop_finds():
+    rng = np.random.default_rng(3)
+    ground, dt = rng.normal(size=50), 0.02
+    ahead = lookahead_bounds(ground, dt)
+    still = np.concatenate([ground, np.zeros(LOOKAHEAD + 1)])
+    for i in range(50):
+        window = still[i : i + LOOKAHEAD]
+        assert ahead[0, i] == window.max() and ahead[1, i] == window.min()
+        assert ahead[2, i] == np.abs(np.diff(still[i : i + LOOKAHEAD + 1])).max()
+        assert ahead[3, i] == pytest.approx(np.trapezoid(np.abs(still[i:]), dx=dt), rel=1e-12)

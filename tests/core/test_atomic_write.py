@@ -1,0 +1,236 @@
+"""Files that are whole or not there, under every fault and kill."""
+
+import errno
+import json
+import os
+import subprocess
+import sys
+
+import pytest
+
+from core import atomic_write
+from core.errors import OutputError
+from core.study.journal import Journal
+from tests.conftest import ROOT
+
+CALLS = ("replace", "fsync", "unlink", "open", "chmod", "write", "stat", "mkdir", "close")
+
+
+class Faults:
+    """The n-th of all calls of the system fails, once or from there on."""
+
+    def __init__(self, monkeypatch, number, for_ever, code=errno.ENOSPC):
+        self.count, self.number, self.for_ever = 0, number, for_ever
+        for name in ("replace", "fsync", "unlink", "open", "chmod", "rename"):
+            real = getattr(os, name)
+            monkeypatch.setattr(os, name, self.wrapped(real, code))
+
+    def wrapped(self, real, code):
+        def call(*arguments, **more):
+            self.count += 1
+            if self.count == self.number or (self.for_ever and self.count > self.number):
+                raise OSError(code, os.strerror(code))
+            return real(*arguments, **more)
+
+        return call
+
+
+@pytest.mark.parametrize("for_ever", [False, True])
+@pytest.mark.parametrize("number", range(1, 26))
+def test_that_a_fault_of_any_call_leaves_both_old_files_or_both_new(
+    tmp_path, monkeypatch, number, for_ever
+):
+    one, two = tmp_path / "a.xlsx", tmp_path / "a.json"
+    one.write_bytes(b"old 1")
+    two.write_bytes(b"old 2")
+    with monkeypatch.context() as patch:
+        faults = Faults(patch, number, for_ever)
+        try:
+            atomic_write.write({one: b"new 1", two: b"new 2"})
+            written = True
+        except OutputError as error:
+            written = False
+            assert "cannot be written (No space left on device)" in str(error)
+    atomic_write.clean(tmp_path)
+    left = {
+        path.name: path.read_bytes()
+        for path in tmp_path.iterdir()
+        if atomic_write.PREFIX not in path.name
+    }
+    both = ({"a.xlsx": b"new 1", "a.json": b"new 2"}, {"a.xlsx": b"old 1", "a.json": b"old 2"})
+    if for_ever and not written:
+        # a disk on which nothing can be put back any more: whole files all the same
+        assert all(content in (b"old 1", b"new 1", b"old 2", b"new 2") for content in left.values())
+    else:
+        assert left == both[0 if written else 1], (written, faults.count)
+    if not for_ever:
+        assert sorted(path.name for path in tmp_path.iterdir()) == ["a.json", "a.xlsx"]
+
+
+def test_that_files_that_were_not_there_are_not_there_after_a_fault(tmp_path, monkeypatch):
+    for number in range(1, 20):
+        with monkeypatch.context() as patch:
+            Faults(patch, number, False)
+            try:
+                atomic_write.write({tmp_path / "a.xlsx": b"1", tmp_path / "a.json": b"2"})
+            except OutputError:
+                assert list(tmp_path.iterdir()) == []
+                continue
+        assert sorted(path.name for path in tmp_path.iterdir()) == ["a.json", "a.xlsx"]
+        for path in tmp_path.iterdir():
+            path.unlink()
+
+
+KILLED = """
+import os, sys
+from pathlib import Path
+sys.path.insert(0, {root!r})
+from core import atomic_write
+count = 0
+def kill(real):
+    def call(*a, **k):
+        global count
+        count += 1
+        if count == {number}:
+            os._exit(9)
+        return real(*a, **k)
+    return call
+for name in ("replace", "fsync", "unlink", "open", "chmod"):
+    setattr(os, name, kill(getattr(os, name)))
+atomic_write.write({{Path({one!r}): b"new 1", Path({two!r}): b"new 2"}})
+"""
+
+
+@pytest.mark.parametrize("number", range(1, 22))
+def test_that_a_kill_between_any_two_calls_is_finished_or_undone_at_the_next_start(
+    tmp_path, number
+):
+    one, two = tmp_path / "a.xlsx", tmp_path / "a.json"
+    one.write_bytes(b"old 1")
+    two.write_bytes(b"old 2")
+    script = KILLED.format(root=str(ROOT), number=number, one=str(one), two=str(two))
+    code = subprocess.run([sys.executable, "-c", script]).returncode
+    assert code in (0, 9)
+    atomic_write.check_folder(tmp_path)
+    pair = (one.read_bytes(), two.read_bytes())
+    assert pair in ((b"old 1", b"old 2"), (b"new 1", b"new 2"))
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["a.json", "a.xlsx"]
+
+
+def test_that_what_is_not_ours_or_in_use_is_left_alone(tmp_path):
+    names = (
+        ".ribalta-notes",
+        ".ribalta-12x-a",
+        f".ribalta-{os.getpid()}-used",
+        ".ribalta-x.commit",
+    )
+    for name in names:
+        (tmp_path / name).write_bytes(b"x")
+    os.mkfifo(tmp_path / ".ribalta-999999-pipe")
+    (tmp_path / ".ribalta-999999-left").write_bytes(b"x")
+    (tmp_path / ".ribalta-999999-bad.commit").write_bytes(b"{no list")
+    outside = tmp_path / "sub"
+    outside.mkdir()
+    (tmp_path / ".ribalta-999999-far").write_bytes(b"x")
+    (tmp_path / "mine").write_bytes(b"mine")
+    for number, moves in (
+        (999998, {str(tmp_path / ".ribalta-999999-far"): str(outside / "planted")}),
+        (999997, {".ribalta-999999-far": "planted"}),
+        (999999, {"mine": "planted", ".ribalta-999999-far": "../planted"}),
+        (999996, [1]), (999995, {"sub/x": "sub/y"}),
+    ):  # fmt: skip
+        (tmp_path / f".ribalta-{number}-a.commit").write_text(json.dumps(moves))
+    atomic_write.clean(tmp_path)
+    assert list(outside.iterdir()) == []
+    left = {path.name for path in tmp_path.iterdir()}
+    assert left == {*names, ".ribalta-999999-pipe", "sub", "mine"}
+
+
+@pytest.mark.parametrize("for_ever", [False, True])
+@pytest.mark.parametrize("number", range(1, 8))
+def test_that_a_full_disk_in_the_journal_is_one_sentence(tmp_path, monkeypatch, number, for_ever):
+    path = tmp_path / "c.journal"
+    with monkeypatch.context() as patch:
+        Faults(patch, number, for_ever)
+        try:
+            book = Journal(path, "key", False)
+            try:
+                for k in range(5):
+                    book.add(f"run{k}", {"q": float(k)})
+            finally:
+                book.close()
+        except OutputError as error:
+            assert "journal cannot be written" in str(error)
+    again = Journal(path, "key", True)
+    assert all(result == {"q": float(name[3:])} for name, result in again.found.items())
+    again.close()
+
+
+def test_that_a_disk_that_takes_half_a_file_leaves_the_old_one(tmp_path):
+    """A write that ends short, by the system's limit on the size of a file."""
+    resource = pytest.importorskip("resource")
+    script = f"""
+import resource, signal, sys
+from pathlib import Path
+sys.path.insert(0, {str(ROOT)!r})
+from core.errors import OutputError
+from core import atomic_write
+from core.journal import Journal
+signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+resource.setrlimit(resource.RLIMIT_FSIZE, (10_000, 10_000))
+folder = Path({str(tmp_path)!r})
+def fill():
+    book = Journal(folder / "d.journal", "key", False)
+    for k in range(99):
+        book.add(str(k), {{"x": "z" * 900}})
+for write in (lambda: atomic_write.write({{folder / "a.xlsx": b"x" * 100_000, folder / "a.json": b"y"}}), fill):
+    try:
+        write()
+    except OutputError as error:
+        assert "File too large" in str(error), error
+    else:
+        raise SystemExit("written")
+"""
+    assert resource
+    (tmp_path / "a.xlsx").write_bytes(b"old")
+    found = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+    assert found.returncode == 0, found.stderr
+    assert (tmp_path / "a.xlsx").read_bytes() == b"old" and not (tmp_path / "a.json").exists()
+    again = Journal(tmp_path / "d.journal", "key", True)
+    assert len(again.found) >= 9 and all(
+        result == {"x": "z" * 900} for result in again.found.values()
+    )
+    again.close()
+
+
+def test_that_a_folder_that_cannot_be_synced_can_be_written(tmp_path, monkeypatch):
+    """Some network drives know no fsync of a folder."""
+    real = os.fsync
+
+    def fsync(handle):
+        if os.path.isdir(f"/proc/self/fd/{handle}"):
+            raise OSError(errno.EINVAL, "Invalid argument")
+        return real(handle)
+
+    monkeypatch.setattr(os, "fsync", fsync)
+    atomic_write.write({tmp_path / "a.xlsx": b"1", tmp_path / "a.json": b"2"})
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["a.json", "a.xlsx"]
+
+
+def test_that_a_kill_is_finished_also_where_the_folder_was_renamed(tmp_path):
+    folder = tmp_path / "out"
+    folder.mkdir()
+    one, two = folder / "a.xlsx", folder / "a.json"
+    one.write_bytes(b"old 1")
+    two.write_bytes(b"old 2")
+    # after the list is on disk and the first file in its place
+    for number in range(8, 20):
+        script = KILLED.format(root=str(ROOT), number=number, one=str(one), two=str(two))
+        subprocess.run([sys.executable, "-c", script])
+        moved = folder.rename(tmp_path / f"out{number}")
+        atomic_write.clean(moved)
+        pair = ((moved / "a.xlsx").read_bytes(), (moved / "a.json").read_bytes())
+        assert pair in ((b"old 1", b"old 2"), (b"new 1", b"new 2"))
+        folder = moved.rename(tmp_path / "out")
+        one.write_bytes(b"old 1")
+        two.write_bytes(b"old 2")
