@@ -9,48 +9,56 @@ import tempfile
 import traceback
 from pathlib import Path
 
+from app.language import quoted_from_file, set_language, system_language, terminal
+from core.errors import InputError
+
 
 def parser() -> argparse.ArgumentParser:
-    """The command line of DESIGN: contract."""
+    """The command line."""
     made = argparse.ArgumentParser(
         prog="ribalta",
-        description="How strong an earthquake a masonry wall withstands before it overturns.",
+        description=terminal(
+            "How strong an earthquake a masonry wall withstands before it overturns."
+        ),
     )
-    made.add_argument("case", nargs="?", type=Path, help="case file to open in the window")
-    made.add_argument("--batch", type=Path, metavar="CASE", help="run a case without a window")
-    made.add_argument("--output", type=Path, metavar="DIR", help="folder of the results")
-    made.add_argument("--jobs", type=_jobs, metavar="N", help="threads (default: all cores)")
-    made.add_argument("--quiet", action="store_true", help="no progress, no summary")
-    made.add_argument("--resume", action="store_true", help="go on from the journal")
     made.add_argument(
-        "--inspect", nargs="+", type=Path, metavar="FILE", help="say what records hold"
+        "case", nargs="?", type=Path, help=terminal("case file to open in the window")
     )
-    made.add_argument("--version", action="store_true", help="version and commit")
+    made.add_argument(
+        "--batch", type=Path, metavar="CASE", help=terminal("run a case without a window")
+    )
+    made.add_argument("--output", type=Path, metavar="DIR", help=terminal("folder of the results"))
+    made.add_argument(
+        "--jobs", type=_jobs, metavar="N", help=terminal("threads (default: all cores)")
+    )
+    made.add_argument("--quiet", action="store_true", help=terminal("no progress, no summary"))
+    made.add_argument("--resume", action="store_true", help=terminal("go on from the journal"))
+    made.add_argument(
+        "--inspect", nargs="+", type=Path, metavar="FILE", help=terminal("say what records hold")
+    )
+    made.add_argument("--version", action="store_true", help=terminal("version and commit"))
     return made
 
 
 def _jobs(word: str) -> int:
     if not word.isascii() or not word.isdigit() or not 1 <= int(word) <= 1024:
-        raise argparse.ArgumentTypeError(f"{word!r} is not a number of threads from 1 to 1024")
+        raise argparse.ArgumentTypeError(
+            terminal("{word!r} is not a number of threads from 1 to 1024", word=word)
+        )
     return int(word)
 
 
 def window(case: Path | None) -> int:
     """The window, imported here so that nothing else needs Qt. Raises InputError where Qt cannot start."""
-    from core.errors import InputError
-
     try:
         from app.quick_imports import quicken
 
         quicken()
         from app import start as qt
     except ImportError as error:
-        raise InputError(
-            f"the window needs PySide6 and pyqtgraph, and on Linux libgl1, libegl1 and libxkbcommon0 "
-            f"({error}); start it with python3 run.py, or run a case with --batch"
-        ) from None
+        raise InputError("window_needs_qt", reason=str(error)) from None
     if case is not None and not case.exists():
-        raise InputError(f"{case}: there is no such case file")
+        raise InputError("no_case_file", place=(case,))
     return qt.main(case)
 
 
@@ -58,16 +66,15 @@ def main(arguments: list[str] | None = None) -> int:
     """Run the program; returns its exit code."""
     with contextlib.suppress(OSError, AttributeError):  # no stderr: a windowed program, a test
         faulthandler.enable()
+    set_language(system_language())
     options = parser().parse_args(arguments)
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):  # a name the terminal cannot show must not end a run
             stream.reconfigure(errors="replace")
     if options.batch and options.inspect:
-        parser().error("--batch and --inspect do not go together")
+        parser().error(terminal("--batch and --inspect do not go together"))
     if not options.batch and (options.output or options.resume or options.jobs):
-        parser().error("--output, --jobs and --resume go with --batch")
-    from core.errors import InputError
-
+        parser().error(terminal("--output, --jobs and --resume go with --batch"))
     try:
         if options.version:
             from core.version import NAME, VERSION, commit
@@ -85,20 +92,23 @@ def main(arguments: list[str] | None = None) -> int:
             return batch.run(options.batch, options.output, jobs, options.quiet, options.resume)
         return window(options.case)
     except InputError as error:
-        print(f"error: {error}", file=sys.stderr)
+        print(terminal("error: {error}", error=quoted_from_file(error)), file=sys.stderr)
         return 1
     except BrokenPipeError:
         sys.stdout = None
         return 0
     except KeyboardInterrupt:
-        print("stopped", file=sys.stderr)
+        print(terminal("stopped"), file=sys.stderr)
         return 130
     except Exception:  # an internal error: its traceback goes to a file the user can send
         with tempfile.NamedTemporaryFile(
             "w", prefix="ribalta-error-", suffix=".log", delete=False
         ) as log:
             traceback.print_exc(file=log)
-        print(f"internal error, nothing was written; please send {log.name}", file=sys.stderr)
+        print(
+            terminal("internal error, nothing was written; please send {path}", path=log.name),
+            file=sys.stderr,
+        )
         return 4
 
 

@@ -8,6 +8,7 @@ import time
 from pathlib import Path
 
 from app import export
+from app.language import current_language, terminal
 from core import atomic_write
 from core.case.reader import read_case
 from core.case.schema import Case
@@ -36,8 +37,7 @@ def run(case_path: Path, output: Path | None, jobs: int, quiet: bool, resume: bo
         for new in made:
             with contextlib.suppress(OSError):
                 new.rmdir()
-        place = f"{case_path}: "
-        raise InputError(place + str(error).removeprefix(place)) from None
+        raise error.at(case_path) from None
 
 
 def run_in(
@@ -50,11 +50,15 @@ def run_in(
     def journal(key: str) -> Journal:
         books.append(Journal(folder / f"{stem}.journal", key, resume))
         if books[0].set_aside:
-            print(f"finished runs of an earlier start are in {books[0].set_aside}: to go on with "
-                  "them, rename it and add --resume", file=sys.stderr)  # fmt: skip
+            _tell(
+                "finished runs of an earlier start are in {path}: to go on with them, rename it and add --resume",
+                path=books[0].set_aside,
+            )
         if books[0].dropped:
-            print(f"{books[0].dropped} damaged line(s) of the journal were dropped: these runs are made again",
-                  file=sys.stderr)  # fmt: skip
+            _tell(
+                "{n} damaged line(s) of the journal were dropped: these runs are made again",
+                n=books[0].dropped,
+            )
         return books[0]
 
     with _interrupts(cancel), _progress(quiet) as show:
@@ -68,23 +72,30 @@ def run_in(
                 cancelled=cancel.is_set,
             )
         except Cancelled:
-            print(
-                f"cancelled: finished runs are in {folder / (stem + '.journal')}; "
-                "go on with --resume",
-                file=sys.stderr,
-            )
+            place = folder / f"{stem}.journal"
+            _tell("cancelled: finished runs are in {path}; go on with --resume", path=place)
             return CANCELLED
         export.write(result, folder, stem)
         for book in books:
             book.remove()
     for note in case.table_notes[1:]:
-        print(f"{case.table}: {note.text()}", file=sys.stderr)
+        print(f"{case.table}: {note.text(current_language())}", file=sys.stderr)
     if not quiet:
         say(summary(result, folder, stem))
     for wall, record, polarity, status in result.without_number:
-        sign = "+" if polarity > 0 else "-"
-        print(f"no number: {wall}, {record} ({sign}): {status}", file=sys.stderr)
+        _tell(
+            "no number: {wall}, {record} ({sign}): {status}",
+            wall=wall,
+            record=record,
+            sign="+" if polarity > 0 else "-",
+            status=status,
+        )
     return WITHOUT_NUMBER if result.without_number else DONE
+
+
+def _tell(text: str, /, **values) -> None:
+    """A line on stderr."""
+    print(terminal(text, **values), file=sys.stderr, flush=True)
 
 
 def say(text: str) -> None:
@@ -98,9 +109,11 @@ def say(text: str) -> None:
 def summary(result: StudyResult, folder: Path, stem: str) -> str:
     """What a terminal shows of a result: a line for each wall. With a demand its verdict, zeta and the check
     that decides; Eq. 9 stands in the files only."""
-    lines = [f"{'wall':24} {'mechanism':10} {'rule':10} {'q':>6} {'robust':>7}"]
+    heads = [terminal(head) for head in ("wall", "mechanism", "rule", "q", "robust")]
+    lines = ["{:24} {:10} {:10} {:>6} {:>7}".format(*heads)]
     if result.demand:
-        lines[0] += f" {'zeta':>6}  {'verdict':16} by"
+        heads = [terminal(head) for head in ("zeta", "verdict", "by")]
+        lines[0] += " {:>6}  {:16} {}".format(*heads)
     for wall in result.walls:
         line = (
             f"{wall.name[:24]:24} {wall.mechanism:10} {wall.set_rule or '-':10} "
@@ -112,7 +125,14 @@ def summary(result: StudyResult, folder: Path, stem: str) -> str:
         lines.append(line)
     runs = [run for wall in result.walls for run in wall.runs]
     analyses = sum(run.ida.analyses for run in runs)
-    lines.append(f"{len(runs)} runs, {analyses} analyses in {result.elapsed:.1f} s")
+    lines.append(
+        terminal(
+            "{runs} runs, {analyses} analyses in {seconds:.1f} s",
+            runs=len(runs),
+            analyses=analyses,
+            seconds=result.elapsed,
+        )
+    )
     lines.append(f"{folder / (stem + '.xlsx')}\n{folder / (stem + '.json')}")
     return "\n".join(lines)
 
@@ -150,11 +170,11 @@ def _progress(quiet: bool):
         from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeRemainingColumn
 
         bar = Progress(
-            "runs", BarColumn(), MofNCompleteColumn(), TimeRemainingColumn(),
+            terminal("runs"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn(),
             console=Console(stderr=True), transient=True,
         )  # fmt: skip
         with bar:
-            task = bar.add_task("runs", total=None)
+            task = bar.add_task(terminal("runs"), total=None)
             yield lambda done, planned: bar.update(task, completed=done, total=planned)
     else:
         start = last = time.monotonic()
@@ -165,8 +185,11 @@ def _progress(quiet: bool):
             if now - last >= 10.0 and done:
                 last = now
                 left = (now - start) / done * (planned - done)
-                print(
-                    f"{done}/{planned} runs, about {left:.0f} s left", file=sys.stderr, flush=True
+                _tell(
+                    "{done}/{planned} runs, about {left:.0f} s left",
+                    done=done,
+                    planned=planned,
+                    left=left,
                 )
 
         yield lines

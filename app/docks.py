@@ -14,9 +14,8 @@ from PySide6.QtWidgets import (
 from app.forms.demand_form import AnalysisForm, DemandForm
 from app.forms.records_panel import RecordsPanel
 from app.forms.wall_form import WallForm
-from app.language import tr
+from app.language import FORM_NAMES, tr
 from app.pages import Veil
-from app.sentences import captions
 
 
 def build(window) -> None:
@@ -34,7 +33,7 @@ def build(window) -> None:
         area.setWidget(form)
         forms.addTab(area, label)
     window.forms = forms
-    captions.update({
+    FORM_NAMES.captions.update({
         "[demand]": tr("Demand"), "[demand.spectrum]": tr("Spectrum"),
         "spectrum_file": tr("spectrum of a file"), "[generate]": tr("Generate…"),
         "time_step_s": tr("Time step"), "skip_lines": tr("Lines to skip"),

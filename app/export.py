@@ -8,7 +8,7 @@ from pathlib import Path
 
 from core import atomic_write
 from core.case.schema import Case
-from core.errors import InputError, OutputError
+from core.errors import InputError, OutputError, place
 from core.file_names import name_of
 from core.ground import records
 from core.study.governing import collapse_histories
@@ -26,10 +26,10 @@ def refuse_overwriting(case: Case, case_path: Path, folder: Path, stem: str) -> 
         try:
             paths = records.expand(entry.file, case_path.parent)
         except InputError as error:
-            raise InputError(f"record {k}: {error}") from None
+            raise error.at(place("record", n=k)) from None
         sources |= {path.resolve() for path in paths}
     for path in results & sources:
-        raise InputError(f"the results would overwrite {path}: rename it or give --output")
+        raise InputError("would_overwrite", path=path)
 
 
 def write(
@@ -59,8 +59,7 @@ def write(
             book = workbook.content(result, histories, check)
     except OSError as error:  # openpyxl makes the sheets in the folder of temporary files
         raise OutputError(
-            f"the workbook cannot be made ({error.strerror}): free some space in {tempfile.gettempdir()}, or name "
-            "another folder in the variable TMPDIR"
+            "workbook_not_made", reason=error.strerror, folder=tempfile.gettempdir()
         ) from None
     ready()
     atomic_write.write({folder / f"{stem}.xlsx": book, folder / f"{stem}.json": text})

@@ -5,8 +5,7 @@ from pathlib import Path
 from PySide6.QtCore import QSettings
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 
-from app.language import tr
-from app.sentences import said, translated
+from app.language import described, quoted_from_file, tr
 from app.session import Session
 from core.errors import InputError, OutputError
 
@@ -23,7 +22,7 @@ def path_to_write(parent, title: str, proposal: str, kinds: str, end: str) -> Pa
         return path if name else None
     path = path.with_name(path.name + end)
     if path.exists():
-        question = tr("{path} is there already. Overwrite it?").format(path=path)
+        question = tr("{path} is there already. Overwrite it?", path=path)
         if QMessageBox.question(parent, title, question) != QMessageBox.StandardButton.Yes:
             return None
     return path
@@ -42,7 +41,7 @@ class Files:
         try:
             self.session.open(path)
         except InputError as error:
-            QMessageBox.warning(self.window, tr("Not opened"), translated(error))
+            QMessageBox.warning(self.window, tr("Not opened"), quoted_from_file(error))
             return False
         if path != EXAMPLE:
             self.remember(path)
@@ -87,13 +86,15 @@ class Files:
     def _save(self, path: Path | None) -> bool:
         here = path is None or path.resolve() == self.session.path
         if here and self.session.changed_elsewhere:
-            question = tr("Another program has changed {path}. Overwrite it?")
-            if not self._agreed(tr("Save the case"), question.format(path=self.session.path)):
+            question = tr(
+                "Another program has changed {path}. Overwrite it?", path=self.session.path
+            )
+            if not self._agreed(tr("Save the case"), question):
                 return False
         try:
             self.session.save(path)
         except OutputError as error:
-            QMessageBox.warning(self.window, tr("Not saved"), said(error))
+            QMessageBox.warning(self.window, tr("Not saved"), described(error))
             return False
         self.remember(self.session.path)
         if any(field.wrong for field in self.window.fields):
@@ -115,7 +116,7 @@ class Files:
         if path is None:
             return
         beside = path.with_suffix(".json")
-        question = tr("{path} is there already. Overwrite it?").format(path=beside)
+        question = tr("{path} is there already. Overwrite it?", path=beside)
         if not beside.exists() or path.exists() or self._agreed(title, question):
             self.export(path)
 
@@ -140,11 +141,11 @@ class Files:
             here = self.session.path or self.session.base_dir / "case.toml"
             export.refuse_overwriting(case, here, path.parent, path.stem)
         except InputError as error:
-            QMessageBox.warning(self.window, tr("Nothing exported"), said(error))
+            QMessageBox.warning(self.window, tr("Nothing exported"), described(error))
             return
         self.window.start(
             lambda job: export.write(result, path.parent, path.stem, job.check, job.commit),
-            lambda _: self.window.word.setText(tr("Written: {path}").format(path=path)),
+            lambda _: self.window.word.setText(tr("Written: {path}", path=path)),
             to_end=True,
         )
 

@@ -3,6 +3,7 @@
 import sys
 from pathlib import Path
 
+from app.language import current_language, described, terminal
 from core.errors import RecordError
 from core.ground import records
 from core.ground.records.grammar import Options
@@ -16,19 +17,28 @@ def inspect(paths: list[Path]) -> int:
         try:
             motion = records.read(path)
         except RecordError as error:
-            if "give unit" in str(error) and _without_unit(path):
+            if error.code == "no_unit" and _without_unit(path):
                 continue
-            print(f"refused: {error}", file=sys.stderr)
+            print(terminal("refused: {error}", error=described(error)), file=sys.stderr)
             refused += 1
             continue
         print(
-            f"{path}: {motion.format}, {motion.acceleration.size} samples every "
-            f"{motion.time_step:g} s, unit {motion.unit}, PGA {motion.pga / G:.4f} g, "
-            f"PGV {motion.pgv / CM:.2f} cm/s, SI {motion.housner_intensity / CM:.2f} cm, "
-            f"5-95 % {motion.duration_5_95:.2f} s"
+            terminal(
+                "{path}: {format}, {samples} samples every {step:g} s, unit {unit}, PGA {pga:.4f} g, PGV {pgv:.2f} "
+                "cm/s, SI {si:.2f} cm, 5-95 % {duration:.2f} s",
+                path=path,
+                format=motion.format,
+                samples=motion.acceleration.size,
+                step=motion.time_step,
+                unit=motion.unit,
+                pga=motion.pga / G,
+                pgv=motion.pgv / CM,
+                si=motion.housner_intensity / CM,
+                duration=motion.duration_5_95,
+            )
         )
         for warning in motion.warnings:
-            print(f"  {warning.text()}")
+            print(f"  {warning.text(current_language())}")
     return 1 if refused else 0
 
 
@@ -39,7 +49,14 @@ def _without_unit(path: Path) -> bool:
     except RecordError:
         return False
     print(
-        f"{path}: {motion.format}, {motion.acceleration.size} samples every {motion.time_step:g} s, "
-        f"peak {motion.pga / 0.001:.5g}; the unit is not stated: give it in the case"
+        terminal(
+            "{path}: {format}, {samples} samples every {step:g} s, peak {peak:.5g}; the unit is not stated: give it in "
+            "the case",
+            path=path,
+            format=motion.format,
+            samples=motion.acceleration.size,
+            step=motion.time_step,
+            peak=motion.pga / 0.001,
+        )
     )
     return True

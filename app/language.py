@@ -1,34 +1,54 @@
-"""The language of the window: Qt Linguist files of resources/translations."""
+"""The language of what a person reads on screen, and what the forms of the window call the keys of a case."""
 
-from PySide6.QtCore import QCoreApplication, QLocale, QTranslator
+import locale
+import os
 
-from app import sentences
+from core.errors import InputError
+from core.text.sentence import LANGUAGES, FormNames, Sentence, localized, word
 
-FOLDER = sentences.FOLDER
-LANGUAGES = {"en": "English", "it": "Italiano"}
+FORM_NAMES = FormNames()
+"""Captions and units of the forms; each field adds its own."""
 
-_installed: list[QTranslator] = []
-
-
-def tr(text: str) -> str:
-    """A visible string in the language of the window."""
-    return QCoreApplication.translate("", text)
+_current = ["en"]
 
 
 def set_language(code: str) -> None:
-    """Install the translations of "en" or "it"; widgets made from now on speak it."""
-    application = QCoreApplication.instance()
-    while _installed:
-        application.removeTranslator(_installed.pop())
-    sentences.speak(code)
-    if code != "en":
-        translator = QTranslator()
-        if translator.load(str(FOLDER / f"ribalta_{code}.qm")):
-            application.installTranslator(translator)
-            _installed.append(translator)
+    """From now on texts are in "en" or "it"; widgets made before keep theirs."""
+    _current[:] = [code]
+
+
+def current_language() -> str:
+    """The language of the window, or of the terminal."""
+    return _current[0]
 
 
 def system_language() -> str:
     """The system's language where it is one of ours, else English."""
-    code = QLocale.system().name()[:2]
+    named = next(filter(None, map(os.environ.get, ("LC_ALL", "LC_MESSAGES", "LANG"))), None)
+    code = (named or locale.getlocale()[0] or "")[:2].lower()
     return code if code in LANGUAGES else "en"
+
+
+def tr(text: str, /, **values) -> str:
+    """A text of the window."""
+    return localized("window", text, current_language(), **values)
+
+
+def named(code: str) -> str:
+    """A word of a result or of a case: a mechanism, an outcome."""
+    return word(code, current_language())
+
+
+def terminal(text: str, /, **values) -> str:
+    """A text of the terminal."""
+    return localized("terminal", text, current_language(), **values)
+
+
+def described(what: InputError | Sentence) -> str:
+    """An error or a sentence, in the words of the forms."""
+    return what.text(current_language(), FORM_NAMES)
+
+
+def quoted_from_file(error: InputError) -> str:
+    """An error of a file that was opened, in the words of the file."""
+    return error.text(current_language())

@@ -86,7 +86,13 @@ def chosen(settings: QSettings, key: str, names) -> str | None:
 
 def about(window) -> None:
     """What this program is."""
-    QMessageBox.about(window, NAME, tr(
-        "{name} {version}\nOut-of-plane overturning of masonry walls (Coccia, Di Carlo, Imperatore 2016; "
-        "Circolare 7/2019 C8.7.1.2.1). The results are the engineer's responsibility.").format(
-            name=NAME, version=VERSION))  # fmt: skip
+    QMessageBox.about(
+        window,
+        NAME,
+        tr(
+            "{name} {version}\nOut-of-plane overturning of masonry walls (Coccia, Di Carlo, Imperatore 2016; "
+            "Circolare 7/2019 C8.7.1.2.1). The results are the engineer's responsibility.",
+            name=NAME,
+            version=VERSION,
+        ),
+    )

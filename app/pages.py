@@ -5,9 +5,8 @@ from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from app import theme
-from app.language import tr
 from app.plots.result_tabs import verdict_color
-from core.text.words import word
+from core.text.sentence import word
 
 
 class Veil(QWidget):
@@ -61,18 +60,14 @@ def card(result, language: str) -> str:
         if wall.assessment is None:
             lines.append(f"<b>{_plain(wall.name)}</b>: q {wall.q_set or 0:.2f}")
             continue
-        said = wall.assessment.verdict
-        zeta = "–" if said.zeta_e is None else f"{said.zeta_e:.2f}"
+        verdict = wall.assessment.verdict
+        zeta = "–" if verdict.zeta_e is None else f"{verdict.zeta_e:.2f}"
         lines.append(
-            f"<b>{_plain(wall.name)}</b> ({word_of(wall.mechanism)})<br>"
+            f"<b>{_plain(wall.name)}</b> ({word(wall.mechanism, language)})<br>"
             f"<span style='color:{verdict_color(result, wall)}; font-weight:600'>ζ {zeta}, "
-            f"{word(said.code, language)}</span><br>{said.text(language)}"
+            f"{word(verdict.code, language)}</span><br>{verdict.text(language)}"
         )
     return "<p>" + "</p><p>".join(lines) + "</p>"
-
-
-def word_of(mechanism: str) -> str:
-    return tr("one-sided") if mechanism == "one_sided" else tr("two-sided")
 
 
 def _plain(text: str) -> str:

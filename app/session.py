@@ -124,7 +124,7 @@ class Session:
         used = {m.samples_sha256 for m in self.result.motions if m.format != "generated"}
         return self.samples is not None and not used <= self.samples
 
-    def _judged(self) -> tuple[Case | None, str | None]:
+    def _judged(self) -> tuple[Case | None, InputError | None]:
         """(the case as the batch would read it, None) or (None, the first broken rule)."""
         if self._known is None or self._known[0] is not self.case:
             try:
@@ -136,7 +136,7 @@ class Session:
                     )
                 found = (case, None)
             except InputError as error:
-                found = (None, str(error))
+                found = (None, error)
             self._known = (self.case, found)
         return self._known[1]
 
@@ -144,8 +144,8 @@ class Session:
         """The case as the batch would read it, None where a rule is broken."""
         return self._judged()[0]
 
-    def problem(self) -> str | None:
-        """The first broken rule in words; None if the case can run."""
+    def problem(self) -> InputError | None:
+        """The first broken rule; None if the case can run."""
         return self._judged()[1]
 
     # walls and records
@@ -357,7 +357,7 @@ class Session:
             base = Path(content["base_dir"])
             path = Path(content["path"]) if content["path"] else None
             if "\0" in f"{path}{base}":
-                raise ValueError("its path is no name of a file")
+                raise ValueError(repr(path))
             case, saved = draft_case(table), Case()
             if path and path.exists():
                 with contextlib.suppress(InputError):
@@ -372,7 +372,7 @@ class Session:
             OverflowError,
         ) as error:
             raise InputError(
-                f"{swap}: this autosaved case cannot be read: {str(error)[:200]}"
+                "autosave_unreadable", reason=str(error)[:200], place=(swap,)
             ) from None
         self._start(case)
         self.saved, self.path, self.base_dir = saved, path, base

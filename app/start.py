@@ -11,8 +11,7 @@ from PySide6.QtWidgets import QApplication, QMessageBox
 
 from app import language, menus, theme
 from app.files import EXAMPLE
-from app.language import tr
-from app.sentences import translated
+from app.language import quoted_from_file, tr
 from app.window import MainWindow
 from app.worker import RUNNING, write_log
 from core.errors import InputError
@@ -33,7 +32,7 @@ def offer_recovery(window: MainWindow) -> None:
                 window.session.recover(swap)
                 return
             except InputError as error:
-                QMessageBox.warning(window, tr("Not opened"), translated(error))
+                QMessageBox.warning(window, tr("Not opened"), quoted_from_file(error))
         elif answer == button.Discard:
             with contextlib.suppress(OSError):
                 swap.unlink(missing_ok=True)

@@ -23,12 +23,11 @@ from PySide6.QtWidgets import (
 from app import docks, language, menus, theme
 from app.files import Files
 from app.forms.fields import Field
-from app.language import tr
+from app.language import described, named, tr
 from app.pages import Page, Veil, card
 from app.plots.history_tabs import HistoriesTab, ValidationTab
 from app.plots.result_tabs import CapacityTab, CheckTab, IntensityTab, SpectraTab
 from app.preparation import Preparation
-from app.sentences import said
 from app.session import Session
 from app.worker import Job
 from core.errors import InputError
@@ -163,8 +162,8 @@ class MainWindow(QMainWindow):
         problem = self.session.problem()
         wall = self.walls.wall.name if self.walls.wall else ""
         for field in self.fields:
-            field.show_rule(said(problem) if problem and field.named_in(problem, wall) else "")
-        problem = said(problem) if problem else None
+            field.show_rule(described(problem) if problem and field.named_in(problem, wall) else "")
+        problem = described(problem) if problem else None
         if any(field.wrong for field in self.fields):
             problem = problem or tr("A field holds what is not accepted: see the words below it.")
         can_run = problem is None and self.job is None
@@ -255,8 +254,13 @@ class MainWindow(QMainWindow):
                 if base != self.session.base_dir:  # saved elsewhere meanwhile
                     result = self.session.moved_result(result, base)
                 self.result_arrived(result)
-                self.word.setText(tr("{n} analyses in {seconds:.1f} s").format(
-                    n=self.finished_runs.analyses - made, seconds=result.elapsed))  # fmt: skip
+                self.word.setText(
+                    tr(
+                        "{n} analyses in {seconds:.1f} s",
+                        n=self.finished_runs.analyses - made,
+                        seconds=result.elapsed,
+                    )
+                )
 
         from core.study.run import run
 
@@ -297,9 +301,14 @@ class MainWindow(QMainWindow):
         elapsed = time.monotonic() - self.began
         left = elapsed / done * (planned - done) if done else 0.0
         self.word.setText(
-            tr("{done} of {planned}, {elapsed:.0f} s, about {left:.0f} s left").format(
-                done=done, planned=planned, elapsed=elapsed, left=left)
-        )  # fmt: skip
+            tr(
+                "{done} of {planned}, {elapsed:.0f} s, about {left:.0f} s left",
+                done=done,
+                planned=planned,
+                elapsed=elapsed,
+                left=left,
+            )
+        )
 
     def _ended(self) -> None:
         self.job = None
@@ -310,7 +319,7 @@ class MainWindow(QMainWindow):
 
     def failed(self, sentence: str, log: str) -> None:
         if log:
-            sentence += "\n" + tr("Details are in {log}").format(log=log)
+            sentence += "\n" + tr("Details are in {log}", log=log)
         self.closing = False
         self.word.setText(tr("Not done."))
         QMessageBox.warning(self, tr("Not done"), sentence)
@@ -345,9 +354,8 @@ class MainWindow(QMainWindow):
             self.show_result()
             self.refresh()
             return
-        mechanisms = {"one_sided": tr("one-sided"), "two_sided": tr("two-sided")}
         for wall in result.walls:
-            self.chosen.addItem(f"{wall.name} – {mechanisms[wall.mechanism]}")
+            self.chosen.addItem(f"{wall.name} – {named(wall.mechanism)}")
         self.card.setText(card(result, self.language))
         self.refresh()
         self.show_result()

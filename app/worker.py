@@ -8,7 +8,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QThread, Signal
 
-from app.sentences import said
+from app.language import described
 from core.errors import Cancelled, InputError
 
 RUNNING: set["Job"] = set()
@@ -83,7 +83,7 @@ class Job(QThread):
         except Cancelled:
             pass
         except InputError as error:
-            self.failed.emit(said(error), "")
+            self.failed.emit(described(error), "")
         except Exception as error:  # the worker's: an internal error must not be silent
             self.failed.emit(f"{type(error).__name__}: {error}", write_log(traceback.format_exc()))
         else:

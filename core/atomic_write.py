@@ -28,10 +28,7 @@ def check_folder(folder: Path) -> list[Path]:
         for place in new:
             with contextlib.suppress(OSError):
                 place.rmdir()
-        raise OutputError(
-            f"{folder}: the output folder cannot be written ({error.strerror}): "
-            "name another with --output"
-        ) from None
+        raise OutputError("folder_not_writable", reason=error.strerror, place=(folder,)) from None
     return new
 
 
@@ -69,10 +66,7 @@ def write(files: dict[Path, bytes]) -> None:
             _sync_folder(folder)
         done = True
     except OSError as error:
-        raise OutputError(
-            f"{path}: cannot be written ({error.strerror}): close it if it is open elsewhere, free some space, or "
-            "take another folder; what was there is untouched"
-        ) from None
+        raise OutputError("file_not_writable", reason=error.strerror, place=(path,)) from None
     finally:
         if not done and listed:
             _remove(listed)  # first of all: a kill from here on must not finish what is taken back

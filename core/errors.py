@@ -1,8 +1,111 @@
-"""Errors the user can mend, and the cancellation of a run."""
+"""Errors the user can mend, as data, and the cancellation of a run."""
+
+from string import Formatter
+
+from core.text.catalogue import CATALOGUE
+from core.text.sentence import FILE_NAMES, FormNames, Key, Quantity, Sentence, in_words, sentence
 
 
 class InputError(ValueError):
-    """Something in the input is wrong: one sentence with place, value, accepted range, next step."""
+    """Something in the input is wrong.
+
+    code : of the group "error" of core.text
+    place : where, from the outside in: names of files as text, else Sentences of the group "place"
+    key, value, accepted : of the case, what was found there and what is accepted (a Sentence or text)
+    values : of the sentence's other placeholders
+    """
+
+    def __init__(self, code: str, /, *, place=(), key=None, value=None, accepted=None, **values):
+        super().__init__(code)
+        self.code, self.place = code, tuple(place)
+        self.key, self.value, self.accepted, self.values = key, value, accepted, values
+
+    def at(self, *place) -> "InputError":
+        """The same error, found at this place; a place that is known is not said twice."""
+        new = [str(part) if not isinstance(part, Sentence) else part for part in place]
+        self.place = (*(part for part in new if part not in self.place), *self.place)
+        return self
+
+    def text(self, language: str = "en", form: FormNames = FILE_NAMES) -> str:
+        """One sentence: place, what was found, what is accepted, what to do."""
+        shown = {
+            "key": Key(self.key or ""),
+            "value": self.value,
+            "accepted": self.accepted,
+            **self.values,
+        }
+        if self.key in form.scales:
+            shown |= self._scaled(*form.scales[self.key])
+        body = Sentence("error", self.code, tuple(shown.items())).text(language, form)
+        return ": ".join([*(str(in_words(part, language, form)) for part in self.place), body])
+
+    def _scaled(self, factor: float, unit: str) -> dict:
+        """Value and range in the unit of a field."""
+        shown = {}
+        found = self.values.get("found", self.value)
+        if isinstance(found, (int, float)):
+            shown["value"] = f"{found * factor:g} {unit}"
+        if isinstance(self.accepted, Sentence) and self.accepted.code in RANGES:
+            ends = dict(self.accepted.values)
+            ends |= {end: factor * ends[end] for end in ("low", "high")}
+            shown["accepted"] = sentence(
+                "accepted", self.accepted.code, **(ends | {"unit": f" {unit}"})
+            )
+        return shown
+
+    def accepted_text(self, language: str = "en", form: FormNames = FILE_NAMES) -> str:
+        """What the key accepts, alone, for the field that holds it; the whole sentence where nothing is named."""
+        if self.accepted is None:
+            return self.text(language, form)
+        scaled = self._scaled(*form.scales[self.key]) if self.key in form.scales else {}
+        return str(in_words(scaled.get("accepted", self.accepted), language, form))
+
+    @property
+    def keys(self) -> set[str]:
+        """Keys of the case this error speaks of."""
+        names = {
+            name for _, name, _, _ in Formatter().parse(CATALOGUE["error"][self.code][0]) if name
+        }
+        named = {part for value in self.values.values() for part in _keys(value)}
+        return {*(names - set(self.values)), *named, *([self.key] if self.key else [])}
+
+    @property
+    def wall(self) -> str | None:
+        """Name of the wall it is about."""
+        walls = (
+            dict(p.values)["name"]
+            for p in self.place
+            if isinstance(p, Sentence) and p.code == "wall"
+        )
+        return next(walls, None)
+
+    @property
+    def section(self) -> str | None:
+        """Section of the case it is about, "[demand]"."""
+        sections = (
+            dict(p.values)["name"]
+            for p in self.place
+            if isinstance(p, Sentence) and p.code == "section"
+        )
+        return next(sections, None)
+
+    def __str__(self) -> str:
+        return self.text()
+
+
+def _keys(value):
+    """Keys among the values of a sentence."""
+    if isinstance(value, Key):
+        yield str(value)
+    elif isinstance(value, Quantity):
+        yield value.key
+    elif isinstance(value, tuple):
+        for part in value:
+            yield from _keys(part)
+
+
+RANGES = ("from", "above", "whole")
+"""Codes of what is accepted that name a range."""
 
 
 class RecordError(InputError):
@@ -17,7 +120,17 @@ class Cancelled(Exception):
     """The user asked to stop between two analyses; finished runs are in the journal."""
 
 
-def require(condition: bool, name: str, value, accepted: str) -> None:
-    """Raise InputError naming the field, its value and what is accepted, unless condition holds."""
+def place(code: str, /, **values) -> Sentence:
+    """A place of an error: wall, record, row, cell, line or section."""
+    return sentence("place", code, **values)
+
+
+def section(name: str) -> Sentence:
+    """The place of a section of a case, by "[demand]"."""
+    return place("section", name=Key(name))
+
+
+def require(condition: bool, key: str, value, accepted) -> None:
+    """Raise InputError naming the key, its value and what is accepted, unless condition holds."""
     if not condition:
-        raise InputError(f"{name} = {repr(value)[:100]} is not accepted: {accepted}")
+        raise InputError("not_accepted", key=key, value=repr(value)[:100], accepted=accepted)

@@ -21,8 +21,7 @@ from app.forms.fields import (
     connect,
 )
 from app.forms.law_curve import SpectrumCurve
-from app.language import tr
-from app.sentences import said
+from app.language import described, tr
 from app.session import Session
 from core.case.schema import Analysis, Demand, Report, Spectrum
 from core.codes.target_spectrum import NTC_TOPOGRAPHY, SOILS
@@ -146,7 +145,7 @@ class DemandForm(QWidget):
             target = target_of(demand, self.session.base_dir)
         except (InputError, TypeError) as error:
             target = None
-            self.summary.setText(said(error))
+            self.summary.setText(described(error))
         else:
             self.summary.setText(self._said(demand, target))
         if self.curve is not None:

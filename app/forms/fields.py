@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Callable
-from dataclasses import fields
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QKeySequence
@@ -18,8 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from app import theme
-from app.language import tr
-from app.sentences import captions, said, scales
+from app.language import FORM_NAMES, current_language, tr
 from core.case.number import parse_number
 from core.case.rules import check_value
 from core.case.schema import Analysis, Demand, Spectrum, Wall
@@ -27,8 +25,8 @@ from core.errors import InputError
 
 FIGURES = 12
 
-PLACES = {Demand: "[demand]", Spectrum: "[demand.spectrum]", Analysis: "[analysis]"}
-"""How sentences on these sections begin; those on walls name the wall."""
+SECTIONS = {Demand: "[demand]", Spectrum: "[demand.spectrum]", Analysis: "[analysis]"}
+"""Sections of a case; errors of a wall name the wall."""
 
 
 class Field(QWidget):
@@ -40,7 +38,7 @@ class Field(QWidget):
     def __init__(self, section: type, key: str, label: str, unit: str = "", tip: str = ""):
         super().__init__()
         self.section, self.key = section, key
-        captions[self.key_in_sentences()] = label
+        FORM_NAMES.captions[self.key_in_errors()] = label
         self.held = self.before = None
         self.error = self.rule = ""
         grid = QGridLayout(self)
@@ -68,8 +66,8 @@ class Field(QWidget):
         grid.setColumnStretch(1, 1)
         self.setFocusProxy(self.editor)
 
-    def key_in_sentences(self) -> str:
-        """What sentences of the core call what it edits."""
+    def key_in_errors(self) -> str:
+        """The key by which errors name what it edits."""
         return self.key
 
     def make_editor(self) -> QWidget:
@@ -121,25 +119,20 @@ class Field(QWidget):
         """Whether what stands in the field is not in the case."""
         return bool(self.error) and not self.isHidden()
 
-    def named_in(self, problem: str, wall: str) -> bool:
-        """Whether a sentence of the case is about this field; wall : name of the wall the forms show."""
-        place = PLACES.get(self.section, "")
-        here = (
-            f'"{wall}"' in problem if self.section is Wall else place and problem.startswith(place)
-        )
-        keys = re.sub('"[^"]*"', "", problem)
-        return bool(here) and re.search(rf"\b{self.key}\b", keys) is not None
-
-    def accepted(self, sentence: str) -> str:
-        """What the field accepts, from the sentence of the case."""
-        return sentence.split(" is not accepted: ")[-1]
+    def named_in(self, problem: InputError, wall: str) -> bool:
+        """Whether an error of the case is about this field; wall : name of the wall the forms show."""
+        if self.section is Wall:
+            here = problem.wall == wall
+        else:
+            here = problem.section is not None and problem.section == SECTIONS.get(self.section)
+        return here and self.key_in_errors() in problem.keys
 
     def offer(self, value) -> None:
         """A value from the editor: into the case if it is accepted, else an error at the field."""
         try:
             value = check_value(self.section, self.key, value) if value is not None else None
         except InputError as error:
-            self.refuse(said(self.accepted(str(error))))
+            self.refuse(error.accepted_text(current_language(), FORM_NAMES))
             return
         self.show_error("")
         self.held = value
@@ -217,13 +210,8 @@ class NumberField(Field):
         self.factor, self.optional, self.whole = factor, optional, whole
         self.unit = unit
         if factor != 1.0:
-            scales[key] = (factor, unit)
+            FORM_NAMES.scales[key] = (factor, unit)
         super().__init__(section, key, label, unit, tip)
-
-    def accepted(self, sentence: str) -> str:
-        rule = next(entry for entry in fields(self.section) if entry.name == self.key).metadata
-        low, high = (f"{rule[end] * self.factor:g}" for end in ("low", "high"))
-        return tr("from {low} to {high} {unit}").format(low=low, high=high, unit=self.unit).strip()
 
     def make_editor(self) -> QLineEdit:
         editor = super().make_editor()
@@ -244,7 +232,7 @@ class NumberField(Field):
         try:
             number = parse_number(text)
         except InputError:
-            self.refuse(tr("{text}: not a number").format(text=text.strip()))
+            self.refuse(tr("{text}: not a number", text=text.strip()))
             return
         self.offer(int(number) if self.whole and number == int(number) else number / self.factor)
 
@@ -291,7 +279,7 @@ class RangeField(Field):
         try:
             self.offer([parse_number(part) for part in re.split(r"[\s;–-]+", text.strip())])
         except InputError:
-            self.refuse(tr("{text}: not two numbers").format(text=text.strip()))
+            self.refuse(tr("{text}: not two numbers", text=text.strip()))
 
     def show_value(self, value) -> None:
         if self.keeps(value):
@@ -329,7 +317,9 @@ class ChoiceField(Field):
 
     def __init__(self, section, key, label, words: dict, tip=""):
         self.words = words
-        captions.update({name: shown for name, shown in words.items() if "_" in str(name)})
+        FORM_NAMES.captions.update(
+            {name: shown for name, shown in words.items() if "_" in str(name)}
+        )
         super().__init__(section, key, label, "", tip)
 
     def make_editor(self) -> QComboBox:

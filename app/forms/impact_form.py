@@ -6,8 +6,7 @@ from PySide6.QtWidgets import QGroupBox, QHBoxLayout, QLabel, QVBoxLayout
 
 from app.forms.fields import Choice, ChoiceField, NumberField
 from app.forms.law_curve import LawCurve
-from app.language import tr
-from app.sentences import said
+from app.language import described, named, tr
 from app.session import Session
 from core.case.schema import Wall
 from core.errors import InputError
@@ -56,11 +55,8 @@ class LawField(NumberField):
         self.end = end
         super().__init__(Wall, "velocity_ratio", label)
 
-    def key_in_sentences(self) -> str:
+    def key_in_errors(self) -> str:
         return self.end
-
-    def named_in(self, problem: str, wall: str) -> bool:
-        return f'wall "{wall}"' in problem and f"{self.end} = " in problem
 
 
 class ImpactForm(QGroupBox):
@@ -123,11 +119,11 @@ class ImpactForm(QGroupBox):
         for mechanism in wall.mechanisms() if wall.mechanism else ():
             try:
                 found = wall.restitution_of(mechanism)
-                word = tr("one-sided") if mechanism == "one_sided" else tr("two-sided")
+                word = named(mechanism)
                 lines.append(f"{word}: {FORMULAS[found.model]} = {found.ratio_at_rest:.4f}")
                 lines.append(f"({self.scopes[found.model]})")
             except (InputError, TypeError) as error:
-                lines.append(said(error))
+                lines.append(described(error))
         self.formula.setText("\n".join(lines) or tr("Choose a mechanism."))
         own = isinstance(wall.law, dict)
         self.law.setCurrentIndex(self.law.findData("own" if own else wall.law))

@@ -19,9 +19,8 @@ from PySide6.QtWidgets import (
 
 from app import theme
 from app.forms.fields import ChoiceField, NumberField, connect
-from app.language import tr
+from app.language import described, tr
 from app.plots.chart import Chart
-from app.sentences import said
 from core.case.schema import Record
 from core.errors import InputError
 from core.ground import records
@@ -40,7 +39,7 @@ def read(record: Record, base_dir: Path) -> list:
             for path in records.expand(record.file, base_dir)
         ]
     except InputError as error:
-        return [said(error)]
+        return [described(error)]
 
 
 def all_files(paths: list[Path]) -> list[Path]:
@@ -100,9 +99,7 @@ class ImportDialog(QDialog):
         row.addLayout(right, 2)
         hint = tr("Choices apply to the files selected; those not readable are left out.")
         if len(paths) > MOST_FILES:
-            left = tr("{n} more files are not shown: add them in parts.").format(
-                n=len(paths) - MOST_FILES
-            )
+            left = tr("{n} more files are not shown: add them in parts.", n=len(paths) - MOST_FILES)
             hint += " " + left
         self.hint = QLabel(hint)
         layout = QVBoxLayout(self)

@@ -20,16 +20,14 @@ from PySide6.QtWidgets import (
 
 from app import theme
 from app.forms.import_dialog import ImportDialog, all_files, read
-from app.language import tr
+from app.language import described, tr
 from app.plots.table import Table
-from app.sentences import said
 from app.session import Session
 from app.worker import Job
 from core.case.schema import Generate, Record
 from core.errors import InputError
 from core.file_names import name_of
 from core.study.demand_input import demand_of, generated
-from core.study.record_input import twice
 from core.units import CM, G
 
 
@@ -125,7 +123,7 @@ class RecordsPanel(QWidget):
                         for m in (generated(case, asked) if asked and asked.target else [])
                     ]
                 except (InputError, TypeError) as error:
-                    found.append((None, said(error)))
+                    found.append((None, described(error)))
             for _, motion in found:
                 if not isinstance(motion, str):
                     motion.measure()
@@ -183,7 +181,7 @@ class RecordsPanel(QWidget):
             self.table.item(row, 1).setToolTip("\n".join(tips) or motion.file)
         self.table.blockSignals(False)
         count = len(self.motions)
-        words = tr("{n} records in use. Drop accelerograms or folders here.").format(n=count)
+        words = tr("{n} records in use. Drop accelerograms or folders here.", n=count)
         self.words.setText("\n".join([*twins.values(), f"{words} {self.left_out}".strip()]))
         self.left_out = ""
         self.loaded.emit()
@@ -199,7 +197,9 @@ class RecordsPanel(QWidget):
                 first = seen.get(motion.samples_sha256, seen.get(motion.file, row))
                 seen |= {motion.samples_sha256: first, motion.file: first}
                 if first != row:
-                    found[row] = said(twice(motion.name, self.rows[first][1].name))
+                    found[row] = described(
+                        InputError("record_twice", file=motion.name, twin=self.rows[first][1].name)
+                    )
         return found
 
     # changes
@@ -284,9 +284,7 @@ class RecordsPanel(QWidget):
         )
         left = len(dialog.paths) - len(chosen)
         if taken and left:
-            self.left_out = tr("{n} files were left out: they cannot be read as they are.").format(
-                n=left
-            )
+            self.left_out = tr("{n} files were left out: they cannot be read as they are.", n=left)
             self.words.setText(self.left_out)
 
     def dragEnterEvent(self, event) -> None:

@@ -29,8 +29,7 @@ from app.forms.fields import (
     connect,
 )
 from app.forms.impact_form import ImpactForm
-from app.language import tr
-from app.sentences import captions, said, spoken, translated
+from app.language import FORM_NAMES, current_language, described, named, quoted_from_file, tr
 from app.session import Session
 from core.case.schema import Wall
 from core.case.wall_table import read_table, text_rows, walls_of
@@ -164,9 +163,9 @@ class WallForm(QWidget):
         row = QHBoxLayout(group)
         self.mechanisms = {}
         for name, label, tip in (
-            ("two_sided", tr("two-sided"), tr("Free on both faces: rocks to both sides")),
-            ("one_sided", tr("one-sided"), tr("A restraint behind: rocks outwards only")),
-            ("both", tr("both"), tr("Two results: with the restraint behind and without")),
+            ("two_sided", named("two_sided"), tr("Free on both faces: rocks to both sides")),
+            ("one_sided", named("one_sided"), tr("A restraint behind: rocks outwards only")),
+            ("both", named("both"), tr("Two results: with the restraint behind and without")),
         ):
             button = QToolButton()
             button.setIcon(mechanism_icon(name))
@@ -174,7 +173,7 @@ class WallForm(QWidget):
             button.setText(label)
             button.setToolTip(tip)
             button.setAccessibleName(label)
-            captions[name] = label
+            FORM_NAMES.captions[name] = label
             button.setCheckable(True)
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
             button.clicked.connect(lambda _, name=name: self._mechanism_chosen(name))
@@ -250,7 +249,7 @@ class WallForm(QWidget):
         try:
             block = wall.block()
         except (InputError, TypeError) as error:
-            self.summary.setText(said(error))
+            self.summary.setText(described(error))
             return
         lines = [f"α {math.degrees(block.slenderness):.2f}°"]
         if wall.thickness:
@@ -357,13 +356,13 @@ class WallForm(QWidget):
 
             self._take(read)
             if len(notes) > 1:
-                lines = "\n".join(note.text(spoken()) for note in notes)
+                lines = "\n".join(note.text(current_language()) for note in notes)
                 QMessageBox.information(self, tr("Read walls"), lines)
 
     def _take(self, read) -> None:
         try:
             walls = read()
         except InputError as error:
-            QMessageBox.warning(self, tr("Walls not read"), translated(error))
+            QMessageBox.warning(self, tr("Walls not read"), quoted_from_file(error))
             return
         self.session.add_walls(walls)

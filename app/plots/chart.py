@@ -22,9 +22,8 @@ from PySide6.QtWidgets import (
 
 from app import theme
 from app.files import path_to_write
-from app.language import tr
+from app.language import described, tr
 from app.plots.table import plain_cell
-from app.sentences import said
 from core import atomic_write
 from core.errors import OutputError
 
@@ -286,7 +285,7 @@ class Chart(QWidget):
             picture.setResolution(self.view.logicalDpiX())
             self._paint_light(picture)
         elif not self.image().save(room, "PNG"):
-            raise OutputError(tr("The picture cannot be made."))
+            raise OutputError("picture_not_made")
         return bytes(room.data())
 
     def write(self, path: Path) -> None:
@@ -305,4 +304,4 @@ class Chart(QWidget):
         try:
             self.write(path)
         except OutputError as error:
-            QMessageBox.warning(self, title, said(error))
+            QMessageBox.warning(self, title, described(error))

@@ -259,13 +259,26 @@ class ValidationTab(QWidget):
         def share(value: float | None) -> str:
             return "–" if value is None else f"{100 * value:.2g} %"
 
-        self.words.setText("\n".join((
-            tr("Solver ({method}): error of q {q}, of the history {history} α ({record}).").format(
-                method=found.method, q=share(found.solver_q_error),
-                history="–" if found.history_error is None else f"{found.history_error:.0e}",
-                record=found.record),
-            tr("Definition: by the step of the search q spreads {q}, q robust {robust}; by rounding the record "
-               "to five figures {rounded} and {rounded_robust}.").format(
-                q=share(found.spread(1, found.steps)), robust=share(found.spread(2, found.steps)),
-                rounded=share(found.spread(0, found.rounded)),
-                rounded_robust=share(found.spread(1, found.rounded))))))  # fmt: skip
+        self.words.setText(
+            "\n".join(
+                (
+                    tr(
+                        "Solver ({method}): error of q {q}, of the history {history} α ({record}).",
+                        method=found.method,
+                        q=share(found.solver_q_error),
+                        history="–"
+                        if found.history_error is None
+                        else f"{found.history_error:.0e}",
+                        record=found.record,
+                    ),
+                    tr(
+                        "Definition: by the step of the search q spreads {q}, q robust {robust}; by rounding the "
+                        "record to five figures {rounded} and {rounded_robust}.",
+                        q=share(found.spread(1, found.steps)),
+                        robust=share(found.spread(2, found.steps)),
+                        rounded=share(found.spread(0, found.rounded)),
+                        rounded_robust=share(found.spread(1, found.rounded)),
+                    ),
+                )
+            )
+        )

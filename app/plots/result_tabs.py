@@ -28,7 +28,7 @@ from core.ground.response_spectrum import HOUSNER_PERIODS, pseudo_acceleration_s
 from core.rocking.history import scan
 from core.rocking.outcome import COLLAPSED
 from core.study.results import Q_SOURCES, StudyResult, WallResult
-from core.text.words import word
+from core.text.sentence import word
 from core.units import CM, G
 
 VERDICT_COLORS = {"verified": "good", "not_activated": "good", "verified_refined": "amber",
@@ -77,7 +77,7 @@ class CheckTab(QWidget):
         rows, colors = [], []
         if found is None:
             self.sentence.setText(
-                tr("No demand: no check. q of the wall: {q}").format(q=digits(wall.q_set))
+                tr("No demand: no check. q of the wall: {q}", q=digits(wall.q_set))
             )
             self.sentence.setStyleSheet("font-size: 12pt;")
             self.reasons.setText(self._warnings(wall))
@@ -88,12 +88,10 @@ class CheckTab(QWidget):
         self.sentence.setStyleSheet(
             f"font-size: 12pt; font-weight: 600; color: {verdict_color(result, wall)};"
         )
-        reasons = [reason[1 if self.language == "it" else 0] for reason in said.reasons]
+        reasons = [reason.text(self.language) for reason in said.reasons]
         if said.lower_bound is not None:
             reasons.append(
-                tr("Should the restraint behind fail: ζ {zeta}").format(
-                    zeta=digits(said.lower_bound)
-                )
+                tr("Should the restraint behind fail: ζ {zeta}", zeta=digits(said.lower_bound))
             )
         if found.kinematic:
             reasons.insert(0, self._mechanism(found))
@@ -138,7 +136,7 @@ class CheckTab(QWidget):
             parts.append(word(f"confidence_{dynamic.confidence_on}", self.language))
             parts.append(f"ζ_16 {digits(dynamic.zeta_16)}")
             share = f"{dynamic.share_failing_at_demand:.0%}"
-            parts.append(tr("failing within ±10 % of the demand: {share}").format(share=share))
+            parts.append(tr("failing within ±10 % of the demand: {share}", share=share))
         return "; ".join(parts)
 
     def _warnings(self, wall: WallResult) -> str:
@@ -319,8 +317,8 @@ class IntensityTab(QWidget):
             self.chart.band(x / CM, 0.8 * y, 1.2 * y, 1)
         self.chart.curve(form, x / CM, y, 1, 2.0)
         law = wall.power_law
-        text = tr("set: q {q}, q robust {robust}").format(
-            q=digits(wall.q_set), robust=digits(wall.q_robust_set)
+        text = tr(
+            "set: q {q}, q robust {robust}", q=digits(wall.q_set), robust=digits(wall.q_robust_set)
         )
         if law:
             inside = np.geomspace(si.min(), si.max(), 60)  # where the records are, no further
@@ -373,7 +371,7 @@ class SpectraTab(QWidget):
         if target is not None:
             periods = np.linspace(0.0, 4.0, 401)
             self.chart.curve(
-                tr("target: {name}").format(name=target.name),
+                tr("target: {name}", name=target.name),
                 periods,
                 target.acceleration(periods) / G,
                 1,

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.text.notices import Notice, notice
+from core.text.sentence import Sentence, notice
 from core.units import G
 
 FITTED_SLENDERNESS = (math.radians(3.1), math.radians(11.3))
@@ -39,7 +39,9 @@ def closed_form_q(slenderness, height, intensity, pga, one_sided) -> float:
     return closed_form_q_eff(slenderness, height, intensity, one_sided) * pga / G
 
 
-def range_notices(slenderness: float, height: float, pgas: list[tuple[str, float]]) -> list[Notice]:
+def range_notices(
+    slenderness: float, height: float, pgas: list[tuple[str, float]]
+) -> list[Sentence]:
     """Where a wall and its motions lie outside what Eq. 15/16 were fitted on.
 
     pgas : (where, PGA [m/s2]) of each motion the forms are used with.

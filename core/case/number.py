@@ -18,13 +18,10 @@ def parse_number(text: str) -> float:
     bare = text.strip().replace("−", "-")
     text = bare if len(bare) <= SHOWN else bare[:SHOWN] + "…"
     if "." in bare and "," in bare:
-        raise InputError(
-            f"{text!r} has both a point and a comma: write it with one decimal mark and no "
-            "thousands mark"
-        )
+        raise InputError("two_decimal_marks", text=text)
     if not _NUMBER.fullmatch(bare):
-        raise InputError(f"{text!r} is not a number")
+        raise InputError("not_a_number", text=text)
     value = float(bare.replace(",", "."))
     if not math.isfinite(value):
-        raise InputError(f"{text!r} is too large a number")
+        raise InputError("number_too_large", text=text)
     return value

@@ -26,28 +26,24 @@ def read_case(path: Path) -> Case:
     """The case of a TOML file. Raises InputError naming file, place, value and what is accepted."""
     try:
         if path.exists() and not path.is_file():
-            raise InputError(f"{path}: this is not a file and cannot be read: name a case (.toml)")
+            raise InputError("case_not_a_file", place=(path,))
         if path.stat().st_size > MAX_BYTES:
-            raise InputError(
-                f"{path}: {path.stat().st_size / 1e6:.0f} MB is no case file (up to 2 MB)"
-            )
+            raise InputError("case_too_large", mb=path.stat().st_size / 1000000.0, place=(path,))
         content = path.read_bytes()
     except FileNotFoundError:
-        raise InputError(f"{path}: there is no such case file") from None
+        raise InputError("no_case_file", place=(path,)) from None
     except OSError as error:
-        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
+        raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
     try:
         text = content.decode("utf-8-sig")
         if _DOTTED.search(text):
-            raise InputError(f"{path}: not TOML: a key of more than {MAX_DOTS} parts")
+            raise InputError("toml_dotted", parts=MAX_DOTS, place=(path,))
         table = tomllib.loads(text)
     except UnicodeDecodeError:
-        raise InputError(f"{path}: not UTF-8 text: a case file is TOML, see the examples") from None
+        raise InputError("case_not_utf8", place=(path,)) from None
     except (ValueError, RecursionError) as error:
         reason = str(error).split("; use sys")[0][:200]
-        raise InputError(
-            f"{path}: not TOML: {reason}; see the examples in resources/cases"
-        ) from None
+        raise InputError("not_toml", reason=reason, place=(path,)) from None
     try:
         case = parse_case(table)
         digest = hashlib.sha256(content)
@@ -60,4 +56,4 @@ def read_case(path: Path) -> Case:
             )
         return replace(case, sha256=digest.hexdigest())
     except InputError as error:
-        raise InputError(f"{path}: {error}") from None
+        raise error.at(path) from None

@@ -8,7 +8,7 @@ import math
 from dataclasses import MISSING, fields, replace
 
 from core.case.schema import (
-    LEAST_ELASTIC,
+    MIN_ELASTIC,
     OWN_FIELDS,
     Analysis,
     Case,
@@ -20,8 +20,9 @@ from core.case.schema import (
     Wall,
 )
 from core.codes.limits import check_return_period
-from core.errors import InputError
+from core.errors import InputError, place, section
 from core.file_names import is_text, name_of
+from core.text.sentence import Quantity, Sentence, sentence
 from core.wall.moment_rotation import LAWS
 
 MAX_TEXT, MAX_PATH = 500, 12_000
@@ -33,11 +34,6 @@ SHOWN = 100
 FULL_FACTOR = 1.35
 """Confidence factor where the compressive strength is not in alpha (Circolare 7/2019 C8.7.1.2.1)."""
 
-BASE_MISSING = (
-    "base_z_m is missing: with a demand the height of the hinge above the ground is required, 0 m for a wall "
-    "on the ground"
-)
-
 PERIOD_LIMITS = (0.02, 10.0)
 """Periods accepted for the check of compatibility [s]."""
 
@@ -48,28 +44,32 @@ LATER = {"record": ("channel",)}
 def parse_case(table: dict) -> Case:
     """The case of a mapping with the keys of the file; every rule is checked here, once."""
     _known(Case, table, "case", "case")
-    title = _value(_field(Case, "title"), table.get("title", "Ribalta"), "title")
-    analysis = _section(Analysis, table.get("analysis", {}), "analysis", "[analysis]")
+    title = _value(_field(Case, "title"), table.get("title", "Ribalta"))
+    analysis = _section(Analysis, table.get("analysis", {}), "analysis", section("[analysis]"))
     if round(analysis.robust_window / math.log1p(analysis.q_step)) < 1:
         raise InputError(
-            f"[analysis]: robust_window = {analysis.robust_window:g} is narrower than one step of q_step = "
-            f"{analysis.q_step:g}: widen the window or take a finer step"
+            "window_below_step",
+            place=(section("[analysis]"),),
+            window=Quantity("robust_window", analysis.robust_window),
+            step=Quantity("q_step", analysis.q_step),
         )
     records = [
-        _section(Record, entry, "record", f"record {k + 1}")
+        _section(Record, entry, "record", place("record", n=k + 1))
         for k, entry in enumerate(_tables(table, "record"))
     ]
     for k, record in enumerate(records):
         if record.scale == 0.0:
-            raise InputError(f"record {k + 1}: scale = 0 is not accepted: other than 0")
+            accepted = sentence("accepted", "not_zero")
+            here = place("record", n=k + 1)
+            raise InputError("not_accepted", place=(here,), key="scale", value=0, accepted=accepted)
     demand = table.get("demand")
     generate = table.get("generate")
     case = Case(
         title=title,
-        report=_section(Report, table.get("report", {}), "report", "[report]"),
+        report=_section(Report, table.get("report", {}), "report", section("[report]")),
         record=tuple(records),
-        walls=_value(_field(Case, "walls"), table["walls"], "walls") if "walls" in table else None,
-        generate=_section(Generate, generate, "generate", "[generate]")
+        walls=_value(_field(Case, "walls"), table["walls"]) if "walls" in table else None,
+        generate=_section(Generate, generate, "generate", section("[generate]"))
         if generate is not None
         else None,
         analysis=analysis,
@@ -77,12 +77,9 @@ def parse_case(table: dict) -> Case:
         given=frozenset(_written(table)),
     )
     if case.generate and not (case.demand and (case.demand.spectrum or case.demand.spectrum_file)):
-        raise InputError(
-            "[generate] makes motions compatible with the spectrum of the demand: give "
-            "[demand.spectrum] or spectrum_file"
-        )
+        raise InputError("generate_needs_spectrum")
     walls = [
-        _section(Wall, entry, "wall", f'wall "{_name(entry, k)}"')
+        _section(Wall, entry, "wall", place("wall", name=_name(entry, k)))
         for k, entry in enumerate(_tables(table, "wall"))
     ]
     if case.walls is None:
@@ -95,29 +92,29 @@ def draft_case(table: dict) -> Case:
     are, a missing one is empty. For work in progress; `parse_case` decides what can run."""
     _known(Case, table, "case", "case")
 
-    def section(cls, content, name):
+    def part(cls, content, name):
         if not isinstance(content, dict):
-            raise InputError(f"{name} must be a table of keys, not {_repeated(content)}")
+            raise InputError("not_a_table_of_keys", name=name, value=_repeated(content))
         _known(cls, content, name, name)
         for entry in fields(cls):
             # what breaks a rule with others may be work in progress, what is of another kind is not
             value = content.get(entry.name)
             if entry.name in content and not (entry.metadata["kind"] == "law" and _ends(value)):
-                _value(entry, value, f"{name}: {entry.name}")
+                _value(entry, value, name)
         missing = {entry.name: "" for entry in fields(cls) if entry.default is MISSING}
         return cls(**{**missing, **content})
 
     def one(cls, name):
-        return section(cls, table[name], name) if name in table else None
+        return part(cls, table[name], name) if name in table else None
 
     demand = one(Demand, "demand")
     if demand and demand.spectrum is not None:
-        demand = replace(demand, spectrum=section(Spectrum, demand.spectrum, "spectrum"))
+        demand = replace(demand, spectrum=part(Spectrum, demand.spectrum, "spectrum"))
     return Case(
-        title=_value(_field(Case, "title"), table.get("title", "Ribalta"), "title"),
+        title=_value(_field(Case, "title"), table.get("title", "Ribalta")),
         report=one(Report, "report") or Report(),
-        wall=tuple(section(Wall, entry, "wall") for entry in _tables(table, "wall")),
-        record=tuple(section(Record, entry, "record") for entry in _tables(table, "record")),
+        wall=tuple(part(Wall, entry, "wall") for entry in _tables(table, "wall")),
+        record=tuple(part(Record, entry, "record") for entry in _tables(table, "record")),
         generate=one(Generate, "generate"),
         analysis=one(Analysis, "analysis") or Analysis(),
         demand=demand,
@@ -127,37 +124,36 @@ def draft_case(table: dict) -> Case:
 
 def check_value(cls, key: str, value):
     """One value of a key of a section, checked; raises InputError that names what is accepted."""
-    return _value(_field(cls, key), value, key)
+    return _value(_field(cls, key), value)
 
 
 def with_walls(case: Case, walls: list[Wall]) -> Case:
     """The case with these walls, checked as a set. Raises InputError."""
     if not walls:
-        raise InputError("no [[wall]]: a case needs at least one wall")
+        raise InputError("no_wall")
     names = {}
     for wall in walls:
         if names.setdefault(wall.name, wall) is not wall:
-            raise InputError(f'two walls have the same name "{wall.name}": names must differ')
+            raise InputError("same_name", name=wall.name)
         try:
             wall.block()
             for mechanism in wall.mechanisms():
                 wall.restitution_of(mechanism)
             wall.moment_law()
         except InputError as error:
-            place = f'wall "{wall.name}": '
-            raise InputError(place + str(error).removeprefix(place)) from None
+            raise error.at(place("wall", name=wall.name)) from None
         if case.analysis.method == "linearised" and not wall.moment_law().is_rigid:
             raise InputError(
-                f'[analysis]: method linearised is for the rigid law; wall "{wall.name}" is '
-                "trilinear: take method auto"
+                "linearised_is_rigid", place=(section("[analysis]"),), key="method", name=wall.name
             )
         if case.demand and wall.base_z_m is None:
-            raise InputError(f'wall "{wall.name}": {BASE_MISSING}')
+            raise InputError("base_missing", place=(place("wall", name=wall.name),), key="base_z_m")
         if case.demand and case.demand.confidence_factor < FULL_FACTOR and not wall.setback > 0.0:
             raise InputError(
-                f"[demand]: confidence_factor = {case.demand.confidence_factor:g} is for walls whose "
-                "compressive strength is in alpha (Circolare C8.7.1.2.1): give "
-                f'hinge_setback_m above 0 for wall "{wall.name}", or 1.35'
+                "low_confidence_factor",
+                place=(section("[demand]"),),
+                stated=case.demand.confidence_factor,
+                name=wall.name,
             )
     case = replace(case, wall=tuple(walls), walls=None)
     digest = hashlib.sha256(json.dumps(case.as_dict(), sort_keys=True).encode()).hexdigest()
@@ -166,49 +162,49 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
 
 def parse_wall(table: dict) -> Wall:
     """One wall of a mapping with the keys of [[wall]]. Raises InputError."""
-    return _section(Wall, table, "wall", f'wall "{_name(table, 0)}"')
+    return _section(Wall, table, "wall", place("wall", name=_name(table, 0)))
 
 
 def _demand(table) -> Demand:
-    demand = _section(Demand, table, "demand", "[demand]")
+    here = section("[demand]")
+    demand = _section(Demand, table, "demand", here)
     asked = demand.spectrum
     if asked and demand.spectrum_file:
-        raise InputError("[demand]: give spectrum or spectrum_file, not both")
+        raise InputError("two_spectra", place=(here,))
     if asked and demand.soil_factor is not None:
-        raise InputError("[demand]: soil_factor follows from [demand.spectrum]: leave it out")
+        raise InputError("soil_factor_follows", place=(here,))
     if asked:
         needed = {"NTC2018": ("f0", "tc_star_s", "topography"), "EN1998": ("type",)}
         for code, keys in needed.items():
             for key in keys:
                 if (getattr(asked, key) is not None) != (code == asked.code):
                     raise InputError(
-                        f"[demand.spectrum]: code {asked.code} needs {key}"
-                        if code == asked.code
-                        else f"[demand.spectrum]: code {asked.code} does not take {key}"
+                        "code_needs" if code == asked.code else "code_does_not_take",
+                        place=(section("[demand.spectrum]"),),
+                        key=key,
+                        code=asked.code,
                     )
     if demand.return_period_years is not None:
         own = replace(demand, return_period_years=None).return_period
         check_return_period(demand.limit_state, demand.return_period_years, own)
     if (asked or demand.spectrum_file) and demand.housner_intensity_cm is not None:
-        raise InputError(
-            "[demand]: housner_intensity_cm follows from the spectrum: leave one of them out"
-        )
+        raise InputError("intensity_follows", place=(here,))
     return demand
 
 
 def _written(table: dict):
     """Places (section, index, key) the user wrote."""
-    for section in ("wall", "record", "report", "analysis", "demand", "generate"):
-        items = table.get(section) or []
+    for name in ("wall", "record", "report", "analysis", "demand", "generate"):
+        items = table.get(name) or []
         for index, item in enumerate(items if isinstance(items, (list, tuple)) else [items]):
             for key in item if isinstance(item, dict) else ():
-                yield section, index, key
+                yield name, index, key
 
 
 def _tables(table: dict, key: str) -> list:
     entries = table.get(key, [])
     if not isinstance(entries, (list, tuple)):
-        raise InputError(f"{key} must be written [[{key}]], once for each")
+        raise InputError("written_once_for_each", key=key)
     return list(entries)
 
 
@@ -221,28 +217,31 @@ def _field(cls, key: str):
     return next(entry for entry in fields(cls) if entry.name == key)
 
 
-def _known(cls, table: dict, section: str, place: str) -> None:
+def _known(cls, table: dict, name: str, here) -> None:
+    """Refuse keys that are not of this section. name : of the section; here : its place."""
     keys = [entry.name for entry in fields(cls) if entry.name not in OWN_FIELDS]
     for key in table:
-        if key in LATER.get(section, ()):
-            raise InputError(f"{place}: {key} is not built yet in this version: leave it out")
+        if key in LATER.get(name, ()):
+            raise InputError("not_built", place=(here,), key=key)
         if key not in keys:
-            near = difflib.get_close_matches(key, keys + list(LATER.get(section, ())), 1)
-            hint = f"; did you mean {near[0]}?" if near else f"; known: {', '.join(keys)}"
-            raise InputError(f"{place}: unknown key {_repeated(key)}{hint}")
+            near = difflib.get_close_matches(key, keys + list(LATER.get(name, ())), 1)
+            if near:
+                raise InputError(
+                    "unknown_key_near", place=(here,), value=_repeated(key), near=near[0]
+                )
+            raise InputError("unknown_key", place=(here,), value=_repeated(key), known=tuple(keys))
 
 
-def _section(cls, table, section: str, place: str):
+def _section(cls, table, name: str, here):
     if not isinstance(table, dict):
-        raise InputError(f"{place} must be a table of keys, not {_repeated(table)}")
-    _known(cls, table, section, place)
+        raise InputError("not_a_table_of_keys", name=here, value=_repeated(table))
+    _known(cls, table, name, here)
     values = {}
     for entry in fields(cls):
         if entry.name in table:
-            values[entry.name] = _value(entry, table[entry.name], f"{place}: {entry.name}")
+            values[entry.name] = _value(entry, table[entry.name], here)
         elif entry.default is MISSING:
-            rule = _accepted(entry)
-            raise InputError(f"{place}: {entry.name} is missing: it is required ({rule})")
+            raise InputError("missing", place=(here,), key=entry.name, accepted=_accepted(entry))
     return cls(**values)
 
 
@@ -253,30 +252,27 @@ def _ends(value) -> bool:
     return bool(named) and all(type(end) in (int, float) for end in ends)
 
 
-def _accepted(entry) -> str:
+def _accepted(entry) -> Sentence:
+    """What a key accepts."""
     rule = entry.metadata
-    if rule["kind"] == "choice":
-        return "one of " + ", ".join(rule["names"])
-    if rule["kind"] in ("float", "int"):
-        bracket = "above" if rule["exclusive"] else "from"
+    kind = rule["kind"]
+    if kind == "choice":
+        return sentence("accepted", "one_of", names=tuple(rule["names"]))
+    if kind in ("float", "int"):
+        code = "whole" if kind == "int" else "above" if rule["exclusive"] else "from"
         unit = f" {rule['unit']}" if rule["unit"] else ""
-        whole = "a whole number " if rule["kind"] == "int" else ""
-        return f"{whole}{bracket} {rule['low']:g} to {rule['high']:g}{unit}"
-    if rule["kind"] == "flag":
-        return "true or false"
-    if rule["kind"] == "spectrum":
-        return "a table [demand.spectrum]"
-    if rule["kind"] == "range":
-        return f"two periods [low, high] in s, rising, from {PERIOD_LIMITS[0]:g} to {PERIOD_LIMITS[1]:g}"
-    if rule["kind"] == "law":
-        return f"one of {', '.join(LAWS)}, or {{ elastic_limit = ..., plateau_end = ... }}"
-    if rule["kind"] == "path":
-        return "the name of a file in quotes"
-    return f"text in quotes, up to {MAX_TEXT} characters, without control characters"
+        return sentence("accepted", code, low=rule["low"], high=rule["high"], unit=unit)
+    if kind == "range":
+        return sentence("accepted", "periods", low=PERIOD_LIMITS[0], high=PERIOD_LIMITS[1])
+    if kind == "law":
+        return sentence("accepted", "law", names=tuple(LAWS))
+    if kind == "text":
+        return sentence("accepted", "text", most=MAX_TEXT)
+    return sentence("accepted", {"flag": "flag", "spectrum": "table", "path": "path"}[kind])
 
 
-def _value(entry, value, place: str):
-    """One value checked against its field; raises InputError with place, value, accepted."""
+def _value(entry, value, *here):
+    """One value checked against its field; raises InputError with place, value, accepted. here : the place."""
     rule = entry.metadata
     kind = rule["kind"]
     if kind in ("float", "int"):
@@ -308,19 +304,26 @@ def _value(entry, value, place: str):
             if PERIOD_LIMITS[0] <= low < high <= PERIOD_LIMITS[1]:
                 return (low, high)
     elif kind == "spectrum":
-        return _section(Spectrum, value, "spectrum", "[demand.spectrum]")
+        return _section(Spectrum, value, "spectrum", section("[demand.spectrum]"))
     elif kind == "law":
         if isinstance(value, str) and value in LAWS:
             return value
         if _ends(value):
             first, last = value["elastic_limit"], value["plateau_end"]
-            if LEAST_ELASTIC <= first <= last < 1.0:
+            if MIN_ELASTIC <= first <= last < 1.0:
                 return {"elastic_limit": float(first), "plateau_end": float(last)}
             raise InputError(
-                f"{place}: elastic_limit = {_repeated(first)}, plateau_end = {_repeated(last)} are not accepted: "
-                f"{LEAST_ELASTIC:g} <= elastic_limit <= plateau_end < 1"
+                "ends_not_accepted",
+                place=here,
+                key="law",
+                first=_repeated(first),
+                last=_repeated(last),
+                least=MIN_ELASTIC,
             )
-    raise InputError(f"{place} = {_repeated(value)} is not accepted: {_accepted(entry)}")
+    shown, accepted = _repeated(value), _accepted(entry)
+    raise InputError(
+        "not_accepted", place=here, key=entry.name, value=shown, accepted=accepted, found=value
+    )
 
 
 def _repeated(value) -> str:
@@ -328,5 +331,5 @@ def _repeated(value) -> str:
     try:
         words = repr(value)
     except (ValueError, RecursionError):  # an integer of thousands of digits
-        words = f"a {type(value).__name__} too long to show"
+        words = f"{type(value).__name__} …"
     return words if len(words) <= SHOWN else words[:SHOWN] + "…"

@@ -5,13 +5,14 @@ from dataclasses import MISSING, asdict, dataclass, field, fields
 
 from core.codes.limits import return_period
 from core.codes.target_spectrum import NTC_TOPOGRAPHY, SOILS
-from core.errors import InputError
+from core.errors import InputError, place
 from core.rocking.methods import AUTO, METHODS
+from core.text.sentence import Key, sentence
 from core.wall.block import Block
 from core.wall.moment_rotation import LAWS, MomentLaw
 from core.wall.restitution import MODELS, Restitution, restitution
 
-LEAST_ELASTIC = 0.001
+MIN_ELASTIC = 0.001
 """Smallest D1 of a trilinear law: below it the branch is rigid in all but cost."""
 
 
@@ -52,7 +53,7 @@ class Report:
     language: str = _choice("en", "it", default="en")
 
 
-MOST_SETBACK = 0.4
+MAX_SETBACK = 0.4
 """Largest hinge setback over the thickness: at 0.5 nothing is left to turn about."""
 
 
@@ -110,46 +111,42 @@ class Wall:
 
     def block(self) -> Block:
         """Raises InputError for a wall without exactly one geometry."""
+        here = (place("wall", name=self.name),)
         shape = ("thickness_m", "slenderness_deg", "height_over_thickness")
         given = [key for key in shape if getattr(self, key) is not None]
         if self.radius_m is not None or self.inertia_over_mass_m2 is not None:
             if self.hinge_setback_m or self.compressive_strength_mpa is not None:
-                raise InputError(
-                    f'wall "{self.name}": a general block takes no hinge_setback_m and no '
-                    "compressive_strength_mpa: give radius_m, slenderness_deg and inertia_over_mass_m2 "
-                    "about the hinge itself"
-                )
+                raise InputError("general_no_setback", place=(place("wall", name=self.name),))
             if self.height_m is not None or given != ["slenderness_deg"]:
-                raise InputError(
-                    f'wall "{self.name}": a general block takes radius_m, slenderness_deg and '
-                    "inertia_over_mass_m2 and nothing else; a rectangular one takes height_m"
-                )
+                raise InputError("general_keys", place=(place("wall", name=self.name),))
             if self.radius_m is None or self.inertia_over_mass_m2 is None:
-                raise InputError(
-                    f'wall "{self.name}": a general block needs radius_m and inertia_over_mass_m2'
-                )
+                raise InputError("general_needs", place=(place("wall", name=self.name),))
             return Block(
                 math.radians(self.slenderness_deg), self.radius_m, self.inertia_over_mass_m2
             )
         if self.height_m is None or len(given) != 1:
-            found = ", ".join(given) or "none"
+            stated = sentence("accepted", "given" if self.height_m else "missing")
             raise InputError(
-                f'wall "{self.name}": give height_m and exactly one of {", ".join(shape)} '
-                f"(found: height_m {'given' if self.height_m else 'missing'}; {found})"
+                "one_geometry",
+                place=here,
+                shapes=tuple(map(Key, shape)),
+                height=stated,
+                found=tuple(map(Key, given)) or sentence("accepted", "none"),
             )
         if self.compressive_strength_mpa is not None and (
             self.hinge_setback_m or self.unit_weight_kn_m3 is None
         ):
-            raise InputError(
-                f'wall "{self.name}": compressive_strength_mpa gives the setback of the hinge: it '
-                "takes unit_weight_kn_m3 and no hinge_setback_m"
-            )
+            raise InputError("strength_gives_setback", place=(place("wall", name=self.name),))
         thickness, setback = self.thickness, self.setback
-        if not setback < MOST_SETBACK * thickness:
+        if not setback < MAX_SETBACK * thickness:
             key = "hinge_setback_m" if self.hinge_setback_m else "compressive_strength_mpa"
             raise InputError(
-                f'wall "{self.name}": {key}: the hinge setback {setback:.3f} m is not accepted: up to '
-                f"{MOST_SETBACK * thickness:.3f} m, {100 * MOST_SETBACK:.0f} % of the thickness"
+                "setback_too_large",
+                key=key,
+                setback=setback,
+                most=MAX_SETBACK * thickness,
+                share=100 * MAX_SETBACK,
+                place=(place("wall", name=self.name),),
             )
         if setback == 0.0 and self.slenderness_deg is not None:
             return Block.rectangle(self.height_m, math.radians(self.slenderness_deg))
@@ -175,15 +172,13 @@ class Wall:
             model = "one_sided_theoretical" if mechanism == "one_sided" else "housner"
         if model.startswith("one_sided") and mechanism == "two_sided":
             raise InputError(
-                f'wall "{self.name}": restitution {model} is for one_sided walls; for mechanism '
-                f"{self.mechanism} take housner, sorrentino_experimental, costa_upper or user, "
-                "or write two walls"
+                "restitution_one_sided",
+                model=model,
+                asked=self.mechanism,
+                place=(place("wall", name=self.name),),
             )
         if (model == "user") != (self.velocity_ratio is not None):
-            raise InputError(
-                f'wall "{self.name}": velocity_ratio goes with restitution "user" (or with none), '
-                f"and restitution user needs it"
-            )
+            raise InputError("velocity_ratio_user", place=(place("wall", name=self.name),))
         return restitution(self.block(), model, self.velocity_ratio)
 
     def moment_law(self) -> MomentLaw:

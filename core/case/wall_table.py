@@ -8,10 +8,10 @@ import zlib
 from pathlib import Path
 
 from core.case.number import parse_number
-from core.case.rules import BASE_MISSING, parse_wall
+from core.case.rules import parse_wall
 from core.case.schema import Wall
-from core.errors import InputError
-from core.text.notices import Notice, notice
+from core.errors import InputError, place
+from core.text.sentence import Key, Sentence, notice
 
 COLUMNS = {
     "name": ("parete", "wall", "nome"),
@@ -71,29 +71,29 @@ def read_walls(path: Path, with_demand: bool = False) -> list[Wall]:
     return read_table(path, with_demand)[0]
 
 
-def read_table(path: Path, with_demand: bool = False) -> tuple[list[Wall], list[Notice]]:
+def read_table(path: Path, with_demand: bool = False) -> tuple[list[Wall], list[Sentence]]:
     """The walls of a table, and what was read and passed over: sheet, hidden rows, other sheets. with_demand :
     the height of the base is needed. Raises InputError in one sentence: file, row, column, what is accepted."""
     try:
         if path.exists() and not path.is_file():
-            raise InputError("this is not a file: name a table of walls")
+            raise InputError("table_not_a_file")
         size = path.stat().st_size
         if size > MOST_BYTES:
-            raise InputError(f"{size / 1e6:.0f} MB is no table of walls (up to 20 MB)")
+            raise InputError("table_too_many_mb", mb=size / 1000000.0)
         content, notes = path.read_bytes(), []
         if path.suffix.lower() == ".xlsx":
             rows, notes = _xlsx_rows(content)
         elif path.suffix.lower() in (".csv", ".txt"):
             rows = text_rows(_decoded(content))
         else:
-            raise InputError("a table of walls is .xlsx or .csv")
+            raise InputError("table_kind")
         return walls_of(rows, with_demand), notes
     except FileNotFoundError:
-        raise InputError(f"{path}: there is no such table of walls") from None
+        raise InputError("no_table", place=(path,)) from None
     except OSError as error:
-        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
+        raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
     except InputError as error:
-        raise InputError(f"{path}: {error}") from None
+        raise error.at(path) from None
 
 
 def _decoded(content: bytes) -> str:
@@ -101,7 +101,7 @@ def _decoded(content: bytes) -> str:
         if content[:2] in (b"\xff\xfe", b"\xfe\xff"):  # "Unicode text" of Excel
             return content.decode("utf-16")
         if b"\0" in content:
-            raise InputError("this is no text: save the table as .xlsx or as CSV UTF-8")
+            raise InputError("table_no_text")
         return content.decode("utf-8-sig")
     except UnicodeDecodeError:
         return content.decode("cp1252", errors="replace")
@@ -116,38 +116,38 @@ def text_rows(text: str) -> list[list[str]]:
             [cell.strip() for cell in row] for row in csv.reader(io.StringIO(text), delimiter=mark)
         ]
     except csv.Error as error:
-        raise InputError(f"not a table: {error}") from None
+        raise InputError("not_a_table", reason=error) from None
 
 
-def _xlsx_rows(content: bytes) -> tuple[list[list[str]], list[Notice]]:
+def _xlsx_rows(content: bytes) -> tuple[list[list[str]], list[Sentence]]:
     """Cells of the first sheet that is shown as text, hidden rows left empty, and what is to be said of it.
     Raises InputError for what a table of walls never holds."""
     try:
         with zipfile.ZipFile(io.BytesIO(content)) as folder:
             if sum(entry.file_size for entry in folder.infolist()) > MOST_BYTES:
-                raise InputError("unpacked it is larger than 20 MB: no table of walls")
+                raise InputError("table_unpacked")
             sheets = [n for n in folder.namelist() if n.startswith("xl/worksheets/sheet")]
             if any(b"<mergeCell " in folder.read(name) for name in sheets):
-                raise InputError("cells are merged: a table of walls has one cell for each value")
+                raise InputError("merged_cells")
         from openpyxl import load_workbook
 
         book = load_workbook(io.BytesIO(content), read_only=True, keep_links=False)
         shown = [sheet for sheet in book.worksheets if sheet.sheet_state == "visible"]
         if not shown:
-            raise InputError("every sheet is hidden: show the one with the walls")
+            raise InputError("sheets_hidden")
         sheet = shown[0]
         sheet.reset_dimensions()  # the tag that states them can lie
         rows, hidden = [], _hidden_rows(content, book, sheet.title)
         for number, row in enumerate(sheet.iter_rows(max_col=10 * MOST_COLUMNS), start=1):
             if number > MOST_ROWS:
-                raise InputError(f"more than {MOST_ROWS} rows")
+                raise InputError("too_many_rows", rows=MOST_ROWS)
             if number in hidden:
                 rows.append([])
                 continue
             for cell in row:
                 if cell.data_type == "f":
                     raise InputError(
-                        f"row {number}: {cell.coordinate} is a formula: paste it as a value"
+                        "formula_cell", cell=cell.coordinate, place=(place("row", n=number),)
                     )
             cells = ["" if cell.value is None else str(cell.value).strip() for cell in row]
             while cells and not cells[-1]:
@@ -165,9 +165,7 @@ def _xlsx_rows(content: bytes) -> tuple[list[list[str]], list[Notice]]:
         raise
     except (zipfile.BadZipFile, KeyError, ValueError, TypeError, IndexError, AttributeError,
             EOFError, NotImplementedError, SyntaxError, RuntimeError, zlib.error) as error:  # fmt: skip
-        raise InputError(
-            f"not a workbook Excel could have saved ({type(error).__name__})"
-        ) from None
+        raise InputError("not_a_workbook", reason=type(error).__name__) from None
 
 
 def _hidden_rows(content: bytes, book, title: str) -> set[int]:
@@ -199,18 +197,15 @@ def walls_of(rows: list[list[str]], with_demand: bool = False) -> list[Wall]:
     with_demand : an empty height of the base is an error, never the ground."""
     rows = [(n, row) for n, row in enumerate(rows, start=1) if n == 2 or any(row)]
     if len(rows) < 3:
-        raise InputError(
-            "a table of walls has a row of heads (Parete; H; t; Meccanismo), a row of units "
-            "(; m; cm;) and a row for each wall"
-        )
+        raise InputError("table_rows")
     if len(rows) > MOST_ROWS or len(rows[0][1]) > 4 * MOST_COLUMNS:
-        raise InputError(f"more than {MOST_ROWS} rows or {4 * MOST_COLUMNS} columns")
+        raise InputError("table_too_large", rows=MOST_ROWS, columns=4 * MOST_COLUMNS)
     keys = _heads(rows[0][1])
     factors = _factors(keys, rows[1][1], rows[0][1])
     walls = []
     for number, row in rows[2:]:
         if any(cell for cell in row[len(keys) :]):
-            raise InputError(f"row {number}: there is a value beyond the last column")
+            raise InputError("value_beyond_columns", place=(place("row", n=number),))
         table = {}
         for key, factor, cell in zip(keys, factors, row, strict=False):
             if key and cell:
@@ -218,10 +213,10 @@ def walls_of(rows: list[list[str]], with_demand: bool = False) -> list[Wall]:
         table.setdefault("name", f"row {number}")
         try:
             if with_demand and "base_z_m" not in table:
-                raise InputError(BASE_MISSING)
+                raise InputError("base_missing", key="base_z_m")
             walls.append(parse_wall(table))
         except InputError as error:
-            raise InputError(f"row {number}: {error}") from None
+            raise error.at(place("row", n=number)) from None
     return walls
 
 
@@ -233,12 +228,9 @@ def _heads(cells: list[str]) -> list[str | None]:
     for cell in cells:
         name = re.sub(r"\s*[\[(].*", "", cell).strip().lower()
         if name not in known:
-            raise InputError(
-                f"the column {cell[:60]!r} is not known: Parete, Piano, z, H, t, L, peso specifico, u, "
-                f"meccanismo, vincolo, note, or a key of [[wall]] ({', '.join(COLUMNS)})"
-            )
+            raise InputError("unknown_column", column=cell[:60], known=", ".join(COLUMNS))
         if known[name] in keys:
-            raise InputError(f"the column {cell[:60]!r} stands there twice")
+            raise InputError("column_twice", column=cell[:60])
         keys.append(known[name])
     return keys
 
@@ -255,15 +247,19 @@ def _factors(keys: list, cells: list[str], heads: list[str]) -> list[float]:
         units = next((units for end, units in UNITS.items() if key.endswith(end)), NO_UNIT)
         if unit not in units:
             raise InputError(
-                f"the unit {unit[:40]!r} of the column {key} is not accepted: one of "
-                f"{', '.join(name or 'empty' for name in units)} in the row below the heads"
+                "unknown_unit",
+                unit=unit[:40],
+                column=key,
+                known=", ".join(name or "empty" for name in units),
             )
         for named in _HEAD_UNIT.findall(heads[k]):
             word = re.sub(r"^(in|unit|unità)\b|[. ]", "", named.strip().lower())
             if units.get(word, None if word in OTHER_UNITS else units[unit]) != units[unit]:
                 raise InputError(
-                    f"the column {heads[k][:60]!r} names {named[:20]}, the row of units below it {unit or 'none'}: "
-                    "correct one of them"
+                    "two_units_of_column",
+                    column=heads[k][:60],
+                    named=named[:20],
+                    unit=unit or "none",
                 )
         factors.append(units[unit])
     return factors
@@ -277,10 +273,10 @@ def _cell(key: str, factor: float, cell: str, number: int):
     if key in ("free_element", "unloaded_confirmed"):
         if cell.lower() not in FLAGS:
             raise InputError(
-                f"row {number}, {key}: {cell[:60]!r} is not accepted: sì, yes, x or no"
+                "not_yes_or_no", text=cell[:60], place=(place("cell", n=number, key=Key(key)),)
             )
         return FLAGS[cell.lower()]
     try:
         return parse_number(cell) * factor
     except InputError as error:
-        raise InputError(f"row {number}, {key}: {error}") from None
+        raise error.at(place("cell", n=number, key=Key(key))) from None

@@ -6,7 +6,7 @@ import numpy as np
 
 from core.codes.target_spectrum import Target
 from core.ground.ground_motion import GroundMotion
-from core.text.notices import Notice, notice
+from core.text.sentence import Sentence, notice
 from core.units import G
 
 WEAK_RECORDS = 0.9
@@ -48,7 +48,7 @@ class DemandResult:
     period_range: tuple[float, float] | None = None
     soil_factor_stated: bool = True
     return_period: float | None = None
-    warnings: tuple[Notice, ...] = ()
+    warnings: tuple[Sentence, ...] = ()
 
     def scaling(self, motion: GroundMotion) -> float:
         """Factor of a record at the demand, FC apart: 1 as given, or PGA to a_g S."""

@@ -12,7 +12,7 @@ from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes import target_spectrum
 from core.codes.demand import DemandResult
 from core.codes.target_spectrum import GivenSpectrum
-from core.errors import InputError
+from core.errors import InputError, place
 from core.units import G
 
 PERIOD_FACTOR = {"SLV": 1.68 * math.pi, "SLC": 1.56 * math.pi}
@@ -112,8 +112,12 @@ def _covers(target, period: float, name: str, wall) -> None:
     """Raise InputError where the spectrum of a file ends before a period [s] it is read at."""
     if isinstance(target, GivenSpectrum) and target.periods[-1] < period:
         raise InputError(
-            f'wall "{wall.name}": {target.name} ends at {target.periods[-1]:.2f} s, before '
-            f"{name} = {period:.2f} s (C8.7.1.2.1.8): give the spectrum up to there"
+            "spectrum_ends",
+            name=target.name,
+            end=target.periods[-1],
+            period_name=name,
+            period=period,
+            place=(place("wall", name=wall.name),),
         )
 
 

@@ -2,7 +2,7 @@
 
 import math
 
-from core.errors import InputError
+from core.errors import InputError, section
 
 MEAN_FROM = 7
 MINIMUM_FROM = 3
@@ -33,23 +33,33 @@ def check_return_period(state: str, stated: float, own: float | None) -> None:
             for years in (own, min(max(own, 30.0), 2475.0))
         ):
             raise InputError(
-                f"[demand]: return_period_years = {stated:g} contradicts nominal_life_years and "
-                f"use_class_factor, which give {own:.0f} years at {state} (NTC 2018 3.2.0): correct one of them"
+                "return_period_contradicts",
+                stated=stated,
+                own=own,
+                state=state,
+                place=(section("[demand]"),),
             )
         return
     shortest = return_period(USUAL_LIVES[0], state)
     if stated < (1.0 - SAME_PERIOD) * shortest:
         raise InputError(
-            f"[demand]: return_period_years = {stated:g} is below the {shortest:.0f} years of {state} for V_R = "
-            f"{USUAL_LIVES[0]:g} years (NTC 2018 3.2.0): the motion of another limit state? Give "
-            "nominal_life_years and use_class_factor if it is right"
+            "return_period_short",
+            stated=stated,
+            shortest=shortest,
+            state=state,
+            life=USUAL_LIVES[0],
+            place=(section("[demand]"),),
         )
     states = list(EXCEEDANCE)
     for weaker in states[: states.index(state)]:
         for life in USUAL_LIVES:
             if math.isclose(stated, return_period(life, weaker), rel_tol=SAME_PERIOD):
                 raise InputError(
-                    f"[demand]: return_period_years = {stated:g} is that of {weaker} for V_R = {life:g} years, "
-                    f"not of {state}, which has {return_period(life, state):.0f} (NTC 2018 3.2.0): give the "
-                    f"motion of {state}, or nominal_life_years and use_class_factor if it is right"
+                    "return_period_of_other",
+                    stated=stated,
+                    weaker=weaker,
+                    life=life,
+                    state=state,
+                    own=return_period(life, state),
+                    place=(section("[demand]"),),
                 )

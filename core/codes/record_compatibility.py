@@ -7,7 +7,7 @@ import numpy as np
 from core.codes.demand import DemandResult
 from core.codes.limits import MINIMUM_FROM
 from core.codes.target_spectrum import GivenSpectrum
-from core.errors import InputError
+from core.errors import InputError, section
 from core.ground.ground_motion import GroundMotion
 from core.ground.provenance import stations, unnamed
 from core.ground.response_spectrum import HOUSNER_PERIODS, pseudo_acceleration_spectrum
@@ -87,8 +87,11 @@ def period_range(kinds: list[str], longest: float, demand: DemandResult) -> tupl
     target = demand.target
     if isinstance(target, GivenSpectrum) and high > target.periods[-1]:
         raise InputError(
-            f"[demand]: period_range_s goes to {high:.2f} s, but {target.name} ends at "
-            f"{target.periods[-1]:.2f} s: shorten it or give the spectrum up to there"
+            "period_range_beyond",
+            high=high,
+            name=target.name,
+            end=target.periods[-1],
+            place=(section("[demand]"),),
         )
     return low, high
 

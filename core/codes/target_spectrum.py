@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.errors import InputError
+from core.errors import InputError, place
 from core.ground.response_spectrum import DAMPING, HOUSNER_PERIODS
 from core.units import G
 
@@ -147,10 +147,7 @@ def ntc2018(ag: float, f0: float, tc_star: float, soil: str, topography: str) ->
     t_c = c * tc_star**d * tc_star
     t_d = 4.0 * ag / G + 1.6
     if not t_c < t_d:
-        raise InputError(
-            f"tc_star_s = {tc_star:g} s on soil {soil} gives T_C = {t_c:.2f} s, not below "
-            f"T_D = {t_d:.2f} s: check tc_star_s and ag_g"
-        )
+        raise InputError("t_c_above_t_d", stated=tc_star, soil=soil, t_c=t_c, t_d=t_d)
     return CodeSpectrum(f"NTC 2018, {soil}, {topography}", ag, factor, f0, t_c / 3.0, t_c, t_d)
 
 
@@ -167,26 +164,29 @@ def given(name: str, ag: float, soil: float, rows: list[tuple[float, float]]) ->
     periods = tuple(row[0] for row in rows)
     values = tuple(row[1] for row in rows)
     if len(rows) < 5:
-        raise InputError(f"{name}: {len(rows)} rows are too few for a spectrum: at least 5")
+        raise InputError("spectrum_too_short", rows=len(rows), place=(name,))
     for k in range(1, len(rows)):
         if not periods[k] > periods[k - 1]:
-            raise InputError(f"{name}: row {k + 1}: the periods must rise, found {periods[k]:g} s")
+            raise InputError(
+                "spectrum_not_rising",
+                period=periods[k],
+                place=(
+                    name,
+                    place("row", n=k + 1),
+                ),
+            )
     if not (periods[0] >= 0.0 and all(0.0 < value < 20.0 * G for value in values)):
-        raise InputError(f"{name}: periods from 0 s and ordinates above 0 g to 20 g are accepted")
+        raise InputError("spectrum_values", place=(name,))
     if periods[0] > 0.1 or periods[-1] < 2.5:
-        raise InputError(
-            f"{name}: covers {periods[0]:g} to {periods[-1]:g} s: the range 0.1 to 2.5 s of the Housner "
-            "intensity must be inside"
-        )
+        raise InputError("spectrum_range", low=periods[0], high=periods[-1], place=(name,))
     found = GivenSpectrum(name, ag, soil, periods, values)
     if periods[0] <= 0.01 and abs(values[0] / found.pga - 1.0) > 0.05:
-        raise InputError(
-            f"{name}: it starts at {values[0] / G:.3f} g, but a_g S of the demand is {found.pga / G:.3f} g: "
-            "give ag_g and soil_factor of the same site"
-        )
+        raise InputError("spectrum_start", start=values[0] / G, pga=found.pga / G, place=(name,))
     if not 1.2 <= max(values) / found.pga <= 6.0:
         raise InputError(
-            f"{name}: its largest ordinate, {max(values) / G:.3f} g, is {max(values) / found.pga:.2f} times "
-            "a_g S of the demand (1.2 to 6 is accepted): is the file in g, and of the same site?"
+            "spectrum_largest",
+            largest=max(values) / G,
+            ratio=max(values) / found.pga,
+            place=(name,),
         )
     return found

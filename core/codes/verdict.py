@@ -8,7 +8,7 @@ from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import Check, Kinematic
 from core.codes.limits import MEAN_FROM, MINIMUM_FROM
 from core.codes.record_compatibility import Compliance
-from core.text.verdicts import ADDED, METHOD_WORDS, MISSING_WORDS, REASONS, SENTENCES
+from core.text.sentence import Sentence, localized, sentence
 from core.units import G
 
 ORDER = ("dynamic", "nonlinear", "linear_q_slv", "linear_q_code")
@@ -32,30 +32,33 @@ class Circumstances:
 
 @dataclass(frozen=True)
 class Verdict:
-    """code : of SENTENCES; governing : name of the check that decides, or None; reasons : pairs (English,
-    Italian); text_en, text_it : the sentence; lower_bound : zeta of the two-sided motion where the
-    restraint behind a one-sided wall fails, or None."""
+    """The verdict of a wall.
+
+    code : of the group "verdict"; governing : name of the check that decides, or None
+    reasons : Sentences of the group "reason"
+    parts : of its sentence; if_unloaded : it holds only if the wall carries no load
+    lower_bound : zeta of the two-sided motion where the restraint behind a one-sided wall fails, or None
+    """
 
     code: str
     governing: str | None
     zeta_e: float | None
     zeta_target: float
-    reasons: tuple[tuple[str, str], ...]
-    text_en: str
-    text_it: str
+    reasons: tuple[Sentence, ...]
+    parts: tuple[Sentence, ...]
+    if_unloaded: bool
     lower_bound: float | None = None
 
     def text(self, language: str) -> str:
-        return self.text_it if language == "it" else self.text_en
+        """The sentence in "en" or "it"."""
+        words = "".join(part.text(language) for part in self.parts)
+        if self.if_unloaded:
+            words = words.removesuffix(".") + localized("added", "unloaded", language)
+        return words
 
 
-def _started(words: str) -> str:
-    return words[0].upper() + words[1:]
-
-
-def _reason(name: str, **values) -> tuple[str, str]:
-    english, italian = REASONS[name]
-    return english.format(**values), italian.format(**values)
+def _reason(code: str, /, **values) -> Sentence:
+    return sentence("reason", code, **values)
 
 
 def verdict(
@@ -90,18 +93,16 @@ def verdict(
         doubts.append(_reason("within_spread", zeta=zeta, target=target, low=low, high=high))
     notes = []
     if kinematic and kinematic.missing:
-        words = [MISSING_WORDS[key] for key in kinematic.missing]
-        english, italian = REASONS["no_period"]
-        notes.append((english.format(missing=", ".join(word[0] for word in words)),
-                      italian.format(missing=", ".join(word[1] for word in words))))  # fmt: skip
-    at = {"at_en": "the demand", "at_it": "alla domanda"}
+        missing = tuple(sentence("missing", key) for key in kinematic.missing)
+        notes.append(_reason("no_period", missing=missing))
+    at = sentence("added", "at_demand")
     if target != 1.0:
-        at = {"at_en": f"{target:g} of the demand", "at_it": f"allo {target:g} della domanda"}
+        at = sentence("added", "at_share", target=target)
     if dynamic and zeta is not None:
         if zeta < target and dynamic.holds_at_target:
-            notes.append(_reason("weaker_fails", zeta=zeta, **at))
+            notes.append(_reason("weaker_fails", zeta=zeta, at=at))
         if zeta >= target and not dynamic.holds_at_target:
-            notes.append(_reason("demand_fails", **at))
+            notes.append(_reason("demand_fails", at=at))
         if dynamic.passed and target < 1.0 <= zeta and not dynamic.holds:
             notes.append(_reason("whole_demand_fails", target=target))
         if kinematic and kinematic.free_element and wall.moment_law().is_rigid:
@@ -121,28 +122,28 @@ def verdict(
     else:
         code = "q2_unsafe" if q_code and q_code.passed else "not_verified"
     notes += [
-        tuple(
-            REASONS["disagrees"][k].format(
-                method=_started(METHOD_WORDS[other.label][k]), zeta=other.zeta,
-                outcome=(("passed", "soddisfatta") if other.passed else ("not passed", "non soddisfatta"))[k],
-            )
-            for k in (0, 1)
+        _reason(
+            "disagrees",
+            method=sentence("started_method", other.label),
+            zeta=other.zeta,
+            outcome=sentence("word", "passed" if other.passed else "not_passed"),
         )
         for other in checks
-        if found and other is not found and other.passed is not None and other.passed != found.passed
-    ]  # fmt: skip
+        if found
+        and other is not found
+        and other.passed is not None
+        and other.passed != found.passed
+    ]
     if dynamic and compliance and code != "not_activated":
         if compliance.unnamed:
             notes.append(_reason("no_station", n=compliance.unnamed))
         if compliance.stations <= MEAN_FROM:
             notes.append(_reason("more_records", n=compliance.stations))
-    english, italian = (
-        _sentence(k, code, wall, block, demand, found, q_code, dynamic) for k in (0, 1)
-    )
-    return Verdict(
-        code, found.name if found else None, zeta, target, (*doubts, *limits, *notes), english, italian,
-        lower_bound,
-    )  # fmt: skip
+    parts = _sentence(code, block, demand, found, q_code, dynamic)
+    if_unloaded = code != "undetermined" and not wall.unloaded_confirmed
+    reasons = (*doubts, *limits, *notes)
+    governing = found.name if found else None
+    return Verdict(code, governing, zeta, target, reasons, parts, if_unloaded, lower_bound)
 
 
 def _activated(wall, block, demand: DemandResult, checks, kinematic, circumstances) -> bool:
@@ -164,7 +165,7 @@ def _activated(wall, block, demand: DemandResult, checks, kinematic, circumstanc
 
 def _limits(
     wall, mechanism: str, block, demand, dynamic, compliance, circumstances: Circumstances
-) -> list[tuple[str, str]]:
+) -> list[Sentence]:
     """Reasons for which the checks are indicative only."""
     found = []
     if dynamic:
@@ -196,8 +197,8 @@ def _limits(
     return found
 
 
-def _sentence(k: int, code: str, wall, block, demand, found, q_code, dynamic) -> str:
-    """The sentence of a verdict, in English (k = 0) or Italian (1)."""
+def _sentence(code: str, block, demand, found, q_code, dynamic) -> tuple[Sentence, ...]:
+    """The parts of the sentence of a verdict."""
     way = code
     if code == "verified" and found.name == "linear_q_code":
         way = "verified_simply" if demand.limit_state == "SLV" else "verified_plainly"
@@ -207,36 +208,36 @@ def _sentence(k: int, code: str, wall, block, demand, found, q_code, dynamic) ->
         way = "verified_alone"
     zeta = f"{found.zeta:.2f}" if found and found.zeta is not None else "–"
     if demand.zeta_target != 1.0:
-        zeta += f" ({('required', 'richiesto')[k]} {demand.zeta_target:g})"
-    said = SENTENCES[way][k].format(
-        state=demand.limit_state, q=demand.q_code, zeta=zeta,
-        method=METHOD_WORDS[found.label][k] if found else "",
-        demand=demand.confidence_factor * demand.pga / G, a_rm=block.threshold_acceleration / G,
-    )  # fmt: skip
+        zeta = sentence("added", "required", zeta=zeta, target=demand.zeta_target)
+    method = sentence("method", found.label) if found else ""
+    lifting = demand.confidence_factor * demand.pga / G
+    parts = [
+        sentence(
+            "verdict", way, state=demand.limit_state, q=demand.q_code, zeta=zeta, method=method, demand=lifting,
+            a_rm=block.threshold_acceleration / G,
+        )
+    ]  # fmt: skip
     if code not in ("undetermined", "not_activated") and dynamic:
-        said += _dynamic_words(k, dynamic, demand.zeta_target)
-    if code != "undetermined" and not wall.unloaded_confirmed:
-        said = said.removesuffix(".") + ADDED["unloaded"][k]
-    return said
+        parts += _dynamic_parts(dynamic, demand.zeta_target)
+    return tuple(parts)
 
 
-def _dynamic_words(k: int, dynamic: DemandCheck, target: float) -> str:
+def _dynamic_parts(dynamic: DemandCheck, target: float) -> list[Sentence]:
     """How many multipliers around a demand that is met fail, and whether FC on the other side decides
     differently."""
-    said, other = "", dynamic.zeta_other
+    parts, other = [], dynamic.zeta_other
     if dynamic.passed and dynamic.zeta_16 is not None and dynamic.zeta_16 < target:
-        part = ("the demand", "lla domanda")[k]
+        part = sentence("added", "of_demand")
         if target != 1.0:
-            part = (f"{target:g} of the demand", f"l {target:g} della domanda")[k]
-        said += ADDED["share"][k].format(share=dynamic.share_failing_at_demand, demand=part)
+            part = sentence("added", "of_share", target=target)
+        share = dynamic.share_failing_at_demand
+        parts.append(sentence("added", "share", share=share, demand=part))
     if other and other.passed != dynamic.passed:
         zeta = "–" if other.zeta is None else f"{other.zeta:.2f}"
         if not other.passed and other.zeta is not None and other.zeta >= target:
-            zeta += (
-                ", but the rule fails at the demand itself",
-                ", ma la regola non vale alla domanda stessa",
-            )[k]
-        said += ADDED[f"confidence_{other.confidence_on}"][k].format(
-            not_="" if other.passed else ("not ", "non ")[k], zeta=zeta
+            zeta = sentence("added", "fails_at_demand", zeta=zeta)
+        negation = sentence("added", "nothing" if other.passed else "not")
+        parts.append(
+            sentence("added", f"confidence_{other.confidence_on}", negation=negation, zeta=zeta)
         )
-    return said
+    return parts

@@ -48,15 +48,14 @@ class GroundMotion:
         object.__setattr__(self, "acceleration", samples)
         if not SHORTEST_STEP <= self.time_step <= LONGEST_STEP:
             raise RecordError(
-                f"time step {self.time_step:g} s is not accepted: {SHORTEST_STEP:g} to "
-                f"{LONGEST_STEP:g} s"
+                "time_step", step=self.time_step, low=SHORTEST_STEP, high=LONGEST_STEP
             )
         if samples.size < 10:
-            raise RecordError(f"{samples.size} samples are too few for a record: at least 10")
+            raise RecordError("too_few_samples", n=samples.size)
         if not np.isfinite(samples).all():
-            raise RecordError(f"sample {int(np.argmin(np.isfinite(samples))) + 1} is not a number")
+            raise RecordError("sample_not_a_number", n=int(np.argmin(np.isfinite(samples))) + 1)
         if np.abs(samples).max() < LEAST_PGA:
-            raise RecordError("all samples are zero: this record moves nothing")
+            raise RecordError("all_zero")
 
     @property
     def samples_sha256(self) -> str:

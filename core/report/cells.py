@@ -18,6 +18,7 @@ from openpyxl.workbook.defined_name import DefinedName
 from openpyxl.worksheet.worksheet import Worksheet
 
 from core.file_names import shown
+from core.text.sentence import localized
 
 INK = "1F2D3D"
 ACCENT = "2B5C8A"
@@ -49,12 +50,13 @@ class Book:
     workbook: Workbook = field(default_factory=Workbook)
     cached: dict[tuple[str, str], object] = field(default_factory=dict)
 
-    def say(self, english: str, italian: str) -> str:
-        return italian if self.language == "it" else english
+    def say(self, english: str, /, **values) -> str:
+        """A text of the group "report" in the workbook's language."""
+        return localized("report", english, self.language, **values)
 
-    def sheet(self, english: str, italian: str, widths: list[float], landscape=False) -> Worksheet:
+    def sheet(self, english: str, widths: list[float], landscape=False) -> Worksheet:
         """A new A4 sheet, fitted to the page's width."""
-        sheet = self.workbook.create_sheet(self.say(english, italian))
+        sheet = self.workbook.create_sheet(self.say(english))
         for k, width in enumerate(widths, start=1):
             sheet.column_dimensions[get_column_letter(k)].width = width
         sheet.sheet_view.showGridLines = False

@@ -24,8 +24,9 @@ from core.report.cells import (
 )  # fmt: skip
 from core.report.circolare import spectrum_rows, wall_rows
 from core.report.rows import heads, input_row, live_row
-from core.report.sheets import mechanism_word, rule_word
+from core.report.sheets import rule_word
 from core.study.results import Q_SOURCES, PerRecord, StudyResult, WallResult
+from core.text.sentence import word
 from core.units import CM, G
 
 
@@ -33,14 +34,19 @@ def check(book: Book, result: StudyResult) -> None:
     """One block a wall: geometry, records, set, power law, closed forms, Eq. 9."""
     say = book.say
     widths = [34, 13, 13, 13, 12, 11, 12, 16, 11, 11, 11, 11, 12]
-    sheet = book.sheet("Check", "Verifica", widths, landscape=True)
-    title(sheet, 1, say("Check of the equations", "Verifica delle equazioni"))
-    paragraph(sheet, 2, say(
-        "Column C is a live formula of this sheet, column D the value of the program: they must agree. "
-        "In the tables of records each pair stands side by side.",
-        "La colonna C è una formula viva di questo foglio, la colonna D il valore del programma: devono "
-        "coincidere. Nelle tabelle dei record ogni coppia è affiancata."), len(widths), 150,
-        color=QUIET)  # fmt: skip
+    sheet = book.sheet("Check", widths, landscape=True)
+    title(sheet, 1, say("Check of the equations"))
+    paragraph(
+        sheet,
+        2,
+        say(
+            "Column C is a live formula of this sheet, column D the value of the program: they must "
+            "agree. In the tables of records each pair stands side by side."
+        ),
+        len(widths),
+        150,
+        color=QUIET,
+    )
     row = _demand(book, sheet, result, 4)
     for index, wall in enumerate(result.walls, start=1):
         if index > 1:
@@ -51,27 +57,25 @@ def check(book: Book, result: StudyResult) -> None:
 
 def _demand(book: Book, sheet, result: StudyResult, row: int) -> int:
     say, demand = book.say, result.demand
-    row = heads(book, sheet, row, say("Demand", "Domanda"))
+    row = heads(book, sheet, row, say("Demand"))
     row = input_row(book, sheet, row, "g", G, "m/s²", "gravity", "0.00000")
     if demand is None:
-        text(sheet, row, 1, say("No demand given: no check.", "Nessuna domanda: nessuna verifica."))
+        text(sheet, row, 1, say("No demand given: no check."))
         return row + 1
-    row = input_row(book, sheet, row, say("a_g on rock", "a_g su suolo rigido"), demand.ag / G, "g",
+    row = input_row(book, sheet, row, say('a_g on rock'), demand.ag / G, "g",
                  "demand_ag", ACCELERATION)  # fmt: skip
     row = input_row(book, sheet, row, "S", demand.soil_factor, "–", "demand_s", RATIO)
     row = live_row(book, sheet, row, "S a_g", "", "=demand_ag*demand_s", demand.pga / G, "g", "demand_pga",
                 ACCELERATION)  # fmt: skip
     si = demand.intensity / CM if demand.intensity else None
-    label = say("SI of the demand", "SI della domanda")
+    label = say("SI of the demand")
     row = input_row(book, sheet, row, label, si, "cm", "demand_si", RATIO)
     row = spectrum_rows(book, sheet, result, row)
-    return input_row(
-        book, sheet, row, say("q of the code", "q di norma"), demand.q_code, "–", "code_q", RATIO
-    )
+    return input_row(book, sheet, row, say("q of the code"), demand.q_code, "–", "code_q", RATIO)
 
 
 def _wall(book: Book, sheet, result: StudyResult, wall: WallResult, name: str, row: int) -> int:
-    label = f"{wall.name} – {mechanism_word(book, wall.mechanism)}"
+    label = f"{wall.name} – {word(wall.mechanism, book.language)}"
     row = heads(book, sheet, row, label)
     row = _geometry(book, sheet, wall, name, row)
     if wall.per_record:
@@ -90,12 +94,12 @@ def _geometry(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
     say, block = book.say, wall.block
     degrees = math.degrees(block.slenderness)
     rectangle, setback = block.is_rectangle, wall.wall.setback if wall.wall.height_m else 0.0
-    equivalent = f"H = 2 R_eq cos α ({say('equivalent', 'equivalente')})"
+    equivalent = f"H = 2 R_eq cos α ({say('equivalent')})"
     if rectangle or setback:
         row = input_row(book, sheet, row, "H", wall.height, "m", f"{name}_height", RATIO)
     if setback:
         row = input_row(book, sheet, row, "t", wall.thickness, "m", f"{name}_thickness", "0.000")
-        row = input_row(book, sheet, row, say("hinge setback u", "arretramento cerniera u"), setback,
+        row = input_row(book, sheet, row, say('hinge setback u'), setback,
                         "m", f"{name}_setback")  # fmt: skip
         row = live_row(book, sheet, row, "α = arctan((t − 2u)/H)", "Fig. 1",
                        f"=DEGREES(ATAN(({name}_thickness-2*{name}_setback)/{name}_height))", degrees,
@@ -137,7 +141,7 @@ def _geometry(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
                 f"=TAN(RADIANS({name}_slenderness))", block.threshold_acceleration / G, "g",
                 f"{name}_a_rm", ACCELERATION)  # fmt: skip
     ratio = wall.restitution
-    label = say("velocity ratio e", "rapporto di velocità e") + f" ({ratio.model})"
+    label = say("velocity ratio e") + f" ({ratio.model})"
     turn = f"(2*{name}_radius^2/{name}_inertia)" if not block.is_rectangle else "1.5"
     eq4 = f"(1-{turn}*SIN(RADIANS({name}_slenderness))^2)"
     eq6 = f"{eq4}^2*ABS(1-{turn}*COS(RADIANS({name}_slenderness))^2)"
@@ -159,10 +163,10 @@ def _records(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
     say = book.say
     form = "Eq. 16" if wall.mechanism == "one_sided" else "Eq. 15"
     header(sheet, row, [
-        say("Record (governing sign)", "Record (segno governante)"), "SI [cm]", "PGA [g]",
-        say("Scale C", "Scala C"), "q\nEq. 10", say("program", "programma"), "q_eff\nEq. 12",
-        say("program", "programma"), "ln SI", "ln q_eff", f"q_eff\n{form}", f"q\n{form}",
-        say("program", "programma")], 1, 32)  # fmt: skip
+        say('Record (governing sign)'), "SI [cm]", "PGA [g]",
+        say('Scale C'), "q\nEq. 10", say('program'), "q_eff\nEq. 12",
+        say('program'), "ln SI", "ln q_eff", f"q_eff\n{form}", f"q\n{form}",
+        say('program')], 1, 32)  # fmt: skip
     first = row + 1
     scale = {(run.record, run.polarity): run.scale for run in wall.runs}
     for entry in wall.per_record:
@@ -194,7 +198,7 @@ def _record_row(book: Book, sheet, wall, entry: PerRecord, scale, name: str, row
     number(sheet, row, 3, entry.pga / G, ACCELERATION)
     number(sheet, row, 4, abs(scale) if scale is not None else None, ACCELERATION)
     if entry.q is None:
-        words = book.say("no number", "nessun valore")
+        words = book.say("no number")
         text(sheet, row, 5, words, color=BAD)
     else:
         ln_si, ln_q = math.log(entry.intensity / CM), math.log(entry.q_eff)
@@ -222,7 +226,7 @@ def _closed(book: Book, sheet, result: StudyResult, wall: WallResult, name: str,
         return row
     form = "Eq. 16" if wall.mechanism == "one_sided" else "Eq. 15"
     formula = _closed_formula(wall, name, "demand_si")
-    label = book.say("of the demand", "della domanda")
+    label = book.say("of the demand")
     row = live_row(book, sheet, row, f"q_eff {label}", form, f"={formula}", wall.closed_form_q_eff, "–",
                 f"{name}_q_eff_closed", RATIO)  # fmt: skip
     return live_row(book, sheet, row, f"q = q_eff S a_g / g {label}", form,
@@ -234,25 +238,25 @@ def _inequality(book: Book, sheet, wall: WallResult, name: str, row: int) -> int
     """Eq. 9 with the q of every source."""
     say = book.say
     words = {
-        "code": (say("q of the code", "q di norma"), "code_q"),
-        "closed_form": (say("q of Eq. 15/16", "q delle Eq. 15/16"), f"{name}_q_closed"),
-        "time_histories": (say("q of the time histories, collapse", "q delle storie, collasso"),
+        "code": (say('q of the code'), "code_q"),
+        "closed_form": (say('q of Eq. 15/16'), f"{name}_q_closed"),
+        "time_histories": (say('q of the time histories, collapse'),
                            f"{name}_q_set"),
-        "time_histories_slv": (say("q of the time histories, SLV", "q delle storie, SLV"), None),
-        "time_histories_robust": (say("q of the time histories, robust", "q delle storie, robusto"),
+        "time_histories_slv": (say('q of the time histories, SLV'), None),
+        "time_histories_robust": (say('q of the time histories, robust'),
                                   None),
     }  # fmt: skip
-    label = say(TITLE, "Eq. 9, senza e* e FC")
+    label = say(TITLE)
     header(sheet, row, [
-        label, "q", "a_RM [g]", "S a_g / q [g]", say("program", "programma"),
-        say("ratio", "rapporto"), say("program", "programma"), say("outcome", "esito")],
+        label, "q", "a_RM [g]", "S a_g / q [g]", say('program'),
+        say('ratio'), say('program'), say('outcome')],
         1, 32)  # fmt: skip
     for source, inequality in zip(Q_SOURCES, wall.code_check, strict=True):
         row += 1
         label, reference = words[source]
         text(sheet, row, 1, label)
         if inequality is None:
-            text(sheet, row, 2, say("no number", "nessun valore"), color=QUIET)
+            text(sheet, row, 2, say("no number"), color=QUIET)
         else:
             if reference:
                 book.formula(sheet.cell(row, 2), f"={reference}", inequality.q, RATIO)
@@ -264,7 +268,7 @@ def _inequality(book: Book, sheet, wall: WallResult, name: str, row: int) -> int
             number(sheet, row, 5, demand, ACCELERATION, color=QUIET)
             book.formula(sheet.cell(row, 6), f"=C{row}/D{row}", inequality.ratio, RATIO)
             number(sheet, row, 7, inequality.ratio, RATIO, color=QUIET)
-            yes, no = say("passed", "soddisfatta"), say("not passed", "non soddisfatta")
+            yes, no = say("passed"), say("not passed")
             cell = book.formula(
                 sheet.cell(row, 8),
                 f'=IF(F{row}>=1-1E-12,"{yes}","{no}")',

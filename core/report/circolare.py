@@ -6,7 +6,7 @@ from core.codes.target_spectrum import EN_AMPLIFICATION, NTC_SOIL, NTC_TOPOGRAPH
 from core.report.cells import ACCELERATION, BAD, EXACT, GOOD, QUIET, RATIO, Book, style, text
 from core.report.rows import heads, input_row, live_row
 from core.study.results import StudyResult, WallResult
-from core.text.words import word
+from core.text.sentence import word
 from core.units import G
 
 
@@ -14,7 +14,7 @@ def spectrum_rows(book: Book, sheet, result: StudyResult, row: int) -> int:
     """FC and the branches of the spectrum as named cells; for NTC 2018 S and the periods are live."""
     say, demand = book.say, result.demand
     row = input_row(book, sheet, row, "FC", demand.confidence_factor, "–", "demand_fc", RATIO)
-    row = input_row(book, sheet, row, say("ζ required", "ζ richiesto"), demand.zeta_target, "–",
+    row = input_row(book, sheet, row, say('ζ required'), demand.zeta_target, "–",
                     "zeta_target", RATIO)  # fmt: skip
     target, asked = demand.target, result.case.demand.spectrum
     if not isinstance(target, CodeSpectrum):
@@ -49,12 +49,11 @@ def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: st
     say, found = book.say, wall.assessment.kinematic
     demand = result.demand
     kind = (
-        say("element free to vibrate", "elemento libero di vibrare")
+        say("element free to vibrate")
         if found.free_element
-        else say("restrained by transverse walls", "vincolata ai muri trasversali")
+        else say("restrained by transverse walls")
     )
-    row = heads(book, sheet, row, say(f"Circolare 7/2019, wall on the ground, {kind}",
-                                      f"Circolare 7/2019, parete al suolo, {kind}"))  # fmt: skip
+    row = heads(book, sheet, row, say('Circolare 7/2019, wall on the ground, {kind}', kind=kind))  # fmt: skip
     row = live_row(book, sheet, row, "α0 = tan α", "C8.7.1.1",
                    f"=TAN(RADIANS({name}_slenderness))", found.alpha0, "–", f"{name}_alpha0")  # fmt: skip
     row = input_row(book, sheet, row, "e* (C8.7.1.5)", found.e_star, "–", f"{name}_e_star", RATIO)
@@ -62,7 +61,7 @@ def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: st
                    f"={name}_alpha0/({name}_e_star*demand_fc)", found.a0 / G, "g",
                    f"{name}_a0_star")  # fmt: skip
     if found.m_star is not None:
-        row = input_row(book, sheet, row, say("M* per metre", "M* per metro"), found.m_star, "kg/m",
+        row = input_row(book, sheet, row, say('M* per metre'), found.m_star, "kg/m",
                         f"{name}_m_star", "0")  # fmt: skip
     row = _sld(book, sheet, wall, name, demand, row)
     for check in found_checks(wall, "linear_q_slv", "linear_q_code"):
@@ -79,8 +78,7 @@ def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: st
         row = _displacement(book, sheet, wall, name, demand, check, row)
     for check in found_checks(wall, "dynamic"):
         if check.demand is not None:
-            row = input_row(book, sheet, row, say("θmax/α of the set (Dynamic check)",
-                            "θmax/α dell'insieme (Verifica dinamica)"), check.demand, "–",
+            row = input_row(book, sheet, row, say('θmax/α of the set (Dynamic check)'), check.demand, "–",
                             f"{name}_peak", EXACT)  # fmt: skip
         row = input_row(book, sheet, row, f"ζ_E: {word('dynamic', book.language)}", check.zeta, "–",
                         f"{name}_dynamic_zeta", EXACT)  # fmt: skip
@@ -96,8 +94,7 @@ def _sld(book: Book, sheet, wall, name: str, demand, row: int) -> int:
     """a_g,SLD over a_g: against a_g S, of an element free to vibrate against S_e(T_0)."""
     found, say = wall.assessment.kinematic, book.say
     if found.zeta_sld is None:
-        text(sheet, row, 1, say("No linear check: T_0 is not known (see the verdict).",
-                                "Nessuna verifica lineare: T_0 non è noto (vedere l'esito)."),
+        text(sheet, row, 1, say('No linear check: T_0 is not known (see the verdict).'),
              color=QUIET, italic=True)  # fmt: skip
         return row + 1
     against, clause = "demand_pga", "C8.7.1.8"
@@ -106,7 +103,7 @@ def _sld(book: Book, sheet, wall, name: str, demand, row: int) -> int:
         drawn = asked.slenderness_deg is None or asked.setback
         t = f"{name}_thickness" if drawn else f"({name}_height*TAN(RADIANS({name}_slenderness)))"
         row = input_row(book, sheet, row, "E", asked.elastic_modulus_mpa, "MPa", f"{name}_modulus")
-        row = input_row(book, sheet, row, say("unit weight", "peso specifico"),
+        row = input_row(book, sheet, row, say('unit weight'),
                         asked.unit_weight_kn_m3, "kN/m³", f"{name}_weight")  # fmt: skip
         row = live_row(book, sheet, row, "T_0 = κ (H/t) H √(w/(E g))", "C8.7.1.7",
                        f"={CANTILEVER}*{name}_height/{t}*{name}_height"
@@ -154,7 +151,7 @@ def _displacement(book: Book, sheet, wall, name: str, demand, check, row: int) -
     if state == "SLV" and found.zeta_sld is not None:
         row = live_row(book, sheet, row, f"d_{state} / S_De", "C8.7.1.12", formula,
                        found.d_limit / found.s_de, "–")  # fmt: skip
-        label = book.say("not below a_g,SLD / a_g", "non minore di a_g,SLD / a_g")
+        label = book.say("not below a_g,SLD / a_g")
         row = live_row(book, sheet, row, label, "C8.7.1.2.1.8", f"={name}_zeta_sld",
                        found.zeta_sld, "–")  # fmt: skip
         formula = f"=MAX({ratio},{name}_zeta_sld)"

@@ -25,9 +25,8 @@ from core.report.cells import (
     title,
 )  # fmt: skip
 from core.report.plots import add_series, new_chart
-from core.report.sheets import mechanism_word
 from core.study.results import StudyResult, WallResult
-from core.text.words import word
+from core.text.sentence import word
 from core.units import G
 
 DATA = 16
@@ -38,38 +37,43 @@ def dynamic_check(book: Book, result: StudyResult) -> None:
     """C8.7.1.2.1.9, one block a wall: peaks by record and sign, the rule as live formulas."""
     say = book.say
     widths = [34, 12, 12, 12, 13, 13, 14]
-    sheet = book.sheet("Dynamic check", "Verifica dinamica", widths)
-    title(sheet, 1, say("Dynamic check, Circolare 7/2019 C8.7.1.2.1.9",
-                        "Verifica dinamica, Circolare 7/2019 C8.7.1.2.1.9"))  # fmt: skip
+    sheet = book.sheet("Dynamic check", widths)
+    title(sheet, 1, say('Dynamic check, Circolare 7/2019 C8.7.1.2.1.9'))  # fmt: skip
     walls = [wall for wall in result.walls if wall.assessment and wall.assessment.dynamic]
     if not walls:
-        text(sheet, 3, 1, say(
-            "Not made: it takes records, a demand at SLV or SLC, and a wall on the ground.",
-            "Non eseguita: richiede accelerogrammi, una domanda allo SLV o SLC e una parete al suolo."))  # fmt: skip
+        text(
+            sheet,
+            3,
+            1,
+            say("Not made: it takes records, a demand at SLV or SLC, and a wall on the ground."),
+        )
         return
-    row = paragraph(sheet, 2, say(
-        "The rule: alpha is exceeded in no run and the set of the largest rotations, of each record its worse "
-        "sign, stays within the limit: mean from 7 stations, else the largest. FC divides the strength of the "
-        "wall (clause .3) or multiplies the demand, as said below. Whether the rule holds is not monotone in "
-        "the multiplier: ζ_E is the lowest multiplier of the demand at which half of those within ±10 % of it "
-        "fail, ζ_16 that at which 16 % do. Verified: the rule holds at the demand itself and ζ_E reaches what "
-        f"is required. Steps of {STEP:.2%}; another grid would give a ζ_E within the spread printed.",
-        "La regola: alpha non è mai superato e l'insieme delle rotazioni massime, per ogni accelerogramma il "
-        "segno peggiore, resta entro il limite: media da 7 stazioni, altrimenti il massimo. FC divide la "
-        "resistenza della parete (punto .3) o moltiplica la domanda, come indicato sotto. La regola non è "
-        "monotona nel moltiplicatore: ζ_E è il minimo moltiplicatore della domanda al quale metà di quelli "
-        "entro ±10 % non la soddisfa, ζ_16 quello al quale non la soddisfa il 16 %. Verificata: la regola vale "
-        f"alla domanda stessa e ζ_E raggiunge il valore richiesto. Passo {STEP:.2%}; un'altra griglia darebbe "
-        "uno ζ_E entro la dispersione indicata."), 7, 105, color=QUIET)  # fmt: skip
+    row = paragraph(
+        sheet,
+        2,
+        say(
+            "The rule: alpha is exceeded in no run and the set of the largest rotations, of each "
+            "record its worse sign, stays within the limit: mean from 7 stations, else the largest. FC "
+            "divides the strength of the wall (clause .3) or multiplies the demand, as said below. "
+            "Whether the rule holds is not monotone in the multiplier: ζ_E is the lowest multiplier of "
+            "the demand at which half of those within ±10 % of it fail, ζ_16 that at which 16 % do. "
+            "Verified: the rule holds at the demand itself and ζ_E reaches what is required. Steps of "
+            "{STEP:.2%}; another grid would give a ζ_E within the spread printed.",
+            STEP=STEP,
+        ),
+        7,
+        105,
+        color=QUIET,
+    )
     for wall in walls:
         row = _wall(book, sheet, wall, wall.assessment.dynamic, row + 1)
 
 
 def _wall(book: Book, sheet, wall: WallResult, check, row: int) -> int:
     say = book.say
-    label = f"{wall.name} – {mechanism_word(book, wall.mechanism)}"
-    header(sheet, row, [label, say("Factor", "Fattore"), "θmax/α (+)", "θmax/α (−)",
-                        say("worse", "peggiore"), say("program", "programma"), say("Status", "Esito")], 1,
+    label = f"{wall.name} – {word(wall.mechanism, book.language)}"
+    header(sheet, row, [label, say('Factor'), "θmax/α (+)", "θmax/α (−)",
+                        say('worse'), say('program'), say('Status')], 1,
            32 if len(label) > 30 else 18)  # fmt: skip
     first = row + 1
     names = list(dict.fromkeys(run.record for run in check.runs))
@@ -99,7 +103,7 @@ def _wall(book: Book, sheet, wall: WallResult, check, row: int) -> int:
         rule(sheet, row, 1, 7)
     last = row
     row += 1
-    text(sheet, row, 1, say("runs in which α is exceeded", "analisi in cui α è superato"))
+    text(sheet, row, 1, say("runs in which α is exceeded"))
     area = f"C{first}:D{last}"
     book.formula(sheet.cell(row, 5), f'=COUNTIF({area},">1")+COUNTIF({area},"{overturns}")',
                  float(check.n_exceeded), "0")  # fmt: skip
@@ -115,10 +119,10 @@ def _wall(book: Book, sheet, wall: WallResult, check, row: int) -> int:
     else:
         text(sheet, row, 5, overturns, color=BAD, align="right")
     row += 1
-    text(sheet, row, 1, say(f"limit {check.limit_state}", f"limite {check.limit_state}"))
+    text(sheet, row, 1, say("limit {limit_state}", limit_state=check.limit_state))
     number(sheet, row, 5, check.limit_ratio, RATIO)
     row += 1
-    text(sheet, row, 1, say("rule at the demand", "regola alla domanda"))
+    text(sheet, row, 1, say("rule at the demand"))
     yes, no = word("passed", book.language), word("not_passed", book.language)
     cell = book.formula(
         sheet.cell(row, 5),
@@ -129,11 +133,11 @@ def _wall(book: Book, sheet, wall: WallResult, check, row: int) -> int:
     on = word(f"confidence_{check.confidence_on}", book.language)
     low, high = check.zeta_spread or (None, None)
     rows = [(f"ζ_E, {on}", check.zeta, EXACT),
-            (say("spread of ζ_E, from", "dispersione di ζ_E, da"), low, EXACT),
-            (say("spread of ζ_E, to", "dispersione di ζ_E, a"), high, EXACT), ("ζ_16", check.zeta_16, EXACT),
-            (say("ζ of the first failure on the grid", "ζ del primo cedimento sulla griglia"),
+            (say('spread of ζ_E, from'), low, EXACT),
+            (say('spread of ζ_E, to'), high, EXACT), ("ζ_16", check.zeta_16, EXACT),
+            (say('ζ of the first failure on the grid'),
              check.zeta_first, EXACT),
-            (say("share failing within ±10 % of the demand", "quota che cede entro ±10 % dalla domanda"),
+            (say('share failing within ±10 % of the demand'),
              check.share_failing_at_demand, "0%")]  # fmt: skip
     if check.zeta_other:
         on = word(f"confidence_{check.zeta_other.confidence_on}", book.language)
@@ -150,23 +154,23 @@ def spectral_compatibility(book: Book, result: StudyResult) -> None:
     """The rules of the codes one by one, and the spectra."""
     say, found = book.say, result.compliance
     widths = [40, 30, 13, 13, 8, 15, 12, 12, 12]
-    sheet = book.sheet("Spectral compatibility", "Compatibilità spettrale", widths, landscape=True)
-    title(sheet, 1, say("Compatibility of the records with the target spectrum",
-                        "Compatibilità degli accelerogrammi con lo spettro"))  # fmt: skip
+    sheet = book.sheet("Spectral compatibility", widths, landscape=True)
+    title(sheet, 1, say('Compatibility of the records with the target spectrum'))  # fmt: skip
     if found is None:
-        text(sheet, 3, 1, say(
-            "Not shown: it takes records and a target spectrum ([demand.spectrum] or spectrum_file).",
-            "Non mostrata: richiede accelerogrammi e uno spettro ([demand.spectrum] o spectrum_file)."))  # fmt: skip
+        text(
+            sheet,
+            3,
+            1,
+            say(
+                "Not shown: it takes records and a target spectrum ([demand.spectrum] or spectrum_file)."
+            ),
+        )
         return
-    verdict = (
-        say("The set is compatible", "L'insieme è compatibile")
-        if found.compatible
-        else say("The set is not compatible", "L'insieme non è compatibile")
-    )
+    verdict = say("The set is compatible") if found.compatible else say("The set is not compatible")
     text(sheet, 2, 1, f"{verdict}: {result.demand.target.name}", bold=True,
          color=GOOD if found.compatible else BAD)  # fmt: skip
-    header(sheet, 4, [say("Rule", "Regola"), say("Clause", "Clausola"), say("Value", "Valore"),
-                      say("Limit", "Limite"), say("Unit", "Unità"), say("Outcome", "Esito")], 1, 18)  # fmt: skip
+    header(sheet, 4, [say('Rule'), say('Clause'), say('Value'),
+                      say('Limit'), say('Unit'), say('Outcome')], 1, 18)  # fmt: skip
     row = 4
     for item in found.rules:
         row += 1
@@ -183,13 +187,20 @@ def spectral_compatibility(book: Book, result: StudyResult) -> None:
         text(sheet, row, 6, word(outcome, book.language), bold=item.passed is not None, color=color)
         rule(sheet, row, 1, 6)
     low, high = found.period_range
-    row = paragraph(sheet, row + 2, say(
-        f"A rigid block has no period T1: the rules are applied from {low:.2f} to {high:.2f} s, with natural "
-        "records up to the longest T_SLV or T_SLC of the walls. Records at the demand, FC apart. Peaks between "
-        "samples are seen.",
-        f"Un blocco rigido non ha un periodo T1: le regole valgono da {low:.2f} a {high:.2f} s, con "
-        "accelerogrammi naturali fino al più lungo T_SLV o T_SLC delle pareti. Accelerogrammi alla domanda, "
-        "senza FC."), 9, 140, color=QUIET)  # fmt: skip
+    row = paragraph(
+        sheet,
+        row + 2,
+        say(
+            "A rigid block has no period T1: the rules are applied from {low:.2f} to {high:.2f} s, "
+            "with natural records up to the longest T_SLV or T_SLC of the walls. Records at the "
+            "demand, FC apart. Peaks between samples are seen.",
+            low=low,
+            high=high,
+        ),
+        9,
+        140,
+        color=QUIET,
+    )
     chart = _spectra(book, sheet, result)
     sheet.add_chart(chart, f"A{row + 1}")
     sheet.print_area = f"A1:I{row + 22}"
@@ -198,7 +209,7 @@ def spectral_compatibility(book: Book, result: StudyResult) -> None:
 def _spectra(book: Book, sheet, result: StudyResult) -> ScatterChart:
     found, say = result.compliance, book.say
     text(sheet, 2, DATA, "T [s]", size=8)
-    names = [say("target", "spettro"), say("mean", "media"),
+    names = [say('target'), say('mean'),
              *(motion.name for motion in result.motions[:DRAWN_SPECTRA])]  # fmt: skip
     curves = [found.target, found.mean, *found.spectra[:DRAWN_SPECTRA]]
     for k, label in enumerate(names):
@@ -207,7 +218,7 @@ def _spectra(book: Book, sheet, result: StudyResult) -> ScatterChart:
         sheet.cell(3 + n, DATA, float(period))
         for k, curve in enumerate(curves):
             sheet.cell(3 + n, DATA + 1 + k, float(curve[n]) / G)
-    chart = new_chart(say("5 % acceleration spectra", "Spettri di accelerazione al 5 %"), "T [s]",
+    chart = new_chart(say('5 % acceleration spectra'), "T [s]",
                       "S_a [g]", 24.0, 10.0)  # fmt: skip
     last = 2 + found.periods.size
     for k in range(len(curves) - 1, -1, -1):

@@ -117,9 +117,9 @@ def _assessment(found: Assessment | None) -> dict:
             "governing": said.governing,
             "zeta_e": said.zeta_e,
             "zeta_target": said.zeta_target,
-            "reasons": [english for english, _ in said.reasons],
-            "text_it": said.text_it,
-            "text_en": said.text_en,
+            "reasons": [reason.text() for reason in said.reasons],
+            "text_it": said.text("it"),
+            "text_en": said.text("en"),
             "lower_bound_zeta": said.lower_bound,
         },
     }

@@ -32,8 +32,8 @@ from core.report.cells import (
     text,
     title,
 )  # fmt: skip
-from core.report.sheets import mechanism_word
 from core.study.results import CollapseHistories, StudyResult, WallResult
+from core.text.sentence import word
 from core.units import CM
 
 CHART_WALLS = 20
@@ -92,20 +92,16 @@ def add_series(chart, sheet, columns, rows, color, points=False, dash=None, widt
 def q_against_si(book: Book, result: StudyResult) -> None:
     """q_eff against SI: points, fitted power law, Eq. 15/16 with +-20 %, one chart a wall."""
     say = book.say
-    sheet = book.sheet("q against SI", "q e SI", [10] * 14)
-    title(
-        sheet, 1, say("Effective q against Housner intensity", "q effettivo e intensità di Housner")
-    )
+    sheet = book.sheet("q against SI", [10] * 14)
+    title(sheet, 1, say("Effective q against Housner intensity"))
     row = 3
     walls = [wall for wall in result.walls if any(entry.q for entry in wall.per_record)]
     if not walls:
-        text(
-            sheet, row, 1, say("No run with a number of q.", "Nessuna analisi con un valore di q.")
-        )
+        text(sheet, row, 1, say("No run with a number of q."))
     for index, wall in enumerate(walls[:CHART_WALLS]):
         column = DATA + 8 * index
         last_point, last_curve = _si_data(book, sheet, wall, column)
-        label = f"{wall.name} – {mechanism_word(book, wall.mechanism)}"
+        label = f"{wall.name} – {word(wall.mechanism, book.language)}"
         chart = new_chart(label, "SI [cm]", "q_eff [-]", 17.5, 9.5)
         add_series(chart, sheet, (column, column + 1), (2, last_point), ACCENT, points=True)
         if wall.power_law:
@@ -133,7 +129,7 @@ def q_against_si(book: Book, result: StudyResult) -> None:
             sheet.row_breaks.append(Break(id=row - 2))
     if len(walls) > CHART_WALLS:
         names = ", ".join(wall.name for wall in walls[CHART_WALLS:])
-        row = paragraph(sheet, row, say("Not drawn: ", "Non disegnate: ") + names, 10, 90)
+        row = paragraph(sheet, row, say("Not drawn: ") + names, 10, 90)
     sheet.print_area = f"A1:J{max(row, 24)}"
 
 
@@ -143,7 +139,7 @@ def _si_data(book: Book, sheet, wall: WallResult, column: int) -> tuple[int, int
     law = wall.power_law
     fit = f"C1 SI^C2 (R² {law.r_squared:.2f})" if law else "–"
     text(sheet, 1, column, f"{wall.name} {wall.mechanism}", color=QUIET)
-    header(sheet, 2, ["SI [cm]", book.say("time histories", "storie temporali"), "SI [cm]", fit, form,
+    header(sheet, 2, ["SI [cm]", book.say('time histories'), "SI [cm]", fit, form,
                       f"{form} +20 %", f"{form} −20 %"], column, 30)  # fmt: skip
     row = 2
     points = [entry for entry in wall.per_record if entry.q is not None]
@@ -170,15 +166,15 @@ def _si_data(book: Book, sheet, wall: WallResult, column: int) -> tuple[int, int
 def histories(book: Book, result: StudyResult, drawn: list[CollapseHistories]) -> None:
     """theta/alpha of the governing record just below and just above first collapse."""
     say = book.say
-    sheet = book.sheet("Histories", "Storie temporali", [10] * 14)
-    title(sheet, 1, say("Rotation at first collapse", "Rotazione al primo collasso"))
+    sheet = book.sheet("Histories", [10] * 14)
+    title(sheet, 1, say("Rotation at first collapse"))
     row = 3
     for index, entry in enumerate(drawn[:CHART_WALLS]):
         column = DATA + 5 * index
         last = _history_data(book, sheet, entry, column)
         sign = "+" if entry.polarity > 0 else "−"
         label = (
-            f"{entry.wall.name} – {mechanism_word(book, entry.wall.mechanism)}: "
+            f"{entry.wall.name} – {word(entry.wall.mechanism, book.language)}: "
             f"{entry.motion.name} ({sign})"
         )
         chart = new_chart(label, "t [s]", "θ/α [-]", 17.5, 8.5)
@@ -197,14 +193,14 @@ def histories(book: Book, result: StudyResult, drawn: list[CollapseHistories]) -
     shown = {id(entry.wall) for entry in drawn[:CHART_WALLS]}
     rest = [wall for wall in result.walls if id(wall) not in shown]
     if rest:
-        names = ", ".join(f"{wall.name} ({mechanism_word(book, wall.mechanism)})" for wall in rest)
-        paragraph(sheet, row, say("Not drawn: ", "Non disegnate: ") + names, 10, 90)
+        names = ", ".join(f"{wall.name} ({word(wall.mechanism, book.language)})" for wall in rest)
+        paragraph(sheet, row, say("Not drawn: ") + names, 10, 90)
         row += 2
     sheet.print_area = f"A1:J{max(row, 22)}"
 
 
 def _history_data(book: Book, sheet, entry: CollapseHistories, column: int) -> tuple[int, int]:
-    words = (book.say("survives", "resiste"), book.say("collapses", "crolla"))
+    words = (book.say("survives"), book.say("collapses"))
     text(sheet, 1, column, entry.wall.name, color=QUIET)
     last = []
     for k, (history, scale) in enumerate(zip(entry.histories, entry.scales, strict=True)):
@@ -230,23 +226,28 @@ def thinned(values: np.ndarray, most: int) -> list[int]:
 def survival_map(book: Book, result: StudyResult) -> None:
     """A row a run, a column 0.02 of ln q: share of collapsing grid points, white to red."""
     say = book.say
-    sheet = book.sheet("Survival map", "Mappa di sopravvivenza", [20, 11, 22, 5], landscape=True)
-    title(sheet, 1, say("Survival map", "Mappa di sopravvivenza"))
-    paragraph(sheet, 2, say(
-        "White survives, red collapses, between them both within a column of 2 % in q; grey was not "
-        "analysed. A white field right of a red one is a wall surviving a stronger motion.",
-        "Bianco resiste, rosso crolla, in mezzo entrambi entro il 2 % in q; grigio non analizzato. Un "
-        "campo bianco a destra di uno rosso è una parete che resiste a un moto più forte."), 60, 170,
-        color=QUIET)  # fmt: skip
+    sheet = book.sheet("Survival map", [20, 11, 22, 5], landscape=True)
+    title(sheet, 1, say("Survival map"))
+    paragraph(
+        sheet,
+        2,
+        say(
+            "White survives, red collapses, between them both within a column of 2 % in q; grey was "
+            "not analysed. A white field right of a red one is a wall surviving a stronger motion."
+        ),
+        60,
+        170,
+        color=QUIET,
+    )
     runs = [(wall, run) for wall in result.walls for run in wall.runs]
     if not runs:
-        text(sheet, 4, 1, say("No records.", "Nessun accelerogramma."))
+        text(sheet, 4, 1, say("No records."))
         return
     shares = [_binned(run.ida, result.search.q_step) for _, run in runs[:MAP_ROWS]]
     first = min(min(share) for share in shares)
     last = max(max(share) for share in shares)
-    header(sheet, 4, [say("Wall", "Parete"), say("Mechanism", "Meccanismo"),
-                      say("Record", "Accelerogramma"), ""], 1, 18)  # fmt: skip
+    header(sheet, 4, [say('Wall'), say('Mechanism'),
+                      say('Record'), ""], 1, 18)  # fmt: skip
     for k in range(first, last + 1):
         sheet.column_dimensions[get_column_letter(5 + k - first)].width = 0.9
     for k in range(first, last + 1, 10):
@@ -257,7 +258,7 @@ def survival_map(book: Book, result: StudyResult) -> None:
         text(sheet, 4, 5 + k - first, f"{math.exp(MAP_BIN * k):.2f}", size=8, color=QUIET)
     for row, ((wall, run), share) in enumerate(zip(runs, shares, strict=False), start=5):
         text(sheet, row, 1, wall.name)
-        text(sheet, row, 2, mechanism_word(book, wall.mechanism))
+        text(sheet, row, 2, word(wall.mechanism, book.language))
         text(sheet, row, 3, run.record)
         text(sheet, row, 4, "+" if run.polarity > 0 else "−", align="center")
         for k in range(first, last + 1):
@@ -267,9 +268,7 @@ def survival_map(book: Book, result: StudyResult) -> None:
         start_type="num", start_value=-1, start_color="C9D1D9", mid_type="num", mid_value=0,
         mid_color="FFFFFF", end_type="num", end_value=1, end_color=BAD))  # fmt: skip
     if len(runs) > MAP_ROWS:
-        text(sheet, 6 + len(shares), 1, say(
-            f"{len(runs) - MAP_ROWS} more runs are in the JSON.",
-            f"Altre {len(runs) - MAP_ROWS} analisi nel JSON."))  # fmt: skip
+        text(sheet, 6 + len(shares), 1, say('{n} more runs are in the JSON.', n=len(runs) - MAP_ROWS))  # fmt: skip
     sheet.freeze_panes = "E5"
     sheet.print_title_rows = "4:4"
 

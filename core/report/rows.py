@@ -11,7 +11,7 @@ LIVE, ENGINE = 3, 4
 def input_row(book: Book, sheet, row, label, value, unit, name=None, shape=EXACT) -> int:
     """A number of the case, which the formulas refer to by its name; returns the next row."""
     text(sheet, row, 1, label)
-    text(sheet, row, 2, book.say("input", "dato"), color=QUIET)
+    text(sheet, row, 2, book.say("input"), color=QUIET)
     number(sheet, row, LIVE, value, shape)
     text(sheet, row, 5, unit, color=QUIET, align="center")
     if name and value is not None:
@@ -42,6 +42,6 @@ def heads(book: Book, sheet, row: int, label: str) -> int:
     """The header of a vertical list; returns the next row."""
     say = book.say
     height = 18 * math.ceil(len(label) / 30)
-    header(sheet, row, [label, say("Equation", "Equazione"), say("Sheet", "Foglio"),
-                        say("Program", "Programma"), say("Unit", "Unità")], 1, height)  # fmt: skip
+    header(sheet, row, [label, say('Equation'), say('Sheet'),
+                        say('Program'), say('Unit')], 1, height)  # fmt: skip
     return row + 1

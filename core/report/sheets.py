@@ -22,50 +22,42 @@ from core.report.cells import (
     text,
     title,
 )  # fmt: skip
-from core.report.method_text import paragraphs
 from core.study.results import StudyResult
-from core.text.words import word
+from core.text.method import METHOD_BODIES
+from core.text.sentence import localized, word
 from core.units import CM, G
 from core.version import NAME, VERSION, commit
 from core.wall.restitution import MODELS
 
 
-def mechanism_word(book: Book, mechanism: str) -> str:
-    return {
-        "two_sided": book.say("two-sided", "su due lati"),
-        "one_sided": book.say("one-sided", "su un lato"),
-        "both": book.say("both", "entrambi"),
-    }[mechanism]
-
-
 def rule_word(book: Book, rule_name: str | None) -> str:
     return {
         None: "–",
-        "mean": book.say("mean", "media"),
-        "minimum": book.say("minimum", "minimo"),
-        "too_few": book.say("minimum, too few", "minimo, troppo pochi"),
-        "incomplete": book.say("incomplete", "incompleto"),
+        "mean": book.say("mean"),
+        "minimum": book.say("minimum"),
+        "too_few": book.say("minimum, too few"),
+        "incomplete": book.say("incomplete"),
     }[rule_name]
 
 
 def status_word(book: Book, status: str) -> str:
     return {
-        "collapse_found": book.say("collapse found", "collasso trovato"),
-        "no_collapse_found": book.say("no collapse found", "nessun collasso"),
-        "impact_limit": book.say("impact limit", "limite di urti"),
+        "collapse_found": book.say("collapse found"),
+        "no_collapse_found": book.say("no collapse found"),
+        "impact_limit": book.say("impact limit"),
     }[status]
 
 
 def inputs(book: Book, result: StudyResult) -> None:
     """Echo of the case; what the user did not write is marked as default."""
     say, case = book.say, result.case
-    sheet = book.sheet("Input", "Dati", [26, 30, 44, 16])
-    title(sheet, 1, say("Input as read", "Dati letti"))
+    sheet = book.sheet("Input", [26, 30, 44, 16])
+    title(sheet, 1, say("Input as read"))
     text(sheet, 2, 1, f"SHA-256 {case.sha256}", color=QUIET, size=8)
     header(
         sheet,
         4,
-        [say("Section", "Sezione"), say("Key", "Chiave"), say("Value", "Valore"), ""],
+        [say("Section"), say("Key"), say("Value"), ""],
         1,
         18,
     )
@@ -85,14 +77,14 @@ def inputs(book: Book, result: StudyResult) -> None:
                 parts = {name: end for name, end in value.items() if end is not None}
                 value = ", ".join(f"{name} = {end}" for name, end in parts.items())
             if isinstance(value, bool):
-                value = say("yes", "sì") if value else say("no", "no")
+                value = say("yes") if value else say("no")
             if isinstance(value, (int, float)):
                 number(sheet, row, 3, value, "General", align="left")
             else:
                 text(sheet, row, 3, value, wrap=True)
                 heighten(sheet, row, (str(value), 44))
             if (section, index, key) not in given:
-                text(sheet, row, 4, say("default", "predefinito"), color=QUIET, italic=True)
+                text(sheet, row, 4, say("default"), color=QUIET, italic=True)
             rule(sheet, row, 1, 4)
             row += 1
     for note in case.table_notes:
@@ -116,11 +108,11 @@ def records(book: Book, result: StudyResult) -> None:
     """The ground motions as read, with their intensity measures and hashes."""
     say = book.say
     widths = [24, 34, 12, 9, 9, 8, 9, 9, 9, 9, 9, 9, 20]
-    sheet = book.sheet("Records", "Accelerogrammi", widths, landscape=True)
-    title(sheet, 1, say("Ground motions", "Accelerogrammi"))
+    sheet = book.sheet("Records", widths, landscape=True)
+    title(sheet, 1, say("Ground motions"))
     header(sheet, 3, [
-        say("Record", "Accelerogramma"), "File", say("Format", "Formato"), "Δt [s]",
-        say("Samples", "Campioni"), say("Unit", "Unità"), "PGA [g]", "PGV [cm/s]", "PGD [cm]",
+        say('Record'), "File", say('Format'), "Δt [s]",
+        say('Samples'), say('Unit'), "PGA [g]", "PGV [cm/s]", "PGD [cm]",
         "Arias [m/s]", "D5-95 [s]", "SI [cm]", "SHA-256"], 1, 32)  # fmt: skip
     row = 4
     for motion in result.motions:
@@ -140,14 +132,18 @@ def records(book: Book, result: StudyResult) -> None:
         rule(sheet, row, 1, len(widths))
         row += 1
     row += 1
-    row = paragraph(sheet, row, say(
-        "SI: integral of the 5 % pseudo-velocity from 0.1 to 2.5 s (Eq. 11), not divided by 2.4. PGV and "
-        "PGD without baseline step: no meaning for uncorrected records. Nothing trimmed or resampled. "
-        "SHA-256: first 16 digits of the file's hash; the whole one is in the JSON.",
-        "SI: integrale della pseudo-velocità al 5 % da 0.1 a 2.5 s (Eq. 11), non diviso per 2.4. PGV e "
-        "PGD senza correzione della linea di base: senza significato per record non corretti. Nessun "
-        "taglio o ricampionamento. SHA-256: prime 16 cifre; per intero nel JSON."), len(widths), 150,
-        color=QUIET)  # fmt: skip
+    row = paragraph(
+        sheet,
+        row,
+        say(
+            "SI: integral of the 5 % pseudo-velocity from 0.1 to 2.5 s (Eq. 11), not divided by 2.4. "
+            "PGV and PGD without baseline step: no meaning for uncorrected records. Nothing trimmed or "
+            "resampled. SHA-256: first 16 digits of the file's hash; the whole one is in the JSON."
+        ),
+        len(widths),
+        150,
+        color=QUIET,
+    )
     for motion in result.motions:
         for warning in motion.warnings:
             line = f"• {motion.name}: {warning.text(book.language)}"
@@ -161,9 +157,9 @@ def _provenance(book: Book, sheet, result: StudyResult, row: int) -> None:
     """What the files say of event and station; what they leave open is blank for the engineer."""
     say = book.say
     header(sheet, row, [
-        say("Record", "Accelerogramma"), say("Event and station", "Evento e stazione"),
-        say("Kind", "Tipo"), say("Factor", "Fattore"), say("Date", "Data"), "", say("Magnitude", "Magnitudo"),
-        "", say("Distance", "Distanza"), "", say("Soil", "Suolo"), "", say("Filter", "Filtro")], 1, 18)  # fmt: skip
+        say('Record'), say('Event and station'),
+        say('Kind'), say('Factor'), say('Date'), "", say('Magnitude'),
+        "", say('Distance'), "", say('Soil'), "", say('Filter')], 1, 18)  # fmt: skip
     for motion, kind in zip(result.motions, result.kinds, strict=True):
         row += 1
         where = provenance(motion)
@@ -184,26 +180,32 @@ def results(book: Book, result: StudyResult) -> None:
     """One row for each wall, record and sign."""
     say = book.say
     widths = [20, 11, 24, 7, 16, 8, 8, 8, 8, 8, 8, 8, 8, 9, 9, 9, 9, 9, 9]
-    sheet = book.sheet("Results", "Risultati", widths, landscape=True)
+    sheet = book.sheet("Results", widths, landscape=True)
     step = 100 * result.search.q_step
-    title(sheet, 1, say(
-        f"Incremental dynamic analysis: grid step {step:g} %, method {result.method_words}",
-        f"Analisi dinamica incrementale: passo {step:g} %, metodo {result.method_words}"))  # fmt: skip
+    title(
+        sheet,
+        1,
+        say(
+            "Incremental dynamic analysis: grid step {step:g} %, method {method_words}",
+            step=step,
+            method_words=result.method_words,
+        ),
+    )
     header(sheet, 3, [
-        say("Wall", "Parete"), say("Mechanism", "Meccanismo"), say("Record", "Accelerogramma"),
-        say("Sign", "Segno"), say("Status", "Esito"), "q", say("bracket low", "da"),
-        say("bracket high", "a"), "q SLV", "q SLC", say("q robust", "q robusto"),
-        say("Scale C", "Scala C"), "q_eff", say("last survival", "ultima sopravv."),
-        say("survived share", "quota sopravv."), say("windows", "finestre"),
-        say("analyses", "analisi"), say("unknown points", "punti ignoti"),
-        say("Eq. 7 clamped", "Eq. 7 limitata")], 1, 44)  # fmt: skip
+        say('Wall'), say('Mechanism'), say('Record'),
+        say('Sign'), say('Status'), "q", say('bracket low'),
+        say('bracket high'), "q SLV", "q SLC", say('q robust'),
+        say('Scale C'), "q_eff", say('last survival'),
+        say('survived share'), say('windows'),
+        say('analyses'), say('unknown points'),
+        say('Eq. 7 clamped')], 1, 44)  # fmt: skip
     row = 3
     for wall in result.walls:
         for run in wall.runs:
             row += 1
             ida = run.ida
             text(sheet, row, 1, wall.name, wrap=True)
-            text(sheet, row, 2, mechanism_word(book, wall.mechanism))
+            text(sheet, row, 2, word(wall.mechanism, book.language))
             text(sheet, row, 3, run.record, wrap=True)
             heighten(sheet, row, (wall.name, 20), (run.record, 24))
             text(sheet, row, 4, "+" if run.polarity > 0 else "−", align="center")
@@ -222,42 +224,49 @@ def results(book: Book, result: StudyResult) -> None:
         sheet.auto_filter.ref = f"A3:S{row}"
     sheet.freeze_panes = "D4"
     sheet.print_title_rows = "3:3"
-    paragraph(sheet, row + 2, say(
-        f"q, q SLV, q SLC: first collapse, first peak at 0.40 and 0.60 alpha on the grid, bisected to "
-        f"1e-4. Survival, share and windows are of the map and depend on the grid step ({step:g} %).",
-        f"q, q SLV, q SLC: primo collasso e prima rotazione pari a 0.40 e 0.60 alpha sulla griglia, "
-        f"bisezione a 1e-4. Sopravvivenza, quota e finestre dipendono dal passo ({step:g} %)."),
-        len(widths), 170, color=QUIET)  # fmt: skip
+    paragraph(
+        sheet,
+        row + 2,
+        say(
+            "q, q SLV, q SLC: first collapse, first peak at 0.40 and 0.60 alpha on the grid, bisected "
+            "to 1e-4. Survival, share and windows are of the map and depend on the grid step ({step:g} "
+            "%).",
+            step=step,
+        ),
+        len(widths),
+        170,
+        color=QUIET,
+    )
 
 
 def method(book: Book, result: StudyResult) -> None:
     """Equations, versions, hashes, range of use, misprints, what is left out."""
     say = book.say
-    sheet = book.sheet("Method", "Metodo", [30, 75])
-    title(sheet, 1, say("Method, range of use, provenance", "Metodo, campo d'impiego, provenienza"))
+    sheet = book.sheet("Method", [30, 75])
+    title(sheet, 1, say("Method, range of use, provenance"))
     row = 3
     settings = result.search
     facts = [
-        (say("Program", "Programma"), f"{NAME} {VERSION} {commit()[:12]}"),
+        (say('Program'), f"{NAME} {VERSION} {commit()[:12]}"),
         ("Python", f"{platform.python_version()}, {platform.system()} {platform.machine()}"),
-        (say("Case SHA-256", "SHA-256 del caso"), result.case.sha256),
-        (say("Method", "Metodo"), result.method_words),
-        (say("Search", "Ricerca"), f"q_step {settings.q_step:g}, q_limit {settings.q_limit:g}, map_span "
+        (say('Case SHA-256'), result.case.sha256),
+        (say('Method'), result.method_words),
+        (say('Search'), f"q_step {settings.q_step:g}, q_limit {settings.q_limit:g}, map_span "
          f"{settings.map_span:g}, robust_window {settings.robust_window:g}"),
-        (say("Sign of the records", "Segno dei record"), {
-            "both": say("both", "entrambi"), "as_recorded": say("as recorded", "come registrato"),
-            "reversed": say("reversed", "invertito")}[result.case.analysis.polarity]),
+        (say('Sign of the records'), {
+            "both": say('both'), "as_recorded": say('as recorded'),
+            "reversed": say('reversed')}[result.case.analysis.polarity]),
     ]  # fmt: skip
     for wall in result.walls:
         ratio = f"{wall.restitution.model} ({MODELS[wall.restitution.model]})"
-        label = f"{wall.name}, {mechanism_word(book, wall.mechanism)}"
-        law = say("rigid", "rigida")
+        label = f"{wall.name}, {word(wall.mechanism, book.language)}"
+        law = say("rigid")
         if not wall.law.is_rigid:
             ends = f"D1 {wall.law.elastic_limit:g}, D2 {wall.law.plateau_end:g}"
-            law = f"{say('trilinear', 'trilineare')} {ends}"
+            law = f"{say('trilinear')} {ends}"
         facts.append((label, f"{ratio}, e = {wall.restitution.ratio_at_rest:.4f}; {law}"))
     if len(facts) > 46:
-        facts = facts[:46] + [("…", say("see Input and the JSON", "vedi Dati e il JSON"))]
+        facts = facts[:46] + [("…", say("see Input and the JSON"))]
     for label, value in facts:
         text(sheet, row, 1, label, bold=True, wrap=True)
         text(sheet, row, 2, value, wrap=True)
@@ -266,7 +275,9 @@ def method(book: Book, result: StudyResult) -> None:
         rule(sheet, row, 1, 2)
         row += 1
     row = _uncertainty(book, sheet, result, row + 1)
-    for label, body in paragraphs(book.language):
+    for code in METHOD_BODIES:
+        label = localized("method_label", code, book.language)
+        body = localized("method_body", code, book.language)
         text(sheet, row, 1, label, bold=True, wrap=True)
         text(sheet, row, 2, body, wrap=True)
         lines = max(math.ceil(len(body) / 80), math.ceil(len(label) / 28))
@@ -283,28 +294,43 @@ def _uncertainty(book: Book, sheet, result: StudyResult, row: int) -> int:
         found = wall.accuracy
         if found is None:
             continue
-        title(sheet, row, f"{say('How sure', 'Quanto è sicuro')}: {wall.name}, "
-              f"{mechanism_word(book, wall.mechanism)}, {found.record}", 11)  # fmt: skip
+        title(sheet, row, f"{say('How sure')}: {wall.name}, "
+              f"{word(wall.mechanism, book.language)}, {found.record}", 11)  # fmt: skip
         rows = [
-            (say("Error of the solver", "Errore del solutore"), say(
-                f"q by dormand_prince: {_digits(found.q_reference)} against {found.q:.4f}, difference "
-                f"{_percent(found.solver_q_error)}; history against DOP853 of scipy at the last survived "
-                f"scale: {_power(found.history_error)} of alpha.",
-                f"q con dormand_prince: {_digits(found.q_reference)} contro {found.q:.4f}, differenza "
-                f"{_percent(found.solver_q_error)}; storia rispetto a DOP853 di scipy all'ultima scala "
-                f"sopportata: {_power(found.history_error)} di alpha.")),
-            (say("Spread by definition", "Dispersione per definizione"), say(
-                "q (q robust) by step of the search: ", "q (q robusto) per passo della ricerca: ")
-                + "; ".join(f"{100 * s:g} %: {_digits(q)} ({_digits(r)})" for s, q, r in found.steps)
-                + ". " + say("Samples rounded to five figures: q spreads ",
-                             "Campioni arrotondati a cinque cifre: q varia del ")
+            (
+                say("Error of the solver"),
+                say(
+                    "q by dormand_prince: {_digits} against {q:.4f}, difference {_percent}; history against "
+                    "DOP853 of scipy at the last survived scale: {_power} of alpha.",
+                    _digits=_digits(found.q_reference),
+                    q=found.q,
+                    _percent=_percent(found.solver_q_error),
+                    _power=_power(found.history_error),
+                ),
+            ),
+            (
+                say("Spread by definition"),
+                say("q (q robust) by step of the search: ")
+                + "; ".join(
+                    f"{100 * s:g} %: {_digits(q)} ({_digits(r)})" for s, q, r in found.steps
+                )
+                + ". "
+                + say("Samples rounded to five figures: q spreads ")
                 + f"{_percent(found.spread(0, found.rounded))}, q robust "
                 f"{_percent(found.spread(1, found.rounded))}."
-                + (say(" Sign: ", " Segno: ") + " / ".join(_digits(q) for q in found.polarities)
-                   if found.polarities else "")),
-            (say("Methods on this history", "Metodi su questa storia"), "; ".join(
-                f"{p.name}: {1e6 * p.seconds:.0f} µs, {_power(p.error)}" for p in found.points)),
-        ]  # fmt: skip
+                + (
+                    say(" Sign: ") + " / ".join(_digits(q) for q in found.polarities)
+                    if found.polarities
+                    else ""
+                ),
+            ),
+            (
+                say("Methods on this history"),
+                "; ".join(
+                    f"{p.name}: {1e6 * p.seconds:.0f} µs, {_power(p.error)}" for p in found.points
+                ),
+            ),
+        ]
         for label, body in rows:
             row += 1
             text(sheet, row, 1, label, bold=True, wrap=True)

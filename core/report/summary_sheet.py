@@ -25,9 +25,9 @@ from core.report.cells import (
     text,
     title,
 )  # fmt: skip
-from core.report.sheets import mechanism_word
 from core.study.results import Q_SOURCES, StudyResult, WallResult
-from core.text.words import ASSUMPTIONS, NO_LOAD, word
+from core.text.sentence import localized, word
+from core.text.words import ASSUMPTIONS
 from core.units import CM, G
 from core.version import NAME, VERSION
 
@@ -64,24 +64,37 @@ def verdict_color(result: StudyResult, wall: WallResult) -> str:
 def summary(book: Book, result: StudyResult) -> None:
     """One A4 page: title block, demand, walls, the governing wall's checks, verdict, signature."""
     say, report, case = book.say, result.case.report, result.case
-    sheet = book.sheet("Summary", "Sintesi", WIDTHS, landscape=True)
+    sheet = book.sheet("Summary", WIDTHS, landscape=True)
     sheet.page_setup.fitToHeight = 1
     title(sheet, 1, case.title, 16)
-    paragraph(sheet, 2, say(
-        "Out-of-plane overturning of masonry walls: rocking analysis, force reduction factor q (Coccia, Di "
-        "Carlo, Imperatore 2016) and checks of the Circolare 7/2019, C8.7.1.2.1",
-        "Ribaltamento fuori piano di pareti in muratura: analisi del blocco oscillante, fattore di "
-        "struttura q (Coccia, Di Carlo, Imperatore 2016) e verifiche della Circolare 7/2019, C8.7.1.2.1"),
-        LAST, 160, color=QUIET)  # fmt: skip
+    paragraph(
+        sheet,
+        2,
+        say(
+            "Out-of-plane overturning of masonry walls: rocking analysis, force reduction factor q "
+            "(Coccia, Di Carlo, Imperatore 2016) and checks of the Circolare 7/2019, C8.7.1.2.1"
+        ),
+        LAST,
+        160,
+        color=QUIET,
+    )
     row = _title_block(book, sheet, result, report, 3)
     row = _demand_lines(book, sheet, result, row, LAST)
     ordered = by_zeta(result.walls)
     row = _walls_table(book, sheet, result, ordered[:SUMMARY_WALLS], row + 1)
     if len(ordered) > SUMMARY_WALLS:
-        row = paragraph(sheet, row, say(
-            f"The {SUMMARY_WALLS} lowest of {len(ordered)} walls; all on the sheet Overview.",
-            f"Le {SUMMARY_WALLS} peggiori di {len(ordered)} pareti; tutte nel foglio Riepilogo."), LAST,
-            150, color=QUIET)  # fmt: skip
+        row = paragraph(
+            sheet,
+            row,
+            say(
+                "The {SUMMARY_WALLS} lowest of {n} walls; all on the sheet Overview.",
+                SUMMARY_WALLS=SUMMARY_WALLS,
+                n=len(ordered),
+            ),
+            LAST,
+            150,
+            color=QUIET,
+        )
     if ordered[0].assessment:
         row = _governing(book, sheet, result, ordered[0], row + 1)
     row = _warnings(book, sheet, result, row + 1, LAST)
@@ -91,8 +104,8 @@ def summary(book: Book, result: StudyResult) -> None:
 
 def overview(book: Book, result: StudyResult) -> None:
     """All walls, the lowest zeta first."""
-    sheet = book.sheet("Overview", "Riepilogo", WIDTHS, landscape=True)
-    title(sheet, 1, book.say("Overview of the walls", "Riepilogo delle pareti"))
+    sheet = book.sheet("Overview", WIDTHS, landscape=True)
+    title(sheet, 1, book.say("Overview of the walls"))
     last = _walls_table(book, sheet, result, by_zeta(result.walls), 3)
     sheet.auto_filter.ref = f"A3:M{last - 1}"
     sheet.freeze_panes = "B4"
@@ -104,10 +117,10 @@ def _title_block(book: Book, sheet, result: StudyResult, report, row: int) -> in
     say, asked = book.say, result.case.demand
     started = result.started_utc[:16].replace("T", " ")
     block = [
-        (say("Client", "Committente"), report.client), (say("Site", "Luogo"), report.site),
-        (say("Project", "Progetto"), report.project), (say("Author", "Autore"), report.author),
-        (say("Revision", "Revisione"), report.revision), (say("Date", "Data"), report.date),
-        (say("Program", "Programma"), f"{NAME} {VERSION}, {started} UTC"),
+        (say('Client'), report.client), (say('Site'), report.site),
+        (say('Project'), report.project), (say('Author'), report.author),
+        (say('Revision'), report.revision), (say('Date'), report.date),
+        (say('Program'), f"{NAME} {VERSION}, {started} UTC"),
     ]  # fmt: skip
     if asked:
         life = [
@@ -116,7 +129,7 @@ def _title_block(book: Book, sheet, result: StudyResult, report, row: int) -> in
                 ("T_R", asked.return_period and round(asked.return_period))) if value is not None
         ]  # fmt: skip
         place = ", ".join(part for part in (asked.site, asked.coordinates, *life) if part)
-        block.append((say("Seismic site", "Sito sismico"), place))
+        block.append((say("Seismic site"), place))
     block = [(label, value) for label, value in block if value]
     for k, (label, value) in enumerate(block):
         column = 1 if k % 2 == 0 else 7
@@ -128,11 +141,11 @@ def _title_block(book: Book, sheet, result: StudyResult, report, row: int) -> in
 def _demand_lines(book: Book, sheet, result: StudyResult, row: int, last: int) -> int:
     demand, say = result.demand, book.say
     if demand is None:
-        line = say("No demand given: no check.", "Nessuna domanda assegnata: nessuna verifica.")
+        line = say("No demand given: no check.")
         return paragraph(sheet, row, line, last, 150, bold=True)
     line = (
-        f"{say('Demand', 'Domanda')} {demand.limit_state}: a_g {demand.ag / G:.3f} g "
-        f"({say('on rock, S apart', 'su suolo rigido, S a parte')}), S {demand.soil_factor:.3f}, "
+        f"{say('Demand')} {demand.limit_state}: a_g {demand.ag / G:.3f} g "
+        f"({say('on rock, S apart')}), S {demand.soil_factor:.3f}, "
         f"S a_g {demand.pga / G:.3f} g, {word(f'confidence_{demand.confidence_on}', book.language)} "
         f"{demand.confidence_factor:.2f}"
     )
@@ -140,8 +153,8 @@ def _demand_lines(book: Book, sheet, result: StudyResult, row: int, last: int) -
         line += f", {demand.target.name}"
     if demand.intensity:
         source = {
-            "given": say("given", "assegnata"), "spectrum": say("of the spectrum", "dello spettro"),
-            "records_scaled": say("from the records", "dai record"),
+            "given": say('given'), "spectrum": say('of the spectrum'),
+            "records_scaled": say('from the records'),
         }[demand.intensity_source]  # fmt: skip
         line += f", SI {demand.intensity / CM:.1f} cm ({source})"
     return paragraph(sheet, row, line, last, 150, bold=True)
@@ -150,13 +163,13 @@ def _demand_lines(book: Book, sheet, result: StudyResult, row: int, last: int) -
 def _walls_table(book: Book, sheet, result: StudyResult, walls: list[WallResult], row: int) -> int:
     say = book.say
     header(sheet, row, [
-        say("Wall", "Parete"), say("Mechanism", "Meccanismo"), "H [m]", "t [m]", "u [m]", "H/t",
-        "α [°]", "a_RM [g]", "W [kN]", "q", say("q robust", "q robusto"), "ζ",
-        say("Verdict", "Esito")])  # fmt: skip
+        say('Wall'), say('Mechanism'), "H [m]", "t [m]", "u [m]", "H/t",
+        "α [°]", "a_RM [g]", "W [kN]", "q", say('q robust'), "ζ",
+        say('Verdict')])  # fmt: skip
     for wall in walls:
         row += 1
         text(sheet, row, 1, wall.name, wrap=True)
-        text(sheet, row, 2, mechanism_word(book, wall.mechanism))
+        text(sheet, row, 2, word(wall.mechanism, book.language))
         verdict = wall.assessment.verdict if wall.assessment else None
         label = word(verdict.code, book.language) if verdict else "–"
         heighten(sheet, row, (wall.name, 24), (label, 26))
@@ -181,14 +194,14 @@ def _walls_table(book: Book, sheet, result: StudyResult, walls: list[WallResult]
 def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: int) -> int:
     """The wall with the lowest zeta: table of methods, sketch, peaks, verdict."""
     say, found = book.say, wall.assessment
-    label = f"{wall.name} – {mechanism_word(book, wall.mechanism)}"
+    label = f"{wall.name} – {word(wall.mechanism, book.language)}"
     title(sheet, row, label, 12)
     if found.kinematic:
         text(sheet, row, 5, _mechanism_line(book, found.kinematic), color=QUIET)
     top = row + 1
     header(sheet, top, [
-        say("Method", "Metodo"), say("Clause", "Clausola"), "q", say("Capacity", "Capacità"),
-        say("Demand", "Domanda"), say("Unit", "Unità"), "ζ", say("Outcome", "Esito")], 1, 18)  # fmt: skip
+        say('Method'), say('Clause'), "q", say('Capacity'),
+        say('Demand'), say('Unit'), "ζ", say('Outcome')], 1, 18)  # fmt: skip
     row = top
     for check, decides in found.shown:
         row += 1
@@ -211,12 +224,18 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
     row = paragraph(sheet, row, said.text(book.language), LAST, 120, bold=True, size=12,
                     color=verdict_color(result, wall))  # fmt: skip
     for reason in said.reasons:
-        row = paragraph(sheet, row, f"• {reason[1 if book.language == 'it' else 0]}", LAST, 150)
+        row = paragraph(sheet, row, f"• {reason.text(book.language)}", LAST, 150)
     if said.lower_bound is not None:
-        row = paragraph(sheet, row, say(
-            f"Should the restraint behind fail, the wall rocks on both sides: zeta {said.lower_bound:.2f}.",
-            f"Se il vincolo posteriore cede, la parete oscilla su due lati: zeta {said.lower_bound:.2f}."),
-            LAST, 150)  # fmt: skip
+        row = paragraph(
+            sheet,
+            row,
+            say(
+                "Should the restraint behind fail, the wall rocks on both sides: zeta {lower_bound:.2f}.",
+                lower_bound=said.lower_bound,
+            ),
+            LAST,
+            150,
+        )
     return row
 
 
@@ -227,11 +246,11 @@ def _mechanism_line(book: Book, found) -> str:
     if found.m_star is not None:
         parts.append(f"M* {found.m_star:.0f} kg/m")
     if found.free_element:
-        parts.append(say("free to vibrate", "libera di vibrare"))
+        parts.append(say("free to vibrate"))
         if found.period_0 is not None:
             parts.append(f"T_0 {found.period_0:.3f} s")
     else:
-        parts.append(say("restrained by transverse walls", "vincolata ai muri trasversali"))
+        parts.append(say("restrained by transverse walls"))
     if found.zeta_sld is not None:
         parts.append(f"a_g,SLD/a_g {found.zeta_sld:.2f}")
     return ", ".join(parts)
@@ -305,7 +324,7 @@ def _peaks(book: Book, sheet, check, anchor: str, width: float, height: float) -
     """Peak rotation over alpha of each record at the demand, with lines at 0.40, 0.60 and 1.00."""
     say = book.say
     column = DATA + 8
-    heads = [say("record", "record"), "θmax/α", "0.40", "0.60", "1.00"]
+    heads = [say("record"), "θmax/α", "0.40", "0.60", "1.00"]
     for k, head in enumerate(heads):
         text(sheet, 1, column + k, head, size=8, color=QUIET)
     for n, run in enumerate(check.runs, start=2):
@@ -350,37 +369,41 @@ def _warnings(book: Book, sheet, result: StudyResult, row: int, last: int, most:
         for warning in owner.warnings:
             name = owner.name
             if isinstance(owner, WallResult):
-                name += f" ({mechanism_word(book, owner.mechanism)})"
+                name += f" ({word(owner.mechanism, book.language)})"
             owners.setdefault(warning.text(book.language), []).append(name)
     for warning in result.demand.warnings if result.demand else ():
-        owners.setdefault(warning.text(book.language), []).append(book.say("demand", "domanda"))
-    text(sheet, row, 1, book.say("Warnings", "Avvertenze"), bold=True)
+        owners.setdefault(warning.text(book.language), []).append(book.say("demand"))
+    text(sheet, row, 1, book.say("Warnings"), bold=True)
     row += 1
     if not owners:
-        text(sheet, row, 1, book.say("none", "nessuna"))
+        text(sheet, row, 1, book.say("none"))
         row += 1
     for line, names in list(owners.items())[:most]:
         who = ", ".join(names[:4]) + (f" +{len(names) - 4}" if len(names) > 4 else "")
         row = paragraph(sheet, row, f"• {line}  [{who}]", last, 165)
     if len(owners) > most:
-        row = paragraph(sheet, row, book.say(
-            f"{len(owners) - most} more on the sheets Records and Check.",
-            f"Altre {len(owners) - most} nei fogli Accelerogrammi e Verifica."), last, 140)  # fmt: skip
+        row = paragraph(
+            sheet,
+            row,
+            book.say("{n} more on the sheets Records and Check.", n=len(owners) - most),
+            last,
+            140,
+        )
     return row
 
 
 def _signature(book: Book, sheet, row: int, unloaded: bool) -> None:
     """Assumptions to tick, the judgement the engineer writes (NTC 2018 10.2), place for a signature.
     unloaded : every wall was confirmed to carry no load."""
-    say, k = book.say, 1 if book.language == "it" else 0
-    text(sheet, row, 1, say("Assumptions confirmed by the engineer", "Ipotesi confermate dal progettista"),
+    say = book.say
+    text(sheet, row, 1, say('Assumptions confirmed by the engineer'),
          bold=True)  # fmt: skip
-    text(sheet, row, 7, say("Reasoned judgement on the results (NTC 2018 10.2)",
-                            "Giudizio motivato di accettabilità dei risultati (NTC 2018 10.2)"),
+    text(sheet, row, 7, say('Reasoned judgement on the results (NTC 2018 10.2)'),
          bold=True)  # fmt: skip
-    for n, assumption in enumerate(ASSUMPTIONS, start=1):
-        ticked = unloaded and n == NO_LOAD + 1
-        text(sheet, row + n, 1, f"{'☑' if ticked else '☐'}  {assumption[k]}")
+    for n, code in enumerate(ASSUMPTIONS, start=1):
+        ticked = unloaded and code == "no_load"
+        assumption = localized("assumption", code, book.language)
+        text(sheet, row + n, 1, f"{'☑' if ticked else '☐'}  {assumption}")
     last = row + len(ASSUMPTIONS)
     sheet.merge_cells(start_row=row + 1, start_column=7, end_row=last, end_column=LAST)
     for r in range(row + 1, last + 1):
@@ -389,8 +412,8 @@ def _signature(book: Book, sheet, row: int, unloaded: bool) -> None:
             frame(sheet.cell(r, c), QUIET, *(side for side, here in edges.items() if here))
     style(sheet.cell(row + 1, 7), wrap=True)
     row = last + 2
-    text(sheet, row, 1, say("Engineer", "Il progettista"), color=QUIET)
-    text(sheet, row, 7, say("Place and date", "Luogo e data"), color=QUIET)
-    text(sheet, row, 11, say("Signature and stamp", "Firma e timbro"), color=QUIET)
+    text(sheet, row, 1, say("Engineer"), color=QUIET)
+    text(sheet, row, 7, say("Place and date"), color=QUIET)
+    text(sheet, row, 11, say("Signature and stamp"), color=QUIET)
     for c in (2, 3, 4, 8, 9, 10, 12, 13):
         frame(sheet.cell(row, c), QUIET, "bottom")

@@ -8,7 +8,7 @@ from core.case.schema import Case, Demand
 from core.codes import target_spectrum
 from core.codes.demand import DemandResult
 from core.codes.target_spectrum import Target
-from core.errors import InputError
+from core.errors import InputError, place
 from core.file_names import name_of
 from core.ground.artificial import compatible_motion
 from core.ground.ground_motion import GroundMotion
@@ -36,12 +36,12 @@ def _rows(path: Path) -> list[tuple[float, float]]:
     """(period [s], S_e [m/s2]) of a file: two columns, s and g; a head of words is skipped."""
     try:
         if not path.is_file():
-            raise InputError(f"{path}: there is no such spectrum file")
+            raise InputError("no_spectrum_file", place=(path,))
         if path.stat().st_size > 1_000_000:
-            raise InputError(f"{path}: larger than 1 MB: no spectrum of two columns")
+            raise InputError("spectrum_too_large", place=(path,))
         lines = path.read_text(encoding="utf-8-sig", errors="replace").splitlines()
     except OSError as error:
-        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
+        raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
     rows = []
     for k, line in enumerate(lines, start=1):
         parts = line.replace(";", " ").split()
@@ -51,13 +51,21 @@ def _rows(path: Path) -> list[tuple[float, float]]:
             wrong = OTHER_UNITS.search(line)
             if wrong and not rows:
                 raise InputError(
-                    f"{path}: line {k}: the head names {wrong[0]}: periods are read in s and S_e in g, "
-                    "convert them"
+                    "spectrum_units",
+                    unit=wrong[0],
+                    place=(
+                        path,
+                        place("line", n=k),
+                    ),
                 ) from None
             if rows and parts:
                 raise InputError(
-                    f"{path}: line {k}: two numbers expected, period in s and S_e in g, found "
-                    f"{line.strip()[:60]!r}"
+                    "spectrum_line",
+                    text=line.strip()[:60],
+                    place=(
+                        path,
+                        place("line", n=k),
+                    ),
                 ) from None
             continue
         rows.append((period, ordinate * G))

@@ -30,7 +30,9 @@ class Journal:
                 self._stream.close()
                 raise
         except OSError as error:
-            raise OutputError(f"{path}: the journal cannot be written: {error.strerror}") from None
+            raise OutputError(
+                "journal_not_writable", reason=error.strerror, place=(path,)
+            ) from None
 
     def _begin(self, key: str, resume: bool) -> None:
         try:
@@ -38,18 +40,13 @@ class Journal:
         except OSError as error:
             if error.errno not in (errno.EAGAIN, errno.EACCES, errno.EWOULDBLOCK, errno.EDEADLK):
                 raise
-            raise OutputError(
-                f"{self.path}: another batch is writing these results: wait for it, or give another --output"
-            ) from None
+            raise OutputError("batch_running", place=(self.path,)) from None
         if not _is_at(self._stream, self.path):
-            raise OutputError(f"{self.path}: another batch has just ended here: start again")
+            raise OutputError("batch_just_ended", place=(self.path,))
         self._stream.seek(0)
         content = self._stream.readall()
         if not ours(content):
-            raise OutputError(
-                f"{self.path}: this file is no journal of Ribalta and stays as it is: rename it, or give "
-                "another --output"
-            )
+            raise OutputError("not_a_journal", place=(self.path,))
         head, *lines = content.split(b"\n")
         mine = _parsed(head) == {HEAD: key}
         good, kept = [], 0
@@ -105,7 +102,7 @@ class Journal:
             self._put(json.dumps({**entry, "hash": _hash(entry)}).encode() + b"\n")
         except OSError as error:
             raise OutputError(
-                f"{self.path}: the journal cannot be written: {error.strerror}"
+                "journal_not_writable", reason=error.strerror, place=(self.path,)
             ) from None
 
     def close(self) -> None:

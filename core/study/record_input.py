@@ -5,15 +5,10 @@ from dataclasses import replace
 from pathlib import Path
 
 from core.case.schema import Case
-from core.errors import InputError
+from core.errors import InputError, place
 from core.ground import records
 from core.ground.ground_motion import GroundMotion
 from core.ground.records.grammar import Options
-
-
-def twice(file: str, twin: str) -> str:
-    """The sentence about a record that another one of the case repeats."""
-    return f"{file} is in the case twice (the same samples as {twin}): leave one out"
 
 
 def read_records(case: Case, base_dir: Path) -> tuple[list[GroundMotion], list[str]]:
@@ -29,11 +24,11 @@ def read_records(case: Case, base_dir: Path) -> tuple[list[GroundMotion], list[s
                 motion = replace(records.read(path, options, entry.scale), file=file)
                 twin = seen.setdefault(motion.samples_sha256, file)
                 if twin != file or file in [known.file for known in motions]:
-                    raise InputError(twice(file, twin))
+                    raise InputError("record_twice", file=file, twin=twin)
                 motions.append(motion)
                 kinds.append(entry.kind)
         except InputError as error:
-            raise InputError(f"record {k}: {error}") from None
+            raise error.at(place("record", n=k)) from None
     names = [motion.name for motion in motions]
     if len(set(names)) < len(names):
         motions = [replace(motion, name=motion.file) for motion in motions]

@@ -16,7 +16,7 @@ from core.codes.verdict import Verdict
 from core.ground.ground_motion import GroundMotion
 from core.rocking.history import History
 from core.rocking.methods import AUTO, Method, resolve_auto
-from core.text.notices import Notice
+from core.text.sentence import Sentence
 from core.units import G
 from core.wall.block import Block
 from core.wall.moment_rotation import MomentLaw
@@ -105,7 +105,7 @@ class WallResult:
     closed_form_q_eff: float | None
     closed_form_q: float | None
     code_check: tuple[Inequality | None, ...]
-    warnings: tuple[Notice, ...]
+    warnings: tuple[Sentence, ...]
     assessment: Assessment | None = None
     accuracy: Accuracy | None = None
 

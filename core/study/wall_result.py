@@ -10,7 +10,7 @@ from core.codes.eq9 import inequality
 from core.codes.limits import MEAN_FROM, MINIMUM_FROM
 from core.ground.ground_motion import GroundMotion
 from core.study.results import Q_SOURCES, PerRecord, Run, WallResult
-from core.text.notices import Notice, notice
+from core.text.sentence import Sentence, notice
 from core.units import CM
 from core.wall.block import Block
 from core.wall.restitution import housner_ratio
@@ -143,7 +143,7 @@ def wall_result(wall, mechanism, model, runs, motions, search, demand) -> WallRe
     )
 
 
-def _unusual(wall: Wall) -> list[Notice]:
+def _unusual(wall: Wall) -> list[Sentence]:
     """Input few engineers mean: accepted, and questioned with the likely slip of unit."""
     found, t = [], wall.thickness
     if t is not None and t < THIN:
@@ -158,7 +158,7 @@ def _unusual(wall: Wall) -> list[Notice]:
     return found
 
 
-def _model_notices(wall, block, mechanism, restitution, law) -> list[Notice]:
+def _model_notices(wall, block, mechanism, restitution, law) -> list[Sentence]:
     found = []
     if restitution.model == "costa_upper" and restitution.ratio_at_rest > housner_ratio(block):
         found.append(notice("costa_above_housner", alpha=float(np.degrees(block.slenderness))))
@@ -178,7 +178,7 @@ def _model_notices(wall, block, mechanism, restitution, law) -> list[Notice]:
     return found
 
 
-def _set_notices(runs, numbers, incomplete, fragile, power_law, search) -> list[Notice]:
+def _set_notices(runs, numbers, incomplete, fragile, power_law, search) -> list[Sentence]:
     found = []
     if incomplete:
         found.append(notice("incomplete", n=len(incomplete)))
@@ -203,7 +203,7 @@ def _set_notices(runs, numbers, incomplete, fragile, power_law, search) -> list[
     return found
 
 
-def _form_notices(block, mechanism, restitution, law, per_record, demand, checks) -> list[Notice]:
+def _form_notices(block, mechanism, restitution, law, per_record, demand, checks) -> list[Sentence]:
     pgas = [(entry.record, entry.pga) for entry in per_record]
     if demand:
         pgas.append(("demand", demand.pga))

@@ -1,6 +1,4 @@
-"""Warnings as data: a code with its values, and the sentence in each language."""
-
-from dataclasses import dataclass
+"""Warnings of a result."""
 
 SENTENCES = {
     "large_pga": (
@@ -14,8 +12,8 @@ SENTENCES = {
     "offset": (
         "The samples have a mean of {mean:.3g} g and leave a velocity of {velocity:.2g} m/s: an offset of the "
         "baseline, which pushes the wall to one side. Correct the record.",
-        "I campioni hanno media {mean:.3g} g e lasciano una velocità di {velocity:.2g} m/s: uno scostamento della "
-        "linea di base, che spinge la parete da un lato. Correggere il record.",
+        "I campioni hanno media {mean:.3g} g e lasciano una velocità di {velocity:.2g} m/s: uno scostamento "
+        "della linea di base, che spinge la parete da un lato. Correggere il record.",
     ),
     "thin": (
         "t = {cm:.1f} cm is below 10 cm: was another unit meant (m, cm, mm)?",
@@ -37,10 +35,7 @@ SENTENCES = {
         "a_g = {ag:.3g} g is above 0.6 g: m/s2 or % instead of g, or S counted in it?",
         "a_g = {ag:.3g} g supera 0.6 g: m/s² o % al posto di g, oppure S già compreso?",
     ),
-    "table_sheet": (
-        "Walls read from the sheet {sheet}.",
-        "Pareti lette dal foglio {sheet}.",
-    ),
+    "table_sheet": ("Walls read from the sheet {sheet}.", "Pareti lette dal foglio {sheet}."),
     "hidden_rows": (
         "Hidden rows of the table of walls were not read: {rows}.",
         "Righe nascoste della tabella delle pareti non lette: {rows}.",
@@ -51,8 +46,8 @@ SENTENCES = {
     ),
     "weaker_records": (
         "The records as given have a mean PGA of {share:.0%} of a_g S: the dynamic check is not at the demand.",
-        "I record così come dati hanno PGA media pari al {share:.0%} di a_g S: la verifica dinamica non è alla "
-        "domanda.",
+        "I record così come dati hanno PGA media pari al {share:.0%} di a_g S: la verifica dinamica non è "
+        "alla domanda.",
     ),
     "partial_last_line": (
         "{found} samples of the {declared} declared: the last line is incomplete.",
@@ -60,7 +55,8 @@ SENTENCES = {
     ),
     "ends_moving": (
         "The file declares no count and ends at {share:.0%} of its peak, not at rest: is its end cut off?",
-        "Il file non dichiara il numero di campioni e termina al {share:.0%} del picco, non in quiete: è troncato?",
+        "Il file non dichiara il numero di campioni e termina al {share:.0%} del picco, non in quiete: è "
+        "troncato?",
     ),
     "surplus_dropped": (
         "{count} surplus zeros or NaN at the end were dropped.",
@@ -74,10 +70,7 @@ SENTENCES = {
         "The peak read, {read:.4g}, differs from the {stated:.4g} stated in the file (same unit).",
         "Il picco letto, {read:.4g}, differisce da {stated:.4g} dichiarato nel file (stessa unità).",
     ),
-    "scaled": (
-        "Scaled by {scale:g} as asked.",
-        "Scalato per {scale:g} come richiesto.",
-    ),
+    "scaled": ("Scaled by {scale:g} as asked.", "Scalato per {scale:g} come richiesto."),
     "scaled_far": (
         "Scaled by {scale:g} as asked: beyond 3 a record stands for an earthquake it was not.",
         "Scalato per {scale:g} come richiesto: oltre 3 il record rappresenta un terremoto che non era.",
@@ -88,8 +81,7 @@ SENTENCES = {
     ),
     "hogan": (
         "{model} on a one-sided wall is Hogan's hypothesis (1992): far less dissipation than Eq. 6.",
-        "{model} per oscillazione su un lato è l'ipotesi di Hogan (1992): "
-        "dissipa molto meno dell'Eq. 6.",
+        "{model} per oscillazione su un lato è l'ipotesi di Hogan (1992): dissipa molto meno dell'Eq. 6.",
     ),
     "general_contact": (
         "General block: Eq. 6 assumes the upper contact at 2 R cos(alpha) above the pivot.",
@@ -97,8 +89,7 @@ SENTENCES = {
     ),
     "general_height": (
         "General block: Eq. 15/16 use the equivalent height 2 R_eq cos(alpha) = {height:.2f} m.",
-        "Blocco generico: le Eq. 15/16 usano l'altezza equivalente "
-        "2 R_eq cos(alpha) = {height:.2f} m.",
+        "Blocco generico: le Eq. 15/16 usano l'altezza equivalente 2 R_eq cos(alpha) = {height:.2f} m.",
     ),
     "setback_height": (
         "Hinge setback: Eq. 15/16, fitted without one, use the height of the rectangle with the same p and "
@@ -112,10 +103,10 @@ SENTENCES = {
         "fuori.",
     ),
     "trilinear_threshold": (
-        "Trilinear law: q keeps a_RM = g tan(alpha), although the wall starts to move at once and "
-        "its plateau is near {plateau:.2f} a_RM.",
-        "Legge trilineare: q mantiene a_RM = g tan(alpha), benché la parete si muova subito e il "
-        "plateau sia circa {plateau:.2f} a_RM.",
+        "Trilinear law: q keeps a_RM = g tan(alpha), although the wall starts to move at once and its plateau "
+        "is near {plateau:.2f} a_RM.",
+        "Legge trilineare: q mantiene a_RM = g tan(alpha), benché la parete si muova subito e il plateau sia "
+        "circa {plateau:.2f} a_RM.",
     ),
     "eq15_slenderness": (
         "alpha {alpha:.2f} deg is outside the 3.1-11.3 deg Eq. 15/16 were fitted on.",
@@ -134,8 +125,8 @@ SENTENCES = {
         "Le Eq. 15/16 sono tarate con legge rigida e {fitted}; questa parete usa {used}.",
     ),
     "si_from_records": (
-        "SI of the demand {si:.1f} cm is the mean of the records scaled to a_g S: from the records, "
-        "not independent of them.",
+        "SI of the demand {si:.1f} cm is the mean of the records scaled to a_g S: from the records, not "
+        "independent of them.",
         "SI della domanda {si:.1f} cm: media dei record scalati ad a_g S, non indipendente da essi.",
     ),
     "too_few": (
@@ -143,10 +134,10 @@ SENTENCES = {
         "{n} record con un valore: si assume il minimo, troppo pochi per un valore di progetto.",
     ),
     "coarse_window": (
-        "q_step is coarse for the robust window ({n} points on either side): one collapsing point "
-        "decides q_robust.",
-        "q_step è grande per la finestra robusta ({n} punti per lato): un solo punto di collasso "
-        "decide q_robust.",
+        "q_step is coarse for the robust window ({n} points on either side): one collapsing point decides "
+        "q_robust.",
+        "q_step è grande per la finestra robusta ({n} punti per lato): un solo punto di collasso decide "
+        "q_robust.",
     ),
     "no_numbers": (
         "No record gives a number: the set has no value.",
@@ -190,20 +181,3 @@ SENTENCES = {
     ),
 }
 """Code -> (English, Italian)."""
-
-
-@dataclass(frozen=True)
-class Notice:
-    """A warning: code of SENTENCES and the values of its sentence."""
-
-    code: str
-    values: tuple[tuple[str, object], ...] = ()
-
-    def text(self, language: str = "en") -> str:
-        return SENTENCES[self.code][1 if language == "it" else 0].format(**dict(self.values))
-
-
-def notice(code: str, **values) -> Notice:
-    """A Notice of this code; raises KeyError for an unknown code."""
-    SENTENCES[code][0].format(**values)
-    return Notice(code, tuple(values.items()))

@@ -2,15 +2,23 @@
 
 METHOD_WORDS = {
     "dynamic": ("the dynamic check (C8.7.1.2.1.9)", "la verifica dinamica (C8.7.1.2.1.9)"),
-    "nonlinear": ("the nonlinear kinematic check (C8.7.1.2.1.8)",
-                  "la verifica cinematica non lineare (C8.7.1.2.1.8)"),
-    "linear_q_slv": ("the linear kinematic check with q of the time histories (C8.7.1.2.1.7)",
-                     "la verifica cinematica lineare con q delle storie temporali (C8.7.1.2.1.7)"),
-    "linear_q_code": ("the linear kinematic check with the q of the code (C8.7.1.2.1.7)",
-                      "la verifica cinematica lineare con q di norma (C8.7.1.2.1.7)"),
-    "linear_sld": ("the linear kinematic check (C8.7.1.2.1.5)",
-                   "la verifica cinematica lineare (C8.7.1.2.1.5)"),
-}  # fmt: skip
+    "nonlinear": (
+        "the nonlinear kinematic check (C8.7.1.2.1.8)",
+        "la verifica cinematica non lineare (C8.7.1.2.1.8)",
+    ),
+    "linear_q_slv": (
+        "the linear kinematic check with q of the time histories (C8.7.1.2.1.7)",
+        "la verifica cinematica lineare con q delle storie temporali (C8.7.1.2.1.7)",
+    ),
+    "linear_q_code": (
+        "the linear kinematic check with the q of the code (C8.7.1.2.1.7)",
+        "la verifica cinematica lineare con q di norma (C8.7.1.2.1.7)",
+    ),
+    "linear_sld": (
+        "the linear kinematic check (C8.7.1.2.1.5)",
+        "la verifica cinematica lineare (C8.7.1.2.1.5)",
+    ),
+}
 """Label of a check -> (English, Italian)."""
 
 SENTENCES = {
@@ -33,8 +41,8 @@ SENTENCES = {
     "verified_refined": (
         "Verified at {state} by {method} only: zeta {zeta}. With q = {q:g} it is not: the designer must "
         "justify the refined method.",
-        "Verificata allo {state} solo secondo {method}: zeta {zeta}. Con q = {q:g} non lo è: il "
-        "progettista deve motivare il metodo raffinato.",
+        "Verificata allo {state} solo secondo {method}: zeta {zeta}. Con q = {q:g} non lo è: il progettista "
+        "deve motivare il metodo raffinato.",
     ),
     "verified_alone": (
         "Verified at {state} by {method} only: zeta {zeta}. The check with q = {q:g} could not be made: the "
@@ -43,10 +51,10 @@ SENTENCES = {
         "possibile: il progettista deve motivare il metodo raffinato.",
     ),
     "q2_unsafe": (
-        "Not verified at {state}: zeta {zeta} by {method}. The check with q = {q:g} alone would pass "
-        "and is not conservative here.",
-        "Non verificata allo {state}: zeta {zeta} secondo {method}. La sola verifica con q = {q:g} "
-        "sarebbe soddisfatta: qui non è cautelativa.",
+        "Not verified at {state}: zeta {zeta} by {method}. The check with q = {q:g} alone would pass and is "
+        "not conservative here.",
+        "Non verificata allo {state}: zeta {zeta} secondo {method}. La sola verifica con q = {q:g} sarebbe "
+        "soddisfatta: qui non è cautelativa.",
     ),
     "not_verified": (
         "Not verified at {state}: zeta {zeta} by {method}.",
@@ -60,7 +68,7 @@ SENTENCES = {
         "Undetermined at {state}: see the reasons.",
         "Non determinabile allo {state}: vedere i motivi.",
     ),
-}  # fmt: skip
+}
 """Code of a verdict, or one of the ways to say `verified` and `verified_refined` -> (English, Italian)."""
 
 ADDED = {
@@ -69,12 +77,23 @@ ADDED = {
         " Dei moltiplicatori entro il 10 % da{demand} il {share:.0%} non soddisfa la regola.",
     ),
     "confidence_demand": (
-        " With FC on the demand instead of the strength it is {not_}verified: zeta {zeta}.",
-        " Con FC sulla domanda anziché sulla resistenza {not_}è verificata: zeta {zeta}.",
+        " With FC on the demand instead of the strength it is {negation}verified: zeta {zeta}.",
+        " Con FC sulla domanda anziché sulla resistenza {negation}è verificata: zeta {zeta}.",
     ),
     "confidence_capacity": (
-        " With FC on the strength, as C8.7.1.2.1.3 has it, it is {not_}verified: zeta {zeta}.",
-        " Con FC sulla resistenza, come nel C8.7.1.2.1.3, {not_}è verificata: zeta {zeta}.",
+        " With FC on the strength, as C8.7.1.2.1.3 has it, it is {negation}verified: zeta {zeta}.",
+        " Con FC sulla resistenza, come nel C8.7.1.2.1.3, {negation}è verificata: zeta {zeta}.",
+    ),
+    "required": ("{zeta} (required {target:g})", "{zeta} (richiesto {target:g})"),
+    "at_demand": ("the demand", "alla domanda"),
+    "at_share": ("{target:g} of the demand", "allo {target:g} della domanda"),
+    "of_demand": ("the demand", "lla domanda"),
+    "of_share": ("{target:g} of the demand", "l {target:g} della domanda"),
+    "not": ("not ", "non "),
+    "nothing": ("", ""),
+    "fails_at_demand": (
+        "{zeta}, but the rule fails at the demand itself",
+        "{zeta}, ma la regola non vale alla domanda stessa",
     ),
     "unloaded": (", if the wall carries no load.", ", se la parete non porta carichi."),
 }
@@ -96,13 +115,12 @@ REASONS = {
         "zeta è nota solo fra {low:.3f} e {high:.3f}, e il valore richiesto {target:.2f} sta in mezzo.",
     ),
     "weaker_fails": (
-        "The rule holds at {at_en} itself but fails around {zeta:.2f} of it: a weaker motion is worse.",
-        "La regola vale {at_it} ma non intorno a {zeta:.2f} di essa: un moto più debole è più "
-        "gravoso.",
+        "The rule holds at {at} itself but fails around {zeta:.2f} of it: a weaker motion is worse.",
+        "La regola vale {at} ma non intorno a {zeta:.2f} di essa: un moto più debole è più gravoso.",
     ),
     "demand_fails": (
-        "The rule fails at {at_en} itself, though at fewer than half of the multipliers around.",
-        "La regola non vale {at_it} stessa, benché cada a meno di metà dei moltiplicatori intorno.",
+        "The rule fails at {at} itself, though at fewer than half of the multipliers around.",
+        "La regola non vale {at} stessa, benché cada a meno di metà dei moltiplicatori intorno.",
     ),
     "whole_demand_fails": (
         "The rule holds at the {target:g} of the demand that is required, and fails at the demand itself.",
@@ -111,14 +129,14 @@ REASONS = {
     "narrow_range": (
         "The records are compared with the spectrum from {low:g} to {high:g} s only, as asked: {least:g} to "
         "{most:.2f} s are the periods that matter.",
-        "Gli accelerogrammi sono confrontati con lo spettro solo da {low:g} a {high:g} s, come richiesto: contano i "
-        "periodi da {least:g} a {most:.2f} s.",
+        "Gli accelerogrammi sono confrontati con lo spettro solo da {low:g} a {high:g} s, come richiesto: "
+        "contano i periodi da {least:g} a {most:.2f} s.",
     ),
     "rigid_free": (
-        "C8.7.1.2.1.3 asks an initial elastic branch of an element free to vibrate: the histories use the rigid law; "
-        "compare with law = {{ elastic_limit, plateau_end }}.",
-        "Il C8.7.1.2.1.3 richiede un ramo elastico iniziale per un elemento libero di vibrare: le storie usano la "
-        "legge rigida; confrontare con law = {{ elastic_limit, plateau_end }}.",
+        "C8.7.1.2.1.3 asks an initial elastic branch of an element free to vibrate: the histories use the "
+        "rigid law; compare with law = {{ elastic_limit, plateau_end }}.",
+        "Il C8.7.1.2.1.3 richiede un ramo elastico iniziale per un elemento libero di vibrare: le storie "
+        "usano la legge rigida; confrontare con law = {{ elastic_limit, plateau_end }}.",
     ),
     "no_period": (
         "Linear checks not made: an element free to vibrate is compared with the spectrum at T_0 "
@@ -126,16 +144,15 @@ REASONS = {
         "Verifiche lineari non eseguite: un elemento libero di vibrare si confronta con lo spettro in T_0 "
         "(C8.7.1.2.1.5, .7), che richiede {missing}.",
     ),
-    "no_check": (
-        "No check could be made.", "Nessuna verifica è stata possibile.",
-    ),
+    "no_check": ("No check could be made.", "Nessuna verifica è stata possibile."),
     "no_restraint": (
         "The restraint behind the wall is not named: one-sided rocking rests on it.",
         "Il vincolo dietro la parete non è indicato: l'oscillazione su un lato si basa su di esso.",
     ),
     "more_records": (
         "{n} stations: C8.7.1.2.1.9 advises more records than the analysis of the whole building takes.",
-        "{n} stazioni: il C8.7.1.2.1.9 consiglia un numero di accelerogrammi maggiore che per l'analisi globale.",
+        "{n} stazioni: il C8.7.1.2.1.9 consiglia un numero di accelerogrammi maggiore che per l'analisi "
+        "globale.",
     ),
     "no_station": (
         "{n} file(s) name no station: each was counted as a station of its own.",
@@ -149,9 +166,7 @@ REASONS = {
         "No target spectrum is given: the compatibility of the records is not shown.",
         "Spettro non assegnato: la compatibilità degli accelerogrammi non è dimostrata.",
     ),
-    "few_records": (
-        "{n} record(s): fewer than 3.", "{n} accelerogrammi: meno di 3."
-    ),
+    "few_records": ("{n} record(s): fewer than 3.", "{n} accelerogrammi: meno di 3."),
     "bundled": (
         "The records are the bundled example, for trials only.",
         "Gli accelerogrammi sono quelli di esempio, solo per prova.",
@@ -173,12 +188,14 @@ REASONS = {
         "L'integratore scelto serve solo per confronto.",
     ),
     "no_soil_factor": (
-        "S is not given and taken as 1, rock.", "S non è assegnato ed è posto pari a 1, roccia.",
+        "S is not given and taken as 1, rock.",
+        "S non è assegnato ed è posto pari a 1, roccia.",
     ),
     "disagrees": (
-        "{method} gives zeta {zeta:.2f}: {outcome}.", "{method}: zeta {zeta:.2f}, {outcome}."
+        "{method} gives zeta {zeta:.2f}: {outcome}.",
+        "{method}: zeta {zeta:.2f}, {outcome}.",
     ),
-}  # fmt: skip
+}
 
 MISSING_WORDS = {
     "elastic_modulus_mpa": ("the elastic modulus E", "il modulo elastico E"),

@@ -1,6 +1,9 @@
 """Words of results in each language, for report and window."""
 
 WORDS = {
+    "one_sided": ("one-sided", "su un lato"),
+    "two_sided": ("two-sided", "su due lati"),
+    "both": ("both", "entrambi"),
     "dynamic": ("Dynamic, time histories", "Dinamica, storie temporali"),
     "nonlinear": ("Nonlinear kinematic", "Cinematica non lineare"),
     "linear_q_slv": ("Linear kinematic, q of the histories", "Cinematica lineare, q delle storie"),
@@ -51,22 +54,20 @@ WORDS = {
 }
 """Key -> (English, Italian)."""
 
-ASSUMPTIONS = (
-    ("monolithic wall, no leaves that part", "parete monolitica, senza paramenti che si separano"),
-    ("no load or thrust of floors and roof", "nessun carico o spinta di solai e copertura"),
-    (
+ASSUMPTIONS = {
+    "monolithic": (
+        "monolithic wall, no leaves that part",
+        "parete monolitica, senza paramenti che si separano",
+    ),
+    "no_load": (
+        "no load or thrust of floors and roof",
+        "nessun carico o spinta di solai e copertura",
+    ),
+    "no_ties": (
         "no ties, no other restraint than the one named",
         "nessuna catena, nessun altro vincolo oltre a quello indicato",
     ),
-    ("no sliding at the base", "nessuno scorrimento alla base"),
-    ("no vertical ground motion", "nessun moto verticale del suolo"),
-)
-"""What the engineer confirms by ticking."""
-
-NO_LOAD = 1
-"""Of these the one that unloaded_confirmed of every wall ticks."""
-
-
-def word(key: str, language: str) -> str:
-    """The word of a key in "en" or "it"; raises KeyError for an unknown key."""
-    return WORDS[key][1 if language == "it" else 0]
+    "no_sliding": ("no sliding at the base", "nessuno scorrimento alla base"),
+    "no_vertical_motion": ("no vertical ground motion", "nessun moto verticale del suolo"),
+}
+"""What the engineer confirms by ticking; no_load is ticked where every wall says unloaded_confirmed."""

@@ -41,11 +41,7 @@ def housner_ratio(block: Block) -> float:
     turn = 2.0 * block.radius**2 / block.inertia_over_mass
     ratio = 1.0 - turn * math.sin(block.slenderness) ** 2
     if ratio < 0.0:
-        raise InputError(
-            f"Eq. 4 gives a negative velocity ratio ({ratio:.3g}) for slenderness "
-            f"{math.degrees(block.slenderness):.2f} deg: the block is too stocky to rock; "
-            "give velocity_ratio instead"
-        )
+        raise InputError("eq4_negative", ratio=ratio, alpha=math.degrees(block.slenderness))
     return ratio
 
 
@@ -76,17 +72,13 @@ def restitution(block: Block, model: str, velocity_ratio: float | None = None) -
         # Eq. 7: sqrt(r_1s) (1.18 - 0.473 (v / theta_r')^2)
         ratio = one_sided_ratio(block)
         if 1.18 * ratio > 1.0:
-            raise InputError(
-                f"Eq. 7 gives a velocity ratio of {1.18 * ratio:.3g} at vanishing speed, above 1: it was "
-                "fitted on rectangular walls; take one_sided_theoretical or give velocity_ratio"
-            )
+            raise InputError("eq7_above_one", ratio=1.18 * ratio)
         drop = 0.473 * ratio / overturning_velocity(block) ** 2
         return Restitution(model, 1.18 * ratio, drop)
     if model == "user" and velocity_ratio is not None and 0.0 <= velocity_ratio <= 1.0:
         return Restitution(model, velocity_ratio)
     raise InputError(
-        f"restitution {model!r} with velocity_ratio {velocity_ratio!r} is not accepted: "
-        f"one of {', '.join(MODELS)}; velocity_ratio within 0 and 1"
+        "restitution_not_accepted", model=model, ratio=velocity_ratio, known=", ".join(MODELS)
     )
 
 

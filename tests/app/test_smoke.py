@@ -17,7 +17,7 @@ from PySide6.QtCore import QEventLoop, QStandardPaths, Qt, QTimer
 QStandardPaths.setTestModeEnabled(True)
 from PySide6.QtTest import QTest
 from app import start, window as program
-from core.case_reader import read_case
+from core.case.reader import read_case
 application, window = start.make([])
 start.install_hook(window)
 window.show()

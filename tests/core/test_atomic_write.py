@@ -175,7 +175,7 @@ from pathlib import Path
 sys.path.insert(0, {str(ROOT)!r})
 from core.errors import OutputError
 from core import atomic_write
-from core.journal import Journal
+from core.study.journal import Journal
 signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
 resource.setrlimit(resource.RLIMIT_FSIZE, (10_000, 10_000))
 folder = Path({str(tmp_path)!r})

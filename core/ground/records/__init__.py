@@ -12,7 +12,7 @@ from core.ground.ground_motion import LARGE_PGA, SMALL_PGA, GroundMotion
 from core.ground.records import italian, peer, plain
 from core.ground.records.cut import refuse_cut
 from core.ground.records.grammar import UNITS, Options, decode
-from core.text.notices import notice
+from core.text.sentence import notice
 from core.units import G
 
 READERS = (
@@ -64,44 +64,40 @@ def read(
     """
     try:
         if path.exists() and not path.is_file():
-            raise RecordError("this is not a file: name an accelerogram")
+            raise RecordError("record_not_a_file")
         if path.stat().st_size > MAX_BYTES:
             raise RecordError(
-                f"{path.stat().st_size / 1e6:.0f} MB is no accelerogram (up to {MAX_BYTES // 1_000_000} MB)"
+                "record_too_large", mb=path.stat().st_size / 1000000.0, most=MAX_BYTES // 1000000
             )
         content = path.read_bytes()
         return _motion(content, path, options, scale, name or shown(path.stem))
     except FileNotFoundError:
-        raise RecordError(f"{path}: there is no such file") from None
+        raise RecordError("no_record", place=(path,)) from None
     except (OSError, ValueError) as error:
         if isinstance(error, RecordError):
-            raise RecordError(f"{path}: {error}") from None
-        raise RecordError(f"{path}: cannot be read: {error}") from None
+            raise error.at(path) from None
+        raise RecordError("unreadable", reason=error, place=(path,)) from None
 
 
 def _motion(content: bytes, path: Path, options: Options, scale: float, name: str) -> GroundMotion:
     if not content.strip():
-        raise RecordError("the file is empty")
+        raise RecordError("empty_file")
     if len(content) > MAX_NUMBERS and _separate(content) > MAX_NUMBERS:
-        raise RecordError(f"more than {MAX_NUMBERS} numbers are no accelerogram")
+        raise RecordError("too_many_numbers", n=MAX_NUMBERS)
     lines = decode(content)
     ended = content.rstrip(b"\x00\x1a")[-1:] in (b"\n", b"\r") or content[-2:] in (b"\n\0", b"\0\n")
     head = "\n".join(lines[:30])
     for title, pattern in NOT_READ_YET:
         if pattern.search(head):
-            raise RecordError(
-                f"{title} files are not read yet: convert to two columns, time and acceleration"
-            )
+            raise RecordError("format_not_read", format=title)
     title, reader = next((title, read) for title, knows, read in READERS if knows(lines))
     parsed = reader(lines, options)
     if not ended and any(warning.code == "partial_last_line" for warning in parsed.warnings):
-        raise RecordError(
-            "samples of the last line are missing and it has no line end: the file is cut"
-        )
-    unit = _agreed("unit", parsed.unit, options.unit, "g, m/s2, cm/s2 or mm/s2")
+        raise RecordError("last_line_cut")
+    unit = _agreed("unit", parsed.unit, options.unit)
     if unit not in UNITS:
-        raise RecordError(f"unit = {unit!r} is not accepted: {', '.join(UNITS)}")
-    time_step = _agreed("time_step_s", parsed.time_step, options.time_step, "in seconds")
+        raise RecordError("unit_not_accepted", given=unit, known=", ".join(UNITS))
+    time_step = _agreed("time_step_s", parsed.time_step, options.time_step)
     warnings = list(parsed.warnings)
     peak = float(np.abs(parsed.values).max()) if parsed.values.size else 0.0
     if parsed.stated_peak and abs(peak - parsed.stated_peak) > 0.02 * parsed.stated_peak:
@@ -114,10 +110,7 @@ def _motion(content: bytes, path: Path, options: Options, scale: float, name: st
     motion = parsed.values * UNITS[unit] * scale
     pga = float(np.abs(motion).max()) if motion.size else 0.0
     if not pga <= LARGEST_PGA * abs(scale):
-        raise RecordError(
-            f"the peak would be {pga / G / abs(scale):.3g} g, beyond any earthquake (20 g): "
-            "velocity, a count of samples on top, or another unit?"
-        )
+        raise RecordError("peak_too_large", pga=pga / G / abs(scale))
     if pga > LARGE_PGA:
         warnings.append(notice("large_pga", pga=pga / G))
     elif 0.0 < pga < SMALL_PGA:
@@ -127,9 +120,9 @@ def _motion(content: bytes, path: Path, options: Options, scale: float, name: st
     if abs(mean) > OFFSET_SHARE * pga and left > OFFSET_VELOCITY:
         warnings.append(notice("offset", mean=mean / G, velocity=left))
     if options.skip_lines and title != "plain text":
-        raise RecordError(f"skip_lines is for plain text; this file is {title}: leave it out")
+        raise RecordError("skip_lines_of_plain_text", format=title)
     if options.column and title != "plain text":
-        raise RecordError(f"column is for plain text; this file is {title}: leave it out")
+        raise RecordError("column_of_plain_text", format=title)
     refuse_cut(lines, ended)
     return GroundMotion(
         name=name,
@@ -150,16 +143,15 @@ def _separate(content: bytes) -> int:
     return int(np.count_nonzero(blank[:-1] & ~blank[1:])) + 1
 
 
-def _agreed(key: str, stated, given, accepted: str):
+def _agreed(key: str, stated, given):
     """What the file states or the user gives; an error if neither or if they contradict."""
     if stated is None and given is None:
-        what = "unit of acceleration" if key == "unit" else "time step"
-        raise RecordError(f"the file does not state its {what}: give {key} ({accepted})")
+        raise RecordError(f"no_{key}", key=key)
     if stated is None or given is None:
         return given if stated is None else stated
     same = stated == given if isinstance(stated, str) else abs(stated - given) <= 1e-6 * stated
     if not same:
-        raise RecordError(f"the file states {key} {stated}, the case gives {given}: remove {key}")
+        raise RecordError("contradicts_file", named=key, stated=stated, given=given)
     return stated
 
 
@@ -174,10 +166,9 @@ def expand(pattern: str, base_dir: Path) -> list[Path]:
         relative = Path(pattern).relative_to(anchor) if Path(pattern).is_absolute() else pattern
         found = sorted(entry for entry in anchor.glob(str(relative)) if entry.is_file())
     except (ValueError, OSError) as error:
-        raise InputError(
-            f"file = {pattern[:200]!r} is not accepted as a pattern: {str(error)[:200]}"
-        ) from None
+        raise InputError("bad_pattern", pattern=pattern[:200], reason=str(error)[:200]) from None
     if not found:
-        place = "" if Path(pattern).is_absolute() else f" in {base_dir.resolve()}"
-        raise InputError(f"file = {pattern[:200]!r}: no file matches{place}")
+        if Path(pattern).is_absolute():
+            raise InputError("no_match", pattern=pattern[:200])
+        raise InputError("no_match_in", pattern=pattern[:200], folder=base_dir.resolve())
     return found

@@ -4,6 +4,7 @@ import re
 
 from core.errors import RecordError
 from core.ground.records.grammar import quoted
+from core.text.sentence import sentence
 
 NEIGHBOURS = 20
 """Lines above the last one that its last number is compared with."""
@@ -69,15 +70,12 @@ def refuse_cut(lines: list[str], ended: bool) -> None:
         shortest = min((exponent for (_, exponent), _ in shapes), default=0)
         whole = ended and _shapes(last)[0][1] >= shortest
     if not whole:
-        why = (
-            "without a line end"
-            if shape is None and not ended
-            else "not as long as the numbers above it"
-        )
-        mend = "write it with as many digits" if ended else "end the last line with a line break"
+        unended = shape is None and not ended
         raise RecordError(
-            f"the last number, {quoted(last)}, is {why}: the file looks cut there; copy it anew, or {mend} if it is "
-            "whole"
+            "last_number_cut",
+            last=quoted(last),
+            why=sentence("accepted", "without_line_end" if unended else "shorter_than_above"),
+            mend=sentence("accepted", "write_all_digits" if ended else "end_last_line"),
         )
 
 

@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from core.errors import RecordError
-from core.text.notices import Notice, notice
+from core.errors import RecordError, place
+from core.text.sentence import Sentence, notice
 from core.units import G
 
 NUMBER = r"[+-]?+(?:[0-9]++(?:\.[0-9]*+)?+|\.[0-9]++)(?:[EeDd][+-]?+[0-9]++)?+"
@@ -68,7 +68,7 @@ class Parsed:
     time_step: float | None
     unit: str | None
     details: tuple[tuple[str, str], ...] = ()
-    warnings: list[Notice] = field(default_factory=list)
+    warnings: list[Sentence] = field(default_factory=list)
     stated_peak: float | None = None
     counted: bool = False
 
@@ -94,7 +94,7 @@ def _unit_of(word: str) -> str:
     """A unit as written to a key of UNITS; raises RecordError for g/10."""
     word = re.sub(r"\s", "", word).lower()
     if word.startswith("g/"):
-        raise RecordError("the unit is g/10: convert the file to g")
+        raise RecordError("unit_g_tenth")
     if word in ("g", "gal"):
         return "g" if word == "g" else "cm/s2"
     return word.split("/")[0] + "/s2"
@@ -126,8 +126,7 @@ def stated_unit(head: str) -> str | None:
     if len(clash) > 1:
         (one, first), (other, second) = clash[:2]
         raise RecordError(
-            f"the header speaks of two units, {one} in {quoted(first)} and {other} in {quoted(second)}: leave "
-            "the one of the samples"
+            "two_units", one=one, first=quoted(first), other=other, second=quoted(second)
         )
     return next(iter(found), None)
 
@@ -152,10 +151,7 @@ def refuse_other_quantity(head: str) -> None:
             patterns = (_MOTION, _MOTION_UNIT, _MOTION_SAID)
             other = next((found for pattern in patterns if (found := pattern.search(line))), None)
         if other:
-            raise RecordError(
-                f"the header speaks of {other[0].strip('[()] ').lower()}: this is not an accelerogram; "
-                "take the acceleration file"
-            )
+            raise RecordError("other_quantity", quantity=other[0].strip("[()] ").lower())
 
 
 def decode(content: bytes) -> list[str]:
@@ -169,10 +165,7 @@ def decode(content: bytes) -> list[str]:
         body = content.removeprefix(b"\xef\xbb\xbf").rstrip(b"\x00\x1a")
         control = sum(body[:4096].count(byte) for byte in range(9)) + body[:4096].count(0x7F)
         if control:
-            raise RecordError(
-                "this is a binary file; SAC and miniSEED need instrument metadata: convert it to text "
-                "with ObsPy (stream.write) or download the processed ASCII file"
-            )
+            raise RecordError("binary_file")
         try:
             text = body.decode("utf-8")
         except UnicodeDecodeError:
@@ -185,7 +178,7 @@ def to_float(token: str) -> float:
     """One number of the grammar, D exponents included; raises RecordError beyond the doubles."""
     value = float(token.replace("D", "E").replace("d", "e"))
     if not math.isfinite(value):
-        raise RecordError(f"{quoted(token)} is too large for a number")
+        raise RecordError("token_too_large", text=quoted(token))
     return value
 
 
@@ -221,7 +214,9 @@ def block(lines: list[str], first_line: int, declared: int, width: int | None = 
         if row is None:
             tokens = line.replace(",", " ").split()
             if not all(_NAN.fullmatch(token) or _TOKEN.fullmatch(token) for token in tokens):
-                raise RecordError(f"line {first_line + k}: {quoted(line)} is not numbers")
+                raise RecordError(
+                    "not_numbers", text=quoted(line), place=(place("line", n=first_line + k),)
+                )
             row = [math.nan if _NAN.fullmatch(token) else to_float(token) for token in tokens]
         rows.append(row)
     values = np.array([value for row in rows for value in row])
@@ -229,13 +224,11 @@ def block(lines: list[str], first_line: int, declared: int, width: int | None = 
         values = values[:-1]
         not_numbers += 1
     if np.isnan(values).any():
-        raise RecordError(
-            f"sample {int(np.argmax(np.isnan(values))) + 1} is NaN: a gap in the record"
-        )
+        raise RecordError("sample_nan", n=int(np.argmax(np.isnan(values))) + 1)
     warnings = []
     surplus = values[declared:]
     if surplus.any():
-        raise RecordError(f"{values.size} samples, but the header declares {declared}")
+        raise RecordError("count_differs", n=values.size, declared=declared)
     if surplus.size or not_numbers:
         warnings.append(notice("surplus_dropped", count=surplus.size + not_numbers))
     values = values[:declared]
@@ -243,8 +236,6 @@ def block(lines: list[str], first_line: int, declared: int, width: int | None = 
     if missing:
         widest = max((len(row) for row in rows), default=0)
         if not rows or missing >= widest or not (not_numbers or len(rows[-1]) < widest):
-            raise RecordError(
-                f"{values.size} samples, but the header declares {declared}: the file is cut"
-            )
+            raise RecordError("fewer_than_declared", n=values.size, declared=declared)
         warnings.append(notice("partial_last_line", found=values.size, declared=declared))
     return Parsed(values, None, None, warnings=warnings, counted=True)

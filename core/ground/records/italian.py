@@ -37,7 +37,7 @@ def read_esm(lines: list[str], options: Options) -> Parsed:
             header[match[1]] = match[2].strip()
     kind = header.get("DATA_TYPE", "ACCELERATION").upper()
     if kind != "ACCELERATION":
-        raise RecordError(f"DATA_TYPE is {quoted(kind)}: take the ACCELERATION file (.ACC.ASC)")
+        raise RecordError("esm_data_type", kind=quoted(kind))
     parsed = block(lines[start:], start + 1, _count(header.get("NDATA", ""), "NDATA"))
     parsed.time_step = _positive(header.get("SAMPLING_INTERVAL_S", ""), "SAMPLING_INTERVAL_S")
     parsed.unit = _unit(header.get("UNITS", ""))
@@ -53,10 +53,7 @@ def _agree(parsed: Parsed, header: dict[str, str]) -> None:
     stated = parsed.stated_peak
     read = peak * UNITS[parsed.unit] / UNITS["cm/s2"]
     if stated and peak and not 1.0 / CONTRADICTION < read / stated < CONTRADICTION:
-        raise RecordError(
-            f"UNITS {header.get('UNITS', '')[:20]} gives a peak of {read:.4g} cm/s2, PGA_CM/S^2 states {stated:.4g}: "
-            "one of them is wrong"
-        )
+        raise RecordError("esm_peak", unit=header.get("UNITS", "")[:20], read=read, stated=stated)
     parsed.stated_peak = stated and stated * UNITS["cm/s2"] / UNITS[parsed.unit]
     duration, covered = (
         _optional(header.get("DURATION_S", "")),
@@ -64,8 +61,11 @@ def _agree(parsed: Parsed, header: dict[str, str]) -> None:
     )
     if duration and abs(duration - covered) > max(0.02 * covered, 2.0 * parsed.time_step):
         raise RecordError(
-            f"DURATION_S is {duration:g} s, but {parsed.values.size} samples of SAMPLING_INTERVAL_S = "
-            f"{parsed.time_step:g} s are {covered:g} s: one of them is wrong"
+            "esm_duration",
+            duration=duration,
+            n=parsed.values.size,
+            step=parsed.time_step,
+            covered=covered,
         )
 
 
@@ -84,9 +84,7 @@ def read_sigma(lines: list[str], options: Options) -> Parsed:
         label, _, value = line.partition(":")
         header[label.strip()] = value.strip()
     if start is None:
-        raise RecordError(
-            "no line `Acceleration time series`: velocity, displacement or a spectrum?"
-        )
+        raise RecordError("sigma_no_acceleration")
     declared = _count(header.get("Number of Data", ""), "Number of Data")
     parsed = block(lines[start:], start + 1, declared, 14)
     parsed.time_step = _positive(header.get("Time Increment (s)", ""), "Time Increment (s)")
@@ -99,20 +97,20 @@ def read_sigma(lines: list[str], options: Options) -> Parsed:
 def _unit(text: str) -> str:
     word = text.strip().lower().replace("^", "").replace("m/s/s", "m/s2")
     if word not in ("cm/s2", "m/s2", "mm/s2", "g"):
-        raise RecordError(f"unit {quoted(text)} is not an acceleration: g, m/s2, cm/s2 or mm/s2")
+        raise RecordError("unit_not_acceleration", unit=quoted(text))
     return word
 
 
 def _count(text: str, label: str) -> int:
     if not re.fullmatch(r"[0-9]+", text.strip()):
-        raise RecordError(f"{label} is {quoted(text)}, not a count of samples")
+        raise RecordError("not_a_count", label=label, text=quoted(text))
     return int(text)
 
 
 def _positive(text: str, label: str) -> float:
     found = numbers(text)
     if not found or len(found) != 1 or not found[0] > 0.0:
-        raise RecordError(f"{label} is {quoted(text)}, not a time step in seconds")
+        raise RecordError("not_a_time_step", label=label, text=quoted(text))
     return found[0]
 
 

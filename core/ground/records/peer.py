@@ -13,7 +13,7 @@ from core.ground.records.grammar import (
     stated_unit,
     to_float,
 )  # fmt: skip
-from core.text.notices import notice
+from core.text.sentence import notice
 
 _KEYED = re.compile(rf"NPTS\s*+=\s*+(\d++)\s*+,?\s*+DT\s*+=\s*+({NUMBER})(?![\w.])", re.IGNORECASE)
 _TRAILING = re.compile(rf"^\s*+(\d++)\s++({NUMBER})\s++NPTS", re.IGNORECASE)
@@ -39,12 +39,12 @@ def read(lines: list[str], options: Options) -> Parsed:
     head = lines[: row + 1]
     other = _OTHER.search(" ".join(head))
     if other:
-        raise RecordError(f"this file holds {other[1].lower()}: take the acceleration file (.AT2)")
+        raise RecordError("peer_quantity", quantity=other[1].lower())
     refuse_other_quantity(
         "\n".join(line for line in head[2:] if re.search(r"\bunits?\b", line, re.I))
     )
     if any(_KEYED.search(line) or _TRAILING.search(line) for line in lines[row + 1 :]):
-        raise RecordError("a second header stands among the samples: two records in one file")
+        raise RecordError("second_header")
     parsed = block(lines[row + 1 :], row + 2, declared)
     parsed.time_step = time_step
     parsed.unit = stated_unit("\n".join(head))

@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 
-from core.errors import RecordError
+from core.errors import RecordError, place
 from core.ground.records.grammar import (
     NUMBER,
     Options,
@@ -56,9 +56,9 @@ def read(lines: list[str], options: Options) -> Parsed:
         try:
             row = _row(text)
         except RecordError as error:
-            raise RecordError(f"line {k}: {error}") from None
+            raise error.at(place("line", n=k)) from None
         if row is None and _NO_NUMBER.fullmatch(text):
-            raise RecordError(f"line {k}: {quoted(text)} is not numbers: a gap in the record?")
+            raise RecordError("gap", text=quoted(text), place=(place("line", n=k),))
         if row:
             rows.append(row)
             places.append(k)
@@ -66,12 +66,12 @@ def read(lines: list[str], options: Options) -> Parsed:
             # a title; a `npts dt` line above it belongs to the head as well
             head.append(text)
             if rows:
-                raise RecordError(f"line {k}: {quoted(text)} is not numbers")
+                raise RecordError("not_numbers", text=quoted(text), place=(place("line", n=k),))
         else:
-            raise RecordError(f"line {k}: {quoted(text)} is not numbers")
+            raise RecordError("not_numbers", text=quoted(text), place=(place("line", n=k),))
     refuse_other_quantity("\n".join(head))
     if not rows:
-        raise RecordError("no numbers in this file")
+        raise RecordError("no_numbers")
     if options.column is not None:
         _refuse_column(head, len(rows[-1]), options.column)
     time_step, counted = None, None
@@ -82,13 +82,12 @@ def read(lines: list[str], options: Options) -> Parsed:
             time_step = first[1]
             rows, places = rows[1:], places[1:]
             if len(rows) != counted:
-                raise RecordError(f"{len(rows)} samples, but the header declares {counted}")
+                raise RecordError("count_differs", n=len(rows), declared=counted)
     width = len(rows[0])
-    for row, place in zip(rows, places, strict=True):
+    for row, line in zip(rows, places, strict=True):
         if len(row) != width:
             raise RecordError(
-                f"line {place}: {len(row)} columns, {width} above it; text lines on top can be "
-                "passed over with skip_lines"
+                "columns_differ", n=len(row), above=width, place=(place("line", n=line),)
             )
     table = np.array(rows)
     comment_step = _TIME_STEP.search("\n".join(head))
@@ -98,9 +97,7 @@ def read(lines: list[str], options: Options) -> Parsed:
     values, from_time = _columns(table, places, options)
     stated = from_time if time_step is None else time_step
     if from_time is not None and abs(from_time - stated) > 1e-3 * stated:
-        raise RecordError(
-            f"the header states a time step of {stated:g} s, the time column {from_time:g} s"
-        )
+        raise RecordError("two_time_steps", stated=stated, column_step=from_time)
     return Parsed(
         values,
         stated,
@@ -122,26 +119,18 @@ def _columns(table, places, options: Options):
     """The acceleration column and the time step of the time column, if there is one."""
     if table.shape[1] == 1:
         if options.column not in (None, 1):
-            raise RecordError(f"column {options.column} asked for, but there is one column")
+            raise RecordError("one_column", given=options.column)
         values = table[:, 0]
         steps = np.diff(values)
         if values.size > 3 and steps[0] > 0 and np.allclose(steps, steps[0], rtol=1e-6, atol=0):
-            raise RecordError("this column grows evenly: it is a time column, not an acceleration")
+            raise RecordError("time_as_acceleration")
         if values.size > 20 and values[0] in (values.size - 1, values.size - 2):
-            raise RecordError(
-                f"the first value {values[0]:g} looks like a count of samples: pass over the lines on "
-                "top with skip_lines"
-            )
+            raise RecordError("count_on_top", first=values[0])
         return values, None
     if options.column is not None and not 2 <= options.column <= table.shape[1]:
-        raise RecordError(
-            f"column = {options.column} is not accepted: 2 to {table.shape[1]} (column 1 is time)"
-        )
+        raise RecordError("column_out_of_range", given=options.column, most=table.shape[1])
     if table.shape[1] > 2 and options.column is None:
-        raise RecordError(
-            f"{table.shape[1]} columns: say which holds the acceleration with column = 2 to "
-            f"{table.shape[1]} (column 1 is time); values wrapped over a line must stand one a line"
-        )
+        raise RecordError("which_column", n=table.shape[1], most=table.shape[1])
     step = _even_step(table[:, 0], places, options.time_step)
     return table[:, (options.column or 2) - 1], step
 
@@ -150,13 +139,10 @@ def _even_step(times, places, given: float | None) -> float:
     """Time step of a time column [s]: the shortest number that reproduces every printed time within
     its rounding, or the given one if it does. Raises RecordError naming the first line that fails."""
     if times.size < 3:
-        raise RecordError(f"{times.size} samples are too few for a record: at least 10")
+        raise RecordError("too_few_samples", n=times.size)
     steps = np.diff(times)
     if (steps <= 0.0).all() or not np.median(steps) > 0.0:
-        raise RecordError(
-            "column 1 does not grow: it is no time column; one column is read with time_step_s, and a "
-            "decimal comma needs ; or a tab between columns"
-        )
+        raise RecordError("no_time_column")
     mean = float((times[-1] - times[0]) / (times.size - 1))
     decimals = next(
         (d for d in range(1, 12) if np.allclose(times, times.round(d), rtol=0, atol=1e-13)), 12
@@ -179,6 +165,9 @@ def _even_step(times, places, given: float | None) -> float:
     elif gap:
         k = int(np.argmax(broken))
     raise RecordError(
-        f"line {places[k + 1]}: the time goes from {times[k]:g} to {times[k + 1]:g} s, "
-        f"elsewhere by {usual:g} s: times must be sorted and even, without gaps"
+        "uneven_times",
+        start=times[k],
+        end=times[k + 1],
+        usual=usual,
+        place=(place("line", n=places[k + 1]),),
     )

@@ -1,0 +1,42 @@
+"""The wording of every text a person reads, by group and code: (English, Italian)."""
+
+from core.text.errors import ACCEPTED, PLACES
+from core.text.errors import SENTENCES as ERRORS
+from core.text.method import METHOD_BODIES, METHOD_LABELS
+from core.text.notices import SENTENCES as NOTICES
+from core.text.report import REPORT
+from core.text.terminal import TERMINAL
+from core.text.verdicts import ADDED, METHOD_WORDS, MISSING_WORDS, REASONS
+from core.text.verdicts import SENTENCES as VERDICTS
+from core.text.window import WINDOW
+from core.text.words import ASSUMPTIONS, WORDS
+
+
+def _started(words: tuple[str, str]) -> tuple[str, ...]:
+    return tuple(text[0].upper() + text[1:] for text in words)
+
+
+def _by_english(texts: dict[str, str]) -> dict[str, tuple[str, str]]:
+    """Texts whose code is their English wording."""
+    return {english: (english, italian) for english, italian in texts.items()}
+
+
+CATALOGUE: dict[str, dict[str, tuple[str, ...]]] = {
+    "error": ERRORS,
+    "place": PLACES,
+    "accepted": ACCEPTED,
+    "notice": NOTICES,
+    "word": WORDS,
+    "assumption": ASSUMPTIONS,
+    "verdict": VERDICTS,
+    "added": ADDED,
+    "reason": REASONS,
+    "missing": MISSING_WORDS,
+    "method": METHOD_WORDS,
+    "started_method": {code: _started(words) for code, words in METHOD_WORDS.items()},
+    "method_label": METHOD_LABELS,
+    "method_body": METHOD_BODIES,
+    "report": _by_english(REPORT),
+    "window": _by_english(WINDOW),
+    "terminal": _by_english(TERMINAL),
+}

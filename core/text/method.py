@@ -1,0 +1,107 @@
+"""The paragraphs of the Method sheet: label and body of each."""
+
+METHOD_LABELS = {
+    "motion": ("Equation of motion", "Equazione del moto"),
+    "equations": ("Equations used", "Equazioni usate"),
+    "misprints": ("Misprints of the paper handled", "Refusi dell'articolo trattati"),
+    "q": ("q and its search", "q e la sua ricerca"),
+    "set": ("Set of records, sign", "Insieme dei record, segno"),
+    "outcomes": ("Words of an outcome", "Parole degli esiti"),
+    "range": ("Range of Eq. 15 and 16", "Campo delle Eq. 15 e 16"),
+    "circolare": ("Checks of the Circolare 7/2019", "Verifiche della Circolare 7/2019"),
+    "left_out": ("What is left out", "Che cosa è escluso"),
+}
+"""Code -> (English, Italian), in the order of the sheet."""
+
+METHOD_BODIES = {
+    "motion": (
+        "Rigid block on a rigid base, Eq. 1 in the form phi'' = -p^2 [moment law - beta cos(alpha - phi)], "
+        "seen from the pivot; ground acceleration linear between samples; start at rest; g = 9.80665 m/s2. "
+        "Uplift, impact and the kinks of a trilinear law are located inside the sample. After the record the "
+        "outcome is decided by energy.",
+        "Blocco rigido su base rigida, Eq. 1 nella forma phi'' = -p^2 [legge del momento - beta cos(alpha - "
+        "phi)], vista dalla cerniera; accelerazione del suolo lineare fra i campioni; partenza da fermo; g = "
+        "9.80665 m/s2. Sollevamento, urto e spigoli della legge trilineare sono localizzati nel passo. Dopo "
+        "il record l'esito è deciso dall'energia.",
+    ),
+    "equations": (
+        "Eq. 2 a_RM = g tan(alpha); Eq. 3-7 velocity ratio of an impact; Eq. 8 overturning velocity; Fig. 3 "
+        "trilinear law; Eq. 9 a_RM >= S a_g / q; Eq. 10 q = C PGA / a_RM; Eq. 11 Housner intensity; Eq. 12 "
+        "q_eff = q g / (a_g S); Eq. 13 q_eff = C1 SI^C2; Eq. 15, 16.",
+        "Eq. 2 a_RM = g tan(alpha); Eq. 3-7 rapporto di velocità all'urto; Eq. 8 velocità di ribaltamento; "
+        "Fig. 3 legge trilineare; Eq. 9 a_RM >= S a_g / q; Eq. 10 q = C PGA / a_RM; Eq. 11 intensità di "
+        "Housner; Eq. 12 q_eff = q g / (a_g S); Eq. 13 q_eff = C1 SI^C2; Eq. 15, 16.",
+    ),
+    "misprints": (
+        "Eq. 1 is printed for positive rotations only. Eq. 6: the bracket in cos is negative for slender "
+        "walls, which is the reversal itself; its modulus is used. Eq. 8 lacks a square root. Eq. 15 and 16 "
+        "give q_eff, not q: q = q_eff a_g S / g. r is an energy ratio; here the velocity ratio sqrt(r) is "
+        "shown. Eq. 7 is held at 0 where it turns negative.",
+        "L'Eq. 1 è stampata per sole rotazioni positive. Eq. 6: la parentesi in cos è negativa per pareti "
+        "snelle, ed è l'inversione stessa; se ne usa il modulo. All'Eq. 8 manca una radice. Le Eq. 15 e 16 "
+        "danno q_eff, non q: q = q_eff a_g S / g. r è un rapporto di energie; qui si mostra il rapporto di "
+        "velocità sqrt(r). L'Eq. 7 è limitata a 0.",
+    ),
+    "q": (
+        "Collapse is not monotone in the multiplier: a wall can survive a stronger scale of the same record. "
+        "q is therefore the first collapse on a geometric grid, bisected, and is given with the grid step. "
+        "q_robust is the smallest grid q whose neighbourhood of +-10 % (default) holds 16 % of collapsing "
+        "points: it hardly depends on the step, and can lie above or below q.",
+        "Il collasso non è monotono nel moltiplicatore: una parete può sopravvivere a una scala maggiore "
+        "dello stesso record. q è quindi il primo collasso su una griglia geometrica, con bisezione, e si dà "
+        "col passo della griglia. q_robust è il minimo q di griglia il cui intorno di +-10 % (predefinito) "
+        "contiene il 16 % di punti di collasso: dipende poco dal passo e può essere maggiore o minore di q.",
+    ),
+    "set": (
+        "7 or more records with a number: mean; 3 to 6: minimum; fewer: minimum, flagged. A one-sided wall is "
+        "analysed with both signs of each record and the lower governs.",
+        "7 o più record con un valore: media; da 3 a 6: minimo; meno: minimo, segnalato. La parete su un lato "
+        "si analizza con entrambi i segni di ogni record e governa il minore.",
+    ),
+    "outcomes": (
+        "collapse found: q is a number. No collapse found: none up to q_limit, left out of the set and "
+        "counted. Impact limit: more than 10 000 impacts within a sample, outcome unknown, the set is "
+        "incomplete.",
+        "Collasso trovato: q è un numero. Nessun collasso: fino a q_limit, escluso dall'insieme e contato. "
+        "Limite di urti: oltre 10 000 urti in un campione, esito ignoto, insieme incompleto.",
+    ),
+    "range": (
+        "Fitted on rectangular blocks, rigid law, Eq. 4 or Eq. 6, alpha 3.1-11.3 deg, H 3-11 m, PGA "
+        "0.106-0.312 g, no load: outside, a warning. SI and a_g S belong to the same motion.",
+        "Tarate su blocchi rettangolari, legge rigida, Eq. 4 o Eq. 6, alpha 3.1-11.3°, H 3-11 m, PGA "
+        "0.106-0.312 g, senza carico: fuori, un'avvertenza. SI e a_g S sono dello stesso moto.",
+    ),
+    "circolare": (
+        "C8.7.1.2.1.9: time histories of the capacity curve with FC on its strength (p^2 / FC under the "
+        "ground times FC; or FC on the demand), alpha exceeded in none, mean of the largest rotations (7 "
+        "stations or more, else the largest) within 0.40 alpha (SLV), 0.60 (SLC); zeta_E is the lowest "
+        "multiplier of the demand at which half of those within 10 % of it fail this rule. C8.7.1.2.1.8: d = "
+        "0.40 d0 (0.60), T = 1.68 pi sqrt(d/a) (1.56 pi), damping 8 % (10 %), against the largest S_De on "
+        "[T_0, T], T_0 = 0 for restrained walls; not below a_g,SLD. C8.7.1.2.1.5 and .7: a_g,SLD from a0* = "
+        "alpha0 g / (e* FC), e* = 1 for one wall (its weight at its centroid), against a_g S or, free to "
+        "vibrate, S_e(T_0, 5 %); a_g,SLV = q a_g,SLD. The verdict follows the most refined check that could "
+        "be made, in this order. Sentences of the clauses were read in a public transcription of the "
+        "Circolare.",
+        "C8.7.1.2.1.9: storie temporali della curva di capacità con FC sulla resistenza (p^2 / FC sotto il "
+        "moto moltiplicato per FC; oppure FC sulla domanda), alpha mai superato, media delle rotazioni "
+        "massime (da 7 stazioni, altrimenti il massimo) entro 0.40 alpha (SLV), 0.60 (SLC); zeta_E è il "
+        "minimo moltiplicatore della domanda al quale metà di quelli entro il 10 % non soddisfa la regola. "
+        "C8.7.1.2.1.8: d = 0.40 d0 (0.60), T = 1.68 pi sqrt(d/a) (1.56 pi), smorzamento 8 % (10 %), rispetto "
+        "al massimo S_De in [T_0, T], T_0 = 0 per pareti vincolate; non minore di a_g,SLD. C8.7.1.2.1.5 e .7: "
+        "a_g,SLD da a0* = alpha0 g / (e* FC), e* = 1 per una parete (peso nel baricentro), rispetto ad a_g S "
+        "o, se libera di vibrare, S_e(T_0, 5 %); a_g,SLV = q a_g,SLD. L'esito segue la verifica più raffinata "
+        "disponibile, in quest'ordine. I testi dei punti sono stati letti in una trascrizione pubblica della "
+        "Circolare.",
+    ),
+    "left_out": (
+        "Load and thrust of floors and roof, ties, sliding, vertical motion, cracking and crushing of the "
+        "masonry, the amplification of the motion along the height of a building: a wall whose base is above "
+        "the ground is not assessed. Eq. 9 is without FC and e*. The motion amplifies small differences: an "
+        "input known to 1 % does not give a rotation known to 1 %.",
+        "Carichi e spinte di solai e coperture, catene, scorrimento, moto verticale, fessurazione e "
+        "schiacciamento della muratura, amplificazione del moto lungo l'altezza dell'edificio: una parete con "
+        "la base sopra il suolo non è valutata. L'Eq. 9 è senza FC ed e*. Il moto amplifica le piccole "
+        "differenze: un dato noto all'1 % non dà una rotazione nota all'1 %.",
+    ),
+}
+"""Code -> (English, Italian)."""

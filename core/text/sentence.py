@@ -1,0 +1,114 @@
+"""The one mechanism for every text a person reads: a group, a code and values; core.text.catalogue has the wording
+in each language."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from core.text.catalogue import CATALOGUE
+
+LANGUAGES = {"en": "English", "it": "Italiano"}
+
+
+@dataclass(frozen=True)
+class FormNames:
+    """What the forms of the window call the keys of a case.
+
+    captions : key, name or section -> caption; scales : key -> (factor, unit) of a field in another unit than its key
+    """
+
+    captions: dict[str, str] = field(default_factory=dict)
+    scales: dict[str, tuple[float, str]] = field(default_factory=dict)
+
+    def of(self, key: str) -> str:
+        """The caption of a key, else the key."""
+        return self.captions.get(key, key)
+
+
+FILE_NAMES = FormNames()
+"""The words of a case file itself."""
+
+
+class Key(str):
+    """A key, name or section of a case file as a value of a sentence."""
+
+    __slots__ = ()
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """The value of a key as a value of a sentence; in the unit of its field where the window says it."""
+
+    key: str
+    value: float
+
+
+@dataclass(frozen=True)
+class Sentence:
+    """A text as data: group and code of the catalogue, values of its placeholders. In an error a placeholder
+    without a value is a key of the case; section_demand is [demand]."""
+
+    group: str
+    code: str
+    values: tuple[tuple[str, object], ...] = ()
+
+    def text(self, language: str = "en", form: FormNames = FILE_NAMES) -> str:
+        """The words in "en" or "it"; raises KeyError for an unknown code."""
+        template = CATALOGUE[self.group][self.code][language == "it"]
+        return template.format_map(_Values(self.values, language, form, self.group == "error"))
+
+
+class _Values(Mapping):
+    """Values of a template's placeholders, each in words."""
+
+    def __init__(self, values, language: str, form: FormNames, keyed: bool):
+        self.values_of, self.language, self.form, self.keyed = dict(values), language, form, keyed
+
+    def __getitem__(self, name: str):
+        if name in self.values_of:
+            return in_words(self.values_of[name], self.language, self.form)
+        if not self.keyed:
+            raise KeyError(name)
+        if name.startswith("section_"):
+            name = f"[{name.removeprefix('section_').replace('_', '.')}]"
+        return self.form.of(name)
+
+    def __iter__(self):
+        return iter(self.values_of)
+
+    def __len__(self) -> int:
+        return len(self.values_of)
+
+
+def in_words(value, language: str, form: FormNames = FILE_NAMES):
+    """A value of a sentence: what is a sentence, a key, a quantity or several of these in words, else itself."""
+    if isinstance(value, Sentence):
+        return value.text(language, form)
+    if isinstance(value, Key):
+        return form.of(value)
+    if isinstance(value, Quantity):
+        factor, unit = form.scales.get(value.key, (1.0, ""))
+        return f"{value.value * factor:g} {unit}".strip()
+    if isinstance(value, tuple):
+        return ", ".join(str(in_words(part, language, form)) for part in value)
+    return value
+
+
+def sentence(group: str, code: str, /, **values) -> Sentence:
+    """A Sentence of this group and code; raises KeyError for an unknown one."""
+    CATALOGUE[group][code]
+    return Sentence(group, code, tuple(values.items()))
+
+
+def localized(group: str, code: str, language: str, /, **values) -> str:
+    """The words of a group and code in "en" or "it"."""
+    return sentence(group, code, **values).text(language)
+
+
+def notice(code: str, /, **values) -> Sentence:
+    """A warning of a result."""
+    return sentence("notice", code, **values)
+
+
+def word(code: str, language: str) -> str:
+    """A word of a result."""
+    return localized("word", code, language)

@@ -1,0 +1,63 @@
+"""What a terminal shows."""
+
+TERMINAL = {
+    "refused: {error}": "rifiutato: {error}",
+    (
+        "{path}: {format}, {samples} samples every {step:g} s, unit {unit}, PGA {pga:.4f} g, PGV {pgv:.2f} cm/s, "
+        "SI {si:.2f} cm, 5-95 % {duration:.2f} s"
+    ): (
+        "{path}: {format}, {samples} campioni ogni {step:g} s, unità {unit}, PGA {pga:.4f} g, PGV {pgv:.2f} "
+        "cm/s, SI {si:.2f} cm, 5-95 % {duration:.2f} s"
+    ),
+    (
+        "{path}: {format}, {samples} samples every {step:g} s, peak {peak:.5g}; the unit is not stated: give it "
+        "in the case"
+    ): (
+        "{path}: {format}, {samples} campioni ogni {step:g} s, picco {peak:.5g}; l'unità non è indicata: "
+        "darla nel caso"
+    ),
+    "finished runs of an earlier start are in {path}: to go on with them, rename it and add --resume": (
+        "le analisi finite di un avvio precedente sono in {path}: per proseguirle, rinominarlo e aggiungere "
+        "--resume"
+    ),
+    "{n} damaged line(s) of the journal were dropped: these runs are made again": (
+        "{n} righe danneggiate del registro scartate: queste analisi si rifanno"
+    ),
+    "cancelled: finished runs are in {path}; go on with --resume": (
+        "annullato: le analisi finite sono in {path}; proseguire con --resume"
+    ),
+    "no number: {wall}, {record} ({sign}): {status}": "nessun valore: {wall}, {record} ({sign}): {status}",
+    "wall": "parete",
+    "mechanism": "meccanismo",
+    "rule": "regola",
+    "q": "q",
+    "robust": "robusto",
+    "zeta": "zeta",
+    "verdict": "esito",
+    "by": "secondo",
+    "{runs} runs, {analyses} analyses in {seconds:.1f} s": (
+        "{runs} serie, {analyses} analisi in {seconds:.1f} s"
+    ),
+    "{done}/{planned} runs, about {left:.0f} s left": "{done}/{planned} serie, restano circa {left:.0f} s",
+    "runs": "serie",
+    "How strong an earthquake a masonry wall withstands before it overturns.": (
+        "Quanto forte è il terremoto che una parete in muratura sopporta prima di ribaltarsi."
+    ),
+    "case file to open in the window": "caso da aprire nella finestra",
+    "run a case without a window": "calcolare un caso senza finestra",
+    "folder of the results": "cartella dei risultati",
+    "threads (default: all cores)": "thread (predefinito: tutti i processori)",
+    "no progress, no summary": "senza avanzamento né riepilogo",
+    "go on from the journal": "proseguire dal registro",
+    "say what records hold": "dire che cosa contengono gli accelerogrammi",
+    "version and commit": "versione e commit",
+    "{word!r} is not a number of threads from 1 to 1024": "{word!r} non è un numero di thread da 1 a 1024",
+    "--batch and --inspect do not go together": "--batch e --inspect non vanno insieme",
+    "--output, --jobs and --resume go with --batch": "--output, --jobs e --resume vanno con --batch",
+    "error: {error}": "errore: {error}",
+    "stopped": "interrotto",
+    "internal error, nothing was written; please send {path}": (
+        "errore interno, non è stato scritto nulla; inviare {path}"
+    ),
+}
+"""English -> Italian."""

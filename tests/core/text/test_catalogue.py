@@ -1,0 +1,162 @@
+"""Every text a person reads is in the catalogue, once, in both languages, and nowhere else."""
+
+import ast
+import re
+from string import Formatter
+
+import pytest
+
+from core.case.rules import parse_case
+from core.errors import InputError, place, section
+from core.text.catalogue import CATALOGUE
+from core.text.sentence import FormNames, Key, Quantity, localized, sentence
+from tests.conftest import ROOT
+
+SOURCES = [
+    path for top in ("core", "app") for path in sorted((ROOT / top).rglob("*.py"))
+    if path.parent.name != "text"
+]  # fmt: skip
+
+SPOKEN = {
+    "tr": "window", "terminal": "terminal", "_tell": "terminal", "say": "report", "notice": "notice",
+    "_reason": "reason",
+}  # fmt: skip
+"""Functions that take a code of a group."""
+
+WORDS = re.compile(r"[A-Za-z]{2,} [a-z]{2,} [a-z]{2,}")
+"""Three words in a row: a sentence of English or Italian, whatever else a literal holds."""
+
+OF_NO_SENTENCE = {
+    "app/forms/impact_form.py": "formulas with their source",
+    "core/case/wall_table.py": "heads of columns, in both languages",
+    "core/ground/artificial.py": "the first line of a bundled motion",
+    "core/study/assessment.py": "the first line of a bundled motion",
+    "core/wall/restitution.py": "sources of the models",
+}
+"""Files with literals of three words that nobody reads, and what they are."""
+
+
+def calls(tree):
+    """(name of the function, call) of every call."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call):
+            name = getattr(node.func, "id", getattr(node.func, "attr", ""))
+            yield name, node
+
+
+def docstrings(tree):
+    """Expressions that are no value of anything: docstrings, and those below a constant."""
+    return {
+        id(node.value) for node in ast.walk(tree)
+        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+    }  # fmt: skip
+
+
+def placeholders(text):
+    return {name for _, name, _, _ in Formatter().parse(text) if name is not None}
+
+
+@pytest.mark.parametrize("group", CATALOGUE)
+def test_that_both_languages_name_the_same_values(group):
+    for code, (english, italian) in CATALOGUE[group].items():
+        assert (english and italian) or code == "nothing", (group, code)
+        assert placeholders(english) == placeholders(italian), (group, code)
+
+
+def test_that_a_sentence_in_italian_is_not_the_english_one():
+    for group, texts in CATALOGUE.items():
+        for code, (english, italian) in texts.items():
+            if WORDS.search(english):
+                assert english != italian, (group, code)
+
+
+def test_that_every_code_that_is_used_exists_and_every_error_is_used():
+    used = set()
+    for path in SOURCES:
+        for name, call in calls(ast.parse(path.read_text())):
+            first = call.args[0] if call.args else None
+            if name in ("InputError", "RecordError", "OutputError") and isinstance(
+                first, ast.Constant
+            ):
+                assert first.value in CATALOGUE["error"], (path.name, first.value)
+                used.add(first.value)
+            elif (
+                name in SPOKEN and isinstance(first, ast.Constant) and isinstance(first.value, str)
+            ):
+                assert first.value in CATALOGUE[SPOKEN[name]], (path.name, first.value)
+            elif name in ("sentence", "localized") and all(
+                isinstance(a, ast.Constant) for a in call.args[:2]
+            ):
+                group, code = (a.value for a in call.args[:2])
+                assert code in CATALOGUE[group], (path.name, code)
+    chosen = {"no_unit", "no_time_step_s", "code_needs", "code_does_not_take", "not_accepted"}
+    assert set(CATALOGUE["error"]) - used <= chosen
+
+
+def test_that_no_sentence_stands_outside_the_catalogue():
+    found = []
+    for path in SOURCES:
+        name = path.relative_to(ROOT).as_posix()
+        tree = ast.parse(path.read_text())
+        known = docstrings(tree)
+        for function, call in calls(tree):
+            if function in (*SPOKEN, "sheet"):
+                known |= {id(node) for a in call.args for node in ast.walk(a)}
+        for node in ast.walk(tree):
+            text = node.value if isinstance(node, ast.Constant) else None
+            if isinstance(text, str) and id(node) not in known and WORDS.search(text):
+                found.append((name, text[:60]))
+    assert [(name, text) for name, text in found if name not in OF_NO_SENTENCE] == []
+    assert {name for name, _ in found} == set(OF_NO_SENTENCE)
+
+
+def test_that_an_error_is_data_with_a_sentence_in_each_language():
+    wall = {"name": "none", "height_m": 70, "thickness_m": 0.3, "mechanism": "two_sided"}
+    with pytest.raises(InputError) as caught:
+        parse_case({"wall": [wall]})
+    error = caught.value
+    assert (error.code, error.key, error.wall) == ("not_accepted", "height_m", "none")
+    assert str(error) == 'wall "none": height_m = 70 is not accepted: from 0.1 to 60 m'
+    assert error.text("it") == 'parete "none": height_m = 70 non è ammesso: da 0.1 a 60 m'
+
+
+def test_that_the_window_says_its_own_names_and_units():
+    form = FormNames(
+        {"thickness_m": "Thickness t", "[demand]": "Demand", "q_step": "Step"},
+        {"thickness_m": (100.0, "cm")},
+    )
+    accepted = sentence("accepted", "from", low=0.005, high=20.0, unit=" m")
+    error = InputError(
+        "not_accepted", place=(place("wall", name="thickness_m"),), key="thickness_m", value="83.0", found=83.0,
+        accepted=accepted,
+    )  # fmt: skip
+    assert error.text("en", form) == (
+        'wall "thickness_m": Thickness t = 8300 cm is not accepted: from 0.5 to 2000 cm'
+    )
+    assert error.accepted_text("it", form) == "da 0.5 a 2000 cm"
+    assert (
+        InputError("two_spectra", place=(section("[demand]"),))
+        .text("en", form)
+        .startswith("Demand: ")
+    )
+    quantity = Quantity("thickness_m", 0.3)
+    assert sentence("place", "row", n=quantity).text("en", form) == "row 30 cm"
+    assert sentence("place", "row", n=(Key("q_step"), Key("b"))).text("en", form) == "row Step, b"
+
+
+def test_that_a_place_is_said_once_from_the_outside_in():
+    error = InputError("no_wall").at(place("row", n=3)).at("a.toml").at("a.toml")
+    assert str(error) == "a.toml: row 3: no [[wall]]: a case needs at least one wall"
+
+
+def test_that_a_value_nobody_gave_is_an_error_of_the_program():
+    with pytest.raises(KeyError):
+        localized("window", "{path} is there already. Overwrite it?", "it")
+    with pytest.raises(KeyError):
+        sentence("window", "no such words")
+
+
+def test_that_no_text_says_safe():
+    for code in ("verdict", "reason", "added"):
+        for english, italian in CATALOGUE[code].values():
+            assert "safe" not in english.lower() and "sicura" not in italian.lower()
