@@ -72,6 +72,8 @@ class InputError(ValueError):
     @property
     def wall(self) -> str | None:
         """Name of the wall it is about."""
+        if "wall" in self.values:
+            return str(self.values["wall"])
         walls = (
             dict(p.values)["name"]
             for p in self.place

@@ -134,7 +134,7 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
     names = {}
     for wall in walls:
         if names.setdefault(wall.name, wall) is not wall:
-            raise InputError("same_name", name=wall.name)
+            raise InputError("same_name", key="name", wall=wall.name)
         try:
             wall.block()
             for mechanism in wall.mechanisms():
@@ -144,7 +144,7 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
             raise error.at(place("wall", name=wall.name)) from None
         if case.analysis.method == "linearised" and not wall.moment_law().is_rigid:
             raise InputError(
-                "linearised_is_rigid", place=(section("[analysis]"),), key="method", name=wall.name
+                "linearised_is_rigid", place=(section("[analysis]"),), key="method", wall=wall.name
             )
         if case.demand and wall.base_z_m is None:
             raise InputError("base_missing", place=(place("wall", name=wall.name),), key="base_z_m")
@@ -153,7 +153,7 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
                 "low_confidence_factor",
                 place=(section("[demand]"),),
                 stated=case.demand.confidence_factor,
-                name=wall.name,
+                wall=wall.name,
             )
     case = replace(case, wall=tuple(walls), walls=None)
     digest = hashlib.sha256(json.dumps(case.as_dict(), sort_keys=True).encode()).hexdigest()

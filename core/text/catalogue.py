@@ -1,7 +1,8 @@
 """The wording of every text a person reads, by group and code: (English, Italian)."""
 
-from core.text.errors import ACCEPTED, PLACES
-from core.text.errors import SENTENCES as ERRORS
+from core.text.error_parts import ACCEPTED, PLACES
+from core.text.errors import CASE_ERRORS
+from core.text.file_errors import FILE_ERRORS
 from core.text.method import METHOD_BODIES, METHOD_LABELS
 from core.text.notices import SENTENCES as NOTICES
 from core.text.report import REPORT
@@ -22,7 +23,7 @@ def _by_english(texts: dict[str, str]) -> dict[str, tuple[str, str]]:
 
 
 CATALOGUE: dict[str, dict[str, tuple[str, ...]]] = {
-    "error": ERRORS,
+    "error": {**CASE_ERRORS, **FILE_ERRORS},
     "place": PLACES,
     "accepted": ACCEPTED,
     "notice": NOTICES,

@@ -1,6 +1,6 @@
 """Sentences of errors the user can mend: place, what was found, what is accepted, what to do."""
 
-SENTENCES = {
+CASE_ERRORS = {
     "no_case_file": ("there is no such case file", "questo file di caso non esiste"),
     "would_overwrite": (
         "the results would overwrite {path}: rename it or give --output",
@@ -41,7 +41,6 @@ SENTENCES = {
         "{mb:.0f} MB is no case file (up to 2 MB)",
         "{mb:.0f} MB non sono un file di caso (fino a 2 MB)",
     ),
-    "unreadable": ("cannot be read: {reason}", "non si può leggere: {reason}"),
     "toml_dotted": (
         "not TOML: a key of more than {parts} parts",
         "non è TOML: una chiave di oltre {parts} parti",
@@ -91,79 +90,6 @@ SENTENCES = {
     "general_needs": (
         "a general block needs {radius_m} and {inertia_over_mass_m2}",
         "un blocco qualsiasi vuole {radius_m} e {inertia_over_mass_m2}",
-    ),
-    "table_rows": (
-        "a table of walls has a row of heads (Parete; H; t; Meccanismo), a row of units (; m; cm;) and a row "
-        "for each wall",
-        "una tabella di pareti ha una riga di intestazioni (Parete; H; t; Meccanismo), una di unità (; m; "
-        "cm;) e una per parete",
-    ),
-    "table_too_large": (
-        "more than {rows} rows or {columns} columns",
-        "più di {rows} righe o {columns} colonne",
-    ),
-    "table_not_a_file": (
-        "this is not a file: name a table of walls",
-        "questo non è un file: nominare una tabella di pareti",
-    ),
-    "table_too_many_mb": (
-        "{mb:.0f} MB is no table of walls (up to 20 MB)",
-        "{mb:.0f} MB non è una tabella di pareti (fino a 20 MB)",
-    ),
-    "no_table": ("there is no such table of walls", "questa tabella di pareti non esiste"),
-    "table_no_text": (
-        "this is no text: save the table as .xlsx or as CSV UTF-8",
-        "questo non è testo: salvare la tabella come .xlsx o CSV UTF-8",
-    ),
-    "not_a_table": ("not a table: {reason}", "non è una tabella: {reason}"),
-    "sheets_hidden": (
-        "every sheet is hidden: show the one with the walls",
-        "tutti i fogli sono nascosti: mostrare quello con le pareti",
-    ),
-    "not_a_workbook": (
-        "not a workbook Excel could have saved ({reason})",
-        "non è una cartella che Excel avrebbe salvato ({reason})",
-    ),
-    "value_beyond_columns": (
-        "there is a value beyond the last column",
-        "c'è un valore oltre l'ultima colonna",
-    ),
-    "unknown_column": (
-        "the column {column!r} is not known: Parete, Piano, z, H, t, L, peso specifico, u, meccanismo, "
-        "vincolo, note, or a key of [[wall]] ({known})",
-        "la colonna {column!r} non è nota: Parete, Piano, z, H, t, L, peso specifico, u, meccanismo, vincolo, "
-        "note, o una chiave di [[wall]] ({known})",
-    ),
-    "column_twice": (
-        "the column {column!r} stands there twice",
-        "la colonna {column!r} c'è due volte",
-    ),
-    "unknown_unit": (
-        "the unit {unit!r} of the column {column} is not accepted: one of {known} in the row below the heads",
-        "l'unità {unit!r} della colonna {column} non è ammessa: una fra {known} nella riga sotto le "
-        "intestazioni",
-    ),
-    "not_yes_or_no": (
-        "{text!r} is not accepted: sì, yes, x or no",
-        "{text!r} non è ammesso: sì, yes, x oppure no",
-    ),
-    "table_kind": ("a table of walls is .xlsx or .csv", "una tabella di pareti è .xlsx o .csv"),
-    "table_unpacked": (
-        "unpacked it is larger than 20 MB: no table of walls",
-        "decompressa supera 20 MB: non è una tabella di pareti",
-    ),
-    "merged_cells": (
-        "cells are merged: a table of walls has one cell for each value",
-        "ci sono celle unite: una tabella di pareti ha una cella per ogni valore",
-    ),
-    "too_many_rows": ("more than {rows} rows", "più di {rows} righe"),
-    "two_units_of_column": (
-        "the column {column!r} names {named}, the row of units below it {unit}: correct one of them",
-        "la colonna {column!r} indica {named}, la riga delle unità sotto {unit}: correggere uno dei due",
-    ),
-    "formula_cell": (
-        "{cell} is a formula: paste it as a value",
-        "{cell} è una formula: incollarla come valore",
     ),
     "spectrum_ends": (
         "{name} ends at {end:.2f} s, before {period_name} = {period:.2f} s (C8.7.1.2.1.8): give the spectrum "
@@ -234,187 +160,6 @@ SENTENCES = {
         "the periods must rise, found {period:g} s",
         "i periodi devono crescere, trovato {period:g} s",
     ),
-    "time_step": (
-        "time step {step:g} s is not accepted: {low:g} to {high:g} s",
-        "passo di {step:g} s non ammesso: da {low:g} a {high:g} s",
-    ),
-    "too_few_samples": (
-        "{n} samples are too few for a record: at least 10",
-        "{n} campioni sono pochi per un accelerogramma: almeno 10",
-    ),
-    "sample_not_a_number": ("sample {n} is not a number", "il campione {n} non è un numero"),
-    "all_zero": (
-        "all samples are zero: this record moves nothing",
-        "tutti i campioni sono zero: questo accelerogramma non muove nulla",
-    ),
-    "empty_file": ("the file is empty", "il file è vuoto"),
-    "too_many_numbers": (
-        "more than {n} numbers are no accelerogram",
-        "più di {n} numeri non sono un accelerogramma",
-    ),
-    "last_line_cut": (
-        "samples of the last line are missing and it has no line end: the file is cut",
-        "mancano campioni nell'ultima riga, che non ha fine riga: il file è troncato",
-    ),
-    "unit_not_accepted": (
-        "unit = {given!r} is not accepted: {known}",
-        "unità = {given!r} non ammessa: {known}",
-    ),
-    "peak_too_large": (
-        "the peak would be {pga:.3g} g, beyond any earthquake (20 g): velocity, a count of samples on top, or "
-        "another unit?",
-        "il picco sarebbe {pga:.3g} g, oltre ogni terremoto (20 g): velocità, un conto di campioni in testa, "
-        "o un'altra unità?",
-    ),
-    "skip_lines_of_plain_text": (
-        "{skip_lines} is for plain text; this file is {format}: leave it out",
-        "{skip_lines} è per testo semplice; questo file è {format}: toglierlo",
-    ),
-    "column_of_plain_text": (
-        "column is for plain text; this file is {format}: leave it out",
-        "column è per testo semplice; questo file è {format}: toglierlo",
-    ),
-    "contradicts_file": (
-        "the file states {named} {stated}, the case gives {given}: remove {named}",
-        "il file dice {named} {stated}, il caso {given}: togliere {named}",
-    ),
-    "record_not_a_file": (
-        "this is not a file: name an accelerogram",
-        "questo non è un file: nominare un accelerogramma",
-    ),
-    "record_too_large": (
-        "{mb:.0f} MB is no accelerogram (up to {most} MB)",
-        "{mb:.0f} MB non sono un accelerogramma (fino a {most} MB)",
-    ),
-    "no_record": ("there is no such file", "questo file non esiste"),
-    "format_not_read": (
-        "{format} files are not read yet: convert to two columns, time and acceleration",
-        "i file {format} non si leggono ancora: convertire in due colonne, tempo e accelerazione",
-    ),
-    "bad_pattern": (
-        "file = {pattern!r} is not accepted as a pattern: {reason}",
-        "file = {pattern!r} non è ammesso come modello: {reason}",
-    ),
-    "unit_g_tenth": (
-        "the unit is g/10: convert the file to g",
-        "l'unità è g/10: convertire il file in g",
-    ),
-    "two_units": (
-        "the header speaks of two units, {one} in {first} and {other} in {second}: leave the one of the "
-        "samples",
-        "l'intestazione parla di due unità, {one} in {first} e {other} in {second}: lasciare quella dei "
-        "campioni",
-    ),
-    "token_too_large": ("{text} is too large for a number", "{text} è troppo grande per un numero"),
-    "sample_nan": (
-        "sample {n} is NaN: a gap in the record",
-        "il campione {n} è NaN: un buco nell'accelerogramma",
-    ),
-    "count_differs": (
-        "{n} samples, but the header declares {declared}",
-        "{n} campioni, ma l'intestazione ne dichiara {declared}",
-    ),
-    "other_quantity": (
-        "the header speaks of {quantity}: this is not an accelerogram; take the acceleration file",
-        "l'intestazione parla di {quantity}: non è un accelerogramma; prendere il file di accelerazione",
-    ),
-    "binary_file": (
-        "this is a binary file; SAC and miniSEED need instrument metadata: convert it to text with ObsPy "
-        "(stream.write) or download the processed ASCII file",
-        "è un file binario; SAC e miniSEED vogliono i dati dello strumento: convertirlo in testo con ObsPy "
-        "(stream.write) o scaricare il file ASCII elaborato",
-    ),
-    "fewer_than_declared": (
-        "{n} samples, but the header declares {declared}: the file is cut",
-        "{n} campioni, ma l'intestazione ne dichiara {declared}: il file è troncato",
-    ),
-    "not_numbers": ("{text} is not numbers", "{text} non sono numeri"),
-    "esm_data_type": (
-        "DATA_TYPE is {kind}: take the ACCELERATION file (.ACC.ASC)",
-        "DATA_TYPE è {kind}: prendere il file ACCELERATION (.ACC.ASC)",
-    ),
-    "esm_peak": (
-        "UNITS {unit} gives a peak of {read:.4g} cm/s2, PGA_CM/S^2 states {stated:.4g}: one of them is wrong",
-        "UNITS {unit} dà un picco di {read:.4g} cm/s2, PGA_CM/S^2 dichiara {stated:.4g}: uno dei due è "
-        "sbagliato",
-    ),
-    "esm_duration": (
-        "DURATION_S is {duration:g} s, but {n} samples of SAMPLING_INTERVAL_S = {step:g} s are {covered:g} s: "
-        "one of them is wrong",
-        "DURATION_S è {duration:g} s, ma {n} campioni con SAMPLING_INTERVAL_S = {step:g} s sono {covered:g} "
-        "s: uno dei due è sbagliato",
-    ),
-    "sigma_no_acceleration": (
-        "no line `Acceleration time series`: velocity, displacement or a spectrum?",
-        "nessuna riga `Acceleration time series`: velocità, spostamento o uno spettro?",
-    ),
-    "unit_not_acceleration": (
-        "unit {unit} is not an acceleration: g, m/s2, cm/s2 or mm/s2",
-        "l'unità {unit} non è un'accelerazione: g, m/s2, cm/s2 o mm/s2",
-    ),
-    "not_a_count": (
-        "{label} is {text}, not a count of samples",
-        "{label} è {text}, non un numero di campioni",
-    ),
-    "not_a_time_step": (
-        "{label} is {text}, not a time step in seconds",
-        "{label} è {text}, non un passo in secondi",
-    ),
-    "peer_quantity": (
-        "this file holds {quantity}: take the acceleration file (.AT2)",
-        "questo file contiene {quantity}: prendere il file di accelerazione (.AT2)",
-    ),
-    "second_header": (
-        "a second header stands among the samples: two records in one file",
-        "fra i campioni c'è una seconda intestazione: due accelerogrammi in un file",
-    ),
-    "uneven_times": (
-        "the time goes from {start:g} to {end:g} s, elsewhere by {usual:g} s: times must be sorted and even, "
-        "without gaps",
-        "il tempo va da {start:g} a {end:g} s, altrove di {usual:g} s: i tempi devono essere ordinati e "
-        "uniformi, senza buchi",
-    ),
-    "no_numbers": ("no numbers in this file", "nessun numero in questo file"),
-    "two_time_steps": (
-        "the header states a time step of {stated:g} s, the time column {column_step:g} s",
-        "l'intestazione dà un passo di {stated:g} s, la colonna dei tempi {column_step:g} s",
-    ),
-    "column_out_of_range": (
-        "column = {given} is not accepted: 2 to {most} (column 1 is time)",
-        "colonna = {given} non ammessa: da 2 a {most} (la colonna 1 è il tempo)",
-    ),
-    "which_column": (
-        "{n} columns: say which holds the acceleration with column = 2 to {most} (column 1 is time); values "
-        "wrapped over a line must stand one a line",
-        "{n} colonne: dire quale è l'accelerazione con column = da 2 a {most} (la colonna 1 è il tempo); "
-        "valori su più colonne vanno messi uno per riga",
-    ),
-    "no_time_column": (
-        "column 1 does not grow: it is no time column; one column is read with {time_step_s}, and a decimal "
-        "comma needs ; or a tab between columns",
-        "la colonna 1 non cresce: non è il tempo; una colonna sola si legge con {time_step_s}, e la virgola "
-        "decimale vuole ; o tabulazione fra le colonne",
-    ),
-    "gap": (
-        "{text} is not numbers: a gap in the record?",
-        "{text} non sono numeri: un buco nell'accelerogramma?",
-    ),
-    "columns_differ": (
-        "{n} columns, {above} above it; text lines on top can be passed over with {skip_lines}",
-        "{n} colonne, {above} in quella sopra; le righe di testo in testa si saltano con {skip_lines}",
-    ),
-    "one_column": (
-        "column {given} asked for, but there is one column",
-        "chiesta la colonna {given}, ma ce n'è una sola",
-    ),
-    "time_as_acceleration": (
-        "this column grows evenly: it is a time column, not an acceleration",
-        "questa colonna cresce uniformemente: è il tempo, non un'accelerazione",
-    ),
-    "count_on_top": (
-        "the first value {first:g} looks like a count of samples: pass over the lines on top with {skip_lines}",
-        "il primo valore {first:g} sembra un conto di campioni: saltare le righe in testa con {skip_lines}",
-    ),
     "no_spectrum_file": ("there is no such spectrum file", "questo file di spettro non esiste"),
     "spectrum_too_large": (
         "larger than 1 MB: no spectrum of two columns",
@@ -470,12 +215,6 @@ SENTENCES = {
         "{key} is missing: it is required ({accepted})",
         "manca {key}: è richiesto ({accepted})",
     ),
-    "base_missing": (
-        "{key} is missing: with a demand the height of the hinge above the ground is required, 0 m for a wall "
-        "on the ground",
-        "manca {key}: con una domanda è richiesta la quota della cerniera dal suolo, 0 m per una parete al "
-        "suolo",
-    ),
     "ends_not_accepted": (
         "{elastic_limit} = {first}, {plateau_end} = {last} are not accepted: {least:g} <= elastic_limit <= "
         "plateau_end < 1",
@@ -521,18 +260,18 @@ SENTENCES = {
         "{name} deve essere una tabella di chiavi, non {value}",
     ),
     "same_name": (
-        'two walls have the same name "{name}": names must differ',
-        'due pareti hanno lo stesso nome "{name}": i nomi devono essere diversi',
+        'two walls have the same name "{wall}": names must differ',
+        'due pareti hanno lo stesso nome "{wall}": i nomi devono essere diversi',
     ),
     "linearised_is_rigid": (
-        'method linearised is for the rigid law; wall "{name}" is trilinear: take method auto',
-        'il metodo linearised è per la legge rigida; la parete "{name}" è trilineare: prendere il metodo auto',
+        'method linearised is for the rigid law; wall "{wall}" is trilinear: take method auto',
+        'il metodo linearised è per la legge rigida; la parete "{wall}" è trilineare: prendere il metodo auto',
     ),
     "low_confidence_factor": (
         "{confidence_factor} = {stated:g} is for walls whose compressive strength is in alpha (Circolare "
-        'C8.7.1.2.1): give {hinge_setback_m} above 0 for wall "{name}", or 1.35',
+        'C8.7.1.2.1): give {hinge_setback_m} above 0 for wall "{wall}", or 1.35',
         "{confidence_factor} = {stated:g} è per pareti con la resistenza a compressione in alpha (Circolare "
-        'C8.7.1.2.1): dare {hinge_setback_m} maggiore di 0 per la parete "{name}", oppure 1.35',
+        'C8.7.1.2.1): dare {hinge_setback_m} maggiore di 0 per la parete "{wall}", oppure 1.35',
     ),
     "not_built": (
         "{key} is not built yet in this version: leave it out",
@@ -550,31 +289,6 @@ SENTENCES = {
         "give {height_m} and exactly one of {shapes} (found: {height_m} {height}; {found})",
         "dare {height_m} e uno solo fra {shapes} (trovati: {height_m} {height}; {found})",
     ),
-    "no_unit": (
-        "the file does not state its unit of acceleration: give {key} (g, m/s2, cm/s2 or mm/s2)",
-        "il file non dice l'unità dell'accelerazione: dare {key} (g, m/s2, cm/s2 o mm/s2)",
-    ),
-    "no_time_step_s": (
-        "the file does not state its time step: give {key} (in seconds)",
-        "il file non dice il passo temporale: dare {key} (in secondi)",
-    ),
-    "no_match": (
-        "file = {pattern!r}: no file matches",
-        "file = {pattern!r}: nessun file corrisponde",
-    ),
-    "no_match_in": (
-        "file = {pattern!r}: no file matches in {folder}",
-        "file = {pattern!r}: nessun file corrisponde in {folder}",
-    ),
-    "last_number_cut": (
-        "the last number, {last}, is {why}: the file looks cut there; copy it anew, or {mend} if it is whole",
-        "l'ultimo numero, {last}, è {why}: il file sembra troncato in quel punto; copiarlo di nuovo, o {mend} "
-        "se è intero",
-    ),
-    "record_twice": (
-        "{file} is in the case twice (the same samples as {twin}): leave one out",
-        "{file} è due volte nel caso (gli stessi campioni di {twin}): toglierne uno",
-    ),
     "window_needs_qt": (
         "the window needs PySide6 and pyqtgraph, and on Linux libgl1, libegl1 and libxkbcommon0 ({reason}); "
         "start it with python3 run.py, or run a case with --batch",
@@ -583,56 +297,5 @@ SENTENCES = {
     ),
     "picture_not_made": ("The picture cannot be made.", "Non è possibile creare l'immagine."),
 }
-"""Code -> (English, Italian). A placeholder without a value is a key of the case."""
-
-PLACES = {
-    "wall": ('wall "{name}"', 'parete "{name}"'),
-    "record": ("record {n}", "accelerogramma {n}"),
-    "row": ("row {n}", "riga {n}"),
-    "cell": ("row {n}, {key}", "riga {n}, {key}"),
-    "line": ("line {n}", "riga {n}"),
-    "section": ("{name}", "{name}"),
-}
-"""Where an error is."""
-
-ACCEPTED = {
-    "from": ("from {low:g} to {high:g}{unit}", "da {low:g} a {high:g}{unit}"),
-    "above": ("above {low:g} to {high:g}{unit}", "sopra {low:g} fino a {high:g}{unit}"),
-    "whole": (
-        "a whole number from {low:g} to {high:g}{unit}",
-        "un numero intero da {low:g} a {high:g}{unit}",
-    ),
-    "one_of": ("one of {names}", "uno fra {names}"),
-    "law": (
-        "one of {names}, or {{ elastic_limit = ..., plateau_end = ... }}",
-        "uno fra {names}, oppure {{ elastic_limit = ..., plateau_end = ... }}",
-    ),
-    "flag": ("true or false", "true o false"),
-    "table": ("a table [demand.spectrum]", "una tabella [demand.spectrum]"),
-    "periods": (
-        "two periods [low, high] in s, rising, from {low:g} to {high:g}",
-        "due periodi [minimo, massimo] in s, crescenti, da {low:g} a {high:g}",
-    ),
-    "path": ("the name of a file in quotes", "il nome di un file fra virgolette"),
-    "text": (
-        "text in quotes, up to {most} characters, without control characters",
-        "testo fra virgolette, fino a {most} caratteri, senza caratteri di controllo",
-    ),
-    "not_zero": ("other than 0", "diverso da 0"),
-    "positive": ("above 0", "maggiore di 0"),
-    "degrees": ("between 0 and 90 degrees", "fra 0 e 90 gradi"),
-    "above_radius": ("above R^2 = {square:.4g} m2", "maggiore di R^2 = {square:.4g} m2"),
-    "radians": ("0 to pi/2 rad", "da 0 a pi/2 rad"),
-    "given": ("given", "dato"),
-    "missing": ("missing", "mancante"),
-    "none": ("none", "nessuno"),
-    "empty": ("empty", "vuoto"),
-    "without_line_end": ("without a line end", "senza fine riga"),
-    "shorter_than_above": ("not as long as the numbers above it", "meno lungo dei numeri sopra"),
-    "write_all_digits": ("write it with as many digits", "scriverlo con altrettante cifre"),
-    "end_last_line": (
-        "end the last line with a line break",
-        "terminare l'ultima riga con un a capo",
-    ),
-}
-"""What is accepted instead, and other parts of these sentences."""
+"""Of cases, settings, spectra and results: code -> (English, Italian). A placeholder without a value is a key of the
+case."""

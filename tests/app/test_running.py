@@ -125,7 +125,7 @@ def test_that_a_failed_export_keeps_a_closing_window_open_to_say_so(
     run(application, opened)
 
     def full(files):
-        raise OutputError("the disk is full")
+        raise OutputError("picture_not_made")
 
     held = Held(monkeypatch, atomic_write, "write", full)
     monkeypatch.setattr(QMessageBox, "warning", lambda *a: said.append(a[-1]))
@@ -134,7 +134,7 @@ def test_that_a_failed_export_keeps_a_closing_window_open_to_say_so(
     opened.close()
     held.let_go()
     settle(application, lambda: opened.job is None)
-    assert said == ["the disk is full"] and opened.isVisible()
+    assert said == ["The picture cannot be made."] and opened.isVisible()
 
 
 def test_that_a_finished_job_is_kept_by_nobody(opened, application):

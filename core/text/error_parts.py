@@ -1,0 +1,53 @@
+"""Parts of the sentences of errors."""
+
+PLACES = {
+    "wall": ('wall "{name}"', 'parete "{name}"'),
+    "record": ("record {n}", "accelerogramma {n}"),
+    "row": ("row {n}", "riga {n}"),
+    "cell": ("row {n}, {key}", "riga {n}, {key}"),
+    "line": ("line {n}", "riga {n}"),
+    "section": ("{name}", "{name}"),
+}
+"""Where an error is: code -> (English, Italian)."""
+
+ACCEPTED = {
+    "from": ("from {low:g} to {high:g}{unit}", "da {low:g} a {high:g}{unit}"),
+    "above": ("above {low:g} to {high:g}{unit}", "sopra {low:g} fino a {high:g}{unit}"),
+    "whole": (
+        "a whole number from {low:g} to {high:g}{unit}",
+        "un numero intero da {low:g} a {high:g}{unit}",
+    ),
+    "one_of": ("one of {names}", "uno fra {names}"),
+    "law": (
+        "one of {names}, or {{ elastic_limit = ..., plateau_end = ... }}",
+        "uno fra {names}, oppure {{ elastic_limit = ..., plateau_end = ... }}",
+    ),
+    "flag": ("true or false", "true o false"),
+    "table": ("a table [demand.spectrum]", "una tabella [demand.spectrum]"),
+    "periods": (
+        "two periods [low, high] in s, rising, from {low:g} to {high:g}",
+        "due periodi [minimo, massimo] in s, crescenti, da {low:g} a {high:g}",
+    ),
+    "path": ("the name of a file in quotes", "il nome di un file fra virgolette"),
+    "text": (
+        "text in quotes, up to {most} characters, without control characters",
+        "testo fra virgolette, fino a {most} caratteri, senza caratteri di controllo",
+    ),
+    "not_zero": ("other than 0", "diverso da 0"),
+    "positive": ("above 0", "maggiore di 0"),
+    "degrees": ("between 0 and 90 degrees", "fra 0 e 90 gradi"),
+    "above_radius": ("above R^2 = {square:.4g} m2", "maggiore di R^2 = {square:.4g} m2"),
+    "radians": ("0 to pi/2 rad", "da 0 a pi/2 rad"),
+    "given": ("given", "dato"),
+    "missing": ("missing", "mancante"),
+    "none": ("none", "nessuno"),
+    "empty": ("empty", "vuoto"),
+    "without_line_end": ("without a line end", "senza fine riga"),
+    "shorter_than_above": ("not as long as the numbers above it", "meno lungo dei numeri sopra"),
+    "write_all_digits": ("write it with as many digits", "scriverlo con altrettante cifre"),
+    "end_last_line": (
+        "end the last line with a line break",
+        "terminare l'ultima riga con un a capo",
+    ),
+}
+"""What is accepted instead, and other parts: code -> (English, Italian)."""
