@@ -5,6 +5,7 @@ motion are one analytic equation.
 """
 
 import math
+from typing import NamedTuple
 
 from core.jit.decorators import subkernel
 from core.rocking.outcome import COLLAPSED, STABLE
@@ -20,6 +21,26 @@ IMPACTS_PER_SAMPLE = 10_000
 
 LAST_ROTATION = 0.5 * math.pi
 """Beyond this rotation [rad] the equation of motion has no meaning: collapsed."""
+
+
+class BlockState(NamedTuple):
+    """The block at one instant.
+
+    side : of the pivot, 1.0 or -1.0
+    phi, speed : rotation seen from the pivot [rad] and its rate [rad/s]
+    moving : False at rest; zone : branch of the moment law
+    peak : largest phi so far [rad]
+    impacts, clamped : so far; clamped counts the impacts whose Eq. 7 was held at 0
+    """
+
+    side: float
+    phi: float
+    speed: float
+    moving: bool
+    zone: int
+    peak: float
+    impacts: int
+    clamped: int
 
 
 @subkernel

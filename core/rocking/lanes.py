@@ -9,6 +9,7 @@ falls) takes it by `taylor.through_sample`, so that results equal those of singl
 
 from core.jit.decorators import inner_kernel, subkernel, widest_vectors
 from core.jit.fma import fma
+from core.rocking.events import BlockState
 from core.rocking.lane_state import (
     BETA,
     CHECK,
@@ -51,7 +52,7 @@ from core.rocking.lane_state import (
     ZONE,
     set_lane,
 )  # fmt: skip
-from core.rocking.taylor import BlockState, peak_may_grow, through_sample
+from core.rocking.taylor import peak_may_grow, through_sample
 from core.rocking.taylor_bounds import (
     MAX_GROWTH,
     SERIES_TOLERANCE,

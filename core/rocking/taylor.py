@@ -13,6 +13,7 @@ from core.jit.fma import fma
 from core.rocking.early_stop import cannot_recover
 from core.rocking.events import (
     IMPACTS_PER_SAMPLE,
+    BlockState,
     end_of_record,
     leave_impact,
     next_uplift,
@@ -36,26 +37,6 @@ from core.rocking.taylor_series import (
     wall_constants,
 )
 from core.wall.moment_rotation import FAR, moment_branch, zone_of
-
-
-class BlockState(NamedTuple):
-    """The block at one instant.
-
-    side : of the pivot, 1.0 or -1.0
-    phi, speed : rotation seen from the pivot [rad] and its rate [rad/s]
-    moving : False at rest; zone : branch of the moment law
-    peak : largest phi so far [rad]
-    impacts, clamped : so far; clamped counts the impacts whose Eq. 7 was held at 0
-    """
-
-    side: float
-    phi: float
-    speed: float
-    moving: bool
-    zone: int
-    peak: float
-    impacts: int
-    clamped: int
 
 
 class Crossing(NamedTuple):

@@ -7,6 +7,7 @@ import pytest
 
 from core.jit.decorators import kernel
 from core.rocking import taylor, taylor_polynomial
+from core.rocking.events import BlockState
 from core.rocking.taylor_series import wall_constants
 from core.wall.rocking_model import RockingModel
 
@@ -27,7 +28,7 @@ def samples(model, grounds, dt, order, state):
 def through(model, grounds, dt, order, phi, speed, peak):
     """(phi, speed, peak, impacts) after these samples."""
     zone = 2 if model.plateau_end == 0.0 or phi >= model.plateau_end else 1
-    start = taylor.BlockState(1.0, phi, speed, True, zone, peak, 0, 0)
+    start = BlockState(1.0, phi, speed, True, zone, peak, 0, 0)
     state = samples(model, grounds, dt, order, start)
     return state[1], state[2], state[5], state[6]
 

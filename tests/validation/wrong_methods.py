@@ -10,7 +10,7 @@ import types
 import numpy as np
 
 from core.rocking import taylor
-from core.rocking.compared import stepped
+from core.rocking.compared import comparison, stepped
 from core.rocking.events import leave_impact, uplift_side
 from core.rocking.methods import NO_TABLE
 from core.rocking.outcome import COLLAPSED, STABLE
@@ -110,4 +110,11 @@ impact_at_end_of_step = taylor_variant(first_crossing=_crossing_at_end, landing=
 double_crossing_missed = taylor_variant(first_crossing=_crossing_by_sign_change)
 rotation_decides_at_the_end = taylor_variant(end_of_record=_rotation_decides)
 no_rest = taylor_variant(leave_impact=variant(leave_impact, stops_rocking=_never_rests))
-kinks_ignored = variant(stepped.integrate, advance=_rk4_through_kinks, moment_branch=_one_branch)
+kinks_ignored = variant(
+    comparison.integrate_comparison,
+    stepped=types.SimpleNamespace(
+        through_sample=variant(
+            stepped.through_sample, advance=_rk4_through_kinks, moment_branch=_one_branch
+        )
+    ),
+)

@@ -1,7 +1,14 @@
 """One history, or many multipliers of one record, by any method kept for comparison."""
 
+import numpy as np
+
 from core.jit.decorators import kernel
-from core.rocking.compared import newmark_paper, stepped
+from core.rocking.compared import dormand_prince, newmark_paper, stepped
+from core.rocking.compared.branch import acceleration
+from core.rocking.events import BlockState, end_of_record, uplift_threshold
+from core.rocking.outcome import STABLE
+from core.units import G
+from core.wall.moment_rotation import zone_of
 
 NEWMARK_PAPER = 1
 """Code of the paper's integrator; those of the others are in stepped.py."""
@@ -12,15 +19,45 @@ def integrate_comparison(
     code, ground, dt, scale, model, option, start, rotation, velocity, impact_time,
     impact_velocity, table,
 ):  # fmt: skip
-    """`taylor.integrate` of any other method, by its integer code; option, table : of its `Method`."""
-    if code == NEWMARK_PAPER:
-        return newmark_paper.integrate(
-            ground, dt, scale, model, option, start, rotation, velocity, impact_time, impact_velocity
-        )  # fmt: skip
-    return stepped.integrate(
-        code, ground, dt, scale, model, option, start, rotation, velocity, impact_time,
-        impact_velocity, table,
-    )  # fmt: skip
+    """`taylor.integrate` of any other method.
+
+    code, option : of its `Method`; table : of `Method.table`, shape (0,) but for dormand_prince
+    rotation, velocity : results, or of no element where nobody wants them
+    """
+    threshold = uplift_threshold(model)
+    keep = rotation.size > 0
+    zero = np.int64(0)
+    side = -1.0 if start[0] < 0.0 or (start[0] == 0.0 and start[1] < 0.0) else 1.0
+    phi, speed = side * start[0], side * start[1]
+    moving = phi != 0.0 or speed != 0.0
+    state = BlockState(side, phi, speed, moving, zone_of(phi, model), phi, zero, zero)
+    push = acceleration(phi, side * scale * ground[0] / G, model, state.zone)
+    rates = table[16 * dormand_prince.STAGES : 17 * dormand_prince.STAGES]
+    pushes = table[17 * dormand_prince.STAGES :]
+    if keep:
+        rotation[0] = start[0]
+        velocity[0] = start[1]
+    for i in range(ground.size - 1):
+        ground0, ground1 = scale * ground[i], scale * ground[i + 1]
+        if code == NEWMARK_PAPER:
+            outcome, push, state = newmark_paper.through_sample(
+                ground0, ground1, (i + 1) * dt, dt, model, threshold, option, push, state, impact_time,
+                impact_velocity,
+            )  # fmt: skip
+        else:
+            outcome, state = stepped.through_sample(
+                code, ground0, ground1, i * dt, dt, model, threshold, option, state, impact_time,
+                impact_velocity, table, rates, pushes,
+            )  # fmt: skip
+        if outcome != STABLE:
+            return outcome, state.peak, state.impacts, state.clamped, i + 1
+        if keep:
+            rotation[i + 1] = state.side * state.phi if state.moving else 0.0
+            velocity[i + 1] = state.side * state.speed if state.moving else 0.0
+    outcome, peak = STABLE, state.peak
+    if state.moving:
+        outcome, peak = end_of_record(state.phi, state.speed, state.peak, model)
+    return outcome, peak, state.impacts, state.clamped, ground.size
 
 
 @kernel

@@ -4,111 +4,92 @@ Order 1 because of its events: uplift and impact take place at the end of the st
 small hops (error 0.6 to 1.4 alpha on the reference histories); no step makes it converge on `hard`.
 """
 
-import math
-
 from core.jit.decorators import subkernel
-from core.rocking.events import (
-    LAST_ROTATION,
-    end_of_record,
-    stops_rocking,
-    uplift_side,
-    uplift_threshold,
-)
+from core.rocking.compared.branch import acceleration, stiffness
+from core.rocking.events import LAST_ROTATION, BlockState, stops_rocking, uplift_side
 from core.rocking.outcome import COLLAPSED, STABLE
 from core.units import G
-from core.wall.moment_rotation import moment, moment_branch, zone_of
+from core.wall.moment_rotation import zone_of
 from core.wall.restitution import velocity_ratio
 
 NEWTON_TOLERANCE = 1e-14
 """Change of rotation at which Newton's iteration stops [rad]."""
 
-
-@subkernel
-def acceleration(phi, beta, model):
-    """phi'' [rad/s2] at u''/g = beta seen from the pivot, Eq. 1."""
-    return model.p2 * (beta * math.cos(model.slenderness - phi) - moment(phi, model))
+ANY_BRANCH = -1
+"""Zone of a step that follows the moment law across its branches."""
 
 
 @subkernel
-def stiffness(phi, beta, model):
-    """d phi''/d phi [1/s2]."""
-    _, _, sine, slope, _ = moment_branch(zone_of(phi, model), model)
-    gradient = slope - sine * math.cos(model.slenderness - phi)
-    return model.p2 * (beta * math.sin(model.slenderness - phi) - gradient)
+def branch_at(phi, model, zone):
+    """The zone itself, or that of this rotation for ANY_BRANCH."""
+    return zone_of(phi, model) if zone == ANY_BRANCH else zone
 
 
 @subkernel
-def trapezoidal_step(phi, speed, push, beta_end, dt, model):
-    """One implicit step; push is phi'' at its start. Returns phi, phi' and phi'' at its end."""
-    quarter = 0.25 * dt * dt
-    known = phi + dt * speed + quarter * push
+def trapezoidal_step(phi, speed, push, beta_end, h, model, zone):
+    """One implicit step of h [s] by the trapezoidal rule, solved by Newton's method.
+
+    phi, speed : rotation [rad] and its rate [rad/s]; push : phi'' at the start [rad/s2]
+    beta_end : u''/g at the end, seen from the pivot [-]
+    zone : branch of the moment law, or ANY_BRANCH
+    Returns phi, phi' and phi'' at its end.
+    """
+    quarter = 0.25 * h * h
+    known = phi + h * speed + quarter * push
     end = known
     for _ in range(50):
-        residual = end - known - quarter * acceleration(end, beta_end, model)
-        step = residual / (1.0 - quarter * stiffness(end, beta_end, model))
+        residual = (
+            end - known - quarter * acceleration(end, beta_end, model, branch_at(end, model, zone))
+        )
+        gradient = 1.0 - quarter * stiffness(end, beta_end, model, branch_at(end, model, zone))
+        step = residual / gradient
         end -= step
         if abs(step) < NEWTON_TOLERANCE:
             break
-    push_end = acceleration(end, beta_end, model)
-    return end, speed + 0.5 * dt * (push + push_end), push_end
+    push_end = acceleration(end, beta_end, model, branch_at(end, model, zone))
+    return end, speed + 0.5 * h * (push + push_end), push_end
 
 
 @subkernel
-def integrate(
-    ground, dt, scale, model, reset, start, rotation, velocity, impact_time, impact_velocity
-):
-    """Rocking history by the paper's method; arguments and results as `taylor.integrate`.
+def through_sample(
+    ground0, ground1, time, dt, model, threshold, reset, push, state, impact_time, impact_velocity
+):  # fmt: skip
+    """Carry the block over one sample; see `comparison.integrate_comparison`.
 
-    reset : 1 sets the rotation to zero at an impact, 0 keeps the overshoot (one-sided: always zero).
+    ground0, ground1 : ground acceleration at both ends [m/s2]; time : of its end [s]
+    reset : 1 sets the rotation to zero at an impact, 0 keeps the overshoot (one-sided: always zero)
+    push : phi'' at its start [rad/s2]
+    Returns (outcome so far, phi'' at its end, BlockState).
     """
-    threshold = uplift_threshold(model)
-    keep = rotation.size > 0
-    impacts = 0
-    clamped = 0
-    side = -1.0 if start[0] < 0.0 or (start[0] == 0.0 and start[1] < 0.0) else 1.0
-    phi = side * start[0]
-    speed = side * start[1]
-    moving = phi != 0.0 or speed != 0.0
-    push = acceleration(phi, side * scale * ground[0] / G, model)
-    peak = phi
-    if keep:
-        rotation[0] = start[0]
-        velocity[0] = start[1]
-    for i in range(ground.size - 1):
-        ground1 = scale * ground[i + 1]
-        if not moving:
-            lifted = uplift_side(ground1, model, threshold)
-            if lifted != 0.0:
-                moving = True
-                side = lifted
-                push = max(acceleration(0.0, side * scale * ground[i] / G, model), 0.0)
-        if moving:
-            beta1 = side * ground1 / G
-            phi, speed, push = trapezoidal_step(phi, speed, push, beta1, dt, model)
-            if phi < 0.0:
-                arriving = max(-speed, 0.0)
-                ratio, clamp = velocity_ratio(arriving, model)
-                clamped += clamp
-                speed = ratio * arriving
-                if model.one_sided == 0.0:
-                    side = -side
-                phi = 0.0 if reset == 1 or model.one_sided != 0.0 else -phi
-                if impacts < impact_time.size:
-                    impact_time[impacts] = (i + 1) * dt
-                    impact_velocity[impacts] = side * speed
-                impacts += 1
-                push = acceleration(phi, side * ground1 / G, model)
-                if stops_rocking(speed, ground1, model, threshold):
-                    moving = False
-                    phi = 0.0
-                    speed = 0.0
-            peak = max(peak, phi)
-            if phi > LAST_ROTATION:
-                return COLLAPSED, peak, impacts, clamped, i + 1
-        if keep:
-            rotation[i + 1] = side * phi if moving else 0.0
-            velocity[i + 1] = side * speed if moving else 0.0
+    side, phi, speed, moving, zone, peak, impacts, clamped = state
+    if not moving:
+        lifted = uplift_side(ground1, model, threshold)
+        if lifted != 0.0:
+            moving = True
+            side = lifted
+            push = max(acceleration(0.0, side * ground0 / G, model, zone_of(0.0, model)), 0.0)
     outcome = STABLE
     if moving:
-        outcome, peak = end_of_record(phi, speed, peak, model)
-    return outcome, peak, impacts, clamped, ground.size
+        beta1 = side * ground1 / G
+        phi, speed, push = trapezoidal_step(phi, speed, push, beta1, dt, model, ANY_BRANCH)
+        if phi < 0.0:
+            arriving = max(-speed, 0.0)
+            ratio, clamp = velocity_ratio(arriving, model)
+            clamped += clamp
+            speed = ratio * arriving
+            if model.one_sided == 0.0:
+                side = -side
+            phi = 0.0 if reset == 1 or model.one_sided != 0.0 else -phi
+            if impacts < impact_time.size:
+                impact_time[impacts] = time
+                impact_velocity[impacts] = side * speed
+            impacts += 1
+            push = acceleration(phi, side * ground1 / G, model, zone_of(phi, model))
+            if stops_rocking(speed, ground1, model, threshold):
+                moving = False
+                phi = 0.0
+                speed = 0.0
+        peak = max(peak, phi)
+        if phi > LAST_ROTATION:
+            outcome = COLLAPSED
+    return outcome, push, BlockState(side, phi, speed, moving, zone, peak, impacts, clamped)

@@ -1,4 +1,4 @@
-"""Driver of the methods that only know one step: uplift, impacts and kinks located by root finding.
+"""One sample by a method that only knows one step: uplift, impacts and kinks located by root finding.
 
 A crossing is seen at the end of a step; a dip and return within one step is missed (Taylor sees it).
 """
@@ -8,10 +8,9 @@ from core.rocking.compared import dormand_prince, linearised, newmark_events, rk
 from core.rocking.events import (
     IMPACTS_PER_SAMPLE,
     LAST_ROTATION,
-    end_of_record,
+    BlockState,
     leave_impact,
     next_uplift,
-    uplift_threshold,
 )
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.units import G
@@ -78,101 +77,85 @@ def locate(
 
 
 @subkernel
-def integrate(
-    code, ground, dt, scale, model, option, start, rotation, velocity, impact_time,
-    impact_velocity, table,
+def through_sample(
+    code, ground0, ground1, start, dt, model, threshold, option, state, impact_time, impact_velocity, table,
+    rates, pushes,
 ):  # fmt: skip
-    """Rocking history; arguments and results as `taylor.integrate`.
+    """Carry the block over one sample; see `comparison.integrate_comparison`.
 
-    code : one of this module; option : steps a sample, of dormand_prince -log10 of its tolerance;
-    table : of `Method.table`, shape (0,) but for dormand_prince.
+    code : one of this module; option : steps a sample, of dormand_prince -log10 of its tolerance
+    ground0, ground1 : ground acceleration at both ends [m/s2]; start : time of its start [s]
+    rates, pushes : room for the stages of dormand_prince
+    Returns (outcome so far, BlockState).
     """
-    threshold = uplift_threshold(model)
-    keep = rotation.size > 0
-    rates = table[16 * dormand_prince.STAGES : 17 * dormand_prince.STAGES]
-    pushes = table[17 * dormand_prince.STAGES :]
     steps = 1 if code == DORMAND_PRINCE else option
     tolerance = 10.0 ** (-option) if code == DORMAND_PRINCE else 0.0
-    impacts = 0
-    clamped = 0
-    side = -1.0 if start[0] < 0.0 or (start[0] == 0.0 and start[1] < 0.0) else 1.0
-    phi = side * start[0]
-    speed = side * start[1]
-    moving = phi != 0.0 or speed != 0.0
-    zone = zone_of(phi, model)
-    peak = phi
-    if keep:
-        rotation[0] = start[0]
-        velocity[0] = start[1]
-    for i in range(ground.size - 1):
-        ground0 = scale * ground[i]
-        slope = (scale * ground[i + 1] - ground0) / dt
-        t = 0.0
-        impacts_before = impacts
-        events = 0
-        while t < dt:
-            if not moving:
-                t, side = next_uplift(ground0, slope, t, dt, model, threshold)
-                if t >= dt:
-                    break
-                moving = True
-                phi = 0.0
-                speed = 0.0
-                zone = zone_of(phi, model)
-            low, high, _, _, _ = moment_branch(zone, model)
-            beta = side / G * (ground0 + slope * t)
-            rate = side / G * slope
-            h = min(dt / steps, dt - t)
+    side, phi, speed, moving, zone, peak, impacts, clamped = state
+    slope = (ground1 - ground0) / dt
+    t = 0.0
+    impacts_before = impacts
+    events = 0
+    outcome = STABLE
+    while t < dt:
+        if not moving:
+            t, side = next_uplift(ground0, slope, t, dt, model, threshold)
+            if t >= dt:
+                break
+            moving = True
+            phi = 0.0
+            speed = 0.0
+            zone = zone_of(phi, model)
+        low, high, _, _, _ = moment_branch(zone, model)
+        beta = side / G * (ground0 + slope * t)
+        rate = side / G * slope
+        h = min(dt / steps, dt - t)
+        x, v = advance(
+            code, phi, speed, beta, rate, h, model, zone, tolerance, table, rates, pushes
+        )
+        crossed = x < low or x > high or (x == low and v < 0.0)
+        falling = x <= low
+        if crossed:
+            level = low if falling else high
+            h = locate(
+                code, phi, speed, beta, rate, h, model, zone, tolerance, table, rates, pushes,
+                level, 1.0 if falling else -1.0,
+            )  # fmt: skip
             x, v = advance(
                 code, phi, speed, beta, rate, h, model, zone, tolerance, table, rates, pushes
             )
-            crossed = x < low or x > high or (x == low and v < 0.0)
-            falling = x <= low
-            if crossed:
-                level = low if falling else high
-                h = locate(
-                    code, phi, speed, beta, rate, h, model, zone, tolerance, table, rates, pushes,
-                    level, 1.0 if falling else -1.0,
-                )  # fmt: skip
-                x, v = advance(
-                    code, phi, speed, beta, rate, h, model, zone, tolerance, table, rates, pushes
-                )
-                x = level
-            t = t + h if h < dt - t else dt
-            phi = x
-            speed = v
-            peak = max(peak, phi)
-            if phi > LAST_ROTATION:
-                return COLLAPSED, peak, impacts, clamped, i + 1
-            if not crossed:
-                continue
-            events += 1
-            if events > 10 * IMPACTS_PER_SAMPLE:
-                return IMPACT_LIMIT, peak, impacts, clamped, i + 1
-            if not falling or low > 0.0:
-                zone += -1 if falling else 1
-                continue
-            arriving = max(-speed, 0.0)
-            speed, after, side, moving, clamp = leave_impact(
-                arriving, side, ground0 + slope * t, model, threshold
-            )
-            clamped += clamp
-            if impacts < impact_time.size:
-                impact_time[impacts] = i * dt + t
-                impact_velocity[impacts] = after * speed
-            if arriving == 0.0 and h == 0.0:
-                # pushed back by the rounding of the threshold: no hop, and time must go on
-                moving = False
-                t += 1e-12 * dt
-            if not moving:
-                speed = 0.0
-            impacts += 1
-            if impacts - impacts_before > IMPACTS_PER_SAMPLE:
-                return IMPACT_LIMIT, peak, impacts, clamped, i + 1
-        if keep:
-            rotation[i + 1] = side * phi if moving else 0.0
-            velocity[i + 1] = side * speed if moving else 0.0
-    outcome = STABLE
-    if moving:
-        outcome, peak = end_of_record(phi, speed, peak, model)
-    return outcome, peak, impacts, clamped, ground.size
+            x = level
+        t = t + h if h < dt - t else dt
+        phi = x
+        speed = v
+        peak = max(peak, phi)
+        if phi > LAST_ROTATION:
+            outcome = COLLAPSED
+            break
+        if not crossed:
+            continue
+        events += 1
+        if events > 10 * IMPACTS_PER_SAMPLE:
+            outcome = IMPACT_LIMIT
+            break
+        if not falling or low > 0.0:
+            zone += -1 if falling else 1
+            continue
+        arriving = max(-speed, 0.0)
+        speed, after, side, moving, clamp = leave_impact(
+            arriving, side, ground0 + slope * t, model, threshold
+        )
+        clamped += clamp
+        if impacts < impact_time.size:
+            impact_time[impacts] = start + t
+            impact_velocity[impacts] = after * speed
+        if arriving == 0.0 and h == 0.0:
+            # pushed back by the rounding of the threshold: no hop, and time must go on
+            moving = False
+            t += 1e-12 * dt
+        if not moving:
+            speed = 0.0
+        impacts += 1
+        if impacts - impacts_before > IMPACTS_PER_SAMPLE:
+            outcome = IMPACT_LIMIT
+            break
+    return outcome, BlockState(side, phi, speed, moving, zone, peak, impacts, clamped)
