@@ -28,7 +28,7 @@ ENVIRONMENT = os.path.abspath(os.environ.get("RIBALTA_ENV") or os.path.join(ROOT
 STAMP = os.path.join(ENVIRONMENT, "ribalta.json")
 MARK = os.path.join(ENVIRONMENT, "ribalta-environment")
 LOG = ENVIRONMENT + ".log"
-OLDEST = (3, 11)
+MIN_PYTHON = (3, 11)
 
 
 class Failure(Exception):
@@ -61,7 +61,7 @@ def identity(lines):
     return hashlib.sha256((sys.version + sys.platform + lines).encode()).hexdigest()
 
 
-def present():
+def installed_groups():
     """Groups installed from the lock as it is now; empty where the environment is not whole."""
     try:
         with open(STAMP, encoding="utf-8") as stream:
@@ -79,7 +79,7 @@ def present():
 
 
 @contextlib.contextmanager
-def turn():
+def environment_lock():
     """Two starts at once take turns: the second waits for the first one's environment."""
     path = ENVIRONMENT + ".lock"
     try:
@@ -90,7 +90,7 @@ def turn():
             f"the environment cannot be made in {ENVIRONMENT}: {error.strerror}; "
             "name a folder you can write in the variable RIBALTA_ENV"
         ) from None
-    told = False
+    announced = False
     with stream:
         while True:
             try:
@@ -104,9 +104,9 @@ def turn():
                     fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
                 break
             except OSError:
-                if not told:
+                if not announced:
                     say("another start is preparing the environment: waiting for it")
-                    told = True
+                    announced = True
                 time.sleep(0.2)
         yield
 
@@ -117,10 +117,10 @@ def say(sentence):
 
 def ensure(groups):
     """Make the environment hold these groups; does nothing where it does."""
-    if all(group in present() for group in groups):
+    if all(group in installed_groups() for group in groups):
         return
-    with turn():
-        have = present()
+    with environment_lock():
+        have = installed_groups()
         missing = [group for group in groups if group not in have]
         if not missing:
             return
@@ -255,7 +255,7 @@ def test(arguments):
 
 
 def main():
-    if sys.version_info[:2] < OLDEST:
+    if sys.version_info[:2] < MIN_PYTHON:
         raise Failure(
             "Python {}.{} is too old: Ribalta needs 3.11 or newer (python.org)".format(
                 *sys.version_info[:2]

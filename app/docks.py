@@ -1,5 +1,7 @@
 """What surrounds the tabs of the window: forms, records, verdict, status line."""
 
+from typing import NamedTuple
+
 from PySide6.QtCore import QByteArray, Qt
 from PySide6.QtWidgets import (
     QDockWidget,
@@ -16,25 +18,43 @@ from app.forms.records_panel import RecordsPanel
 from app.forms.wall_form import WallForm
 from app.language import FORM_NAMES, tr
 from app.pages import Veil
+from app.session import Session
 
 
-def build(window) -> None:
+class Sides(NamedTuple):
     """Forms on the left, records and the verdict on the right."""
-    window.walls, window.demand = WallForm(window.session), DemandForm(window.session)
-    window.analysis, window.records = AnalysisForm(window.session), RecordsPanel(window.session)
-    window.records.loaded.connect(window.records_loaded)
+
+    forms: QTabWidget
+    walls: WallForm
+    demand: DemandForm
+    analysis: AnalysisForm
+    records: RecordsPanel
+    card: QLabel
+    card_veil: Veil
+
+
+class StatusLine(NamedTuple):
+    """The line at the bottom: a word, progress, Cancel."""
+
+    word: QLabel
+    bar: QProgressBar
+    cancel_button: QPushButton
+
+
+def build(window, session: Session, state) -> Sides:
+    """Make the docks of a window for its session. state : where they were last, a QByteArray or anything else."""
+    walls, demand = WallForm(session), DemandForm(session)
+    analysis, records = AnalysisForm(session), RecordsPanel(session)
     forms = QTabWidget()
-    for form, label in ((window.walls, tr("Walls")), (window.demand, tr("Demand")),
-                        (window.analysis, tr("Report"))):  # fmt: skip
+    for form, label in ((walls, tr("Walls")), (demand, tr("Demand")), (analysis, tr("Report"))):
         area = QScrollArea()
         area.setWidgetResizable(True)
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         area.setMinimumWidth(366)
         area.setWidget(form)
         forms.addTab(area, label)
-    window.forms = forms
     FORM_NAMES.captions.update({
-        "[demand]": tr("Demand"), "[demand.spectrum]": tr("Spectrum"),
+        "[demand]": tr("Demand"), "[demand.spectrum]": tr("Spectrum"), "spectrum": tr("Spectrum"),
         "spectrum_file": tr("spectrum of a file"), "[generate]": tr("Generate…"),
         "time_step_s": tr("Time step"), "skip_lines": tr("Lines to skip"),
         "[analysis]": tr("Analysis"), "[report]": tr("Report"), "[record]": tr("Records"),
@@ -43,27 +63,27 @@ def build(window) -> None:
     left.setWidget(forms)
     window.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, left)
     right = QDockWidget(tr("Records"), objectName="records")
-    window.records.setMinimumWidth(318)
-    right.setWidget(window.records)
+    records.setMinimumWidth(318)
+    right.setWidget(records)
     window.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, right)
-    window.card = QLabel(tr("No result yet: press F5."))
-    window.card.setWordWrap(True)
-    window.card.setTextFormat(Qt.TextFormat.RichText)
-    window.card.setMargin(8)
-    window.card.setAlignment(Qt.AlignmentFlag.AlignTop)
-    window.card.setAccessibleName(tr("Verdict"))
+    card = QLabel(tr("No result yet: press F5."))
+    card.setWordWrap(True)
+    card.setTextFormat(Qt.TextFormat.RichText)
+    card.setMargin(8)
+    card.setAlignment(Qt.AlignmentFlag.AlignTop)
+    card.setAccessibleName(tr("Verdict"))
     area = QScrollArea()
     area.setWidgetResizable(True)
-    area.setWidget(window.card)
-    window.card_veil = Veil(area)
+    area.setWidget(card)
+    card_veil = Veil(area)
     below = QDockWidget(tr("Verdict"), objectName="verdict")
     below.setWidget(area)
     window.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, below)
     window.resizeDocks([left, right], [348, 318], Qt.Orientation.Horizontal)
     window.resizeDocks([right, below], [430, 260], Qt.Orientation.Vertical)
-    state = window.settings.value("state")
     if isinstance(state, QByteArray):
         window.restoreState(state)
+    return Sides(forms, walls, demand, analysis, records, card, card_veil)
 
 
 def sides(window) -> list[QDockWidget]:
@@ -76,18 +96,15 @@ def widen(window, widths: list[int]) -> None:
     window.resizeDocks(sides(window), widths, Qt.Orientation.Horizontal)
 
 
-def build_status(window) -> None:
-    """The line at the bottom: a word, progress, Cancel."""
-    bar = window.statusBar()
-    for child in bar.findChildren(QWidget):
-        bar.removeWidget(child)
-    window.word = QLabel()
-    window.bar = QProgressBar()
-    window.bar.setMaximumWidth(220)
-    window.bar.setAccessibleName(tr("Progress"))
-    window.cancel_button = QPushButton(tr("Cancel"))
-    window.cancel_button.clicked.connect(window.cancel)
-    bar.addWidget(window.word, 1)
-    bar.addPermanentWidget(window.bar)
-    bar.addPermanentWidget(window.cancel_button)
-    window.show_running(window.job is not None)
+def build_status(window) -> StatusLine:
+    """Make the status line of a window, in the place of an earlier one."""
+    line = window.statusBar()
+    for child in line.findChildren(QWidget):
+        line.removeWidget(child)
+    word, bar, cancel_button = QLabel(), QProgressBar(), QPushButton(tr("Cancel"))
+    bar.setMaximumWidth(220)
+    bar.setAccessibleName(tr("Progress"))
+    line.addWidget(word, 1)
+    line.addPermanentWidget(bar)
+    line.addPermanentWidget(cancel_button)
+    return StatusLine(word, bar, cancel_button)

@@ -51,9 +51,9 @@ class Files:
     @property
     def recent(self) -> list[str]:
         """Names of the files of late; settings give a single one as text."""
-        found = self.settings.value("recent") or []
-        found = [found] if isinstance(found, str) else found
-        return [name for name in found if isinstance(name, str)] if isinstance(found, list) else []
+        names = self.settings.value("recent") or []
+        names = [names] if isinstance(names, str) else names
+        return [name for name in names if isinstance(name, str)] if isinstance(names, list) else []
 
     def remember(self, path: Path) -> None:
         known = [name for name in self.recent if name != str(path)]

@@ -1,10 +1,11 @@
 """The menus of the window."""
 
 from pathlib import Path
+from typing import NamedTuple
 
 from PySide6.QtCore import QSettings
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
-from PySide6.QtWidgets import QDockWidget, QMessageBox
+from PySide6.QtWidgets import QDockWidget, QMenu, QMessageBox
 
 from app import language, theme
 from app.files import EXAMPLE
@@ -12,13 +13,23 @@ from app.language import tr
 from core.version import NAME, VERSION
 
 
-def build(window) -> None:
-    """Menu bar with all actions and their keys; the window gets `recent` and the actions it switches."""
+class Actions(NamedTuple):
+    """Entries of the menus that a window switches on and off; recent : the menu of files opened of late."""
+
+    recent: QMenu
+    undo: QAction
+    redo: QAction
+    run: QAction
+    cancel: QAction
+
+
+def build(window) -> Actions:
+    """Menu bar with all actions and their keys."""
     key = QKeySequence.StandardKey
     file = window.menuBar().addMenu(tr("&File"))
     add(window, file, tr("&New"), window.files.new, key.New)
     add(window, file, tr("&Open…"), window.files.ask_open, key.Open)
-    window.recent = file.addMenu(tr("Open &recent"))
+    recent = file.addMenu(tr("Open &recent"))
     add(window, file, tr("Open the &example"), lambda: window.files.open(EXAMPLE))
     add(window, file, tr("&Save"), window.files.save, key.Save)
     add(window, file, tr("Save &as…"), window.files.save_as, QKeySequence("Ctrl+Shift+S"))
@@ -27,14 +38,14 @@ def build(window) -> None:
     file.addSeparator()
     add(window, file, tr("&Quit"), window.close, key.Quit)
     edit = window.menuBar().addMenu(tr("&Edit"))
-    window.undo_action = add(window, edit, tr("&Undo"), window.session.undo, key.Undo)
-    window.redo_action = add(window, edit, tr("&Redo"), window.session.redo, QKeySequence("Ctrl+Y"))
+    undo = add(window, edit, tr("&Undo"), window.session.undo, key.Undo)
+    redo = add(window, edit, tr("&Redo"), window.session.redo, QKeySequence("Ctrl+Y"))
     add(
         window, edit, tr("&Paste walls"), lambda: window.walls.paste(), QKeySequence("Ctrl+Shift+V")
     )
     runs = window.menuBar().addMenu(tr("&Run"))
-    window.run_action = add(window, runs, tr("&Run"), window.run, QKeySequence("F5"))
-    window.cancel_action = add(window, runs, tr("&Cancel"), window.cancel, QKeySequence("Esc"))
+    run = add(window, runs, tr("&Run"), window.run, QKeySequence("F5"))
+    cancel = add(window, runs, tr("&Cancel"), window.cancel, QKeySequence("Esc"))
     view = window.menuBar().addMenu(tr("&View"))
     for dock in window.findChildren(QDockWidget):
         view.addAction(dock.toggleViewAction())
@@ -48,13 +59,14 @@ def build(window) -> None:
     choices(window, view, tr("Language"), "language", language.LANGUAGES, window.language)
     helps = window.menuBar().addMenu(tr("&Help"))
     add(window, helps, tr("&About"), lambda: about(window))
+    return Actions(recent, undo, redo, run, cancel)
 
 
-def show_recent(window) -> None:
-    """Files opened or saved of late."""
-    window.recent.clear()
+def show_recent(window, menu: QMenu) -> None:
+    """Fill the menu of files opened or saved of late."""
+    menu.clear()
     for name in window.files.recent:
-        add(window, window.recent, name, lambda name=name: window.files.open(Path(name)))
+        add(window, menu, name, lambda name=name: window.files.open(Path(name)))
 
 
 def add(window, menu, label: str, slot, keys=None) -> QAction:

@@ -9,19 +9,19 @@ class Preparation:
 
     def __init__(self, window):
         self.window = window
-        self.begun = False
+        self.started = False
         self.methods: set[str] = set()
         self.job: Job | None = None
 
     def begin(self) -> None:
         """From now on; before it the window is still being made."""
-        self.begun = True
-        self.go_on()
+        self.started = True
+        self.prepare_next()
 
-    def go_on(self) -> None:
+    def prepare_next(self) -> None:
         """Prepare what the case at hand needs, if it is not prepared and nothing else runs."""
         window = self.window
-        if not self.begun or self.job or window.job or not window.records.motions:
+        if not self.started or self.job or window.job or not window.records.motions:
             return
         case = window.session.checked()
         if case is None or case.analysis.method in self.methods:
@@ -43,7 +43,7 @@ class Preparation:
             self.job = None
             if window.word.text() == preparing:
                 window.word.setText(tr("Ready."))
-            self.go_on()
+            self.prepare_next()
 
         self.job = Job(work)
         self.job.failed.connect(lambda sentence, log: window.word.setText(f"{sentence} {log}"))

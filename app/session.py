@@ -27,7 +27,7 @@ from core.study.results import StudyResult
 PAUSE = 1.0
 """A pause [s] that ends a step of undo."""
 
-DEEPEST = 500
+MAX_UNDO = 500
 """Steps kept for undo."""
 
 
@@ -37,8 +37,8 @@ class Session:
     on_change : called after every change of case, file or result, without arguments.
     """
 
-    def __init__(self, swaps: Path):
-        self.swaps = swaps
+    def __init__(self, recovery_folder: Path):
+        self.recovery_folder = recovery_folder
         self.listeners: list[Callable[[], None]] = []
         self.base_dir = Path.cwd()
         self.path: Path | None = None
@@ -46,7 +46,7 @@ class Session:
         self.samples: set[str] | None = None
         """Hashes of the records as they are on disk, None while they are not read."""
         self.token = secrets.token_hex(8)
-        self._held: BinaryIO | None = None
+        self._lock_file: BinaryIO | None = None
         self._known: tuple | None = None
         self.generation = 0
         self._start(Case())
@@ -74,7 +74,7 @@ class Session:
             return
         now = time.monotonic()
         if place is None or place != self.last_place or now - self.last_edit > PAUSE:
-            self.past = [*self.past[-DEEPEST:], self.case]
+            self.past = [*self.past[-MAX_UNDO:], self.case]
         self.future = []
         self.last_place, self.last_edit = place, now
         self.case = case
@@ -134,10 +134,10 @@ class Session:
                     case = replace(
                         case, sha256=self.saved.sha256, given=given, table=self.saved.table
                     )
-                found = (case, None)
+                judged = (case, None)
             except InputError as error:
-                found = (None, error)
-            self._known = (self.case, found)
+                judged = (None, error)
+            self._known = (self.case, judged)
         return self._known[1]
 
     def checked(self) -> Case | None:
@@ -182,7 +182,7 @@ class Session:
 
     def new(self, language: str = "en") -> None:
         """An empty case with its report in this language."""
-        self.drop_swap()
+        self.drop_recovery_file()
         self._start(Case(report=Report(language=language)))
         self.path, self.base_dir = None, Path.cwd()
         self.changed()
@@ -199,7 +199,7 @@ class Session:
             if "walls" in table:
                 raise  # its table cannot be merged into a draft
             case = draft_case(table)
-        self.drop_swap()
+        self.drop_recovery_file()
         self._start(case)
         self.path, self.base_dir = path.resolve(), path.resolve().parent
         self.content = self._on_disk()
@@ -232,7 +232,7 @@ class Session:
             given = draft_case(tomllib.loads(text)).given
         atomic_write.write({target: content})
         self.content = content
-        self.drop_swap()
+        self.drop_recovery_file()
         self.path, self.base_dir = target, target.parent
         self.case = case
         digest = hashlib.sha256(content).hexdigest()
@@ -274,25 +274,25 @@ class Session:
             demand = replace(demand, spectrum_file=seen(demand.spectrum_file, old, new))
         return replace(case, record=records, demand=demand)
 
-    # the swap file: what a kill -9 must not lose
+    # the recovery file: what a kill -9 must not lose
 
     @property
-    def swap(self) -> Path:
+    def recovery_file(self) -> Path:
         name = hashlib.sha256(os.fsencode(str(self.path))).hexdigest()[:16]
-        return self.swaps / f"{name}-{self.token}.swap"
+        return self.recovery_folder / f"{name}-{self.token}.swap"
 
     def _hold(self) -> None:
-        """While this file is locked the swap files of this session are in use, whatever runs elsewhere."""
-        if self._held is None:
-            self.swaps.mkdir(parents=True, exist_ok=True)
-            self._held = open(self.swaps / f"{self.token}.lock", "ab")  # noqa: SIM115  (to the end)
-            weakref.finalize(self, self._held.close)
-            lock(self._held)
+        """While this file is locked the recovery files of this session are in use, whatever runs elsewhere."""
+        if self._lock_file is None:
+            self.recovery_folder.mkdir(parents=True, exist_ok=True)
+            self._lock_file = open(self.recovery_folder / f"{self.token}.lock", "ab")  # noqa: SIM115  (to the end)
+            weakref.finalize(self, self._lock_file.close)
+            lock(self._lock_file)
 
     def autosave(self) -> None:
-        """Keep the unsaved case in the swap file; a full disk must not disturb the work."""
+        """Keep the unsaved case in the recovery file; a full disk must not disturb the work."""
         if not self.dirty:
-            self.drop_swap()
+            self.drop_recovery_file()
             return
         content = {
             "path": str(self.path) if self.path else None,
@@ -301,35 +301,35 @@ class Session:
         }
         with contextlib.suppress(OSError, OutputError):
             self._hold()
-            atomic_write.write({self.swap: json.dumps(content).encode()})
+            atomic_write.write({self.recovery_file: json.dumps(content).encode()})
 
-    def drop_swap(self) -> None:
+    def drop_recovery_file(self) -> None:
         with contextlib.suppress(OSError):
-            self.swap.unlink(missing_ok=True)
+            self.recovery_file.unlink(missing_ok=True)
 
     def close(self) -> None:
-        """The session ends: its lock goes, and its swap files are anybody's."""
-        if self._held is not None:
+        """The session ends: its lock goes, and its recovery files are anybody's."""
+        if self._lock_file is not None:
             if os.name == "nt":
-                self._held.close()
+                self._lock_file.close()
             with contextlib.suppress(OSError):
-                (self.swaps / f"{self.token}.lock").unlink(missing_ok=True)
-            self._held.close()
-            self._held = None
+                (self.recovery_folder / f"{self.token}.lock").unlink(missing_ok=True)
+            self._lock_file.close()
+            self._lock_file = None
 
     def recoverable(self) -> list[Path]:
         """Swap files whose session is gone, the newest first."""
-        found = []
+        files = []
         with contextlib.suppress(OSError):
-            for path in self.swaps.glob("*.swap"):
+            for path in self.recovery_folder.glob("*.swap"):
                 token = path.stem.rsplit("-", 1)[-1]
                 if token != self.token and path.is_file() and not self._in_use(token):
-                    found.append((path.stat().st_mtime, path))
-        return [path for _, path in sorted(found, key=lambda entry: -entry[0])]
+                    files.append((path.stat().st_mtime, path))
+        return [path for _, path in sorted(files, key=lambda entry: -entry[0])]
 
     def _in_use(self, token: str) -> bool:
         """Whether the session of this token still holds its lock."""
-        place = self.swaps / f"{token}.lock"
+        place = self.recovery_folder / f"{token}.lock"
         try:
             if not place.is_file():
                 return False
@@ -341,18 +341,18 @@ class Session:
         return False
 
     @staticmethod
-    def told(swap: Path) -> str:
-        """Of which file a swap file is, and from when."""
-        when = time.strftime("%Y-%m-%d %H:%M", time.localtime(swap.stat().st_mtime))
+    def describe(file: Path) -> str:
+        """Of which file a recovery file is, and from when."""
+        when = time.strftime("%Y-%m-%d %H:%M", time.localtime(file.stat().st_mtime))
         with contextlib.suppress(OSError, ValueError, KeyError, TypeError, RecursionError):
-            return f"{json.loads(swap.read_text(encoding='utf-8'))['path'] or ''} {when}".strip()
+            return f"{json.loads(file.read_text(encoding='utf-8'))['path'] or ''} {when}".strip()
         return when
 
-    def recover(self, swap: Path) -> None:
-        """Take over the case of a swap file; the file it belongs to is untouched, and what cannot be read stays
+    def recover(self, file: Path) -> None:
+        """Take over the case of a recovery file; the file it belongs to is untouched, and what cannot be read stays
         where it is. Raises InputError."""
         try:
-            content = json.loads(swap.read_text(encoding="utf-8"))
+            content = json.loads(file.read_text(encoding="utf-8"))
             table = tomllib.loads(content["case"])
             base = Path(content["base_dir"])
             path = Path(content["path"]) if content["path"] else None
@@ -372,12 +372,12 @@ class Session:
             OverflowError,
         ) as error:
             raise InputError(
-                "autosave_unreadable", reason=str(error)[:200], place=(swap,)
+                "autosave_unreadable", reason=str(error)[:200], place=(file,)
             ) from None
         self._start(case)
         self.saved, self.path, self.base_dir = saved, path, base
         self.autosave()  # before the other goes: a kill in between loses nothing
-        if self.swap.is_file() or not self.dirty:
+        if self.recovery_file.is_file() or not self.dirty:
             with contextlib.suppress(OSError):
-                swap.unlink(missing_ok=True)
+                file.unlink(missing_ok=True)
         self.changed()

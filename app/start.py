@@ -20,22 +20,22 @@ from core.version import NAME
 
 def offer_recovery(window: MainWindow) -> None:
     """After a crash: the autosaved case, if the user wants it back."""
-    for swap in window.session.recoverable():
+    for file in window.session.recoverable():
         button = QMessageBox.StandardButton
         answer = QMessageBox.question(
             window, tr("Autosaved case found"),
-            tr("The program ended without saving. Bring back the unsaved case?") + f"\n{window.session.told(swap)}",
+            tr("The program ended without saving. Bring back the unsaved case?") + f"\n{window.session.describe(file)}",
             button.Yes | button.Discard | button.Cancel, button.Yes,
         )  # fmt: skip
         if answer == button.Yes:
             try:
-                window.session.recover(swap)
+                window.session.recover(file)
                 return
             except InputError as error:
                 QMessageBox.warning(window, tr("Not opened"), quoted_from_file(error))
         elif answer == button.Discard:
             with contextlib.suppress(OSError):
-                swap.unlink(missing_ok=True)
+                file.unlink(missing_ok=True)
         # anything else, Esc among it, is no order to discard: asked again at the next start
 
 

@@ -39,12 +39,12 @@ AUTOSAVE_MS = 4000
 
 
 class MainWindow(QMainWindow):
-    """One session in a window. settings : where its state is remembered; swaps : folder of autosaves."""
+    """One session in a window. settings : where its state is remembered; recovery : folder of recovery files."""
 
-    def __init__(self, settings: QSettings, swaps: Path):
+    def __init__(self, settings: QSettings, recovery: Path):
         super().__init__()
         self.settings = settings
-        self.session = Session(swaps)
+        self.session = Session(recovery)
         self.session.listeners.append(self.refresh)
         self.files = Files(self, self.session, settings)
         self.job: Job | None = None
@@ -75,9 +75,17 @@ class MainWindow(QMainWindow):
             dock.deleteLater()
         self.menuBar().clear()
         self._tabs()
-        docks.build(self)
-        menus.build(self)
-        docks.build_status(self)
+        sides = docks.build(self, self.session, self.settings.value("state"))
+        self.forms, self.walls, self.demand = sides.forms, sides.walls, sides.demand
+        self.analysis, self.records = sides.analysis, sides.records
+        self.card, self.card_veil = sides.card, sides.card_veil
+        self.records.loaded.connect(self.records_loaded)
+        self.actions_of = menus.build(self)
+        self.run_action = self.actions_of.run
+        line = docks.build_status(self)
+        self.word, self.bar, self.cancel_button = line.word, line.bar, line.cancel_button
+        self.cancel_button.clicked.connect(self.cancel)
+        self.show_running(self.job is not None)
         for field in self.fields:
             field.judged.connect(self.refresh)
         self.refresh()
@@ -154,8 +162,8 @@ class MainWindow(QMainWindow):
         mark = "*" if self.session.dirty else ""
         name = self.session.path.name if self.session.path else tr("untitled")
         self.setWindowTitle(f"{mark}{name} – {NAME}")
-        self.undo_action.setEnabled(bool(self.session.past))
-        self.redo_action.setEnabled(bool(self.session.future))
+        self.actions_of.undo.setEnabled(bool(self.session.past))
+        self.actions_of.redo.setEnabled(bool(self.session.future))
         stale = self.session.stale
         self.veil.cover(stale)
         self.card_veil.cover(stale)
@@ -179,8 +187,8 @@ class MainWindow(QMainWindow):
         self.banner.setWordWrap(True)
         if self.tabs.currentWidget() is self.pages["spectra"]:
             self._show_spectra()
-        menus.show_recent(self)
-        self.preparation.go_on()
+        menus.show_recent(self, self.actions_of.recent)
+        self.preparation.prepare_next()
 
     def changeEvent(self, event) -> None:
         """Back from another program: has it changed a record?"""
@@ -191,7 +199,7 @@ class MainWindow(QMainWindow):
 
     def records_loaded(self) -> None:
         self.refresh()
-        self.preparation.go_on()
+        self.preparation.prepare_next()
         if self.tabs.currentWidget() is self.pages["spectra"]:
             self._show_spectra()
 
@@ -239,7 +247,7 @@ class MainWindow(QMainWindow):
         """Progress and Cancel, while there is something to cancel."""
         self.bar.setVisible(on)
         self.cancel_button.setVisible(on)
-        self.cancel_action.setEnabled(on)
+        self.actions_of.cancel.setEnabled(on)
 
     def run(self) -> None:
         """Run the case off this thread; the window stays alive."""
@@ -367,15 +375,15 @@ class MainWindow(QMainWindow):
             return
         from core.study.run import accuracy_of
 
-        def arrived(found) -> None:
+        def arrived(accuracy) -> None:
             self.word.setText("")
             present = self.session.result
             if present is not None and present.walls is result.walls:
                 walls = list(present.walls)
-                walls[k] = replace(walls[k], accuracy=found)
+                walls[k] = replace(walls[k], accuracy=accuracy)
                 self.session.result = replace(present, walls=tuple(walls))
                 if self.chosen.currentIndex() == k:
-                    self.pages["validation"].content.show_accuracy(found)
+                    self.pages["validation"].content.show_accuracy(accuracy)
 
         wall = result.walls[k]
         self.start(
@@ -397,7 +405,7 @@ class MainWindow(QMainWindow):
             event.ignore()
             return
         self.timer.stop()
-        self.session.drop_swap()
+        self.session.drop_recovery_file()
         self.session.close()
         self.settings.setValue("geometry", self.saveGeometry())
         self.settings.setValue("state", self.saveState())

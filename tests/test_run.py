@@ -42,13 +42,13 @@ def test_that_an_environment_is_made_once(run):
     assert len(run.calls) == 2
     run.ensure(["base", "test"])
     assert len(run.calls) == 3
-    assert set(run.present()) == {"base", "test"}
+    assert set(run.installed_groups()) == {"base", "test"}
 
 
 def test_that_a_broken_environment_is_rebuilt(run):
     run.ensure(["base"])
     os.rmdir(os.path.join(run.site_packages(), "package2"))
-    assert run.present() == {}
+    assert run.installed_groups() == {}
     run.ensure(["base"])
     assert len(run.calls) == 4
     os.unlink(run.interpreter())
@@ -157,7 +157,7 @@ def test_that_two_starts_take_turns(run, tmp_path):
         "m = importlib.util.module_from_spec(d); d.loader.exec_module(m)\n"
         "with m.turn(): print('mine', flush=True)\n"
     )
-    with run.turn():
+    with run.environment_lock():
         other = subprocess.Popen(
             [sys.executable, "-c", script], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
             text=True, env=dict(os.environ, RIBALTA_ENV=run.ENVIRONMENT),

@@ -39,7 +39,7 @@ class Field(QWidget):
         super().__init__()
         self.section, self.key = section, key
         FORM_NAMES.captions[self.key_in_errors()] = label
-        self.held = self.before = None
+        self.value = self.value_before = None
         self.error = self.rule = ""
         grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)
@@ -72,25 +72,25 @@ class Field(QWidget):
 
     def make_editor(self) -> QWidget:
         """The widget that edits: a line of text, where a kind of field has no other."""
-        line = Line(lambda: bool(self.error), self.take_back)
+        line = Line(lambda: bool(self.error), self.revert)
         line.entered.connect(self._entered)
         return line
 
     def _entered(self) -> None:
         """Editing begins: what stands here comes back should the text be refused."""
-        self.before = self.held
+        self.value_before = self.value
 
     def refuse(self, sentence: str) -> None:
         """Words at the field; the case goes back to the value from before the editing, for the beginning of a
         refused text is not what was meant."""
         self.show_error(sentence)
-        if self.held != self.before:
-            self.held = self.before
-            self.edited.emit(self.before)
+        if self.value != self.value_before:
+            self.value = self.value_before
+            self.edited.emit(self.value_before)
 
-    def take_back(self) -> None:
+    def revert(self) -> None:
         """The value of the case again, in the place of what was refused."""
-        value = self.held
+        value = self.value
         self.forget()
         self.editor.clear()
         self.show_value(value)
@@ -135,17 +135,17 @@ class Field(QWidget):
             self.refuse(error.accepted_text(current_language(), FORM_NAMES))
             return
         self.show_error("")
-        self.held = value
+        self.value = value
         self.edited.emit(value)
 
-    def keeps(self, value) -> bool:
+    def holds_invalid_text(self, value) -> bool:
         """Whether something wrong stands here that the user has yet to mend: it is not taken away without a
         word. A value that came from elsewhere (undo, another file) replaces it."""
-        return bool(self.error) and value == self.held
+        return bool(self.error) and value == self.value
 
     def forget(self) -> None:
         """Another case or wall: what was wrong in the last one is no more."""
-        self.held = self.before = None
+        self.value = self.value_before = None
         self.show_error("")
 
 
@@ -165,13 +165,13 @@ class Choice(QComboBox):
 
 class Line(QLineEdit):
     """A line of text whose Ctrl+Z and Ctrl+Y are those of the case, but in a dialog; a text that is not in the
-    case is taken back first. refused() : whether there is one; take_back() : what to do then."""
+    case is taken back first. refused() : whether there is one; revert() : what to do then."""
 
     entered = Signal()
 
-    def __init__(self, refused: Callable[[], bool], take_back: Callable[[], None]):
+    def __init__(self, refused: Callable[[], bool], revert: Callable[[], None]):
         super().__init__()
-        self.refused, self.take_back = refused, take_back
+        self.refused, self.revert = refused, revert
 
     def focusInEvent(self, event) -> None:
         self.entered.emit()
@@ -186,7 +186,7 @@ class Line(QLineEdit):
                     event.ignore()
                     return False
                 if event.type() == QEvent.Type.KeyPress:
-                    self.take_back()
+                    self.revert()
                 event.accept()
                 return True
         return super().event(event)
@@ -223,7 +223,7 @@ class NumberField(Field):
     def _typed(self, text: str) -> None:
         if not text.strip() and self.optional:
             self.show_error("")
-            self.held = None
+            self.value = None
             self.edited.emit(None)
             return
         if not text.strip():
@@ -238,11 +238,11 @@ class NumberField(Field):
 
     def show_value(self, value: float | None) -> None:
         """Show a value of the case, unless what stands there already means it."""
-        if self.keeps(value):
+        if self.holds_invalid_text(value):
             return
-        if value != self.held:
-            self.before = value
-        self.held = value
+        if value != self.value:
+            self.value_before = value
+        self.value = value
         if self.editor.hasFocus() and self._means(value):
             return
         shown = "" if value is None or value == "" else f"{value * self.factor:.{FIGURES}g}"
@@ -273,7 +273,7 @@ class RangeField(Field):
     def _typed(self, text: str) -> None:
         if not text.strip():
             self.show_error("")
-            self.held = None
+            self.value = None
             self.edited.emit(None)
             return
         try:
@@ -282,11 +282,11 @@ class RangeField(Field):
             self.refuse(tr("{text}: not two numbers", text=text.strip()))
 
     def show_value(self, value) -> None:
-        if self.keeps(value):
+        if self.holds_invalid_text(value):
             return
-        if value != self.held:
-            self.before = value
-        self.held = value
+        if value != self.value:
+            self.value_before = value
+        self.value = value
         if not (self.editor.hasFocus() and value is not None):
             self.editor.setText("" if value is None else " – ".join(f"{end:g}" for end in value))
         self.show_error("")
@@ -301,11 +301,11 @@ class TextField(Field):
         return editor
 
     def show_value(self, value: str) -> None:
-        if self.keeps(value):
+        if self.holds_invalid_text(value):
             return
-        if value != self.held:
-            self.before = value
-        self.held = value
+        if value != self.value:
+            self.value_before = value
+        self.value = value
         if self.editor.text() != (value or ""):
             self.editor.setText(value or "")
             self.editor.setCursorPosition(0)

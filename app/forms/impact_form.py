@@ -118,10 +118,12 @@ class ImpactForm(QGroupBox):
         lines = []
         for mechanism in wall.mechanisms() if wall.mechanism else ():
             try:
-                found = wall.restitution_of(mechanism)
+                model_used = wall.restitution_of(mechanism)
                 word = named(mechanism)
-                lines.append(f"{word}: {FORMULAS[found.model]} = {found.ratio_at_rest:.4f}")
-                lines.append(f"({self.scopes[found.model]})")
+                lines.append(
+                    f"{word}: {FORMULAS[model_used.model]} = {model_used.ratio_at_rest:.4f}"
+                )
+                lines.append(f"({self.scopes[model_used.model]})")
             except (InputError, TypeError) as error:
                 lines.append(described(error))
         self.formula.setText("\n".join(lines) or tr("Choose a mechanism."))

@@ -27,7 +27,7 @@ from core.ground import records
 from core.ground.records.grammar import Options
 from core.units import G
 
-MOST_FILES = 500
+MAX_FILES = 500
 
 
 def read(record: Record, base_dir: Path) -> list:
@@ -44,10 +44,10 @@ def read(record: Record, base_dir: Path) -> list:
 
 def all_files(paths: list[Path]) -> list[Path]:
     """Files among these, folders opened."""
-    found = []
+    files = []
     for path in paths:
-        found += sorted(f for f in path.rglob("*") if f.is_file()) if path.is_dir() else [path]
-    return [path for path in found if not path.name.startswith(".")]
+        files += sorted(f for f in path.rglob("*") if f.is_file()) if path.is_dir() else [path]
+    return [path for path in files if not path.name.startswith(".")]
 
 
 class ImportDialog(QDialog):
@@ -56,7 +56,7 @@ class ImportDialog(QDialog):
     def __init__(self, paths: list[Path], parent: QWidget | None = None):
         super().__init__(parent)
         self.setWindowTitle(tr("Records found"))
-        self.paths = paths[:MOST_FILES]
+        self.paths = paths[:MAX_FILES]
         self.entries = {path: Record(str(path)) for path in self.paths}
         self.found: dict[Record, list] = {}
         self.list = QListWidget()
@@ -98,8 +98,8 @@ class ImportDialog(QDialog):
         row.addWidget(self.list, 1)
         row.addLayout(right, 2)
         hint = tr("Choices apply to the files selected; those not readable are left out.")
-        if len(paths) > MOST_FILES:
-            left = tr("{n} more files are not shown: add them in parts.", n=len(paths) - MOST_FILES)
+        if len(paths) > MAX_FILES:
+            left = tr("{n} more files are not shown: add them in parts.", n=len(paths) - MAX_FILES)
             hint += " " + left
         self.hint = QLabel(hint)
         layout = QVBoxLayout(self)
@@ -121,12 +121,12 @@ class ImportDialog(QDialog):
             self.marking.stop()
 
     def _mark(self, row: int) -> None:
-        (found, *_) = self._read(self.paths[row])
-        bad, name = isinstance(found, str), self.paths[row].name
+        (motion, *_) = self._read(self.paths[row])
+        bad, name = isinstance(motion, str), self.paths[row].name
         item = self.list.item(row)
         item.setText(f"{name}  ✕" if bad else name)
         item.setForeground(QColor(theme.current.bad if bad else theme.current.ink))
-        item.setToolTip(found if bad else "")
+        item.setToolTip(motion if bad else "")
 
     def _judge(self) -> None:
         """No OK while a field holds what is not in the entries."""
@@ -165,16 +165,16 @@ class ImportDialog(QDialog):
         for field in self.fields:
             field.show_value(getattr(self.entries[self.path], field.key))
         self.chart.clear()
-        (found, *_) = self._read(self.path)
-        if isinstance(found, str):
-            self.words.setText(found)
+        (motion, *_) = self._read(self.path)
+        if isinstance(motion, str):
+            self.words.setText(motion)
             return
         self.words.setText(
-            f"{found.format}: {found.acceleration.size} × {found.time_step:g} s, {found.unit}, "
-            f"PGA {found.pga / G:.3f} g"
+            f"{motion.format}: {motion.acceleration.size} × {motion.time_step:g} s, {motion.unit}, "
+            f"PGA {motion.pga / G:.3f} g"
         )
-        times = np.arange(found.acceleration.size) * found.time_step
-        self.chart.curve(found.name, times, found.acceleration / G, 0, 1.0)
+        times = np.arange(motion.acceleration.size) * motion.time_step
+        self.chart.curve(motion.name, times, motion.acceleration / G, 0, 1.0)
         self.chart.reset()
 
     def chosen(self) -> list[Record]:

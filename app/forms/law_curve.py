@@ -11,7 +11,7 @@ from core.wall.moment_rotation import moment
 from core.wall.restitution import Restitution
 from core.wall.rocking_model import rocking_model
 
-LONGEST = 3.0
+MAX_PERIOD = 3.0
 """Period up to which a spectrum is drawn [s]."""
 
 
@@ -45,7 +45,7 @@ class SpectrumCurve(SmallCurve):
         """Draw this target, nothing where there is none."""
         self.setVisible(target is not None)
         if target is not None:
-            periods = np.linspace(0.0, LONGEST, 151)
+            periods = np.linspace(0.0, MAX_PERIOD, 151)
             self.curve.setData(periods, np.asarray(target.acceleration(periods)) / G)
 
 

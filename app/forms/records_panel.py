@@ -112,23 +112,27 @@ class RecordsPanel(QWidget):
         base = self.session.base_dir
 
         def work(job):
-            found = [
+            motions_read = [
                 (k, motion) for k, entry in enumerate(case.record) for motion in read(entry, base)
             ]
             if case.generate:
                 try:
                     asked = demand_of(case, base)
-                    found += [
+                    motions_read += [
                         (None, m)
                         for m in (generated(case, asked) if asked and asked.target else [])
                     ]
                 except (InputError, TypeError) as error:
-                    found.append((None, described(error)))
-            for _, motion in found:
+                    motions_read.append((None, described(error)))
+            for _, motion in motions_read:
                 if not isinstance(motion, str):
                     motion.measure()
-            files = {m.file for _, m in found if not isinstance(m, str) and m.format != "generated"}
-            return key, found, {name: state_of(name) for name in files}
+            files = {
+                m.file
+                for _, m in motions_read
+                if not isinstance(m, str) and m.format != "generated"
+            }
+            return key, motions_read, {name: state_of(name) for name in files}
 
         job = Job(work)
         job.done.connect(self._arrived)
@@ -139,20 +143,20 @@ class RecordsPanel(QWidget):
         self.words.setText(f"{sentence} {log}")
 
     def _arrived(self, answer) -> None:
-        key, found, states = answer
+        key, motions_read, states = answer
         if key != self.key:
             return
         self.states = states
-        self.rows, self.pending = found, False
+        self.rows, self.pending = motions_read, False
         case = self.session.case
         self.motions = [
-            motion for k, motion in found
+            motion for k, motion in motions_read
             if not isinstance(motion, str) and (k is None or case.record[k].include)
         ]  # fmt: skip
         self.session.samples = {motion.samples_sha256 for motion in self.motions}
         self.table.blockSignals(True)
         rows, colors, twins = [], [], self._twins()
-        for row, (k, motion) in enumerate(found):
+        for row, (k, motion) in enumerate(motions_read):
             if isinstance(motion, str):
                 rows.append(["", motion, *[""] * 7])
                 colors.append([theme.current.bad] * 9)
@@ -164,7 +168,7 @@ class RecordsPanel(QWidget):
             color = theme.current.amber if motion.warnings else None
             colors.append([theme.current.bad if row in twins else color] * 9)
         self.table.show_rows(rows, colors)
-        for row, (k, motion) in enumerate(found):
+        for row, (k, motion) in enumerate(motions_read):
             if isinstance(motion, str):
                 continue
             tick = QTableWidgetItem()
@@ -188,7 +192,7 @@ class RecordsPanel(QWidget):
 
     def _twins(self) -> dict[int, str]:
         """What to say of the rows in use whose samples an earlier one has: no study takes both."""
-        seen, found = {}, {}
+        seen, sentences = {}, {}
         for row, (k, motion) in enumerate(self.rows):
             used = not isinstance(motion, str) and (
                 k is None or self.session.case.record[k].include
@@ -197,10 +201,10 @@ class RecordsPanel(QWidget):
                 first = seen.get(motion.samples_sha256, seen.get(motion.file, row))
                 seen |= {motion.samples_sha256: first, motion.file: first}
                 if first != row:
-                    found[row] = described(
+                    sentences[row] = described(
                         InputError("record_twice", file=motion.name, twin=self.rows[first][1].name)
                     )
-        return found
+        return sentences
 
     # changes
 
@@ -212,17 +216,17 @@ class RecordsPanel(QWidget):
         """Change the records of these rows, None to drop them. An entry of many files is written file by file
         where only some of them are meant."""
         case = self.session.case
-        found: list[Record | None] = []
+        records: list[Record | None] = []
         for k, record in enumerate(case.record):
             mine = [row for row, (entry, _) in enumerate(self.rows) if entry == k]
             if rows.issuperset(mine) or rows.isdisjoint(mine):
-                found.append(change(record) if mine and mine[0] in rows else record)
+                records.append(change(record) if mine and mine[0] in rows else record)
                 continue
             for row in mine:
                 name = self.session.relative(Path(name_of(self.rows[row][1].file)))
                 one = replace(record, file=name)
-                found.append(change(one) if row in rows else one)
-        self.session.edit(replace(case, record=tuple(one for one in found if one is not None)))
+                records.append(change(one) if row in rows else one)
+        self.session.edit(replace(case, record=tuple(one for one in records if one is not None)))
 
     def _ticked(self, item) -> None:
         known = not self.pending and item.row() < len(self.rows)

@@ -287,7 +287,7 @@ class WallForm(QWidget):
             return
         before, after = self.former
         if wall == after:
-            wall = before  # the way back from a general block rounds nothing and keeps the setback
+            wall = before  # the way back from a general block rounds nothing and holds_invalid_text the setback
         try:
             block = wall.block()
         except (InputError, TypeError):
@@ -350,8 +350,8 @@ class WallForm(QWidget):
             notes = []
 
             def read():
-                walls, found = read_table(Path(name), self.session.case.demand is not None)
-                notes.extend(found)
+                walls, notices = read_table(Path(name), self.session.case.demand is not None)
+                notes.extend(notices)
                 return walls
 
             self._take(read)

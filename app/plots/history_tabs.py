@@ -228,26 +228,26 @@ class ValidationTab(QWidget):
         if pair is None:
             return
         speed = wall.block.frequency_parameter * alpha
-        for found, name, color in zip(
+        for one, name, color in zip(
             pair.histories, (tr("survives"), tr("overturns")), (0, 1), strict=True
         ):
-            inside = np.abs(found.rotation) < 1.5 * alpha
+            inside = np.abs(one.rotation) < 1.5 * alpha
             self.phase.curve(
                 name,
-                found.rotation[inside] / alpha,
-                found.velocity[inside] / speed,
+                one.rotation[inside] / alpha,
+                one.velocity[inside] / speed,
                 color,
                 1.0,
                 path=True,
             )
         self.phase.reset()
 
-    def show_accuracy(self, found) -> None:
+    def show_accuracy(self, accuracy) -> None:
         """The chart and the two statements; nothing before they are asked for."""
         self.chart.clear()
-        if found is None:
+        if accuracy is None:
             return
-        for k, point in enumerate(found.points):
+        for k, point in enumerate(accuracy.points):
             if point.error is not None:
                 name = f"{point.name}: {point.error:.0e}"
                 mark = "ost"[k // 7]  # colours come again after seven
@@ -264,20 +264,20 @@ class ValidationTab(QWidget):
                 (
                     tr(
                         "Solver ({method}): error of q {q}, of the history {history} α ({record}).",
-                        method=found.method,
-                        q=share(found.solver_q_error),
+                        method=accuracy.method,
+                        q=share(accuracy.solver_q_error),
                         history="–"
-                        if found.history_error is None
-                        else f"{found.history_error:.0e}",
-                        record=found.record,
+                        if accuracy.history_error is None
+                        else f"{accuracy.history_error:.0e}",
+                        record=accuracy.record,
                     ),
                     tr(
                         "Definition: by the step of the search q spreads {q}, q robust {robust}; by rounding the "
                         "record to five figures {rounded} and {rounded_robust}.",
-                        q=share(found.spread(1, found.steps)),
-                        robust=share(found.spread(2, found.steps)),
-                        rounded=share(found.spread(0, found.rounded)),
-                        rounded_robust=share(found.spread(1, found.rounded)),
+                        q=share(accuracy.spread(1, accuracy.steps)),
+                        robust=share(accuracy.spread(2, accuracy.steps)),
+                        rounded=share(accuracy.spread(0, accuracy.rounded)),
+                        rounded_robust=share(accuracy.spread(1, accuracy.rounded)),
                     ),
                 )
             )

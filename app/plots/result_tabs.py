@@ -72,10 +72,10 @@ class CheckTab(QWidget):
 
     def show_wall(self, result: StudyResult, wall: WallResult) -> None:
         """Fill the tab from one wall of a result."""
-        found = wall.assessment
+        assessment = wall.assessment
         self.peaks.clear()
         rows, colors = [], []
-        if found is None:
+        if assessment is None:
             self.sentence.setText(
                 tr("No demand: no check. q of the wall: {q}", q=digits(wall.q_set))
             )
@@ -83,7 +83,7 @@ class CheckTab(QWidget):
             self.reasons.setText(self._warnings(wall))
             self.table.show_rows([])
             return
-        said = found.verdict
+        said = assessment.verdict
         self.sentence.setText(said.text(self.language))
         self.sentence.setStyleSheet(
             f"font-size: 12pt; font-weight: 600; color: {verdict_color(result, wall)};"
@@ -93,11 +93,11 @@ class CheckTab(QWidget):
             reasons.append(
                 tr("Should the restraint behind fail: ζ {zeta}", zeta=digits(said.lower_bound))
             )
-        if found.kinematic:
-            reasons.insert(0, self._mechanism(found))
+        if assessment.kinematic:
+            reasons.insert(0, self._mechanism(assessment))
         lines = [f"• {reason}" for reason in reasons] + [self._warnings(wall)]
         self.reasons.setText("\n".join(line for line in lines if line))
-        for check, decides in found.shown:
+        for check, decides in assessment.shown:
             color = theme.current.good if check.passed else theme.current.bad
             outcome = (
                 "no_number" if check.passed is None else "passed" if check.passed else "not_passed"
@@ -118,12 +118,12 @@ class CheckTab(QWidget):
                              digits(check.capacity / G, 3), digits(check.demand / G, 3), "g"])  # fmt: skip
                 colors.append([theme.current.quiet] * 8)
         self.table.show_rows(rows, colors)
-        if found.dynamic:
-            self._bars(found.dynamic)
+        if assessment.dynamic:
+            self._bars(assessment.dynamic)
 
-    def _mechanism(self, found) -> str:
+    def _mechanism(self, assessment) -> str:
         """Free to vibrate or restrained, T_0, and what the dynamic check says beside zeta_E."""
-        kinematic, dynamic = found.kinematic, found.dynamic
+        kinematic, dynamic = assessment.kinematic, assessment.dynamic
         parts = [
             tr("Element free to vibrate")
             if kinematic.free_element

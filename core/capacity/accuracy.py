@@ -95,7 +95,7 @@ def truth(motion: GroundMotion, scale: float, model: RockingModel, cancelled) ->
 def point(motion, scale, model, method: Method, theta: np.ndarray) -> MethodPoint:
     """Time and error of one method on one history."""
     ground, dt = motion.acceleration, motion.time_step
-    found = history(ground, dt, scale, model, method)
+    one = history(ground, dt, scale, model, method)
     seconds = []
     for _ in range(REPEATS):
         start = time.perf_counter()
@@ -105,8 +105,8 @@ def point(motion, scale, model, method: Method, theta: np.ndarray) -> MethodPoin
     if method.name in ("newmark_events", "rk4") and method.option > 1:
         name += f", {method.option} steps"
     error = None
-    if found.rotation.size >= theta.size:
-        error = float(np.abs(found.rotation[: theta.size] - theta).max() / model.slenderness)
+    if one.rotation.size >= theta.size:
+        error = float(np.abs(one.rotation[: theta.size] - theta).max() / model.slenderness)
     return MethodPoint(name, method.option, min(seconds), error)
 
 
@@ -144,14 +144,14 @@ def accuracy(
     for factor in STEP_FACTORS:
         step = factor * search.q_step
         if 1e-4 <= step <= 0.05:
-            found = searched(ground, replace(search, q_step=step), method)
-            steps.append((step, found.q, found.q_robust))
+            result = searched(ground, replace(search, q_step=step), method)
+            steps.append((step, result.q, result.q_robust))
     noise = np.random.Generator(np.random.PCG64(1))
     rounded = [(ida.q, ida.q_robust)]
     for _ in range(NOISES):
         moved = ground + ROUNDING * motion.pga * noise.uniform(-1.0, 1.0, ground.size)
-        found = searched(moved, search, method)
-        rounded.append((found.q, found.q_robust))
+        result = searched(moved, search, method)
+        rounded.append((result.q, result.q_robust))
     pair = (ida.q, other_sign) if polarity > 0 else (other_sign, ida.q)
     return Accuracy(
         record=motion.name, polarity=polarity, scale=float(scale), method=method.name, q=ida.q,

@@ -46,12 +46,12 @@ def range_notices(
 
     pgas : (where, PGA [m/s2]) of each motion the forms are used with.
     """
-    found = []
+    notices = []
     low, high = FITTED_SLENDERNESS
     if not low - 1e-9 <= slenderness <= high + 1e-9:
-        found.append(notice("eq15_slenderness", alpha=math.degrees(slenderness)))
+        notices.append(notice("eq15_slenderness", alpha=math.degrees(slenderness)))
     if not FITTED_HEIGHT[0] - 1e-9 <= height <= FITTED_HEIGHT[1] + 1e-9:
-        found.append(notice("eq15_height", height=height))
+        notices.append(notice("eq15_height", height=height))
     outside = [
         f"{where} {pga / G:.3f} g"
         for where, pga in pgas
@@ -59,8 +59,8 @@ def range_notices(
     ]
     if outside:
         more = f" +{len(outside) - 5}" if len(outside) > 5 else ""
-        found.append(notice("eq15_pga", where=", ".join(outside[:5]) + more))
-    return found
+        notices.append(notice("eq15_pga", where=", ".join(outside[:5]) + more))
+    return notices
 
 
 @dataclass(frozen=True)

@@ -121,14 +121,14 @@ class _Map:
         outcomes = np.full(q_values.size, STABLE)
         peaks, clamped = np.zeros(q_values.size), np.zeros(q_values.size, np.int64)
         moves = q_values > 1.0 if self.rigid else np.full(q_values.size, True)
-        found, reached = np.empty(int(moves.sum()), np.int64), np.empty(int(moves.sum()))
+        codes, reached = np.empty(int(moves.sum()), np.int64), np.empty(int(moves.sum()))
         scales = self.sign * multiplier_of(q_values[moves], self.pga, threshold_of(self.model))
         which = np.zeros(scales.size, np.int64)
         clamped[moves] = scan_records(
-            self.method, self.grounds, which, scales, self.model, found, reached
+            self.method, self.grounds, which, scales, self.model, codes, reached
         )
         self.analyses += scales.size
-        outcomes[moves], peaks[moves] = found, reached
+        outcomes[moves], peaks[moves] = codes, reached
         return outcomes, peaks, clamped
 
     def grow(self, first: int, last: int) -> None:
@@ -180,10 +180,10 @@ class _Map:
             ]
 
         edges = [(self.q_of(firsts[k] - 1), self.q_of(firsts[k])) for k in wanted]
-        found = [None if first is None else (0.0, self.q_of(first)) for first in firsts]
+        pairs = [None if first is None else (0.0, self.q_of(first)) for first in firsts]
         for k, bracket in zip(wanted, bisections(edges, failures), strict=True):
-            found[k] = bracket
-        return found
+            pairs[k] = bracket
+        return pairs
 
 
 def bisections(brackets: list[tuple[float, float]], failures) -> list[tuple[float, float] | None]:
@@ -193,15 +193,16 @@ def bisections(brackets: list[tuple[float, float]], failures) -> list[tuple[floa
     failures(points) : [(fails, unknown)], flags of each of the arrays of points. None where a midpoint a
     bisection needs is unknown.
     """
-    found = list(brackets)
-    while any(wide := [bracket is not None and not _narrow(*bracket) for bracket in found]):
+    narrowed = list(brackets)
+    while any(wide := [bracket is not None and not _narrow(*bracket) for bracket in narrowed]):
         edges = [
-            _halved(*bracket) if k else np.zeros(2) for k, bracket in zip(wide, found, strict=True)
+            _halved(*bracket) if k else np.zeros(2)
+            for k, bracket in zip(wide, narrowed, strict=True)
         ]
         for k, (fails, unknown) in enumerate(failures([points[1:-1] for points in edges])):
             if wide[k]:
-                found[k] = _narrowed(edges[k], fails, unknown)
-    return found
+                narrowed[k] = _narrowed(edges[k], fails, unknown)
+    return narrowed
 
 
 def _narrow(low: float, high: float) -> bool:
@@ -255,7 +256,7 @@ def incremental_dynamic_analysis(
     search: Search,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> Ida:
-    """Search one run (PHYSICS: section 5).
+    """Search one run (resources/docs/physics.md, section 11).
 
     ground : [m/s2], shape (n,); dt [s]; pga : of the unscaled record [m/s2]; sign : 1 as recorded, -1
     reversed. Raises Cancelled between two chunks of analyses when `cancelled()` is true.
@@ -319,16 +320,16 @@ def first_with_share(flags: np.ndarray, half: int, share: float) -> int | None:
 
 def _robust_index(grid: _Map, half: int) -> int | None:
     """Smallest grid index whose whole window holds a share >= 0.16 of collapsing points."""
-    found = first_with_share(grid.outcomes == COLLAPSED, half, ROBUST_SHARE)
-    return None if found is None else grid.first + found
+    index = first_with_share(grid.outcomes == COLLAPSED, half, ROBUST_SHARE)
+    return None if index is None else grid.first + index
 
 
 def _result(grid: _Map, status: str, brackets, robust: int | None) -> Ida:
     """brackets : of q, q_slv, q_slc, each None where it has none."""
-    found = status == "collapse_found"
+    collapses = status == "collapse_found"
     q, q_slv, q_slc = (bracket[1] if bracket else None for bracket in brackets)
     windows, last, fraction = [], None, None
-    if found:
+    if collapses:
         survives = grid.outcomes == STABLE
         start = int(np.argmax(grid.outcomes == COLLAPSED))
         last_index = int(np.nonzero(survives)[0][-1]) if survives.any() else None

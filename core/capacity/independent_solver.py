@@ -52,13 +52,13 @@ def history(ground, dt, alpha, p2, one_sided, ratio_of, kinks=None, cancelled=la
                 return [y[1], -p2 * (law(y[0], alpha, kinks) - beta * math.cos(alpha - y[0]))]
 
             events = [_event(0.0, -1)] + [_event(level, 0) for level in levels if level != phi]
-            found = solve_ivp(motion, (t, dt), [phi, speed], "DOP853", rtol=3e-14, atol=1e-18,
+            solution = solve_ivp(motion, (t, dt), [phi, speed], "DOP853", rtol=3e-14, atol=1e-18,
                               max_step=dt / 4, events=events)  # fmt: skip
-            t = found.t[-1]
-            phi, speed = found.y[:, -1]
-            if found.status != 1:
+            t = solution.t[-1]
+            phi, speed = solution.y[:, -1]
+            if solution.status != 1:
                 break
-            if len(found.t_events[0]) == 0:
+            if len(solution.t_events[0]) == 0:
                 phi = min(levels, key=lambda level: abs(level - phi))
                 continue
             impacts += 1

@@ -297,7 +297,7 @@ class Case:
 
     def differing(self) -> set[tuple]:
         """Places (section, index, key) whose value differs from the default."""
-        found = set()
+        places = set()
         for section, items in (("wall", self.wall), ("record", self.record),
                                ("report", [self.report]), ("analysis", [self.analysis]),
                                ("demand", [self.demand] if self.demand else []),
@@ -305,5 +305,5 @@ class Case:
             for index, item in enumerate(items):
                 for entry in fields(item):
                     if entry.default is MISSING or getattr(item, entry.name) != entry.default:
-                        found.add((section, index, entry.name))
-        return found
+                        places.add((section, index, entry.name))
+        return places

@@ -63,7 +63,7 @@ WORDS = ("name", "floor", "mechanism", "back_restraint", "notes", "restitution",
 FLAGS = {"sì": True, "si": True, "yes": True, "true": True, "vero": True, "x": True, "1": True,
          "no": False, "false": False, "falso": False, "0": False}  # fmt: skip
 
-MOST_ROWS, MOST_COLUMNS, MOST_BYTES = 2000, 40, 20_000_000
+MAX_ROWS, MAX_COLUMNS, MAX_BYTES = 2000, 40, 20_000_000
 
 
 def read_walls(path: Path, with_demand: bool = False) -> list[Wall]:
@@ -78,7 +78,7 @@ def read_table(path: Path, with_demand: bool = False) -> tuple[list[Wall], list[
         if path.exists() and not path.is_file():
             raise InputError("table_not_a_file")
         size = path.stat().st_size
-        if size > MOST_BYTES:
+        if size > MAX_BYTES:
             raise InputError("table_too_many_mb", mb=size / 1000000.0)
         content, notes = path.read_bytes(), []
         if path.suffix.lower() == ".xlsx":
@@ -124,7 +124,7 @@ def _xlsx_rows(content: bytes) -> tuple[list[list[str]], list[Sentence]]:
     Raises InputError for what a table of walls never holds."""
     try:
         with zipfile.ZipFile(io.BytesIO(content)) as folder:
-            if sum(entry.file_size for entry in folder.infolist()) > MOST_BYTES:
+            if sum(entry.file_size for entry in folder.infolist()) > MAX_BYTES:
                 raise InputError("table_unpacked")
             sheets = [n for n in folder.namelist() if n.startswith("xl/worksheets/sheet")]
             if any(b"<mergeCell " in folder.read(name) for name in sheets):
@@ -138,9 +138,9 @@ def _xlsx_rows(content: bytes) -> tuple[list[list[str]], list[Sentence]]:
         sheet = shown[0]
         sheet.reset_dimensions()  # the tag that states them can lie
         rows, hidden = [], _hidden_rows(content, book, sheet.title)
-        for number, row in enumerate(sheet.iter_rows(max_col=10 * MOST_COLUMNS), start=1):
-            if number > MOST_ROWS:
-                raise InputError("too_many_rows", rows=MOST_ROWS)
+        for number, row in enumerate(sheet.iter_rows(max_col=10 * MAX_COLUMNS), start=1):
+            if number > MAX_ROWS:
+                raise InputError("too_many_rows", rows=MAX_ROWS)
             if number in hidden:
                 rows.append([])
                 continue
@@ -174,7 +174,7 @@ def _hidden_rows(content: bytes, book, title: str) -> set[int]:
 
     with zipfile.ZipFile(io.BytesIO(content)) as folder:
         sheet = folder.read(book[title]._worksheet_path.lstrip("/"))
-    found, number, all_hidden = set(), 0, False
+    hidden, number, all_hidden = set(), 0, False
     for _, node in iterparse(io.BytesIO(sheet), events=("start",)):
         name = node.tag.rpartition("}")[2]
         if name == "sheetFormatPr":
@@ -188,8 +188,8 @@ def _hidden_rows(content: bytes, book, title: str) -> set[int]:
             or node.get("hidden") in ("1", "true")
             or (all_hidden and node.get("hidden") is None)
         ):
-            found.add(number)
-    return found
+            hidden.add(number)
+    return hidden
 
 
 def walls_of(rows: list[list[str]], with_demand: bool = False) -> list[Wall]:
@@ -198,8 +198,8 @@ def walls_of(rows: list[list[str]], with_demand: bool = False) -> list[Wall]:
     rows = [(n, row) for n, row in enumerate(rows, start=1) if n == 2 or any(row)]
     if len(rows) < 3:
         raise InputError("table_rows")
-    if len(rows) > MOST_ROWS or len(rows[0][1]) > 4 * MOST_COLUMNS:
-        raise InputError("table_too_large", rows=MOST_ROWS, columns=4 * MOST_COLUMNS)
+    if len(rows) > MAX_ROWS or len(rows[0][1]) > 4 * MAX_COLUMNS:
+        raise InputError("table_too_large", rows=MAX_ROWS, columns=4 * MAX_COLUMNS)
     keys = _heads(rows[0][1])
     factors = _factors(keys, rows[1][1], rows[0][1])
     walls = []

@@ -13,11 +13,11 @@ IDENTITY = {"wall": "name", "record": "file"}
 def table_of(case: Case) -> dict:
     """The case as a mapping with the keys of the file, only what differs from the defaults; `parse_case`
     reads it back equal, and `draft_case` one that is not complete."""
-    found = {"title": case.title}
+    table = {"title": case.title}
     given = case.differing()
     content = case.as_dict()
     if case.walls is not None:
-        found["walls"] = case.walls
+        table["walls"] = case.walls
     for section in ("report", "wall", "record", "generate", "analysis", "demand"):
         items = content[section]
         items = items if isinstance(items, tuple) else [items] if items is not None else []
@@ -31,10 +31,10 @@ def table_of(case: Case) -> dict:
         ]
         if section in ("wall", "record"):
             if tables:
-                found[section] = tables
+                table[section] = tables
         elif tables and (tables[0] or section in ("generate", "demand")):
-            found[section] = tables[0]
-    return found
+            table[section] = tables[0]
+    return table
 
 
 class _OtherTables(Exception):

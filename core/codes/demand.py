@@ -57,23 +57,23 @@ class DemandResult:
 
 def with_records(demand: DemandResult, motions: list[GroundMotion]) -> DemandResult:
     """The demand with what only the records give: an intensity that nothing else states, warnings."""
-    found = []
+    notices = []
     if demand.ag > LARGE_AG:
-        found.append(notice("large_ag", ag=demand.ag / G))
+        notices.append(notice("large_ag", ag=demand.ag / G))
     if not motions:
-        return replace(demand, warnings=tuple(found))
+        return replace(demand, warnings=tuple(notices))
     if demand.record_scaling == "pga":
-        found.append(notice("pga_scaling"))
+        notices.append(notice("pga_scaling"))
     large = sum(demand.scaling(motion) > LARGE_SCALING for motion in motions)
     if large:
-        found.append(notice("large_scaling", n=large))
+        notices.append(notice("large_scaling", n=large))
     share = float(np.mean([motion.pga for motion in motions])) / demand.pga
     if demand.record_scaling == "as_given" and share < WEAK_RECORDS:
-        found.append(notice("weaker_records", share=share))
+        notices.append(notice("weaker_records", share=share))
     if demand.intensity is None:
         intensity = mean_intensity(demand, motions)
         demand = replace(demand, intensity=intensity, intensity_source="records_scaled")
-    return replace(demand, warnings=tuple(found))
+    return replace(demand, warnings=tuple(notices))
 
 
 def mean_intensity(demand: DemandResult, motions: list[GroundMotion]) -> float:

@@ -163,15 +163,15 @@ class _Set:
         signed = np.outer([self.ground_factors[k] for k in batch], np.array(self.polarities, float))
         scales = np.multiply.outer(signed, multipliers).ravel()
         which = np.repeat(np.arange(len(batch)), scales.size // len(batch))
-        found, reached = np.empty(scales.size, np.int64), np.empty(scales.size)
+        codes, reached = np.empty(scales.size, np.int64), np.empty(scales.size)
         for start in range(0, scales.size, CHUNK):
             if self.cancelled():
                 raise Cancelled
             part = slice(start, start + CHUNK)
             scan_records(self.method, grounds, which[part], scales[part], self.model,
-                         found[part], reached[part])  # fmt: skip
+                         codes[part], reached[part])  # fmt: skip
         shape = (len(batch), len(self.polarities), multipliers.size)
-        return found.reshape(shape), reached.reshape(shape) / self.model.slenderness
+        return codes.reshape(shape), reached.reshape(shape) / self.model.slenderness
 
     def runs(self) -> tuple[DemandRun, ...]:
         """Every record and sign at the demand itself."""
@@ -281,7 +281,7 @@ def demand_check(
         reaches = zeta.half is not None and zeta.half >= target - ROUNDING
         judged[name] = zeta, zeta.holds_at_target and reaches
         expected = EXPECTED * (zeta.first or 0.0)
-    found, passed = judged.pop(side)
+    zeta_found, passed = judged.pop(side)
     second = None
     for name, (zeta, fine) in judged.items():
         second = OtherConfidence(name, zeta.half, fine, zeta.spread)
@@ -293,14 +293,14 @@ def demand_check(
         max_peak_ratio=None if worse is None else float(worse.max()),
         set_rule="mean" if work.mean else "maximum",
         limit_ratio=work.limit,
-        zeta=found.half,
+        zeta=zeta_found.half,
         holds=worse is not None and work.rule_holds(worse),
         passed=passed,
-        holds_at_target=found.holds_at_target,
+        holds_at_target=zeta_found.holds_at_target,
         confidence_on=side,
-        zeta_spread=found.spread,
-        zeta_16=found.sixteen,
-        zeta_first=found.first,
-        share_failing_at_demand=found.share_at_target,
+        zeta_spread=zeta_found.spread,
+        zeta_16=zeta_found.sixteen,
+        zeta_first=zeta_found.first,
+        share_failing_at_demand=zeta_found.share_at_target,
         zeta_other=second,
     )

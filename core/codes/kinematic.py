@@ -142,11 +142,11 @@ def kinematic(wall, mechanism: str, demand: DemandResult) -> Kinematic:
         if not missing:
             _covers(demand.target, period_0, "T_0", wall)
     zeta_sld = None if acceleration is None else a0 / acceleration
-    found = (
+    quantities = (
         alpha0, E_STAR, mass, a0, d0, free, period_0, acceleration, zeta_sld, missing,
     )  # fmt: skip
     if demand.target is None or demand.limit_state not in LIMIT_FRACTION:
-        return Kinematic(*found)
+        return Kinematic(*quantities)
     share = LIMIT_FRACTION[demand.limit_state]
     d_limit, a_limit = share * d0, (1.0 - share) * a0
     period = PERIOD_FACTOR[demand.limit_state] * math.sqrt(d_limit / a_limit)
@@ -155,40 +155,40 @@ def kinematic(wall, mechanism: str, demand: DemandResult) -> Kinematic:
     s_de = target_spectrum.largest_displacement(
         demand.target, start, period, DAMPING[demand.limit_state]
     )
-    return Kinematic(*found, d_limit, a_limit, period, s_de)
+    return Kinematic(*quantities, d_limit, a_limit, period, s_de)
 
 
 def _passed(zeta: float, demand: DemandResult) -> bool:
     return zeta >= demand.zeta_target - ROUNDING
 
 
-def sld(found: Kinematic, demand: DemandResult) -> Check | None:
+def sld(mechanism: Kinematic, demand: DemandResult) -> Check | None:
     """C8.7.1.2.1.5: a0* against the largest acceleration of the ground a_g S (C8.7.1.8), of an element free
     to vibrate against S_e(T_0, 5 %) (C8.7.1.9). None where T_0 of a free element is not known."""
-    if found.zeta_sld is None:
+    if mechanism.zeta_sld is None:
         return None
-    return Check("linear_q_code", SLD_CLAUSE, "g", found.a0 / G, found.acceleration_demand / G,
-                 found.zeta_sld, _passed(found.zeta_sld, demand), 1.0)  # fmt: skip
+    return Check("linear_q_code", SLD_CLAUSE, "g", mechanism.a0 / G, mechanism.acceleration_demand / G,
+                 mechanism.zeta_sld, _passed(mechanism.zeta_sld, demand), 1.0)  # fmt: skip
 
 
-def linear(name: str, found: Kinematic, demand: DemandResult, q: float) -> Check | None:
+def linear(name: str, mechanism: Kinematic, demand: DemandResult, q: float) -> Check | None:
     """C8.7.1.2.1.7, at SLV only: a_g,SLV = q a_g,SLD >= a_g, a_g,SLD obtained by C8.7.1.8, for an element
     free to vibrate by C8.7.1.9 (T_0). None where its T_0 is not known."""
-    if found.zeta_sld is None:
+    if mechanism.zeta_sld is None:
         return None
-    zeta = q * found.zeta_sld
+    zeta = q * mechanism.zeta_sld
     return Check(name, Q_CLAUSE, "g", zeta * demand.ag / G, demand.ag / G, zeta,
                  _passed(zeta, demand), q)  # fmt: skip
 
 
-def nonlinear(found: Kinematic, demand: DemandResult) -> Check | None:
+def nonlinear(mechanism: Kinematic, demand: DemandResult) -> Check | None:
     """C8.7.1.2.1.8: d_SLV against the largest S_De on [T_0, T_SLV] (T_0 = 0 for restrained walls; for the
     spectrum of a code that is S_De(T_SLV)). Where the a_g,SLV of this check is below a_g,SLD, a_g,SLD counts
     for SLV too. None without a spectrum."""
-    if found.d_limit is None:
+    if mechanism.d_limit is None:
         return None
-    zeta = found.d_limit / found.s_de
-    if demand.limit_state == "SLV" and found.zeta_sld is not None:
-        zeta = max(zeta, found.zeta_sld)
-    return Check("nonlinear", DISPLACEMENT_CLAUSE, "m", found.d_limit, found.s_de, zeta,
+    zeta = mechanism.d_limit / mechanism.s_de
+    if demand.limit_state == "SLV" and mechanism.zeta_sld is not None:
+        zeta = max(zeta, mechanism.zeta_sld)
+    return Check("nonlinear", DISPLACEMENT_CLAUSE, "m", mechanism.d_limit, mechanism.s_de, zeta,
                  _passed(zeta, demand))  # fmt: skip

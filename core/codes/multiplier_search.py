@@ -88,8 +88,8 @@ def search_zeta(
     at = start
     while at <= top:
         stride = sparse if grid.multiplier(at + AT_ONCE * sparse) < expected else coarse
-        found = grid.look(range(at, at + AT_ONCE * stride, stride))
-        if found.any():
+        failing = grid.look(range(at, at + AT_ONCE * stride, stride))
+        if failing.any():
             break
         at += AT_ONCE * stride
     holds = not grid.look([0])[0]
@@ -97,7 +97,7 @@ def search_zeta(
         most = MAX_MULTIPLIER
         return Zeta(most, most, most, (most, most), 0.0, holds)
     # the window below the first failure found at every second point, each standing for the next as well
-    edge = at + stride * (int(np.argmax(found)) - 1) + 1
+    edge = at + stride * (int(np.argmax(failing)) - 1) + 1
     low = edge - 2 * (half // 2)
     fails, last = np.repeat(grid.look(range(low, edge, 2)), 2), None
     while last is None and low + fails.size <= top + half:

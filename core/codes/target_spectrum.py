@@ -179,14 +179,14 @@ def given(name: str, ag: float, soil: float, rows: list[tuple[float, float]]) ->
         raise InputError("spectrum_values", place=(name,))
     if periods[0] > 0.1 or periods[-1] < 2.5:
         raise InputError("spectrum_range", low=periods[0], high=periods[-1], place=(name,))
-    found = GivenSpectrum(name, ag, soil, periods, values)
-    if periods[0] <= 0.01 and abs(values[0] / found.pga - 1.0) > 0.05:
-        raise InputError("spectrum_start", start=values[0] / G, pga=found.pga / G, place=(name,))
-    if not 1.2 <= max(values) / found.pga <= 6.0:
+    spectrum = GivenSpectrum(name, ag, soil, periods, values)
+    if periods[0] <= 0.01 and abs(values[0] / spectrum.pga - 1.0) > 0.05:
+        raise InputError("spectrum_start", start=values[0] / G, pga=spectrum.pga / G, place=(name,))
+    if not 1.2 <= max(values) / spectrum.pga <= 6.0:
         raise InputError(
             "spectrum_largest",
             largest=max(values) / G,
-            ratio=max(values) / found.pga,
+            ratio=max(values) / spectrum.pga,
             place=(name,),
         )
-    return found
+    return spectrum

@@ -76,15 +76,15 @@ def verdict(
     kinematic : None above the ground."""
     block = wall.block()
     made = {check.name: check for check in checks}
-    found = next((made[name] for name in ORDER if name in made), None)
+    governing = next((made[name] for name in ORDER if name in made), None)
     q_code = made.get("linear_q_code")
-    zeta = found.zeta if found else None
+    zeta = governing.zeta if governing else None
     target = demand.zeta_target
     activated = _activated(wall, block, demand, checks, kinematic, circumstances)
     doubts = []
     if wall.above_ground:
         doubts.append(_reason("upper_floor", z=wall.base_z_m))
-    elif found is None:
+    elif governing is None:
         doubts.append(_reason("no_check"))
     elif zeta is None:
         doubts.append(_reason("no_number"))
@@ -116,7 +116,7 @@ def verdict(
         code = "undetermined"
     elif limits:
         code = "indicative"
-    elif found.passed:
+    elif governing.passed:
         refined = demand.limit_state == "SLV" and not (q_code and q_code.passed)
         code = "verified_refined" if refined else "verified"
     else:
@@ -129,21 +129,29 @@ def verdict(
             outcome=sentence("word", "passed" if other.passed else "not_passed"),
         )
         for other in checks
-        if found
-        and other is not found
+        if governing
+        and other is not governing
         and other.passed is not None
-        and other.passed != found.passed
+        and other.passed != governing.passed
     ]
     if dynamic and compliance and code != "not_activated":
         if compliance.unnamed:
             notes.append(_reason("no_station", n=compliance.unnamed))
         if compliance.stations <= MEAN_FROM:
             notes.append(_reason("more_records", n=compliance.stations))
-    parts = _sentence(code, block, demand, found, q_code, dynamic)
+    parts = _sentence(code, block, demand, governing, q_code, dynamic)
     if_unloaded = code != "undetermined" and not wall.unloaded_confirmed
     reasons = (*doubts, *limits, *notes)
-    governing = found.name if found else None
-    return Verdict(code, governing, zeta, target, reasons, parts, if_unloaded, lower_bound)
+    return Verdict(
+        code,
+        governing.name if governing else None,
+        zeta,
+        target,
+        reasons,
+        parts,
+        if_unloaded,
+        lower_bound,
+    )
 
 
 def _activated(wall, block, demand: DemandResult, checks, kinematic, circumstances) -> bool:
@@ -167,49 +175,49 @@ def _limits(
     wall, mechanism: str, block, demand, dynamic, compliance, circumstances: Circumstances
 ) -> list[Sentence]:
     """Reasons for which the checks are indicative only."""
-    found = []
+    reasons = []
     if dynamic:
         if compliance is None:
-            found.append(_reason("no_spectrum"))
+            reasons.append(_reason("no_spectrum"))
         elif not compliance.compatible:
-            found.append(_reason("not_compatible"))
+            reasons.append(_reason("not_compatible"))
         elif compliance.narrow:
             (low, high), (least, most) = compliance.period_range, compliance.full_range
-            found.append(_reason("narrow_range", low=low, high=high, least=least, most=most))
+            reasons.append(_reason("narrow_range", low=low, high=high, least=least, most=most))
         if demand.record_scaling == "pga":
-            found.append(_reason("pga_scaling"))
+            reasons.append(_reason("pga_scaling"))
         stations = compliance.stations if compliance else circumstances.records
         if stations < MINIMUM_FROM:
-            found.append(_reason("few_records", n=stations))
+            reasons.append(_reason("few_records", n=stations))
         if circumstances.bundled:
-            found.append(_reason("bundled"))
+            reasons.append(_reason("bundled"))
         if not circumstances.both_signs:
-            found.append(_reason("one_sign"))
+            reasons.append(_reason("one_sign"))
         if not circumstances.exact:
-            found.append(_reason("comparison_method"))
+            reasons.append(_reason("comparison_method"))
     if mechanism == "one_sided" and not wall.back_restraint:
-        found.append(_reason("no_restraint"))
+        reasons.append(_reason("no_restraint"))
     if not demand.soil_factor_stated:
-        found.append(_reason("no_soil_factor"))
+        reasons.append(_reason("no_soil_factor"))
     alpha = math.degrees(block.slenderness)
     if alpha > STOCKY_DEG:
-        found.append(_reason("stocky", alpha=alpha))
-    return found
+        reasons.append(_reason("stocky", alpha=alpha))
+    return reasons
 
 
-def _sentence(code: str, block, demand, found, q_code, dynamic) -> tuple[Sentence, ...]:
+def _sentence(code: str, block, demand, governing, q_code, dynamic) -> tuple[Sentence, ...]:
     """The parts of the sentence of a verdict."""
     way = code
-    if code == "verified" and found.name == "linear_q_code":
+    if code == "verified" and governing.name == "linear_q_code":
         way = "verified_simply" if demand.limit_state == "SLV" else "verified_plainly"
     elif code == "verified" and q_code is None:
         way = "verified_plainly"
     elif code == "verified_refined" and q_code is None:
         way = "verified_alone"
-    zeta = f"{found.zeta:.2f}" if found and found.zeta is not None else "–"
+    zeta = f"{governing.zeta:.2f}" if governing and governing.zeta is not None else "–"
     if demand.zeta_target != 1.0:
         zeta = sentence("added", "required", zeta=zeta, target=demand.zeta_target)
-    method = sentence("method", found.label) if found else ""
+    method = sentence("method", governing.label) if governing else ""
     lifting = demand.confidence_factor * demand.pga / G
     parts = [
         sentence(

@@ -1,4 +1,4 @@
-"""A ground motion in SI units with its provenance and intensity measures (PHYSICS: section 6)."""
+"""A ground motion in SI units with its provenance and intensity measures (resources/docs/physics.md, section 12)."""
 
 import hashlib
 import math
@@ -15,10 +15,10 @@ LARGE_PGA = 2.0 * G
 SMALL_PGA = 0.001 * G
 """Outside these peaks [m/s2] the unit is probably wrong: warned."""
 
-LEAST_PGA = 1e-9
+MIN_PGA = 1e-9
 """Below this peak [m/s2] a record is one of zeros."""
 
-SHORTEST_STEP, LONGEST_STEP = 1e-5, 0.5
+MIN_STEP, MAX_STEP = 1e-5, 0.5
 """Time steps accepted [s]."""
 
 
@@ -46,15 +46,13 @@ class GroundMotion:
         samples = np.ascontiguousarray(self.acceleration, dtype=np.float64).copy()
         samples.flags.writeable = False
         object.__setattr__(self, "acceleration", samples)
-        if not SHORTEST_STEP <= self.time_step <= LONGEST_STEP:
-            raise RecordError(
-                "time_step", step=self.time_step, low=SHORTEST_STEP, high=LONGEST_STEP
-            )
+        if not MIN_STEP <= self.time_step <= MAX_STEP:
+            raise RecordError("time_step", step=self.time_step, low=MIN_STEP, high=MAX_STEP)
         if samples.size < 10:
             raise RecordError("too_few_samples", n=samples.size)
         if not np.isfinite(samples).all():
             raise RecordError("sample_not_a_number", n=int(np.argmin(np.isfinite(samples))) + 1)
-        if np.abs(samples).max() < LEAST_PGA:
+        if np.abs(samples).max() < MIN_PGA:
             raise RecordError("all_zero")
 
     @property

@@ -23,33 +23,33 @@ def provenance(motion: GroundMotion) -> Provenance:
     """Of an ESM, AFAD or DYNA header, of a SIGMA / ITACA one, of the second line of a PEER file."""
     details = {key.lower(): " ".join(value.split()) for key, value in motion.details}
 
-    def said(*keys: str) -> str:
+    def header_value(*keys: str) -> str:
         return next((details[key] for key in keys if details.get(key)), "")
 
-    if said("station_code"):
-        corners = [said("low_cut_frequency_hz"), said("high_cut_frequency_hz")]
+    if header_value("station_code"):
+        corners = [header_value("low_cut_frequency_hz"), header_value("high_cut_frequency_hz")]
         return Provenance(
-            event=said("event_id", "event_name"),
-            station=f"{said('network')} {said('station_code')}".strip(),
-            date=f"{said('event_date_yyyymmdd')} {said('event_time_hhmmss')}".strip(),
-            magnitude=_magnitude(said("magnitude_w"), said("magnitude_l")),
-            distance_km=said("epicentral_distance_km"),
-            site_class=said("site_classification_ec8"),
+            event=header_value("event_id", "event_name"),
+            station=f"{header_value('network')} {header_value('station_code')}".strip(),
+            date=f"{header_value('event_date_yyyymmdd')} {header_value('event_time_hhmmss')}".strip(),
+            magnitude=_magnitude(header_value("magnitude_w"), header_value("magnitude_l")),
+            distance_km=header_value("epicentral_distance_km"),
+            site_class=header_value("site_classification_ec8"),
             filter=f"{corners[0]}-{corners[1]} Hz" if any(corners) else "",
         )
-    if said("station code / name"):
-        corners = said("filter cut-off frequency (hz)")
+    if header_value("station code / name"):
+        corners = header_value("filter cut-off frequency (hz)")
         return Provenance(
-            event=said("event date & time"),
-            station=said("station code / name"),
-            date=said("event date & time"),
+            event=header_value("event date & time"),
+            station=header_value("station code / name"),
+            date=header_value("event date & time"),
             filter=f"{corners} Hz" if corners else "",
         )
-    parts = [part.strip() for part in said("line 2").split(",")]
+    parts = [part.strip() for part in header_value("line 2").split(",")]
     if motion.format == "PEER AT2" and len(parts) >= 3:
         # event, its date in one part or more, station, component
         return Provenance(event=", ".join(parts[:-2]), station=parts[-2], date=_dated(parts[:-2]))
-    return Provenance(station=said("station", "station_name"))
+    return Provenance(station=header_value("station", "station_name"))
 
 
 def _magnitude(moment: str, local: str) -> str:
@@ -59,18 +59,18 @@ def _magnitude(moment: str, local: str) -> str:
 def _dated(parts: list[str]) -> str:
     """The words with a date in them, as `05/19/40 0439` or `10/18/1989`."""
     words = " ".join(parts).split()
-    found = [k for k, word in enumerate(words) if word.count("/") == 2]
-    return " ".join(words[found[0] :]) if found else ""
+    dates = [k for k, word in enumerate(words) if word.count("/") == 2]
+    return " ".join(words[dates[0] :]) if dates else ""
 
 
 def stations(motions: list[GroundMotion]) -> set[str]:
     """Event and station of each motion: two components of one station are one. A file that names no station
     counts as a station of its own."""
-    found = set()
+    names = set()
     for k, motion in enumerate(motions):
         where = provenance(motion)
-        found.add(f"{where.event} {where.station}".lower() if where.station else f"file {k}")
-    return found
+        names.add(f"{where.event} {where.station}".lower() if where.station else f"file {k}")
+    return names
 
 
 def unnamed(motions: list[GroundMotion]) -> int:

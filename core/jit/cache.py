@@ -139,7 +139,7 @@ def close() -> None:
 
 def configure_numba() -> None:
     """Before numba compiles its first kernel: it asks this cache, and optimises at level 1. The code is as fast as
-    with level 3 (measured, resources/docs/speed.md), and is there a sixth sooner."""
+    with level 3, and a cold start 5 to 7 % shorter (resources/docs/speed.md)."""
     os.environ.setdefault(
         "NUMBA_CACHE_LOCATOR_CLASSES",
         "core.jit.numba_extensions.Locator,InTreeCacheLocator,UserWideCacheLocator,IPythonCacheLocator",

@@ -42,5 +42,5 @@ class Kernel:
 
 
 def widest_vectors() -> None:
-    """Called in a kernel: its loops use the widest vector registers of the processor. LLVM keeps to half of
-    them on some processors, and the bare arithmetic of the lanes then takes nearly twice as long."""
+    """Called in a kernel: its loops use the widest vector registers of the processor. LLVM keeps to half of them on
+    Intel processors, where a search then takes up to 18 % longer (resources/docs/speed.md)."""

@@ -1,6 +1,5 @@
 """What numba has to know of the kernels; imported with the first call of one."""
 
-import gc
 import hashlib
 from pathlib import Path
 
@@ -58,8 +57,8 @@ _known = {}
 
 
 def _once(function, context, arguments, keywords):
-    """numba tries dozens of rules, some with an error's text, for each `a * b` of numbers: a quarter of a
-    compilation. The same call has the same types."""
+    """numba tries dozens of rules, some with an error's text, for each `a * b` of numbers. The same call has the same
+    types: a tenth of a cold start (resources/docs/speed.md)."""
     if keywords or not all(isinstance(argument, types.Number) for argument in arguments):
         return _types_of_call(function, context, arguments, keywords)
     call = function, arguments
@@ -93,12 +92,6 @@ def _instruction(context, builder, signature, arguments):
 
 @lower_builtin(widest_vectors)
 def _mark_function(context, builder, signature, arguments):
-    builder.function.attributes.add("noinline")
     # llvmlite's list of known attributes lacks this one
     set.add(builder.function.attributes, '"prefer-vector-width"="512"')
     return context.get_dummy_value()
-
-
-gc.freeze()
-"""What there is by now, most of it made by numba's import, stays to the end: the collector need not look through it
-while kernels compile."""

@@ -128,14 +128,14 @@ def _filled(match: re.Match, value) -> str:
     return f'<c r="{match[1]}"{attributes}><f>{match[3]}</f><v>{shown}</v></c>'
 
 
-def dress(cell: Cell, key: tuple, put_on: Callable[[], None]) -> Cell:
-    """Change a cell's style by put_on(), or by what that gave for an equal style and key before. Cells of equal
-    looks share one style, which only put_on may change: a large report has a million cells."""
+def cached_style(cell: Cell, key: tuple, apply: Callable[[], None]) -> Cell:
+    """Change a cell's style by apply(), or by what that gave for an equal style and key before. Cells of equal
+    looks share one style, which only apply may change: a large report has a million cells."""
     known = _LOOKS.setdefault(cell.parent.parent, {})
     key = (tuple(cell._style or ()), key)
     if key not in known:
         cell._style = copy(cell._style)
-        put_on()
+        apply()
         known[key] = cell._style
     cell._style = known[key]
     return cell
@@ -144,33 +144,35 @@ def dress(cell: Cell, key: tuple, put_on: Callable[[], None]) -> Cell:
 def fill(cell: Cell, color: str) -> Cell:
     """A plain colour behind a cell."""
 
-    def put_on() -> None:
+    def apply() -> None:
         cell.fill = PatternFill("solid", fgColor=color)
 
-    return dress(cell, ("fill", color), put_on)
+    return cached_style(cell, ("fill", color), apply)
 
 
 def frame(cell: Cell, color: str, *sides: str) -> Cell:
     """Thin lines at these sides of a cell (left, right, top, bottom)."""
 
-    def put_on() -> None:
+    def apply() -> None:
         line = Side(style="thin", color=color)
         cell.border = Border(**dict.fromkeys(sides, line))
 
-    return dress(cell, ("frame", color, sides), put_on)
+    return cached_style(cell, ("frame", color, sides), apply)
 
 
 def style(cell: Cell, bold=False, color=INK, size=10, number_format=None, wrap=False, align=None,
-          italic=False, upright=None) -> Cell:  # fmt: skip
-    upright = upright or ("top" if wrap else "center")
+          italic=False, vertical=None) -> Cell:  # fmt: skip
+    vertical = vertical or ("top" if wrap else "center")
 
-    def put_on() -> None:
+    def apply() -> None:
         cell.font = Font(name="Calibri", size=size, bold=bold, color=color, italic=italic)
-        cell.alignment = Alignment(vertical=upright, wrap_text=wrap, horizontal=align)
+        cell.alignment = Alignment(vertical=vertical, wrap_text=wrap, horizontal=align)
         if number_format:
             cell.number_format = number_format
 
-    return dress(cell, (bold, color, size, number_format, wrap, align, italic, upright), put_on)
+    return cached_style(
+        cell, (bold, color, size, number_format, wrap, align, italic, vertical), apply
+    )
 
 
 def text(sheet: Worksheet, row: int, column: int, content, **look) -> Cell:
@@ -201,7 +203,7 @@ def header(
     """A header row of a table."""
     for k, label in enumerate(labels):
         cell = text(sheet, row, column + k, label, bold=True, color="FFFFFF", wrap=True,
-                    align="center", upright="center")  # fmt: skip
+                    align="center", vertical="center")  # fmt: skip
         fill(cell, ACCENT)
     sheet.row_dimensions[row].height = height
 

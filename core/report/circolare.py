@@ -46,22 +46,24 @@ def spectrum_rows(book: Book, sheet, result: StudyResult, row: int) -> int:
 
 def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: str, row: int) -> int:
     """Kinematic checks of one wall, linear and nonlinear, beside the program's values."""
-    say, found = book.say, wall.assessment.kinematic
+    say, kinematic = book.say, wall.assessment.kinematic
     demand = result.demand
     kind = (
         say("element free to vibrate")
-        if found.free_element
+        if kinematic.free_element
         else say("restrained by transverse walls")
     )
     row = heads(book, sheet, row, say('Circolare 7/2019, wall on the ground, {kind}', kind=kind))  # fmt: skip
     row = live_row(book, sheet, row, "α0 = tan α", "C8.7.1.1",
-                   f"=TAN(RADIANS({name}_slenderness))", found.alpha0, "–", f"{name}_alpha0")  # fmt: skip
-    row = input_row(book, sheet, row, "e* (C8.7.1.5)", found.e_star, "–", f"{name}_e_star", RATIO)
+                   f"=TAN(RADIANS({name}_slenderness))", kinematic.alpha0, "–", f"{name}_alpha0")  # fmt: skip
+    row = input_row(
+        book, sheet, row, "e* (C8.7.1.5)", kinematic.e_star, "–", f"{name}_e_star", RATIO
+    )
     row = live_row(book, sheet, row, "a0* = α0 g / (e* FC)", "C8.7.1.3",
-                   f"={name}_alpha0/({name}_e_star*demand_fc)", found.a0 / G, "g",
+                   f"={name}_alpha0/({name}_e_star*demand_fc)", kinematic.a0 / G, "g",
                    f"{name}_a0_star")  # fmt: skip
-    if found.m_star is not None:
-        row = input_row(book, sheet, row, say('M* per metre'), found.m_star, "kg/m",
+    if kinematic.m_star is not None:
+        row = input_row(book, sheet, row, say('M* per metre'), kinematic.m_star, "kg/m",
                         f"{name}_m_star", "0")  # fmt: skip
     row = _sld(book, sheet, wall, name, demand, row)
     for check in found_checks(wall, "linear_q_slv", "linear_q_code"):
@@ -92,13 +94,13 @@ def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: st
 
 def _sld(book: Book, sheet, wall, name: str, demand, row: int) -> int:
     """a_g,SLD over a_g: against a_g S, of an element free to vibrate against S_e(T_0)."""
-    found, say = wall.assessment.kinematic, book.say
-    if found.zeta_sld is None:
+    kinematic, say = wall.assessment.kinematic, book.say
+    if kinematic.zeta_sld is None:
         text(sheet, row, 1, say('No linear check: T_0 is not known (see the verdict).'),
              color=QUIET, italic=True)  # fmt: skip
         return row + 1
     against, clause = "demand_pga", "C8.7.1.8"
-    if found.free_element:
+    if kinematic.free_element:
         asked, against, clause = wall.wall, f"{name}_se_t0", "C8.7.1.9"
         drawn = asked.slenderness_deg is None or asked.setback
         t = f"{name}_thickness" if drawn else f"({name}_height*TAN(RADIANS({name}_slenderness)))"
@@ -108,16 +110,16 @@ def _sld(book: Book, sheet, wall, name: str, demand, row: int) -> int:
         row = live_row(book, sheet, row, "T_0 = κ (H/t) H √(w/(E g))", "C8.7.1.7",
                        f"={CANTILEVER}*{name}_height/{t}*{name}_height"
                        f"*SQRT({name}_weight/(1000*{name}_modulus*gravity))",
-                       found.period_0, "s", f"{name}_period_0")  # fmt: skip
+                       kinematic.period_0, "s", f"{name}_period_0")  # fmt: skip
         if isinstance(demand.target, CodeSpectrum):
             formula = f"=demand_pga*{spectrum_shape(f'{name}_period_0', 5.0)}"
             row = live_row(book, sheet, row, "S_e(T_0, 5 %)", clause, formula,
-                           found.acceleration_demand / G, "g", against)  # fmt: skip
+                           kinematic.acceleration_demand / G, "g", against)  # fmt: skip
         else:
-            row = input_row(book, sheet, row, "S_e(T_0, 5 %)", found.acceleration_demand / G, "g",
+            row = input_row(book, sheet, row, "S_e(T_0, 5 %)", kinematic.acceleration_demand / G, "g",
                             against)  # fmt: skip
     return live_row(book, sheet, row, "a_g,SLD / a_g", clause, f"={name}_a0_star/{against}",
-                    found.zeta_sld, "–", f"{name}_zeta_sld")  # fmt: skip
+                    kinematic.zeta_sld, "–", f"{name}_zeta_sld")  # fmt: skip
 
 
 def found_checks(wall: WallResult, *names: str):
@@ -125,35 +127,35 @@ def found_checks(wall: WallResult, *names: str):
 
 
 def _displacement(book: Book, sheet, wall, name: str, demand, check, row: int) -> int:
-    found, state = wall.assessment.kinematic, demand.limit_state
+    kinematic, state = wall.assessment.kinematic, demand.limit_state
     share = LIMIT_FRACTION[state]
     row = live_row(book, sheet, row, "d0 = R sin α", "C8.7.1.2.1.6",
-                   f"={name}_radius*SIN(RADIANS({name}_slenderness))", found.d0, "m", f"{name}_d0")  # fmt: skip
+                   f"={name}_radius*SIN(RADIANS({name}_slenderness))", kinematic.d0, "m", f"{name}_d0")  # fmt: skip
     row = live_row(book, sheet, row, f"d_{state} = {share:.2f} d0", "C8.7.1.2.1.6",
-                   f"={share}*{name}_d0", found.d_limit, "m", f"{name}_d_limit")  # fmt: skip
+                   f"={share}*{name}_d0", kinematic.d_limit, "m", f"{name}_d_limit")  # fmt: skip
     row = live_row(book, sheet, row, f"a(d_{state})", "C8.7.1.3",
-                   f"=(1-{share})*{name}_a0_star*gravity", found.a_limit, "m/s²", f"{name}_a_limit")  # fmt: skip
+                   f"=(1-{share})*{name}_a0_star*gravity", kinematic.a_limit, "m/s²", f"{name}_a_limit")  # fmt: skip
     equation = "C8.7.1.10" if state == "SLV" else "C8.7.1.11"
     factor = PERIOD_FACTOR[state] / 3.141592653589793
     row = live_row(book, sheet, row, f"T_{state}", equation,
-                   f"={factor:.2f}*PI()*SQRT({name}_d_limit/{name}_a_limit)", found.period, "s",
+                   f"={factor:.2f}*PI()*SQRT({name}_d_limit/{name}_a_limit)", kinematic.period, "s",
                    f"{name}_period")  # fmt: skip
     damping = 100.0 * DAMPING[state]
     if isinstance(demand.target, CodeSpectrum):
         t = f"{name}_period"
         formula = f"=demand_pga*gravity*{spectrum_shape(t, damping)}*({t}/(2*PI()))^2"
         row = live_row(book, sheet, row, f"S_De(T_{state}, {damping:g} %)", "C8.7.1.12", formula,
-                       found.s_de, "m", f"{name}_s_de")  # fmt: skip
+                       kinematic.s_de, "m", f"{name}_s_de")  # fmt: skip
     else:
-        row = input_row(book, sheet, row, f"S_De max, [T_0, T_{state}], {damping:g} %", found.s_de, "m",
+        row = input_row(book, sheet, row, f"S_De max, [T_0, T_{state}], {damping:g} %", kinematic.s_de, "m",
                         f"{name}_s_de")  # fmt: skip
     ratio, formula = f"{name}_d_limit/{name}_s_de", f"={name}_d_limit/{name}_s_de"
-    if state == "SLV" and found.zeta_sld is not None:
+    if state == "SLV" and kinematic.zeta_sld is not None:
         row = live_row(book, sheet, row, f"d_{state} / S_De", "C8.7.1.12", formula,
-                       found.d_limit / found.s_de, "–")  # fmt: skip
+                       kinematic.d_limit / kinematic.s_de, "–")  # fmt: skip
         label = book.say("not below a_g,SLD / a_g")
         row = live_row(book, sheet, row, label, "C8.7.1.2.1.8", f"={name}_zeta_sld",
-                       found.zeta_sld, "–")  # fmt: skip
+                       kinematic.zeta_sld, "–")  # fmt: skip
         formula = f"=MAX({ratio},{name}_zeta_sld)"
     row = live_row(book, sheet, row, f"ζ: {word('nonlinear', book.language)}", "C8.7.1.2.1.8",
                    formula, check.zeta, "–", f"{name}_nonlinear_zeta")  # fmt: skip

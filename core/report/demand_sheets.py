@@ -152,11 +152,11 @@ def _wall(book: Book, sheet, wall: WallResult, check, row: int) -> int:
 
 def spectral_compatibility(book: Book, result: StudyResult) -> None:
     """The rules of the codes one by one, and the spectra."""
-    say, found = book.say, result.compliance
+    say, compliance = book.say, result.compliance
     widths = [40, 30, 13, 13, 8, 15, 12, 12, 12]
     sheet = book.sheet("Spectral compatibility", widths, landscape=True)
     title(sheet, 1, say('Compatibility of the records with the target spectrum'))  # fmt: skip
-    if found is None:
+    if compliance is None:
         text(
             sheet,
             3,
@@ -166,13 +166,15 @@ def spectral_compatibility(book: Book, result: StudyResult) -> None:
             ),
         )
         return
-    verdict = say("The set is compatible") if found.compatible else say("The set is not compatible")
+    verdict = (
+        say("The set is compatible") if compliance.compatible else say("The set is not compatible")
+    )
     text(sheet, 2, 1, f"{verdict}: {result.demand.target.name}", bold=True,
-         color=GOOD if found.compatible else BAD)  # fmt: skip
+         color=GOOD if compliance.compatible else BAD)  # fmt: skip
     header(sheet, 4, [say('Rule'), say('Clause'), say('Value'),
                       say('Limit'), say('Unit'), say('Outcome')], 1, 18)  # fmt: skip
     row = 4
-    for item in found.rules:
+    for item in compliance.rules:
         row += 1
         text(sheet, row, 1, word(item.name, book.language))
         text(sheet, row, 2, item.clause, color=QUIET, size=9)
@@ -186,7 +188,7 @@ def spectral_compatibility(book: Book, result: StudyResult) -> None:
         color = QUIET if item.passed is None else GOOD if item.passed else BAD
         text(sheet, row, 6, word(outcome, book.language), bold=item.passed is not None, color=color)
         rule(sheet, row, 1, 6)
-    low, high = found.period_range
+    low, high = compliance.period_range
     row = paragraph(
         sheet,
         row + 2,
@@ -207,24 +209,27 @@ def spectral_compatibility(book: Book, result: StudyResult) -> None:
 
 
 def _spectra(book: Book, sheet, result: StudyResult) -> ScatterChart:
-    found, say = result.compliance, book.say
+    compliance, say = result.compliance, book.say
     text(sheet, 2, DATA, "T [s]", size=8)
     names = [say('target'), say('mean'),
              *(motion.name for motion in result.motions[:DRAWN_SPECTRA])]  # fmt: skip
-    curves = [found.target, found.mean, *found.spectra[:DRAWN_SPECTRA]]
+    curves = [compliance.target, compliance.mean, *compliance.spectra[:DRAWN_SPECTRA]]
     for k, label in enumerate(names):
         text(sheet, 2, DATA + 1 + k, label, size=8)
-    for n, period in enumerate(found.periods):
+    for n, period in enumerate(compliance.periods):
         sheet.cell(3 + n, DATA, float(period))
         for k, curve in enumerate(curves):
             sheet.cell(3 + n, DATA + 1 + k, float(curve[n]) / G)
     chart = new_chart(say('5 % acceleration spectra'), "T [s]",
                       "S_a [g]", 24.0, 10.0)  # fmt: skip
-    last = 2 + found.periods.size
+    last = 2 + compliance.periods.size
     for k in range(len(curves) - 1, -1, -1):
         color, width = ((BAD, 25000), (ACCENT, 25000))[k] if k < 2 else ("B8C2CC", 6000)
         add_series(chart, sheet, (DATA, DATA + 1 + k), (2, last), color, width=width)
-    chart.x_axis.scaling.min, chart.x_axis.scaling.max = 0, math.ceil(2.0 * found.periods[-1]) / 2.0
+    chart.x_axis.scaling.min, chart.x_axis.scaling.max = (
+        0,
+        math.ceil(2.0 * compliance.periods[-1]) / 2.0,
+    )
     chart.y_axis.scaling.min = 0
     if len(curves) > 10:
         chart.legend = None

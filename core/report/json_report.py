@@ -56,12 +56,12 @@ def _demand(result: StudyResult) -> dict:
     }
 
 
-def _compliance(found: Compliance) -> dict:
+def _compliance(compliance: Compliance) -> dict:
     return {
-        "compatible": found.compatible,
-        "period_range_s": list(found.period_range),
-        "stations": found.stations,
-        "rules": [asdict(rule) for rule in found.rules],
+        "compatible": compliance.compatible,
+        "period_range_s": list(compliance.period_range),
+        "stations": compliance.stations,
+        "rules": [asdict(rule) for rule in compliance.rules],
     }
 
 
@@ -71,15 +71,15 @@ def _demand_check(check: DemandCheck | None) -> dict | None:
     return {**asdict(check), "runs": [asdict(run) for run in check.runs]}
 
 
-def _assessment(found: Assessment | None) -> dict:
+def _assessment(assessment: Assessment | None) -> dict:
     """The keys demand_check, lower_bound_check, kinematic_check and verdict of a wall."""
-    if found is None:
+    if assessment is None:
         return {"demand_check": None, "kinematic_check": None, "verdict": None}
-    said = found.verdict
-    mechanism = found.kinematic
+    verdict = assessment.verdict
+    mechanism = assessment.kinematic
     return {
-        "demand_check": _demand_check(found.dynamic),
-        "lower_bound_check": _demand_check(found.lower_bound),
+        "demand_check": _demand_check(assessment.dynamic),
+        "lower_bound_check": _demand_check(assessment.lower_bound),
         "kinematic_check": {
             "alpha0": mechanism.alpha0,
             "e_star": mechanism.e_star,
@@ -107,54 +107,54 @@ def _assessment(found: Assessment | None) -> dict:
                     "zeta": check.zeta,
                     "passed": check.passed,
                 }
-                for check in found.checks
+                for check in assessment.checks
             ],
         }
         if mechanism
         else None,
         "verdict": {
-            "code": said.code,
-            "governing": said.governing,
-            "zeta_e": said.zeta_e,
-            "zeta_target": said.zeta_target,
-            "reasons": [reason.text() for reason in said.reasons],
-            "text_it": said.text("it"),
-            "text_en": said.text("en"),
-            "lower_bound_zeta": said.lower_bound,
+            "code": verdict.code,
+            "governing": verdict.governing,
+            "zeta_e": verdict.zeta_e,
+            "zeta_target": verdict.zeta_target,
+            "reasons": [reason.text() for reason in verdict.reasons],
+            "text_it": verdict.text("it"),
+            "text_en": verdict.text("en"),
+            "lower_bound_zeta": verdict.lower_bound,
         },
     }
 
 
-def _uncertainty(found: Accuracy | None) -> dict:
+def _uncertainty(accuracy: Accuracy | None) -> dict:
     """The key uncertainty of a wall, where it was asked for: solver and definition kept apart."""
-    if found is None:
+    if accuracy is None:
         return {}
     return {
         "uncertainty": {
-            "record": found.record,
-            "polarity": found.polarity,
+            "record": accuracy.record,
+            "polarity": accuracy.polarity,
             "solver": {
-                "method": found.method,
-                "q": found.q,
-                "q_reference": found.q_reference,
+                "method": accuracy.method,
+                "q": accuracy.q,
+                "q_reference": accuracy.q_reference,
                 "reference": "dormand_prince",
-                "q_error": found.solver_q_error,
-                "history_error": found.history_error,
-                "scale": found.scale,
+                "q_error": accuracy.solver_q_error,
+                "history_error": accuracy.history_error,
+                "scale": accuracy.scale,
                 "histories": [
                     {"method": p.name, "option": p.option, "seconds": p.seconds, "error": p.error}
-                    for p in found.points
+                    for p in accuracy.points
                 ],
             },
             "definition": {
-                "steps": [{"q_step": s, "q": q, "q_robust": r} for s, q, r in found.steps],
-                "step_spread": found.spread(1, found.steps),
-                "step_spread_robust": found.spread(2, found.steps),
+                "steps": [{"q_step": s, "q": q, "q_robust": r} for s, q, r in accuracy.steps],
+                "step_spread": accuracy.spread(1, accuracy.steps),
+                "step_spread_robust": accuracy.spread(2, accuracy.steps),
                 "rounding": ROUNDING,
-                "rounded": [{"q": q, "q_robust": r} for q, r in found.rounded],
-                "rounding_spread": found.spread(0, found.rounded),
-                "rounding_spread_robust": found.spread(1, found.rounded),
-                "polarities": list(found.polarities) if found.polarities else None,
+                "rounded": [{"q": q, "q_robust": r} for q, r in accuracy.rounded],
+                "rounding_spread": accuracy.spread(0, accuracy.rounded),
+                "rounding_spread_robust": accuracy.spread(1, accuracy.rounded),
+                "polarities": list(accuracy.polarities) if accuracy.polarities else None,
             },
         }
     }

@@ -280,4 +280,4 @@ def _binned(ida, q_step: float) -> dict[int, float]:
     for k, digit in enumerate(ida.outcomes):
         log_q = start + (ida.first_index + k) * math.log1p(q_step)
         bins.setdefault(math.floor(log_q / MAP_BIN + 1e-9), []).append(digit == "1")
-    return {k: sum(found) / len(found) for k, found in bins.items()}
+    return {k: sum(values) / len(values) for k, values in bins.items()}

@@ -291,43 +291,44 @@ def _uncertainty(book: Book, sheet, result: StudyResult, row: int) -> int:
     """How sure each q is, where the case asks for it: solver and definition as two statements."""
     say = book.say
     for wall in result.walls:
-        found = wall.accuracy
-        if found is None:
+        accuracy = wall.accuracy
+        if accuracy is None:
             continue
         title(sheet, row, f"{say('How sure')}: {wall.name}, "
-              f"{word(wall.mechanism, book.language)}, {found.record}", 11)  # fmt: skip
+              f"{word(wall.mechanism, book.language)}, {accuracy.record}", 11)  # fmt: skip
         rows = [
             (
                 say("Error of the solver"),
                 say(
                     "q by dormand_prince: {_digits} against {q:.4f}, difference {_percent}; history against "
                     "DOP853 of scipy at the last survived scale: {_power} of alpha.",
-                    _digits=_digits(found.q_reference),
-                    q=found.q,
-                    _percent=_percent(found.solver_q_error),
-                    _power=_power(found.history_error),
+                    _digits=_digits(accuracy.q_reference),
+                    q=accuracy.q,
+                    _percent=_percent(accuracy.solver_q_error),
+                    _power=_power(accuracy.history_error),
                 ),
             ),
             (
                 say("Spread by definition"),
                 say("q (q robust) by step of the search: ")
                 + "; ".join(
-                    f"{100 * s:g} %: {_digits(q)} ({_digits(r)})" for s, q, r in found.steps
+                    f"{100 * s:g} %: {_digits(q)} ({_digits(r)})" for s, q, r in accuracy.steps
                 )
                 + ". "
                 + say("Samples rounded to five figures: q spreads ")
-                + f"{_percent(found.spread(0, found.rounded))}, q robust "
-                f"{_percent(found.spread(1, found.rounded))}."
+                + f"{_percent(accuracy.spread(0, accuracy.rounded))}, q robust "
+                f"{_percent(accuracy.spread(1, accuracy.rounded))}."
                 + (
-                    say(" Sign: ") + " / ".join(_digits(q) for q in found.polarities)
-                    if found.polarities
+                    say(" Sign: ") + " / ".join(_digits(q) for q in accuracy.polarities)
+                    if accuracy.polarities
                     else ""
                 ),
             ),
             (
                 say("Methods on this history"),
                 "; ".join(
-                    f"{p.name}: {1e6 * p.seconds:.0f} µs, {_power(p.error)}" for p in found.points
+                    f"{p.name}: {1e6 * p.seconds:.0f} µs, {_power(p.error)}"
+                    for p in accuracy.points
                 ),
             ),
         ]

@@ -193,17 +193,17 @@ def _walls_table(book: Book, sheet, result: StudyResult, walls: list[WallResult]
 
 def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: int) -> int:
     """The wall with the lowest zeta: table of methods, sketch, peaks, verdict."""
-    say, found = book.say, wall.assessment
+    say, assessment = book.say, wall.assessment
     label = f"{wall.name} – {word(wall.mechanism, book.language)}"
     title(sheet, row, label, 12)
-    if found.kinematic:
-        text(sheet, row, 5, _mechanism_line(book, found.kinematic), color=QUIET)
+    if assessment.kinematic:
+        text(sheet, row, 5, _mechanism_line(book, assessment.kinematic), color=QUIET)
     top = row + 1
     header(sheet, top, [
         say('Method'), say('Clause'), "q", say('Capacity'),
         say('Demand'), say('Unit'), "ζ", say('Outcome')], 1, 18)  # fmt: skip
     row = top
-    for check, decides in found.shown:
+    for check, decides in assessment.shown:
         row += 1
         values = (check.q, check.capacity, check.demand, check.unit, check.zeta, check.passed)
         label = word(check.label, book.language)
@@ -217,21 +217,21 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
             _method_row(book, sheet, row, word(source, book.language), LABEL, values, False)
     if wall.wall.height_m:
         _sketch(book, sheet, wall, f"I{top}")
-    if found.dynamic:
-        _peaks(book, sheet, found.dynamic, f"K{top}", 10.4, 6.2)
+    if assessment.dynamic:
+        _peaks(book, sheet, assessment.dynamic, f"K{top}", 10.4, 6.2)
     row = max(row, top + 11) + 1
-    said = found.verdict
-    row = paragraph(sheet, row, said.text(book.language), LAST, 120, bold=True, size=12,
+    verdict = assessment.verdict
+    row = paragraph(sheet, row, verdict.text(book.language), LAST, 120, bold=True, size=12,
                     color=verdict_color(result, wall))  # fmt: skip
-    for reason in said.reasons:
+    for reason in verdict.reasons:
         row = paragraph(sheet, row, f"• {reason.text(book.language)}", LAST, 150)
-    if said.lower_bound is not None:
+    if verdict.lower_bound is not None:
         row = paragraph(
             sheet,
             row,
             say(
                 "Should the restraint behind fail, the wall rocks on both sides: zeta {lower_bound:.2f}.",
-                lower_bound=said.lower_bound,
+                lower_bound=verdict.lower_bound,
             ),
             LAST,
             150,
@@ -239,20 +239,24 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
     return row
 
 
-def _mechanism_line(book: Book, found) -> str:
+def _mechanism_line(book: Book, assessment) -> str:
     """Quantities of the mechanism in one line."""
     say = book.say
-    parts = [f"α0 {found.alpha0:.4f}", f"e* {found.e_star:.0f}", f"a0* {found.a0 / G:.3f} g"]
-    if found.m_star is not None:
-        parts.append(f"M* {found.m_star:.0f} kg/m")
-    if found.free_element:
+    parts = [
+        f"α0 {assessment.alpha0:.4f}",
+        f"e* {assessment.e_star:.0f}",
+        f"a0* {assessment.a0 / G:.3f} g",
+    ]
+    if assessment.m_star is not None:
+        parts.append(f"M* {assessment.m_star:.0f} kg/m")
+    if assessment.free_element:
         parts.append(say("free to vibrate"))
-        if found.period_0 is not None:
-            parts.append(f"T_0 {found.period_0:.3f} s")
+        if assessment.period_0 is not None:
+            parts.append(f"T_0 {assessment.period_0:.3f} s")
     else:
         parts.append(say("restrained by transverse walls"))
-    if found.zeta_sld is not None:
-        parts.append(f"a_g,SLD/a_g {found.zeta_sld:.2f}")
+    if assessment.zeta_sld is not None:
+        parts.append(f"a_g,SLD/a_g {assessment.zeta_sld:.2f}")
     return ", ".join(parts)
 
 

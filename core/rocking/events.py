@@ -14,7 +14,7 @@ from core.wall.moment_rotation import potential, rotation_at_potential
 from core.wall.restitution import velocity_ratio
 
 REST_FRACTION = 1e-6
-"""After an impact the block rests below this fraction of p alpha (PHYSICS: 1e-9 changes nothing)."""
+"""After an impact the block rests below this fraction of p alpha (1e-9 changes no history, no q)."""
 
 IMPACTS_PER_SAMPLE = 10_000
 """More impacts than this within one sample end the analysis as impact_limit."""

@@ -5,19 +5,24 @@ from core.jit.decorators import inner_kernel, subkernel
 from core.jit.fma import fma
 
 SERIES_TOLERANCE = 1e-17
-"""Largest neglected term of a step, as a fraction of alpha."""
+"""Largest estimated omitted term of a step, as a fraction of alpha."""
 
 MAX_GROWTH = 2.8
-"""Largest square of the rate of growth times the step at which the bound of the neglected term holds."""
+"""Largest growth of a step that is taken whole: a chosen limit, against last coefficients that are small by accident
+in a long step. Section 8 needs less than 8."""
 
 
 @inner_kernel
 def neglected(v, growth, forcing, rise, p2, order):
-    """Bound of the first neglected term of a step [rad per step].
+    """Estimate of the first omitted term of the rotation at the end of a step [rad], not a bound of the remainder.
 
-    growth : p2 (1 + |beta| + slope of the branch) + phi'^2 times the step squared [-], the square of the
-    rate at which the terms of the series can grow; the other arguments as `turning_margin`. What order 6
-    leaves out also holds products of the two first terms, which do not grow out of its last ones.
+    From v'' = growth v, differentiated out of Eq. 1: v_n is about growth v_(n-2) / (n (n-1)), and the rotation
+    divides by n + 1, hence 1/720 = 1/(10 9 8) and 1/336 = 1/(8 7 6); two coefficients, since one may vanish. Order 6
+    adds the products of v_1, v_2, v_3 in v_7, 1/42 = 1/(7 6), which do not follow from its last coefficients.
+
+    v : v0..v8 [rad per step]
+    growth : p2 (1 + |beta| + slope of the branch) + phi'^2, all times the step squared [-]
+    forcing, rise, p2 : as `turning_margin`; order : 6 or 8
     """
     if order == 8:
         return (abs(v[7]) + abs(v[8])) * (1.0 / 720.0) * growth
@@ -27,24 +32,27 @@ def neglected(v, growth, forcing, rise, p2, order):
 
 @subkernel
 def converged_part(tail, growth, order, alpha):
-    """Largest part 1 / 2^n of the step at which the first neglected term, `tail` at its end, is below
-    SERIES_TOLERANCE alpha; growth : as `neglected`."""
+    """Largest part 1 / 2^n of the step at which the omitted term, `tail` at its end, is below SERIES_TOLERANCE alpha and
+    growth below MAX_GROWTH. Half a step divides growth by 4 and the term by 2^10 (order 8) or 2^8: its degree."""
     part = 1.0
     for _ in range(60):
         if tail <= SERIES_TOLERANCE * alpha and growth < MAX_GROWTH:
             break
         part *= 0.5
         growth *= 0.25
-        tail *= 0.0009765625 if order == 8 else 0.00390625
+        tail *= 1.0 / 1024.0 if order == 8 else 1.0 / 256.0
     return part
 
 
 @inner_kernel
 def largest_push(upper, forcing, p2, sine_alpha):
-    """Bound of |phi''| within a step [rad per step squared], after Eq. 1.
+    """Bound of |phi''| within a step on its branch [rad per step squared], after Eq. 1: there the moment is at most
+    sin(alpha) + phi, and phi exceeds its chord by at most p2 (1 + forcing) / 8.
 
-    upper : the larger rotation of its ends [rad]; forcing : bound of |u''|/g; p2 : p^2 times the step
-    squared; sine_alpha : sin(alpha), which no moment law exceeds by more than the rotation.
+    upper : the larger rotation of its ends [rad]
+    forcing : bound of |u''|/g [-]
+    p2 : p^2 times the step squared [-]
+    sine_alpha : sin(alpha) [-]
     """
     return p2 * (fma(0.125 * p2, 1.0 + forcing, upper) + (sine_alpha + forcing))
 

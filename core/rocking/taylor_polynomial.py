@@ -120,7 +120,7 @@ def landing(v, gap, h):
     """(first time in (0, h] at which gap + phi(t) - phi(0) falls to zero, bound of that sum until then, whether
     this is sure); gap not negative.
 
-    From the root of the parabola or the end two steps of Newton on the cubic and three of Halley. The
+    From the root of the parabola or the end two Newton steps on the cubic and three third-order steps. The
     time found is the first one where phi'' is negative until then, or where phi''' keeps its sign and phi' thus
     turns from outward to inward once. (1.001 and 1.998, for 1 and 2, are margins for rounding on the side of a
     larger bound.)
@@ -131,9 +131,9 @@ def landing(v, gap, h):
         off = fma(time, fma(time, fma(time, (1.0 / 3.0) * v[2], 0.5 * v[1]), v[0]), gap)
         slope = fma(time, fma(time, v[2], v[1]), v[0])
         time -= off / slope if slope < 0.0 else 0.0
-    time, _, _, _ = halley(v, gap, min(time, h))
-    time, _, _, _ = halley(v, gap, time)
-    time, step, more, slope = halley(v, gap, time)
+    time, _, _, _ = third_order_step(v, gap, min(time, h))
+    time, _, _, _ = third_order_step(v, gap, time)
+    time, step, more, slope = third_order_step(v, gap, time)
     near = (
         (abs(step) <= 1e-6 * time)
         & (abs(more) <= 1e-6)
@@ -151,8 +151,9 @@ def landing(v, gap, h):
 
 
 @inner_kernel
-def halley(v, gap, time):
-    """(time, Newton's step, what Halley's adds to it, slope) of a step to the root of gap + phi(t) - phi(0)."""
+def third_order_step(v, gap, time):
+    """(time, Newton's step, third-order correction relative to it, slope) of one step to the root of gap + phi(t) -
+    phi(0): Halley's correction expanded to first order (Chebyshev's method)."""
     slope = v[0] + change(v, time)
     inverse = 1.0 / slope if slope < 0.0 else 0.0
     step = (gap + increment(v, time)) * inverse

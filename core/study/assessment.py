@@ -33,16 +33,16 @@ def _reached(wall: WallResult, demand: DemandResult, search: Search) -> list[flo
     if any(run.ida.status == "impact_limit" for run in wall.runs):
         return None
     name = "q_slc" if demand.limit_state == "SLC" else "q_slv"
-    found = [getattr(run.ida, name) for run in wall.runs]
+    values = [getattr(run.ida, name) for run in wall.runs]
     # a wall that falls has reached the limit: without that q a midpoint of its bracket is unknown
-    if any(q is None and run.ida.q is not None for q, run in zip(found, wall.runs, strict=True)):
+    if any(q is None and run.ida.q is not None for q, run in zip(values, wall.runs, strict=True)):
         return None
-    return [search.q_limit if q is None else q for q in found]
+    return [search.q_limit if q is None else q for q in values]
 
 
 def assess(
     wall: WallResult,
-    found: Kinematic | None,
+    kinematic: Kinematic | None,
     motions: list[GroundMotion],
     polarities: tuple[int, ...],
     demand: DemandResult,
@@ -52,7 +52,7 @@ def assess(
     cancelled: Callable[[], bool] = lambda: False,
 ) -> Assessment:
     """Dynamic, kinematic and simplified checks of a wall (Circolare 7/2019 C8.7.1.2.1); above the ground
-    none, since the motion of its floor is not known. found : its mechanism, None there;
+    none, since the motion of its floor is not known. kinematic : its mechanism, None there;
     search : of the runs. Raises Cancelled."""
     asked = wall.wall
     strongest = max((demand.scaling(m) * m.pga for m in motions), default=0.0)
@@ -63,11 +63,11 @@ def assess(
         both_signs=wall.mechanism == "two_sided" or len(polarities) == 2,
         exact=method.name in EXACT_METHODS,
     )
-    if found is None:
-        said = verdict(
+    if kinematic is None:
+        result = verdict(
             asked, wall.mechanism, demand, (), None, None, compliance, doubtful, None
         )  # fmt: skip
-        return Assessment(None, (), None, None, said)
+        return Assessment(None, (), None, None, result)
     reached = _reached(wall, demand, search)
     dynamic = demand_check(
         wall.model, motions, polarities, demand, method, reached, STEP, True, cancelled
@@ -79,16 +79,16 @@ def assess(
         below = demand_check(
             model, motions, (1,), demand, method, None, BOUND_STEP, False, cancelled
         )
-    rows = [dynamic.as_check() if dynamic else None, nonlinear(found, demand)]
+    rows = [dynamic.as_check() if dynamic else None, nonlinear(kinematic, demand)]
     if demand.limit_state == "SLD":
-        rows.append(sld(found, demand))
+        rows.append(sld(kinematic, demand))
     elif demand.limit_state == "SLV":
         if wall.q_slv_set is not None:
-            rows.append(linear("linear_q_slv", found, demand, wall.q_slv_set))
-        rows.append(linear("linear_q_code", found, demand, demand.q_code))
+            rows.append(linear("linear_q_slv", kinematic, demand, wall.q_slv_set))
+        rows.append(linear("linear_q_code", kinematic, demand, demand.q_code))
     checks = tuple(check for check in rows if check is not None)
     lower = below.zeta if below else None
-    said = verdict(
-        asked, wall.mechanism, demand, checks, dynamic, found, compliance, doubtful, lower
+    result = verdict(
+        asked, wall.mechanism, demand, checks, dynamic, kinematic, compliance, doubtful, lower
     )
-    return Assessment(found, checks, dynamic, below, said)
+    return Assessment(kinematic, checks, dynamic, below, result)

@@ -49,9 +49,9 @@ class Assessment:
                 rows.append((replace(check, name=f"dynamic_{other.confidence_on}", demand=None, zeta=other.zeta,
                                      passed=passed), False))  # fmt: skip
             if check.name == "nonlinear" and self.kinematic.zeta_sld is not None:
-                found = self.kinematic
-                rows.append((Check("floor_sld", SLD_CLAUSE, "g", found.a0 / G, found.acceleration_demand / G,
-                                   found.zeta_sld, None), False))  # fmt: skip
+                kinematic = self.kinematic
+                rows.append((Check("floor_sld", SLD_CLAUSE, "g", kinematic.a0 / G, kinematic.acceleration_demand / G,
+                                   kinematic.zeta_sld, None), False))  # fmt: skip
         return tuple(rows)
 
 

@@ -180,7 +180,7 @@ def _model(wall: Wall, mechanism: str) -> RockingModel:
 
 def _run_all(planned, models, motions, method, search, threads, book, on_progress):
     """Idas by (wall, record, polarity)."""
-    found, todo, keys = {}, {}, {}
+    searches, todo, keys = {}, {}, {}
 
     def search_of(entry):
         wall, record, polarity = entry
@@ -195,7 +195,7 @@ def _run_all(planned, models, motions, method, search, threads, book, on_progres
         keys[entry] = run_key(models[wall], motions[record], polarity, method, search)
         known = _restored(book.get(keys[entry])) if book else None
         if known:
-            found[entry] = known
+            searches[entry] = known
         else:
             todo[entry] = search_of(entry)
 
@@ -203,10 +203,10 @@ def _run_all(planned, models, motions, method, search, threads, book, on_progres
         if book:
             book.add(keys[entry], asdict(ida))
 
-    on_progress(len(found))
-    restored = len(found)
-    found.update(threads.run(todo, keep, lambda done: on_progress(restored + done)))
-    return found
+    on_progress(len(searches))
+    restored = len(searches)
+    searches.update(threads.run(todo, keep, lambda done: on_progress(restored + done)))
+    return searches
 
 
 def _restored(entry: dict | None) -> Ida | None:

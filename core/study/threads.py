@@ -25,7 +25,7 @@ class Threads:
 
         Raises Cancelled within 0.1 s of a cancel and a task's stop, and whatever a task raises.
         """
-        found, ended = {}, threading.Event()
+        results, ended = {}, threading.Event()
         # not `wait`, which looks at each of thousands of futures every time
         done = queue.SimpleQueue()
 
@@ -37,19 +37,19 @@ class Threads:
             try:
                 for future in list(waiting):
                     future.add_done_callback(done.put)
-                while len(found) < len(tasks):
+                while len(results) < len(tasks):
                     future = None
                     with contextlib.suppress(queue.Empty):
                         future = done.get(timeout=0.1)
                     if future is not None:
                         key = waiting.pop(future)
-                        found[key] = future.result()
-                        on_result(key, found[key])
-                        on_count(len(found))
+                        results[key] = future.result()
+                        on_result(key, results[key])
+                        on_count(len(results))
                     if self.cancelled():
                         raise Cancelled
             finally:
                 ended.set()
                 for future in waiting:
                     future.cancel()
-        return found
+        return results

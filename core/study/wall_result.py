@@ -145,77 +145,77 @@ def wall_result(wall, mechanism, model, runs, motions, search, demand) -> WallRe
 
 def _unusual(wall: Wall) -> list[Sentence]:
     """Input few engineers mean: accepted, and questioned with the likely slip of unit."""
-    found, t = [], wall.thickness
+    notices, t = [], wall.thickness
     if t is not None and t < THIN:
-        found.append(notice("thin", cm=100.0 * t))
+        notices.append(notice("thin", cm=100.0 * t))
     if t is not None and wall.height_m / t > SLENDER:
-        found.append(notice("slender", ratio=wall.height_m / t, h=wall.height_m, t=t))
+        notices.append(notice("slender", ratio=wall.height_m / t, h=wall.height_m, t=t))
     weight, modulus = wall.unit_weight_kn_m3, wall.elastic_modulus_mpa
     if weight is not None and not WEIGHTS[0] <= weight <= WEIGHTS[1]:
-        found.append(notice("odd_weight", w=weight, low=WEIGHTS[0], high=WEIGHTS[1]))
+        notices.append(notice("odd_weight", w=weight, low=WEIGHTS[0], high=WEIGHTS[1]))
     if modulus is not None and not MODULI[0] <= modulus <= MODULI[1]:
-        found.append(notice("odd_modulus", e=modulus, low=MODULI[0], high=MODULI[1]))
-    return found
+        notices.append(notice("odd_modulus", e=modulus, low=MODULI[0], high=MODULI[1]))
+    return notices
 
 
 def _model_notices(wall, block, mechanism, restitution, law) -> list[Sentence]:
-    found = []
+    notices = []
     if restitution.model == "costa_upper" and restitution.ratio_at_rest > housner_ratio(block):
-        found.append(notice("costa_above_housner", alpha=float(np.degrees(block.slenderness))))
+        notices.append(notice("costa_above_housner", alpha=float(np.degrees(block.slenderness))))
     if mechanism == "one_sided" and not restitution.model.startswith(("one_sided", "user")):
-        found.append(notice("hogan", model=restitution.model))
+        notices.append(notice("hogan", model=restitution.model))
     if restitution.ratio_at_rest > NEARLY_ELASTIC and restitution.model == "user":
-        found.append(notice("nearly_elastic", ratio=restitution.ratio_at_rest))
+        notices.append(notice("nearly_elastic", ratio=restitution.ratio_at_rest))
     if wall.height_m is not None and wall.setback > 0.0:
-        found.append(notice("setback_height", height=block.height))
+        notices.append(notice("setback_height", height=block.height))
     elif not block.is_rectangle:
-        found.append(notice("general_height", height=block.height))
+        notices.append(notice("general_height", height=block.height))
         if restitution.model.startswith("one_sided"):
-            found.append(notice("general_contact"))
+            notices.append(notice("general_contact"))
     if not law.is_rigid:
         share = np.sin((1.0 - law.plateau_end) * block.slenderness) / np.sin(block.slenderness)
-        found.append(notice("trilinear_threshold", plateau=float(share)))
-    return found
+        notices.append(notice("trilinear_threshold", plateau=float(share)))
+    return notices
 
 
 def _set_notices(runs, numbers, incomplete, fragile, power_law, search) -> list[Sentence]:
-    found = []
+    notices = []
     if incomplete:
-        found.append(notice("incomplete", n=len(incomplete)))
+        notices.append(notice("incomplete", n=len(incomplete)))
     elif runs and len(numbers) < MINIMUM_FROM:
-        found.append(notice("too_few" if numbers else "no_numbers", n=len(numbers)))
+        notices.append(notice("too_few" if numbers else "no_numbers", n=len(numbers)))
     if runs and search.half_window < 3:
-        found.append(notice("coarse_window", n=search.half_window))
+        notices.append(notice("coarse_window", n=search.half_window))
     standing = sum(run.ida.status == "no_collapse_found" for run in runs)
     if standing:
-        found.append(notice("no_collapse", n=standing, limit=search.q_limit))
+        notices.append(notice("no_collapse", n=standing, limit=search.q_limit))
     if power_law and power_law.si_range_cm[1] < NARROW_SI * power_law.si_range_cm[0]:
         low, high = power_law.si_range_cm
-        found.append(notice("narrow_si", low=low, high=high))
+        notices.append(notice("narrow_si", low=low, high=high))
     clamped = sum(run.ida.clamped for run in runs)
     if clamped:
-        found.append(notice("clamped", n=clamped))
+        notices.append(notice("clamped", n=clamped))
     if fragile and fragile.n < MEAN_FROM:
-        found.append(notice("few_runs", n=fragile.n))
+        notices.append(notice("few_runs", n=fragile.n))
     large = {run.record for run in runs if run.scale and abs(run.scale) > LARGE_SCALE}
     if large:
-        found.append(notice("pga_too_small", n=len(large)))
-    return found
+        notices.append(notice("pga_too_small", n=len(large)))
+    return notices
 
 
 def _form_notices(block, mechanism, restitution, law, per_record, demand, checks) -> list[Sentence]:
     pgas = [(entry.record, entry.pga) for entry in per_record]
     if demand:
         pgas.append(("demand", demand.pga))
-    found = closed_forms.range_notices(block.slenderness, block.height, pgas)
+    notices = closed_forms.range_notices(block.slenderness, block.height, pgas)
     fitted = "one_sided_theoretical" if mechanism == "one_sided" else "housner"
     if restitution.model != fitted or not law.is_rigid:
         used = restitution.model + ("" if law.is_rigid else " + D1, D2")
-        found.append(notice("eq15_model", fitted=fitted, used=used))
+        notices.append(notice("eq15_model", fitted=fitted, used=used))
     if demand and demand.intensity_source == "records_scaled":
-        found.append(notice("si_from_records", si=demand.intensity / CM))
+        notices.append(notice("si_from_records", si=demand.intensity / CM))
     if checks:
         histories, robust = checks[2], checks[4]
         if robust and robust.passed and not (histories and histories.passed):
-            found.append(notice("only_robust"))
-    return found
+            notices.append(notice("only_robust"))
+    return notices

@@ -47,7 +47,7 @@ def opened(application, tmp_path, monkeypatch):
     settings = QSettings(str(tmp_path / "window.ini"), QSettings.Format.IniFormat)
     settings.setValue("language", "en")
     language.set_language("en")
-    made = window.MainWindow(settings, tmp_path / "swaps")
+    made = window.MainWindow(settings, tmp_path / "recovery_folder")
     path = tmp_path / "small.toml"
     motion = ROOT / "resources" / "motions" / "noise_1.txt"
     path.write_text(

@@ -125,7 +125,7 @@ def test_that_a_run_reads_records_that_changed_on_disk(opened, application, tmp_
 def test_that_the_newest_of_two_autosaves_comes_first_and_says_of_which_file(opened, tmp_path):
     import json
 
-    folder = opened.session.swaps
+    folder = opened.session.recovery_folder
     folder.mkdir(exist_ok=True)
     for number, age in ((999998, 50), (999999, 500)):
         swap = folder / f"x-{number}.swap"
@@ -133,7 +133,7 @@ def test_that_the_newest_of_two_autosaves_comes_first_and_says_of_which_file(ope
         os.utime(swap, (1.7e9 - age, 1.7e9 - age))
     found = opened.session.recoverable()
     assert [path.name for path in found] == ["x-999998.swap", "x-999999.swap"]
-    assert opened.session.told(found[0]).startswith("/a/b.toml 20")
+    assert opened.session.describe(found[0]).startswith("/a/b.toml 20")
 
 
 def test_that_a_record_changed_on_disk_makes_the_results_stale(opened, application, tmp_path):
@@ -170,8 +170,8 @@ def test_that_every_name_the_system_gives_can_be_saved_read_run_and_reported(
     settle(application, lambda: not opened.records.pending)
     assert len(opened.records.motions) == 1
     opened.session.autosave()
-    other = Session(tmp_path / "swaps")
-    other.recover(opened.session.swap)
+    other = Session(tmp_path / "recovery_folder")
+    other.recover(opened.session.recovery_file)
     assert other.case.record == opened.session.case.record
     path = tmp_path / "saved.toml"
     opened.session.save(path)
@@ -185,7 +185,7 @@ def test_that_every_name_the_system_gives_can_be_saved_read_run_and_reported(
 def test_that_only_the_word_discard_deletes_an_autosave(opened, monkeypatch, tmp_path):
     from app import start
 
-    folder = opened.session.swaps
+    folder = opened.session.recovery_folder
     folder.mkdir(exist_ok=True)
     good, bad = folder / "x-aa.swap", folder / "y-bb.swap"
     good.write_text('{"path": null, "base_dir": ".", "case": ""}')
@@ -211,10 +211,10 @@ def test_that_only_the_word_discard_deletes_an_autosave(opened, monkeypatch, tmp
      '{"case": "x = [[[[", "base_dir": ".", "path": null}'],
 )  # fmt: skip
 def test_that_no_content_of_a_swap_file_ends_the_program(opened, content):
-    swap = opened.session.swaps / "z-cc.swap"
+    swap = opened.session.recovery_folder / "z-cc.swap"
     swap.parent.mkdir(exist_ok=True)
     swap.write_text(content)
-    assert swap in opened.session.recoverable() and opened.session.told(swap)
+    assert swap in opened.session.recoverable() and opened.session.describe(swap)
     with pytest.raises(InputError):
         opened.session.recover(swap)
     assert swap.exists()
@@ -230,7 +230,7 @@ def test_that_no_value_of_the_settings_keeps_the_window_from_starting(applicatio
     for key in ("theme", "language", "recent", "geometry", "state"):
         settings.setValue(key, value)
     assert menus.chosen(settings, "theme", theme.THEMES) is None
-    made = window.MainWindow(settings, tmp_path / "swaps")
+    made = window.MainWindow(settings, tmp_path / "recovery_folder")
     made.session.saved = made.session.case
     made.close()
     made.deleteLater()

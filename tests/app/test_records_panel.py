@@ -116,11 +116,11 @@ def test_that_the_dialog_takes_only_choices_the_case_accepts_and_shows_those_of_
 
 
 def test_that_files_beyond_what_the_dialog_shows_are_named(application, tmp_path):
-    from app.forms.import_dialog import MOST_FILES, ImportDialog
+    from app.forms.import_dialog import MAX_FILES, ImportDialog
 
-    paths = [tmp_path / f"{k}.txt" for k in range(MOST_FILES + 3)]
+    paths = [tmp_path / f"{k}.txt" for k in range(MAX_FILES + 3)]
     dialog = ImportDialog(paths)
-    assert len(dialog.paths) == MOST_FILES and "3" in dialog.hint.text()
+    assert len(dialog.paths) == MAX_FILES and "3" in dialog.hint.text()
     dialog.deleteLater()
 
 

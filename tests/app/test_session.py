@@ -25,7 +25,7 @@ EXAMPLE = ROOT / "resources" / "cases" / "example.toml"
 
 @pytest.fixture
 def session(tmp_path):
-    made = Session(tmp_path / "swaps")
+    made = Session(tmp_path / "recovery_folder")
     made.open(EXAMPLE)
     return made
 
@@ -85,7 +85,7 @@ def test_that_a_case_in_the_making_can_be_saved_and_opened_again(session, tmp_pa
     session.add_walls([Wall("new", "", height_m=3.0)])
     assert session.problem().key == "mechanism" and session.checked() is None
     session.save(tmp_path / "draft.toml")
-    again = Session(tmp_path / "swaps")
+    again = Session(tmp_path / "recovery_folder")
     again.open(tmp_path / "draft.toml")
     assert again.case.wall[-1].name == "new"
     assert again.problem() is not None
@@ -151,7 +151,7 @@ def test_that_a_killed_program_leaves_its_unsaved_case(tmp_path):
         from pathlib import Path
         sys.path.insert(0, {str(ROOT)!r})
         from app.session import Session
-        session = Session(Path({str(tmp_path / "swaps")!r}))
+        session = Session(Path({str(tmp_path / "recovery_folder")!r}))
         session.open(Path({str(case)!r}))
         session.edit_wall(0, height_m=6.125)
         session.autosave()
@@ -163,7 +163,7 @@ def test_that_a_killed_program_leaves_its_unsaved_case(tmp_path):
         [sys.executable, "-c", script], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
     ) as program:
         assert program.stdout.readline().strip() == "ready"
-        other = Session(tmp_path / "swaps")
+        other = Session(tmp_path / "recovery_folder")
         assert other.recoverable() == []  # still alive: its own
         program.send_signal(signal.SIGKILL)
         program.wait()
@@ -211,9 +211,9 @@ def test_that_a_draft_that_breaks_a_rule_is_saved_whole(session, tmp_path):
 def test_that_saving_drops_the_swap(session, tmp_path):
     session.edit_wall(0, height_m=6.0)
     session.autosave()
-    assert session.swap.exists()
+    assert session.recovery_file.exists()
     session.save(tmp_path / "c.toml")
-    assert list((tmp_path / "swaps").glob("*.swap")) == []
+    assert list((tmp_path / "recovery_folder").glob("*.swap")) == []
 
 
 def test_that_every_case_of_the_resources_goes_through_the_writer():

@@ -133,11 +133,11 @@ def _swap(content: bytes, folder: Path) -> None:
 
     path = folder / "x-aa.swap"
     path.write_bytes(content)
-    session = Session(folder / "swaps")
-    session.told(path)
+    session = Session(folder / "recovery_folder")
+    session.describe(path)
     session.recover(path)
     session.problem()
-    session.drop_swap()
+    session.drop_recovery_file()
     session.close()
 
 

@@ -75,5 +75,5 @@ def test_that_the_reference_velocities_are_those_before_the_impact(reference, ma
     ],
 )
 def test_that_the_papers_integrator_errs_as_stated(reference, make_model, method, name, stated):
-    # stated to two digits by PHYSICS section 8, from another program
+    # to two digits, from another program
     assert error(reference, make_model, name, METHODS[method]) == pytest.approx(stated, abs=0.005)

@@ -51,7 +51,7 @@ OFFSET_SHARE, OFFSET_VELOCITY = 0.01, 0.5
 """Mean over the peak [-] and velocity left at the end [m/s] beyond both of which samples have an offset; the
 corrected records tried have means below 1e-4 of the peak."""
 
-LARGEST_PGA = 20.0 * G
+MAX_PGA = 20.0 * G
 """Above this peak [m/s2] a file is not what it is said to be."""
 
 
@@ -109,7 +109,7 @@ def _motion(content: bytes, path: Path, options: Options, scale: float, name: st
         warnings.append(notice(code, scale=scale))
     motion = parsed.values * UNITS[unit] * scale
     pga = float(np.abs(motion).max()) if motion.size else 0.0
-    if not pga <= LARGEST_PGA * abs(scale):
+    if not pga <= MAX_PGA * abs(scale):
         raise RecordError("peak_too_large", pga=pga / G / abs(scale))
     if pga > LARGE_PGA:
         warnings.append(notice("large_pga", pga=pga / G))
@@ -164,11 +164,11 @@ def expand(pattern: str, base_dir: Path) -> list[Path]:
             return [path]
         anchor = Path(path.anchor) if Path(pattern).is_absolute() else base_dir
         relative = Path(pattern).relative_to(anchor) if Path(pattern).is_absolute() else pattern
-        found = sorted(entry for entry in anchor.glob(str(relative)) if entry.is_file())
+        files = sorted(entry for entry in anchor.glob(str(relative)) if entry.is_file())
     except (ValueError, OSError) as error:
         raise InputError("bad_pattern", pattern=pattern[:200], reason=str(error)[:200]) from None
-    if not found:
+    if not files:
         if Path(pattern).is_absolute():
             raise InputError("no_match", pattern=pattern[:200])
         raise InputError("no_match_in", pattern=pattern[:200], folder=base_dir.resolve())
-    return found
+    return files

@@ -9,7 +9,7 @@ from core.text.sentence import sentence
 NEIGHBOURS = 20
 """Lines above the last one that its last number is compared with."""
 
-LEAST, FEWEST_DIGITS = 4, 3
+MIN_ROWS, MIN_DIGITS = 4, 3
 """Numbers of one shape, and digits, that make it the shape of a file."""
 
 _TOKEN = re.compile(
@@ -19,10 +19,10 @@ _TOKEN = re.compile(
 
 def _shapes(token: str) -> tuple[tuple[int, int], tuple[int, int]]:
     """(decimals, digits of the exponent) and (significant digits, digits of the exponent)."""
-    found = _TOKEN.match(token)
-    exponent = len(found["exponent"] or "")
-    mantissa = (found["whole"] + (found["decimals"] or "")).lstrip("0")
-    return (len(found["decimals"] or ""), exponent), (len(mantissa), exponent)
+    match = _TOKEN.match(token)
+    exponent = len(match["exponent"] or "")
+    mantissa = (match["whole"] + (match["decimals"] or "")).lstrip("0")
+    return (len(match["decimals"] or ""), exponent), (len(mantissa), exponent)
 
 
 def _tokens(line: str) -> list[str]:
@@ -49,18 +49,18 @@ def refuse_cut(lines: list[str], ended: bool) -> None:
         return  # what is no number is refused by the reader, or ends the file as NaN
     (line, (*_, last)), place = rows[-1], len(rows[-1][1]) - 1
     above = [row[place] for _, row in rows[:-1] if len(row) > place]
-    if len(above) < LEAST:
+    if len(above) < MIN_ROWS:
         above = [token for _, row in rows for token in row][:-1]
     shapes = [_shapes(token) for token in above if token != "0"]
     # of decimals or of significant digits, whichever is the same throughout
     shape = next(
         (kind for kind in (0, 1)
-         if len(above) >= LEAST and len({pair[kind] for pair in shapes}) == 1
-         and max(shapes[0][kind]) >= (1, FEWEST_DIGITS)[kind]), None,
+         if len(above) >= MIN_ROWS and len({pair[kind] for pair in shapes}) == 1
+         and max(shapes[0][kind]) >= (1, MIN_DIGITS)[kind]), None,
     )  # fmt: skip
     lengths = {len(other.rstrip()) for other, _ in rows[:-1]}
     one_row = all(len(row) == place + 1 for _, row in rows)
-    even = one_row and len(lengths) == 1 and len(rows) > LEAST
+    even = one_row and len(lengths) == 1 and len(rows) > MIN_ROWS
     if even and (not ended or len(line.rstrip()) >= next(iter(lengths))):
         whole = len(line.rstrip()) >= next(iter(lengths))
     elif shape is not None:

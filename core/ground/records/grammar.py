@@ -111,24 +111,24 @@ def stated_unit(head: str) -> str | None:
     """Unit of acceleration a header states, a key of UNITS. A unit after a number is that of another quantity
     (`gravity = 9.81 [m/s2]`, `PGA 0.013 (g)`) and states nothing; where it differs from the one stated, or two
     are stated, nobody knows which holds. Raises RecordError then, and for g/10."""
-    found: dict[str, str] = {}
+    units: dict[str, str] = {}
     beside: dict[str, str] = {}
     for line in head_lines(head):
         for match in _STATED.finditer(line):
             unit = _unit_of(next(group for group in match.groups() if group))
             value = _VALUE.search(line[max(0, match.start() - 40) : match.start()])
             of_one = value or (_LABEL.search(line) and _NUMBER_AFTER.match(line, match.end()))
-            (beside if of_one or _LABEL.search(line) else found).setdefault(unit, line)
+            (beside if of_one or _LABEL.search(line) else units).setdefault(unit, line)
     clash = [
-        *found.items(),
-        *((unit, line) for unit, line in beside.items() if found and unit not in found),
+        *units.items(),
+        *((unit, line) for unit, line in beside.items() if units and unit not in units),
     ]
     if len(clash) > 1:
         (one, first), (other, second) = clash[:2]
         raise RecordError(
             "two_units", one=one, first=quoted(first), other=other, second=quoted(second)
         )
-    return next(iter(found), None)
+    return next(iter(units), None)
 
 
 def refuse_other_quantity(head: str) -> None:

@@ -108,12 +108,12 @@ def _count(text: str, label: str) -> int:
 
 
 def _positive(text: str, label: str) -> float:
-    found = numbers(text)
-    if not found or len(found) != 1 or not found[0] > 0.0:
+    values = numbers(text)
+    if not values or len(values) != 1 or not values[0] > 0.0:
         raise RecordError("not_a_time_step", label=label, text=quoted(text))
-    return found[0]
+    return values[0]
 
 
 def _optional(text: str) -> float | None:
-    found = numbers(text)
-    return abs(to_float(text.strip())) if found and len(found) == 1 else None
+    values = numbers(text)
+    return abs(to_float(text.strip())) if values and len(values) == 1 else None

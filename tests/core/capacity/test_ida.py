@@ -1,4 +1,4 @@
-"""The search of PHYSICS section 5, against its definitions applied by brute force."""
+"""The search (resources/docs/physics.md, section 11) against its definitions applied by brute force."""
 
 import math
 from dataclasses import replace
@@ -203,29 +203,6 @@ def test_that_the_share_counts_missing_points_as_surviving():
     assert share.tolist() == [2, 2, 2, 3, 2, 1]
 
 
-def test_that_fragility_is_the_mean_share_of_the_runs(ground, make_model):
-    search = Search()
-    runs = [search_of(ground, make_model(height=h), search) for h in (5.0, 7.0, 9.0)]
-    found = fragility(runs, search)
-    assert found.n == 3
-    half = search.half_window
-
-    def share(run, k):
-        count = 0
-        for j in range(k - half, k + half + 1):
-            place = j - run.first_index
-            if place >= len(run.outcomes) or (place >= 0 and run.outcomes[place] == "1"):
-                count += 1
-        return count / (2 * half + 1)
-
-    for level, q in ((0.05, found.q_05), (0.16, found.q_16), (0.50, found.q_50)):
-        k = round(math.log(q) / math.log1p(0.005))
-        assert q == pytest.approx(1.005**k)
-        assert np.mean([share(run, k) for run in runs]) >= level
-        assert np.mean([share(run, k - 1) for run in runs]) < level
-    assert fragility([], search) is None
-
-
 def scripted(monkeypatch, outcome_of):
     """Replace the analyses by a rule q -> outcome, to reach outcomes real walls hardly give."""
     from core.capacity import ida
@@ -282,19 +259,6 @@ def test_that_the_map_goes_as_far_as_asked(make_model, monkeypatch, span):
     found = search_of(np.ones(5), make_model(), Search(map_span=span))
     last = 1.005 ** (len(found.outcomes) - 1)
     assert last <= span * found.q < last * 1.005
-
-
-def test_that_half_of_an_even_number_of_runs_is_a_half(make_model, monkeypatch):
-    """Seven of fourteen runs collapsed around a point are F = 0.50 there, not 0.4999..."""
-    runs = []
-    for k in range(14):
-        scripted(monkeypatch, lambda q, top=2.0 if k < 7 else 4.0: int(q > top))
-        runs.append(search_of(np.ones(5), make_model()))
-    search = Search()
-    found = fragility(runs, search)
-    k = round(math.log(found.q_50) / math.log1p(0.005))
-    first = next(j for j, digit in enumerate(runs[0].outcomes) if digit == "1")
-    assert k == first + search.half_window
 
 
 def test_that_a_real_wall_can_reach_the_impact_limit(make_model):

@@ -2,14 +2,12 @@
 
 import json
 import os
-import re
 import subprocess
 import sys
 
 import pytest
 
-from core.jit import cache, decorators
-from core.study import precompile
+from core.jit import cache
 from tests.conftest import ROOT
 
 SCRIPT = """
@@ -48,19 +46,6 @@ def run(*scanned, **variables):
     )  # fmt: skip
     digest, folder = found.stdout.split()
     return digest, folder
-
-
-def test_that_the_kernels_without_compiler_are_bit_identical():
-    compiled = run()[0]
-    assert run(NUMBA_DISABLE_JIT="1")[0] == compiled
-
-
-def test_that_a_processor_without_wide_registers_or_fused_products_gives_the_same_bits(tmp_path):
-    orders = ("taylor", "taylor_6")
-    plain = run(
-        *orders, RIBALTA_CACHE=str(tmp_path), NUMBA_CPU_NAME="generic", NUMBA_CPU_FEATURES=""
-    )
-    assert plain[0] == run(*orders)[0]
 
 
 def test_that_damaged_cache_files_are_dropped_and_compiled_again(tmp_path):
@@ -113,81 +98,6 @@ def test_that_an_unwritable_place_falls_back_to_a_temporary_folder(tmp_path):
 def test_that_the_stamp_follows_every_source():
     assert len(cache.stamp()) == 16
     assert cache.stamp.__wrapped__() == cache.stamp()
-
-
-def test_that_no_kernel_is_fast_math_or_parallel():
-    for source in (ROOT / "core").rglob("*.py"):
-        text = source.read_text()
-        assert not re.search(r"fastmath\s*=|parallel\s*=|\bprange\b", text), source
-
-
-def test_that_numba_waits_for_the_first_call_of_a_kernel():
-    script = (
-        "import sys; import core.study.run, app.batch; early = 'numba' in sys.modules;"
-        "from core.ground.response_spectrum import housner_intensity; import numpy as np;"
-        "housner_intensity(np.ones(50), 0.01); print(early, 'numba' in sys.modules)"
-    )
-    found = subprocess.run(
-        [sys.executable, "-P", "-c", script], capture_output=True, text=True, check=True,
-        env=dict(os.environ, PYTHONPATH=str(ROOT)),
-    )  # fmt: skip
-    assert found.stdout.split() == ["False", "True"]
-
-
-def test_that_kernels_of_kernels_run_as_python_when_python_calls_them():
-    @decorators.subkernel
-    def half(x):
-        return "python" if isinstance(x, str) else 0.5 * x
-
-    @decorators.subkernel
-    def quarter(x):
-        return 0.25 * x
-
-    @decorators.kernel
-    def three_quarters(x):
-        return 0.5 * x + quarter(x)
-
-    assert half("a") == "python"
-    assert quarter(8.0) == 2.0
-    assert three_quarters(8.0) == 6.0
-
-
-COLD = """
-import sys, numpy as np
-from core.study import precompile
-from core.rocking.history import history
-from core.rocking.methods import METHODS
-from core.wall.rocking_model import RockingModel
-from core.rocking.taylor import through_sample
-precompile.sys.executable = sys.argv[1]
-precompile.start({"taylor_6", "rk4"})
-model = RockingModel(0.1, 2.0, 0.0, 0.97, 0.0, 0.0, 0.0)
-found = history(np.sin(np.arange(400.0)), 0.01, 3.0, model, METHODS["taylor_6"])
-taken = sum(through_sample.dispatcher.stats.cache_hits.values())
-print(taken, len(precompile._second), found.rotation.sum(), found.peak)
-precompile.end()
-precompile._second.clear()
-precompile.start({"taylor_6"})
-print(len(precompile._second))
-precompile.end()
-"""
-
-
-@pytest.mark.skipif(precompile.cores() < 2, reason="one processor: there is no second process")
-def test_that_a_second_process_compiles_the_step_where_nothing_is_compiled(tmp_path):
-    def cold(executable, folder):
-        found = subprocess.run(
-            [sys.executable, "-P", "-c", COLD, executable], capture_output=True, text=True, check=True,
-            env=dict(os.environ, PYTHONPATH=str(ROOT), RIBALTA_CACHE=str(folder)),
-        )  # fmt: skip
-        return found.stdout.split()
-
-    taken, begun, *results, again = cold(sys.executable, tmp_path / "two")
-    assert (taken, begun, again) == ("1", "1", "0")  # and no other where it is compiled
-    missing = cold(str(tmp_path / "nothing"), tmp_path / "one")
-    assert missing == ["0", "0", *results, "0"]
-    # a second process that ends without having compiled anything
-    assert cold("/bin/false", tmp_path / "none")[2:4] == results
 
 
 def test_that_no_flipped_bit_of_the_manifest_ends_a_run(tmp_path):

@@ -8,15 +8,12 @@ import pytest
 
 from core.capacity.ida import Ida
 from core.case.rules import parse_case
-from core.errors import Cancelled, InputError
+from core.errors import Cancelled
 from core.report import json_report
 from core.study import run as study
 from core.study.governing import collapse_histories
 from core.study.journal import Journal
-from core.study.record_input import read_records
-from core.study.wall_result import set_rule, set_value
 from core.units import CM, G
-from tests.conftest import STANDING
 
 
 @pytest.fixture(scope="module")
@@ -69,15 +66,6 @@ def test_that_a_wall_with_both_mechanisms_gives_two_entries(result):
     assert [run.polarity for run in result.walls[0].runs] == [1] * 3
 
 
-def test_that_the_lower_sign_governs_quantity_by_quantity(result):
-    wall = result.walls[1]
-    for entry in wall.per_record:
-        runs = [run for run in wall.runs if run.record == entry.record]
-        assert entry.q == min(run.ida.q for run in runs)
-        assert entry.q_robust == min(run.ida.q_robust for run in runs)
-        assert entry.q_slv == min(run.ida.q_slv for run in runs)
-
-
 def test_that_q_is_c_pga_over_a_rm(result):
     for wall in result.walls:
         for run in wall.runs:
@@ -85,55 +73,6 @@ def test_that_q_is_c_pga_over_a_rm(result):
             q = run.scale * motion.pga / wall.block.threshold_acceleration
             assert run.ida.q == pytest.approx(q, rel=1e-14)
             assert run.q_eff == pytest.approx(run.ida.q * G / motion.pga, rel=1e-14)
-
-
-@pytest.mark.parametrize(
-    "values, expected",
-    [
-        ([], None),
-        ([None, None], None),
-        ([2.0, None], 2.0),
-        ([3.0, 2.0, 4.0], 2.0),
-        ([3.0, 2.0, 4.0, 5.0, 6.0, 7.0], 2.0),
-        ([1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0], 4.0),
-        ([1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, None], 4.0),
-    ],
-)
-def test_that_a_set_is_its_mean_from_seven_numbers_else_its_minimum(values, expected):
-    numbers = sum(value is not None for value in values)
-    assert set_value(values, set_rule(numbers)) == expected
-    assert set_value(values, "incomplete") is None
-
-
-def test_that_one_rule_holds_for_every_quantity_of_a_set():
-    """Six records collapse, a seventh only reaches 0.40 alpha: q and q_slv are both minima."""
-    assert set_value([2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0], set_rule(6)) == 2.0
-
-
-def test_that_three_records_take_the_minimum(result):
-    wall = result.walls[0]
-    assert wall.set_rule == "minimum"
-    assert wall.q_set == wall.q_min == min(entry.q for entry in wall.per_record)
-
-
-def test_that_fewer_records_are_flagged(folder):
-    few = study.run(
-        case(record=[{"file": "r0.txt", "unit": "m/s2", "time_step_s": 0.01}]), base_dir=folder
-    )
-    assert few.walls[0].set_rule == "too_few"
-    assert any(notice.code == "too_few" for notice in few.walls[0].warnings)
-
-
-def test_that_a_standing_wall_is_left_out_and_counted(folder):
-    found = study.run(
-        case(wall=[STANDING], analysis={"q_step": 0.05, "q_limit": 1.5}), base_dir=folder
-    )
-    wall = found.walls[0]
-    assert {run.ida.status for run in wall.runs} == {"no_collapse_found"}
-    assert wall.q_set is None and wall.power_law is None
-    assert any(notice.code == "no_collapse" for notice in wall.warnings)
-    assert len(found.without_number) == 3
-    assert json.loads(json_report.dumps(found))["walls"][0]["runs"][0]["q"] is None
 
 
 def test_that_an_impact_limit_makes_the_set_incomplete(folder, monkeypatch):
@@ -176,27 +115,6 @@ def test_that_a_case_without_records_gives_closed_forms_and_code_only(folder):
     assert [check is not None for check in wall.code_check] == [True, True, False, False, False]
 
 
-def test_that_names_that_collide_become_paths(tmp_path, reference):
-    """a.txt, a.txt.txt and s/a.txt: stems and paths must not be taken for each other."""
-    ground = reference("standard")[0][:400]
-    (tmp_path / "s").mkdir()
-    for k, name in enumerate(("a.txt", "a.txt.txt", "s/a.txt")):
-        text = "\n".join(f"{value:.9e}" for value in np.roll(ground, 9 * k))
-        (tmp_path / name).write_text(text)
-    entries = [{"file": n, "unit": "m/s2", "time_step_s": 0.01} for n in ("a*.txt", "s/a.txt")]
-    motions, _ = read_records(case(record=entries), tmp_path)
-    assert [motion.name for motion in motions] == ["a.txt", "a.txt.txt", "s/a.txt"]
-
-
-def test_that_the_same_samples_under_two_names_are_refused(tmp_path, reference):
-    text = "\n".join(f"{value:.9e}" for value in reference("standard")[0][:400])
-    for name in ("a.txt", "b.txt"):
-        (tmp_path / name).write_text(text)
-    entries = [{"file": "*.txt", "unit": "m/s2", "time_step_s": 0.01}]
-    with pytest.raises(InputError, match=r"record 1: b\.txt is in the case twice.*a\.txt"):
-        read_records(case(record=entries), tmp_path)
-
-
 def test_that_a_new_title_or_demand_keeps_the_finished_runs(folder, tmp_path, result):
     path = tmp_path / "case.journal"
     study.run(case(), base_dir=folder, journal=lambda key: Journal(path, key, False))
@@ -217,12 +135,6 @@ def test_that_a_damaged_line_of_a_journal_is_run_again(folder, tmp_path, result)
     path.write_bytes(b"\n".join(lines))
     again = study.run(case(), base_dir=folder, journal=lambda key: Journal(path, key, True))
     assert numbers(again) == numbers(result)
-
-
-def test_that_a_record_twice_in_a_case_is_refused(folder):
-    twice = [{"file": "r0.txt", "unit": "m/s2", "time_step_s": 0.01}] * 2
-    with pytest.raises(InputError, match="twice"):
-        study.run(case(record=twice), base_dir=folder)
 
 
 def test_that_collapse_histories_stand_on_both_sides_of_collapse(result):
@@ -277,27 +189,6 @@ def test_that_a_journal_of_another_case_is_not_used(folder, tmp_path):
         journal=lambda key: Journal(path, key, True), on_progress=lambda d, p: first.append(d),
     )  # fmt: skip
     assert first[0] == 0
-
-
-@pytest.mark.parametrize(
-    ("wall", "code"),
-    [
-        ({"thickness_m": 0.05, "height_m": 1.0}, "thin"),
-        ({"thickness_m": 0.12, "height_m": 4.0}, "slender"),
-        ({"unit_weight_kn_m3": 8.0}, "odd_weight"),
-        ({"elastic_modulus_mpa": 20.0}, "odd_modulus"),
-        ({}, None),
-    ],
-)
-def test_that_input_no_engineer_means_is_questioned(wall, code, tmp_path):
-    base = {"name": "w", "height_m": 4.0, "thickness_m": 0.5, "base_z_m": 0.0, "mechanism": "two_sided",
-            "unit_weight_kn_m3": 18.0, "elastic_modulus_mpa": 900.0}  # fmt: skip
-    asked = parse_case({"wall": [{**base, **wall}], "demand": {"ag_g": 0.2}})
-    found = study.run(asked, base_dir=tmp_path)
-    unusual = {"thin", "slender", "odd_weight", "odd_modulus"}
-    codes = {warning.code for warning in found.walls[0].warnings} & unusual
-    assert codes == ({code} if code else set())
-    assert not [w for w in found.demand.warnings if w.code == "large_ag"]
 
 
 def test_that_a_large_a_g_is_questioned(tmp_path):

@@ -1,0 +1,75 @@
+"""Fragility over the runs of a wall."""
+
+import math
+
+import numpy as np
+import pytest
+
+from core.capacity import ida
+from core.capacity.fragility import fragility
+from core.capacity.ida import (
+    Search,
+    incremental_dynamic_analysis,
+)  # fmt: skip
+from core.rocking.methods import METHODS
+from core.units import G
+
+TAYLOR = METHODS["taylor"]
+
+
+@pytest.fixture(scope="module")
+def ground(reference):
+    return reference("standard")[0]
+
+
+def search_of(ground, model, search=Search(), sign=1):
+    pga = float(np.abs(ground).max())
+    return incremental_dynamic_analysis(ground, 0.01, pga, sign, model, TAYLOR, search)
+
+
+def test_that_fragility_is_the_mean_share_of_the_runs(ground, make_model):
+    search = Search()
+    runs = [search_of(ground, make_model(height=h), search) for h in (5.0, 7.0, 9.0)]
+    found = fragility(runs, search)
+    assert found.n == 3
+    half = search.half_window
+
+    def share(run, k):
+        count = 0
+        for j in range(k - half, k + half + 1):
+            place = j - run.first_index
+            if place >= len(run.outcomes) or (place >= 0 and run.outcomes[place] == "1"):
+                count += 1
+        return count / (2 * half + 1)
+
+    for level, q in ((0.05, found.q_05), (0.16, found.q_16), (0.50, found.q_50)):
+        k = round(math.log(q) / math.log1p(0.005))
+        assert q == pytest.approx(1.005**k)
+        assert np.mean([share(run, k) for run in runs]) >= level
+        assert np.mean([share(run, k - 1) for run in runs]) < level
+    assert fragility([], search) is None
+
+
+def scripted(monkeypatch, outcome_of):
+    """Replace the analyses by a rule q -> outcome, to reach outcomes real walls hardly give."""
+
+    def scan(method, grounds, which, scales, model, outcomes, peaks):
+        for k, scale in enumerate(scales):
+            outcomes[k] = outcome_of(abs(scale) / (G * math.tan(model.slenderness)))
+            peaks[k] = 0.1 * model.slenderness
+        return 0
+
+    monkeypatch.setattr(ida, "scan_records", scan)
+
+
+def test_that_half_of_an_even_number_of_runs_is_a_half(make_model, monkeypatch):
+    """Seven of fourteen runs collapsed around a point are F = 0.50 there, not 0.4999..."""
+    runs = []
+    for k in range(14):
+        scripted(monkeypatch, lambda q, top=2.0 if k < 7 else 4.0: int(q > top))
+        runs.append(search_of(np.ones(5), make_model()))
+    search = Search()
+    found = fragility(runs, search)
+    k = round(math.log(found.q_50) / math.log1p(0.005))
+    first = next(j for j, digit in enumerate(runs[0].outcomes) if digit == "1")
+    assert k == first + search.half_window

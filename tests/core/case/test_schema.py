@@ -1,0 +1,67 @@
+"""What a case means: defaults, geometry, return period."""
+
+import pytest
+
+from core.case.rules import parse_case
+
+WALL = {
+    "name": "w",
+    "height_m": 7.0,
+    "thickness_m": 0.83,
+    "base_z_m": 0.0,
+    "mechanism": "two_sided",
+}
+
+
+def case(wall=(), **rest):
+    return {"wall": [{**WALL, **dict(wall)}], **rest}
+
+
+def without(*keys, **more):
+    return {"wall": [{k: v for k, v in {**WALL, **more}.items() if k not in keys}]}
+
+
+def test_that_defaults_follow_the_mechanism():
+    both = parse_case(case({"mechanism": "both"})).wall[0]
+    assert both.mechanisms() == ("two_sided", "one_sided")
+    assert both.restitution_of("two_sided").model == "housner"
+    assert both.restitution_of("one_sided").model == "one_sided_theoretical"
+    given = parse_case(case({"velocity_ratio": 0.9})).wall[0]
+    assert given.restitution_of("two_sided").ratio_at_rest == 0.9
+
+
+def test_that_three_ways_to_write_a_wall_are_one_block():
+    import math
+
+    ways = [
+        {"thickness_m": 0.83},
+        {"slenderness_deg": math.degrees(math.atan2(0.83, 7.0))},
+        {"height_over_thickness": 7.0 / 0.83},
+    ]
+    blocks = [
+        parse_case({"wall": [{**without("thickness_m")["wall"][0], **way}]}).wall[0].block()
+        for way in ways
+    ]
+    for block in blocks[1:]:
+        assert block.slenderness == pytest.approx(blocks[0].slenderness, rel=1e-14)
+        assert block.radius == pytest.approx(blocks[0].radius, rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("demand", "years"),
+    [
+        ({"nominal_life_years": 50, "use_class_factor": 1.0}, 474.56),
+        ({"nominal_life_years": 50, "use_class_factor": 1.5, "limit_state": "SLC"}, 1462.2),
+        ({"nominal_life_years": 50, "use_class_factor": 1.0, "limit_state": "SLD"}, 50.29),
+        ({"nominal_life_years": 50, "use_class_factor": 1.0, "return_period_years": 475}, 475.0),
+        ({"limit_state": "SLC", "return_period_years": 975}, 975.0),
+        ({"limit_state": "SLC", "nominal_life_years": 100, "use_class_factor": 1.5,
+          "return_period_years": 2475}, 2475.0),
+        ({"limit_state": "SLC", "nominal_life_years": 75, "use_class_factor": 1.3,
+          "return_period_years": 1901}, 1901.0),
+        ({}, None),
+    ],
+)  # fmt: skip
+def test_that_t_r_follows_from_v_n_and_c_u(demand, years):
+    found = parse_case(case(demand={"ag_g": 0.2, **demand})).demand.return_period
+    assert found == (None if years is None else pytest.approx(years, rel=1e-4))

@@ -1,0 +1,112 @@
+"""A case written: the same case, and the comments of its file."""
+
+import tomllib
+from dataclasses import replace
+
+from core.case.rules import draft_case, parse_case
+from core.case.writer import dumps
+
+WALL = {
+    "name": "w",
+    "height_m": 7.0,
+    "thickness_m": 0.83,
+    "base_z_m": 0.0,
+    "mechanism": "two_sided",
+}
+
+
+def case(wall=(), **rest):
+    return {"wall": [{**WALL, **dict(wall)}], **rest}
+
+
+def test_that_a_case_written_and_read_again_is_the_same():
+    full = case(
+        {"law": {"elastic_limit": 0.05, "plateau_end": 0.3}, "velocity_ratio": 0.91},
+        title='a "quoted" = title',
+        record=[{"file": "*.AT2"}, {"file": "b.txt", "unit": "g", "time_step_s": 0.01}],
+        analysis={"q_step": 0.01, "polarity": "reversed"},
+        demand={"ag_g": 0.1, "housner_intensity_cm": 50},
+        report={"language": "it", "client": "=SUM(A1)"},
+    )
+    first = parse_case(full)
+    again = parse_case(tomllib.loads(dumps(first)))
+    assert again == first
+    assert again.sha256 == first.sha256
+
+
+COMMENTED = """\
+# the palace, north wing
+title = "Palazzo"   # as in the survey
+
+[[wall]]
+# measured twice
+name = "facade"
+height_m = 7.0  # to the cornice
+thickness_m = 0.83
+mechanism = "one_sided"
+base_z_m = 0
+
+[[wall]]
+name = "gable"      # of the roof
+height_m = 3
+thickness_m = 0.3
+mechanism = "two_sided"
+base_z_m = 0
+
+[demand]
+# from the map
+ag_g = 0.260
+confidence_factor = 1.35    # no tests of the masonry
+spectrum = { code = "NTC2018", f0 = 2.4, tc_star_s = 0.33, soil = "B", topography = "T1" }
+"""
+
+
+def test_that_comments_order_and_stated_defaults_of_a_file_stay():
+    case = parse_case(tomllib.loads(COMMENTED))
+    assert dumps(case, COMMENTED) == COMMENTED
+    wall = replace(case.wall[0], height_m=6.5)
+    text = dumps(replace(case, wall=(wall, case.wall[1])), COMMENTED)
+    assert text == COMMENTED.replace("7.0  # to", "6.5  # to")
+    text = dumps(replace(case, wall=(replace(case.wall[0], name="front"), case.wall[1])), COMMENTED)
+    assert text == COMMENTED.replace('"facade"', '"front"')
+
+
+def test_that_no_comment_comes_to_another_wall():
+    """The comment above a [[wall]] is the end of the table before, for the parser."""
+    above = COMMENTED.replace("[[wall]]\n# measured twice", "# measured twice\n[[wall]]")
+    for text in (COMMENTED, above):
+        case = parse_case(tomllib.loads(text))
+        facade, gable = case.wall
+        new = replace(gable, name="new")
+        for walls in ((gable,), (facade, gable, new), (gable, new), (gable, facade), ()):
+            changed = replace(case, wall=walls)
+            found = dumps(changed, text)
+            assert "#" not in found
+            assert tomllib.loads(found).get("wall", []) == tomllib.loads(dumps(changed)).get(
+                "wall", []
+            )
+        assert "#" not in dumps(replace(case, demand=None), text)
+
+
+def test_that_walls_of_one_name_keep_their_comments():
+    text = COMMENTED.replace("gable", "facade")
+    case = draft_case(tomllib.loads(text))
+    assert dumps(case, text) == text
+
+
+def test_that_a_file_of_any_kind_before_changes_no_case():
+    case = parse_case(tomllib.loads(COMMENTED))
+    for before in (
+        "",
+        "not toml [",
+        "x = 1\n",
+        'wall = [{name = "facade"}]\n',
+        "[wall]\n[demand.x]\n",
+    ):
+        assert parse_case(tomllib.loads(dumps(case, before))) == case
+
+
+def test_that_a_range_of_periods_is_written_and_read_again():
+    first = parse_case(case(demand={"ag_g": 0.2, "period_range_s": [0.2, 3]}))
+    assert first.demand.period_range_s == (0.2, 3.0)
+    assert parse_case(tomllib.loads(dumps(first))) == first

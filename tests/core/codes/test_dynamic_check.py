@@ -1,0 +1,172 @@
+"""C8.7.1.2.1.9: the dynamic check against single histories."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from core.capacity import independent_solver
+from core.codes.dynamic_check import demand_check
+from core.rocking.history import history
+from core.rocking.methods import AUTO, METHODS
+from core.rocking.outcome import COLLAPSED
+from core.study import run as study
+from core.study.demand_input import demand_of
+from core.units import G
+from tests.validation.circolare import HELD, case
+
+
+@pytest.fixture(scope="module")
+def designed(tmp_path_factory):
+    """7.0 x 0.83 m, a_g 0.26 g, S 1.2, two-sided, seven compatible motions."""
+    return study.run(case(HELD, generate={"count": 7}), base_dir=tmp_path_factory.mktemp("none"))
+
+
+def reduced(model, factor=1.35):
+    """The model with the strength of its capacity curve over FC, to be shaken by the ground times FC."""
+    return model._replace(p2=model.p2 / factor)
+
+
+@pytest.mark.parametrize("one_sided", [False, True])
+def test_that_fc_on_the_strength_is_the_restoring_moment_over_fc(designed, one_sided):
+    """theta'' = -p^2 [sin(alpha - theta) / FC - u''/g cos(alpha - theta)] by scipy's DOP853, with its own
+    uplift at g tan(alpha) / FC, against the kernel with p^2 / FC under FC u''."""
+    factor, wall = 1.35, designed.walls[0]
+    alpha, p2, ratio = wall.block.slenderness, wall.block.p2, 0.9
+    model = wall.model._replace(one_sided=float(one_sided), ratio_at_rest=ratio)
+    ground, dt = designed.motions[0].acceleration[:900], 0.01
+    scale = 0.6 if not one_sided else 1.2
+    theta = solved(scale * ground, dt, alpha, p2, one_sided, ratio, factor)
+    found = history(ground, dt, factor * scale, reduced(model), METHODS["taylor"])
+    assert np.abs(theta).max() > 0.02 * alpha and found.impact_time.size > 2
+    assert np.abs(found.rotation - theta).max() < 1e-8 * alpha
+
+
+def solved(ground, dt, alpha, p2, one_sided, ratio, strength):
+    """theta at the samples [rad] of a rigid block whose restoring moment is divided by `strength`."""
+    from scipy.integrate import solve_ivp
+
+    threshold = math.tan(alpha) / strength
+    side, phi, speed, moving, theta = 1.0, 0.0, 0.0, False, [0.0]
+
+    def touches(t, y):
+        return y[0]
+
+    touches.terminal, touches.direction = True, -1
+    for k in range(len(ground) - 1):
+        b0, slope, t = ground[k] / G, (ground[k + 1] - ground[k]) / dt / G, 0.0
+        while t < dt:
+            if not moving:
+                start = independent_solver.uplift(b0, b0 + slope * dt, t, dt, threshold, one_sided)
+                if start is None:
+                    break
+                t, side = start
+                phi, speed, moving = 0.0, 0.0, True
+
+            def motion(s, y, b0=b0, slope=slope, side=side):
+                push = side * (b0 + slope * s) * math.cos(alpha - y[0])
+                return [y[1], -p2 * (math.sin(alpha - y[0]) / strength - push)]
+
+            found = solve_ivp(motion, (t, dt), [phi, speed], "DOP853", rtol=1e-13, atol=1e-17,
+                              max_step=dt / 4, events=[touches])  # fmt: skip
+            t, (phi, speed) = found.t[-1], found.y[:, -1]
+            if found.status == 1:
+                speed, phi = -ratio * speed, 0.0
+                side = side if one_sided else -side
+                beta = b0 + slope * t
+                lifts = beta > threshold or (beta < -threshold and not one_sided)
+                moving = speed > 1e-6 * math.sqrt(p2 / strength) * alpha or lifts
+        theta.append(side * phi if moving else 0.0)
+    return np.array(theta)
+
+
+def test_that_the_dynamic_check_is_what_single_histories_say(designed):
+    wall = designed.walls[0]
+    found = wall.assessment.dynamic
+    assert found.confidence_on == "capacity" and found.zeta_other.confidence_on == "demand"
+    peaks = []
+    for run, motion in zip(found.runs, designed.motions, strict=True):
+        assert run.factor == 1.0
+        alone = history(motion.acceleration, motion.time_step, 1.35, reduced(wall.model), AUTO)
+        assert run.exceeded == (alone.outcome == COLLAPSED or alone.peak > wall.block.slenderness)
+        if run.peak_ratio is not None:
+            assert run.peak_ratio == alone.peak / wall.block.slenderness
+            peaks.append(run.peak_ratio)
+    assert found.n_exceeded == sum(run.exceeded for run in found.runs)
+    overturned = any(run.status == "overturned" for run in found.runs)
+    assert found.mean_peak_ratio == (None if overturned else pytest.approx(np.mean(peaks)))
+
+
+def test_that_records_scaled_to_the_pga_are_the_records_at_the_demand(designed, tmp_path):
+    """Half of each record, scaled to a_g S, is the record: the same peaks and the same zeta."""
+    wall, demand = designed.walls[0], designed.demand
+    weak = [replace(m, acceleration=0.5 * m.acceleration) for m in designed.motions]
+    for confidence_on in ("capacity", "demand"):
+        asked = {"confidence_on": confidence_on}
+        plain = demand_of(case(HELD, asked), tmp_path)
+        scaled = demand_of(case(HELD, {**asked, "demand_scaling": "pga"}), tmp_path)
+        first = demand_check(wall.model, list(designed.motions), (1,), plain, AUTO)
+        second = demand_check(wall.model, weak, (1,), scaled, AUTO)
+        factor = (
+            2.0 * (1.35 if confidence_on == "demand" else 1.0) * demand.pga / (2.0 * weak[0].pga)
+        )
+        assert second.runs[0].factor == pytest.approx(factor, rel=1e-12)
+        assert second.zeta == pytest.approx(first.zeta, rel=0.01)
+        assert second.n_exceeded == first.n_exceeded
+        for one, other in zip(first.runs, second.runs, strict=True):
+            assert other.status == one.status
+            assert one.peak_ratio is None or other.peak_ratio == pytest.approx(
+                one.peak_ratio, rel=1e-6
+            )
+    assert demand_check(wall.model, [], (1,), plain, AUTO) is None
+
+
+STEP = 0.0025
+
+
+def rule_fails(designed, model, factor: float) -> np.ndarray:
+    """Whether the rule fails at each point k = -700 .. 240 of the grid 1.0025^k, by single histories."""
+    alpha, fails = designed.walls[0].block.slenderness, []
+    for k in range(-700, 241):
+        multiplier, peaks = 1.0025**k, []
+        for motion in designed.motions:
+            alone = history(motion.acceleration, 0.01, factor * multiplier, model, AUTO)
+            peaks.append(math.inf if alone.outcome == COLLAPSED else alone.peak / alpha)
+        fails.append(max(peaks) > 1.0 or np.mean(peaks) > 0.40)
+    return np.array(fails)
+
+
+def lowest_with(fails: np.ndarray, share: float) -> float:
+    """Lowest multiplier around which this share of the 81 points within +-10 % fails."""
+    places = (k for k in range(40, 901) if fails[k - 40 : k + 41].mean() >= share)
+    return 1.0025 ** (next(places) - 700)
+
+
+def test_that_zeta_is_where_half_of_the_multipliers_around_fail(designed):
+    wall = designed.walls[0]
+    found = wall.assessment.dynamic
+    fails = rule_fails(designed, reduced(wall.model), 1.35)
+    assert found.zeta == pytest.approx(lowest_with(fails, 0.5), rel=0.6 * STEP)
+    assert found.zeta_16 == pytest.approx(lowest_with(fails, 0.16), rel=2.1 * STEP)
+    assert found.share_failing_at_demand == pytest.approx(fails[660:741].mean(), abs=1e-12)
+    assert found.holds == (not fails[700])
+    # below the first failure found nothing fails on the coarse grid, which may step over a narrow one
+    assert 1.0025 ** (int(np.argmax(fails)) - 700) <= found.zeta_first * 1.0001
+    on_demand = rule_fails(designed, wall.model, 1.35)
+    other = found.zeta_other.zeta  # by steps of 0.5 %
+    assert lowest_with(on_demand, 0.42) < other < lowest_with(on_demand, 0.58)
+    low, high = found.zeta_spread
+    assert low == pytest.approx(lowest_with(fails, 0.45), rel=1.1 * STEP)
+    assert high == pytest.approx(lowest_with(fails, 0.55), rel=1.1 * STEP)
+    assert found.zeta_other.zeta < found.zeta
+
+
+def test_that_a_search_that_ends_early_does_not_raise_zeta(tmp_path):
+    """q_limit below the first peak at 0.40 alpha: zeta is still searched, from where the search ended."""
+    wall = {"base_z_m": 0.0, "mechanism": "one_sided", "height_m": 5.0, "thickness_m": 0.6}
+    table = {"wall": wall, "demand": {"ag_g": 0.3}, "generate": {"count": 3}}
+    full = study.run(case(**table), base_dir=tmp_path).walls[0].assessment.dynamic
+    table["analysis"] = {"q_step": 0.01, "q_limit": 2.0}
+    short = study.run(case(**table), base_dir=tmp_path).walls[0].assessment.dynamic
+    assert short.zeta == pytest.approx(full.zeta, rel=0.05)

@@ -1,0 +1,120 @@
+"""NTC 2018 3.2.3.6 and EN 1998-1 3.2.3.1.2: records against their target."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from core.case.rules import parse_case
+from core.codes.record_compatibility import compliance
+from core.errors import InputError
+from core.ground.provenance import stations
+from core.study import run as study
+from core.study.demand_input import demand_of, generated
+
+
+def case(**demand):
+    spectrum = {"code": "EN1998", "soil": "B", "type": 1}
+    return parse_case(
+        {
+            "wall": [
+                {
+                    "name": "w",
+                    "height_m": 5.0,
+                    "thickness_m": 0.5,
+                    "base_z_m": 0.0,
+                    "mechanism": "two_sided",
+                }
+            ],
+            "generate": {"count": 7},
+            "demand": {"ag_g": 0.26, "spectrum": spectrum, **demand},
+        }
+    )
+
+
+def test_that_a_generated_set_complies_and_half_of_it_does_not(tmp_path):
+    asked = case()
+    demand = demand_of(asked, tmp_path)
+    motions = generated(asked, demand)
+    found = compliance(motions, ["artificial"] * 7, demand)
+    assert found.compatible
+    assert {rule.name for rule in found.rules if rule.passed} >= {
+        "mean_lower", "records", "mean_pga", "strong_part", "duration",
+    }  # fmt: skip
+    halved = [replace(motion, acceleration=0.5 * motion.acceleration) for motion in motions]
+    wrong = compliance(halved, ["artificial"] * 7, demand)
+    assert not wrong.compatible
+    assert compliance(motions[:2], ["artificial"] * 2, demand).compatible is False
+
+
+def test_that_natural_records_have_an_upper_bound_too(tmp_path):
+    asked = case()
+    demand = demand_of(asked, tmp_path)
+    louder = [replace(m, acceleration=1.5 * m.acceleration) for m in generated(asked, demand)]
+    rules = compliance(louder, ["natural"] * 7, demand).rules
+    upper = next(rule for rule in rules if rule.name == "mean_upper" and rule.limit is not None)
+    assert upper.limit == 0.30 and upper.passed is False
+
+
+def test_that_two_components_of_a_station_count_once(tmp_path):
+    asked = case()
+    demand = demand_of(asked, tmp_path)
+    motions = [
+        replace(
+            motion,
+            format="PEER AT2",
+            details=(("line 2", f"IMPERIAL VALLEY 5/19/40, EL CENTRO ARRAY #9, {component}"),),
+        )
+        for motion, component in zip(generated(asked, demand), ("180", "270", "UP"), strict=False)
+    ]
+    assert len(stations(motions)) == 1
+    assert compliance(motions, ["natural"] * 3, demand).stations == 1
+
+
+def test_that_scaling_to_pga_scales_the_spectra(tmp_path):
+    plain, scaled = (demand_of(case(**more), tmp_path) for more in ({}, {"demand_scaling": "pga"}))
+    motions = [
+        replace(motion, acceleration=0.5 * motion.acceleration)
+        for motion in generated(case(), plain)
+    ]
+    assert scaled.scaling(motions[0]) == pytest.approx(2.0, rel=1e-6)
+    assert compliance(motions, ["artificial"] * 7, scaled).compatible
+    assert not compliance(motions, ["artificial"] * 7, plain).compatible
+
+
+def test_that_natural_records_are_compared_up_to_the_longest_period_of_the_walls(tmp_path):
+    """Weak beyond 2 s, as a set at -22 % there that passed: kind and range decide whether it is seen."""
+    asked = case()
+    demand = demand_of(asked, tmp_path)
+    motions = generated(asked, demand)
+    for kind, longest, high in (
+        ("natural", 3.4, 3.4),
+        ("natural", 1.2, 2.0),
+        ("artificial", 3.4, 2.0),
+    ):
+        found = compliance(motions, [kind] * 7, demand, longest)
+        assert found.period_range == (0.15, high)
+        inside = (found.periods >= 0.15 - 1e-9) & (found.periods <= high + 1e-9)
+        assert found.periods[inside][[0, -1]] == pytest.approx([0.15, high])
+        lower = next(
+            rule for rule in found.rules if rule.code == "NTC" and rule.name == "mean_lower"
+        )
+        assert lower.value == pytest.approx(
+            (found.mean / found.target - 1.0)[inside].min(), rel=1e-12
+        )
+    chosen = demand_of(case(period_range_s=[0.3, 2.6]), tmp_path)
+    assert compliance(motions, ["natural"] * 7, chosen, 3.4).period_range == (0.3, 2.6)
+
+
+def test_that_a_range_beyond_the_spectrum_of_a_file_is_refused(tmp_path):
+    rows = [(t, 0.312 * 2.0 / max(1.0, t)) for t in np.linspace(0.05, 3.0, 60)]
+    (tmp_path / "s.txt").write_text("\n".join(f"{t} {s}" for t, s in rows))
+    table = {
+        "wall": [{"name": "w", "height_m": 3.0, "thickness_m": 0.4, "base_z_m": 0.0, "mechanism": "two_sided"}],
+        "demand": {"ag_g": 0.26, "soil_factor": 1.2, "spectrum_file": "s.txt", "period_range_s": [0.15, 4.0]},
+        "generate": {"count": 1},
+    }  # fmt: skip
+    with pytest.raises(
+        InputError, match=r"period_range_s goes to 4.00 s, but s.txt ends at 3.00 s"
+    ):
+        study.run(parse_case(table), base_dir=tmp_path)

@@ -1,0 +1,96 @@
+"""Kernels: the same numbers compiled, uncompiled and on any processor."""
+
+import os
+import re
+import subprocess
+import sys
+
+from core.jit import decorators
+from tests.conftest import ROOT
+
+SCRIPT = """
+import sys, hashlib, math, numpy as np
+from core.jit import cache
+from core.ground.response_spectrum import housner_intensity
+from core.rocking.history import history, scan
+from core.rocking.methods import METHODS
+from core.wall.rocking_model import RockingModel
+ground = np.loadtxt(sys.argv[1], delimiter=",", skiprows=1)[:500, 1].copy()
+digest = hashlib.sha256()
+a = math.radians(6.8)
+for one, ratio, drop, d1, d2 in ((0, .97, 0, 0, 0), (1, .45, 0, 0, 0), (1, .5, 9., 0, 0),
+                                 (0, .97, 0, .02, .28), (1, .45, 0, .06, .28)):
+    model = RockingModel(a, 2.0866, float(one), ratio, float(drop), d1 * a, d2 * a)
+    for method in METHODS.values():
+        for scale in (1.0, 2.7):
+            found = history(ground, 0.01, scale, model, method)
+            digest.update(found.rotation.tobytes() + found.velocity.tobytes())
+            digest.update(found.impact_time.tobytes() + repr((found.outcome, float(found.peak))).encode())
+    for name in sys.argv[2:]:
+        outcomes, peaks = np.zeros(80, np.int64), np.zeros(80)
+        clamped = scan(METHODS[name], ground, 0.01, np.linspace(0.5, 6.0, 80), model, outcomes, peaks)
+        digest.update(outcomes.tobytes() + peaks.tobytes() + clamped.tobytes())
+digest.update(repr(housner_intensity(ground[:300], 0.01)).encode())
+print(digest.hexdigest(), cache.folder())
+"""
+
+
+def run(*scanned, **variables):
+    """(digest of histories by all methods and of scans by these, the cache's folder) of a process."""
+    known = ROOT / "tests" / "reference" / "standard_record.csv"
+    found = subprocess.run(
+        [sys.executable, "-P", "-c", SCRIPT, known, *scanned], capture_output=True, text=True, check=True,
+        env=dict(os.environ, PYTHONPATH=str(ROOT), **variables),
+    )  # fmt: skip
+    digest, folder = found.stdout.split()
+    return digest, folder
+
+
+def test_that_the_kernels_without_compiler_are_bit_identical():
+    compiled = run()[0]
+    assert run(NUMBA_DISABLE_JIT="1")[0] == compiled
+
+
+def test_that_a_processor_without_wide_registers_or_fused_products_gives_the_same_bits(tmp_path):
+    orders = ("taylor", "taylor_6")
+    plain = run(
+        *orders, RIBALTA_CACHE=str(tmp_path), NUMBA_CPU_NAME="generic", NUMBA_CPU_FEATURES=""
+    )
+    assert plain[0] == run(*orders)[0]
+
+
+def test_that_no_kernel_is_fast_math_or_parallel():
+    for source in (ROOT / "core").rglob("*.py"):
+        text = source.read_text()
+        assert not re.search(r"fastmath\s*=|parallel\s*=|\bprange\b", text), source
+
+
+def test_that_numba_waits_for_the_first_call_of_a_kernel():
+    script = (
+        "import sys; import core.study.run, app.batch; early = 'numba' in sys.modules;"
+        "from core.ground.response_spectrum import housner_intensity; import numpy as np;"
+        "housner_intensity(np.ones(50), 0.01); print(early, 'numba' in sys.modules)"
+    )
+    found = subprocess.run(
+        [sys.executable, "-P", "-c", script], capture_output=True, text=True, check=True,
+        env=dict(os.environ, PYTHONPATH=str(ROOT)),
+    )  # fmt: skip
+    assert found.stdout.split() == ["False", "True"]
+
+
+def test_that_kernels_of_kernels_run_as_python_when_python_calls_them():
+    @decorators.subkernel
+    def half(x):
+        return "python" if isinstance(x, str) else 0.5 * x
+
+    @decorators.subkernel
+    def quarter(x):
+        return 0.25 * x
+
+    @decorators.kernel
+    def three_quarters(x):
+        return 0.5 * x + quarter(x)
+
+    assert half("a") == "python"
+    assert quarter(8.0) == 2.0
+    assert three_quarters(8.0) == 6.0
