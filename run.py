@@ -3,7 +3,7 @@
 
     python3 run.py [CASE]          open the window
     python3 run.py --batch CASE    run a case without a window (see --help)
-    python3 run.py test [...]      ruff, import contracts, pytest
+    python3 run.py test [...]      ruff, import contracts, mypy, pytest
     python3 run.py package         the frozen program in dist/ribalta, tried
     python3 run.py bench [...]     the benchmarks; --work-precision for error against time
     python3 run.py mutate [...]    small faults in the modules that decide: do the tests find them?
@@ -236,13 +236,14 @@ def hand_over(command):
 
 
 def test(arguments):
-    """Style, import contracts, tests; the first failure's exit code."""
+    """Style, import contracts, types, tests; the first failure's exit code."""
     python = interpreter()
     scripts = os.path.dirname(python)
     steps = [
         [python, "-m", "ruff", "check", "--no-cache", "."],
         [python, "-m", "ruff", "format", "--no-cache", "--check", "."],
         [os.path.join(scripts, "lint-imports"), "--no-cache"],
+        [python, "-m", "mypy", "--cache-dir", os.devnull],
     ]
     if arguments:
         steps = []

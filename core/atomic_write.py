@@ -4,6 +4,7 @@ import contextlib
 import errno
 import json
 import os
+import sys
 import tempfile
 from pathlib import Path
 
@@ -121,7 +122,7 @@ def alive(number: int) -> bool:
     """Whether a process of this number runs."""
     if number == os.getpid():
         return True
-    if os.name == "nt":
+    if sys.platform == "win32":
         import ctypes
 
         handle = ctypes.windll.kernel32.OpenProcess(0x1000, False, number)

@@ -1,6 +1,7 @@
 """Errors the user can mend, as data, and the cancellation of a run."""
 
 from string import Formatter
+from typing import Any
 
 from core.text.catalogue import CATALOGUE
 from core.text.sentence import FILE_NAMES, FormNames, Key, Quantity, Sentence, in_words, sentence
@@ -41,12 +42,12 @@ class InputError(ValueError):
 
     def _scaled(self, factor: float, unit: str) -> dict:
         """Value and range in the unit of a field."""
-        shown = {}
+        shown: dict[str, object] = {}
         found = self.values.get("found", self.value)
         if isinstance(found, (int, float)):
             shown["value"] = f"{found * factor:g} {unit}"
         if isinstance(self.accepted, Sentence) and self.accepted.code in RANGES:
-            ends = dict(self.accepted.values)
+            ends: dict[str, Any] = dict(self.accepted.values)
             ends |= {end: factor * ends[end] for end in ("low", "high")}
             shown["accepted"] = sentence(
                 "accepted", self.accepted.code, **(ends | {"unit": f" {unit}"})
@@ -79,7 +80,7 @@ class InputError(ValueError):
             for p in self.place
             if isinstance(p, Sentence) and p.code == "wall"
         )
-        return next(walls, None)
+        return next((str(name) for name in walls), None)
 
     @property
     def section(self) -> str | None:
@@ -89,7 +90,7 @@ class InputError(ValueError):
             for p in self.place
             if isinstance(p, Sentence) and p.code == "section"
         )
-        return next(sections, None)
+        return next((str(name) for name in sections), None)
 
     def __str__(self) -> str:
         return self.text()

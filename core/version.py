@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-VERSION = "0.3.0"
+VERSION = "0.4.0"
 NAME = "Ribalta"
 
 

@@ -1,6 +1,9 @@
 """Borders of the architecture that import-linter does not see."""
 
 import ast
+import os
+import subprocess
+import sys
 
 import pytest
 
@@ -12,6 +15,117 @@ SOURCES = sorted([*(ROOT / "core").rglob("*.py"), *(ROOT / "app").rglob("*.py")]
 @pytest.mark.parametrize("source", SOURCES, ids=lambda path: str(path.relative_to(ROOT)))
 def test_that_no_module_is_two_subjects(source):
     assert len(source.read_text().splitlines()) <= 420
+
+
+ONE_STEP, ORDER = "tests/validation/test_one_step.py", "tests/validation/test_method_order.py"
+WORKBOOK, RUN = "tests/core/report/test_workbook.py", "tests/core/study/test_run.py"
+SENTENCES = "tests/core/text/test_catalogue.py"
+REFUSALS = "tests/core/ground/test_record_refusals.py"
+
+SHOWN_BY = {
+    "atomic_write": "tests/core/test_atomic_write.py",
+    "errors": SENTENCES,
+    "file_names": "tests/app/test_nothing_lost.py",
+    "capacity/limit_states": "tests/validation/test_circolare_by_hand.py",
+    "capacity/independent_solver": "tests/validation/test_independent_solver.py",
+    "case/schema": "tests/core/case/test_schema.py",
+    "codes/demand": "tests/core/codes/test_target_spectrum.py",
+    "ground/records/cut": REFUSALS,
+    "ground/records/grammar": REFUSALS,
+    "ground/records/italian": REFUSALS,
+    "ground/records/peer": REFUSALS,
+    "ground/records/plain": REFUSALS,
+    "jit/kernel": "tests/core/jit/test_decorators.py",
+    "jit/numba_extensions": "tests/core/jit/test_decorators.py",
+    "rocking/events": "tests/validation/test_energy.py",
+    "rocking/history": "tests/validation/test_reference_histories.py",
+    "rocking/lane_scheduler": "tests/core/rocking/test_lanes.py",
+    "rocking/lane_state": "tests/core/rocking/test_lanes.py",
+    "rocking/methods": ORDER,
+    "rocking/outcome": "tests/validation/test_energy.py",
+    "rocking/taylor": ONE_STEP,
+    "rocking/taylor_bounds": ONE_STEP,
+    "rocking/taylor_series": ORDER,
+    "study/assessment": "tests/core/codes/test_verdict.py",
+    "study/demand_input": "tests/core/codes/test_target_spectrum.py",
+    "study/governing": RUN,
+    "study/results": RUN,
+    "study/threads": RUN,
+    "wall/rocking_model": "tests/validation/test_reference_histories.py",
+    **{
+        f"rocking/compared/{name}": ORDER
+        for name in (
+            "branch",
+            "comparison",
+            "dormand_prince",
+            "linearised",
+            "newmark_events",
+            "newmark_paper",
+            "rk4",
+            "stepped",
+        )
+    },
+    **{
+        f"report/{name}": WORKBOOK
+        for name in (
+            "cells",
+            "check_sheet",
+            "circolare",
+            "demand_sheets",
+            "json_report",
+            "plots",
+            "rows",
+            "sheets",
+            "summary_sheet",
+            "summary_charts",
+        )
+    },
+    **{
+        f"text/{name}": SENTENCES
+        for name in (
+            "error_parts",
+            "errors",
+            "file_errors",
+            "method",
+            "notices",
+            "report",
+            "sentence",
+            "terminal",
+            "verdicts",
+            "window",
+            "words",
+        )
+    },
+}
+"""Module of core -> the file that shows its facts, where that has another name than the module's."""
+
+
+def test_that_the_test_of_each_module_is_found_by_its_name():
+    facts = {path.name for path in (ROOT / "tests").rglob("test_*.py")}
+    for source in sorted((ROOT / "core").rglob("*.py")):
+        module = source.relative_to(ROOT / "core").with_suffix("").as_posix()
+        if source.stem in ("__init__", "units", "version"):
+            continue
+        mirrored = ROOT / "tests" / "core" / f"{module}.py"
+        mirrored = mirrored.with_name(f"test_{mirrored.name}")
+        assert mirrored.exists() or (ROOT / SHOWN_BY[module]).exists(), module
+    assert {path.rsplit("/", 1)[-1] for path in SHOWN_BY.values()} <= facts
+
+
+def test_that_importing_a_module_does_no_work(tmp_path):
+    """No folder, no variable, no hash of the sources, no compiler: only the import itself."""
+    script = (
+        "import os, sys; before = dict(os.environ);"
+        "import core.study.run, core.report.workbook, core.report.json_report, app.batch;"
+        "from core.jit import cache;"
+        "assert os.environ == before and 'numba' not in sys.modules;"
+        "assert cache.stamp.cache_info().currsize == cache.folder.cache_info().currsize == 0;"
+        "print(os.listdir(sys.argv[1]))"
+    )
+    variables = {**os.environ, "RIBALTA_CACHE": str(tmp_path), "PYTHONPATH": str(ROOT)}
+    done = subprocess.run([sys.executable, "-P", "-c", script, str(tmp_path)], env=variables,
+                          capture_output=True, text=True)  # fmt: skip
+    assert done.stdout == "[]\n", done.stderr
 
 
 def test_that_every_public_function_and_class_says_what_it_is():

@@ -51,4 +51,5 @@ def fragility(runs: list[Ida], search: Search) -> Fragility | None:
         reached = count >= level * n * (2 * search.half_window + 1) - 1e-6
         first = float(q[int(np.argmax(reached))])
         values.append(first if reached.any() and first <= search.q_limit else None)
-    return Fragility(*values, n=n)
+    q_05, q_16, q_50 = values
+    return Fragility(q_05, q_16, q_50, n)

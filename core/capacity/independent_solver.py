@@ -78,8 +78,8 @@ def _event(level, direction):
     def crossing(s, y):
         return y[0] - level
 
-    crossing.terminal = True
-    crossing.direction = direction
+    # attributes by which scipy takes an event
+    vars(crossing).update(terminal=True, direction=direction)
     return crossing
 
 

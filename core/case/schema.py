@@ -1,6 +1,7 @@
 """The case: what the user asks. Keys, ranges, defaults and names in one place, for form and file."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import MISSING, asdict, dataclass, field, fields
 
 from core.codes.limits import return_period
@@ -298,10 +299,11 @@ class Case:
     def differing(self) -> set[tuple]:
         """Places (section, index, key) whose value differs from the default."""
         places = set()
-        for section, items in (("wall", self.wall), ("record", self.record),
-                               ("report", [self.report]), ("analysis", [self.analysis]),
-                               ("demand", [self.demand] if self.demand else []),
-                               ("generate", [self.generate] if self.generate else [])):  # fmt: skip
+        sections: tuple[tuple[str, Sequence], ...] = (("wall", self.wall), ("record", self.record),
+                    ("report", [self.report]), ("analysis", [self.analysis]),
+                    ("demand", [self.demand] if self.demand else []),
+                    ("generate", [self.generate] if self.generate else []))  # fmt: skip
+        for section, items in sections:
             for index, item in enumerate(items):
                 for entry in fields(item):
                     if entry.default is MISSING or getattr(item, entry.name) != entry.default:

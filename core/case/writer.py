@@ -13,7 +13,7 @@ IDENTITY = {"wall": "name", "record": "file"}
 def table_of(case: Case) -> dict:
     """The case as a mapping with the keys of the file, only what differs from the defaults; `parse_case`
     reads it back equal, and `draft_case` one that is not complete."""
-    table = {"title": case.title}
+    table: dict[str, object] = {"title": case.title}
     given = case.differing()
     content = case.as_dict()
     if case.walls is not None:

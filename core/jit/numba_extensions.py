@@ -17,7 +17,7 @@ def compiled(function, inlined: bool, python_wrapper: bool):
     fastmath, never parallel. Kernels allocate nothing (_nrt), so that no array handed on is counted: that took
     a fifth of a pass. An option not set here would be inherited from the kernel whose compilation asks
     for this one."""
-    return njit(
+    return njit(  # type: ignore[call-overload]  # options numba has and does not declare
         cache=True,
         nogil=True,
         error_model="numpy",
@@ -67,7 +67,7 @@ def _once(function, context, arguments, keywords):
     return _known[call]
 
 
-types.Function.get_call_type = _once
+types.Function.get_call_type = _once  # type: ignore[method-assign]
 
 
 @typeof_impl.register(Kernel)

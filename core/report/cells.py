@@ -1,9 +1,10 @@
 """Cells of the workbook: styles, safe text, live formulas that also carry their value."""
 
+import functools
 import math
 import re
 import zipfile
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from copy import copy
 from dataclasses import dataclass, field
 from io import BytesIO
@@ -24,6 +25,7 @@ INK = "1F2D3D"
 ACCENT = "2B5C8A"
 GOOD = "1B6E4B"
 BAD = "B3421B"
+AMBER = "8A5A00"
 QUIET = "6B7785"
 LINE = "C9D1D9"
 
@@ -54,7 +56,7 @@ class Book:
         """A text of the group "report" in the workbook's language."""
         return localized("report", english, self.language, **values)
 
-    def sheet(self, english: str, widths: list[float], landscape=False) -> Worksheet:
+    def sheet(self, english: str, widths: Sequence[float], landscape=False) -> Worksheet:
         """A new A4 sheet, fitted to the page's width."""
         sheet = self.workbook.create_sheet(self.say(english))
         for k, width in enumerate(widths, start=1):
@@ -111,11 +113,16 @@ def with_values(content: bytes, sheets: list[str], cached: dict) -> bytes:
                         (rest + block).rpartition(b"</row>") if block else (rest, b"", b"")
                     )
                     text = (piece + mark).decode()
-                    text = _FORMULA.sub(lambda m, t=title: _filled(m, cached[t, m[1]]), text)
+                    text = _FORMULA.sub(functools.partial(_filled_in, title, cached), text)
                     target.write(text.encode())
                     if not block:
                         break
     return filled.getvalue()
+
+
+def _filled_in(title: str, cached: dict, match: re.Match) -> str:
+    """A formula of a sheet with its value."""
+    return _filled(match, cached[title, match[1]])
 
 
 def _filled(match: re.Match, value) -> str:

@@ -2,13 +2,11 @@
 
 import math
 
-from openpyxl.chart import BarChart, LineChart, Reference, ScatterChart, Series
-from openpyxl.chart.layout import Layout, ManualLayout
-
 from core.codes.eq9 import LABEL
+from core.ground.ground_motion import GroundMotion
 from core.report.cells import (
     ACCELERATION,
-    ACCENT,
+    AMBER,
     BAD,
     GOOD,
     INK,
@@ -25,6 +23,7 @@ from core.report.cells import (
     text,
     title,
 )  # fmt: skip
+from core.report.summary_charts import peaks, sketch
 from core.study.results import Q_SOURCES, StudyResult, WallResult
 from core.text.sentence import localized, word
 from core.text.words import ASSUMPTIONS
@@ -36,11 +35,8 @@ SUMMARY_WALLS = 8
 
 WIDTHS = [30, 12, 8, 9, 9, 7, 8, 14, 9, 8, 9, 9, 26]
 LAST = len(WIDTHS)
-AMBER = "8A5A00"
 COLORS = {"verified": GOOD, "not_activated": GOOD, "verified_refined": AMBER, "indicative": AMBER,
           "undetermined": AMBER, "q2_unsafe": BAD, "not_verified": BAD}  # fmt: skip
-DATA = 20
-"""First column of the data behind the charts, right of what is printed."""
 
 
 def by_zeta(walls) -> list[WallResult]:
@@ -216,9 +212,9 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
             values = (check.q, check.capacity / G, check.demand / G, "g", check.ratio, check.passed)
             _method_row(book, sheet, row, word(source, book.language), LABEL, values, False)
     if wall.wall.height_m:
-        _sketch(book, sheet, wall, f"I{top}")
+        sketch(book, sheet, wall, f"I{top}")
     if assessment.dynamic:
-        _peaks(book, sheet, assessment.dynamic, f"K{top}", 10.4, 6.2)
+        peaks(book, sheet, assessment.dynamic, f"K{top}", 10.4, 6.2)
     row = max(row, top + 11) + 1
     verdict = assessment.verdict
     row = paragraph(sheet, row, verdict.text(book.language), LAST, 120, bold=True, size=12,
@@ -288,88 +284,11 @@ def _method_row(
     rule(sheet, row, 1, 8)
 
 
-def _sketch(book: Book, sheet, wall: WallResult, anchor: str) -> None:
-    """The wall to scale, its hinge and its ground, as a native chart."""
-    h, t, u = wall.height, wall.thickness, wall.wall.setback
-    outlines = (
-        [(0.0, 0.0), (t, 0.0), (t, h), (0.0, h), (0.0, 0.0)],
-        [(t - u, 0.0), (0.5 * t, 0.5 * h)],
-        [(-0.35 * h, 0.0), (0.35 * h + t, 0.0)],
-    )
-    chart = ScatterChart()
-    chart.style, chart.legend = 13, None
-    chart.width, chart.height = 3.6, 6.2
-    chart.title = None
-    for k, (points, color) in enumerate(zip(outlines, (ACCENT, BAD, QUIET), strict=True)):
-        column = DATA + 2 * k
-        for n, (x, y) in enumerate(points):
-            sheet.cell(1 + n, column, x)
-            sheet.cell(1 + n, column + 1, y)
-        xs = Reference(sheet, min_col=column, min_row=1, max_row=len(points))
-        ys = Reference(sheet, min_col=column + 1, min_row=1, max_row=len(points))
-        series = Series(ys, xs)
-        series.marker.symbol, series.smooth = "none", False
-        series.graphicalProperties.line.solidFill = color
-        series.graphicalProperties.line.width = 15000
-        chart.series.append(series)
-    chart.layout = Layout(ManualLayout(layoutTarget="inner", xMode="edge", yMode="edge",
-                                       x=0.05, y=0.05, w=0.9, h=0.9))  # fmt: skip
-    tall = 1.06 * h
-    wide = tall * (0.9 * chart.width) / (0.9 * chart.height)
-    wide = max(wide, 1.2 * t)
-    chart.y_axis.scaling.min, chart.y_axis.scaling.max = -0.03 * h, -0.03 * h + tall
-    chart.x_axis.scaling.min, chart.x_axis.scaling.max = 0.5 * t - 0.5 * wide, 0.5 * t + 0.5 * wide
-    chart.x_axis.delete = chart.y_axis.delete = True
-    chart.x_axis.majorGridlines = chart.y_axis.majorGridlines = None
-    sheet.add_chart(chart, anchor)
-
-
-def _peaks(book: Book, sheet, check, anchor: str, width: float, height: float) -> None:
-    """Peak rotation over alpha of each record at the demand, with lines at 0.40, 0.60 and 1.00."""
-    say = book.say
-    column = DATA + 8
-    heads = [say("record"), "θmax/α", "0.40", "0.60", "1.00"]
-    for k, head in enumerate(heads):
-        text(sheet, 1, column + k, head, size=8, color=QUIET)
-    for n, run in enumerate(check.runs, start=2):
-        sign = (
-            "" if len({r.polarity for r in check.runs}) == 1 else " +" if run.polarity > 0 else " −"
-        )
-        text(sheet, n, column, f"{run.record}{sign}", size=8, color=QUIET)
-        # a wall that overturns has no peak: its bar fills the chart
-        sheet.cell(n, column + 1, 1.2 if run.peak_ratio is None else min(run.peak_ratio, 1.2))
-        for k, level in enumerate((0.40, 0.60, 1.00), start=2):
-            sheet.cell(n, column + k, level)
-    last = 1 + len(check.runs)
-    bars = BarChart()
-    bars.type, bars.style, bars.gapWidth = "col", 13, 60
-    bars.add_data(
-        Reference(sheet, min_col=column + 1, min_row=1, max_row=last), titles_from_data=True
-    )
-    bars.set_categories(Reference(sheet, min_col=column, min_row=2, max_row=last))
-    bars.series[0].graphicalProperties.solidFill = ACCENT
-    lines = LineChart()
-    for k, color in zip((2, 3, 4), (GOOD, AMBER, BAD), strict=True):
-        data = Reference(sheet, min_col=column + k, min_row=1, max_row=last)
-        lines.add_data(data, titles_from_data=True)
-        series = lines.series[-1]
-        series.marker.symbol, series.smooth = "none", False
-        series.graphicalProperties.line.solidFill = color
-        series.graphicalProperties.line.width = 14000
-    bars += lines
-    bars.y_axis.scaling.min, bars.y_axis.scaling.max = 0, 1.2
-    bars.y_axis.title, bars.x_axis.title = "θmax/α", None
-    bars.x_axis.delete = bars.y_axis.delete = False
-    bars.y_axis.majorGridlines = None
-    bars.legend.position = "r"
-    bars.width, bars.height = width, height
-    sheet.add_chart(bars, anchor)
-
-
 def _warnings(book: Book, sheet, result: StudyResult, row: int, last: int, most: int = 7) -> int:
     """Each warning once, with the walls or records it belongs to."""
     owners: dict[str, list[str]] = {}
-    for owner in (*result.walls, *result.motions):
+    named: list[WallResult | GroundMotion] = [*result.walls, *result.motions]
+    for owner in named:
         for warning in owner.warnings:
             name = owner.name
             if isinstance(owner, WallResult):

@@ -32,8 +32,8 @@ def neglected(v, growth, forcing, rise, p2, order):
 
 @subkernel
 def converged_part(tail, growth, order, alpha):
-    """Largest part 1 / 2^n of the step at which the omitted term, `tail` at its end, is below SERIES_TOLERANCE alpha and
-    growth below MAX_GROWTH. Half a step divides growth by 4 and the term by 2^10 (order 8) or 2^8: its degree."""
+    """Largest part 1 / 2^n of the step at which the omitted term, `tail` at its end, is below SERIES_TOLERANCE alpha
+    and growth below MAX_GROWTH. Half a step divides growth by 4 and the term by 2^10 (order 8) or 2^8: its degree."""
     part = 1.0
     for _ in range(60):
         if tail <= SERIES_TOLERANCE * alpha and growth < MAX_GROWTH:

@@ -18,12 +18,12 @@ def collapse_histories(result: StudyResult, wall: WallResult) -> CollapseHistori
     if lowest is None:
         return None
     motion = next(motion for motion in result.motions if motion.name == lowest.record)
-    scales = tuple(
+    low, high = (
         lowest.polarity * multiplier_of(q, motion.pga, threshold_of(wall.model))
         for q in lowest.ida.bracket
     )
-    pair = tuple(
+    survived, collapsed = (
         history(motion.acceleration, motion.time_step, scale, wall.model, result.method)
-        for scale in scales
+        for scale in (low, high)
     )
-    return CollapseHistories(wall, motion, lowest.polarity, scales, pair)
+    return CollapseHistories(wall, motion, lowest.polarity, (low, high), (survived, collapsed))

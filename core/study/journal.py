@@ -5,6 +5,7 @@ import errno
 import hashlib
 import json
 import os
+import sys
 import threading
 from pathlib import Path
 
@@ -146,7 +147,7 @@ def free_name(path: Path) -> Path:
 
 def lock(stream) -> None:
     """Hold a file for this process alone, until it is closed; raises OSError where another one does."""
-    if os.name == "nt":
+    if sys.platform == "win32":
         import msvcrt
 
         stream.seek(0)

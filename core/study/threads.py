@@ -3,8 +3,9 @@
 import contextlib
 import queue
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
+from typing import Any
 
 from core.errors import Cancelled
 
@@ -17,7 +18,7 @@ class Threads:
 
     def run(
         self,
-        tasks: dict[object, Callable],
+        tasks: Mapping[Any, Callable],
         on_result: Callable[[object, object], None],
         on_count: Callable[[int], None] = lambda done: None,
     ) -> dict:

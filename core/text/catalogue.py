@@ -13,8 +13,9 @@ from core.text.window import WINDOW
 from core.text.words import ASSUMPTIONS, WORDS
 
 
-def _started(words: tuple[str, str]) -> tuple[str, ...]:
-    return tuple(text[0].upper() + text[1:] for text in words)
+def _started(words: tuple[str, str]) -> tuple[str, str]:
+    english, italian = (text[0].upper() + text[1:] for text in words)
+    return english, italian
 
 
 def _by_english(texts: dict[str, str]) -> dict[str, tuple[str, str]]:
@@ -22,7 +23,7 @@ def _by_english(texts: dict[str, str]) -> dict[str, tuple[str, str]]:
     return {english: (english, italian) for english, italian in texts.items()}
 
 
-CATALOGUE: dict[str, dict[str, tuple[str, ...]]] = {
+CATALOGUE: dict[str, dict[str, tuple[str, str]]] = {
     "error": {**CASE_ERRORS, **FILE_ERRORS},
     "place": PLACES,
     "accepted": ACCEPTED,
