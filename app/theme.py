@@ -8,8 +8,12 @@ from PySide6.QtWidgets import QApplication
 
 @dataclass(frozen=True)
 class Theme:
-    """back : of plots; ink : of axes and text; grid; quiet : of secondary text; curves : in their order;
-    good, amber, bad : always beside a word."""
+    """back : of plots
+    ink : of axes and text; grid
+    quiet : of secondary text
+    curves : in their order
+    good, amber, bad : always beside a word
+    """
 
     name: str
     back: str

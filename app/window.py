@@ -39,7 +39,11 @@ AUTOSAVE_MS = 4000
 
 
 class MainWindow(QMainWindow):
-    """One session in a window. settings : where its state is remembered; recovery : folder of recovery files."""
+    """One session in a window.
+
+    settings : where its state is remembered
+    recovery : folder of recovery files
+    """
 
     def __init__(self, settings: QSettings, recovery: Path):
         super().__init__()

@@ -164,8 +164,12 @@ class Choice(QComboBox):
 
 
 class Line(QLineEdit):
-    """A line of text whose Ctrl+Z and Ctrl+Y are those of the case, but in a dialog; a text that is not in the
-    case is taken back first. refused() : whether there is one; revert() : what to do then."""
+    """A line of text whose Ctrl+Z and Ctrl+Y are those of the case, but in a dialog; a text that is not in the case is
+    taken back first.
+
+    refused() : whether there is one
+    revert() : what to do then
+    """
 
     entered = Signal()
 

@@ -350,7 +350,10 @@ class SpectraTab(QWidget):
         self.known: dict[str, np.ndarray] = {}
 
     def show_records(self, motions, target, rules) -> None:
-        """motions : as loaded; target : of the demand or None; rules : Compliance or None."""
+        """motions : as loaded
+        target : of the demand or None
+        rules : Compliance or None
+        """
         self.chart.clear()
         spectra = []
         for motion in motions:

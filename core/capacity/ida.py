@@ -54,11 +54,13 @@ class Search:
 class Ida:
     """Result of the search for one wall, record and polarity; a number is None where it has none.
 
-    status : collapse_found, no_collapse_found or impact_limit; q in bracket = (lo, hi), q = hi;
+    status : collapse_found, no_collapse_found or impact_limit; q in bracket = (lo, hi), q = hi
     q_slv, q_slc : first peak at 0.40, 0.60 alpha; q_robust, q_last_survival, survived_fraction,
-    survival_windows : of the map, they depend on q_step; analyses : integrations made;
-    impact_limited : grid points of unknown outcome; clamped : impacts of the map with Eq. 7 held at 0;
-    q_start, first_index, outcomes : the map, a digit of outcome.py per grid point.
+    survival_windows : of the map, they depend on q_step
+    analyses : integrations made
+    impact_limited : grid points of unknown outcome
+    clamped : impacts of the map with Eq. 7 held at 0
+    q_start, first_index, outcomes : the map, a digit of outcome.py per grid point
     """
 
     status: str
@@ -236,7 +238,9 @@ def _narrowed(edges, fails, unknown) -> tuple[float, float] | None:
 def multiplier_of(q, pga: float, threshold: float):
     """Multiplier C of a record of this PGA at q = C PGA / a_RM (Coccia et al. 2016, Eq. 10) [-].
 
-    q : [-], a number or an array; pga : of the unscaled record [m/s2]; threshold : a_RM [m/s2], Eq. 2.
+    q : [-], a number or an array
+    pga : of the unscaled record [m/s2]
+    threshold : a_RM [m/s2], Eq. 2
     """
     return threshold / pga * q
 
@@ -258,8 +262,10 @@ def incremental_dynamic_analysis(
 ) -> Ida:
     """Search one run (resources/docs/physics.md, section 11).
 
-    ground : [m/s2], shape (n,); dt [s]; pga : of the unscaled record [m/s2]; sign : 1 as recorded, -1
-    reversed. Raises Cancelled between two chunks of analyses when `cancelled()` is true.
+    ground : [m/s2], shape (n,); dt [s]
+    pga : of the unscaled record [m/s2]
+    sign : 1 as recorded, -1 reversed
+    Raises Cancelled between two chunks of analyses when `cancelled()` is true.
     """
     grid = _Map(ground, dt, pga, sign, model, method, search, cancelled)
     half = search.half_window

@@ -22,9 +22,10 @@ def law(phi, alpha, kinks):
 def history(ground, dt, alpha, p2, one_sided, ratio_of, kinks=None, cancelled=lambda: False):
     """Rocking history (Coccia et al. 2016, Eq. 1); returns theta at the samples [rad], impact count.
 
-    ground : [m/s2], shape (n,); dt [s]; alpha [rad]; p2 [1/s2]; ratio_of(speed [rad/s]) : velocity ratio;
-    kinks : (phi1, phi2) of the trilinear law [rad], None for the rigid one; cancelled() : asked every few
-    samples. Raises Cancelled.
+    ground : [m/s2], shape (n,); dt [s]; alpha [rad]; p2 [1/s2]; ratio_of(speed [rad/s]) : velocity ratio
+    kinks : (phi1, phi2) of the trilinear law [rad], None for the rigid one
+    cancelled() : asked every few samples
+    Raises Cancelled.
     """
     from scipy.integrate import solve_ivp
 

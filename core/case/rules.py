@@ -218,7 +218,11 @@ def _field(cls, key: str):
 
 
 def _known(cls, table: dict, name: str, here) -> None:
-    """Refuse keys that are not of this section. name : of the section; here : its place."""
+    """Refuse keys that are not of this section.
+
+    name : of the section
+    here : its place
+    """
     keys = [entry.name for entry in fields(cls) if entry.name not in OWN_FIELDS]
     for key in table:
         if key in LATER.get(name, ()):

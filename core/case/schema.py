@@ -273,8 +273,13 @@ OWN_FIELDS = ("sha256", "given", "table", "table_notes")
 
 @dataclass(frozen=True)
 class Case:
-    """One study. sha256 : of the file it was read from, else of its content; given : places
-    (section, index, key) the user wrote; table : of walls they came from, "" if none; table_notes : Notices on it."""
+    """One study.
+
+    sha256 : of the file it was read from, else of its content
+    given : places (section, index, key) the user wrote
+    table : of walls they came from, "" if none
+    table_notes : Notices on it
+    """
 
     title: str = _text("Ribalta")
     report: Report = field(default_factory=Report)

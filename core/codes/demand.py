@@ -23,13 +23,17 @@ LARGE_SCALING = 3.0
 class DemandResult:
     """The motion asked of a wall.
 
-    ag, pga : a_g on rock and a_g S [m/s2]; soil_factor : S [-]
-    intensity : SI [m] or None; intensity_source : given, spectrum, records_scaled or None
+    ag, pga : a_g on rock and a_g S [m/s2]
+    soil_factor : S [-]
+    intensity : SI [m] or None
+    intensity_source : given, spectrum, records_scaled or None
     target : elastic spectrum or None
     spectrum_code : NTC2018 or EN1998, the code of the target; None for a spectrum of a file or none
-    confidence_on : capacity or demand; record_scaling : as_given or pga
+    confidence_on : capacity or demand
+    record_scaling : as_given or pga
     period_range : asked for the check of compatibility [s], None where none is
-    soil_factor_stated : S is given or follows from the spectrum; return_period : T_R [years] or None
+    soil_factor_stated : S is given or follows from the spectrum
+    return_period : T_R [years] or None
     """
 
     limit_state: str

@@ -48,8 +48,12 @@ STATUS = {STABLE: "stable", COLLAPSED: "overturned", IMPACT_LIMIT: "impact_limit
 
 @dataclass(frozen=True)
 class DemandRun:
-    """One record and sign at the demand. factor : multiplier of the record, scaling and an FC on the demand
-    included; peak_ratio : largest rotation over alpha, None unless stable; exceeded : alpha was exceeded."""
+    """One record and sign at the demand.
+
+    factor : multiplier of the record, scaling and an FC on the demand included
+    peak_ratio : largest rotation over alpha, None unless stable
+    exceeded : alpha was exceeded
+    """
 
     record: str
     polarity: int
@@ -61,8 +65,12 @@ class DemandRun:
 
 @dataclass(frozen=True)
 class OtherConfidence:
-    """The check with FC on the other side. confidence_on : capacity or demand; zeta : zeta_E, None where a run
-    has no number; passed, spread : as passed and zeta_spread of DemandCheck."""
+    """The check with FC on the other side.
+
+    confidence_on : capacity or demand
+    zeta : zeta_E, None where a run has no number
+    passed, spread : as passed and zeta_spread of DemandCheck
+    """
 
     confidence_on: str
     zeta: float | None
@@ -249,9 +257,11 @@ def demand_check(
 ) -> DemandCheck | None:
     """The dynamic check of one wall; None without records or for a limit state the clause has no limit for.
 
-    reached : by record and sign, q up to which the search of this wall found no peak at the limit, so that the
-    rule holds below the lowest of them, FC on the demand; step : of the grid [-]; other : search zeta with FC
-    on the other side too, by OTHER_STEP. Raises Cancelled.
+    reached : by record and sign, q up to which the search of this wall found no peak at the limit, so that the rule
+        holds below the lowest of them, FC on the demand
+    step : of the grid [-]
+    other : search zeta with FC on the other side too, by OTHER_STEP
+    Raises Cancelled.
     """
     if not motions or demand.limit_state not in LIMIT_FRACTION:
         return None

@@ -30,5 +30,9 @@ class Inequality:
 
 
 def inequality(q_source: str, q: float, threshold: float, pga: float) -> Inequality:
-    """Eq. 9 with one q [-]; threshold : a_RM [m/s2]; pga : S a_g of the demand [m/s2]."""
+    """Eq. 9 with one q [-].
+
+    threshold : a_RM [m/s2]
+    pga : S a_g of the demand [m/s2]
+    """
     return Inequality(q_source, q, threshold, pga / q)

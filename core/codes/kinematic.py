@@ -35,9 +35,13 @@ ROUNDING = 1e-12
 
 @dataclass(frozen=True)
 class Check:
-    """One row of the table of methods. name : dynamic, nonlinear, linear_q_slv, linear_q_code; clause;
-    capacity, demand : in `unit`, None where the row has none; zeta : of the check; passed iff
-    zeta >= zeta_target; q : of the row."""
+    """One row of the table of methods.
+
+    name : dynamic, nonlinear, linear_q_slv, linear_q_code; clause
+    capacity, demand : in `unit`, None where the row has none
+    zeta : of the check; passed iff zeta >= zeta_target
+    q : of the row
+    """
 
     name: str
     clause: str

@@ -77,10 +77,12 @@ def search_zeta(
 ) -> Zeta:
     """Where a rule fails, on the grid target (1 + step)^k.
 
-    failures(multipliers) : flags of failure and of unknown outcome at each; rest : below this multiplier the
-    rule holds; target : a multiplier of the grid; expected : failures are not expected below. Where the
-    rule never fails up to MAX_MULTIPLIER, that. Until a failure is found points at COARSE distance are looked
-    at, below `expected` at SPARSE; from a window below it on all.
+    failures(multipliers) : flags of failure and of unknown outcome at each
+    rest : below this multiplier the rule holds
+    target : a multiplier of the grid
+    expected : failures are not expected below
+    Where the rule never fails up to MAX_MULTIPLIER, that. Until a failure is found points at COARSE distance are
+    looked at, below `expected` at SPARSE; from a window below it on all.
     """
     grid, half = _Grid(failures, target, step), round(WINDOW / math.log1p(step))
     start, top = grid.index(rest), grid.index(MAX_MULTIPLIER)

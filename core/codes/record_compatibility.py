@@ -44,10 +44,17 @@ class Rule:
 
 @dataclass(frozen=True)
 class Compliance:
-    """The set against its target. periods [s]; spectra : S_a of each record at the demand [m/s2], FC
-    apart, shape (records, periods); mean, target [m/s2]; stations : counted once each; compatible : by
-    the code of the spectrum; period_range : of the rules [s]; unnamed : files that name no
-    station; full_range : the periods that matter, where no range is asked [s]."""
+    """The set against its target.
+
+    periods : [s], shape (periods,)
+    spectra : S_a of each record at the demand [m/s2], FC apart, shape (records, periods)
+    mean, target : [m/s2], shape (periods,)
+    stations : counted once each
+    compatible : by the code of the spectrum
+    period_range : of the rules [s]
+    unnamed : files that name no station
+    full_range : the periods that matter, where no range is asked [s]
+    """
 
     periods: np.ndarray
     spectra: np.ndarray

@@ -34,7 +34,12 @@ EN_AMPLIFICATION = 2.5
 
 @dataclass(frozen=True)
 class CodeSpectrum:
-    """Four branches. ag : on rock [m/s2]; soil : S [-]; amplification : F0 [-]; t_b, t_c, t_d [s]."""
+    """Four branches.
+
+    ag : on rock [m/s2]
+    soil : S [-]
+    amplification : F0 [-]; t_b, t_c, t_d [s]
+    """
 
     name: str
     ag: float
@@ -138,7 +143,10 @@ def housner_intensity(target: Target) -> float:
 
 
 def ntc2018(ag: float, f0: float, tc_star: float, soil: str, topography: str) -> CodeSpectrum:
-    """NTC 2018 3.2.3.2.1, Eq. 3.2.2 to 3.2.7. ag : on rigid ground, S apart [m/s2]; tc_star : T_C* [s].
+    """NTC 2018 3.2.3.2.1, Eq. 3.2.2 to 3.2.7.
+
+    ag : on rigid ground, S apart [m/s2]
+    tc_star : T_C* [s]
 
     Raises InputError where T_B < T_C < T_D does not hold.
     """

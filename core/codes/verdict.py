@@ -19,9 +19,14 @@ STOCKY_DEG = 20.0
 
 @dataclass(frozen=True)
 class Circumstances:
-    """What a verdict must know beside the checks. records : files; bundled : some are the example's;
-    strongest : largest PGA at the demand, FC apart [m/s2]; both_signs : a one-sided wall was given each
-    record with both; exact : the integrator is not one for comparison."""
+    """What a verdict must know beside the checks.
+
+    records : files
+    bundled : some are the example's
+    strongest : largest PGA at the demand, FC apart [m/s2]
+    both_signs : a one-sided wall was given each record with both
+    exact : the integrator is not one for comparison
+    """
 
     records: int
     bundled: bool = False
@@ -34,9 +39,11 @@ class Circumstances:
 class Verdict:
     """The verdict of a wall.
 
-    code : of the group "verdict"; governing : name of the check that decides, or None
+    code : of the group "verdict"
+    governing : name of the check that decides, or None
     reasons : Sentences of the group "reason"
-    parts : of its sentence; if_unloaded : it holds only if the wall carries no load
+    parts : of its sentence
+    if_unloaded : it holds only if the wall carries no load
     lower_bound : zeta of the two-sided motion where the restraint behind a one-sided wall fails, or None
     """
 
@@ -72,8 +79,11 @@ def verdict(
     circumstances: Circumstances,
     lower_bound: float | None,
 ) -> Verdict:
-    """The verdict from the checks of a wall, the most refined first. checks : those that were made;
-    kinematic : None above the ground."""
+    """The verdict from the checks of a wall, the most refined first.
+
+    checks : those that were made
+    kinematic : None above the ground
+    """
     block = wall.block()
     made = {check.name: check for check in checks}
     governing = next((made[name] for name in ORDER if name in made), None)

@@ -26,9 +26,11 @@ MIN_STEP, MAX_STEP = 1e-5, 0.5
 class GroundMotion:
     """An accelerogram, linear between samples.
 
-    name : shown to the user; acceleration : [m/s2], shape (n,), read-only; time_step [s];
-    file, file_sha256, format, unit : where it comes from and the unit it was written in;
-    details : what the file says of itself; warnings : Notices.
+    name : shown to the user
+    acceleration : [m/s2], shape (n,), read-only; time_step [s]
+    file, file_sha256, format, unit : where it comes from and the unit it was written in
+    details : what the file says of itself
+    warnings : Notices
     Raises RecordError for fewer than 10 samples, a motion of zeros, or samples that are not finite.
     """
 

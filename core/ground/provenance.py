@@ -7,8 +7,11 @@ from core.ground.ground_motion import GroundMotion
 
 @dataclass(frozen=True)
 class Provenance:
-    """What a file says of its motion, "" where it says nothing. station : with its network; filter : the
-    corner frequencies [Hz] as written."""
+    """What a file says of its motion, "" where it says nothing.
+
+    station : with its network
+    filter : the corner frequencies [Hz] as written
+    """
 
     event: str = ""
     station: str = ""

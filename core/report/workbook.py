@@ -15,8 +15,11 @@ def content(
     histories: list[CollapseHistories],
     check: Callable[[], None] = lambda: None,
 ) -> bytes:
-    """The xlsx file of a study. histories : of the first HISTORY_WALLS walls with a collapse; check : called
-    between the sheets, may raise."""
+    """The xlsx file of a study.
+
+    histories : of the first HISTORY_WALLS walls with a collapse
+    check : called between the sheets, may raise
+    """
     book = build(result, histories, check)
     check()
     return book.content()

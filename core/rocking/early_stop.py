@@ -72,10 +72,13 @@ def chatter_ends(speed, scale, ahead, i, dt, time, impacts, peak, model, constan
     the energy it left with plus what the change of the ground adds, and leaves by the velocity ratio (Eq. 1, 3),
     which must not depend on the speed. Beyond the record the ground is still, as in `end_of_record`.
 
-    speed : just after an impact [rad/s]; scale : multiplier [-]
+    speed : just after an impact [rad/s]
+    scale : multiplier [-]
     ahead, i : of `lookahead_bounds`, and the sample
-    dt : the sample [s]; time : to the end of the window [s]
-    impacts : in this sample; peak : largest rotation so far [rad]
+    dt : the sample [s]
+    time : to the end of the window [s]
+    impacts : in this sample
+    peak : largest rotation so far [rad]
     constants : WallConstants
     """
     threshold, cosine_alpha = constants.threshold, constants.cosine

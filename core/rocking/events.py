@@ -28,7 +28,8 @@ class BlockState(NamedTuple):
 
     side : of the pivot, 1.0 or -1.0
     phi, speed : rotation seen from the pivot [rad] and its rate [rad/s]
-    moving : False at rest; zone : branch of the moment law
+    moving : False at rest
+    zone : branch of the moment law
     peak : largest phi so far [rad]
     impacts, clamped : so far; clamped counts the impacts whose Eq. 7 was held at 0
     """
@@ -65,7 +66,9 @@ def uplift_side(ground, model, threshold):
 def next_uplift(ground, slope, start, end, model, threshold):
     """First time in [start, end) at which the resting block lifts, and to which side.
 
-    ground : acceleration at local time 0 [m/s2]; slope : its rate [m/s3]; start, end : local times [s].
+    ground : acceleration at local time 0 [m/s2]
+    slope : its rate [m/s3]
+    start, end : local times [s]
     Returns (time, side); time = end if the block stays at rest.
     """
     now = ground + slope * start
@@ -98,9 +101,10 @@ def stops_rocking(speed, ground, model, threshold):
 def leave_impact(arriving, side, ground, model, threshold):
     """What the block does after an impact at theta = 0 (Eq. 3, 7).
 
-    arriving : speed before it [rad/s], not negative; side : of the pivot it fell back to;
-    ground : acceleration at that instant [m/s2]. Returns (speed just after [rad/s], side just after,
-    side from here on, moving, 1 if Eq. 7 was held at 0).
+    arriving : speed before it [rad/s], not negative
+    side : of the pivot it fell back to
+    ground : acceleration at that instant [m/s2]
+    Returns (speed just after [rad/s], side just after, side from here on, moving, 1 if Eq. 7 was held at 0).
     """
     ratio, clamped = velocity_ratio(arriving, model)
     speed = ratio * arriving
@@ -117,8 +121,10 @@ def leave_impact(arriving, side, ground, model, threshold):
 def end_of_record(phi, speed, peak, model):
     """Decide by energy what the block does once the ground is still.
 
-    phi : rotation seen from the pivot [rad]; speed : its rate, outward positive [rad/s];
-    peak : largest rotation so far [rad]. Returns (outcome, peak including the free motion).
+    phi : rotation seen from the pivot [rad]
+    speed : its rate, outward positive [rad/s]
+    peak : largest rotation so far [rad]
+    Returns (outcome, peak including the free motion).
     """
     barrier = potential(model.slenderness, model)
     energy = 0.5 * speed * speed / model.p2 + potential(phi, model)

@@ -14,7 +14,8 @@ from core.wall.rocking_model import RockingModel
 def scan(method: Method, ground, dt, scales, model, outcomes, peaks) -> np.ndarray:
     """Analyses of one record at many multipliers; returns the clamped velocity ratios of each, shape (m,).
 
-    ground : [m/s2], shape (n,); dt : [s]
+    ground : [m/s2], shape (n,)
+    dt : [s]
     scales : multipliers [-], shape (m,), negative reverses the record
     outcomes : results, codes of outcome.py, int64, shape (m,)
     peaks : results [rad], shape (m,)

@@ -201,8 +201,10 @@ def make_lane_kernel(order):
     ):  # fmt: skip
         """These analyses, up to WIDTH at a time.
 
-        ground to strongest : of `Grounds`; which : record of each analysis; numbers, state : room to work,
-        int64 of shape (3 * WIDTH,) and zeros of shape (ROWS * ROW,); the rest as `core.rocking.history.scan`.
+        ground to strongest : of `Grounds`
+        which : record of each analysis
+        numbers, state : room to work, int64 of shape (3 * WIDTH,) and zeros of shape (ROWS * ROW,); the rest as
+            `core.rocking.history.scan`
         """
         constants = wall_constants(model)
         threshold = constants.threshold

@@ -40,8 +40,13 @@ from core.wall.moment_rotation import FAR, moment_branch, zone_of
 
 
 class Crossing(NamedTuple):
-    """The end of a step: part, of the step that is taken [-]; reached : at its end the block is at an end of its
-    branch; falls : that end is the lower one; margin, bend, reach : bounds for `peak_may_grow`."""
+    """The end of a step.
+
+    part : of the step that is taken [-]
+    reached : at its end the block is at an end of its branch
+    falls : that end is the lower one
+    margin, bend, reach : bounds for `peak_may_grow`
+    """
 
     part: float
     reached: bool
@@ -53,9 +58,13 @@ class Crossing(NamedTuple):
 
 @inner_kernel
 def peak_may_grow(phi, dphi, speed, bend, reach, peak):
-    """Whether a step that turns can go beyond the peak so far [rad]: a parabola of curvature `bend` through its
-    start is above it. bend : of `shape`; reach : how far the step strays from its chord [rad]. (1.998 is 2 less
-    a margin for rounding.)"""
+    """Whether a step that turns can go beyond the peak so far [rad]: a parabola of curvature `bend` through its start
+    is above it.
+
+    bend : of `shape`
+    reach : how far the step strays from its chord [rad]
+    (1.998 is 2 less a margin for rounding.)
+    """
     return (max(phi, phi + dphi) + reach > peak) & (
         fma(speed, speed, 1.998 * bend * (peak - phi)) >= 0.0
     )
@@ -112,7 +121,11 @@ def first_event(v, start, part, phi, branch, constants):
 
 @inner_kernel
 def advance(state, v, event, t, dt):
-    """(BlockState, t) at the end of a step, before what happens there; v : of `converged_step`; event : Crossing."""
+    """(BlockState, t) at the end of a step, before what happens there.
+
+    v : of `converged_step`
+    event : Crossing
+    """
     phi, peak, part = state.phi, state.peak, event.part
     dphi = increment(v, part)
     dv = change(v, part)
@@ -206,7 +219,8 @@ def make_integrator(order):
     ):
         """Rocking history of one wall under one scaled record (Eq. 1), rest, uplift and impacts included.
 
-        ground : ground acceleration [m/s2], shape (n,); dt : its time step [s]
+        ground : ground acceleration [m/s2], shape (n,)
+        dt : its time step [s]
         scale : multiplier [-], negative for the reversed record
         model : RockingModel
         start : initial rotation [rad] and velocity [rad/s]

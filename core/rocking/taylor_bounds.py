@@ -62,9 +62,11 @@ def turning_margin(speed, change, rise, forcing, p2, push):
     """How far the speed [rad per step] can leave its chord within a step: 1/8 of the bound of its second
     derivative, after Eq. 1.
 
-    speed, change : at the start and over the step; rise : of the forcing u''/g over the step [-];
-    forcing : its bound plus the slope of the moment law [-]; p2 : times the step squared [-];
-    push : bound of the angular acceleration [rad per step squared].
+    speed, change : at the start and over the step
+    rise : of the forcing u''/g over the step [-]
+    forcing : its bound plus the slope of the moment law [-]
+    p2 : times the step squared [-]
+    push : bound of the angular acceleration [rad per step squared]
     """
     fastest = max(abs(speed), abs(speed + change)) + push
     return 0.125 * p2 * fma(fastest, 1.0 + forcing, abs(rise))

@@ -20,8 +20,11 @@ PER_G = 1.0 / G
 
 
 class WallConstants(NamedTuple):
-    """What every sample needs of a wall. threshold : a_RM, see `uplift_threshold` [m/s2]; tangent, sine, cosine :
-    of alpha [-]."""
+    """What every sample needs of a wall.
+
+    threshold : a_RM, see `uplift_threshold` [m/s2]
+    tangent, sine, cosine : of alpha [-]
+    """
 
     threshold: float
     tangent: float
@@ -66,7 +69,8 @@ def initial_terms(x, speed, s, c, side, first, second, t, dt, branch, model, con
     s, c : sin and cos of x [-]
     side : of the pivot, 1.0 or -1.0
     first, second : ground acceleration at the ends of the sample [m/s2]
-    t : start of the step as a fraction of the sample [-]; dt : the sample [s]
+    t : start of the step as a fraction of the sample [-]
+    dt : the sample [s]
     branch : (factor, slope, constant) of the moment law [-]
     """
     tangent, sine_alpha, cosine_alpha = constants.tangent, constants.sine, constants.cosine
@@ -140,7 +144,9 @@ def series(speed, net, sine, cosine, beta, rise, p2, factor, slope, order):
 def taylor_coefficients(x, start, factor, slope, order):
     """(v0..v8 of `series`, the square of the rate at which they can grow, see `taylor_bounds.neglected`).
 
-    x : rotation at the start [rad]; start : InitialTerms; factor, slope : of the branch of the moment law [-]
+    x : rotation at the start [rad]
+    start : InitialTerms
+    factor, slope : of the branch of the moment law [-]
     """
     v = series(
         start.speed, start.net, start.sine, start.cosine, start.beta, start.rise, start.p2, factor, slope, order

@@ -51,9 +51,13 @@ def assess(
     search: Search,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> Assessment:
-    """Dynamic, kinematic and simplified checks of a wall (Circolare 7/2019 C8.7.1.2.1); above the ground
-    none, since the motion of its floor is not known. kinematic : its mechanism, None there;
-    search : of the runs. Raises Cancelled."""
+    """Dynamic, kinematic and simplified checks of a wall (Circolare 7/2019 C8.7.1.2.1); above the ground none, since
+    the motion of its floor is not known.
+
+    kinematic : its mechanism, None there
+    search : of the runs
+    Raises Cancelled.
+    """
     asked = wall.wall
     strongest = max((demand.scaling(m) * m.pga for m in motions), default=0.0)
     doubtful = Circumstances(

@@ -16,8 +16,10 @@ class Journal:
     """Finished runs by key. key : of case, samples and version; another key starts it anew.
 
     Each line carries a hash of itself: one that is damaged is dropped, and its run is made again.
-    set_aside : where the finished runs of an earlier start went that is not resumed, or None; dropped : lines
-    that were damaged. Raises OutputError for a file of somebody else, and while another batch writes it.
+
+    set_aside : where the finished runs of an earlier start went that is not resumed, or None
+    dropped : lines that were damaged
+    Raises OutputError for a file of somebody else, and while another batch writes it.
     """
 
     def __init__(self, path: Path, key: str, resume: bool):
@@ -175,8 +177,9 @@ def _hash(entry: dict) -> str:
 class Memory:
     """Finished runs of one process by key, for the studies that follow; as a Journal, but not on disk.
 
-    most : digits of survival maps kept, what takes the room; the oldest runs go first. analyses : made by
-    all runs added so far. Several threads may add.
+    most : digits of survival maps kept, what takes the room; the oldest runs go first
+    analyses : made by all runs added so far
+    Several threads may add.
     """
 
     def __init__(self, most: int = 20_000_000):

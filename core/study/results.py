@@ -26,9 +26,13 @@ from core.wall.rocking_model import RockingModel
 
 @dataclass(frozen=True)
 class Assessment:
-    """Checks of one wall at the demand. kinematic : quantities of the mechanism, None above the ground;
-    checks : the table of methods, the most refined first; dynamic : None without records; lower_bound :
-    the dynamic check of the two-sided wall, should the restraint behind a one-sided one fail."""
+    """Checks of one wall at the demand.
+
+    kinematic : quantities of the mechanism, None above the ground
+    checks : the table of methods, the most refined first
+    dynamic : None without records
+    lower_bound : the dynamic check of the two-sided wall, should the restraint behind a one-sided one fail
+    """
 
     kinematic: Kinematic | None
     checks: tuple[Check, ...]
@@ -57,7 +61,11 @@ class Assessment:
 
 @dataclass(frozen=True)
 class Run:
-    """One wall under one record of one sign. scale : multiplier of the record at q; q_eff : Eq. 12."""
+    """One wall under one record of one sign.
+
+    scale : multiplier of the record at q
+    q_eff : Eq. 12
+    """
 
     record: str
     polarity: int
@@ -122,7 +130,11 @@ class WallResult:
 
 @dataclass(frozen=True)
 class StudyResult:
-    """Everything that decides. motions : the records, SI units; walls : one entry per mechanism."""
+    """Everything that decides.
+
+    motions : the records, SI units
+    walls : one entry per mechanism
+    """
 
     case: Case
     started_utc: str
@@ -180,7 +192,9 @@ Q_SOURCES = (
 class CollapseHistories:
     """Governing record of a wall at its last survived and its collapsing multiplier.
 
-    scales : (survived, collapsing) [-]; histories : of the same; motion : the record.
+    scales : (survived, collapsing) [-]
+    histories : of the same
+    motion : the record
     """
 
     wall: WallResult

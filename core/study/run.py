@@ -42,9 +42,10 @@ def run(
 ) -> StudyResult:
     """Run a study.
 
-    base_dir : folder record paths start from; jobs : threads, which change no result; journal : makes
-    the Journal of finished runs from the study's key; on_progress(done, planned) and cancelled() are
-    called from this thread, the latter from the workers as well.
+    base_dir : folder record paths start from
+    jobs : threads, which change no result
+    journal : makes the Journal of finished runs from the study's key; on_progress(done, planned) and cancelled()
+        are called from this thread, the latter from the workers as well
     Raises InputError for what the user can mend, Cancelled when cancelled() is true.
     """
     started = datetime.datetime.now(datetime.UTC)

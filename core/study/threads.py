@@ -11,7 +11,9 @@ from core.errors import Cancelled
 
 
 class Threads:
-    """jobs : threads; cancelled : asked from the calling thread and, through `stop`, from the workers."""
+    """jobs : threads
+    cancelled : asked from the calling thread and, through `stop`, from the workers
+    """
 
     def __init__(self, jobs: int, cancelled: Callable[[], bool]):
         self.jobs, self.cancelled = max(1, jobs), cancelled

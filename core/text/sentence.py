@@ -13,7 +13,8 @@ LANGUAGES = {"en": "English", "it": "Italiano"}
 class FormNames:
     """What the forms of the window call the keys of a case.
 
-    captions : key, name or section -> caption; scales : key -> (factor, unit) of a field in another unit than its key
+    captions : key, name or section -> caption
+    scales : key -> (factor, unit) of a field in another unit than its key
     """
 
     captions: dict[str, str] = field(default_factory=dict)

@@ -12,8 +12,9 @@ from core.units import G
 class Block:
     """A symmetric block on its base, seen from a pivot at an edge.
 
-    slenderness : alpha [rad], larger = stockier; radius : R, pivot to centre of mass [m];
-    inertia_over_mass : I0 / m about the pivot [m2], 4/3 R^2 for a rectangle and above R^2 for any block.
+    slenderness : alpha [rad], larger = stockier
+    radius : R, pivot to centre of mass [m]
+    inertia_over_mass : I0 / m about the pivot [m2], 4/3 R^2 for a rectangle and above R^2 for any block
     Raises InputError outside 0 < alpha < pi/2, R > 0, I0/m > R^2.
     """
 

@@ -25,7 +25,9 @@ MODELS = {
 class Restitution:
     """Velocity ratio of an impact at speed v: ratio_at_rest - ratio_drop v^2, not below 0.
 
-    ratio_at_rest : [-]; ratio_drop : [s2/rad2], zero but for Eq. 7; model : a name of MODELS.
+    ratio_at_rest : [-]
+    ratio_drop : [s2/rad2], zero but for Eq. 7
+    model : a name of MODELS
     """
 
     model: str

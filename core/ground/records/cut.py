@@ -38,9 +38,10 @@ def _tokens(line: str) -> list[str]:
 def refuse_cut(lines: list[str], ended: bool) -> None:
     """Raise RecordError where the last number of a file may be half a number.
 
-    lines : of the file; ended : its last line has a line end. Where the lines above it have one length, or the
-    numbers of its column one shape (decimals, digits of the exponent), the last has it too or is cut; where they
-    have none, a last line without an end may be cut anywhere.
+    lines : of the file
+    ended : its last line has a line end
+    Where the lines above it have one length, or the numbers of its column one shape (decimals, digits of the
+    exponent), the last has it too or is cut; where they have none, a last line without an end may be cut anywhere.
     """
     tail = [line for line in lines[-NEIGHBOURS - 1 :] if line.strip()]
     rows = [(line, _tokens(line)) for line in tail]

@@ -21,7 +21,8 @@ def integrate_comparison(
 ):  # fmt: skip
     """`taylor.integrate` of any other method.
 
-    code, option : of its `Method`; table : of `Method.table`, shape (0,) but for dormand_prince
+    code, option : of its `Method`
+    table : of `Method.table`, shape (0,) but for dormand_prince
     rotation, velocity : results, or of no element where nobody wants them
     """
     threshold = uplift_threshold(model)

@@ -29,7 +29,8 @@ def branch_at(phi, model, zone):
 def trapezoidal_step(phi, speed, push, beta_end, h, model, zone):
     """One implicit step of h [s] by the trapezoidal rule, solved by Newton's method.
 
-    phi, speed : rotation [rad] and its rate [rad/s]; push : phi'' at the start [rad/s2]
+    phi, speed : rotation [rad] and its rate [rad/s]
+    push : phi'' at the start [rad/s2]
     beta_end : u''/g at the end, seen from the pivot [-]
     zone : branch of the moment law, or ANY_BRANCH
     Returns phi, phi' and phi'' at its end.
@@ -56,7 +57,8 @@ def through_sample(
 ):  # fmt: skip
     """Carry the block over one sample; see `comparison.integrate_comparison`.
 
-    ground0, ground1 : ground acceleration at both ends [m/s2]; time : of its end [s]
+    ground0, ground1 : ground acceleration at both ends [m/s2]
+    time : of its end [s]
     reset : 1 sets the rotation to zero at an impact, 0 keeps the overshoot (one-sided: always zero)
     push : phi'' at its start [rad/s2]
     Returns (outcome so far, phi'' at its end, BlockState).

@@ -83,8 +83,10 @@ def through_sample(
 ):  # fmt: skip
     """Carry the block over one sample; see `comparison.integrate_comparison`.
 
-    code : one of this module; option : steps a sample, of dormand_prince -log10 of its tolerance
-    ground0, ground1 : ground acceleration at both ends [m/s2]; start : time of its start [s]
+    code : one of this module
+    option : steps a sample, of dormand_prince -log10 of its tolerance
+    ground0, ground1 : ground acceleration at both ends [m/s2]
+    start : time of its start [s]
     rates, pushes : room for the stages of dormand_prince
     Returns (outcome so far, BlockState).
     """
