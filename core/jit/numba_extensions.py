@@ -53,7 +53,7 @@ class Locator(_CacheLocator):
 
 
 _types_of_call = types.Function.get_call_type
-_known = {}
+_known: dict = {}
 
 
 def _once(function, context, arguments, keywords):

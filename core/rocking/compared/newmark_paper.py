@@ -4,7 +4,7 @@ Order 1 because of its events: uplift and impact take place at the end of the st
 small hops (error 0.6 to 1.4 alpha on the reference histories); no step makes it converge on `hard`.
 """
 
-from core.jit.decorators import subkernel
+from core.jit.decorators import inner_kernel
 from core.rocking.compared.branch import acceleration, stiffness
 from core.rocking.events import LAST_ROTATION, BlockState, stops_rocking, uplift_side
 from core.rocking.outcome import COLLAPSED, STABLE
@@ -19,13 +19,13 @@ ANY_BRANCH = -1
 """Zone of a step that follows the moment law across its branches."""
 
 
-@subkernel
+@inner_kernel
 def branch_at(phi, model, zone):
     """The zone itself, or that of this rotation for ANY_BRANCH."""
     return zone_of(phi, model) if zone == ANY_BRANCH else zone
 
 
-@subkernel
+@inner_kernel
 def trapezoidal_step(phi, speed, push, beta_end, h, model, zone):
     """One implicit step of h [s] by the trapezoidal rule, solved by Newton's method.
 
@@ -39,11 +39,9 @@ def trapezoidal_step(phi, speed, push, beta_end, h, model, zone):
     known = phi + h * speed + quarter * push
     end = known
     for _ in range(50):
-        residual = (
-            end - known - quarter * acceleration(end, beta_end, model, branch_at(end, model, zone))
-        )
-        gradient = 1.0 - quarter * stiffness(end, beta_end, model, branch_at(end, model, zone))
-        step = residual / gradient
+        here = branch_at(end, model, zone)
+        residual = end - known - quarter * acceleration(end, beta_end, model, here)
+        step = residual / (1.0 - quarter * stiffness(end, beta_end, model, here))
         end -= step
         if abs(step) < NEWTON_TOLERANCE:
             break
@@ -51,7 +49,7 @@ def trapezoidal_step(phi, speed, push, beta_end, h, model, zone):
     return end, speed + 0.5 * h * (push + push_end), push_end
 
 
-@subkernel
+@inner_kernel
 def through_sample(
     ground0, ground1, time, dt, model, threshold, reset, push, state, impact_time, impact_velocity
 ):  # fmt: skip
