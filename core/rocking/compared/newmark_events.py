@@ -12,5 +12,5 @@ from core.rocking.compared.newmark_paper import trapezoidal_step
 def advance(phi, speed, beta, slope, h, model, zone):
     """Rotation [rad] and velocity [rad/s] after h [s]; beta, slope : u''/g [-] and its rate [1/s]."""
     push = acceleration(phi, beta, model, zone)
-    end, speed, _ = trapezoidal_step(phi, speed, push, beta + h * slope, h, model, zone)
+    end, speed, _ = trapezoidal_step(phi, speed, push, beta + h * slope, h, model, zone, False)
     return end, speed

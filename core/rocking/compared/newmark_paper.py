@@ -15,37 +15,34 @@ from core.wall.restitution import velocity_ratio
 NEWTON_TOLERANCE = 1e-14
 """Change of rotation at which Newton's iteration stops [rad]."""
 
-ANY_BRANCH = -1
-"""Zone of a step that follows the moment law across its branches."""
+
+@inner_kernel
+def branch_at(phi, model, zone, across):
+    """The zone itself, or, where the law is followed across its branches, that of this rotation."""
+    return zone_of(phi, model) if across else zone
 
 
 @inner_kernel
-def branch_at(phi, model, zone):
-    """The zone itself, or that of this rotation for ANY_BRANCH."""
-    return zone_of(phi, model) if zone == ANY_BRANCH else zone
-
-
-@inner_kernel
-def trapezoidal_step(phi, speed, push, beta_end, h, model, zone):
+def trapezoidal_step(phi, speed, push, beta_end, h, model, zone, across):
     """One implicit step of h [s] by the trapezoidal rule, solved by Newton's method.
 
     phi, speed : rotation [rad] and its rate [rad/s]
     push : phi'' at the start [rad/s2]
     beta_end : u''/g at the end, seen from the pivot [-]
-    zone : branch of the moment law, or ANY_BRANCH
+    zone : branch of the moment law, kept in the step unless it goes across the branches
     Returns phi, phi' and phi'' at its end.
     """
     quarter = 0.25 * h * h
     known = phi + h * speed + quarter * push
     end = known
     for _ in range(50):
-        here = branch_at(end, model, zone)
+        here = branch_at(end, model, zone, across)
         residual = end - known - quarter * acceleration(end, beta_end, model, here)
         step = residual / (1.0 - quarter * stiffness(end, beta_end, model, here))
         end -= step
         if abs(step) < NEWTON_TOLERANCE:
             break
-    push_end = acceleration(end, beta_end, model, branch_at(end, model, zone))
+    push_end = acceleration(end, beta_end, model, branch_at(end, model, zone, across))
     return end, speed + 0.5 * h * (push + push_end), push_end
 
 
@@ -71,7 +68,7 @@ def through_sample(
     outcome = STABLE
     if moving:
         beta1 = side * ground1 / G
-        phi, speed, push = trapezoidal_step(phi, speed, push, beta1, dt, model, ANY_BRANCH)
+        phi, speed, push = trapezoidal_step(phi, speed, push, beta1, dt, model, zone, True)
         if phi < 0.0:
             arriving = max(-speed, 0.0)
             ratio, clamp = velocity_ratio(arriving, model)
