@@ -4,7 +4,7 @@ CASE_ERRORS = {
     "no_case_file": ("there is no such case file", "questo file di caso non esiste"),
     "would_overwrite": (
         "the results would overwrite {path}: rename it or give --output",
-        "i risultati coprirebbero {path}: rinominarlo o dare un'altra cartella",
+        "i risultati coprirebbero {path}: rinominarlo o indicare un'altra cartella con --output",
     ),
     "workbook_not_made": (
         "the workbook cannot be made ({reason}): free some space in {folder}, or name another folder in the "
@@ -18,7 +18,7 @@ CASE_ERRORS = {
     ),
     "folder_not_writable": (
         "the output folder cannot be written ({reason}): name another with --output",
-        "la cartella non si può scrivere ({reason}): nominarne un'altra",
+        "la cartella dei risultati non è scrivibile ({reason}): indicarne un'altra con --output",
     ),
     "file_not_writable": (
         "cannot be written ({reason}): close it if it is open elsewhere, free some space, or take another "
@@ -35,7 +35,7 @@ CASE_ERRORS = {
     "number_too_large": ("{text!r} is too large a number", "{text!r} è un numero troppo grande"),
     "case_not_a_file": (
         "this is not a file and cannot be read: name a case (.toml)",
-        "non è un file e non si può leggere: nominare un caso (.toml)",
+        "non è un file e non si può leggere: indicare un caso (.toml)",
     ),
     "case_too_large": (
         "{mb:.0f} MB is no case file (up to 2 MB)",
@@ -78,18 +78,18 @@ CASE_ERRORS = {
     "general_no_setback": (
         "a general block takes no {hinge_setback_m} and no {compressive_strength_mpa}: give {radius_m}, "
         "{slenderness_deg} and {inertia_over_mass_m2} about the hinge itself",
-        "un blocco qualsiasi non vuole {hinge_setback_m} né {compressive_strength_mpa}: dare {radius_m}, "
+        "un blocco qualsiasi non ammette {hinge_setback_m} né {compressive_strength_mpa}: dare {radius_m}, "
         "{slenderness_deg} e {inertia_over_mass_m2} rispetto alla cerniera stessa",
     ),
     "general_keys": (
         "a general block takes {radius_m}, {slenderness_deg} and {inertia_over_mass_m2} and nothing else; a "
         "rectangular one takes {height_m}",
-        "un blocco qualsiasi vuole {radius_m}, {slenderness_deg} e {inertia_over_mass_m2} e nient'altro; uno "
+        "un blocco qualsiasi richiede {radius_m}, {slenderness_deg} e {inertia_over_mass_m2} e nient'altro; uno "
         "rettangolare vuole {height_m}",
     ),
     "general_needs": (
         "a general block needs {radius_m} and {inertia_over_mass_m2}",
-        "un blocco qualsiasi vuole {radius_m} e {inertia_over_mass_m2}",
+        "un blocco qualsiasi richiede {radius_m} e {inertia_over_mass_m2}",
     ),
     "spectrum_ends": (
         "{name} ends at {end:.2f} s, before {period_name} = {period:.2f} s (C8.7.1.2.1.8): give the spectrum "
@@ -183,7 +183,7 @@ CASE_ERRORS = {
     ),
     "journal_not_writable": (
         "the journal cannot be written: {reason}",
-        "il giornale non si può scrivere: {reason}",
+        "il registro non si può scrivere: {reason}",
     ),
     "batch_running": (
         "another batch is writing these results: wait for it, or give another --output",
@@ -235,7 +235,7 @@ CASE_ERRORS = {
     ),
     "no_wall": (
         "no [[wall]]: a case needs at least one wall",
-        "nessuna [[wall]]: un caso vuole almeno una parete",
+        "nessuna [[wall]]: un caso richiede almeno una parete",
     ),
     "two_spectra": (
         "give {spectrum} or {spectrum_file}, not both",
@@ -249,8 +249,8 @@ CASE_ERRORS = {
         "{housner_intensity_cm} follows from the spectrum: leave one of them out",
         "{housner_intensity_cm} segue dallo spettro: togliere uno dei due",
     ),
-    "code_needs": ("code {code} needs {key}", "la norma {code} vuole {key}"),
-    "code_does_not_take": ("code {code} does not take {key}", "la norma {code} non vuole {key}"),
+    "code_needs": ("code {code} needs {key}", "la norma {code} richiede {key}"),
+    "code_does_not_take": ("code {code} does not take {key}", "la norma {code} non ammette {key}"),
     "written_once_for_each": (
         "{key} must be written [[{key}]], once for each",
         "{key} si scrive [[{key}]], una volta per ciascuno",
@@ -265,7 +265,7 @@ CASE_ERRORS = {
     ),
     "linearised_is_rigid": (
         'method linearised is for the rigid law; wall "{wall}" is trilinear: take method auto',
-        'il metodo linearised è per la legge rigida; la parete "{wall}" è trilineare: prendere il metodo auto',
+        'il metodo linearised è per la legge rigida; la parete "{wall}" è trilineare: usare il metodo auto',
     ),
     "low_confidence_factor": (
         "{confidence_factor} = {stated:g} is for walls whose compressive strength is in alpha (Circolare "
@@ -292,7 +292,7 @@ CASE_ERRORS = {
     "window_needs_qt": (
         "the window needs PySide6 and pyqtgraph, and on Linux libgl1, libegl1 and libxkbcommon0 ({reason}); "
         "start it with python3 run.py, or run a case with --batch",
-        "la finestra vuole PySide6 e pyqtgraph, e in Linux libgl1, libegl1 e libxkbcommon0 ({reason}); "
+        "la finestra richiede PySide6 e pyqtgraph, e in Linux libgl1, libegl1 e libxkbcommon0 ({reason}); "
         "avviarla con python3 run.py, o calcolare un caso con --batch",
     ),
     "picture_not_made": ("The picture cannot be made.", "Non è possibile creare l'immagine."),

@@ -1,6 +1,10 @@
 """Sentences of errors of files that are read: accelerograms and tables of walls."""
 
 FILE_ERRORS = {
+    "spectra_file": (
+        "this file holds response spectra: take the accelerogram (volume 1 or 2)",
+        "questo file contiene spettri di risposta: usare l'accelerogramma (volume 1 o 2)",
+    ),
     "unreadable": ("cannot be read: {reason}", "non si può leggere: {reason}"),
     "table_rows": (
         "a table of walls has a row of heads (Parete; H; t; Meccanismo), a row of units (; m; cm;) and a row "
@@ -14,7 +18,7 @@ FILE_ERRORS = {
     ),
     "table_not_a_file": (
         "this is not a file: name a table of walls",
-        "questo non è un file: nominare una tabella di pareti",
+        "questo non è un file: indicare una tabella di pareti",
     ),
     "table_too_many_mb": (
         "{mb:.0f} MB is no table of walls (up to 20 MB)",
@@ -31,8 +35,8 @@ FILE_ERRORS = {
         "tutti i fogli sono nascosti: mostrare quello con le pareti",
     ),
     "not_a_workbook": (
-        "not a workbook Excel could have saved ({reason})",
-        "non è una cartella che Excel avrebbe salvato ({reason})",
+        "not a workbook Excel could have saved ({reason}): save it again as .xlsx",
+        "non è una cartella di lavoro che Excel avrebbe salvato ({reason}): salvarla di nuovo come .xlsx",
     ),
     "value_beyond_columns": (
         "there is a value beyond the last column",
@@ -121,7 +125,7 @@ FILE_ERRORS = {
     ),
     "record_not_a_file": (
         "this is not a file: name an accelerogram",
-        "questo non è un file: nominare un accelerogramma",
+        "questo non è un file: indicare un accelerogramma",
     ),
     "record_too_large": (
         "{mb:.0f} MB is no accelerogram (up to {most} MB)",
@@ -162,7 +166,7 @@ FILE_ERRORS = {
     "binary_file": (
         "this is a binary file; SAC and miniSEED need instrument metadata: convert it to text with ObsPy "
         "(stream.write) or download the processed ASCII file",
-        "è un file binario; SAC e miniSEED vogliono i dati dello strumento: convertirlo in testo con ObsPy "
+        "è un file binario; SAC e miniSEED richiedono i dati dello strumento: convertirlo in testo con ObsPy "
         "(stream.write) o scaricare il file ASCII elaborato",
     ),
     "fewer_than_declared": (

@@ -186,7 +186,7 @@ REPORT = {
     "Case SHA-256": "SHA-256 del caso",
     "Search": "Ricerca",
     "Sign of the records": "Segno dei record",
-    "Error of the solver": "Errore del solutore",
+    "Error of the solver": "Errore del risolutore",
     (
         "q by dormand_prince: {_digits} against {q:.4f}, difference {_percent}; history against DOP853 of scipy "
         "at the last survived scale: {_power} of alpha."

@@ -34,7 +34,7 @@ TERMINAL = {
     "robust": "robusto",
     "zeta": "zeta",
     "verdict": "esito",
-    "by": "secondo",
+    "by": "verifica",
     "{runs} runs, {analyses} analyses in {seconds:.1f} s": (
         "{runs} serie, {analyses} analisi in {seconds:.1f} s"
     ),

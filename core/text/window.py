@@ -82,7 +82,7 @@ WINDOW = {
     "The program ended without saving. Bring back the unsaved case?": (
         "Il programma si è chiuso senza salvare. Recuperare il caso non salvato?"
     ),
-    "Preparing the solver…": "Preparazione del solutore…",
+    "Preparing the solver…": "Preparazione del risolutore…",
     "Ready.": "Pronto.",
     "Check against a demand": "Verifica rispetto a una domanda",
     "Limit state": "Stato limite",
@@ -120,7 +120,7 @@ WINDOW = {
     "reversed": "invertito",
     "State the accuracy": "Dichiara l'accuratezza",
     "Seconds a wall: error of the solver and spread of q in the report": (
-        "Secondi per parete: errore del solutore e dispersione di q nella relazione"
+        "Secondi per parete: errore del risolutore e dispersione di q nella relazione"
     ),
     "Client": "Committente",
     "Place": "Luogo",
@@ -246,7 +246,7 @@ WINDOW = {
         "Dichiara l'accuratezza per questa parete (alcuni secondi)"
     ),
     "Error of the solver and spread of q by definition, for this wall and its governing record.": (
-        "Errore del solutore e dispersione di q per definizione, per questa parete e il suo record governante."
+        "Errore del risolutore e dispersione di q per definizione, per questa parete e il suo record governante."
     ),
     "time per history [ms]": "tempo per storia [ms]",
     "error / α [-]": "errore / α [-]",

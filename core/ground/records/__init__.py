@@ -27,15 +27,17 @@ READERS = (
 NOT_READ_YET = (
     ("K-NET / KiK-net", re.compile(r"^Sampling Freq\(Hz\)", re.MULTILINE)),
     ("CWA", re.compile(r"^#SampleRate\(Hz\)", re.MULTILINE)),
-    ("SMC", re.compile(r"\A[012] (UN)?(CORRECTED|KNOWN) ACCELEROGRAM")),
+    ("SMC", re.compile(r"\A[012] (UN)?(CORRECTED|KNOWN)\b")),
     (
         "CSMIP, COSMOS or GeoNet",
         re.compile(r"\A\s*(un)?corrected (accelerogram\b|acceleration\s+\(format)", re.I),
     ),
-    ("response spectra (CSMIP V3)", re.compile(r"\ARESPONSE AND FOURIER", re.I)),
     ("USC volume", re.compile(r"\AFILE .*ACCELEROGRAM DATA OF VOLUME", re.I)),
 )
 """Known formats without a reader: refused by name, so that no other reader guesses at them."""
+
+SPECTRA = re.compile(r"RESPONSE AND FOURIER", re.IGNORECASE)
+"""Beginning of a file of spectra (CSMIP volume 3)."""
 
 MAX_BYTES = 20_000_000
 MAX_NUMBERS = 5_000_000
@@ -87,6 +89,8 @@ def _motion(content: bytes, path: Path, options: Options, scale: float, name: st
     lines = decode(content)
     ended = content.rstrip(b"\x00\x1a")[-1:] in (b"\n", b"\r") or content[-2:] in (b"\n\0", b"\0\n")
     head = "\n".join(lines[:30])
+    if SPECTRA.match(head):
+        raise RecordError("spectra_file")
     for title, pattern in NOT_READ_YET:
         if pattern.search(head):
             raise RecordError("format_not_read", format=title)
