@@ -8,7 +8,8 @@ The confidence factor FC acts on the strength of the capacity curve, as clause .
 direttamente alla capacità in termini di resistenza"): strength over FC is, exactly, p^2 / FC under the ground
 times FC. Or, more cautiously, on the demand: the wall as it is under the ground times FC.
 
-Whether the rule holds is not monotone in the multiplier of the demand: zeta_E and zeta_16 are those of multiplier_search.py.
+Whether the rule holds is not monotone in the multiplier of the demand: zeta_E and zeta_16 are those of
+multiplier_search.py.
 """
 
 from collections.abc import Callable
