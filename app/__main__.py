@@ -67,10 +67,10 @@ def main(arguments: list[str] | None = None) -> int:
     with contextlib.suppress(OSError, AttributeError):  # no stderr: a windowed program, a test
         faulthandler.enable()
     set_language(system_language())
-    options = parser().parse_args(arguments)
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):  # a name the terminal cannot show must not end a run
             stream.reconfigure(errors="replace")
+    options = parser().parse_args(arguments)
     if options.batch and options.inspect:
         parser().error(terminal("--batch and --inspect do not go together"))
     if not options.batch and (options.output or options.resume or options.jobs):

@@ -120,8 +120,8 @@ def summary(result: StudyResult, folder: Path, stem: str) -> str:
             f"{_short(wall.q_set):>6} {_short(wall.q_robust_set):>7}"
         )
         if wall.assessment:
-            said = wall.assessment.verdict
-            line += f" {_short(said.zeta_e):>6}  {said.code:16} {said.governing or '-'}"
+            verdict = wall.assessment.verdict
+            line += f" {_short(verdict.zeta_e):>6}  {verdict.code:16} {verdict.governing or '-'}"
         lines.append(line)
     runs = [run for wall in result.walls for run in wall.runs]
     analyses = sum(run.ida.analyses for run in runs)

@@ -46,7 +46,7 @@ class WallDrawing(QWidget):
                 pass
         self.update()
 
-    def turn(self, rotation: float) -> None:
+    def set_rotation(self, rotation: float) -> None:
         """Show the wall at this rotation [rad]."""
         self.rotation = rotation
         self.update()

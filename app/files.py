@@ -98,7 +98,7 @@ class Files:
             return False
         self.remember(self.session.path)
         if any(field.wrong for field in self.window.fields):
-            self.window.word.setText(tr("Saved without what stands in the red field."))
+            self.window.show_word(tr("Saved without what stands in the red field."))
         return True
 
     def _agreed(self, title: str, question: str) -> bool:
@@ -145,7 +145,7 @@ class Files:
             return
         self.window.start(
             lambda job: export.write(result, path.parent, path.stem, job.check, job.commit),
-            lambda _: self.window.word.setText(tr("Written: {path}", path=path)),
+            lambda _: self.window.show_word(tr("Written: {path}", path=path)),
             to_end=True,
         )
 

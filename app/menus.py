@@ -50,8 +50,8 @@ def build(window) -> Actions:
     for dock in window.findChildren(QDockWidget):
         view.addAction(dock.toggleViewAction())
     view.addSeparator()
-    for k in range(window.tabs.count()):
-        add(window, view, window.tabs.tabText(k), lambda k=k: window.tabs.setCurrentIndex(k),
+    for k, label in enumerate(window.tab_labels):
+        add(window, view, label, lambda k=k: window.tabs.setCurrentIndex(k),
                      QKeySequence(f"Ctrl+{k + 1}"))  # fmt: skip
     view.addSeparator()
     choices(window, view, tr("Theme"), "theme", {"light": tr("light"), "dark": tr("dark")},

@@ -28,9 +28,8 @@ class Preparation:
             return
         motion = window.records.motions[0]
         self.methods.add(case.analysis.method)
-        preparing = tr("Preparing the solver…")
-        if window.word.text() in ("", tr("Ready.")):
-            window.word.setText(preparing)
+        if window.word_kind in ("", "ready"):
+            window.show_word(tr("Preparing the solver…"), "preparing")
 
         def work(job):
             from core.jit import cache
@@ -41,11 +40,11 @@ class Preparation:
 
         def ended() -> None:
             self.job = None
-            if window.word.text() == preparing:
-                window.word.setText(tr("Ready."))
+            if window.word_kind == "preparing":
+                window.show_word(tr("Ready."), "ready")
             self.prepare_next()
 
         self.job = Job(work)
-        self.job.failed.connect(lambda sentence, log: window.word.setText(f"{sentence} {log}"))
+        self.job.failed.connect(lambda sentence, log: window.show_word(f"{sentence} {log}"))
         self.job.finished.connect(ended)
         self.job.start()

@@ -89,6 +89,7 @@ class MainWindow(QMainWindow):
         line = docks.build_status(self)
         self.word, self.bar, self.cancel_button = line.word, line.bar, line.cancel_button
         self.cancel_button.clicked.connect(self.cancel)
+        self.word_kind = ""
         self.show_running(self.job is not None)
         for field in self.fields:
             field.judged.connect(self.refresh)
@@ -101,9 +102,9 @@ class MainWindow(QMainWindow):
             "capacity": Page(CapacityTab), "intensity": Page(IntensityTab),
             "spectra": Page(lambda: SpectraTab(self.language)), "validation": Page(self._validation),
         }  # fmt: skip
-        labels = (tr("Check"), tr("Histories"), tr("Capacity"), tr("q against SI"), tr("Spectra"),
-                  tr("Validation"))  # fmt: skip
-        for page, label in zip(self.pages.values(), labels, strict=True):
+        self.tab_labels = (tr("Check"), tr("Histories"), tr("Capacity"), tr("q against SI"), tr("Spectra"),
+                           tr("Validation"))  # fmt: skip
+        for page, label in zip(self.pages.values(), self.tab_labels, strict=True):
             self.tabs.addTab(page, label)
         self.tabs.currentChanged.connect(lambda _: self.show_result())
         self.chosen = QComboBox()
@@ -203,9 +204,6 @@ class MainWindow(QMainWindow):
 
     def records_loaded(self) -> None:
         self.refresh()
-        self.preparation.prepare_next()
-        if self.tabs.currentWidget() is self.pages["spectra"]:
-            self._show_spectra()
 
     def _show_spectra(self) -> None:
         target = None
@@ -247,6 +245,11 @@ class MainWindow(QMainWindow):
 
     # running
 
+    def show_word(self, text: str, kind: str = "message") -> None:
+        """The word of the status line. kind : what it is about, for who may take it away again."""
+        self.word.setText(text)
+        self.word_kind = kind
+
     def show_running(self, on: bool) -> None:
         """Progress and Cancel, while there is something to cancel."""
         self.bar.setVisible(on)
@@ -266,7 +269,7 @@ class MainWindow(QMainWindow):
                 if base != self.session.base_dir:  # saved elsewhere meanwhile
                     result = self.session.moved_result(result, base)
                 self.result_arrived(result)
-                self.word.setText(
+                self.show_word(
                     tr(
                         "{n} analyses in {seconds:.1f} s",
                         n=self.finished_runs.analyses - made,
@@ -302,7 +305,7 @@ class MainWindow(QMainWindow):
         job.finished.connect(unless_left(self._ended))
         self.began = time.monotonic()
         self.bar.setRange(0, 0)
-        self.word.setText(tr("Running…"))
+        self.show_word(tr("Running…"))
         self.show_running(True)
         job.start()
         self.refresh()
@@ -312,7 +315,7 @@ class MainWindow(QMainWindow):
         self.bar.setValue(done)
         elapsed = time.monotonic() - self.began
         left = elapsed / done * (planned - done) if done else 0.0
-        self.word.setText(
+        self.show_word(
             tr(
                 "{done} of {planned}, {elapsed:.0f} s, about {left:.0f} s left",
                 done=done,
@@ -333,16 +336,16 @@ class MainWindow(QMainWindow):
         if log:
             sentence += "\n" + tr("Details are in {log}", log=log)
         self.closing = False
-        self.word.setText(tr("Not done."))
+        self.show_word(tr("Not done."))
         QMessageBox.warning(self, tr("Not done"), sentence)
 
     def cancel(self) -> None:
         """Stop what runs: at once here, its thread ends when it can. What is being written is written."""
         if self.job is not None and self.job.cancel():
             self._ended()
-            self.word.setText(tr("Cancelled."))
+            self.show_word(tr("Cancelled."))
         elif self.job is not None:
-            self.word.setText(tr("It is being written."))
+            self.show_word(tr("It is being written."))
 
     def start_afresh(self) -> None:
         """Another case is open: nothing of the last one stays."""
@@ -380,12 +383,12 @@ class MainWindow(QMainWindow):
         from core.study.run import accuracy_of
 
         def arrived(accuracy) -> None:
-            self.word.setText("")
-            present = self.session.result
-            if present is not None and present.walls is result.walls:
-                walls = list(present.walls)
+            self.show_word("", "")
+            shown = self.session.result
+            if shown is not None and shown.walls is result.walls:
+                walls = list(shown.walls)
                 walls[k] = replace(walls[k], accuracy=accuracy)
-                self.session.result = replace(present, walls=tuple(walls))
+                self.session.result = replace(shown, walls=tuple(walls))
                 if self.chosen.currentIndex() == k:
                     self.pages["validation"].content.show_accuracy(accuracy)
 

@@ -30,7 +30,7 @@ class InputError(ValueError):
     def text(self, language: str = "en", form: FormNames = FILE_NAMES) -> str:
         """One sentence: place, what was found, what is accepted, what to do."""
         shown = {
-            "key": Key(self.key or ""),
+            "key": form.of(self.key or "", self.section or ""),
             "value": self.value,
             "accepted": self.accepted,
             **self.values,

@@ -29,9 +29,9 @@ def smoke(program: Path) -> None:
         folder = Path(name)
         variables = dict(os.environ, RIBALTA_CACHE=str(folder / "cache"))
         variables.pop("PYTHONPATH", None)
-        said = subprocess.run([program, "--version"], check=True, capture_output=True, text=True,
+        output = subprocess.run([program, "--version"], check=True, capture_output=True, text=True,
                               cwd=folder, env=variables)  # fmt: skip
-        print(said.stdout.strip())
+        print(output.stdout.strip())
         for command, place in (
             ([program], "frozen"),
             ([sys.executable, "-P", "-m", "app"], "source"),

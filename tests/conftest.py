@@ -8,6 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+for name in ("LC_ALL", "LC_MESSAGES", "LANG"):
+    os.environ[name] = "C.UTF-8"  # the tests read the program's words in English
+
 ROOT = Path(__file__).resolve().parents[1]
 
 STANDING = {

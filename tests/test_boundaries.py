@@ -110,20 +110,40 @@ def test_that_the_test_of_each_module_is_found_by_its_name():
         mirrored = mirrored.with_name(f"test_{mirrored.name}")
         assert mirrored.exists() or (ROOT / SHOWN_BY[module]).exists(), module
     assert {path.rsplit("/", 1)[-1] for path in SHOWN_BY.values()} <= facts
+    modules = {
+        path.relative_to(ROOT / "core").with_suffix("").as_posix()
+        for path in (ROOT / "core").rglob("*.py")
+    }
+    assert set(SHOWN_BY) <= modules
+    for module in SHOWN_BY:
+        folder, _, name = module.rpartition("/")
+        own = ROOT / "tests" / "core" / folder / f"test_{name}.py"
+        assert not own.exists() or own == ROOT / SHOWN_BY[module], module
+
+
+def test_that_the_mutants_have_their_tests_and_their_fixed_stamp():
+    from tests.mutation.mutate import FIXED_STAMP, TESTS
+
+    for name in [*TESTS, *(file for files in TESTS.values() for file in files)]:
+        assert (ROOT / name).exists(), name
+    assert FIXED_STAMP[0] in (ROOT / "core" / "jit" / "cache.py").read_text()
 
 
 def test_that_importing_a_module_does_no_work(tmp_path):
     """No folder, no variable, no hash of the sources, no compiler: only the import itself."""
     script = (
         "import os, sys; before = dict(os.environ);"
-        "import core.study.run, core.report.workbook, core.report.json_report, app.batch;"
+        "import importlib, pathlib;"
+        "files = sorted(pathlib.Path('core').rglob('*.py'));"
+        "names = ['.'.join(p.with_suffix('').parts) for p in files if p.stem not in ('__init__', 'numba_extensions')];"
+        "[importlib.import_module(name) for name in names]; import app.batch;"
         "from core.jit import cache;"
         "assert os.environ == before and 'numba' not in sys.modules;"
-        "assert cache.stamp.cache_info().currsize == cache.folder.cache_info().currsize == 0;"
+        "assert not cache.stamp.is_made() and not cache.folder.is_made();"
         "print(os.listdir(sys.argv[1]))"
     )
     variables = {**os.environ, "RIBALTA_CACHE": str(tmp_path), "PYTHONPATH": str(ROOT)}
-    done = subprocess.run([sys.executable, "-P", "-c", script, str(tmp_path)], env=variables,
+    done = subprocess.run([sys.executable, "-P", "-c", script, str(tmp_path)], env=variables, cwd=ROOT,
                           capture_output=True, text=True)  # fmt: skip
     assert done.stdout == "[]\n", done.stderr
 

@@ -21,7 +21,7 @@ from app.forms.fields import (
     connect,
 )
 from app.forms.law_curve import SpectrumCurve
-from app.language import described, tr
+from app.language import described, named, tr
 from app.session import Session
 from core.case.schema import Analysis, Demand, Report, Spectrum
 from core.codes.target_spectrum import NTC_TOPOGRAPHY, SOILS
@@ -241,7 +241,7 @@ class AnalysisForm(QWidget):
             NumberField(Analysis, "map_span", tr("Map up to times q")),
             NumberField(Analysis, "robust_window", tr("Robust window"), "%", 100.0),
             ChoiceField(Analysis, "polarity", tr("Sign of the records"), {
-                "both": tr("both"), "as_recorded": tr("as recorded"), "reversed": tr("reversed")}),
+                "both": named("both"), "as_recorded": tr("as recorded"), "reversed": tr("reversed")}),
             FlagField(Analysis, "accuracy", tr("State the accuracy"),
                       tip=tr("Seconds a wall: error of the solver and spread of q in the report")),
         ]  # fmt: skip

@@ -20,12 +20,17 @@ from app import theme
 from app.language import FORM_NAMES, current_language, tr
 from core.case.number import parse_number
 from core.case.rules import check_value
-from core.case.schema import Analysis, Demand, Spectrum, Wall
+from core.case.schema import Analysis, Demand, Report, Spectrum, Wall
 from core.errors import InputError
 
 FIGURES = 12
 
-SECTIONS = {Demand: "[demand]", Spectrum: "[demand.spectrum]", Analysis: "[analysis]"}
+SECTIONS = {
+    Demand: "[demand]",
+    Spectrum: "[demand.spectrum]",
+    Analysis: "[analysis]",
+    Report: "[report]",
+}
 """Sections of a case; errors of a wall name the wall."""
 
 
@@ -38,7 +43,7 @@ class Field(QWidget):
     def __init__(self, section: type, key: str, label: str, unit: str = "", tip: str = ""):
         super().__init__()
         self.section, self.key = section, key
-        FORM_NAMES.captions[self.key_in_errors()] = label
+        FORM_NAMES.add(self.key_in_errors(), label, SECTIONS.get(section, ""))
         self.value = self.value_before = None
         self.error = self.rule = ""
         grid = QGridLayout(self)
@@ -321,9 +326,7 @@ class ChoiceField(Field):
 
     def __init__(self, section, key, label, words: dict, tip=""):
         self.words = words
-        FORM_NAMES.captions.update(
-            {name: shown for name, shown in words.items() if "_" in str(name)}
-        )
+        FORM_NAMES.captions.update({name: shown for name, shown in words.items() if name})
         super().__init__(section, key, label, "", tip)
 
     def make_editor(self) -> QComboBox:

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from app import theme
 from app.forms.fields import ChoiceField, NumberField, connect
-from app.language import described, tr
+from app.language import described, named, tr
 from app.plots.chart import Chart
 from core.case.schema import Record
 from core.errors import InputError
@@ -69,8 +69,8 @@ class ImportDialog(QDialog):
         self.chart = Chart("t [s]", "u'' [g]", tr("Preview"))
         stated = tr("as the file says")
         units = {None: stated} | {unit: unit for unit in ("g", "m/s2", "cm/s2", "mm/s2")}
-        kinds = {"natural": tr("natural"), "artificial": tr("artificial"),
-                 "simulated": tr("simulated")}  # fmt: skip
+        kinds = {"natural": named("natural"), "artificial": named("artificial"),
+                 "simulated": named("simulated")}  # fmt: skip
         self.fields = [
             ChoiceField(Record, "unit", tr("Unit"), units),
             NumberField(Record, "time_step_s", tr("Time step"), "s", optional=True),

@@ -44,6 +44,7 @@ class WallForm(QWidget):
         super().__init__()
         self.session = session
         self.showing = False
+        self.listed: list[str] = []
         self.former: tuple[Wall | None, Wall | None] = (None, None)
         self.list = QListWidget()
         self.list.setMaximumHeight(84)
@@ -213,7 +214,8 @@ class WallForm(QWidget):
         walls = self.session.case.wall
         row = min(self.current, max(0, len(walls) - 1))
         names = [wall.name for wall in walls]
-        if names != [self.list.item(k).text() for k in range(self.list.count())]:
+        if names != self.listed:
+            self.listed = names
             self.list.clear()
             self.list.addItems(names)
         self.list.setCurrentRow(row if walls else -1)

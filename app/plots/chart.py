@@ -64,7 +64,7 @@ class Chart(QWidget):
         self._proxy = pg.SignalProxy(
             self.plot.scene().sigMouseMoved, rateLimit=30, slot=self._moved
         )
-        self._dress(theme.current)
+        self._apply_theme(theme.current)
 
     def _bar(self) -> QHBoxLayout:
         bar = QHBoxLayout()
@@ -211,7 +211,7 @@ class Chart(QWidget):
             if isinstance(item, pg.InfiniteLine) and hasattr(item, "label"):
                 item.label.setColor(shade)
 
-    def _dress(self, chosen: theme.Theme) -> None:
+    def _apply_theme(self, chosen: theme.Theme) -> None:
         self.view.setBackground(chosen.back)
         for side, label in zip(("bottom", "left"), self.labels, strict=True):
             axis = self.plot.getAxis(side)
@@ -250,7 +250,7 @@ class Chart(QWidget):
         """The view as on the screen, in the light theme, without the pixel caches of the screen."""
         marks = [item.scatter for item, *_ in self.items if isinstance(item, pg.PlotDataItem)]
         mode = self.view.cacheMode()
-        self._dress(theme.LIGHT)
+        self._apply_theme(theme.LIGHT)
         self.view.setCacheMode(type(mode)(0))
         for mark in marks:
             mark.opts["useCache"] = False
@@ -260,7 +260,7 @@ class Chart(QWidget):
             for mark in marks:
                 mark.opts["useCache"] = True
             self.view.setCacheMode(mode)
-            self._dress(theme.current)
+            self._apply_theme(theme.current)
 
     def content(self, end: str) -> bytes:
         """The file .png, .svg or .csv."""

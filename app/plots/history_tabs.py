@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.drawing import WallDrawing
-from app.language import tr
+from app.language import named, tr
 from app.plots.chart import Chart
 from core.capacity.ida import multiplier_of, threshold_of
 from core.rocking.history import history
@@ -146,7 +146,7 @@ class HistoriesTab(QWidget):
             ("theta/alpha", self.times[: ratio.size], ratio),
             ("impacts", self.history.impact_time, np.zeros(self.history.impact_time.size)),
         ]
-        outcome = tr("overturns") if self.history.outcome == COLLAPSED else tr("stands")
+        outcome = named("overturned") if self.history.outcome == COLLAPSED else tr("stands")
         self.words.setText(f"C {abs(scale):.3f}   q {self.q:.3f}   {outcome}   "
                            f"θmax/α {min(self.history.peak / wall.block.slenderness, 9.99):.2f}")  # fmt: skip
         self.set_time(self.cursors[0].value())
@@ -157,7 +157,7 @@ class HistoriesTab(QWidget):
             line.setValue(time)
         rotation = self.history.rotation
         sample = min(max(0, int(time / self.motion.time_step)), rotation.size - 1)
-        self.wall_drawing.turn(float(np.clip(rotation[sample], -1.5, 1.5)))
+        self.wall_drawing.set_rotation(float(np.clip(rotation[sample], -1.5, 1.5)))
 
     def _toggled(self, on: bool) -> None:
         if on and self.history is not None:
@@ -229,7 +229,7 @@ class ValidationTab(QWidget):
             return
         speed = wall.block.frequency_parameter * alpha
         for one, name, color in zip(
-            pair.histories, (tr("survives"), tr("overturns")), (0, 1), strict=True
+            pair.histories, (tr("survives"), named("overturned")), (0, 1), strict=True
         ):
             inside = np.abs(one.rotation) < 1.5 * alpha
             self.phase.curve(

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from app import theme
-from app.language import tr
+from app.language import named, tr
 from app.plots.chart import Chart
 from app.plots.table import Table
 from core.capacity.closed_forms import closed_form_q_eff
@@ -83,15 +83,15 @@ class CheckTab(QWidget):
             self.reasons.setText(self._warnings(wall))
             self.table.show_rows([])
             return
-        said = assessment.verdict
-        self.sentence.setText(said.text(self.language))
+        verdict = assessment.verdict
+        self.sentence.setText(verdict.text(self.language))
         self.sentence.setStyleSheet(
             f"font-size: 12pt; font-weight: 600; color: {verdict_color(result, wall)};"
         )
-        reasons = [reason.text(self.language) for reason in said.reasons]
-        if said.lower_bound is not None:
+        reasons = [reason.text(self.language) for reason in verdict.reasons]
+        if verdict.lower_bound is not None:
             reasons.append(
-                tr("Should the restraint behind fail: ζ {zeta}", zeta=digits(said.lower_bound))
+                tr("Should the restraint behind fail: ζ {zeta}", zeta=digits(verdict.lower_bound))
             )
         if assessment.kinematic:
             reasons.insert(0, self._mechanism(assessment))
@@ -239,7 +239,7 @@ class CapacityTab(QWidget):
         ratio = np.where(outcomes == COLLAPSED, np.nan, peaks / wall.block.slenderness)
         fell = q[outcomes == COLLAPSED]
         self.peaks.curve(run.record, q, ratio, 0)
-        self.peaks.points(tr("overturns"), fell, np.full(fell.size, 1.25), 1, 4)
+        self.peaks.points(named("overturned"), fell, np.full(fell.size, 1.25), 1, 4)
         for level, label in ((0.40, "0.40"), (0.60, "0.60"), (1.0, "α")):
             self.peaks.level(level, label)
         if run.ida.q:

@@ -29,7 +29,7 @@ ROBUST_SHARE = 0.16
 TRILINEAR_START = 0.5
 TRILINEAR_FLOOR = 0.05
 CHUNK = 128
-"""Analyses between two looks at whether the search is cancelled."""
+"""Analyses between two checks of whether the search is cancelled."""
 
 HALVINGS = 3
 """Bisections made at once: all midpoints they may ask for run side by side."""

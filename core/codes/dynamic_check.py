@@ -38,7 +38,7 @@ OTHER_STEP, BOUND_STEP = 0.005, 0.01
 CLOSE = 0.05
 """Distance of the former to zeta_target within which it takes the step of the check itself."""
 
-ALONE = 2
+ONE_BY_ONE = 2
 """Records, the worst at the demand, that are analysed alone: most failures need no other."""
 
 EXPECTED = 0.9
@@ -153,9 +153,9 @@ class _Set:
     def in_order(self, order) -> None:
         """Which records `failures` takes first: the first two alone, then all others of a time step at once."""
         order = list(order)
-        rest = order[ALONE:]
+        rest = order[ONE_BY_ONE:]
         steps = dict.fromkeys(self.motions[k].time_step for k in rest)
-        batches = [[k] for k in order[:ALONE]]
+        batches = [[k] for k in order[:ONE_BY_ONE]]
         batches += [[k for k in rest if self.motions[k].time_step == dt] for dt in steps]
         self.batches = [
             (

@@ -2,7 +2,7 @@
 
 The clauses put the weight of each block at its centroid: for one wall turning about its base the sums of
 C8.7.1.4 and C8.7.1.5 have one term, so that e* = 1 and d = d_C at the centroid. (Summed over the height, as
-if each course were a block, e* would be 0.75 and a0* a third higher than the acceleration that lifts the wall.)
+if each course were a block, e* would be 0.75 and a0* a third higher than the acceleration that uplifts the wall.)
 """
 
 import math

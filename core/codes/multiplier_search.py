@@ -26,7 +26,7 @@ SHARE_ERROR = 0.05
 the multipliers at which 45 % and 55 % fail (`run.py bench --zeta`)."""
 
 AT_ONCE = 16
-"""Points of the grid analysed between two looks for a failure."""
+"""Points of the grid analysed before the next check for a failure."""
 
 COARSE, SPARSE = 0.02, 0.04
 """Distance [-] of the points analysed where no failure has been found yet, and where none is expected."""
@@ -62,7 +62,7 @@ class _Grid:
         """Largest k whose multiplier is not above this one."""
         return math.floor(math.log(multiplier / self.target) / math.log1p(self.step))
 
-    def look(self, indices) -> np.ndarray:
+    def fails_at(self, indices) -> np.ndarray:
         """Whether the rule fails at these points."""
         new = [k for k in indices if k not in self.known]
         if new:
@@ -82,7 +82,7 @@ def search_zeta(
     target : a multiplier of the grid
     expected : failures are not expected below
     Where the rule never fails up to MAX_MULTIPLIER, that. Until a failure is found points at COARSE distance are
-    looked at, below `expected` at SPARSE; from a window below it on all.
+    analysed, below `expected` at SPARSE; from a window below it on all.
     """
     grid, half = _Grid(failures, target, step), round(WINDOW / math.log1p(step))
     start, top = grid.index(rest), grid.index(MAX_MULTIPLIER)
@@ -90,23 +90,23 @@ def search_zeta(
     at = start
     while at <= top:
         stride = sparse if grid.multiplier(at + AT_ONCE * sparse) < expected else coarse
-        failing = grid.look(range(at, at + AT_ONCE * stride, stride))
+        failing = grid.fails_at(range(at, at + AT_ONCE * stride, stride))
         if failing.any():
             break
         at += AT_ONCE * stride
-    holds = not grid.look([0])[0]
+    holds = not grid.fails_at([0])[0]
     if at > top:
         most = MAX_MULTIPLIER
         return Zeta(most, most, most, (most, most), 0.0, holds)
     # the window below the first failure found at every second point, each standing for the next as well
     edge = at + stride * (int(np.argmax(failing)) - 1) + 1
     low = edge - 2 * (half // 2)
-    fails, last = np.repeat(grid.look(range(low, edge, 2)), 2), None
+    fails, last = np.repeat(grid.fails_at(range(low, edge, 2)), 2), None
     while last is None and low + fails.size <= top + half:
         first = low + fails.size
-        fails = np.append(fails, grid.look(range(first, first + AT_ONCE)))
+        fails = np.append(fails, grid.fails_at(range(first, first + AT_ONCE)))
         last = first_with_share(fails, half, HALF_FAIL + SHARE_ERROR)
-    around = grid.look(range(max(-half, low), half + 1))
+    around = grid.fails_at(range(max(-half, low), half + 1))
     share = float(around.sum()) / (2 * half + 1)
     end = fails.size if last is None else last + half + 1
     if any(grid.known.get(low + k, (False, False))[1] for k in range(end)):

@@ -245,11 +245,11 @@ def _dynamic_parts(dynamic: DemandCheck, target: float) -> list[Sentence]:
     differently."""
     parts, other = [], dynamic.zeta_other
     if dynamic.passed and dynamic.zeta_16 is not None and dynamic.zeta_16 < target:
-        part = sentence("added", "of_demand")
-        if target != 1.0:
-            part = sentence("added", "of_share", target=target)
         share = dynamic.share_failing_at_demand
-        parts.append(sentence("added", "share", share=share, demand=part))
+        if target == 1.0:
+            parts.append(sentence("added", "share", share=share))
+        else:
+            parts.append(sentence("added", "share_of_target", share=share, target=target))
     if other and other.passed != dynamic.passed:
         zeta = "–" if other.zeta is None else f"{other.zeta:.2f}"
         if not other.passed and other.zeta is not None and other.zeta >= target:

@@ -9,7 +9,7 @@ from core.jit.decorators import kernel, subkernel
 DAMPING = 0.05
 """Damping ratio of the spectra [-]."""
 
-LOOKS = 40
+SAMPLES_PER_PERIOD = 40
 """Looks a period at which a peak is seen within 1 - cos(pi / 40) = 0.3 %."""
 
 HOUSNER_PERIODS = np.linspace(0.1, 2.5, 121)
@@ -21,7 +21,7 @@ def peak_displacement(ground, dt, period, damping, parts):
     """Largest |relative displacement| of an oscillator at rest under a ground motion [m].
 
     ground : acceleration, linear between samples [m/s2], shape (n,); dt [s]; period [s]; damping [-];
-    parts : looks taken per sample. Exact recursion of Nigam and Jennings (1969). With one look a sample, as
+    parts : per_period taken per sample. Exact recursion of Nigam and Jennings (1969). With one look a sample, as
     is the custom, few samples a period give a peak too low (6 % at T = 0.1 s, dt = 0.02 s; 0.1 % of SI).
     The free motion after the record counts too, exactly, so that zeros appended to the record change
     little.
@@ -68,17 +68,17 @@ def free_peak(u, v, w, wd, damping):
 
 
 @kernel
-def _fill_spectrum(ground, dt, periods, damping, looks, spectrum):
+def _fill_spectrum(ground, dt, periods, damping, per_period, spectrum):
     for k in range(periods.size):
-        parts = max(1, math.ceil(looks * dt / periods[k]))
+        parts = max(1, math.ceil(per_period * dt / periods[k]))
         spectrum[k] = peak_displacement(ground, dt, periods[k], damping, parts)
 
 
-def displacement_spectrum(ground, dt, periods, damping, looks):
-    """Relative displacement spectrum [m], shape of periods [s]; looks : least number of times a period the
+def displacement_spectrum(ground, dt, periods, damping, per_period):
+    """Relative displacement spectrum [m], shape of periods [s]; per_period : least number of times a period the
     response is looked at, 0 for the samples alone; the rest as `peak_displacement`."""
     spectrum = np.empty(periods.size)
-    _fill_spectrum(ground, dt, periods, damping, looks, spectrum)
+    _fill_spectrum(ground, dt, periods, damping, per_period, spectrum)
     return spectrum
 
 
@@ -87,13 +87,15 @@ def pseudo_velocity_spectrum(ground, dt, periods, damping=DAMPING):
     return 2.0 * math.pi / periods * displacement_spectrum(ground, dt, periods, damping, 0)
 
 
-def pseudo_acceleration_spectrum(ground, dt, periods, damping=DAMPING, looks=LOOKS):
+def pseudo_acceleration_spectrum(
+    ground, dt, periods, damping=DAMPING, per_period=SAMPLES_PER_PERIOD
+):
     """Pseudo-acceleration spectrum omega^2 Sd [m/s2]; ground [m/s2], dt, periods [s].
 
     Peaks between the samples are seen (within 0.3 %), unlike in SI, whose custom is the samples.
     """
     omega = 2.0 * math.pi / periods
-    return omega * omega * displacement_spectrum(ground, dt, periods, damping, looks)
+    return omega * omega * displacement_spectrum(ground, dt, periods, damping, per_period)
 
 
 def housner_intensity(ground, dt) -> float:

@@ -13,6 +13,7 @@ import os
 import shutil
 import sys
 import tempfile
+import threading
 import time
 from pathlib import Path
 
@@ -24,17 +25,40 @@ KEEP_SECONDS = 30 * 86400
 """Caches of other versions are deleted after this time."""
 
 
-@functools.cache
-def stamp() -> str:
-    """Hash of all sources a kernel may come from; of the program file when frozen."""
+_once = threading.RLock()
+
+
+def _once_for_all(function):
+    """The result of a function without arguments, made by the first thread that asks, kept for all."""
+    known = []
+
+    @functools.wraps(function)
+    def result():
+        with _once:
+            if not known:
+                known.append(function())
+        return known[0]
+
+    result.is_made = lambda: bool(known)
+    return result
+
+
+def source_stamp(sources: Path) -> str:
+    """Hash of all sources below a folder that a kernel may come from; of the program file when frozen."""
     digest = hashlib.sha256(VERSION.encode())
     if getattr(sys, "frozen", False):
         state = os.stat(sys.executable)
         digest.update(f"{state.st_size} {state.st_mtime_ns}".encode())
     else:
-        for source in sorted(Path(__file__).parents[1].rglob("*.py")):
+        for source in sorted(sources.rglob("*.py")):
             digest.update(source.read_bytes())
     return digest.hexdigest()[:16]
+
+
+@_once_for_all
+def stamp() -> str:
+    """`source_stamp` of this program."""
+    return source_stamp(Path(__file__).parents[1])
 
 
 def user_folder() -> Path:
@@ -91,7 +115,10 @@ def drop_damaged(folder: Path) -> None:
         known = {}
     for odd in folder.iterdir():
         if not odd.is_file():  # a pipe or a folder, at which a program could wait for ever
-            shutil.rmtree(odd) if odd.is_dir() and not odd.is_symlink() else odd.unlink()
+            if odd.is_dir() and not odd.is_symlink():
+                shutil.rmtree(odd, ignore_errors=True)
+            else:
+                odd.unlink(missing_ok=True)
     for name, digest in _hashes(folder).items():
         if not isinstance(known, dict) or known.get(name) != digest:
             (folder / name).unlink(missing_ok=True)
@@ -119,7 +146,7 @@ SECOND_PROCESS = "RIBALTA_SECOND_PROCESS"
 which also closes the folder."""
 
 
-@functools.cache
+@_once_for_all
 def folder() -> Path:
     """The folder of this process, made and checked with the first kernel that is needed."""
     if SECOND_PROCESS in os.environ:
@@ -130,7 +157,7 @@ def folder() -> Path:
 
 def close() -> None:
     """Before the process ends: keep what was compiled, and delete a folder of this process alone."""
-    if SECOND_PROCESS in os.environ or not folder.cache_info().currsize:
+    if SECOND_PROCESS in os.environ or not folder.is_made():
         return
     record(folder())
     if folder().name.startswith(TEMPORARY):

@@ -62,7 +62,7 @@ def _demand(book: Book, sheet, result: StudyResult, row: int) -> int:
     if demand is None:
         text(sheet, row, 1, say("No demand given: no check."))
         return row + 1
-    row = input_row(book, sheet, row, say('a_g on rock'), demand.ag / G, "g",
+    row = input_row(book, sheet, row, say("a_g on rock"), demand.ag / G, "g",
                  "demand_ag", ACCELERATION)  # fmt: skip
     row = input_row(book, sheet, row, "S", demand.soil_factor, "–", "demand_s", RATIO)
     row = live_row(book, sheet, row, "S a_g", "", "=demand_ag*demand_s", demand.pga / G, "g", "demand_pga",
@@ -99,7 +99,7 @@ def _geometry(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
         row = input_row(book, sheet, row, "H", wall.height, "m", f"{name}_height", RATIO)
     if setback:
         row = input_row(book, sheet, row, "t", wall.thickness, "m", f"{name}_thickness", "0.000")
-        row = input_row(book, sheet, row, say('hinge setback u'), setback,
+        row = input_row(book, sheet, row, say("hinge setback u"), setback,
                         "m", f"{name}_setback")  # fmt: skip
         row = live_row(book, sheet, row, "α = arctan((t − 2u)/H)", "Fig. 1",
                        f"=DEGREES(ATAN(({name}_thickness-2*{name}_setback)/{name}_height))", degrees,
@@ -142,9 +142,9 @@ def _geometry(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
                 f"{name}_a_rm", ACCELERATION)  # fmt: skip
     ratio = wall.restitution
     label = say("velocity ratio e") + f" ({ratio.model})"
-    turn = f"(2*{name}_radius^2/{name}_inertia)" if not block.is_rectangle else "1.5"
-    eq4 = f"(1-{turn}*SIN(RADIANS({name}_slenderness))^2)"
-    eq6 = f"{eq4}^2*ABS(1-{turn}*COS(RADIANS({name}_slenderness))^2)"
+    factor = f"(2*{name}_radius^2/{name}_inertia)" if not block.is_rectangle else "1.5"
+    eq4 = f"(1-{factor}*SIN(RADIANS({name}_slenderness))^2)"
+    eq6 = f"{eq4}^2*ABS(1-{factor}*COS(RADIANS({name}_slenderness))^2)"
     formulas = {
         "housner": ("Eq. 4", eq4),
         "sorrentino_experimental": ("Eq. 5", f"0.95*{eq4}"),
@@ -163,10 +163,10 @@ def _records(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
     say = book.say
     form = "Eq. 16" if wall.mechanism == "one_sided" else "Eq. 15"
     header(sheet, row, [
-        say('Record (governing sign)'), "SI [cm]", "PGA [g]",
-        say('Scale C'), "q\nEq. 10", say('program'), "q_eff\nEq. 12",
-        say('program'), "ln SI", "ln q_eff", f"q_eff\n{form}", f"q\n{form}",
-        say('program')], 1, 32)  # fmt: skip
+        say("Record (governing sign)"), "SI [cm]", "PGA [g]",
+        say("Scale C"), "q\nEq. 10", say("program"), "q_eff\nEq. 12",
+        say("program"), "ln SI", "ln q_eff", f"q_eff\n{form}", f"q\n{form}",
+        say("program")], 1, 32)  # fmt: skip
     first = row + 1
     scale = {(run.record, run.polarity): run.scale for run in wall.runs}
     for entry in wall.per_record:
@@ -238,18 +238,18 @@ def _inequality(book: Book, sheet, wall: WallResult, name: str, row: int) -> int
     """Eq. 9 with the q of every source."""
     say = book.say
     words = {
-        "code": (say('q of the code'), "code_q"),
-        "closed_form": (say('q of Eq. 15/16'), f"{name}_q_closed"),
-        "time_histories": (say('q of the time histories, collapse'),
+        "code": (say("q of the code"), "code_q"),
+        "closed_form": (say("q of Eq. 15/16"), f"{name}_q_closed"),
+        "time_histories": (say("q of the time histories, collapse"),
                            f"{name}_q_set"),
-        "time_histories_slv": (say('q of the time histories, SLV'), None),
-        "time_histories_robust": (say('q of the time histories, robust'),
+        "time_histories_slv": (say("q of the time histories, SLV"), None),
+        "time_histories_robust": (say("q of the time histories, robust"),
                                   None),
     }  # fmt: skip
     label = say(TITLE)
     header(sheet, row, [
-        label, "q", "a_RM [g]", "S a_g / q [g]", say('program'),
-        say('ratio'), say('program'), say('outcome')],
+        label, "q", "a_RM [g]", "S a_g / q [g]", say("program"),
+        say("ratio"), say("program"), say("outcome")],
         1, 32)  # fmt: skip
     for source, inequality in zip(Q_SOURCES, wall.code_check, strict=True):
         row += 1

@@ -14,7 +14,7 @@ def spectrum_rows(book: Book, sheet, result: StudyResult, row: int) -> int:
     """FC and the branches of the spectrum as named cells; for NTC 2018 S and the periods are live."""
     say, demand = book.say, result.demand
     row = input_row(book, sheet, row, "FC", demand.confidence_factor, "–", "demand_fc", RATIO)
-    row = input_row(book, sheet, row, say('ζ required'), demand.zeta_target, "–",
+    row = input_row(book, sheet, row, say("ζ required"), demand.zeta_target, "–",
                     "zeta_target", RATIO)  # fmt: skip
     target, asked = demand.target, result.case.demand.spectrum
     if not isinstance(target, CodeSpectrum):
@@ -53,7 +53,7 @@ def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: st
         if kinematic.free_element
         else say("restrained by transverse walls")
     )
-    row = heads(book, sheet, row, say('Circolare 7/2019, wall on the ground, {kind}', kind=kind))  # fmt: skip
+    row = heads(book, sheet, row, say("Circolare 7/2019, wall on the ground, {kind}", kind=kind))  # fmt: skip
     row = live_row(book, sheet, row, "α0 = tan α", "C8.7.1.1",
                    f"=TAN(RADIANS({name}_slenderness))", kinematic.alpha0, "–", f"{name}_alpha0")  # fmt: skip
     row = input_row(
@@ -63,7 +63,7 @@ def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: st
                    f"={name}_alpha0/({name}_e_star*demand_fc)", kinematic.a0 / G, "g",
                    f"{name}_a0_star")  # fmt: skip
     if kinematic.m_star is not None:
-        row = input_row(book, sheet, row, say('M* per metre'), kinematic.m_star, "kg/m",
+        row = input_row(book, sheet, row, say("M* per metre"), kinematic.m_star, "kg/m",
                         f"{name}_m_star", "0")  # fmt: skip
     row = _sld(book, sheet, wall, name, demand, row)
     for check in found_checks(wall, "linear_q_slv", "linear_q_code"):
@@ -80,7 +80,7 @@ def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: st
         row = _displacement(book, sheet, wall, name, demand, check, row)
     for check in found_checks(wall, "dynamic"):
         if check.demand is not None:
-            row = input_row(book, sheet, row, say('θmax/α of the set (Dynamic check)'), check.demand, "–",
+            row = input_row(book, sheet, row, say("θmax/α of the set (Dynamic check)"), check.demand, "–",
                             f"{name}_peak", EXACT)  # fmt: skip
         row = input_row(book, sheet, row, f"ζ_E: {word('dynamic', book.language)}", check.zeta, "–",
                         f"{name}_dynamic_zeta", EXACT)  # fmt: skip
@@ -96,7 +96,7 @@ def _sld(book: Book, sheet, wall, name: str, demand, row: int) -> int:
     """a_g,SLD over a_g: against a_g S, of an element free to vibrate against S_e(T_0)."""
     kinematic, say = wall.assessment.kinematic, book.say
     if kinematic.zeta_sld is None:
-        text(sheet, row, 1, say('No linear check: T_0 is not known (see the verdict).'),
+        text(sheet, row, 1, say("No linear check: T_0 is not known (see the verdict)."),
              color=QUIET, italic=True)  # fmt: skip
         return row + 1
     against, clause = "demand_pga", "C8.7.1.8"
@@ -105,7 +105,7 @@ def _sld(book: Book, sheet, wall, name: str, demand, row: int) -> int:
         drawn = asked.slenderness_deg is None or asked.setback
         t = f"{name}_thickness" if drawn else f"({name}_height*TAN(RADIANS({name}_slenderness)))"
         row = input_row(book, sheet, row, "E", asked.elastic_modulus_mpa, "MPa", f"{name}_modulus")
-        row = input_row(book, sheet, row, say('unit weight'),
+        row = input_row(book, sheet, row, say("unit weight"),
                         asked.unit_weight_kn_m3, "kN/m³", f"{name}_weight")  # fmt: skip
         row = live_row(book, sheet, row, "T_0 = κ (H/t) H √(w/(E g))", "C8.7.1.7",
                        f"={CANTILEVER}*{name}_height/{t}*{name}_height"

@@ -38,7 +38,7 @@ def dynamic_check(book: Book, result: StudyResult) -> None:
     say = book.say
     widths = [34, 12, 12, 12, 13, 13, 14]
     sheet = book.sheet("Dynamic check", widths)
-    title(sheet, 1, say('Dynamic check, Circolare 7/2019 C8.7.1.2.1.9'))  # fmt: skip
+    title(sheet, 1, say("Dynamic check, Circolare 7/2019 C8.7.1.2.1.9"))  # fmt: skip
     walls = [wall for wall in result.walls if wall.assessment and wall.assessment.dynamic]
     if not walls:
         text(
@@ -72,8 +72,8 @@ def dynamic_check(book: Book, result: StudyResult) -> None:
 def _wall(book: Book, sheet, wall: WallResult, check, row: int) -> int:
     say = book.say
     label = f"{wall.name} – {word(wall.mechanism, book.language)}"
-    header(sheet, row, [label, say('Factor'), "θmax/α (+)", "θmax/α (−)",
-                        say('worse'), say('program'), say('Status')], 1,
+    header(sheet, row, [label, say("Factor"), "θmax/α (+)", "θmax/α (−)",
+                        say("worse"), say("program"), say("Status")], 1,
            32 if len(label) > 30 else 18)  # fmt: skip
     first = row + 1
     names = list(dict.fromkeys(run.record for run in check.runs))
@@ -133,11 +133,11 @@ def _wall(book: Book, sheet, wall: WallResult, check, row: int) -> int:
     on = word(f"confidence_{check.confidence_on}", book.language)
     low, high = check.zeta_spread or (None, None)
     rows = [(f"ζ_E, {on}", check.zeta, EXACT),
-            (say('spread of ζ_E, from'), low, EXACT),
-            (say('spread of ζ_E, to'), high, EXACT), ("ζ_16", check.zeta_16, EXACT),
-            (say('ζ of the first failure on the grid'),
+            (say("spread of ζ_E, from"), low, EXACT),
+            (say("spread of ζ_E, to"), high, EXACT), ("ζ_16", check.zeta_16, EXACT),
+            (say("ζ of the first failure on the grid"),
              check.zeta_first, EXACT),
-            (say('share failing within ±10 % of the demand'),
+            (say("share failing within ±10 % of the demand"),
              check.share_failing_at_demand, "0%")]  # fmt: skip
     if check.zeta_other:
         on = word(f"confidence_{check.zeta_other.confidence_on}", book.language)
@@ -155,7 +155,7 @@ def spectral_compatibility(book: Book, result: StudyResult) -> None:
     say, compliance = book.say, result.compliance
     widths = [40, 30, 13, 13, 8, 15, 12, 12, 12]
     sheet = book.sheet("Spectral compatibility", widths, landscape=True)
-    title(sheet, 1, say('Compatibility of the records with the target spectrum'))  # fmt: skip
+    title(sheet, 1, say("Compatibility of the records with the target spectrum"))  # fmt: skip
     if compliance is None:
         text(
             sheet,
@@ -171,8 +171,8 @@ def spectral_compatibility(book: Book, result: StudyResult) -> None:
     )
     text(sheet, 2, 1, f"{verdict}: {result.demand.target.name}", bold=True,
          color=GOOD if compliance.compatible else BAD)  # fmt: skip
-    header(sheet, 4, [say('Rule'), say('Clause'), say('Value'),
-                      say('Limit'), say('Unit'), say('Outcome')], 1, 18)  # fmt: skip
+    header(sheet, 4, [say("Rule"), say("Clause"), say("Value"),
+                      say("Limit"), say("Unit"), say("Outcome")], 1, 18)  # fmt: skip
     row = 4
     for item in compliance.rules:
         row += 1
@@ -211,7 +211,7 @@ def spectral_compatibility(book: Book, result: StudyResult) -> None:
 def _spectra(book: Book, sheet, result: StudyResult) -> ScatterChart:
     compliance, say = result.compliance, book.say
     text(sheet, 2, DATA, "T [s]", size=8)
-    names = [say('target'), say('mean'),
+    names = [say("target"), say("mean"),
              *(motion.name for motion in result.motions[:DRAWN_SPECTRA])]  # fmt: skip
     curves = [compliance.target, compliance.mean, *compliance.spectra[:DRAWN_SPECTRA]]
     for k, label in enumerate(names):
@@ -220,7 +220,7 @@ def _spectra(book: Book, sheet, result: StudyResult) -> ScatterChart:
         sheet.cell(3 + n, DATA, float(period))
         for k, curve in enumerate(curves):
             sheet.cell(3 + n, DATA + 1 + k, float(curve[n]) / G)
-    chart = new_chart(say('5 % acceleration spectra'), "T [s]",
+    chart = new_chart(say("5 % acceleration spectra"), "T [s]",
                       "S_a [g]", 24.0, 10.0)  # fmt: skip
     last = 2 + compliance.periods.size
     for k in range(len(curves) - 1, -1, -1):

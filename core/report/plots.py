@@ -139,7 +139,7 @@ def _si_data(book: Book, sheet, wall: WallResult, column: int) -> tuple[int, int
     law = wall.power_law
     fit = f"C1 SI^C2 (R² {law.r_squared:.2f})" if law else "–"
     text(sheet, 1, column, f"{wall.name} {wall.mechanism}", color=QUIET)
-    header(sheet, 2, ["SI [cm]", book.say('time histories'), "SI [cm]", fit, form,
+    header(sheet, 2, ["SI [cm]", book.say("time histories"), "SI [cm]", fit, form,
                       f"{form} +20 %", f"{form} −20 %"], column, 30)  # fmt: skip
     row = 2
     points = [entry for entry in wall.per_record if entry.q is not None]
@@ -246,8 +246,8 @@ def survival_map(book: Book, result: StudyResult) -> None:
     shares = [_binned(run.ida, result.search.q_step) for _, run in runs[:MAP_ROWS]]
     first = min(min(share) for share in shares)
     last = max(max(share) for share in shares)
-    header(sheet, 4, [say('Wall'), say('Mechanism'),
-                      say('Record'), ""], 1, 18)  # fmt: skip
+    header(sheet, 4, [say("Wall"), say("Mechanism"),
+                      say("Record"), ""], 1, 18)  # fmt: skip
     for k in range(first, last + 1):
         sheet.column_dimensions[get_column_letter(5 + k - first)].width = 0.9
     for k in range(first, last + 1, 10):
@@ -268,7 +268,7 @@ def survival_map(book: Book, result: StudyResult) -> None:
         start_type="num", start_value=-1, start_color="C9D1D9", mid_type="num", mid_value=0,
         mid_color="FFFFFF", end_type="num", end_value=1, end_color=BAD))  # fmt: skip
     if len(runs) > MAP_ROWS:
-        text(sheet, 6 + len(shares), 1, say('{n} more runs are in the JSON.', n=len(runs) - MAP_ROWS))  # fmt: skip
+        text(sheet, 6 + len(shares), 1, say("{n} more runs are in the JSON.", n=len(runs) - MAP_ROWS))  # fmt: skip
     sheet.freeze_panes = "E5"
     sheet.print_title_rows = "4:4"
 

@@ -42,6 +42,6 @@ def heads(book: Book, sheet, row: int, label: str) -> int:
     """The header of a vertical list; returns the next row."""
     say = book.say
     height = 18 * math.ceil(len(label) / 30)
-    header(sheet, row, [label, say('Equation'), say('Sheet'),
-                        say('Program'), say('Unit')], 1, height)  # fmt: skip
+    header(sheet, row, [label, say("Equation"), say("Sheet"),
+                        say("Program"), say("Unit")], 1, height)  # fmt: skip
     return row + 1

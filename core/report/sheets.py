@@ -111,8 +111,8 @@ def records(book: Book, result: StudyResult) -> None:
     sheet = book.sheet("Records", widths, landscape=True)
     title(sheet, 1, say("Ground motions"))
     header(sheet, 3, [
-        say('Record'), "File", say('Format'), "Δt [s]",
-        say('Samples'), say('Unit'), "PGA [g]", "PGV [cm/s]", "PGD [cm]",
+        say("Record"), "File", say("Format"), "Δt [s]",
+        say("Samples"), say("Unit"), "PGA [g]", "PGV [cm/s]", "PGD [cm]",
         "Arias [m/s]", "D5-95 [s]", "SI [cm]", "SHA-256"], 1, 32)  # fmt: skip
     row = 4
     for motion in result.motions:
@@ -157,9 +157,9 @@ def _provenance(book: Book, sheet, result: StudyResult, row: int) -> None:
     """What the files say of event and station; what they leave open is blank for the engineer."""
     say = book.say
     header(sheet, row, [
-        say('Record'), say('Event and station'),
-        say('Kind'), say('Factor'), say('Date'), "", say('Magnitude'),
-        "", say('Distance'), "", say('Soil'), "", say('Filter')], 1, 18)  # fmt: skip
+        say("Record"), say("Event and station"),
+        say("Kind"), say("Factor"), say("Date"), "", say("Magnitude"),
+        "", say("Distance"), "", say("Soil"), "", say("Filter")], 1, 18)  # fmt: skip
     for motion, kind in zip(result.motions, result.kinds, strict=True):
         row += 1
         where = provenance(motion)
@@ -192,13 +192,13 @@ def results(book: Book, result: StudyResult) -> None:
         ),
     )
     header(sheet, 3, [
-        say('Wall'), say('Mechanism'), say('Record'),
-        say('Sign'), say('Status'), "q", say('bracket low'),
-        say('bracket high'), "q SLV", "q SLC", say('q robust'),
-        say('Scale C'), "q_eff", say('last survival'),
-        say('survived share'), say('windows'),
-        say('analyses'), say('unknown points'),
-        say('Eq. 7 clamped')], 1, 44)  # fmt: skip
+        say("Wall"), say("Mechanism"), say("Record"),
+        say("Sign"), say("Status"), "q", say("bracket low"),
+        say("bracket high"), "q SLV", "q SLC", say("q robust"),
+        say("Scale C"), "q_eff", say("last survival"),
+        say("survived share"), say("windows"),
+        say("analyses"), say("unknown points"),
+        say("Eq. 7 clamped")], 1, 44)  # fmt: skip
     row = 3
     for wall in result.walls:
         for run in wall.runs:
@@ -247,15 +247,15 @@ def method(book: Book, result: StudyResult) -> None:
     row = 3
     settings = result.search
     facts = [
-        (say('Program'), f"{NAME} {VERSION} {commit()[:12]}"),
+        (say("Program"), f"{NAME} {VERSION} {commit()[:12]}"),
         ("Python", f"{platform.python_version()}, {platform.system()} {platform.machine()}"),
-        (say('Case SHA-256'), result.case.sha256),
-        (say('Method'), result.method_words),
-        (say('Search'), f"q_step {settings.q_step:g}, q_limit {settings.q_limit:g}, map_span "
+        (say("Case SHA-256"), result.case.sha256),
+        (say("Method"), result.method_words),
+        (say("Search"), f"q_step {settings.q_step:g}, q_limit {settings.q_limit:g}, map_span "
          f"{settings.map_span:g}, robust_window {settings.robust_window:g}"),
-        (say('Sign of the records'), {
-            "both": say('both'), "as_recorded": say('as recorded'),
-            "reversed": say('reversed')}[result.case.analysis.polarity]),
+        (say("Sign of the records"), {
+            "both": word("both", book.language), "as_recorded": say("as recorded"),
+            "reversed": say("reversed")}[result.case.analysis.polarity]),
     ]  # fmt: skip
     for wall in result.walls:
         ratio = f"{wall.restitution.model} ({MODELS[wall.restitution.model]})"

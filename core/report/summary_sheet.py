@@ -113,10 +113,10 @@ def _title_block(book: Book, sheet, result: StudyResult, report, row: int) -> in
     say, asked = book.say, result.case.demand
     started = result.started_utc[:16].replace("T", " ")
     block = [
-        (say('Client'), report.client), (say('Site'), report.site),
-        (say('Project'), report.project), (say('Author'), report.author),
-        (say('Revision'), report.revision), (say('Date'), report.date),
-        (say('Program'), f"{NAME} {VERSION}, {started} UTC"),
+        (say("Client"), report.client), (say("Site"), report.site),
+        (say("Project"), report.project), (say("Author"), report.author),
+        (say("Revision"), report.revision), (say("Date"), report.date),
+        (say("Program"), f"{NAME} {VERSION}, {started} UTC"),
     ]  # fmt: skip
     if asked:
         life = [
@@ -149,8 +149,8 @@ def _demand_lines(book: Book, sheet, result: StudyResult, row: int, last: int) -
         line += f", {demand.target.name}"
     if demand.intensity:
         source = {
-            "given": say('given'), "spectrum": say('of the spectrum'),
-            "records_scaled": say('from the records'),
+            "given": say("given"), "spectrum": say("of the spectrum"),
+            "records_scaled": say("from the records"),
         }[demand.intensity_source]  # fmt: skip
         line += f", SI {demand.intensity / CM:.1f} cm ({source})"
     return paragraph(sheet, row, line, last, 150, bold=True)
@@ -159,9 +159,9 @@ def _demand_lines(book: Book, sheet, result: StudyResult, row: int, last: int) -
 def _walls_table(book: Book, sheet, result: StudyResult, walls: list[WallResult], row: int) -> int:
     say = book.say
     header(sheet, row, [
-        say('Wall'), say('Mechanism'), "H [m]", "t [m]", "u [m]", "H/t",
-        "α [°]", "a_RM [g]", "W [kN]", "q", say('q robust'), "ζ",
-        say('Verdict')])  # fmt: skip
+        say("Wall"), say("Mechanism"), "H [m]", "t [m]", "u [m]", "H/t",
+        "α [°]", "a_RM [g]", "W [kN]", "q", say("q robust"), "ζ",
+        say("Verdict")])  # fmt: skip
     for wall in walls:
         row += 1
         text(sheet, row, 1, wall.name, wrap=True)
@@ -196,8 +196,8 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
         text(sheet, row, 5, _mechanism_line(book, assessment.kinematic), color=QUIET)
     top = row + 1
     header(sheet, top, [
-        say('Method'), say('Clause'), "q", say('Capacity'),
-        say('Demand'), say('Unit'), "ζ", say('Outcome')], 1, 18)  # fmt: skip
+        say("Method"), say("Clause"), "q", say("Capacity"),
+        say("Demand"), say("Unit"), "ζ", say("Outcome")], 1, 18)  # fmt: skip
     row = top
     for check, decides in assessment.shown:
         row += 1
@@ -319,9 +319,9 @@ def _signature(book: Book, sheet, row: int, unloaded: bool) -> None:
     """Assumptions to tick, the judgement the engineer writes (NTC 2018 10.2), place for a signature.
     unloaded : every wall was confirmed to carry no load."""
     say = book.say
-    text(sheet, row, 1, say('Assumptions confirmed by the engineer'),
+    text(sheet, row, 1, say("Assumptions confirmed by the engineer"),
          bold=True)  # fmt: skip
-    text(sheet, row, 7, say('Reasoned judgement on the results (NTC 2018 10.2)'),
+    text(sheet, row, 7, say("Reasoned judgement on the results (NTC 2018 10.2)"),
          bold=True)  # fmt: skip
     for n, code in enumerate(ASSUMPTIONS, start=1):
         ticked = unloaded and code == "no_load"

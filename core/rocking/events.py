@@ -54,7 +54,7 @@ def uplift_threshold(model):
 
 @subkernel
 def uplift_side(ground, model, threshold):
-    """Side to which this ground acceleration [m/s2] lifts the resting block: 1.0, -1.0, 0.0 if none."""
+    """Side to which this ground acceleration [m/s2] uplifts the resting block: 1.0, -1.0, 0.0 if none."""
     if ground > threshold:
         return 1.0
     if ground < -threshold and model.one_sided == 0.0:
@@ -64,7 +64,7 @@ def uplift_side(ground, model, threshold):
 
 @subkernel
 def next_uplift(ground, slope, start, end, model, threshold):
-    """First time in [start, end) at which the resting block lifts, and to which side.
+    """First time in [start, end) at which the resting block uplifts, and to which side.
 
     ground : acceleration at local time 0 [m/s2]
     slope : its rate [m/s3]

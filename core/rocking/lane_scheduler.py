@@ -138,7 +138,7 @@ def skip_to_uplift(k, i, end, dt, model, threshold, ground, ahead, state):
 @inner_kernel
 def lane_chatter_ends(k, i, fastest, dt, model, constants, ahead, state):
     """Whether the chatter of lane k, just after an impact in sample i, surely ends at rest, see `chatter_ends`;
-    checked at every fourth impact. fastest : speed [rad/s] above which a chatter outlasts the look-ahead."""
+    checked at every fourth impact. fastest : speed [rad/s] above which a chatter outlasts the lookahead."""
     speed = state[SPEED + k]
     if not (state[PHI + k] == 0.0 and 0.0 < speed < fastest and int(state[IMPACTS + k]) & 3 == 1):
         return False

@@ -196,7 +196,7 @@ def interior_maximum(v, h):
     bends_at_start = curvature(v, 0.0)
     bends_at_end = curvature(v, h)
     if bends_at_start < 0.0 and bends_at_end < 0.0:
-        # concave: at most one interior_maximum, and an error of its time counts squared
+        # concave: at most one turning point, and an error of its time counts squared
         if v[0] <= 0.0 or v[0] + change(v, h) >= 0.0:
             return 0.0
         time = min(-v[0] / bends_at_start, h)

@@ -51,6 +51,8 @@ def start(names: set[str]) -> None:
     module = [] if getattr(sys, "frozen", False) else ["-m", __name__]
     root = str(Path(__file__).absolute().parents[2])
     path = [root, *filter(None, [os.environ.get("PYTHONPATH")])]
+    through_sample.before_compile = wait
+    atexit.register(end)  # after the cache's own, so that it runs before that is closed
     try:
         process = subprocess.Popen(
             [sys.executable, *module, *sorted(names)],
@@ -68,8 +70,6 @@ def start(names: set[str]) -> None:
     except OSError:
         return
     _second.append(process)
-    atexit.register(end)  # after the cache's own, so that it runs before that is closed
-    through_sample.before_compile = wait
 
 
 def end() -> None:

@@ -117,8 +117,8 @@ def run(
                 k: lambda stop, wall=wall: accuracy_of(wall, motions, method, search, stop)
                 for k, wall in enumerate(results)
             }
-            said = threads.run(statements, lambda k, _: None)
-            results = [replace(wall, accuracy=said[k]) for k, wall in enumerate(results)]
+            done = threads.run(statements, lambda k, _: None)
+            results = [replace(wall, accuracy=done[k]) for k, wall in enumerate(results)]
     finally:
         cache.record(cache.folder())
         if book:

@@ -66,9 +66,9 @@ CASE_ERRORS = {
         "{share:.0f} % dello spessore",
     ),
     "restitution_one_sided": (
-        "restitution {model} is for one_sided walls; for mechanism {asked} take housner, "
+        "restitution {model} is for {one_sided} walls; for mechanism {asked} take {housner}, "
         "{sorrentino_experimental}, {costa_upper} or user, or write two walls",
-        "la restituzione {model} è per pareti one_sided; per il meccanismo {asked} prendere housner, "
+        "la restituzione {model} è per pareti {one_sided}; per il meccanismo {asked} usare {housner}, "
         "{sorrentino_experimental}, {costa_upper} o user, oppure scrivere due pareti",
     ),
     "velocity_ratio_user": (
@@ -216,10 +216,10 @@ CASE_ERRORS = {
         "manca {key}: è richiesto ({accepted})",
     ),
     "ends_not_accepted": (
-        "{elastic_limit} = {first}, {plateau_end} = {last} are not accepted: {least:g} <= elastic_limit <= "
-        "plateau_end < 1",
-        "{elastic_limit} = {first}, {plateau_end} = {last} non sono ammessi: {least:g} <= elastic_limit <= "
-        "plateau_end < 1",
+        "{elastic_limit} = {first}, {plateau_end} = {last} are not accepted: {least:g} <= {elastic_limit} <= "
+        "{plateau_end} < 1",
+        "{elastic_limit} = {first}, {plateau_end} = {last} non sono ammessi: {least:g} <= {elastic_limit} <= "
+        "{plateau_end} < 1",
     ),
     "window_below_step": (
         "{robust_window} = {window} is narrower than one step of {q_step} = {step}: widen the window or take "

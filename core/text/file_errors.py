@@ -102,8 +102,8 @@ FILE_ERRORS = {
         "mancano campioni nell'ultima riga, che non ha fine riga: il file è troncato",
     ),
     "unit_not_accepted": (
-        "unit = {given!r} is not accepted: {known}",
-        "unità = {given!r} non ammessa: {known}",
+        "{unit} = {given!r} is not accepted: {known}",
+        "{unit} = {given!r} non ammessa: {known}",
     ),
     "peak_too_large": (
         "the peak would be {pga:.3g} g, beyond any earthquake (20 g): velocity, a count of samples on top, or "
@@ -225,8 +225,8 @@ FILE_ERRORS = {
         "l'intestazione dà un passo di {stated:g} s, la colonna dei tempi {column_step:g} s",
     ),
     "column_out_of_range": (
-        "column = {given} is not accepted: 2 to {most} (column 1 is time)",
-        "colonna = {given} non ammessa: da 2 a {most} (la colonna 1 è il tempo)",
+        "{column} = {given} is not accepted: 2 to {most} (column 1 is time)",
+        "{column} = {given} non ammessa: da 2 a {most} (la colonna 1 è il tempo)",
     ),
     "which_column": (
         "{n} columns: say which holds the acceleration with column = 2 to {most} (column 1 is time); values "

@@ -76,7 +76,7 @@ REPORT = {
     ): (
         "Un blocco rigido non ha un periodo T1: le regole valgono da {low:.2f} a {high:.2f} s, con "
         "accelerogrammi naturali fino al più lungo T_SLV o T_SLC delle pareti. Accelerogrammi alla domanda, "
-        "senza FC."
+        "senza FC. I picchi fra i campioni sono considerati."
     ),
     "target": "spettro",
     "mean": "media",
@@ -153,9 +153,6 @@ REPORT = {
     ),
     "Method, range of use, provenance": "Metodo, campo d'impiego, provenienza",
     "rigid": "rigida",
-    "two-sided": "su due lati",
-    "one-sided": "su un lato",
-    "both": "entrambi",
     "minimum": "minimo",
     "minimum, too few": "minimo, troppo pochi",
     "incomplete": "incompleto",

@@ -9,20 +9,24 @@ from core.text.catalogue import CATALOGUE
 LANGUAGES = {"en": "English", "it": "Italiano"}
 
 
-@dataclass(frozen=True)
+@dataclass
 class FormNames:
     """What the forms of the window call the keys of a case.
 
-    captions : key, name or section -> caption
+    captions : key, name or section -> caption; "[demand].site" where two sections have a key of one name
     scales : key -> (factor, unit) of a field in another unit than its key
     """
 
     captions: dict[str, str] = field(default_factory=dict)
     scales: dict[str, tuple[float, str]] = field(default_factory=dict)
 
-    def of(self, key: str) -> str:
-        """The caption of a key, else the key."""
-        return self.captions.get(key, key)
+    def of(self, key: str, section: str = "") -> str:
+        """The caption of a key of a section, else the key."""
+        return self.captions.get(f"{section}.{key}", self.captions.get(key, key))
+
+    def add(self, key: str, caption: str, section: str = "") -> None:
+        """A field of this key and caption."""
+        self.captions[f"{section}.{key}"] = self.captions[key] = caption
 
 
 FILE_NAMES = FormNames()

@@ -72,9 +72,13 @@ SENTENCES = {
 """Code of a verdict, or one of the ways to say `verified` and `verified_refined` -> (English, Italian)."""
 
 ADDED = {
+    "share_of_target": (
+        " Of the multipliers within 10 % of {target:g} of the demand {share:.0%} fail.",
+        " Dei moltiplicatori entro il 10 % dal {target:g} della domanda il {share:.0%} non soddisfa la regola.",
+    ),
     "share": (
-        " Of the multipliers within 10 % of {demand} {share:.0%} fail.",
-        " Dei moltiplicatori entro il 10 % da{demand} il {share:.0%} non soddisfa la regola.",
+        " Of the multipliers within 10 % of the demand {share:.0%} fail.",
+        " Dei moltiplicatori entro il 10 % dalla domanda il {share:.0%} non soddisfa la regola.",
     ),
     "confidence_demand": (
         " With FC on the demand instead of the strength it is {negation}verified: zeta {zeta}.",
@@ -87,8 +91,6 @@ ADDED = {
     "required": ("{zeta} (required {target:g})", "{zeta} (richiesto {target:g})"),
     "at_demand": ("the demand", "alla domanda"),
     "at_share": ("{target:g} of the demand", "allo {target:g} della domanda"),
-    "of_demand": ("the demand", "lla domanda"),
-    "of_share": ("{target:g} of the demand", "l {target:g} della domanda"),
     "not": ("not ", "non "),
     "nothing": ("", ""),
     "fails_at_demand": (

@@ -54,8 +54,6 @@ WINDOW = {
     "Details are in {log}": "I dettagli sono in {log}",
     "Not done.": "Non eseguito.",
     "Not done": "Non eseguito",
-    "one-sided": "su un lato",
-    "two-sided": "su due lati",
     "{n} analyses in {seconds:.1f} s": "{n} analisi in {seconds:.1f} s",
     "Not opened": "Non aperto",
     "Open a case": "Apri un caso",
@@ -115,7 +113,6 @@ WINDOW = {
     "Map up to times q": "Mappa fino a volte q",
     "Robust window": "Finestra robusta",
     "Sign of the records": "Segno dei record",
-    "both": "entrambi",
     "as recorded": "come registrato",
     "reversed": "invertito",
     "State the accuracy": "Dichiara l'accuratezza",
@@ -131,15 +128,11 @@ WINDOW = {
     "Report in": "Relazione in",
     "Title": "Titolo",
     "Analysis": "Analisi",
-    "from {low} to {high} {unit}": "da {low} a {high} {unit}",
     "a number is needed here": "qui serve un numero",
     "{text}: not a number": "{text}: non è un numero",
     "Records found": "Accelerogrammi trovati",
     "Preview": "Anteprima",
     "as the file says": "come dice il file",
-    "natural": "naturale",
-    "artificial": "artificiale",
-    "simulated": "simulato",
     "Unit": "Unità",
     "Kind": "Tipo",
     "Choices apply to the files selected; those not readable are left out.": (
@@ -186,9 +179,6 @@ WINDOW = {
     "Unit weight": "Peso specifico",
     "Length L": "Lunghezza L",
     "Base above ground z": "Base sopra il suolo z",
-    "Above the ground the motion of the floor is needed: no check is made": (
-        "Sopra il suolo serve il moto del piano: nessuna verifica"
-    ),
     "Floor": "Piano",
     "Restraint behind": "Vincolo posteriore",
     "Notes": "Note",
@@ -240,13 +230,13 @@ WINDOW = {
     "Rotation": "Rotazione",
     "ground": "suolo",
     "impacts": "urti",
-    "overturns": "ribalta",
     "stands": "resiste",
     "State the accuracy for this wall (some seconds)": (
         "Dichiara l'accuratezza per questa parete (alcuni secondi)"
     ),
     "Error of the solver and spread of q by definition, for this wall and its governing record.": (
-        "Errore del risolutore e dispersione di q per definizione, per questa parete e il suo record governante."
+        "Errore del risolutore e dispersione di q per definizione, per questa parete e il suo record "
+        "governante."
     ),
     "time per history [ms]": "tempo per storia [ms]",
     "error / α [-]": "errore / α [-]",
@@ -361,6 +351,5 @@ WINDOW = {
     "Element free to vibrate": "Elemento libero di vibrare",
     "Restrained by transverse walls": "Vincolata ai muri trasversali",
     "failing within ±10 % of the demand: {share}": "cedono entro ±10 % dalla domanda: {share}",
-    "The picture cannot be made.": "L'immagine non può essere prodotta.",
 }
 """English -> Italian."""

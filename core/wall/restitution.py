@@ -40,8 +40,8 @@ def housner_ratio(block: Block) -> float:
 
     Raises InputError where it is negative: the block is too stocky to rock.
     """
-    turn = 2.0 * block.radius**2 / block.inertia_over_mass
-    ratio = 1.0 - turn * math.sin(block.slenderness) ** 2
+    factor = 2.0 * block.radius**2 / block.inertia_over_mass
+    ratio = 1.0 - factor * math.sin(block.slenderness) ** 2
     if ratio < 0.0:
         raise InputError("eq4_negative", ratio=ratio, alpha=math.degrees(block.slenderness))
     return ratio
@@ -51,8 +51,8 @@ def one_sided_ratio(block: Block) -> float:
     """sqrt(r_1s) [-], Eq. 6: base, upper corner and base again. The bracket in cos is negative for
     slender blocks, which is the reversal of the motion: its modulus is the ratio. For a general
     block the contact at 2 R cos(alpha) above the pivot is an assumption."""
-    turn = 2.0 * block.radius**2 / block.inertia_over_mass
-    return housner_ratio(block) ** 2 * abs(1.0 - turn * math.cos(block.slenderness) ** 2)
+    factor = 2.0 * block.radius**2 / block.inertia_over_mass
+    return housner_ratio(block) ** 2 * abs(1.0 - factor * math.cos(block.slenderness) ** 2)
 
 
 def overturning_velocity(block: Block) -> float:

@@ -111,7 +111,7 @@ double_crossing_missed = taylor_variant(first_crossing=_crossing_by_sign_change)
 rotation_decides_at_the_end = taylor_variant(end_of_record=_rotation_decides)
 no_rest = taylor_variant(leave_impact=variant(leave_impact, stops_rocking=_never_rests))
 kinks_ignored = variant(
-    comparison.integrate_comparison,
+    comparison.COMPARISON[False][0],
     stepped=types.SimpleNamespace(
         through_sample=variant(
             stepped.through_sample, advance=_rk4_through_kinks, moment_branch=_one_branch

@@ -14,57 +14,85 @@ NEWMARK_PAPER = 1
 """Code of the paper's integrator; those of the others are in stepped.py."""
 
 
-@kernel
-def integrate_comparison(
-    code, ground, dt, scale, model, option, start, rotation, velocity, impact_time,
-    impact_velocity, table,
-):  # fmt: skip
-    """`taylor.integrate` of any other method.
+def make_comparison(paper):
+    """The kernels (integrate, scan), specialised at compile time for the paper's integrator or for the others."""
 
-    code, option : of its `Method`
-    table : of `Method.table`, shape (0,) but for dormand_prince
-    rotation, velocity : results, or of no element where nobody wants them
-    """
-    threshold = uplift_threshold(model)
-    keep = rotation.size > 0
-    zero = np.int64(0)
-    side = -1.0 if start[0] < 0.0 or (start[0] == 0.0 and start[1] < 0.0) else 1.0
-    phi, speed = side * start[0], side * start[1]
-    moving = phi != 0.0 or speed != 0.0
-    state = BlockState(side, phi, speed, moving, zone_of(phi, model), phi, zero, zero)
-    push = acceleration(phi, side * scale * ground[0] / G, model, state.zone)
-    rates = table[16 * dormand_prince.STAGES : 17 * dormand_prince.STAGES]
-    pushes = table[17 * dormand_prince.STAGES :]
-    if keep:
-        rotation[0] = start[0]
-        velocity[0] = start[1]
-    for i in range(ground.size - 1):
-        ground0, ground1 = scale * ground[i], scale * ground[i + 1]
-        if code == NEWMARK_PAPER:
-            outcome, push, state = newmark_paper.through_sample(
-                ground0, ground1, (i + 1) * dt, dt, model, threshold, option, push, state, impact_time,
-                impact_velocity,
-            )  # fmt: skip
-        else:
-            outcome, state = stepped.through_sample(
-                code, ground0, ground1, i * dt, dt, model, threshold, option, state, impact_time,
-                impact_velocity, table, rates, pushes,
-            )  # fmt: skip
-        if outcome != STABLE:
-            return outcome, state.peak, state.impacts, state.clamped, i + 1
+    @kernel
+    def integrate(
+        code, ground, dt, scale, model, option, start, rotation, velocity, impact_time,
+        impact_velocity, table,
+    ):  # fmt: skip
+        """`taylor.integrate` of any other method.
+
+        code, option : of its `Method`
+        table : of `Method.table`, shape (0,) but for dormand_prince
+        rotation, velocity : results, or of no element where nobody wants them
+        """
+        threshold = uplift_threshold(model)
+        keep = rotation.size > 0
+        zero = np.int64(0)
+        side = -1.0 if start[0] < 0.0 or (start[0] == 0.0 and start[1] < 0.0) else 1.0
+        phi, speed = side * start[0], side * start[1]
+        moving = phi != 0.0 or speed != 0.0
+        state = BlockState(side, phi, speed, moving, zone_of(phi, model), phi, zero, zero)
+        push = acceleration(phi, side * scale * ground[0] / G, model, state.zone)
+        rates = table[16 * dormand_prince.STAGES : 17 * dormand_prince.STAGES]
+        pushes = table[17 * dormand_prince.STAGES :]
         if keep:
-            rotation[i + 1] = state.side * state.phi if state.moving else 0.0
-            velocity[i + 1] = state.side * state.speed if state.moving else 0.0
-    outcome, peak = STABLE, state.peak
-    if state.moving:
-        outcome, peak = end_of_record(state.phi, state.speed, state.peak, model)
-    return outcome, peak, state.impacts, state.clamped, ground.size
+            rotation[0] = start[0]
+            velocity[0] = start[1]
+        for i in range(ground.size - 1):
+            ground0, ground1 = scale * ground[i], scale * ground[i + 1]
+            if paper:
+                outcome, push, state = newmark_paper.through_sample(
+                    ground0, ground1, (i + 1) * dt, dt, model, threshold, option, push, state, impact_time,
+                    impact_velocity,
+                )  # fmt: skip
+            else:
+                outcome, state = stepped.through_sample(
+                    code, ground0, ground1, i * dt, dt, model, threshold, option, state, impact_time,
+                    impact_velocity, table, rates, pushes,
+                )  # fmt: skip
+            if outcome != STABLE:
+                return outcome, state.peak, state.impacts, state.clamped, i + 1
+            if keep:
+                rotation[i + 1] = state.side * state.phi if state.moving else 0.0
+                velocity[i + 1] = state.side * state.speed if state.moving else 0.0
+        outcome, peak = STABLE, state.peak
+        if state.moving:
+            outcome, peak = end_of_record(state.phi, state.speed, state.peak, model)
+        return outcome, peak, state.impacts, state.clamped, ground.size
+
+    @kernel
+    def scan(code, option, ground, dt, scales, model, outcomes, peaks, clamped, none, table):
+        """`history.scan` by the other methods. none : of no element."""
+        for j in range(scales.size):
+            outcomes[j], peaks[j], _, clamped[j], _ = integrate(
+                code,
+                ground,
+                dt,
+                scales[j],
+                model,
+                option,
+                (0.0, 0.0),
+                none,
+                none,
+                none,
+                none,
+                table,
+            )
+
+    return integrate, scan
 
 
-@kernel
-def scan_comparison(code, option, ground, dt, scales, model, outcomes, peaks, clamped, none, table):
-    """`history.scan` by the other methods. none : of no element."""
-    for j in range(scales.size):
-        outcomes[j], peaks[j], _, clamped[j], _ = integrate_comparison(
-            code, ground, dt, scales[j], model, option, (0.0, 0.0), none, none, none, none, table
-        )
+COMPARISON = {paper: make_comparison(paper) for paper in (True, False)}
+
+
+def integrate_comparison(code, *arguments):
+    """`integrate` of the method of this code; see `make_comparison`."""
+    return COMPARISON[code == NEWMARK_PAPER][0](code, *arguments)
+
+
+def scan_comparison(code, *arguments):
+    """`scan` of the method of this code; see `make_comparison`."""
+    COMPARISON[code == NEWMARK_PAPER][1](code, *arguments)

@@ -3,7 +3,7 @@
 A crossing is seen at the end of a step; a dip and return within one step is missed (Taylor sees it).
 """
 
-from core.jit.decorators import subkernel
+from core.jit.decorators import inner_kernel, subkernel
 from core.rocking.compared import dormand_prince, linearised, newmark_events, rk4
 from core.rocking.events import (
     IMPACTS_PER_SAMPLE,
@@ -76,7 +76,7 @@ def locate(
     return time
 
 
-@subkernel
+@inner_kernel
 def through_sample(
     code, ground0, ground1, start, dt, model, threshold, option, state, impact_time, impact_velocity, table,
     rates, pushes,

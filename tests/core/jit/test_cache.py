@@ -2,6 +2,7 @@
 
 import json
 import os
+import shutil
 import subprocess
 import sys
 
@@ -95,9 +96,15 @@ def test_that_an_unwritable_place_falls_back_to_a_temporary_folder(tmp_path):
     assert folder.is_dir() and tmp_path not in folder.parents
 
 
-def test_that_the_stamp_follows_every_source():
-    assert len(cache.stamp()) == 16
-    assert cache.stamp.__wrapped__() == cache.stamp()
+def test_that_the_stamp_follows_every_source(tmp_path):
+    shutil.copytree(ROOT / "core", tmp_path / "core", ignore=shutil.ignore_patterns("__pycache__"))
+    seen = {cache.source_stamp(tmp_path / "core")}
+    assert seen == {cache.stamp()}
+    sources = sorted((tmp_path / "core").rglob("*.py"))
+    for source in sources:
+        source.write_text(source.read_text() + "# another byte\n")
+        seen.add(cache.source_stamp(tmp_path / "core"))
+    assert len(seen) == len(sources) + 1
 
 
 def test_that_no_flipped_bit_of_the_manifest_ends_a_run(tmp_path):

@@ -93,6 +93,30 @@ def test_that_every_code_that_is_used_exists_and_every_error_is_used():
     assert set(CATALOGUE["error"]) - used <= chosen
 
 
+def test_that_every_text_of_the_catalogue_is_used():
+    """By a literal of the program, or by one of its codes: checks, verdicts, statuses, kinds."""
+    literals = {
+        node.value for path in SOURCES for node in ast.walk(ast.parse(path.read_text()))
+        if isinstance(node, ast.Constant) and isinstance(node.value, str)
+    }  # fmt: skip
+    sides = {
+        f"{word}_{side}" for word in ("confidence", "dynamic") for side in ("demand", "capacity")
+    }
+    for group in (
+        "window",
+        "report",
+        "terminal",
+        "notice",
+        "reason",
+        "word",
+        "added",
+        "accepted",
+        "place",
+    ):
+        unused = {code for code in CATALOGUE[group] if code not in literals | sides}
+        assert unused == set(), group
+
+
 def test_that_no_sentence_stands_outside_the_catalogue():
     found = []
     for path in SOURCES:
