@@ -150,12 +150,12 @@ def test_that_a_python_without_venv_is_one_sentence(run, monkeypatch, module):
 
 
 def test_that_two_starts_take_turns(run, tmp_path):
-    """A second process waits while this one holds the turn, and then goes on."""
+    """A second process waits while this one holds the lock, and then goes on."""
     script = (
         "import importlib.util, sys\n"
         f"d = importlib.util.spec_from_file_location('run', {str(ROOT / 'run.py')!r})\n"
         "m = importlib.util.module_from_spec(d); d.loader.exec_module(m)\n"
-        "with m.turn(): print('mine', flush=True)\n"
+        "with m.environment_lock(): print('mine', flush=True)\n"
     )
     with run.environment_lock():
         other = subprocess.Popen(

@@ -157,6 +157,17 @@ def impact(state, ground, model, constants):
 
 
 @inner_kernel
+def cross_kink(state, event, branch):
+    """BlockState on the next branch of the moment law, at the end of this one that a step reached."""
+    low, high, _, _, _ = branch
+    phi = low if event.falls else high
+    return BlockState(
+        state.side, phi, state.speed, True, state.zone + (-1 if event.falls else 1), max(state.peak, phi),
+        state.impacts, state.clamped,
+    )  # fmt: skip
+
+
+@inner_kernel
 def through_sample(
     ground0, ground1, dt, model, constants, order, strongest, state, start
 ):  # fmt: skip
@@ -194,15 +205,10 @@ def through_sample(
                 outcome = COLLAPSED
                 break
             continue
-        low, high, _, _, _ = branch
-        if event.falls and low == 0.0:
+        if event.falls and branch[0] == 0.0:
             state, hit = impact(state, ground0 + jump * t, model, constants)
             break
-        phi = low if event.falls else high
-        zone = state.zone + (-1 if event.falls else 1)
-        state = BlockState(
-            state.side, phi, state.speed, True, zone, max(state.peak, phi), state.impacts, state.clamped
-        )  # fmt: skip
+        state = cross_kink(state, event, branch)
         kinks += 1
         if kinks > IMPACTS_PER_SAMPLE:
             outcome = IMPACT_LIMIT

@@ -63,6 +63,30 @@ def start(*arguments, **keywords):
     )
 
 
+def test_that_an_italian_terminal_is_spoken_to_in_italian(case):
+    words = dict(os.environ, PYTHONPATH=str(ROOT), LC_ALL="it_IT.UTF-8", PYTHONIOENCODING="ascii")
+    command = [sys.executable, "-P", "-m", "app"]
+
+    def said(*arguments):
+        done = subprocess.run([*command, *map(str, arguments)], env=words, capture_output=True, text=True)  # fmt: skip
+        return done.returncode, done.stdout, done.stderr
+
+    assert said("--help")[0] == 0
+    missing = case.parent / "none.toml"
+    assert said("--batch", missing) == (
+        1,
+        "",
+        f"errore: {missing}: questo file di caso non esiste\n",
+    )
+    case.write_text(CASE.replace("5.0", "500.0"))
+    assert said("--batch", case)[2] == (
+        f'errore: {case}: parete "w": height_m = 500.0 non ? ammesso: da 0.1 a 60 m\n'
+    )
+    case.write_text(CASE)
+    code, out, err = said("--batch", case, "--output", case.parent / "out")
+    assert code == 0 and "parete" in out and "serie" in out and "Traceback" not in err
+
+
 def test_that_a_case_gives_workbook_and_json_beside_it(case, capsys):
     assert call("--batch", case) == 0
     assert sorted(path.name for path in case.parent.iterdir()) == [

@@ -135,3 +135,20 @@ def test_that_a_pipe_in_the_cache_holds_nobody_up(tmp_path):
     assert cache.prepare(tmp_path, "x") == folder
     cache.record(folder)
     assert (folder / "manifest.json").read_bytes() == b"{}"
+
+
+def test_that_threads_of_a_cold_start_share_one_folder(tmp_path):
+    """Eight threads ask for the cache's folder at once, where the user's cannot be written."""
+    blocked = tmp_path / "file"
+    blocked.write_text("not a folder")
+    script = (
+        "import threading; from core.jit import cache; gate = threading.Barrier(8); seen = set()\n"
+        "def ask():\n    gate.wait()\n    seen.add(cache.folder())\n"
+        "threads = [threading.Thread(target=ask) for _ in range(8)]\n"
+        "[t.start() for t in threads]; [t.join() for t in threads]; print(len(seen))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-P", "-c", script], capture_output=True, text=True, check=True,
+        env=dict(os.environ, PYTHONPATH=str(ROOT), RIBALTA_CACHE=str(blocked / "below")),
+    )  # fmt: skip
+    assert done.stdout == "1\n"
