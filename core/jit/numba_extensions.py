@@ -4,12 +4,16 @@ import hashlib
 from pathlib import Path
 
 from numba import njit, types
+from numba.core import config
 from numba.core.caching import _CacheLocator
 from numba.extending import lower_builtin, type_callable, typeof_impl
 
 from core.jit import cache
 from core.jit.fma import fma
 from core.jit.kernel import Kernel, widest_vectors
+
+config.reload_config()
+"""numba may have been imported by somebody else, before `cache.configure_numba` set its variables."""
 
 
 def compiled(function, inlined: bool, python_wrapper: bool):

@@ -152,3 +152,13 @@ def test_that_threads_of_a_cold_start_share_one_folder(tmp_path):
         env=dict(os.environ, PYTHONPATH=str(ROOT), RIBALTA_CACHE=str(blocked / "below")),
     )  # fmt: skip
     assert done.stdout == "1\n"
+
+
+def test_that_kernels_are_kept_in_the_cache_whoever_imported_numba_first(tmp_path):
+    script = (
+        "import numba, numpy as np; from core.ground.response_spectrum import housner_intensity;"
+        "housner_intensity(np.ones(50), 0.01)"
+    )
+    subprocess.run([sys.executable, "-P", "-c", script], check=True, env=dict(
+        os.environ, PYTHONPATH=str(ROOT), RIBALTA_CACHE=str(tmp_path)))  # fmt: skip
+    assert list(tmp_path.glob("kernels-*/*.nbc"))
