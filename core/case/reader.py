@@ -28,7 +28,7 @@ def read_case(path: Path) -> Case:
         if path.exists() and not path.is_file():
             raise InputError("case_not_a_file", place=(path,))
         if path.stat().st_size > MAX_BYTES:
-            raise InputError("case_too_large", mb=path.stat().st_size / 1000000.0, place=(path,))
+            raise InputError("case_too_large", mb=path.stat().st_size / 1e6, place=(path,))
         content = path.read_bytes()
     except FileNotFoundError:
         raise InputError("no_case_file", place=(path,)) from None

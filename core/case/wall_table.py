@@ -79,7 +79,7 @@ def read_table(path: Path, with_demand: bool = False) -> tuple[list[Wall], list[
             raise InputError("table_not_a_file")
         size = path.stat().st_size
         if size > MAX_BYTES:
-            raise InputError("table_too_many_mb", mb=size / 1000000.0)
+            raise InputError("table_too_many_mb", mb=size / 1e6)
         content, notes = path.read_bytes(), []
         if path.suffix.lower() == ".xlsx":
             rows, notes = _xlsx_rows(content)

@@ -69,7 +69,7 @@ def read(
             raise RecordError("record_not_a_file")
         if path.stat().st_size > MAX_BYTES:
             raise RecordError(
-                "record_too_large", mb=path.stat().st_size / 1000000.0, most=MAX_BYTES // 1000000
+                "record_too_large", mb=path.stat().st_size / 1e6, most=MAX_BYTES // 1_000_000
             )
         content = path.read_bytes()
         return _motion(content, path, options, scale, name or shown(path.stem))

@@ -10,43 +10,7 @@ import pytest
 
 from core.jit import cache
 from tests.conftest import ROOT
-
-SCRIPT = """
-import sys, hashlib, math, numpy as np
-from core.jit import cache
-from core.ground.response_spectrum import housner_intensity
-from core.rocking.history import history, scan
-from core.rocking.methods import METHODS
-from core.wall.rocking_model import RockingModel
-ground = np.loadtxt(sys.argv[1], delimiter=",", skiprows=1)[:500, 1].copy()
-digest = hashlib.sha256()
-a = math.radians(6.8)
-for one, ratio, drop, d1, d2 in ((0, .97, 0, 0, 0), (1, .45, 0, 0, 0), (1, .5, 9., 0, 0),
-                                 (0, .97, 0, .02, .28), (1, .45, 0, .06, .28)):
-    model = RockingModel(a, 2.0866, float(one), ratio, float(drop), d1 * a, d2 * a)
-    for method in METHODS.values():
-        for scale in (1.0, 2.7):
-            found = history(ground, 0.01, scale, model, method)
-            digest.update(found.rotation.tobytes() + found.velocity.tobytes())
-            digest.update(found.impact_time.tobytes() + repr((found.outcome, float(found.peak))).encode())
-    for name in sys.argv[2:]:
-        outcomes, peaks = np.zeros(80, np.int64), np.zeros(80)
-        clamped = scan(METHODS[name], ground, 0.01, np.linspace(0.5, 6.0, 80), model, outcomes, peaks)
-        digest.update(outcomes.tobytes() + peaks.tobytes() + clamped.tobytes())
-digest.update(repr(housner_intensity(ground[:300], 0.01)).encode())
-print(digest.hexdigest(), cache.folder())
-"""
-
-
-def run(*scanned, **variables):
-    """(digest of histories by all methods and of scans by these, the cache's folder) of a process."""
-    known = ROOT / "tests" / "reference" / "standard_record.csv"
-    found = subprocess.run(
-        [sys.executable, "-P", "-c", SCRIPT, known, *scanned], capture_output=True, text=True, check=True,
-        env=dict(os.environ, PYTHONPATH=str(ROOT), **variables),
-    )  # fmt: skip
-    digest, folder = found.stdout.split()
-    return digest, folder
+from tests.core.jit.digest import run
 
 
 def test_that_damaged_cache_files_are_dropped_and_compiled_again(tmp_path):
@@ -87,6 +51,7 @@ def test_that_a_folder_others_can_write_is_not_used(tmp_path):
     first.chmod(0o777)
     other = cache.prepare(base, "stamp")
     assert other != first and cache.private(other)
+    shutil.rmtree(other)
 
 
 def test_that_an_unwritable_place_falls_back_to_a_temporary_folder(tmp_path):
@@ -94,6 +59,7 @@ def test_that_an_unwritable_place_falls_back_to_a_temporary_folder(tmp_path):
     blocked.write_text("not a folder")
     folder = cache.prepare(blocked / "below", "stamp")
     assert folder.is_dir() and tmp_path not in folder.parents
+    shutil.rmtree(folder)
 
 
 def test_that_the_stamp_follows_every_source(tmp_path):
