@@ -5,7 +5,7 @@ from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from app import theme
-from app.plots.result_tabs import verdict_color
+from app.plots.check_tab import verdict_color
 from core.text.sentence import word
 
 

@@ -25,8 +25,9 @@ from app.files import Files
 from app.forms.fields import Field
 from app.language import described, named, tr
 from app.pages import Page, Veil, card
+from app.plots.check_tab import CheckTab
 from app.plots.history_tabs import HistoriesTab, ValidationTab
-from app.plots.result_tabs import CapacityTab, CheckTab, IntensityTab, SpectraTab
+from app.plots.result_tabs import CapacityTab, IntensityTab, SpectraTab
 from app.preparation import Preparation
 from app.session import Session
 from app.worker import Job

@@ -1,4 +1,4 @@
-"""Tabs of a result: Check, Capacity, q against SI, Spectra."""
+"""Tabs of a result: Capacity, q against SI, Spectra."""
 
 import math
 
@@ -18,153 +18,17 @@ from PySide6.QtWidgets import (
 from app import theme
 from app.language import named, tr
 from app.plots.chart import Chart
+from app.plots.check_tab import digits
 from app.plots.table import Table
 from core.capacity.closed_forms import closed_form_q_eff
 from core.capacity.fragility import fragility_curve
 from core.capacity.ida import multiplier_of, threshold_of
-from core.capacity.limit_states import LIMIT_FRACTION
-from core.codes.eq9 import LABEL
 from core.ground.response_spectrum import HOUSNER_PERIODS, pseudo_acceleration_spectrum
 from core.rocking.history import scan
 from core.rocking.outcome import COLLAPSED
-from core.study.results import Q_SOURCES, StudyResult, WallResult
+from core.study.results import StudyResult, WallResult
 from core.text.sentence import word
 from core.units import CM, G
-
-VERDICT_COLORS = {"verified": "good", "not_activated": "good", "verified_refined": "amber",
-                  "indicative": "amber", "undetermined": "amber", "q2_unsafe": "bad",
-                  "not_verified": "bad"}  # fmt: skip
-
-
-def verdict_color(result: StudyResult, wall: WallResult) -> str:
-    """Green only where nothing is left to read."""
-    name = VERDICT_COLORS[wall.assessment.verdict.code]
-    name = "amber" if name == "good" and result.left_to_read(wall) else name
-    return getattr(theme.current, name)
-
-
-def digits(value: float | None, figures: int = 2) -> str:
-    return "–" if value is None else f"{value:.{figures}f}"
-
-
-class CheckTab(QWidget):
-    """The table of methods, the peaks at the demand, the verdict."""
-
-    def __init__(self, language: str):
-        super().__init__()
-        self.language = language
-        self.sentence = QLabel(tr("No result yet: press F5."))
-        self.sentence.setWordWrap(True)
-        self.sentence.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self.reasons = QLabel()
-        self.reasons.setWordWrap(True)
-        self.reasons.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self.table = Table(tr("Checks"), [
-            tr("Method"), "ζ", tr("Outcome"), tr("Clause"), "q", tr("Capacity"), tr("Demand"), tr("Unit")])  # fmt: skip
-        self.peaks = Chart(tr("record"), "θmax/α [-]", tr("Peaks at the demand"))
-        split = QSplitter(Qt.Orientation.Vertical)
-        split.addWidget(self.table)
-        split.addWidget(self.peaks)
-        layout = QVBoxLayout(self)
-        layout.addWidget(self.sentence)
-        layout.addWidget(self.reasons)
-        layout.addWidget(split, 1)
-
-    def show_wall(self, result: StudyResult, wall: WallResult) -> None:
-        """Fill the tab from one wall of a result."""
-        assessment = wall.assessment
-        self.peaks.clear()
-        rows, colors = [], []
-        if assessment is None:
-            self.sentence.setText(
-                tr("No demand: no check. q of the wall: {q}", q=digits(wall.q_set))
-            )
-            self.sentence.setStyleSheet("font-size: 12pt;")
-            self.reasons.setText(self._warnings(wall))
-            self.table.show_rows([])
-            return
-        verdict = assessment.verdict
-        self.sentence.setText(verdict.text(self.language))
-        self.sentence.setStyleSheet(
-            f"font-size: 12pt; font-weight: 600; color: {verdict_color(result, wall)};"
-        )
-        reasons = [reason.text(self.language) for reason in verdict.reasons]
-        if verdict.lower_bound is not None:
-            reasons.append(
-                tr("Should the restraint behind fail: ζ {zeta}", zeta=digits(verdict.lower_bound))
-            )
-        if assessment.kinematic:
-            reasons.insert(0, self._mechanism(assessment))
-        lines = [f"• {reason}" for reason in reasons] + [self._warnings(wall)]
-        self.reasons.setText("\n".join(line for line in lines if line))
-        for check, decides in assessment.shown:
-            color = theme.current.good if check.passed else theme.current.bad
-            outcome = (
-                "no_number" if check.passed is None else "passed" if check.passed else "not_passed"
-            )
-            if check.name == "floor_sld":
-                outcome = "shown"
-            rows.append([word(check.label, self.language), digits(check.zeta), word(outcome, self.language),
-                         check.clause, digits(check.q), digits(check.capacity, 3), digits(check.demand, 3),
-                         check.unit])  # fmt: skip
-            colors.append(
-                [None, color, color] + [None] * 5 if decides else [theme.current.quiet] * 8
-            )
-        for source, check in zip(Q_SOURCES, wall.code_check, strict=False):
-            if check:
-                outcome = word("passed" if check.passed else "not_passed", self.language)
-                rows.append([word(source, self.language), digits(check.ratio),
-                             f"{outcome} ({word('comparison', self.language)})", LABEL, digits(check.q),
-                             digits(check.capacity / G, 3), digits(check.demand / G, 3), "g"])  # fmt: skip
-                colors.append([theme.current.quiet] * 8)
-        self.table.show_rows(rows, colors)
-        if assessment.dynamic:
-            self._bars(assessment.dynamic)
-
-    def _mechanism(self, assessment) -> str:
-        """Free to vibrate or restrained, T_0, and what the dynamic check says beside zeta_E."""
-        kinematic, dynamic = assessment.kinematic, assessment.dynamic
-        parts = [
-            tr("Element free to vibrate")
-            if kinematic.free_element
-            else tr("Restrained by transverse walls")
-        ]
-        if kinematic.period_0 is not None:
-            parts.append(f"T_0 {kinematic.period_0:.3f} s")
-        parts.append(f"e* {kinematic.e_star:.0f}, a0* {kinematic.a0 / G:.3f} g")
-        if dynamic:
-            parts.append(word(f"confidence_{dynamic.confidence_on}", self.language))
-            parts.append(f"ζ_16 {digits(dynamic.zeta_16)}")
-            share = f"{dynamic.share_failing_at_demand:.0%}"
-            parts.append(tr("failing within ±10 % of the demand: {share}", share=share))
-        return "; ".join(parts)
-
-    def _warnings(self, wall: WallResult) -> str:
-        return "\n".join(f"• {warning.text(self.language)}" for warning in wall.warnings)
-
-    def _bars(self, check) -> None:
-        top = 1.2
-        heights = [
-            top if run.peak_ratio is None else min(run.peak_ratio, top) for run in check.runs
-        ]
-        places = np.arange(len(heights), dtype=float)
-        stands = [h for h, run in zip(heights, check.runs, strict=True) if not run.exceeded]
-        at = [x for x, run in zip(places, check.runs, strict=True) if not run.exceeded]
-        falls = [x for x, run in zip(places, check.runs, strict=True) if run.exceeded]
-        self.peaks.bars(tr("within α"), at, stands, 0)
-        self.peaks.bars(tr("exceeds α or overturns"), falls,
-                        [h for h, run in zip(heights, check.runs, strict=True) if run.exceeded], 1)  # fmt: skip
-        for fraction, label in ((0.40, "0.40 SLV"), (0.60, "0.60 SLC"), (1.00, "1.00 α")):
-            wanted = LIMIT_FRACTION.get(check.limit_state) == fraction
-            self.peaks.level(fraction, label, "bad" if wanted or fraction == 1.0 else "quiet")
-        signs = {run.polarity for run in check.runs}
-        names = [
-            run.record[:14] + ("" if len(signs) == 1 else " +" if run.polarity > 0 else " −")
-            for run in check.runs
-        ]
-        self.peaks.names_below(names)
-        self.peaks.plot.setYRange(0.0, top)
-        self.peaks.plot.setXRange(-0.6, len(names) - 0.4)
 
 
 class CapacityTab(QWidget):

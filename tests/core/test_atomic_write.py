@@ -234,3 +234,35 @@ def test_that_a_kill_is_finished_also_where_the_folder_was_renamed(tmp_path):
         folder = moved.rename(tmp_path / "out")
         one.write_bytes(b"old 1")
         two.write_bytes(b"old 2")
+
+
+def test_that_a_link_stays_a_link_and_the_file_behind_is_replaced(tmp_path):
+    behind, link = tmp_path / "real.json", tmp_path / "link.json"
+    behind.write_text("old")
+    behind.chmod(0o640)
+    link.symlink_to(behind)
+    atomic_write.write({link: b"new"})
+    assert link.is_symlink() and behind.read_bytes() == b"new"
+    assert behind.stat().st_mode & 0o777 == 0o640
+
+
+def test_that_a_second_file_that_cannot_take_its_place_puts_the_first_back(tmp_path):
+    first, second = tmp_path / "a.xlsx", tmp_path / "b.json"
+    first.write_text("old")
+    second.mkdir()
+    with pytest.raises(Exception, match="what was there is untouched"):
+        atomic_write.write({first: b"new", second: b"new"})
+    assert first.read_text() == "old"
+    first.unlink()
+    with pytest.raises(Exception, match="cannot be written"):
+        atomic_write.write({first: b"new", second: b"new"})
+    assert list(tmp_path.iterdir()) == [second]
+
+
+def test_that_all_files_are_written_or_none(tmp_path):
+    good, bad = tmp_path / "a", tmp_path / "missing" / "b"
+    good.write_text("old")
+    with pytest.raises(Exception, match="cannot be written"):
+        atomic_write.write({good: b"new", bad: b"new"})
+    assert good.read_text() == "old"
+    assert list(tmp_path.iterdir()) == [good]

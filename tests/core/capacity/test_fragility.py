@@ -5,26 +5,11 @@ import math
 import numpy as np
 import pytest
 
-from core.capacity import ida
 from core.capacity.fragility import fragility
 from core.capacity.ida import (
     Search,
-    incremental_dynamic_analysis,
 )  # fmt: skip
-from core.rocking.methods import METHODS
-from core.units import G
-
-TAYLOR = METHODS["taylor"]
-
-
-@pytest.fixture(scope="module")
-def ground(reference):
-    return reference("standard")[0]
-
-
-def search_of(ground, model, search=Search(), sign=1):
-    pga = float(np.abs(ground).max())
-    return incremental_dynamic_analysis(ground, 0.01, pga, sign, model, TAYLOR, search)
+from tests.core.capacity.searches import scripted, search_of
 
 
 def test_that_fragility_is_the_mean_share_of_the_runs(ground, make_model):
@@ -48,18 +33,6 @@ def test_that_fragility_is_the_mean_share_of_the_runs(ground, make_model):
         assert np.mean([share(run, k) for run in runs]) >= level
         assert np.mean([share(run, k - 1) for run in runs]) < level
     assert fragility([], search) is None
-
-
-def scripted(monkeypatch, outcome_of):
-    """Replace the analyses by a rule q -> outcome, to reach outcomes real walls hardly give."""
-
-    def scan(method, grounds, which, scales, model, outcomes, peaks):
-        for k, scale in enumerate(scales):
-            outcomes[k] = outcome_of(abs(scale) / (G * math.tan(model.slenderness)))
-            peaks[k] = 0.1 * model.slenderness
-        return 0
-
-    monkeypatch.setattr(ida, "scan_records", scan)
 
 
 def test_that_half_of_an_even_number_of_runs_is_a_half(make_model, monkeypatch):

@@ -24,18 +24,7 @@ from core.wall.block import Block
 from core.wall.moment_rotation import LAWS
 from core.wall.restitution import restitution
 from core.wall.rocking_model import rocking_model
-
-TAYLOR = METHODS["taylor"]
-
-
-@pytest.fixture(scope="module")
-def ground(reference):
-    return reference("standard")[0]
-
-
-def search_of(ground, model, search=Search(), sign=1):
-    pga = float(np.abs(ground).max())
-    return incremental_dynamic_analysis(ground, 0.01, pga, sign, model, TAYLOR, search)
+from tests.core.capacity.searches import TAYLOR, scripted, search_of
 
 
 def brute(ground, model, q, sign=1):
@@ -201,19 +190,6 @@ def test_that_the_share_counts_missing_points_as_surviving():
     flags = np.array([False, True, True, False, False, True])
     share = collapse_count(flags, 2)
     assert share.tolist() == [2, 2, 2, 3, 2, 1]
-
-
-def scripted(monkeypatch, outcome_of):
-    """Replace the analyses by a rule q -> outcome, to reach outcomes real walls hardly give."""
-    from core.capacity import ida
-
-    def scan(method, grounds, which, scales, model, outcomes, peaks):
-        for k, scale in enumerate(scales):
-            outcomes[k] = outcome_of(abs(scale) / (G * math.tan(model.slenderness)))
-            peaks[k] = 0.1 * model.slenderness
-        return 0
-
-    monkeypatch.setattr(ida, "scan_records", scan)
 
 
 def test_that_an_unknown_outcome_before_collapse_leaves_no_number(make_model, monkeypatch):

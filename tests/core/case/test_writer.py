@@ -5,18 +5,7 @@ from dataclasses import replace
 
 from core.case.rules import draft_case, parse_case
 from core.case.writer import dumps
-
-WALL = {
-    "name": "w",
-    "height_m": 7.0,
-    "thickness_m": 0.83,
-    "base_z_m": 0.0,
-    "mechanism": "two_sided",
-}
-
-
-def case(wall=(), **rest):
-    return {"wall": [{**WALL, **dict(wall)}], **rest}
+from tests.core.case.tables import case
 
 
 def test_that_a_case_written_and_read_again_is_the_same():

@@ -6,24 +6,7 @@ import numpy as np
 import pytest
 
 from core.rocking.early_stop import LOOKAHEAD, lookahead_bounds
-from core.rocking.history import history, scan
-from core.rocking.methods import METHODS
-from core.rocking.outcome import COLLAPSED
-
-
-def assert_lanes_are_histories(ground, dt, scales, model, name="taylor"):
-    """Outcomes, peaks and clamped ratios of the lanes are those of whole histories, bit for bit; a block
-    that falls is given up on its way. Returns the outcomes."""
-    outcomes, peaks = np.zeros(scales.size, np.int64), np.zeros(scales.size)
-    clamped = scan(METHODS[name], ground, dt, scales, model, outcomes, peaks)
-    for k, scale in enumerate(scales):
-        whole = history(ground, dt, scale, model, METHODS[name])
-        assert (outcomes[k], clamped[k]) == (whole.outcome, whole.clamped)
-        if whole.outcome == COLLAPSED:
-            assert model.slenderness <= peaks[k] <= whole.peak
-        else:
-            assert peaks[k] == whole.peak
-    return outcomes
+from tests.core.rocking.lanes_and_histories import assert_lanes_are_histories
 
 
 def test_that_what_is_settled_or_chatters_to_rest_is_what_integrating_on_would_say(

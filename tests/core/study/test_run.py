@@ -7,43 +7,13 @@ import numpy as np
 import pytest
 
 from core.capacity.ida import Ida
-from core.case.rules import parse_case
 from core.errors import Cancelled
 from core.report import json_report
 from core.study import run as study
 from core.study.governing import collapse_histories
 from core.study.journal import Journal
 from core.units import CM, G
-
-
-@pytest.fixture(scope="module")
-def folder(tmp_path_factory, reference):
-    """Three short records made from the reference motion."""
-    place = tmp_path_factory.mktemp("records")
-    ground = reference("standard")[0][:900]
-    for k, factor in enumerate((0.9, 1.0, 1.1)):
-        lines = [f"{value * factor:.9e}" for value in np.roll(ground, 30 * k)]
-        (place / f"r{k}.txt").write_text("\n".join(lines))
-    return place
-
-
-def case(**more):
-    table = {
-        "wall": [
-            {"name": "w", "height_m": 5.0, "thickness_m": 0.5, "base_z_m": 0.0, "mechanism": "both"},
-            {"name": "v", "height_m": 4.0, "slenderness_deg": 8.0, "base_z_m": 0.0, "mechanism": "two_sided",
-             "law": "doherty"},
-        ],
-        "record": [{"file": "r*.txt", "unit": "m/s2", "time_step_s": 0.01}],
-        "analysis": {"q_step": 0.02},
-        "demand": {"ag_g": 0.2, "soil_factor": 1.2},
-    }  # fmt: skip
-    return parse_case({**table, **more})
-
-
-@pytest.fixture(scope="module")
-def result(folder):
-    return study.run(case(), base_dir=folder)
+from tests.core.study.cases import case
 
 
 def numbers(result) -> str:
