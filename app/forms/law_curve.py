@@ -29,6 +29,7 @@ class SmallCurve(pg.PlotWidget):
         self.curve = self.plot(pen=pg.mkPen(theme.current.curves[0], width=2))
         for side, label in (("bottom", x), ("left", y)):
             axis = self.getAxis(side)
+            axis.setSIPrefixEnableRanges(())
             axis.enableAutoSIPrefix(False)
             axis.setPen(theme.current.quiet)
             axis.setTextPen(theme.current.ink)

@@ -3,6 +3,7 @@
 import csv
 import io
 import math
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -51,6 +52,7 @@ class Chart(QWidget):
             self.legend.setParentItem(self.plot)
             self.legend.anchor((1, 0), (1, 0), (0, 8))
         self.items: list[tuple] = []
+        self.recolors: list[Callable[[theme.Theme], None]] = []
         self.names: list[str] = []
         self.data: list[tuple[str, np.ndarray, np.ndarray]] = []
         self.read = QLabel()
@@ -90,7 +92,7 @@ class Chart(QWidget):
         for item, *_ in self.items:
             self.plot.removeItem(item)
         self.legend.clear()
-        self.items, self.data = [], []
+        self.items, self.data, self.recolors = [], [], []
 
     def curve(self, name, x, y, color=0, width=1.6, dash=False, legend=True, path=False):
         """A line; its data goes into the CSV. path : x may go back and forth."""
@@ -150,9 +152,11 @@ class Chart(QWidget):
         self.plot.addItem(area)
         self.items.append((area, None, 0, False, False))
 
-    def add(self, item, legend: str | None = None) -> None:
-        """Any other item; it keeps its own colours."""
+    def add(self, item, recolor: Callable[[theme.Theme], None] = lambda chosen: None) -> None:
+        """Any other item. recolor(theme) : gives it its colours."""
         self.plot.addItem(item)
+        self.recolors.append(recolor)
+        recolor(theme.current)
         self.items.append((item, None, 0, False, False))
 
     def ticks(self, side: str, places: list[tuple[float, str]]) -> None:
@@ -215,6 +219,8 @@ class Chart(QWidget):
         self.view.setBackground(chosen.back)
         for side, label in zip(("bottom", "left"), self.labels, strict=True):
             axis = self.plot.getAxis(side)
+            # enableAutoSIPrefix(False) alone keeps the scale of the range of that moment: 0.1 g would read 100
+            axis.setSIPrefixEnableRanges(())
             axis.enableAutoSIPrefix(False)
             axis.setPen(chosen.quiet)
             axis.setTextPen(chosen.ink)
@@ -224,6 +230,8 @@ class Chart(QWidget):
             label.setText(label.text, color=chosen.ink)
         for entry in self.items:
             self._paint(*entry, chosen)
+        for recolor in self.recolors:
+            recolor(chosen)
 
     # values under the cursor
 

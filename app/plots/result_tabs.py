@@ -122,13 +122,15 @@ class CapacityTab(QWidget):
             image[k, start : start + len(run.ida.outcomes)] = [int(d) for d in run.ida.outcomes]
         step = math.log1p(self.shown[0].search.q_step)
         low = math.log(wall.runs[0].ida.q_start) + first * step
-        colors = pg.ColorMap([0.0, 1.0], [theme.current.back, theme.current.curves[1]])
         item = pg.ImageItem(
             np.ascontiguousarray(np.nan_to_num(image, nan=0.0).T), levels=(0.0, 1.0)
         )
-        item.setColorMap(colors)
         item.setRect(low, -0.5, image.shape[1] * step, image.shape[0])
-        self.strips.add(item)
+
+        def recolor(chosen: theme.Theme) -> None:
+            item.setColorMap(pg.ColorMap([0.0, 1.0], [chosen.back, chosen.curves[1]]))
+
+        self.strips.add(item, recolor)
         names = [
             (k, f"{run.record[:14]} {'+' if run.polarity > 0 else '−'}")
             for k, run in enumerate(wall.runs)

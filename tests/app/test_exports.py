@@ -8,6 +8,7 @@ import pytest
 
 pytest.importorskip("PySide6")
 
+import pyqtgraph as pg
 from PySide6.QtCore import QByteArray, QPointF
 from PySide6.QtGui import QColor, QImage, QPainter
 from PySide6.QtSvg import QSvgRenderer
@@ -139,3 +140,22 @@ def test_that_the_ending_decides_in_any_case(chart, tmp_path):
     chart.write(tmp_path / "x.SVG")
     assert (tmp_path / "x.CSV").read_text().startswith("curve")
     assert (tmp_path / "x.SVG").read_bytes().startswith(b"<?xml")
+
+
+def test_that_an_export_leaves_the_numbers_of_small_axes_as_they_are(chart):
+    """pyqtgraph would show 0.1 g as 100, in the file and on the screen from then on."""
+    chart.clear()
+    chart.curve("ground", [0.0, 0.5], [-0.12, 0.13])
+    chart.plot.setXRange(0.0, 0.5)
+    chart.plot.setYRange(-0.15, 0.15)
+    for end in (".png", ".svg"):
+        chart.content(end)
+        for side in ("left", "bottom"):
+            assert chart.plot.getAxis(side).autoSIPrefixScale == 1.0
+
+
+def test_that_an_image_is_recoloured_in_the_light_file(chart):
+    seen = []
+    chart.add(pg.ImageItem(np.zeros((2, 2))), seen.append)
+    chart.content(".png")
+    assert seen == [theme.current, theme.LIGHT, theme.current]
