@@ -37,6 +37,13 @@ def test_that_a_set_of_seven_follows_its_spectrum(target, seed):
         assert motion[0] == 0.0 == motion[-1]
 
 
+@pytest.mark.parametrize("soil", ["D", "E"])
+def test_that_the_peak_is_a_g_s_where_peaks_stand_side_by_side(soil):
+    target = ts.en1998(0.26 * G, 1, soil)
+    for seed in range(1, 31):
+        assert np.abs(compatible_motion(target, seed)).max() == pytest.approx(target.pga, abs=1e-6)
+
+
 def test_that_a_seed_gives_the_same_motion_and_another_seed_another():
     one = compatible_motion(TARGETS[0], 5)
     assert np.array_equal(one, compatible_motion(TARGETS[0], 5))
