@@ -22,8 +22,8 @@ MAX_BYTES = 2_000_000
 """A case file is a page or two; a larger file is something else."""
 
 
-def read_case(path: Path) -> Case:
-    """The case of a TOML file. Raises InputError naming file, place, value and what is accepted."""
+def read_toml(path: Path) -> tuple[dict, bytes]:
+    """Content of a TOML file as a mapping, and its bytes. Raises InputError."""
     try:
         if path.exists() and not path.is_file():
             raise InputError("case_not_a_file", place=(path,))
@@ -44,6 +44,12 @@ def read_case(path: Path) -> Case:
     except (ValueError, RecursionError) as error:
         reason = str(error).split("; use sys")[0][:200]
         raise InputError("not_toml", reason=reason, place=(path,)) from None
+    return table, content
+
+
+def read_case(path: Path) -> Case:
+    """The case of a TOML file. Raises InputError naming file, place, value and what is accepted."""
+    table, content = read_toml(path)
     try:
         case = parse_case(table)
         digest = hashlib.sha256(content)

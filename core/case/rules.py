@@ -6,6 +6,7 @@ import hashlib
 import json
 import math
 from dataclasses import MISSING, fields, replace
+from types import SimpleNamespace
 
 from core.case.schema import (
     MIN_ELASTIC,
@@ -43,9 +44,9 @@ LATER = {"record": ("channel",)}
 
 def parse_case(table: dict) -> Case:
     """The case of a mapping with the keys of the file; every rule is checked here, once."""
-    _known(Case, table, "case", "case")
+    refuse_unknown(Case, table, "case", "case")
     title = _value(_field(Case, "title"), table.get("title", "Ribalta"))
-    analysis = _section(Analysis, table.get("analysis", {}), "analysis", section("[analysis]"))
+    analysis = section_of(Analysis, table.get("analysis", {}), "analysis", section("[analysis]"))
     if round(analysis.robust_window / math.log1p(analysis.q_step)) < 1:
         raise InputError(
             "window_below_step",
@@ -54,8 +55,8 @@ def parse_case(table: dict) -> Case:
             step=Quantity("q_step", analysis.q_step),
         )
     records = [
-        _section(Record, entry, "record", place("record", n=k + 1))
-        for k, entry in enumerate(_tables(table, "record"))
+        section_of(Record, entry, "record", place("record", n=k + 1))
+        for k, entry in enumerate(tables_of(table, "record"))
     ]
     for k, record in enumerate(records):
         if record.scale == 0.0:
@@ -66,10 +67,10 @@ def parse_case(table: dict) -> Case:
     generate = table.get("generate")
     case = Case(
         title=title,
-        report=_section(Report, table.get("report", {}), "report", section("[report]")),
+        report=section_of(Report, table.get("report", {}), "report", section("[report]")),
         record=tuple(records),
         walls=_value(_field(Case, "walls"), table["walls"]) if "walls" in table else None,
-        generate=_section(Generate, generate, "generate", section("[generate]"))
+        generate=section_of(Generate, generate, "generate", section("[generate]"))
         if generate is not None
         else None,
         analysis=analysis,
@@ -79,8 +80,8 @@ def parse_case(table: dict) -> Case:
     if case.generate and not (case.demand and (case.demand.spectrum or case.demand.spectrum_file)):
         raise InputError("generate_needs_spectrum")
     walls = [
-        _section(Wall, entry, "wall", place("wall", name=_name(entry, k)))
-        for k, entry in enumerate(_tables(table, "wall"))
+        section_of(Wall, entry, "wall", place("wall", name=_name(entry, k)))
+        for k, entry in enumerate(tables_of(table, "wall"))
     ]
     if case.walls is None:
         return with_walls(case, walls)
@@ -90,12 +91,12 @@ def parse_case(table: dict) -> Case:
 def draft_case(table: dict) -> Case:
     """The case of a mapping that may not be complete: unknown keys are refused, values are taken as they
     are, a missing one is empty. For work in progress; `parse_case` decides what can run."""
-    _known(Case, table, "case", "case")
+    refuse_unknown(Case, table, "case", "case")
 
     def part(cls, content, name):
         if not isinstance(content, dict):
             raise InputError("not_a_table_of_keys", name=name, value=_repeated(content))
-        _known(cls, content, name, name)
+        refuse_unknown(cls, content, name, name)
         for entry in fields(cls):
             # what breaks a rule with others may be work in progress, what is of another kind is not
             value = content.get(entry.name)
@@ -113,8 +114,8 @@ def draft_case(table: dict) -> Case:
     return Case(
         title=_value(_field(Case, "title"), table.get("title", "Ribalta")),
         report=one(Report, "report") or Report(),
-        wall=tuple(part(Wall, entry, "wall") for entry in _tables(table, "wall")),
-        record=tuple(part(Record, entry, "record") for entry in _tables(table, "record")),
+        wall=tuple(part(Wall, entry, "wall") for entry in tables_of(table, "wall")),
+        record=tuple(part(Record, entry, "record") for entry in tables_of(table, "record")),
         generate=one(Generate, "generate"),
         analysis=one(Analysis, "analysis") or Analysis(),
         demand=demand,
@@ -162,34 +163,39 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
 
 def parse_wall(table: dict) -> Wall:
     """One wall of a mapping with the keys of [[wall]]. Raises InputError."""
-    return _section(Wall, table, "wall", place("wall", name=_name(table, 0)))
+    return section_of(Wall, table, "wall", place("wall", name=_name(table, 0)))
 
 
 def _demand(table) -> Demand:
     here = section("[demand]")
-    demand = _section(Demand, table, "demand", here)
+    demand = section_of(Demand, table, "demand", here)
     asked = demand.spectrum
     if asked and demand.spectrum_file:
         raise InputError("two_spectra", place=(here,))
     if asked and demand.soil_factor is not None:
         raise InputError("soil_factor_follows", place=(here,))
     if asked:
-        needed = {"NTC2018": ("f0", "tc_star_s", "topography"), "EN1998": ("type",)}
-        for code, keys in needed.items():
-            for key in keys:
-                if (getattr(asked, key) is not None) != (code == asked.code):
-                    raise InputError(
-                        "code_needs" if code == asked.code else "code_does_not_take",
-                        place=(section("[demand.spectrum]"),),
-                        key=key,
-                        code=asked.code,
-                    )
+        check_code_keys(asked, section("[demand.spectrum]"))
     if demand.return_period_years is not None:
         own = replace(demand, return_period_years=None).return_period
         check_return_period(demand.limit_state, demand.return_period_years, own)
     if (asked or demand.spectrum_file) and demand.housner_intensity_cm is not None:
         raise InputError("intensity_follows", place=(here,))
     return demand
+
+
+def check_code_keys(asked, here) -> None:
+    """Refuse a spectrum of a code without the keys of that code, or with those of another."""
+    needed = {"NTC2018": ("f0", "tc_star_s", "topography"), "EN1998": ("type",)}
+    for code, keys in needed.items():
+        for key in keys:
+            if (getattr(asked, key) is not None) != (code == asked.code):
+                raise InputError(
+                    "code_needs" if code == asked.code else "code_does_not_take",
+                    place=(here,),
+                    key=key,
+                    code=asked.code,
+                )
 
 
 def _written(table: dict):
@@ -201,7 +207,7 @@ def _written(table: dict):
                 yield name, index, key
 
 
-def _tables(table: dict, key: str) -> list:
+def tables_of(table: dict, key: str) -> list:
     entries = table.get(key, [])
     if not isinstance(entries, (list, tuple)):
         raise InputError("written_once_for_each", key=key)
@@ -217,7 +223,7 @@ def _field(cls, key: str):
     return next(entry for entry in fields(cls) if entry.name == key)
 
 
-def _known(cls, table: dict, name: str, here) -> None:
+def refuse_unknown(cls, table: dict, name: str, here) -> None:
     """Refuse keys that are not of this section.
 
     name : of the section
@@ -236,10 +242,15 @@ def _known(cls, table: dict, name: str, here) -> None:
             raise InputError("unknown_key", place=(here,), value=_repeated(key), known=tuple(keys))
 
 
-def _section(cls, table, name: str, here):
+def section_of(cls, table, name: str, here):
+    """A section of a mapping as an object of its class, every value checked. Raises InputError.
+
+    name : of the section
+    here : its place
+    """
     if not isinstance(table, dict):
         raise InputError("not_a_table_of_keys", name=here, value=_repeated(table))
-    _known(cls, table, name, here)
+    refuse_unknown(cls, table, name, here)
     values = {}
     for entry in fields(cls):
         if entry.name in table:
@@ -270,6 +281,10 @@ def _accepted(entry) -> Sentence:
         return sentence("accepted", "periods", low=PERIOD_LIMITS[0], high=PERIOD_LIMITS[1])
     if kind == "law":
         return sentence("accepted", "law", names=tuple(LAWS))
+    if kind == "list":
+        return sentence("accepted", "list", items=_accepted(rule["of"]))
+    if kind == "tables":
+        return sentence("accepted", "table")
     if kind == "text":
         return sentence("accepted", "text", most=MAX_TEXT)
     return sentence("accepted", {"flag": "flag", "spectrum": "table", "path": "path"}[kind])
@@ -307,8 +322,18 @@ def _value(entry, value, *here):
             low, high = float(pair[0]), float(pair[1])
             if PERIOD_LIMITS[0] <= low < high <= PERIOD_LIMITS[1]:
                 return (low, high)
+    elif kind == "list":
+        if isinstance(value, (list, tuple)) and value:
+            item = SimpleNamespace(name=entry.name, metadata=rule["of"].metadata, default=MISSING)
+            return tuple(_value(item, part, *here) for part in value)
+    elif kind == "tables":
+        if isinstance(value, (list, tuple)) and value:
+            return tuple(
+                section_of(rule["of"], part, entry.name, section(f"[[{entry.name}]] {k}"))
+                for k, part in enumerate(value, start=1)
+            )
     elif kind == "spectrum":
-        return _section(Spectrum, value, "spectrum", section("[demand.spectrum]"))
+        return section_of(Spectrum, value, "spectrum", section("[demand.spectrum]"))
     elif kind == "law":
         if isinstance(value, str) and value in LAWS:
             return value

@@ -17,27 +17,27 @@ MIN_ELASTIC = 0.001
 """Smallest D1 of a trilinear law: below it the branch is rigid in all but cost."""
 
 
-def _number(low, high, default=None, unit="", exclusive=False, whole=False):
+def number_key(low, high, default=None, unit="", exclusive=False, whole=False):
     """A number in [low, high] (low excluded if exclusive), NaN and infinity refused."""
     kind = "int" if whole else "float"
     rule = {"kind": kind, "low": low, "high": high, "unit": unit, "exclusive": exclusive}
     return field(default=default, metadata=rule)
 
 
-def _text(default=""):
+def text_key(default=""):
     return field(default=default, metadata={"kind": "text"})
 
 
-def _path(default):
+def path_key(default):
     """A name of a file: longer than other text, and with any letter the system allows."""
     return field(default=default, metadata={"kind": "path"})
 
 
-def _flag(default=False):
+def flag_key(default=False):
     return field(default=default, metadata={"kind": "flag"})
 
 
-def _choice(*names, default=MISSING):
+def choice_key(*names, default=MISSING):
     return field(default=default, metadata={"kind": "choice", "names": names})
 
 
@@ -45,13 +45,13 @@ def _choice(*names, default=MISSING):
 class Report:
     """[report]: what the title block of the workbook says."""
 
-    client: str = _text()
-    site: str = _text()
-    project: str = _text()
-    author: str = _text()
-    revision: str = _text()
-    date: str = _text()
-    language: str = _choice("en", "it", default="en")
+    client: str = text_key()
+    site: str = text_key()
+    project: str = text_key()
+    author: str = text_key()
+    revision: str = text_key()
+    date: str = text_key()
+    language: str = choice_key("en", "it", default="en")
 
 
 MAX_SETBACK = 0.4
@@ -62,28 +62,28 @@ MAX_SETBACK = 0.4
 class Wall:
     """[[wall]]: geometry, mechanism, restitution, moment law."""
 
-    name: str = _text(MISSING)
-    mechanism: str = _choice("one_sided", "two_sided", "both")
-    height_m: float | None = _number(0.1, 60.0, unit="m")
-    thickness_m: float | None = _number(0.005, 20.0, unit="m")
-    slenderness_deg: float | None = _number(0.05, 60.0, unit="deg")
-    height_over_thickness: float | None = _number(0.5, 1000.0)
-    radius_m: float | None = _number(0.05, 60.0, unit="m")
-    inertia_over_mass_m2: float | None = _number(0.0025, 20000.0, unit="m2")
-    restitution: str | None = _choice(*MODELS, default=None)
-    velocity_ratio: float | None = _number(0.0, 1.0)
+    name: str = text_key(MISSING)
+    mechanism: str = choice_key("one_sided", "two_sided", "both")
+    height_m: float | None = number_key(0.1, 60.0, unit="m")
+    thickness_m: float | None = number_key(0.005, 20.0, unit="m")
+    slenderness_deg: float | None = number_key(0.05, 60.0, unit="deg")
+    height_over_thickness: float | None = number_key(0.5, 1000.0)
+    radius_m: float | None = number_key(0.05, 60.0, unit="m")
+    inertia_over_mass_m2: float | None = number_key(0.0025, 20000.0, unit="m2")
+    restitution: str | None = choice_key(*MODELS, default=None)
+    velocity_ratio: float | None = number_key(0.0, 1.0)
     law: str | dict = field(default="rigid", metadata={"kind": "law"})
-    hinge_setback_m: float = _number(0.0, 2.0, 0.0, unit="m")
-    compressive_strength_mpa: float | None = _number(0.1, 100.0, unit="MPa")
-    base_z_m: float | None = _number(0.0, 300.0, unit="m")
-    length_m: float | None = _number(0.05, 200.0, unit="m")
-    unit_weight_kn_m3: float | None = _number(5.0, 40.0, unit="kN/m3")
-    free_element: bool | None = _flag(None)
-    elastic_modulus_mpa: float | None = _number(10.0, 100000.0, unit="MPa")
-    back_restraint: str = _text()
-    unloaded_confirmed: bool = _flag()
-    floor: str = _text()
-    notes: str = _text()
+    hinge_setback_m: float = number_key(0.0, 2.0, 0.0, unit="m")
+    compressive_strength_mpa: float | None = number_key(0.1, 100.0, unit="MPa")
+    base_z_m: float | None = number_key(0.0, 300.0, unit="m")
+    length_m: float | None = number_key(0.05, 200.0, unit="m")
+    unit_weight_kn_m3: float | None = number_key(5.0, 40.0, unit="kN/m3")
+    free_element: bool | None = flag_key(None)
+    elastic_modulus_mpa: float | None = number_key(10.0, 100000.0, unit="MPa")
+    back_restraint: str = text_key()
+    unloaded_confirmed: bool = flag_key()
+    floor: str = text_key()
+    notes: str = text_key()
 
     @property
     def thickness(self) -> float | None:
@@ -192,13 +192,13 @@ class Wall:
 class Record:
     """[[record]]: a file or a glob, and only what the file does not say."""
 
-    file: str = _path(MISSING)
-    unit: str | None = _choice("g", "m/s2", "cm/s2", "mm/s2", default=None)
-    time_step_s: float | None = _number(1e-5, 0.5, unit="s")
-    column: int | None = _number(1, 100, whole=True)
-    skip_lines: int | None = _number(0, 1000, whole=True)
-    scale: float = _number(-1000.0, 1000.0, 1.0)
-    kind: str = _choice("natural", "artificial", "simulated", default="natural")
+    file: str = path_key(MISSING)
+    unit: str | None = choice_key("g", "m/s2", "cm/s2", "mm/s2", default=None)
+    time_step_s: float | None = number_key(1e-5, 0.5, unit="s")
+    column: int | None = number_key(1, 100, whole=True)
+    skip_lines: int | None = number_key(0, 1000, whole=True)
+    scale: float = number_key(-1000.0, 1000.0, 1.0)
+    kind: str = choice_key("natural", "artificial", "simulated", default="natural")
     include: bool = field(default=True, metadata={"kind": "flag"})
 
 
@@ -206,56 +206,56 @@ class Record:
 class Generate:
     """[generate]: artificial motions compatible with the spectrum of the demand."""
 
-    count: int = _number(1, 50, 7, whole=True)
-    seed: int = _number(0, 1_000_000, 1, whole=True)
+    count: int = number_key(1, 50, 7, whole=True)
+    seed: int = number_key(0, 1_000_000, 1, whole=True)
 
 
 @dataclass(frozen=True)
 class Analysis:
     """[analysis]: method and search."""
 
-    method: str = _choice(AUTO.name, *METHODS, default=AUTO.name)
-    q_step: float = _number(1e-4, 0.1, 0.005)
-    q_limit: float = _number(1.5, 1000.0, 100.0)
-    map_span: float = _number(1.0, 10.0, 2.0)
-    robust_window: float = _number(0.01, 0.5, 0.10)
-    polarity: str = _choice("both", "as_recorded", "reversed", default="both")
-    accuracy: bool = _flag()
+    method: str = choice_key(AUTO.name, *METHODS, default=AUTO.name)
+    q_step: float = number_key(1e-4, 0.1, 0.005)
+    q_limit: float = number_key(1.5, 1000.0, 100.0)
+    map_span: float = number_key(1.0, 10.0, 2.0)
+    robust_window: float = number_key(0.01, 0.5, 0.10)
+    polarity: str = choice_key("both", "as_recorded", "reversed", default="both")
+    accuracy: bool = flag_key()
 
 
 @dataclass(frozen=True)
 class Spectrum:
     """[demand.spectrum]: the elastic spectrum of a code; S follows from it."""
 
-    code: str = _choice("NTC2018", "EN1998")
-    soil: str = _choice(*SOILS)
-    f0: float | None = _number(2.0, 4.0)
-    tc_star_s: float | None = _number(0.05, 1.0, unit="s")
-    topography: str | None = _choice(*NTC_TOPOGRAPHY, default=None)
-    type: int | None = _number(1, 2, whole=True)
+    code: str = choice_key("NTC2018", "EN1998")
+    soil: str = choice_key(*SOILS)
+    f0: float | None = number_key(2.0, 4.0)
+    tc_star_s: float | None = number_key(0.05, 1.0, unit="s")
+    topography: str | None = choice_key(*NTC_TOPOGRAPHY, default=None)
+    type: int | None = number_key(1, 2, whole=True)
 
 
 @dataclass(frozen=True)
 class Demand:
     """[demand]: the motion asked of the wall; ag_g on rock ("su suolo rigido"), without S."""
 
-    ag_g: float = _number(0.001, 5.0, MISSING, unit="g")
-    limit_state: str = _choice("SLV", "SLC", "SLD", default="SLV")
-    soil_factor: float | None = _number(0.5, 5.0)
+    ag_g: float = number_key(0.001, 5.0, MISSING, unit="g")
+    limit_state: str = choice_key("SLV", "SLC", "SLD", default="SLV")
+    soil_factor: float | None = number_key(0.5, 5.0)
     spectrum: Spectrum | None = field(default=None, metadata={"kind": "spectrum"})
-    spectrum_file: str | None = _path(None)
-    housner_intensity_cm: float | None = _number(0.1, 5000.0, unit="cm")
-    q_code: float = _number(1.0, 10.0, 2.0)
-    confidence_factor: float = _number(1.0, 1.35, 1.35)
-    confidence_on: str = _choice("capacity", "demand", default="capacity")
+    spectrum_file: str | None = path_key(None)
+    housner_intensity_cm: float | None = number_key(0.1, 5000.0, unit="cm")
+    q_code: float = number_key(1.0, 10.0, 2.0)
+    confidence_factor: float = number_key(1.0, 1.35, 1.35)
+    confidence_on: str = choice_key("capacity", "demand", default="capacity")
     period_range_s: tuple[float, float] | None = field(default=None, metadata={"kind": "range"})
-    demand_scaling: str = _choice("as_given", "pga", default="as_given")
-    zeta_target: float = _number(0.1, 2.0, 1.0)
-    site: str = _text()
-    coordinates: str = _text()
-    nominal_life_years: float | None = _number(1.0, 1000.0, unit="years")
-    use_class_factor: float | None = _number(0.1, 5.0)
-    return_period_years: float | None = _number(1.0, 100000.0, unit="years")
+    demand_scaling: str = choice_key("as_given", "pga", default="as_given")
+    zeta_target: float = number_key(0.1, 2.0, 1.0)
+    site: str = text_key()
+    coordinates: str = text_key()
+    nominal_life_years: float | None = number_key(1.0, 1000.0, unit="years")
+    use_class_factor: float | None = number_key(0.1, 5.0)
+    return_period_years: float | None = number_key(1.0, 100000.0, unit="years")
 
     @property
     def return_period(self) -> float | None:
@@ -281,11 +281,11 @@ class Case:
     table_notes : Notices on it
     """
 
-    title: str = _text("Ribalta")
+    title: str = text_key("Ribalta")
     report: Report = field(default_factory=Report)
     wall: tuple[Wall, ...] = ()
     record: tuple[Record, ...] = ()
-    walls: str | None = _path(None)
+    walls: str | None = path_key(None)
     generate: Generate | None = None
     analysis: Analysis = field(default_factory=Analysis)
     demand: Demand | None = None

@@ -3,6 +3,8 @@
 PLACES = {
     "wall": ('wall "{name}"', 'parete "{name}"'),
     "record": ("record {n}", "accelerogramma {n}"),
+    "grid": ("grid {n}", "griglia {n}"),
+    "group": ('group "{name}"', 'gruppo "{name}"'),
     "row": ("row {n}", "riga {n}"),
     "cell": ("row {n}, {key}", "riga {n}, {key}"),
     "line": ("line {n}", "riga {n}"),
@@ -21,6 +23,10 @@ ACCEPTED = {
     "law": (
         "one of {names}, or {{ elastic_limit = ..., plateau_end = ... }}",
         "uno fra {names}, oppure {{ elastic_limit = ..., plateau_end = ... }}",
+    ),
+    "list": (
+        "a list in brackets, each {items}",
+        "un elenco fra parentesi quadre, ciascuno {items}",
     ),
     "flag": ("true or false", "true o false"),
     "table": ("a table [demand.spectrum]", "una tabella [demand.spectrum]"),

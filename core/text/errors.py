@@ -263,6 +263,18 @@ CASE_ERRORS = {
         'two walls have the same name "{wall}": names must differ',
         'due pareti hanno lo stesso nome "{wall}": i nomi devono essere diversi',
     ),
+    "study_without": (
+        "{key} is missing: see the examples in resources/studies",
+        "manca {key}: vedere gli esempi in resources/studies",
+    ),
+    "study_no_pga": (
+        "no a_g gives a_g S = {pga:g} g with this soil: take another pga_g",
+        "nessun a_g dà a_g S = {pga:g} g con questo suolo: scegliere un altro pga_g",
+    ),
+    "study_no_record": (
+        "no acceleration record that can be read is in this folder",
+        "in questa cartella non c'è alcun accelerogramma leggibile",
+    ),
     "linearised_is_rigid": (
         'method linearised is for the rigid law; wall "{wall}" is trilinear: take method auto',
         'il metodo linearised è per la legge rigida; la parete "{wall}" è trilineare: usare il metodo auto',

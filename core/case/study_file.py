@@ -1,0 +1,191 @@
+"""The file of a parametric study: grids of walls, shapes of spectra, records. Read and checked like a case."""
+
+import hashlib
+from dataclasses import MISSING, dataclass, field, replace
+from itertools import product
+from pathlib import Path
+
+from core.case.reader import read_toml
+from core.case.rules import check_code_keys, parse_wall, refuse_unknown, section_of
+from core.case.schema import Record, Wall, choice_key, flag_key, number_key, text_key
+from core.codes.target_spectrum import NTC_TOPOGRAPHY, SOILS
+from core.errors import InputError, place
+from core.rocking.methods import METHODS
+from core.wall.moment_rotation import LAWS
+from core.wall.restitution import MODELS
+
+DEFAULT = "default"
+"""The restitution that follows the mechanism: Eq. 4 or Eq. 6."""
+
+
+def list_key(item, default):
+    """One or more values of one kind."""
+    return field(default=default, metadata={"kind": "list", "of": item})
+
+
+def tables_key(cls):
+    """One or more tables of a section."""
+    return field(default=(), metadata={"kind": "tables", "of": cls})
+
+
+@dataclass(frozen=True)
+class Shape:
+    """[[group.spectrum]]: the shape of a code's elastic spectrum and the first seed of its motions."""
+
+    name: str = text_key(MISSING)
+    code: str = choice_key("NTC2018", "EN1998")
+    soil: str = choice_key(*SOILS)
+    seed: int = number_key(0, 1_000_000, 1, whole=True)
+    f0: float | None = number_key(2.0, 4.0)
+    tc_star_s: float | None = number_key(0.05, 1.0, unit="s")
+    topography: str | None = choice_key(*NTC_TOPOGRAPHY, default=None)
+    type: int | None = number_key(1, 2, whole=True)
+
+
+@dataclass(frozen=True)
+class Group:
+    """[[group]]: spectra of one peak ground acceleration a_g S."""
+
+    name: str = text_key(MISSING)
+    pga_g: float = number_key(0.001, 5.0, MISSING, unit="g")
+    spectrum: tuple[Shape, ...] = tables_key(Shape)
+
+
+@dataclass(frozen=True)
+class Grid:
+    """[[grid]]: every combination of its lists is a cell of the study."""
+
+    slenderness_deg: tuple[float, ...] = list_key(number_key(0.5, 45.0, unit="deg"), ())
+    height_m: tuple[float, ...] = list_key(number_key(0.1, 60.0, unit="m"), ())
+    mechanism: tuple[str, ...] = list_key(choice_key("two_sided", "one_sided"), ("two_sided",))
+    restitution: tuple[str, ...] = list_key(choice_key(DEFAULT, *MODELS), ())
+    velocity_ratio: tuple[float, ...] = list_key(number_key(0.0, 1.0), ())
+    law: tuple[str, ...] = list_key(choice_key(*LAWS), ("rigid",))
+    method: tuple[str, ...] = list_key(choice_key(*METHODS), ("taylor",))
+    q_step: tuple[float, ...] = list_key(number_key(1e-4, 0.1), (0.005,))
+    motions: str = choice_key("generated", "records", "all", default="generated")
+    quick: bool = flag_key(True)
+
+
+@dataclass(frozen=True)
+class Quick:
+    """[quick]: what a short run keeps; height_m empty keeps all."""
+
+    count: int = number_key(1, 50, 2, whole=True)
+    height_m: tuple[float, ...] = list_key(number_key(0.1, 60.0, unit="m"), ())
+
+
+@dataclass(frozen=True)
+class Study:
+    """A parametric study. count : motions generated for each spectrum."""
+
+    title: str = text_key("Ribalta")
+    report: str = choice_key("grid", "paper", "law", default="grid")
+    language: str = choice_key("en", "it", default="en")
+    count: int = number_key(1, 50, 7, whole=True)
+    group: tuple[Group, ...] = tables_key(Group)
+    record: tuple[Record, ...] = tables_key(Record)
+    grid: tuple[Grid, ...] = tables_key(Grid)
+    quick: Quick | None = field(default=None, metadata={"kind": "tables", "of": Quick})
+
+
+@dataclass(frozen=True)
+class Cell:
+    """One wall of a study, its restitution and how it is integrated; motions : which it is put under."""
+
+    slenderness_deg: float
+    height_m: float
+    mechanism: str
+    restitution: str
+    law: str
+    method: str
+    q_step: float
+    motions: str
+
+    @property
+    def wall(self) -> Wall:
+        """As a wall of a case, whose rules it obeys. Raises InputError."""
+        chosen: dict[str, object] = {}
+        if self.restitution[0].isdigit():
+            chosen = {"velocity_ratio": float(self.restitution)}
+        elif self.restitution != DEFAULT:
+            chosen = {"restitution": self.restitution}
+        return parse_wall({
+            "name": f"{self.slenderness_deg:g} deg, {self.height_m:g} m", "law": self.law, **chosen,
+            "slenderness_deg": self.slenderness_deg, "height_m": self.height_m, "mechanism": self.mechanism,
+        })  # fmt: skip
+
+
+def cells_of(study: Study) -> list[Cell]:
+    """The cells of all grids, each once. Raises InputError for one that is no wall."""
+    cells: dict[Cell, None] = {}
+    for k, grid in enumerate(study.grid, start=1):
+        ratios = tuple(repr(ratio) for ratio in grid.velocity_ratio)
+        models = grid.restitution + ratios or (DEFAULT,)
+        lists = (
+            grid.slenderness_deg,
+            grid.height_m,
+            grid.mechanism,
+            models,
+            grid.law,
+            grid.method,
+            grid.q_step,
+        )
+        for values in product(*lists):
+            cell = Cell(*values, grid.motions)
+            try:
+                cell.wall.restitution_of(cell.mechanism)
+            except InputError as error:
+                raise error.at(place("grid", n=k)) from None
+            if cell.method == "linearised" and cell.law != "rigid":
+                raise InputError("linearised_is_rigid", place=(place("grid", n=k),), key="method",
+                                 wall=cell.wall.name)  # fmt: skip
+            cells[cell] = None
+    return list(cells)
+
+
+def parse_study(table: dict) -> Study:
+    """The study of a mapping with the keys of the file; every rule is checked here. Raises InputError."""
+    refuse_unknown(Study, table, "study", "study")
+    quick = table.get("quick")
+    study = section_of(
+        Study, {key: table[key] for key in table if key != "quick"}, "study", "study"
+    )
+    if quick is not None:
+        study = replace(study, quick=section_of(Quick, quick, "quick", "[quick]"))
+    if not study.grid:
+        raise InputError("study_without", key="grid")
+    for k, grid in enumerate(study.grid, start=1):
+        for key in ("slenderness_deg", "height_m"):
+            if not getattr(grid, key):
+                raise InputError("study_without", place=(place("grid", n=k),), key=key)
+        if grid.motions == "generated" and not study.group:
+            raise InputError("study_without", place=(place("grid", n=k),), key="group")
+    for group in study.group:
+        if not group.spectrum:
+            raise InputError("study_without", place=(group.name or "group",), key="spectrum")
+        for shape in group.spectrum:
+            check_code_keys(shape, place("group", name=group.name))
+    cells_of(study)
+    return study
+
+
+def read_study(path: Path) -> tuple[Study, str]:
+    """The study of a TOML file and the hash of its content. Raises InputError with the file's name."""
+    table, content = read_toml(path)
+    try:
+        return parse_study(table), hashlib.sha256(content).hexdigest()
+    except InputError as error:
+        raise error.at(path) from None
+
+
+def shortened(study: Study) -> Study:
+    """The study as `--quick` makes it: fewer motions and heights, without the grids marked quick = false."""
+    quick = study.quick or Quick()
+
+    def fewer(grid: Grid) -> Grid:
+        kept = tuple(height for height in grid.height_m if height in quick.height_m)
+        return replace(grid, height_m=kept or grid.height_m)
+
+    grids = tuple(fewer(grid) for grid in study.grid if grid.quick)
+    return replace(study, count=min(study.count, quick.count), grid=grids)
