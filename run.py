@@ -3,6 +3,7 @@
 
     python3 run.py [CASE]          open the window
     python3 run.py --batch CASE    run a case without a window (see --help)
+    python3 run.py --study paper   the parametric study of the paper; law, or a file of one's own
     python3 run.py test [...]      ruff, import contracts, mypy, pytest
     python3 run.py package         the frozen program in dist/ribalta, tried
     python3 run.py bench [...]     the benchmarks; --work-precision for error against time
@@ -265,16 +266,16 @@ def main():
     arguments = sys.argv[1:]
     word = arguments[0] if arguments else ""
     if word == "test":
-        ensure(["base", "test", "gui"])
+        ensure(["base", "test", "gui", "study"])
         return test(arguments[1:])
     if word == "bench":
         more = {
-            "--work-precision": ["test", "bench"],
-            "--q-error": ["test", "bench"],
-            "--steps": ["test", "bench"],
+            "--work-precision": ["test", "bench", "study"],
+            "--q-error": ["test", "bench", "study"],
+            "--steps": ["test", "bench", "study"],
             "--zeta": ["test"],
-            "--window": ["gui"],
-            "--screenshots": ["gui"],
+            "--window": ["gui", "study"],
+            "--screenshots": ["gui", "study"],
         }
         ensure(["base"] + [group for key in more if key in arguments for group in more[key]])
         script = os.path.join(ROOT, "tests", "benchmarks", "bench.py")
@@ -285,12 +286,13 @@ def main():
         script = os.path.join(ROOT, "tests", folder, word + ".py")
         return hand_over([interpreter(), "-P", script, *arguments[1:]])
     if word == "package":
-        ensure(["base", "gui", "package"])
+        ensure(["base", "gui", "study", "package"])
         script = os.path.join(ROOT, "packaging", "build.py")
         return hand_over([interpreter(), "-P", script, *arguments[1:]])
-    headless = {"--batch", "--inspect", "--version", "--help", "-h"}
+    headless = {"--batch", "--study", "--inspect", "--version", "--help", "-h"}
     windowed = not any(argument.split("=")[0] in headless for argument in arguments)
-    ensure(["base", "gui"] if windowed else ["base"])
+    study = any(argument.split("=")[0] == "--study" for argument in arguments)
+    ensure(["base", "gui", "study"] if windowed else ["base", "study"] if study else ["base"])
     return hand_over([interpreter(), "-P", "-m", "app", *arguments])
 
 

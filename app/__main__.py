@@ -27,6 +27,13 @@ def parser() -> argparse.ArgumentParser:
     made.add_argument(
         "--batch", type=Path, metavar="CASE", help=terminal("run a case without a window")
     )
+    made.add_argument(
+        "--study", metavar="STUDY", help=terminal("run a parametric study: paper, law or a file")
+    )
+    made.add_argument("--quick", action="store_true", help=terminal("a short form of the study"))
+    made.add_argument(
+        "--records", type=Path, metavar="DIR", help=terminal("natural records of the study")
+    )
     made.add_argument("--output", type=Path, metavar="DIR", help=terminal("folder of the results"))
     made.add_argument(
         "--jobs", type=_jobs, metavar="N", help=terminal("threads (default: all cores)")
@@ -71,10 +78,12 @@ def main(arguments: list[str] | None = None) -> int:
         if hasattr(stream, "reconfigure"):  # a name the terminal cannot show must not end a run
             stream.reconfigure(errors="replace")
     options = parser().parse_args(arguments)
-    if options.batch and options.inspect:
-        parser().error(terminal("--batch and --inspect do not go together"))
-    if not options.batch and (options.output or options.resume or options.jobs):
-        parser().error(terminal("--output, --jobs and --resume go with --batch"))
+    if sum(map(bool, (options.batch, options.inspect, options.study))) > 1:
+        parser().error(terminal("--batch, --study and --inspect do not go together"))
+    if not (options.batch or options.study) and (options.output or options.resume or options.jobs):
+        parser().error(terminal("--output, --jobs and --resume go with --batch or --study"))
+    if not options.study and (options.quick or options.records):
+        parser().error(terminal("--quick and --records go with --study"))
     try:
         if options.version:
             from core.version import NAME, VERSION, commit
@@ -85,10 +94,17 @@ def main(arguments: list[str] | None = None) -> int:
             from app.inspection import inspect
 
             return inspect(options.inspect)
+        jobs = options.jobs or os.cpu_count() or 1
+        if options.study:
+            from app import study
+
+            return study.run(
+                options.study, options.output, options.records, jobs, options.quiet, options.quick,
+                options.resume,
+            )  # fmt: skip
         if options.batch:
             from app import batch
 
-            jobs = options.jobs or os.cpu_count() or 1
             return batch.run(options.batch, options.output, jobs, options.quiet, options.resume)
         return window(options.case)
     except InputError as error:

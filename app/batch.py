@@ -50,18 +50,18 @@ def run_in(
     def journal(key: str) -> Journal:
         books.append(Journal(folder / f"{stem}.journal", key, resume))
         if books[0].set_aside:
-            _tell(
+            tell(
                 "finished runs of an earlier start are in {path}: to go on with them, rename it and add --resume",
                 path=books[0].set_aside,
             )
         if books[0].dropped:
-            _tell(
+            tell(
                 "{n} damaged line(s) of the journal were dropped: these runs are made again",
                 n=books[0].dropped,
             )
         return books[0]
 
-    with _interrupts(cancel), _progress(quiet) as show:
+    with interrupts(cancel), progress(quiet) as show:
         try:
             result = run_study(
                 case,
@@ -73,7 +73,7 @@ def run_in(
             )
         except Cancelled:
             place = folder / f"{stem}.journal"
-            _tell("cancelled: finished runs are in {path}; go on with --resume", path=place)
+            tell("cancelled: finished runs are in {path}; go on with --resume", path=place)
             return CANCELLED
         export.write(result, folder, stem)
         for book in books:
@@ -83,7 +83,7 @@ def run_in(
     if not quiet:
         say(summary(result, folder, stem))
     for wall, record, polarity, status in result.without_number:
-        _tell(
+        tell(
             "no number: {wall}, {record} ({sign}): {status}",
             wall=wall,
             record=record,
@@ -93,7 +93,7 @@ def run_in(
     return WITHOUT_NUMBER if result.without_number else DONE
 
 
-def _tell(text: str, /, **values) -> None:
+def tell(text: str, /, **values) -> None:
     """A line on stderr."""
     print(terminal(text, **values), file=sys.stderr, flush=True)
 
@@ -142,7 +142,7 @@ def _short(value: float | None) -> str:
 
 
 @contextlib.contextmanager
-def _interrupts(cancel: threading.Event):
+def interrupts(cancel: threading.Event):
     """Ctrl-C asks the run to stop between two analyses; a second one stops at once."""
 
     def handler(number, frame):
@@ -161,7 +161,7 @@ def _interrupts(cancel: threading.Event):
 
 
 @contextlib.contextmanager
-def _progress(quiet: bool):
+def progress(quiet: bool):
     """A callback that shows progress on stderr: a bar on a terminal, else a line every ten seconds."""
     if quiet:
         yield lambda done, planned: None
@@ -177,15 +177,18 @@ def _progress(quiet: bool):
             task = bar.add_task(terminal("runs"), total=None)
             yield lambda done, planned: bar.update(task, completed=done, total=planned)
     else:
-        start = last = time.monotonic()
+        last = time.monotonic()
+        first: tuple[float, int] | None = None  # kernels are compiled before the first run ends
 
         def lines(done: int, planned: int) -> None:
-            nonlocal last
+            nonlocal last, first
             now = time.monotonic()
-            if now - last >= 10.0 and done:
+            if first is None and done:
+                first = now, done
+            if first and now - last >= 10.0 and done > first[1]:
                 last = now
-                left = (now - start) / done * (planned - done)
-                _tell(
+                left = (now - first[0]) / (done - first[1]) * (planned - done)
+                tell(
                     "{done}/{planned} runs, about {left:.0f} s left",
                     done=done,
                     planned=planned,

@@ -46,6 +46,8 @@ def build(window) -> Actions:
     runs = window.menuBar().addMenu(tr("&Run"))
     run = add(window, runs, tr("&Run"), window.run, QKeySequence("F5"))
     cancel = add(window, runs, tr("&Cancel"), window.cancel, QKeySequence("Esc"))
+    studies = window.menuBar().addMenu(tr("&Study"))
+    add(window, studies, tr("&Parametric study…"), lambda: study(window))
     view = window.menuBar().addMenu(tr("&View"))
     for dock in window.findChildren(QDockWidget):
         view.addAction(dock.toggleViewAction())
@@ -60,6 +62,15 @@ def build(window) -> Actions:
     helps = window.menuBar().addMenu(tr("&Help"))
     add(window, helps, tr("&About"), lambda: about(window))
     return Actions(recent, undo, redo, run, cancel)
+
+
+def study(window) -> None:
+    """The window of a parametric study, imported here: few starts of the program need it."""
+    from app.study_window import StudyWindow
+
+    opened = window.findChild(StudyWindow) or StudyWindow(window)
+    opened.show()
+    opened.raise_()
 
 
 def show_recent(window, menu: QMenu) -> None:

@@ -170,6 +170,25 @@ def parse_study(table: dict) -> Study:
     return study
 
 
+@dataclass(frozen=True)
+class RecordList:
+    """A file of [[record]] tables alone."""
+
+    record: tuple[Record, ...] = tables_key(Record)
+
+
+def read_record_list(path: Path) -> RecordList:
+    """The [[record]] tables of a TOML file, as those of a case. Raises InputError."""
+    table, _ = read_toml(path)
+    try:
+        found = section_of(RecordList, table, "records", "records")
+        if not found.record:
+            raise InputError("study_without", key="record")
+        return found
+    except InputError as error:
+        raise error.at(path) from None
+
+
 def read_study(path: Path) -> tuple[Study, str]:
     """The study of a TOML file and the hash of its content. Raises InputError with the file's name."""
     table, content = read_toml(path)

@@ -57,8 +57,12 @@ class Book:
         return localized("report", english, self.language, **values)
 
     def sheet(self, english: str, widths: Sequence[float], landscape=False) -> Worksheet:
-        """A new A4 sheet, fitted to the page's width."""
-        sheet = self.workbook.create_sheet(self.say(english))
+        """A new A4 sheet, fitted to the page's width; english : its name, a text of the group "report"."""
+        return self.named_sheet(self.say(english), widths, landscape)
+
+    def named_sheet(self, name: str, widths: Sequence[float], landscape=False) -> Worksheet:
+        """`sheet` of a name that is the same in every language."""
+        sheet = self.workbook.create_sheet(name)
         for k, width in enumerate(widths, start=1):
             sheet.column_dimensions[get_column_letter(k)].width = width
         sheet.sheet_view.showGridLines = False

@@ -161,10 +161,13 @@ def _uncertainty(accuracy: Accuracy | None) -> dict:
 
 
 def _record(motion: GroundMotion, kind: str) -> dict:
+    return {"name": motion.name, "kind": kind, **record_measures(motion)}
+
+
+def record_measures(motion: GroundMotion) -> dict:
+    """Source and measures of a motion, in the units of the contract."""
     return {
-        "name": motion.name,
         "file": shown(motion.file),
-        "kind": kind,
         "file_sha256": motion.file_sha256,
         "samples_sha256": motion.samples_sha256,
         "format": motion.format,

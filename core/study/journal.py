@@ -7,6 +7,7 @@ import json
 import os
 import sys
 import threading
+import time
 from pathlib import Path
 
 from core.errors import OutputError
@@ -19,11 +20,14 @@ class Journal:
 
     set_aside : where the finished runs of an earlier start went that is not resumed, or None
     dropped : lines that were damaged
+    sync_seconds : least time between two calls that bring lines to the disk; a kill loses nothing, a power cut what
+        was written in it
     Raises OutputError for a file of somebody else, and while another batch writes it.
     """
 
-    def __init__(self, path: Path, key: str, resume: bool):
+    def __init__(self, path: Path, key: str, resume: bool, sync_seconds: float = 0.0):
         self.path, self.found, self.dropped = path, {}, 0
+        self._sync_seconds, self._synced = sync_seconds, 0.0
         self.set_aside: Path | None = None
         try:
             self._stream = open(path, "a+b", buffering=0)  # noqa: SIM115  (held to the end of the batch)
@@ -94,7 +98,9 @@ class Journal:
         """Append, on disk when this returns; raises OSError where not all of it could be written."""
         while content:
             content = content[self._stream.write(content) :]
-        os.fsync(self._stream.fileno())
+        if time.monotonic() - self._synced >= self._sync_seconds:
+            os.fsync(self._stream.fileno())
+            self._synced = time.monotonic()
 
     def get(self, run: str) -> dict | None:
         return self.found.get(run)

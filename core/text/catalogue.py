@@ -6,6 +6,7 @@ from core.text.file_errors import FILE_ERRORS
 from core.text.method import METHOD_BODIES, METHOD_LABELS
 from core.text.notices import SENTENCES as NOTICES
 from core.text.report import REPORT
+from core.text.study import STUDY
 from core.text.terminal import TERMINAL
 from core.text.verdicts import ADDED, METHOD_WORDS, MISSING_WORDS, REASONS
 from core.text.verdicts import SENTENCES as VERDICTS
@@ -38,7 +39,7 @@ CATALOGUE: dict[str, dict[str, tuple[str, str]]] = {
     "started_method": {code: _started(words) for code, words in METHOD_WORDS.items()},
     "method_label": METHOD_LABELS,
     "method_body": METHOD_BODIES,
-    "report": _by_english(REPORT),
+    "report": _by_english({**STUDY, **REPORT}),
     "window": _by_english(WINDOW),
     "terminal": _by_english(TERMINAL),
 }

@@ -52,8 +52,14 @@ TERMINAL = {
     "say what records hold": "dire che cosa contengono gli accelerogrammi",
     "version and commit": "versione e commit",
     "{word!r} is not a number of threads from 1 to 1024": "{word!r} non è un numero di thread da 1 a 1024",
-    "--batch and --inspect do not go together": "--batch e --inspect non vanno insieme",
-    "--output, --jobs and --resume go with --batch": "--output, --jobs e --resume vanno con --batch",
+    "--batch, --study and --inspect do not go together": "--batch, --study e --inspect non vanno insieme",
+    "--output, --jobs and --resume go with --batch or --study": (
+        "--output, --jobs e --resume vanno con --batch o --study"
+    ),
+    "--quick and --records go with --study": "--quick e --records vanno con --study",
+    "run a parametric study: paper, law or a file": "esegue uno studio parametrico: paper, law o un file",
+    "a short form of the study": "una forma breve dello studio",
+    "natural records of the study": "accelerogrammi naturali dello studio",
     "error: {error}": "errore: {error}",
     "stopped": "interrotto",
     "internal error, nothing was written; please send {path}": (

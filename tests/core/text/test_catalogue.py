@@ -18,7 +18,7 @@ SOURCES = [
 ]  # fmt: skip
 
 SPOKEN = {
-    "tr": "window", "terminal": "terminal", "_tell": "terminal", "say": "report", "notice": "notice",
+    "tr": "window", "terminal": "terminal", "tell": "terminal", "say": "report", "notice": "notice",
     "_reason": "reason",
 }  # fmt: skip
 """Functions that take a code of a group."""

@@ -1,0 +1,179 @@
+"""`--study`: a parametric study without a window, and what it writes for the window too."""
+
+import contextlib
+import hashlib
+import threading
+from collections.abc import Callable
+from pathlib import Path
+from typing import NamedTuple
+
+from app.batch import CANCELLED, DONE, interrupts, progress, tell, say
+from app.language import terminal
+from core import atomic_write
+from core.case.study_file import Study, read_study, shortened
+from core.errors import Cancelled, InputError
+from core.study import parametric
+from core.study.figures import StudyReport
+from core.study.journal import Journal
+from core.study.parametric import ParametricResult
+from core.study.study_report import report_of
+
+STUDIES = Path(__file__).resolve().parents[1] / "resources" / "studies"
+"""Studies that come with the program, asked for by name."""
+
+
+def find(asked: str) -> Path:
+    """The file of a study: a name of those that come with the program, or a path."""
+    shipped = STUDIES / f"{asked}.toml"
+    return shipped if asked.isidentifier() and shipped.is_file() else Path(asked)
+
+
+def stem_of(path: Path, quick: bool) -> str:
+    """Name of the results; a short run never takes the place of a whole one."""
+    return path.stem + ("_quick" if quick else "")
+
+
+def load(path: Path, quick: bool) -> tuple[Study, str]:
+    """The study of a file, shortened where asked. Raises InputError."""
+    study, digest = read_study(path)
+    return (shortened(study) if quick else study), digest
+
+
+class Made(NamedTuple):
+    """A study that ran: its result, the stem of its files, and the journal, which goes when they are written."""
+
+    result: ParametricResult
+    stem: str
+    book: Journal
+
+
+def results(
+    asked: str,
+    folder: Path,
+    records: Path | None,
+    jobs: int,
+    quick: bool,
+    resume: bool,
+    on_progress,
+    cancelled,
+) -> Made:
+    """Run a study with its journal in this folder. Raises InputError and Cancelled, with no new folder left."""
+    path = find(asked)
+    study, digest = load(path, quick)
+    stem = stem_of(path, quick)
+    made = atomic_write.check_folder(folder)
+    books: list[Journal] = []
+
+    def journal(key: str) -> Journal:
+        books.append(open_journal(folder, stem, parametric.key_of(study, quick) + key, resume))
+        return books[0]
+
+    try:
+        result = parametric.run(
+            study, digest, base_dir=path.parent, records_from=records, quick=quick, jobs=jobs, journal=journal,
+            on_progress=on_progress, cancelled=cancelled,
+        )  # fmt: skip
+    except InputError:
+        for new in made:
+            with contextlib.suppress(OSError):
+                new.rmdir()
+        raise
+    return Made(result, stem, books[0])
+
+
+def run(
+    asked: str,
+    output: Path | None,
+    records: Path | None,
+    jobs: int,
+    quiet: bool,
+    quick: bool,
+    resume: bool,
+) -> int:
+    """Run a study and write `<stem>.xlsx`, `.json`, `.csv` and a folder of figures; returns the exit code.
+
+    output : else beside the file, of a study that comes with the program the current folder
+    records : folder of natural records, or a TOML list of them
+    Raises InputError for what the user can mend; nothing is written then.
+    """
+    path = find(asked)
+    folder = output or (Path() if path.parent == STUDIES else path.parent)
+    cancel = threading.Event()
+    with interrupts(cancel), progress(quiet) as show:
+        try:
+            made = results(asked, folder, records, jobs, quick, resume, show, cancel.is_set)
+        except Cancelled:
+            journal = folder / f"{stem_of(path, quick)}.journal"
+            tell("cancelled: finished runs are in {path}; go on with --resume", path=journal)
+            return CANCELLED
+        report = report_of(made.result)
+        write(made.result, report, folder, made.stem)
+    made.book.remove()
+    if not quiet:
+        say(summary(made.result, report, folder, made.stem))
+    return DONE
+
+
+def open_journal(folder: Path, stem: str, key: str, resume: bool) -> Journal:
+    """The journal of a study, with what is to be said of an earlier one."""
+    book = Journal(folder / f"{stem}.journal", key, resume, sync_seconds=1.0)
+    if book.set_aside:
+        tell(
+            "finished runs of an earlier start are in {path}: to go on with them, rename it and add --resume",
+            path=book.set_aside,
+        )
+    if book.dropped:
+        tell(
+            "{n} damaged line(s) of the journal were dropped: these runs are made again",
+            n=book.dropped,
+        )
+    return book
+
+
+def write(
+    result: ParametricResult,
+    report: StudyReport,
+    folder: Path,
+    stem: str,
+    check: Callable[[], None] = lambda: None,
+    ready: Callable[[], None] = lambda: None,
+) -> None:
+    """All files of a study. check : called now and then, may raise; ready : when all is made and nothing written
+    yet. Raises OutputError."""
+    from core.report import study_files, study_workbook
+
+    runs = study_files.csv_text(result).encode()
+    digest = hashlib.sha256(runs).hexdigest()
+    files = {
+        folder / f"{stem}.xlsx": study_workbook.content(result, report),
+        folder / f"{stem}.json": study_files.json_text(
+            result, report, f"{stem}.csv", digest
+        ).encode(),
+        folder / f"{stem}.csv": runs,
+    }
+    drawn: dict[Path, bytes] = {}
+    for figure in report.figures:
+        check()
+        for name, content in study_files.figure_files(figure).items():
+            drawn[folder / f"{stem}_figures" / name] = content
+    ready()
+    atomic_write.check_folder(folder / f"{stem}_figures")
+    atomic_write.write(drawn)
+    atomic_write.write(files)
+
+
+def summary(result: ParametricResult, report: StudyReport, folder: Path, stem: str) -> str:
+    """What a terminal shows of a study: notes, claims as counts, and where the files are."""
+    lines = [report.title, *report.notes]
+    lines += [
+        f"{claim.held:5d} / {claim.tried:<5d} {claim.claim}"
+        + (f" ({claim.found})" if claim.found else "")
+        for claim in report.claims
+    ]
+    analyses = sum(row.analyses for row in result.rows)
+    lines.append(
+        terminal("{runs} runs, {analyses} analyses in {seconds:.1f} s", runs=len(result.rows), analyses=analyses,
+                 seconds=result.elapsed)
+    )  # fmt: skip
+    lines += [f"{folder / stem}{end}" for end in (".xlsx", ".json", ".csv", "_figures")]
+    return "\n".join(lines)

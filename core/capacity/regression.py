@@ -1,0 +1,79 @@
+"""Regressions of q: power laws with a given exponent (Eq. 13), C1 in alpha and H (Eq. 14), shares of agreement."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Fit:
+    """Least squares. coefficients; r_squared : of what was fitted; n points."""
+
+    coefficients: tuple[float, ...]
+    r_squared: float
+    n: int
+
+
+def least_squares(columns, values) -> Fit:
+    """Ordinary least squares of values on columns, shape (n, m).
+
+    Raises ValueError with fewer points than columns or columns that are not independent.
+    """
+    matrix, values = np.asarray(columns, float), np.asarray(values, float)
+    if values.size < matrix.shape[1]:
+        raise ValueError("fewer points than coefficients")
+    found, _, rank, _ = np.linalg.lstsq(matrix, values, rcond=None)
+    if rank < matrix.shape[1]:
+        raise ValueError("columns that are not independent")
+    return Fit(tuple(map(float, found)), r_squared(values, matrix @ found), values.size)
+
+
+def r_squared(values, fitted) -> float:
+    """1 - residual over spread about the mean [-]; 1 for values without spread that are met."""
+    values, fitted = np.asarray(values, float), np.asarray(fitted, float)
+    spread = float(((values - values.mean()) ** 2).sum())
+    residual = float(((values - fitted) ** 2).sum())
+    if spread == 0.0:
+        return 1.0 if residual == 0.0 else 0.0
+    return 1.0 - residual / spread
+
+
+def power_coefficient(x, y, exponent: float) -> Fit:
+    """C1 of y = C1 x^exponent, least squares of the logarithms (Eq. 13 with C2 given)."""
+    log_x, log_y = np.log(np.asarray(x, float)), np.log(np.asarray(y, float))
+    level = float((log_y - exponent * log_x).mean())
+    return Fit((math.exp(level),), r_squared(log_y, level + exponent * log_x), log_y.size)
+
+
+def linear_c1(slenderness_deg, height, c1) -> Fit:
+    """A1, A2, A3 of C1 = A1 alpha + A2 H + A3 (Eq. 14); alpha [deg], H [m]."""
+    return least_squares(np.column_stack([slenderness_deg, height, np.ones(len(c1))]), c1)
+
+
+@dataclass(frozen=True)
+class Agreement:
+    """How a law agrees with what it is to give: ratio law / truth.
+
+    bias : mean of ln(law / truth) as a ratio minus 1 [-]
+    scatter : standard deviation of ln(law / truth) [-]
+    within : share with |law / truth - 1| <= 0.2 [-]
+    """
+
+    bias: float
+    scatter: float
+    within: float
+    n: int
+
+
+def agreement(law, truth) -> Agreement:
+    """Agreement of positive values of a law with the true ones."""
+    ratio = np.asarray(law, float) / np.asarray(truth, float)
+    log = np.log(ratio)
+    within = float((np.abs(ratio - 1.0) <= 0.2).mean())
+    return Agreement(
+        math.expm1(float(log.mean())),
+        float(log.std(ddof=1)) if log.size > 1 else 0.0,
+        within,
+        log.size,
+    )

@@ -1,0 +1,5 @@
+"""stub"""
+
+
+def report(result, values, notes, say):
+    raise NotImplementedError

@@ -1,0 +1,352 @@
+"""The figures of Coccia et al. (2016), sections 3 to 5, from a finished study."""
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from core.capacity.closed_forms import COEFFICIENTS, closed_form_q, closed_form_q_eff, fit_power_law
+from core.capacity.regression import agreement, power_coefficient
+from core.ground.response_spectrum import pseudo_acceleration_spectrum
+from core.rocking.history import history
+from core.study.figures import DASHED, LINE, LINE_POINTS, POINTS, Figure, Series
+from core.study.parametric import ParametricResult
+from core.study.set_means import MotionValue, SetMean, chosen
+from core.units import CM, G
+from core.wall.block import Block
+from core.wall.moment_rotation import LAWS
+from core.wall.restitution import restitution
+from core.wall.rocking_model import rocking_model
+
+Say = Callable[..., str]
+
+MECHANISM = {"two_sided": "two-sided", "one_sided": "one-sided"}
+THEORETICAL = {"two_sided": "housner", "one_sided": "one_sided_theoretical"}
+EXPERIMENTAL = {"two_sided": "sorrentino_experimental", "one_sided": "one_sided_experimental"}
+FIGURES = {
+    "two_sided": ("06", "07", "08", "09", ("10", "11", "12"), "21"),
+    "one_sided": ("13", "14", "15", "", ("16", "17", "18"), "22"),
+}
+"""Numbers of the paper's figures: q against H of both restitutions, scatter, all spectra, q_eff, natural records."""
+
+INTERMEDIATE = {"slenderness_deg": 6.8, "height_m": 7.0}
+"""The wall of figures 19, 21 and 22."""
+
+TUFF_HEIGHT, TUFF_THICKNESS = 0.800, 0.123
+"""The block of figure 4 [m], Sorrentino et al. (2011)."""
+
+TUFF_START = 0.95
+"""First rotation of figure 4 over alpha: assumed, the figure is lost."""
+
+BAND = 0.2
+"""Band about Eq. 15 and 16 in figures 21 and 22."""
+
+PERIODS = np.geomspace(0.05, 4.0, 40)
+
+
+def exact(sets: list, step: float = 0.005) -> list:
+    """Those by the exact method and the default step of the search."""
+    return chosen(sets, method="taylor", q_step=step)
+
+
+def curve(name: str, points, look: str = LINE, color: int = 0) -> Series:
+    """A series through (x, y), in order of x."""
+    x, y = zip(*sorted(points), strict=True) if points else ((), ())
+    return Series(name, tuple(map(float, x)), tuple(map(float, y)), look, color)
+
+
+def free_rocking(say: Say) -> Figure:
+    """Fig. 4: decay of the tuff block, Eq. 4 and Eq. 5."""
+    block = Block.rectangle(TUFF_HEIGHT, math.atan2(TUFF_THICKNESS, TUFF_HEIGHT))
+    dt, still = 0.005, np.zeros(1601)
+    series = []
+    for color, model in enumerate(("housner", "sorrentino_experimental")):
+        rocking = rocking_model(block, False, restitution(block, model), LAWS["rigid"])
+        moved = history(still, dt, 1.0, rocking, start=(TUFF_START * block.slenderness, 0.0))
+        ratio = moved.rotation / block.slenderness
+        series.append(
+            curve(
+                f"Eq. {4 + color}",
+                list(zip(dt * np.arange(ratio.size), ratio, strict=True)),
+                LINE,
+                color,
+            )
+        )
+    title = say("Fig. 4: free rocking of the tuff block, 0.800 x 0.123 m")
+    note = say("First rotation {share:g} alpha: assumed, the figure is lost.", share=TUFF_START)
+    return Figure("fig04_decay", title, "t [s]", "θ/α [-]", tuple(series), note=note)
+
+
+def spectra(result: ParametricResult, say: Say) -> list[Figure]:
+    """Fig. 5, a chart for each group: target spectra and their motions."""
+    figures = []
+    for group in dict.fromkeys(spectrum.group for spectrum in result.spectra):
+        series = []
+        for color, spectrum in enumerate(entry for entry in result.spectra if entry.group == group):
+            for k, entry in enumerate(
+                entry for entry in result.motions if entry.spectrum == spectrum.name
+            ):
+                motion = entry.motion
+                values = (
+                    pseudo_acceleration_spectrum(
+                        motion.acceleration, motion.time_step, PERIODS, per_period=0
+                    )
+                    / G
+                )
+                name = say("{name}, motions", name=spectrum.name) if k == 0 else ""
+                series.append(curve(name, list(zip(PERIODS, values, strict=True)), POINTS, color))
+            target = spectrum.target.acceleration(PERIODS) / G
+            series.append(
+                curve(spectrum.name, list(zip(PERIODS, target, strict=True)), LINE, color)
+            )
+        title = say("Fig. 5: target spectra and motions, group {group}", group=group)
+        figures.append(
+            Figure(f"fig05_{group}", title, "T [s]", "S_e [g]", tuple(series), log_x=True)
+        )
+    return figures
+
+
+def q_against_height(sets: list[SetMean], mechanism: str, say: Say) -> list[Figure]:
+    """Fig. 6, 7, 13, 14: q against H of group B; Fig. 9: all spectra at 6.8 degrees."""
+    figures = []
+    theory, experiment, _, everything, _, _ = FIGURES[mechanism]
+    for number, models in ((theory, THEORETICAL), (experiment, EXPERIMENTAL)):
+        ours = [entry for entry in chosen(exact(sets), mechanism=mechanism, restitution=models[mechanism], law="rigid")
+                if entry.spectrum.group == "B"]  # fmt: skip
+        series = []
+        for color, alpha in enumerate(sorted({entry.cell.slenderness_deg for entry in ours})):
+            for name in sorted({entry.spectrum.name for entry in ours}):
+                points = [(entry.cell.height_m, entry.q) for entry in chosen(ours, slenderness_deg=alpha)
+                          if entry.spectrum.name == name]  # fmt: skip
+                series.append(curve(f"{alpha:g}°, {name}", points, LINE_POINTS, color))
+        title = say("Fig. {number}: q against H, {restitution}, group B", number=int(number),
+                    restitution=models[mechanism])  # fmt: skip
+        figures.append(Figure(f"fig{number}_q_height", title, "H [m]", "q [-]", tuple(series)))
+    if everything:
+        ours = chosen(exact(sets), mechanism=mechanism, restitution=THEORETICAL[mechanism], law="rigid",
+                      slenderness_deg=6.8)  # fmt: skip
+        series = [
+            curve(
+                name, [(e.cell.height_m, e.q) for e in ours if e.spectrum.name == name], LINE_POINTS, "ABC".find(name[0])
+            )
+            for name in sorted({entry.spectrum.name for entry in ours})
+        ]  # fmt: skip
+        title = say("Fig. 9: q against H at 6.8 degrees, all spectra")
+        figures.append(Figure("fig09_q_height", title, "H [m]", "q [-]", tuple(series)))
+    return figures
+
+
+def pairs(sets: list, first: dict, second: dict, same: tuple[str, ...]) -> list[tuple]:
+    """(entry, entry) of equal spectrum, alpha, H and `same`, the cells of which have these values."""
+
+    def key(entry):
+        return (
+            entry.spectrum.name,
+            *(getattr(entry.cell, name) for name in ("slenderness_deg", "height_m", *same)),
+        )
+
+    others = {key(entry): entry for entry in chosen(sets, **second)}
+    return [(one, others[key(one)]) for one in chosen(sets, **first) if key(one) in others]
+
+
+def restitution_pairs(sets: list[SetMean], mechanism: str) -> list[tuple[SetMean, SetMean]]:
+    """Theoretical and experimental restitution of the same wall and spectrum."""
+    first = {"mechanism": mechanism, "restitution": THEORETICAL[mechanism], "law": "rigid"}
+    return pairs(exact(sets), first, {**first, "restitution": EXPERIMENTAL[mechanism]}, ())
+
+
+def scatter(name: str, points: list[tuple[float, float]], color: int = 0) -> Series:
+    return Series(name, tuple(x for x, _ in points), tuple(y for _, y in points), POINTS, color)
+
+
+def diagonal(points: list[tuple[float, float]]) -> Series:
+    """The line of equality over the range of these points."""
+    values = [value for point in points for value in point] or [1.0, 2.0]
+    ends = (min(values), max(values))
+    return Series("1:1", ends, ends, DASHED, 7)
+
+
+def restitution_scatter(sets: list[SetMean], mechanism: str, say: Say) -> Figure:
+    """Fig. 8 and 15."""
+    number = FIGURES[mechanism][2]
+    points = [(one.q, other.q) for one, other in restitution_pairs(sets, mechanism)]
+    title = say("Fig. {number}: q of both restitution models", number=int(number))
+    return Figure(f"fig{number}_restitution", title, f"q [-], {THEORETICAL[mechanism]}",
+                  f"q [-], {EXPERIMENTAL[mechanism]}", (scatter("", points), diagonal(points)))  # fmt: skip
+
+
+def theoretical(sets: list, mechanism: str) -> list:
+    """The paper's grid: Eq. 4 or Eq. 6, rigid law, exact method."""
+    return chosen(exact(sets), mechanism=mechanism, restitution=THEORETICAL[mechanism], law="rigid")
+
+
+def q_eff_against_si(sets: list[SetMean], mechanism: str, say: Say) -> list[Figure]:
+    """Fig. 10 to 12 and 16 to 18: q_eff against SI with the power law of each H."""
+    figures = []
+    ours = theoretical(sets, mechanism)
+    for number, alpha in zip(
+        FIGURES[mechanism][4], sorted({e.cell.slenderness_deg for e in ours}), strict=False
+    ):
+        series = []
+        of_alpha = chosen(ours, slenderness_deg=alpha)
+        for color, height in enumerate(sorted({entry.cell.height_m for entry in of_alpha})):
+            points = [
+                (entry.intensity / CM, entry.q_eff) for entry in chosen(of_alpha, height_m=height)
+            ]
+            law = fit_power_law([x * CM for x, _ in points], [y for _, y in points])
+            name = f"H {height:g} m"
+            if law:
+                x = np.geomspace(*law.si_range_cm, 15)
+                line = [(float(v), law.q_eff(v * CM)) for v in x]
+                series.append(curve("", line, DASHED, color))
+                name += f", C2 {law.c2:.2f}, R² {law.r_squared:.2f}"
+            series.append(scatter(name, points, color))
+        title = say(
+            "Fig. {number}: q_eff against SI, {alpha:g} degrees", number=int(number), alpha=alpha
+        )
+        figures.append(
+            Figure(
+                f"fig{number}_q_eff_si", title, "SI [cm]", "q_eff [-]", tuple(series), True, True
+            )
+        )
+    return figures
+
+
+def q_against_ratio(sets: list[SetMean], mechanism: str, say: Say) -> Figure:
+    """q against SI/PGA, beside figures 10 to 18: q_eff is proportional to 1/PGA, so that part of its correlation
+    with SI is built in; this one is not."""
+    ours = chosen(theoretical(sets, mechanism), slenderness_deg=6.8)
+    series = []
+    for color, height in enumerate(sorted({entry.cell.height_m for entry in ours})):
+        points = [
+            (entry.intensity / CM / (entry.pga / G), entry.q)
+            for entry in chosen(ours, height_m=height)
+        ]
+        series.append(curve(f"H {height:g} m", points, LINE_POINTS, color))
+    title = say("q against SI/PGA, {mechanism}, 6.8 degrees", mechanism=say(MECHANISM[mechanism]))
+    return Figure(
+        f"q_si_pga_{mechanism}", title, "SI/PGA [cm/g]", "q [-]", tuple(series), True, True
+    )
+
+
+def law_pairs(sets: list[SetMean], mechanism: str, law: str) -> list[tuple[SetMean, SetMean]]:
+    """Rigid and trilinear law of the intermediate wall."""
+    rigid = theoretical(sets, mechanism)
+    other = chosen(exact(sets), mechanism=mechanism, law=law, **INTERMEDIATE)
+    by_spectrum = {entry.spectrum.name: entry for entry in other}
+    return [(one, by_spectrum[one.spectrum.name]) for one in chosen(rigid, **INTERMEDIATE)
+            if one.spectrum.name in by_spectrum]  # fmt: skip
+
+
+def rigid_against_trilinear(sets: list[SetMean], say: Say) -> Figure:
+    """Fig. 19, for both mechanisms: the paper does not say which."""
+    series, everything = [], []
+    names = [(mechanism, law) for mechanism in THEORETICAL for law in ("doherty", "al_shawa")]
+    for color, (mechanism, law) in enumerate(names):
+        points = [(one.q, other.q) for one, other in law_pairs(sets, mechanism, law)]
+        everything += points
+        series.append(scatter(f"{say(MECHANISM[mechanism])}, {law}", points, color))
+    title = say("Fig. 19: rigid and trilinear law, 6.8 degrees, 7 m")
+    return Figure("fig19_trilinear", title, say("q [-], rigid"), say("q [-], trilinear"),
+                  (*series, diagonal(everything)))  # fmt: skip
+
+
+def c1_points(sets: list[SetMean], mechanism: str) -> list[tuple[float, float, float]]:
+    """(alpha [deg], H [m], C1) with C2 as of Eq. 15 or 16, SI in cm."""
+    ours = theoretical(sets, mechanism)
+    c2 = COEFFICIENTS[mechanism == "one_sided"][3]
+    points = []
+    for alpha, height in sorted({(e.cell.slenderness_deg, e.cell.height_m) for e in ours}):
+        members = chosen(ours, slenderness_deg=alpha, height_m=height)
+        fit = power_coefficient([e.intensity / CM for e in members], [e.q_eff for e in members], c2)
+        points.append((alpha, height, fit.coefficients[0]))
+    return points
+
+
+def c1_against_height(sets: list[SetMean], mechanism: str, say: Say) -> Figure:
+    """C1 against H and alpha, beside Eq. 14 with the paper's coefficients."""
+    a1, a2, a3, _ = COEFFICIENTS[mechanism == "one_sided"]
+    points = c1_points(sets, mechanism)
+    series = []
+    for color, alpha in enumerate(sorted({alpha for alpha, _, _ in points})):
+        ours = [(height, c1) for a, height, c1 in points if a == alpha]
+        series.append(curve(f"{alpha:g}°", ours, LINE_POINTS, color))
+        paper = [(height, a1 * alpha + a2 * height + a3) for height, _ in ours]
+        series.append(curve(say("{alpha:g}°, paper", alpha=alpha), paper, DASHED, color))
+    title = say("Eq. 14: C1 against H, {mechanism}", mechanism=say(MECHANISM[mechanism]))
+    return Figure(f"eq14_c1_{mechanism}", title, "H [m]", "C1", tuple(series))
+
+
+def closed_form_of(entry: SetMean) -> float:
+    """q of Eq. 15 or 16 for the set."""
+    block = entry.cell.wall.block()
+    one_sided = entry.cell.mechanism == "one_sided"
+    return closed_form_q(block.slenderness, block.height, entry.intensity, entry.pga, one_sided)
+
+
+def numerical_against_analytical(sets: list[SetMean], say: Say) -> Figure:
+    """Fig. 20."""
+    series, everything = [], []
+    for color, mechanism in enumerate(THEORETICAL):
+        points = [(closed_form_of(entry), entry.q) for entry in theoretical(sets, mechanism)]
+        everything += points
+        series.append(scatter(say(MECHANISM[mechanism]), points, color))
+    title = say("Fig. 20: q of the time histories against Eq. 15 and 16")
+    return Figure("fig20_closed_form", title, say("q [-], Eq. 15 or 16"), say("q [-], time histories"),
+                  (*series, diagonal(everything)), True, True)  # fmt: skip
+
+
+def natural_values(values: list[MotionValue], mechanism: str) -> list[MotionValue]:
+    """Natural records of the intermediate wall that have a q."""
+    ours = chosen(exact(values), mechanism=mechanism, law="rigid", **INTERMEDIATE)
+    return [value for value in ours if value.entry.seed is None and value.q is not None]
+
+
+def natural_records(values: list[MotionValue], mechanism: str, say: Say) -> Figure | None:
+    """Fig. 21 and 22: q_eff of natural records with the band of Eq. 15 or 16; None without records."""
+    ours = natural_values(values, mechanism)
+    if not ours:
+        return None
+    number = FIGURES[mechanism][5]
+    block, one_sided = ours[0].cell.wall.block(), mechanism == "one_sided"
+    intensities = [value.entry.motion.housner_intensity for value in ours]
+    points = [(si / CM, value.q_eff) for si, value in zip(intensities, ours, strict=True)]
+    x = np.geomspace(min(intensities), max(intensities), 40)
+    form = [closed_form_q_eff(block.slenderness, block.height, si, one_sided) for si in x]
+    lines = [
+        curve(name, [(si / CM, factor * y) for si, y in zip(x, form, strict=True)], look, 1)
+        for factor, look, name in (
+            (1.0, LINE, f"Eq. {15 + one_sided}"), (1 + BAND, DASHED, "±20 %"), (1 - BAND, DASHED, ""))
+    ]  # fmt: skip
+    share = agreement([closed_form_q_eff(block.slenderness, block.height, si, one_sided) for si in intensities],
+                      [value.q_eff for value in ours]).within  # fmt: skip
+    title = say(
+        "Fig. {number}: q_eff of natural records, {mechanism}",
+        number=int(number),
+        mechanism=say(MECHANISM[mechanism]),
+    )
+    note = say(
+        "{n} records, {share:.0%} of them within ±20 % of the equation.", n=len(ours), share=share
+    )
+    return Figure(f"fig{number}_natural", title, "SI [cm]", "q_eff [-]", (scatter(say("records"), points), *lines),
+                  True, True, note)  # fmt: skip
+
+
+def figures(
+    result: ParametricResult, values: list[MotionValue], sets: list[SetMean], say: Say
+) -> list[Figure]:
+    """All of them, in the paper's order."""
+    made: list[Figure | None] = [free_rocking(say), *spectra(result, say)]
+    for mechanism in THEORETICAL:
+        made += [
+            *q_against_height(sets, mechanism, say), restitution_scatter(sets, mechanism, say),
+            *q_eff_against_si(sets, mechanism, say), q_against_ratio(sets, mechanism, say),
+            c1_against_height(sets, mechanism, say),
+        ]  # fmt: skip
+    made += [rigid_against_trilinear(sets, say), numerical_against_analytical(sets, say)]
+    made += [natural_records(values, mechanism, say) for mechanism in THEORETICAL]
+    return [
+        figure
+        for figure in made
+        if figure is not None and any(series.x for series in figure.series)
+    ]
