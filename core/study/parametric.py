@@ -17,7 +17,7 @@ from core.ground.artificial import compatible_motion
 from core.ground.ground_motion import GroundMotion
 from core.jit import cache
 from core.rocking.methods import METHODS
-from core.study.journal import Journal, Memory
+from core.study.journal import Journal
 from core.study.record_input import read_records
 from core.study.run import run_key
 from core.study.threads import Threads
@@ -148,7 +148,7 @@ def run(
     records_from: Path | None = None,
     quick: bool = False,
     jobs: int = 1,
-    journal: Callable[[str], Journal | Memory] | None = None,
+    journal: Callable[[str], Journal] | None = None,
     on_progress: Callable[[int, int], None] = lambda done, planned: None,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> ParametricResult:

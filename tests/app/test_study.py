@@ -1,0 +1,231 @@
+"""`--study` from outside and in its window: files that open, digits that come back, one sentence for wrong input."""
+
+import csv
+import hashlib
+import io
+import json
+import os
+import signal
+import xml.etree.ElementTree as ElementTree
+
+import numpy as np
+import pytest
+from openpyxl import load_workbook
+
+from app import study
+from core.study.study_report import report_of
+from tests.app.driving import settle
+from tests.app.test_batch import call, start, waited
+from tests.conftest import ROOT
+
+STUDY = """
+title = "=1+1"
+count = 2
+[quick]
+count = 1
+[[group]]
+name = "A"
+pga_g = 0.2
+[[group.spectrum]]
+name = "s1"
+seed = 3
+code = "EN1998"
+type = 2
+soil = "A"
+[[group.spectrum]]
+name = "s2"
+seed = 13
+code = "EN1998"
+type = 1
+soil = "B"
+[[grid]]
+slenderness_deg = [3.1, 6.8]
+height_m = [2, 3]
+mechanism = ["two_sided", "one_sided"]
+q_step = [0.02]
+"""
+ENDS = (".xlsx", ".json", ".csv")
+
+
+@pytest.fixture
+def small(tmp_path):
+    path = tmp_path / "small.toml"
+    path.write_text(STUDY)
+    return path
+
+
+def content(folder, stem="small"):
+    """Files of a study without the time it took."""
+    whole = json.loads((folder / f"{stem}.json").read_text())
+    del whole["started_utc"], whole["elapsed_s"]
+    return whole, (folder / f"{stem}.csv").read_bytes()
+
+
+def test_that_a_study_writes_files_that_open(small, tmp_path, capsys):
+    pillow = pytest.importorskip("PIL.Image")
+    assert call("--study", small, "--jobs", "2") == 0
+    assert "48 runs" in capsys.readouterr().out
+    whole, runs = content(tmp_path)
+    rows = list(csv.DictReader(io.StringIO(runs.decode())))
+    assert len(rows) == 4 * 4 + 4 * 4 * 2 == whole["runs"]["count"]
+    assert whole["runs"]["sha256"] == hashlib.sha256(runs).hexdigest()
+    for row in rows:
+        assert row["status"] == "collapse_found" and float(row["q_low"]) < float(row["q"])
+        assert float(row["q_eff"]) == pytest.approx(
+            float(row["q"]) / float(row["pga_g"]), rel=1e-12
+        )
+    book = load_workbook(tmp_path / "small.xlsx")
+    assert book["Study"]["A1"].value == "=1+1" and book["Study"]["A1"].data_type == "s"
+    assert len(book["Figures"]._charts) == 4
+    assert not any("journal" in path.name for path in tmp_path.iterdir())
+    pictures = sorted((tmp_path / "small_figures").iterdir())
+    assert len(pictures) == 8
+    for path in pictures:
+        if path.suffix == ".svg":
+            assert "q [-]" in "".join(ElementTree.fromstring(path.read_bytes()).itertext())
+        else:
+            shades = np.asarray(pillow.open(path).convert("L"))
+            assert shades.shape == (690, 1080) and 0.005 < (shades < 200).mean() < 0.3
+
+
+@pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
+def test_that_a_killed_study_resumes_to_the_same_digits(small, tmp_path):
+    small.write_text(STUDY.replace("q_step = [0.02]", "q_step = [0.0005]"))
+    running = start("--study", small, "--jobs", "1", "--quiet")
+    waited(tmp_path / "small.journal", 5)
+    running.send_signal(signal.SIGKILL)
+    running.communicate()
+    assert not any((tmp_path / f"small{end}").exists() for end in ENDS)
+    assert call("--study", small, "--resume", "--quiet") == 0
+    resumed = content(tmp_path)
+    assert call("--study", small, "--output", tmp_path / "fresh", "--quiet") == 0
+    assert content(tmp_path / "fresh") == resumed
+
+
+def test_that_a_short_run_has_its_own_files(small, tmp_path):
+    assert call("--study", small, "--quick", "--quiet") == 0
+    whole, _ = content(tmp_path, "small_quick")
+    assert whole["quick"] and len(whole["motions"]) == 2
+    assert not (tmp_path / "small.json").exists()
+
+
+@pytest.mark.parametrize(
+    "arguments, words",
+    [
+        (["--study", "nowhere.toml"], "nowhere.toml"),
+        (["--study", "{small}", "--records", "{small}"], "unknown key"),
+        (["--study", "{small}", "--records", "nowhere"], "nowhere"),
+        (["--study", "{broken}"], "did you mean height_m"),
+    ],
+)
+def test_that_wrong_input_is_one_sentence_and_nothing_is_written(
+    arguments, words, small, tmp_path, capsys
+):
+    broken = tmp_path / "broken.toml"
+    broken.write_text(STUDY.replace("height_m", "heigth_m"))
+    before = sorted(tmp_path.iterdir())
+    filled = [word.format(small=small, broken=broken) for word in arguments]
+    assert call(*filled, "--output", tmp_path / "out" / "deep") == 1
+    error = capsys.readouterr().err
+    assert error.count("\n") == 1 and words in error
+    assert sorted(tmp_path.iterdir()) == before
+
+
+@pytest.mark.parametrize(
+    "arguments", [["--quick"], ["--records", "x"], ["--study", "paper", "--batch", "x"]]
+)
+def test_that_options_that_do_not_go_together_are_wrong_usage(arguments, capsys):
+    with pytest.raises(SystemExit) as ended:
+        call(*arguments)
+    assert ended.value.code == 2
+    capsys.readouterr()
+
+
+@pytest.fixture(scope="module")
+def paper(tmp_path_factory):
+    """The paper's study in its short form, and its files."""
+    folder = tmp_path_factory.mktemp("paper")
+    made = study.results(
+        "paper", folder, None, 2, True, False, lambda done, of: None, lambda: False
+    )
+    report = report_of(made.result)
+    study.write(made.result, report, folder, made.stem)
+    made.book.remove()
+    return folder, made.result, report
+
+
+def test_that_the_claims_of_the_paper_are_counted(paper):
+    _, _, report = paper
+    counts = {(claim.source, claim.claim): (claim.held, claim.tried) for claim in report.claims}
+
+    def share(words):
+        found = [held / tried for (_, claim), (held, tried) in counts.items() if words in claim]
+        assert found, words
+        return found
+
+    assert min(share("q grows with H")) == 1.0
+    assert min(share("q grows with alpha")) >= 0.9
+    assert min(share("safe side, two-sided, sets") + share("safe side, one-sided, sets")) == 1.0
+    assert min(share("PGA alone does not decide")) == 1.0
+    assert min(share("more conservative, one-sided")) == 1.0
+    assert (
+        max(share("more conservative, two-sided")) < 0.5
+    )  # not so for walls that rock to both sides
+    assert share("Eq. 16 within 20 %")[0] > 0.7 > 0.4 > share("Eq. 15 within 20 %")[0]
+
+
+def test_that_every_figure_of_the_paper_is_there_but_those_of_records(paper):
+    folder, result, report = paper
+    numbers = {figure.key[3:5] for figure in report.figures if figure.key.startswith("fig")}
+    assert numbers == {f"{k:02}" for k in range(4, 21)}
+    assert {path.stem for path in (folder / "paper_quick_figures").glob("*.png")} == {
+        f.key for f in report.figures
+    }
+    assert all(row.q is not None for row in result.rows)
+    assert [table.key for table in report.tables] == ["table1", "eq13", "eq14", "distance"]
+
+
+def test_that_the_italian_study_has_the_same_numbers(small, tmp_path):
+    assert call("--study", small, "--quiet") == 0
+    _, runs = content(tmp_path)
+    small.write_text('language = "it"\n' + STUDY)
+    assert call("--study", small, "--quiet") == 0
+    assert content(tmp_path)[1] == runs
+    assert load_workbook(tmp_path / "small.xlsx").sheetnames[0] == "Studio"
+
+
+def test_that_the_window_of_a_study_runs_cancels_goes_on_and_shows_it(
+    application, small, tmp_path, monkeypatch
+):
+    from PySide6.QtWidgets import QMessageBox
+
+    from app.study_window import StudyWindow
+
+    monkeypatch.setattr(QMessageBox, "warning", lambda *a: pytest.fail(f"unexpected: {a[-1]}"))
+    small.write_text(STUDY.replace("q_step = [0.02]", "q_step = [0.001]"))
+    made = StudyWindow(None)
+    made.quick.setChecked(False)
+    made.study.setCurrentText(str(small))
+    made.folder.setText(str(tmp_path / "results"))
+    made.show()
+    made.run()
+    settle(application, lambda: made.bar.value() > 0)
+    made.cancel()
+    settle(application, lambda: made.job is None)
+    journal = tmp_path / "results" / "small.journal"
+    kept = journal.read_bytes().count(b"\n") - 1
+    assert kept > 0 and made.tabs.count() == 0
+    progress = []
+    made.run()
+    made.job.progressed.connect(lambda done, of: progress.append(done))
+    settle(application, lambda: made.job is None)
+    assert progress[0] >= kept
+    assert made.tabs.count() == 2  # no claims of the paper
+    charts = made.tabs.widget(1).widget(0)
+    assert charts.count() == 4
+    for row in range(charts.count()):
+        charts.setCurrentRow(row)
+    application.processEvents()
+    assert not journal.exists() and (tmp_path / "results" / "small.xlsx").exists()
+    made.close()
+    made.deleteLater()

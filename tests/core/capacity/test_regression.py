@@ -1,0 +1,42 @@
+"""Regressions give back what was planted in their data."""
+
+import numpy as np
+import pytest
+
+from core.capacity import regression
+
+RNG = np.random.default_rng(7)
+
+
+def test_that_planted_coefficients_of_eq14_come_back():
+    alpha, height = (
+        axis.ravel() for axis in np.meshgrid([3.1, 6.8, 11.3], [3.0, 5.0, 7.0, 9.0, 11.0])
+    )
+    fit = regression.linear_c1(alpha, height, 30.0 * alpha + 78.0 * height + 90.0)
+    assert fit.coefficients == pytest.approx((30.0, 78.0, 90.0), rel=1e-10)
+    assert fit.r_squared == pytest.approx(1.0, abs=1e-12) and fit.n == 15
+
+
+def test_that_a_planted_power_law_comes_back_from_a_given_exponent():
+    si = np.geomspace(20.0, 200.0, 9)
+    fit = regression.power_coefficient(si, 840.0 * si**-0.9, -0.9)
+    assert fit.coefficients[0] == pytest.approx(840.0, rel=1e-12)
+    assert fit.r_squared == pytest.approx(1.0, abs=1e-12)
+
+
+def test_that_dependent_columns_and_too_few_points_are_refused():
+    with pytest.raises(ValueError, match="independent"):
+        regression.least_squares([[1.0, 2.0], [2.0, 4.0], [3.0, 6.0]], [1.0, 2.0, 3.0])
+    with pytest.raises(ValueError, match="fewer"):
+        regression.least_squares([[1.0, 2.0]], [1.0])
+
+
+def test_that_agreement_counts_bias_scatter_and_share():
+    truth = np.exp(RNG.normal(size=4000))
+    law = 0.8 * truth * np.exp(RNG.normal(0.0, 0.1, size=4000))
+    found = regression.agreement(law, truth)
+    assert found.bias == pytest.approx(-0.2, abs=0.01)
+    assert found.scatter == pytest.approx(0.1, abs=0.005)
+    assert found.within == pytest.approx(0.5, abs=0.03) and found.n == 4000
+    whole = regression.agreement(truth, truth)
+    assert whole == regression.Agreement(0.0, 0.0, 1.0, 4000)

@@ -1,0 +1,92 @@
+"""The file of a parametric study: the shipped ones, what is refused and in what words."""
+
+import tomllib
+
+import pytest
+
+from core.case.study_file import cells_of, parse_study, read_record_list, read_study, shortened
+from core.errors import InputError
+from tests.conftest import ROOT
+
+GRID = {"slenderness_deg": [6.8], "height_m": [7.0], "motions": "records"}
+STUDIES = sorted((ROOT / "resources" / "studies").glob("*.toml"))
+
+
+@pytest.mark.parametrize("path", STUDIES, ids=lambda path: path.stem)
+def test_that_shipped_studies_are_read_and_a_short_run_is_part_of_them(path):
+    study, _ = read_study(path)
+    assert set(cells_of(shortened(study))) < set(cells_of(study))
+    assert shortened(study).count < study.count
+
+
+def test_that_no_two_motions_of_the_shipped_studies_share_a_seed():
+    seeds = []
+    for path in STUDIES:
+        study, _ = read_study(path)
+        for group in study.group:
+            for shape in group.spectrum:
+                seeds += range(shape.seed, shape.seed + study.count)
+    assert len(set(seeds)) == len(seeds)
+
+
+def test_that_every_combination_is_a_cell_once():
+    grid = {**GRID, "height_m": [3.0, 7.0], "mechanism": ["two_sided", "one_sided"], "law": ["rigid", "doherty"],
+            "velocity_ratio": [0.9]}  # fmt: skip
+    cells = cells_of(parse_study({"grid": [grid, GRID]}))
+    assert len(cells) == 9
+    assert {cell.restitution for cell in cells} == {"0.9", "default"}
+    assert cells[0].wall.restitution_of("two_sided").ratio_at_rest == 0.9
+
+
+@pytest.mark.parametrize(
+    "table, words",
+    [
+        ({}, "grid is missing"),
+        ({"grid": [{"height_m": [7.0]}]}, "slenderness_deg"),
+        ({"grid": [{**GRID, "height_m": []}]}, "a list in brackets"),
+        ({"grid": [{**GRID, "height_m": [7.0, "x"]}]}, "height_m = 'x' is not accepted: from 0.1 to 60 m"),
+        ({"grid": [{**GRID, "height_m": [float("nan")]}]}, "from 0.1 to 60 m"),
+        ({"grid": [{**GRID, "heigth_m": [7.0]}]}, "did you mean height_m"),
+        ({"grid": [{**GRID, "restitution": ["one_sided_theoretical"]}]}, "grid 1"),
+        ({"grid": [{**GRID, "method": ["euler"]}]}, "one of taylor"),
+        ({"grid": [{**GRID, "method": ["linearised"], "law": ["doherty"]}]}, "rigid law"),
+        ({"grid": [{**GRID, "motions": "generated"}]}, "group is missing"),
+        ({"grid": [GRID], "group": [{"name": "A", "pga_g": 0.1}]}, "spectrum is missing"),
+        ({"grid": [GRID], "group": [{"name": "A", "spectrum": []}]}, "pga_g"),
+        (
+            {"grid": [GRID], "group": [{"name": "A", "pga_g": 0.1, "spectrum": [
+                {"name": "s", "code": "NTC2018", "soil": "A"}]}]},
+            "f0",
+        ),
+        ({"grid": 3}, "grid"),
+        ({"grid": [GRID], "colour": 1}, "colour"),
+    ],
+)  # fmt: skip
+def test_that_what_is_wrong_is_said_with_its_place(table, words):
+    with pytest.raises(InputError) as caught:
+        parse_study(table)
+    assert words in caught.value.text("en")
+
+
+def test_that_a_list_of_records_holds_records_and_nothing_else(tmp_path):
+    path = tmp_path / "list.toml"
+    path.write_text('[[record]]\nfile = "a.txt"\nunit = "g"\n')
+    assert [record.unit for record in read_record_list(path).record] == ["g"]
+    for content in ("", "title = 'x'\n"):
+        path.write_text(content)
+        with pytest.raises(InputError, match="list.toml"):
+            read_record_list(path)
+
+
+def test_that_the_shapes_of_the_paper_are_different_and_spread_in_every_group():
+    from core.study.parametric import spectra_of
+    from core.units import CM, G
+
+    study = parse_study(tomllib.loads((ROOT / "resources" / "studies" / "paper.toml").read_text()))
+    spectra = [spectrum for spectrum, _ in spectra_of(study)]
+    assert [round(s.target.pga / G, 9) for s in spectra] == [0.106] * 3 + [0.312] * 3 + [0.205] * 3
+    ratios = {s.name: s.intensity / CM / (s.target.pga / G) for s in spectra}
+    assert len({round(ratio) for ratio in ratios.values()}) == 9
+    for group in "ABC":
+        own = [ratio for name, ratio in ratios.items() if name[0] == group]
+        assert min(own) < 235.0 and max(own) > 620.0

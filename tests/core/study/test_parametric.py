@@ -1,0 +1,151 @@
+"""A parametric study: what q does not depend on, a cell by another solver and a plain loop, resume, counts."""
+
+import math
+
+import numpy as np
+import pytest
+
+from core.capacity import independent_solver
+from core.capacity.ida import BRACKET, Search, incremental_dynamic_analysis
+from core.case.study_file import cells_of, parse_study, read_study
+from core.errors import Cancelled, InputError
+from core.rocking.methods import METHODS
+from core.study import parametric
+from core.study.journal import Journal
+from core.study.parametric import model_of
+from core.study.set_means import motion_values, set_means
+from core.units import G
+from tests.conftest import ROOT
+
+SHAPE = {"name": "s", "seed": 11, "code": "EN1998", "type": 1, "soil": "A"}
+
+
+def table(**grid):
+    return {
+        "count": 2,
+        "group": [{"name": "g", "pga_g": 0.2, "spectrum": [SHAPE]}],
+        "grid": [{"slenderness_deg": [6.8], "height_m": [3.0], "q_step": [0.02], **grid}],
+    }
+
+
+def run(content, **options):
+    return parametric.run(parse_study(content), "", base_dir=ROOT, **options)
+
+
+@pytest.mark.parametrize("one_sided, law", [(False, "rigid"), (True, "rigid"), (False, "doherty")])
+def test_that_q_does_not_depend_on_the_scale_of_the_record(one_sided, law, make_model):
+    study, _ = read_study(ROOT / "resources" / "studies" / "paper.toml")
+    spectrum, shape = parametric.spectra_of(study)[4]
+    ground = parametric.compatible_motion(spectrum.target, shape.seed)
+    model = make_model(one_sided=one_sided, law=law)
+    search = Search(q_step=0.01)
+
+    def numbers(motion):
+        pga = float(np.abs(motion).max())
+        found = incremental_dynamic_analysis(motion, 0.01, pga, 1, model, METHODS["taylor"], search)
+        return [found.q, found.q_slv, found.q_slc, found.q_robust]
+
+    once = numbers(ground)
+    for factor in np.geomspace(0.03, 20.0, 10):
+        assert numbers(factor * ground) == pytest.approx(once, rel=1e-12)
+
+
+def test_that_dop853_in_a_plain_loop_finds_the_q_of_a_cell(tmp_path):
+    """The grid one point after the other, then bisection, each by a solver that shares no line with the kernels."""
+    lines = (ROOT / "resources" / "motions" / "noise_1.txt").read_text().splitlines()
+    (tmp_path / "short.txt").write_text("\n".join([*lines[:2], *lines[302:552]]) + "\n")
+    grid = table(height_m=[1.0], slenderness_deg=[3.1], motions="records", q_step=[0.05])
+    result = run(grid, records_from=tmp_path)
+    (row,) = result.rows
+    motion, model = result.motions[row.motion].motion, model_of(row.cell)
+    ground = np.concatenate([motion.acceleration, np.zeros(400)])  # the free motion to its end
+    threshold = G * math.tan(model.slenderness)
+
+    def falls(q):
+        scaled = ground * (q * threshold / motion.pga)
+        theta, _ = independent_solver.history(
+            scaled, 0.01, model.slenderness, model.p2, False, lambda v: model.ratio_at_rest
+        )
+        return np.abs(theta).max() > 0.5 * math.pi
+
+    low, high = 1.0, 1.05
+    while not falls(high):
+        low, high = high, high * 1.05
+    while high / low - 1.0 > BRACKET:
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if falls(middle) else (middle, high)
+    assert (row.low, row.q) == pytest.approx((low, high), rel=1e-12)
+
+
+def test_that_threads_and_finished_runs_change_no_digit(tmp_path):
+    content = table(mechanism=["two_sided", "one_sided"])
+    once, books, count = run(content), [], []
+
+    def journal(key):
+        books.append(Journal(tmp_path / "s.journal", key, True, sync_seconds=1.0))
+        return books[-1]
+
+    def cancelled():
+        return bool(books) and (tmp_path / "s.journal").read_bytes().count(b"\n") > 3
+
+    with pytest.raises(Cancelled):
+        run(content, journal=journal, cancelled=cancelled)
+    again = run(content, jobs=2, journal=journal, on_progress=lambda done, of: count.append(done))
+    assert count[0] >= 3
+    assert again.rows == once.rows
+    assert len(once.rows) == 2 * 1 + 2 * 2
+    assert [row.polarity for row in once.rows] == [1, 1, 1, -1, 1, -1]
+
+
+def test_that_a_motion_takes_the_lower_of_both_signs_and_a_set_the_mean():
+    result = run(table(mechanism=["one_sided"]))
+    values = motion_values(result)
+    assert len(values) == 2
+    for k, value in enumerate(values):
+        rows = [row for row in result.rows if row.motion == k]
+        assert value.q == min(row.q for row in rows)
+        assert value.q_slv == min(row.q_slv for row in rows)
+        assert value.q_recorded == rows[0].q
+        motion = value.entry.motion
+        wall = value.cell.wall.block()
+        assert value.pi == pytest.approx(wall.p2 * motion.housner_intensity / motion.pga, rel=1e-14)
+    (mean,) = set_means(result, values)
+    assert mean.q == pytest.approx((values[0].q + values[1].q) / 2, rel=1e-14)
+    assert (mean.numbers, mean.of) == (2, 2)
+    assert mean.q_eff == pytest.approx(mean.q / 0.2, rel=1e-12)
+
+
+def test_that_every_file_of_a_folder_is_read_or_named(tmp_path):
+    motion = (ROOT / "resources" / "motions" / "noise_1.txt").read_bytes()
+    (tmp_path / "a").mkdir()
+    (tmp_path / "a" / "one.txt").write_bytes(motion)
+    (tmp_path / "twin.txt").write_bytes(motion)
+    (tmp_path / "notes.md").write_text("no record")
+    result = run(table(motions="records"), records_from=tmp_path)
+    assert [entry.motion.name for entry in result.motions if entry.seed is None] == ["a/one.txt"]
+    assert [file for file, _ in result.refused] == ["notes.md"]
+    assert len(result.rows) == 1
+    (tmp_path / "list.toml").write_text('[[record]]\nfile = "a/*.txt"\n')
+    assert (
+        run(table(motions="records"), records_from=tmp_path / "list.toml").rows[0].q
+        == result.rows[0].q
+    )
+    (tmp_path / "empty").mkdir()
+    with pytest.raises(InputError, match="no acceleration record"):
+        run(table(motions="records"), records_from=tmp_path / "empty")
+
+
+def test_that_a_pga_no_a_g_gives_is_refused():
+    content = table()
+    soft = {
+        "name": "s",
+        "code": "NTC2018",
+        "f0": 2.5,
+        "tc_star_s": 0.5,
+        "soil": "D",
+        "topography": "T1",
+    }
+    content["group"] = [{"name": "g", "pga_g": 0.3, "spectrum": [soft]}]
+    study = parse_study(content)
+    assert parametric.spectra_of(study)[0][0].target.pga == pytest.approx(0.3 * G, rel=1e-12)
+    assert cells_of(study)[0].height_m == 3.0
