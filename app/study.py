@@ -7,7 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
-from app.batch import CANCELLED, DONE, interrupts, progress, tell, say
+from app.batch import CANCELLED, DONE, interrupts, progress, say, tell
 from app.language import terminal
 from core import atomic_write
 from core.case.study_file import Study, read_study, shortened
@@ -70,9 +70,16 @@ def results(
 
     try:
         result = parametric.run(
-            study, digest, base_dir=path.parent, records_from=records, quick=quick, jobs=jobs, journal=journal,
-            on_progress=on_progress, cancelled=cancelled,
-        )  # fmt: skip
+            study,
+            digest,
+            base_dir=path.parent,
+            records_from=records,
+            quick=quick,
+            jobs=jobs,
+            journal=journal,
+            on_progress=on_progress,
+            cancelled=cancelled,
+        )
     except InputError:
         for new in made:
             with contextlib.suppress(OSError):
@@ -172,8 +179,12 @@ def summary(result: ParametricResult, report: StudyReport, folder: Path, stem: s
     ]
     analyses = sum(row.analyses for row in result.rows)
     lines.append(
-        terminal("{runs} runs, {analyses} analyses in {seconds:.1f} s", runs=len(result.rows), analyses=analyses,
-                 seconds=result.elapsed)
-    )  # fmt: skip
+        terminal(
+            "{runs} runs, {analyses} analyses in {seconds:.1f} s",
+            runs=len(result.rows),
+            analyses=analyses,
+            seconds=result.elapsed,
+        )
+    )
     lines += [f"{folder / stem}{end}" for end in (".xlsx", ".json", ".csv", "_figures")]
     return "\n".join(lines)

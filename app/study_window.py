@@ -173,8 +173,15 @@ class StudyWindow(QDialog):
         left = (now - since) / (done - known) * (planned - done) if done > known else 0.0
         self.bar.setRange(0, max(planned, 1))
         self.bar.setValue(done)
-        self.word.setText(tr("{done} of {planned}, {elapsed:.0f} s, about {left:.0f} s left", done=done,
-                             planned=planned, elapsed=now - self.began, left=left))  # fmt: skip
+        self.word.setText(
+            tr(
+                "{done} of {planned}, {elapsed:.0f} s, about {left:.0f} s left",
+                done=done,
+                planned=planned,
+                elapsed=now - self.began,
+                left=left,
+            )
+        )
 
     def cancel(self) -> None:
         """Stop between two analyses; finished runs are kept."""

@@ -19,6 +19,8 @@ def test_that_no_module_is_two_subjects(source):
 
 ONE_STEP, ORDER = "tests/validation/test_one_step.py", "tests/validation/test_method_order.py"
 WORKBOOK, RUN = "tests/core/report/test_workbook.py", "tests/core/study/test_run.py"
+LAW = "tests/core/study/test_law_study.py"
+STUDY = "tests/app/test_study.py"
 SENTENCES = "tests/core/text/test_catalogue.py"
 REFUSALS = "tests/core/ground/test_record_refusals.py"
 
@@ -46,6 +48,16 @@ SHOWN_BY = {
     "rocking/taylor": ONE_STEP,
     "rocking/taylor_bounds": ONE_STEP,
     "rocking/taylor_series": ORDER,
+    "capacity/scale_free_law": LAW,
+    "report/study_files": STUDY,
+    "report/study_workbook": STUDY,
+    "study/figures": STUDY,
+    "study/law_fit": LAW,
+    "study/paper_claims": STUDY,
+    "study/paper_figures": STUDY,
+    "study/paper_tables": STUDY,
+    "study/set_means": "tests/core/study/test_parametric.py",
+    "study/study_report": STUDY,
     "study/assessment": "tests/core/codes/test_verdict.py",
     "study/demand_input": "tests/core/codes/test_target_spectrum.py",
     "study/governing": RUN,
@@ -83,6 +95,7 @@ SHOWN_BY = {
     **{
         f"text/{name}": SENTENCES
         for name in (
+            "study",
             "error_parts",
             "errors",
             "file_errors",

@@ -31,9 +31,11 @@ from app.forms.fields import (
 from app.forms.impact_form import ImpactForm
 from app.language import FORM_NAMES, current_language, described, named, quoted_from_file, tr
 from app.session import Session
+from core.capacity.scale_free_law import estimates
 from core.case.schema import Wall
 from core.case.wall_table import read_table, text_rows, walls_of
 from core.errors import InputError
+from core.study.demand_input import demand_of
 from core.units import G
 
 
@@ -261,7 +263,39 @@ class WallForm(QWidget):
         a = block.threshold_acceleration
         lines.append(f"a_RM {a / G:.3f} g = {a:.2f} m/s²")
         lines.append(f"R {block.radius:.3f} m, p {block.frequency_parameter:.3f} rad/s")
+        lines += self._estimate(wall)
         self.summary.setText("\n".join(lines))
+
+    def _estimate(self, wall: Wall) -> list[str]:
+        """A first answer without records: q of Ribalta's law at the demand, where its spectrum or SI is given."""
+        case = self.session.case
+        try:
+            demand = demand_of(case, self.session.base_dir) if case.demand else None
+            if demand is None or not demand.intensity or wall.above_ground:
+                return []
+            answers = [
+                estimates(
+                    wall.block(),
+                    wall.restitution_of(mechanism),
+                    wall.moment_law(),
+                    mechanism == "one_sided",
+                    demand.intensity,
+                    demand.pga,
+                )
+                for mechanism in wall.mechanisms()
+            ]
+        except (InputError, TypeError, KeyError):
+            return []  # the form says elsewhere what is missing
+        lines = []
+        for one, slv in filter(None, answers):
+            values = {"q": one.q, "low": one.low, "high": one.high, "q_slv": slv.q}
+            lines.append(
+                tr(
+                    "Ribalta's law, without records: q {q:.1f} ({low:.1f}–{high:.1f}), q SLV {q_slv:.1f}",
+                    **values,
+                )
+            )
+        return lines
 
     def _show_shape(self, shape: str, setback_follows: bool) -> None:
         """The fields that give this shape."""

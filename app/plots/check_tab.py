@@ -19,6 +19,7 @@ from core.study.results import Q_SOURCES, StudyResult, WallResult
 from core.text.sentence import word
 from core.units import G
 
+LAW_WORDS = {"q": "law_q", "q_slv": "law_q_slv"}
 VERDICT_COLORS = {"verified": "good", "not_activated": "good", "verified_refined": "amber",
                   "indicative": "amber", "undetermined": "amber", "q2_unsafe": "bad",
                   "not_verified": "bad"}  # fmt: skip
@@ -105,6 +106,13 @@ class CheckTab(QWidget):
                              f"{outcome} ({word('comparison', self.language)})", LABEL, digits(check.q),
                              digits(check.capacity / G, 3), digits(check.demand / G, 3), "g"])  # fmt: skip
                 colors.append([theme.current.quiet] * 8)
+        for estimate in wall.estimates:
+            capacity = wall.block.threshold_acceleration / G
+            wanted = result.demand.pga / G / estimate.q
+            between = f"q {estimate.low:.2f} – {estimate.high:.2f}"
+            rows.append([word(LAW_WORDS[estimate.quantity], self.language), digits(capacity / wanted), between, LABEL,
+                         digits(estimate.q), digits(capacity, 3), digits(wanted, 3), "g"])  # fmt: skip
+            colors.append([theme.current.quiet] * 8)
         self.table.show_rows(rows, colors)
         if assessment.dynamic:
             self._bars(assessment.dynamic)

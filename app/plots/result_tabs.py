@@ -23,6 +23,7 @@ from app.plots.table import Table
 from core.capacity.closed_forms import closed_form_q_eff
 from core.capacity.fragility import fragility_curve
 from core.capacity.ida import multiplier_of, threshold_of
+from core.capacity.scale_free_law import dimensionless_intensity, law_of, loss_ratio
 from core.ground.response_spectrum import HOUSNER_PERIODS, pseudo_acceleration_spectrum
 from core.rocking.history import scan
 from core.rocking.outcome import COLLAPSED
@@ -153,13 +154,17 @@ class IntensityTab(QWidget):
         self.log = QCheckBox(tr("Logarithmic axes"))
         self.log.toggled.connect(lambda on: self.show_wall(*self.shown) if self.shown else None)
         self.chart = Chart("SI [cm]", "q_eff [-]", tr("q against SI"))
+        self.scale_free = Chart("Π = p² SI/PGA [-]", "q [-]", tr("q against Π"))
         self.words = QLabel()
         layout = QVBoxLayout(self)
         row = QHBoxLayout()
         row.addWidget(self.log)
         row.addWidget(self.words, 1)
         layout.addLayout(row)
-        layout.addWidget(self.chart, 1)
+        charts = QHBoxLayout()
+        charts.addWidget(self.chart, 1)
+        charts.addWidget(self.scale_free, 1)
+        layout.addLayout(charts, 1)
         self.shown = None
 
     def show_wall(self, result: StudyResult, wall: WallResult) -> None:
@@ -192,7 +197,32 @@ class IntensityTab(QWidget):
             self.chart.curve("C1 SI^C2", inside / CM, fit, 0, 1.6, dash=True)
             text += f"   C1 {law.c1:.3g}, C2 {law.c2:.2f}, R² {law.r_squared:.2f}"
         self.words.setText(text)
+        self._show_law(wall, known)
         self.chart.reset()
+
+    def _show_law(self, wall: WallResult, known: list) -> None:
+        """Ribalta's law: at each record in the chart of SI, and as a curve with its interval in that of Pi."""
+        self.scale_free.clear()
+        self.scale_free.set_log(self.log.isChecked())
+        block = wall.block
+        pi = np.array(
+            [dimensionless_intensity(block.p2, entry.intensity, entry.pga) for entry in known]
+        )
+        self.scale_free.points(tr("time histories"), pi, [entry.q for entry in known], 0, 9)
+        law = law_of(wall.mechanism == "one_sided", wall.law, "q")
+        if law is not None:
+            ratio = loss_ratio(block, wall.restitution)
+            pga = np.array([entry.pga for entry in known])
+            si = np.array([entry.intensity for entry in known])
+            name = tr("Ribalta's law (research)")
+            self.chart.points(name, si / CM, law.q(pi, ratio) * G / pga, 2, 8, symbol="d")
+            x = np.geomspace(0.7 * pi.min(), 1.4 * pi.max(), 60)
+            y = law.q(x, ratio)
+            low, high = (edge / law.q(1.0, ratio) for edge in law.interval(1.0, ratio))
+            if not self.log.isChecked():
+                self.scale_free.band(x, low * y, high * y, 2)
+            self.scale_free.curve(name, x, y, 2, 2.0)
+        self.scale_free.reset()
 
 
 class SpectraTab(QWidget):

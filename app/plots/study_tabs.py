@@ -21,8 +21,16 @@ def figure_chart(figure: Figure) -> QWidget:
     for k, series in enumerate(figure.series):
         named = bool(series.name)
         if series.look != POINTS:
-            chart.curve(series.name, series.x, series.y, series.color, 1.8, dash=series.look == DASHED,
-                        legend=named and series.look != LINE_POINTS, path=True)  # fmt: skip
+            chart.curve(
+                series.name,
+                series.x,
+                series.y,
+                series.color,
+                1.8,
+                dash=series.look == DASHED,
+                legend=named and series.look != LINE_POINTS,
+                path=True,
+            )
         if series.look in (POINTS, LINE_POINTS):
             symbol = SYMBOLS[marker_of(figure, k) % len(SYMBOLS)]
             chart.points(

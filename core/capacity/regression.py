@@ -22,10 +22,10 @@ def least_squares(columns, values) -> Fit:
     """
     matrix, values = np.asarray(columns, float), np.asarray(values, float)
     if values.size < matrix.shape[1]:
-        raise ValueError("fewer points than coefficients")
+        raise ValueError("underdetermined")
     found, _, rank, _ = np.linalg.lstsq(matrix, values, rcond=None)
     if rank < matrix.shape[1]:
-        raise ValueError("columns that are not independent")
+        raise ValueError("dependent columns")
     return Fit(tuple(map(float, found)), r_squared(values, matrix @ found), values.size)
 
 

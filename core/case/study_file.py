@@ -110,10 +110,16 @@ class Cell:
             chosen = {"velocity_ratio": float(self.restitution)}
         elif self.restitution != DEFAULT:
             chosen = {"restitution": self.restitution}
-        return parse_wall({
-            "name": f"{self.slenderness_deg:g} deg, {self.height_m:g} m", "law": self.law, **chosen,
-            "slenderness_deg": self.slenderness_deg, "height_m": self.height_m, "mechanism": self.mechanism,
-        })  # fmt: skip
+        return parse_wall(
+            {
+                "name": f"{self.slenderness_deg:g} deg, {self.height_m:g} m",
+                "law": self.law,
+                **chosen,
+                "slenderness_deg": self.slenderness_deg,
+                "height_m": self.height_m,
+                "mechanism": self.mechanism,
+            }
+        )
 
 
 def cells_of(study: Study) -> list[Cell]:
@@ -138,8 +144,12 @@ def cells_of(study: Study) -> list[Cell]:
             except InputError as error:
                 raise error.at(place("grid", n=k)) from None
             if cell.method == "linearised" and cell.law != "rigid":
-                raise InputError("linearised_is_rigid", place=(place("grid", n=k),), key="method",
-                                 wall=cell.wall.name)  # fmt: skip
+                raise InputError(
+                    "linearised_is_rigid",
+                    place=(place("grid", n=k),),
+                    key="method",
+                    wall=cell.wall.name,
+                )
             cells[cell] = None
     return list(cells)
 

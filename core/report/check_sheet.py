@@ -82,7 +82,7 @@ def _wall(book: Book, sheet, result: StudyResult, wall: WallResult, name: str, r
         row = _records(book, sheet, wall, name, row + 1)
     row = _closed(book, sheet, result, wall, name, row)
     if wall.code_check:
-        row = _inequality(book, sheet, wall, name, row + 1)
+        row = _inequality(book, sheet, result, wall, name, row + 1)
     if wall.assessment and wall.assessment.kinematic:
         row = wall_rows(book, sheet, result, wall, name, row + 1)
     for warning in wall.warnings:
@@ -234,7 +234,9 @@ def _closed(book: Book, sheet, result: StudyResult, wall: WallResult, name: str,
                  f"{name}_q_closed", RATIO)  # fmt: skip
 
 
-def _inequality(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
+def _inequality(
+    book: Book, sheet, result: StudyResult, wall: WallResult, name: str, row: int
+) -> int:
     """Eq. 9 with the q of every source."""
     say = book.say
     words = {
@@ -276,5 +278,31 @@ def _inequality(book: Book, sheet, wall: WallResult, name: str, row: int) -> int
             )
             color = GOOD if inequality.passed else BAD
             style(cell, bold=True, color=color, align="center")
+        rule(sheet, row, 1, 8)
+    for estimate in wall.estimates:
+        row += 1
+        text(
+            sheet,
+            row,
+            1,
+            say("{quantity} of Ribalta's law, a research output", quantity=estimate.quantity),
+            color=QUIET,
+        )
+        number(sheet, row, 2, estimate.q, RATIO, color=QUIET)
+        book.formula(
+            sheet.cell(row, 3), f"={name}_a_rm", wall.block.threshold_acceleration / G, ACCELERATION
+        )
+        demand = result.demand.pga / G / estimate.q
+        book.formula(sheet.cell(row, 4), f"=demand_pga/B{row}", demand, ACCELERATION)
+        book.formula(
+            sheet.cell(row, 6),
+            f"=C{row}/D{row}",
+            wall.block.threshold_acceleration / G / demand,
+            RATIO,
+        )
+        words = f"{estimate.low:.2f} – {estimate.high:.2f}"
+        if not estimate.within:
+            words += " " + say("outside its range")
+        text(sheet, row, 8, words, color=QUIET, align="center")
         rule(sheet, row, 1, 8)
     return row + 2

@@ -268,6 +268,7 @@ def _wall(wall: WallResult, result: StudyResult) -> dict:
             }
             for source, check in zip(Q_SOURCES, wall.code_check, strict=False)
         ],
+        "scale_free_law": [asdict(estimate) for estimate in wall.estimates],
         **_assessment(wall.assessment),
         **_uncertainty(wall.accuracy),
         "warnings": [warning.text() for warning in wall.warnings],

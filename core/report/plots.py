@@ -18,7 +18,8 @@ from openpyxl.formatting.rule import ColorScaleRule
 from openpyxl.utils import get_column_letter
 from openpyxl.worksheet.pagebreak import Break
 
-from core.capacity.closed_forms import closed_form_q_eff
+from core.capacity.closed_forms import closed_form_q_eff, effective_q
+from core.capacity.scale_free_law import dimensionless_intensity, law_of, loss_ratio
 from core.report.cells import (
     ACCENT,
     BAD,
@@ -107,6 +108,9 @@ def q_against_si(book: Book, result: StudyResult) -> None:
         if wall.power_law:
             add_series(chart, sheet, (column + 2, column + 3), (2, last_curve), ACCENT)
         add_series(chart, sheet, (column + 2, column + 4), (2, last_curve), BAD)
+        if wall.per_record and law_of(wall.mechanism == "one_sided", wall.law, "q"):
+            add_series(chart, sheet, (column, column + 7), (2, last_point), GOOD, points=True)
+            chart.series[-1].marker.symbol = "diamond"
         for k in (5, 6):
             add_series(
                 chart,
@@ -140,13 +144,18 @@ def _si_data(book: Book, sheet, wall: WallResult, column: int) -> tuple[int, int
     fit = f"C1 SI^C2 (R² {law.r_squared:.2f})" if law else "–"
     text(sheet, 1, column, f"{wall.name} {wall.mechanism}", color=QUIET)
     header(sheet, 2, ["SI [cm]", book.say("time histories"), "SI [cm]", fit, form,
-                      f"{form} +20 %", f"{form} −20 %"], column, 30)  # fmt: skip
+                      f"{form} +20 %", f"{form} −20 %", book.say("Ribalta's law")], column, 30)  # fmt: skip
+    scale_free = law_of(wall.mechanism == "one_sided", wall.law, "q")
     row = 2
     points = [entry for entry in wall.per_record if entry.q is not None]
     for entry in points:
         row += 1
         number(sheet, row, column, entry.intensity / CM, RATIO)
         number(sheet, row, column + 1, entry.q_eff, RATIO)
+        if scale_free:
+            pi = dimensionless_intensity(wall.block.p2, entry.intensity, entry.pga)
+            q = scale_free.q(pi, loss_ratio(wall.block, wall.restitution))
+            number(sheet, row, column + 7, effective_q(float(q), entry.pga), RATIO)
     # the power law is drawn where the records are, no further
     first = min(entry.intensity for entry in points)
     last = max(entry.intensity for entry in points)

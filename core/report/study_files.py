@@ -16,10 +16,32 @@ PALETTE = ("#2B5C8A", "#B3421B", "#1B6E4B", "#8A5A00", "#6A3D9A", "#0F8B8D", "#C
 """Colours of the series, told apart in print and by the colour-blind."""
 
 COLUMNS = (
-    "group", "spectrum", "motion", "seed", "pga_g", "pgv_cm_s", "housner_intensity_cm", "slenderness_deg", "height_m",
-    "mechanism", "restitution", "law", "method", "q_step", "polarity", "status", "q", "q_low", "q_slv", "q_slc",
-    "q_robust", "q_eff", "survived_fraction", "pi", "analyses",
-)  # fmt: skip
+    "group",
+    "spectrum",
+    "motion",
+    "seed",
+    "pga_g",
+    "pgv_cm_s",
+    "housner_intensity_cm",
+    "slenderness_deg",
+    "height_m",
+    "mechanism",
+    "restitution",
+    "law",
+    "method",
+    "q_step",
+    "polarity",
+    "status",
+    "q",
+    "q_low",
+    "q_slv",
+    "q_slc",
+    "q_robust",
+    "q_eff",
+    "survived_fraction",
+    "pi",
+    "analyses",
+)
 DPI = 150
 MARKERS = ("o", "s", "^", "D")
 
@@ -37,13 +59,35 @@ def csv_text(result: ParametricResult) -> str:
     for row in result.rows:
         entry, cell = result.motions[row.motion], row.cell
         pga, pgv, si = measures[row.motion]
-        writer.writerow((
-            entry.group, entry.spectrum, entry.motion.name, "" if entry.seed is None else entry.seed, pga, pgv, si,
-            cell.slenderness_deg, cell.height_m, cell.mechanism, cell.restitution, cell.law, cell.method, cell.q_step,
-            row.polarity, row.status, row.q, row.low, row.q_slv, row.q_slc, row.q_robust,
-            None if row.q is None else row.q / pga, row.survived_fraction, p2[cell] * (si * CM) / (pga * G),
-            row.analyses,
-        ))  # fmt: skip
+        writer.writerow(
+            (
+                entry.group,
+                entry.spectrum,
+                entry.motion.name,
+                "" if entry.seed is None else entry.seed,
+                pga,
+                pgv,
+                si,
+                cell.slenderness_deg,
+                cell.height_m,
+                cell.mechanism,
+                cell.restitution,
+                cell.law,
+                cell.method,
+                cell.q_step,
+                row.polarity,
+                row.status,
+                row.q,
+                row.low,
+                row.q_slv,
+                row.q_slc,
+                row.q_robust,
+                None if row.q is None else row.q / pga,
+                row.survived_fraction,
+                p2[cell] * (si * CM) / (pga * G),
+                row.analyses,
+            )
+        )
     return stream.getvalue()
 
 
@@ -57,25 +101,48 @@ def json_text(result: ParametricResult, report: StudyReport, runs: str, runs_sha
         "study": asdict(result.study),
         "study_sha256": result.sha256,
         "spectra": [
-            {"name": s.name, "group": s.group, "shape": s.target.name, "ag_g": s.target.ag / G,
-             "soil_factor": s.target.soil, "pga_g": s.target.pga / G, "housner_intensity_cm": s.intensity / CM}
+            {
+                "name": s.name,
+                "group": s.group,
+                "shape": s.target.name,
+                "ag_g": s.target.ag / G,
+                "soil_factor": s.target.soil,
+                "pga_g": s.target.pga / G,
+                "housner_intensity_cm": s.intensity / CM,
+            }
             for s in result.spectra
         ],
         "motions": [
-            {"name": e.motion.name, "spectrum": e.spectrum, "group": e.group, "seed": e.seed, **record_measures(e.motion)}
+            {
+                "name": e.motion.name,
+                "spectrum": e.spectrum,
+                "group": e.group,
+                "seed": e.seed,
+                **record_measures(e.motion),
+            }
             for e in result.motions
         ],
         "refused": [{"file": file, "reason": error.text("en")} for file, error in result.refused],
-        "runs": {"file": runs, "sha256": runs_sha256, "count": len(result.rows),
-                 "analyses": sum(row.analyses for row in result.rows)},
+        "runs": {
+            "file": runs,
+            "sha256": runs_sha256,
+            "count": len(result.rows),
+            "analyses": sum(row.analyses for row in result.rows),
+        },
         "notes": report.notes,
         "tables": [
-            {"key": t.key, "title": t.title, "note": t.note, "head": t.head, "rows": [_finite(row) for row in t.rows]}
+            {
+                "key": t.key,
+                "title": t.title,
+                "note": t.note,
+                "head": t.head,
+                "rows": [_finite(row) for row in t.rows],
+            }
             for t in report.tables
         ],
         "claims": [asdict(claim) for claim in report.claims],
         "fits": report.fits,
-    }  # fmt: skip
+    }
     return json.dumps(content, indent=1, allow_nan=False, ensure_ascii=False) + "\n"
 
 
@@ -90,21 +157,31 @@ def figure_files(figure: Figure) -> dict[str, bytes]:
     mpl.use("Agg")
     from matplotlib import pyplot
 
-    style = {"font.size": 9, "font.family": "DejaVu Sans", "svg.hashsalt": "ribalta", "svg.fonttype": "none",
-             "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True, "grid.color": "#E3E8EC"}  # fmt: skip
+    style: dict = {
+        "font.size": 9,
+        "font.family": "DejaVu Sans",
+        "svg.hashsalt": "ribalta",
+        "svg.fonttype": "none",
+        "axes.spines.top": False,
+        "axes.spines.right": False,
+        "axes.grid": True,
+        "grid.color": "#E3E8EC",
+    }
     files = {}
     with mpl.rc_context(style):
         drawn, axes = pyplot.subplots(figsize=(7.2, 4.6), layout="constrained")
         for k, series in enumerate(figure.series):
             color = PALETTE[series.color % len(PALETTE)]
             marker = MARKERS[marker_of(figure, k) % len(MARKERS)]
-            look = {
+            looks: dict[str, dict] = {
                 POINTS: {"linestyle": "", "marker": marker, "markersize": 3.5, "alpha": 0.8},
                 LINE: {"linewidth": 1.4},
                 DASHED: {"linewidth": 1.1, "linestyle": "--"},
                 LINE_POINTS: {"linewidth": 1.1, "marker": marker, "markersize": 4},
-            }[series.look]
-            axes.plot(series.x, series.y, color=color, label=series.name or "_", **look)
+            }
+            axes.plot(
+                series.x, series.y, color=color, label=series.name or "_", **looks[series.look]
+            )
         axes.set_title(figure.title, loc="left", fontsize=10, fontweight="bold")
         axes.set_xlabel(figure.x)
         axes.set_ylabel(figure.y)

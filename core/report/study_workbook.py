@@ -35,8 +35,13 @@ def _summary(book: Book, result: ParametricResult, report: StudyReport) -> None:
     for note in report.notes:
         row = paragraph(sheet, row, note, 5, 130)
     analyses = sum(entry.analyses for entry in result.rows)
-    counted = say("{runs} runs, {analyses} analyses, {motions} motions, {seconds:.0f} s", runs=len(result.rows),
-                  analyses=analyses, motions=len(result.motions), seconds=result.elapsed)  # fmt: skip
+    counted = say(
+        "{runs} runs, {analyses} analyses, {motions} motions, {seconds:.0f} s",
+        runs=len(result.rows),
+        analyses=analyses,
+        motions=len(result.motions),
+        seconds=result.elapsed,
+    )
     row = paragraph(sheet, row, counted, 5, 130, color=QUIET)
     row = (
         paragraph(

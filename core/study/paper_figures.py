@@ -29,7 +29,7 @@ FIGURES = {
 }
 """Numbers of the paper's figures: q against H of both restitutions, scatter, all spectra, q_eff, natural records."""
 
-INTERMEDIATE = {"slenderness_deg": 6.8, "height_m": 7.0}
+INTERMEDIATE: dict = {"slenderness_deg": 6.8, "height_m": 7.0}
 """The wall of figures 19, 21 and 22."""
 
 TUFF_HEIGHT, TUFF_THICKNESS = 0.800, 0.123
@@ -111,26 +111,45 @@ def q_against_height(sets: list[SetMean], mechanism: str, say: Say) -> list[Figu
     figures = []
     theory, experiment, _, everything, _, _ = FIGURES[mechanism]
     for number, models in ((theory, THEORETICAL), (experiment, EXPERIMENTAL)):
-        ours = [entry for entry in chosen(exact(sets), mechanism=mechanism, restitution=models[mechanism], law="rigid")
-                if entry.spectrum.group == "B"]  # fmt: skip
+        ours = [
+            entry
+            for entry in chosen(
+                exact(sets), mechanism=mechanism, restitution=models[mechanism], law="rigid"
+            )
+            if entry.spectrum.group == "B"
+        ]
         series = []
         for color, alpha in enumerate(sorted({entry.cell.slenderness_deg for entry in ours})):
             for name in sorted({entry.spectrum.name for entry in ours}):
-                points = [(entry.cell.height_m, entry.q) for entry in chosen(ours, slenderness_deg=alpha)
-                          if entry.spectrum.name == name]  # fmt: skip
+                points = [
+                    (entry.cell.height_m, entry.q)
+                    for entry in chosen(ours, slenderness_deg=alpha)
+                    if entry.spectrum.name == name
+                ]
                 series.append(curve(f"{alpha:g}°, {name}", points, LINE_POINTS, color))
-        title = say("Fig. {number}: q against H, {restitution}, group B", number=int(number),
-                    restitution=models[mechanism])  # fmt: skip
+        title = say(
+            "Fig. {number}: q against H, {restitution}, group B",
+            number=int(number),
+            restitution=models[mechanism],
+        )
         figures.append(Figure(f"fig{number}_q_height", title, "H [m]", "q [-]", tuple(series)))
     if everything:
-        ours = chosen(exact(sets), mechanism=mechanism, restitution=THEORETICAL[mechanism], law="rigid",
-                      slenderness_deg=6.8)  # fmt: skip
+        ours = chosen(
+            exact(sets),
+            mechanism=mechanism,
+            restitution=THEORETICAL[mechanism],
+            law="rigid",
+            slenderness_deg=6.8,
+        )
         series = [
             curve(
-                name, [(e.cell.height_m, e.q) for e in ours if e.spectrum.name == name], LINE_POINTS, "ABC".find(name[0])
+                name,
+                [(e.cell.height_m, e.q) for e in ours if e.spectrum.name == name],
+                LINE_POINTS,
+                "ABC".find(name[0]),
             )
             for name in sorted({entry.spectrum.name for entry in ours})
-        ]  # fmt: skip
+        ]
         title = say("Fig. 9: q against H at 6.8 degrees, all spectra")
         figures.append(Figure("fig09_q_height", title, "H [m]", "q [-]", tuple(series)))
     return figures
@@ -171,8 +190,13 @@ def restitution_scatter(sets: list[SetMean], mechanism: str, say: Say) -> Figure
     number = FIGURES[mechanism][2]
     points = [(one.q, other.q) for one, other in restitution_pairs(sets, mechanism)]
     title = say("Fig. {number}: q of both restitution models", number=int(number))
-    return Figure(f"fig{number}_restitution", title, f"q [-], {THEORETICAL[mechanism]}",
-                  f"q [-], {EXPERIMENTAL[mechanism]}", (scatter("", points), diagonal(points)))  # fmt: skip
+    return Figure(
+        f"fig{number}_restitution",
+        title,
+        f"q [-], {THEORETICAL[mechanism]}",
+        f"q [-], {EXPERIMENTAL[mechanism]}",
+        (scatter("", points), diagonal(points)),
+    )
 
 
 def theoretical(sets: list, mechanism: str) -> list:
@@ -234,8 +258,11 @@ def law_pairs(sets: list[SetMean], mechanism: str, law: str) -> list[tuple[SetMe
     rigid = theoretical(sets, mechanism)
     other = chosen(exact(sets), mechanism=mechanism, law=law, **INTERMEDIATE)
     by_spectrum = {entry.spectrum.name: entry for entry in other}
-    return [(one, by_spectrum[one.spectrum.name]) for one in chosen(rigid, **INTERMEDIATE)
-            if one.spectrum.name in by_spectrum]  # fmt: skip
+    return [
+        (one, by_spectrum[one.spectrum.name])
+        for one in chosen(rigid, **INTERMEDIATE)
+        if one.spectrum.name in by_spectrum
+    ]
 
 
 def rigid_against_trilinear(sets: list[SetMean], say: Say) -> Figure:
@@ -247,8 +274,13 @@ def rigid_against_trilinear(sets: list[SetMean], say: Say) -> Figure:
         everything += points
         series.append(scatter(f"{say(MECHANISM[mechanism])}, {law}", points, color))
     title = say("Fig. 19: rigid and trilinear law, 6.8 degrees, 7 m")
-    return Figure("fig19_trilinear", title, say("q [-], rigid"), say("q [-], trilinear"),
-                  (*series, diagonal(everything)))  # fmt: skip
+    return Figure(
+        "fig19_trilinear",
+        title,
+        say("q [-], rigid"),
+        say("q [-], trilinear"),
+        (*series, diagonal(everything)),
+    )
 
 
 def c1_points(sets: list[SetMean], mechanism: str) -> list[tuple[float, float, float]]:
@@ -292,8 +324,15 @@ def numerical_against_analytical(sets: list[SetMean], say: Say) -> Figure:
         everything += points
         series.append(scatter(say(MECHANISM[mechanism]), points, color))
     title = say("Fig. 20: q of the time histories against Eq. 15 and 16")
-    return Figure("fig20_closed_form", title, say("q [-], Eq. 15 or 16"), say("q [-], time histories"),
-                  (*series, diagonal(everything)), True, True)  # fmt: skip
+    return Figure(
+        "fig20_closed_form",
+        title,
+        say("q [-], Eq. 15 or 16"),
+        say("q [-], time histories"),
+        (*series, diagonal(everything)),
+        True,
+        True,
+    )
 
 
 def natural_values(values: list[MotionValue], mechanism: str) -> list[MotionValue]:
@@ -316,10 +355,15 @@ def natural_records(values: list[MotionValue], mechanism: str, say: Say) -> Figu
     lines = [
         curve(name, [(si / CM, factor * y) for si, y in zip(x, form, strict=True)], look, 1)
         for factor, look, name in (
-            (1.0, LINE, f"Eq. {15 + one_sided}"), (1 + BAND, DASHED, "±20 %"), (1 - BAND, DASHED, ""))
-    ]  # fmt: skip
-    share = agreement([closed_form_q_eff(block.slenderness, block.height, si, one_sided) for si in intensities],
-                      [value.q_eff for value in ours]).within  # fmt: skip
+            (1.0, LINE, f"Eq. {15 + one_sided}"),
+            (1 + BAND, DASHED, "±20 %"),
+            (1 - BAND, DASHED, ""),
+        )
+    ]
+    share = agreement(
+        [closed_form_q_eff(block.slenderness, block.height, si, one_sided) for si in intensities],
+        [value.q_eff for value in ours],
+    ).within
     title = say(
         "Fig. {number}: q_eff of natural records, {mechanism}",
         number=int(number),
@@ -328,8 +372,16 @@ def natural_records(values: list[MotionValue], mechanism: str, say: Say) -> Figu
     note = say(
         "{n} records, {share:.0%} of them within ±20 % of the equation.", n=len(ours), share=share
     )
-    return Figure(f"fig{number}_natural", title, "SI [cm]", "q_eff [-]", (scatter(say("records"), points), *lines),
-                  True, True, note)  # fmt: skip
+    return Figure(
+        f"fig{number}_natural",
+        title,
+        "SI [cm]",
+        "q_eff [-]",
+        (scatter(say("records"), points), *lines),
+        True,
+        True,
+        note,
+    )
 
 
 def figures(
@@ -339,10 +391,12 @@ def figures(
     made: list[Figure | None] = [free_rocking(say), *spectra(result, say)]
     for mechanism in THEORETICAL:
         made += [
-            *q_against_height(sets, mechanism, say), restitution_scatter(sets, mechanism, say),
-            *q_eff_against_si(sets, mechanism, say), q_against_ratio(sets, mechanism, say),
+            *q_against_height(sets, mechanism, say),
+            restitution_scatter(sets, mechanism, say),
+            *q_eff_against_si(sets, mechanism, say),
+            q_against_ratio(sets, mechanism, say),
             c1_against_height(sets, mechanism, say),
-        ]  # fmt: skip
+        ]
     made += [rigid_against_trilinear(sets, say), numerical_against_analytical(sets, say)]
     made += [natural_records(values, mechanism, say) for mechanism in THEORETICAL]
     return [

@@ -73,7 +73,7 @@ class ParametricResult:
     spectra: tuple[StudySpectrum, ...]
     motions: tuple[StudyMotion, ...]
     rows: tuple[Row, ...]
-    refused: tuple[tuple[str, InputError], ...]
+    refused: tuple[tuple[str, RecordError], ...]
     elapsed: float
 
 
@@ -105,7 +105,7 @@ def spectra_of(study: Study) -> list[tuple[StudySpectrum, Shape]]:
     return [(one(group, shape), shape) for group in study.group for shape in group.spectrum]
 
 
-def folder_records(folder: Path) -> tuple[list[StudyMotion], list[tuple[str, InputError]]]:
+def folder_records(folder: Path) -> tuple[list[StudyMotion], list[tuple[str, RecordError]]]:
     """Every acceleration record below a folder, one of equal ones, and the files that are none.
 
     Raises InputError for a folder without a record.
@@ -184,9 +184,16 @@ def run(
             book.close()
     elapsed = (datetime.datetime.now(datetime.UTC) - started).total_seconds()
     return ParametricResult(
-        study, sha256, quick, started.isoformat(timespec="seconds"), tuple(entry for entry, _ in spectra),
-        tuple(motions), rows, tuple(refused), elapsed,
-    )  # fmt: skip
+        study,
+        sha256,
+        quick,
+        started.isoformat(timespec="seconds"),
+        tuple(entry for entry, _ in spectra),
+        tuple(motions),
+        rows,
+        tuple(refused),
+        elapsed,
+    )
 
 
 def _generated(study: Study, spectra, threads: Threads) -> list[StudyMotion]:
@@ -255,11 +262,21 @@ def _rows(study, motions, threads, book, on_progress) -> tuple[Row, ...]:
     return tuple(known[entry] for entry in planned)
 
 
-def _row(entry, ida: Ida) -> Row:
+def _row(entry: tuple[Cell, int, int], ida: Ida) -> Row:
+    cell, motion, polarity = entry
     return Row(
-        *entry, ida.status, ida.q, ida.bracket[0] if ida.bracket else None, ida.q_slv, ida.q_slc, ida.q_robust,
-        ida.survived_fraction, ida.analyses,
-    )  # fmt: skip
+        cell=cell,
+        motion=motion,
+        polarity=polarity,
+        status=ida.status,
+        q=ida.q,
+        low=ida.bracket[0] if ida.bracket else None,
+        q_slv=ida.q_slv,
+        q_slc=ida.q_slc,
+        q_robust=ida.q_robust,
+        survived_fraction=ida.survived_fraction,
+        analyses=ida.analyses,
+    )
 
 
 def _restored(entry, line: dict | None) -> Row | None:

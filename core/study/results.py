@@ -6,6 +6,7 @@ from core.capacity.accuracy import Accuracy
 from core.capacity.closed_forms import PowerLaw
 from core.capacity.fragility import Fragility
 from core.capacity.ida import Ida, Search
+from core.capacity.scale_free_law import Estimate
 from core.case.schema import Case, Wall
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandCheck
@@ -113,6 +114,7 @@ class WallResult:
     closed_form_q_eff: float | None
     closed_form_q: float | None
     code_check: tuple[Inequality | None, ...]
+    estimates: tuple[Estimate, ...]
     warnings: tuple[Sentence, ...]
     assessment: Assessment | None = None
     accuracy: Accuracy | None = None

@@ -1,4 +1,4 @@
-"""From the runs of a parametric study to one value a motion and one a set: the lower of both signs, the mean of seven."""
+"""From the runs of a parametric study to one value a motion, the lower of both signs, and one a set, the mean."""
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
@@ -89,11 +89,13 @@ def motion_values(result: ParametricResult) -> list[MotionValue]:
 
     return [
         MotionValue(
-            cell, result.motions[motion], *(lower(rows, name) for name in QUANTITIES),
-            lower([row for row in rows if row.polarity == 1], "q"),
+            cell,
+            result.motions[motion],
+            q_recorded=lower([row for row in rows if row.polarity == 1], "q"),
+            **{name: lower(rows, name) for name in QUANTITIES},
         )
         for (cell, motion), rows in runs.items()
-    ]  # fmt: skip
+    ]
 
 
 def set_means(result: ParametricResult, values: Iterable[MotionValue]) -> list[SetMean]:
@@ -109,13 +111,20 @@ def set_means(result: ParametricResult, values: Iterable[MotionValue]) -> list[S
         return fmean(known) if known else float("nan")
 
     means = []
-    for (cell, name), members in sets.items():
+    for (cell, spectrum), members in sets.items():
         known = [entry.q for entry in members if entry.q is not None]
         if known:
-            quantities = (mean(members, quantity) for quantity in (*QUANTITIES, "q_recorded"))
+            quantities = {name: mean(members, name) for name in (*QUANTITIES, "q_recorded")}
             scatter = stdev(known) / fmean(known) if len(known) > 1 else 0.0
             means.append(
-                SetMean(cell, spectra[name], *quantities, scatter, len(known), len(members))
+                SetMean(
+                    cell,
+                    spectra[spectrum],
+                    scatter=scatter,
+                    numbers=len(known),
+                    of=len(members),
+                    **quantities,
+                )
             )
     return means
 

@@ -1,6 +1,6 @@
 """What a finished parametric study shows: the paper's figures and claims, the scale-free law, or the plain grid."""
 
-from core.study import law_study, paper_claims, paper_figures
+from core.study import law_study, paper_claims, paper_figures, paper_tables
 from core.study.figures import LINE_POINTS, Figure, StudyReport, Table
 from core.study.paper_figures import curve, scatter
 from core.study.parametric import ParametricResult
@@ -28,16 +28,27 @@ def report_of(result: ParametricResult) -> StudyReport:
             say("{n} of {of} runs have no number and are left out.", n=without, of=len(result.rows))
         )
     if result.refused:
-        notes.append(say("{n} files of the folder of records are no accelerograms the program reads.",
-                         n=len(result.refused)))  # fmt: skip
+        notes.append(
+            say(
+                "{n} files of the folder of records are no accelerograms the program reads.",
+                n=len(result.refused),
+            )
+        )
     if result.study.report == "paper":
-        notes.insert(0, say(
-            "The paper's Table 1 and figures are lost: spectra, seeds and steps of H are a reconstruction. Signs and "
-            "ranges are compared, not digits."))  # fmt: skip
+        notes.insert(
+            0,
+            say(
+                "The paper's Table 1 and figures are lost: spectra, seeds and steps of H are a reconstruction. "
+                "Signs and ranges are compared, not digits."
+            ),
+        )
         return StudyReport(
-            result.study.title, tuple(notes), tuple(paper_figures.figures(result, values, sets, say)),
-            tuple(paper_claims.tables(result, values, sets, say)), tuple(paper_claims.claims(sets, values, say)),
-        )  # fmt: skip
+            result.study.title,
+            tuple(notes),
+            tuple(paper_figures.figures(result, values, sets, say)),
+            tuple(paper_tables.tables(result, values, sets, say)),
+            tuple(paper_claims.claims(sets, values, say)),
+        )
     if result.study.report == "law":
         return law_study.report(result, values, notes, say)
     return StudyReport(
@@ -61,8 +72,11 @@ def _grid_figures(values: list[MotionValue], sets: list[SetMean], say) -> list[F
         series = []
         for color, alpha in enumerate(sorted({entry.cell.slenderness_deg for entry in ours})):
             for spectrum in dict.fromkeys(entry.spectrum.name for entry in ours):
-                points = [(entry.cell.height_m, entry.q) for entry in ours
-                          if entry.cell.slenderness_deg == alpha and entry.spectrum.name == spectrum]  # fmt: skip
+                points = [
+                    (entry.cell.height_m, entry.q)
+                    for entry in ours
+                    if entry.cell.slenderness_deg == alpha and entry.spectrum.name == spectrum
+                ]
                 series.append(curve(f"{alpha:g}°, {spectrum}", points, LINE_POINTS, color))
         if series:
             figures.append(
@@ -81,18 +95,53 @@ def _grid_figures(values: list[MotionValue], sets: list[SetMean], say) -> list[F
             chart = (scatter(say("single motions"), single, 7),)
             if ours:
                 chart += (scatter(say("means of sets"), [(entry.pi, entry.q) for entry in ours]),)
-            figures.append(Figure(f"q_pi_{k}", say("q against Π = p² SI/PGA") + f": {kind}", "Π [-]", "q [-]", chart,
-                                  True, True))  # fmt: skip
+            figures.append(
+                Figure(
+                    f"q_pi_{k}",
+                    say("q against Π = p² SI/PGA") + f": {kind}",
+                    "Π [-]",
+                    "q [-]",
+                    chart,
+                    True,
+                    True,
+                )
+            )
     return figures
 
 
 def _grid_table(sets: list[SetMean], say) -> Table:
     """Means of every cell and spectrum."""
     rows = tuple(
-        (e.cell.slenderness_deg, e.cell.height_m, _name(e), e.spectrum.name, e.pga / G, e.intensity / CM, e.q, e.q_slv,
-         e.q_slc, e.q_robust, e.scatter, e.q_eff, e.numbers)
+        (
+            e.cell.slenderness_deg,
+            e.cell.height_m,
+            _name(e),
+            e.spectrum.name,
+            e.pga / G,
+            e.intensity / CM,
+            e.q,
+            e.q_slv,
+            e.q_slc,
+            e.q_robust,
+            e.scatter,
+            e.q_eff,
+            e.numbers,
+        )
         for e in sets
-    )  # fmt: skip
-    head = ("α [°]", "H [m]", say("wall"), say("spectrum"), "PGA [g]", "SI [cm]", "q", "q SLV", "q SLC",
-            say("q robust"), say("scatter"), "q_eff", "n")  # fmt: skip
+    )
+    head = (
+        "α [°]",
+        "H [m]",
+        say("wall"),
+        say("spectrum"),
+        "PGA [g]",
+        "SI [cm]",
+        "q",
+        "q SLV",
+        "q SLC",
+        say("q robust"),
+        say("scatter"),
+        "q_eff",
+        "n",
+    )
     return Table("sets", say("Means of the sets"), head, rows)

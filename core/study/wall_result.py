@@ -5,6 +5,7 @@ import numpy as np
 from core.capacity import closed_forms
 from core.capacity.fragility import fragility
 from core.capacity.ida import Ida, multiplier_of, threshold_of
+from core.capacity.scale_free_law import estimates
 from core.case.schema import Wall
 from core.codes.eq9 import inequality
 from core.codes.limits import MEAN_FROM, MINIMUM_FROM
@@ -110,6 +111,9 @@ def wall_result(wall, mechanism, model, runs, motions, search, demand) -> WallRe
             for source, q in zip(Q_SOURCES, sources, strict=True)
         )
     restitution = wall.restitution_of(mechanism)
+    estimated = ()
+    if checks and demand.intensity:
+        estimated = estimates(block, restitution, law, one_sided, demand.intensity, demand.pga)
     law_of_si = closed_forms.fit_power_law(
         [entry.intensity for entry in with_q], [entry.q_eff for entry in with_q]
     )
@@ -134,6 +138,7 @@ def wall_result(wall, mechanism, model, runs, motions, search, demand) -> WallRe
         closed_form_q_eff=closed_q_eff,
         closed_form_q=closed_q,
         code_check=checks,
+        estimates=estimated,
         warnings=tuple(
             _unusual(wall)
             + _model_notices(wall, block, mechanism, restitution, law)

@@ -132,6 +132,59 @@ STUDY = {
     "{n} records, {share:.0%} of them within ±20 % of the equation.": (
         "{n} accelerogrammi, il {share:.0%} entro il ±20 % dall'equazione."
     ),
+    (
+        "q = limit + exp(a0 + a1 s) Π^-(b0 + b1 s), s = sqrt(1 - e), Π = p² SI/PGA. Intervals of 90 % by leaving out "
+        "one shape at a time. Natural records were never used in a fit."
+    ): (
+        "q = limite + exp(a0 + a1 s) Π^-(b0 + b1 s), s = sqrt(1 - e), Π = p² SI/PGA. Intervalli del 90 % escludendo "
+        "una forma alla volta. Gli accelerogrammi naturali non sono mai usati in una regressione."
+    ),
+    "What q = 2 is worth: share of the spectra for which q at SLV stays below 2": (
+        "Quanto vale q = 2: quota degli spettri per cui q allo SLV resta sotto 2"
+    ),
+    "law": "legge",
+    "quantity": "grandezza",
+    "limit": "limite",
+    "scatter of sets": "dispersione degli insiemi",
+    "scatter, shape left out": "dispersione, forma esclusa",
+    "scatter of single motions": "dispersione dei moti singoli",
+    "natural records, mean - 1": "accelerogrammi naturali, media - 1",
+    "natural records, scatter": "accelerogrammi naturali, dispersione",
+    "natural records": "accelerogrammi naturali",
+    "least Π": "Π minimo",
+    "largest Π": "Π massimo",
+    "Ribalta's law of q, a research output": "La legge di Ribalta per q, un risultato di ricerca",
+    "law of q": "legge di q",
+    "mean - 1": "media - 1",
+    "Laws of q side by side": "Leggi di q a confronto",
+    "SI/PGA from [cm/g]": "SI/PGA da [cm/g]",
+    "to [cm/g]": "a [cm/g]",
+    "q SLV below 2 [%]": "q SLV sotto 2 [%]",
+    "median q SLV": "q SLV mediano",
+    "{quantity} against Π = p² SI/PGA, {mechanism}": "{quantity} e Π = p² SI/PGA, {mechanism}",
+    "Π, shape left out": "Π, forma esclusa",
+    "p PGV/PGA, shape left out": "p PGV/PGA, forma esclusa",
+    "Eq. {number} refitted, all walls": "Eq. {number} ricalibrata, tutte le pareti",
+    "A wall free to rock to both sides has q at SLV below 2 in {share:.0%} of the cases.": (
+        "Una parete libera di oscillare su due lati ha q allo SLV sotto 2 nel {share:.0%} dei casi."
+    ),
+    "A wall restrained from behind has it below 2 in {share:.0%}; its median is {median:.1f}.": (
+        "Una parete trattenuta da dietro lo ha sotto 2 nel {share:.0%}; la mediana è {median:.1f}."
+    ),
+    (
+        "Of walls up to 7 m and 7 degrees that rock to both sides q = 2 is too much in {short:.0%}, of those of 12 m "
+        "and more in {tall:.0%}."
+    ): (
+        "Fra le pareti fino a 7 m e 7 gradi che oscillano su due lati q = 2 è troppo nel {short:.0%}, fra quelle da "
+        "12 m in su nel {tall:.0%}."
+    ),
+    "Π, natural records": "Π, accelerogrammi naturali",
+    "p PGV/PGA, natural records": "p PGV/PGA, accelerogrammi naturali",
+    "all walls": "tutte le pareti",
+    "walls near the paper's": "pareti vicine a quelle dell'articolo",
+    "{quantity} of Ribalta's law, a research output": "{quantity} della legge di Ribalta, risultato di ricerca",
+    "outside its range": "fuori dal suo campo",
+    "Ribalta's law": "legge di Ribalta",
     "{runs} runs, {analyses} analyses, {motions} motions, {seconds:.0f} s": (
         "{runs} analisi incrementali, {analyses} integrazioni, {motions} moti, {seconds:.0f} s"
     ),

@@ -17,7 +17,6 @@ WINDOW = {
     ),
     "Written to {folder}": "Scritto in {folder}",
     "Claims": "Affermazioni",
-    "Tables": "Tabelle",
     "Figures": "Figure",
     "Source": "Fonte",
     "Claim of the paper": "Affermazione dell'articolo",
@@ -25,6 +24,10 @@ WINDOW = {
     "of": "su",
     "What is found": "Che cosa si trova",
     "q against Π": "q e Π",
+    "Ribalta's law (research)": "legge di Ribalta (ricerca)",
+    "Ribalta's law, without records: q {q:.1f} ({low:.1f}–{high:.1f}), q SLV {q_slv:.1f}": (
+        "Legge di Ribalta, senza accelerogrammi: q {q:.1f} ({low:.1f}–{high:.1f}), q SLV {q_slv:.1f}"
+    ),
     "q robust": "q robusto",
     "Check": "Verifica",
     "Histories": "Storie temporali",

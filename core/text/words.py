@@ -19,6 +19,11 @@ WORDS = {
     "time_histories": ("Eq. 9, q at collapse", "Eq. 9, q a collasso"),
     "time_histories_slv": ("Eq. 9, q at SLV", "Eq. 9, q allo SLV"),
     "time_histories_robust": ("Eq. 9, q robust", "Eq. 9, q robusto"),
+    "law_q": ("Eq. 9, Ribalta's law of q (research)", "Eq. 9, legge di Ribalta per q (ricerca)"),
+    "law_q_slv": (
+        "Eq. 9, Ribalta's law of q at SLV (research)",
+        "Eq. 9, legge di Ribalta per q allo SLV (ricerca)",
+    ),
     "not_activated": ("mechanism not activated", "meccanismo non attivato"),
     "verified": ("verified", "verificata"),
     "verified_refined": ("verified, refined method only", "verificata, solo metodo raffinato"),

@@ -13,10 +13,13 @@ import pytest
 from openpyxl import load_workbook
 
 from app import study
+from core.capacity.regression import agreement
+from core.capacity.scale_free_law import FITTED
+from core.study.law_fit import columns, set_columns
+from core.study.set_means import motion_values
 from core.study.study_report import report_of
 from tests.app.driving import settle
 from tests.app.test_batch import call, start, waited
-from tests.conftest import ROOT
 
 STUDY = """
 title = "=1+1"
@@ -183,6 +186,21 @@ def test_that_every_figure_of_the_paper_is_there_but_those_of_records(paper):
     }
     assert all(row.q is not None for row in result.rows)
     assert [table.key for table in report.tables] == ["table1", "eq13", "eq14", "distance"]
+
+
+@pytest.mark.parametrize(
+    "mechanism, quantity", [(m, q) for m in ("two_sided", "one_sided") for q in ("q", "q_slv")]
+)
+def test_that_the_stored_law_holds_for_shapes_and_seeds_it_has_never_seen(
+    paper, mechanism, quantity
+):
+    """Nine shapes of the paper's study, two motions each; the law was fitted on others."""
+    _, result, _ = paper
+    fitted = FITTED[mechanism, "rigid", quantity]
+    sets = set_columns(columns(motion_values(result), mechanism, "rigid", quantity, False))
+    found = agreement(fitted.q(sets.pi, 1.0 - sets.loss**2), sets.q)
+    assert found.n == 9 * 9 * 2
+    assert abs(found.bias) < 0.08 and found.scatter < 1.5 * fitted.scatter_record
 
 
 def test_that_the_italian_study_has_the_same_numbers(small, tmp_path):
