@@ -13,6 +13,8 @@ from core.version import NAME, VERSION, commit
 CHART_ROWS = 22
 CHARTS_PER_PAGE = 2
 MAX_SERIES = 60
+PAGE_ROWS = 40
+"""Rows of a table that still fit a page."""
 MARKERS = ("circle", "square", "triangle", "diamond")
 
 
@@ -105,6 +107,8 @@ def _table(book: Book, table: Table) -> None:
     if table.note:
         paragraph(sheet, last + 1, table.note, len(table.head), int(1.1 * sum(widths)))
     sheet.freeze_panes = "A4"
+    if len(table.rows) < PAGE_ROWS:
+        sheet.page_setup.fitToHeight = 1
     sheet.print_title_rows = "3:3"
     sheet.print_area = f"A1:{get_column_letter(len(table.head))}{last + 1}"
 
@@ -120,6 +124,7 @@ def _figures(book: Book, figures: tuple[Figure, ...]) -> None:
     sheet = book.sheet("Figures", [11] * 10)
     data = book.sheet("Figure data", [11] * 20)
     title(sheet, 1, book.say("Figures"))
+    data.print_area = "A1:J40"
     row, column = 3, 1
     for index, figure in enumerate(figures):
         chart = new_chart(figure.title, figure.x, figure.y, 19.0, 10.2)
