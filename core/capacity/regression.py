@@ -51,13 +51,17 @@ def linear_c1(slenderness_deg, height, c1) -> Fit:
     return least_squares(np.column_stack([slenderness_deg, height, np.ones(len(c1))]), c1)
 
 
+BAND = 0.2
+"""Band about a law, as the paper draws it in figures 21 and 22."""
+
+
 @dataclass(frozen=True)
 class Agreement:
     """How a law agrees with what it is to give: ratio law / truth.
 
     bias : mean of ln(law / truth) as a ratio minus 1 [-]
     scatter : standard deviation of ln(law / truth) [-]
-    within : share with |law / truth - 1| <= 0.2 [-]
+    within : share of the truth in a band of 20 % about the law, |truth / law - 1| <= 0.2 [-]
     """
 
     bias: float
@@ -70,7 +74,7 @@ def agreement(law, truth) -> Agreement:
     """Agreement of positive values of a law with the true ones."""
     ratio = np.asarray(law, float) / np.asarray(truth, float)
     log = np.log(ratio)
-    within = float((np.abs(ratio - 1.0) <= 0.2).mean())
+    within = float((np.abs(1.0 / ratio - 1.0) <= BAND).mean())
     return Agreement(
         math.expm1(float(log.mean())),
         float(log.std(ddof=1)) if log.size > 1 else 0.0,

@@ -6,7 +6,7 @@ from collections.abc import Callable
 import numpy as np
 
 from core.capacity.closed_forms import COEFFICIENTS, closed_form_q, closed_form_q_eff, fit_power_law
-from core.capacity.regression import agreement, power_coefficient
+from core.capacity.regression import BAND, agreement, power_coefficient
 from core.ground.response_spectrum import pseudo_acceleration_spectrum
 from core.rocking.history import history
 from core.study.figures import DASHED, LINE, LINE_POINTS, POINTS, Figure, Series
@@ -37,9 +37,6 @@ TUFF_HEIGHT, TUFF_THICKNESS = 0.800, 0.123
 
 TUFF_START = 0.95
 """First rotation of figure 4 over alpha: assumed, the figure is lost."""
-
-BAND = 0.2
-"""Band about Eq. 15 and 16 in figures 21 and 22."""
 
 PERIODS = np.geomspace(0.05, 4.0, 40)
 
