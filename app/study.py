@@ -2,21 +2,30 @@
 
 import contextlib
 import hashlib
+import re
 import threading
 from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
-from app.batch import CANCELLED, DONE, interrupts, progress, say, tell
+from app.batch import CANCELLED, DONE, WITHOUT_NUMBER, interrupts, progress, say, tell
 from app.language import terminal
 from core import atomic_write
-from core.case.study_file import Study, read_study, shortened
-from core.errors import Cancelled, InputError
+from core.case.study_file import Study, read_record_list, read_study, shortened
+from core.errors import Cancelled, InputError, place
+from core.ground import records as accelerograms
+from core.report.study_files import COLUMNS
 from core.study import parametric
 from core.study.figures import StudyReport
 from core.study.journal import Journal
 from core.study.parametric import ParametricResult
 from core.study.study_report import report_of
+
+MAX_NAMED = 20
+"""Runs without a number that are named on the terminal."""
+
+FIGURE_NAME = re.compile(r"(fig\d\d|q|q_eff|eq14|law)_\w[\w.]*\.(png|svg)")
+"""Names of the figures of a study."""
 
 STUDIES = Path(__file__).resolve().parents[1] / "resources" / "studies"
 """Studies that come with the program, asked for by name."""
@@ -37,6 +46,45 @@ def load(path: Path, quick: bool) -> tuple[Study, str]:
     """The study of a file, shortened where asked. Raises InputError."""
     study, digest = read_study(path)
     return (shortened(study) if quick else study), digest
+
+
+def refuse_overwriting(
+    study: Study, path: Path, records: Path | None, folder: Path, stem: str
+) -> None:
+    """Raise InputError where a result would take the place of a file the study reads, or of a folder."""
+    figures = folder / f"{stem}_figures"
+    if figures.exists() and not figures.is_dir():
+        raise InputError("would_overwrite", path=figures)
+    ends = (".xlsx", ".json", ".csv", ".journal")
+    targets = {(folder / (stem + end)).resolve() for end in ends}
+    sources = {path.resolve()}
+    listed = [(study.record, path.parent)]
+    if records is not None and records.is_file():
+        sources.add(records.resolve())
+        listed.append((read_record_list(records).record, records.parent))
+    elif records is not None:
+        sources |= {file.resolve() for file in records.rglob("*") if file.is_file()}
+        # results of this study in the folder of records are no records
+        sources -= {target for target in targets if ours(target)}
+    for entries, base in listed:
+        for k, entry in enumerate(entries, start=1):
+            try:
+                sources |= {file.resolve() for file in accelerograms.expand(entry.file, base)}
+            except InputError as error:
+                raise error.at(place("record", n=k)) from None
+    for target in targets & sources:
+        raise InputError("would_overwrite", path=target)
+
+
+def ours(target: Path) -> bool:
+    """Whether this file was written by a study: a record would not be."""
+    try:
+        with open(target, "rb") as stream:
+            start = stream.read(200)
+    except OSError:
+        return False
+    heads = (",".join(COLUMNS[:4]).encode(), b'{\n "program"', b"PK", b'{"Ribalta journal"')
+    return start.startswith(heads)
 
 
 class Made(NamedTuple):
@@ -61,11 +109,12 @@ def results(
     path = find(asked)
     study, digest = load(path, quick)
     stem = stem_of(path, quick)
+    refuse_overwriting(study, path, records, folder, stem)
     made = atomic_write.check_folder(folder)
     books: list[Journal] = []
 
     def journal(key: str) -> Journal:
-        books.append(open_journal(folder, stem, parametric.key_of(study, quick) + key, resume))
+        books.append(open_journal(folder, stem, key, resume))
         return books[0]
 
     try:
@@ -80,8 +129,8 @@ def results(
             on_progress=on_progress,
             cancelled=cancelled,
         )
-    except InputError:
-        for new in made:
+    except (InputError, Cancelled):
+        for new in made:  # a folder that holds a journal stays
             with contextlib.suppress(OSError):
                 new.rmdir()
         raise
@@ -111,14 +160,28 @@ def run(
             made = results(asked, folder, records, jobs, quick, resume, show, cancel.is_set)
         except Cancelled:
             journal = folder / f"{stem_of(path, quick)}.journal"
-            tell("cancelled: finished runs are in {path}; go on with --resume", path=journal)
+            if journal.exists():
+                tell("cancelled: finished runs are in {path}; go on with --resume", path=journal)
+            else:
+                tell("stopped")
             return CANCELLED
         report = report_of(made.result)
         write(made.result, report, folder, made.stem)
     made.book.remove()
     if not quiet:
         say(summary(made.result, report, folder, made.stem))
-    return DONE
+    without = [row for row in made.result.rows if row.q is None]
+    for row in without[:MAX_NAMED]:
+        tell(
+            "no number: {wall}, {record} ({sign}): {status}",
+            wall=f"{row.cell.wall.name} {row.cell.mechanism}",
+            record=made.result.motions[row.motion].motion.name,
+            sign="+" if row.polarity > 0 else "-",
+            status=row.status,
+        )
+    if len(without) > MAX_NAMED:
+        tell("and {n} more, in the CSV", n=len(without) - MAX_NAMED)
+    return WITHOUT_NUMBER if without else DONE
 
 
 def open_journal(folder: Path, stem: str, key: str, resume: bool) -> Journal:
@@ -164,9 +227,12 @@ def write(
         for name, content in study_files.figure_files(figure).items():
             drawn[folder / f"{stem}_figures" / name] = content
     ready()
-    atomic_write.check_folder(folder / f"{stem}_figures")
-    atomic_write.write(drawn)
-    atomic_write.write(files)
+    figures = folder / f"{stem}_figures"
+    atomic_write.check_folder(figures)
+    atomic_write.write({**drawn, **files})
+    for path in figures.iterdir():  # of an earlier run of this study
+        if FIGURE_NAME.fullmatch(path.name) and path not in drawn:
+            path.unlink()
 
 
 def summary(result: ParametricResult, report: StudyReport, folder: Path, stem: str) -> str:

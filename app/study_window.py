@@ -128,6 +128,9 @@ class StudyWindow(QDialog):
         """Run the study, or go on with the one that was cancelled; the window stays alive."""
         if self.job is not None:
             return
+        if not self.folder.text().strip():
+            self.word.setText(tr("Name a folder for the results."))
+            return
         quick, folder = self.quick.isChecked(), Path(self.folder.text())
         asked = self.study.currentText().strip()
         records = Path(self.records.text()) if self.records.text().strip() else None
@@ -146,7 +149,7 @@ class StudyWindow(QDialog):
             report = report_of(made.result)
             study.write(made.result, report, folder, made.stem, job.check, job.commit)
             made.book.remove()
-            return made.result, report
+            return made.result, report, folder
 
         job = self.job = Job(work)
         job.done.connect(lambda found: self._arrived(*found))
@@ -210,11 +213,9 @@ class StudyWindow(QDialog):
 
     # what is shown
 
-    def _arrived(self, result: parametric.ParametricResult, report) -> None:
+    def _arrived(self, result: parametric.ParametricResult, report, folder: Path) -> None:
         self.word.setText(
-            "\n".join(
-                (report.title, *report.notes, tr("Written to {folder}", folder=self.folder.text()))
-            )
+            "\n".join((report.title, *report.notes, tr("Written to {folder}", folder=folder)))
         )
         while self.tabs.count():
             page = self.tabs.widget(0)

@@ -287,14 +287,16 @@ class WallForm(QWidget):
         except (InputError, TypeError, KeyError):
             return []  # the form says elsewhere what is missing
         lines = []
-        for one, slv in filter(None, answers):
-            values = {"q": one.q, "low": one.low, "high": one.high, "q_slv": slv.q}
-            lines.append(
-                tr(
-                    "Ribalta's law, without records: q {q:.1f} ({low:.1f}–{high:.1f}), q SLV {q_slv:.1f}",
+        for mechanism, answer in zip(wall.mechanisms(), answers, strict=True):
+            for one, slv in [answer] if answer else []:
+                values = {"q": one.q, "low": one.low, "high": one.high, "q_slv": slv.q}
+                kind = named(mechanism)
+                line = tr(
+                    "Research, no records, {kind}: q {q:.1f} ({low:.1f}–{high:.1f}), q SLV {q_slv:.1f}",
+                    kind=kind,
                     **values,
                 )
-            )
+                lines.append(line if one.within else f"{line}, {tr('outside its range')}")
         return lines
 
     def _show_shape(self, shape: str, setback_follows: bool) -> None:

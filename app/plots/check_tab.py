@@ -110,6 +110,8 @@ class CheckTab(QWidget):
             capacity = wall.block.threshold_acceleration / G
             wanted = result.demand.pga / G / estimate.q
             between = f"q {estimate.low:.2f} – {estimate.high:.2f}"
+            if not estimate.within:
+                between += ", " + tr("outside its range")
             rows.append([word(LAW_WORDS[estimate.quantity], self.language), digits(capacity / wanted), between, LABEL,
                          digits(estimate.q), digits(capacity, 3), digits(wanted, 3), "g"])  # fmt: skip
             colors.append([theme.current.quiet] * 8)

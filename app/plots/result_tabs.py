@@ -171,6 +171,7 @@ class IntensityTab(QWidget):
         """Fill the tab from one wall of a result."""
         self.shown = (result, wall)
         self.chart.clear()
+        self.scale_free.clear()
         self.chart.set_log(self.log.isChecked())
         known = [entry for entry in wall.per_record if entry.q is not None]
         if not known:

@@ -284,7 +284,7 @@ def _accepted(entry) -> Sentence:
     if kind == "list":
         return sentence("accepted", "list", items=_accepted(rule["of"]))
     if kind == "tables":
-        return sentence("accepted", "table")
+        return sentence("accepted", "tables", name=entry.name)
     if kind == "text":
         return sentence("accepted", "text", most=MAX_TEXT)
     return sentence("accepted", {"flag": "flag", "spectrum": "table", "path": "path"}[kind])
@@ -328,10 +328,16 @@ def _value(entry, value, *here):
             return tuple(_value(item, part, *here) for part in value)
     elif kind == "tables":
         if isinstance(value, (list, tuple)) and value:
-            return tuple(
-                section_of(rule["of"], part, entry.name, section(f"[[{entry.name}]] {k}"))
-                for k, part in enumerate(value, start=1)
-            )
+            above = [part for part in here if isinstance(part, Sentence)]
+            parts = []
+            for k, part in enumerate(value, start=1):
+                try:
+                    parts.append(
+                        section_of(rule["of"], part, entry.name, section(f"[[{entry.name}]] {k}"))
+                    )
+                except InputError as error:
+                    raise (error.at(above[0]) if above else error) from None
+            return tuple(parts)
     elif kind == "spectrum":
         return section_of(Spectrum, value, "spectrum", section("[demand.spectrum]"))
     elif kind == "law":

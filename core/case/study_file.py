@@ -35,7 +35,7 @@ class Shape:
     name: str = text_key(MISSING)
     code: str = choice_key("NTC2018", "EN1998")
     soil: str = choice_key(*SOILS)
-    seed: int = number_key(0, 1_000_000, 1, whole=True)
+    seed: int = number_key(0, 1_000_000, MISSING, whole=True)
     f0: float | None = number_key(2.0, 4.0)
     tc_star_s: float | None = number_key(0.05, 1.0, unit="s")
     topography: str | None = choice_key(*NTC_TOPOGRAPHY, default=None)
@@ -91,7 +91,7 @@ class Study:
 
 @dataclass(frozen=True)
 class Cell:
-    """One wall of a study, its restitution and how it is integrated; motions : which it is put under."""
+    """One wall of a study, its restitution (a name, or a velocity ratio as text) and how it is integrated."""
 
     slenderness_deg: float
     height_m: float
@@ -100,15 +100,14 @@ class Cell:
     law: str
     method: str
     q_step: float
-    motions: str
 
     @property
     def wall(self) -> Wall:
         """As a wall of a case, whose rules it obeys. Raises InputError."""
-        chosen: dict[str, object] = {}
+        chosen: dict[str, object]
         if self.restitution[0].isdigit():
             chosen = {"velocity_ratio": float(self.restitution)}
-        elif self.restitution != DEFAULT:
+        else:
             chosen = {"restitution": self.restitution}
         return parse_wall(
             {
@@ -122,36 +121,34 @@ class Cell:
         )
 
 
-def cells_of(study: Study) -> list[Cell]:
-    """The cells of all grids, each once. Raises InputError for one that is no wall."""
-    cells: dict[Cell, None] = {}
+def cells_of(study: Study) -> dict[Cell, frozenset[str]]:
+    """The cells of all grids, each once, and the motions it is put under: generated, records or both.
+
+    Raises InputError for a cell that is no wall.
+    """
+    cells: dict[Cell, frozenset[str]] = {}
     for k, grid in enumerate(study.grid, start=1):
+        here = place("grid", n=k)
         ratios = tuple(repr(ratio) for ratio in grid.velocity_ratio)
         models = grid.restitution + ratios or (DEFAULT,)
-        lists = (
-            grid.slenderness_deg,
-            grid.height_m,
-            grid.mechanism,
-            models,
-            grid.law,
-            grid.method,
-            grid.q_step,
-        )
-        for values in product(*lists):
-            cell = Cell(*values, grid.motions)
+        kinds = frozenset(("generated", "records") if grid.motions == "all" else (grid.motions,))
+        lists = (grid.slenderness_deg, grid.height_m, grid.mechanism, models, grid.law, grid.method)
+        for alpha, height, mechanism, model, law, method in product(*lists):
+            if model == DEFAULT:
+                model = "one_sided_theoretical" if mechanism == "one_sided" else "housner"
+            named = [
+                Cell(alpha, height, mechanism, model, law, method, step) for step in grid.q_step
+            ]
             try:
-                cell.wall.restitution_of(cell.mechanism)
+                named[0].wall.restitution_of(mechanism)
             except InputError as error:
-                raise error.at(place("grid", n=k)) from None
-            if cell.method == "linearised" and cell.law != "rigid":
-                raise InputError(
-                    "linearised_is_rigid",
-                    place=(place("grid", n=k),),
-                    key="method",
-                    wall=cell.wall.name,
-                )
-            cells[cell] = None
-    return list(cells)
+                raise error.at(here) from None
+            if method == "linearised" and law != "rigid":
+                name = named[0].wall.name
+                raise InputError("linearised_is_rigid", place=(here,), key="method", wall=name)
+            for cell in named:
+                cells[cell] = cells.get(cell, frozenset()) | kinds
+    return cells
 
 
 def parse_study(table: dict) -> Study:
@@ -171,11 +168,27 @@ def parse_study(table: dict) -> Study:
                 raise InputError("study_without", place=(place("grid", n=k),), key=key)
         if grid.motions == "generated" and not study.group:
             raise InputError("study_without", place=(place("grid", n=k),), key="group")
+    names: set[tuple[str, str]] = set()
+    seeds: set[int] = set()
     for group in study.group:
+        here = place("group", name=group.name)
         if not group.spectrum:
-            raise InputError("study_without", place=(group.name or "group",), key="spectrum")
+            raise InputError("study_without", place=(here,), key="spectrum")
+        for entry in [
+            ("group", group.name),
+            *(("spectrum", shape.name) for shape in group.spectrum),
+        ]:
+            if entry in names:
+                raise InputError("study_same_name", place=(here,), kind=entry[0], name=entry[1])
+            names.add(entry)
         for shape in group.spectrum:
-            check_code_keys(shape, place("group", name=group.name))
+            check_code_keys(shape, here)
+            own = set(range(shape.seed, shape.seed + study.count))
+            if own & seeds:
+                raise InputError(
+                    "study_same_seed", place=(here,), name=shape.name, seed=min(own & seeds)
+                )
+            seeds |= own
     cells_of(study)
     return study
 
@@ -189,6 +202,8 @@ class RecordList:
 
 def read_record_list(path: Path) -> RecordList:
     """The [[record]] tables of a TOML file, as those of a case. Raises InputError."""
+    if not path.exists():
+        raise InputError("study_no_records", place=(path,))
     table, _ = read_toml(path)
     try:
         found = section_of(RecordList, table, "records", "records")
@@ -201,6 +216,8 @@ def read_record_list(path: Path) -> RecordList:
 
 def read_study(path: Path) -> tuple[Study, str]:
     """The study of a TOML file and the hash of its content. Raises InputError with the file's name."""
+    if not path.exists():
+        raise InputError("no_study_file", place=(path,))
     table, content = read_toml(path)
     try:
         return parse_study(table), hashlib.sha256(content).hexdigest()

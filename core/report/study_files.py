@@ -166,6 +166,7 @@ def figure_files(figure: Figure) -> dict[str, bytes]:
         "axes.spines.right": False,
         "axes.grid": True,
         "grid.color": "#E3E8EC",
+        "text.parse_math": False,
     }
     files = {}
     with mpl.rc_context(style):

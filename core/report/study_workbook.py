@@ -24,7 +24,8 @@ def content(result: ParametricResult, report: StudyReport) -> bytes:
     book.workbook.remove(book.workbook.active)
     _summary(book, result, report)
     for table in report.tables:
-        _table(book, table)
+        if table.rows:
+            _table(book, table)
     _figures(book, report.figures)
     return book.content()
 

@@ -6,10 +6,20 @@ from itertools import product
 import numpy as np
 
 from core.capacity.regression import Agreement, agreement
-from core.capacity.scale_free_law import ScaleFreeLaw, fit_law, law_value, limit_of, loss_ratio
+from core.capacity.scale_free_law import (
+    ScaleFreeLaw,
+    dimensionless_intensity,
+    fit_law,
+    law_value,
+    limit_of,
+    loss_ratio,
+)
 from core.study.paper_figures import MECHANISM
-from core.study.set_means import QUANTITIES, MotionValue
+from core.study.set_means import QUANTITIES, MotionValue, exact
 from core.wall.moment_rotation import LAWS
+
+MIN_SHAPES = 4
+"""Shapes from which a law is fitted."""
 
 
 @dataclass(frozen=True)
@@ -40,7 +50,7 @@ def columns(
     default : whether the restitution is the one that follows the mechanism
     """
     rows, walls = [], {}
-    for value in values:
+    for value in exact(values):
         cell, motion = value.cell, value.entry.motion
         number = getattr(value, quantity)
         fits = (cell.mechanism, cell.law, value.entry.seed is None) == (mechanism, law, natural)
@@ -60,7 +70,7 @@ def columns(
             (
                 cell.slenderness_deg,
                 cell.height_m,
-                p2 * motion.housner_intensity / motion.pga,
+                dimensionless_intensity(p2, motion.housner_intensity, motion.pga),
                 loss,
                 np.sqrt(p2) * motion.pgv / motion.pga,
                 number,
@@ -77,6 +87,8 @@ def columns(
 
 def set_columns(runs: Columns) -> Columns:
     """Means over the motions of each wall and spectrum; of Pi and p PGV/PGA as well."""
+    if not runs.q.size:
+        return runs
     keys = np.column_stack([runs.alpha, runs.height, runs.loss]).round(9)
     _, wall = np.unique(keys, axis=0, return_inverse=True)
     _, shape = np.unique(runs.spectrum, return_inverse=True)
@@ -103,11 +115,10 @@ class LawFit:
     records: Agreement
     natural: Agreement | None
     natural_velocity: Agreement | None
-    velocity: tuple[float, ...]
     outside_velocity: Agreement
 
 
-def _left_out(sets: Columns, variable: np.ndarray, limit: float) -> tuple[np.ndarray, np.ndarray]:
+def left_out(sets: Columns, variable: np.ndarray, limit: float) -> tuple[np.ndarray, np.ndarray]:
     """Coefficients without each shape, and the law of every set by the fit without its shape."""
     shapes = list(dict.fromkeys(sets.spectrum))
     found, predicted = [], np.empty(sets.q.size)
@@ -121,15 +132,15 @@ def _left_out(sets: Columns, variable: np.ndarray, limit: float) -> tuple[np.nda
 def fitted(values: list[MotionValue], mechanism: str, law: str, quantity: str) -> LawFit | None:
     """The law of one mechanism, moment law and quantity; None with fewer than four shapes."""
     runs = columns(values, mechanism, law, quantity, False)
-    if np.unique(runs.spectrum).size < 4:
+    if np.unique(runs.spectrum).size < MIN_SHAPES:
         return None
     sets, limit = set_columns(runs), limit_of(LAWS[law])
     coefficients = fit_law(sets.pi, sets.loss, sets.q, limit)
-    without, predicted = _left_out(sets, sets.pi, limit)
+    without, predicted = left_out(sets, sets.pi, limit)
     n = len(without)
     errors = np.sqrt((n - 1) / n * ((without - without.mean(axis=0)) ** 2).sum(axis=0))
     by_velocity = fit_law(sets.velocity, sets.loss, sets.q, limit)
-    _, velocity_predicted = _left_out(sets, sets.velocity, limit)
+    _, velocity_predicted = left_out(sets, sets.velocity, limit)
     inside = agreement(law_value(coefficients, limit, sets.pi, sets.loss), sets.q)
     outside = agreement(predicted, sets.q)
     records = agreement(law_value(coefficients, limit, runs.pi, runs.loss), runs.q)
@@ -157,7 +168,6 @@ def fitted(values: list[MotionValue], mechanism: str, law: str, quantity: str) -
         records,
         natural,
         natural_velocity,
-        by_velocity,
         agreement(velocity_predicted, sets.q),
     )
 

@@ -9,7 +9,7 @@ from core.capacity.closed_forms import closed_form_q
 from core.capacity.regression import Agreement, agreement
 from core.capacity.scale_free_law import law_value
 from core.study.figures import DASHED, LINE, LINE_POINTS, Figure, Series, StudyReport, Table
-from core.study.law_fit import Columns, columns, fits_of, set_columns
+from core.study.law_fit import MIN_SHAPES, Columns, columns, fits_of, left_out, set_columns
 from core.study.paper_figures import MECHANISM, curve, scatter
 from core.study.parametric import ParametricResult
 from core.study.set_means import MotionValue
@@ -121,12 +121,16 @@ def _rival_table(values: list[MotionValue], fits: dict, say: Say) -> Table:
                     agreement(form[which], sets.q[which]),
                 )
                 add(mechanism, quantity, f"Π, {words}", agreement(own[which], sets.q[which]))
-        add(
-            mechanism,
-            quantity,
-            say("Eq. {number} refitted, all walls", number=number),
-            agreement(_refit(sets), sets.q),
-        )
+        if np.unique(sets.spectrum).size >= MIN_SHAPES:
+            refit = say("Eq. {number} refitted on these walls, shape left out", number=number)
+            add(mechanism, quantity, refit, agreement(_refit(sets), sets.q))
+            _, predicted = left_out(sets, sets.pi, fit.law.limit)
+            add(
+                mechanism,
+                quantity,
+                say("Π on these walls, shape left out"),
+                agreement(predicted, sets.q),
+            )
     head = (
         say("mechanism"),
         say("quantity"),
@@ -150,18 +154,23 @@ def _closed_forms(sets: Columns, mechanism: str) -> np.ndarray:
 
 
 def _refit(sets: Columns) -> np.ndarray:
-    """q of Eq. 13 and 14 with A1, A2, A3 and C2 fitted to these sets."""
+    """q of Eq. 13 and 14 with A1, A2, A3 and C2 fitted to these sets without those of its own shape."""
     from scipy.optimize import least_squares
 
     ratio = np.log(100.0 * sets.intensity / (sets.pga / G))
 
-    def value(c):
-        return (
-            np.log(np.maximum(c[0] * sets.alpha + c[1] * sets.height + c[2], 1e-3)) + c[3] * ratio
-        )
+    def value(c, own):
+        level = c[0] * sets.alpha[own] + c[1] * sets.height[own] + c[2]
+        return np.log(np.maximum(level, 1e-3)) + c[3] * ratio[own]
 
-    found = least_squares(lambda c: value(c) - np.log(sets.q), (30.0, 78.0, 90.0, -1.0))
-    return np.exp(value(found.x))
+    predicted = np.empty(sets.q.size)
+    for shape in dict.fromkeys(sets.spectrum):
+        own = sets.spectrum == shape
+        found = least_squares(
+            lambda c, rest=~own: value(c, rest) - np.log(sets.q[rest]), (30.0, 78.0, 90.0, -1.0)
+        )
+        predicted[own] = np.exp(value(found.x, own))
+    return predicted
 
 
 def _below_code(values: list[MotionValue], mechanism: str) -> Columns:
@@ -187,7 +196,7 @@ def _code_figure(values: list[MotionValue], say: Say) -> tuple[Figure, Table, li
             look = LINE_POINTS if mechanism == "two_sided" else DASHED
             series.append(curve(name, points, look, color))
         ratio = sets.intensity / CM / (sets.pga / G)
-        edges = np.array([150.0, 250.0, 350.0, 450.0, 550.0, 800.0])
+        edges = np.array([0.0, 250.0, 350.0, 450.0, 550.0, np.inf])
         for k in range(edges.size - 1):
             inside = (ratio >= edges[k]) & (ratio < edges[k + 1])
             if inside.any():
@@ -195,7 +204,7 @@ def _code_figure(values: list[MotionValue], say: Say) -> tuple[Figure, Table, li
                     (
                         say(MECHANISM[mechanism]),
                         float(edges[k]),
-                        float(edges[k + 1]),
+                        float(edges[k + 1]) if k < edges.size - 2 else None,
                         float(100.0 * low[inside].mean()),
                         float(np.median(sets.q[inside])),
                         int(inside.sum()),
@@ -225,13 +234,19 @@ def _code_figure(values: list[MotionValue], say: Say) -> tuple[Figure, Table, li
                 share=one[1].mean(),
                 median=float(np.median(one[0].q)),
             ),
-            say(
-                "Of walls up to 7 m and 7 degrees that rock to both sides q = 2 is too much in {short:.0%}, of those "
-                "of 12 m and more in {tall:.0%}.",
-                short=two[1][slender].mean(),
-                tall=two[1][tall].mean(),
-            ),
         ]
+        if slender.any() and tall.any():
+            sentences.append(
+                say(
+                    "Of walls up to 7 m and 7 degrees that rock to both sides q = 2 is too much in {short:.0%}, of "
+                    "those of 12 m and more in {tall:.0%}.",
+                    short=two[1][slender].mean(),
+                    tall=two[1][tall].mean(),
+                )
+            )
+        sentences.append(
+            say("These shares are of the walls and spectra of this study, not of buildings.")
+        )
     figure = Figure("q_code", title, "H [m]", "%", tuple(series), log_x=True)
     return figure, Table("q_code", title, head, tuple(rows)), sentences
 
@@ -253,7 +268,9 @@ def _law_figures(values: list[MotionValue], fits: dict, say: Say) -> list[Figure
             )
         x = np.geomspace(fit.law.pi_range[0], fit.law.pi_range[1], 30)
         for k in range(4):
-            own = (sets.loss >= edges[k]) & (sets.loss <= edges[k + 1])
+            own = (sets.loss >= edges[k]) & ((sets.loss < edges[k + 1]) | (k == 3))
+            if not own.any():
+                continue
             ratio = 1.0 - float(np.median(sets.loss[own])) ** 2
             series.append(
                 scatter(f"e ≈ {ratio:.2f}", list(zip(sets.pi[own], sets.q[own], strict=True)), k)
@@ -283,6 +300,11 @@ def report(
 ) -> StudyReport:
     """Everything the study of the law shows; `fits` of the report hold what the program takes over."""
     fits = fits_of(values)
+    if not fits:
+        notes = [
+            *notes,
+            say("No fit: it takes four shapes and the restitution that follows the mechanism."),
+        ]
     figure, table, sentences = _code_figure(values, say)
     stored = {
         " ".join(key): {
@@ -303,7 +325,7 @@ def report(
     return StudyReport(
         result.study.title,
         (*notes, *sentences),
-        (*_law_figures(values, fits, say), figure),
+        (*_law_figures(values, fits, say), *([figure] if figure.series else [])),
         tuple(tables),
         fits=stored,
     )

@@ -1,6 +1,7 @@
 """The figures of Coccia et al. (2016), sections 3 to 5, from a finished study."""
 
 import math
+import re
 from collections.abc import Callable
 
 import numpy as np
@@ -11,7 +12,7 @@ from core.ground.response_spectrum import pseudo_acceleration_spectrum
 from core.rocking.history import history
 from core.study.figures import DASHED, LINE, LINE_POINTS, POINTS, Figure, Series
 from core.study.parametric import ParametricResult
-from core.study.set_means import MotionValue, SetMean, chosen
+from core.study.set_means import MotionValue, SetMean, chosen, exact
 from core.units import CM, G
 from core.wall.block import Block
 from core.wall.moment_rotation import LAWS
@@ -29,6 +30,12 @@ FIGURES = {
 }
 """Numbers of the paper's figures: q against H of both restitutions, scatter, all spectra, q_eff, natural records."""
 
+PAPER_SLENDERNESS = (3.1, 6.8, 11.3)
+"""Slenderness of the paper's walls [deg]; figures 10 to 12 and 16 to 18 in this order."""
+
+SHOWN_GROUP = "B"
+"""The group figures 6, 7, 13 and 14 show."""
+
 INTERMEDIATE: dict = {"slenderness_deg": 6.8, "height_m": 7.0}
 """The wall of figures 19, 21 and 22."""
 
@@ -39,11 +46,6 @@ TUFF_START = 0.95
 """First rotation of figure 4 over alpha: assumed, the figure is lost."""
 
 PERIODS = np.geomspace(0.05, 4.0, 40)
-
-
-def exact(sets: list, step: float = 0.005) -> list:
-    """Those by the exact method and the default step of the search."""
-    return chosen(sets, method="taylor", q_step=step)
 
 
 def curve(name: str, points, look: str = LINE, color: int = 0) -> Series:
@@ -98,7 +100,7 @@ def spectra(result: ParametricResult, say: Say) -> list[Figure]:
             )
         title = say("Fig. 5: target spectra and motions, group {group}", group=group)
         figures.append(
-            Figure(f"fig05_{group}", title, "T [s]", "S_e [g]", tuple(series), log_x=True)
+            Figure(f"fig05_{slug(group)}", title, "T [s]", "S_e [g]", tuple(series), log_x=True)
         )
     return figures
 
@@ -113,7 +115,7 @@ def q_against_height(sets: list[SetMean], mechanism: str, say: Say) -> list[Figu
             for entry in chosen(
                 exact(sets), mechanism=mechanism, restitution=models[mechanism], law="rigid"
             )
-            if entry.spectrum.group == "B"
+            if entry.spectrum.group == SHOWN_GROUP
         ]
         series = []
         for color, alpha in enumerate(sorted({entry.cell.slenderness_deg for entry in ours})):
@@ -171,14 +173,19 @@ def restitution_pairs(sets: list[SetMean], mechanism: str) -> list[tuple[SetMean
     return pairs(exact(sets), first, {**first, "restitution": EXPERIMENTAL[mechanism]}, ())
 
 
+def slug(name: str) -> str:
+    """A name as part of the name of a file."""
+    return re.sub(r"[^A-Za-z0-9]+", "_", name)
+
+
 def scatter(name: str, points: list[tuple[float, float]], color: int = 0) -> Series:
     return Series(name, tuple(x for x, _ in points), tuple(y for _, y in points), POINTS, color)
 
 
 def diagonal(points: list[tuple[float, float]]) -> Series:
     """The line of equality over the range of these points."""
-    values = [value for point in points for value in point] or [1.0, 2.0]
-    ends = (min(values), max(values))
+    values = [value for point in points for value in point]
+    ends = (min(values), max(values)) if values else ()
     return Series("1:1", ends, ends, DASHED, 7)
 
 
@@ -205,9 +212,9 @@ def q_eff_against_si(sets: list[SetMean], mechanism: str, say: Say) -> list[Figu
     """Fig. 10 to 12 and 16 to 18: q_eff against SI with the power law of each H."""
     figures = []
     ours = theoretical(sets, mechanism)
-    for number, alpha in zip(
-        FIGURES[mechanism][4], sorted({e.cell.slenderness_deg for e in ours}), strict=False
-    ):
+    numbers = dict(zip(PAPER_SLENDERNESS, FIGURES[mechanism][4], strict=True))
+    for alpha in sorted({entry.cell.slenderness_deg for entry in ours}):
+        number = numbers.get(alpha)
         series = []
         of_alpha = chosen(ours, slenderness_deg=alpha)
         for color, height in enumerate(sorted({entry.cell.height_m for entry in of_alpha})):
@@ -223,13 +230,13 @@ def q_eff_against_si(sets: list[SetMean], mechanism: str, say: Say) -> list[Figu
                 name += f", C2 {law.c2:.2f}, R² {law.r_squared:.2f}"
             series.append(scatter(name, points, color))
         title = say(
-            "Fig. {number}: q_eff against SI, {alpha:g} degrees", number=int(number), alpha=alpha
+            "q_eff against SI, {mechanism}, {alpha:g} degrees",
+            mechanism=say(MECHANISM[mechanism]),
+            alpha=alpha,
         )
-        figures.append(
-            Figure(
-                f"fig{number}_q_eff_si", title, "SI [cm]", "q_eff [-]", tuple(series), True, True
-            )
-        )
+        key = f"fig{number}_q_eff_si" if number else f"q_eff_si_{mechanism}_{alpha:g}"
+        label = f"Fig. {number}: {title}" if number else title
+        figures.append(Figure(key, label, "SI [cm]", "q_eff [-]", tuple(series), True, True))
     return figures
 
 
@@ -334,7 +341,7 @@ def numerical_against_analytical(sets: list[SetMean], say: Say) -> Figure:
 
 def natural_values(values: list[MotionValue], mechanism: str) -> list[MotionValue]:
     """Natural records of the intermediate wall that have a q."""
-    ours = chosen(exact(values), mechanism=mechanism, law="rigid", **INTERMEDIATE)
+    ours = chosen(theoretical(values, mechanism), **INTERMEDIATE)
     return [value for value in ours if value.entry.seed is None and value.q is not None]
 
 

@@ -87,8 +87,8 @@ def power_law_table(sets: list[SetMean], say: Say) -> Table:
                     law.r_squared,
                     given.coefficients[0],
                     given.r_squared,
-                    by_shape.c2,
-                    by_shape.r_squared,
+                    by_shape.c2 if by_shape else None,
+                    by_shape.r_squared if by_shape else None,
                 )
             )
     head = (
@@ -110,7 +110,7 @@ def power_law_table(sets: list[SetMean], say: Say) -> Table:
 
 
 def coefficients(sets: list[SetMean], mechanism: str, c2: float) -> tuple[float, ...] | None:
-    """A1, A2, A3 and R2 of Eq. 14 with this C2; None with fewer than four walls."""
+    """A1, A2, A3 and R2 of Eq. 14 with this C2; None with fewer than four walls or without two of alpha and of H."""
     walls = []
     for alpha, height, _ in power_laws(sets, mechanism):
         members = chosen(theoretical(sets, mechanism), slenderness_deg=alpha, height_m=height)
@@ -119,6 +119,8 @@ def coefficients(sets: list[SetMean], mechanism: str, c2: float) -> tuple[float,
     if len(walls) < 4:
         return None
     alphas, heights, c1 = zip(*walls, strict=True)
+    if len(set(alphas)) < 2 or len(set(heights)) < 2:
+        return None
     fit = linear_c1(alphas, heights, c1)
     return (*fit.coefficients, fit.r_squared)
 

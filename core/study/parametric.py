@@ -1,11 +1,12 @@
 """A parametric study: every cell of its grids under its motions, one row a run."""
 
 import datetime
-import hashlib
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import NamedTuple
+
+import numpy as np
 
 from core.capacity.ida import Ida, Search, incremental_dynamic_analysis
 from core.case.study_file import Cell, Group, Shape, Study, cells_of, read_record_list
@@ -64,7 +65,12 @@ class Row(NamedTuple):
 
 @dataclass(frozen=True)
 class ParametricResult:
-    """A finished study. refused : (file, error) of the records that could not be read; elapsed [s]."""
+    """A finished study.
+
+    refused : (file, error) of the records that could not be read
+    restored : runs an earlier start had finished
+    elapsed : [s], of this start
+    """
 
     study: Study
     sha256: str
@@ -74,6 +80,7 @@ class ParametricResult:
     motions: tuple[StudyMotion, ...]
     rows: tuple[Row, ...]
     refused: tuple[tuple[str, RecordError], ...]
+    restored: int
     elapsed: float
 
 
@@ -82,11 +89,11 @@ def target_of(shape: Shape, pga: float) -> CodeSpectrum:
     if shape.code == "EN1998":
         soil = target_spectrum.en1998(G, shape.type, shape.soil).soil
         return target_spectrum.en1998(pga / soil, shape.type, shape.soil)
-    ag = pga
-    for _ in range(200):  # S falls with a_g: a fixed point
-        target = target_spectrum.ntc2018(
-            ag, shape.f0, shape.tc_star_s, shape.soil, shape.topography
-        )
+    # S falls with a_g: from below, the fixed point comes to the smallest a_g
+    rock = (shape.f0, shape.tc_star_s, shape.soil, shape.topography)
+    ag = pga / target_spectrum.ntc2018(1e-6 * G, *rock).soil
+    for _ in range(2000):
+        target = target_spectrum.ntc2018(ag, *rock)
         if abs(target.pga - pga) <= 1e-12 * pga:
             return target
         ag = pga / target.soil
@@ -105,30 +112,41 @@ def spectra_of(study: Study) -> list[tuple[StudySpectrum, Shape]]:
     return [(one(group, shape), shape) for group in study.group for shape in group.spectrum]
 
 
-def folder_records(folder: Path) -> tuple[list[StudyMotion], list[tuple[str, RecordError]]]:
-    """Every acceleration record below a folder, one of equal ones, and the files that are none.
-
-    Raises InputError for a folder without a record.
-    """
-    motions, refused, seen = [], [], set()
+def folder_records(folder: Path) -> tuple[list[GroundMotion], list[tuple[str, RecordError]]]:
+    """Every acceleration record below a folder, and the files that are none."""
+    motions, refused = [], []
     for path in sorted(path for path in folder.rglob("*") if path.is_file()):
         name = path.relative_to(folder).as_posix()
         try:
-            motion = records.read(path, name=name)
+            motions.append(records.read(path, name=name))
         except RecordError as error:
             refused.append((name, error))
-            continue
-        if motion.samples_sha256 not in seen:
-            seen.add(motion.samples_sha256)
-            motions.append(StudyMotion(motion))
-    if not motions:
-        raise InputError("study_no_record", place=(folder,))
     return motions, refused
 
 
-def listed_records(listed, base_dir: Path) -> list[StudyMotion]:
-    """The records of [[record]] tables: `listed.record`. Raises InputError."""
-    return [StudyMotion(motion) for motion in read_records(listed, base_dir)[0]]
+def natural_motions(
+    study: Study, base_dir: Path, records_from: Path | None
+) -> tuple[list[StudyMotion], list[tuple[str, RecordError]]]:
+    """The records of a study, of equal ones, also in another scale, the first; and files that are none.
+
+    records_from : a folder, or a TOML file of [[record]] tables. Raises InputError.
+    """
+    found: list[GroundMotion] = []
+    refused: list[tuple[str, RecordError]] = []
+    if study.record:
+        found = read_records(study, base_dir)[0]
+    if records_from is not None and records_from.is_dir():
+        more, refused = folder_records(records_from)
+        if not more:
+            raise InputError("study_no_record", place=(records_from,))
+        found += more
+    elif records_from is not None:
+        found += read_records(read_record_list(records_from), records_from.parent)[0]
+    once: dict[tuple, StudyMotion] = {}
+    for motion in found:
+        shape = np.round(motion.acceleration / motion.pga, 4)
+        once.setdefault((motion.time_step, shape.tobytes()), StudyMotion(motion))
+    return list(once.values()), refused
 
 
 def model_of(cell: Cell) -> RockingModel:
@@ -165,19 +183,12 @@ def run(
     started = datetime.datetime.now(datetime.UTC)
     threads = Threads(jobs, cancelled)
     spectra = spectra_of(study)
-    natural, refused = [], []
-    if study.record:
-        natural = listed_records(study, base_dir)
-    if records_from is not None and records_from.is_dir():
-        found, refused = folder_records(records_from)
-        natural += found
-    elif records_from is not None:
-        natural += listed_records(read_record_list(records_from), records_from.parent)
+    natural, refused = natural_motions(study, base_dir, records_from)
     motions = _generated(study, spectra, threads) + natural
     threads.run({k: entry.motion.measure for k, entry in enumerate(motions)}, lambda k, _: None)
     book = journal(f"{VERSION} {cache.stamp()}") if journal else None
     try:
-        rows = _rows(study, motions, threads, book, on_progress)
+        rows, restored = _rows(study, motions, threads, book, on_progress)
     finally:
         cache.record(cache.folder())
         if book:
@@ -192,6 +203,7 @@ def run(
         tuple(motions),
         rows,
         tuple(refused),
+        restored,
         elapsed,
     )
 
@@ -225,15 +237,16 @@ def _generated(study: Study, spectra, threads: Threads) -> list[StudyMotion]:
     ]
 
 
-def _rows(study, motions, threads, book, on_progress) -> tuple[Row, ...]:
-    """The runs of all cells, those of the journal as they were."""
+def _rows(study, motions, threads, book, on_progress) -> tuple[tuple[Row, ...], int]:
+    """The runs of all cells, those of the journal as they were, and how many these are. Raises InputError."""
     planned = []
-    for cell in cells_of(study):
+    for cell, kinds in cells_of(study).items():
         for k, entry in enumerate(motions):
-            natural = entry.seed is None
-            if cell.motions == "all" or (cell.motions == "records") == natural:
+            if ("records" if entry.seed is None else "generated") in kinds:
                 signs = (1, -1) if cell.mechanism == "one_sided" else (1,)
                 planned += [(cell, k, sign) for sign in signs]
+    if not planned:
+        raise InputError("study_no_runs")
     models = {cell: model_of(cell) for cell, _, _ in planned}
     known: dict = {}
     keys, tasks = {}, {}
@@ -259,7 +272,7 @@ def _rows(study, motions, threads, book, on_progress) -> tuple[Row, ...]:
             book.add(keys[entry], row._asdict() | {"cell": asdict(row.cell)})
 
     known.update(threads.run(tasks, keep, lambda done: on_progress(restored + done, total)))
-    return tuple(known[entry] for entry in planned)
+    return tuple(known[entry] for entry in planned), restored
 
 
 def _row(entry: tuple[Cell, int, int], ida: Ida) -> Row:
@@ -285,8 +298,3 @@ def _restored(entry, line: dict | None) -> Row | None:
         return Row(**{**line, "cell": entry[0], "motion": entry[1]}) if line else None
     except TypeError:
         return None
-
-
-def key_of(study: Study, quick: bool) -> str:
-    """What the journal of a study belongs to."""
-    return hashlib.sha256(repr((study, quick)).encode()).hexdigest()

@@ -3,16 +3,24 @@
 import os
 from dataclasses import replace
 from pathlib import Path
+from typing import Protocol
 
-from core.case.schema import Case
+from core.case.schema import Record
 from core.errors import InputError, place
 from core.ground import records
 from core.ground.ground_motion import GroundMotion
 from core.ground.records.grammar import Options
 
 
-def read_records(case: Case, base_dir: Path) -> tuple[list[GroundMotion], list[str]]:
-    """Records of the case in order, globs expanded, and their kinds. Raises InputError."""
+class Listed(Protocol):
+    """What has [[record]] tables."""
+
+    @property
+    def record(self) -> tuple[Record, ...]: ...
+
+
+def read_records(case: Listed, base_dir: Path) -> tuple[list[GroundMotion], list[str]]:
+    """Records of a case, study or list in order, globs expanded, and their kinds. Raises InputError."""
     motions, kinds, seen = [], [], {}
     for k, entry in enumerate(case.record, start=1):
         if not entry.include:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from statistics import fmean, stdev
 
 from core.capacity.closed_forms import effective_q
+from core.capacity.scale_free_law import dimensionless_intensity
 from core.case.study_file import Cell
 from core.study.parametric import ParametricResult, Row, StudyMotion, StudySpectrum
 
@@ -16,6 +17,7 @@ class MotionValue:
     """One cell under one motion: of each quantity the lower of both signs, None without a number.
 
     q_recorded : q of the sign as recorded
+    complete : no run stopped by the limit of impacts
     """
 
     cell: Cell
@@ -25,12 +27,15 @@ class MotionValue:
     q_slc: float | None
     q_robust: float | None
     q_recorded: float | None
+    complete: bool = True
 
     @property
     def pi(self) -> float:
         """Pi = p^2 SI / PGA [-]."""
         motion = self.entry.motion
-        return self.cell.wall.block().p2 * motion.housner_intensity / motion.pga
+        return dimensionless_intensity(
+            self.cell.wall.block().p2, motion.housner_intensity, motion.pga
+        )
 
     @property
     def q_eff(self) -> float:
@@ -40,7 +45,7 @@ class MotionValue:
 
 @dataclass(frozen=True)
 class SetMean:
-    """One cell under the motions of one spectrum: means over those with a number, of `numbers` among `of`.
+    """One cell under the motions of one spectrum: means over those with a number, of `numbers` of them.
 
     scatter : standard deviation of q over its mean [-]
     intensity, pga : of the target spectrum, SI [m], a_g S [m/s2]
@@ -55,7 +60,6 @@ class SetMean:
     q_recorded: float
     scatter: float
     numbers: int
-    of: int
 
     @property
     def intensity(self) -> float:
@@ -73,7 +77,7 @@ class SetMean:
     @property
     def pi(self) -> float:
         """Pi = p^2 SI / PGA [-] of the target spectrum."""
-        return self.cell.wall.block().p2 * self.intensity / self.pga
+        return dimensionless_intensity(self.cell.wall.block().p2, self.intensity, self.pga)
 
 
 def motion_values(result: ParametricResult) -> list[MotionValue]:
@@ -92,6 +96,7 @@ def motion_values(result: ParametricResult) -> list[MotionValue]:
             cell,
             result.motions[motion],
             q_recorded=lower([row for row in rows if row.polarity == 1], "q"),
+            complete=all(row.status != "impact_limit" for row in rows),
             **{name: lower(rows, name) for name in QUANTITIES},
         )
         for (cell, motion), rows in runs.items()
@@ -99,7 +104,8 @@ def motion_values(result: ParametricResult) -> list[MotionValue]:
 
 
 def set_means(result: ParametricResult, values: Iterable[MotionValue]) -> list[SetMean]:
-    """Means over the motions of each spectrum; sets without a number are left out."""
+    """Means over the motions of each spectrum; sets without a number, or with a run stopped by the limit of impacts,
+    are left out."""
     spectra = {spectrum.name: spectrum for spectrum in result.spectra}
     sets: dict[tuple[Cell, str], list[MotionValue]] = {}
     for value in values:
@@ -113,7 +119,7 @@ def set_means(result: ParametricResult, values: Iterable[MotionValue]) -> list[S
     means = []
     for (cell, spectrum), members in sets.items():
         known = [entry.q for entry in members if entry.q is not None]
-        if known:
+        if known and all(entry.complete for entry in members):
             quantities = {name: mean(members, name) for name in (*QUANTITIES, "q_recorded")}
             scatter = stdev(known) / fmean(known) if len(known) > 1 else 0.0
             means.append(
@@ -122,11 +128,15 @@ def set_means(result: ParametricResult, values: Iterable[MotionValue]) -> list[S
                     spectra[spectrum],
                     scatter=scatter,
                     numbers=len(known),
-                    of=len(members),
                     **quantities,
                 )
             )
     return means
+
+
+def exact(entries: Iterable, step: float = 0.005) -> list:
+    """Those by the exact method and the default step of the search."""
+    return chosen(entries, method="taylor", q_step=step)
 
 
 def chosen(entries: Iterable, keep: Callable[[Cell], bool] = lambda cell: True, **wanted) -> list:

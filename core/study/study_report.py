@@ -22,6 +22,19 @@ def report_of(result: ParametricResult) -> StudyReport:
         if result.quick
         else []
     )
+    if result.restored:
+        notes.append(
+            say(
+                "{n} runs were finished by an earlier start; the time is that of this one.",
+                n=result.restored,
+            )
+        )
+    if any(row.cell.mechanism == "one_sided" for row in result.rows):
+        notes.append(
+            say(
+                "One-sided walls: the lower q of both signs of each motion, unless it says as recorded."
+            )
+        )
     without = sum(row.q is None for row in result.rows)
     if without:
         notes.append(
@@ -55,7 +68,9 @@ def report_of(result: ParametricResult) -> StudyReport:
         result.study.title,
         tuple(notes),
         tuple(_grid_figures(values, sets, say)),
-        (_grid_table(sets, say),),
+        tuple(
+            table for table in (_grid_table(sets, say), _motion_table(values, say)) if table.rows
+        ),
     )
 
 
@@ -145,3 +160,36 @@ def _grid_table(sets: list[SetMean], say) -> Table:
         "n",
     )
     return Table("sets", say("Means of the sets"), head, rows)
+
+
+def _motion_table(values: list[MotionValue], say) -> Table:
+    """Every natural record on every wall."""
+    rows = tuple(
+        (
+            e.cell.slenderness_deg,
+            e.cell.height_m,
+            _name(e),
+            e.entry.motion.name,
+            e.entry.motion.pga / G,
+            e.entry.motion.housner_intensity / CM,
+            e.pi,
+            e.q,
+            e.q_slv,
+            e.q_robust,
+        )
+        for e in values
+        if e.entry.seed is None
+    )
+    head = (
+        "α [°]",
+        "H [m]",
+        say("wall"),
+        say("motion"),
+        "PGA [g]",
+        "SI [cm]",
+        "Π",
+        "q",
+        "q SLV",
+        say("q robust"),
+    )
+    return Table("motions", say("Single motions"), head, rows)

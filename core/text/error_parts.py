@@ -28,6 +28,7 @@ ACCEPTED = {
         "a list in brackets, each {items}",
         "un elenco fra parentesi quadre, ciascuno {items}",
     ),
+    "tables": ("one or more tables [[{name}]]", "una o più tabelle [[{name}]]"),
     "flag": ("true or false", "true o false"),
     "table": ("a table [demand.spectrum]", "una tabella [demand.spectrum]"),
     "periods": (

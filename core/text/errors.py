@@ -267,6 +267,27 @@ CASE_ERRORS = {
         "{key} is missing: see the examples in resources/studies",
         "manca {key}: vedere gli esempi in resources/studies",
     ),
+    "no_study_file": (
+        "there is no such study: paper, law, or the name of a file",
+        "questo studio non esiste: paper, law, o il nome di un file",
+    ),
+    "study_no_records": (
+        "there is no such folder of records nor such a list",
+        "questa cartella di accelerogrammi, o elenco, non esiste",
+    ),
+    "study_same_name": (
+        'two are called "{name}" ({kind}): give each its own name',
+        'due si chiamano "{name}" ({kind}): dare a ciascuno un nome',
+    ),
+    "study_same_seed": (
+        'spectrum "{name}" would use seed {seed} again: motions of one seed are alike; leave count seeds between two',
+        'lo spettro "{name}" userebbe di nuovo il seme {seed}: moti dello stesso seme si somigliano; lasciare count '
+        "semi fra due",
+    ),
+    "study_no_runs": (
+        "no wall has a motion: give groups, records, or a grid that --quick keeps",
+        "nessuna parete ha un moto: dare gruppi, accelerogrammi, o una griglia che --quick conserva",
+    ),
     "study_no_pga": (
         "no a_g gives a_g S = {pga:g} g with this soil: take another pga_g",
         "nessun a_g dà a_g S = {pga:g} g con questo suolo: scegliere un altro pga_g",

@@ -12,16 +12,25 @@ STUDY = {
     ),
     "C1, C2 of the paper": "C1, C2 dell'articolo",
     "C2 in [{low:g}, {high:g}], {name}": "C2 in [{low:g}, {high:g}], {name}",
-    "C2 {low:.2f} to {high:.2f}; near -1 by arithmetic, as q_eff holds 1/PGA": (
-        "C2 da {low:.2f} a {high:.2f}; vicino a -1 per aritmetica, poiché q_eff contiene 1/PGA"
+    "C2 {low:.2f} to {high:.2f}; q_eff holds 1/PGA": "C2 da {low:.2f} a {high:.2f}; q_eff contiene 1/PGA",
+    "One-sided walls: the lower q of both signs of each motion, unless it says as recorded.": (
+        "Pareti su un lato: il q minore fra i due segni di ogni moto, salvo dove è detto segno registrato."
     ),
+    "{n} runs were finished by an earlier start; the time is that of this one.": (
+        "{n} analisi erano finite in un avvio precedente; il tempo è di questo."
+    ),
+    "No fit: it takes four shapes and the restitution that follows the mechanism.": (
+        "Nessuna regressione: servono quattro forme e la restituzione che segue il meccanismo."
+    ),
+    "Single motions": "Moti singoli",
+    "motion": "moto",
     "Claim of the paper": "Affermazione dell'articolo",
     "Eq. 13: power laws of q_eff in SI": "Eq. 13: leggi di potenza di q_eff in SI",
     "Eq. 14: C1 = A1 α + A2 H + A3": "Eq. 14: C1 = A1 α + A2 H + A3",
     "Eq. 14: C1 against H, {mechanism}": "Eq. 14: C1 e H, {mechanism}",
     "Eq. 15 and 16 against q": "Eq. 15 e 16 rispetto a q",
     "Eq. over q, mean - 1": "Eq. su q, media - 1",
-    "Eq. {number} within 20 % of q of the sets": "Eq. {number} entro il 20 % dal q degli insiemi",
+    "q of the sets within 20 % of Eq. {number} (ours)": "q degli insiemi entro il 20 % dall'Eq. {number} (nostro)",
     "Fig. 19: rigid and trilinear law, 6.8 degrees, 7 m": "Fig. 19: legge rigida e trilineare, 6.8 gradi, 7 m",
     "Fig. 20: q of the time histories against Eq. 15 and 16": "Fig. 20: q delle storie temporali ed Eq. 15 e 16",
     "Fig. 4: free rocking of the tuff block, 0.800 x 0.123 m": (
@@ -31,7 +40,7 @@ STUDY = {
     "Fig. 9: q against H at 6.8 degrees, all spectra": "Fig. 9: q e H a 6.8 gradi, tutti gli spettri",
     "Fig. {number}: q against H, {restitution}, group B": "Fig. {number}: q e H, {restitution}, gruppo B",
     "Fig. {number}: q of both restitution models": "Fig. {number}: q dei due modelli di restituzione",
-    "Fig. {number}: q_eff against SI, {alpha:g} degrees": "Fig. {number}: q_eff e SI, {alpha:g} gradi",
+    "q_eff against SI, {mechanism}, {alpha:g} degrees": "q_eff e SI, {mechanism}, {alpha:g} gradi",
     "Fig. {number}: q_eff of natural records, {mechanism}": (
         "Fig. {number}: q_eff di accelerogrammi naturali, {mechanism}"
     ),
@@ -41,8 +50,8 @@ STUDY = {
         "Prima rotazione {share:g} alfa: ipotesi, la figura è perduta."
     ),
     "Means of the sets": "Medie degli insiemi",
-    "PGA alone does not decide: q differs by more than 10 % inside a group, {name}": (
-        "la sola PGA non decide: q varia di oltre il 10 % dentro un gruppo, {name}"
+    "PGA alone does not decide (ours: q differs by more than 10 % inside a group), {name}": (
+        "la sola PGA non decide (nostro: q varia di oltre il 10 % dentro un gruppo), {name}"
     ),
     "Rank correlation of q_eff over Eq. 15 with {words}.": "Correlazione di rango di q_eff su Eq. 15 con {words}.",
     "R² {low:.2f} to {high:.2f}": "R² da {low:.2f} a {high:.2f}",
@@ -66,7 +75,9 @@ STUDY = {
         "affermata."
     ),
     "What is found": "Che cosa si trova",
-    "a clear power law: R² of at least 0.9, {name}": "una chiara legge di potenza: R² almeno 0.9, {name}",
+    "a clear power law (ours: R² of at least 0.9), {name}": (
+        "una chiara legge di potenza (nostro: R² almeno 0.9), {name}"
+    ),
     "exact, as recorded": "esatto, segno registrato",
     "exact, spectrum {name}": "esatto, spettro {name}",
     "exact, step 0.5 %": "esatto, passo 0.5 %",
@@ -164,7 +175,13 @@ STUDY = {
     "{quantity} against Π = p² SI/PGA, {mechanism}": "{quantity} e Π = p² SI/PGA, {mechanism}",
     "Π, shape left out": "Π, forma esclusa",
     "p PGV/PGA, shape left out": "p PGV/PGA, forma esclusa",
-    "Eq. {number} refitted, all walls": "Eq. {number} ricalibrata, tutte le pareti",
+    "Eq. {number} refitted on these walls, shape left out": (
+        "Eq. {number} ricalibrata su queste pareti, forma esclusa"
+    ),
+    "Π on these walls, shape left out": "Π su queste pareti, forma esclusa",
+    "These shares are of the walls and spectra of this study, not of buildings.": (
+        "Le quote riguardano le pareti e gli spettri di questo studio, non gli edifici."
+    ),
     "A wall free to rock to both sides has q at SLV below 2 in {share:.0%} of the cases.": (
         "Una parete libera di oscillare su due lati ha q allo SLV sotto 2 nel {share:.0%} dei casi."
     ),

@@ -58,6 +58,7 @@ TERMINAL = {
     ),
     "--quick and --records go with --study": "--quick e --records vanno con --study",
     "run a parametric study: paper, law or a file": "esegue uno studio parametrico: paper, law o un file",
+    "and {n} more, in the CSV": "e altre {n}, nel CSV",
     "a short form of the study": "una forma breve dello studio",
     "natural records of the study": "accelerogrammi naturali dello studio",
     "error: {error}": "errore: {error}",

@@ -25,9 +25,11 @@ WINDOW = {
     "What is found": "Che cosa si trova",
     "q against Π": "q e Π",
     "Ribalta's law (research)": "legge di Ribalta (ricerca)",
-    "Ribalta's law, without records: q {q:.1f} ({low:.1f}–{high:.1f}), q SLV {q_slv:.1f}": (
-        "Legge di Ribalta, senza accelerogrammi: q {q:.1f} ({low:.1f}–{high:.1f}), q SLV {q_slv:.1f}"
+    "Research, no records, {kind}: q {q:.1f} ({low:.1f}–{high:.1f}), q SLV {q_slv:.1f}": (
+        "Ricerca, senza accelerogrammi, {kind}: q {q:.1f} ({low:.1f}–{high:.1f}), q SLV {q_slv:.1f}"
     ),
+    "outside its range": "fuori dal suo campo",
+    "Name a folder for the results.": "Indicare una cartella per i risultati.",
     "q robust": "q robusto",
     "Check": "Verifica",
     "Histories": "Storie temporali",

@@ -9,6 +9,13 @@ from core.errors import InputError
 from tests.conftest import ROOT
 
 GRID = {"slenderness_deg": [6.8], "height_m": [7.0], "motions": "records"}
+
+
+def group(name, spectrum, seed):
+    shape = {"name": spectrum, "seed": seed, "code": "EN1998", "type": 1, "soil": "A"}
+    return {"name": name, "pga_g": 0.1, "spectrum": [shape]}
+
+
 STUDIES = sorted((ROOT / "resources" / "studies").glob("*.toml"))
 
 
@@ -34,8 +41,9 @@ def test_that_every_combination_is_a_cell_once():
             "velocity_ratio": [0.9]}  # fmt: skip
     cells = cells_of(parse_study({"grid": [grid, GRID]}))
     assert len(cells) == 9
-    assert {cell.restitution for cell in cells} == {"0.9", "default"}
-    assert cells[0].wall.restitution_of("two_sided").ratio_at_rest == 0.9
+    assert {cell.restitution for cell in cells} == {"0.9", "housner"}
+    assert set(cells.values()) == {frozenset(["records"])}
+    assert next(iter(cells)).wall.restitution_of("two_sided").ratio_at_rest == 0.9
 
 
 @pytest.mark.parametrize(
@@ -55,10 +63,13 @@ def test_that_every_combination_is_a_cell_once():
         ({"grid": [GRID], "group": [{"name": "A", "spectrum": []}]}, "pga_g"),
         (
             {"grid": [GRID], "group": [{"name": "A", "pga_g": 0.1, "spectrum": [
-                {"name": "s", "code": "NTC2018", "soil": "A"}]}]},
+                {"name": "s", "code": "NTC2018", "soil": "A", "seed": 1}]}]},
             "f0",
         ),
-        ({"grid": 3}, "grid"),
+        ({"grid": 3}, "one or more tables [[grid]]"),
+        ({"grid": [GRID], "group": [group("A", "s", 1), group("A", "t", 11)]}, 'called "A" (group)'),
+        ({"grid": [GRID], "group": [group("A", "s", 1), group("B", "s", 11)]}, 'called "s" (spectrum)'),
+        ({"grid": [GRID], "group": [group("A", "s", 1), group("B", "t", 7)]}, "seed 7 again"),
         ({"grid": [GRID], "colour": 1}, "colour"),
     ],
 )  # fmt: skip

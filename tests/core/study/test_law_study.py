@@ -34,7 +34,7 @@ def planted():
             )
             entry = StudyMotion(drawn, f"s{shape}", "g", 10 * shape + motion)
             for alpha, height, e in product((3.0, 8.0), (2.0, 6.0), ("0.8", "0.95")):
-                cell = Cell(alpha, height, "two_sided", e, "rigid", "taylor", 0.005, "generated")
+                cell = Cell(alpha, height, "two_sided", e, "rigid", "taylor", 0.005)
                 pi = cell.wall.block().p2 * drawn.housner_intensity / drawn.pga
                 exact = law.law_value(PLANTED, 1.0, pi, np.sqrt(1.0 - float(e)))
                 q = float(exact * np.exp(chance.normal(0.0, NOISE)))
