@@ -16,7 +16,7 @@ from core.errors import Cancelled
 from core.rocking.history import scan_records
 from core.rocking.lane_scheduler import Grounds
 from core.rocking.methods import Method
-from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
+from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, MAX_GROUND, STABLE
 from core.units import G
 from core.wall.rocking_model import RockingModel
 
@@ -61,6 +61,7 @@ class Ida:
     impact_limited : grid points of unknown outcome
     clamped : impacts of the map with Eq. 7 held at 0
     q_start, first_index, outcomes : the map, a digit of outcome.py per grid point
+    below_floor : a first failure is below the lowest q of the search: what is given for it is its upper limit
     """
 
     status: str
@@ -78,6 +79,7 @@ class Ida:
     q_start: float
     first_index: int
     outcomes: str
+    below_floor: bool = False
 
 
 @functools.lru_cache(1 << 16)
@@ -270,6 +272,9 @@ def incremental_dynamic_analysis(
     grid = _Map(ground, dt, pga, sign, model, method, search, cancelled)
     half = search.half_window
     limit = grid.index_below(search.q_limit)
+    strongest = multiplier_of(search.q_limit, pga, threshold_of(model)) * np.abs(ground).max()
+    if not (pga > 0.0 and strongest <= MAX_GROUND):
+        return _result(grid, "bad_input", [None] * 3, None)
     grid.grow(0, 0)
     if not grid.rigid:
         _descend(grid, half)
@@ -363,6 +368,7 @@ def _result(grid: _Map, status: str, brackets, robust: int | None) -> Ida:
         clamped=int(grid.clamped.sum()),
         q_start=grid.q_start,
         first_index=grid.first,
+        below_floor=any(bracket is not None and bracket[0] == 0.0 for bracket in brackets),
         outcomes=(grid.outcomes + ord("0")).astype(np.uint8).tobytes().decode(),
     )
 

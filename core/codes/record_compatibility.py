@@ -1,5 +1,6 @@
 """Are the records compatible with the target spectrum? NTC 2018 3.2.3.6 and EN 1998-1 3.2.3.1.2."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,8 +18,9 @@ RANGE = (0.15, 2.0)
 """Periods of the rules [s]: a rigid block has no period T that could narrow them. With natural records, whose
 range of interest is that of the structure, they go on to the longest T_SLV or T_SLC of the walls."""
 
-PERIOD_STEP = 0.02
-"""Step of the periods at which the mean is compared with the target [s]; both ends are among them."""
+PERIOD_STEP = 0.01
+"""Ratio less 1 between neighbouring periods at which the mean is compared with the target; both ends of the range are
+among them. A step of 0.001 moves no extreme of sets of the shelf by 0.5 % of the target (test_record_compatibility)."""
 
 LOWER = {"artificial": -0.10, "simulated": -0.20, "natural": -0.10}
 UPPER = {"natural": 0.30}
@@ -113,7 +115,8 @@ def compliance(
     asked_range = period_range(kinds, longest, demand)
     shown = (HOUSNER_PERIODS[0], max(HOUSNER_PERIODS[-1], longest))
     ends = (min(shown[0], asked_range[0]), max(shown[1], asked_range[1]))
-    steps = np.arange(ends[0], ends[1], PERIOD_STEP)
+    count = math.ceil(math.log(ends[1] / ends[0]) / math.log1p(PERIOD_STEP)) + 1
+    steps = np.geomspace(ends[0], ends[1], count)
     periods = np.unique(np.round([*steps, ends[1], *shown, *asked_range], 9))
     factors = [demand.scaling(motion) for motion in motions]
     spectra = np.array(

@@ -14,6 +14,10 @@ MAX_BOUNCES = 20.0
 """More than the bounces of a dying chatter to its rest, times the velocity ratio's distance from 1: the
 logarithm of its speed over that of rest."""
 
+MAX_SETTLED_RATIO = 0.999
+"""Velocity ratio up to which a block that bounces to its rest within a sample stays below the limit of impacts:
+their number is at most ln(0.5e6 (1 - e) p dt) / (1 - e), 7300 at p dt = 3 (section 9)."""
+
 SETTLED_EVERY = 64
 """Samples between two checks of whether an analysis is settled."""
 

@@ -1,5 +1,6 @@
 """One rocking history in full, and the outcomes of many multipliers of a record."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,6 +9,7 @@ from core.rocking import lane_scheduler, taylor
 from core.rocking.compared.comparison import integrate_comparison, scan_comparison
 from core.rocking.lane_scheduler import Grounds
 from core.rocking.methods import METHODS, NO_TABLE, TAYLOR, Method, resolve_auto
+from core.rocking.outcome import BAD_INPUT, MAX_GROUND
 from core.wall.rocking_model import RockingModel
 
 
@@ -27,7 +29,21 @@ def scan(method: Method, ground, dt, scales, model, outcomes, peaks) -> np.ndarr
 def scan_records(
     method: Method, grounds: Grounds, which, scales, model, outcomes, peaks
 ) -> np.ndarray:
-    """`scan` of several records of one time step. which : record of each multiplier, int64, shape (m,)."""
+    """`scan` of several records of one time step. which : record of each multiplier, int64, shape (m,).
+
+    Analyses of a ground that is no number or beyond MAX_GROUND end at once with BAD_INPUT.
+    """
+    sound = np.abs(scales) * grounds.strongest[which] <= MAX_GROUND
+    if not sound.all():
+        outcomes[:], peaks[:] = BAD_INPUT, 0.0
+        clamped = np.zeros(scales.size, np.int64)
+        if sound.any():
+            codes, reached = np.zeros(int(sound.sum()), np.int64), np.zeros(int(sound.sum()))
+            clamped[sound] = scan_records(
+                method, grounds, which[sound], scales[sound], model, codes, reached
+            )
+            outcomes[sound], peaks[sound] = codes, reached
+        return clamped
     method = resolve_auto(method, model, grounds.dt)
     if method.code == TAYLOR:
         return lane_scheduler.scan(method.order, grounds, which, scales, model, outcomes, peaks)
@@ -71,7 +87,14 @@ def history(
     method: Method = METHODS["taylor"],
     start: tuple[float, float] = (0.0, 0.0),
 ) -> History:
-    """Rocking history of one wall under one scaled record (Eq. 1); units as `taylor.integrate`."""
+    """Rocking history of one wall under one scaled record (Eq. 1); units as `taylor.integrate`.
+
+    A ground or a start that is no number, or a ground beyond MAX_GROUND, ends at once with BAD_INPUT.
+    """
+    largest = abs(scale) * float(np.abs(ground).max(initial=0.0))
+    if not (largest <= MAX_GROUND and math.isfinite(start[0]) and math.isfinite(start[1])):
+        none = np.zeros(0)
+        return History(none, none, none, none, BAD_INPUT, 0.0, 0)
     method = resolve_auto(method, model, dt)
     rotation = np.zeros(ground.size)
     velocity = np.zeros(ground.size)

@@ -13,6 +13,7 @@ import numpy as np
 from core.jit.decorators import inner_kernel, kernel
 from core.rocking.early_stop import (
     LOOKAHEAD,
+    MAX_SETTLED_RATIO,
     RECOVERY_EVERY,
     SETTLED_EVERY,
     cannot_recover,
@@ -167,8 +168,9 @@ def check_finished(k, end, model, ahead, state):
         and cannot_recover(phi, speed, state[STRONGEST + k], model)
     ):
         return True, COLLAPSED, peak
-    # Eq. 7 counts clamped ratios to the end of the record
-    if i % SETTLED_EVERY == 1 and model.ratio_drop == 0.0:
+    # Eq. 7 counts clamped ratios to the end of the record; a nearly elastic impact may exceed their limit
+    may_settle = model.ratio_drop == 0.0 and model.ratio_at_rest <= MAX_SETTLED_RATIO
+    if i % SETTLED_EVERY == 1 and may_settle:
         push = abs(state[SCALE + k]) * ahead[3, i]
         if settled(phi, speed, peak, push, model):
             return True, STABLE, peak
@@ -206,7 +208,7 @@ def make_lane_kernel(order):
         numbers, state : room to work, int64 of shape (3 * WIDTH,) and zeros of shape (ROWS * ROW,); the rest as
             `core.rocking.history.scan`
         """
-        constants = wall_constants(model)
+        constants = wall_constants(model, dt)
         threshold = constants.threshold
         zero = np.int64(0)  # a plain 0 would be a type of its own, and compile everything again
         # of each lane its analysis and last sample, then the lanes to be handled one by one

@@ -55,7 +55,7 @@ from core.rocking.lane_state import (
 from core.rocking.taylor import peak_may_grow, through_sample
 from core.rocking.taylor_bounds import (
     MAX_GROWTH,
-    SERIES_TOLERANCE,
+    RELATIVE_TOLERANCE,
     largest_push,
     neglected,
     turning_margin,
@@ -135,7 +135,7 @@ def vector_step(lanes, dt, model, constants, order, state):
     each. (Initial terms, coefficients and step are three loops: in one the processor waits for each lane's results.)
     """
     widest_vectors()
-    tolerance = SERIES_TOLERANCE * model.slenderness
+    tolerance = constants.tolerance
     per_dt = 1.0 / dt
     for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
         v = series_of(k, order, state)
@@ -144,11 +144,17 @@ def vector_step(lanes, dt, model, constants, order, state):
         x, low, peak = state[PHI + k], state[LOW + k], state[PEAK + k]
         speed, per_step = state[SPEED + k], state[PER_STEP + k]
         left = state[LEFT + k] - 1.0
+        factor, slope, constant = state[FACTOR + k], state[SLOPE + k], state[CONSTANT + k]
+        moment = fma(slope, x + abs(v[0]), fma(factor, constants.sine, constant))
+        allowed = min(tolerance, RELATIVE_TOLERANCE * p2 * (forcing + moment))
         dphi = increment(v, 1.0)
         dv = change(v, 1.0)
         y = x + dphi
         upper = max(x, y)
-        push = largest_push(upper, forcing, p2, constants.sine)
+        push = largest_push(
+            upper, forcing, p2, constants.sine, state[FACTOR + k], state[SLOPE + k],
+            state[CONSTANT + k],
+        )  # fmt: skip
         reach = 0.125 * push
         margin = turning_margin(v[0], dv, rise, forcing + state[SLOPE + k], p2, push)
         after = v[0] + dv
@@ -159,7 +165,7 @@ def vector_step(lanes, dt, model, constants, order, state):
         scalar = (
             ((state[HIGH + k] - upper <= reach) & (max(v[0], after) >= -margin))
             | (upper > SHORT_SERIES)
-            | (neglected(v, growth, forcing, rise, p2, order) > tolerance)
+            | (neglected(v, growth, forcing, rise, p2, order) > allowed)
             | (growth >= MAX_GROWTH)
             | (falls & (low != 0.0))
             | (state[MOVING + k] == 0.0)

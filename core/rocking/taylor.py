@@ -19,7 +19,13 @@ from core.rocking.events import (
     next_uplift,
 )
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
-from core.rocking.taylor_bounds import converged_part, largest_push, neglected, turning_margin
+from core.rocking.taylor_bounds import (
+    converged_part,
+    largest_push,
+    neglected,
+    step_tolerance,
+    turning_margin,
+)
 from core.rocking.taylor_polynomial import (
     change,
     first_crossing,
@@ -81,20 +87,23 @@ def converged_step(state, ground0, ground1, t, dt, branch, model, constants, ord
         constants,
     )  # fmt: skip
     v, growth = taylor_coefficients(state.phi, start, factor, slope, order)
+    tolerance = step_tolerance(state.phi, start, (factor, slope, constant), constants)
     tail = neglected(v, growth, start.forcing, start.rise, start.p2, order)
-    return v, start, converged_part(tail, growth, order, model.slenderness)
+    return v, start, converged_part(tail, growth, order, tolerance)
 
 
 @inner_kernel
 def first_event(v, start, part, phi, branch, constants):
     """The Crossing that ends a step: the first one of an end of the branch within `part`, else `part` itself or a
     shorter one in which the step turns once. v, start : of `converged_step`; phi [rad]."""
-    low, high, _, slope, _ = branch
+    low, high, factor, slope, constant = branch
     # a chord stays within 1/8 max|phi''| of the curve, one of the speed within the margin: far from
     # both ends of the branch, or moving away from it, nothing happens
     dphi = increment(v, part)
     dv = change(v, part)
-    push = largest_push(max(phi, phi + dphi), start.forcing, start.p2, constants.sine)
+    push = largest_push(
+        max(phi, phi + dphi), start.forcing, start.p2, constants.sine, factor, slope, constant
+    )
     reach = 0.125 * push
     margin = turning_margin(v[0], dv, start.rise, start.forcing + slope, start.p2, push)
     falls = min(phi, phi + dphi) - low <= reach and min(v[0], v[0] + dv) <= margin
@@ -234,7 +243,7 @@ def make_integrator(order):
         impact_time, impact_velocity : results [s], [rad/s] just after each impact
         Returns (outcome, peak rotation [rad], impacts, clamped ratios, samples done).
         """
-        constants = wall_constants(model)
+        constants = wall_constants(model, dt)
         zero = np.int64(0)  # a plain 0 would be a type of its own, and compile everything again
         side = -1.0 if start[0] < 0.0 or (start[0] == 0.0 and start[1] < 0.0) else 1.0
         phi = side * start[0]

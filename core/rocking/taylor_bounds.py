@@ -5,7 +5,13 @@ from core.jit.decorators import inner_kernel, subkernel
 from core.jit.fma import fma
 
 SERIES_TOLERANCE = 1e-17
-"""Largest estimated omitted term of a step, as a fraction of alpha."""
+"""Largest estimated omitted term of the rotation in a step, as a fraction of alpha, where p dt exceeds 0.1; below it
+less in proportion to p dt, since the omitted term of the velocity is ten times that of the rotation, over dt: so it
+stays below 1e-15 p alpha."""
+
+RELATIVE_TOLERANCE = 1e-15
+"""Largest omitted term as a fraction of what the acceleration of the step moves: a trilinear wall moves under the
+smallest ground, and its small motions must be as exact, in relation, as large ones."""
 
 MAX_GROWTH = 2.8
 """Largest growth of a step that is taken whole: a chosen limit, against last coefficients that are small by accident
@@ -14,29 +20,48 @@ in a long step. Section 8 needs less than 8."""
 
 @inner_kernel
 def neglected(v, growth, forcing, rise, p2, order):
-    """Estimate of the first omitted term of the rotation at the end of a step [rad], not a bound of the remainder.
+    """Estimate of the first omitted term of the rotation at the end of a step [rad]. Its terms are moduli, so that it
+    does not vanish by accident; measured against the remainder in resources/docs/physics.md, section 7.
 
     From v'' = growth v, differentiated out of Eq. 1: v_n is about growth v_(n-2) / (n (n-1)), and the rotation
-    divides by n + 1, hence 1/720 = 1/(10 9 8) and 1/336 = 1/(8 7 6); two coefficients, since one may vanish. Order 6
-    adds the products of v_1, v_2, v_3 in v_7, 1/42 = 1/(7 6), which do not follow from its last coefficients.
+    divides by n + 1, hence 1/720 = 1/(10 9 8) and 1/336 = 1/(8 7 6); two coefficients, since one may vanish. Both
+    orders add the products of earlier coefficients in v_9 or v_7, which do not follow from the last ones:
+    1/45 = 2/(10 9), 1/42 = 1/(7 6).
 
     v : v0..v8 [rad per step]
     growth : p2 (1 + |beta| + slope of the branch) + phi'^2, all times the step squared [-]
     forcing, rise, p2 : as `turning_margin`; order : 6 or 8
     """
     if order == 8:
-        return (abs(v[7]) + abs(v[8])) * (1.0 / 720.0) * growth
+        # twice the products of v_9 = P/9 ((beta k_8 - s_8) + dbeta k_7 ...), by absolute values
+        squares = fma(abs(v[2]), abs(v[4]) * (1.0 / 15.0), v[3] * v[3] * (1.0 / 32.0))
+        crossed = fma(abs(v[1]), abs(v[5]) * (1.0 / 12.0), abs(v[0]) * abs(v[6]) * (1.0 / 7.0))
+        risen = fma(abs(v[1]), abs(v[4]) * (1.0 / 10.0), abs(v[2]) * abs(v[3]) * (1.0 / 12.0))
+        products = fma(1.0 + forcing, squares + crossed, abs(rise) * risen)
+        return fma(p2 * (1.0 / 45.0), products, (abs(v[7]) + abs(v[8])) * (1.0 / 720.0) * growth)
     products = fma(1.0 + forcing, fma(v[2], v[2], abs(v[1] * v[3])), abs(rise * v[1] * v[2]))
     return fma(p2 * (1.0 / 42.0), products, (abs(v[5]) + abs(v[6])) * (1.0 / 336.0) * growth)
 
 
+@inner_kernel
+def step_tolerance(x, start, branch, constants):
+    """Largest omitted term of a step that is taken whole [rad].
+
+    x : rotation at its start [rad]
+    start : InitialTerms; branch : (factor, slope, constant) of the moment law; constants : WallConstants
+    """
+    factor, slope, constant = branch
+    moment = fma(slope, x + abs(start.speed), fma(factor, constants.sine, constant))
+    return min(constants.tolerance, RELATIVE_TOLERANCE * start.p2 * (start.forcing + moment))
+
+
 @subkernel
-def converged_part(tail, growth, order, alpha):
-    """Largest part 1 / 2^n of the step at which the omitted term, `tail` at its end, is below SERIES_TOLERANCE alpha
-    and growth below MAX_GROWTH. Half a step divides growth by 4 and the term by 2^10 (order 8) or 2^8: its degree."""
+def converged_part(tail, growth, order, tolerance):
+    """Largest part 1 / 2^n of the step at which the omitted term, `tail` at its end, is below the tolerance and
+    growth below MAX_GROWTH. Half a step divides growth by 4 and the term by 2^10 (order 8) or 2^8: its degree."""
     part = 1.0
     for _ in range(60):
-        if tail <= SERIES_TOLERANCE * alpha and growth < MAX_GROWTH:
+        if tail <= tolerance and growth < MAX_GROWTH:
             break
         part *= 0.5
         growth *= 0.25
@@ -45,16 +70,23 @@ def converged_part(tail, growth, order, alpha):
 
 
 @inner_kernel
-def largest_push(upper, forcing, p2, sine_alpha):
-    """Bound of |phi''| within a step on its branch [rad per step squared], after Eq. 1: there the moment is at most
-    sin(alpha) + phi, and phi exceeds its chord by at most p2 (1 + forcing) / 8.
+def largest_push(upper, forcing, p2, sine_alpha, factor, slope, constant):
+    """Bound of |phi''| within a step on its branch [rad per step squared], after Eq. 1 (section 8).
+
+    On the sine branch the moment is at most sin(alpha) + phi, and phi exceeds its chord by at most
+    p2 (1 + forcing) / 8. On the others it is slope phi + constant; there phi exceeds its chord by at most an eighth
+    of the bound, so that the bound is divided by 1 - p2 slope / 8, of which 1 + 0.2 p2 slope is more while
+    p2 slope is below 3 (1.6 = 1 / (1 - 3/8), and the quotient is convex).
 
     upper : the larger rotation of its ends [rad]
     forcing : bound of |u''|/g [-]
     p2 : p^2 times the step squared [-]
     sine_alpha : sin(alpha) [-]
+    factor, slope, constant : of the branch of the moment law [-]
     """
-    return p2 * (fma(0.125 * p2, 1.0 + forcing, upper) + (sine_alpha + forcing))
+    sine = factor * (fma(0.125 * p2, 1.0 + forcing, upper) + sine_alpha)
+    moment = fma(slope, upper, constant + sine)
+    return p2 * ((moment + forcing) * fma(0.2 * p2, slope, 1.0))
 
 
 @inner_kernel

@@ -11,6 +11,7 @@ from typing import NamedTuple
 from core.jit.decorators import inner_kernel, subkernel
 from core.jit.fma import fma
 from core.rocking.events import uplift_threshold
+from core.rocking.taylor_bounds import SERIES_TOLERANCE
 from core.units import G
 
 SHORT_SERIES = 0.8
@@ -24,12 +25,14 @@ class WallConstants(NamedTuple):
 
     threshold : a_RM, see `uplift_threshold` [m/s2]
     tangent, sine, cosine : of alpha [-]
+    tolerance : of the omitted term of a step [rad], see `taylor_bounds.SERIES_TOLERANCE`
     """
 
     threshold: float
     tangent: float
     sine: float
     cosine: float
+    tolerance: float
 
 
 class InitialTerms(NamedTuple):
@@ -55,10 +58,13 @@ class InitialTerms(NamedTuple):
 
 
 @subkernel
-def wall_constants(model):
-    """WallConstants of a RockingModel."""
+def wall_constants(model, dt):
+    """WallConstants of a RockingModel and the time step of the record [s]."""
     alpha = model.slenderness
-    return WallConstants(uplift_threshold(model), math.tan(alpha), math.sin(alpha), math.cos(alpha))
+    tolerance = SERIES_TOLERANCE * alpha * min(1.0, 10.0 * dt * math.sqrt(model.p2))
+    return WallConstants(
+        uplift_threshold(model), math.tan(alpha), math.sin(alpha), math.cos(alpha), tolerance
+    )
 
 
 @inner_kernel

@@ -4,7 +4,7 @@ import numpy as np
 
 from core.capacity import closed_forms
 from core.capacity.fragility import fragility
-from core.capacity.ida import Ida, multiplier_of, threshold_of
+from core.capacity.ida import TRILINEAR_FLOOR, Ida, multiplier_of, threshold_of
 from core.capacity.scale_free_law import estimates
 from core.case.schema import Wall
 from core.codes.eq9 import inequality
@@ -197,6 +197,9 @@ def _set_notices(runs, numbers, incomplete, fragile, power_law, search) -> list[
     if power_law and power_law.si_range_cm[1] < NARROW_SI * power_law.si_range_cm[0]:
         low, high = power_law.si_range_cm
         notices.append(notice("narrow_si", low=low, high=high))
+    lowest = sum(run.ida.below_floor for run in runs)
+    if lowest:
+        notices.append(notice("below_floor", n=lowest, floor=TRILINEAR_FLOOR))
     clamped = sum(run.ida.clamped for run in runs)
     if clamped:
         notices.append(notice("clamped", n=clamped))

@@ -15,6 +15,11 @@ SENTENCES = {
         "I campioni hanno media {mean:.3g} g e lasciano una velocità di {velocity:.2g} m/s: uno scostamento "
         "della linea di base, che spinge la parete da un lato. Correggere il record.",
     ),
+    "below_floor": (
+        "{n} run(s) fail below q {floor:g}, where the search ends: q, q SLV or q SLC of these is an upper limit.",
+        "{n} analisi cedono sotto q {floor:g}, dove la ricerca termina: il loro q, q SLV o q SLC è un limite "
+        "superiore.",
+    ),
     "thin": (
         "t = {cm:.1f} cm is below 10 cm: was another unit meant (m, cm, mm)?",
         "t = {cm:.1f} cm è sotto 10 cm: si intendeva un'altra unità (m, cm, mm)?",

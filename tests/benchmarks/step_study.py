@@ -5,6 +5,7 @@
 One map at 0.02 % a pair; coarser grids are its every k-th point, so that nothing but the step differs.
 """
 
+import contextlib
 import csv
 import math
 import os
@@ -14,6 +15,7 @@ from pathlib import Path
 import numpy as np
 
 from core.capacity.ida import ROBUST_SHARE, Search, collapse_count, incremental_dynamic_analysis
+from core.errors import InputError
 from core.ground import records
 from core.ground.records.grammar import Options
 from core.rocking.methods import METHODS
@@ -42,6 +44,30 @@ def motions():
             path = next(shelf.glob(f"PEER_AT2/{name}.[aA][tT]2"))
             found.append(records.read(path, Options()))
     return found
+
+
+WALLS_APART = ((2.5, 4.0), (4.0, 9.0), (6.0, 3.5), (9.0, 5.0), (12.0, 12.0))
+"""H [m] and alpha [deg] of walls on which neither the share nor the window of q_robust was chosen."""
+
+RECORDS_APART = 30
+
+
+def motions_apart():
+    """Records of the shelf that are not among REAL, as many as RECORDS_APART, those of the largest PGA."""
+    shelf, found = shelf_folder(), {}
+    index = csv.DictReader((shelf / "INDEX.csv").open(encoding="utf-8")) if shelf else ()
+    for row in index:
+        path = shelf / row["file"]
+        if not row["pga_g"] or path.stem in REAL:
+            continue
+        for options in (Options(), Options(row["units_in_file"].split(" ")[0], float(row["dt_s"]))):
+            with contextlib.suppress(InputError):
+                motion = records.read(path, options)
+                found.setdefault(motion.samples_sha256, motion)
+                break
+    known = {motion.samples_sha256 for motion in motions()}
+    apart = [motion for key, motion in found.items() if key not in known]
+    return sorted(apart, key=lambda motion: -motion.pga)[:RECORDS_APART]
 
 
 def fine_map(motion, height, alpha, one_sided) -> np.ndarray | None:
@@ -77,37 +103,44 @@ def robust(flags: np.ndarray, every: int) -> float:
 
 
 def main(folder: Path) -> None:
-    pairs = [(m, *wall, one) for m in motions() for wall in WALLS for one in (False, True)]
+    table(folder, motions(), WALLS, "q_step")
+    table(folder, motions_apart(), WALLS_APART, "q_step_apart")
+
+
+def table(folder: Path, records_of, walls, name: str) -> None:
+    """One table of these records and walls, as CSV and picture."""
+    pairs = [(m, *wall, one) for m in records_of for wall in walls for one in (False, True)]
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         maps = [
             flags for flags in pool.map(lambda pair: fine_map(*pair), pairs) if flags is not None
         ]
     rows = []
     print(
-        f"{len(maps)} pairs; ratio to 0.02 %: median (bias), p90 of the modulus of the difference"
+        f"{name}: {len(maps)} pairs; ratio to 0.02 %: median, mean, then p90 and max of the modulus of the difference"
     )
-    print(f"{'step':>7} {'first collapse':>30} {'q_robust':>30}")
+    print(f"{'step':>7} {'first collapse':>40} {'q_robust':>40}")
     finest = [(first_collapse(flags, 1), robust(flags, 1)) for flags in maps]
     for every in EVERY:
         row = {"step_percent": 100 * FINE * every, "pairs": len(maps)}
-        for k, (name, rule) in enumerate((("first", first_collapse), ("robust", robust))):
+        for k, (kind, rule) in enumerate((("first", first_collapse), ("robust", robust))):
             moved = np.array(
                 [rule(f, every) - fine[k] for f, fine in zip(maps, finest, strict=True)]
             )
             ratio = np.exp(moved[np.isfinite(moved)])
-            row[f"{name}_median_percent"] = 100 * (np.median(ratio) - 1)
-            row[f"{name}_mean_percent"] = 100 * (ratio.mean() - 1)
-            row[f"{name}_p90_percent"] = 100 * np.quantile(np.abs(ratio - 1), 0.9)
+            row[f"{kind}_median_percent"] = 100 * (np.median(ratio) - 1)
+            row[f"{kind}_mean_percent"] = 100 * (ratio.mean() - 1)
+            row[f"{kind}_p90_percent"] = 100 * np.quantile(np.abs(ratio - 1), 0.9)
+            row[f"{kind}_max_percent"] = 100 * np.abs(ratio - 1).max()
         rows.append(row)
         print(f"{row['step_percent']:6.2f}% " + " ".join(
             f"{row[f'{n}_median_percent']:+9.2f} {row[f'{n}_mean_percent']:+9.2f} "
-            f"{row[f'{n}_p90_percent']:9.2f}" for n in ("first", "robust")))  # fmt: skip
+            f"{row[f'{n}_p90_percent']:9.2f} {row[f'{n}_max_percent']:9.2f}" for n in ("first", "robust")))  # fmt: skip
     folder.mkdir(parents=True, exist_ok=True)
-    with open(folder / "q_step.csv", "w", newline="") as stream:
+    with open(folder / f"{name}.csv", "w", newline="") as stream:
         writer = csv.DictWriter(stream, list(rows[0]))
         writer.writeheader()
         writer.writerows(rows)
-    chart(rows, folder / "q_step.png")
+    chart(rows, folder / f"{name}.png")
 
 
 def chart(rows: list[dict], path: Path) -> None:

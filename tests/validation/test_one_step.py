@@ -15,7 +15,7 @@ from core.wall.rocking_model import RockingModel
 @kernel
 def samples(model, grounds, dt, order, state):
     """State after the samples between these ground accelerations [m/s2]."""
-    constants = wall_constants(model)
+    constants = wall_constants(model, dt)
     for i in range(grounds.size - 1):
         time = 0.0
         while time < 1.0:

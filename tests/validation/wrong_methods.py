@@ -96,7 +96,8 @@ def _rk4_through_kinks(code, phi, speed, beta, slope, h, model, zone, *rest):
 def taylor_variant(**replacements):
     """`integrate` of order 8 with names replaced in the sample it repeats, its parts, and its end."""
     parts = {
-        name: variant(getattr(taylor, name), **replacements) for name in ("first_event", "impact")
+        name: variant(getattr(taylor, name), **replacements)
+        for name in ("converged_step", "first_event", "impact")
     }
     return variant(
         taylor.INTEGRATE[8],
@@ -105,9 +106,16 @@ def taylor_variant(**replacements):
     )
 
 
+def _whole_step(tail, growth, order, tolerance):
+    """Steps that are not cut, so that both crossings lie in one of them."""
+    return 1.0
+
+
 uplift_at_next_sample = taylor_variant(next_uplift=_uplift_at_sample)
 impact_at_end_of_step = taylor_variant(first_crossing=_crossing_at_end, landing=_landing_at_end)
-double_crossing_missed = taylor_variant(first_crossing=_crossing_by_sign_change)
+double_crossing_missed = taylor_variant(
+    first_crossing=_crossing_by_sign_change, converged_part=_whole_step
+)
 rotation_decides_at_the_end = taylor_variant(end_of_record=_rotation_decides)
 no_rest = taylor_variant(leave_impact=variant(leave_impact, stops_rocking=_never_rests))
 kinks_ignored = variant(

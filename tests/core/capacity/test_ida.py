@@ -9,6 +9,7 @@ import pytest
 from core.capacity import ida
 from core.capacity.fragility import fragility
 from core.capacity.ida import (
+    TRILINEAR_FLOOR,
     Search,
     bisections,
     collapse_count,
@@ -289,3 +290,14 @@ def test_that_only_a_midpoint_a_bisection_needs_must_be_known():
 )
 def test_that_a_bisection_stops_only_at_a_midpoint_it_asks_for(fails, unknown, found):
     assert ida._narrowed(np.arange(1.0, 6.0), np.array(fails), np.array(unknown)) == found
+
+
+def test_that_a_failure_below_the_lowest_q_of_a_trilinear_search_is_said(make_model, monkeypatch):
+    """First failures from 0.012 on: what is given is an upper limit, with a bracket from 0."""
+    scripted(monkeypatch, lambda q: int(q > 0.012))
+    model = make_model(law="doherty")
+    found = search_of(np.ones(5), model)
+    assert found.below_floor and found.bracket[0] == 0.0
+    assert TRILINEAR_FLOOR <= found.q <= 1.005 * TRILINEAR_FLOOR
+    scripted(monkeypatch, lambda q: int(q > 0.06))
+    assert not search_of(np.ones(5), model).below_floor

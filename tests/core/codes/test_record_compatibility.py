@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 
 from core.case.rules import parse_case
+from core.codes import record_compatibility as rules
 from core.codes.record_compatibility import compliance
-from core.errors import InputError
+from core.errors import InputError, RecordError
+from core.ground import records
 from core.ground.provenance import stations
 from core.study import run as study
 from core.study.demand_input import demand_of, generated
@@ -118,3 +120,29 @@ def test_that_a_range_beyond_the_spectrum_of_a_file_is_refused(tmp_path):
         InputError, match=r"period_range_s goes to 4.00 s, but s.txt ends at 3.00 s"
     ):
         study.run(parse_case(table), base_dir=tmp_path)
+
+
+def test_that_looks_ten_times_as_close_move_no_extreme_by_half_a_percent(shelf, monkeypatch):
+    """Sets of seven of the shelf against a code spectrum: the rule of -10 % cannot flip between two looks."""
+    asked = case(demand_scaling="pga")
+    demand = demand_of(asked, shelf)
+    paths = sorted(shelf.glob("PEER_AT2/*.[aA][tT]2"))
+    motions = [records.read(path) for path in paths if _reads(path)]
+    rng = np.random.default_rng(2)
+    for _ in range(6):
+        chosen = [motions[k] for k in rng.choice(len(motions), 7, replace=False)]
+        found = []
+        for step in (rules.PERIOD_STEP, 0.1 * rules.PERIOD_STEP):
+            monkeypatch.setattr(rules, "PERIOD_STEP", step)
+            made = rules.compliance(chosen, ["natural"] * 7, demand)
+            named = {rule.name: rule.value for rule in made.rules}
+            found.append((named["mean_lower"], named["mean_upper"]))
+            monkeypatch.undo()
+        assert found[0] == pytest.approx(found[1], abs=0.005)
+
+
+def _reads(path) -> bool:
+    try:
+        return bool(records.read(path))
+    except RecordError:
+        return False

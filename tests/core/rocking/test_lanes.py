@@ -5,11 +5,12 @@ import math
 import numpy as np
 import pytest
 
-from core.rocking.history import scan, scan_records
+from core.capacity.ida import Search, incremental_dynamic_analysis
+from core.rocking.history import history, scan, scan_records
 from core.rocking.lane_scheduler import Grounds
 from core.rocking.lane_state import WIDTH
 from core.rocking.methods import METHODS
-from core.rocking.outcome import COLLAPSED
+from core.rocking.outcome import BAD_INPUT, COLLAPSED, IMPACT_LIMIT
 from core.units import G
 from core.wall.rocking_model import RockingModel
 from tests.core.rocking.lanes_and_histories import assert_lanes_are_histories
@@ -48,6 +49,50 @@ def test_that_lanes_equal_single_analyses_on_random_walls_and_grounds():
         name = rng.choice(["taylor", "taylor_6"])
         seen |= set(assert_lanes_are_histories(ground, dt, scales, model, name))
     assert seen >= {0, 1}
+
+
+def test_that_a_ground_that_is_no_number_ends_at_once_with_its_code(make_model):
+    """It hung `history` and `scan` for ever, where no signal reached them."""
+    sound = 3.0 * np.sin(np.arange(300) * 0.1)
+    for wrong in (np.nan, np.inf, -np.inf, 1e200):
+        for place in (0, 150, 299):
+            ground = sound.copy()
+            ground[place] = wrong
+            for one_sided, law in ((False, "rigid"), (True, "doherty")):
+                model = make_model(one_sided=one_sided, law=law)
+                for method in METHODS.values():
+                    if method.name == "linearised" and law != "rigid":
+                        continue
+                    found = history(ground, 0.01, 1.0, model, method)
+                    assert found.outcome == BAD_INPUT and found.rotation.size == 0
+                    outcomes, peaks = np.zeros(3, np.int64), np.zeros(3)
+                    scan(method, ground, 0.01, np.array([0.5, -1.0, 2.0]), model, outcomes, peaks)
+                    assert (outcomes == BAD_INPUT).all()
+                    which, scales = np.array([0, 1, 1, 0]), np.array([1.0, 1.0, np.nan, 2.0])
+                    both, some = Grounds.of([sound, ground], 0.01), np.zeros(4, np.int64)
+                    scan_records(method, both, which, scales, model, some, np.zeros(4))
+                    alone = np.zeros(2, np.int64)
+                    scan(method, sound, 0.01, scales[[0, 3]], model, alone, np.zeros(2))
+                    assert some.tolist() == [alone[0], BAD_INPUT, BAD_INPUT, alone[1]]
+    assert history(sound, 0.01, 1.0, model, start=(np.nan, 0.0)).outcome == BAD_INPUT
+    assert history(sound, 0.01, np.inf, model).outcome == BAD_INPUT
+    search = incremental_dynamic_analysis(ground, 0.01, 1.0, 1, model, METHODS["taylor"], Search())
+    assert search.status == "bad_input" and search.q is None
+
+
+def test_that_nearly_elastic_impacts_reach_their_limit_in_lanes_as_in_histories():
+    """A spike barely above a_RM lifts the wall, which then bounces 10 000 times within a sample."""
+    rng = np.random.default_rng(1)
+    seen = set()
+    for _ in range(40):
+        alpha, p2 = math.radians(rng.uniform(2.0, 20.0)), 10.0 ** rng.uniform(0.0, 2.0)
+        model = RockingModel(alpha, p2, float(rng.integers(2)), 0.9999, 0.0, 0.0, 0.0)
+        ground = np.zeros(400)
+        ground[3] = G * math.tan(alpha) * (1.0 + 10.0 ** rng.uniform(-6.0, -2.0))
+        seen |= set(
+            assert_lanes_are_histories(ground, 0.02, np.array([1.0, 1.02]), model, "taylor")
+        )
+    assert IMPACT_LIMIT in seen
 
 
 def test_that_lanes_of_several_records_run_together(reference, make_model):
