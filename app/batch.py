@@ -48,17 +48,7 @@ def run_in(
     books: list[Journal] = []
 
     def journal(key: str) -> Journal:
-        books.append(Journal(folder / f"{stem}.journal", key, resume))
-        if books[0].set_aside:
-            tell(
-                "finished runs of an earlier start are in {path}: to go on with them, rename it and add --resume",
-                path=books[0].set_aside,
-            )
-        if books[0].dropped:
-            tell(
-                "{n} damaged line(s) of the journal were dropped: these runs are made again",
-                n=books[0].dropped,
-            )
+        books.append(open_journal(folder / f"{stem}.journal", key, resume))
         return books[0]
 
     with interrupts(cancel), progress(quiet) as show:
@@ -91,6 +81,22 @@ def run_in(
             status=status,
         )
     return WITHOUT_NUMBER if result.without_number else DONE
+
+
+def open_journal(path: Path, key: str, resume: bool, sync_seconds: float = 0.0) -> Journal:
+    """The journal of a batch or a study; what became of an earlier one is said on stderr."""
+    book = Journal(path, key, resume, sync_seconds)
+    if book.set_aside:
+        tell(
+            "finished runs of an earlier start are in {path}: to go on with them, rename it and add --resume",
+            path=book.set_aside,
+        )
+    if book.dropped:
+        tell(
+            "{n} damaged line(s) of the journal were dropped: these runs are made again",
+            n=book.dropped,
+        )
+    return book
 
 
 def tell(text: str, /, **values) -> None:

@@ -8,7 +8,16 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
-from app.batch import CANCELLED, DONE, WITHOUT_NUMBER, interrupts, progress, say, tell
+from app.batch import (
+    CANCELLED,
+    DONE,
+    WITHOUT_NUMBER,
+    interrupts,
+    open_journal,
+    progress,
+    say,
+    tell,
+)
 from app.language import terminal
 from core import atomic_write
 from core.case.study_file import Study, read_record_list, read_study, shortened
@@ -114,7 +123,7 @@ def results(
     books: list[Journal] = []
 
     def journal(key: str) -> Journal:
-        books.append(open_journal(folder, stem, key, resume))
+        books.append(open_journal(folder / f"{stem}.journal", key, resume, sync_seconds=1.0))
         return books[0]
 
     try:
@@ -182,22 +191,6 @@ def run(
     if len(without) > MAX_NAMED:
         tell("and {n} more, in the CSV", n=len(without) - MAX_NAMED)
     return WITHOUT_NUMBER if without else DONE
-
-
-def open_journal(folder: Path, stem: str, key: str, resume: bool) -> Journal:
-    """The journal of a study, with what is to be said of an earlier one."""
-    book = Journal(folder / f"{stem}.journal", key, resume, sync_seconds=1.0)
-    if book.set_aside:
-        tell(
-            "finished runs of an earlier start are in {path}: to go on with them, rename it and add --resume",
-            path=book.set_aside,
-        )
-    if book.dropped:
-        tell(
-            "{n} damaged line(s) of the journal were dropped: these runs are made again",
-            n=book.dropped,
-        )
-    return book
 
 
 def write(

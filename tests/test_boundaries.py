@@ -55,6 +55,7 @@ SHOWN_BY = {
     "study/law_fit": LAW,
     "study/paper_claims": STUDY,
     "study/paper_figures": STUDY,
+    "study/paper_sets": STUDY,
     "study/paper_tables": STUDY,
     "study/set_means": "tests/core/study/test_parametric.py",
     "study/study_report": STUDY,

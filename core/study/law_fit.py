@@ -14,7 +14,7 @@ from core.capacity.scale_free_law import (
     limit_of,
     loss_ratio,
 )
-from core.study.paper_figures import MECHANISM
+from core.study.paper_sets import MECHANISM
 from core.study.set_means import QUANTITIES, MotionValue, exact
 from core.wall.moment_rotation import LAWS
 

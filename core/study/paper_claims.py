@@ -8,7 +8,7 @@ import numpy as np
 from core.capacity.closed_forms import closed_form_q_eff
 from core.capacity.regression import BAND
 from core.study.figures import Claim
-from core.study.paper_figures import (
+from core.study.paper_sets import (
     EXPERIMENTAL,
     MECHANISM,
     THEORETICAL,

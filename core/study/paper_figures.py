@@ -6,11 +6,22 @@ from collections.abc import Callable
 
 import numpy as np
 
-from core.capacity.closed_forms import COEFFICIENTS, closed_form_q, closed_form_q_eff, fit_power_law
-from core.capacity.regression import BAND, agreement, power_coefficient
+from core.capacity.closed_forms import COEFFICIENTS, closed_form_q_eff, fit_power_law
+from core.capacity.regression import BAND, agreement
 from core.ground.response_spectrum import pseudo_acceleration_spectrum
 from core.rocking.history import history
 from core.study.figures import DASHED, LINE, LINE_POINTS, POINTS, Figure, Series
+from core.study.paper_sets import (
+    EXPERIMENTAL,
+    MECHANISM,
+    THEORETICAL,
+    c1_points,
+    closed_form_of,
+    law_pairs,
+    natural_values,
+    restitution_pairs,
+    theoretical,
+)
 from core.study.parametric import ParametricResult
 from core.study.set_means import MotionValue, SetMean, chosen, exact
 from core.units import CM, G
@@ -21,9 +32,6 @@ from core.wall.rocking_model import rocking_model
 
 Say = Callable[..., str]
 
-MECHANISM = {"two_sided": "two-sided", "one_sided": "one-sided"}
-THEORETICAL = {"two_sided": "housner", "one_sided": "one_sided_theoretical"}
-EXPERIMENTAL = {"two_sided": "sorrentino_experimental", "one_sided": "one_sided_experimental"}
 FIGURES = {
     "two_sided": ("06", "07", "08", "09", ("10", "11", "12"), "21"),
     "one_sided": ("13", "14", "15", "", ("16", "17", "18"), "22"),
@@ -35,9 +43,6 @@ PAPER_SLENDERNESS = (3.1, 6.8, 11.3)
 
 SHOWN_GROUP = "B"
 """The group figures 6, 7, 13 and 14 show."""
-
-INTERMEDIATE: dict = {"slenderness_deg": 6.8, "height_m": 7.0}
-"""The wall of figures 19, 21 and 22."""
 
 TUFF_HEIGHT, TUFF_THICKNESS = 0.800, 0.123
 """The block of figure 4 [m], Sorrentino et al. (2011)."""
@@ -154,25 +159,6 @@ def q_against_height(sets: list[SetMean], mechanism: str, say: Say) -> list[Figu
     return figures
 
 
-def pairs(sets: list, first: dict, second: dict, same: tuple[str, ...]) -> list[tuple]:
-    """(entry, entry) of equal spectrum, alpha, H and `same`, the cells of which have these values."""
-
-    def key(entry):
-        return (
-            entry.spectrum.name,
-            *(getattr(entry.cell, name) for name in ("slenderness_deg", "height_m", *same)),
-        )
-
-    others = {key(entry): entry for entry in chosen(sets, **second)}
-    return [(one, others[key(one)]) for one in chosen(sets, **first) if key(one) in others]
-
-
-def restitution_pairs(sets: list[SetMean], mechanism: str) -> list[tuple[SetMean, SetMean]]:
-    """Theoretical and experimental restitution of the same wall and spectrum."""
-    first = {"mechanism": mechanism, "restitution": THEORETICAL[mechanism], "law": "rigid"}
-    return pairs(exact(sets), first, {**first, "restitution": EXPERIMENTAL[mechanism]}, ())
-
-
 def slug(name: str) -> str:
     """A name as part of the name of a file."""
     return re.sub(r"[^A-Za-z0-9]+", "_", name)
@@ -201,11 +187,6 @@ def restitution_scatter(sets: list[SetMean], mechanism: str, say: Say) -> Figure
         f"q [-], {EXPERIMENTAL[mechanism]}",
         (scatter("", points), diagonal(points)),
     )
-
-
-def theoretical(sets: list, mechanism: str) -> list:
-    """The paper's grid: Eq. 4 or Eq. 6, rigid law, exact method."""
-    return chosen(exact(sets), mechanism=mechanism, restitution=THEORETICAL[mechanism], law="rigid")
 
 
 def q_eff_against_si(sets: list[SetMean], mechanism: str, say: Say) -> list[Figure]:
@@ -257,18 +238,6 @@ def q_against_ratio(sets: list[SetMean], mechanism: str, say: Say) -> Figure:
     )
 
 
-def law_pairs(sets: list[SetMean], mechanism: str, law: str) -> list[tuple[SetMean, SetMean]]:
-    """Rigid and trilinear law of the intermediate wall."""
-    rigid = theoretical(sets, mechanism)
-    other = chosen(exact(sets), mechanism=mechanism, law=law, **INTERMEDIATE)
-    by_spectrum = {entry.spectrum.name: entry for entry in other}
-    return [
-        (one, by_spectrum[one.spectrum.name])
-        for one in chosen(rigid, **INTERMEDIATE)
-        if one.spectrum.name in by_spectrum
-    ]
-
-
 def rigid_against_trilinear(sets: list[SetMean], say: Say) -> Figure:
     """Fig. 19, for both mechanisms: the paper does not say which."""
     series, everything = [], []
@@ -287,22 +256,10 @@ def rigid_against_trilinear(sets: list[SetMean], say: Say) -> Figure:
     )
 
 
-def c1_points(sets: list[SetMean], mechanism: str) -> list[tuple[float, float, float]]:
-    """(alpha [deg], H [m], C1) with C2 as of Eq. 15 or 16, SI in cm."""
-    ours = theoretical(sets, mechanism)
-    c2 = COEFFICIENTS[mechanism == "one_sided"][3]
-    points = []
-    for alpha, height in sorted({(e.cell.slenderness_deg, e.cell.height_m) for e in ours}):
-        members = chosen(ours, slenderness_deg=alpha, height_m=height)
-        fit = power_coefficient([e.intensity / CM for e in members], [e.q_eff for e in members], c2)
-        points.append((alpha, height, fit.coefficients[0]))
-    return points
-
-
 def c1_against_height(sets: list[SetMean], mechanism: str, say: Say) -> Figure:
     """C1 against H and alpha, beside Eq. 14 with the paper's coefficients."""
-    a1, a2, a3, _ = COEFFICIENTS[mechanism == "one_sided"]
-    points = c1_points(sets, mechanism)
+    a1, a2, a3, c2 = COEFFICIENTS[mechanism == "one_sided"]
+    points = c1_points(sets, mechanism, c2)
     series = []
     for color, alpha in enumerate(sorted({alpha for alpha, _, _ in points})):
         ours = [(height, c1) for a, height, c1 in points if a == alpha]
@@ -311,13 +268,6 @@ def c1_against_height(sets: list[SetMean], mechanism: str, say: Say) -> Figure:
         series.append(curve(say("{alpha:g}°, paper", alpha=alpha), paper, DASHED, color))
     title = say("Eq. 14: C1 against H, {mechanism}", mechanism=say(MECHANISM[mechanism]))
     return Figure(f"eq14_c1_{mechanism}", title, "H [m]", "C1", tuple(series))
-
-
-def closed_form_of(entry: SetMean) -> float:
-    """q of Eq. 15 or 16 for the set."""
-    block = entry.cell.wall.block()
-    one_sided = entry.cell.mechanism == "one_sided"
-    return closed_form_q(block.slenderness, block.height, entry.intensity, entry.pga, one_sided)
 
 
 def numerical_against_analytical(sets: list[SetMean], say: Say) -> Figure:
@@ -337,12 +287,6 @@ def numerical_against_analytical(sets: list[SetMean], say: Say) -> Figure:
         True,
         True,
     )
-
-
-def natural_values(values: list[MotionValue], mechanism: str) -> list[MotionValue]:
-    """Natural records of the intermediate wall that have a q."""
-    ours = chosen(theoretical(values, mechanism), **INTERMEDIATE)
-    return [value for value in ours if value.entry.seed is None and value.q is not None]
 
 
 def natural_records(values: list[MotionValue], mechanism: str, say: Say) -> Figure | None:

@@ -8,9 +8,10 @@ import numpy as np
 from core.capacity.closed_forms import COEFFICIENTS, PowerLaw, closed_form_q_eff, fit_power_law
 from core.capacity.regression import agreement, linear_c1, power_coefficient
 from core.study.figures import Table
-from core.study.paper_figures import (
+from core.study.paper_sets import (
     MECHANISM,
     THEORETICAL,
+    c1_points,
     closed_form_of,
     natural_values,
     theoretical,
@@ -111,11 +112,7 @@ def power_law_table(sets: list[SetMean], say: Say) -> Table:
 
 def coefficients(sets: list[SetMean], mechanism: str, c2: float) -> tuple[float, ...] | None:
     """A1, A2, A3 and R2 of Eq. 14 with this C2; None with fewer than four walls or without two of alpha and of H."""
-    walls = []
-    for alpha, height, _ in power_laws(sets, mechanism):
-        members = chosen(theoretical(sets, mechanism), slenderness_deg=alpha, height_m=height)
-        fit = power_coefficient([e.intensity / CM for e in members], [e.q_eff for e in members], c2)
-        walls.append((alpha, height, fit.coefficients[0]))
+    walls = c1_points(sets, mechanism, c2)
     if len(walls) < 4:
         return None
     alphas, heights, c1 = zip(*walls, strict=True)
