@@ -28,6 +28,7 @@ from core.rocking.lane_state import (
     IMPACTS,
     LANE_ROWS,
     LEFT,
+    LONG,
     MOVING,
     NEXT,
     PEAK,
@@ -54,6 +55,7 @@ from core.rocking.lanes import (
     locate_impacts,
     scalar_step,
     scatter_impact,
+    shorten_steps,
     vector_step,
 )
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
@@ -218,6 +220,7 @@ def make_lane_kernel(order):
         fastest = 0.5 * model.p2 * model.slenderness * loss * (LOOKAHEAD - 1) * dt
         waiting = zero
         lanes = zero
+        long = zero + 1  # steps to be shortened; 1 at first, which sets the rows of whole steps
         while True:
             while lanes < WIDTH and waiting < scales.size:
                 record = which[waiting]
@@ -239,6 +242,8 @@ def make_lane_kernel(order):
                 break
             lane_initial_terms(lanes, dt, model, constants, state)
             lane_taylor_coefficients(lanes, order, state)
+            if long > 0:
+                long = shorten_steps(lanes, dt, constants, order, state)
             vector_step(lanes, dt, model, constants, order, state)
             count = load_next_sample(lanes, ground, busy, state)
             falling = gather_falling(count, busy, state)
@@ -252,7 +257,8 @@ def make_lane_kernel(order):
                 outcome = STABLE
                 if step >= FALLS:
                     falling -= int(step == FALLS)
-                    if step == SCALAR or not scatter_impact(k, falling, model, state):
+                    long += int(step == LONG)
+                    if step >= SCALAR or not scatter_impact(k, falling, model, state):
                         outcome, clamps = scalar_step(k, dt, model, constants, order, zero, state)
                         clamped[lane[k]] += clamps
                     if state[IMPACTS + k] > IMPACTS_PER_SAMPLE:

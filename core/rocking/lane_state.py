@@ -16,11 +16,13 @@ SAMPLE                    -               number of the sample
 LEFT                      -               samples until the next check of whether the analysis has ended
 PHI, SPEED                rad, rad/s      rotation seen from the pivot and its rate
 TIME                      -               where in the sample the lane is, 0 to 1
-PER_STEP                  1/s             one over the time to the end of the sample
+PER_STEP                  1/s             one over the time of the step
 PEAK                      rad             largest rotation so far
+PART                      -               of the way to the end of the sample that the step is
 SERIES                    rad per step    v0 to v8, nine rows
 NET to FORCING            -               of `taylor_series.InitialTerms`; SINE, COSINE of alpha - phi
 GROWTH                    -               of `taylor_series.taylor_coefficients`
+END_TIME                  -               TIME after the step, 0 at the end of the sample
 FALL                                      rows PHI to v8 of the lanes that fall, gathered side by side
 PLAIN                     -               1.0 where the impact of such a lane is located by vector instructions
 """
@@ -56,22 +58,31 @@ ROW = WIDTH + 8
     TIME,
     PER_STEP,
     PEAK,
+    PART,
     SERIES,
-) = (ROW * row for row in range(22))
-LANE_ROWS = 21
+) = (ROW * row for row in range(23))
+LANE_ROWS = 22
 """Rows that move with a lane to another place: all before SERIES."""
-FALL_ROWS = 14
+FALL_ROWS = 15
 """Rows from PHI to v8."""
-NET, SINE, COSINE, BETA, RISE, STEP_P2, FORCING, GROWTH = (
-    SERIES + ROW * row for row in range(9, 17)
-)
-FALL = GROWTH + ROW
+(
+    NET,
+    SINE,
+    COSINE,
+    BETA,
+    RISE,
+    STEP_P2,
+    FORCING,
+    GROWTH,
+    END_TIME,
+) = (SERIES + ROW * row for row in range(9, 18))
+FALL = END_TIME + ROW
 PLAIN = FALL + ROW * FALL_ROWS
 ROWS = PLAIN // ROW + 1
 
-STEPPED, CHECK, FALLS, SCALAR = 0.0, 1.0, 2.0, 3.0
-"""NEXT of a lane after a vector step: through its sample; the same, and due to be checked for its end; falling to an
-impact in its sample; to be taken through its sample by the scalar step."""
+STEPPED, CHECK, FALLS, SCALAR, LONG = 0.0, 1.0, 2.0, 3.0, 4.0
+"""NEXT of a lane after a vector step: stepped; the same, and due to be checked for its end; falling to an
+impact in its sample; to be taken through its sample by the scalar step; the same, as its series has not converged."""
 
 VECTOR = 8
 """Lanes are stepped in multiples of this, so that no remainder is left to scalar instructions; those beyond the

@@ -2,9 +2,9 @@
 
 Loops without branches over contiguous lanes, which the compiler turns into vector instructions: the initial terms of
 the step to the end of each lane's sample, its Taylor coefficients, what comes of it, and the impacts of the lanes
-that fall. A lane whose step is not that plain (a kink, a new peak, a series not converged, an outward pull while it
-falls) takes it by `taylor.through_sample`, so that results equal those of single analyses bit for bit
-(resources/docs/physics.md, section 10).
+that fall. A step whose series has not converged is taken in parts. A lane whose step is not that plain (a kink, a
+new peak, an outward pull while it falls) takes it by `taylor.through_sample`, so that results equal those of single
+analyses bit for bit (resources/docs/physics.md, section 10).
 """
 
 from core.jit.decorators import inner_kernel, subkernel, widest_vectors
@@ -15,6 +15,7 @@ from core.rocking.lane_state import (
     CHECK,
     CONSTANT,
     COSINE,
+    END_TIME,
     FACTOR,
     FALL,
     FALL_ROWS,
@@ -25,10 +26,12 @@ from core.rocking.lane_state import (
     HIGH,
     IMPACTS,
     LEFT,
+    LONG,
     LOW,
     MOVING,
     NET,
     NEXT,
+    PART,
     PEAK,
     PER_STEP,
     PHI,
@@ -55,9 +58,10 @@ from core.rocking.lane_state import (
 from core.rocking.taylor import peak_may_grow, through_sample
 from core.rocking.taylor_bounds import (
     MAX_GROWTH,
-    RELATIVE_TOLERANCE,
     largest_push,
     neglected,
+    relative_tolerance,
+    shortened,
     turning_margin,
 )
 from core.rocking.taylor_polynomial import change, increment, landing, shape
@@ -68,6 +72,10 @@ from core.rocking.taylor_series import (
     sine_and_cosine_short,
     taylor_coefficients,
 )
+from core.wall.moment_rotation import FAR
+
+MAX_HALVINGS = 4
+"""Parts of a step that are taken by vector instructions: down to a sixteenth."""
 
 
 @subkernel
@@ -130,9 +138,54 @@ def series_of(k, order, state):
 
 
 @subkernel
+def shorten_steps(lanes, dt, constants, order, state):
+    """Where a series has not converged, the first half, quarter, ... of the step in its place, as
+    `taylor_bounds.converged_part`; where MAX_HALVINGS are not enough, GROWTH is FAR. Where all steps are whole, the
+    rows are as before. Returns how many steps are not."""
+    widest_vectors()
+    shorter = 0
+    for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
+        v, growth, p2 = series_of(k, order, state), state[GROWTH + k], state[STEP_P2 + k]
+        rise, forcing, t = state[RISE + k], state[FORCING + k], state[TIME + k]
+        omitted = neglected(v, growth, forcing, rise, p2, order)
+        branch = state[FACTOR + k], state[SLOPE + k], state[CONSTANT + k]
+        tolerance = constants.tolerance
+        relative = relative_tolerance(state[PHI + k], v[0], forcing, p2, branch, constants)
+        part = 1.0
+        for _ in range(MAX_HALVINGS):
+            long = (omitted > min(tolerance, relative)) | (growth >= MAX_GROWTH)
+            half, quarter = 0.5 if long else 1.0, 0.25 if long else 1.0
+            part *= half
+            tolerance *= half
+            relative *= quarter
+            growth *= quarter
+            omitted *= (1.0 / 1024.0 if order == 8 else 1.0 / 256.0) if long else 1.0
+        v, p2, rise = shortened(v, p2, rise, part)
+        state[SERIES + k] = v[0]
+        state[SERIES + ROW + k] = v[1]
+        state[SERIES + 2 * ROW + k] = v[2]
+        state[SERIES + 3 * ROW + k] = v[3]
+        state[SERIES + 4 * ROW + k] = v[4]
+        state[SERIES + 5 * ROW + k] = v[5]
+        state[SERIES + 6 * ROW + k] = v[6]
+        if order == 8:
+            state[SERIES + 7 * ROW + k] = v[7]
+            state[SERIES + 8 * ROW + k] = v[8]
+        state[STEP_P2 + k] = p2
+        state[RISE + k] = rise
+        state[GROWTH + k] = FAR if omitted > min(tolerance, relative) else growth
+        state[PART + k] = part
+        state[PER_STEP + k] = 1.0 / (dt * (1.0 - t)) * (1.0 / part)
+        state[END_TIME + k] = fma(part, 1.0 - t, t) if part < 1.0 else 0.0
+        shorter += int(part < 1.0) if k < lanes else 0
+    return shorter
+
+
+@subkernel
 def vector_step(lanes, dt, model, constants, order, state):
-    """One step of each lane to the end of its sample by its series, where nothing else happens in it, and NEXT of
-    each. (Initial terms, coefficients and step are three loops: in one the processor waits for each lane's results.)
+    """One step of each lane by its series, to the end of its sample or of a part of it, where nothing else happens,
+    and NEXT of each. (Initial terms, coefficients and step are three loops: in one the processor waits for each
+    lane's results.)
     """
     widest_vectors()
     tolerance = constants.tolerance
@@ -143,18 +196,19 @@ def vector_step(lanes, dt, model, constants, order, state):
         forcing, growth = state[FORCING + k], state[GROWTH + k]
         x, low, peak = state[PHI + k], state[LOW + k], state[PEAK + k]
         speed, per_step = state[SPEED + k], state[PER_STEP + k]
-        left = state[LEFT + k] - 1.0
-        factor, slope, constant = state[FACTOR + k], state[SLOPE + k], state[CONSTANT + k]
-        moment = fma(slope, x + abs(v[0]), fma(factor, constants.sine, constant))
-        allowed = min(tolerance, RELATIVE_TOLERANCE * p2 * (forcing + moment))
+        end_time = state[END_TIME + k]
+        whole = end_time == 0.0
+        done = 1.0 if whole else 0.0
+        left = state[LEFT + k] - done
+        branch = state[FACTOR + k], state[SLOPE + k], state[CONSTANT + k]
+        relative = relative_tolerance(x, v[0], forcing, p2, branch, constants)
+        omitted = neglected(v, growth, forcing, rise, p2, order)
+        long = (omitted > min(tolerance, relative)) | (growth >= MAX_GROWTH)
         dphi = increment(v, 1.0)
         dv = change(v, 1.0)
         y = x + dphi
         upper = max(x, y)
-        push = largest_push(
-            upper, forcing, p2, constants.sine, state[FACTOR + k], state[SLOPE + k],
-            state[CONSTANT + k],
-        )  # fmt: skip
+        push = largest_push(upper, forcing, p2, constants.sine, *branch)
         reach = 0.125 * push
         margin = turning_margin(v[0], dv, rise, forcing + state[SLOPE + k], p2, push)
         after = v[0] + dv
@@ -165,24 +219,28 @@ def vector_step(lanes, dt, model, constants, order, state):
         scalar = (
             ((state[HIGH + k] - upper <= reach) & (max(v[0], after) >= -margin))
             | (upper > SHORT_SERIES)
-            | (neglected(v, growth, forcing, rise, p2, order) > allowed)
-            | (growth >= MAX_GROWTH)
+            | long
             | (falls & (low != 0.0))
             | (state[MOVING + k] == 0.0)
             | ((not falls) & tops & peak_may_grow(x, dphi, v[0], bend, reach, peak))
         )
         stays = scalar | falls
-        check = (y > model.slenderness) | (left <= 0.0)
-        state[NEXT + k] = SCALAR if scalar else (FALLS if falls else (CHECK if check else STEPPED))
-        state[SAMPLE + k] += 0.0 if stays else 1.0
-        state[LEFT + k] = left + 1.0 if stays else left
-        state[FIRST + k] = state[FIRST + k] if stays else state[SCALE + k] * state[SECOND + k]
+        check = whole & ((y > model.slenderness) | (left <= 0.0))
+        state[NEXT + k] = (
+            (LONG if long else SCALAR)
+            if scalar
+            else (FALLS if falls else (CHECK if check else STEPPED))
+        )
+        state[SAMPLE + k] += 0.0 if stays else done
+        state[LEFT + k] = left + done if stays else left
+        same = stays | (not whole)
+        state[FIRST + k] = state[FIRST + k] if same else state[SCALE + k] * state[SECOND + k]
         state[PHI + k] = x if stays else y
         state[SPEED + k] = speed if stays else fma(dv, per_step, speed)
         state[PEAK + k] = peak if stays else max(peak, y)
-        state[TIME + k] = state[TIME + k] if stays else 0.0
+        state[TIME + k] = state[TIME + k] if stays else end_time
         state[PER_STEP + k] = per_step if stays else per_dt
-        state[IMPACTS + k] = state[IMPACTS + k] if stays else 0.0
+        state[IMPACTS + k] = state[IMPACTS + k] if same else 0.0
 
 
 @subkernel
@@ -202,7 +260,7 @@ def locate_impacts(falling, dt, model, rest_below, order, state):
         arriving = max(-speed, 0.0)
         ratio = max(model.ratio_at_rest - model.ratio_drop * arriving * arriving, 0.0)
         speed = ratio * arriving
-        t = fma(part, 1.0 - t, t)
+        t = fma(part * state[PART + k], 1.0 - t, t)
         plain = found & (top <= state[PEAK + k]) & (part < 1.0) & (t < 1.0) & (speed >= rest_below)
         state[PLAIN + j] = 1.0 if plain else 0.0
         state[SPEED + k] = speed

@@ -23,7 +23,8 @@ from core.rocking.taylor_bounds import (
     converged_part,
     largest_push,
     neglected,
-    step_tolerance,
+    relative_tolerance,
+    shortened,
     turning_margin,
 )
 from core.rocking.taylor_polynomial import (
@@ -37,6 +38,7 @@ from core.rocking.taylor_polynomial import (
 )
 from core.rocking.taylor_series import (
     SHORT_SERIES,
+    InitialTerms,
     initial_terms,
     sine_and_cosine,
     taylor_coefficients,
@@ -78,8 +80,8 @@ def peak_may_grow(phi, dphi, speed, bend, reach, peak):
 
 @inner_kernel
 def converged_step(state, ground0, ground1, t, dt, branch, model, constants, order):
-    """(v0..v8, InitialTerms, part of the step at which the series has converged) of a step from t to the end of
-    the sample; arguments as `through_sample`. branch : of `moment_branch`."""
+    """(v0..v8, InitialTerms, part) of the first part of a step from t to the end of the sample, in which the series
+    has converged, in units of that part; arguments as `through_sample`. branch : of `moment_branch`."""
     _, _, factor, slope, constant = branch
     s, c = sine_and_cosine(state.phi)
     start = initial_terms(
@@ -87,18 +89,27 @@ def converged_step(state, ground0, ground1, t, dt, branch, model, constants, ord
         constants,
     )  # fmt: skip
     v, growth = taylor_coefficients(state.phi, start, factor, slope, order)
-    tolerance = step_tolerance(state.phi, start, (factor, slope, constant), constants)
+    relative = relative_tolerance(
+        state.phi, start.speed, start.forcing, start.p2, (factor, slope, constant), constants
+    )
     tail = neglected(v, growth, start.forcing, start.rise, start.p2, order)
-    return v, start, converged_part(tail, growth, order, tolerance)
+    part = converged_part(tail, growth, order, constants.tolerance, relative)
+    if part < 1.0:
+        v, p2, rise = shortened(v, start.p2, start.rise, part)
+        start = InitialTerms(
+            v[0], start.net, start.sine, start.cosine, start.beta, rise, p2, start.forcing
+        )
+    return v, start, part
 
 
 @inner_kernel
-def first_event(v, start, part, phi, branch, constants):
-    """The Crossing that ends a step: the first one of an end of the branch within `part`, else `part` itself or a
-    shorter one in which the step turns once. v, start : of `converged_step`; phi [rad]."""
+def first_event(v, start, phi, branch, constants):
+    """The Crossing that ends a step: the first one of an end of the branch, else its end or that of a shorter one
+    which turns once. v, start : of `converged_step`; phi [rad]."""
     low, high, factor, slope, constant = branch
     # a chord stays within 1/8 max|phi''| of the curve, one of the speed within the margin: far from
     # both ends of the branch, or moving away from it, nothing happens
+    part = 1.0
     dphi = increment(v, part)
     dv = change(v, part)
     push = largest_push(
@@ -129,10 +140,10 @@ def first_event(v, start, part, phi, branch, constants):
 
 
 @inner_kernel
-def advance(state, v, event, t, dt):
+def advance(state, v, shortened_to, event, t, dt):
     """(BlockState, t) at the end of a step, before what happens there.
 
-    v : of `converged_step`
+    v, shortened_to : of `converged_step`
     event : Crossing
     """
     phi, peak, part = state.phi, state.peak, event.part
@@ -142,7 +153,8 @@ def advance(state, v, event, t, dt):
         phi, dphi, v[0], event.bend, event.reach, peak
     ):
         peak = max(peak, phi + interior_maximum(v, part))
-    speed = fma(dv, 1.0 / (dt * (1.0 - t)), state.speed)
+    speed = fma(dv, 1.0 / (dt * (1.0 - t)) * (1.0 / shortened_to), state.speed)
+    part *= shortened_to
     t = fma(part, 1.0 - t, t) if part < 1.0 else 1.0
     if event.crossing < 0.0:
         phi += dphi
@@ -205,8 +217,8 @@ def through_sample(
         v, begun, part = converged_step(
             state, ground0, ground1, t, dt, branch, model, constants, order
         )
-        event = first_event(v, begun, part, state.phi, branch, constants)
-        state, t = advance(state, v, event, t, dt)
+        event = first_event(v, begun, state.phi, branch, constants)
+        state, t = advance(state, v, part, event, t, dt)
         if event.crossing < 0.0:
             if state.phi > SHORT_SERIES and cannot_recover(
                 state.phi, state.speed, strongest, model

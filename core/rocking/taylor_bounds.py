@@ -44,29 +44,46 @@ def neglected(v, growth, forcing, rise, p2, order):
 
 
 @inner_kernel
-def step_tolerance(x, start, branch, constants):
-    """Largest omitted term of a step that is taken whole [rad].
+def relative_tolerance(x, speed, forcing, p2, branch, constants):
+    """Largest omitted term of a step in relation to what its acceleration moves [rad].
 
-    x : rotation at its start [rad]
-    start : InitialTerms; branch : (factor, slope, constant) of the moment law; constants : WallConstants
+    x, speed : rotation [rad] and velocity [rad per step] at its start; forcing, p2 : as `turning_margin`
+    branch : (factor, slope, constant) of the moment law; constants : WallConstants
     """
     factor, slope, constant = branch
-    moment = fma(slope, x + abs(start.speed), fma(factor, constants.sine, constant))
-    return min(constants.tolerance, RELATIVE_TOLERANCE * start.p2 * (start.forcing + moment))
+    moment = fma(slope, x + abs(speed), fma(factor, constants.sine, constant))
+    return RELATIVE_TOLERANCE * p2 * (forcing + moment)
 
 
 @subkernel
-def converged_part(tail, growth, order, tolerance):
-    """Largest part 1 / 2^n of the step at which the omitted term, `tail` at its end, is below the tolerance and
-    growth below MAX_GROWTH. Half a step divides growth by 4 and the term by 2^10 (order 8) or 2^8: its degree."""
+def converged_part(tail, growth, order, tolerance, relative):
+    """Largest part 1 / 2^n of the step at which the omitted term, `tail` at its end, is below both tolerances and
+    growth below MAX_GROWTH. Half a step divides growth and what its acceleration moves by 4, what it may add to the
+    rotation at the same error of the velocity by 2, and the term by 2^10 (order 8) or 2^8: its degree."""
     part = 1.0
     for _ in range(60):
-        if tail <= tolerance and growth < MAX_GROWTH:
+        if tail <= min(tolerance, relative) and growth < MAX_GROWTH:
             break
         part *= 0.5
+        tolerance *= 0.5
+        relative *= 0.25
         growth *= 0.25
         tail *= 1.0 / 1024.0 if order == 8 else 1.0 / 256.0
     return part
+
+
+@inner_kernel
+def shortened(v, p2, rise, part):
+    """v0..v8, p2 and rise of the first part of a step in its own units, time from 0 to 1 in it: exact, since the part
+    is a power of two. Arguments as `neglected`."""
+    second = part * part
+    third, fourth = part * second, second * second
+    v = (
+        part * v[0], second * v[1], third * v[2], fourth * v[3], (part * fourth) * v[4],
+        (second * fourth) * v[5], (third * fourth) * v[6], (fourth * fourth) * v[7],
+        (part * (fourth * fourth)) * v[8],
+    )  # fmt: skip
+    return v, second * p2, part * rise
 
 
 @inner_kernel

@@ -51,6 +51,20 @@ def test_that_lanes_equal_single_analyses_on_random_walls_and_grounds():
     assert seen >= {0, 1}
 
 
+@pytest.mark.parametrize("height, dt", [(0.4, 0.02), (1.0, 0.05), (0.3, 0.1)])
+def test_that_lanes_take_long_steps_in_the_parts_of_single_analyses(
+    reference, make_model, height, dt
+):
+    """Where the series has not converged within a sample, by vector instructions down to a sixteenth of it."""
+    ground = reference("standard")[0][::2]
+    for law in ("rigid", "al_shawa"):
+        for one_sided in (False, True):
+            model = make_model(height=height, one_sided=one_sided, law=law)
+            scales = np.linspace(0.2, 3.0, 64)
+            for method in ("taylor", "taylor_6"):
+                assert_lanes_are_histories(ground, dt, scales, model, method)
+
+
 def test_that_a_ground_that_is_no_number_ends_at_once_with_its_code(make_model):
     """It hung `history` and `scan` for ever, where no signal reached them."""
     sound = 3.0 * np.sin(np.arange(300) * 0.1)
