@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
-from core.rocking.history import history
+from core.rocking.history import history, scan
 from core.rocking.methods import METHODS, Method
 from tests.benchmarks.scenes import Scene, scenes
 
@@ -25,6 +25,8 @@ OWN = (
     + [Method("rk4", 3, steps, 4) for steps in (1, 2, 4, 8, 16)]
     + [METHODS["dormand_prince"], METHODS["linearised"]]
 )
+
+LANES = 64
 
 
 def peers() -> list[tuple[str, object]]:
@@ -38,7 +40,9 @@ def peers() -> list[tuple[str, object]]:
     ]
     try:
         for tolerance in (0.0, 1e-9):
-            found.append((f"heyoka {tolerance or 'eps'}", others.Heyoka(tolerance)))
+            name = f"{tolerance or 'eps'}"
+            found.append((f"heyoka {name}", others.Heyoka(tolerance)))
+            found.append((f"heyoka batch of 8 {name}", others.Heyoka(tolerance, 8)))
     except ImportError:
         print("heyoka is not installed: left out")
     try:
@@ -82,6 +86,11 @@ def measure(scene: Scene, others) -> list[dict]:
 
         found = call().rotation / scene.model.slenderness
         rows.append(row(scene, method.name, method.option, error(found, scene), timed(call)))
+        if method.name.startswith("taylor"):
+            seconds = timed(lambda m=method: lanes(scene, m)) / LANES
+            rows.append(
+                row(scene, f"{LANES} lanes", method.option, rows[-1]["error_alpha"], seconds)
+            )
     for label, solver in others:
         if label.startswith("heyoka") and scene.model.plateau_end > 0.0:
             continue
@@ -90,7 +99,21 @@ def measure(scene: Scene, others) -> list[dict]:
         once = time.perf_counter() - start
         seconds = once if once > 0.5 else timed(lambda s=solver: s(scene))
         rows.append(row(scene, label, "", error(found, scene), seconds))
+        if label.startswith("heyoka"):
+            # of its batch the first history is the scene, the others are of other multipliers
+            alone = solver.compiled(scene.dt) * (scene.ground.size - 1)
+            rows[-1]["seconds"] /= solver.lanes
+            rows[-1]["ns_per_sample"] /= solver.lanes
+            rows.append(
+                row(scene, f"{label}, its compiled steps alone", "", error(found, scene), alone)
+            )
     return rows
+
+
+def lanes(scene: Scene, method: Method) -> None:
+    """The scene and LANES - 1 histories of other multipliers, in lanes."""
+    outcomes, peaks = np.zeros(LANES, np.int64), np.zeros(LANES)
+    scan(method, scene.ground, scene.dt, np.linspace(1.0, 0.9, LANES), scene.model, outcomes, peaks)
 
 
 def row(scene, name, option, err, seconds) -> dict:
@@ -108,7 +131,7 @@ def chart(rows: list[dict], path: Path) -> None:
 
     names = list(dict.fromkeys(r["scene"] for r in rows))
     families = list(dict.fromkeys(family(r["method"]) for r in rows))
-    colours = dict(zip(families, plt.get_cmap("tab10").colors, strict=False))
+    colours = dict(zip(families, plt.get_cmap("tab20").colors, strict=False))
     columns = 3
     lines = -(-(len(names) + 1) // columns)
     figure, axes = plt.subplots(lines, columns, figsize=(13, 3.6 * lines), squeeze=False)
@@ -120,7 +143,7 @@ def chart(rows: list[dict], path: Path) -> None:
             x = [1e6 * r["seconds"] for r in points]
             y = [min(max(r["error_alpha"], 1e-16), 3.0) for r in points]
             line = "-" if family_name in ("rk4", "newmark_events", "taylor") else "none"
-            marker = "o" if family_name in METHODS else "s"
+            marker = "o" if family_name in (*METHODS, f"{LANES} lanes") else "s"
             axis.loglog(x, y, marker=marker, linestyle=line, color=colours[family_name],
                         label=family_name, markersize=5)  # fmt: skip
         impacts = next(r["impacts"] for r in rows if r["scene"] == name)
@@ -134,12 +157,18 @@ def chart(rows: list[dict], path: Path) -> None:
     handles, labels = axes.flat[0].get_legend_handles_labels()
     for axis in list(axes.flat)[len(names) :]:
         axis.axis("off")
-    list(axes.flat)[-1].legend(handles, labels, fontsize=9, loc="center", frameon=False)
+    list(axes.flat)[-1].legend(handles, labels, fontsize=8, loc="center", frameon=False)
     figure.tight_layout()
     figure.savefig(path, dpi=90)
 
 
 def family(name: str) -> str:
+    """Name in the legend: that of a method without its option or tolerance."""
+    if name.startswith("heyoka"):
+        batch = "heyoka, batch of 8" if "batch" in name else "heyoka"
+        return f"{batch}, {'compiled steps alone' if 'alone' in name else 'from Python'}"
+    if name.startswith(f"{LANES} "):
+        return name
     return "scipy naive" if "naive" in name else name.split(" ")[0]
 
 
@@ -151,7 +180,7 @@ def main(folder: Path) -> None:
         print(f"{scene.name}: {scene.ground.size} samples, {scene.impacts} impacts")
         for r in rows:
             if r["scene"] == scene.name:
-                print(f"  {r['method']:26} {r['option']!s:3} {r['error_alpha']:10.2e} alpha "
+                print(f"  {r['method']:46} {r['option']!s:3} {r['error_alpha']:10.2e} alpha "
                       f"{1e6 * r['seconds']:12.1f} us")  # fmt: skip
     folder.mkdir(parents=True, exist_ok=True)
     with open(folder / "work_precision.csv", "w", newline="") as stream:
