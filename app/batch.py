@@ -13,6 +13,7 @@ from core import atomic_write
 from core.case.reader import read_case
 from core.case.schema import Case
 from core.errors import Cancelled, InputError
+from core.jit import cache
 from core.study.journal import Journal
 from core.study.results import StudyResult
 from core.study.run import run as run_study
@@ -51,6 +52,8 @@ def run_in(
         books.append(open_journal(folder / f"{stem}.journal", key, resume))
         return books[0]
 
+    if not quiet:
+        tell_of_compiling()
     with interrupts(cancel), progress(quiet) as show:
         try:
             result = run_study(
@@ -97,6 +100,12 @@ def open_journal(path: Path, key: str, resume: bool, sync_seconds: float = 0.0) 
             n=book.dropped,
         )
     return book
+
+
+def tell_of_compiling() -> None:
+    """Why the first run takes longer, while it does."""
+    if cache.is_empty():
+        tell("The solver is compiled, once on this computer: it takes some seconds more.")
 
 
 def tell(text: str, /, **values) -> None:

@@ -2,6 +2,7 @@
 
 from app.language import tr
 from app.worker import Job
+from core.jit import cache
 
 
 class Preparation:
@@ -29,10 +30,14 @@ class Preparation:
         motion = window.records.motions[0]
         self.methods.add(case.analysis.method)
         if window.word_kind in ("", "ready"):
-            window.show_word(tr("Preparing the solver…"), "preparing")
+            window.show_word(
+                tr("Compiling the solver, once on this computer: some seconds…")
+                if cache.is_empty()
+                else tr("Preparing the solver…"),
+                "preparing",
+            )
 
         def work(job):
-            from core.jit import cache
             from core.study.run import warm
 
             warm(case, motion)

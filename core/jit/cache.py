@@ -155,6 +155,11 @@ def folder() -> Path:
     return prepare(user_folder(), stamp())
 
 
+def is_empty() -> bool:
+    """Whether no kernel of this state of the sources was ever compiled: the first run does it, once."""
+    return not any(folder().glob("*.nbc"))
+
+
 def close() -> None:
     """Before the process ends: keep what was compiled, and delete a folder of this process alone."""
     if SECOND_PROCESS in os.environ or not folder.is_made():

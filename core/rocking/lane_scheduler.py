@@ -56,6 +56,7 @@ from core.rocking.lanes import (
     scalar_step,
     scatter_impact,
     shorten_steps,
+    stay_in_sample,
     vector_step,
 )
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
@@ -245,6 +246,8 @@ def make_lane_kernel(order):
             if long > 0:
                 long = shorten_steps(lanes, dt, constants, order, state)
             vector_step(lanes, dt, model, constants, order, state)
+            if long > 0:
+                stay_in_sample(lanes, state)
             count = load_next_sample(lanes, ground, busy, state)
             falling = gather_falling(count, busy, state)
             if falling > 0:

@@ -22,7 +22,8 @@ PART                      -               of the way to the end of the sample th
 SERIES                    rad per step    v0 to v8, nine rows
 NET to FORCING            -               of `taylor_series.InitialTerms`; SINE, COSINE of alpha - phi
 GROWTH                    -               of `taylor_series.taylor_coefficients`
-END_TIME                  -               TIME after the step, 0 at the end of the sample
+END_TIME                  -               TIME at the end of a shortened step
+START, BEFORE             m/s2, -         FIRST and IMPACTS before it
 FALL                                      rows PHI to v8 of the lanes that fall, gathered side by side
 PLAIN                     -               1.0 where the impact of such a lane is located by vector instructions
 """
@@ -75,8 +76,10 @@ FALL_ROWS = 15
     FORCING,
     GROWTH,
     END_TIME,
-) = (SERIES + ROW * row for row in range(9, 18))
-FALL = END_TIME + ROW
+    START,
+    BEFORE,
+) = (SERIES + ROW * row for row in range(9, 20))
+FALL = BEFORE + ROW
 PLAIN = FALL + ROW * FALL_ROWS
 ROWS = PLAIN // ROW + 1
 

@@ -11,6 +11,7 @@ from core.jit.decorators import inner_kernel, subkernel, widest_vectors
 from core.jit.fma import fma
 from core.rocking.events import BlockState
 from core.rocking.lane_state import (
+    BEFORE,
     BETA,
     CHECK,
     CONSTANT,
@@ -47,6 +48,7 @@ from core.rocking.lane_state import (
     SINE,
     SLOPE,
     SPEED,
+    START,
     STEP_P2,
     STEPPED,
     STRONGEST,
@@ -176,16 +178,32 @@ def shorten_steps(lanes, dt, constants, order, state):
         state[GROWTH + k] = FAR if omitted > min(tolerance, relative) else growth
         state[PART + k] = part
         state[PER_STEP + k] = 1.0 / (dt * (1.0 - t)) * (1.0 / part)
-        state[END_TIME + k] = fma(part, 1.0 - t, t) if part < 1.0 else 0.0
+        state[END_TIME + k] = fma(part, 1.0 - t, t)
+        state[START + k] = state[FIRST + k]
+        state[BEFORE + k] = state[IMPACTS + k]
         shorter += int(part < 1.0) if k < lanes else 0
     return shorter
 
 
 @subkernel
+def stay_in_sample(lanes, state):
+    """Put the lanes that took a part of their sample back into it."""
+    widest_vectors()
+    for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
+        inside = (state[PART + k] < 1.0) & (state[NEXT + k] <= CHECK)
+        state[NEXT + k] = STEPPED if inside else state[NEXT + k]
+        state[SAMPLE + k] -= 1.0 if inside else 0.0
+        state[LEFT + k] += 1.0 if inside else 0.0
+        state[TIME + k] = state[END_TIME + k] if inside else state[TIME + k]
+        state[FIRST + k] = state[START + k] if inside else state[FIRST + k]
+        state[IMPACTS + k] = state[BEFORE + k] if inside else state[IMPACTS + k]
+
+
+@subkernel
 def vector_step(lanes, dt, model, constants, order, state):
-    """One step of each lane by its series, to the end of its sample or of a part of it, where nothing else happens,
-    and NEXT of each. (Initial terms, coefficients and step are three loops: in one the processor waits for each
-    lane's results.)
+    """One step of each lane to the end of its sample by its series, where nothing else happens in it, and NEXT of
+    each; of a shortened step, see `stay_in_sample`. (Initial terms, coefficients and step are three loops: in one the
+    processor waits for each lane's results.)
     """
     widest_vectors()
     tolerance = constants.tolerance
@@ -196,10 +214,7 @@ def vector_step(lanes, dt, model, constants, order, state):
         forcing, growth = state[FORCING + k], state[GROWTH + k]
         x, low, peak = state[PHI + k], state[LOW + k], state[PEAK + k]
         speed, per_step = state[SPEED + k], state[PER_STEP + k]
-        end_time = state[END_TIME + k]
-        whole = end_time == 0.0
-        done = 1.0 if whole else 0.0
-        left = state[LEFT + k] - done
+        left = state[LEFT + k] - 1.0
         branch = state[FACTOR + k], state[SLOPE + k], state[CONSTANT + k]
         relative = relative_tolerance(x, v[0], forcing, p2, branch, constants)
         omitted = neglected(v, growth, forcing, rise, p2, order)
@@ -225,22 +240,21 @@ def vector_step(lanes, dt, model, constants, order, state):
             | ((not falls) & tops & peak_may_grow(x, dphi, v[0], bend, reach, peak))
         )
         stays = scalar | falls
-        check = whole & ((y > model.slenderness) | (left <= 0.0))
+        check = (y > model.slenderness) | (left <= 0.0)
         state[NEXT + k] = (
             (LONG if long else SCALAR)
             if scalar
             else (FALLS if falls else (CHECK if check else STEPPED))
         )
-        state[SAMPLE + k] += 0.0 if stays else done
-        state[LEFT + k] = left + done if stays else left
-        same = stays | (not whole)
-        state[FIRST + k] = state[FIRST + k] if same else state[SCALE + k] * state[SECOND + k]
+        state[SAMPLE + k] += 0.0 if stays else 1.0
+        state[LEFT + k] = left + 1.0 if stays else left
+        state[FIRST + k] = state[FIRST + k] if stays else state[SCALE + k] * state[SECOND + k]
         state[PHI + k] = x if stays else y
         state[SPEED + k] = speed if stays else fma(dv, per_step, speed)
         state[PEAK + k] = peak if stays else max(peak, y)
-        state[TIME + k] = state[TIME + k] if stays else end_time
+        state[TIME + k] = state[TIME + k] if stays else 0.0
         state[PER_STEP + k] = per_step if stays else per_dt
-        state[IMPACTS + k] = state[IMPACTS + k] if same else 0.0
+        state[IMPACTS + k] = state[IMPACTS + k] if stays else 0.0
 
 
 @subkernel

@@ -20,6 +20,9 @@ TERMINAL = {
         "le analisi finite di un avvio precedente sono in {path}: per proseguirle, rinominarlo e aggiungere "
         "--resume"
     ),
+    "The solver is compiled, once on this computer: it takes some seconds more.": (
+        "Il risolutore viene compilato, una sola volta su questo computer: servono alcuni secondi in più."
+    ),
     "{n} damaged line(s) of the journal were dropped: these runs are made again": (
         "{n} righe danneggiate del registro scartate: queste analisi si rifanno"
     ),

@@ -109,6 +109,9 @@ WINDOW = {
     "The program ended without saving. Bring back the unsaved case?": (
         "Il programma si è chiuso senza salvare. Recuperare il caso non salvato?"
     ),
+    "Compiling the solver, once on this computer: some seconds…": (
+        "Compilazione del risolutore, una sola volta su questo computer: alcuni secondi…"
+    ),
     "Preparing the solver…": "Preparazione del risolutore…",
     "Ready.": "Pronto.",
     "Check against a demand": "Verifica rispetto a una domanda",
