@@ -106,7 +106,7 @@ def taylor_variant(**replacements):
     )
 
 
-def _whole_step(tail, growth, order, tolerance):
+def _whole_step(tail, growth, order, tolerance, relative):
     """Steps that are not cut, so that both crossings lie in one of them."""
     return 1.0
 
