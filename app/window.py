@@ -207,15 +207,15 @@ class MainWindow(QMainWindow):
         self.refresh()
 
     def _show_spectra(self) -> None:
-        target = None
+        demand = self.session.case.demand
         try:
-            if self.session.case.demand:
-                target = target_of(self.session.case.demand, self.session.base_dir)
+            target = target_of(demand, self.session.base_dir) if demand else None
         except (InputError, TypeError):
             target = None
         result = self.session.result
         rules = result.compliance if result and not self.session.stale else None
-        self.pages["spectra"].content.show_records(self.records.motions, target, rules)
+        floor = self.wall.floor if self.wall and not self.session.stale else None
+        self.pages["spectra"].content.show_records(self.records.motions, target, rules, floor)
 
     @property
     def wall(self):

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.forms.building_form import BuildingForm
 from app.forms.fields import (
     Choice,
     ChoiceField,
@@ -116,10 +117,13 @@ class DemandForm(QWidget):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)
         layout.addWidget(self.given)
+        self.building = BuildingForm(session)
+        layout.addWidget(self.building)
         layout.addStretch(1)
 
     def show_case(self) -> None:
         """Fill the form from the session."""
+        self.building.show_case()
         demand = self.session.case.demand
         self.given.blockSignals(True)
         self.given.setChecked(demand is not None)

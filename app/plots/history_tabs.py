@@ -100,10 +100,14 @@ class HistoriesTab(QWidget):
         if self.shown is None or self.record.currentIndex() < 0:
             return
         result, wall = self.shown
-        self.motion = next(m for m in result.motions if m.name == self.run.record)
+        self.motion = result.motion_of(wall, self.run.record)
         self.times = np.arange(self.motion.acceleration.size) * self.motion.time_step
         self.ground_curve = self.ground.curve(
-            tr("ground"), self.times, self.motion.acceleration / G, 6, 1.0
+            tr("floor") if wall.floor else tr("ground"),
+            self.times,
+            self.motion.acceleration / G,
+            6,
+            1.0,
         )
         self.ground.level(0.0)
         self.curve = self.rotation.curve("θ/α", [0.0, 1.0], [0.0, 0.0], 0, 1.8)

@@ -27,6 +27,7 @@ from core.capacity.scale_free_law import dimensionless_intensity, law_of, loss_r
 from core.ground.response_spectrum import HOUSNER_PERIODS, pseudo_acceleration_spectrum
 from core.rocking.history import scan
 from core.rocking.outcome import COLLAPSED
+from core.study.floors import CHART_PERIODS
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import word
 from core.units import CM, G
@@ -87,7 +88,7 @@ class CapacityTab(QWidget):
             return
         result, wall = self.shown
         run = wall.runs[self.record.currentIndex()]
-        motion = next(motion for motion in result.motions if motion.name == run.record)
+        motion = result.motion_of(wall, run.record)
         top = 1.6 * (run.ida.q or 5.0)
         q = np.geomspace(run.ida.q_start, top, self.POINTS)
         outcomes, peaks = np.zeros(q.size, np.int64), np.zeros(q.size)
@@ -177,6 +178,9 @@ class IntensityTab(QWidget):
         if not known:
             self.words.setText(tr("No record with a q."))
             return
+        if wall.wall.above_ground:
+            self.words.setText(tr("Not drawn above the ground, where Eq. 15 and 16 do not hold."))
+            return
         si = np.array([entry.intensity for entry in known])
         self.chart.points(tr("time histories"), si / CM, [entry.q_eff for entry in known], 0, 9)
         x = np.geomspace(0.7 * si.min(), 1.4 * si.max(), 60)
@@ -227,7 +231,8 @@ class IntensityTab(QWidget):
 
 
 class SpectraTab(QWidget):
-    """5 % acceleration spectra of the records, their mean, the target; the band of SI shaded."""
+    """5 % acceleration spectra of the records, their mean, the target; the band of SI shaded. Above the ground beside
+    them the floor spectrum of the code and the mean of the floor motions, at the damping of the mechanism."""
 
     def __init__(self, language: str):
         super().__init__()
@@ -237,8 +242,12 @@ class SpectraTab(QWidget):
             tr("Compatibility"), [tr("Rule"), tr("Clause"), tr("Value"), tr("Limit"), tr("Outcome")]
         )
         self.words = QLabel()
+        self.floor = Chart("T [s]", "S_a [g]", tr("Floor spectra"))
+        charts = QSplitter(Qt.Orientation.Horizontal)
+        charts.addWidget(self.chart)
+        charts.addWidget(self.floor)
         split = QSplitter(Qt.Orientation.Vertical)
-        split.addWidget(self.chart)
+        split.addWidget(charts)
         split.addWidget(self.table)
         split.setSizes([420, 180])
         layout = QVBoxLayout(self)
@@ -246,11 +255,29 @@ class SpectraTab(QWidget):
         layout.addWidget(split, 1)
         self.known: dict[str, np.ndarray] = {}
 
-    def show_records(self, motions, target, rules) -> None:
+    def _show_floor(self, floor) -> None:
+        """The consistency of the code with the records at the floor."""
+        self.floor.clear()
+        self.floor.setVisible(floor is not None)
+        if floor is None:
+            return
+        if floor.spectrum is not None:
+            name = tr("floor spectrum of the code, z {z:g} m, ξ {damping:.0f} %", z=floor.z,
+                      damping=100.0 * floor.damping)  # fmt: skip
+            self.floor.curve(name, CHART_PERIODS, floor.code_spectrum / G, 1, 2.4)
+        if floor.motions:
+            self.floor.curve(
+                tr("mean of the floor motions"), CHART_PERIODS, floor.mean_spectrum / G, 0, 2.4
+            )
+        self.floor.reset()
+
+    def show_records(self, motions, target, rules, floor=None) -> None:
         """motions : as loaded
         target : of the demand or None
         rules : Compliance or None
+        floor : Floor of a wall above the ground
         """
+        self._show_floor(floor)
         self.chart.clear()
         spectra = []
         for motion in motions:

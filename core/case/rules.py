@@ -12,6 +12,7 @@ from core.case.schema import (
     MIN_ELASTIC,
     OWN_FIELDS,
     Analysis,
+    Building,
     Case,
     Demand,
     Generate,
@@ -75,6 +76,7 @@ def parse_case(table: dict) -> Case:
         else None,
         analysis=analysis,
         demand=_demand(demand) if demand is not None else None,
+        building=_building(table["building"]) if "building" in table else None,
         given=frozenset(_written(table)),
     )
     if case.generate and not (case.demand and (case.demand.spectrum or case.demand.spectrum_file)):
@@ -119,6 +121,7 @@ def draft_case(table: dict) -> Case:
         generate=one(Generate, "generate"),
         analysis=one(Analysis, "analysis") or Analysis(),
         demand=demand,
+        building=one(Building, "building"),
         given=frozenset(_written(table)),
     )
 
@@ -147,6 +150,14 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
             raise InputError(
                 "linearised_is_rigid", place=(section("[analysis]"),), key="method", wall=wall.name
             )
+        if case.building and (wall.base_z_m or 0.0) > case.building.height_m:
+            raise InputError(
+                "base_above_building",
+                place=(place("wall", name=wall.name),),
+                key="base_z_m",
+                base=wall.base_z_m,
+                height=case.building.height_m,
+            )
         if case.demand and wall.base_z_m is None:
             raise InputError("base_missing", place=(place("wall", name=wall.name),), key="base_z_m")
         if case.demand and case.demand.confidence_factor < FULL_FACTOR and not wall.setback > 0.0:
@@ -164,6 +175,14 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
 def parse_wall(table: dict) -> Wall:
     """One wall of a mapping with the keys of [[wall]]. Raises InputError."""
     return section_of(Wall, table, "wall", place("wall", name=_name(table, 0)))
+
+
+def _building(table) -> Building:
+    here = section("[building]")
+    building = section_of(Building, table, "building", here)
+    if building.modes and (building.period_s is not None or building.damping is not None):
+        raise InputError("modes_or_period", place=(here,))
+    return building
 
 
 def _demand(table) -> Demand:
@@ -200,7 +219,7 @@ def check_code_keys(asked, here) -> None:
 
 def _written(table: dict):
     """Places (section, index, key) the user wrote."""
-    for name in ("wall", "record", "report", "analysis", "demand", "generate"):
+    for name in ("wall", "record", "report", "analysis", "demand", "generate", "building"):
         items = table.get(name) or []
         for index, item in enumerate(items if isinstance(items, (list, tuple)) else [items]):
             for key in item if isinstance(item, dict) else ():

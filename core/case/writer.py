@@ -18,7 +18,7 @@ def table_of(case: Case) -> dict:
     content = case.as_dict()
     if case.walls is not None:
         table["walls"] = case.walls
-    for section in ("report", "wall", "record", "generate", "analysis", "demand"):
+    for section in ("report", "wall", "record", "generate", "analysis", "demand", "building"):
         items = content[section]
         items = items if isinstance(items, tuple) else [items] if items is not None else []
         tables = [
@@ -32,7 +32,7 @@ def table_of(case: Case) -> dict:
         if section in ("wall", "record"):
             if tables:
                 table[section] = tables
-        elif tables and (tables[0] or section in ("generate", "demand")):
+        elif tables and (tables[0] or section in ("generate", "demand", "building")):
             table[section] = tables[0]
     return table
 
@@ -99,4 +99,4 @@ def _bare(value):
     """A value of TOML: nested tables without the keys that are not given."""
     if isinstance(value, dict):
         return {key: part for key, part in value.items() if part is not None}
-    return value
+    return [_bare(part) for part in value] if isinstance(value, tuple) else value

@@ -56,7 +56,7 @@ class DemandResult:
 
     def scaling(self, motion: GroundMotion) -> float:
         """Factor of a record at the demand, FC apart: 1 as given, or PGA to a_g S."""
-        return self.pga / motion.pga if self.record_scaling == "pga" else 1.0
+        return self.pga / (motion.ground_pga or motion.pga) if self.record_scaling == "pga" else 1.0
 
 
 def with_records(demand: DemandResult, motions: list[GroundMotion]) -> DemandResult:

@@ -1,8 +1,11 @@
-"""Kinematic checks of a wall on the ground, Circolare 7/2019 C8.7.1.2.1.1 to .8, for a single block.
+"""Kinematic checks of a wall, Circolare 7/2019 C8.7.1.2.1.1 to .8, for a single block.
 
 The clauses put the weight of each block at its centroid: for one wall turning about its base the sums of
 C8.7.1.4 and C8.7.1.5 have one term, so that e* = 1 and d = d_C at the centroid. (Summed over the height, as
 if each course were a block, e* would be 0.75 and a0* a third higher than the acceleration that uplifts the wall.)
+
+Above the ground the spectra are those of the floor, C7.2.3. Since C7.2.8 goes to zero at the ground, the acceleration
+of a restrained wall is never below a_g S: a rule of ours.
 """
 
 import math
@@ -11,6 +14,7 @@ from dataclasses import dataclass
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes import target_spectrum
 from core.codes.demand import DemandResult
+from core.codes.floor_spectrum import FloorSpectrum
 from core.codes.target_spectrum import GivenSpectrum
 from core.errors import InputError, place
 from core.units import G
@@ -18,6 +22,9 @@ from core.units import G
 PERIOD_FACTOR = {"SLV": 1.68 * math.pi, "SLC": 1.56 * math.pi}
 DAMPING = {"SLV": 0.08, "SLC": 0.10}
 """C8.7.1.10, C8.7.1.11 and the damping of C8.7.1.12."""
+
+FREE_DAMPING = 0.05
+"""Damping of an element before it moves (C8.7.1.9)."""
 
 E_STAR = 1.0
 """e* of one block, C8.7.1.5 with one term."""
@@ -70,13 +77,16 @@ class Kinematic:
     d0 : displacement of the centroid at which nothing holds the wall [m]
     free_element : free to vibrate, not restrained by transverse walls before it moves (clauses .3, .5, .7)
     period_0 : T_0 of a free element before it moves (C8.7.1.7) [s]; None where it is not known
-    acceleration_demand : a_g S, of a free element S_e(T_0, 5 %) (clause .5) [m/s2]; None without T_0
+    acceleration_demand : a_g S, of a free element S_e(T_0, 5 %) (clause .5); above the ground a_Z and S_eZ(T_0, 5 %)
+        [m/s2]; None without T_0
     zeta_sld : a_g,SLD over a_g (C8.7.1.8, C8.7.1.9) [-]; None where acceleration_demand is
     missing : keys of the case without which a free element has no linear check; period_0 where its T_0 is so
         long that it would be elastic up to d_SLV
     d_limit, a_limit : d_SLV = 0.40 d_0 or d_SLC = 0.60 d_0 [m], and the capacity there [m/s2]
     period : T_SLV or T_SLC (C8.7.1.10, .11) [s]
-    s_de : largest S_De on [T_0, T_SLV] (clause .8) [m]; these four are None without a spectrum, at SLD
+    s_de : largest S_De on [T_0, T_SLV] (clause .8), above the ground S_DeZ(T_SLV) [m]; these four are None without a
+        spectrum, at SLD
+    floor : spectrum of the floor, None on the ground
     """
 
     alpha0: float
@@ -93,6 +103,7 @@ class Kinematic:
     a_limit: float | None = None
     period: float | None = None
     s_de: float | None = None
+    floor: FloorSpectrum | None = None
 
 
 def elastic_period(wall) -> float | None:
@@ -125,9 +136,12 @@ def _covers(target, period: float, name: str, wall) -> None:
         )
 
 
-def kinematic(wall, mechanism: str, demand: DemandResult) -> Kinematic:
-    """The mechanism of a wall on the ground.
+def kinematic(
+    wall, mechanism: str, demand: DemandResult, floor: FloorSpectrum | None = None
+) -> Kinematic:
+    """The mechanism of a wall.
 
+    floor : above the ground the spectrum of its floor; None there means that the demand has none
     Raises InputError where the spectrum of a file ends before T_SLV, T_SLC or T_0.
     """
     block, free = wall.block(), wall.is_free(mechanism)
@@ -138,28 +152,36 @@ def kinematic(wall, mechanism: str, demand: DemandResult) -> Kinematic:
     if wall.unit_weight_kn_m3 is not None and wall.height_m is not None:
         mass = E_STAR * 1e3 * wall.unit_weight_kn_m3 * wall.height_m * wall.thickness / G
     period_0, acceleration, missing = None, demand.pga, ()
+    if floor is not None:
+        acceleration = max(floor.a_z, demand.pga)
+    elif wall.above_ground and not free:
+        acceleration, missing = None, ("spectrum",)
     if free:
         period_0, missing = elastic_period(wall), _missing(wall, demand)
         if not missing and a0 * (period_0 / (2.0 * math.pi)) ** 2 >= LIMIT_FRACTION["SLV"] * d0:
             missing = ("period_0",)  # elastic up to d_SLV: no rocking wall
-        acceleration = None if missing else float(demand.target.acceleration([period_0])[0])
+        acceleration = None
         if not missing:
+            spectrum = demand.target if floor is None else floor
+            acceleration = float(spectrum.acceleration([period_0], FREE_DAMPING)[0])
             _covers(demand.target, period_0, "T_0", wall)
     zeta_sld = None if acceleration is None else a0 / acceleration
     quantities = (
         alpha0, E_STAR, mass, a0, d0, free, period_0, acceleration, zeta_sld, missing,
     )  # fmt: skip
     if demand.target is None or demand.limit_state not in LIMIT_FRACTION:
-        return Kinematic(*quantities)
+        return Kinematic(*quantities, floor=floor)
     share = LIMIT_FRACTION[demand.limit_state]
     d_limit, a_limit = share * d0, (1.0 - share) * a0
     period = PERIOD_FACTOR[demand.limit_state] * math.sqrt(d_limit / a_limit)
     _covers(demand.target, period, f"T_{demand.limit_state}", wall)
     start = 0.0 if missing or period_0 is None else min(period_0, period)
-    s_de = target_spectrum.largest_displacement(
-        demand.target, start, period, DAMPING[demand.limit_state]
-    )
-    return Kinematic(*quantities, d_limit, a_limit, period, s_de)
+    damping = DAMPING[demand.limit_state]
+    if floor is None:
+        s_de = target_spectrum.largest_displacement(demand.target, start, period, damping)
+    else:
+        s_de = floor.displacement(period, damping)
+    return Kinematic(*quantities, d_limit, a_limit, period, s_de, floor)
 
 
 def _passed(zeta: float, demand: DemandResult) -> bool:

@@ -25,6 +25,7 @@ class Circumstances:
     bundled : some are the example's
     strongest : largest PGA at the demand, FC apart [m/s2]
     both_signs : a one-sided wall was given each record with both
+    period_estimated : the period of the building that carries the wall was not given
     exact : the integrator is not one for comparison
     """
 
@@ -32,6 +33,7 @@ class Circumstances:
     bundled: bool = False
     strongest: float = 0.0
     both_signs: bool = True
+    period_estimated: bool = False
     exact: bool = True
 
 
@@ -64,6 +66,12 @@ class Verdict:
         return words
 
 
+def governing_check(checks: tuple[Check, ...]) -> Check | None:
+    """The check that decides: the most refined of those made."""
+    made = {check.name: check for check in checks}
+    return next((made[name] for name in ORDER if name in made), None)
+
+
 def _reason(code: str, /, **values) -> Sentence:
     return sentence("reason", code, **values)
 
@@ -78,21 +86,23 @@ def verdict(
     compliance: Compliance | None,
     circumstances: Circumstances,
     lower_bound: float | None,
+    floor_notes: tuple[Sentence, ...] = (),
 ) -> Verdict:
     """The verdict from the checks of a wall, the most refined first.
 
     checks : those that were made
-    kinematic : None above the ground
+    floor_notes : Sentences on the floor of a wall above the ground
+    kinematic : None above the ground where the building is not known
     """
     block = wall.block()
     made = {check.name: check for check in checks}
-    governing = next((made[name] for name in ORDER if name in made), None)
+    governing = governing_check(checks)
     q_code = made.get("linear_q_code")
     zeta = governing.zeta if governing else None
     target = demand.zeta_target
     activated = _activated(wall, block, demand, checks, kinematic, circumstances)
     doubts = []
-    if wall.above_ground:
+    if wall.above_ground and kinematic is None:
         doubts.append(_reason("upper_floor", z=wall.base_z_m))
     elif governing is None:
         doubts.append(_reason("no_check"))
@@ -101,7 +111,7 @@ def verdict(
     elif activated and dynamic and dynamic.within_spread(target):
         low, high = dynamic.zeta_spread
         doubts.append(_reason("within_spread", zeta=zeta, target=target, low=low, high=high))
-    notes = []
+    notes = list(floor_notes)
     if kinematic and kinematic.missing:
         missing = tuple(sentence("missing", key) for key in kinematic.missing)
         notes.append(_reason("no_period", missing=missing))
@@ -118,7 +128,7 @@ def verdict(
         if kinematic and kinematic.free_element and wall.moment_law().is_rigid:
             notes.append(_reason("rigid_free"))
     limits = _limits(wall, mechanism, block, demand, dynamic, compliance, circumstances)
-    if wall.above_ground or zeta is None:
+    if zeta is None or (wall.above_ground and kinematic is None):
         code = "undetermined"
     elif not activated:
         code = "not_activated"
@@ -175,6 +185,8 @@ def _activated(wall, block, demand: DemandResult, checks, kinematic, circumstanc
     ):
         return True
     first = float(demand.target.acceleration([0.0])[0]) if demand.target else demand.pga
+    if kinematic and kinematic.floor:
+        first = max(first, kinematic.floor.a_z)
     strongest = max(demand.pga, first, circumstances.strongest) * max(1.0, demand.zeta_target)
     at_rest = demand.confidence_factor * strongest <= block.threshold_acceleration
     rigid = wall.moment_law().is_rigid
@@ -205,6 +217,8 @@ def _limits(
             reasons.append(_reason("one_sign"))
         if not circumstances.exact:
             reasons.append(_reason("comparison_method"))
+    if circumstances.period_estimated:
+        reasons.append(_reason("period_estimated"))
     if mechanism == "one_sided" and not wall.back_restraint:
         reasons.append(_reason("no_restraint"))
     if not demand.soil_factor_stated:

@@ -31,6 +31,7 @@ class GroundMotion:
     file, file_sha256, format, unit : where it comes from and the unit it was written in
     details : what the file says of itself
     warnings : Notices
+    ground_pga : of a floor motion, PGA of the record it comes from [m/s2]
     Raises RecordError for fewer than 10 samples, a motion of zeros, or samples that are not finite.
     """
 
@@ -43,6 +44,7 @@ class GroundMotion:
     unit: str = "m/s2"
     details: tuple[tuple[str, str], ...] = ()
     warnings: tuple = ()
+    ground_pga: float | None = None
 
     def __post_init__(self):
         samples = np.ascontiguousarray(self.acceleration, dtype=np.float64).copy()

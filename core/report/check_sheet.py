@@ -208,10 +208,11 @@ def _record_row(book: Book, sheet, wall, entry: PerRecord, scale, name: str, row
         number(sheet, row, 8, entry.q_eff, RATIO, color=QUIET)
         book.formula(sheet.cell(row, 9), f"=LN(B{row})", ln_si, RATIO)
         book.formula(sheet.cell(row, 10), f"=LN(G{row})", ln_q, RATIO)
-    formula = _closed_formula(wall, name, f"B{row}")
-    book.formula(sheet.cell(row, 11), f"={formula}", entry.closed_form_q_eff, RATIO)
-    book.formula(sheet.cell(row, 12), f"=K{row}*C{row}", entry.closed_form_q, RATIO)
-    number(sheet, row, 13, entry.closed_form_q, RATIO, color=QUIET)
+    if entry.closed_form_q is not None:
+        formula = _closed_formula(wall, name, f"B{row}")
+        book.formula(sheet.cell(row, 11), f"={formula}", entry.closed_form_q_eff, RATIO)
+        book.formula(sheet.cell(row, 12), f"=K{row}*C{row}", entry.closed_form_q, RATIO)
+        number(sheet, row, 13, entry.closed_form_q, RATIO, color=QUIET)
     rule(sheet, row, 1, 13)
 
 

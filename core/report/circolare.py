@@ -53,7 +53,11 @@ def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: st
         if kinematic.free_element
         else say("restrained by transverse walls")
     )
-    row = heads(book, sheet, row, say("Circolare 7/2019, wall on the ground, {kind}", kind=kind))  # fmt: skip
+    if kinematic.floor:
+        label = say("Circolare 7/2019, wall at {z:g} m, {kind}", z=wall.wall.base_z_m, kind=kind)
+    else:
+        label = say("Circolare 7/2019, wall on the ground, {kind}", kind=kind)
+    row = heads(book, sheet, row, label)
     row = live_row(book, sheet, row, "α0 = tan α", "C8.7.1.1",
                    f"=TAN(RADIANS({name}_slenderness))", kinematic.alpha0, "–", f"{name}_alpha0")  # fmt: skip
     row = input_row(
@@ -100,6 +104,9 @@ def _sld(book: Book, sheet, wall, name: str, demand, row: int) -> int:
              color=QUIET, italic=True)  # fmt: skip
         return row + 1
     against, clause = "demand_pga", "C8.7.1.8"
+    if kinematic.floor:
+        row = _floor(book, sheet, kinematic, name, row)
+        against = f"MAX({name}_a_z,demand_pga)"
     if kinematic.free_element:
         asked, against, clause = wall.wall, f"{name}_se_t0", "C8.7.1.9"
         drawn = asked.slenderness_deg is None or asked.setback
@@ -111,7 +118,10 @@ def _sld(book: Book, sheet, wall, name: str, demand, row: int) -> int:
                        f"={CANTILEVER}*{name}_height/{t}*{name}_height"
                        f"*SQRT({name}_weight/(1000*{name}_modulus*gravity))",
                        kinematic.period_0, "s", f"{name}_period_0")  # fmt: skip
-        if isinstance(demand.target, CodeSpectrum):
+        if kinematic.floor:
+            row = input_row(book, sheet, row, "S_eZ(T_0, 5 %)", kinematic.acceleration_demand / G, "g",
+                            against)  # fmt: skip
+        elif isinstance(demand.target, CodeSpectrum):
             formula = f"=demand_pga*{spectrum_shape(f'{name}_period_0', 5.0)}"
             row = live_row(book, sheet, row, "S_e(T_0, 5 %)", clause, formula,
                            kinematic.acceleration_demand / G, "g", against)  # fmt: skip
@@ -120,6 +130,22 @@ def _sld(book: Book, sheet, wall, name: str, demand, row: int) -> int:
                             against)  # fmt: skip
     return live_row(book, sheet, row, "a_g,SLD / a_g", clause, f"={name}_a0_star/{against}",
                     kinematic.zeta_sld, "–", f"{name}_zeta_sld")  # fmt: skip
+
+
+def _floor(book: Book, sheet, kinematic, name: str, row: int) -> int:
+    """The modes of the building and a_Z, C7.2.7 and C7.2.8."""
+    squares = []
+    for k, mode in enumerate(kinematic.floor.modes, start=1):
+        row = input_row(book, sheet, row, f"T_{k}", mode.period, "s", f"{name}_t_{k}")
+        row = input_row(book, sheet, row, f"ξ_{k}", mode.damping, "–", f"{name}_xi_{k}")
+        row = input_row(book, sheet, row, f"γψ_{k}", mode.participation, "–", f"{name}_part_{k}")
+        elastic = kinematic.floor.ground.acceleration([mode.period], mode.damping)[0] / G
+        row = input_row(
+            book, sheet, row, f"S_e(T_{k}, ξ_{k})", float(elastic), "g", f"{name}_se_{k}"
+        )
+        squares.append(f"({name}_se_{k}*{name}_part_{k})^2*(1+4*{name}_xi_{k}^2)")
+    return live_row(book, sheet, row, "a_Z", "C7.2.8", f"=SQRT({'+'.join(squares)})",
+                    kinematic.floor.a_z / G, "g", f"{name}_a_z")  # fmt: skip
 
 
 def found_checks(wall: WallResult, *names: str):
@@ -141,7 +167,10 @@ def _displacement(book: Book, sheet, wall, name: str, demand, check, row: int) -
                    f"={factor:.2f}*PI()*SQRT({name}_d_limit/{name}_a_limit)", kinematic.period, "s",
                    f"{name}_period")  # fmt: skip
     damping = 100.0 * DAMPING[state]
-    if isinstance(demand.target, CodeSpectrum):
+    if kinematic.floor:
+        row = input_row(book, sheet, row, f"S_DeZ(T_{state}, {damping:g} %), C8.7.1.12", kinematic.s_de, "m",
+                        f"{name}_s_de")  # fmt: skip
+    elif isinstance(demand.target, CodeSpectrum):
         t = f"{name}_period"
         formula = f"=demand_pga*gravity*{spectrum_shape(t, damping)}*({t}/(2*PI()))^2"
         row = live_row(book, sheet, row, f"S_De(T_{state}, {damping:g} %)", "C8.7.1.12", formula,

@@ -125,6 +125,29 @@ def _assessment(assessment: Assessment | None) -> dict:
     }
 
 
+def _floor(wall: WallResult) -> dict:
+    """The key floor of a wall above the ground; period, damping and participation of each mode."""
+    floor, found = wall.floor, wall.assessment
+    if floor is None:
+        return {}
+    return {
+        "floor": {
+            "z_m": floor.z,
+            "a_z_g": floor.spectrum.a_z / G if floor.spectrum else None,
+            "period_s": [mode.period for mode in floor.modes],
+            "period_estimated": floor.estimated,
+            "damping": [mode.damping for mode in floor.modes],
+            "participation": [mode.participation for mode in floor.modes],
+            "motions": [
+                {"record": m.name, "pfa_g": m.pga / G, "time_step_s": m.time_step}
+                for m in floor.motions
+            ],
+            "code_over_records_min": found.code_over_records if found else None,
+            "sensitivity": found.sensitivity if found else {},
+        }
+    }
+
+
 def _uncertainty(accuracy: Accuracy | None) -> dict:
     """The key uncertainty of a wall, where it was asked for: solver and definition kept apart."""
     if accuracy is None:
@@ -270,6 +293,7 @@ def _wall(wall: WallResult, result: StudyResult) -> dict:
         ],
         "scale_free_law": [asdict(estimate) for estimate in wall.estimates],
         **_assessment(wall.assessment),
+        **_floor(wall),
         **_uncertainty(wall.accuracy),
         "warnings": [warning.text() for warning in wall.warnings],
     }

@@ -95,7 +95,7 @@ def inputs(book: Book, result: StudyResult) -> None:
 
 def _sections(case: Case):
     content = case.as_dict()
-    for section in ("report", "wall", "record", "generate", "analysis", "demand"):
+    for section in ("report", "wall", "record", "generate", "analysis", "demand", "building"):
         items = content[section]
         if isinstance(items, dict):
             yield section, 0, f"[{section}]", items

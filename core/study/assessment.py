@@ -3,15 +3,19 @@
 from collections.abc import Callable
 
 from core.capacity.ida import Search
+from core.case.schema import Building
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import BOUND_STEP, demand_check
-from core.codes.kinematic import Kinematic, linear, nonlinear, sld
+from core.codes.kinematic import Check, Kinematic, linear, nonlinear, sld
+from core.codes.kinematic import kinematic as kinematic_of
 from core.codes.multiplier_search import STEP
 from core.codes.record_compatibility import Compliance
-from core.codes.verdict import Circumstances, verdict
+from core.codes.verdict import Circumstances, governing_check, verdict
 from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import Method
+from core.study.floors import LOW_CODE, OTHER_BUILDING, floor_of
 from core.study.results import Assessment, WallResult
+from core.text.sentence import Sentence, sentence
 from core.wall.restitution import restitution
 from core.wall.rocking_model import rocking_model
 
@@ -50,12 +54,16 @@ def assess(
     method: Method,
     search: Search,
     cancelled: Callable[[], bool] = lambda: False,
+    building: Building | None = None,
+    ground: list[GroundMotion] | None = None,
 ) -> Assessment:
-    """Dynamic, kinematic and simplified checks of a wall (Circolare 7/2019 C8.7.1.2.1); above the ground none, since
+    """Dynamic, kinematic and simplified checks of a wall (Circolare 7/2019 C8.7.1.2.1); above the ground none where
     the motion of its floor is not known.
 
     kinematic : its mechanism, None there
+    motions : of the ground, or of the floor of the wall
     search : of the runs
+    building, ground : of a wall above the ground, what carries it and the records
     Raises Cancelled.
     """
     asked = wall.wall
@@ -65,6 +73,7 @@ def assess(
         bundled=any(is_bundled(motion) for motion in motions),
         strongest=strongest,
         both_signs=wall.mechanism == "two_sided" or len(polarities) == 2,
+        period_estimated=wall.floor is not None and wall.floor.estimated,
         exact=method.name in EXACT_METHODS,
     )
     if kinematic is None:
@@ -92,7 +101,78 @@ def assess(
         rows.append(linear("linear_q_code", kinematic, demand, demand.q_code))
     checks = tuple(check for check in rows if check is not None)
     lower = below.zeta if below else None
+    sensitivity, ratio, notes = {}, None, ()
+    if wall.floor is not None:
+        decides = governing_check(checks)
+        if decides is not None and decides.zeta is not None:
+            sensitivity = _sensitivity(
+                wall, decides, building, ground or [], polarities, demand, method, cancelled
+            )
+        ratio = wall.floor.code_over_records(kinematic)
+        notes = _floor_notes(_centroid(wall, building), ratio, sensitivity)
     result = verdict(
-        asked, wall.mechanism, demand, checks, dynamic, kinematic, compliance, doubtful, lower
+        asked,
+        wall.mechanism,
+        demand,
+        checks,
+        dynamic,
+        kinematic,
+        compliance,
+        doubtful,
+        lower,
+        notes,
     )
-    return Assessment(kinematic, checks, dynamic, below, result)
+    return Assessment(kinematic, checks, dynamic, below, result, sensitivity, ratio)
+
+
+def _sensitivity(
+    wall: WallResult, decides: Check, building, ground, polarities, demand, method, cancelled
+) -> dict[str, float | None]:
+    """zeta of the check that decides with the building at the other end of what C8.7.1.2.1.4 allows, and with
+    the motion at the height of the wall's centroid."""
+    cases: dict[str, dict] = {"other_building": {"other": OTHER_BUILDING}}
+    if not building.modes:  # the participation of given modes is that at the wall
+        cases["at_centroid"] = {"z": _centroid(wall, building)}
+    found = {}
+    for name, change in cases.items():
+        floor = floor_of(wall.wall, building, demand, ground, **change)
+        if decides.name == "dynamic":
+            checked = demand_check(
+                wall.model, list(floor.motions), polarities, demand, method, None, BOUND_STEP, False,
+                cancelled,
+            )  # fmt: skip
+            found[name] = checked.zeta
+            continue
+        moved = kinematic_of(wall.wall, wall.mechanism, demand, floor.spectrum)
+        if decides.name == "nonlinear":
+            check = nonlinear(moved, demand)
+        elif demand.limit_state == "SLD":
+            check = sld(moved, demand)
+        else:
+            check = linear(decides.name, moved, demand, decides.q)
+        found[name] = check.zeta if check else None
+    return found
+
+
+def _centroid(wall: WallResult, building: Building) -> float:
+    """Height of the centroid of a wall [m], at most that of the building."""
+    return min(wall.wall.base_z_m + 0.5 * wall.height, building.height_m)
+
+
+def _floor_notes(z: float, ratio: float | None, sensitivity) -> tuple[Sentence, ...]:
+    """What is said of the floor beside the verdict. z : of the centroid [m]; ratio : of
+    `Floor.code_over_records`."""
+    (factor, damping), notes = OTHER_BUILDING, []
+
+    def words(name: str) -> str:
+        return "–" if sensitivity[name] is None else f"{sensitivity[name]:.2f}"
+
+    if "other_building" in sensitivity:
+        notes.append(
+            sentence("reason", "other_building", factor=factor, damping=damping, zeta=words("other_building"))
+        )  # fmt: skip
+    if "at_centroid" in sensitivity:
+        notes.append(sentence("reason", "at_centroid", z=z, zeta=words("at_centroid")))
+    if ratio is not None and ratio < LOW_CODE:
+        notes.append(sentence("reason", "code_below_records", ratio=ratio))
+    return tuple(notes)

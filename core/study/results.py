@@ -17,6 +17,7 @@ from core.codes.verdict import Verdict
 from core.ground.ground_motion import GroundMotion
 from core.rocking.history import History
 from core.rocking.methods import AUTO, Method, resolve_auto
+from core.study.floors import Floor
 from core.text.sentence import Sentence
 from core.units import G
 from core.wall.block import Block
@@ -33,6 +34,8 @@ class Assessment:
     checks : the table of methods, the most refined first
     dynamic : None without records
     lower_bound : the dynamic check of the two-sided wall, should the restraint behind a one-sided one fail
+    sensitivity : above the ground, zeta of the check that decides for another building and another height
+    code_over_records : of `Floor.code_over_records`
     """
 
     kinematic: Kinematic | None
@@ -40,6 +43,8 @@ class Assessment:
     dynamic: DemandCheck | None
     lower_bound: DemandCheck | None
     verdict: Verdict
+    sensitivity: dict[str, float | None] = field(default_factory=dict)
+    code_over_records: float | None = None
 
     @property
     def shown(self) -> tuple[tuple[Check, bool], ...]:
@@ -77,7 +82,13 @@ class Run:
 
 @dataclass(frozen=True)
 class PerRecord:
-    """Governing values of one record: the lower of both signs, quantity by quantity. polarity : of q."""
+    """Governing values of one record: the lower of both signs, quantity by quantity.
+
+    polarity : of q
+    intensity : of the record [m]
+    pga : of the motion under the wall [m/s2]
+    closed_form_q_eff, closed_form_q : Eq. 15, 16; None above the ground
+    """
 
     record: str
     polarity: int | None
@@ -87,13 +98,13 @@ class PerRecord:
     q_eff: float | None
     intensity: float
     pga: float
-    closed_form_q_eff: float
-    closed_form_q: float
+    closed_form_q_eff: float | None
+    closed_form_q: float | None
 
 
 @dataclass(frozen=True)
 class WallResult:
-    """Results of one wall and mechanism; set values are None where the set has none."""
+    """Results of one wall and mechanism; set values are None where the set has none. floor : above the ground."""
 
     name: str
     wall: Wall
@@ -118,6 +129,7 @@ class WallResult:
     warnings: tuple[Sentence, ...]
     assessment: Assessment | None = None
     accuracy: Accuracy | None = None
+    floor: Floor | None = None
 
     @property
     def height(self) -> float:
@@ -149,10 +161,14 @@ class StudyResult:
     compliance: Compliance | None = None
     elapsed: float = field(compare=False, default=0.0)
 
+    def motion_of(self, wall: WallResult, record: str) -> GroundMotion:
+        """The motion under a wall: the record, or of a wall above the ground that of its floor."""
+        felt = wall.floor.motions if wall.floor else self.motions
+        return next(motion for motion in felt if motion.name == record)
+
     def method_of(self, wall: WallResult, record: str) -> Method:
         """The method the runs of this wall and record took."""
-        dt = next(motion.time_step for motion in self.motions if motion.name == record)
-        return resolve_auto(self.method, wall.model, dt)
+        return resolve_auto(self.method, wall.model, self.motion_of(wall, record).time_step)
 
     @property
     def method_words(self) -> str:

@@ -21,6 +21,7 @@ from core.rocking.methods import AUTO, METHODS, resolve_auto
 from core.study import precompile
 from core.study.assessment import assess
 from core.study.demand_input import demand_of, generated
+from core.study.floors import floor_of
 from core.study.governing import lowest_run
 from core.study.journal import Journal, Memory
 from core.study.record_input import read_records
@@ -65,21 +66,26 @@ def run(
         for polarity in signs[index]
     ]
     models = [_model(wall, mechanism) for wall, mechanism in walls]
+    at_height = {wall.base_z_m: floor_of(wall, case.building, demand, motions) for wall, _ in walls}
+    floors = [at_height[wall.base_z_m] for wall, _ in walls]
+    felt = [list(floor.motions) if floor else motions for floor in floors]
     mechanisms = [
-        kinematic(wall, mechanism, demand) if demand and not wall.above_ground else None
-        for wall, mechanism in walls
+        kinematic(wall, mechanism, demand, floor.spectrum if floor else None)
+        if demand and (floor or not wall.above_ground)
+        else None
+        for (wall, mechanism), floor in zip(walls, floors, strict=True)
     ]
     longest = max((found.period or 0.0 for found in mechanisms if found), default=0.0)
     if demand and demand.target and motions:
         period_range(kinds, longest, demand)  # refused before hours of work, not after
-    _precompile(method, models, motions)
+    _precompile(method, models, [motion for moved in felt for motion in moved])
     book = journal(f"{VERSION} {cache.stamp()}") if journal else None
     assessed = len(walls) if demand else 0
     total = len(planned) + assessed
     try:
         threads = Threads(jobs, cancelled)
         threads.run({k: motion.measure for k, motion in enumerate(motions)}, lambda k, _: None)
-        found = _run_all(planned, models, motions, method, search, threads, book,
+        found = _run_all(planned, models, felt, method, search, threads, book,
                          lambda done: on_progress(done, total))  # fmt: skip
         if demand:
             demand = with_records(demand, motions)
@@ -87,10 +93,12 @@ def run(
         by_wall: dict[int, list] = {}
         for entry in planned:
             wall, number, polarity = entry
-            one = run_result(models[wall], motions[number], polarity, found[entry])
+            one = run_result(models[wall], felt[wall][number], polarity, found[entry])
             by_wall.setdefault(wall, []).append(one)
         results = [
-            wall_result(wall, mechanism, models[k], by_wall.get(k, []), motions, search, demand)
+            wall_result(
+                wall, mechanism, models[k], by_wall.get(k, []), motions, search, demand, floors[k]
+            )
             for k, (wall, mechanism) in enumerate(walls)
         ]
         if demand:
@@ -98,13 +106,15 @@ def run(
                 k: lambda stop, k=k: assess(
                     results[k],
                     mechanisms[k],
-                    motions,
+                    felt[k],
                     signs[k],
                     demand,
                     rules,
                     method,
                     search,
                     stop,
+                    case.building,
+                    motions,
                 )
                 for k in range(len(walls))
             }
@@ -131,10 +141,12 @@ def run(
 
 
 def accuracy_of(wall: WallResult, motions, method, search, cancelled) -> Accuracy | None:
-    """The statement on the governing run of a wall; None without a q."""
+    """The statement on the governing run of a wall; None without a q. motions : of the ground."""
     lowest = lowest_run(wall)
     if lowest is None:
         return None
+    if wall.floor:
+        motions = wall.floor.motions
     motion = next(motion for motion in motions if motion.name == lowest.record)
     other = next(
         (r.ida.q for r in wall.runs if r.record == lowest.record and r.polarity != lowest.polarity),
@@ -179,13 +191,13 @@ def _model(wall: Wall, mechanism: str) -> RockingModel:
     return rocking_model(wall.block(), one_sided, wall.restitution_of(mechanism), wall.moment_law())
 
 
-def _run_all(planned, models, motions, method, search, threads, book, on_progress):
-    """Idas by (wall, record, polarity)."""
+def _run_all(planned, models, felt, method, search, threads, book, on_progress):
+    """Idas by (wall, record, polarity). felt : motions of each wall."""
     searches, todo, keys = {}, {}, {}
 
     def search_of(entry):
         wall, record, polarity = entry
-        motion = motions[record]
+        motion = felt[wall][record]
         return lambda stop: incremental_dynamic_analysis(
             motion.acceleration, motion.time_step, motion.pga, polarity, models[wall], method, search,
             stop,
@@ -193,7 +205,7 @@ def _run_all(planned, models, motions, method, search, threads, book, on_progres
 
     for entry in planned:
         wall, record, polarity = entry
-        keys[entry] = run_key(models[wall], motions[record], polarity, method, search)
+        keys[entry] = run_key(models[wall], felt[wall][record], polarity, method, search)
         known = _restored(book.get(keys[entry])) if book else None
         if known:
             searches[entry] = known

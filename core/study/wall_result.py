@@ -59,7 +59,14 @@ def set_value(values: list[float | None], rule: str | None) -> float | None:
     return float(np.mean(known)) if rule == "mean" else min(known)
 
 
-def _per_record(motion: GroundMotion, runs: list[Run], block: Block, one_sided: bool) -> PerRecord:
+def _per_record(
+    motion: GroundMotion,
+    runs: list[Run],
+    block: Block,
+    one_sided: bool,
+    felt: GroundMotion | None = None,
+) -> PerRecord:
+    """felt : motion of the floor of a wall above the ground, where Eq. 15 and 16 do not hold."""
     with_q = [run for run in runs if run.ida.q is not None]
     lowest = min(with_q, key=lambda run: run.ida.q) if with_q else None
     si = motion.housner_intensity
@@ -72,19 +79,28 @@ def _per_record(motion: GroundMotion, runs: list[Run], block: Block, one_sided: 
         q_slv=_lower([run.ida.q_slv for run in runs]),
         q_eff=lowest.q_eff if lowest else None,
         intensity=si,
-        pga=motion.pga,
-        closed_form_q_eff=closed_forms.closed_form_q_eff(*shape, one_sided),
-        closed_form_q=closed_forms.closed_form_q(*shape, motion.pga, one_sided),
+        pga=(felt or motion).pga,
+        closed_form_q_eff=None if felt else closed_forms.closed_form_q_eff(*shape, one_sided),
+        closed_form_q=None if felt else closed_forms.closed_form_q(*shape, motion.pga, one_sided),
     )
 
 
-def wall_result(wall, mechanism, model, runs, motions, search, demand) -> WallResult:
-    """Everything of one wall and mechanism from its runs; an incomplete set has no values."""
+def wall_result(wall, mechanism, model, runs, motions, search, demand, floor=None) -> WallResult:
+    """Everything of one wall and mechanism from its runs; an incomplete set has no values.
+
+    motions : of the ground; floor : Floor of a wall above it
+    """
     block, law = wall.block(), wall.moment_law()
     one_sided = mechanism == "one_sided"
     per_record = [
-        _per_record(motion, [r for r in runs if r.record == motion.name], block, one_sided)
-        for motion in motions
+        _per_record(
+            motion,
+            [r for r in runs if r.record == motion.name],
+            block,
+            one_sided,
+            floor.motions[k] if floor else None,
+        )
+        for k, motion in enumerate(motions)
     ]
     numbers = [entry.q for entry in per_record if entry.q is not None]
     incomplete = [run for run in runs if run.ida.status == "impact_limit"]
@@ -99,7 +115,7 @@ def wall_result(wall, mechanism, model, runs, motions, search, demand) -> WallRe
     }
     with_q = [entry for entry in per_record if entry.q is not None]
     closed_q_eff = closed_q = None
-    if demand and demand.intensity:
+    if demand and demand.intensity and not wall.above_ground:
         shape = (block.slenderness, block.height, demand.intensity)
         closed_q_eff = closed_forms.closed_form_q_eff(*shape, one_sided)
         closed_q = closed_forms.closed_form_q(*shape, demand.pga, one_sided)
@@ -139,6 +155,7 @@ def wall_result(wall, mechanism, model, runs, motions, search, demand) -> WallRe
         closed_form_q=closed_q,
         code_check=checks,
         estimates=estimated,
+        floor=floor,
         warnings=tuple(
             _unusual(wall)
             + _model_notices(wall, block, mechanism, restitution, law)

@@ -227,6 +227,16 @@ CASE_ERRORS = {
         "{robust_window} = {window} è più stretta di un passo {q_step} = {step}: allargare la finestra o "
         "prendere un passo più fine",
     ),
+    "base_above_building": (
+        "the base of the wall is {base:g} m above the ground, the building is {height:g} m high: give the height of "
+        "the hinge, at most that of the building",
+        "la base della parete è a {base:g} m dal suolo, l'edificio è alto {height:g} m: dare la quota della cerniera, "
+        "al più quella dell'edificio",
+    ),
+    "modes_or_period": (
+        "modes state their period and damping: leave out period_s and damping, or the modes",
+        "i modi dichiarano periodo e smorzamento: togliere period_s e damping, oppure i modi",
+    ),
     "generate_needs_spectrum": (
         "{section_generate} makes motions compatible with the spectrum of the demand: give "
         "{section_demand_spectrum} or {spectrum_file}",

@@ -34,6 +34,10 @@ REPORT = {
     "ζ required": "ζ richiesto",
     "element free to vibrate": "elemento libero di vibrare",
     "restrained by transverse walls": "vincolata ai muri trasversali",
+    "Circolare 7/2019, wall at {z:g} m, {kind}": "Circolare 7/2019, parete a {z:g} m, {kind}",
+    "Not drawn above the ground, where Eq. 15 and 16 do not hold.": (
+        "Non disegnato sopra il suolo, dove le Eq. 15 e 16 non valgono."
+    ),
     "Circolare 7/2019, wall on the ground, {kind}": "Circolare 7/2019, parete al suolo, {kind}",
     "not below a_g,SLD / a_g": "non minore di a_g,SLD / a_g",
     "M* per metre": "M* per metro",

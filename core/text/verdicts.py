@@ -103,10 +103,28 @@ ADDED = {
 
 REASONS = {
     "upper_floor": (
-        "The base of the wall is {z:g} m above the ground: not assessable with the ground motion alone, a "
-        "motion of the floor is needed.",
-        "La base della parete è a {z:g} m dal suolo: non valutabile con il solo moto del terreno, serve il "
-        "moto del piano.",
+        "The base of the wall is {z:g} m above the ground: not assessable with the ground motion alone. "
+        "For the motion of the floor three numbers are missing: height_m, storeys and period_s of [building].",
+        "La base della parete è a {z:g} m dal suolo: non valutabile con il solo moto del terreno. Per il moto "
+        "del piano mancano tre numeri: height_m, storeys e period_s di [building].",
+    ),
+    "period_estimated": (
+        "The period of the building is an estimate, 0.05 H^0.75: give period_s of [building].",
+        "Il periodo dell'edificio è una stima, 0.05 H^0.75: dare period_s di [building].",
+    ),
+    "other_building": (
+        "With the building at {factor:g} times its elastic period and {damping:.0%} damping zeta is {zeta}.",
+        "Con l'edificio a {factor:g} volte il periodo elastico e smorzamento {damping:.0%} zeta è {zeta}.",
+    ),
+    "at_centroid": (
+        "With the motion at the height of the wall's centroid, {z:.2f} m, zeta is {zeta}.",
+        "Con il moto alla quota del baricentro della parete, {z:.2f} m, zeta è {zeta}.",
+    ),
+    "code_below_records": (
+        "On [T_0, T_SLV] the floor spectrum of the code falls to {ratio:.2f} of the mean of the floor motions: its "
+        "checks ask less than these records do.",
+        "Su [T_0, T_SLV] lo spettro di piano della norma scende a {ratio:.2f} della media dei moti di piano: le sue "
+        "verifiche chiedono meno di questi accelerogrammi.",
     ),
     "no_number": (
         "A time history ended without a number (impact limit).",

@@ -260,6 +260,32 @@ WINDOW = {
     "Play": "Anima",
     "Ground motion": "Moto del suolo",
     "Rotation": "Rotazione",
+    "Building of the walls above the ground": "Edificio delle pareti sopra il suolo",
+    "Height of the building": "Altezza dell'edificio",
+    "Storeys": "Piani",
+    "Elastic period T_1": "Periodo elastico T_1",
+    "Empty: 0.05 H^0.75, an estimate": "Vuoto: 0,05 H^0,75, una stima",
+    "Damaged over elastic period": "Periodo danneggiato su elastico",
+    "C8.7.1.2.1.4: 1.5 to 2.0 at SLV and SLC; empty: 1.5, at SLD 1.0": (
+        "C8.7.1.2.1.4: da 1,5 a 2,0 a SLV e SLC; vuoto: 1,5, a SLD 1,0"
+    ),
+    "Damping of the building": "Smorzamento dell'edificio",
+    "C8.7.1.2.1.4: 10 to 20 % at SLV and SLC; empty: 10 %, at SLD 5 %": (
+        "C8.7.1.2.1.4: dal 10 al 20 % a SLV e SLC; vuoto: 10 %, a SLD 5 %"
+    ),
+    "Needed where a wall has its base above the ground.": (
+        "Serve dove una parete ha la base sopra il suolo."
+    ),
+    "At the top: T {period:.3f} s, ξ {damping:.0f} %, γψ {part:.3f}": (
+        "In sommità: T {period:.3f} s, ξ {damping:.0f} %, γψ {part:.3f}"
+    ),
+    "T_1 {period:.3f} s is an estimate.": "T_1 {period:.3f} s è una stima.",
+    "Floor spectra": "Spettri di piano",
+    "floor spectrum of the code, z {z:g} m, ξ {damping:.0f} %": (
+        "spettro di piano della norma, z {z:g} m, ξ {damping:.0f} %"
+    ),
+    "mean of the floor motions": "media dei moti di piano",
+    "floor": "piano",
     "ground": "suolo",
     "impacts": "urti",
     "stands": "resiste",
@@ -303,6 +329,9 @@ WINDOW = {
     "Fragility": "Fragilità",
     "fragility": "fragilità",
     "Logarithmic axes": "Assi logaritmici",
+    "Not drawn above the ground, where Eq. 15 and 16 do not hold.": (
+        "Non disegnato sopra il suolo, dove le Eq. 15 e 16 non valgono."
+    ),
     "No record with a q.": "Nessun record con un q.",
     "time histories": "storie temporali",
     "set: q {q}, q robust {robust}": "insieme: q {q}, q robusto {robust}",

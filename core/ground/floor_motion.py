@@ -1,0 +1,86 @@
+"""The motion of a floor from that of the ground, by the modes of a linear building."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from core.ground.ground_motion import GroundMotion
+
+TAIL = 1e-3
+"""Share of its peak below which the free motion of a mode after the record is left out."""
+
+PER_PERIOD, MAX_PARTS = 75, 4
+"""Samples of the floor motion in the shortest period, as far as a sample of the record in MAX_PARTS gives them: between
+more of them the motion of a mode is linear within 0.1 % of its peak."""
+
+
+@dataclass(frozen=True)
+class Mode:
+    """A mode of the building at one floor. period : T_k [s]; damping : xi_k; participation : gamma_k psi_k(z) [-]."""
+
+    period: float
+    damping: float
+    participation: float
+
+
+def modal_acceleration(ground: np.ndarray, dt: float, period: float, damping: float) -> np.ndarray:
+    """Absolute acceleration A = -(2 xi w D' + w^2 D) of an oscillator at rest under a ground motion [m/s2], exact for
+    a ground linear between samples; both terms of A, since a floor feels the damping force too.
+
+    ground : [m/s2], shape (n,); dt, period [s]; damping [-]
+    """
+    from scipy.signal import lfilter
+
+    omega = 2.0 * math.pi / period
+    damped = omega * math.sqrt(1.0 - damping * damping)
+    # under the ground t the oscillator answers t - exp(-xi w t) sin(w_d t) / w_d; a ground linear between samples is a
+    # sum of such ramps, which the z-transform sums as 1 - gain (z - 1)^2 / (z^2 - 2 E cos(w_d dt) z + E^2)
+    fades = math.exp(-damping * omega * dt)
+    gain = fades * math.sin(damped * dt) / (damped * dt)
+    recursive = [1.0, -2.0 * fades * math.cos(damped * dt), fades * fades]
+    ramps = ground - ground[0]
+    moved = ramps - lfilter([gain, -2.0 * gain, gain], recursive, ramps)
+    # the first value is a step
+    times = dt * np.arange(ground.size)
+    decay = np.exp(-damping * omega * times)
+    swing = np.cos(damped * times) - damping * omega / damped * np.sin(damped * times)
+    return moved + ground[0] * (1.0 - decay * swing)
+
+
+def floor_acceleration(
+    ground: np.ndarray, dt: float, modes: Sequence[Mode]
+) -> tuple[np.ndarray, float]:
+    """(absolute acceleration of the floor [m/s2], its time step [s]): (1 - sum gamma psi) u'' + sum gamma psi A_k, what
+    the modes leave out moving with the ground (resources/docs/physics.md, section 15). The record itself where no
+    mode takes part. ground : [m/s2], shape (n,); dt [s].
+    """
+    modes = [mode for mode in modes if mode.participation != 0.0]
+    if not modes:
+        return ground, dt
+    parts = min(math.ceil(PER_PERIOD * dt / min(mode.period for mode in modes)), MAX_PARTS)
+    fine = dt / parts
+    # after the record the ground is still
+    tail = max(
+        math.log(1.0 / TAIL) / (mode.damping * 2.0 * math.pi / mode.period) for mode in modes
+    )
+    still = np.append(ground, np.zeros(math.ceil(tail / dt) + 1))
+    samples = np.arange((still.size - 1) * parts + 1) / parts
+    moving = np.interp(samples, np.arange(still.size), still)
+    floor = (1.0 - sum(mode.participation for mode in modes)) * moving
+    last = (ground.size - 1) * parts
+    for mode in modes:
+        part = modal_acceleration(moving, fine, mode.period, mode.damping)
+        floor += mode.participation * part
+        above = np.nonzero(np.abs(part) > TAIL * np.abs(part).max())[0]
+        last = max(last, int(above[-1]))
+    return floor[: last + 1].copy(), fine
+
+
+def floor_motion(motion: GroundMotion, modes: Sequence[Mode]) -> GroundMotion:
+    """The motion of the floor under a record, under its name; see `floor_acceleration`."""
+    acceleration, dt = floor_acceleration(motion.acceleration, motion.time_step, modes)
+    if acceleration is motion.acceleration:
+        return motion
+    return replace(motion, acceleration=acceleration, time_step=dt, ground_pga=motion.pga)

@@ -1,0 +1,116 @@
+"""The floors of the walls above the ground: modes, spectra, motions."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from core.case.schema import Building, Wall
+from core.codes.demand import DemandResult
+from core.codes.floor_spectrum import FloorSpectrum, estimated_period, first_mode
+from core.codes.kinematic import DAMPING, Kinematic
+from core.ground.floor_motion import Mode, floor_motion
+from core.ground.ground_motion import GroundMotion
+from core.ground.response_spectrum import pseudo_acceleration_spectrum
+
+DEFAULTS = {"SLD": (1.0, 0.05)}
+ULTIMATE = (1.5, 0.10)
+"""Period of the damaged building over the elastic one, and its damping: C8.7.1.2.1.4 has 1.5 to 2.0 and 10 to 20 % at
+the ultimate limit states."""
+
+LOW_CODE = 0.8
+"""Share of the records' mean spectrum below which the code's is warned of."""
+
+OTHER_BUILDING = (2.0, 0.20)
+"""The other end of what the clause allows: zeta is given for it as well."""
+
+CHART_PERIODS = np.geomspace(0.05, 4.0, 60)
+"""Periods of the chart of code and records [s]."""
+
+
+@dataclass(frozen=True)
+class Floor:
+    """What moves a wall above the ground.
+
+    z : height of the hinge [m]
+    modes : of the building there; estimated : its period was not given
+    motions : of the floor under each record
+    damping : of the rocking mechanism, C8.7.1.12
+    spectrum : by the code, None without a spectrum of the demand
+    """
+
+    z: float
+    modes: tuple[Mode, ...]
+    estimated: bool
+    motions: tuple[GroundMotion, ...]
+    damping: float
+    spectrum: FloorSpectrum | None
+
+    @cached_property
+    def mean_spectrum(self) -> np.ndarray:
+        """Mean pseudo-acceleration spectrum of the floor motions at CHART_PERIODS [m/s2]; zeros without records."""
+        spectra = [
+            pseudo_acceleration_spectrum(m.acceleration, m.time_step, CHART_PERIODS, self.damping)
+            for m in self.motions
+        ]
+        return np.mean(spectra, axis=0) if spectra else np.zeros(CHART_PERIODS.size)
+
+    @property
+    def code_spectrum(self) -> np.ndarray | None:
+        """S_eZ at the same periods [m/s2], None without a spectrum of the demand."""
+        if self.spectrum is None:
+            return None
+        return self.spectrum.acceleration(CHART_PERIODS, self.damping)
+
+    def code_over_records(self, mechanism: Kinematic) -> float | None:
+        """Smallest ratio of S_eZ to the mean of the floor motions at CHART_PERIODS on [T_0, T_SLV]; None without
+        either."""
+        if self.spectrum is None or not self.motions or mechanism.period is None:
+            return None
+        first = mechanism.period_0 or 0.0
+        inside = (first <= CHART_PERIODS) & (mechanism.period >= CHART_PERIODS)
+        if not inside.any():
+            return None
+        return float((self.code_spectrum[inside] / self.mean_spectrum[inside]).min())
+
+
+def modes_at(
+    building: Building, z: float, limit_state: str, other: tuple[float, float] | None = None
+) -> tuple[Mode, ...]:
+    """Modes of the building as damaged at this height [m]. other : (period factor, damping) in place of its own."""
+    factor, damping = DEFAULTS.get(limit_state, ULTIMATE)
+    factor = building.period_factor or factor
+    if other:
+        factor = other[0]
+    if building.modes:
+        return tuple(
+            Mode(factor * mode.period_s, other[1] if other else mode.damping, mode.participation)
+            for mode in building.modes
+        )
+    period = building.period_s or estimated_period(building.height_m)
+    damping = other[1] if other else building.damping or damping
+    return first_mode(building.storeys, building.height_m, z, factor * period, damping)
+
+
+def floor_of(
+    wall: Wall,
+    building: Building | None,
+    demand: DemandResult | None,
+    motions: Sequence[GroundMotion],
+    other: tuple[float, float] | None = None,
+    z: float | None = None,
+) -> Floor | None:
+    """The floor of a wall above the ground; None on it, without [building] or without a demand.
+
+    other : as `modes_at`; z : height in place of the hinge's [m]
+    """
+    if not wall.above_ground or building is None or demand is None:
+        return None
+    height = min(z if z is not None else wall.base_z_m, building.height_m)
+    modes = modes_at(building, height, demand.limit_state, other)
+    estimated = building.period_s is None and not building.modes
+    spectrum = FloorSpectrum(demand.target, modes) if demand.target is not None else None
+    moved = tuple(floor_motion(motion, modes) for motion in motions)
+    mechanism = DAMPING.get(demand.limit_state, DAMPING["SLV"])
+    return Floor(height, modes, estimated, moved, mechanism, spectrum)

@@ -1,0 +1,95 @@
+"""The motion of a floor against closed forms and against direct integration of a three-storey building."""
+
+import math
+
+import numpy as np
+import pytest
+
+from core.ground.floor_motion import Mode, floor_acceleration, floor_motion, modal_acceleration
+from core.ground.ground_motion import GroundMotion
+
+DT = 0.01
+
+
+@pytest.fixture
+def ground():
+    rng = np.random.default_rng(5)
+    walk = np.cumsum(rng.normal(size=1500)) * np.hanning(1500)
+    return 3.0 * walk / np.abs(walk).max()
+
+
+def test_that_no_participation_gives_the_record_bit_for_bit(ground):
+    for modes in ((), (Mode(0.4, 0.1, 0.0),), (Mode(0.4, 0.1, 0.0), Mode(0.1, 0.05, 0.0))):
+        floor, dt = floor_acceleration(ground, DT, modes)
+        assert floor is ground and dt == DT
+    motion = GroundMotion("a", ground, DT)
+    assert floor_motion(motion, (Mode(0.4, 0.1, 0.0),)) is motion
+
+
+@pytest.mark.parametrize("participation", [0.3, 1.2, -0.5, 4.0])
+def test_that_a_stiff_building_moves_as_the_ground(ground, participation):
+    floor, dt = floor_acceleration(ground, DT, [Mode(1e-5, 0.1, participation)])
+    parts = round(DT / dt)
+    whole = floor[::parts][: ground.size]
+    assert np.abs(whole - ground[: whole.size]).max() < 1e-5 * np.abs(ground).max()
+
+
+@pytest.mark.parametrize("period", [0.08, 0.39, 1.1])
+@pytest.mark.parametrize("damping", [0.02, 0.1, 0.25])
+def test_that_the_recursion_is_exact_for_a_ground_linear_between_samples(ground, period, damping):
+    """Against the matrix exponential of scipy, and a ground that does not begin at zero."""
+    from scipy.signal import lsim
+
+    omega, times = 2.0 * math.pi / period, DT * np.arange(ground.size)
+    system = ([2.0 * damping * omega, omega**2], [1.0, 2.0 * damping * omega, omega**2])
+    for moved in (ground, ground + 1.0):
+        _, expected, _ = lsim(system, moved, times)
+        found = modal_acceleration(moved, DT, period, damping)
+        assert np.abs(found - expected).max() < 1e-11 * np.abs(expected).max()
+
+
+def test_that_a_three_storey_shear_building_is_that_of_direct_integration(ground):
+    """Uniform storeys: frequencies 1 : 2.80194 : 4.04892, gamma psi at the roof 1.22041, -0.28011, 0.05970."""
+    from scipy.linalg import eigh
+    from scipy.signal import lsim
+
+    stiffness = np.array([[2.0, -1.0, 0.0], [-1.0, 2.0, -1.0], [0.0, -1.0, 1.0]])
+    squares, shapes = eigh(stiffness)
+    scale = (2.0 * math.pi / 0.4) ** 2 / squares[0]
+    omegas = np.sqrt(scale * squares)
+    assert omegas / omegas[0] == pytest.approx([1.0, 2.80194, 4.04892], abs=5e-6)
+    participations = shapes * shapes.sum(axis=0)
+    assert participations[2] == pytest.approx([1.22041, -0.28011, 0.05970], abs=5e-6)
+    assert participations.sum(axis=1) == pytest.approx(np.ones(3), abs=1e-12)
+    # damping 8 % in every mode, so that the building has classical modes
+    damping = shapes @ np.diag(2.0 * 0.08 * omegas) @ shapes.T
+    system = np.block([[np.zeros((3, 3)), np.eye(3)], [-scale * stiffness, -damping]])
+    push = np.concatenate([np.zeros(3), -np.ones(3)])[:, None]
+    for storey in range(3):
+        output = np.concatenate([-scale * stiffness[storey], -damping[storey]])[None, :]
+        modes = [
+            Mode(2.0 * math.pi / omega, 0.08, part)
+            for omega, part in zip(omegas, participations[storey], strict=True)
+        ]
+        floor, dt = floor_acceleration(ground, DT, modes)
+        times = dt * np.arange(floor.size)
+        # after the record the ground falls to zero within a sample
+        still = np.append(ground, np.zeros(floor.size))
+        fine = np.interp(times, DT * np.arange(still.size), still)
+        _, expected, _ = lsim((system, push, output, np.zeros((1, 1))), fine, times)
+        assert np.abs(floor - expected).max() < 1e-9 * np.abs(expected).max()
+
+
+def test_that_the_free_motion_after_the_record_is_kept_to_a_thousandth(ground):
+    mode = Mode(0.5, 0.05, 1.0)
+    floor, dt = floor_acceleration(ground, DT, [mode])
+    assert floor.size * dt > ground.size * DT + 2.0
+    assert np.abs(floor[-1]) < 2e-3 * np.abs(floor).max()
+
+
+def test_that_a_floor_motion_keeps_its_record_and_that_record_s_pga(ground):
+    record = GroundMotion("a", ground, DT, file="a.txt", details=(("station", "X"),))
+    floor = floor_motion(record, [Mode(0.3, 0.1, 1.0)])
+    assert (floor.name, floor.file, floor.details) == (record.name, record.file, record.details)
+    assert floor.ground_pga == record.pga and floor.pga > record.pga
+    assert floor.samples_sha256 != record.samples_sha256

@@ -1,0 +1,148 @@
+"""Walls above the ground in a study: what moves them, what their verdict says."""
+
+import math
+
+import numpy as np
+import pytest
+
+from core.case.rules import parse_case
+from core.errors import InputError
+from core.ground.ground_motion import GroundMotion
+from core.rocking.history import history
+from core.rocking.methods import METHODS
+from core.study import floors
+from core.study.run import run
+from tests.conftest import ROOT
+
+BUILDING = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
+WALL = {"name": "top", "height_m": 3.0, "thickness_m": 0.45, "mechanism": "one_sided"}
+
+
+def case(base_z, building=BUILDING, records=3, **keys):
+    table = {
+        "wall": [{**WALL, "base_z_m": base_z, "back_restraint": "cross walls"}],
+        "record": [{"file": f"resources/motions/noise_{k}.txt"} for k in range(1, records + 1)],
+        "demand": {
+            "ag_g": 0.26,
+            "spectrum": {"code": "EN1998", "type": 1, "soil": "B"},
+        },
+        "analysis": {"q_step": 0.01},
+        **keys,
+    }
+    if building:
+        table["building"] = building
+    return parse_case(table)
+
+
+@pytest.fixture(scope="module")
+def result():
+    return run(case(6.0), base_dir=ROOT)
+
+
+def test_that_the_search_multiplies_the_ground_record(result):
+    """q = C PFA / a_RM, and the wall collapses under C times the floor motion."""
+    wall = result.walls[0]
+    felt = {motion.name: motion for motion in wall.floor.motions}
+    for one in wall.runs:
+        motion = felt[one.record]
+        assert one.scale == pytest.approx(
+            one.ida.q * wall.block.threshold_acceleration / motion.pga, rel=1e-12
+        )
+        scale = one.polarity * abs(one.scale) * (1.0 + 1e-9)
+        made = history(motion.acceleration, motion.time_step, scale, wall.model, METHODS["taylor"])
+        assert made.outcome == 1
+
+
+def test_that_the_checks_are_made_at_height_and_eq_9_15_16_are_not_shown(result):
+    wall = result.walls[0]
+    names = [check.name for check in wall.assessment.checks]
+    assert {"dynamic", "nonlinear", "linear_q_code"} <= set(names)
+    assert wall.code_check == () and wall.closed_form_q is None and wall.estimates == ()
+    assert all(entry.closed_form_q is None for entry in wall.per_record)
+    assert set(wall.assessment.sensitivity) == {"other_building", "at_centroid"}
+    codes = [reason.code for reason in wall.assessment.verdict.reasons]
+    assert {"other_building", "at_centroid"} <= set(codes) and "upper_floor" not in codes
+
+
+def test_that_compatibility_is_that_of_the_ground_records(result):
+    ground = run(case(0.0), base_dir=ROOT)
+    assert np.array_equal(result.compliance.spectra, ground.compliance.spectra)
+    assert result.compliance.rules == ground.compliance.rules
+    assert [m.pga for m in result.motions] == [m.pga for m in ground.motions]
+
+
+def test_that_without_a_building_the_wall_is_undetermined_and_names_what_is_missing():
+    verdict = run(case(6.0, None), base_dir=ROOT).walls[0].assessment.verdict
+    assert verdict.code == "undetermined"
+    words = verdict.reasons[0].text("en")
+    assert all(key in words for key in ("height_m", "storeys", "period_s"))
+
+
+def test_that_an_estimated_period_is_said():
+    building = {"height_m": 9.0, "storeys": 3}
+    found = run(case(6.0, building, records=1), base_dir=ROOT).walls[0]
+    assert found.floor.estimated
+    assert found.floor.modes[0].period == pytest.approx(1.5 * 0.05 * 9.0**0.75)
+    assert "period_estimated" in [reason.code for reason in found.assessment.verdict.reasons]
+
+
+def test_the_damaged_building_of_each_limit_state():
+    asked = case(6.0).building
+    assert floors.modes_at(asked, 6.0, "SLV")[0] == floors.Mode(0.39, 0.10, 9.0 / 7.0 * 6.0 / 9.0)
+    assert floors.modes_at(asked, 6.0, "SLD")[0].period == pytest.approx(0.26)
+    assert floors.modes_at(asked, 6.0, "SLD")[0].damping == 0.05
+    other = floors.modes_at(asked, 6.0, "SLV", floors.OTHER_BUILDING)[0]
+    assert (other.period, other.damping) == (0.52, 0.20)
+
+
+def test_that_given_modes_are_taken_as_they_are():
+    modes = [{"period_s": 0.3, "damping": 0.1, "participation": 1.1},
+             {"period_s": 0.1, "damping": 0.05, "participation": -0.2}]  # fmt: skip
+    building = {"height_m": 9.0, "storeys": 3, "modes": modes, "period_factor": 1.0}
+    found = run(case(6.0, building, records=1), base_dir=ROOT).walls[0]
+    assert [mode.participation for mode in found.floor.modes] == [1.1, -0.2]
+    assert set(found.assessment.sensitivity) == {"other_building"}
+
+
+def test_that_the_spectrum_of_the_code_is_compared_with_the_floor_motions(result):
+    floor, mechanism = result.walls[0].floor, result.walls[0].assessment.kinematic
+    assert floor.mean_spectrum.shape == floor.code_spectrum.shape == floors.CHART_PERIODS.shape
+    ratio = floor.code_over_records(mechanism)
+    inside = mechanism.period >= floors.CHART_PERIODS
+    assert ratio == pytest.approx((floor.code_spectrum / floor.mean_spectrum)[inside].min())
+    assert result.walls[0].assessment.code_over_records == ratio
+
+
+@pytest.mark.parametrize(
+    "building, code",
+    [
+        ({"height_m": 5.0, "storeys": 2, "period_s": 0.2}, "base_above_building"),
+        ({"height_m": 9.0, "period_s": 0.2}, "missing"),
+        ({"height_m": 9.0, "storeys": 3, "period_s": -1.0}, "not_accepted"),
+        ({**BUILDING, "modes": [{"period_s": 0.3, "damping": 0.1, "participation": 1.0}]},
+         "modes_or_period"),
+        ({**BUILDING, "storys": 3}, "unknown_key_near"),
+    ],
+)  # fmt: skip
+def test_that_a_wrong_building_is_refused(building, code):
+    with pytest.raises(InputError) as caught:
+        case(6.0, building)
+    assert caught.value.code == code
+
+
+def test_that_demand_scaling_is_of_the_record_of_the_ground():
+    found = run(
+        case(6.0, records=1, demand={"ag_g": 0.26, "soil_factor": 1.2, "demand_scaling": "pga"}),
+        base_dir=ROOT,
+    )
+    wall, motion = found.walls[0], found.motions[0]
+    factors = {abs(entry.factor) for entry in wall.assessment.dynamic.runs}
+    assert factors == {found.demand.pga / motion.pga}
+
+
+def test_that_a_floor_at_the_ground_is_the_ground():
+    motion = GroundMotion("a", np.sin(np.arange(200) * 0.1), 0.01)
+    modes = floors.modes_at(case(6.0).building, 0.0, "SLV")
+    assert modes[0].participation == 0.0
+    assert floors.floor_motion(motion, modes) is motion
+    assert math.isclose(motion.pga, 1.0, rel_tol=1e-3)
