@@ -52,8 +52,6 @@ def run_in(
         books.append(open_journal(folder / f"{stem}.journal", key, resume))
         return books[0]
 
-    if not quiet:
-        tell_of_compiling()
     with interrupts(cancel), progress(quiet) as show:
         try:
             result = run_study(
@@ -100,12 +98,6 @@ def open_journal(path: Path, key: str, resume: bool, sync_seconds: float = 0.0) 
             n=book.dropped,
         )
     return book
-
-
-def tell_of_compiling() -> None:
-    """Why the first run takes longer, while it does."""
-    if cache.is_empty():
-        tell("The solver is compiled, once on this computer: it takes some seconds more.")
 
 
 def tell(text: str, /, **values) -> None:
@@ -177,10 +169,27 @@ def interrupts(cancel: threading.Event):
 
 @contextlib.contextmanager
 def progress(quiet: bool):
-    """A callback that shows progress on stderr: a bar on a terminal, else a line every ten seconds."""
+    """A callback that shows progress on stderr: a bar on a terminal, else a line every ten seconds; its first call
+    says that the solver is compiled, where it is."""
     if quiet:
         yield lambda done, planned: None
-    elif sys.stderr.isatty():
+        return
+    with _progress() as show:
+        said = False
+
+        def first_said(done: int, planned: int) -> None:
+            nonlocal said
+            if not said and done < planned and cache.lacks_lanes():
+                tell("the solver is being compiled, once for each version: it takes some seconds")
+            said = True
+            show(done, planned)
+
+        yield first_said
+
+
+@contextlib.contextmanager
+def _progress():
+    if sys.stderr.isatty():
         from rich.console import Console
         from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeRemainingColumn
 

@@ -58,6 +58,7 @@ def build(window, session: Session, state) -> Sides:
         "spectrum_file": tr("spectrum of a file"), "[generate]": tr("Generate…"),
         "time_step_s": tr("Time step"), "skip_lines": tr("Lines to skip"),
         "[analysis]": tr("Analysis"), "[report]": tr("Report"), "[record]": tr("Records"),
+        "[building]": tr("Building of the walls above the ground"),
     })  # fmt: skip
     left = QDockWidget(tr("Input"), objectName="input")
     left.setWidget(forms)

@@ -31,8 +31,8 @@ class Preparation:
         self.methods.add(case.analysis.method)
         if window.word_kind in ("", "ready"):
             window.show_word(
-                tr("Compiling the solver, once on this computer: some seconds…")
-                if cache.is_empty()
+                tr("Compiling the solver, once for each version: some seconds…")
+                if cache.lacks_lanes()
                 else tr("Preparing the solver…"),
                 "preparing",
             )

@@ -17,7 +17,6 @@ from app.batch import (
     progress,
     say,
     tell,
-    tell_of_compiling,
 )
 from app.language import terminal
 from core import atomic_write
@@ -165,8 +164,6 @@ def run(
     path = find(asked)
     folder = output or (Path() if path.parent == STUDIES else path.parent)
     cancel = threading.Event()
-    if not quiet:
-        tell_of_compiling()
     with interrupts(cancel), progress(quiet) as show:
         try:
             made = results(asked, folder, records, jobs, quick, resume, show, cancel.is_set)

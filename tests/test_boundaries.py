@@ -49,6 +49,7 @@ SHOWN_BY = {
     "rocking/taylor_bounds": ONE_STEP,
     "rocking/taylor_series": ORDER,
     "capacity/scale_free_law": LAW,
+    "report/floor_sheet": "tests/core/report/test_workbook.py",
     "report/study_files": STUDY,
     "report/study_workbook": STUDY,
     "study/figures": STUDY,

@@ -23,7 +23,7 @@ class BuildingForm(QWidget):
         self.given.setCheckable(True)
         self.given.toggled.connect(self._toggled)
         self.fields = [
-            NumberField(Building, "height_m", tr("Height of the building"), "m"),
+            NumberField(Building, "height_m", tr("Height H"), "m"),
             NumberField(Building, "storeys", tr("Storeys"), "", whole=True),
             NumberField(Building, "period_s", tr("Elastic period T_1"), "s", optional=True,
                         tip=tr("Empty: 0.05 H^0.75, an estimate")),

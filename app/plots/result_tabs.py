@@ -262,12 +262,12 @@ class SpectraTab(QWidget):
         if floor is None:
             return
         if floor.spectrum is not None:
-            name = tr("floor spectrum of the code, z {z:g} m, ξ {damping:.0f} %", z=floor.z,
+            name = tr("code, z {z:g} m, ξ {damping:.0f} %", z=floor.z,
                       damping=100.0 * floor.damping)  # fmt: skip
             self.floor.curve(name, CHART_PERIODS, floor.code_spectrum / G, 1, 2.4)
         if floor.motions:
             self.floor.curve(
-                tr("mean of the floor motions"), CHART_PERIODS, floor.mean_spectrum / G, 0, 2.4
+                tr("mean of the floors"), CHART_PERIODS, floor.mean_spectrum / G, 0, 2.4
             )
         self.floor.reset()
 

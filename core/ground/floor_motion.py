@@ -53,7 +53,7 @@ def floor_acceleration(
     ground: np.ndarray, dt: float, modes: Sequence[Mode]
 ) -> tuple[np.ndarray, float]:
     """(absolute acceleration of the floor [m/s2], its time step [s]): (1 - sum gamma psi) u'' + sum gamma psi A_k, what
-    the modes leave out moving with the ground (resources/docs/physics.md, section 15). The record itself where no
+    the modes leave out moving with the ground (resources/docs/physics.md, section 16). The record itself where no
     mode takes part. ground : [m/s2], shape (n,); dt [s].
     """
     modes = [mode for mode in modes if mode.participation != 0.0]

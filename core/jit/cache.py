@@ -155,9 +155,13 @@ def folder() -> Path:
     return prepare(user_folder(), stamp())
 
 
-def is_empty() -> bool:
-    """Whether no kernel of this state of the sources was ever compiled: the first run does it, once."""
-    return not any(folder().glob("*.nbc"))
+LANES_FILE = "*.one_pass-*.nbc"
+"""File of the analyses in lanes in the cache, the last that a search compiles."""
+
+
+def lacks_lanes() -> bool:
+    """Whether the analyses in lanes were never compiled for this user and state of the sources."""
+    return not any(folder().glob(LANES_FILE))
 
 
 def close() -> None:

@@ -11,7 +11,7 @@ IMPACTS                   -               so far in this sample
 ZONE                      -               branch of the moment law
 LOW, HIGH                 rad             ends of that branch
 FACTOR, SLOPE, CONSTANT   -               f, m and c of that branch
-NEXT                      -               one of STEPPED, CHECK, FALLS, SCALAR
+NEXT                      -               one of STEPPED, CHECK, FALLS, SCALAR, LONG
 SAMPLE                    -               number of the sample
 LEFT                      -               samples until the next check of whether the analysis has ended
 PHI, SPEED                rad, rad/s      rotation seen from the pivot and its rate

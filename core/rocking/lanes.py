@@ -2,9 +2,9 @@
 
 Loops without branches over contiguous lanes, which the compiler turns into vector instructions: the initial terms of
 the step to the end of each lane's sample, its Taylor coefficients, what comes of it, and the impacts of the lanes
-that fall. A step whose series has not converged is taken in parts. A lane whose step is not that plain (a kink, a
-new peak, an outward pull while it falls) takes it by `taylor.through_sample`, so that results equal those of single
-analyses bit for bit (resources/docs/physics.md, section 10).
+that fall. A step whose series has not converged is taken in parts, down to a sixteenth. A lane whose step is not that
+plain (a kink, a new peak, an outward pull while it falls) takes it by `taylor.through_sample`, so that results equal
+those of single analyses bit for bit (resources/docs/physics.md, section 10).
 """
 
 from core.jit.decorators import inner_kernel, subkernel, widest_vectors
@@ -142,8 +142,8 @@ def series_of(k, order, state):
 @subkernel
 def shorten_steps(lanes, dt, constants, order, state):
     """Where a series has not converged, the first half, quarter, ... of the step in its place, as
-    `taylor_bounds.converged_part`; where MAX_HALVINGS are not enough, GROWTH is FAR. Where all steps are whole, the
-    rows are as before. Returns how many steps are not."""
+    `taylor_bounds.converged_part`; where MAX_HALVINGS are not enough, GROWTH is MAX_GROWTH or more. Where all steps
+    are whole, the rows are as before. Returns how many steps are not."""
     widest_vectors()
     shorter = 0
     for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):

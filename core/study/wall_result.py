@@ -130,9 +130,11 @@ def wall_result(wall, mechanism, model, runs, motions, search, demand, floor=Non
     estimated = ()
     if checks and demand.intensity:
         estimated = estimates(block, restitution, law, one_sided, demand.intensity, demand.pga)
-    law_of_si = closed_forms.fit_power_law(
-        [entry.intensity for entry in with_q], [entry.q_eff for entry in with_q]
-    )
+    law_of_si = None
+    if not wall.above_ground:
+        law_of_si = closed_forms.fit_power_law(
+            [entry.intensity for entry in with_q], [entry.q_eff for entry in with_q]
+        )
     fragile = fragility([run.ida for run in runs], search)
     return WallResult(
         name=wall.name,
@@ -160,7 +162,7 @@ def wall_result(wall, mechanism, model, runs, motions, search, demand, floor=Non
             _unusual(wall)
             + _model_notices(wall, block, mechanism, restitution, law)
             + _set_notices(runs, numbers, incomplete, fragile, law_of_si, search)
-            + _form_notices(block, mechanism, restitution, law, per_record, demand, checks)
+            + _form_notices(wall, block, mechanism, restitution, law, per_record, demand, checks)
         ),
     )
 
@@ -228,7 +230,12 @@ def _set_notices(runs, numbers, incomplete, fragile, power_law, search) -> list[
     return notices
 
 
-def _form_notices(block, mechanism, restitution, law, per_record, demand, checks) -> list[Sentence]:
+def _form_notices(
+    wall, block, mechanism, restitution, law, per_record, demand, checks
+) -> list[Sentence]:
+    """On the closed forms, which are not shown above the ground."""
+    if wall.above_ground:
+        return []
     pgas = [(entry.record, entry.pga) for entry in per_record]
     if demand:
         pgas.append(("demand", demand.pga))

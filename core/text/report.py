@@ -35,6 +35,22 @@ REPORT = {
     "element free to vibrate": "elemento libero di vibrare",
     "restrained by transverse walls": "vincolata ai muri trasversali",
     "Circolare 7/2019, wall at {z:g} m, {kind}": "Circolare 7/2019, parete a {z:g} m, {kind}",
+    "Floors": "Piani",
+    "Motion of the floors": "Moto dei piani",
+    (
+        "The floor moves with the modes of the linear building, what they leave out with the ground. C multiplies the "
+        "record of the ground. Code and records are compared at the mechanism's damping; nothing is rescaled."
+    ): (
+        "Il piano si muove con i modi dell'edificio lineare, ciò che essi non colgono con il suolo. C moltiplica "
+        "l'accelerogramma al suolo. Norma e accelerogrammi sono confrontati allo smorzamento del meccanismo; nulla è "
+        "riscalato."
+    ),
+    "z = {z:g} m": "z = {z:g} m",
+    "Mode": "Modo",
+    "estimate": "stima",
+    "code, C7.2.5": "norma, C7.2.5",
+    "mean of the floor motions": "media dei moti di piano",
+    "Floor spectra, z = {z:g} m, ξ = {damping:.0f} %": "Spettri di piano, z = {z:g} m, ξ = {damping:.0f} %",
     "Not drawn above the ground, where Eq. 15 and 16 do not hold.": (
         "Non disegnato sopra il suolo, dove le Eq. 15 e 16 non valgono."
     ),

@@ -20,8 +20,8 @@ TERMINAL = {
         "le analisi finite di un avvio precedente sono in {path}: per proseguirle, rinominarlo e aggiungere "
         "--resume"
     ),
-    "The solver is compiled, once on this computer: it takes some seconds more.": (
-        "Il risolutore viene compilato, una sola volta su questo computer: servono alcuni secondi in più."
+    "the solver is being compiled, once for each version: it takes some seconds": (
+        "il risolutore viene compilato, una volta per versione: servono alcuni secondi"
     ),
     "{n} damaged line(s) of the journal were dropped: these runs are made again": (
         "{n} righe danneggiate del registro scartate: queste analisi si rifanno"

@@ -109,8 +109,8 @@ WINDOW = {
     "The program ended without saving. Bring back the unsaved case?": (
         "Il programma si è chiuso senza salvare. Recuperare il caso non salvato?"
     ),
-    "Compiling the solver, once on this computer: some seconds…": (
-        "Compilazione del risolutore, una sola volta su questo computer: alcuni secondi…"
+    "Compiling the solver, once for each version: some seconds…": (
+        "Compilazione del risolutore, una volta per versione: alcuni secondi…"
     ),
     "Preparing the solver…": "Preparazione del risolutore…",
     "Ready.": "Pronto.",
@@ -261,7 +261,6 @@ WINDOW = {
     "Ground motion": "Moto del suolo",
     "Rotation": "Rotazione",
     "Building of the walls above the ground": "Edificio delle pareti sopra il suolo",
-    "Height of the building": "Altezza dell'edificio",
     "Storeys": "Piani",
     "Elastic period T_1": "Periodo elastico T_1",
     "Empty: 0.05 H^0.75, an estimate": "Vuoto: 0,05 H^0,75, una stima",
@@ -281,10 +280,8 @@ WINDOW = {
     ),
     "T_1 {period:.3f} s is an estimate.": "T_1 {period:.3f} s è una stima.",
     "Floor spectra": "Spettri di piano",
-    "floor spectrum of the code, z {z:g} m, ξ {damping:.0f} %": (
-        "spettro di piano della norma, z {z:g} m, ξ {damping:.0f} %"
-    ),
-    "mean of the floor motions": "media dei moti di piano",
+    "code, z {z:g} m, ξ {damping:.0f} %": "norma, z {z:g} m, ξ {damping:.0f} %",
+    "mean of the floors": "media dei piani",
     "floor": "piano",
     "ground": "suolo",
     "impacts": "urti",

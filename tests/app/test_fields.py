@@ -2,7 +2,8 @@
 
 import os
 import re
-from dataclasses import fields
+import tomllib
+from dataclasses import fields, replace
 
 import pytest
 
@@ -14,7 +15,7 @@ from PySide6.QtTest import QTest
 
 from app.language import FORM_NAMES, described
 from core.case.rules import check_value, parse_case
-from core.case.schema import Analysis, Demand, Spectrum, Wall
+from core.case.schema import Analysis, Building, Demand, Spectrum, Wall
 from core.errors import InputError
 from core.text.catalogue import CATALOGUE
 from tests.app.driving import settle, type_into
@@ -212,3 +213,51 @@ def test_that_sentences_of_the_window_keep_paths_and_show_values_as_the_fields_d
         with pytest.raises(InputError) as caught:
             check_value(Wall, key, value)
         assert described(caught.value).startswith(words)
+
+
+def test_that_the_building_of_walls_above_the_ground_is_edited_saved_and_taken_back(
+    opened, application
+):
+    form = opened.demand.building
+    assert opened.session.case.building is None and "above the ground" in form.summary.text()
+    form.given.setChecked(True)
+    application.processEvents()
+    height, storeys, period, _, damping = form.fields
+    assert not opened.run_action.isEnabled(), "the height and the storeys are never guessed"
+    for field, text in ((height, "9"), (storeys, "3"), (period, "0.26"), (damping, "12")):
+        type_into(field, text)
+    application.processEvents()
+    building = opened.session.case.building
+    assert (building.height_m, building.storeys, building.period_s) == (9.0, 3, 0.26)
+    assert building.damping == pytest.approx(0.12) and building.period_factor is None
+    assert "T 0.390 s" in form.summary.text() and opened.run_action.isEnabled()
+    opened.files.save()
+    assert parse_case(tomllib.loads(opened.session.path.read_text())).building == building
+    period.editor.selectAll()
+    QTest.keyClick(period.editor, Qt.Key.Key_Delete)
+    application.processEvents()
+    assert "estimate" in form.summary.text()
+    form.given.setChecked(False)
+    assert opened.session.case.building is None
+    opened.session.undo()
+    assert opened.session.case.building is not None
+
+
+def test_that_a_wall_above_the_ground_shows_its_floor(opened, application):
+    opened.session.edit_wall(0, base_z_m=6.0)
+    table = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
+    opened.session.edit(replace(opened.session.case, building=Building(**table)))
+    opened.session.edit_section(
+        "demand", soil_factor=None, spectrum=Spectrum("EN1998", "B", type=1)
+    )
+    opened.run()
+    settle(application, lambda: opened.session.result is not None and opened.job is None)
+    for k, name in enumerate(opened.pages):
+        opened.tabs.setCurrentIndex(k)
+        application.processEvents()
+        if name == "spectra":
+            assert opened.pages[name].content.floor.isVisible()
+    wall = opened.session.result.walls[0]
+    assert wall.floor.motions[0].pga > opened.session.result.motions[0].pga
+    histories = opened.pages["histories"].content
+    assert histories.motion is wall.floor.motions[0]

@@ -70,6 +70,16 @@ def figures() -> dict[str, float]:
         found[f"history, {name}"] = best_seconds(
             lambda model=model: history(ground, TIME_STEP, 1.2, model, taylor), 40
         )
+    # steps that are taken in parts: 0.05 s under a wall of 1 m, and a stiff elastic branch
+    for name, dt, model in (
+        ("long steps", 0.05, RockingModel(alpha, 14.6, 0.0, 0.979, 0.0, 0.0, 0.0)),
+        ("stiff", TIME_STEP, RockingModel(alpha, 4.87, 1.0, 0.45, 0.0, 0.02 * alpha, 0.28 * alpha)),
+    ):
+
+        def searched(model=model, dt=dt):
+            incremental_dynamic_analysis(ground, dt, pga, 1, model, taylor, Search())
+
+        found[f"search, {name}"] = best_seconds(searched, 3)
     model = RockingModel(alpha, 2.0866, 0.0, 0.979, 0.0, 0.0, 0.0)
     for name in ("newmark_paper", "newmark_events", "rk4", "dormand_prince", "linearised"):
         found[name] = best_seconds(

@@ -103,7 +103,30 @@ def ntc(folder):
     return made(folder, "it", wall=walls, demand=demand)[1]
 
 
-@pytest.mark.parametrize("which", ["book", "ntc"])
+@pytest.fixture(scope="module")
+def height(folder):
+    """Walls above the ground, restrained and free to vibrate, of a building."""
+    own = {"base_z_m": 6.0, "unit_weight_kn_m3": 18.0, "elastic_modulus_mpa": 600.0}
+    walls = [
+        {"name": "top", "height_m": 3.0, "thickness_m": 0.45, "mechanism": "both", **own},
+        {"name": "a", "height_m": 5.0, "thickness_m": 0.6, "base_z_m": 0.0, "mechanism": "one_sided"},
+    ]  # fmt: skip
+    spectrum = {"code": "EN1998", "type": 1, "soil": "B"}
+    building = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
+    return made(folder, wall=walls, demand={"ag_g": 0.2, "spectrum": spectrum}, building=building)[
+        1
+    ]
+
+
+def test_that_walls_above_the_ground_have_a_sheet_of_their_floors(height, book):
+    assert "Floors" in height.workbook.sheetnames and "Floors" not in book.workbook.sheetnames
+    sheet = height.workbook["Floors"]
+    assert len(sheet._charts) == 1 and sheet["A4"].value == "z = 6 m"
+    shown = [cell.value for row in height.workbook["Check"].iter_rows() for cell in row]
+    assert "PFA [g]" in shown and any("wall at 6 m" in str(value) for value in shown)
+
+
+@pytest.mark.parametrize("which", ["book", "ntc", "height"])
 def test_that_libreoffice_recalculates_every_formula_to_the_programs_value(
     which, request, tmp_path
 ):
