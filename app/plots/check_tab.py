@@ -15,6 +15,7 @@ from app.plots.chart import Chart
 from app.plots.table import Table
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.eq9 import LABEL
+from core.codes.risk import years
 from core.study.results import Q_SOURCES, StudyResult, WallResult
 from core.text.sentence import word
 from core.units import G
@@ -135,7 +136,25 @@ class CheckTab(QWidget):
             parts.append(f"ζ_16 {digits(dynamic.zeta_16)}")
             share = f"{dynamic.share_failing_at_demand:.0%}"
             parts.append(tr("failing within ±10 % of the demand: {share}", share=share))
+        if assessment.risk:
+            parts += self._risk(assessment.risk)
         return "; ".join(parts)
+
+    @staticmethod
+    def _risk(risk) -> list[str]:
+        """What the mechanism withstands."""
+        parts = [f"PGA_C {risk.pga / G:.3f} g"]
+        if risk.return_period is not None:
+            parts.append(tr("T_R,C {years} years", years=years(risk.return_period)))
+        if risk.index is not None:
+            parts.append(
+                tr(
+                    "IS-V of this mechanism {index:.2f}, class {letter}",
+                    index=risk.index,
+                    letter=risk.letter,
+                )
+            )
+        return parts
 
     def _warnings(self, wall: WallResult) -> str:
         return "\n".join(f"• {warning.text(self.language)}" for warning in wall.warnings)

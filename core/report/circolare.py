@@ -2,6 +2,7 @@
 
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.kinematic import CANTILEVER, DAMPING, PERIOD_FACTOR
+from core.codes.risk import EXPONENT, exponent_by_ag
 from core.codes.target_spectrum import EN_AMPLIFICATION, NTC_SOIL, NTC_TOPOGRAPHY, CodeSpectrum
 from core.report.cells import ACCELERATION, BAD, EXACT, GOOD, QUIET, RATIO, Book, style, text
 from core.report.rows import heads, input_row, live_row
@@ -93,6 +94,37 @@ def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: st
         if dynamic.zeta_other:
             on = word(f"confidence_{dynamic.zeta_other.confidence_on}", book.language)
             row = input_row(book, sheet, row, f"ζ_E, {on}", dynamic.zeta_other.zeta, "–", None, EXACT)  # fmt: skip
+    return _risk(book, sheet, wall, name, demand, row)
+
+
+def _risk(book: Book, sheet, wall, name: str, demand, row: int) -> int:
+    """PGA_C, T_R,C by both exponents, IS-V of this mechanism, from the zeta of the check that decides."""
+    say, found, verdict = book.say, wall.assessment.risk, wall.assessment.verdict
+    if found is None:
+        return row
+    cells = {"dynamic": "dynamic_zeta", "nonlinear": "nonlinear_zeta"}
+    zeta = f"{name}_{cells.get(verdict.governing, f'{verdict.governing}_zeta')}"
+    if demand.limit_state == "SLD" and verdict.governing == "linear_q_code":
+        zeta = f"{name}_zeta_sld"
+    row = live_row(book, sheet, row, "PGA_C = ζ S a_g", "", f"={zeta}*demand_pga", found.pga / G, "g",
+                   f"{name}_pga_c")  # fmt: skip
+    if found.return_period is not None:
+        row = input_row(
+            book, sheet, row, "T_R,D", demand.return_period, say("years"), f"{name}_tr_d", RATIO
+        )
+        both = [
+            f"{name}_tr_d*{zeta}^(1/{1.0 / eta:.3g})"
+            for eta in (EXPONENT, exponent_by_ag(demand.ag))
+        ]
+        label = "T_R,C = T_R,D ζ^η, min"
+        row = live_row(book, sheet, row, label, "", f"=MIN({','.join(both)})", found.return_period,
+                       say("years"), f"{name}_tr_c", RATIO)  # fmt: skip
+        row = live_row(book, sheet, row, "T_R,C, max", "", f"=MAX({','.join(both)})",
+                       found.other_return_period, say("years"), None, RATIO)  # fmt: skip
+    if found.index is not None:
+        label = say("IS-V of this mechanism, class {letter}", letter=found.letter)
+        row = live_row(book, sheet, row, label, "D.M. 65/2017", f"={name}_pga_c/demand_pga", found.index,
+                       "–", None, RATIO)  # fmt: skip
     return row
 
 

@@ -125,6 +125,22 @@ def _assessment(assessment: Assessment | None) -> dict:
     }
 
 
+def _risk(wall: WallResult) -> dict:
+    """The key risk of a wall that has a zeta."""
+    found = wall.assessment.risk if wall.assessment else None
+    if found is None:
+        return {}
+    return {
+        "risk": {
+            "pga_c_g": found.pga / G,
+            "return_period_c_years": found.return_period,
+            "other_return_period_c_years": found.other_return_period,
+            "is_v": found.index,
+            "is_v_letter": found.letter,
+        }
+    }
+
+
 def _floor(wall: WallResult) -> dict:
     """The key floor of a wall above the ground; period, damping and participation of each mode."""
     floor, found = wall.floor, wall.assessment
@@ -294,6 +310,7 @@ def _wall(wall: WallResult, result: StudyResult) -> dict:
         "scale_free_law": [asdict(estimate) for estimate in wall.estimates],
         **_assessment(wall.assessment),
         **_floor(wall),
+        **_risk(wall),
         **_uncertainty(wall.accuracy),
         "warnings": [warning.text() for warning in wall.warnings],
     }

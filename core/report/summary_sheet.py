@@ -3,6 +3,7 @@
 import math
 
 from core.codes.eq9 import LABEL
+from core.codes.risk import years
 from core.ground.ground_motion import GroundMotion
 from core.report.cells import (
     ACCELERATION,
@@ -193,7 +194,10 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
     label = f"{wall.name} – {word(wall.mechanism, book.language)}"
     title(sheet, row, label, 12)
     if assessment.kinematic:
-        text(sheet, row, 5, _mechanism_line(book, assessment.kinematic), color=QUIET)
+        line = _mechanism_line(book, assessment.kinematic)
+        if assessment.risk:
+            line += ", " + _risk_line(book, assessment.risk)
+        text(sheet, row, 5, line, color=QUIET)
     top = row + 1
     header(sheet, top, [
         say("Method"), say("Clause"), "q", say("Capacity"),
@@ -233,6 +237,16 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
             150,
         )
     return row
+
+
+def _risk_line(book: Book, risk) -> str:
+    """What the mechanism withstands, in one line."""
+    parts = [f"PGA_C {risk.pga / G:.3f} g"]
+    if risk.return_period is not None:
+        parts.append(f"T_R,C {years(risk.return_period)} {book.say('years')}")
+    if risk.index is not None:
+        parts.append(f"IS-V {risk.index:.2f} ({risk.letter})")
+    return ", ".join(parts)
 
 
 def _mechanism_line(book: Book, assessment) -> str:

@@ -10,6 +10,7 @@ from core.codes.kinematic import Check, Kinematic, linear, nonlinear, sld
 from core.codes.kinematic import kinematic as kinematic_of
 from core.codes.multiplier_search import STEP
 from core.codes.record_compatibility import Compliance
+from core.codes.risk import risk
 from core.codes.verdict import Circumstances, governing_check, verdict
 from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import Method
@@ -21,6 +22,9 @@ from core.wall.rocking_model import rocking_model
 
 EXACT_METHODS = ("auto", "taylor", "taylor_6", "dormand_prince")
 """Methods whose result a verdict may rest on; the others are for comparison."""
+
+SENSITIVITY_STEP = 0.02
+"""Step of the search for zeta [-] for another building and another height: the digits given are two."""
 
 BUNDLED = "# Ribalta example motion"
 """How the header of a bundled motion begins."""
@@ -122,7 +126,8 @@ def assess(
         lower,
         notes,
     )
-    return Assessment(kinematic, checks, dynamic, below, result, sensitivity, ratio)
+    capacity = None if result.zeta_e is None else risk(result.zeta_e, demand)
+    return Assessment(kinematic, checks, dynamic, below, result, sensitivity, ratio, capacity)
 
 
 def _sensitivity(
@@ -138,8 +143,8 @@ def _sensitivity(
         floor = floor_of(wall.wall, building, demand, ground, **change)
         if decides.name == "dynamic":
             checked = demand_check(
-                wall.model, list(floor.motions), polarities, demand, method, None, BOUND_STEP, False,
-                cancelled,
+                wall.model, list(floor.motions), polarities, demand, method, None, SENSITIVITY_STEP,
+                False, cancelled,
             )  # fmt: skip
             found[name] = checked.zeta
             continue

@@ -13,6 +13,7 @@ from core.codes.dynamic_check import DemandCheck
 from core.codes.eq9 import Inequality
 from core.codes.kinematic import SLD_CLAUSE, Check, Kinematic
 from core.codes.record_compatibility import Compliance
+from core.codes.risk import Risk
 from core.codes.verdict import Verdict
 from core.ground.ground_motion import GroundMotion
 from core.rocking.history import History
@@ -36,6 +37,7 @@ class Assessment:
     lower_bound : the dynamic check of the two-sided wall, should the restraint behind a one-sided one fail
     sensitivity : above the ground, zeta of the check that decides for another building and another height
     code_over_records : of `Floor.code_over_records`
+    risk : of the check that decides, None where it has no zeta
     """
 
     kinematic: Kinematic | None
@@ -45,6 +47,7 @@ class Assessment:
     verdict: Verdict
     sensitivity: dict[str, float | None] = field(default_factory=dict)
     code_over_records: float | None = None
+    risk: Risk | None = None
 
     @property
     def shown(self) -> tuple[tuple[Check, bool], ...]:

@@ -45,6 +45,8 @@ REPORT = {
         "l'accelerogramma al suolo. Norma e accelerogrammi sono confrontati allo smorzamento del meccanismo; nulla è "
         "riscalato."
     ),
+    "years": "anni",
+    "IS-V of this mechanism, class {letter}": "IS-V di questo meccanismo, classe {letter}",
     "z = {z:g} m": "z = {z:g} m",
     "Mode": "Modo",
     "estimate": "stima",

@@ -281,6 +281,10 @@ WINDOW = {
     "T_1 {period:.3f} s is an estimate.": "T_1 {period:.3f} s è una stima.",
     "Floor spectra": "Spettri di piano",
     "code, z {z:g} m, ξ {damping:.0f} %": "norma, z {z:g} m, ξ {damping:.0f} %",
+    "T_R,C {years} years": "T_R,C {years} anni",
+    "IS-V of this mechanism {index:.2f}, class {letter}": (
+        "IS-V di questo meccanismo {index:.2f}, classe {letter}"
+    ),
     "mean of the floors": "media dei piani",
     "floor": "piano",
     "ground": "suolo",

@@ -1,0 +1,81 @@
+"""What an owner asks of a mechanism: the acceleration and the return period it withstands, and the safety index IS-V.
+
+The ratio of accelerations supposes the shape of the spectrum fixed (S_S of NTC depends on a_g). IS-V is "of this
+mechanism": the class of a building asks for a global analysis (D.M. 65/2017, Annex A).
+"""
+
+from dataclasses import dataclass
+
+from core.codes.demand import DemandResult
+from core.units import G
+
+EXPONENT = 1.0 / 0.41
+"""Exponent of T_R,C = T_R,D (PGA_C / PGA_D)^eta for all of Italy."""
+
+EXPONENT_BY_AG = (
+    (0.25 * G, 1.0 / 0.49),
+    (0.15 * G, 1.0 / 0.43),
+    (0.05 * G, 1.0 / 0.356),
+    (0.0, 1.0 / 0.34),
+)
+"""The same by a_g [m/s2]: from this one on."""
+
+SHORTEST, LONGEST = 30.0, 2475.0
+"""Return periods of the hazard of NTC [years]: beyond them the formula is not read."""
+
+CLASSES = (
+    (1.00, "A+"), (0.80, "A"), (0.60, "B"), (0.45, "C"), (0.30, "D"), (0.15, "E"), (0.0, "F"),
+)  # fmt: skip
+"""IS-V from which on a letter holds; A+ above 1.00."""
+
+
+@dataclass(frozen=True)
+class Risk:
+    """Capacity of a mechanism at the limit state of the demand.
+
+    pga : PGA_C = zeta a_g S [m/s2]
+    return_period : T_R,C [years], the shorter of both exponents; None without T_R of the demand
+    other_return_period : the longer
+    index, letter : IS-V of this mechanism and its letter; None at other limit states than SLV
+    """
+
+    pga: float
+    return_period: float | None
+    other_return_period: float | None
+    index: float | None
+    letter: str | None
+
+
+def exponent_by_ag(ag: float) -> float:
+    """eta by a_g on rock [m/s2]."""
+    return next(exponent for least, exponent in EXPONENT_BY_AG if ag >= least)
+
+
+def letter_of(index: float) -> str:
+    """Letter of an IS-V (D.M. 65/2017, Annex A): A+ above 1.00, A from 0.80, ..."""
+    if index <= 1.0:
+        return next(letter for least, letter in CLASSES[1:] if index >= least)
+    return CLASSES[0][1]
+
+
+def risk(zeta: float, demand: DemandResult) -> Risk:
+    """The capacity of a mechanism whose deciding check has this zeta."""
+    shorter = longer = None
+    if demand.return_period is not None:
+        exponents = (EXPONENT, exponent_by_ag(demand.ag))
+        shorter, longer = sorted(demand.return_period * zeta**eta for eta in exponents)
+    slv = demand.limit_state == "SLV"
+    return Risk(
+        pga=zeta * demand.pga,
+        return_period=shorter,
+        other_return_period=longer,
+        index=zeta if slv else None,
+        letter=letter_of(zeta) if slv else None,
+    )
+
+
+def years(period: float) -> str:
+    """A return period in whole years; "< 30" and "> 2475" beyond the hazard of NTC."""
+    if period < SHORTEST:
+        return f"< {SHORTEST:.0f}"
+    return f"> {LONGEST:.0f}" if period > LONGEST else f"{period:.0f}"
