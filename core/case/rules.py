@@ -8,6 +8,7 @@ import math
 from dataclasses import MISSING, fields, replace
 from types import SimpleNamespace
 
+from core.case.hinges import FLOORS, check_hinges, parts
 from core.case.schema import (
     MIN_ELASTIC,
     OWN_FIELDS,
@@ -158,6 +159,7 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
                 base=wall.base_z_m,
                 height=case.building.height_m,
             )
+        check_hinges(wall, case.building)
         if case.demand and wall.base_z_m is None:
             raise InputError("base_missing", place=(place("wall", name=wall.name),), key="base_z_m")
         if case.demand and case.demand.confidence_factor < FULL_FACTOR and not wall.setback > 0.0:
@@ -168,6 +170,9 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
                 wall=wall.name,
             )
     case = replace(case, wall=tuple(walls), walls=None)
+    for name, part in parts(case):
+        if part.name != name and part.name in names:
+            raise InputError("same_name", key="name", wall=part.name)
     digest = hashlib.sha256(json.dumps(case.as_dict(), sort_keys=True).encode()).hexdigest()
     return replace(case, sha256=digest)
 
@@ -300,6 +305,8 @@ def _accepted(entry) -> Sentence:
         return sentence("accepted", "periods", low=PERIOD_LIMITS[0], high=PERIOD_LIMITS[1])
     if kind == "law":
         return sentence("accepted", "law", names=tuple(LAWS))
+    if kind == "hinges":
+        return sentence("accepted", "hinges", floors=FLOORS)
     if kind == "list":
         return sentence("accepted", "list", items=_accepted(rule["of"]))
     if kind == "tables":
@@ -359,6 +366,12 @@ def _value(entry, value, *here):
             return tuple(parts)
     elif kind == "spectrum":
         return section_of(Spectrum, value, "spectrum", section("[demand.spectrum]"))
+    elif kind == "hinges":
+        if value == FLOORS:
+            return value
+        heights = value if isinstance(value, (list, tuple)) else ()
+        if heights and all(type(h) in (int, float) and 0.0 < h < 300.0 for h in heights):
+            return tuple(sorted({float(h) for h in heights}))
     elif kind == "law":
         if isinstance(value, str) and value in LAWS:
             return value

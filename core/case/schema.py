@@ -73,6 +73,7 @@ class Wall:
     restitution: str | None = choice_key(*MODELS, default=None)
     velocity_ratio: float | None = number_key(0.0, 1.0)
     law: str | dict = field(default="rigid", metadata={"kind": "law"})
+    hinge_heights: str | tuple[float, ...] | None = field(default=None, metadata={"kind": "hinges"})
     hinge_setback_m: float = number_key(0.0, 2.0, 0.0, unit="m")
     compressive_strength_mpa: float | None = number_key(0.1, 100.0, unit="MPa")
     base_z_m: float | None = number_key(0.0, 300.0, unit="m")

@@ -69,13 +69,12 @@ def inputs(book: Book, result: StudyResult) -> None:
     row += 1
     for section, index, place, values in _sections(case):
         for key, value in values.items():
-            if value is None or value == "":
+            if value is None or value in ("", ()):
                 continue
             text(sheet, row, 1, place)
             text(sheet, row, 2, key)
-            if isinstance(value, dict):
-                parts = {name: end for name, end in value.items() if end is not None}
-                value = ", ".join(f"{name} = {end}" for name, end in parts.items())
+            if isinstance(value, (dict, tuple)):
+                value = _spelled(value)
             if isinstance(value, bool):
                 value = say("yes") if value else say("no")
             if isinstance(value, (int, float)):
@@ -91,6 +90,15 @@ def inputs(book: Book, result: StudyResult) -> None:
         row = paragraph(sheet, row, f"• {note.text(book.language)}", 4, 110, color=QUIET)
     sheet.freeze_panes = "A5"
     sheet.print_title_rows = "4:4"
+
+
+def _spelled(value) -> str:
+    """A table, or a list of tables or numbers, in one line."""
+    if isinstance(value, dict):
+        return ", ".join(f"{name} = {end}" for name, end in value.items() if end is not None)
+    if isinstance(value, tuple):
+        return "; ".join(_spelled(part) for part in value)
+    return str(value)
 
 
 def _sections(case: Case):

@@ -10,6 +10,7 @@ import numpy as np
 
 from core.capacity.accuracy import Accuracy, accuracy
 from core.capacity.ida import Ida, Search, incremental_dynamic_analysis, multiplier_of, threshold_of
+from core.case.hinges import parts
 from core.case.schema import Case, Wall
 from core.codes.demand import with_records
 from core.codes.kinematic import kinematic
@@ -27,7 +28,7 @@ from core.study.journal import Journal, Memory
 from core.study.record_input import read_records
 from core.study.results import StudyResult, WallResult
 from core.study.threads import Threads
-from core.study.wall_result import run_result, wall_result
+from core.study.wall_result import run_result, wall_result, with_weakest_hinge
 from core.version import VERSION
 from core.wall.rocking_model import RockingModel, rocking_model
 
@@ -57,7 +58,9 @@ def run(
     method = METHODS.get(case.analysis.method, AUTO)
     chosen = case.analysis
     search = Search(chosen.q_step, chosen.q_limit, chosen.map_span, chosen.robust_window)
-    walls = [(wall, mechanism) for wall in case.wall for mechanism in wall.mechanisms()]
+    hinged = parts(case)
+    walls = [(wall, mechanism) for _, wall in hinged for mechanism in wall.mechanisms()]
+    origins = [name for name, wall in hinged for _ in wall.mechanisms()]
     signs = [_polarities(mechanism, chosen.polarity) for _, mechanism in walls]
     planned = [
         (index, record, polarity)
@@ -122,6 +125,7 @@ def run(
                 checks, lambda k, _: None, lambda n: on_progress(len(planned) + n, total)
             )
             results = [replace(wall, assessment=done[k]) for k, wall in enumerate(results)]
+            results = with_weakest_hinge(results, origins)
         if chosen.accuracy:
             statements = {
                 k: lambda stop, wall=wall: accuracy_of(wall, motions, method, search, stop)

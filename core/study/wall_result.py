@@ -1,5 +1,7 @@
 """From the runs of a wall to its result: governing sign, set, power law, checks, warnings."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from core.capacity import closed_forms
@@ -251,3 +253,28 @@ def _form_notices(
         if robust and robust.passed and not (histories and histories.passed):
             notices.append(notice("only_robust"))
     return notices
+
+
+def with_weakest_hinge(results: list[WallResult], origins: list[str]) -> list[WallResult]:
+    """The results, each wall of several hinges with a notice that names the one of the lowest zeta.
+
+    origins : name of the wall of the case of each result
+    """
+    groups: dict[tuple, list[WallResult]] = {}
+    for wall, origin in zip(results, origins, strict=True):
+        groups.setdefault((origin, wall.mechanism), []).append(wall)
+    said = []
+    for wall, origin in zip(results, origins, strict=True):
+        group = groups[origin, wall.mechanism]
+        known = [w for w in group if w.assessment and w.assessment.verdict.zeta_e is not None]
+        if len(group) > 1 and known:
+            lowest = min(known, key=lambda w: w.assessment.verdict.zeta_e)
+            words = notice(
+                "weakest_hinge",
+                n=len(known),
+                wall=lowest.name,
+                zeta=lowest.assessment.verdict.zeta_e,
+            )
+            wall = replace(wall, warnings=(words, *wall.warnings))
+        said.append(wall)
+    return said

@@ -29,6 +29,10 @@ ACCEPTED = {
         "un elenco fra parentesi quadre, ciascuno {items}",
     ),
     "tables": ("one or more tables [[{name}]]", "una o più tabelle [[{name}]]"),
+    "hinges": (
+        '"{floors}" or heights above the base in m, [3.0, 6.0]',
+        '"{floors}" o quote dalla base in m, [3.0, 6.0]',
+    ),
     "flag": ("true or false", "true o false"),
     "table": ("a table [demand.spectrum]", "una tabella [demand.spectrum]"),
     "periods": (

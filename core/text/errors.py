@@ -227,6 +227,19 @@ CASE_ERRORS = {
         "{robust_window} = {window} è più stretta di un passo {q_step} = {step}: allargare la finestra o "
         "prendere un passo più fine",
     ),
+    "hinges_need_building": (
+        "hinges at the floors need the building: give height_m and storeys of [building], or the heights of the hinges",
+        "le cerniere ai piani richiedono l'edificio: dare height_m e storeys di [building], oppure le quote "
+        "delle cerniere",
+    ),
+    "hinges_need_rectangle": (
+        "hinges above the base need a wall by its height H: give it, or leave them out",
+        "cerniere sopra la base richiedono una parete data con l'altezza H: indicarla, o toglierle",
+    ),
+    "hinge_above_wall": (
+        "a hinge at {hinge:g} m leaves no wall above it: give heights above its base of at most {most:g} m",
+        "una cerniera a {hinge:g} m non lascia parete sopra di sé: dare quote dalla base di al più {most:g} m",
+    ),
     "base_above_building": (
         "the base of the wall is {base:g} m above the ground, the building is {height:g} m high: give the height of "
         "the hinge, at most that of the building",

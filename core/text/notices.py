@@ -36,6 +36,10 @@ SENTENCES = {
         "E = {e:g} MPa is outside {low:g} to {high:g}: GPa, kPa or kg/cm2 instead of MPa?",
         "E = {e:g} MPa fuori da {low:g}-{high:g}: GPa, kPa o kg/cm² al posto di MPa?",
     ),
+    "weakest_hinge": (
+        "Of {n} hinges of this wall the lowest zeta, {zeta:.2f}, is that of {wall}.",
+        "Delle {n} cerniere di questa parete lo zeta minore, {zeta:.2f}, è quello di {wall}.",
+    ),
     "large_ag": (
         "a_g = {ag:.3g} g is above 0.6 g: m/s2 or % instead of g, or S counted in it?",
         "a_g = {ag:.3g} g supera 0.6 g: m/s² o % al posto di g, oppure S già compreso?",

@@ -1,0 +1,73 @@
+"""The hinges of a wall of several storeys: one wall for each, from the hinge up."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from core.case.schema import Building, Case, Wall
+from core.errors import InputError, place
+
+FLOORS = "floors"
+"""Hinges at every floor of the building between the base of the wall and its top."""
+
+LEAST_ABOVE = 0.1
+"""Least height of the wall above a hinge [m], that of a wall."""
+
+
+def hinges_of(wall: Wall, building: Building | None) -> Sequence[float]:
+    """Heights of the hinges above the base of a wall [m], without the one at its base."""
+    if wall.hinge_heights is None:
+        return ()
+    if not isinstance(wall.hinge_heights, str):
+        return wall.hinge_heights
+    if building is None or wall.height_m is None:
+        return ()
+    storey, base = building.height_m / building.storeys, wall.base_z_m or 0.0
+    heights = (storey * floor - base for floor in range(1, building.storeys + 1))
+    return tuple(h for h in heights if LEAST_ABOVE <= h <= wall.height_m - LEAST_ABOVE)
+
+
+def check_hinges(wall: Wall, building: Building | None) -> None:
+    """Raise InputError for hinges a wall cannot have."""
+    if wall.hinge_heights is None:
+        return
+    here = (place("wall", name=wall.name),)
+    if wall.height_m is None:
+        raise InputError("hinges_need_rectangle", place=here, key="hinge_heights")
+    if isinstance(wall.hinge_heights, str):
+        if building is None:
+            raise InputError("hinges_need_building", place=here, key="hinge_heights")
+        return
+    highest = max(wall.hinge_heights)
+    if highest > wall.height_m - LEAST_ABOVE:
+        raise InputError(
+            "hinge_above_wall",
+            place=here,
+            key="hinge_heights",
+            hinge=highest,
+            most=wall.height_m - LEAST_ABOVE,
+        )
+
+
+def above_hinge(wall: Wall, hinge: float) -> Wall:
+    """The part of a wall above a hinge [m above its base], with its height in its name."""
+    if hinge == 0.0:
+        return replace(wall, hinge_heights=None)
+    return replace(
+        wall,
+        name=f"{wall.name} (+{hinge:.4g} m)",
+        height_m=wall.height_m - hinge,
+        thickness_m=wall.thickness,
+        slenderness_deg=None,
+        height_over_thickness=None,
+        base_z_m=None if wall.base_z_m is None else wall.base_z_m + hinge,
+        hinge_heights=None,
+    )
+
+
+def parts(case: Case) -> list[tuple[str, Wall]]:
+    """(name of the wall of the case, wall to be analysed) for every hinge of every wall."""
+    return [
+        (wall.name, above_hinge(wall, hinge))
+        for wall in case.wall
+        for hinge in (0.0, *hinges_of(wall, case.building))
+    ]

@@ -1,0 +1,97 @@
+"""Hinges of a wall of several storeys: the walls above them, and the one that governs."""
+
+import pytest
+
+from core.case.hinges import parts
+from core.case.rules import parse_case
+from core.errors import InputError
+from core.study.run import run
+from tests.conftest import ROOT
+
+WALL = {"name": "facade", "height_m": 9.0, "thickness_m": 0.6, "mechanism": "one_sided",
+        "base_z_m": 0.0, "back_restraint": "cross walls"}  # fmt: skip
+BUILDING = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
+
+
+def case(hinges, building=BUILDING, **wall):
+    return parse_case(
+        {
+            "wall": [
+                {
+                    k: v
+                    for k, v in {**WALL, "hinge_heights": hinges, **wall}.items()
+                    if v is not None
+                }
+            ],
+            **({"building": building} if building else {}),
+            "record": [{"file": "resources/motions/noise_1.txt"}],
+            "analysis": {"q_step": 0.02},
+            "demand": {
+                "ag_g": 0.2,
+                "spectrum": {"code": "EN1998", "type": 1, "soil": "B"},
+            },
+        }
+    )
+
+
+def test_that_the_floors_are_those_between_base_and_top():
+    found = [(w.name, w.base_z_m, w.height_m, w.thickness) for _, w in parts(case("floors"))]
+    assert found == [
+        ("facade", 0.0, 9.0, 0.6),
+        ("facade (+3 m)", 3.0, 6.0, 0.6),
+        ("facade (+6 m)", 6.0, 3.0, 0.6),
+    ]
+    upper = parts(case("floors", base_z_m=3.0, height_m=7.0))
+    assert [wall.base_z_m for _, wall in upper] == [3.0, 6.0, 9.0]
+
+
+def test_that_given_heights_are_taken_in_order_and_once():
+    found = parts(case([4.5, 1.0, 4.5], slenderness_deg=4.0, thickness_m=None))
+    assert [wall.height_m for _, wall in found] == [9.0, 8.0, 4.5]
+    assert len({wall.thickness for _, wall in found}) == 1
+
+
+def test_that_the_part_above_a_hinge_is_the_wall_one_would_write():
+    part = parts(case([6.0]))[1][1]
+    alone = case(None, name="top", base_z_m=6.0, height_m=3.0).wall[0]
+    assert part.block() == alone.block()
+    both = run(case([6.0]), base_dir=ROOT).walls
+    single = run(case(None, name="top", base_z_m=6.0, height_m=3.0), base_dir=ROOT).walls[0]
+    assert both[1].runs == single.runs
+    assert both[1].assessment.verdict == single.assessment.verdict
+    zetas = [wall.assessment.verdict.zeta_e for wall in both]
+    lowest = both[zetas.index(min(zetas))]
+    for wall in both:
+        said = wall.warnings[0]
+        assert said.code == "weakest_hinge" and lowest.name in said.text("en")
+
+
+@pytest.mark.parametrize(
+    "hinges, building, wall, code",
+    [
+        ("floors", None, {}, "hinges_need_building"),
+        ([8.95], BUILDING, {}, "hinge_above_wall"),
+        ([0.0], BUILDING, {}, "not_accepted"),
+        ([float("nan")], BUILDING, {}, "not_accepted"),
+        ([], BUILDING, {}, "not_accepted"),
+        ("storeys", BUILDING, {}, "not_accepted"),
+        ([True], BUILDING, {}, "not_accepted"),
+        ([1.0], BUILDING, {"height_m": None, "thickness_m": None, "radius_m": 4.0,
+         "slenderness_deg": 5.0, "inertia_over_mass_m2": 21.0}, "hinges_need_rectangle"),
+    ],
+)  # fmt: skip
+def test_that_wrong_hinges_are_refused(hinges, building, wall, code):
+    wall = {key: value for key, value in {**WALL, **wall}.items() if value is not None}
+    with pytest.raises(InputError) as caught:
+        parse_case(
+            {"wall": [{**wall, "hinge_heights": hinges}]}
+            | ({"building": building} if building else {})
+        )
+    assert caught.value.code == code
+
+
+def test_that_a_name_that_stands_twice_is_refused():
+    walls = [{**WALL, "hinge_heights": [3.0]}, {**WALL, "name": "facade (+3 m)"}]
+    with pytest.raises(InputError) as caught:
+        parse_case({"wall": walls})
+    assert caught.value.code == "same_name"
