@@ -173,6 +173,15 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
     for name, part in parts(case):
         if part.name != name and part.name in names:
             raise InputError("same_name", key="name", wall=part.name)
+    heights = {part.base_z_m for _, part in parts(case) if part.above_ground}
+    if case.building and case.building.modes and len(heights) > 1:
+        raise InputError(
+            "modes_at_one_height",
+            place=(section("[building]"),),
+            key="modes",
+            low=min(heights),
+            high=max(heights),
+        )
     digest = hashlib.sha256(json.dumps(case.as_dict(), sort_keys=True).encode()).hexdigest()
     return replace(case, sha256=digest)
 

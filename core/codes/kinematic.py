@@ -4,8 +4,8 @@ The clauses put the weight of each block at its centroid: for one wall turning a
 C8.7.1.4 and C8.7.1.5 have one term, so that e* = 1 and d = d_C at the centroid. (Summed over the height, as
 if each course were a block, e* would be 0.75 and a0* a third higher than the acceleration that uplifts the wall.)
 
-Above the ground the spectra are those of the floor, C7.2.3. Since C7.2.8 goes to zero at the ground, the acceleration
-of a restrained wall is never below a_g S: a rule of ours.
+Above the ground the spectra are those of the floor, C7.2.3. Since they go to zero with the height, no demand of the
+floor is taken below that of the ground, a_g S, S_e(T_0) and S_De: a rule of ours.
 """
 
 import math
@@ -84,8 +84,8 @@ class Kinematic:
         long that it would be elastic up to d_SLV
     d_limit, a_limit : d_SLV = 0.40 d_0 or d_SLC = 0.60 d_0 [m], and the capacity there [m/s2]
     period : T_SLV or T_SLC (C8.7.1.10, .11) [s]
-    s_de : largest S_De on [T_0, T_SLV] (clause .8), above the ground S_DeZ(T_SLV) [m]; these four are None without a
-        spectrum, at SLD
+    s_de : largest S_De on [T_0, T_SLV] (clause .8), above the ground not below S_DeZ(T_SLV) [m]; these four are None
+        without a spectrum, at SLD
     floor : spectrum of the floor, None on the ground
     """
 
@@ -162,8 +162,8 @@ def kinematic(
             missing = ("period_0",)  # elastic up to d_SLV: no rocking wall
         acceleration = None
         if not missing:
-            spectrum = demand.target if floor is None else floor
-            acceleration = float(spectrum.acceleration([period_0], FREE_DAMPING)[0])
+            spectra = [demand.target, *([] if floor is None else [floor])]
+            acceleration = max(float(s.acceleration([period_0], FREE_DAMPING)[0]) for s in spectra)
             _covers(demand.target, period_0, "T_0", wall)
     zeta_sld = None if acceleration is None else a0 / acceleration
     quantities = (
@@ -177,10 +177,9 @@ def kinematic(
     _covers(demand.target, period, f"T_{demand.limit_state}", wall)
     start = 0.0 if missing or period_0 is None else min(period_0, period)
     damping = DAMPING[demand.limit_state]
-    if floor is None:
-        s_de = target_spectrum.largest_displacement(demand.target, start, period, damping)
-    else:
-        s_de = floor.displacement(period, damping)
+    s_de = target_spectrum.largest_displacement(demand.target, start, period, damping)
+    if floor is not None:
+        s_de = max(s_de, floor.displacement(period, damping))
     return Kinematic(*quantities, d_limit, a_limit, period, s_de, floor)
 
 

@@ -159,7 +159,10 @@ def verdict(
             notes.append(_reason("no_station", n=compliance.unnamed))
         if compliance.stations <= MEAN_FROM:
             notes.append(_reason("more_records", n=compliance.stations))
-    parts = _sentence(code, block, demand, governing, q_code, dynamic)
+    largest = demand.pga
+    if wall.above_ground and code == "not_activated":
+        largest = _strongest(demand, kinematic, circumstances)
+    parts = _sentence(code, block, demand, governing, q_code, dynamic, wall.above_ground, largest)
     if_unloaded = code != "undetermined" and not wall.unloaded_confirmed
     reasons = (*doubts, *limits, *notes)
     return Verdict(
@@ -184,13 +187,18 @@ def _activated(wall, block, demand: DemandResult, checks, kinematic, circumstanc
         and (lifted is None or lifted < max(1.0, demand.zeta_target))
     ):
         return True
-    first = float(demand.target.acceleration([0.0])[0]) if demand.target else demand.pga
-    if kinematic and kinematic.floor:
-        first = max(first, kinematic.floor.a_z)
-    strongest = max(demand.pga, first, circumstances.strongest) * max(1.0, demand.zeta_target)
+    strongest = _strongest(demand, kinematic, circumstances) * max(1.0, demand.zeta_target)
     at_rest = demand.confidence_factor * strongest <= block.threshold_acceleration
     rigid = wall.moment_law().is_rigid
     return not rigid or not at_rest or any(check.passed is False for check in checks)
+
+
+def _strongest(demand: DemandResult, kinematic, circumstances) -> float:
+    """Largest acceleration under the wall at the demand, FC apart [m/s2]."""
+    first = float(demand.target.acceleration([0.0])[0]) if demand.target else demand.pga
+    if kinematic and kinematic.floor:
+        first = max(first, kinematic.floor.a_z)
+    return max(demand.pga, first, circumstances.strongest)
 
 
 def _limits(
@@ -229,9 +237,13 @@ def _limits(
     return reasons
 
 
-def _sentence(code: str, block, demand, governing, q_code, dynamic) -> tuple[Sentence, ...]:
-    """The parts of the sentence of a verdict."""
+def _sentence(
+    code: str, block, demand, governing, q_code, dynamic, above_ground: bool, largest: float
+) -> tuple[Sentence, ...]:
+    """The parts of the sentence of a verdict. largest : acceleration under the wall, FC apart [m/s2]."""
     way = code
+    if code == "not_activated" and above_ground:
+        way = "not_activated_floor"
     if code == "verified" and governing.name == "linear_q_code":
         way = "verified_simply" if demand.limit_state == "SLV" else "verified_plainly"
     elif code == "verified" and q_code is None:
@@ -242,7 +254,7 @@ def _sentence(code: str, block, demand, governing, q_code, dynamic) -> tuple[Sen
     if demand.zeta_target != 1.0:
         zeta = sentence("added", "required", zeta=zeta, target=demand.zeta_target)
     method = sentence("method", governing.label) if governing else ""
-    lifting = demand.confidence_factor * demand.pga / G
+    lifting = demand.confidence_factor * largest / G
     parts = [
         sentence(
             "verdict", way, state=demand.limit_state, q=demand.q_code, zeta=zeta, method=method, demand=lifting,

@@ -14,7 +14,7 @@ from core.codes.risk import risk
 from core.codes.verdict import Circumstances, governing_check, verdict
 from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import Method
-from core.study.floors import LOW_CODE, OTHER_BUILDING, floor_of
+from core.study.floors import LOW_CODE, building_notes, floor_of, other_end
 from core.study.results import Assessment, WallResult
 from core.text.sentence import Sentence, sentence
 from core.wall.restitution import restitution
@@ -113,7 +113,7 @@ def assess(
                 wall, decides, building, ground or [], polarities, demand, method, cancelled
             )
         ratio = wall.floor.code_over_records(kinematic)
-        notes = _floor_notes(_centroid(wall, building), ratio, sensitivity)
+        notes = _floor_notes(wall, building, demand, ratio, sensitivity)
     result = verdict(
         asked,
         wall.mechanism,
@@ -135,7 +135,9 @@ def _sensitivity(
 ) -> dict[str, float | None]:
     """zeta of the check that decides with the building at the other end of what C8.7.1.2.1.4 allows, and with
     the motion at the height of the wall's centroid."""
-    cases: dict[str, dict] = {"other_building": {"other": OTHER_BUILDING}}
+    cases: dict[str, dict] = {}
+    if (other := other_end(building, demand.limit_state)) is not None:
+        cases["other_building"] = {"other": other}
     if not building.modes:  # the participation of given modes is that at the wall
         cases["at_centroid"] = {"z": _centroid(wall, building)}
     found = {}
@@ -164,19 +166,20 @@ def _centroid(wall: WallResult, building: Building) -> float:
     return min(wall.wall.base_z_m + 0.5 * wall.height, building.height_m)
 
 
-def _floor_notes(z: float, ratio: float | None, sensitivity) -> tuple[Sentence, ...]:
-    """What is said of the floor beside the verdict. z : of the centroid [m]; ratio : of
-    `Floor.code_over_records`."""
-    (factor, damping), notes = OTHER_BUILDING, []
+def _floor_notes(wall, building, demand, ratio: float | None, sensitivity) -> tuple[Sentence, ...]:
+    """What is said of the floor beside the verdict. ratio : of `Floor.code_over_records`."""
+    notes = building_notes(building, demand.limit_state)
 
     def words(name: str) -> str:
         return "–" if sensitivity[name] is None else f"{sensitivity[name]:.2f}"
 
     if "other_building" in sensitivity:
+        factor, damping = other_end(building, demand.limit_state)
         notes.append(
             sentence("reason", "other_building", factor=factor, damping=damping, zeta=words("other_building"))
         )  # fmt: skip
     if "at_centroid" in sensitivity:
+        z = _centroid(wall, building)
         notes.append(sentence("reason", "at_centroid", z=z, zeta=words("at_centroid")))
     if ratio is not None and ratio < LOW_CODE:
         notes.append(sentence("reason", "code_below_records", ratio=ratio))

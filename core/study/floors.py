@@ -13,6 +13,7 @@ from core.codes.kinematic import DAMPING, Kinematic
 from core.ground.floor_motion import Mode, floor_motion
 from core.ground.ground_motion import GroundMotion
 from core.ground.response_spectrum import pseudo_acceleration_spectrum
+from core.text.sentence import Sentence, sentence
 
 DEFAULTS = {"SLD": (1.0, 0.05)}
 ULTIMATE = (1.5, 0.10)
@@ -23,7 +24,11 @@ LOW_CODE = 0.8
 """Share of the records' mean spectrum below which the code's is warned of."""
 
 OTHER_BUILDING = (2.0, 0.20)
-"""The other end of what the clause allows: zeta is given for it as well."""
+"""The other end of what the clause allows at the ultimate limit states: zeta is given for it as well."""
+
+LEAST_STOREY, GREATEST_STOREY = 2.2, 8.0
+ODD_PERIOD = 3.0
+"""Heights of a storey [m], and ratios to the estimated period, outside which a building is questioned."""
 
 CHART_PERIODS = np.geomspace(0.05, 4.0, 60)
 """Periods of the chart of code and records [s]."""
@@ -35,7 +40,7 @@ class Floor:
 
     z : height of the hinge [m]
     modes : of the building there; estimated : its period was not given
-    motions : of the floor under each record
+    motions : of the floor under each record; factors : of each at the demand, FC apart
     damping : of the rocking mechanism, C8.7.1.12
     spectrum : by the code, None without a spectrum of the demand
     """
@@ -44,15 +49,18 @@ class Floor:
     modes: tuple[Mode, ...]
     estimated: bool
     motions: tuple[GroundMotion, ...]
+    factors: tuple[float, ...]
     damping: float
     spectrum: FloorSpectrum | None
 
     @cached_property
     def mean_spectrum(self) -> np.ndarray:
-        """Mean pseudo-acceleration spectrum of the floor motions at CHART_PERIODS [m/s2]; zeros without records."""
+        """Mean pseudo-acceleration spectrum of the floor motions at the demand, FC apart, at CHART_PERIODS [m/s2];
+        zeros without records."""
         spectra = [
-            pseudo_acceleration_spectrum(m.acceleration, m.time_step, CHART_PERIODS, self.damping)
-            for m in self.motions
+            factor
+            * pseudo_acceleration_spectrum(m.acceleration, m.time_step, CHART_PERIODS, self.damping)
+            for m, factor in zip(self.motions, self.factors, strict=True)
         ]
         return np.mean(spectra, axis=0) if spectra else np.zeros(CHART_PERIODS.size)
 
@@ -79,18 +87,45 @@ def modes_at(
     building: Building, z: float, limit_state: str, other: tuple[float, float] | None = None
 ) -> tuple[Mode, ...]:
     """Modes of the building as damaged at this height [m]. other : (period factor, damping) in place of its own."""
-    factor, damping = DEFAULTS.get(limit_state, ULTIMATE)
-    factor = building.period_factor or factor
-    if other:
-        factor = other[0]
+    factor, damping = other or damaged(building, limit_state)
     if building.modes:
         return tuple(
             Mode(factor * mode.period_s, other[1] if other else mode.damping, mode.participation)
             for mode in building.modes
         )
     period = building.period_s or estimated_period(building.height_m)
-    damping = other[1] if other else building.damping or damping
     return first_mode(building.storeys, building.height_m, z, factor * period, damping)
+
+
+def damaged(building: Building, limit_state: str) -> tuple[float, float]:
+    """(period over the elastic one, damping) of the building at a limit state."""
+    factor, damping = DEFAULTS.get(limit_state, ULTIMATE)
+    return building.period_factor or factor, building.damping or damping
+
+
+def other_end(building: Building, limit_state: str) -> tuple[float, float] | None:
+    """The other end of what C8.7.1.2.1.4 allows, to show what hangs on it; None at SLD, where it allows one."""
+    if limit_state in DEFAULTS:
+        return None
+    factor, damping = damaged(building, limit_state)
+    far = factor >= OTHER_BUILDING[0] and (damping >= OTHER_BUILDING[1] or bool(building.modes))
+    return ULTIMATE if far else OTHER_BUILDING
+
+
+def building_notes(building: Building, limit_state: str) -> list[Sentence]:
+    """What is odd about a building: Sentences of the group "reason"."""
+    notes = []
+    storey = building.height_m / building.storeys
+    if not LEAST_STOREY <= storey <= GREATEST_STOREY:
+        notes.append(sentence("reason", "odd_storeys", storey=storey))
+    period, expected = building.period_s, estimated_period(building.height_m)
+    if period is not None and not expected / ODD_PERIOD <= period <= expected * ODD_PERIOD:
+        notes.append(sentence("reason", "odd_building_period", period=period, expected=expected))
+    factor, damping = damaged(building, limit_state)
+    weaker = factor < ULTIMATE[0] or (damping < ULTIMATE[1] and not building.modes)
+    if limit_state not in DEFAULTS and weaker:
+        notes.append(sentence("reason", "stiff_building", factor=factor, damping=damping))
+    return notes
 
 
 def floor_of(
@@ -113,4 +148,5 @@ def floor_of(
     spectrum = FloorSpectrum(demand.target, modes) if demand.target is not None else None
     moved = tuple(floor_motion(motion, modes) for motion in motions)
     mechanism = DAMPING.get(demand.limit_state, DAMPING["SLV"])
-    return Floor(height, modes, estimated, moved, mechanism, spectrum)
+    factors = tuple(demand.scaling(motion) for motion in moved)
+    return Floor(height, modes, estimated, moved, factors, mechanism, spectrum)

@@ -246,6 +246,12 @@ CASE_ERRORS = {
         "la base della parete è a {base:g} m dal suolo, l'edificio è alto {height:g} m: dare la quota della cerniera, "
         "al più quella dell'edificio",
     ),
+    "modes_at_one_height": (
+        "the participation of modes is that at one height, and walls stand at {low:g} m and {high:g} m: give period_s, "
+        "or a case for each height",
+        "la partecipazione dei modi vale a una sola quota, e vi sono pareti a {low:g} m e {high:g} m: dare period_s, "
+        "oppure un caso per ogni quota",
+    ),
     "modes_or_period": (
         "modes state their period and damping: leave out period_s and damping, or the modes",
         "i modi dichiarano periodo e smorzamento: togliere period_s e damping, oppure i modi",

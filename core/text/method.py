@@ -95,12 +95,12 @@ METHOD_BODIES = {
     ),
     "left_out": (
         "Load and thrust of floors and roof, ties, sliding, vertical motion, cracking and crushing of the "
-        "masonry, the amplification of the motion along the height of a building: a wall whose base is above "
-        "the ground is not assessed. Eq. 9 is without FC and e*. The motion amplifies small differences: an "
+        "masonry, the yielding of the building that carries a wall above the ground and its motion in plan. "
+        "Eq. 9 is without FC and e*. The motion amplifies small differences: an "
         "input known to 1 % does not give a rotation known to 1 %.",
         "Carichi e spinte di solai e coperture, catene, scorrimento, moto verticale, fessurazione e "
-        "schiacciamento della muratura, amplificazione del moto lungo l'altezza dell'edificio: una parete con "
-        "la base sopra il suolo non è valutata. L'Eq. 9 è senza FC ed e*. Il moto amplifica le piccole "
+        "schiacciamento della muratura, snervamento dell'edificio che porta una parete sopra il suolo e suo moto in "
+        "pianta. L'Eq. 9 è senza FC ed e*. Il moto amplifica le piccole "
         "differenze: un dato noto all'1 % non dà una rotazione nota all'1 %.",
     ),
 }

@@ -26,6 +26,12 @@ SENTENCES = {
         "The mechanism does not start: FC S a_g = {demand:.3f} g does not exceed a_RM = {a_rm:.3f} g.",
         "Il meccanismo non si attiva: FC S a_g = {demand:.3f} g non supera a_RM = {a_rm:.3f} g.",
     ),
+    "not_activated_floor": (
+        "The mechanism does not start: FC times the largest acceleration of the floor, {demand:.3f} g, does not exceed "
+        "a_RM = {a_rm:.3f} g.",
+        "Il meccanismo non si attiva: FC per la massima accelerazione del piano, {demand:.3f} g, non supera "
+        "a_RM = {a_rm:.3f} g.",
+    ),
     "verified": (
         "Verified at {state}: zeta {zeta} by {method}; the check with q = {q:g} agrees.",
         "Verificata allo {state}: zeta {zeta} secondo {method}; la verifica con q = {q:g} concorda.",
@@ -107,6 +113,20 @@ REASONS = {
         "For the motion of the floor three numbers are missing: height_m, storeys and period_s of [building].",
         "La base della parete è a {z:g} m dal suolo: non valutabile con il solo moto del terreno. Per il moto "
         "del piano mancano tre numeri: height_m, storeys e period_s di [building].",
+    ),
+    "odd_storeys": (
+        "[building] has storeys of {storey:.1f} m: a height or a number of storeys mistyped?",
+        "[building] ha piani di {storey:.1f} m: altezza o numero di piani errati?",
+    ),
+    "odd_building_period": (
+        "period_s {period:g} s of [building] is far from the {expected:.2f} s of its height: mistyped?",
+        "period_s {period:g} s di [building] è lontano da {expected:.2f} s della sua altezza: errato?",
+    ),
+    "stiff_building": (
+        "The building is taken at {factor:g} times its elastic period and {damping:.0%} damping: at the ultimate limit "
+        "states C8.7.1.2.1.4 has 1.5 to 2.0 and 10 to 20%.",
+        "L'edificio è preso a {factor:g} volte il periodo elastico e smorzamento {damping:.0%}: agli stati limite "
+        "ultimi C8.7.1.2.1.4 indica 1.5-2.0 e 10-20%.",
     ),
     "period_estimated": (
         "The period of the building is an estimate, 0.05 H^0.75: give period_s of [building].",

@@ -15,6 +15,8 @@ from core.study.run import run
 from tests.conftest import ROOT
 
 BUILDING = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
+DEMAND = {"ag_g": 0.26, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}
+TABLE = {"record": [{"file": "resources/motions/noise_1.txt", "scale": 0.05}]}
 WALL = {"name": "top", "height_m": 3.0, "thickness_m": 0.45, "mechanism": "one_sided"}
 
 
@@ -138,6 +140,75 @@ def test_that_demand_scaling_is_of_the_record_of_the_ground():
     wall, motion = found.walls[0], found.motions[0]
     factors = {abs(entry.factor) for entry in wall.assessment.dynamic.runs}
     assert factors == {found.demand.pga / motion.pga}
+
+
+def test_that_no_demand_of_the_floor_is_below_that_of_the_ground():
+    """The spectra of the floor go to zero with its height: a wall a centimetre up had zeta 324."""
+    building = {"height_m": 30.0, "storeys": 8, "period_s": 0.8}
+    for free in (True, False):
+        keys = {"height_m": 1.0, "thickness_m": 0.2, "free_element": free,
+                "unit_weight_kn_m3": 18.0, "elastic_modulus_mpa": 600.0}  # fmt: skip
+        found = []
+        for z in (0.0, 0.01, 1.0, 3.0):
+            wall = parse_case(
+                {"wall": [{**WALL, **keys, "base_z_m": z}], "building": building, "demand": DEMAND}
+            )
+            found.append(run(wall, base_dir=ROOT).walls[0].assessment)
+        zetas = np.array([[check.zeta for check in one.checks] for one in found])
+        assert np.all(zetas <= zetas[0] + 1e-12)
+
+
+def test_that_modes_hold_for_one_height():
+    modes = [{"period_s": 0.3, "damping": 0.1, "participation": 1.1}]
+    walls = [{**WALL, "base_z_m": 6.0}, {**WALL, "name": "other", "base_z_m": 9.0}]
+    with pytest.raises(InputError) as caught:
+        parse_case({"wall": walls, "building": {"height_m": 9.0, "storeys": 3, "modes": modes}})
+    assert caught.value.code == "modes_at_one_height"
+
+
+def test_that_records_are_compared_at_the_demand():
+    """With demand_scaling = "pga" the mean spectrum is of the scaled records."""
+    found = {}
+    for scaling in ("as_given", "pga"):
+        demand = {**DEMAND, "demand_scaling": scaling}
+        made = run(case(6.0, records=1, demand=demand), base_dir=ROOT)
+        found[scaling] = made.walls[0].floor.mean_spectrum
+    factor = made.demand.pga / made.motions[0].pga
+    assert found["pga"] == pytest.approx(factor * found["as_given"])
+
+
+def test_the_other_end_of_what_the_clause_allows():
+    plain = case(6.0).building
+    assert floors.other_end(plain, "SLV") == floors.OTHER_BUILDING
+    assert floors.other_end(plain, "SLD") is None
+    far = case(6.0, {**BUILDING, "period_factor": 2.0, "damping": 0.2}).building
+    assert floors.other_end(far, "SLC") == floors.ULTIMATE
+
+
+@pytest.mark.parametrize(
+    "building, codes",
+    [
+        (BUILDING, []),
+        ({**BUILDING, "storeys": 1}, ["odd_storeys"]),
+        ({**BUILDING, "period_s": 5.0}, ["odd_building_period"]),
+        ({**BUILDING, "period_factor": 1.0}, ["stiff_building"]),
+        ({**BUILDING, "damping": 0.05}, ["stiff_building"]),
+    ],
+)
+def test_that_an_odd_building_is_questioned(building, codes):
+    notes = floors.building_notes(case(6.0, building).building, "SLV")
+    assert [note.code for note in notes] == codes
+    assert floors.building_notes(case(6.0, building).building, "SLD")[:1] == [
+        note for note in notes[:1] if note.code != "stiff_building"
+    ]
+
+
+def test_that_a_wall_at_rest_is_told_the_acceleration_of_its_floor():
+    keys = {"height_m": 1.0, "thickness_m": 0.4}
+    wall = parse_case({**TABLE, "wall": [{**WALL, **keys, "base_z_m": 6.0}], "building": BUILDING,
+                       "demand": {**DEMAND, "ag_g": 0.01}})  # fmt: skip
+    verdict = run(wall, base_dir=ROOT).walls[0].assessment.verdict
+    assert verdict.code == "not_activated" and "floor" in verdict.text("en")
 
 
 def test_that_a_floor_at_the_ground_is_the_ground():
