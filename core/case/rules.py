@@ -3,6 +3,7 @@
 import datetime
 import difflib
 import hashlib
+import itertools
 import json
 import math
 from dataclasses import MISSING, fields, replace
@@ -212,6 +213,13 @@ def _demand(table) -> Demand:
     if demand.return_period_years is not None:
         own = replace(demand, return_period_years=None).return_period
         check_return_period(demand.limit_state, demand.return_period_years, own)
+    rows = demand.hazard
+    rising = all(
+        low.return_period_years < high.return_period_years and low.ag_g < high.ag_g
+        for low, high in itertools.pairwise(rows)
+    )
+    if len(rows) == 1 or not rising:
+        raise InputError("hazard_not_rising", place=(here,), key="hazard")
     if (asked or demand.spectrum_file) and demand.housner_intensity_cm is not None:
         raise InputError("intensity_follows", place=(here,))
     return demand

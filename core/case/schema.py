@@ -237,6 +237,16 @@ class Spectrum:
 
 
 @dataclass(frozen=True)
+class HazardRow:
+    """[[demand.hazard]]: a row of the hazard of the site (NTC 2018, Annex A), return periods rising."""
+
+    return_period_years: float = number_key(1.0, 100000.0, MISSING, unit="years")
+    ag_g: float = number_key(0.001, 5.0, MISSING, unit="g")
+    f0: float | None = number_key(2.0, 4.0)
+    tc_star_s: float | None = number_key(0.05, 1.0, unit="s")
+
+
+@dataclass(frozen=True)
 class Demand:
     """[demand]: the motion asked of the wall; ag_g on rock ("su suolo rigido"), without S."""
 
@@ -257,6 +267,7 @@ class Demand:
     nominal_life_years: float | None = number_key(1.0, 1000.0, unit="years")
     use_class_factor: float | None = number_key(0.1, 5.0)
     return_period_years: float | None = number_key(1.0, 100000.0, unit="years")
+    hazard: tuple[HazardRow, ...] = field(default=(), metadata={"kind": "tables", "of": HazardRow})
 
     @property
     def return_period(self) -> float | None:

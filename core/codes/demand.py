@@ -34,6 +34,7 @@ class DemandResult:
     period_range : asked for the check of compatibility [s], None where none is
     soil_factor_stated : S is given or follows from the spectrum
     return_period : T_R [years] or None
+    hazard : (T_R [years], a_g on rock [m/s2]) of the site, rising; empty where it is not given
     """
 
     limit_state: str
@@ -52,6 +53,7 @@ class DemandResult:
     period_range: tuple[float, float] | None = None
     soil_factor_stated: bool = True
     return_period: float | None = None
+    hazard: tuple[tuple[float, float], ...] = ()
     warnings: tuple[Sentence, ...] = ()
 
     def scaling(self, motion: GroundMotion) -> float:

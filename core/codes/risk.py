@@ -4,7 +4,10 @@ The ratio of accelerations supposes the shape of the spectrum fixed (S_S of NTC 
 mechanism": the class of a building asks for a global analysis (D.M. 65/2017, Annex A).
 """
 
+import math
 from dataclasses import dataclass
+
+import numpy as np
 
 from core.codes.demand import DemandResult
 from core.units import G
@@ -34,8 +37,10 @@ class Risk:
     """Capacity of a mechanism at the limit state of the demand.
 
     pga : PGA_C = zeta a_g S [m/s2]
-    return_period : T_R,C [years], the shorter of both exponents; None without T_R of the demand
-    other_return_period : the longer
+    return_period : T_R,C [years], by the hazard of the site where it is given, else the shorter of both exponents; None
+        without T_R of the demand
+    other_return_period : the longer; beside the hazard the shorter
+    by_hazard : return_period is of the hazard
     index, letter : IS-V of this mechanism and its letter; None at other limit states than SLV
     """
 
@@ -44,6 +49,7 @@ class Risk:
     other_return_period: float | None
     index: float | None
     letter: str | None
+    by_hazard: bool = False
 
 
 def exponent_by_ag(ag: float) -> float:
@@ -58,12 +64,26 @@ def letter_of(index: float) -> str:
     return CLASSES[0][1]
 
 
+def return_period_of(ag: float, hazard: tuple[tuple[float, float], ...]) -> float:
+    """T_R [years] of an a_g on rock [m/s2] by the hazard of the site, linear in the logarithms of both between its rows
+    (NTC 2018, Annex A, Eq. [2]); beyond them along the last two.
+
+    hazard : (T_R [years], a_g [m/s2]), both rising, two rows or more
+    """
+    known = np.log(np.array(hazard))
+    k = int(np.clip(np.searchsorted(known[:, 1], math.log(ag)), 1, len(hazard) - 1))
+    (low, at_low), (high, at_high) = known[k - 1], known[k]
+    return math.exp(low + (high - low) * (math.log(ag) - at_low) / (at_high - at_low))
+
+
 def risk(zeta: float, demand: DemandResult) -> Risk:
     """The capacity of a mechanism whose deciding check has this zeta."""
     shorter = longer = None
     if demand.return_period is not None:
         exponents = (EXPONENT, exponent_by_ag(demand.ag))
         shorter, longer = sorted(demand.return_period * zeta**eta for eta in exponents)
+    if demand.hazard:
+        shorter, longer = return_period_of(zeta * demand.ag, demand.hazard), shorter
     slv = demand.limit_state == "SLV"
     return Risk(
         pga=zeta * demand.pga,
@@ -71,6 +91,7 @@ def risk(zeta: float, demand: DemandResult) -> Risk:
         other_return_period=longer,
         index=zeta if slv else None,
         letter=letter_of(zeta) if slv else None,
+        by_hazard=bool(demand.hazard),
     )
 
 

@@ -108,7 +108,10 @@ def _risk(book: Book, sheet, wall, name: str, demand, row: int) -> int:
         zeta = f"{name}_zeta_sld"
     row = live_row(book, sheet, row, "PGA_C = ζ S a_g", "", f"={zeta}*demand_pga", found.pga / G, "g",
                    f"{name}_pga_c")  # fmt: skip
-    if found.return_period is not None:
+    if found.by_hazard:
+        label = say("T_R,C by the hazard of the site")
+        row = input_row(book, sheet, row, label, found.return_period, say("years"), None, RATIO)
+    elif found.return_period is not None:
         row = input_row(
             book, sheet, row, "T_R,D", demand.return_period, say("years"), f"{name}_tr_d", RATIO
         )

@@ -102,6 +102,7 @@ def demand_of(case: Case, base_dir: Path) -> DemandResult | None:
         period_range=asked.period_range_s,
         soil_factor_stated=target is not None or asked.soil_factor is not None,
         return_period=asked.return_period,
+        hazard=tuple((row.return_period_years, row.ag_g * G) for row in asked.hazard),
     )
 
 

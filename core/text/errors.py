@@ -246,6 +246,10 @@ CASE_ERRORS = {
         "la base della parete è a {base:g} m dal suolo, l'edificio è alto {height:g} m: dare la quota della cerniera, "
         "al più quella dell'edificio",
     ),
+    "hazard_not_rising": (
+        "a hazard needs two rows or more, return periods and a_g rising: give them in this order",
+        "una pericolosità richiede almeno due righe, con tempi di ritorno e a_g crescenti: darle in quest'ordine",
+    ),
     "modes_at_one_height": (
         "the participation of modes is that at one height, and walls stand at {low:g} m and {high:g} m: give period_s, "
         "or a case for each height",

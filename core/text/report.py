@@ -46,6 +46,7 @@ REPORT = {
         "riscalato."
     ),
     "years": "anni",
+    "T_R,C by the hazard of the site": "T_R,C dalla pericolosità del sito",
     "IS-V of this mechanism, class {letter}": "IS-V di questo meccanismo, classe {letter}",
     "z = {z:g} m": "z = {z:g} m",
     "Mode": "Modo",

@@ -4,8 +4,10 @@ from dataclasses import replace
 
 import pytest
 
+from core.case.rules import parse_case
 from core.codes.demand import DemandResult
-from core.codes.risk import letter_of, risk, years
+from core.codes.risk import letter_of, return_period_of, risk, years
+from core.errors import InputError
 from core.units import G
 
 DEMAND = DemandResult(
@@ -56,3 +58,26 @@ def test_that_beyond_the_hazard_of_ntc_it_is_said():
         "475",
         "> 2475",
     )
+
+
+HAZARD = ((30.0, 0.06 * G), (72.0, 0.09 * G), (475.0, 0.22 * G), (2475.0, 0.40 * G))
+
+
+def test_the_return_period_by_the_hazard_of_the_site():
+    """At the rows their own, halfway between two in the logarithms the geometric mean of both."""
+    for period, ag in HAZARD:
+        assert return_period_of(ag, HAZARD) == pytest.approx(period, rel=1e-12)
+    middle = (0.09 * G * 0.22 * G) ** 0.5
+    assert return_period_of(middle, HAZARD) == pytest.approx((72.0 * 475.0) ** 0.5, rel=1e-12)
+    assert return_period_of(0.05 * G, HAZARD) < 30.0 < 2475.0 < return_period_of(0.5 * G, HAZARD)
+    found = risk(0.22 / 0.26, replace(DEMAND, hazard=HAZARD))
+    assert found.by_hazard and found.return_period == pytest.approx(475.0)
+    assert found.other_return_period == risk(0.22 / 0.26, DEMAND).return_period
+
+
+@pytest.mark.parametrize("periods", [(475.0,), (475.0, 100.0), (475.0, 475.0)])
+def test_that_a_hazard_that_does_not_rise_is_refused(periods):
+    rows = [{"return_period_years": t, "ag_g": 0.05 * (k + 1)} for k, t in enumerate(periods)]
+    with pytest.raises(InputError) as caught:
+        parse_case({"demand": {"ag_g": 0.2, "hazard": rows}, "wall": []})
+    assert caught.value.code == "hazard_not_rising"
