@@ -228,13 +228,12 @@ CASE_ERRORS = {
         "prendere un passo più fine",
     ),
     "hinges_need_building": (
-        "hinges at the floors need the building: give height_m and storeys of [building], or the heights of the hinges",
-        "le cerniere ai piani richiedono l'edificio: dare height_m e storeys di [building], oppure le quote "
-        "delle cerniere",
+        "hinges at the floors need the building: give {section_building} with {storeys}, or the heights of the hinges",
+        "le cerniere ai piani richiedono l'edificio: dare {section_building} con {storeys}, o le quote delle cerniere",
     ),
     "hinges_need_rectangle": (
-        "hinges above the base need a wall by its height H: give it, or leave them out",
-        "cerniere sopra la base richiedono una parete data con l'altezza H: indicarla, o toglierle",
+        "hinges above the base need a wall by its {height_m}: give it, or leave them out",
+        "cerniere sopra la base richiedono una parete data con {height_m}: indicarla, o toglierle",
     ),
     "hinge_above_wall": (
         "a hinge at {hinge:g} m leaves no wall above it: give heights above its base of at most {most:g} m",
@@ -251,14 +250,14 @@ CASE_ERRORS = {
         "una pericolosità richiede almeno due righe, con tempi di ritorno e a_g crescenti: darle in quest'ordine",
     ),
     "modes_at_one_height": (
-        "the participation of modes is that at one height, and walls stand at {low:g} m and {high:g} m: give period_s, "
-        "or a case for each height",
-        "la partecipazione dei modi vale a una sola quota, e vi sono pareti a {low:g} m e {high:g} m: dare period_s, "
-        "oppure un caso per ogni quota",
+        "the participation of modes is that at one height, and walls stand at {low:g} m and {high:g} m: give "
+        "{period_s}, or a case for each height",
+        "la partecipazione dei modi vale a una sola quota, e vi sono pareti a {low:g} m e {high:g} m: dare "
+        "{period_s}, oppure un caso per ogni quota",
     ),
     "modes_or_period": (
-        "modes state their period and damping: leave out period_s and damping, or the modes",
-        "i modi dichiarano periodo e smorzamento: togliere period_s e damping, oppure i modi",
+        "modes state their period and damping: leave out {period_s} and {damping}, or the modes",
+        "i modi dichiarano periodo e smorzamento: togliere {period_s} e {damping}, oppure i modi",
     ),
     "generate_needs_spectrum": (
         "{section_generate} makes motions compatible with the spectrum of the demand: give "
