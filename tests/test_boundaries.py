@@ -31,6 +31,7 @@ SHOWN_BY = {
     "capacity/limit_states": "tests/validation/test_circolare_by_hand.py",
     "capacity/independent_solver": "tests/validation/test_independent_solver.py",
     "case/schema": "tests/core/case/test_schema.py",
+    "case/values": "tests/core/case/test_rules.py",
     "codes/demand": "tests/core/codes/test_target_spectrum.py",
     "ground/records/cut": REFUSALS,
     "ground/records/grammar": REFUSALS,

@@ -19,8 +19,8 @@ from PySide6.QtWidgets import (
 from app import theme
 from app.language import FORM_NAMES, current_language, tr
 from core.case.number import parse_number
-from core.case.rules import check_value
 from core.case.schema import Analysis, Demand, Report, Spectrum, Wall
+from core.case.values import check_value
 from core.errors import InputError
 
 FIGURES = 12

@@ -6,8 +6,9 @@ from itertools import product
 from pathlib import Path
 
 from core.case.reader import read_toml
-from core.case.rules import check_code_keys, parse_wall, refuse_unknown, section_of
+from core.case.rules import check_code_keys, parse_wall
 from core.case.schema import Record, Wall, choice_key, flag_key, number_key, text_key
+from core.case.values import refuse_unknown, section_of
 from core.codes.target_spectrum import NTC_TOPOGRAPHY, SOILS
 from core.errors import InputError, place
 from core.rocking.methods import METHODS

@@ -103,6 +103,20 @@ def lane_initial_terms(lanes, dt, model, constants, state):
         state[FORCING + k] = start.forcing
 
 
+@inner_kernel
+def set_higher_terms(k, v, order, state):
+    """Set v1 to v8 of the k-th lane; v0 is its speed."""
+    state[SERIES + ROW + k] = v[1]
+    state[SERIES + 2 * ROW + k] = v[2]
+    state[SERIES + 3 * ROW + k] = v[3]
+    state[SERIES + 4 * ROW + k] = v[4]
+    state[SERIES + 5 * ROW + k] = v[5]
+    state[SERIES + 6 * ROW + k] = v[6]
+    if order == 8:
+        state[SERIES + 7 * ROW + k] = v[7]
+        state[SERIES + 8 * ROW + k] = v[8]
+
+
 @subkernel
 def lane_taylor_coefficients(lanes, order, state):
     """The Taylor coefficients of each lane from its initial terms."""
@@ -115,15 +129,7 @@ def lane_taylor_coefficients(lanes, order, state):
         v, growth = taylor_coefficients(
             state[PHI + k], start, state[FACTOR + k], state[SLOPE + k], order
         )
-        state[SERIES + ROW + k] = v[1]
-        state[SERIES + 2 * ROW + k] = v[2]
-        state[SERIES + 3 * ROW + k] = v[3]
-        state[SERIES + 4 * ROW + k] = v[4]
-        state[SERIES + 5 * ROW + k] = v[5]
-        state[SERIES + 6 * ROW + k] = v[6]
-        if order == 8:
-            state[SERIES + 7 * ROW + k] = v[7]
-            state[SERIES + 8 * ROW + k] = v[8]
+        set_higher_terms(k, v, order, state)
         state[GROWTH + k] = growth
 
 
@@ -164,15 +170,7 @@ def shorten_steps(lanes, dt, constants, order, state):
             omitted *= (1.0 / 1024.0 if order == 8 else 1.0 / 256.0) if long else 1.0
         v, p2, rise = shortened(v, p2, rise, part)
         state[SERIES + k] = v[0]
-        state[SERIES + ROW + k] = v[1]
-        state[SERIES + 2 * ROW + k] = v[2]
-        state[SERIES + 3 * ROW + k] = v[3]
-        state[SERIES + 4 * ROW + k] = v[4]
-        state[SERIES + 5 * ROW + k] = v[5]
-        state[SERIES + 6 * ROW + k] = v[6]
-        if order == 8:
-            state[SERIES + 7 * ROW + k] = v[7]
-            state[SERIES + 8 * ROW + k] = v[8]
+        set_higher_terms(k, v, order, state)
         state[STEP_P2 + k] = p2
         state[RISE + k] = rise
         state[GROWTH + k] = FAR if omitted > min(tolerance, relative) else growth

@@ -14,8 +14,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from app.language import FORM_NAMES, described
-from core.case.rules import check_value, parse_case
+from core.case.rules import parse_case
 from core.case.schema import Analysis, Building, Demand, Spectrum, Wall
+from core.case.values import check_value
 from core.errors import InputError
 from core.text.catalogue import CATALOGUE
 from tests.app.driving import settle, type_into
