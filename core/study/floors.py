@@ -136,17 +136,19 @@ def floor_of(
     other: tuple[float, float] | None = None,
     z: float | None = None,
 ) -> Floor | None:
-    """The floor of a wall above the ground; None on it, without [building] or without a demand.
+    """The floor of a wall above the ground; None on it or without [building]. Without a demand the building is that of
+    SLV.
 
     other : as `modes_at`; z : height in place of the hinge's [m]
     """
-    if not wall.above_ground or building is None or demand is None:
+    if not wall.above_ground or building is None:
         return None
+    limit_state = demand.limit_state if demand else "SLV"
     height = min(z if z is not None else wall.base_z_m, building.height_m)
-    modes = modes_at(building, height, demand.limit_state, other)
+    modes = modes_at(building, height, limit_state, other)
     estimated = building.period_s is None and not building.modes
-    spectrum = FloorSpectrum(demand.target, modes) if demand.target is not None else None
+    spectrum = FloorSpectrum(demand.target, modes) if demand and demand.target else None
     moved = tuple(floor_motion(motion, modes) for motion in motions)
-    mechanism = DAMPING.get(demand.limit_state, DAMPING["SLV"])
-    factors = tuple(demand.scaling(motion) for motion in moved)
+    mechanism = DAMPING.get(limit_state, DAMPING["SLV"])
+    factors = tuple(demand.scaling(motion) if demand else 1.0 for motion in moved)
     return Floor(height, modes, estimated, moved, factors, mechanism, spectrum)

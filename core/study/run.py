@@ -69,7 +69,8 @@ def run(
         for polarity in signs[index]
     ]
     models = [_model(wall, mechanism) for wall, mechanism in walls]
-    at_height = {wall.base_z_m: floor_of(wall, case.building, demand, motions) for wall, _ in walls}
+    one_at = {wall.base_z_m: wall for wall, _ in walls}
+    at_height = {z: floor_of(wall, case.building, demand, motions) for z, wall in one_at.items()}
     floors = [at_height[wall.base_z_m] for wall, _ in walls]
     felt = [list(floor.motions) if floor else motions for floor in floors]
     mechanisms = [

@@ -1,6 +1,7 @@
 """Walls above the ground in a study: what moves them, what their verdict says."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -156,6 +157,13 @@ def test_that_no_demand_of_the_floor_is_below_that_of_the_ground():
             found.append(run(wall, base_dir=ROOT).walls[0].assessment)
         zetas = np.array([[check.zeta for check in one.checks] for one in found])
         assert np.all(zetas <= zetas[0] + 1e-12)
+
+
+def test_that_the_search_is_on_the_floor_without_a_demand_too(result):
+    made = case(6.0)
+    alone = run(replace(made, demand=None), base_dir=ROOT).walls[0]
+    assert [run.ida.q for run in alone.runs] == [run.ida.q for run in result.walls[0].runs]
+    assert alone.assessment is None and alone.floor.spectrum is None
 
 
 def test_that_modes_hold_for_one_height():
