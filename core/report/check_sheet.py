@@ -164,9 +164,9 @@ def _records(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
     form = "Eq. 16" if wall.mechanism == "one_sided" else "Eq. 15"
     header(sheet, row, [
         say("Record (governing sign)"), "SI [cm]", "PFA [g]" if wall.floor else "PGA [g]",
-        say("Scale C"), "q\nEq. 10", say("program"), "q_eff\nEq. 12",
+        say("Scale C"), "q, Eq. 10", say("program"), "q_eff, Eq. 12",
         say("program"), "ln SI", "ln q_eff",
-        *([] if wall.floor else [f"q_eff\n{form}", f"q\n{form}", say("program")])], 1, 32)  # fmt: skip
+        *([] if wall.floor else [f"q_eff, {form}", f"q, {form}", say("program")])], 1, 32)  # fmt: skip
     first = row + 1
     scale = {(run.record, run.polarity): run.scale for run in wall.runs}
     for entry in wall.per_record:

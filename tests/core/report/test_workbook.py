@@ -118,6 +118,14 @@ def height(folder):
     ]
 
 
+def test_that_no_cell_shows_an_escaped_line_break(book, height):
+    for made in (book, height):
+        for sheet in made.workbook:
+            for row in sheet.iter_rows():
+                for cell in row:
+                    assert not (isinstance(cell.value, str) and "\\n" in cell.value), cell
+
+
 def test_that_walls_above_the_ground_have_a_sheet_of_their_floors(height, book):
     assert "Floors" in height.workbook.sheetnames and "Floors" not in book.workbook.sheetnames
     sheet = height.workbook["Floors"]
