@@ -9,6 +9,7 @@ from core.jit.decorators import inner_kernel, subkernel
 from core.rocking.events import IMPACTS_PER_SAMPLE, LAST_ROTATION
 from core.units import G
 from core.wall.moment_rotation import potential
+from core.wall.rocking_model import seen_from
 
 MAX_BOUNCES = 20.0
 """More than the bounces of a dying chatter to its rest, times the velocity ratio's distance from 1: the
@@ -31,20 +32,28 @@ LOOKAHEAD = 8
 @subkernel
 def cannot_recover(phi, speed, strongest, model):
     """Whether the block surely overturns: even under the strongest ground, pushing inward all the time, its energy
-    exceeds the barrier (Eq. 1 beyond alpha, resources/docs/physics.md, section 9).
+    exceeds the barrier (Eq. 1 beyond theta_c, resources/docs/physics.md, section 9).
 
     phi [rad]; speed : outward positive [rad/s]
     strongest : bound of |u''|/g; with FAR only the rotation decides
+    model : RockingModel as the pivot sees it
     """
     if phi > LAST_ROTATION:
         return True
-    lean = phi - model.slenderness
+    restoring = model.restoring
+    lean = phi - (model.slenderness + restoring.lean)
     if lean <= 0.0 or speed <= 0.0:
         return False
-    if math.tan(lean) >= strongest:
+    # outward over p2 : along sin(lean) - across cos(lean), from a sin + c cos and the ground at alpha - phi
+    ground = strongest / restoring.amplitude
+    along = restoring.amplitude + ground * restoring.cosine
+    across = ground * restoring.sine
+    if along <= 0.0:
+        return False
+    if math.tan(lean) * along >= across:
         return True
-    top = math.sqrt(1.0 + strongest * strongest)
-    barrier = top - math.cos(lean) - strongest * math.sin(lean)
+    top = math.sqrt(along * along + across * across)
+    barrier = top - along * math.cos(lean) - across * math.sin(lean)
     return speed * speed > 2.0 * model.p2 * barrier
 
 
@@ -85,11 +94,11 @@ def chatter_ends(speed, scale, ahead, i, dt, time, impacts, peak, model, constan
     peak : largest rotation so far [rad]
     constants : WallConstants
     """
-    threshold, cosine_alpha = constants.threshold, constants.cosine
+    right, left = constants.thresholds
     highest = max(scale * ahead[0, i], scale * ahead[1, i])
     lowest = min(scale * ahead[0, i], scale * ahead[1, i])
     strongest = max(highest, -lowest)
-    free = cosine_alpha * (threshold - (highest if model.one_sided != 0.0 else strongest)) / G
+    free = constants.cosine * min(right - highest, left + lowest) / G
     if not free > 0.0 or model.ratio_drop != 0.0:
         return False
     pull = 0.9 * model.p2 * free
@@ -99,7 +108,7 @@ def chatter_ends(speed, scale, ahead, i, dt, time, impacts, peak, model, constan
     gain = 0.5 * model.p2 * abs(scale) * ahead[2, i] * (1.0 / G) * (flight * per_pull)
     loss = dt - model.ratio_at_rest * (dt + gain)
     return (
-        height * (1.0 + strongest * (1.0 / G)) <= 0.1 * free
+        height * (1.0 + constants.excess + strongest * (1.0 / G)) <= 0.1 * free
         and height <= peak
         and flight * dt <= 0.999 * loss * time
         and loss * (IMPACTS_PER_SAMPLE - impacts) >= MAX_BOUNCES * dt
@@ -112,10 +121,16 @@ def settled(phi, speed, peak, push, model):
 
     From Eq. 1 the root of twice the energy over I0 grows at most with p2 |u''| / g, impacts only lower it,
     and below the barrier the energy bounds the rotation. phi, peak [rad]; speed [rad/s]; push : the last of
-    `lookahead_bounds`, times the multiplier [m/s].
+    `lookahead_bounds`, times the multiplier [m/s]; model : RockingModel as the pivot sees it.
     """
-    if phi >= model.slenderness:
+    top = model.slenderness + model.restoring.lean
+    if phi >= top:
         return False
     energy = speed * speed + 2.0 * model.p2 * potential(phi, model)
     reach = math.sqrt(energy) + model.p2 / G * push
-    return reach * reach < 1.999999 * model.p2 * potential(min(peak, model.slenderness), model)
+    allowed = potential(min(peak, top), model)
+    if model.one_sided == 0.0:
+        other = seen_from(model, -1.0)
+        top = other.slenderness + other.restoring.lean
+        allowed = min(allowed, potential(min(peak, top), other))
+    return reach * reach < 1.999999 * model.p2 * allowed

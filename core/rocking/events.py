@@ -12,6 +12,7 @@ from core.rocking.outcome import COLLAPSED, STABLE
 from core.units import G
 from core.wall.moment_rotation import potential, rotation_at_potential
 from core.wall.restitution import velocity_ratio
+from core.wall.rocking_model import seen_from
 
 REST_FRACTION = 1e-6
 """After an impact the block rests below this fraction of p alpha (1e-9 changes no history, no q)."""
@@ -45,25 +46,30 @@ class BlockState(NamedTuple):
 
 
 @subkernel
-def uplift_threshold(model):
-    """Ground acceleration above which the resting block uplifts [m/s2], Eq. 2; 0 if trilinear."""
-    if model.plateau_end > 0.0:
-        return 0.0
-    return G * math.tan(model.slenderness)
+def uplift_thresholds(model):
+    """Ground acceleration above which the resting block uplifts and, reversed, the one below which it does to the
+    other side [m/s2], Eq. 2: a_RM = g (a tan(alpha) + c). 0 if trilinear; infinite where there is no other side."""
+    right = left = 0.0
+    if model.plateau_end == 0.0:
+        tangent = math.tan(model.slenderness)
+        right = G * (model.restoring.sine * tangent + model.restoring.cosine)
+        left = G * (model.mirrored.sine * tangent + model.mirrored.cosine)
+    return right, math.inf if model.one_sided != 0.0 else left
 
 
 @subkernel
-def uplift_side(ground, model, threshold):
+def uplift_side(ground, thresholds):
     """Side to which this ground acceleration [m/s2] uplifts the resting block: 1.0, -1.0, 0.0 if none."""
-    if ground > threshold:
+    right, left = thresholds
+    if ground > right:
         return 1.0
-    if ground < -threshold and model.one_sided == 0.0:
+    if ground < -left:
         return -1.0
     return 0.0
 
 
 @subkernel
-def next_uplift(ground, slope, start, end, model, threshold):
+def next_uplift(ground, slope, start, end, thresholds):
     """First time in [start, end) at which the resting block uplifts, and to which side.
 
     ground : acceleration at local time 0 [m/s2]
@@ -72,14 +78,15 @@ def next_uplift(ground, slope, start, end, model, threshold):
     Returns (time, side); time = end if the block stays at rest.
     """
     now = ground + slope * start
-    side = uplift_side(now, model, threshold)
+    side = uplift_side(now, thresholds)
     if side != 0.0:
         return start, side
+    right, left = thresholds
     if slope > 0.0:
-        time = (threshold - ground) / slope
+        time = (right - ground) / slope
         side = 1.0
-    elif slope < 0.0 and model.one_sided == 0.0:
-        time = (-threshold - ground) / slope
+    elif slope < 0.0:
+        time = (-left - ground) / slope
         side = -1.0
     else:
         return end, 0.0
@@ -91,14 +98,14 @@ def next_uplift(ground, slope, start, end, model, threshold):
 
 
 @subkernel
-def stops_rocking(speed, ground, model, threshold):
+def stops_rocking(speed, ground, model, thresholds):
     """Whether the block rests after an impact it leaves at this speed [rad/s], the ground at [m/s2]."""
     limit = REST_FRACTION * math.sqrt(model.p2) * model.slenderness
-    return speed < limit and uplift_side(ground, model, threshold) == 0.0
+    return speed < limit and uplift_side(ground, thresholds) == 0.0
 
 
 @subkernel
-def leave_impact(arriving, side, ground, model, threshold):
+def leave_impact(arriving, side, ground, model, thresholds):
     """What the block does after an impact at theta = 0 (Eq. 3, 7).
 
     arriving : speed before it [rad/s], not negative
@@ -109,11 +116,11 @@ def leave_impact(arriving, side, ground, model, threshold):
     ratio, clamped = velocity_ratio(arriving, model)
     speed = ratio * arriving
     after = side if model.one_sided != 0.0 else -side
-    if stops_rocking(speed, ground, model, threshold):
+    if stops_rocking(speed, ground, model, thresholds):
         return speed, after, after, False, clamped
     onward = after
     if speed == 0.0 and model.one_sided == 0.0:
-        onward = uplift_side(ground, model, threshold)
+        onward = uplift_side(ground, thresholds)
     return speed, after, onward, True, clamped
 
 
@@ -124,21 +131,27 @@ def end_of_record(phi, speed, peak, model):
     phi : rotation seen from the pivot [rad]
     speed : its rate, outward positive [rad/s]
     peak : largest rotation so far [rad]
+    model : RockingModel as that pivot sees it
     Returns (outcome, peak including the free motion).
     """
-    barrier = potential(model.slenderness, model)
+    top = model.slenderness + model.restoring.lean
+    barrier = potential(top, model)
     energy = 0.5 * speed * speed / model.p2 + potential(phi, model)
     if speed >= 0.0 and energy > barrier:
-        return COLLAPSED, max(peak, model.slenderness)
-    if phi > model.slenderness and energy <= barrier:
+        return COLLAPSED, max(peak, top)
+    if phi > top and energy <= barrier:
         return COLLAPSED, peak
     if speed > 0.0:
         peak = max(peak, rotation_at_potential(energy, model))
-    impact_speed = math.sqrt(2.0 * model.p2 * energy)
-    ratio, _ = velocity_ratio(impact_speed, model)
-    energy *= ratio * ratio
-    if energy > barrier:
-        return COLLAPSED, max(peak, model.slenderness)
-    if energy > 0.0:
-        peak = max(peak, rotation_at_potential(energy, model))
+    # to the other side and, where loads make the sides differ, back
+    for side in (-1.0, 1.0):
+        swing = model if model.one_sided != 0.0 else seen_from(model, side)
+        impact_speed = math.sqrt(2.0 * model.p2 * energy)
+        ratio, _ = velocity_ratio(impact_speed, model)
+        energy *= ratio * ratio
+        top = swing.slenderness + swing.restoring.lean
+        if energy > potential(top, swing):
+            return COLLAPSED, max(peak, top)
+        if energy > 0.0:
+            peak = max(peak, rotation_at_potential(energy, swing))
     return STABLE, peak

@@ -40,6 +40,7 @@ from core.rocking.lane_state import (
     SCALAR,
     SCALE,
     SECOND,
+    SIDE,
     SPEED,
     STEPPED,
     STRONGEST,
@@ -62,6 +63,7 @@ from core.rocking.lanes import (
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.rocking.taylor_series import PER_G, wall_constants
 from core.wall.moment_rotation import zone_of
+from core.wall.rocking_model import seen_from
 
 
 @dataclass(frozen=True)
@@ -117,18 +119,18 @@ def start_sample(k, i, dt, ground, state):
 
 
 @inner_kernel
-def skip_to_uplift(k, i, end, dt, model, threshold, ground, ahead, state):
+def skip_to_uplift(k, i, end, dt, model, thresholds, ground, ahead, state):
     """Set the resting lane k where the ground uplifts it first from sample i on, or at its end. ahead : of
-    `lookahead_bounds`; while it shows no ground beyond the threshold, samples are skipped by the window."""
+    `lookahead_bounds`; while it shows no ground beyond the thresholds, samples are skipped by the window."""
     scale = state[SCALE + k]
-    lowest = -math.inf if model.one_sided != 0.0 else -threshold
+    right, left = thresholds
     while i < end:
         one, other = scale * ahead[0, i], scale * ahead[1, i]
-        if max(one, other) <= threshold and min(one, other) >= lowest:
+        if max(one, other) <= right and min(one, other) >= -left:
             i = min(i + LOOKAHEAD - 1, end)
             continue
         first, second = scale * ground[i], scale * ground[i + 1]
-        time, side = next_uplift(first, second - first, 0.0, 1.0, model, threshold)
+        time, side = next_uplift(first, second - first, 0.0, 1.0, thresholds)
         if time < 1.0:
             start_sample(k, i, dt, ground, state)
             set_lane(k, side, 0.0, 0.0, zone_of(0.0, model), model, state)
@@ -165,23 +167,24 @@ def check_finished(k, end, model, ahead, state):
     """(whether the analysis of lane k has ended at the start of its sample, its outcome, its peak)."""
     i = int(state[SAMPLE + k])
     phi, speed, peak = state[PHI + k], state[SPEED + k], state[PEAK + k]
+    seen = seen_from(model, state[SIDE + k])
     if (
-        phi > model.slenderness
+        phi > model.slenderness + seen.restoring.lean
         and i % RECOVERY_EVERY == 1
-        and cannot_recover(phi, speed, state[STRONGEST + k], model)
+        and cannot_recover(phi, speed, state[STRONGEST + k], seen)
     ):
         return True, COLLAPSED, peak
     # Eq. 7 counts clamped ratios to the end of the record; a nearly elastic impact may exceed their limit
     may_settle = model.ratio_drop == 0.0 and model.ratio_at_rest <= MAX_SETTLED_RATIO
     if i % SETTLED_EVERY == 1 and may_settle:
         push = abs(state[SCALE + k]) * ahead[3, i]
-        if settled(phi, speed, peak, push, model):
+        if settled(phi, speed, peak, push, seen):
             return True, STABLE, peak
     if i < end:
         return False, STABLE, peak
     if state[MOVING + k] == 0.0:
         return True, STABLE, peak
-    outcome, peak = end_of_record(phi, speed, peak, model)
+    outcome, peak = end_of_record(phi, speed, peak, seen)
     return True, outcome, peak
 
 
@@ -212,13 +215,13 @@ def make_lane_kernel(order):
             `core.rocking.history.scan`
         """
         constants = wall_constants(model, dt)
-        threshold = constants.threshold
+        thresholds = constants.thresholds
         zero = np.int64(0)  # a plain 0 would be a type of its own, and compile everything again
         # of each lane its analysis and last sample, then the lanes to be handled one by one
         lane, end, busy = numbers[:WIDTH], numbers[WIDTH : 2 * WIDTH], numbers[2 * WIDTH :]
         rest_below = REST_FRACTION * math.sqrt(model.p2) * model.slenderness
-        loss = 1.0 - model.ratio_at_rest if threshold > 0.0 else 0.0
-        fastest = 0.5 * model.p2 * model.slenderness * loss * (LOOKAHEAD - 1) * dt
+        loss = 1.0 - model.ratio_at_rest if thresholds[0] > 0.0 else 0.0
+        fastest = 0.5 * model.p2 * (model.slenderness + constants.excess) * loss * (LOOKAHEAD - 1) * dt
         waiting = zero
         lanes = zero
         long = zero + 1  # steps to be shortened; 1 at first, which sets the rows of whole steps
@@ -230,7 +233,7 @@ def make_lane_kernel(order):
                 state[STRONGEST + lanes] = abs(scales[waiting]) * strongest[record] * PER_G
                 state[PEAK + lanes] = 0.0
                 skip_to_uplift(
-                    lanes, firsts[record], lasts[record], dt, model, threshold, ground, ahead, state
+                    lanes, firsts[record], lasts[record], dt, model, thresholds, ground, ahead, state
                 )
                 waiting += 1
                 if state[SAMPLE + lanes] < lasts[record]:
@@ -245,7 +248,7 @@ def make_lane_kernel(order):
             lane_taylor_coefficients(lanes, order, state)
             if long > 0:
                 long = shorten_steps(lanes, dt, constants, order, state)
-            vector_step(lanes, dt, model, constants, order, state)
+            vector_step(lanes, dt, constants, order, state)
             if long > 0:
                 stay_in_sample(lanes, state)
             count = load_next_sample(lanes, ground, busy, state)
@@ -274,7 +277,7 @@ def make_lane_kernel(order):
                     elif state[TIME + k] < 1.0:
                         continue
                     if state[MOVING + k] == 0.0:
-                        skip_to_uplift(k, i + 1, end[k], dt, model, threshold, ground, ahead, state)
+                        skip_to_uplift(k, i + 1, end[k], dt, model, thresholds, ground, ahead, state)
                     else:
                         start_sample(k, i + 1, dt, ground, state)
                 over, peak = True, state[PEAK + k]

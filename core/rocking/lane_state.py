@@ -10,7 +10,8 @@ MOVING                    -               0.0 at rest
 IMPACTS                   -               so far in this sample
 ZONE                      -               branch of the moment law
 LOW, HIGH                 rad             ends of that branch
-FACTOR, SLOPE, CONSTANT   -               f, m and c of that branch
+FACTOR, SLOPE, CONSTANT   -               f, m and k of that branch
+HELD                      -               its cosine factor
 NEXT                      -               one of STEPPED, CHECK, FALLS, SCALAR, LONG
 SAMPLE                    -               number of the sample
 LEFT                      -               samples until the next check of whether the analysis has ended
@@ -30,6 +31,7 @@ PLAIN                     -               1.0 where the impact of such a lane is
 
 from core.jit.decorators import inner_kernel
 from core.wall.moment_rotation import moment_branch
+from core.wall.rocking_model import seen_from
 
 WIDTH = 64
 """Lanes of one pass."""
@@ -51,6 +53,7 @@ ROW = WIDTH + 8
     FACTOR,
     SLOPE,
     CONSTANT,
+    HELD,
     NEXT,
     SAMPLE,
     LEFT,
@@ -61,8 +64,8 @@ ROW = WIDTH + 8
     PEAK,
     PART,
     SERIES,
-) = (ROW * row for row in range(23))
-LANE_ROWS = 22
+) = (ROW * row for row in range(24))
+LANE_ROWS = 23
 """Rows that move with a lane to another place: all before SERIES."""
 FALL_ROWS = 15
 """Rows from PHI to v8."""
@@ -100,9 +103,10 @@ def set_lane(k, side, phi, speed, zone, model, state):
     state[SPEED + k] = speed
     state[MOVING + k] = 1.0
     state[ZONE + k] = zone
-    low, high, factor, slope, constant = moment_branch(zone, model)
+    low, high, factor, slope, constant, held = moment_branch(zone, seen_from(model, side))
     state[LOW + k] = low
     state[HIGH + k] = high
     state[FACTOR + k] = factor
     state[SLOPE + k] = slope
     state[CONSTANT + k] = constant
+    state[HELD + k] = held

@@ -24,6 +24,7 @@ from core.rocking.lane_state import (
     FIRST,
     FORCING,
     GROWTH,
+    HELD,
     HIGH,
     IMPACTS,
     LEFT,
@@ -74,7 +75,7 @@ from core.rocking.taylor_series import (
     sine_and_cosine_short,
     taylor_coefficients,
 )
-from core.wall.moment_rotation import FAR
+from core.wall.moment_rotation import FAR, zone_of
 
 MAX_HALVINGS = 4
 """Parts of a step that are taken by vector instructions: down to a sixteenth."""
@@ -88,7 +89,7 @@ def lane_initial_terms(lanes, dt, model, constants, state):
         second = state[SCALE + k] * state[SECOND + k]
         x = state[PHI + k]
         s, c = sine_and_cosine_short(x)
-        branch = state[FACTOR + k], state[SLOPE + k], state[CONSTANT + k]
+        branch = state[FACTOR + k], state[SLOPE + k], state[CONSTANT + k], state[HELD + k]
         start = initial_terms(
             x, state[SPEED + k], s, c, state[SIDE + k], state[FIRST + k], second, state[TIME + k], dt,
             branch, model, constants,
@@ -156,7 +157,7 @@ def shorten_steps(lanes, dt, constants, order, state):
         v, growth, p2 = series_of(k, order, state), state[GROWTH + k], state[STEP_P2 + k]
         rise, forcing, t = state[RISE + k], state[FORCING + k], state[TIME + k]
         omitted = neglected(v, growth, forcing, rise, p2, order)
-        branch = state[FACTOR + k], state[SLOPE + k], state[CONSTANT + k]
+        branch = state[FACTOR + k], state[SLOPE + k], state[CONSTANT + k], state[HELD + k]
         tolerance = constants.tolerance
         relative = relative_tolerance(state[PHI + k], v[0], forcing, p2, branch, constants)
         part = 1.0
@@ -198,7 +199,7 @@ def stay_in_sample(lanes, state):
 
 
 @subkernel
-def vector_step(lanes, dt, model, constants, order, state):
+def vector_step(lanes, dt, constants, order, state):
     """One step of each lane to the end of its sample by its series, where nothing else happens in it, and NEXT of
     each; of a shortened step, see `stay_in_sample`. (Initial terms, coefficients and step are three loops: in one the
     processor waits for each lane's results.)
@@ -213,7 +214,7 @@ def vector_step(lanes, dt, model, constants, order, state):
         x, low, peak = state[PHI + k], state[LOW + k], state[PEAK + k]
         speed, per_step = state[SPEED + k], state[PER_STEP + k]
         left = state[LEFT + k] - 1.0
-        branch = state[FACTOR + k], state[SLOPE + k], state[CONSTANT + k]
+        branch = state[FACTOR + k], state[SLOPE + k], state[CONSTANT + k], state[HELD + k]
         relative = relative_tolerance(x, v[0], forcing, p2, branch, constants)
         omitted = neglected(v, growth, forcing, rise, p2, order)
         long = (omitted > min(tolerance, relative)) | (growth >= MAX_GROWTH)
@@ -221,7 +222,7 @@ def vector_step(lanes, dt, model, constants, order, state):
         dv = change(v, 1.0)
         y = x + dphi
         upper = max(x, y)
-        push = largest_push(upper, forcing, p2, constants.sine, *branch)
+        push = largest_push(upper, forcing, p2, constants.sine, *branch[:3])
         reach = 0.125 * push
         margin = turning_margin(v[0], dv, rise, forcing + state[SLOPE + k], p2, push)
         after = v[0] + dv
@@ -238,7 +239,7 @@ def vector_step(lanes, dt, model, constants, order, state):
             | ((not falls) & tops & peak_may_grow(x, dphi, v[0], bend, reach, peak))
         )
         stays = scalar | falls
-        check = (y > model.slenderness) | (left <= 0.0)
+        check = (y > constants.collapse) | (left <= 0.0)
         state[NEXT + k] = (
             (LONG if long else SCALAR)
             if scalar
@@ -305,7 +306,10 @@ def scatter_impact(k, j, model, state):
     state[PER_STEP + k] = state[FALL - PHI + PER_STEP + j]
     state[IMPACTS + k] += 1.0
     if model.one_sided == 0.0:
-        state[SIDE + k] = -state[SIDE + k]
+        side = -state[SIDE + k]
+        state[SIDE + k] = side
+        if model.restoring.lean != model.mirrored.lean or model.restoring.sine != model.mirrored.sine:
+            set_lane(k, side, 0.0, state[SPEED + k], zone_of(0.0, model), model, state)
     return True
 
 

@@ -45,6 +45,7 @@ from core.rocking.taylor_series import (
     wall_constants,
 )
 from core.wall.moment_rotation import FAR, moment_branch, zone_of
+from core.wall.rocking_model import seen_from
 
 
 class Crossing(NamedTuple):
@@ -82,15 +83,15 @@ def peak_may_grow(phi, dphi, speed, bend, reach, peak):
 def converged_step(state, ground0, ground1, t, dt, branch, model, constants, order):
     """(v0..v8, InitialTerms, part) of the first part of a step from t to the end of the sample, in which the series
     has converged, in units of that part; arguments as `through_sample`. branch : of `moment_branch`."""
-    _, _, factor, slope, constant = branch
+    _, _, factor, slope, constant, held = branch
     s, c = sine_and_cosine(state.phi)
     start = initial_terms(
-        state.phi, state.speed, s, c, state.side, ground0, ground1, t, dt, (factor, slope, constant), model,
+        state.phi, state.speed, s, c, state.side, ground0, ground1, t, dt, (factor, slope, constant, held), model,
         constants,
     )  # fmt: skip
     v, growth = taylor_coefficients(state.phi, start, factor, slope, order)
     relative = relative_tolerance(
-        state.phi, start.speed, start.forcing, start.p2, (factor, slope, constant), constants
+        state.phi, start.speed, start.forcing, start.p2, (factor, slope, constant, held), constants
     )
     tail = neglected(v, growth, start.forcing, start.rise, start.p2, order)
     part = converged_part(tail, growth, order, constants.tolerance, relative)
@@ -106,7 +107,7 @@ def converged_step(state, ground0, ground1, t, dt, branch, model, constants, ord
 def first_event(v, start, phi, branch, constants):
     """The Crossing that ends a step: the first one of an end of the branch, else its end or that of a shorter one
     which turns once. v, start : of `converged_step`; phi [rad]."""
-    low, high, factor, slope, constant = branch
+    low, high, factor, slope, constant, _ = branch
     # a chord stays within 1/8 max|phi''| of the curve, one of the speed within the margin: far from
     # both ends of the branch, or moving away from it, nothing happens
     part = 1.0
@@ -168,7 +169,7 @@ def advance(state, v, shortened_to, event, t, dt):
 def impact(state, ground, model, constants):
     """(BlockState, rotation speed just after [rad/s]) of an impact at theta = 0 (Eq. 3, 7); ground : [m/s2]."""
     speed, after, side, moving, clamp = leave_impact(
-        max(-state.speed, 0.0), state.side, ground, model, constants.threshold
+        max(-state.speed, 0.0), state.side, ground, model, constants.thresholds
     )
     hit = after * speed
     return BlockState(
@@ -180,7 +181,7 @@ def impact(state, ground, model, constants):
 @inner_kernel
 def cross_kink(state, event, branch):
     """BlockState on the next branch of the moment law, at the end of this one that a step reached."""
-    low, high, _, _, _ = branch
+    low, high, _, _, _, _ = branch
     phi = low if event.falls else high
     return BlockState(
         state.side, phi, state.speed, True, state.zone + (-1 if event.falls else 1), max(state.peak, phi),
@@ -207,13 +208,14 @@ def through_sample(
     kinks = 0
     while t < 1.0:
         if not state.moving:
-            t, side = next_uplift(ground0, jump, t, 1.0, model, constants.threshold)
+            t, side = next_uplift(ground0, jump, t, 1.0, constants.thresholds)
             if t >= 1.0:
                 break
             state = BlockState(
                 side, 0.0, 0.0, True, zone_of(0.0, model), state.peak, state.impacts, state.clamped
             )
-        branch = moment_branch(state.zone, model)
+        seen = seen_from(model, state.side)
+        branch = moment_branch(state.zone, seen)
         v, begun, part = converged_step(
             state, ground0, ground1, t, dt, branch, model, constants, order
         )
@@ -221,7 +223,7 @@ def through_sample(
         state, t = advance(state, v, part, event, t, dt)
         if event.crossing < 0.0:
             if state.phi > SHORT_SERIES and cannot_recover(
-                state.phi, state.speed, strongest, model
+                state.phi, state.speed, strongest, seen
             ):
                 outcome = COLLAPSED
                 break
@@ -294,5 +296,7 @@ INTEGRATE = {order: make_integrator(order) for order in (6, 8)}
 def at_end(state, model):
     """(outcome, peak [rad]) once the ground is still, from the BlockState after the last sample."""
     if state.moving:
-        return end_of_record(state.phi, state.speed, state.peak, model)
+        return end_of_record(
+            state.phi, state.speed, state.peak, seen_from(model, state.side)
+        )
     return STABLE, state.peak

@@ -48,11 +48,11 @@ def relative_tolerance(x, speed, forcing, p2, branch, constants):
     """Largest omitted term of a step in relation to what its acceleration moves [rad].
 
     x, speed : rotation [rad] and velocity [rad per step] at its start; forcing, p2 : as `turning_margin`
-    branch : (factor, slope, constant) of the moment law; constants : WallConstants
+    branch : (factor, slope, constant, cosine factor) of the moment law; constants : WallConstants
     """
-    factor, slope, constant = branch
+    factor, slope, constant, _ = branch
     moment = fma(slope, x + abs(speed), fma(factor, constants.sine, constant))
-    return RELATIVE_TOLERANCE * p2 * (forcing + moment)
+    return RELATIVE_TOLERANCE * p2 * ((forcing - constants.excess) + moment)
 
 
 @subkernel
@@ -96,7 +96,7 @@ def largest_push(upper, forcing, p2, sine_alpha, factor, slope, constant):
     p2 slope is below 3 (1.6 = 1 / (1 - 3/8), and the quotient is convex).
 
     upper : the larger rotation of its ends [rad]
-    forcing : bound of |u''|/g [-]
+    forcing : bound of |u''|/g plus `WallConstants.excess` [-]
     p2 : p^2 times the step squared [-]
     sine_alpha : sin(alpha) [-]
     factor, slope, constant : of the branch of the moment law [-]

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from core.jit.decorators import inner_kernel, subkernel
 from core.jit.fma import fma
-from core.rocking.events import uplift_threshold
+from core.rocking.events import uplift_thresholds
 from core.rocking.taylor_bounds import SERIES_TOLERANCE
 from core.units import G
 
@@ -23,28 +23,32 @@ PER_G = 1.0 / G
 class WallConstants(NamedTuple):
     """What every sample needs of a wall.
 
-    threshold : a_RM, see `uplift_threshold` [m/s2]
+    thresholds : a_RM of both sides, see `uplift_thresholds` [m/s2]
     tangent, sine, cosine : of alpha [-]
     tolerance : of the omitted term of a step [rad], see `taylor_bounds.SERIES_TOLERANCE`
+    excess : what loads add at most to |beta| and to 1 in bounds of the equation, |c| + max(a - 1, 0); 0 without [-]
+    collapse : the smaller theta_c of both sides [rad]
     """
 
-    threshold: float
+    thresholds: tuple[float, float]
     tangent: float
     sine: float
     cosine: float
     tolerance: float
+    excess: float
+    collapse: float
 
 
 class InitialTerms(NamedTuple):
     """Where the series of a step begins, at its start.
 
     speed : phi' [rad per step]
-    net : moment law less forcing, f sin(alpha - phi) + m phi + c - beta cos(alpha - phi) [-]
+    net : moment law less forcing, f sin(alpha - phi) + m phi + k - beta cos(alpha - phi) [-]
     sine, cosine : of alpha - phi [-]
-    beta : u''/g seen from the pivot [-]
+    beta : u''/g seen from the pivot, less the cosine factor of the branch of the moment law [-]
     rise : change of beta over the step [-]
     p2 : p^2 times the step squared [-]
-    forcing : largest |u''|/g of the sample [-]
+    forcing : largest |u''|/g of the sample, plus `WallConstants.excess` [-]
     """
 
     speed: float
@@ -62,9 +66,17 @@ def wall_constants(model, dt):
     """WallConstants of a RockingModel and the time step of the record [s]."""
     alpha = model.slenderness
     tolerance = SERIES_TOLERANCE * alpha * min(1.0, 10.0 * dt * math.sqrt(model.p2))
+    one, other = model.restoring, model.mirrored
     return WallConstants(
-        uplift_threshold(model), math.tan(alpha), math.sin(alpha), math.cos(alpha), tolerance
-    )
+        uplift_thresholds(model), math.tan(alpha), math.sin(alpha), math.cos(alpha), tolerance,
+        max(largest_excess(one), largest_excess(other)), alpha + model.lean,
+    )  # fmt: skip
+
+
+@subkernel
+def largest_excess(restoring):
+    """|c| + max(a - 1, 0) of a RestoringMoment [-]."""
+    return abs(restoring.cosine) + max(restoring.sine - 1.0, 0.0)
 
 
 @inner_kernel
@@ -77,18 +89,18 @@ def initial_terms(x, speed, s, c, side, first, second, t, dt, branch, model, con
     first, second : ground acceleration at the ends of the sample [m/s2]
     t : start of the step as a fraction of the sample [-]
     dt : the sample [s]
-    branch : (factor, slope, constant) of the moment law [-]
+    branch : (factor, slope, constant, cosine factor) of the moment law [-]
     """
     tangent, sine_alpha, cosine_alpha = constants.tangent, constants.sine, constants.cosine
-    factor, slope, constant = branch
+    factor, slope, constant, held = branch
     rest_of_sample = 1.0 - t
     step = dt * rest_of_sample
     p2 = model.p2 * (step * step)
     pull = side * PER_G
     jump = second - first
-    beta = pull * fma(jump, t, first)
+    beta = fma(pull, fma(jump, t, first), -held)
     rise = pull * jump * rest_of_sample
-    forcing = max(abs(first), abs(second)) * PER_G
+    forcing = fma(max(abs(first), abs(second)), PER_G, constants.excess)
     sine = fma(sine_alpha, c, -cosine_alpha * s)
     cosine = fma(cosine_alpha, c, sine_alpha * s)
     # factor sin(alpha - phi) - beta cos(alpha - phi), without its cancellation near uplift

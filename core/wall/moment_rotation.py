@@ -56,54 +56,63 @@ def zone_of(phi, model):
 
 @subkernel
 def moment_branch(zone, model):
-    """(lower end, upper end, sine factor, slope, constant) of a branch of the moment law: over I0 p2
-    the moment is sine * sin(alpha - phi) + slope * phi + constant (Fig. 3)."""
+    """(lower end, upper end, sine factor, slope, constant, cosine factor) of a branch of the moment law: over I0 p2
+    the moment is sine * sin(alpha - phi) + slope * phi + constant + cosine * cos(alpha - phi) (Fig. 3)."""
     phi1 = model.elastic_end
     phi2 = model.plateau_end
+    restoring = model.restoring
     if zone == 2:
-        return phi2, FAR, 1.0, 0.0, 0.0
-    plateau = math.sin(model.slenderness - phi2)
+        return phi2, FAR, restoring.sine, 0.0, 0.0, restoring.cosine
+    # not of `restoring`, which depends on the side: the sine is taken once
+    plateau = model.amplitude * math.sin(model.slenderness + model.lean - phi2)
     if zone == 1:
-        return phi1, phi2, 0.0, 0.0, plateau
-    return 0.0, phi1, 0.0, plateau / phi1, 0.0
+        return phi1, phi2, 0.0, 0.0, plateau, 0.0
+    return 0.0, phi1, 0.0, plateau / phi1, 0.0, 0.0
 
 
 @subkernel
 def moment(phi, model):
     """Restoring moment over m g R at rotation phi [-], continued analytically below 0."""
-    _, _, sine, slope, constant = moment_branch(zone_of(phi, model), model)
-    return sine * math.sin(model.slenderness - phi) + slope * phi + constant
+    _, _, sine, slope, constant, cosine = moment_branch(zone_of(phi, model), model)
+    lean = model.slenderness - phi
+    return sine * math.sin(lean) + cosine * math.cos(lean) + slope * phi + constant
 
 
 @subkernel
 def potential(phi, model):
     """Integral of the moment law from 0 to phi [-]: the stored energy over I0 p2 (Fig. 3)."""
-    alpha = model.slenderness
+    top = model.slenderness + model.restoring.lean
+    amplitude = model.restoring.amplitude
     phi1 = model.elastic_end
     phi2 = model.plateau_end
     if phi2 == 0.0:
-        # cos(alpha - phi) - cos(alpha), without cancellation for small phi
-        return 2.0 * math.sin(alpha - 0.5 * phi) * math.sin(0.5 * phi)
-    k = math.sin(alpha - phi2)
+        # cos(theta_c - phi) - cos(theta_c), without cancellation for small phi
+        return amplitude * 2.0 * math.sin(top - 0.5 * phi) * math.sin(0.5 * phi)
+    k = amplitude * math.sin(top - phi2)
     if phi <= phi1:
         return 0.5 * k * phi * phi / phi1
     if phi <= phi2:
         return k * (phi - 0.5 * phi1)
-    return k * (phi2 - 0.5 * phi1) + math.cos(alpha - phi) - math.cos(alpha - phi2)
+    return (
+        k * (phi2 - 0.5 * phi1)
+        + amplitude * math.cos(top - phi)
+        - amplitude * math.cos(top - phi2)
+    )
 
 
 @subkernel
 def rotation_at_potential(stored, model):
-    """Rotation in [0, alpha] at which the potential reaches `stored`, below the barrier [rad]."""
-    alpha = model.slenderness
+    """Rotation in [0, theta_c] at which the potential reaches `stored`, below the barrier [rad]."""
+    top = model.slenderness + model.restoring.lean
+    amplitude = model.restoring.amplitude
     phi1 = model.elastic_end
     phi2 = model.plateau_end
     if phi2 == 0.0:
-        return alpha - math.acos(min(1.0, stored + math.cos(alpha)))
-    k = math.sin(alpha - phi2)
+        return top - math.acos(min(1.0, stored / amplitude + math.cos(top)))
+    k = amplitude * math.sin(top - phi2)
     if stored <= 0.5 * k * phi1:
         return math.sqrt(2.0 * stored * phi1 / k)
     if stored <= k * (phi2 - 0.5 * phi1):
         return stored / k + 0.5 * phi1
     rest = stored - k * (phi2 - 0.5 * phi1)
-    return alpha - math.acos(min(1.0, rest + math.cos(alpha - phi2)))
+    return top - math.acos(min(1.0, rest / amplitude + math.cos(top - phi2)))

@@ -1,14 +1,20 @@
 """The numbers a rocking kernel needs, in one flat tuple."""
 
+import math
 from typing import NamedTuple
 
+from core.jit.decorators import subkernel
+from core.units import G
 from core.wall.block import Block
+from core.wall.loads import BARE, RestoringMoment
 from core.wall.moment_rotation import MomentLaw
 from core.wall.restitution import Restitution
 
 
 class RockingModel(NamedTuple):
     """Equation of motion of one wall (Coccia et al. 2016, Eq. 1 to 8, Fig. 3) as plain floats.
+
+    With loads phi'' = -p2 (a sin(alpha - phi) + c cos(alpha - phi) - beta cos(alpha - phi)).
 
     slenderness : alpha [rad]
     p2 : squared frequency parameter m g R / I0 [1/s2]
@@ -17,6 +23,10 @@ class RockingModel(NamedTuple):
     ratio_drop : loss of velocity ratio with the square of the impact velocity [s2/rad2], Eq. 7
     elastic_end : phi1 [rad], end of the elastic branch; 0 for the rigid law
     plateau_end : phi2 [rad], end of the plateau; 0 for the rigid law
+    restoring : a, c and what follows from them for positive rotations; functions of the rotation seen from the pivot
+        read it, see `seen_from`
+    mirrored : the same for negative rotations
+    lean, amplitude : of `RestoringMoment`, of the side with the smaller theta_c; both are alike if trilinear
     """
 
     slenderness: float
@@ -26,18 +36,56 @@ class RockingModel(NamedTuple):
     ratio_drop: float
     elastic_end: float
     plateau_end: float
+    restoring: RestoringMoment = BARE
+    mirrored: RestoringMoment = BARE
+    lean: float = 0.0
+    amplitude: float = 1.0
+
+    @property
+    def collapse_rotation(self) -> float:
+        """theta_c [rad], where nothing holds the wall: alpha without loads, of both sides the smaller one."""
+        return self.slenderness + self.lean
+
+    @property
+    def threshold(self) -> float:
+        """a_RM = g (a tan(alpha) + c) [m/s2], of both sides the smaller one (Eq. 2)."""
+        sides = (self.restoring, self.mirrored)
+        return min(G * (s.sine * math.tan(self.slenderness) + s.cosine) for s in sides)
+
+
+@subkernel
+def seen_from(model, side):
+    """The model as the pivot of this side, 1.0 or -1.0, sees it: `restoring` is that of its rotations."""
+    return RockingModel(
+        model.slenderness, model.p2, model.one_sided, model.ratio_at_rest, model.ratio_drop, model.elastic_end,
+        model.plateau_end,
+        model.restoring if side > 0.0 else model.mirrored,
+        model.mirrored if side > 0.0 else model.restoring,
+        model.lean, model.amplitude,
+    )  # fmt: skip
 
 
 def rocking_model(
-    block: Block, one_sided: bool, restitution: Restitution, law: MomentLaw
+    block: Block,
+    one_sided: bool,
+    restitution: Restitution,
+    law: MomentLaw,
+    loads: tuple[RestoringMoment, RestoringMoment] = (BARE, BARE),
 ) -> RockingModel:
-    """The flat tuple of a wall for the kernels."""
+    """The flat tuple of a wall for the kernels. loads : for positive and for negative rotations, of one collapse
+    rotation where the law is trilinear."""
+    weaker = loads[0] if one_sided else min(loads, key=lambda side: side.lean)
+    collapse = block.slenderness + weaker.lean
     return RockingModel(
         slenderness=block.slenderness,
         p2=block.p2,
         one_sided=1.0 if one_sided else 0.0,
         ratio_at_rest=restitution.ratio_at_rest,
         ratio_drop=restitution.ratio_drop,
-        elastic_end=law.elastic_limit * block.slenderness,
-        plateau_end=law.plateau_end * block.slenderness,
+        elastic_end=law.elastic_limit * collapse,
+        plateau_end=law.plateau_end * collapse,
+        restoring=loads[0],
+        mirrored=loads[0] if one_sided else loads[1],
+        lean=weaker.lean,
+        amplitude=weaker.amplitude,
     )

@@ -5,10 +5,11 @@ import numpy as np
 from core.jit.decorators import kernel
 from core.rocking.compared import dormand_prince, newmark_paper, stepped
 from core.rocking.compared.branch import acceleration
-from core.rocking.events import BlockState, end_of_record, uplift_threshold
+from core.rocking.events import BlockState, end_of_record, uplift_thresholds
 from core.rocking.outcome import STABLE
 from core.units import G
 from core.wall.moment_rotation import zone_of
+from core.wall.rocking_model import seen_from
 
 NEWMARK_PAPER = 1
 """Code of the paper's integrator; those of the others are in stepped.py."""
@@ -28,14 +29,15 @@ def make_comparison(paper):
         table : of `Method.table`, shape (0,) but for dormand_prince
         rotation, velocity : results, or of no element where nobody wants them
         """
-        threshold = uplift_threshold(model)
+        thresholds = uplift_thresholds(model)
         keep = rotation.size > 0
         zero = np.int64(0)
         side = -1.0 if start[0] < 0.0 or (start[0] == 0.0 and start[1] < 0.0) else 1.0
         phi, speed = side * start[0], side * start[1]
         moving = phi != 0.0 or speed != 0.0
         state = BlockState(side, phi, speed, moving, zone_of(phi, model), phi, zero, zero)
-        push = acceleration(phi, side * scale * ground[0] / G, model, state.zone)
+        beta = side * scale * ground[0] / G
+        push = acceleration(phi, beta, seen_from(model, side), state.zone)
         rates = table[16 * dormand_prince.STAGES : 17 * dormand_prince.STAGES]
         pushes = table[17 * dormand_prince.STAGES :]
         if keep:
@@ -45,12 +47,12 @@ def make_comparison(paper):
             ground0, ground1 = scale * ground[i], scale * ground[i + 1]
             if paper:
                 outcome, push, state = newmark_paper.through_sample(
-                    ground0, ground1, (i + 1) * dt, dt, model, threshold, option, push, state, impact_time,
+                    ground0, ground1, (i + 1) * dt, dt, model, thresholds, option, push, state, impact_time,
                     impact_velocity,
                 )  # fmt: skip
             else:
                 outcome, state = stepped.through_sample(
-                    code, ground0, ground1, i * dt, dt, model, threshold, option, state, impact_time,
+                    code, ground0, ground1, i * dt, dt, model, thresholds, option, state, impact_time,
                     impact_velocity, table, rates, pushes,
                 )  # fmt: skip
             if outcome != STABLE:
@@ -60,7 +62,9 @@ def make_comparison(paper):
                 velocity[i + 1] = state.side * state.speed if state.moving else 0.0
         outcome, peak = STABLE, state.peak
         if state.moving:
-            outcome, peak = end_of_record(state.phi, state.speed, state.peak, model)
+            outcome, peak = end_of_record(
+                state.phi, state.speed, state.peak, seen_from(model, state.side)
+            )
         return outcome, peak, state.impacts, state.clamped, ground.size
 
     @kernel

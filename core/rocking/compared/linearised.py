@@ -1,6 +1,7 @@
 """Closed form of the linearised block: cosh and sinh under linear forcing, events located.
 
-phi'' = p2 (phi - alpha + b), b = (u''/g) alpha / tan(alpha): the same threshold as Eq. 2, rigid law only.
+phi'' = p2 A (phi - theta_c + b), b = (u''/g) theta_c / (a tan(alpha) + c): the same threshold as Eq. 2, rigid law
+only; without loads A = a = 1, c = 0, theta_c = alpha.
 Cost: one exponential a step. Fails: by the linearisation itself, 2e-2 alpha at alpha 6.8 deg, whatever
 the step; the stockier the wall the more.
 """
@@ -13,10 +14,11 @@ from core.jit.decorators import subkernel
 @subkernel
 def advance(phi, speed, beta, slope, h, model, zone):
     """Rotation [rad] and velocity [rad/s] after h [s]; beta, slope : u''/g [-] and its rate [1/s]."""
-    alpha = model.slenderness
-    p = math.sqrt(model.p2)
-    match = alpha / math.tan(alpha)
-    rest = alpha - match * beta
+    restoring = model.restoring
+    top = model.slenderness + restoring.lean
+    p = math.sqrt(model.p2 * restoring.amplitude)
+    match = top / (restoring.sine * math.tan(model.slenderness) + restoring.cosine)
+    rest = top - match * beta
     drift = -match * slope
     x = p * h
     if x < 0.1:

@@ -11,6 +11,7 @@ from core.rocking.outcome import COLLAPSED, STABLE
 from core.units import G
 from core.wall.moment_rotation import zone_of
 from core.wall.restitution import velocity_ratio
+from core.wall.rocking_model import seen_from
 
 NEWTON_TOLERANCE = 1e-14
 """Change of rotation at which Newton's iteration stops [rad]."""
@@ -48,7 +49,7 @@ def trapezoidal_step(phi, speed, push, beta_end, h, model, zone, across):
 
 @inner_kernel
 def through_sample(
-    ground0, ground1, time, dt, model, threshold, reset, push, state, impact_time, impact_velocity
+    ground0, ground1, time, dt, model, thresholds, reset, push, state, impact_time, impact_velocity
 ):  # fmt: skip
     """Carry the block over one sample; see `comparison.integrate_comparison`.
 
@@ -60,15 +61,17 @@ def through_sample(
     """
     side, phi, speed, moving, zone, peak, impacts, clamped = state
     if not moving:
-        lifted = uplift_side(ground1, model, threshold)
+        lifted = uplift_side(ground1, thresholds)
         if lifted != 0.0:
             moving = True
             side = lifted
-            push = max(acceleration(0.0, side * ground0 / G, model, zone_of(0.0, model)), 0.0)
+            push = max(acceleration(0.0, side * ground0 / G, seen_from(model, side), zone_of(0.0, model)), 0.0)
     outcome = STABLE
     if moving:
         beta1 = side * ground1 / G
-        phi, speed, push = trapezoidal_step(phi, speed, push, beta1, dt, model, zone, True)
+        phi, speed, push = trapezoidal_step(
+            phi, speed, push, beta1, dt, seen_from(model, side), zone, True
+        )
         if phi < 0.0:
             arriving = max(-speed, 0.0)
             ratio, clamp = velocity_ratio(arriving, model)
@@ -81,8 +84,9 @@ def through_sample(
                 impact_time[impacts] = time
                 impact_velocity[impacts] = side * speed
             impacts += 1
-            push = acceleration(phi, side * ground1 / G, model, zone_of(phi, model))
-            if stops_rocking(speed, ground1, model, threshold):
+            seen = seen_from(model, side)
+            push = acceleration(phi, side * ground1 / G, seen, zone_of(phi, model))
+            if stops_rocking(speed, ground1, model, thresholds):
                 moving = False
                 phi = 0.0
                 speed = 0.0

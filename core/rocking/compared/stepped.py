@@ -15,6 +15,7 @@ from core.rocking.events import (
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.units import G
 from core.wall.moment_rotation import moment_branch, zone_of
+from core.wall.rocking_model import seen_from
 
 NEWMARK_EVENTS = 2
 RK4 = 3
@@ -78,7 +79,7 @@ def locate(
 
 @inner_kernel
 def through_sample(
-    code, ground0, ground1, start, dt, model, threshold, option, state, impact_time, impact_velocity, table,
+    code, ground0, ground1, start, dt, model, thresholds, option, state, impact_time, impact_velocity, table,
     rates, pushes,
 ):  # fmt: skip
     """Carry the block over one sample; see `comparison.integrate_comparison`.
@@ -100,30 +101,31 @@ def through_sample(
     outcome = STABLE
     while t < dt:
         if not moving:
-            t, side = next_uplift(ground0, slope, t, dt, model, threshold)
+            t, side = next_uplift(ground0, slope, t, dt, thresholds)
             if t >= dt:
                 break
             moving = True
             phi = 0.0
             speed = 0.0
             zone = zone_of(phi, model)
-        low, high, _, _, _ = moment_branch(zone, model)
+        seen = seen_from(model, side)
+        low, high, _, _, _, _ = moment_branch(zone, seen)
         beta = side / G * (ground0 + slope * t)
         rate = side / G * slope
         h = min(dt / steps, dt - t)
         x, v = advance(
-            code, phi, speed, beta, rate, h, model, zone, tolerance, table, rates, pushes
+            code, phi, speed, beta, rate, h, seen, zone, tolerance, table, rates, pushes
         )
         crossed = x < low or x > high or (x == low and v < 0.0)
         falling = x <= low
         if crossed:
             level = low if falling else high
             h = locate(
-                code, phi, speed, beta, rate, h, model, zone, tolerance, table, rates, pushes,
+                code, phi, speed, beta, rate, h, seen, zone, tolerance, table, rates, pushes,
                 level, 1.0 if falling else -1.0,
             )  # fmt: skip
             x, v = advance(
-                code, phi, speed, beta, rate, h, model, zone, tolerance, table, rates, pushes
+                code, phi, speed, beta, rate, h, seen, zone, tolerance, table, rates, pushes
             )
             x = level
         t = t + h if h < dt - t else dt
@@ -144,7 +146,7 @@ def through_sample(
             continue
         arriving = max(-speed, 0.0)
         speed, after, side, moving, clamp = leave_impact(
-            arriving, side, ground0 + slope * t, model, threshold
+            arriving, side, ground0 + slope * t, model, thresholds
         )
         clamped += clamp
         if impacts < impact_time.size:
