@@ -88,6 +88,7 @@ def truth(motion: GroundMotion, scale: float, model: RockingModel, cancelled) ->
     theta, _ = independent_solver.history(
         scale * motion.acceleration, motion.time_step, model.slenderness, model.p2,
         model.one_sided != 0.0, lambda speed: velocity_ratio(speed, model)[0], kinks, cancelled,
+        tuple((s.sine, s.cosine) for s in (model.restoring, model.mirrored)),
     )  # fmt: skip
     return theta
 

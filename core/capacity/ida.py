@@ -17,7 +17,6 @@ from core.rocking.history import scan_records
 from core.rocking.lane_scheduler import Grounds
 from core.rocking.methods import Method
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, MAX_GROUND, STABLE
-from core.units import G
 from core.wall.rocking_model import RockingModel
 
 BRACKET = 1e-4
@@ -159,16 +158,16 @@ class _Map:
         )  # fmt: skip
 
     def first_reaching(self, fraction: float) -> int | None:
-        """First grid index that collapses or whose peak reaches this fraction of alpha."""
+        """First grid index that collapses or whose peak reaches this fraction of theta_c."""
         hits = self.reaches(self.outcomes, self.peaks, fraction)
         return self.first + int(np.argmax(hits)) if hits.any() else None
 
     def reaches(self, outcomes, peaks, fraction: float):
-        reached = peaks >= fraction * self.model.slenderness
+        reached = peaks >= fraction * self.model.collapse_rotation
         return (outcomes == COLLAPSED) | ((outcomes == STABLE) & reached)
 
     def brackets(self, fractions: tuple[float, ...]) -> list[tuple[float, float] | None]:
-        """Brackets of the first events of these fractions of alpha; None without one or where a midpoint
+        """Brackets of the first events of these fractions of theta_c; None without one or where a midpoint
         is of unknown outcome; from 0 where the map cannot go lower."""
         firsts = [self.first_reaching(fraction) for fraction in fractions]
         wanted = [k for k, first in enumerate(firsts) if first not in (None, self.first)]
@@ -249,7 +248,7 @@ def multiplier_of(q, pga: float, threshold: float):
 
 def threshold_of(model: RockingModel) -> float:
     """a_RM [m/s2] of the rigid law, Eq. 2: the denominator of q under every law."""
-    return G * math.tan(model.slenderness)
+    return model.threshold
 
 
 def incremental_dynamic_analysis(

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from core.wall.wall_loads import loads_above
 from core.case.schema import Building, Case, Wall
 from core.errors import InputError, place
 
@@ -61,6 +62,7 @@ def above_hinge(wall: Wall, hinge: float) -> Wall:
         height_over_thickness=None,
         base_z_m=None if wall.base_z_m is None else wall.base_z_m + hinge,
         hinge_heights=None,
+        load=loads_above(wall, hinge),
     )
 
 

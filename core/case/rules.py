@@ -7,6 +7,7 @@ import math
 from dataclasses import MISSING, fields, replace
 
 from core.case.hinges import check_hinges, parts
+from core.wall.wall_loads import check_given, check_loads
 from core.case.schema import (
     Analysis,
     Building,
@@ -127,7 +128,8 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
         if names.setdefault(wall.name, wall) is not wall:
             raise InputError("same_name", key="name", wall=wall.name)
         try:
-            wall.block()
+            wall.bare_block()
+            check_given(wall)
             for mechanism in wall.mechanisms():
                 wall.restitution_of(mechanism)
             wall.moment_law()
@@ -159,6 +161,7 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
     for name, part in parts(case):
         if part.name != name and part.name in names:
             raise InputError("same_name", key="name", wall=part.name)
+        check_loads(part)
     heights = {part.base_z_m for _, part in parts(case) if part.above_ground}
     if case.building and case.building.modes and len(heights) > 1:
         raise InputError(

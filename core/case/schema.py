@@ -4,12 +4,14 @@ import math
 from collections.abc import Sequence
 from dataclasses import MISSING, asdict, dataclass, field, fields
 
+from core.wall import wall_loads
 from core.codes.limits import return_period
 from core.codes.target_spectrum import NTC_TOPOGRAPHY, SOILS
 from core.errors import InputError, place
 from core.rocking.methods import AUTO, METHODS
 from core.text.sentence import Key, sentence
 from core.wall.block import Block
+from core.wall.loads import BARE, RestoringMoment
 from core.wall.moment_rotation import LAWS, MomentLaw
 from core.wall.restitution import MODELS, Restitution, restitution
 
@@ -54,6 +56,47 @@ class Report:
     language: str = choice_key("en", "it", default="en")
 
 
+@dataclass(frozen=True)
+class Load:
+    """[[wall.load]]: a force of constant size and direction on a metre of wall, or a mass that moves with it.
+
+    kn_m : its size, positive [kN/m]; a thrust pushes outward, a tie pulls inward
+    d_m : from the outer face inward [m]; at the face where a thrust or tie has none
+    h_m : above the hinge of the wall [m]
+    mass : of a vertical load: held elsewhere, pushing the wall horizontally, or moving with it
+    """
+
+    kind: str = choice_key("vertical", "thrust", "tie", "carried_mass")
+    kn_m: float = number_key(0.0, 10000.0, MISSING, unit="kN/m", exclusive=True)
+    h_m: float = number_key(0.0, 120.0, MISSING, unit="m", exclusive=True)
+    d_m: float | None = number_key(0.0, 20.0, unit="m")
+    mass: str | None = choice_key("none", "horizontal", "moving", default=None)
+
+    @property
+    def is_weight(self) -> bool:
+        return self.kind in ("vertical", "carried_mass")
+
+    @property
+    def pushes(self) -> bool:
+        """Whether its mass is moved by the wall: Q of C8.7.1.1, and part of the moving block."""
+        return self.kind == "carried_mass" or self.mass in ("horizontal", "moving")
+
+
+@dataclass(frozen=True)
+class ReturnWalls:
+    """[wall.return_walls]: the walls across behind a facade, whose courses it drags out (friction).
+
+    number : of them along the wall; brick_height_m, brick_length_m : of a course h_b and of a unit l
+    thickness_m : t_s; friction : coefficient mu
+    """
+
+    number: int = number_key(1, 20, MISSING, whole=True)
+    thickness_m: float = number_key(0.05, 3.0, MISSING, unit="m")
+    brick_height_m: float = number_key(0.02, 1.0, MISSING, unit="m")
+    brick_length_m: float = number_key(0.05, 2.0, MISSING, unit="m")
+    friction: float = number_key(0.1, 1.0, 0.577)
+
+
 MAX_SETBACK = 0.4
 """Largest hinge setback over the thickness: at 0.5 nothing is left to turn about."""
 
@@ -85,6 +128,10 @@ class Wall:
     unloaded_confirmed: bool = flag_key()
     floor: str = text_key()
     notes: str = text_key()
+    load: tuple[Load, ...] = field(default=(), metadata={"kind": "tables", "of": Load})
+    return_walls: ReturnWalls | None = field(
+        default=None, metadata={"kind": "section", "of": ReturnWalls}
+    )
 
     @property
     def thickness(self) -> float | None:
@@ -97,11 +144,13 @@ class Wall:
 
     @property
     def setback(self) -> float:
-        """u [m], the hinge inside the edge: as given, or 2 W / (3 f L) with W = unit weight t H L, the
-        triangle of stress under the wall about to turn."""
+        """u [m], the hinge inside the edge: as given, or 2 N / (3 f L) with N = unit weight t H L and the vertical
+        loads, the triangle of stress under the wall about to turn."""
         if self.compressive_strength_mpa is None or self.thickness is None:
             return self.hinge_setback_m
         weight = 1e3 * self.unit_weight_kn_m3 * self.thickness * self.height_m
+        if self.load:
+            weight += wall_loads.vertical_loads(self)
         return 2.0 * weight / (3.0 * 1e6 * self.compressive_strength_mpa)
 
     @property
@@ -112,7 +161,21 @@ class Wall:
         return 1e3 * self.unit_weight_kn_m3 * self.thickness * self.height_m * self.length_m
 
     def block(self) -> Block:
-        """Raises InputError for a wall without exactly one geometry."""
+        """The wall and the masses that move with it. Raises InputError for a wall without exactly one geometry."""
+        return wall_loads.moving_block(self, self.bare_block()) if self.load else self.bare_block()
+
+    def restoring(self) -> tuple[RestoringMoment, RestoringMoment]:
+        """What its loads add to its moment, for outward and for inward rotations."""
+        return wall_loads.restoring_of(self, self.block()) if self.load else (BARE, BARE)
+
+    def uplift_multiplier(self, mechanism: str) -> float:
+        """a_RM / g = a tan(alpha) + c [-] (Eq. 2), of a two-sided wall the smaller one of its sides."""
+        sides = self.restoring() if mechanism == "two_sided" else self.restoring()[:1]
+        tangent = math.tan(self.block().slenderness)
+        return min(side.sine * tangent + side.cosine for side in sides)
+
+    def bare_block(self) -> Block:
+        """The wall alone."""
         here = (place("wall", name=self.name),)
         shape = ("thickness_m", "slenderness_deg", "height_over_thickness")
         given = [key for key in shape if getattr(self, key) is not None]
@@ -160,6 +223,11 @@ class Wall:
         return mechanism == "two_sided" if self.free_element is None else self.free_element
 
     @property
+    def has_closed_forms(self) -> bool:
+        """Whether Eq. 15 and 16 say anything of it: fitted to walls on the ground without loads."""
+        return not self.above_ground and not self.load
+
+    @property
     def above_ground(self) -> bool:
         """Whether the hinge is above the ground; with a demand its height is always given."""
         return (self.base_z_m or 0.0) > 0.0
@@ -167,11 +235,14 @@ class Wall:
     def mechanisms(self) -> tuple[str, ...]:
         return ("two_sided", "one_sided") if self.mechanism == "both" else (self.mechanism,)
 
-    def restitution_of(self, mechanism: str) -> Restitution:
-        """Restitution for one mechanism: as asked, else the default that follows the mechanism."""
+    def restitution_model(self, mechanism: str) -> str:
+        """Model of restitution for one mechanism: as asked, else the default that follows the mechanism."""
         model = self.restitution or ("user" if self.velocity_ratio is not None else None)
-        if model is None:
-            model = "one_sided_theoretical" if mechanism == "one_sided" else "housner"
+        return model or ("one_sided_theoretical" if mechanism == "one_sided" else "housner")
+
+    def restitution_of(self, mechanism: str) -> Restitution:
+        """Restitution for one mechanism."""
+        model = self.restitution_model(mechanism)
         if model.startswith("one_sided") and mechanism == "two_sided":
             raise InputError(
                 "restitution_one_sided",

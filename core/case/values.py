@@ -98,6 +98,8 @@ def accepted_by(entry) -> Sentence:
         return sentence("accepted", "list", items=accepted_by(rule["of"]))
     if kind == "tables":
         return sentence("accepted", "tables", name=entry.name)
+    if kind == "section":
+        return sentence("accepted", "section", name=entry.name)
     if kind == "text":
         return sentence("accepted", "text", most=MAX_TEXT)
     return sentence("accepted", {"flag": "flag", "spectrum": "table", "path": "path"}[kind])
@@ -151,6 +153,8 @@ def value_of(entry, value, *here):
                 except InputError as error:
                     raise (error.at(above[0]) if above else error) from None
             return tuple(parts)
+    elif kind == "section":
+        return section_of(rule["of"], value, entry.name, section(f"[wall.{entry.name}]"))
     elif kind == "spectrum":
         return section_of(Spectrum, value, "spectrum", section("[demand.spectrum]"))
     elif kind == "hinges":

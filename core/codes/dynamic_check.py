@@ -168,7 +168,7 @@ class _Set:
         ]
 
     def analyse(self, batch: list[int], grounds: Grounds, multipliers: np.ndarray):
-        """Outcomes and peaks over alpha, shape (records of the batch, signs, multipliers)."""
+        """Outcomes and peaks over theta_c, shape (records of the batch, signs, multipliers)."""
         signed = np.outer([self.ground_factors[k] for k in batch], np.array(self.polarities, float))
         scales = np.multiply.outer(signed, multipliers).ravel()
         which = np.repeat(np.arange(len(batch)), scales.size // len(batch))
@@ -180,7 +180,7 @@ class _Set:
             scan_records(self.method, grounds, which[part], scales[part], self.model,
                          codes[part], reached[part])  # fmt: skip
         shape = (len(batch), len(self.polarities), multipliers.size)
-        return codes.reshape(shape), reached.reshape(shape) / self.model.slenderness
+        return codes.reshape(shape), reached.reshape(shape) / self.model.collapse_rotation
 
     def runs(self) -> tuple[DemandRun, ...]:
         """Every record and sign at the demand itself."""
@@ -220,7 +220,7 @@ class _Set:
         return fails, unknown
 
     def rule_holds(self, worse: np.ndarray) -> bool:
-        """The rule for peaks over alpha, of each record its worse sign, where no run overturns."""
+        """The rule for peaks over theta_c, of each record its worse sign, where no run overturns."""
         value = worse.mean() if self.mean else worse.max()
         return bool(worse.max() <= 1.0 and value <= self.limit)
 

@@ -1,8 +1,9 @@
 """Kinematic checks of a wall, Circolare 7/2019 C8.7.1.2.1.1 to .8, for a single block.
 
 The clauses put the weight of each block at its centroid: for one wall turning about its base the sums of
-C8.7.1.4 and C8.7.1.5 have one term, so that e* = 1 and d = d_C at the centroid. (Summed over the height, as
-if each course were a block, e* would be 0.75 and a0* a third higher than the acceleration that uplifts the wall.)
+C8.7.1.4 and C8.7.1.5 have one term and one for each load that pushes it, so that without such loads e* = 1 and
+d = d_C at the centroid. (Summed over the height, as if each course were a block, e* would be 0.75 and a0* a third
+higher than the acceleration that uplifts the wall.)
 
 Above the ground the spectra are those of the floor, C7.2.3. Since they go to zero with the height, no demand of the
 floor is taken below that of the ground, a_g S, S_e(T_0) and S_De: a rule of ours.
@@ -15,6 +16,7 @@ from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes import target_spectrum
 from core.codes.demand import DemandResult
 from core.codes.floor_spectrum import FloorSpectrum
+from core.codes.kinematic_chain import Chain, chain, elastic_period_of_loads
 from core.codes.target_spectrum import GivenSpectrum
 from core.errors import InputError, place
 from core.units import G
@@ -25,9 +27,6 @@ DAMPING = {"SLV": 0.08, "SLC": 0.10}
 
 FREE_DAMPING = 0.05
 """Damping of an element before it moves (C8.7.1.9)."""
-
-E_STAR = 1.0
-"""e* of one block, C8.7.1.5 with one term."""
 
 CANTILEVER = 6.2
 """kappa of C8.7.1.7 for a cantilever (beam theory: 6.190)."""
@@ -70,10 +69,11 @@ class Check:
 class Kinematic:
     """Quantities of the mechanism.
 
-    alpha0 : multiplier that starts it (C8.7.1.1) [-]
+    alpha0 : multiplier that starts it (C8.7.1.1), with the friction of return walls [-]
     e_star : share of the mass that takes part (C8.7.1.5) [-]
     m_star : the mass that takes part, per metre of wall [kg/m]; None without a unit weight
     a0 : spectral acceleration that starts it, with FC (C8.7.1.3) [m/s2]
+    chain : the sums these follow from
     d0 : displacement of the centroid at which nothing holds the wall [m]
     free_element : free to vibrate, not restrained by transverse walls before it moves (clauses .3, .5, .7)
     period_0 : T_0 of a free element before it moves (C8.7.1.7) [s]; None where it is not known
@@ -93,6 +93,7 @@ class Kinematic:
     e_star: float
     m_star: float | None
     a0: float
+    chain: Chain
     d0: float
     free_element: bool
     period_0: float | None
@@ -108,12 +109,14 @@ class Kinematic:
 
 def elastic_period(wall) -> float | None:
     """T_0 = kappa lambda L sqrt(W / (E g)) [s], C8.7.1.7, of the wall as a cantilever of length L = H,
-    lambda = L / t, W the unit weight; None where E, the unit weight or the rectangle is not given."""
+    lambda = L / t, W the unit weight, and the masses that move with it (a rule of ours, `elastic_period_of_loads`);
+    None where E, the unit weight or the rectangle is not given."""
     if None in (wall.elastic_modulus_mpa, wall.unit_weight_kn_m3, wall.height_m):
         return None
     weight, modulus = 1e3 * wall.unit_weight_kn_m3, 1e6 * wall.elastic_modulus_mpa
     slender = wall.height_m / wall.thickness
-    return CANTILEVER * slender * wall.height_m * math.sqrt(weight / (modulus * G))
+    alone = CANTILEVER * slender * wall.height_m * math.sqrt(weight / (modulus * G))
+    return math.sqrt(alone**2 + elastic_period_of_loads(wall)) if wall.load else alone
 
 
 def _missing(wall, demand: DemandResult) -> tuple[str, ...]:
@@ -144,13 +147,11 @@ def kinematic(
     floor : above the ground the spectrum of its floor; None there means that the demand has none
     Raises InputError where the spectrum of a file ends before T_SLV, T_SLC or T_0.
     """
-    block, free = wall.block(), wall.is_free(mechanism)
-    alpha0 = math.tan(block.slenderness)
-    a0 = alpha0 * G / (E_STAR * demand.confidence_factor)
-    d0 = block.radius * math.sin(block.slenderness)
-    mass = None
-    if wall.unit_weight_kn_m3 is not None and wall.height_m is not None:
-        mass = E_STAR * 1e3 * wall.unit_weight_kn_m3 * wall.height_m * wall.thickness / G
+    free, sums = wall.is_free(mechanism), chain(wall, mechanism == "two_sided")
+    alpha0, e_star, d0 = sums.alpha0_friction or sums.alpha0, sums.e_star, sums.d0
+    per_multiplier = G / (e_star * demand.confidence_factor)
+    a0 = alpha0 * per_multiplier
+    mass = None if sums.mass is None else e_star * sums.mass
     period_0, acceleration, missing = None, demand.pga, ()
     if floor is not None:
         acceleration = max(floor.a_z, demand.pga)
@@ -167,12 +168,13 @@ def kinematic(
             _covers(demand.target, period_0, "T_0", wall)
     zeta_sld = None if acceleration is None else a0 / acceleration
     quantities = (
-        alpha0, E_STAR, mass, a0, d0, free, period_0, acceleration, zeta_sld, missing,
+        alpha0, e_star, mass, a0, sums, d0, free, period_0, acceleration, zeta_sld, missing,
     )  # fmt: skip
     if demand.target is None or demand.limit_state not in LIMIT_FRACTION:
         return Kinematic(*quantities, floor=floor)
     share = LIMIT_FRACTION[demand.limit_state]
-    d_limit, a_limit = share * d0, (1.0 - share) * a0
+    # the friction of return walls is lost over a slip: none of it in the curve
+    d_limit, a_limit = share * d0, (1.0 - share) * sums.alpha0 * per_multiplier
     period = PERIOD_FACTOR[demand.limit_state] * math.sqrt(d_limit / a_limit)
     _covers(demand.target, period, f"T_{demand.limit_state}", wall)
     start = 0.0 if missing or period_0 is None else min(period_0, period)

@@ -95,12 +95,13 @@ def verdict(
     kinematic : None above the ground where the building is not known
     """
     block = wall.block()
+    threshold = G * wall.uplift_multiplier(mechanism)
     made = {check.name: check for check in checks}
     governing = governing_check(checks)
     q_code = made.get("linear_q_code")
     zeta = governing.zeta if governing else None
     target = demand.zeta_target
-    activated = _activated(wall, block, demand, checks, kinematic, circumstances)
+    activated = _activated(wall, threshold, demand, checks, kinematic, circumstances)
     doubts = []
     if wall.above_ground and kinematic is None:
         doubts.append(_reason("upper_floor", z=wall.base_z_m))
@@ -162,8 +163,8 @@ def verdict(
     largest = demand.pga
     if wall.above_ground and code == "not_activated":
         largest = _strongest(demand, kinematic, circumstances)
-    parts = _sentence(code, block, demand, governing, q_code, dynamic, wall.above_ground, largest)
-    if_unloaded = code != "undetermined" and not wall.unloaded_confirmed
+    parts = _sentence(code, threshold, demand, governing, q_code, dynamic, wall.above_ground, largest)
+    if_unloaded = code != "undetermined" and not (wall.unloaded_confirmed or wall.load)
     reasons = (*doubts, *limits, *notes)
     return Verdict(
         code,
@@ -177,7 +178,7 @@ def verdict(
     )
 
 
-def _activated(wall, block, demand: DemandResult, checks, kinematic, circumstances) -> bool:
+def _activated(wall, threshold: float, demand: DemandResult, checks, kinematic, circumstances) -> bool:
     """Whether the motion can lift the wall at all, or a check fails all the same. An element free to vibrate is
     lifted by S_e(T_0) (C8.7.1.9): where T_0 is not known, neither is that it stays at rest."""
     lifted = None if kinematic is None else kinematic.zeta_sld
@@ -188,7 +189,7 @@ def _activated(wall, block, demand: DemandResult, checks, kinematic, circumstanc
     ):
         return True
     strongest = _strongest(demand, kinematic, circumstances) * max(1.0, demand.zeta_target)
-    at_rest = demand.confidence_factor * strongest <= block.threshold_acceleration
+    at_rest = demand.confidence_factor * strongest <= threshold
     rigid = wall.moment_law().is_rigid
     return not rigid or not at_rest or any(check.passed is False for check in checks)
 
@@ -238,9 +239,9 @@ def _limits(
 
 
 def _sentence(
-    code: str, block, demand, governing, q_code, dynamic, above_ground: bool, largest: float
+    code: str, threshold: float, demand, governing, q_code, dynamic, above_ground: bool, largest: float
 ) -> tuple[Sentence, ...]:
-    """The parts of the sentence of a verdict. largest : acceleration under the wall, FC apart [m/s2]."""
+    """The parts of the sentence of a verdict. threshold : a_RM, largest : acceleration under the wall, FC apart [m/s2]."""
     way = code
     if code == "not_activated" and above_ground:
         way = "not_activated_floor"
@@ -258,7 +259,7 @@ def _sentence(
     parts = [
         sentence(
             "verdict", way, state=demand.limit_state, q=demand.q_code, zeta=zeta, method=method, demand=lifting,
-            a_rm=block.threshold_acceleration / G,
+            a_rm=threshold / G,
         )
     ]  # fmt: skip
     if code not in ("undetermined", "not_activated") and dynamic:

@@ -164,6 +164,23 @@ def _floor(wall: WallResult) -> dict:
     }
 
 
+def _loads(wall: WallResult) -> dict:
+    """The key loads of a wall that has some: a and c of both sides, of a one-sided wall of its outward one."""
+    if not wall.wall.load:
+        return {}
+    model = wall.model
+    sides = [model.restoring, model.mirrored][: 1 if model.one_sided else 2]
+    return {
+        "loads": {
+            "a": sides[0].sine,
+            "c": sides[0].cosine,
+            "collapse_rotation_rad": model.collapse_rotation,
+            "uplift_g": model.threshold / G,
+            "sides": [{"a": side.sine, "c": side.cosine} for side in sides],
+        }
+    }
+
+
 def _uncertainty(accuracy: Accuracy | None) -> dict:
     """The key uncertainty of a wall, where it was asked for: solver and definition kept apart."""
     if accuracy is None:
@@ -259,7 +276,7 @@ def _wall(wall: WallResult, result: StudyResult) -> dict:
         "slenderness_deg": math.degrees(block.slenderness),
         "radius_m": block.radius,
         "frequency_parameter_rad_s": block.frequency_parameter,
-        "threshold_acceleration_g": block.threshold_acceleration / G,
+        "threshold_acceleration_g": wall.model.threshold / G,
         "mechanism": wall.mechanism,
         "restitution": wall.restitution.model,
         "velocity_ratio": wall.restitution.ratio_at_rest,
@@ -300,7 +317,7 @@ def _wall(wall: WallResult, result: StudyResult) -> dict:
                 "check": LABEL,
                 "q_source": source,
                 "q": check.q if check else None,
-                "capacity_a_rm_g": block.threshold_acceleration / G,
+                "capacity_a_rm_g": wall.model.threshold / G,
                 "demand_g": check.demand / G if check else None,
                 "ratio": check.ratio if check else None,
                 "passed": check.passed if check else None,
@@ -308,6 +325,7 @@ def _wall(wall: WallResult, result: StudyResult) -> dict:
             for source, check in zip(Q_SOURCES, wall.code_check, strict=False)
         ],
         "scale_free_law": [asdict(estimate) for estimate in wall.estimates],
+        **_loads(wall),
         **_assessment(wall.assessment),
         **_floor(wall),
         **_risk(wall),

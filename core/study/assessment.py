@@ -19,6 +19,7 @@ from core.study.results import Assessment, WallResult
 from core.text.sentence import Sentence, sentence
 from core.wall.restitution import restitution
 from core.wall.rocking_model import rocking_model
+from core.wall.wall_loads import rocks_both_ways
 
 EXACT_METHODS = ("auto", "taylor", "taylor_6", "dormand_prince")
 """Methods whose result a verdict may rest on; the others are for comparison."""
@@ -90,9 +91,9 @@ def assess(
         wall.model, motions, polarities, demand, method, reached, STEP, True, cancelled
     )
     below = None
-    if dynamic and asked.mechanism == "one_sided":
+    if dynamic and asked.mechanism == "one_sided" and rocks_both_ways(asked):
         free = restitution(wall.block, "housner")
-        model = rocking_model(wall.block, False, free, wall.law)
+        model = rocking_model(wall.block, False, free, wall.law, asked.restoring())
         below = demand_check(
             model, motions, (1,), demand, method, None, BOUND_STEP, False, cancelled
         )

@@ -193,7 +193,9 @@ def _polarities(mechanism: str, asked: str) -> tuple[int, ...]:
 
 def _model(wall: Wall, mechanism: str) -> RockingModel:
     one_sided = mechanism == "one_sided"
-    return rocking_model(wall.block(), one_sided, wall.restitution_of(mechanism), wall.moment_law())
+    return rocking_model(
+        wall.block(), one_sided, wall.restitution_of(mechanism), wall.moment_law(), wall.restoring()
+    )
 
 
 def _run_all(planned, models, felt, method, search, threads, book, on_progress):

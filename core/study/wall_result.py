@@ -66,9 +66,10 @@ def _per_record(
     runs: list[Run],
     block: Block,
     one_sided: bool,
-    felt: GroundMotion | None = None,
+    felt: GroundMotion | None,
+    closed: bool,
 ) -> PerRecord:
-    """felt : motion of the floor of a wall above the ground, where Eq. 15 and 16 do not hold."""
+    """felt : motion of the floor of a wall above the ground; closed : Eq. 15 and 16 hold."""
     with_q = [run for run in runs if run.ida.q is not None]
     lowest = min(with_q, key=lambda run: run.ida.q) if with_q else None
     si = motion.housner_intensity
@@ -82,8 +83,10 @@ def _per_record(
         q_eff=lowest.q_eff if lowest else None,
         intensity=si,
         pga=(felt or motion).pga,
-        closed_form_q_eff=None if felt else closed_forms.closed_form_q_eff(*shape, one_sided),
-        closed_form_q=None if felt else closed_forms.closed_form_q(*shape, motion.pga, one_sided),
+        closed_form_q_eff=closed_forms.closed_form_q_eff(*shape, one_sided) if closed else None,
+        closed_form_q=closed_forms.closed_form_q(*shape, motion.pga, one_sided)
+        if closed
+        else None,
     )
 
 
@@ -101,6 +104,7 @@ def wall_result(wall, mechanism, model, runs, motions, search, demand, floor=Non
             block,
             one_sided,
             floor.motions[k] if floor else None,
+            wall.has_closed_forms,
         )
         for k, motion in enumerate(motions)
     ]
@@ -117,7 +121,7 @@ def wall_result(wall, mechanism, model, runs, motions, search, demand, floor=Non
     }
     with_q = [entry for entry in per_record if entry.q is not None]
     closed_q_eff = closed_q = None
-    if demand and demand.intensity and not wall.above_ground:
+    if demand and demand.intensity and wall.has_closed_forms:
         shape = (block.slenderness, block.height, demand.intensity)
         closed_q_eff = closed_forms.closed_form_q_eff(*shape, one_sided)
         closed_q = closed_forms.closed_form_q(*shape, demand.pga, one_sided)
@@ -125,12 +129,12 @@ def wall_result(wall, mechanism, model, runs, motions, search, demand, floor=Non
     if demand and not wall.above_ground:  # above the ground the motion of the floor is not known
         sources = (demand.q_code, closed_q, sets["q"], sets["q_slv"], sets["q_robust"])
         checks = tuple(
-            inequality(source, q, block.threshold_acceleration, demand.pga) if q else None
+            inequality(source, q, model.threshold, demand.pga) if q else None
             for source, q in zip(Q_SOURCES, sources, strict=True)
         )
     restitution = wall.restitution_of(mechanism)
     estimated = ()
-    if checks and demand.intensity:
+    if checks and demand.intensity and wall.has_closed_forms:
         estimated = estimates(block, restitution, law, one_sided, demand.intensity, demand.pga)
     law_of_si = None
     if not wall.above_ground:
@@ -192,9 +196,9 @@ def _model_notices(wall, block, mechanism, restitution, law) -> list[Sentence]:
         notices.append(notice("hogan", model=restitution.model))
     if restitution.ratio_at_rest > NEARLY_ELASTIC and restitution.model == "user":
         notices.append(notice("nearly_elastic", ratio=restitution.ratio_at_rest))
-    if wall.height_m is not None and wall.setback > 0.0:
+    if wall.height_m is not None and wall.setback > 0.0 and not wall.load:
         notices.append(notice("setback_height", height=block.height))
-    elif not block.is_rectangle:
+    elif not block.is_rectangle and not wall.load:
         notices.append(notice("general_height", height=block.height))
         if restitution.model.startswith("one_sided"):
             notices.append(notice("general_contact"))
@@ -235,9 +239,9 @@ def _set_notices(runs, numbers, incomplete, fragile, power_law, search) -> list[
 def _form_notices(
     wall, block, mechanism, restitution, law, per_record, demand, checks
 ) -> list[Sentence]:
-    """On the closed forms, which are not shown above the ground."""
-    if wall.above_ground:
-        return []
+    """On the closed forms, which are not shown above the ground or with loads."""
+    if not wall.has_closed_forms:
+        return [notice("no_closed_forms")] if wall.load and not wall.above_ground else []
     pgas = [(entry.record, entry.pga) for entry in per_record]
     if demand:
         pgas.append(("demand", demand.pga))

@@ -3,6 +3,7 @@
 from core.text.error_parts import ACCEPTED, PLACES
 from core.text.errors import CASE_ERRORS
 from core.text.file_errors import FILE_ERRORS
+from core.text.load_errors import LOAD_ERRORS
 from core.text.method import METHOD_BODIES, METHOD_LABELS
 from core.text.notices import SENTENCES as NOTICES
 from core.text.report import REPORT
@@ -25,7 +26,7 @@ def _by_english(texts: dict[str, str]) -> dict[str, tuple[str, str]]:
 
 
 CATALOGUE: dict[str, dict[str, tuple[str, str]]] = {
-    "error": {**CASE_ERRORS, **FILE_ERRORS},
+    "error": {**CASE_ERRORS, **FILE_ERRORS, **LOAD_ERRORS},
     "place": PLACES,
     "accepted": ACCEPTED,
     "notice": NOTICES,

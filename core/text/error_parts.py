@@ -7,6 +7,7 @@ PLACES = {
     "group": ('group "{name}"', 'gruppo "{name}"'),
     "row": ("row {n}", "riga {n}"),
     "cell": ("row {n}, {key}", "riga {n}, {key}"),
+    "load": ("load {n}", "carico {n}"),
     "line": ("line {n}", "riga {n}"),
     "section": ("{name}", "{name}"),
 }
@@ -29,6 +30,7 @@ ACCEPTED = {
         "un elenco fra parentesi quadre, ciascuno {items}",
     ),
     "tables": ("one or more tables [[{name}]]", "una o più tabelle [[{name}]]"),
+    "section": ("a table [wall.{name}]", "una tabella [wall.{name}]"),
     "hinges": (
         '"{floors}" or heights above the base in m, [3.0, 6.0]',
         '"{floors}" o quote dalla base in m, [3.0, 6.0]',

@@ -117,6 +117,10 @@ SENTENCES = {
         "Legge trilineare: q mantiene a_RM = g tan(alpha), benché la parete si muova subito e il plateau sia "
         "circa {plateau:.2f} a_RM.",
     ),
+    "no_closed_forms": (
+        "Eq. 15/16 were fitted to walls without loads: not shown for this wall.",
+        "Le Eq. 15/16 sono tarate su pareti senza carichi: non riportate per questa parete.",
+    ),
     "eq15_slenderness": (
         "alpha {alpha:.2f} deg is outside the 3.1-11.3 deg Eq. 15/16 were fitted on.",
         "alpha {alpha:.2f}° fuori dall'intervallo 3.1-11.3° di taratura delle Eq. 15/16.",

@@ -1,0 +1,124 @@
+"""Sums of the kinematic chain of one wall with its loads, Circolare 7/2019 C8.7.1.2.1.1 to .3.
+
+One block turns about its hinge, so that the virtual displacement of every point is its height. P are the weights on
+the wall, Q those whose mass pushes it, F the forces that do not depend on the earthquake.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from core.wall import wall_loads
+from core.units import G
+
+DRAGGED = 0.4
+"""Factor of the friction of the return walls (C8.7.1.2.1.1, literature of masonry of regular courses)."""
+
+HEIGHTS = 2000
+"""Heights of the part that turns, tried for the smallest alpha_0 with friction."""
+
+
+@dataclass(frozen=True)
+class Chain:
+    """Sums of a wall.
+
+    alpha0 : C8.7.1.1, without friction [-]
+    e_star : C8.7.1.5 [-]
+    mass : sum of (P + Q) / g per metre of wall [kg/m]; None without a unit weight
+    d0 : displacement of the control point at which nothing holds the wall (C8.7.1.4) [m]
+    alpha0_friction : with the friction of the return walls, None without them [-]
+    friction_height : height of the part that turns then [m]
+    """
+
+    alpha0: float
+    e_star: float
+    mass: float | None
+    d0: float
+    alpha0_friction: float | None = None
+    friction_height: float | None = None
+
+
+def chain(wall, two_sided: bool) -> Chain:
+    """The sums; of a two-sided wall the smaller alpha_0 and d_0 of its two sides."""
+    bare = wall.bare_block()
+    alpha0, e_star, d0 = math.tan(bare.slenderness), 1.0, bare.radius * math.sin(bare.slenderness)
+    mass = None
+    if wall.unit_weight_kn_m3 is not None and wall.height_m is not None:
+        mass = wall_loads.weight_per_metre(wall) / G
+    if wall.load:
+        alpha0, e_star, total, d0 = _loaded(wall, bare, (1.0, -1.0) if two_sided else (1.0,))
+        mass = total
+    if wall.return_walls is None:
+        return Chain(alpha0, e_star, mass, d0)
+    multipliers, heights = multipliers_with_friction(wall)
+    least = int(np.argmin(multipliers))
+    return Chain(
+        alpha0, e_star, mass, d0, float(multipliers[least]), float(heights[least])
+    )
+
+
+def _loaded(wall, bare, sides) -> tuple[float, float, float, float]:
+    """(alpha_0, e*, mass, d_0) of a wall with loads."""
+    weight, y = wall_loads.weight_per_metre(wall), bare.radius * math.cos(bare.slenderness)
+    x = bare.radius * math.sin(bare.slenderness)
+    pushed = wall_loads.masses(wall)
+    first = weight * y + sum(mass.mass * G * mass.height for mass in pushed)
+    second = weight * y**2 + sum(mass.mass * G * mass.height**2 for mass in pushed)
+    total = weight + sum(mass.mass * G for mass in pushed)
+    block, restoring = wall.block(), wall.restoring()
+    alpha0, d0 = math.inf, math.inf
+    for side in sides:
+        forces = [wall_loads.as_force(load, wall, side) for load in wall.load]
+        alpha0 = min(alpha0, wall_loads.start_multiplier(weight, x, y, forces, pushed))
+        collapse = block.slenderness + restoring[0 if side > 0.0 else 1].lean
+        centroid = bare.radius * (
+            math.sin(bare.slenderness) - math.sin(bare.slenderness - collapse)
+        )
+        d0 = min(d0, centroid * second / (y * first))
+    return alpha0, first**2 / (total * second), total / G, d0
+
+
+def friction(wall, height):
+    """F = 0.4 n (n + 1) phi mu l^2 t_s w of each return wall [N], n courses of it being dragged (C8.7.1.2.1.1).
+
+    height : of the part that turns, of n courses [m], a number or an array
+    phi = h_b / l is the shape of a unit, w the unit weight.
+    """
+    across = wall.return_walls
+    n = height / across.brick_height_m
+    shape = across.brick_height_m / across.brick_length_m
+    weight = 1e3 * wall.unit_weight_kn_m3
+    return (
+        DRAGGED * n * (n + 1.0) * shape * across.friction
+        * across.brick_length_m**2 * across.thickness_m * weight
+    )  # fmt: skip
+
+
+def multipliers_with_friction(wall) -> tuple[np.ndarray, np.ndarray]:
+    """(alpha_0 with the friction of the return walls at a third of its height [-], height [m]) of every part of the
+    wall from its top down; shape (HEIGHTS,) each. The friction acts on the length of the wall."""
+    heights = wall.height_m * np.arange(1, HEIGHTS + 1) / HEIGHTS
+    weight = wall_loads.weight_per_metre(wall) * heights / wall.height_m
+    x = 0.5 * wall.thickness - wall.setback
+    dragged = wall.return_walls.number * friction(wall, heights) / wall.length_m
+    holding = weight * x + dragged * heights / 3.0
+    pushing = 0.5 * weight * heights
+    for load in wall.load:
+        force = wall_loads.as_force(load, wall, 1.0)
+        lever = np.maximum(load.h_m - (wall.height_m - heights), 0.0)
+        on_part = lever > 0.0
+        holding += on_part * force.vertical * force.distance + force.horizontal * lever
+        if load.pushes:
+            pushing += 1e3 * load.kn_m * lever
+    return holding / pushing, heights
+
+
+def elastic_period_of_loads(wall) -> float:
+    """Sum of T_i^2 = 4 pi^2 m_i h_i^3 / (3 E I) [s2] of the masses that move with a cantilever wall, I = t^3 / 12 per
+    metre: Dunkerley's rule adds it to the square of the period of the wall alone."""
+    stiffness = 1e6 * wall.elastic_modulus_mpa * wall.thickness**3 / 12.0
+    return sum(
+        4.0 * math.pi**2 * mass.mass * mass.height**3 / (3.0 * stiffness)
+        for mass in wall_loads.masses(wall)
+    )

@@ -1,0 +1,68 @@
+"""Errors on the loads of a wall, in English and Italian."""
+
+LOAD_ERRORS = {
+    "loads_need_weight": (
+        "loads act on a metre of a rectangular wall of known weight: give {height_m}, {thickness_m} and "
+        "{unit_weight_kn_m3}",
+        "i carichi agiscono su un metro di parete rettangolare di peso noto: dare {height_m}, {thickness_m} e "
+        "{unit_weight_kn_m3}",
+    ),
+    "loads_contradict": (
+        "{key} says that the wall carries nothing, and it has loads: leave one of them out",
+        "{key} dichiara che la parete non porta nulla, ma ci sono carichi: togliere l'uno o gli altri",
+    ),
+    "load_mass_missing": (
+        "a vertical load needs {key}: none where the mass is held elsewhere, horizontal where it pushes the wall, "
+        "moving where it moves with the wall",
+        "un carico verticale richiede {key}: none se la massa è trattenuta altrove, horizontal se spinge la parete, "
+        "moving se si muove con la parete",
+    ),
+    "load_mass_refused": (
+        "{key} does not go with {kind}: leave it out",
+        "{key} non si accorda con {kind}: toglierlo",
+    ),
+    "load_distance_missing": (
+        "give {key}, the distance of the load from the outer face of the wall",
+        "dare {key}, la distanza del carico dalla faccia esterna della parete",
+    ),
+    "load_outside": (
+        "{key} {found:g} m lies outside the wall: accepted is 0 to {most:g} m, from the outer face and above the hinge",
+        "{key} {found:g} m è fuori dalla parete: si accetta da 0 a {most:g} m, dalla faccia esterna e sopra la cerniera",
+    ),
+    "unstable_under_loads": (
+        "unstable under its own loads: it would turn without any earthquake (at {threshold:.3f} g); check sizes, "
+        "distances and heights of the loads, or add what holds the wall",
+        "instabile sotto i propri carichi: si ribalterebbe senza alcun sisma (a {threshold:.3f} g); controllare entità, "
+        "distanze e quote dei carichi, oppure aggiungere ciò che trattiene la parete",
+    ),
+    "collapse_too_far": (
+        "with its loads the wall would stand up to a rotation of {found:.0f} degrees, more than the {most:.0f} a rigid "
+        "block is taken for here: reduce the loads that hold it",
+        "con i suoi carichi la parete resisterebbe fino a una rotazione di {found:.0f} gradi, più dei {most:.0f} "
+        "ammessi qui per un blocco rigido: ridurre i carichi che la trattengono",
+    ),
+    "moving_mass_off_centre": (
+        "a mass that moves with a two-sided wall must be at half its thickness; else study each direction as a "
+        "one-sided wall",
+        "una massa che si muove con una parete su due lati deve stare a metà spessore; altrimenti studiare ogni "
+        "direzione come parete su un lato",
+    ),
+    "moving_mass_ratio": (
+        "Eq. 6 holds for a wall alone; with a mass that moves with it give {velocity_ratio}, or another {restitution}",
+        "l'Eq. 6 vale per la sola parete; con una massa che si muove con essa dare {velocity_ratio}, oppure un altro "
+        "{restitution}",
+    ),
+    "two_sided_loads_rigid": (
+        "a two-sided wall whose loads differ for its two sides takes the rigid law: give {key} rigid, or study each "
+        "direction as a one-sided wall",
+        "una parete su due lati con carichi diversi per i due lati richiede la legge rigida: dare {key} rigid, oppure "
+        "studiare ogni direzione come parete su un lato",
+    ),
+    "tie_too_strong": (
+        "with ties of {found:g} kN/m the wall opens a hinge at {hinge:.2f} m before it turns about its base, so that "
+        "it is no one rigid block: accepted is up to {most:.3g} kN/m at these heights",
+        "con catene da {found:g} kN/m la parete apre una cerniera a {hinge:.2f} m prima di ruotare alla base, e non è "
+        "più un solo blocco rigido: si accettano fino a {most:.3g} kN/m a queste quote",
+    ),
+}
+"""Loads a wall cannot have or carry: code -> (English, Italian)."""

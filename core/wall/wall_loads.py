@@ -1,0 +1,224 @@
+"""The loads of a wall as forces, masses and moments about its hinge, per metre of wall; and what it cannot carry."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from core.errors import InputError, place
+from core.wall.block import Block
+from core.wall.loads import (
+    BARE,
+    Force,
+    PointMass,
+    RestoringMoment,
+    composite,
+    restoring_moment,
+)
+from core.units import G
+
+MOST_COLLAPSE = math.radians(60.0)
+"""Largest collapse rotation: beyond it a wall is no wall that overturns."""
+
+CENTRED = 1e-6
+"""Distance from the middle of the wall up to which moving masses are centred [of t]."""
+
+SECTIONS = 400
+"""Sections of a wall between which a hinge inside it is looked for."""
+
+
+def weight_per_metre(wall) -> float:
+    """W of the wall alone [N/m]."""
+    return 1e3 * wall.unit_weight_kn_m3 * wall.thickness * wall.height_m
+
+
+def vertical_loads(wall) -> float:
+    """Sum of the vertical loads [N/m]."""
+    return sum(1e3 * load.kn_m for load in wall.load if load.is_weight)
+
+
+def as_force(load, wall, side: float) -> Force:
+    """A load about the hinge of this side, 1.0 the outer one [N/m, m]; its weight too where its mass moves."""
+    depth = load.d_m or 0.0
+    inward = depth if side > 0.0 else wall.thickness - depth
+    push = {"tie": 1e3, "thrust": -1e3}.get(load.kind, 0.0) * load.kn_m * side
+    weight = 1e3 * load.kn_m if load.is_weight else 0.0
+    return Force(weight, push, inward - wall.setback, load.h_m)
+
+
+def masses(wall) -> list[PointMass]:
+    """Q over g: the masses that move with the wall or push it [kg/m], about its outer hinge."""
+    return [
+        PointMass(1e3 * load.kn_m / G, load.d_m - wall.setback, load.h_m)
+        for load in wall.load
+        if load.pushes
+    ]
+
+
+def moving_block(wall, bare: Block) -> Block:
+    """The wall and the masses that move with it as one block. bare : the wall alone."""
+    if not any(load.pushes for load in wall.load):
+        return bare
+    return composite(bare, weight_per_metre(wall) / G, masses(wall))
+
+
+def restoring_of(wall, block: Block) -> tuple[RestoringMoment, RestoringMoment]:
+    """a and c of a wall for outward and for inward rotations. block : of `moving_block`, which holds the weight of
+    the masses that move."""
+    held = [load for load in wall.load if not load.pushes]
+    if not held:
+        return BARE, BARE
+    weight = weight_per_metre(wall) + sum(1e3 * load.kn_m for load in wall.load if load.pushes)
+    outward, inward = (
+        restoring_moment(block, weight, [as_force(load, wall, side) for load in held])
+        for side in (1.0, -1.0)
+    )
+    return outward, inward
+
+
+def is_centred(wall, block: Block) -> bool:
+    """Whether what moves is symmetric, so that the wall is one block for both its hinges."""
+    middle = 0.5 * wall.thickness - wall.setback
+    off = block.radius * math.sin(block.slenderness) - middle
+    return abs(off) <= CENTRED * wall.thickness
+
+
+def is_stable(block: Block, side: RestoringMoment) -> bool:
+    """Whether the wall stands at rest under its own loads on this side."""
+    return side.sine > 0.0 and side.sine * math.tan(block.slenderness) + side.cosine > 0.0
+
+
+def rocks_both_ways(wall) -> bool:
+    """Whether a one-sided wall without its restraint is a two-sided one of this model: stable to both sides, what
+    moves with it in its middle, and rigid where its loads differ for the two sides."""
+    if not wall.load:
+        return True
+    block = wall.block()
+    outward, inward = restoring_of(wall, block)
+    alike = outward == inward or wall.moment_law().is_rigid
+    return alike and is_centred(wall, block) and is_stable(block, inward)
+
+
+def check_given(wall) -> None:
+    """Raise InputError for loads that are not complete, contradict each other or are not on the wall."""
+    if not wall.load:
+        return
+    here = (place("wall", name=wall.name),)
+    if wall.height_m is None or wall.thickness is None or wall.unit_weight_kn_m3 is None:
+        raise InputError("loads_need_weight", place=here)
+    if wall.unloaded_confirmed:
+        raise InputError("loads_contradict", place=here, key="unloaded_confirmed")
+    for number, load in enumerate(wall.load, start=1):
+        _check_load(wall, load, (*here, place("load", n=number)))
+
+
+def check_loads(wall) -> None:
+    """Raise InputError for loads under which the wall does not stand, or is no one rigid block."""
+    if not wall.load:
+        return
+    here = (place("wall", name=wall.name),)
+    block = wall.block()
+    outward, inward = restoring_of(wall, block)
+    two_sided = "two_sided" in wall.mechanisms()
+    if two_sided and not is_centred(wall, block):
+        raise InputError("moving_mass_off_centre", place=here)
+    eq6 = wall.restitution_model("one_sided").startswith("one_sided")
+    if any(load.pushes for load in wall.load) and "one_sided" in wall.mechanisms() and eq6:
+        raise InputError("moving_mass_ratio", place=here, key="velocity_ratio")
+    for side in (outward, inward) if two_sided else (outward,):
+        if not is_stable(block, side):
+            threshold = side.sine * math.tan(block.slenderness) + side.cosine
+            raise InputError("unstable_under_loads", place=here, threshold=threshold)
+        if block.slenderness + side.lean > MOST_COLLAPSE:
+            raise InputError(
+                "collapse_too_far",
+                place=here,
+                found=math.degrees(block.slenderness + side.lean),
+                most=math.degrees(MOST_COLLAPSE),
+            )
+    if two_sided and outward != inward and not wall.moment_law().is_rigid:
+        raise InputError("two_sided_loads_rigid", place=here, key="law")
+    _check_ties(wall, here)
+
+
+def _check_load(wall, load, here) -> None:
+    """Rules of one load."""
+    if load.kind == "vertical" and load.mass is None:
+        raise InputError("load_mass_missing", place=here, key="mass")
+    wrong = {"thrust": (None, "none"), "tie": (None, "none"), "carried_mass": (None, "moving")}
+    if load.mass not in wrong.get(load.kind, (load.mass,)):
+        raise InputError("load_mass_refused", place=here, key="mass", kind=load.kind)
+    if load.is_weight and load.d_m is None:
+        raise InputError("load_distance_missing", place=here, key="d_m")
+    highest = 2.0 * wall.height_m if load.kind == "carried_mass" else wall.height_m
+    # heights of loads above a hinge are differences
+    if not 0.0 <= (load.d_m or 0.0) <= wall.thickness * (1.0 + 1e-9):
+        raise InputError("load_outside", place=here, key="d_m", found=load.d_m, most=wall.thickness)
+    if load.h_m > highest * (1.0 + 1e-9):
+        raise InputError("load_outside", place=here, key="h_m", found=load.h_m, most=highest)
+
+
+def start_multiplier(weight: float, x: float, y: float, forces, pushed) -> float:
+    """alpha_0 of one block: the moments that hold it over those of its masses [-] (C8.7.1.1).
+
+    weight : of the wall [N/m]; x, y : of its centroid, inward from the hinge and above it [m]
+    forces : all Forces on it; pushed : PointMasses that move with it or push it
+    """
+    holding = weight * x + sum(f.vertical * f.distance + f.horizontal * f.height for f in forces)
+    return holding / (weight * y + sum(mass.mass * G * mass.height for mass in pushed))
+
+
+def hinge_inside(wall, share: float = 1.0) -> float | None:
+    """Height [m] at which a wall with ties opens a hinge before it turns about its base; None where it does not.
+
+    At the acceleration that uplifts the wall the resultant of each section must stay inside it, by u = 2 N / (3 f)
+    where the compressive strength f is given. share : of the force of the ties
+    """
+    forces = [as_force(load, wall, 1.0) for load in wall.load]
+    forces = [
+        replace(force, horizontal=share * force.horizontal) if force.horizontal > 0.0 else force
+        for force in forces
+    ]
+    weight, height, thickness = weight_per_metre(wall), wall.height_m, wall.thickness
+    x, pushed = 0.5 * thickness - wall.setback, masses(wall)
+    push = start_multiplier(weight, x, 0.5 * height, forces, pushed)
+    for y in np.linspace(0.0, height, SECTIONS + 1)[1:-1]:
+        above = [force for force in forces if force.height > y]
+        part = weight * (1.0 - y / height)
+        pressed = part + sum(force.vertical for force in above)
+        outward = 0.5 * push * part * (height - y)
+        outward += sum(push * m.mass * G * (m.height - y) for m in pushed if m.height > y)
+        outward -= sum(
+            f.vertical * (f.distance - x) + f.horizontal * (f.height - y) for f in above
+        )
+        crushed = 0.0
+        if wall.compressive_strength_mpa is not None:
+            crushed = 2.0 * pressed / (3e6 * wall.compressive_strength_mpa)
+        if abs(outward) > pressed * (0.5 * thickness - crushed) * (1.0 + 1e-9):
+            return float(y)
+    return None
+
+
+def largest_tie_share(wall) -> float:
+    """Share of the force of its ties up to which a wall turns about its base, see `hinge_inside`."""
+    low, high = 0.0, 1.0
+    for _ in range(40):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if hinge_inside(wall, middle) is None else (low, middle)
+    return low
+
+
+def _check_ties(wall, here) -> None:
+    ties = sum(load.kn_m for load in wall.load if load.kind == "tie")
+    if not ties or (hinge := hinge_inside(wall)) is None:
+        return
+    raise InputError(
+        "tie_too_strong", place=here, found=ties, hinge=hinge, most=ties * largest_tie_share(wall)
+    )
+
+
+def loads_above(wall, hinge: float) -> tuple:
+    """The loads of the part of a wall above a hinge [m above its base]."""
+    return tuple(
+        replace(load, h_m=load.h_m - hinge) for load in wall.load if load.h_m > hinge + 1e-9
+    )
