@@ -59,7 +59,7 @@ def history(ground, dt, wall, loads, one_sided, ratio, rest, start=0.0):
 
             vars(hits).update(terminal=True, direction=-1)
             piece = solve_ivp(lambda s, y: [y[1], net(y[0], s)], (t, dt), [phi, speed], "DOP853",
-                              rtol=1e-13, atol=1e-16, max_step=dt, events=[hits])  # fmt: skip
+                              rtol=1e-13, atol=1e-16, max_step=dt / 8, events=[hits])  # fmt: skip
             t, (phi, speed) = piece.t[-1], piece.y[:, -1]
             if piece.status != 1:
                 break
