@@ -37,10 +37,11 @@ def history(ground, dt, wall, loads, one_sided, ratio, rest, start=0.0):
         t = 0.0
         while t < dt:
 
-            def net(y, s, first=first, last=last):
-                holds, pushes, inertia = moment(y, side, wall, loads)
+            def net(y, s, on=None, first=first, last=last):
+                way = on or side
+                holds, pushes, inertia = moment(y, way, wall, loads)
                 u = first + (last - first) * s / dt
-                return (side * u * pushes - holds) / inertia
+                return (way * u * pushes - holds) / inertia
 
             if not moving:
                 for way in (1.0,) if one_sided else (1.0, -1.0):
@@ -65,6 +66,7 @@ def history(ground, dt, wall, loads, one_sided, ratio, rest, start=0.0):
                 break
             phi, speed = 0.0, -ratio * speed
             side = side if one_sided else -side
-            moving = speed > rest
+            ways = (1.0,) if one_sided else (1.0, -1.0)
+            moving = speed > rest or max(net(0.0, t, way) for way in ways) > 0.0
         theta.append(side * phi if moving else 0.0)
     return np.array(theta)
