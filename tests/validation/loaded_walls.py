@@ -55,12 +55,16 @@ def history(ground, dt, wall, loads, one_sided, ratio, rest, start=0.0):
                     t += (dt - t) * at_start / (at_start - at_end)
                 phi, speed, moving = 0.0, 0.0, True
 
+            # a hop from the base must not end within its first step
+            pull = -net(0.0, t) if phi == 0.0 else 0.0
+            longest = min(dt, 0.1 * speed / pull) if pull > 0.0 < speed else dt
+
             def hits(s, y):
                 return y[0]
 
             vars(hits).update(terminal=True, direction=-1)
             piece = solve_ivp(lambda s, y: [y[1], net(y[0], s)], (t, dt), [phi, speed], "DOP853",
-                              rtol=1e-13, atol=1e-16, max_step=dt / 8, events=[hits])  # fmt: skip
+                              rtol=1e-13, atol=1e-16, max_step=longest, events=[hits])  # fmt: skip
             t, (phi, speed) = piece.t[-1], piece.y[:, -1]
             if piece.status != 1:
                 break
