@@ -10,7 +10,6 @@ import numpy as np
 from core.errors import Cancelled
 from core.units import G
 
-
 BARE = ((1.0, 0.0), (1.0, 0.0))
 """(a, c) of both sides of a wall without loads."""
 

@@ -3,9 +3,9 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from core.wall.wall_loads import loads_above
 from core.case.schema import Building, Case, Wall
 from core.errors import InputError, place
+from core.wall.wall_loads import loads_above
 
 FLOORS = "floors"
 """Hinges at every floor of the building between the base of the wall and its top."""
@@ -63,13 +63,17 @@ def above_hinge(wall: Wall, hinge: float) -> Wall:
         base_z_m=None if wall.base_z_m is None else wall.base_z_m + hinge,
         hinge_heights=None,
         load=loads_above(wall, hinge),
+        tie_height_m=None
+        if wall.tie_height_m is None or wall.tie_height_m <= hinge
+        else wall.tie_height_m - hinge,
     )
 
 
 def parts(case: Case) -> list[tuple[str, Wall]]:
-    """(name of the wall of the case, wall to be analysed) for every hinge of every wall."""
+    """(title of the wall of the case, wall to be analysed) for every hinge of every wall."""
+    walls = [replace(wall, name=wall.title) for wall in case.wall]
     return [
         (wall.name, above_hinge(wall, hinge))
-        for wall in case.wall
+        for wall in walls
         for hinge in (0.0, *hinges_of(wall, case.building))
     ]

@@ -1,13 +1,12 @@
 """The rules of a case: every one is applied here and in values.py, once, for file, table and form."""
 
 import hashlib
-import itertools
 import json
 import math
 from dataclasses import MISSING, fields, replace
 
+from core.case.hazard_table import check_rising
 from core.case.hinges import check_hinges, parts
-from core.wall.wall_loads import check_given, check_loads
 from core.case.schema import (
     Analysis,
     Building,
@@ -31,6 +30,7 @@ from core.case.values import (
 from core.codes.limits import check_return_period
 from core.errors import InputError, place, section
 from core.text.sentence import Quantity, sentence
+from core.wall.wall_loads import check_given, check_loads
 
 FULL_FACTOR = 1.35
 """Confidence factor where the compressive strength is not in alpha (Circolare 7/2019 C8.7.1.2.1)."""
@@ -125,8 +125,8 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
         raise InputError("no_wall")
     names = {}
     for wall in walls:
-        if names.setdefault(wall.name, wall) is not wall:
-            raise InputError("same_name", key="name", wall=wall.name)
+        if names.setdefault(wall.title, wall) is not wall:
+            raise InputError("same_name", key="name", wall=wall.title)
         try:
             wall.bare_block()
             check_given(wall)
@@ -201,13 +201,13 @@ def _demand(table) -> Demand:
     if demand.return_period_years is not None:
         own = replace(demand, return_period_years=None).return_period
         check_return_period(demand.limit_state, demand.return_period_years, own)
-    rows = demand.hazard
-    rising = all(
-        low.return_period_years < high.return_period_years and low.ag_g < high.ag_g
-        for low, high in itertools.pairwise(rows)
-    )
-    if len(rows) == 1 or not rising:
-        raise InputError("hazard_not_rising", place=(here,), key="hazard")
+    if demand.hazard and demand.hazard_file:
+        raise InputError("two_hazards", place=(here,))
+    if demand.hazard:
+        try:
+            check_rising(demand.hazard)
+        except InputError as error:
+            raise error.at(here) from None
     if (asked or demand.spectrum_file) and demand.housner_intensity_cm is not None:
         raise InputError("intensity_follows", place=(here,))
     return demand

@@ -4,12 +4,12 @@ import math
 from collections.abc import Sequence
 from dataclasses import MISSING, asdict, dataclass, field, fields
 
-from core.wall import wall_loads
 from core.codes.limits import return_period
 from core.codes.target_spectrum import NTC_TOPOGRAPHY, SOILS
 from core.errors import InputError, place
 from core.rocking.methods import AUTO, METHODS
 from core.text.sentence import Key, sentence
+from core.wall import wall_loads
 from core.wall.block import Block
 from core.wall.loads import BARE, RestoringMoment
 from core.wall.moment_rotation import LAWS, MomentLaw
@@ -54,6 +54,10 @@ class Report:
     revision: str = text_key()
     date: str = text_key()
     language: str = choice_key("en", "it", default="en")
+
+
+AS_IS, DESIGNED = "stato di fatto", "progetto"
+"""Variants of a wall: two walls of one name are compared if each is one of them."""
 
 
 @dataclass(frozen=True)
@@ -132,6 +136,18 @@ class Wall:
     return_walls: ReturnWalls | None = field(
         default=None, metadata={"kind": "section", "of": ReturnWalls}
     )
+    tie_height_m: float | None = number_key(0.1, 60.0, unit="m")
+    variant: str | None = choice_key(AS_IS, DESIGNED, default=None)
+
+    @property
+    def title(self) -> str:
+        """Its name, with its variant where it has one."""
+        return self.name if self.variant is None else f"{self.name} ({self.variant})"
+
+    @property
+    def own_name(self) -> str:
+        """Its name without the variant that `hinges.parts` puts there."""
+        return self.name if self.variant is None else self.name.replace(f" ({self.variant})", "")
 
     @property
     def thickness(self) -> float | None:
@@ -339,6 +355,7 @@ class Demand:
     use_class_factor: float | None = number_key(0.1, 5.0)
     return_period_years: float | None = number_key(1.0, 100000.0, unit="years")
     hazard: tuple[HazardRow, ...] = field(default=(), metadata={"kind": "tables", "of": HazardRow})
+    hazard_file: str | None = path_key(None)
 
     @property
     def return_period(self) -> float | None:

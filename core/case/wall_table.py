@@ -33,8 +33,31 @@ COLUMNS = {
     "elastic_modulus_mpa": ("e", "modulo elastico", "elastic modulus"),
     "free_element": ("elemento libero", "libero di vibrare", "free element"),
     "unloaded_confirmed": ("parete scarica", "senza carichi", "no load"),
+    "tie_height_m": ("quota catena", "tie height"),
+    "variant": ("variante",),
 }
 """Key of a wall -> further heads of its column; the key itself is always one."""
+
+MOST_LOADS = 4
+LOAD_COLUMNS = {
+    "kind": ("carico {n}", "load {n}"),
+    "kn_m": ("carico {n} p", "load {n} p"),
+    "d_m": ("carico {n} d", "load {n} d"),
+    "h_m": ("carico {n} h", "load {n} h"),
+    "mass": ("carico {n} massa", "load {n} mass"),
+}
+"""Key of a load -> heads of its column, the n-th load of a wall; load1_kind, ... are always ones."""
+
+COLUMNS |= {
+    f"load{n}_{key}": tuple(name.format(n=n) for name in names)
+    for n in range(1, MOST_LOADS + 1)
+    for key, names in LOAD_COLUMNS.items()
+}
+
+LOAD_WORDS = {
+    "verticale": "vertical", "spinta": "thrust", "catena": "tie", "tirante": "tie", "massa portata": "carried_mass",
+    "carried mass": "carried_mass", "nessuna": "none", "orizzontale": "horizontal", "solidale": "moving",
+}  # fmt: skip
 
 MECHANISMS = {
     "su due lati": "two_sided", "due lati": "two_sided", "two-sided": "two_sided",
@@ -45,10 +68,11 @@ NO_UNIT = {"": 1.0, "-": 1.0, "–": 1.0}
 UNITS = {
     "_kn_m3": {"kn/m3": 1.0, "kn/m³": 1.0, **NO_UNIT},
     "_mpa": {"mpa": 1.0, "n/mm2": 1.0, "n/mm²": 1.0, "gpa": 1000.0},
+    "_kn_m": {"kn/m": 1.0, **NO_UNIT},
     "_deg": {"deg": 1.0, "°": 1.0, **NO_UNIT},
     "_m": {"m": 1.0, "cm": 0.01, "mm": 0.001},
 }
-"""End of a key -> units of its column, and what a number is multiplied with."""
+"""End of a key -> units of its column, and what a number is multiplied with; the first end that fits."""
 
 OTHER_UNITS = frozenset(
     (
@@ -59,7 +83,7 @@ OTHER_UNITS = frozenset(
 )  # fmt: skip
 """Units a head may name; another word in brackets is no unit."""
 
-WORDS = ("name", "floor", "mechanism", "back_restraint", "notes", "restitution", "law")
+WORDS = ("name", "floor", "mechanism", "back_restraint", "notes", "restitution", "law", "variant")
 FLAGS = {"sì": True, "si": True, "yes": True, "true": True, "vero": True, "x": True, "1": True,
          "no": False, "false": False, "falso": False, "0": False}  # fmt: skip
 
@@ -211,6 +235,7 @@ def walls_of(rows: list[list[str]], with_demand: bool = False) -> list[Wall]:
             if key and cell:
                 table[key] = _cell(key, factor, cell, number)
         table.setdefault("name", f"row {number}")
+        _gather_loads(table)
         try:
             if with_demand and "base_z_m" not in table:
                 raise InputError("base_missing", key="base_z_m")
@@ -218,6 +243,16 @@ def walls_of(rows: list[list[str]], with_demand: bool = False) -> list[Wall]:
         except InputError as error:
             raise error.at(place("row", n=number)) from None
     return walls
+
+
+def _gather_loads(table: dict) -> None:
+    """Put the cells of each load of a row together, as [[wall.load]] has them."""
+    loads: dict[str, dict] = {}
+    for key in [key for key in table if key.startswith("load")]:
+        number, _, own = key.partition("_")
+        loads.setdefault(number, {})[own] = table.pop(key)
+    if loads:
+        table["load"] = [loads[number] for number in sorted(loads)]
 
 
 def _heads(cells: list[str]) -> list[str | None]:
@@ -270,6 +305,8 @@ def _cell(key: str, factor: float, cell: str, number: int):
         return MECHANISMS.get(cell.lower(), cell.lower().replace("-", "_"))
     if key in WORDS:
         return cell
+    if key.startswith("load") and key.endswith(("_kind", "_mass")):
+        return LOAD_WORDS.get(cell.lower(), cell.lower())
     if key in ("free_element", "unloaded_confirmed"):
         if cell.lower() not in FLAGS:
             raise InputError(

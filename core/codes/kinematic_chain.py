@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.wall import wall_loads
 from core.units import G
+from core.wall import wall_loads
 
 DRAGGED = 0.4
 """Factor of the friction of the return walls (C8.7.1.2.1.1, literature of masonry of regular courses)."""
@@ -53,15 +53,12 @@ def chain(wall, two_sided: bool) -> Chain:
         return Chain(alpha0, e_star, mass, d0)
     multipliers, heights = multipliers_with_friction(wall)
     least = int(np.argmin(multipliers))
-    return Chain(
-        alpha0, e_star, mass, d0, float(multipliers[least]), float(heights[least])
-    )
+    return Chain(alpha0, e_star, mass, d0, float(multipliers[least]), float(heights[least]))
 
 
 def _loaded(wall, bare, sides) -> tuple[float, float, float, float]:
     """(alpha_0, e*, mass, d_0) of a wall with loads."""
-    weight, y = wall_loads.weight_per_metre(wall), bare.radius * math.cos(bare.slenderness)
-    x = bare.radius * math.sin(bare.slenderness)
+    weight, (x, y) = wall_loads.weight_per_metre(wall), bare.centroid
     pushed = wall_loads.masses(wall)
     first = weight * y + sum(mass.mass * G * mass.height for mass in pushed)
     second = weight * y**2 + sum(mass.mass * G * mass.height**2 for mass in pushed)

@@ -163,7 +163,9 @@ def verdict(
     largest = demand.pga
     if wall.above_ground and code == "not_activated":
         largest = _strongest(demand, kinematic, circumstances)
-    parts = _sentence(code, threshold, demand, governing, q_code, dynamic, wall.above_ground, largest)
+    parts = _sentence(
+        code, threshold, demand, governing, q_code, dynamic, wall.above_ground, largest
+    )
     if_unloaded = code != "undetermined" and not (wall.unloaded_confirmed or wall.load)
     reasons = (*doubts, *limits, *notes)
     return Verdict(
@@ -178,7 +180,9 @@ def verdict(
     )
 
 
-def _activated(wall, threshold: float, demand: DemandResult, checks, kinematic, circumstances) -> bool:
+def _activated(
+    wall, threshold: float, demand: DemandResult, checks, kinematic, circumstances
+) -> bool:
     """Whether the motion can lift the wall at all, or a check fails all the same. An element free to vibrate is
     lifted by S_e(T_0) (C8.7.1.9): where T_0 is not known, neither is that it stays at rest."""
     lifted = None if kinematic is None else kinematic.zeta_sld
@@ -239,9 +243,16 @@ def _limits(
 
 
 def _sentence(
-    code: str, threshold: float, demand, governing, q_code, dynamic, above_ground: bool, largest: float
+    code: str,
+    threshold: float,
+    demand,
+    governing,
+    q_code,
+    dynamic,
+    above_ground: bool,
+    largest: float,
 ) -> tuple[Sentence, ...]:
-    """The parts of the sentence of a verdict. threshold : a_RM, largest : acceleration under the wall, FC apart [m/s2]."""
+    """The parts of the sentence of a verdict. threshold : a_RM; largest : under the wall, FC apart [m/s2]."""
     way = code
     if code == "not_activated" and above_ground:
         way = "not_activated_floor"

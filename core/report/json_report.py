@@ -11,6 +11,7 @@ from core.codes.record_compatibility import Compliance
 from core.file_names import shown
 from core.ground.ground_motion import GroundMotion
 from core.ground.provenance import provenance
+from core.report.json_walls import limit_states, loads, tie_design, variants
 from core.study.results import Q_SOURCES, Assessment, Run, StudyResult, WallResult
 from core.units import CM, G
 from core.version import NAME, VERSION, commit
@@ -28,6 +29,7 @@ def results(result: StudyResult) -> dict:
             _record(motion, kind) for motion, kind in zip(result.motions, result.kinds, strict=True)
         ],
         "walls": [_wall(wall, result) for wall in result.walls],
+        **variants(result),
     }
 
 
@@ -160,23 +162,6 @@ def _floor(wall: WallResult) -> dict:
             ],
             "code_over_records_min": found.code_over_records if found else None,
             "sensitivity": found.sensitivity if found else {},
-        }
-    }
-
-
-def _loads(wall: WallResult) -> dict:
-    """The key loads of a wall that has some: a and c of both sides, of a one-sided wall of its outward one."""
-    if not wall.wall.load:
-        return {}
-    model = wall.model
-    sides = [model.restoring, model.mirrored][: 1 if model.one_sided else 2]
-    return {
-        "loads": {
-            "a": sides[0].sine,
-            "c": sides[0].cosine,
-            "collapse_rotation_rad": model.collapse_rotation,
-            "uplift_g": model.threshold / G,
-            "sides": [{"a": side.sine, "c": side.cosine} for side in sides],
         }
     }
 
@@ -325,7 +310,9 @@ def _wall(wall: WallResult, result: StudyResult) -> dict:
             for source, check in zip(Q_SOURCES, wall.code_check, strict=False)
         ],
         "scale_free_law": [asdict(estimate) for estimate in wall.estimates],
-        **_loads(wall),
+        **loads(wall),
+        **tie_design(wall),
+        **limit_states(wall),
         **_assessment(wall.assessment),
         **_floor(wall),
         **_risk(wall),

@@ -221,7 +221,9 @@ def make_lane_kernel(order):
         lane, end, busy = numbers[:WIDTH], numbers[WIDTH : 2 * WIDTH], numbers[2 * WIDTH :]
         rest_below = REST_FRACTION * math.sqrt(model.p2) * model.slenderness
         loss = 1.0 - model.ratio_at_rest if thresholds[0] > 0.0 else 0.0
-        fastest = 0.5 * model.p2 * (model.slenderness + constants.excess) * loss * (LOOKAHEAD - 1) * dt
+        fastest = (
+            0.5 * model.p2 * (model.slenderness + constants.excess) * loss * (LOOKAHEAD - 1) * dt
+        )
         waiting = zero
         lanes = zero
         long = zero + 1  # steps to be shortened; 1 at first, which sets the rows of whole steps
@@ -233,7 +235,15 @@ def make_lane_kernel(order):
                 state[STRONGEST + lanes] = abs(scales[waiting]) * strongest[record] * PER_G
                 state[PEAK + lanes] = 0.0
                 skip_to_uplift(
-                    lanes, firsts[record], lasts[record], dt, model, thresholds, ground, ahead, state
+                    lanes,
+                    firsts[record],
+                    lasts[record],
+                    dt,
+                    model,
+                    thresholds,
+                    ground,
+                    ahead,
+                    state,
                 )
                 waiting += 1
                 if state[SAMPLE + lanes] < lasts[record]:
@@ -277,7 +287,9 @@ def make_lane_kernel(order):
                     elif state[TIME + k] < 1.0:
                         continue
                     if state[MOVING + k] == 0.0:
-                        skip_to_uplift(k, i + 1, end[k], dt, model, thresholds, ground, ahead, state)
+                        skip_to_uplift(
+                            k, i + 1, end[k], dt, model, thresholds, ground, ahead, state
+                        )
                     else:
                         start_sample(k, i + 1, dt, ground, state)
                 over, peak = True, state[PEAK + k]

@@ -308,7 +308,10 @@ def scatter_impact(k, j, model, state):
     if model.one_sided == 0.0:
         side = -state[SIDE + k]
         state[SIDE + k] = side
-        if model.restoring.lean != model.mirrored.lean or model.restoring.sine != model.mirrored.sine:
+        if (
+            model.restoring.lean != model.mirrored.lean
+            or model.restoring.sine != model.mirrored.sine
+        ):
             set_lane(k, side, 0.0, state[SPEED + k], zone_of(0.0, model), model, state)
     return True
 

@@ -222,9 +222,7 @@ def through_sample(
         event = first_event(v, begun, state.phi, branch, constants)
         state, t = advance(state, v, part, event, t, dt)
         if event.crossing < 0.0:
-            if state.phi > SHORT_SERIES and cannot_recover(
-                state.phi, state.speed, strongest, seen
-            ):
+            if state.phi > SHORT_SERIES and cannot_recover(state.phi, state.speed, strongest, seen):
                 outcome = COLLAPSED
                 break
             continue
@@ -296,7 +294,5 @@ INTEGRATE = {order: make_integrator(order) for order in (6, 8)}
 def at_end(state, model):
     """(outcome, peak [rad]) once the ground is still, from the BlockState after the last sample."""
     if state.moving:
-        return end_of_record(
-            state.phi, state.speed, state.peak, seen_from(model, state.side)
-        )
+        return end_of_record(state.phi, state.speed, state.peak, seen_from(model, state.side))
     return STABLE, state.peak

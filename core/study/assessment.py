@@ -16,6 +16,7 @@ from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import Method
 from core.study.floors import LOW_CODE, building_notes, floor_of, other_end
 from core.study.results import Assessment, WallResult
+from core.study.tie_design import tie_design, with_tie
 from core.text.sentence import Sentence, sentence
 from core.wall.restitution import restitution
 from core.wall.rocking_model import rocking_model
@@ -128,7 +129,20 @@ def assess(
         notes,
     )
     capacity = None if result.zeta_e is None else risk(result.zeta_e, demand)
-    return Assessment(kinematic, checks, dynamic, below, result, sensitivity, ratio, capacity)
+    tie = None
+    if asked.tie_height_m is not None and wall.mechanism == "one_sided" and capacity is not None:
+        decides = governing_check(checks)
+
+        def zeta_with(force: float, step: float) -> float | None:
+            held = with_tie(asked, force)
+            model = rocking_model(held.block(), True, wall.restitution, wall.law, held.restoring())
+            return zeta_of(
+                decides, held, wall.mechanism, model, kinematic.floor, motions, polarities, demand,
+                method, step, cancelled,
+            )  # fmt: skip
+
+        tie = tie_design(asked, result.zeta_e, demand.zeta_target, decides.label, zeta_with)
+    return Assessment(kinematic, checks, dynamic, below, result, sensitivity, ratio, capacity, tie)
 
 
 def _sensitivity(
@@ -144,22 +158,31 @@ def _sensitivity(
     found = {}
     for name, change in cases.items():
         floor = floor_of(wall.wall, building, demand, ground, **change)
-        if decides.name == "dynamic":
-            checked = demand_check(
-                wall.model, list(floor.motions), polarities, demand, method, None, SENSITIVITY_STEP,
-                False, cancelled,
-            )  # fmt: skip
-            found[name] = checked.zeta
-            continue
-        moved = kinematic_of(wall.wall, wall.mechanism, demand, floor.spectrum)
-        if decides.name == "nonlinear":
-            check = nonlinear(moved, demand)
-        elif demand.limit_state == "SLD":
-            check = sld(moved, demand)
-        else:
-            check = linear(decides.name, moved, demand, decides.q)
-        found[name] = check.zeta if check else None
+        found[name] = zeta_of(
+            decides, wall.wall, wall.mechanism, wall.model, floor.spectrum, list(floor.motions),
+            polarities, demand, method, SENSITIVITY_STEP, cancelled,
+        )  # fmt: skip
     return found
+
+
+def zeta_of(
+    decides: Check, wall, mechanism, model, spectrum, motions, polarities, demand, method, step,
+    cancelled,
+) -> float | None:  # fmt: skip
+    """zeta of the check that decides for another wall, model, floor or motions. spectrum : of the floor, None on the
+    ground; step : of the search of the dynamic check."""
+    if decides.name == "dynamic":
+        return demand_check(
+            model, motions, polarities, demand, method, None, step, False, cancelled
+        ).zeta
+    moved = kinematic_of(wall, mechanism, demand, spectrum)
+    if decides.name == "nonlinear":
+        check = nonlinear(moved, demand)
+    elif demand.limit_state == "SLD":
+        check = sld(moved, demand)
+    else:
+        check = linear(decides.name, moved, demand, decides.q)
+    return check.zeta if check else None
 
 
 def _centroid(wall: WallResult, building: Building) -> float:

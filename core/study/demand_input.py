@@ -3,8 +3,9 @@
 import re
 from pathlib import Path
 
+from core.case.hazard_table import read_hazard
 from core.case.number import parse_number
-from core.case.schema import Case, Demand
+from core.case.schema import Case, Demand, HazardRow
 from core.codes import target_spectrum
 from core.codes.demand import DemandResult
 from core.codes.target_spectrum import Target
@@ -102,8 +103,15 @@ def demand_of(case: Case, base_dir: Path) -> DemandResult | None:
         period_range=asked.period_range_s,
         soil_factor_stated=target is not None or asked.soil_factor is not None,
         return_period=asked.return_period,
-        hazard=tuple((row.return_period_years, row.ag_g * G) for row in asked.hazard),
+        hazard=tuple((row.return_period_years, row.ag_g * G) for row in hazard_of(asked, base_dir)),
     )
+
+
+def hazard_of(asked: Demand, base_dir: Path) -> tuple[HazardRow, ...]:
+    """The hazard of the site, of the case or of its file. Raises InputError."""
+    if asked.hazard_file:
+        return read_hazard(base_dir / name_of(asked.hazard_file))
+    return asked.hazard
 
 
 def generated(case: Case, demand: DemandResult) -> list[GroundMotion]:

@@ -19,6 +19,8 @@ from core.ground.ground_motion import GroundMotion
 from core.rocking.history import History
 from core.rocking.methods import AUTO, Method, resolve_auto
 from core.study.floors import Floor
+from core.study.limit_states import StateZeta
+from core.study.tie_design import TieDesign
 from core.text.sentence import Sentence
 from core.units import G
 from core.wall.block import Block
@@ -38,6 +40,8 @@ class Assessment:
     sensitivity : above the ground, zeta of the check that decides for another building and another height
     code_over_records : of `Floor.code_over_records`
     risk : of the check that decides, None where it has no zeta
+    tie : the force that brings zeta to what is required, where one is asked for
+    states : zeta at SLD, SLV and SLC by the hazard of the site, empty without it
     """
 
     kinematic: Kinematic | None
@@ -48,6 +52,8 @@ class Assessment:
     sensitivity: dict[str, float | None] = field(default_factory=dict)
     code_over_records: float | None = None
     risk: Risk | None = None
+    tie: TieDesign | None = None
+    states: tuple[StateZeta, ...] = ()
 
     @property
     def shown(self) -> tuple[tuple[Check, bool], ...]:

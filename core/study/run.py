@@ -25,6 +25,7 @@ from core.study.demand_input import demand_of, generated
 from core.study.floors import floor_of
 from core.study.governing import lowest_run
 from core.study.journal import Journal, Memory
+from core.study.limit_states import demands_of, zetas
 from core.study.record_input import read_records
 from core.study.results import StudyResult, WallResult
 from core.study.threads import Threads
@@ -125,7 +126,16 @@ def run(
             done = threads.run(
                 checks, lambda k, _: None, lambda n: on_progress(len(planned) + n, total)
             )
-            results = [replace(wall, assessment=done[k]) for k, wall in enumerate(results)]
+            by_state = demands_of(case, base_dir)
+            results = [
+                replace(
+                    wall,
+                    assessment=replace(
+                        done[k], states=zetas(wall.wall, wall.mechanism, by_state, case.building)
+                    ),
+                )
+                for k, wall in enumerate(results)
+            ]
             results = with_weakest_hinge(results, origins)
         if chosen.accuracy:
             statements = {

@@ -84,9 +84,7 @@ def _per_record(
         intensity=si,
         pga=(felt or motion).pga,
         closed_form_q_eff=closed_forms.closed_form_q_eff(*shape, one_sided) if closed else None,
-        closed_form_q=closed_forms.closed_form_q(*shape, motion.pga, one_sided)
-        if closed
-        else None,
+        closed_form_q=closed_forms.closed_form_q(*shape, motion.pga, one_sided) if closed else None,
     )
 
 

@@ -27,13 +27,14 @@ LOAD_ERRORS = {
     ),
     "load_outside": (
         "{key} {found:g} m lies outside the wall: accepted is 0 to {most:g} m, from the outer face and above the hinge",
-        "{key} {found:g} m è fuori dalla parete: si accetta da 0 a {most:g} m, dalla faccia esterna e sopra la cerniera",
+        "{key} {found:g} m è fuori dalla parete: si accetta da 0 a {most:g} m, dalla faccia esterna e sopra la "
+        "cerniera",
     ),
     "unstable_under_loads": (
         "unstable under its own loads: it would turn without any earthquake (at {threshold:.3f} g); check sizes, "
         "distances and heights of the loads, or add what holds the wall",
-        "instabile sotto i propri carichi: si ribalterebbe senza alcun sisma (a {threshold:.3f} g); controllare entità, "
-        "distanze e quote dei carichi, oppure aggiungere ciò che trattiene la parete",
+        "instabile sotto i propri carichi: si ribalterebbe senza alcun sisma (a {threshold:.3f} g); controllare "
+        "entità, distanze e quote dei carichi, oppure aggiungere ciò che trattiene la parete",
     ),
     "collapse_too_far": (
         "with its loads the wall would stand up to a rotation of {found:.0f} degrees, more than the {most:.0f} a rigid "
@@ -57,6 +58,14 @@ LOAD_ERRORS = {
         "direction as a one-sided wall",
         "una parete su due lati con carichi diversi per i due lati richiede la legge rigida: dare {key} rigid, oppure "
         "studiare ogni direzione come parete su un lato",
+    ),
+    "return_walls_need_length": (
+        "the friction of return walls is shared out over the wall: give {key}",
+        "l'attrito dei muri di spina si ripartisce sulla parete: dare {key}",
+    ),
+    "holds_one_side": (
+        "{key} holds a wall that turns outward only: give the one-sided mechanism",
+        "{key} trattiene solo una parete che ruota verso l'esterno: dare il meccanismo su un lato",
     ),
     "tie_too_strong": (
         "with ties of {found:g} kN/m the wall opens a hinge at {hinge:.2f} m before it turns about its base, so that "

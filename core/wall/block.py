@@ -64,6 +64,11 @@ class Block:
         return self.inertia_over_mass == 4.0 / 3.0 * self.radius * self.radius
 
     @property
+    def centroid(self) -> tuple[float, float]:
+        """Of the block at rest, inward from the pivot and above it [m]."""
+        return self.radius * math.sin(self.slenderness), self.radius * math.cos(self.slenderness)
+
+    @property
     def p2(self) -> float:
         """Squared frequency parameter p^2 = m g R / I0 [1/s2]; 3 g / (4 R) for a rectangle."""
         return G * self.radius / self.inertia_over_mass

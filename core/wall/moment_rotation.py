@@ -94,9 +94,7 @@ def potential(phi, model):
     if phi <= phi2:
         return k * (phi - 0.5 * phi1)
     return (
-        k * (phi2 - 0.5 * phi1)
-        + amplitude * math.cos(top - phi)
-        - amplitude * math.cos(top - phi2)
+        k * (phi2 - 0.5 * phi1) + amplitude * math.cos(top - phi) - amplitude * math.cos(top - phi2)
     )
 
 

@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from core.errors import InputError, place
+from core.units import G
 from core.wall.block import Block
 from core.wall.loads import (
     BARE,
@@ -15,7 +16,6 @@ from core.wall.loads import (
     composite,
     restoring_moment,
 )
-from core.units import G
 
 MOST_COLLAPSE = math.radians(60.0)
 """Largest collapse rotation: beyond it a wall is no wall that overturns."""
@@ -79,8 +79,7 @@ def restoring_of(wall, block: Block) -> tuple[RestoringMoment, RestoringMoment]:
 def is_centred(wall, block: Block) -> bool:
     """Whether what moves is symmetric, so that the wall is one block for both its hinges."""
     middle = 0.5 * wall.thickness - wall.setback
-    off = block.radius * math.sin(block.slenderness) - middle
-    return abs(off) <= CENTRED * wall.thickness
+    return abs(block.centroid[0] - middle) <= CENTRED * wall.thickness
 
 
 def is_stable(block: Block, side: RestoringMoment) -> bool:
@@ -99,13 +98,34 @@ def rocks_both_ways(wall) -> bool:
     return alike and is_centred(wall, block) and is_stable(block, inward)
 
 
+def carries(wall) -> bool:
+    """Whether a wall that turns outward stands under its loads and is one rigid block, see `check_loads`."""
+    try:
+        check_loads(replace(wall, mechanism="one_sided"))
+    except InputError:
+        return False
+    return True
+
+
 def check_given(wall) -> None:
     """Raise InputError for loads that are not complete, contradict each other or are not on the wall."""
-    if not wall.load:
-        return
     here = (place("wall", name=wall.name),)
+    across, tie = wall.return_walls, wall.tie_height_m
+    if not wall.load and across is None and tie is None:
+        return
     if wall.height_m is None or wall.thickness is None or wall.unit_weight_kn_m3 is None:
         raise InputError("loads_need_weight", place=here)
+    if across is not None and wall.length_m is None:
+        raise InputError("return_walls_need_length", place=here, key="length_m")
+    for key, given in (("return_walls", across), ("tie_height_m", tie)):
+        if given is not None and wall.mechanism == "two_sided":
+            raise InputError("holds_one_side", place=here, key=key)
+    if tie is not None and tie > wall.height_m:
+        raise InputError(
+            "load_outside", place=here, key="tie_height_m", found=tie, most=wall.height_m
+        )
+    if not wall.load:
+        return
     if wall.unloaded_confirmed:
         raise InputError("loads_contradict", place=here, key="unloaded_confirmed")
     for number, load in enumerate(wall.load, start=1):
@@ -188,9 +208,7 @@ def hinge_inside(wall, share: float = 1.0) -> float | None:
         pressed = part + sum(force.vertical for force in above)
         outward = 0.5 * push * part * (height - y)
         outward += sum(push * m.mass * G * (m.height - y) for m in pushed if m.height > y)
-        outward -= sum(
-            f.vertical * (f.distance - x) + f.horizontal * (f.height - y) for f in above
-        )
+        outward -= sum(f.vertical * (f.distance - x) + f.horizontal * (f.height - y) for f in above)
         crushed = 0.0
         if wall.compressive_strength_mpa is not None:
             crushed = 2.0 * pressed / (3e6 * wall.compressive_strength_mpa)

@@ -1,5 +1,6 @@
 """A wall with loads written from coordinates and forces, with no a, c or alpha of the program in it."""
 
+import itertools
 import math
 
 import numpy as np
@@ -33,12 +34,11 @@ def history(ground, dt, wall, loads, one_sided, ratio, rest, start=0.0):
     the speed rest [rad/s] it rests after an impact."""
     side, phi, speed, moving = 1.0, start, 0.0, start > 0.0
     theta = [start]
-    for first, last in zip(ground[:-1], ground[1:], strict=True):
+    for first, last in itertools.pairwise(ground):
         t = 0.0
         while t < dt:
 
-            def net(y, s, on=None, first=first, last=last):
-                way = on or side
+            def net(y, s, way, first=first, last=last):
                 holds, pushes, inertia = moment(y, way, wall, loads)
                 u = first + (last - first) * s / dt
                 return (way * u * pushes - holds) / inertia
@@ -46,7 +46,7 @@ def history(ground, dt, wall, loads, one_sided, ratio, rest, start=0.0):
             if not moving:
                 for way in (1.0,) if one_sided else (1.0, -1.0):
                     side = way
-                    at_start, at_end = net(0.0, t), net(0.0, dt)
+                    at_start, at_end = net(0.0, t, side), net(0.0, dt, side)
                     if max(at_start, at_end) > 0.0:
                         break
                 else:
@@ -56,14 +56,14 @@ def history(ground, dt, wall, loads, one_sided, ratio, rest, start=0.0):
                 phi, speed, moving = 0.0, 0.0, True
 
             # a hop from the base must not end within its first step
-            pull = -net(0.0, t) if phi == 0.0 else 0.0
+            pull = -net(0.0, t, side) if phi == 0.0 else 0.0
             longest = min(dt, 0.1 * speed / pull) if pull > 0.0 < speed else dt
 
             def hits(s, y):
                 return y[0]
 
             vars(hits).update(terminal=True, direction=-1)
-            piece = solve_ivp(lambda s, y: [y[1], net(y[0], s)], (t, dt), [phi, speed], "DOP853",
+            piece = solve_ivp(lambda s, y, way=side: [y[1], net(y[0], s, way)], (t, dt), [phi, speed], "DOP853",
                               rtol=1e-13, atol=1e-16, max_step=longest, events=[hits])  # fmt: skip
             t, (phi, speed) = piece.t[-1], piece.y[:, -1]
             if piece.status != 1:

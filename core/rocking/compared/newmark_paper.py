@@ -65,7 +65,10 @@ def through_sample(
         if lifted != 0.0:
             moving = True
             side = lifted
-            push = max(acceleration(0.0, side * ground0 / G, seen_from(model, side), zone_of(0.0, model)), 0.0)
+            push = max(
+                acceleration(0.0, side * ground0 / G, seen_from(model, side), zone_of(0.0, model)),
+                0.0,
+            )
     outcome = STABLE
     if moving:
         beta1 = side * ground1 / G

@@ -113,9 +113,7 @@ def through_sample(
         beta = side / G * (ground0 + slope * t)
         rate = side / G * slope
         h = min(dt / steps, dt - t)
-        x, v = advance(
-            code, phi, speed, beta, rate, h, seen, zone, tolerance, table, rates, pushes
-        )
+        x, v = advance(code, phi, speed, beta, rate, h, seen, zone, tolerance, table, rates, pushes)
         crossed = x < low or x > high or (x == low and v < 0.0)
         falling = x <= low
         if crossed:

@@ -1,0 +1,64 @@
+"""The hazard of a site as text: T_R [years], a_g [g], F_0, T_C* [s] in each row, as tables of NTC 2018 give it."""
+
+from pathlib import Path
+
+from core.case.number import parse_number
+from core.case.schema import HazardRow
+from core.case.values import check_value
+from core.errors import InputError, place
+
+KEYS = ("return_period_years", "ag_g", "f0", "tc_star_s")
+MAX_BYTES, MAX_ROWS = 100_000, 100
+
+
+def parse_hazard(text: str) -> tuple[HazardRow, ...]:
+    """The rows of a text: two or four numbers each, with spaces, tabs or semicolons between them, and a head of words.
+    Raises InputError."""
+    rows = []
+    for number, line in enumerate(text.splitlines(), start=1):
+        parts = line.replace(";", " ").split()
+        if not parts:
+            continue
+        here = place("line", n=number)
+        try:
+            values = [parse_number(part) for part in parts]
+        except InputError:
+            if rows:
+                raise InputError("hazard_line", text=line.strip()[:60], place=(here,)) from None
+            continue
+        if len(values) not in (2, 4) or len(rows) == MAX_ROWS:
+            raise InputError("hazard_line", text=line.strip()[:60], place=(here,))
+        try:
+            checked = [
+                check_value(HazardRow, key, value) for key, value in zip(KEYS, values, strict=False)
+            ]
+        except InputError as error:
+            raise error.at(here) from None
+        rows.append(HazardRow(*checked))
+    check_rising(rows)
+    return tuple(rows)
+
+
+def check_rising(rows) -> None:
+    """Refuse a hazard of one row, or one that does not rise from row to row."""
+    pairs = list(zip(rows[:-1], rows[1:], strict=True))
+    rising = all(
+        low.return_period_years < high.return_period_years and low.ag_g < high.ag_g
+        for low, high in pairs
+    )
+    if not pairs or not rising:
+        raise InputError("hazard_not_rising", key="hazard")
+
+
+def read_hazard(path: Path) -> tuple[HazardRow, ...]:
+    """The rows of a file. Raises InputError."""
+    try:
+        if not path.is_file():
+            raise InputError("no_hazard_file", place=(path,))
+        if path.stat().st_size > MAX_BYTES:
+            raise InputError("hazard_too_large", place=(path,))
+        return parse_hazard(path.read_text(encoding="utf-8-sig", errors="replace"))
+    except OSError as error:
+        raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
+    except InputError as error:
+        raise error.at(path) from None

@@ -1,0 +1,85 @@
+"""The demands of SLD, SLV and SLC of a site by its hazard, and zeta of a wall at each (NTC 2018, Annex A)."""
+
+import math
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from core.case.schema import Building, Case, HazardRow, Wall
+from core.codes.demand import DemandResult
+from core.codes.kinematic import kinematic, nonlinear, sld
+from core.codes.limits import return_period
+from core.study.demand_input import demand_of, hazard_of
+from core.study.floors import floor_of
+
+STATES = ("SLD", "SLV", "SLC")
+
+
+@dataclass(frozen=True)
+class StateZeta:
+    """A wall at one limit state, by its kinematic check: linear at SLD, of displacement at SLV and SLC.
+
+    return_period : T_R [years]; ag : on rock [m/s2]; check : label of the check; zeta : None where it cannot be made
+    """
+
+    state: str
+    return_period: float
+    ag: float
+    check: str
+    zeta: float | None
+
+
+def interpolated(hazard: tuple[HazardRow, ...], years: float) -> HazardRow:
+    """The hazard at this return period [years]: a_g, F_0 and T_C* each linear in the logarithms between the rows
+    beside it (NTC 2018, Annex A, Eq. [2]); outside the rows that of the nearest one."""
+    known = np.log([row.return_period_years for row in hazard])
+    at = math.log(min(max(years, hazard[0].return_period_years), hazard[-1].return_period_years))
+
+    def value(key: str) -> float | None:
+        values = [getattr(row, key) for row in hazard]
+        if None in values:
+            return None
+        return math.exp(float(np.interp(at, known, np.log(values))))
+
+    return HazardRow(years, value("ag_g"), value("f0"), value("tc_star_s"))
+
+
+def demands_of(case: Case, base_dir: Path) -> dict[str, DemandResult]:
+    """The demand of each limit state; empty without the hazard, or V_N and C_U, or where a spectrum of NTC 2018 is
+    asked and the hazard has no F_0 and T_C*. Raises InputError."""
+    asked = case.demand
+    if asked is None or asked.spectrum_file or not (hazard := hazard_of(asked, base_dir)):
+        return {}
+    if None in (asked.nominal_life_years, asked.use_class_factor):
+        return {}
+    found = {}
+    for state in STATES:
+        years = return_period(asked.nominal_life_years * asked.use_class_factor, state)
+        row = interpolated(hazard, years)
+        spectrum = asked.spectrum
+        if spectrum is not None and spectrum.code == "NTC2018":
+            if row.f0 is None or row.tc_star_s is None:
+                return {}
+            spectrum = replace(spectrum, f0=row.f0, tc_star_s=row.tc_star_s)
+        demand = replace(
+            asked, limit_state=state, ag_g=row.ag_g, spectrum=spectrum, return_period_years=years
+        )
+        found[state] = demand_of(replace(case, demand=demand), base_dir)
+    return found
+
+
+def zetas(
+    wall: Wall, mechanism: str, demands: dict[str, DemandResult], building: Building | None
+) -> tuple[StateZeta, ...]:
+    """The wall at each limit state. Raises InputError where a spectrum ends too early."""
+    found = []
+    for state, demand in demands.items():
+        floor = floor_of(wall, building, demand, []) if wall.above_ground else None
+        check, label = None, "linear_sld" if state == "SLD" else "nonlinear"
+        if floor is not None or not wall.above_ground:
+            moved = kinematic(wall, mechanism, demand, floor.spectrum if floor else None)
+            check = sld(moved, demand) if state == "SLD" else nonlinear(moved, demand)
+        years = demand.return_period or 0.0
+        found.append(StateZeta(state, years, demand.ag, label, check.zeta if check else None))
+    return tuple(found)

@@ -1,0 +1,41 @@
+"""Walls as they are beside walls as they are designed, compared line by line."""
+
+from dataclasses import dataclass, fields
+
+from core.case.schema import AS_IS, DESIGNED, Wall
+from core.study.results import WallResult
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """One wall and mechanism before and after.
+
+    changed : keys of the case whose values differ
+    """
+
+    name: str
+    before: WallResult
+    after: WallResult
+    changed: tuple[str, ...]
+
+
+def changed_keys(before: Wall, after: Wall) -> tuple[str, ...]:
+    """Keys whose values differ between two walls, names and notes apart."""
+    return tuple(
+        entry.name
+        for entry in fields(Wall)
+        if entry.name not in ("name", "variant", "notes")
+        and getattr(before, entry.name) != getattr(after, entry.name)
+    )
+
+
+def comparisons(walls: tuple[WallResult, ...]) -> tuple[Comparison, ...]:
+    """The pairs of a study, in its order."""
+    after = {(w.wall.own_name, w.mechanism): w for w in walls if w.wall.variant == DESIGNED}
+    found = []
+    for wall in walls:
+        other = after.get((wall.wall.own_name, wall.mechanism))
+        if wall.wall.variant == AS_IS and other is not None:
+            changed = changed_keys(wall.wall, other.wall)
+            found.append(Comparison(wall.wall.own_name, wall, other, changed))
+    return tuple(found)
