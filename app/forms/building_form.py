@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QGroupBox, QLabel, QVBoxLayout, QWidget
 from app.forms.fields import NumberField, connect
 from app.language import tr
 from app.session import Session
-from core.case.schema import Building
+from core.case.site import Building
 from core.codes.floor_spectrum import estimated_period
 from core.study.floors import modes_at
 

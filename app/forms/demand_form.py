@@ -24,7 +24,8 @@ from app.forms.fields import (
 from app.forms.law_curve import SpectrumCurve
 from app.language import described, named, tr
 from app.session import Session
-from core.case.schema import Analysis, Demand, Report, Spectrum
+from core.case.schema import Analysis, Report
+from core.case.site import Demand, Spectrum
 from core.codes.target_spectrum import NTC_TOPOGRAPHY, SOILS
 from core.errors import InputError
 from core.study.demand_input import target_of

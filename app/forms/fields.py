@@ -19,7 +19,8 @@ from PySide6.QtWidgets import (
 from app import theme
 from app.language import FORM_NAMES, current_language, tr
 from core.case.number import parse_number
-from core.case.schema import Analysis, Demand, Report, Spectrum, Wall
+from core.case.schema import Analysis, Report, Wall
+from core.case.site import Demand, Spectrum
 from core.case.values import check_value
 from core.errors import InputError
 

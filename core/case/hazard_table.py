@@ -1,9 +1,10 @@
 """The hazard of a site as text: T_R [years], a_g [g], F_0, T_C* [s] in each row, as tables of NTC 2018 give it."""
 
+import itertools
 from pathlib import Path
 
 from core.case.number import parse_number
-from core.case.schema import HazardRow
+from core.case.site import HazardRow
 from core.case.values import check_value
 from core.errors import InputError, place
 
@@ -41,7 +42,7 @@ def parse_hazard(text: str) -> tuple[HazardRow, ...]:
 
 def check_rising(rows) -> None:
     """Refuse a hazard of one row, or one that does not rise from row to row."""
-    pairs = list(zip(rows[:-1], rows[1:], strict=True))
+    pairs = list(itertools.pairwise(rows))
     rising = all(
         low.return_period_years < high.return_period_years and low.ag_g < high.ag_g
         for low, high in pairs

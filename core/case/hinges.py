@@ -3,7 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from core.case.schema import Building, Case, Wall
+from core.case.schema import Case, Wall
+from core.case.site import Building
 from core.errors import InputError, place
 from core.wall.wall_loads import loads_above
 

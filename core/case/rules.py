@@ -7,17 +7,8 @@ from dataclasses import MISSING, fields, replace
 
 from core.case.hazard_table import check_rising
 from core.case.hinges import check_hinges, parts
-from core.case.schema import (
-    Analysis,
-    Building,
-    Case,
-    Demand,
-    Generate,
-    Record,
-    Report,
-    Spectrum,
-    Wall,
-)
+from core.case.schema import Analysis, Case, Generate, Record, Report, Wall
+from core.case.site import Building, Demand, Spectrum
 from core.case.values import (
     SHOWN,
     are_ends,

@@ -6,7 +6,8 @@ from dataclasses import MISSING, fields
 from types import SimpleNamespace
 
 from core.case.hinges import FLOORS
-from core.case.schema import MIN_ELASTIC, OWN_FIELDS, Spectrum
+from core.case.schema import MIN_ELASTIC, OWN_FIELDS
+from core.case.site import Spectrum
 from core.errors import InputError, section
 from core.file_names import is_text, name_of
 from core.text.sentence import Sentence, sentence

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 from core.capacity.ida import Search
-from core.case.schema import Building
+from core.case.site import Building
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import BOUND_STEP, demand_check
 from core.codes.kinematic import Check, Kinematic, linear, nonlinear, sld

@@ -5,7 +5,8 @@ from pathlib import Path
 
 from core.case.hazard_table import read_hazard
 from core.case.number import parse_number
-from core.case.schema import Case, Demand, HazardRow
+from core.case.schema import Case
+from core.case.site import Demand, HazardRow
 from core.codes import target_spectrum
 from core.codes.demand import DemandResult
 from core.codes.target_spectrum import Target

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
-from core.case.schema import Building, Case, HazardRow, Wall
+from core.case.schema import Case, Wall
+from core.case.site import Building, HazardRow
 from core.codes.demand import DemandResult
 from core.codes.kinematic import kinematic, nonlinear, sld
 from core.codes.limits import return_period

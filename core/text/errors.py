@@ -160,6 +160,24 @@ CASE_ERRORS = {
         "the periods must rise, found {period:g} s",
         "i periodi devono crescere, trovato {period:g} s",
     ),
+    "no_hazard_file": (
+        "there is no such file of the hazard; give its name as in its folder",
+        "il file della pericolosità non esiste; dare il nome come nella sua cartella",
+    ),
+    "hazard_too_large": (
+        "larger than a table of the hazard: give one row for each return period",
+        "più grande di una tabella di pericolosità: dare una riga per ogni periodo di ritorno",
+    ),
+    "hazard_line": (
+        "a row of the hazard has two or four numbers, T_R in years, a_g in g, F0, T_C* in s, in at most 100 rows: "
+        '"{text}"',
+        "una riga della pericolosità ha due o quattro numeri, T_R in anni, a_g in g, F0, T_C* in s, in al più 100 "
+        'righe: "{text}"',
+    ),
+    "two_hazards": (
+        "the hazard is given by {hazard_file} and by its rows: leave one of them out",
+        "la pericolosità è data da {hazard_file} e dalle sue righe: togliere l'uno o le altre",
+    ),
     "no_spectrum_file": ("there is no such spectrum file", "questo file di spettro non esiste"),
     "spectrum_too_large": (
         "larger than 1 MB: no spectrum of two columns",

@@ -15,7 +15,8 @@ from PySide6.QtTest import QTest
 
 from app.language import FORM_NAMES, described
 from core.case.rules import parse_case
-from core.case.schema import Analysis, Building, Demand, Spectrum, Wall
+from core.case.schema import Analysis, Wall
+from core.case.site import Building, Demand, Spectrum
 from core.case.values import check_value
 from core.errors import InputError
 from core.text.catalogue import CATALOGUE

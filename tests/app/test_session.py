@@ -16,7 +16,8 @@ from hypothesis import strategies as st
 from app.session import Session
 from core.case.reader import read_case
 from core.case.rules import parse_case
-from core.case.schema import Demand, Record, Wall
+from core.case.schema import Record, Wall
+from core.case.site import Demand
 from core.errors import InputError
 from tests.conftest import ROOT
 

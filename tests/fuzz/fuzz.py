@@ -26,7 +26,7 @@ import numpy as np
 
 from core.case.reader import read_case
 from core.case.rules import draft_case, parse_case
-from core.case.schema import Demand
+from core.case.site import Demand
 from core.case.wall_table import read_table
 from core.case.writer import dumps
 from core.errors import InputError

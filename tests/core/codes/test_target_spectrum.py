@@ -6,7 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.case.schema import Case, Demand
+from core.case.schema import Case
+from core.case.site import Demand
 from core.codes import target_spectrum as ts
 from core.codes.demand import with_records
 from core.errors import InputError

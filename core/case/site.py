@@ -1,0 +1,90 @@
+"""The sections of the site: the demand with its spectrum and hazard, the building."""
+
+from dataclasses import MISSING, dataclass, field
+
+from core.case.keys import choice_key, number_key, path_key, text_key
+from core.codes.limits import return_period
+from core.codes.target_spectrum import NTC_TOPOGRAPHY, SOILS
+
+
+@dataclass(frozen=True)
+class Spectrum:
+    """[demand.spectrum]: the elastic spectrum of a code; S follows from it."""
+
+    code: str = choice_key("NTC2018", "EN1998")
+    soil: str = choice_key(*SOILS)
+    f0: float | None = number_key(2.0, 4.0)
+    tc_star_s: float | None = number_key(0.05, 1.0, unit="s")
+    topography: str | None = choice_key(*NTC_TOPOGRAPHY, default=None)
+    type: int | None = number_key(1, 2, whole=True)
+
+
+@dataclass(frozen=True)
+class HazardRow:
+    """[[demand.hazard]]: a row of the hazard of the site (NTC 2018, Annex A), return periods rising."""
+
+    return_period_years: float = number_key(1.0, 100000.0, MISSING, unit="years")
+    ag_g: float = number_key(0.001, 5.0, MISSING, unit="g")
+    f0: float | None = number_key(2.0, 4.0)
+    tc_star_s: float | None = number_key(0.05, 1.0, unit="s")
+
+
+@dataclass(frozen=True)
+class Demand:
+    """[demand]: the motion asked of the wall; ag_g on rock ("su suolo rigido"), without S."""
+
+    ag_g: float = number_key(0.001, 5.0, MISSING, unit="g")
+    limit_state: str = choice_key("SLV", "SLC", "SLD", default="SLV")
+    soil_factor: float | None = number_key(0.5, 5.0)
+    spectrum: Spectrum | None = field(default=None, metadata={"kind": "spectrum"})
+    spectrum_file: str | None = path_key(None)
+    housner_intensity_cm: float | None = number_key(0.1, 5000.0, unit="cm")
+    q_code: float = number_key(1.0, 10.0, 2.0)
+    confidence_factor: float = number_key(1.0, 1.35, 1.35)
+    confidence_on: str = choice_key("capacity", "demand", default="capacity")
+    period_range_s: tuple[float, float] | None = field(default=None, metadata={"kind": "range"})
+    demand_scaling: str = choice_key("as_given", "pga", default="as_given")
+    zeta_target: float = number_key(0.1, 2.0, 1.0)
+    site: str = text_key()
+    coordinates: str = text_key()
+    nominal_life_years: float | None = number_key(1.0, 1000.0, unit="years")
+    use_class_factor: float | None = number_key(0.1, 5.0)
+    return_period_years: float | None = number_key(1.0, 100000.0, unit="years")
+    hazard: tuple[HazardRow, ...] = field(default=(), metadata={"kind": "tables", "of": HazardRow})
+    hazard_file: str | None = path_key(None)
+
+    @property
+    def return_period(self) -> float | None:
+        """T_R [years] as given, else of V_N and C_U (NTC 2018 Eq. 3.2.0, 2.4.1); None without either."""
+        if self.return_period_years is not None:
+            return self.return_period_years
+        if None in (self.nominal_life_years, self.use_class_factor):
+            return None
+        return return_period(self.nominal_life_years * self.use_class_factor, self.limit_state)
+
+
+@dataclass(frozen=True)
+class BuildingMode:
+    """[[building.modes]]: a mode of the building; participation is gamma psi at the walls."""
+
+    period_s: float = number_key(0.02, 5.0, MISSING, unit="s")
+    damping: float = number_key(0.01, 0.3, MISSING)
+    participation: float = number_key(-5.0, 5.0, MISSING)
+
+
+@dataclass(frozen=True)
+class Building:
+    """[building]: what carries the walls above the ground (Circolare 7/2019 C7.2.3, C8.7.1.2.1.4).
+
+    period_s : elastic T_1; without it and without modes 0.05 height^0.75, said to be an estimate
+    period_factor, damping : of the damaged building; at the ultimate limit states 1.5 and 0.10, at SLD 1.0 and 0.05
+    """
+
+    height_m: float = number_key(2.0, 300.0, MISSING, unit="m")
+    storeys: int = number_key(1, 60, MISSING, whole=True)
+    period_s: float | None = number_key(0.02, 5.0, unit="s")
+    modes: tuple[BuildingMode, ...] = field(
+        default=(), metadata={"kind": "tables", "of": BuildingMode}
+    )
+    period_factor: float | None = number_key(1.0, 2.5)
+    damping: float | None = number_key(0.01, 0.3)
