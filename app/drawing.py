@@ -1,6 +1,7 @@
 """Drawings of a wall: to scale with its dimensions, rocking, and the pictures of the mechanisms."""
 
 import math
+from collections.abc import Sequence
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QIcon, QPainter, QPen, QPixmap, QPolygonF
@@ -9,6 +10,7 @@ from PySide6.QtWidgets import QWidget
 from app import theme
 from core.case.schema import Wall
 from core.errors import InputError
+from core.report.load_arrows import arrows
 
 
 def outline(height: float, thickness: float, setback: float, rotation: float) -> list[QPointF]:
@@ -29,12 +31,17 @@ class WallDrawing(QWidget):
         self.with_sizes = with_sizes
         self.size_of: tuple[float, float, float] | None = None
         self.one_sided = False
+        self.arrows: list[list[tuple[float, float]]] = []
+        self.hinges: list[tuple[float, float | None]] = []
         self.rotation = 0.0
         self.setMinimumSize(QSize(90, 120))
 
-    def show_wall(self, wall: Wall | None) -> None:
-        """Draw this wall; what is not complete leaves the place empty."""
-        self.size_of = None
+    def show_wall(
+        self, wall: Wall | None, hinges: Sequence[tuple[float, float | None]] = ()
+    ) -> None:
+        """Draw this wall; what is not complete leaves the place empty. hinges : height [m] and zeta of each, where
+        it has more than the one at its base."""
+        self.size_of, self.arrows, self.hinges = None, [], list(hinges)
         if wall is not None:
             try:
                 block = wall.block()
@@ -42,6 +49,7 @@ class WallDrawing(QWidget):
                 thickness = wall.thickness or block.thickness
                 self.size_of = (height, thickness, wall.setback if wall.height_m else 0.0)
                 self.one_sided = wall.mechanism == "one_sided"
+                self.arrows = arrows(wall, height, thickness)
             except (InputError, TypeError):
                 pass
         self.update()
@@ -62,7 +70,8 @@ class WallDrawing(QWidget):
         sizes = 34 if self.with_sizes else 8
         reach = thickness + (0.0 if self.with_sizes else 1.1 * height)
         beside = 30 if self.with_sizes else 0  # room for the height in numbers
-        scale = min((self.height() - 2 * sizes + 12) / height, (self.width() - beside - 16) / reach)
+        top = max([height, *(y for points in self.arrows for _, y in points)])
+        scale = min((self.height() - 2 * sizes + 12) / top, (self.width() - beside - 16) / reach)
         base = QPointF(0.5 * (self.width() - beside) + 8, self.height() - sizes)
 
         def place(point: QPointF) -> QPointF:
@@ -85,8 +94,26 @@ class WallDrawing(QWidget):
         sides = (1.0,) if self.one_sided else (-1.0, 1.0)
         for side in sides:
             painter.drawEllipse(place(QPointF(side * (0.5 * thickness - setback), 0.0)), 3, 3)
+        for level, _ in self.hinges:
+            painter.drawEllipse(place(QPointF(0.5 * thickness - setback, level)), 3, 3)
+        if self.rotation == 0.0:
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.setPen(QPen(QColor(theme.current.amber), 1.8))
+            for points in self.arrows:
+                painter.drawPolyline([place(QPointF(x - 0.5 * thickness, y)) for x, y in points])
         if self.with_sizes:
+            self._zetas(painter, place, thickness)
             self._sizes(painter, place, height, thickness, setback)
+
+    def _zetas(self, painter, place, thickness) -> None:
+        """zeta at each hinge, the smallest in red."""
+        known = [zeta for _, zeta in self.hinges if zeta is not None]
+        for level, zeta in self.hinges:
+            if zeta is not None:
+                weakest = zeta == min(known)
+                painter.setPen(QColor(theme.current.bad if weakest else theme.current.ink))
+                at = place(QPointF(0.5 * thickness, level))
+                painter.drawText(QPointF(at.x() + 28, at.y() - 2), f"ζ {zeta:.2f}")
 
     def _sizes(self, painter, place, height, thickness, setback) -> None:
         painter.setPen(QColor(theme.current.ink))

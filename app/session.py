@@ -151,14 +151,14 @@ class Session:
     # walls and records
 
     def add_walls(self, walls: list[Wall]) -> None:
-        names = {wall.name for wall in self.case.wall}
+        names = {wall.title for wall in self.case.wall}
         added = []
         for wall in walls:
             name, k = wall.name, 2
-            while name in names:
+            while replace(wall, name=name).title in names:
                 name, k = f"{wall.name} {k}", k + 1
-            names.add(name)
             added.append(replace(wall, name=name))
+            names.add(added[-1].title)
         self.edit(replace(self.case, wall=(*self.case.wall, *added)))
 
     def remove_wall(self, index: int) -> None:
@@ -270,8 +270,9 @@ class Session:
         seen = Session._seen
         records = tuple(replace(one, file=seen(one.file, old, new)) for one in case.record)
         demand = case.demand
-        if demand and demand.spectrum_file:
-            demand = replace(demand, spectrum_file=seen(demand.spectrum_file, old, new))
+        for key in ("spectrum_file", "hazard_file"):
+            if demand and getattr(demand, key):
+                demand = replace(demand, **{key: seen(getattr(demand, key), old, new)})
         return replace(case, record=records, demand=demand)
 
     # the recovery file: what a kill -9 must not lose

@@ -21,6 +21,7 @@ from app.forms.fields import (
     TextField,
     connect,
 )
+from app.forms.hazard_form import HazardForm
 from app.forms.law_curve import SpectrumCurve
 from app.language import described, named, tr
 from app.session import Session
@@ -115,6 +116,8 @@ class DemandForm(QWidget):
         for widget in (self.factor, self.confidence, self.scaling, self.range, self.zeta, self.q_code,
                        self.site, self.coordinates, self.life, self.use, self.period):  # fmt: skip
             inside.addWidget(widget)
+        self.hazard = HazardForm(session)
+        inside.addWidget(self.hazard)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)
         layout.addWidget(self.given)
@@ -125,6 +128,7 @@ class DemandForm(QWidget):
     def show_case(self) -> None:
         """Fill the form from the session."""
         self.building.show_case()
+        self.hazard.show_case()
         demand = self.session.case.demand
         self.given.blockSignals(True)
         self.given.setChecked(demand is not None)

@@ -29,13 +29,13 @@ from app.forms.fields import (
     connect,
 )
 from app.forms.impact_form import ImpactForm
+from app.forms.loads_form import LoadsForm
+from app.forms.wall_words import estimate_lines, hinge_zetas
 from app.language import FORM_NAMES, current_language, described, named, quoted_from_file, tr
 from app.session import Session
-from core.capacity.scale_free_law import estimates
-from core.case.schema import Wall
+from core.case.schema import AS_IS, DESIGNED, Wall
 from core.case.wall_table import read_table, text_rows, walls_of
 from core.errors import InputError
-from core.study.demand_input import demand_of
 from core.units import G
 
 
@@ -57,6 +57,7 @@ class WallForm(QWidget):
         self.summary.setWordWrap(True)
         self.problem = QLabel()
         self.impact = ImpactForm(session, lambda: self.current)
+        self.loads = LoadsForm(session, lambda: self.current)
         self._make_fields()
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)
@@ -65,6 +66,7 @@ class WallForm(QWidget):
         layout.addWidget(self._geometry())
         layout.addWidget(self._mechanism())
         layout.addWidget(self.impact)
+        layout.addWidget(self.loads)
         layout.addWidget(self._more())
         layout.addStretch(1)
 
@@ -226,7 +228,7 @@ class WallForm(QWidget):
         self.setProperty("empty", wall is None)
         for group in self.findChildren(QGroupBox):
             group.setEnabled(wall is not None)
-        self.drawing.show_wall(wall)
+        self.drawing.show_wall(wall, hinge_zetas(self.session, wall) if wall else [])
         if wall is None:
             self._show_shape("thickness_m", False)
             self.summary.setText(tr("No wall yet: press Add."))
@@ -237,6 +239,7 @@ class WallForm(QWidget):
         for field in self.fields:
             field.show_value(getattr(wall, field.key))
         self.impact.show_wall(wall)
+        self.loads.show_wall(wall)
 
     def _shape_of(self, wall: Wall) -> str:
         if wall.radius_m is not None or wall.inertia_over_mass_m2 is not None:
@@ -260,44 +263,15 @@ class WallForm(QWidget):
             lines.append(f"H/t {wall.height_m / wall.thickness:.2f}")
         if wall.height_m and wall.setback:
             lines.append(f"u {100 * wall.setback:.1f} cm")
-        a = block.threshold_acceleration
+        try:
+            a = G * wall.uplift_multiplier(wall.mechanisms()[0])
+        except (InputError, TypeError) as error:
+            self.summary.setText(described(error))
+            return
         lines.append(f"a_RM {a / G:.3f} g = {a:.2f} m/s²")
         lines.append(f"R {block.radius:.3f} m, p {block.frequency_parameter:.3f} rad/s")
-        lines += self._estimate(wall)
+        lines += estimate_lines(self.session, wall)
         self.summary.setText("\n".join(lines))
-
-    def _estimate(self, wall: Wall) -> list[str]:
-        """A first answer without records: q of Ribalta's law at the demand, where its spectrum or SI is given."""
-        case = self.session.case
-        try:
-            demand = demand_of(case, self.session.base_dir) if case.demand else None
-            if demand is None or not demand.intensity or wall.above_ground:
-                return []
-            answers = [
-                estimates(
-                    wall.block(),
-                    wall.restitution_of(mechanism),
-                    wall.moment_law(),
-                    mechanism == "one_sided",
-                    demand.intensity,
-                    demand.pga,
-                )
-                for mechanism in wall.mechanisms()
-            ]
-        except (InputError, TypeError, KeyError):
-            return []  # the form says elsewhere what is missing
-        lines = []
-        for mechanism, answer in zip(wall.mechanisms(), answers, strict=True):
-            for one, slv in [answer] if answer else []:
-                values = {"q": one.q, "low": one.low, "high": one.high, "q_slv": slv.q}
-                kind = named(mechanism)
-                line = tr(
-                    "Research, no records, {kind}: q {q:.1f} ({low:.1f}–{high:.1f}), q SLV {q_slv:.1f}",
-                    kind=kind,
-                    **values,
-                )
-                lines.append(line if one.within else f"{line}, {tr('outside its range')}")
-        return lines
 
     def _show_shape(self, shape: str, setback_follows: bool) -> None:
         """The fields that give this shape."""
@@ -367,7 +341,8 @@ class WallForm(QWidget):
 
     def duplicate(self) -> None:
         if self.wall is not None:
-            self.session.add_walls([replace(self.wall)])
+            variant = DESIGNED if self.wall.variant == AS_IS else self.wall.variant
+            self.session.add_walls([replace(self.wall, variant=variant)])
             self.list.setCurrentRow(len(self.session.case.wall) - 1)
 
     def delete(self) -> None:

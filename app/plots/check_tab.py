@@ -79,6 +79,8 @@ class CheckTab(QWidget):
             f"font-size: 12pt; font-weight: 600; color: {verdict_color(result, wall)};"
         )
         reasons = [reason.text(self.language) for reason in verdict.reasons]
+        if assessment.tie is not None:
+            reasons.append(self._tie(assessment.tie))
         if verdict.lower_bound is not None:
             reasons.append(
                 tr("Should the restraint behind fail: ζ {zeta}", zeta=digits(verdict.lower_bound))
@@ -108,7 +110,7 @@ class CheckTab(QWidget):
                              digits(check.capacity / G, 3), digits(check.demand / G, 3), "g"])  # fmt: skip
                 colors.append([theme.current.quiet] * 8)
         for estimate in wall.estimates:
-            capacity = wall.block.threshold_acceleration / G
+            capacity = wall.model.threshold / G
             wanted = result.demand.pga / G / estimate.q
             between = f"q {estimate.low:.2f} – {estimate.high:.2f}"
             if not estimate.within:
@@ -139,6 +141,22 @@ class CheckTab(QWidget):
         if assessment.risk:
             parts += self._risk(assessment.risk)
         return "; ".join(parts)
+
+    @staticmethod
+    def _tie(tie) -> str:
+        """What a tie at the height asked for must hold, and its moments."""
+        values = {"h": tie.height, "zeta": digits(tie.zeta), "largest": 1e-3 * tie.largest}
+        if tie.force is None:
+            return tr(
+                "No tie at {h:.2f} m reaches the ζ required: {largest:.2f} kN/m gives {zeta}",
+                **values,
+            )
+        if tie.force == 0.0:
+            return tr("No tie at {h:.2f} m is needed: ζ {zeta}", **values)
+        own, loads, force = (1e-3 * moment for moment in tie.holding)
+        hand = f"α0 = ({own:.2f} + {loads:.2f} + {force:.2f}) / {1e-3 * tie.pushing:.2f} = {tie.alpha0:.4f}"
+        return tr("A tie of {force:.2f} kN/m at {h:.2f} m gives ζ {zeta}; by hand {hand}",
+                  force=1e-3 * tie.force, hand=hand, **values)  # fmt: skip
 
     @staticmethod
     def _risk(risk) -> list[str]:

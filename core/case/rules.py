@@ -87,7 +87,9 @@ def draft_case(table: dict) -> Case:
             # what breaks a rule with others may be work in progress, what is of another kind is not
             value = content.get(entry.name)
             if entry.name in content and not (entry.metadata["kind"] == "law" and are_ends(value)):
-                value_of(entry, value, name)
+                checked = value_of(entry, value, name)
+                if entry.metadata["kind"] in ("tables", "section"):
+                    content = {**content, entry.name: checked}
         missing = {entry.name: "" for entry in fields(cls) if entry.default is MISSING}
         return cls(**{**missing, **content})
 

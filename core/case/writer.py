@@ -98,5 +98,5 @@ def _merge_tables(target: list, wanted: list[dict], content, identity: str | Non
 def _bare(value):
     """A value of TOML: nested tables without the keys that are not given."""
     if isinstance(value, dict):
-        return {key: part for key, part in value.items() if part is not None}
+        return {key: _bare(part) for key, part in value.items() if part not in (None, "")}
     return [_bare(part) for part in value] if isinstance(value, tuple) else value

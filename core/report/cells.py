@@ -46,11 +46,15 @@ PIECE = 1 << 20
 
 @dataclass
 class Book:
-    """A workbook with its language and the values its formula cells carry."""
+    """A workbook with its language and the values its formula cells carry.
+
+    sums : by the name of a wall on the Check sheet the ranges of its loads
+    """
 
     language: str
     workbook: Workbook = field(default_factory=Workbook)
     cached: dict[tuple[str, str], object] = field(default_factory=dict)
+    sums: dict[str, dict[str, str]] = field(default_factory=dict)
 
     def say(self, english: str, /, **values) -> str:
         """A text of the group "report" in the workbook's language."""

@@ -23,6 +23,7 @@ from core.report.cells import (
     title,
 )  # fmt: skip
 from core.report.circolare import spectrum_rows, wall_rows
+from core.report.load_rows import geometry_rows
 from core.report.rows import heads, input_row, live_row
 from core.report.sheets import rule_word
 from core.study.results import Q_SOURCES, PerRecord, StudyResult, WallResult
@@ -92,6 +93,9 @@ def _wall(book: Book, sheet, result: StudyResult, wall: WallResult, name: str, r
 
 def _geometry(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
     say, block = book.say, wall.block
+    if wall.wall.load:
+        row = geometry_rows(book, sheet, wall, name, row)
+        return _ratio_row(book, sheet, wall, name, row)
     degrees = math.degrees(block.slenderness)
     rectangle, setback = block.is_rectangle, wall.wall.setback if wall.wall.height_m else 0.0
     equivalent = f"H = 2 R_eq cos α ({say('equivalent')})"
@@ -140,6 +144,11 @@ def _geometry(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
     row = live_row(book, sheet, row, "a_RM / g = tan α", "Eq. 2",
                 f"=TAN(RADIANS({name}_slenderness))", block.threshold_acceleration / G, "g",
                 f"{name}_a_rm", ACCELERATION)  # fmt: skip
+    return _ratio_row(book, sheet, wall, name, row)
+
+
+def _ratio_row(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
+    say, block = book.say, wall.block
     ratio = wall.restitution
     label = say("velocity ratio e") + f" ({ratio.model})"
     factor = f"(2*{name}_radius^2/{name}_inertia)" if not block.is_rectangle else "1.5"
@@ -166,7 +175,7 @@ def _records(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
         say("Record (governing sign)"), "SI [cm]", "PFA [g]" if wall.floor else "PGA [g]",
         say("Scale C"), "q, Eq. 10", say("program"), "q_eff, Eq. 12",
         say("program"), "ln SI", "ln q_eff",
-        *([] if wall.floor else [f"q_eff, {form}", f"q, {form}", say("program")])], 1, 32)  # fmt: skip
+        *([f"q_eff, {form}", f"q, {form}", say("program")] if wall.wall.has_closed_forms else [])], 1, 32)  # fmt: skip
     first = row + 1
     scale = {(run.record, run.polarity): run.scale for run in wall.runs}
     for entry in wall.per_record:

@@ -5,6 +5,7 @@ from core.codes.kinematic import CANTILEVER, DAMPING, PERIOD_FACTOR
 from core.codes.risk import EXPONENT, exponent_by_ag
 from core.codes.target_spectrum import EN_AMPLIFICATION, NTC_SOIL, NTC_TOPOGRAPHY, CodeSpectrum
 from core.report.cells import ACCELERATION, BAD, EXACT, GOOD, QUIET, RATIO, Book, style, text
+from core.report.load_rows import chain_formulas
 from core.report.rows import heads, input_row, live_row
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import word
@@ -59,13 +60,27 @@ def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: st
     else:
         label = say("Circolare 7/2019, wall on the ground, {kind}", kind=kind)
     row = heads(book, sheet, row, label)
-    row = live_row(book, sheet, row, "α0 = tan α", "C8.7.1.1",
-                   f"=TAN(RADIANS({name}_slenderness))", kinematic.alpha0, "–", f"{name}_alpha0")  # fmt: skip
-    row = input_row(
-        book, sheet, row, "e* (C8.7.1.5)", kinematic.e_star, "–", f"{name}_e_star", RATIO
-    )
+    sums, start = kinematic.chain, f"{name}_alpha0"
+    if wall.wall.load:
+        formulas = chain_formulas(book, name)
+        row = live_row(book, sheet, row, "α0 = (W x + ΣN d + ΣF h)/(W y + ΣQ h)", "C8.7.1.1",
+                       formulas["alpha0"], sums.alpha0, "–", start)  # fmt: skip
+        row = live_row(book, sheet, row, "e* = (W y + ΣQ h)²/[(W + ΣQ)(W y² + ΣQ h²)]", "C8.7.1.5",
+                       formulas["e_star"], kinematic.e_star, "–", f"{name}_e_star")  # fmt: skip
+    else:
+        row = live_row(book, sheet, row, "α0 = tan α", "C8.7.1.1",
+                       f"=TAN(RADIANS({name}_slenderness))", sums.alpha0, "–", start)  # fmt: skip
+        row = input_row(
+            book, sheet, row, "e* (C8.7.1.5)", kinematic.e_star, "–", f"{name}_e_star", RATIO
+        )
+    if sums.alpha0_friction is not None:
+        start = f"{name}_alpha0_friction"
+        label = say(
+            "α0 with the friction of return walls, {h:.2f} m turning", h=sums.friction_height
+        )
+        row = input_row(book, sheet, row, label, sums.alpha0_friction, "–", start)
     row = live_row(book, sheet, row, "a0* = α0 g / (e* FC)", "C8.7.1.3",
-                   f"={name}_alpha0/({name}_e_star*demand_fc)", kinematic.a0 / G, "g",
+                   f"={start}/({name}_e_star*demand_fc)", kinematic.a0 / G, "g",
                    f"{name}_a0_star")  # fmt: skip
     if kinematic.m_star is not None:
         row = input_row(book, sheet, row, say("M* per metre"), kinematic.m_star, "kg/m",
@@ -147,12 +162,16 @@ def _sld(book: Book, sheet, wall, name: str, demand, row: int) -> int:
         drawn = asked.slenderness_deg is None or asked.setback
         t = f"{name}_thickness" if drawn else f"({name}_height*TAN(RADIANS({name}_slenderness)))"
         row = input_row(book, sheet, row, "E", asked.elastic_modulus_mpa, "MPa", f"{name}_modulus")
-        row = input_row(book, sheet, row, say("unit weight"),
-                        asked.unit_weight_kn_m3, "kN/m³", f"{name}_weight")  # fmt: skip
-        row = live_row(book, sheet, row, "T_0 = κ (H/t) H √(w/(E g))", "C8.7.1.7",
-                       f"={CANTILEVER}*{name}_height/{t}*{name}_height"
-                       f"*SQRT({name}_weight/(1000*{name}_modulus*gravity))",
-                       kinematic.period_0, "s", f"{name}_period_0")  # fmt: skip
+        alone = f"{CANTILEVER}*{name}_height/{t}*{name}_height*SQRT({name}_weight/(1000*{name}_modulus*gravity))"
+        if asked.load:
+            label = "T_0 = √(κ² (H/t)² H² w/(E g) + Σ 4π² m h³/(3 E I))"
+            formula = f"=SQRT(({alone})^2+{chain_formulas(book, name)['period']})"
+        else:
+            row = input_row(book, sheet, row, say("unit weight"),
+                            asked.unit_weight_kn_m3, "kN/m³", f"{name}_weight")  # fmt: skip
+            label, formula = "T_0 = κ (H/t) H √(w/(E g))", f"={alone}"
+        row = live_row(book, sheet, row, label, "C8.7.1.7", formula, kinematic.period_0, "s",
+                       f"{name}_period_0")  # fmt: skip
         if kinematic.floor:
             row = input_row(book, sheet, row, "S_eZ(T_0, 5 %)", kinematic.acceleration_demand / G, "g",
                             against)  # fmt: skip
@@ -190,12 +209,18 @@ def found_checks(wall: WallResult, *names: str):
 def _displacement(book: Book, sheet, wall, name: str, demand, check, row: int) -> int:
     kinematic, state = wall.assessment.kinematic, demand.limit_state
     share = LIMIT_FRACTION[state]
-    row = live_row(book, sheet, row, "d0 = R sin α", "C8.7.1.2.1.6",
-                   f"={name}_radius*SIN(RADIANS({name}_slenderness))", kinematic.d0, "m", f"{name}_d0")  # fmt: skip
+    if wall.wall.load:
+        row = live_row(book, sheet, row, "d0 = d_C(θ_c) (W y² + ΣQ h²)/[y (W y + ΣQ h)]", "C8.7.1.4",
+                       chain_formulas(book, name)["d0"], kinematic.d0, "m", f"{name}_d0")  # fmt: skip
+    else:
+        row = live_row(book, sheet, row, "d0 = R sin α", "C8.7.1.2.1.6",
+                       f"={name}_radius*SIN(RADIANS({name}_slenderness))", kinematic.d0, "m",
+                       f"{name}_d0")  # fmt: skip
     row = live_row(book, sheet, row, f"d_{state} = {share:.2f} d0", "C8.7.1.2.1.6",
                    f"={share}*{name}_d0", kinematic.d_limit, "m", f"{name}_d_limit")  # fmt: skip
     row = live_row(book, sheet, row, f"a(d_{state})", "C8.7.1.3",
-                   f"=(1-{share})*{name}_a0_star*gravity", kinematic.a_limit, "m/s²", f"{name}_a_limit")  # fmt: skip
+                   f"=(1-{share})*{name}_alpha0/({name}_e_star*demand_fc)*gravity", kinematic.a_limit, "m/s²",
+                   f"{name}_a_limit")  # fmt: skip
     equation = "C8.7.1.10" if state == "SLV" else "C8.7.1.11"
     factor = PERIOD_FACTOR[state] / 3.141592653589793
     row = live_row(book, sheet, row, f"T_{state}", equation,

@@ -12,6 +12,7 @@ from core.report.cells import (
     Book,
     text,
 )  # fmt: skip
+from core.report.load_arrows import arrows
 from core.study.results import WallResult
 
 DATA = 20
@@ -30,8 +31,10 @@ def sketch(book: Book, sheet, wall: WallResult, anchor: str) -> None:
     chart.style, chart.legend = 13, None
     chart.width, chart.height = 3.6, 6.2
     chart.title = None
-    for k, (points, color) in enumerate(zip(outlines, (ACCENT, BAD, QUIET), strict=True)):
-        column = DATA + 2 * k
+    drawn = [*zip(outlines, (ACCENT, BAD, QUIET), strict=True)]
+    drawn += [(points, AMBER) for points in arrows(wall.wall, h, t)]
+    for k, (points, color) in enumerate(drawn):
+        column = DATA + 16 + 2 * k
         for n, (x, y) in enumerate(points):
             sheet.cell(1 + n, column, x)
             sheet.cell(1 + n, column + 1, y)
@@ -44,7 +47,7 @@ def sketch(book: Book, sheet, wall: WallResult, anchor: str) -> None:
         chart.series.append(series)
     chart.layout = Layout(ManualLayout(layoutTarget="inner", xMode="edge", yMode="edge",
                                        x=0.05, y=0.05, w=0.9, h=0.9))  # fmt: skip
-    tall = 1.06 * h
+    tall = 1.06 * max([h, *(y for points in arrows(wall.wall, h, t) for _, y in points)])
     wide = tall * (0.9 * chart.width) / (0.9 * chart.height)
     wide = max(wide, 1.2 * t)
     chart.y_axis.scaling.min, chart.y_axis.scaling.max = -0.03 * h, -0.03 * h + tall

@@ -95,7 +95,7 @@ def summary(book: Book, result: StudyResult) -> None:
     if ordered[0].assessment:
         row = _governing(book, sheet, result, ordered[0], row + 1)
     row = _warnings(book, sheet, result, row + 1, LAST)
-    _signature(book, sheet, row + 1, all(wall.wall.unloaded_confirmed for wall in result.walls))
+    _signature(book, sheet, row + 1, [wall.wall for wall in result.walls])
     sheet.print_area = f"A1:M{sheet.max_row}"
 
 
@@ -176,7 +176,7 @@ def _walls_table(book: Book, sheet, result: StudyResult, walls: list[WallResult]
             (3, wall.height, RATIO), (4, wall.thickness, RATIO), (5, setback, ACCELERATION),
             (6, wall.height / wall.thickness, "0.0"),
             (7, math.degrees(wall.block.slenderness), RATIO),
-            (8, wall.block.threshold_acceleration / G, ACCELERATION),
+            (8, wall.model.threshold / G, ACCELERATION),
             (9, weight / 1000.0 if weight else None, "0.0"), (10, wall.q_set, RATIO),
             (11, wall.q_robust_set, RATIO),
         ):  # fmt: skip
@@ -225,6 +225,8 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
                     color=verdict_color(result, wall))  # fmt: skip
     for reason in verdict.reasons:
         row = paragraph(sheet, row, f"• {reason.text(book.language)}", LAST, 150)
+    if assessment.tie is not None:
+        row = paragraph(sheet, row, f"• {tie_words(book, assessment.tie)}", LAST, 150)
     if verdict.lower_bound is not None:
         row = paragraph(
             sheet,
@@ -329,19 +331,46 @@ def _warnings(book: Book, sheet, result: StudyResult, row: int, last: int, most:
     return row
 
 
-def _signature(book: Book, sheet, row: int, unloaded: bool) -> None:
+def tie_words(book: Book, tie) -> str:
+    """What a tie must hold, in one sentence."""
+    values = {"h": tie.height, "largest": 1e-3 * tie.largest, "zeta": tie.zeta or 0.0}
+    if tie.force is None:
+        return book.say(
+            "No tie at {h:.2f} m reaches the ζ required: the largest, {largest:.2f} kN/m, gives {zeta:.2f}.", **values
+        )  # fmt: skip
+    if tie.force == 0.0:
+        return book.say("No tie at {h:.2f} m is needed: ζ {zeta:.2f}.", **values)
+    force = 1e-3 * tie.force
+    return book.say(
+        "A tie at {h:.2f} m that holds {force:.2f} kN/m up to collapse gives ζ {zeta:.2f}.", force=force, **values
+    )  # fmt: skip
+
+
+def assumptions_of(walls) -> list[str]:
+    """Codes of what the engineer confirms: the loads as given where a wall has some, else that there are none."""
+    loaded = any(wall.load for wall in walls)
+    tied = any(load.kind == "tie" for wall in walls for load in wall.load)
+    left_out = {
+        "no_load" if loaded else "loads_as_given",
+        "no_ties" if tied else "ties_as_given",
+    }
+    return [code for code in ASSUMPTIONS if code not in left_out]
+
+
+def _signature(book: Book, sheet, row: int, walls) -> None:
     """Assumptions to tick, the judgement the engineer writes (NTC 2018 10.2), place for a signature.
-    unloaded : every wall was confirmed to carry no load."""
+    Where loads are given, they are what is confirmed, and so are ties."""
     say = book.say
     text(sheet, row, 1, say("Assumptions confirmed by the engineer"),
          bold=True)  # fmt: skip
     text(sheet, row, 7, say("Reasoned judgement on the results (NTC 2018 10.2)"),
          bold=True)  # fmt: skip
-    for n, code in enumerate(ASSUMPTIONS, start=1):
-        ticked = unloaded and code == "no_load"
+    codes = assumptions_of(walls)
+    for n, code in enumerate(codes, start=1):
+        ticked = code == "no_load" and all(wall.unloaded_confirmed for wall in walls)
         assumption = localized("assumption", code, book.language)
         text(sheet, row + n, 1, f"{'☑' if ticked else '☐'}  {assumption}")
-    last = row + len(ASSUMPTIONS)
+    last = row + len(codes)
     sheet.merge_cells(start_row=row + 1, start_column=7, end_row=last, end_column=LAST)
     for r in range(row + 1, last + 1):
         for c in range(7, LAST + 1):

@@ -2,7 +2,15 @@
 
 from collections.abc import Callable
 
-from core.report import check_sheet, demand_sheets, floor_sheet, plots, sheets, summary_sheet
+from core.report import (
+    check_sheet,
+    demand_sheets,
+    floor_sheet,
+    plots,
+    risk_sheet,
+    sheets,
+    summary_sheet,
+)
 from core.report.cells import Book
 from core.study.results import CollapseHistories, StudyResult
 
@@ -34,7 +42,7 @@ def build(
     book = Book(result.case.report.language)
     book.workbook.remove(book.workbook.active)
     sheets_in_order = (
-        summary_sheet.summary, summary_sheet.overview, sheets.inputs, sheets.records, sheets.results,
+        summary_sheet.summary, summary_sheet.overview, risk_sheet.risk, sheets.inputs, sheets.records, sheets.results,
         check_sheet.check, demand_sheets.dynamic_check, demand_sheets.spectral_compatibility, floor_sheet.floors,
         plots.q_against_si, lambda book, result: plots.histories(book, result, histories),
         plots.survival_map, sheets.method,
@@ -42,6 +50,8 @@ def build(
     for sheet in sheets_in_order:
         if sheet is summary_sheet.overview and len(result.walls) <= summary_sheet.SUMMARY_WALLS:
             continue  # the Summary lists them all
+        if sheet is risk_sheet.risk and not risk_sheet.has_risk(result):
+            continue
         if sheet is floor_sheet.floors and not floor_sheet.floors_of(result):
             continue
         check()

@@ -12,7 +12,8 @@ from core.text.terminal import TERMINAL
 from core.text.verdicts import ADDED, METHOD_WORDS, MISSING_WORDS, REASONS
 from core.text.verdicts import SENTENCES as VERDICTS
 from core.text.window import WINDOW
-from core.text.words import ASSUMPTIONS, WORDS
+from core.text.window_forms import WINDOW_FORMS
+from core.text.words import ASSUMPTIONS, KEYS, LOADS, WORDS
 
 
 def _started(words: tuple[str, str]) -> tuple[str, str]:
@@ -30,7 +31,7 @@ CATALOGUE: dict[str, dict[str, tuple[str, str]]] = {
     "place": PLACES,
     "accepted": ACCEPTED,
     "notice": NOTICES,
-    "word": WORDS,
+    "word": {**WORDS, **LOADS, **KEYS},
     "assumption": ASSUMPTIONS,
     "verdict": VERDICTS,
     "added": ADDED,
@@ -41,6 +42,6 @@ CATALOGUE: dict[str, dict[str, tuple[str, str]]] = {
     "method_label": METHOD_LABELS,
     "method_body": METHOD_BODIES,
     "report": _by_english({**STUDY, **REPORT}),
-    "window": _by_english(WINDOW),
+    "window": _by_english({**WINDOW, **WINDOW_FORMS}),
     "terminal": _by_english(TERMINAL),
 }

@@ -1,6 +1,46 @@
 """The workbook's own words."""
 
 REPORT = {
+    "about the outer hinge": "rispetto alla cerniera esterna",
+    "about the inner hinge": "rispetto alla cerniera interna",
+    "Loads": "Carichi",
+    "α0 with the friction of return walls, {h:.2f} m turning": (
+        "α0 con l'attrito dei muri di spina, {h:.2f} m in rotazione"
+    ),
+    "Risk": "Rischio",
+    "What each mechanism withstands": "Che cosa sopporta ogni meccanismo",
+    (
+        "PGA_C = ζ S a_g; the shape of the spectrum is taken as fixed. IS-V is of this mechanism: the class of the "
+        "building asks for a global analysis (D.M. 65/2017, Annex A). Limit states by the hazard of the site and "
+        "the kinematic check."
+    ): (
+        "PGA_C = ζ S a_g; la forma dello spettro si assume fissa. L'IS-V è di questo meccanismo: la classe "
+        "dell'edificio richiede un'analisi globale (D.M. 65/2017, Allegato A). Stati limite con la pericolosità del "
+        "sito e la verifica cinematica."
+    ),
+    "by": "con",
+    "smallest": "minimo",
+    "Tie for the ζ required": "Catena per lo ζ richiesto",
+    "Force [kN/m]": "Forza [kN/m]",
+    "Largest [kN/m]": "Massima [kN/m]",
+    "none reaches it": "nessuna lo raggiunge",
+    (
+        "By hand: α0 = (W x {own:.2f} + loads {loads:.2f} + F h {force:.2f}) / {pushing:.2f} = {alpha0:.4f} (kNm/m)"
+    ): (
+        "A mano: α0 = (W x {own:.2f} + carichi {loads:.2f} + F h {force:.2f}) / {pushing:.2f} = {alpha0:.4f} (kNm/m)"
+    ),
+    "Before and after": "Prima e dopo",
+    "ζ before": "ζ prima",
+    "ζ after": "ζ dopo",
+    "changed": "che cosa cambia",
+    "nothing": "nulla",
+    "No tie at {h:.2f} m reaches the ζ required: the largest, {largest:.2f} kN/m, gives {zeta:.2f}.": (
+        "Nessuna catena a {h:.2f} m raggiunge lo ζ richiesto: la massima, {largest:.2f} kN/m, dà {zeta:.2f}."
+    ),
+    "No tie at {h:.2f} m is needed: ζ {zeta:.2f}.": "Non serve una catena a {h:.2f} m: ζ {zeta:.2f}.",
+    "A tie at {h:.2f} m that holds {force:.2f} kN/m up to collapse gives ζ {zeta:.2f}.": (
+        "Una catena a {h:.2f} m che mantiene {force:.2f} kN/m fino al collasso dà ζ {zeta:.2f}."
+    ),
     "Check": "Verifica",
     "SI of the demand": "SI della domanda",
     "of the demand": "della domanda",

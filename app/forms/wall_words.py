@@ -1,0 +1,64 @@
+"""What the form says of a wall from its case and from the last result."""
+
+from dataclasses import replace
+
+from app.language import named, tr
+from app.session import Session
+from core.capacity.scale_free_law import estimates
+from core.case.hinges import above_hinge, hinges_of
+from core.case.schema import Wall
+from core.errors import InputError
+from core.study.demand_input import demand_of
+
+
+def estimate_lines(session: Session, wall: Wall) -> list[str]:
+    """A first answer without records: q of Ribalta's law at the demand, where its spectrum or SI is given."""
+    case = session.case
+    try:
+        demand = demand_of(case, session.base_dir) if case.demand else None
+        if demand is None or not demand.intensity or not wall.has_closed_forms:
+            return []
+        answers = [
+            estimates(
+                wall.block(),
+                wall.restitution_of(mechanism),
+                wall.moment_law(),
+                mechanism == "one_sided",
+                demand.intensity,
+                demand.pga,
+            )
+            for mechanism in wall.mechanisms()
+        ]
+    except (InputError, TypeError, KeyError):
+        return []  # the form says elsewhere what is missing
+    lines = []
+    for mechanism, answer in zip(wall.mechanisms(), answers, strict=True):
+        for one, slv in [answer] if answer else []:
+            values = {"q": one.q, "low": one.low, "high": one.high, "q_slv": slv.q}
+            kind = named(mechanism)
+            line = tr(
+                "Research, no records, {kind}: q {q:.1f} ({low:.1f}–{high:.1f}), q SLV {q_slv:.1f}",
+                kind=kind,
+                **values,
+            )
+            lines.append(line if one.within else f"{line}, {tr('outside its range')}")
+    return lines
+
+
+def hinge_zetas(session: Session, wall: Wall) -> list[tuple[float, float | None]]:
+    """Every hinge of a wall above its base [m], with the smallest zeta found there, None where none is."""
+    case, result = session.case, None if session.stale else session.result
+    found = []
+    try:
+        heights = [0.0, *hinges_of(wall, case.building)]
+        for hinge in heights if len(heights) > 1 else ():
+            name = above_hinge(replace(wall, name=wall.title), hinge).name
+            zetas = [
+                one.assessment.verdict.zeta_e
+                for one in (result.walls if result else ())
+                if one.name == name and one.assessment and one.assessment.verdict.zeta_e
+            ]
+            found.append((hinge, min(zetas) if zetas else None))
+    except (InputError, TypeError, ZeroDivisionError):  # work in progress
+        return []
+    return found

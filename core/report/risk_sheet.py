@@ -1,0 +1,167 @@
+"""The sheet Risk: every wall with what it withstands, the lowest first; limit states, ties, variants."""
+
+from core.codes.risk import years
+from core.report.cells import (
+    ACCELERATION,
+    QUIET,
+    RATIO,
+    Book,
+    header,
+    heighten,
+    number,
+    paragraph,
+    rule,
+    text,
+    title,
+)
+from core.report.summary_sheet import by_zeta
+from core.study.limit_states import STATES
+from core.study.results import StudyResult, WallResult
+from core.study.variants import comparisons
+from core.text.sentence import word
+from core.units import G
+
+LAST = 10
+
+
+def has_risk(result: StudyResult) -> bool:
+    """Whether a wall has something this sheet shows."""
+    return any(wall.assessment and wall.assessment.risk for wall in result.walls)
+
+
+def risk(book: Book, result: StudyResult) -> None:
+    """The tables, one below the other."""
+    say = book.say
+    sheet = book.sheet("Risk", [26, 12, 9, 30, 10, 10, 10, 10, 10, 10], landscape=True)
+    title(sheet, 1, say("What each mechanism withstands"))
+    row = paragraph(
+        sheet,
+        2,
+        say(
+            "PGA_C = ζ S a_g; the shape of the spectrum is taken as fixed. IS-V is of this mechanism: the class of the "
+            "building asks for a global analysis (D.M. 65/2017, Annex A). Limit states by the hazard of the site and "
+            "the kinematic check."
+        ),
+        LAST, 150, color=QUIET,
+    )  # fmt: skip
+    row = _walls(book, sheet, result, row + 1)
+    row = _ties(book, sheet, result, row + 1)
+    row = _variants(book, sheet, result, row + 1)
+    sheet.freeze_panes = "B4"
+    sheet.print_area = f"A1:J{row}"
+
+
+def _walls(book: Book, sheet, result: StudyResult, row: int) -> int:
+    say = book.say
+    header(sheet, row, [
+        say("Wall"), say("Mechanism"), "ζ_E", say("by"), "PGA_C [g]", "T_R,C", "IS-V",
+        *(f"ζ {state}" for state in STATES)], 1, 30)  # fmt: skip
+    for wall in by_zeta(result.walls):
+        row += 1
+        _wall(book, sheet, wall, row)
+    known = [
+        w.assessment.verdict.zeta_e for w in result.walls if w.assessment and w.assessment.risk
+    ]
+    row += 1
+    text(sheet, row, 1, say("smallest"), bold=True)
+    number(sheet, row, 3, min(known), RATIO)
+    for column, state in enumerate(STATES, start=8):
+        values = [
+            one.zeta
+            for wall in result.walls
+            for one in (wall.assessment.states if wall.assessment else ())
+            if one.state == state and one.zeta is not None
+        ]
+        if values:
+            number(sheet, row, column, min(values), RATIO)
+    rule(sheet, row, 1, LAST)
+    return row + 1
+
+
+def _wall(book: Book, sheet, wall: WallResult, row: int) -> None:
+    found, language = wall.assessment, book.language
+    text(sheet, row, 1, wall.name, wrap=True)
+    text(sheet, row, 2, word(wall.mechanism, language))
+    heighten(sheet, row, (wall.name, 26))
+    rule(sheet, row, 1, LAST)
+    if found is None:
+        return
+    verdict = found.verdict
+    number(sheet, row, 3, verdict.zeta_e, RATIO)
+    label = next((c.label for c in found.checks if c.name == verdict.governing), None)
+    text(sheet, row, 4, word(label, language) if label else "–", wrap=True)
+    if found.risk:
+        number(sheet, row, 5, found.risk.pga / G, ACCELERATION)
+        period = found.risk.return_period
+        text(sheet, row, 6, "–" if period is None else years(period), align="right")
+        letter = found.risk.letter
+        text(sheet, row, 7, f"{found.risk.index:.2f}  {letter}" if letter else "–", align="right")
+    for column, one in enumerate(found.states, start=8):
+        number(sheet, row, column, one.zeta, RATIO)
+
+
+def _ties(book: Book, sheet, result: StudyResult, row: int) -> int:
+    """The force of each tie asked for, and the hand check of its moments."""
+    say = book.say
+    designed = [wall for wall in result.walls if wall.assessment and wall.assessment.tie]
+    if not designed:
+        return row
+    title(sheet, row, say("Tie for the ζ required"), 12)
+    header(sheet, row + 1, [
+        say("Wall"), "h [m]", "ζ", say("by"), say("Force [kN/m]"), say("Largest [kN/m]"), "α0"], 1, 30)  # fmt: skip
+    row += 1
+    for wall in designed:
+        tie = wall.assessment.tie
+        row += 1
+        text(sheet, row, 1, wall.name, wrap=True)
+        number(sheet, row, 2, tie.height, RATIO)
+        number(sheet, row, 3, tie.zeta, RATIO)
+        text(sheet, row, 4, word(tie.check, book.language), wrap=True)
+        if tie.force is None:
+            text(sheet, row, 5, say("none reaches it"))
+        else:
+            number(sheet, row, 5, 1e-3 * tie.force, RATIO)
+        number(sheet, row, 6, 1e-3 * tie.largest, RATIO)
+        number(sheet, row, 7, tie.alpha0, ACCELERATION)
+        rule(sheet, row, 1, 7)
+        own, loads, force = (1e-3 * moment for moment in tie.holding)
+        words = say(
+            "By hand: α0 = (W x {own:.2f} + loads {loads:.2f} + F h {force:.2f}) / {pushing:.2f} = {alpha0:.4f} "
+            "(kNm/m)",
+            own=own, loads=loads, force=force, pushing=1e-3 * tie.pushing, alpha0=tie.alpha0,
+        )  # fmt: skip
+        row = paragraph(sheet, row + 1, words, LAST, 150, color=QUIET) - 1
+    return row + 1
+
+
+def _variants(book: Book, sheet, result: StudyResult, row: int) -> int:
+    """The walls as they are beside the walls as they are designed."""
+    say, found = book.say, comparisons(result.walls)
+    if not found:
+        return row
+    title(sheet, row, say("Before and after"), 12)
+    header(sheet, row + 1, [
+        say("Wall"), say("Mechanism"), say("ζ before"), say("by"), say("ζ after"), "", say("by"), "", say("changed")],
+        1, 30)  # fmt: skip
+    row += 1
+    for one in found:
+        row += 1
+        text(sheet, row, 1, one.name, wrap=True)
+        text(sheet, row, 2, word(one.before.mechanism, book.language))
+        for column, wall in ((3, one.before), (5, one.after)):
+            verdict = wall.assessment.verdict if wall.assessment else None
+            number(sheet, row, column, verdict.zeta_e if verdict else None, RATIO)
+            label = next(
+                (c.label for c in wall.assessment.checks if c.name == verdict.governing), None
+            ) if verdict else None  # fmt: skip
+            text(
+                sheet,
+                row,
+                column + (1 if column == 3 else 2),
+                word(label, book.language) if label else "–",
+            )
+        keys = ", ".join(word(f"key_{key}", book.language) for key in one.changed) or say("nothing")
+        text(sheet, row, 9, keys)
+        heighten(sheet, row, (one.name, 26))
+        rule(sheet, row, 1, LAST)
+    return row + 1
