@@ -117,13 +117,14 @@ def summary(result: StudyResult, folder: Path, stem: str) -> str:
     """What a terminal shows of a result: a line for each wall. With a demand its verdict, zeta and the check
     that decides; Eq. 9 stands in the files only."""
     heads = [terminal(head) for head in ("wall", "mechanism", "rule", "q", "robust")]
-    lines = ["{:24} {:10} {:10} {:>6} {:>7}".format(*heads)]
+    width = min(48, max(24, *(len(wall.name) for wall in result.walls)))
+    lines = [f"{heads[0]:{width}} {{:10}} {{:10}} {{:>6}} {{:>7}}".format(*heads[1:])]
     if result.demand:
         heads = [terminal(head) for head in ("zeta", "verdict", "by")]
         lines[0] += " {:>6}  {:16} {}".format(*heads)
     for wall in result.walls:
         line = (
-            f"{wall.name[:24]:24} {wall.mechanism:10} {wall.set_rule or '-':10} "
+            f"{wall.name[:width]:{width}} {wall.mechanism:10} {wall.set_rule or '-':10} "
             f"{_short(wall.q_set):>6} {_short(wall.q_robust_set):>7}"
         )
         if wall.assessment:

@@ -112,8 +112,10 @@ class WallDrawing(QWidget):
             if zeta is not None:
                 weakest = zeta == min(known)
                 painter.setPen(QColor(theme.current.bad if weakest else theme.current.ink))
-                at = place(QPointF(0.5 * thickness, level))
-                painter.drawText(QPointF(at.x() + 28, at.y() - 2), f"ζ {zeta:.2f}")
+                words = f"ζ {zeta:.2f}"
+                at = place(QPointF(-0.5 * thickness, level))
+                wide = painter.fontMetrics().horizontalAdvance(words)
+                painter.drawText(QPointF(max(0.0, at.x() - wide - 14), at.y() - 2), words)
 
     def _sizes(self, painter, place, height, thickness, setback) -> None:
         painter.setPen(QColor(theme.current.ink))

@@ -20,14 +20,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app import docks, language, menus, theme
+from app import docks, language, menus, tabs, theme
 from app.files import Files
 from app.forms.fields import Field
 from app.language import described, named, tr
-from app.pages import Page, Veil, card
-from app.plots.check_tab import CheckTab
-from app.plots.history_tabs import HistoriesTab, ValidationTab
-from app.plots.result_tabs import CapacityTab, IntensityTab, SpectraTab
+from app.pages import Veil, card
+from app.plots.history_tabs import ValidationTab
 from app.preparation import Preparation
 from app.session import Session
 from app.worker import Job
@@ -98,14 +96,10 @@ class MainWindow(QMainWindow):
 
     def _tabs(self) -> None:
         self.tabs = QTabWidget()
-        self.pages = {
-            "check": Page(lambda: CheckTab(self.language)), "histories": Page(HistoriesTab),
-            "capacity": Page(CapacityTab), "intensity": Page(IntensityTab),
-            "spectra": Page(lambda: SpectraTab(self.language)), "validation": Page(self._validation),
-        }  # fmt: skip
-        self.tab_labels = (tr("Check"), tr("Histories"), tr("Capacity"), tr("q against SI"), tr("Spectra"),
-                           tr("Validation"))  # fmt: skip
-        for page, label in zip(self.pages.values(), self.tab_labels, strict=True):
+        made = tabs.pages(self.language, self._validation, self.pick)
+        self.pages = {name: page for name, (page, _) in made.items()}
+        self.tab_labels = tuple(label for _, label in made.values())
+        for page, label in made.values():
             self.tabs.addTab(page, label)
         self.tabs.currentChanged.connect(lambda _: self.show_result())
         self.chosen = QComboBox()
@@ -222,6 +216,12 @@ class MainWindow(QMainWindow):
         result = self.session.result
         k = self.chosen.currentIndex()
         return result.walls[k] if result and 0 <= k < len(result.walls) else None
+
+    def pick(self, k: int) -> None:
+        """Show the k-th wall of the result on the tab Check."""
+        self.chosen.setCurrentIndex(k)
+        self._wall_chosen()
+        self.tabs.setCurrentWidget(self.pages["check"])
 
     def _wall_chosen(self) -> None:
         self.fresh.clear()

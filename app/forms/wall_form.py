@@ -217,7 +217,7 @@ class WallForm(QWidget):
         self.showing = True
         walls = self.session.case.wall
         row = min(self.current, max(0, len(walls) - 1))
-        names = [wall.name for wall in walls]
+        names = [wall.title for wall in walls]
         if names != self.listed:
             self.listed = names
             self.list.clear()

@@ -51,7 +51,7 @@ class CheckTab(QWidget):
         self.reasons.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.table = Table(tr("Checks"), [
             tr("Method"), "ζ", tr("Outcome"), tr("Clause"), "q", tr("Capacity"), tr("Demand"), tr("Unit")])  # fmt: skip
-        self.peaks = Chart(tr("record"), "θmax/α [-]", tr("Peaks at the demand"))
+        self.peaks = Chart(tr("record"), "θmax/θc [-]", tr("Peaks at the demand"))
         split = QSplitter(Qt.Orientation.Vertical)
         split.addWidget(self.table)
         split.addWidget(self.peaks)
@@ -132,7 +132,7 @@ class CheckTab(QWidget):
         ]
         if kinematic.period_0 is not None:
             parts.append(f"T_0 {kinematic.period_0:.3f} s")
-        parts.append(f"e* {kinematic.e_star:.0f}, a0* {kinematic.a0 / G:.3f} g")
+        parts.append(f"e* {kinematic.e_star:.3g}, a0* {kinematic.a0 / G:.3f} g")
         if dynamic:
             parts.append(word(f"confidence_{dynamic.confidence_on}", self.language))
             parts.append(f"ζ_16 {digits(dynamic.zeta_16)}")
@@ -186,10 +186,10 @@ class CheckTab(QWidget):
         stands = [h for h, run in zip(heights, check.runs, strict=True) if not run.exceeded]
         at = [x for x, run in zip(places, check.runs, strict=True) if not run.exceeded]
         falls = [x for x, run in zip(places, check.runs, strict=True) if run.exceeded]
-        self.peaks.bars(tr("within α"), at, stands, 0)
-        self.peaks.bars(tr("exceeds α or overturns"), falls,
+        self.peaks.bars(tr("within θc"), at, stands, 0)
+        self.peaks.bars(tr("exceeds θc or overturns"), falls,
                         [h for h, run in zip(heights, check.runs, strict=True) if run.exceeded], 1)  # fmt: skip
-        for fraction, label in ((0.40, "0.40 SLV"), (0.60, "0.60 SLC"), (1.00, "1.00 α")):
+        for fraction, label in ((0.40, "0.40 SLV"), (0.60, "0.60 SLC"), (1.00, "1.00 θc")):
             wanted = LIMIT_FRACTION.get(check.limit_state) == fraction
             self.peaks.level(fraction, label, "bad" if wanted or fraction == 1.0 else "quiet")
         signs = {run.polarity for run in check.runs}

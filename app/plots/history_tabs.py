@@ -47,7 +47,7 @@ class HistoriesTab(QWidget):
         self.play.setCheckable(True)
         self.play.toggled.connect(self._toggled)
         self.ground = Chart("t [s]", "u'' [g]", tr("Ground motion"))
-        self.rotation = Chart("t [s]", "θ/α [-]", tr("Rotation"))
+        self.rotation = Chart("t [s]", "θ/θc [-]", tr("Rotation"))
         self.rotation.plot.setXLink(self.ground.plot)
         self.wall_drawing = WallDrawing(with_sizes=False)
         self.wall_drawing.setFixedWidth(150)
@@ -110,7 +110,7 @@ class HistoriesTab(QWidget):
             1.0,
         )
         self.ground.level(0.0)
-        self.curve = self.rotation.curve("θ/α", [0.0, 1.0], [0.0, 0.0], 0, 1.8)
+        self.curve = self.rotation.curve("θ/θc", [0.0, 1.0], [0.0, 0.0], 0, 1.8)
         self.marks = self.rotation.points(tr("impacts"), [], [], 1, 5)
         both_ways = wall.model.one_sided == 0.0
         for level in (-1.0, 1.0) if both_ways else (1.0,):
@@ -142,7 +142,7 @@ class HistoriesTab(QWidget):
         scale = self.run.polarity * multiplier_of(self.q, self.motion.pga, threshold_of(wall.model))
         ground, dt = self.motion.acceleration, self.motion.time_step
         self.history = history(ground, dt, scale, wall.model, result.method)
-        ratio = np.clip(self.history.rotation / wall.block.slenderness, -3.0, 3.0)
+        ratio = np.clip(self.history.rotation / wall.model.collapse_rotation, -3.0, 3.0)
         self.curve.setData(self.times[: ratio.size], ratio)
         hits = self.history.impact_time[:2000]
         self.marks.setData(hits, np.zeros(hits.size))
@@ -152,7 +152,7 @@ class HistoriesTab(QWidget):
         ]
         outcome = named("overturned") if self.history.outcome == COLLAPSED else tr("stands")
         self.words.setText(f"C {abs(scale):.3f}   q {self.q:.3f}   {outcome}   "
-                           f"θmax/α {min(self.history.peak / wall.block.slenderness, 9.99):.2f}")  # fmt: skip
+                           f"θmax/θc {min(self.history.peak / wall.model.collapse_rotation, 9.99):.2f}")  # fmt: skip
         self.set_time(self.cursors[0].value())
 
     def set_time(self, time: float) -> None:
@@ -205,8 +205,8 @@ class ValidationTab(QWidget):
             legend="beside",
         )
         self.chart.set_log(True)
-        self.phase = Chart("θ/α [-]", "θ'/(p α) [-]", tr("Phase portrait"))
-        self.moment = Chart("θ/α [-]", "M/(m g R sin α) [-]", tr("Moment against rotation"))
+        self.phase = Chart("θ/θc [-]", "θ'/(p θc) [-]", tr("Phase portrait"))
+        self.moment = Chart("θ/θc [-]", "M/M₀ [-]", tr("Moment against rotation"))
         lower = QHBoxLayout()
         lower.addWidget(self.phase, 1)
         lower.addWidget(self.moment, 1)
@@ -224,9 +224,10 @@ class ValidationTab(QWidget):
         self.phase.clear()
         self.moment.clear()
         self.show_accuracy(wall.accuracy)
-        alpha = wall.block.slenderness
+        alpha = wall.model.collapse_rotation
         ratio = np.linspace(0.0, 1.2, 121)
-        law = np.array([moment(x * alpha, wall.model) for x in ratio]) / math.sin(alpha)
+        law = np.array([moment(x * alpha, wall.model) for x in ratio])
+        law = law / (wall.model.amplitude * math.sin(alpha))
         self.moment.curve(tr("law"), ratio, law, 0, 2.0)
         pair = collapse_histories(result, wall)
         if pair is None:

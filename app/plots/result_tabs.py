@@ -43,7 +43,7 @@ class CapacityTab(QWidget):
         self.record = QComboBox()
         self.record.setAccessibleName(tr("Record"))
         self.record.activated.connect(lambda _: self._show_peaks())
-        self.peaks = Chart("q [-]", "θmax/α [-]", tr("Peak rotation against q"), "top left")
+        self.peaks = Chart("q [-]", "θmax/θc [-]", tr("Peak rotation against q"), "top left")
         self.strips = Chart("q [-]", tr("run"), tr("Survival map"))
         self.fragility = Chart("q [-]", tr("share collapsed [-]"), tr("Fragility"), "bottom right")
         top = QHBoxLayout()
@@ -102,11 +102,11 @@ class CapacityTab(QWidget):
             outcomes,
             peaks,
         )
-        ratio = np.where(outcomes == COLLAPSED, np.nan, peaks / wall.block.slenderness)
+        ratio = np.where(outcomes == COLLAPSED, np.nan, peaks / wall.model.collapse_rotation)
         fell = q[outcomes == COLLAPSED]
         self.peaks.curve(run.record, q, ratio, 0)
         self.peaks.points(named("overturned"), fell, np.full(fell.size, 1.25), 1, 4)
-        for level, label in ((0.40, "0.40"), (0.60, "0.60"), (1.0, "α")):
+        for level, label in ((0.40, "0.40"), (0.60, "0.60"), (1.0, "θc")):
             self.peaks.level(level, label)
         if run.ida.q:
             self.peaks.level(run.ida.q, "q", "bad", vertical=True, place=0.75)

@@ -100,7 +100,7 @@ def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: st
         row = _displacement(book, sheet, wall, name, demand, check, row)
     for check in found_checks(wall, "dynamic"):
         if check.demand is not None:
-            row = input_row(book, sheet, row, say("θmax/α of the set (Dynamic check)"), check.demand, "–",
+            row = input_row(book, sheet, row, say("θmax/θc of the set (Dynamic check)"), check.demand, "–",
                             f"{name}_peak", EXACT)  # fmt: skip
         row = input_row(book, sheet, row, f"ζ_E: {word('dynamic', book.language)}", check.zeta, "–",
                         f"{name}_dynamic_zeta", EXACT)  # fmt: skip

@@ -72,7 +72,7 @@ def dynamic_check(book: Book, result: StudyResult) -> None:
 def _wall(book: Book, sheet, wall: WallResult, check, row: int) -> int:
     say = book.say
     label = f"{wall.name} – {word(wall.mechanism, book.language)}"
-    header(sheet, row, [label, say("Factor"), "θmax/α (+)", "θmax/α (−)",
+    header(sheet, row, [label, say("Factor"), "θmax/θc (+)", "θmax/θc (−)",
                         say("worse"), say("program"), say("Status")], 1,
            32 if len(label) > 30 else 18)  # fmt: skip
     first = row + 1
@@ -109,7 +109,7 @@ def _wall(book: Book, sheet, wall: WallResult, check, row: int) -> int:
                  float(check.n_exceeded), "0")  # fmt: skip
     number(sheet, row, 6, check.n_exceeded, "0", color=QUIET)
     row += 1
-    text(sheet, row, 1, f"{word(check.set_rule, book.language)} θmax/α")
+    text(sheet, row, 1, f"{word(check.set_rule, book.language)} θmax/θc")
     if check.peak_ratio is not None:
         formula = "AVERAGE" if check.set_rule == "mean" else "MAX"
         book.formula(

@@ -190,7 +190,7 @@ def histories(book: Book, result: StudyResult, drawn: list[CollapseHistories]) -
             f"{entry.wall.name} – {word(entry.wall.mechanism, book.language)}: "
             f"{entry.motion.name} ({sign})"
         )
-        chart = new_chart(label, "t [s]", "θ/α [-]", 17.5, 8.5)
+        chart = new_chart(label, "t [s]", "θ/θc [-]", 17.5, 8.5)
         add_series(chart, sheet, (column, column + 1), (2, last[0]), GOOD, width=12000)
         add_series(chart, sheet, (column + 2, column + 3), (2, last[1]), BAD, width=12000)
         one_sided = entry.wall.mechanism == "one_sided"
@@ -218,7 +218,7 @@ def _history_data(book: Book, sheet, entry: CollapseHistories, column: int) -> t
     last = []
     for k, (history, scale) in enumerate(zip(entry.histories, entry.scales, strict=True)):
         header(sheet, 2, ["t [s]", f"C = {abs(scale):.4f} {words[k]}"], column + 2 * k, 30)
-        ratio = history.rotation / entry.wall.block.slenderness
+        ratio = history.rotation / entry.wall.model.collapse_rotation
         row = 2
         for sample in thinned(ratio, HISTORY_POINTS):
             row += 1

@@ -61,7 +61,7 @@ def peaks(book: Book, sheet, check, anchor: str, width: float, height: float) ->
     """Peak rotation over alpha of each record at the demand, with lines at 0.40, 0.60 and 1.00."""
     say = book.say
     column = DATA + 8
-    heads = [say("record"), "θmax/α", "0.40", "0.60", "1.00"]
+    heads = [say("record"), "θmax/θc", "0.40", "0.60", "1.00"]
     for k, head in enumerate(heads):
         text(sheet, 1, column + k, head, size=8, color=QUIET)
     for n, run in enumerate(check.runs, start=2):
@@ -91,7 +91,7 @@ def peaks(book: Book, sheet, check, anchor: str, width: float, height: float) ->
         series.graphicalProperties.line.width = 14000
     bars += lines
     bars.y_axis.scaling.min, bars.y_axis.scaling.max = 0, 1.2
-    bars.y_axis.title, bars.x_axis.title = "θmax/α", None
+    bars.y_axis.title, bars.x_axis.title = "θmax/θc", None
     bars.x_axis.delete = bars.y_axis.delete = False
     bars.y_axis.majorGridlines = None
     bars.legend.position = "r"

@@ -256,7 +256,7 @@ def _mechanism_line(book: Book, assessment) -> str:
     say = book.say
     parts = [
         f"α0 {assessment.alpha0:.4f}",
-        f"e* {assessment.e_star:.0f}",
+        f"e* {assessment.e_star:.3g}",
         f"a0* {assessment.a0 / G:.3f} g",
     ]
     if assessment.m_star is not None:

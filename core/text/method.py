@@ -9,6 +9,7 @@ METHOD_LABELS = {
     "outcomes": ("Words of an outcome", "Parole degli esiti"),
     "range": ("Range of Eq. 15 and 16", "Campo delle Eq. 15 e 16"),
     "circolare": ("Checks of the Circolare 7/2019", "Verifiche della Circolare 7/2019"),
+    "loads": ("Loads, ties, return walls", "Carichi, catene, muri di spina"),
     "left_out": ("What is left out", "Che cosa è escluso"),
 }
 """Code -> (English, Italian), in the order of the sheet."""
@@ -73,32 +74,59 @@ METHOD_BODIES = {
     ),
     "circolare": (
         "C8.7.1.2.1.9: time histories of the capacity curve with FC on its strength (p^2 / FC under the "
-        "ground times FC; or FC on the demand), alpha exceeded in none, mean of the largest rotations (7 "
-        "stations or more, else the largest) within 0.40 alpha (SLV), 0.60 (SLC); zeta_E is the lowest "
+        "ground times FC; or FC on the demand), theta_c (alpha without loads) exceeded in none, mean of the "
+        "largest rotations (7 "
+        "stations or more, else the largest) within 0.40 theta_c (SLV), 0.60 (SLC); zeta_E is the lowest "
         "multiplier of the demand at which half of those within 10 % of it fail this rule. C8.7.1.2.1.8: d = "
         "0.40 d0 (0.60), T = 1.68 pi sqrt(d/a) (1.56 pi), damping 8 % (10 %), against the largest S_De on "
         "[T_0, T], T_0 = 0 for restrained walls; not below a_g,SLD. C8.7.1.2.1.5 and .7: a_g,SLD from a0* = "
-        "alpha0 g / (e* FC), e* = 1 for one wall (its weight at its centroid), against a_g S or, free to "
+        "alpha0 g / (e* FC), e* = 1 for one wall without masses that push it (its weight at its centroid), "
+        "against a_g S or, free to "
         "vibrate, S_e(T_0, 5 %); a_g,SLV = q a_g,SLD. The verdict follows the most refined check that could "
         "be made, in this order. Sentences of the clauses were read in a public transcription of the "
         "Circolare.",
         "C8.7.1.2.1.9: storie temporali della curva di capacità con FC sulla resistenza (p^2 / FC sotto il "
-        "moto moltiplicato per FC; oppure FC sulla domanda), alpha mai superato, media delle rotazioni "
-        "massime (da 7 stazioni, altrimenti il massimo) entro 0.40 alpha (SLV), 0.60 (SLC); zeta_E è il "
+        "moto moltiplicato per FC; oppure FC sulla domanda), theta_c (alpha senza carichi) mai superato, media "
+        "delle rotazioni "
+        "massime (da 7 stazioni, altrimenti il massimo) entro 0.40 theta_c (SLV), 0.60 (SLC); zeta_E è il "
         "minimo moltiplicatore della domanda al quale metà di quelli entro il 10 % non soddisfa la regola. "
         "C8.7.1.2.1.8: d = 0.40 d0 (0.60), T = 1.68 pi sqrt(d/a) (1.56 pi), smorzamento 8 % (10 %), rispetto "
         "al massimo S_De in [T_0, T], T_0 = 0 per pareti vincolate; non minore di a_g,SLD. C8.7.1.2.1.5 e .7: "
-        "a_g,SLD da a0* = alpha0 g / (e* FC), e* = 1 per una parete (peso nel baricentro), rispetto ad a_g S "
+        "a_g,SLD da a0* = alpha0 g / (e* FC), e* = 1 per una parete senza masse che la spingono (peso nel "
+        "baricentro), rispetto ad a_g S "
         "o, se libera di vibrare, S_e(T_0, 5 %); a_g,SLV = q a_g,SLD. L'esito segue la verifica più raffinata "
         "disponibile, in quest'ordine. I testi dei punti sono stati letti in una trascrizione pubblica della "
         "Circolare.",
     ),
+    "loads": (
+        "A force of constant size and direction is exact: phi'' = -p^2 [a sin(alpha - phi) + c cos(alpha - phi) - "
+        "beta cos(alpha - phi)]; it uplifts at a_RM = g (a tan(alpha) + c) and overturns at theta_c = alpha + "
+        "arctan(c/a), which takes the place of alpha in 0.40, 0.60 and 1.00. Masses that move with the wall or push "
+        "it are one block with it; of those that push, inertia is overstated by up to sin^2(alpha_i - theta). "
+        "C8.7.1.1: alpha0 = (W x + sum N d + sum F h)/(W y + sum Q h); C8.7.1.5: e*; C8.7.1.4: d0. Friction of "
+        "return "
+        "walls counts in alpha0 only, the least over the height that turns: never in histories or d0. A tie is of "
+        "constant force; a wall that would bend between base and tie is refused. Periods T_0 add masses by "
+        "Dunkerley's "
+        "rule.",
+        "Una forza di intensità e direzione costanti è esatta: phi'' = -p^2 [a sin(alpha - phi) + c cos(alpha - phi) "
+        "- beta cos(alpha - phi)]; si solleva per a_RM = g (a tan(alpha) + c) e ribalta a theta_c = alpha + "
+        "arctan(c/a), che sostituisce alpha in 0.40, 0.60 e 1.00. Le masse che si muovono con la parete o la "
+        "spingono "
+        "formano con essa un solo blocco; per quelle che spingono l'inerzia è sovrastimata al più di sin^2(alpha_i - "
+        "theta). C8.7.1.1: alpha0 = (W x + somma N d + somma F h)/(W y + somma Q h); C8.7.1.5: e*; C8.7.1.4: d0. "
+        "L'attrito dei muri di spina conta solo in alpha0, il minimo al variare dell'altezza che ruota: mai nelle "
+        "storie né in d0. La catena ha forza costante; una parete che si inflette fra base e catena è rifiutata. I "
+        "periodi T_0 sommano le masse con la regola di Dunkerley.",
+    ),
     "left_out": (
-        "Load and thrust of floors and roof, ties, sliding, vertical motion, cracking and crushing of the "
+        "Ties that yield or slacken, bearings that move with the rotation, sliding, vertical motion, cracking "
+        "and crushing of the "
         "masonry, the yielding of the building that carries a wall above the ground and its motion in plan. "
         "Eq. 9 is without FC and e*. The motion amplifies small differences: an "
         "input known to 1 % does not give a rotation known to 1 %.",
-        "Carichi e spinte di solai e coperture, catene, scorrimento, moto verticale, fessurazione e "
+        "Catene che snervano o si allentano, appoggi che si spostano con la rotazione, scorrimento, moto "
+        "verticale, fessurazione e "
         "schiacciamento della muratura, snervamento dell'edificio che porta una parete sopra il suolo e suo moto in "
         "pianta. L'Eq. 9 è senza FC ed e*. Il moto amplifica le piccole "
         "differenze: un dato noto all'1 % non dà una rotazione nota all'1 %.",

@@ -104,7 +104,7 @@ REPORT = {
         "Nessuna verifica lineare: T_0 non è noto (vedere l'esito)."
     ),
     "unit weight": "peso specifico",
-    "θmax/α of the set (Dynamic check)": "θmax/α dell'insieme (Verifica dinamica)",
+    "θmax/θc of the set (Dynamic check)": "θmax/θc dell'insieme (Verifica dinamica)",
     "Dynamic check": "Verifica dinamica",
     "Spectral compatibility": "Compatibilità spettrale",
     "Dynamic check, Circolare 7/2019 C8.7.1.2.1.9": "Verifica dinamica, Circolare 7/2019 C8.7.1.2.1.9",

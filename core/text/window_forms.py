@@ -53,6 +53,7 @@ WINDOW_FORMS = {
     "A tie of {force:.2f} kN/m at {h:.2f} m gives ζ {zeta}; by hand {hand}": (
         "Una catena di {force:.2f} kN/m a {h:.2f} m dà ζ {zeta}; a mano {hand}"
     ),
+    "Wall": "Parete",
     "Walls of the study": "Pareti dello studio",
     "Before and after": "Prima e dopo",
     "ζ before": "ζ prima",

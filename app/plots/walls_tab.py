@@ -1,0 +1,102 @@
+"""The tab Walls: every wall of the study, the lowest zeta first, and walls before beside walls after."""
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QLabel, QSplitter, QVBoxLayout, QWidget
+
+from app.language import tr
+from app.plots.check_tab import digits, verdict_color
+from app.plots.table import Table
+from core.codes.risk import years
+from core.study.limit_states import STATES
+from core.study.results import StudyResult, WallResult
+from core.study.variants import Comparison, comparisons
+from core.text.sentence import word
+from core.units import G
+
+
+def zeta_of(wall: WallResult) -> float | None:
+    """zeta of the check that decides."""
+    return wall.assessment.verdict.zeta_e if wall.assessment else None
+
+
+def method_of(wall: WallResult, language: str) -> str:
+    """The check that decides, in words."""
+    found = wall.assessment
+    if found is None:
+        return "–"
+    labels = [check.label for check in found.checks if check.name == found.verdict.governing]
+    return word(labels[0], language) if labels else "–"
+
+
+class WallsTab(QWidget):
+    """One row a wall and mechanism. picked(k) : a row of the result's k-th wall was double-clicked."""
+
+    picked = Signal(int)
+
+    def __init__(self, language: str):
+        super().__init__()
+        self.language = language
+        self.order: list[int] = []
+        self.table = Table(tr("Walls of the study"), [
+            tr("Wall"), tr("Mechanism"), "ζ", tr("Outcome"), tr("by"), "q", "PGA_C [g]", "T_R,C", "IS-V",
+            *(f"ζ {state}" for state in STATES)])  # fmt: skip
+        self.table.cellDoubleClicked.connect(lambda row, _: self._picked(row))
+        self.pairs = Table(tr("Before and after"), [
+            tr("Wall"), tr("Mechanism"), tr("ζ before"), tr("by"), tr("ζ after"), tr("by"), tr("changed")])  # fmt: skip
+        self.pairs_title = QLabel(tr("Before and after"))
+        below = QWidget()
+        inside = QVBoxLayout(below)
+        inside.setContentsMargins(0, 0, 0, 0)
+        inside.addWidget(self.pairs_title)
+        inside.addWidget(self.pairs, 1)
+        self.below = below
+        split = QSplitter(Qt.Orientation.Vertical)
+        split.addWidget(self.table)
+        split.addWidget(below)
+        QVBoxLayout(self).addWidget(split)
+
+    def show_wall(self, result: StudyResult, wall: WallResult) -> None:
+        """Fill the tables from a result; the row of the wall is marked."""
+
+        def rank(k: int) -> tuple[bool, float]:
+            zeta = zeta_of(result.walls[k])
+            return zeta is None, zeta or 0.0
+
+        self.order = sorted(range(len(result.walls)), key=rank)
+        rows, colors = [], []
+        for k in self.order:
+            rows.append(self._row(result.walls[k]))
+            shade = verdict_color(result, result.walls[k]) if result.walls[k].assessment else None
+            colors.append([None, None, shade, shade] + [None] * (len(rows[-1]) - 4))
+        self.table.show_rows(rows, colors)
+        shown = next((k for k, one in enumerate(result.walls) if one is wall), None)
+        if shown is not None:
+            self.table.selectRow(self.order.index(shown))
+        found = comparisons(result.walls)
+        self.below.setVisible(bool(found))
+        self.pairs.show_rows([self._pair(one) for one in found])
+
+    def _row(self, wall: WallResult) -> list[str]:
+        found, language = wall.assessment, self.language
+        risk = found.risk if found else None
+        states = {one.state: one.zeta for one in found.states} if found else {}
+        return [
+            wall.name, word(wall.mechanism, language), digits(zeta_of(wall)),
+            word(found.verdict.code, language) if found else "–", method_of(wall, language), digits(wall.q_set),
+            digits(risk.pga / G, 3) if risk else "–",
+            years(risk.return_period) if risk and risk.return_period is not None else "–",
+            f"{risk.index:.2f} {risk.letter}" if risk and risk.index is not None else "–",
+            *(digits(states.get(state)) for state in STATES),
+        ]  # fmt: skip
+
+    def _pair(self, one: Comparison) -> list[str]:
+        language = self.language
+        changed = ", ".join(word(f"key_{key}", language) for key in one.changed) or tr("nothing")
+        return [
+            one.name, word(one.before.mechanism, language), digits(zeta_of(one.before)),
+            method_of(one.before, language),
+            digits(zeta_of(one.after)), method_of(one.after, language), changed,
+        ]  # fmt: skip
+
+    def _picked(self, row: int) -> None:
+        self.picked.emit(self.order[row])

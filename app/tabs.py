@@ -1,0 +1,27 @@
+"""The tabs of the window in their order."""
+
+from app.language import tr
+from app.pages import Page
+from app.plots.check_tab import CheckTab
+from app.plots.history_tabs import HistoriesTab
+from app.plots.result_tabs import CapacityTab, IntensityTab, SpectraTab
+from app.plots.walls_tab import WallsTab
+
+
+def pages(language: str, validation, pick) -> dict[str, tuple[Page, str]]:
+    """Pages and their labels by name. validation : makes that tab; pick(k) : shows the k-th wall of the result."""
+
+    def walls() -> WallsTab:
+        tab = WallsTab(language)
+        tab.picked.connect(pick)
+        return tab
+
+    return {
+        "check": (Page(lambda: CheckTab(language)), tr("Check")),
+        "walls": (Page(walls), tr("Walls")),
+        "histories": (Page(HistoriesTab), tr("Histories")),
+        "capacity": (Page(CapacityTab), tr("Capacity")),
+        "intensity": (Page(IntensityTab), tr("q against SI")),
+        "spectra": (Page(lambda: SpectraTab(language)), tr("Spectra")),
+        "validation": (Page(validation), tr("Validation")),
+    }
