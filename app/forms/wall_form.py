@@ -255,19 +255,18 @@ class WallForm(QWidget):
         self._show_shape(shape, wall.compressive_strength_mpa is not None)
         try:
             block = wall.block()
-        except (InputError, TypeError) as error:
+            a = G * wall.uplift_multiplier(wall.mechanisms()[0])
+        except InputError as error:
             self.summary.setText(described(error))
+            return
+        except TypeError:  # a size is still to be given
+            self.summary.setText("")
             return
         lines = [f"α {math.degrees(block.slenderness):.2f}°"]
         if wall.thickness:
             lines.append(f"H/t {wall.height_m / wall.thickness:.2f}")
         if wall.height_m and wall.setback:
             lines.append(f"u {100 * wall.setback:.1f} cm")
-        try:
-            a = G * wall.uplift_multiplier(wall.mechanisms()[0])
-        except (InputError, TypeError) as error:
-            self.summary.setText(described(error))
-            return
         lines.append(f"a_RM {a / G:.3f} g = {a:.2f} m/s²")
         lines.append(f"R {block.radius:.3f} m, p {block.frequency_parameter:.3f} rad/s")
         lines += estimate_lines(self.session, wall)

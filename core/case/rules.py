@@ -88,7 +88,7 @@ def draft_case(table: dict) -> Case:
             value = content.get(entry.name)
             if entry.name in content and not (entry.metadata["kind"] == "law" and are_ends(value)):
                 checked = value_of(entry, value, name)
-                if entry.metadata["kind"] in ("tables", "section"):
+                if entry.metadata["kind"] in ("tables", "section", "hinges"):
                     content = {**content, entry.name: checked}
         missing = {entry.name: "" for entry in fields(cls) if entry.default is MISSING}
         return cls(**{**missing, **content})

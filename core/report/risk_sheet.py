@@ -25,8 +25,10 @@ LAST = 10
 
 
 def has_risk(result: StudyResult) -> bool:
-    """Whether a wall has something this sheet shows."""
-    return any(wall.assessment and wall.assessment.risk for wall in result.walls)
+    """Whether a wall has a zeta, and something beside it that the Summary does not show."""
+    found = [wall.assessment for wall in result.walls if wall.assessment]
+    beside = any(one.states or one.tie for one in found) or bool(comparisons(result.walls))
+    return beside and any(one.risk for one in found)
 
 
 def risk(book: Book, result: StudyResult) -> None:

@@ -175,8 +175,8 @@ CASE_ERRORS = {
         'righe: "{text}"',
     ),
     "two_hazards": (
-        "the hazard is given by {hazard_file} and by its rows: leave one of them out",
-        "la pericolosità è data da {hazard_file} e dalle sue righe: togliere l'uno o le altre",
+        "the hazard is given by a file and by rows: leave one of them out",
+        "la pericolosità è data da un file e da righe: togliere l'uno o le altre",
     ),
     "no_spectrum_file": ("there is no such spectrum file", "questo file di spettro non esiste"),
     "spectrum_too_large": (

@@ -213,7 +213,7 @@ def test_that_the_slider_integrates_what_the_core_says(opened, application):
     from core.rocking.history import history
 
     run(application, opened)
-    opened.tabs.setCurrentIndex(1)
+    opened.tabs.setCurrentWidget(opened.pages["histories"])
     tab = opened.pages["histories"].content
     tab.slider.setValue(700)
     motion = opened.session.result.motions[0]
@@ -230,7 +230,7 @@ def test_that_the_slider_integrates_what_the_core_says(opened, application):
 def test_that_charts_export_light_pictures_and_their_data(opened, application, tmp_path):
     run(application, opened)
     opened.set_choice("theme", "dark")
-    opened.tabs.setCurrentIndex(3)
+    opened.tabs.setCurrentWidget(opened.pages["intensity"])
     application.processEvents()
     chart = opened.pages["intensity"].content.chart
     for end in ("png", "svg", "csv"):
@@ -339,13 +339,13 @@ def test_that_closing_while_running_is_safe(opened, application):
 def test_that_many_redraws_and_random_events_do_no_harm(opened, application):
     """Short here; the long run is for a quiet evening: RIBALTA_REDRAWS=20000."""
     run(application, opened)
-    opened.tabs.setCurrentIndex(1)
+    opened.tabs.setCurrentWidget(opened.pages["histories"])
     tab = opened.pages["histories"].content
     random = np.random.default_rng(1)
     for k in range(int(os.environ.get("RIBALTA_REDRAWS", "150"))):
         tab.slider.setValue(int(random.integers(0, 2000)))
         if k % 10 == 0:
-            opened.tabs.setCurrentIndex(int(random.integers(0, 6)))
+            opened.tabs.setCurrentIndex(int(random.integers(0, opened.tabs.count())))
             opened.resize(int(random.integers(900, 1500)), int(random.integers(600, 1000)))
         if k % 25 == 0:
             opened.session.edit_wall(0, height_m=float(random.uniform(3.0, 7.0)))

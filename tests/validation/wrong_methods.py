@@ -45,8 +45,8 @@ def stepped_history(integrate, code, ground, dt, model, option=1):
     return rotation, result
 
 
-def _uplift_at_sample(ground, slope, start, end, model, threshold):
-    side = uplift_side(ground + slope * start, model, threshold)
+def _uplift_at_sample(ground, slope, start, end, thresholds):
+    side = uplift_side(ground + slope * start, thresholds)
     return (start, side) if side != 0.0 else (end, 0.0)
 
 
@@ -69,13 +69,13 @@ def _rotation_decides(phi, speed, peak, model):
     return (COLLAPSED if phi > model.slenderness else STABLE), max(peak, phi)
 
 
-def _never_rests(speed, ground, model, threshold):
+def _never_rests(speed, ground, model, thresholds):
     return False
 
 
 def _one_branch(zone, model):
-    _, _, sine, slope, constant = moment_branch(zone, model)
-    return 0.0, FAR, sine, slope, constant
+    _, _, *branch = moment_branch(zone, model)
+    return 0.0, FAR, *branch
 
 
 def _rk4_through_kinks(code, phi, speed, beta, slope, h, model, zone, *rest):

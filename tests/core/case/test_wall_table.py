@@ -339,3 +339,35 @@ def test_that_a_row_is_hidden_however_a_workbook_says_it(tmp_path, old, new):
         for name, content in parts.items():
             book.writestr(name, content)
     assert [wall.name for wall in read_table(path)[0]] == ["a", "c"]
+
+
+LOADED = """Parete;z;H;t;Peso specifico;Meccanismo;velocity_ratio;Carico 1;Carico 1 p;Carico 1 d;Carico 1 h;\
+Carico 1 massa;Carico 2;load2_kn_m;load2_h_m;Variante
+;m;m;cm;kN/m3;;;;kN/m;cm;m;;;kN/m;m;
+A;0;3;45;18;un lato;0,5;verticale;10;30;3;orizzontale;catena;2,5;2,8;progetto
+B;0;3;45;18;un lato;;;;;;;;;;
+"""
+
+
+def test_that_loads_stand_in_columns_of_their_own():
+    rows = text_rows(
+        LOADED.replace("e;Carico", "velocity_ratio;Carico").replace("un lato;;v", "un lato;0,5;v")
+    )
+    loaded, bare = walls_of(rows)
+    first, second = loaded.load
+    assert (first.kind, first.kn_m, first.d_m, first.h_m, first.mass) == (
+        "vertical",
+        10.0,
+        0.3,
+        3.0,
+        "horizontal",
+    )
+    assert (second.kind, second.kn_m, second.h_m, second.mass) == ("tie", 2.5, 2.8, None)
+    assert loaded.variant == "progetto" and bare.load == ()
+
+
+def test_that_a_load_that_lacks_its_size_names_row_and_key():
+    text = "name;h;t;mechanism;load 1;load 1 h\n;m;m;;;m\nA;3;0.45;one_sided;tie;2\n"
+    with pytest.raises(InputError) as caught:
+        walls_of(text_rows(text))
+    assert "row 3" in str(caught.value) and "kn_m" in str(caught.value)

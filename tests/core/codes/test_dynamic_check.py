@@ -48,6 +48,7 @@ def solved(ground, dt, alpha, p2, one_sided, ratio, strength):
     from scipy.integrate import solve_ivp
 
     threshold = math.tan(alpha) / strength
+    thresholds = (threshold, math.inf if one_sided else threshold)
     side, phi, speed, moving, theta = 1.0, 0.0, 0.0, False, [0.0]
 
     def touches(t, y):
@@ -58,7 +59,7 @@ def solved(ground, dt, alpha, p2, one_sided, ratio, strength):
         b0, slope, t = ground[k] / G, (ground[k + 1] - ground[k]) / dt / G, 0.0
         while t < dt:
             if not moving:
-                start = independent_solver.uplift(b0, b0 + slope * dt, t, dt, threshold, one_sided)
+                start = independent_solver.uplift(b0, b0 + slope * dt, t, dt, thresholds)
                 if start is None:
                     break
                 t, side = start

@@ -13,6 +13,7 @@ import pytest
 
 from core.case.rules import parse_case
 from core.report import workbook
+from core.report.load_arrows import arrows
 from core.study import run as study
 from core.study.governing import collapse_histories
 from tests.conftest import STANDING
@@ -118,8 +119,71 @@ def height(folder):
     ]
 
 
-def test_that_no_cell_shows_an_escaped_line_break(book, height):
-    for made in (book, height):
+@pytest.fixture(scope="module")
+def loads(folder):
+    """Walls with every kind of load, hinge setback, return walls, tie, variants, hazard."""
+    roof = {"kind": "vertical", "kn_m": 10.0, "d_m": 0.30, "h_m": 3.0, "mass": "none"}
+    base = {"height_m": 3.0, "thickness_m": 0.45, "unit_weight_kn_m3": 18.0, "base_z_m": 0.0,
+            "mechanism": "one_sided", "velocity_ratio": 0.5, "back_restraint": "cross walls"}  # fmt: skip
+    across = {"number": 2, "thickness_m": 0.4, "brick_height_m": 0.2, "brick_length_m": 0.3}
+    walls = [
+        {**base, "name": "a", "variant": "stato di fatto", "tie_height_m": 2.8,
+         "load": [roof, {"kind": "thrust", "kn_m": 2.0, "h_m": 2.5, "d_m": 0.3}]},
+        {**base, "name": "a", "variant": "progetto", "hinge_setback_m": 0.03, "return_walls": across, "length_m": 4.0,
+         "load": [{**roof, "mass": "horizontal"}, {"kind": "tie", "kn_m": 3.0, "h_m": 2.8}]},
+        {**base, "name": "both sides", "mechanism": "two_sided", "elastic_modulus_mpa": 600.0,
+         "load": [roof, {"kind": "carried_mass", "kn_m": 2.0, "d_m": 0.225, "h_m": 3.1}]},
+    ]  # fmt: skip
+    hazard = [
+        {"return_period_years": y, "ag_g": a} for y, a in ((30, 0.08), (475, 0.2), (2475, 0.4))
+    ]
+    demand = {"ag_g": 0.2, "spectrum": {"code": "EN1998", "soil": "B", "type": 1}, "nominal_life_years": 50,
+              "use_class_factor": 1.0, "hazard": hazard}  # fmt: skip
+    return made(folder, wall=walls, demand=demand)
+
+
+def test_that_loads_are_on_every_sheet_that_a_reader_needs(loads):
+    result, book = loads
+    names = book.workbook.sheetnames
+    assert names[1] == "Risk"
+
+    def words(name):
+        return [
+            str(cell.value) for row in book.workbook[name].iter_rows() for cell in row if cell.value
+        ]
+
+    summary, risk = words("Summary"), words("Risk")
+    assert any("ties hold their force" in text for text in summary)
+    assert not any("no load or thrust" in text for text in summary)
+    assert any("kn_m = 10.0" in text for text in words("Input"))
+    assert (
+        sum(text in ("vertical load", "thrust", "tie", "carried mass") for text in words("Check"))
+        == 6
+    )
+    assert any(text.startswith("By hand: α0 = (W x ") for text in risk)
+    assert (
+        "Before and after" in risk
+        and "hinge setback, loads, return walls, tie asked for" not in risk
+    )
+    assert any("loads" in text and "return walls" in text for text in risk)
+    assert any("theta_c" in text for text in words("Method"))
+    zetas = [w.assessment.verdict.zeta_e for w in result.walls]
+    assert min(zetas) in [cell.value for row in book.workbook["Risk"].iter_rows() for cell in row]
+
+
+def test_that_every_load_is_an_arrow_at_its_place(loads):
+    wall = loads[0].walls[0].wall
+    down, outward = arrows(wall, 3.0, 0.45)
+    assert down[1] == (0.45 - 0.30, 3.0) and down[0][1] > 3.0
+    assert outward[1] == (0.45 - 0.30, 2.5) and outward[0][0] < outward[1][0]
+    inward = arrows(loads[0].walls[1].wall, 3.0, 0.45)[1]
+    assert inward[0] == (0.45, 2.8) and inward[1][0] < 0.45
+    lengths = [abs(a[0] - b[0]) + abs(a[1] - b[1]) for a, b in (down[:2], outward[:2])]
+    assert lengths[0] > lengths[1]
+
+
+def test_that_no_cell_shows_an_escaped_line_break(book, height, loads):
+    for made in (book, height, loads[1]):
         for sheet in made.workbook:
             for row in sheet.iter_rows():
                 for cell in row:
@@ -134,11 +198,12 @@ def test_that_walls_above_the_ground_have_a_sheet_of_their_floors(height, book):
     assert "PFA [g]" in shown and any("wall at 6 m" in str(value) for value in shown)
 
 
-@pytest.mark.parametrize("which", ["book", "ntc", "height"])
+@pytest.mark.parametrize("which", ["book", "ntc", "height", "loads"])
 def test_that_libreoffice_recalculates_every_formula_to_the_programs_value(
     which, request, tmp_path
 ):
     book = request.getfixturevalue(which)
+    book = book[1] if which == "loads" else book
     office = shutil.which("soffice") or shutil.which("libreoffice")
     if not office:
         pytest.skip("LibreOffice is not installed: formulas were not recalculated")

@@ -2,11 +2,13 @@
 
 import ast
 import re
+from dataclasses import fields
 from string import Formatter
 
 import pytest
 
 from core.case.rules import parse_case
+from core.case.schema import Wall
 from core.errors import InputError, place, section
 from core.text.catalogue import CATALOGUE
 from core.text.sentence import FormNames, Key, Quantity, localized, sentence
@@ -29,6 +31,7 @@ WORDS = re.compile(r"[A-Za-z]{2,} [a-z]{2,} [a-z]{2,}")
 OF_NO_SENTENCE = {
     "app/forms/impact_form.py": "formulas with their source",
     "core/case/wall_table.py": "heads of columns, in both languages",
+    "core/case/schema.py": "the values of a key",
     "core/ground/artificial.py": "the first line of a bundled motion",
     "core/study/assessment.py": "the first line of a bundled motion",
     "core/wall/restitution.py": "sources of the models",
@@ -102,6 +105,8 @@ def test_that_every_text_of_the_catalogue_is_used():
     sides = {
         f"{word}_{side}" for word in ("confidence", "dynamic") for side in ("demand", "capacity")
     }
+    sides |= {f"key_{entry.name}" for entry in fields(Wall)}
+    sides |= {f"load_{kind}" for kind in ("vertical", "thrust", "tie", "carried_mass")}
     for group in (
         "window",
         "report",

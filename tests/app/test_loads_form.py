@@ -1,0 +1,127 @@
+"""Loads, hinges, variants and hazard in the forms, and all walls on one tab."""
+
+import os
+
+import pytest
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
+
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QMessageBox
+
+from core.case.schema import AS_IS, DESIGNED, Load
+from tests.app.driving import run, type_into
+
+
+def field(form, key):
+    return next(
+        one for one in form.load_fields + form.wall_fields + form.across_fields if one.key == key
+    )
+
+
+def loaded(opened):
+    """The wall of the window with a vertical load entered by hand."""
+    form = opened.walls.loads
+    type_into(opened.walls.weight, "18")
+    form.add("vertical")
+    type_into(field(form, "kn_m"), "10")
+    type_into(field(form, "d_m"), "0,30")
+    field(form, "mass").offer("none")
+    return form
+
+
+def test_that_a_load_entered_by_hand_is_in_the_case_the_drawing_and_the_threshold(opened):
+    before = opened.walls.summary.text()
+    form = loaded(opened)
+    assert opened.session.case.wall[0].load == (Load("vertical", 10.0, 5.0, 0.3, "none"),)
+    assert opened.session.problem() is None
+    assert len(opened.walls.drawing.arrows) == 1
+    assert opened.walls.summary.text() != before
+    assert form.list.item(0).text() == "vertical load, 10 kN/m, h 5 m"
+    opened.walls.drawing.grab()
+    opened.session.undo()
+    opened.session.undo()
+    assert opened.session.case.wall[0].load[0].mass is None
+
+
+def test_that_what_is_missing_of_a_load_is_said_and_blocks_the_run(opened):
+    form = opened.walls.loads
+    type_into(opened.walls.weight, "18")
+    form.add("tie")
+    assert (
+        "load" in opened.banner.text()
+        or "kN/m" in opened.banner.text()
+        or "Size" in opened.banner.text()
+    )
+    assert not opened.run_button.isEnabled()
+    type_into(field(form, "kn_m"), "2")
+    assert opened.run_button.isEnabled()
+    assert not field(form, "mass").isVisibleTo(form)
+    form.delete()
+    assert opened.session.case.wall[0].load == () and not form.list.isVisibleTo(form)
+
+
+def test_that_an_unstable_wall_is_said_in_one_sentence(opened):
+    form = opened.walls.loads
+    type_into(opened.walls.weight, "18")
+    form.add("thrust")
+    type_into(field(form, "kn_m"), "50")
+    assert "unstable under its own loads" in opened.banner.text()
+
+
+def test_that_hinges_and_return_walls_are_edited(opened):
+    form = opened.walls.loads
+    opened.session.edit_wall(0, mechanism="one_sided", unit_weight_kn_m3=18.0, length_m=4.0)
+    type_into(field(form, "hinge_heights"), "1,5; 3")
+    assert opened.session.case.wall[0].hinge_heights == (1.5, 3.0)
+    assert [level for level, _ in opened.walls.drawing.hinges] == [0.0, 1.5, 3.0]
+    type_into(field(form, "hinge_heights"), "high")
+    assert "not heights" in field(form, "hinge_heights").message.text()
+    type_into(field(form, "hinge_heights"), "")
+    form.across.setChecked(True)
+    assert opened.session.problem() is not None
+    for key, text in (
+        ("number", "2"),
+        ("thickness_m", "40"),
+        ("brick_height_m", "20"),
+        ("brick_length_m", "30"),
+    ):
+        type_into(field(form, key), text)
+    assert opened.session.problem() is None
+    assert opened.session.case.wall[0].return_walls.brick_length_m == pytest.approx(0.30)
+    form.across.setChecked(False)
+    form.across.setChecked(True)
+    assert opened.session.case.wall[0].return_walls.number == 2
+
+
+def test_that_a_hazard_is_pasted_and_nonsense_is_refused(opened, monkeypatch):
+    said = []
+    monkeypatch.setattr(QMessageBox, "warning", lambda *a: said.append(a[-1]))
+    form = opened.demand.hazard
+    QGuiApplication.clipboard().setText("T_R a_g\n30\t0,08\n475\t0,26\n")
+    form.paste()
+    assert [row.ag_g for row in opened.session.case.demand.hazard] == [0.08, 0.26] and not said
+    assert "2 rows" in form.words.text()
+    QGuiApplication.clipboard().setText("hello")
+    form.paste()
+    assert said and len(opened.session.case.demand.hazard) == 2
+
+
+def test_that_all_walls_are_on_one_tab_the_lowest_first_and_variants_are_compared(
+    opened, application
+):
+    loaded(opened)
+    opened.session.edit_wall(0, variant=AS_IS)
+    opened.walls.duplicate()
+    assert [wall.variant for wall in opened.session.case.wall] == [AS_IS, DESIGNED]
+    opened.session.edit_wall(1, thickness_m=0.7)
+    run(application, opened)
+    opened.tabs.setCurrentWidget(opened.pages["walls"])
+    tab = opened.pages["walls"].content
+    zetas = [opened.session.result.walls[k].assessment.verdict.zeta_e for k in tab.order]
+    assert zetas == sorted(zetas) and tab.table.rowCount() == 2
+    assert tab.pairs.rowCount() == 1 and tab.pairs.item(0, 6).text() == "thickness"
+    tab.table.cellDoubleClicked.emit(1, 0)
+    assert opened.chosen.currentIndex() == tab.order[1]
+    assert opened.tabs.currentWidget() is opened.pages["check"]

@@ -1,0 +1,55 @@
+"""The hazard of a site as text."""
+
+import pytest
+
+from core.case.hazard_table import parse_hazard, read_hazard
+from core.errors import InputError
+
+PASTED = (
+    "T_R\ta_g\tF0\tT_C*\n[anni]\t[g]\t[-]\t[s]\n30\t0,080\t2,40\t0,28\n\n475\t0,260\t2,36\t0,35\n"
+    "2475\t0,45\t2,4\t0,37\n"
+)
+
+
+def test_that_rows_pasted_with_their_heads_and_commas_are_read():
+    rows = parse_hazard(PASTED)
+    assert [(r.return_period_years, r.ag_g, r.f0, r.tc_star_s) for r in rows] == [
+        (30.0, 0.08, 2.4, 0.28), (475.0, 0.26, 2.36, 0.35), (2475.0, 0.45, 2.4, 0.37),
+    ]  # fmt: skip
+
+
+def test_that_two_columns_are_enough():
+    rows = parse_hazard("30 0.08\n475; 0.26\n")
+    assert [(r.ag_g, r.f0) for r in rows] == [(0.08, None), (0.26, None)]
+
+
+@pytest.mark.parametrize(("text", "code"), [
+    ("", "hazard_not_rising"),
+    ("30 0.08", "hazard_not_rising"),
+    ("475 0.26\n30 0.08", "hazard_not_rising"),
+    ("30 0.08\n475 0.26 2.4", "hazard_line"),
+    ("30 0.08\nend", "hazard_line"),
+    ("30 nan\n475 0.26", "not_accepted"),
+    ("30 0.08\n475 9.9", "not_accepted"),
+    ("\n".join(f"{30 + k} {0.01 + 1e-4 * k:.4f}" for k in range(101)), "hazard_line"),
+])  # fmt: skip
+def test_that_other_text_is_refused_in_one_sentence(text, code):
+    with pytest.raises(InputError) as caught:
+        parse_hazard(text)
+    assert caught.value.code in (code, "hazard_not_rising")
+    assert "\n" not in str(caught.value)
+
+
+def test_that_a_file_is_read_and_a_missing_or_large_one_refused(tmp_path):
+    path = tmp_path / "hazard.txt"
+    path.write_text(PASTED, encoding="utf-8")
+    assert len(read_hazard(path)) == 3
+    for name, content, code in (
+        ("none.txt", None, "no_hazard_file"),
+        ("large.txt", "x" * 200_000, "hazard_too_large"),
+    ):
+        if content:
+            (tmp_path / name).write_text(content)
+        with pytest.raises(InputError) as caught:
+            read_hazard(tmp_path / name)
+        assert caught.value.code == code and name in str(caught.value)

@@ -1,0 +1,91 @@
+"""Demands of SLD, SLV and SLC by the hazard of the site."""
+
+import math
+from pathlib import Path
+
+import pytest
+
+from core.case.rules import parse_case
+from core.codes.kinematic import kinematic, nonlinear, sld
+from core.study.demand_input import demand_of
+from core.study.limit_states import demands_of, interpolated, zetas
+from core.units import G
+from tests.validation.test_loaded_walls import WALL
+
+HAZARD = [
+    {"return_period_years": 30.0, "ag_g": 0.08, "f0": 2.40, "tc_star_s": 0.28},
+    {"return_period_years": 475.0, "ag_g": 0.26, "f0": 2.36, "tc_star_s": 0.35},
+    {"return_period_years": 2475.0, "ag_g": 0.45, "f0": 2.42, "tc_star_s": 0.37},
+]
+NTC = {"code": "NTC2018", "soil": "C", "topography": "T1", "f0": 2.36, "tc_star_s": 0.35}
+
+
+def site(**changes):
+    demand = {
+        "ag_g": 0.26,
+        "nominal_life_years": 50.0,
+        "use_class_factor": 1.0,
+        "hazard": HAZARD,
+        "spectrum": NTC,
+    }
+    return parse_case({"wall": [WALL], "demand": {**demand, **changes}})
+
+
+def test_that_the_hazard_is_linear_in_logarithms_between_its_rows():
+    """NTC 2018, Annex A, Eq. [2], by hand at T_R 50: w = ln(50/30)/ln(475/30)."""
+    rows = site().demand.hazard
+    share = math.log(50.0 / 30.0) / math.log(475.0 / 30.0)
+    found = interpolated(rows, 50.0)
+    assert found.ag_g == pytest.approx(0.08 ** (1.0 - share) * 0.26**share, rel=1e-12)
+    assert found.f0 == pytest.approx(2.40 ** (1.0 - share) * 2.36**share, rel=1e-12)
+    for row in rows:
+        assert interpolated(rows, row.return_period_years).ag_g == pytest.approx(
+            row.ag_g, rel=1e-12
+        )
+    assert interpolated(rows, 10_000.0).ag_g == pytest.approx(0.45, rel=1e-12)
+
+
+def test_that_each_limit_state_has_its_return_period_and_its_own_check():
+    case = site()
+    demands = demands_of(case, Path())
+    assert [round(d.return_period) for d in demands.values()] == [50, 475, 975]
+    found = zetas(case.wall[0], "one_sided", demands, None)
+    assert [one.state for one in found] == ["SLD", "SLV", "SLC"]
+    for one, demand in zip(found, demands.values(), strict=True):
+        moved = kinematic(case.wall[0], "one_sided", demand)
+        own = sld(moved, demand) if one.state == "SLD" else nonlinear(moved, demand)
+        assert one.zeta == own.zeta and one.ag == demand.ag
+    # the demand of the case itself is that of its own limit state, but for the rounding of T_R 474.6
+    asked = demand_of(case, Path())
+    assert demands["SLV"].ag == pytest.approx(asked.ag, rel=1e-3)
+    assert found[1].zeta == pytest.approx(
+        nonlinear(kinematic(case.wall[0], "one_sided", asked), asked).zeta, rel=3e-3
+    )
+
+
+@pytest.mark.parametrize("changes", [
+    {"hazard": []}, {"nominal_life_years": None}, {"use_class_factor": None},
+    {"hazard": [{k: row[k] for k in ("return_period_years", "ag_g")} for row in HAZARD]},
+])  # fmt: skip
+def test_that_without_what_it_takes_there_is_none(changes):
+    demand = {
+        "ag_g": 0.26,
+        "nominal_life_years": 50.0,
+        "use_class_factor": 1.0,
+        "hazard": HAZARD,
+        "spectrum": NTC,
+    }
+    demand = {key: value for key, value in {**demand, **changes}.items() if value not in (None, [])}
+    assert demands_of(parse_case({"wall": [WALL], "demand": demand}), Path()) == {}
+
+
+def test_that_a_file_of_the_hazard_is_the_same_as_its_rows(tmp_path):
+    lines = [" ".join(str(value) for value in row.values()) for row in HAZARD]
+    (tmp_path / "site.txt").write_text("\n".join(lines))
+    given = demands_of(site(), Path())
+    read = demands_of(parse_case({"wall": [WALL], "demand": {
+        "ag_g": 0.26, "nominal_life_years": 50.0, "use_class_factor": 1.0, "hazard_file": "site.txt",
+        "spectrum": NTC}}), tmp_path)  # fmt: skip
+    assert {state: d.ag / G for state, d in read.items()} == {
+        state: d.ag / G for state, d in given.items()
+    }
