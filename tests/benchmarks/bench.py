@@ -3,6 +3,7 @@
     python3 run.py bench
     python3 run.py bench --work-precision [--output DIR]    error against time, see work_precision.py
     python3 run.py bench --q-error [--output DIR]           error of q against time, see q_error.py
+    python3 run.py bench --loads                           what loads cost, see loads.py
     python3 run.py bench --paired OTHER_TREE               this tree against another, see paired.py
     python3 run.py bench --steps [--output DIR]             q against the step, see step_study.py
     python3 run.py bench --zeta                             zeta of the dynamic check against its grid
@@ -176,6 +177,7 @@ if __name__ == "__main__":
     words.add_argument("--memory", action="store_true")
     words.add_argument("--window", action="store_true")
     words.add_argument("--paired", type=Path, metavar="OTHER_TREE")
+    words.add_argument("--loads", action="store_true")
     words.add_argument("--pairs", type=int, default=7)
     words.add_argument("--screenshots", action="store_true")
     words.add_argument("--output", type=Path, default=Path("work_precision"))
@@ -196,6 +198,10 @@ if __name__ == "__main__":
         from tests.benchmarks import memory
 
         memory.main()
+    elif options.loads:
+        from tests.benchmarks import loads
+
+        loads.main(options.pairs)
     elif options.paired:
         from tests.benchmarks import paired
 

@@ -1,0 +1,71 @@
+"""What loads cost: a wall whose load lies on the ray of its centroid moves as a bare wall of a stronger gravity.
+
+    python3 run.py bench --loads [--pairs N]
+
+Both do the same steps, so that the ratio of their times is the cost of a and c alone. The third has a load that holds
+its two sides differently; its motion is its own, and the time is per analysed sample of the same record.
+"""
+
+import math
+import statistics
+
+import numpy as np
+
+from core.capacity.ida import Search, incremental_dynamic_analysis
+from core.rocking.history import history, scan
+from core.rocking.methods import METHODS
+from core.wall.block import Block
+from core.wall.loads import Force, restoring_moment
+from core.wall.moment_rotation import LAWS
+from core.wall.restitution import restitution
+from core.wall.rocking_model import rocking_model
+from tests.benchmarks.paired import best_seconds
+from tests.benchmarks.scenes import reference
+
+
+def pairs_of(one_sided: bool):
+    """(ground, bare model and ground factor, loaded model) with the same motion, and one with unlike sides."""
+    block = Block.rectangle(7.0, math.radians(6.8))
+    free = restitution(block, "one_sided_theoretical" if one_sided else "housner")
+    weight = 18e3 * block.height * block.thickness
+    held = restoring_moment(block, weight, [Force(0.5 * weight, 0.0, block.thickness, 7.0)])
+    loaded = rocking_model(block, one_sided, free, LAWS["rigid"], (held, held))
+    bare = rocking_model(block, one_sided, free, LAWS["rigid"])
+    bare = bare._replace(p2=held.sine * bare.p2)
+    other = restoring_moment(block, weight, [Force(0.5 * weight, 0.0, 0.4 * block.thickness, 7.0)])
+    unlike = rocking_model(block, one_sided, free, LAWS["rigid"], (held, other))
+    return held.sine, bare, loaded, unlike
+
+
+def main(pairs: int) -> None:
+    """Print the table."""
+    ground, dt = reference("standard"), 0.01
+    taylor, n = METHODS["taylor"], 256
+    outcomes, peaks = np.zeros(n, np.int64), np.zeros(n)
+    print(f"{'time with loads over without':32} {'median':>7} {'range':>15}")
+    for one_sided in (False, True):
+        factor, bare, loaded, unlike = pairs_of(one_sided)
+        least = bare.threshold * factor / np.abs(ground).max()
+        scales = least * np.linspace(1.1, 6.0, n)
+
+        def lanes(model, by, scales=scales):
+            return best_seconds(lambda: scan(taylor, ground / by, dt, scales, model, outcomes, peaks), 5)  # fmt: skip
+
+        def search(model, by):
+            pga = float(np.abs(ground).max()) / by
+            return best_seconds(lambda: incremental_dynamic_analysis(
+                ground / by, dt, pga, 1, model, taylor, Search()), 3)  # fmt: skip
+
+        def single(model, by, least=least):
+            return best_seconds(lambda: history(ground / by, dt, 2.0 * least, model, taylor), 20)
+
+        side = "one-sided" if one_sided else "two-sided"
+        for name, call in (("lanes", lanes), ("search", search), ("history", single)):
+            ratios = sorted(call(loaded, 1.0) / call(bare, factor) for _ in range(pairs))
+            print(
+                f"{f'{name}, {side}':32} {statistics.median(ratios):7.3f}   {ratios[0]:.3f}-{ratios[-1]:.3f}"
+            )
+        if not one_sided:
+            ratios = sorted(lanes(unlike, 1.0) / lanes(loaded, 1.0) for _ in range(pairs))
+            print(f"{'lanes, sides unlike over alike':32} {statistics.median(ratios):7.3f}   "
+                  f"{ratios[0]:.3f}-{ratios[-1]:.3f}")  # fmt: skip
