@@ -7,6 +7,7 @@ import zipfile
 import zlib
 from pathlib import Path
 
+from core.case.hinges import FLOORS
 from core.case.number import parse_number
 from core.case.rules import parse_wall
 from core.case.schema import Wall
@@ -33,6 +34,7 @@ COLUMNS = {
     "elastic_modulus_mpa": ("e", "modulo elastico", "elastic modulus"),
     "free_element": ("elemento libero", "libero di vibrare", "free element"),
     "unloaded_confirmed": ("parete scarica", "senza carichi", "no load"),
+    "hinge_heights": ("cerniere", "hinges"),
     "tie_height_m": ("quota catena", "tie height"),
     "variant": ("variante",),
 }
@@ -305,6 +307,13 @@ def _cell(key: str, factor: float, cell: str, number: int):
         return MECHANISMS.get(cell.lower(), cell.lower().replace("-", "_"))
     if key in WORDS:
         return cell
+    if key == "hinge_heights":
+        if cell.lower() in (FLOORS, "piani"):
+            return FLOORS
+        try:
+            return [parse_number(part) for part in re.split(r"[\s;]+", cell)]
+        except InputError as error:
+            raise error.at(place("cell", n=number, key=Key(key))) from None
     if key.startswith("load") and key.endswith(("_kind", "_mass")):
         return LOAD_WORDS.get(cell.lower(), cell.lower())
     if key in ("free_element", "unloaded_confirmed"):

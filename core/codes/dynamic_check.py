@@ -255,6 +255,7 @@ def demand_check(
     step: float = STEP,
     other: bool = True,
     cancelled: Callable[[], bool] = lambda: False,
+    expected: float = 0.0,
 ) -> DemandCheck | None:
     """The dynamic check of one wall; None without records or for a limit state the clause has no limit for.
 
@@ -262,6 +263,7 @@ def demand_check(
         holds below the lowest of them, FC on the demand
     step : of the grid [-]
     other : search zeta with FC on the other side too, by OTHER_STEP
+    expected : multiplier below which no failure is expected: fewer points are looked at there
     Raises Cancelled.
     """
     if not motions or demand.limit_state not in LIMIT_FRACTION:
@@ -278,7 +280,7 @@ def demand_check(
     if None not in peaks:
         worse = np.array(peaks).reshape(len(motions), -1).max(axis=1)
     worst = [max(run.peak_ratio or 2.0 for run in runs if run.record == m.name) for m in motions]
-    judged, expected = {}, 0.0
+    judged = {}
     # what is found with FC on the demand tells where to look with FC on the strength
     for name, there in sides.items():
         if name != side and not (other and demand.confidence_factor > 1.0):

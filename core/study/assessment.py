@@ -28,6 +28,9 @@ EXACT_METHODS = ("auto", "taylor", "taylor_6", "dormand_prince")
 SENSITIVITY_STEP = 0.02
 """Step of the search for zeta [-] for another building and another height: the digits given are two."""
 
+NEAR = 0.7
+"""No failure is expected below this share of zeta with another building or height."""
+
 BUNDLED = "# Ribalta example motion"
 """How the header of a bundled motion begins."""
 
@@ -173,7 +176,16 @@ def zeta_of(
     ground; step : of the search of the dynamic check."""
     if decides.name == "dynamic":
         return demand_check(
-            model, motions, polarities, demand, method, None, step, False, cancelled
+            model,
+            motions,
+            polarities,
+            demand,
+            method,
+            None,
+            step,
+            False,
+            cancelled,
+            NEAR * decides.zeta,
         ).zeta
     moved = kinematic_of(wall, mechanism, demand, spectrum)
     if decides.name == "nonlinear":

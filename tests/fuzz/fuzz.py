@@ -24,11 +24,13 @@ from pathlib import Path
 
 import numpy as np
 
+from core.case.hazard_table import parse_hazard
 from core.case.reader import read_case
 from core.case.rules import draft_case, parse_case
 from core.case.site import Demand
 from core.case.wall_table import read_table
 from core.case.writer import dumps
+from core.codes.kinematic_chain import chain
 from core.errors import InputError
 from core.ground import records
 from core.ground.records.grammar import Options
@@ -97,6 +99,10 @@ def _case(content: bytes, folder: Path) -> None:
     case = read_case(path)
     for wall in case.wall:
         assert math.isfinite(wall.block().p2)
+        if wall.load:
+            found = chain(wall, "two_sided" in wall.mechanisms())
+            assert found.alpha0 > 0.0 and 0.0 < found.e_star <= 1.0 + 1e-12 and found.d0 > 0.0
+            assert all(side.sine > 0.0 for side in wall.restoring()[: len(wall.mechanisms())])
     again = parse_case(tomllib.loads(dumps(case))) if not case.table else case
     assert again == case
 
@@ -147,6 +153,11 @@ def _spectrum(content: bytes, folder: Path) -> None:
     assert np.isfinite(target.acceleration(np.linspace(0.0, 9.0, 50))).all()
 
 
+def _hazard(content: bytes, folder: Path) -> None:
+    rows = parse_hazard(content.decode(errors="replace"))
+    assert len(rows) >= 2 and all(0.0 < row.ag_g <= 5.0 for row in rows)
+
+
 def _draft(content: bytes, folder: Path) -> None:
     try:
         table = tomllib.loads(content.decode())
@@ -181,6 +192,10 @@ def seeds(folder: Path) -> dict[str, list[bytes]]:
         "Parete;z;H;t;Meccanismo;E;peso specifico\n;m;m;cm;;MPa;kN/m3\n"
         "a;0;4,5;45;su un lato;900;18\nb;6;3;30;entrambi;;\n"
     )
+    loaded = (
+        "name;z;h;t;mechanism;unit weight;velocity_ratio;load 1;load 1 p;load 1 d;load 1 h;load 1 mass;load 2;load 2 p;"
+        "load 2 h\n;m;m;cm;;kN/m3;;;kN/m;m;m;;;kN/m;m\na;0;4.5;45;one_sided;18;0.5;vertical;8;0.3;4;moving;tie;2;4\n"
+    )
     book = Journal(folder / "seed.journal", "key", False)
     for k in range(5):
         book.add(f"run{k}", {"q": float(k)})
@@ -193,17 +208,18 @@ def seeds(folder: Path) -> dict[str, list[bytes]]:
         "record": motions,
         "case": cases,
         "draft": cases,
-        "table": [table.encode(), table.replace(";", "\t").encode("utf-16")],
+        "table": [table.encode(), loaded.encode(), table.replace(";", "\t").encode("utf-16")],
         "workbook": [(ROOT / "resources" / "templates" / "walls.xlsx").read_bytes()],
         "journal": [(folder / "seed.journal").read_bytes()],
         "swap": [json.dumps({"path": None, "base_dir": ".", "case": case.decode()}).encode() for case in cases],
         "spectrum": [spectrum.encode()],
+        "hazard": [b"T_R\ta_g\tF0\tTC*\n30\t0,08\t2,4\t0,28\n475\t0,26\t2,4\t0,35\n", b"30 0.08\n2475 0.4\n"],
     }  # fmt: skip
 
 
 TARGETS: dict[str, Callable[[bytes, Path], None]] = {
     "record": _record, "case": _case, "draft": _draft, "table": _table, "workbook": _workbook, "journal": _journal,
-    "swap": _swap, "spectrum": _spectrum,
+    "swap": _swap, "spectrum": _spectrum, "hazard": _hazard,
 }  # fmt: skip
 
 

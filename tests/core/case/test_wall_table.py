@@ -371,3 +371,14 @@ def test_that_a_load_that_lacks_its_size_names_row_and_key():
     with pytest.raises(InputError) as caught:
         walls_of(text_rows(text))
     assert "row 3" in str(caught.value) and "kn_m" in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("cell", "heights"), [("piani", "floors"), ("1,5 3", (1.5, 3.0)), ("2", (2.0,))]
+)
+def test_that_hinges_stand_in_a_column(cell, heights):
+    text = f"name\th\tt\tmechanism\tcerniere\n\tm\tm\nA\t6\t0,6\tone_sided\t{cell}\n"
+    (wall,) = walls_of(text_rows(text))
+    assert wall.hinge_heights == heights
+    with pytest.raises(InputError):
+        walls_of(text_rows(text.replace(cell, "high")))
