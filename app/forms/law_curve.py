@@ -51,22 +51,23 @@ class SpectrumCurve(SmallCurve):
 
 
 class LawCurve(SmallCurve):
-    """Moment over m g R sin(alpha) against theta/alpha."""
+    """Moment over that at rest against theta/theta_c, outward."""
 
     def __init__(self):
-        super().__init__("θ/α", "M/M₀")
+        super().__init__("θ/θc", "M/M₀")
 
     def show_wall(self, wall: Wall) -> None:
         """Draw the law of this wall, nothing while it is not complete."""
         try:
-            block, law = wall.block(), wall.moment_law()
+            block, law, loads = wall.block(), wall.moment_law(), wall.restoring()
         except (InputError, TypeError):
             self.curve.setData([], [])
             return
-        model = rocking_model(block, False, Restitution("user", 1.0), law)
+        model = rocking_model(block, False, Restitution("user", 1.0), law, loads)
         ratio = np.array(sorted({law.elastic_limit, law.plateau_end, *np.linspace(0.0, 1.0, 21)}))
-        top = np.sin(block.slenderness)
-        values = [moment(float(x) * block.slenderness, model) / top for x in ratio]
+        end = model.slenderness + model.restoring.lean
+        top = model.restoring.amplitude * np.sin(end)
+        values = [moment(float(x) * end, model) / top for x in ratio]
         if law.is_rigid:
             ratio, values = np.insert(ratio, 0, 0.0), np.insert(values, 0, 0.0)
         self.curve.setData(np.asarray(ratio, float), np.asarray(values, float))

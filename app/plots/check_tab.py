@@ -15,7 +15,6 @@ from app.plots.chart import Chart
 from app.plots.table import Table
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.eq9 import LABEL
-from core.codes.risk import years
 from core.study.results import Q_SOURCES, StudyResult, WallResult
 from core.text.sentence import word
 from core.units import G
@@ -155,6 +154,8 @@ class CheckTab(QWidget):
             return tr("No tie at {h:.2f} m is needed: ζ {zeta}", **values)
         own, loads, force = (1e-3 * moment for moment in tie.holding)
         hand = f"α0 = ({own:.2f} + {loads:.2f} + {force:.2f}) / {1e-3 * tie.pushing:.2f} = {tie.alpha0:.4f}"
+        if tie.hinges > 1 and tie.governing is not None:
+            hand += "; " + tr("the weakest hinge asks {force:.2f} kN/m", force=1e-3 * tie.governing)
         return tr("A tie of {force:.2f} kN/m at {h:.2f} m gives ζ {zeta}; by hand {hand}",
                   force=1e-3 * tie.force, hand=hand, **values)  # fmt: skip
 
@@ -162,8 +163,8 @@ class CheckTab(QWidget):
     def _risk(risk) -> list[str]:
         """What the mechanism withstands."""
         parts = [f"PGA_C {risk.pga / G:.3f} g"]
-        if risk.return_period is not None:
-            parts.append(tr("T_R,C {years} years", years=years(risk.return_period)))
+        if risk.years is not None:
+            parts.append(tr("T_R,C {years} years", years=risk.years))
         if risk.index is not None:
             parts.append(
                 tr(

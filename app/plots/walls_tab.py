@@ -6,7 +6,6 @@ from PySide6.QtWidgets import QLabel, QSplitter, QVBoxLayout, QWidget
 from app.language import tr
 from app.plots.check_tab import digits, verdict_color
 from app.plots.table import Table
-from core.codes.risk import years
 from core.study.limit_states import STATES
 from core.study.results import StudyResult, WallResult
 from core.study.variants import Comparison, comparisons
@@ -84,7 +83,7 @@ class WallsTab(QWidget):
             wall.name, word(wall.mechanism, language), digits(zeta_of(wall)),
             word(found.verdict.code, language) if found else "–", method_of(wall, language), digits(wall.q_set),
             digits(risk.pga / G, 3) if risk else "–",
-            years(risk.return_period) if risk and risk.return_period is not None else "–",
+            (risk.years if risk else None) or "–",
             f"{risk.index:.2f} {risk.letter}" if risk and risk.index is not None else "–",
             *(digits(states.get(state)) for state in STATES),
         ]  # fmt: skip

@@ -28,7 +28,7 @@ REPEATS = 5
 @dataclass(frozen=True)
 class MethodPoint:
     """One method on the governing history. seconds : per history; error : largest |difference| of theta
-    over alpha against the independent solver up to its end [-], None where the method overturns the wall
+    over theta_c against the independent solver up to its end [-], None where the method overturns the wall
     that survives."""
 
     name: str
@@ -44,7 +44,7 @@ class Accuracy:
     scale : multiplier of the histories, the last survived one; points : the methods on it;
     solver_q_error : |q / q_reference - 1| [-], q_reference : of the same search by dormand_prince;
     steps : (q_step, q, q_robust); rounded : (q, q_robust) of the record with ROUNDING noise;
-    polarities : (q as recorded, q reversed), None for a two-sided wall.
+    polarities : (q as recorded, q reversed), None where both are alike.
     """
 
     record: str
@@ -107,7 +107,7 @@ def point(motion, scale, model, method: Method, theta: np.ndarray) -> MethodPoin
         name += f", {method.option} steps"
     error = None
     if one.rotation.size >= theta.size:
-        error = float(np.abs(one.rotation[: theta.size] - theta).max() / model.slenderness)
+        error = float(np.abs(one.rotation[: theta.size] - theta).max() / model.collapse_rotation)
     return MethodPoint(name, method.option, min(seconds), error)
 
 
@@ -158,5 +158,5 @@ def accuracy(
         record=motion.name, polarity=polarity, scale=float(scale), method=method.name, q=ida.q,
         q_reference=searched(ground, search, METHODS["dormand_prince"]).q, points=tuple(points),
         steps=tuple(sorted(steps)), rounded=tuple(rounded),
-        polarities=pair if model.one_sided else None,
+        polarities=None if model.both_signs_alike else pair,
     )  # fmt: skip

@@ -17,6 +17,8 @@ def parse_hazard(text: str) -> tuple[HazardRow, ...]:
     Raises InputError."""
     rows = []
     for number, line in enumerate(text.splitlines(), start=1):
+        if "." in line:  # the comma is no decimal one
+            line = line.replace(",", " ")
         parts = line.replace(";", " ").split()
         if not parts:
             continue
@@ -36,6 +38,8 @@ def parse_hazard(text: str) -> tuple[HazardRow, ...]:
         except InputError as error:
             raise error.at(here) from None
         rows.append(HazardRow(*checked))
+    if not rows:
+        raise InputError("no_hazard_rows")
     check_rising(rows)
     return tuple(rows)
 
@@ -55,9 +59,9 @@ def read_hazard(path: Path) -> tuple[HazardRow, ...]:
     """The rows of a file. Raises InputError."""
     try:
         if not path.is_file():
-            raise InputError("no_hazard_file", place=(path,))
+            raise InputError("no_hazard_file")
         if path.stat().st_size > MAX_BYTES:
-            raise InputError("hazard_too_large", place=(path,))
+            raise InputError("hazard_too_large")
         return parse_hazard(path.read_text(encoding="utf-8-sig", errors="replace"))
     except OSError as error:
         raise InputError("unreadable", reason=error.strerror, place=(path,)) from None

@@ -64,8 +64,10 @@ def above_hinge(wall: Wall, hinge: float) -> Wall:
         base_z_m=None if wall.base_z_m is None else wall.base_z_m + hinge,
         hinge_heights=None,
         load=loads_above(wall, hinge),
+        unloaded_confirmed=wall.unloaded_confirmed
+        or (bool(wall.load) and not loads_above(wall, hinge)),
         tie_height_m=None
-        if wall.tie_height_m is None or wall.tie_height_m <= hinge
+        if wall.tie_height_m is None or wall.tie_height_m < hinge + LEAST_ABOVE
         else wall.tie_height_m - hinge,
     )
 

@@ -6,6 +6,7 @@ import tomllib
 from dataclasses import replace
 from pathlib import Path
 
+from core.case.hazard_table import read_hazard
 from core.case.rules import parse_case, with_walls
 from core.case.schema import Case
 from core.case.wall_table import read_table
@@ -60,6 +61,10 @@ def read_case(path: Path) -> Case:
             case = replace(
                 with_walls(case, [*case.wall, *walls]), table=case.walls, table_notes=tuple(notes)
             )
+        if case.demand and case.demand.hazard_file:
+            source = path.parent / name_of(case.demand.hazard_file)
+            read_hazard(source)
+            digest.update(source.read_bytes())
         return replace(case, sha256=digest.hexdigest())
     except InputError as error:
         raise error.at(path) from None

@@ -155,7 +155,11 @@ def value_of(entry, value, *here):
                     raise (error.at(above[0]) if above else error) from None
             return tuple(parts)
     elif kind == "section":
-        return section_of(rule["of"], value, entry.name, section(f"[wall.{entry.name}]"))
+        try:
+            return section_of(rule["of"], value, entry.name, section(f"[wall.{entry.name}]"))
+        except InputError as error:
+            above = [part for part in here if isinstance(part, Sentence)]
+            raise (error.at(above[0]) if above else error) from None
     elif kind == "spectrum":
         return section_of(Spectrum, value, "spectrum", section("[demand.spectrum]"))
     elif kind == "hinges":

@@ -80,6 +80,8 @@ class Kinematic:
     acceleration_demand : a_g S, of a free element S_e(T_0, 5 %) (clause .5); above the ground a_Z and S_eZ(T_0, 5 %)
         [m/s2]; None without T_0
     zeta_sld : a_g,SLD over a_g (C8.7.1.8, C8.7.1.9) [-]; None where acceleration_demand is
+    zeta_floor : the same without the friction of return walls, which is lost over a slip: the displacement check is not
+        below it
     missing : keys of the case without which a free element has no linear check; period_0 where its T_0 is so
         long that it would be elastic up to d_SLV
     d_limit, a_limit : d_SLV = 0.40 d_0 or d_SLC = 0.60 d_0 [m], and the capacity there [m/s2]
@@ -99,6 +101,7 @@ class Kinematic:
     period_0: float | None
     acceleration_demand: float | None
     zeta_sld: float | None
+    zeta_floor: float | None = None
     missing: tuple[str, ...] = ()
     d_limit: float | None = None
     a_limit: float | None = None
@@ -150,7 +153,7 @@ def kinematic(
     free, sums = wall.is_free(mechanism), chain(wall, mechanism == "two_sided")
     alpha0, e_star, d0 = sums.alpha0_friction or sums.alpha0, sums.e_star, sums.d0
     per_multiplier = G / (e_star * demand.confidence_factor)
-    a0 = alpha0 * per_multiplier
+    a0 = alpha0 * G / ((sums.e_star_friction or e_star) * demand.confidence_factor)
     mass = None if sums.mass is None else e_star * sums.mass
     period_0, acceleration, missing = None, demand.pga, ()
     if floor is not None:
@@ -166,9 +169,11 @@ def kinematic(
             spectra = [demand.target, *([] if floor is None else [floor])]
             acceleration = max(float(s.acceleration([period_0], FREE_DAMPING)[0]) for s in spectra)
             _covers(demand.target, period_0, "T_0", wall)
-    zeta_sld = None if acceleration is None else a0 / acceleration
+    zeta_sld = zeta_floor = None
+    if acceleration is not None:
+        zeta_sld, zeta_floor = a0 / acceleration, sums.alpha0 * per_multiplier / acceleration
     quantities = (
-        alpha0, e_star, mass, a0, sums, d0, free, period_0, acceleration, zeta_sld, missing,
+        alpha0, e_star, mass, a0, sums, d0, free, period_0, acceleration, zeta_sld, zeta_floor, missing,
     )  # fmt: skip
     if demand.target is None or demand.limit_state not in LIMIT_FRACTION:
         return Kinematic(*quantities, floor=floor)
@@ -215,7 +220,7 @@ def nonlinear(mechanism: Kinematic, demand: DemandResult) -> Check | None:
     if mechanism.d_limit is None:
         return None
     zeta = mechanism.d_limit / mechanism.s_de
-    if demand.limit_state == "SLV" and mechanism.zeta_sld is not None:
-        zeta = max(zeta, mechanism.zeta_sld)
+    if demand.limit_state == "SLV" and mechanism.zeta_floor is not None:
+        zeta = max(zeta, mechanism.zeta_floor)
     return Check("nonlinear", DISPLACEMENT_CLAUSE, "m", mechanism.d_limit, mechanism.s_de, zeta,
                  _passed(zeta, demand))  # fmt: skip

@@ -27,8 +27,9 @@ class Chain:
     e_star : C8.7.1.5 [-]
     mass : sum of (P + Q) / g per metre of wall [kg/m]; None without a unit weight
     d0 : displacement of the control point at which nothing holds the wall (C8.7.1.4) [m]
-    alpha0_friction : with the friction of the return walls, None without them [-]
-    friction_height : height of the part that turns then [m]
+    alpha0_friction, e_star_friction : with the friction of the return walls, of the part of the wall whose alpha_0 over
+        e* is least; None without them, and of a two-sided wall [-]
+    friction_height : height of that part, from the top down [m]
     """
 
     alpha0: float
@@ -36,6 +37,7 @@ class Chain:
     mass: float | None
     d0: float
     alpha0_friction: float | None = None
+    e_star_friction: float | None = None
     friction_height: float | None = None
 
 
@@ -49,11 +51,13 @@ def chain(wall, two_sided: bool) -> Chain:
     if wall.load:
         alpha0, e_star, total, d0 = _loaded(wall, bare, (1.0, -1.0) if two_sided else (1.0,))
         mass = total
-    if wall.return_walls is None:
+    if wall.return_walls is None or two_sided:  # they hold a wall that turns outward
         return Chain(alpha0, e_star, mass, d0)
-    multipliers, heights = multipliers_with_friction(wall)
-    least = int(np.argmin(multipliers))
-    return Chain(alpha0, e_star, mass, d0, float(multipliers[least]), float(heights[least]))
+    multipliers, shares, heights = multipliers_with_friction(wall)
+    k = int(np.argmin(multipliers / shares))
+    return Chain(
+        alpha0, e_star, mass, d0, float(multipliers[k]), float(shares[k]), float(heights[k])
+    )
 
 
 def _loaded(wall, bare, sides) -> tuple[float, float, float, float]:
@@ -92,23 +96,26 @@ def friction(wall, height):
     )  # fmt: skip
 
 
-def multipliers_with_friction(wall) -> tuple[np.ndarray, np.ndarray]:
-    """(alpha_0 with the friction of the return walls at a third of its height [-], height [m]) of every part of the
-    wall from its top down; shape (HEIGHTS,) each. The friction acts on the length of the wall."""
+def multipliers_with_friction(wall) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """(alpha_0 with the friction of the return walls at a third of its height [-], e* [-], height [m]) of every part of
+    the wall from its top down; shape (HEIGHTS,) each. The friction acts on the length of the wall."""
     heights = wall.height_m * np.arange(1, HEIGHTS + 1) / HEIGHTS
     weight = wall_loads.weight_per_metre(wall) * heights / wall.height_m
     x = 0.5 * wall.thickness - wall.setback
     dragged = wall.return_walls.number * friction(wall, heights) / wall.length_m
     holding = weight * x + dragged * heights / 3.0
-    pushing = 0.5 * weight * heights
+    pushing, second, total = 0.5 * weight * heights, 0.25 * weight * heights**2, weight.copy()
     for load in wall.load:
         force = wall_loads.as_force(load, wall, 1.0)
         lever = np.maximum(load.h_m - (wall.height_m - heights), 0.0)
         on_part = lever > 0.0
         holding += on_part * force.vertical * force.distance + force.horizontal * lever
         if load.pushes:
-            pushing += 1e3 * load.kn_m * lever
-    return holding / pushing, heights
+            pushed = 1e3 * load.kn_m * on_part
+            total += pushed
+            pushing += pushed * lever
+            second += pushed * lever**2
+    return holding / pushing, pushing**2 / (total * second), heights
 
 
 def elastic_period_of_loads(wall) -> float:

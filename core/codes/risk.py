@@ -41,6 +41,7 @@ class Risk:
         without T_R of the demand
     other_return_period : the longer; beside the hazard the shorter
     by_hazard : return_period is of the hazard
+    known_years : return periods between which it is read: those of NTC, and of the rows of the hazard
     index, letter : IS-V of this mechanism and its letter; None at other limit states than SLV
     """
 
@@ -50,6 +51,17 @@ class Risk:
     index: float | None
     letter: str | None
     by_hazard: bool = False
+    known_years: tuple[float, float] = (SHORTEST, LONGEST)
+
+    @property
+    def years(self) -> str | None:
+        """T_R,C in whole years; "<" and ">" beyond what is known; None without it."""
+        if self.return_period is None:
+            return None
+        low, high = self.known_years
+        if self.return_period < low:
+            return f"< {low:.0f}"
+        return f"> {high:.0f}" if self.return_period > high else f"{self.return_period:.0f}"
 
 
 def exponent_by_ag(ag: float) -> float:
@@ -92,11 +104,7 @@ def risk(zeta: float, demand: DemandResult) -> Risk:
         index=zeta if slv else None,
         letter=letter_of(zeta) if slv else None,
         by_hazard=bool(demand.hazard),
+        known_years=(max(SHORTEST, demand.hazard[0][0]), min(LONGEST, demand.hazard[-1][0]))
+        if demand.hazard
+        else (SHORTEST, LONGEST),
     )
-
-
-def years(period: float) -> str:
-    """A return period in whole years; "< 30" and "> 2475" beyond the hazard of NTC."""
-    if period < SHORTEST:
-        return f"< {SHORTEST:.0f}"
-    return f"> {LONGEST:.0f}" if period > LONGEST else f"{period:.0f}"

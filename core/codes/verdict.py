@@ -113,6 +113,8 @@ def verdict(
         low, high = dynamic.zeta_spread
         doubts.append(_reason("within_spread", zeta=zeta, target=target, low=low, high=high))
     notes = list(floor_notes)
+    if kinematic and kinematic.chain.friction_height is not None:
+        notes.append(_reason("friction_hinge", height=kinematic.chain.friction_height))
     if kinematic and kinematic.missing:
         missing = tuple(sentence("missing", key) for key in kinematic.missing)
         notes.append(_reason("no_period", missing=missing))

@@ -5,7 +5,7 @@ from core.codes.kinematic import CANTILEVER, DAMPING, PERIOD_FACTOR
 from core.codes.risk import EXPONENT, exponent_by_ag
 from core.codes.target_spectrum import EN_AMPLIFICATION, NTC_SOIL, NTC_TOPOGRAPHY, CodeSpectrum
 from core.report.cells import ACCELERATION, BAD, EXACT, GOOD, QUIET, RATIO, Book, style, text
-from core.report.load_rows import chain_formulas
+from core.report.load_rows import chain_formulas, sides_agree
 from core.report.rows import heads, input_row, live_row
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import word
@@ -75,12 +75,14 @@ def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: st
         )
     if sums.alpha0_friction is not None:
         start = f"{name}_alpha0_friction"
-        label = say(
-            "α0 with the friction of return walls, {h:.2f} m turning", h=sums.friction_height
-        )
+        label = say("α0 with friction, top {h:.2f} m", h=sums.friction_height)
         row = input_row(book, sheet, row, label, sums.alpha0_friction, "–", start)
+        share = f"{name}_e_star_friction"
+        row = input_row(book, sheet, row, say("e* of that part"), sums.e_star_friction, "–", share)
+    else:
+        share = f"{name}_e_star"
     row = live_row(book, sheet, row, "a0* = α0 g / (e* FC)", "C8.7.1.3",
-                   f"={start}/({name}_e_star*demand_fc)", kinematic.a0 / G, "g",
+                   f"={start}/({share}*demand_fc)", kinematic.a0 / G, "g",
                    f"{name}_a0_star")  # fmt: skip
     if kinematic.m_star is not None:
         row = input_row(book, sheet, row, say("M* per metre"), kinematic.m_star, "kg/m",
@@ -124,8 +126,10 @@ def _risk(book: Book, sheet, wall, name: str, demand, row: int) -> int:
     row = live_row(book, sheet, row, "PGA_C = ζ S a_g", "", f"={zeta}*demand_pga", found.pga / G, "g",
                    f"{name}_pga_c")  # fmt: skip
     if found.by_hazard:
-        label = say("T_R,C by the hazard of the site")
-        row = input_row(book, sheet, row, label, found.return_period, say("years"), None, RATIO)
+        text(sheet, row, 1, say("T_R,C by the hazard of the site"))
+        text(sheet, row, 3, found.years, align="right")
+        text(sheet, row, 5, say("years"), color=QUIET, align="center")
+        row += 1
     elif found.return_period is not None:
         row = input_row(
             book, sheet, row, "T_R,D", demand.return_period, say("years"), f"{name}_tr_d", RATIO
@@ -209,7 +213,9 @@ def found_checks(wall: WallResult, *names: str):
 def _displacement(book: Book, sheet, wall, name: str, demand, check, row: int) -> int:
     kinematic, state = wall.assessment.kinematic, demand.limit_state
     share = LIMIT_FRACTION[state]
-    if wall.wall.load:
+    if wall.wall.load and not sides_agree(wall):
+        row = input_row(book, sheet, row, "d0 (C8.7.1.4)", kinematic.d0, "m", f"{name}_d0")
+    elif wall.wall.load:
         row = live_row(book, sheet, row, "d0 = d_C(θ_c) (W y² + ΣQ h²)/[y (W y + ΣQ h)]", "C8.7.1.4",
                        chain_formulas(book, name)["d0"], kinematic.d0, "m", f"{name}_d0")  # fmt: skip
     else:
@@ -239,13 +245,16 @@ def _displacement(book: Book, sheet, wall, name: str, demand, check, row: int) -
         row = input_row(book, sheet, row, f"S_De max, [T_0, T_{state}], {damping:g} %", kinematic.s_de, "m",
                         f"{name}_s_de")  # fmt: skip
     ratio, formula = f"{name}_d_limit/{name}_s_de", f"={name}_d_limit/{name}_s_de"
-    if state == "SLV" and kinematic.zeta_sld is not None:
+    if state == "SLV" and kinematic.zeta_floor is not None:
         row = live_row(book, sheet, row, f"d_{state} / S_De", "C8.7.1.12", formula,
                        kinematic.d_limit / kinematic.s_de, "–")  # fmt: skip
-        label = book.say("not below a_g,SLD / a_g")
-        row = live_row(book, sheet, row, label, "C8.7.1.2.1.8", f"={name}_zeta_sld",
-                       kinematic.zeta_sld, "–")  # fmt: skip
-        formula = f"=MAX({ratio},{name}_zeta_sld)"
+        label, floor = book.say("not below a_g,SLD / a_g"), f"{name}_zeta_sld"
+        if kinematic.chain.alpha0_friction is not None:  # without the friction
+            share = f"({name}_alpha0/{name}_e_star)/({name}_alpha0_friction/{name}_e_star_friction)"
+            floor = f"{name}_zeta_sld*{share}"
+        row = live_row(book, sheet, row, label, "C8.7.1.2.1.8", f"={floor}",
+                       kinematic.zeta_floor, "–")  # fmt: skip
+        formula = f"=MAX({ratio},{floor})"
     row = live_row(book, sheet, row, f"ζ: {word('nonlinear', book.language)}", "C8.7.1.2.1.8",
                    formula, check.zeta, "–", f"{name}_nonlinear_zeta")  # fmt: skip
     return _outcome(book, sheet, row, f"{name}_nonlinear_zeta", check)

@@ -52,7 +52,7 @@ def dynamic_check(book: Book, result: StudyResult) -> None:
         sheet,
         2,
         say(
-            "The rule: alpha is exceeded in no run and the set of the largest rotations, of each "
+            "The rule: theta_c is exceeded in no run and the set of the largest rotations, of each "
             "record its worse sign, stays within the limit: mean from 7 stations, else the largest. FC "
             "divides the strength of the wall (clause .3) or multiplies the demand, as said below. "
             "Whether the rule holds is not monotone in the multiplier: ζ_E is the lowest multiplier of "
@@ -103,7 +103,7 @@ def _wall(book: Book, sheet, wall: WallResult, check, row: int) -> int:
         rule(sheet, row, 1, 7)
     last = row
     row += 1
-    text(sheet, row, 1, say("runs in which α is exceeded"))
+    text(sheet, row, 1, say("runs in which θc is exceeded"))
     area = f"C{first}:D{last}"
     book.formula(sheet.cell(row, 5), f'=COUNTIF({area},">1")+COUNTIF({area},"{overturns}")',
                  float(check.n_exceeded), "0")  # fmt: skip

@@ -52,6 +52,7 @@ def _demand(result: StudyResult) -> dict:
         "zeta_target": demand.zeta_target,
         "confidence_on": demand.confidence_on,
         "return_period_years": demand.return_period,
+        "hazard": [{"return_period_years": years, "ag_g": ag / G} for years, ag in demand.hazard],
         "demand_scaling": demand.record_scaling,
         "compliance": _compliance(result.compliance) if result.compliance else None,
         "warnings": [warning.text() for warning in demand.warnings],
@@ -137,6 +138,7 @@ def _risk(wall: WallResult) -> dict:
             "pga_c_g": found.pga / G,
             "return_period_c_years": found.return_period,
             "other_return_period_c_years": found.other_return_period,
+            "return_period_c_shown": found.years,
             "is_v": found.index,
             "is_v_letter": found.letter,
         }

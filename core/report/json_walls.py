@@ -34,6 +34,8 @@ def tie_design(wall: WallResult) -> dict:
             "force_kn_m": None if tie.force is None else 1e-3 * tie.force,
             "zeta": tie.zeta,
             "largest_kn_m": 1e-3 * tie.largest,
+            "hinges": tie.hinges,
+            "governing_force_kn_m": None if tie.governing is None else 1e-3 * tie.governing,
             "alpha0": tie.alpha0,
             "moments_kn": [1e-3 * moment for moment in tie.holding],
             "pushing_kn": 1e-3 * tie.pushing,

@@ -14,8 +14,18 @@ SIZE = "0.000"
 
 def governing_side(wall: WallResult) -> float:
     """The hinge the formulas are written about: 1.0 the outer one, -1.0 the inner one where that is the weaker."""
-    sides = wall.model.restoring, wall.model.mirrored
-    return -1.0 if not wall.model.one_sided and sides[1].lean < sides[0].lean else 1.0
+    tangent = math.tan(wall.block.slenderness)
+    outer, inner = (
+        s.sine * tangent + s.cosine for s in (wall.model.restoring, wall.model.mirrored)
+    )
+    return -1.0 if not wall.model.one_sided and inner < outer else 1.0
+
+
+def sides_agree(wall: WallResult) -> bool:
+    """Whether the side that lifts first is the one that overturns first, so that d_0 is of the same formulas."""
+    model = wall.model
+    shown = model.restoring if governing_side(wall) > 0.0 else model.mirrored
+    return model.one_sided != 0.0 or shown.lean == model.lean
 
 
 def geometry_rows(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:

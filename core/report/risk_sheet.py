@@ -1,6 +1,5 @@
 """The sheet Risk: every wall with what it withstands, the lowest first; limit states, ties, variants."""
 
-from core.codes.risk import years
 from core.report.cells import (
     ACCELERATION,
     QUIET,
@@ -57,7 +56,7 @@ def _walls(book: Book, sheet, result: StudyResult, row: int) -> int:
     say = book.say
     header(sheet, row, [
         say("Wall"), say("Mechanism"), "ζ_E", say("by"), "PGA_C [g]", "T_R,C", "IS-V",
-        *(f"ζ {state}" for state in STATES)], 1, 30)  # fmt: skip
+        *(f"ζ {state}, {say('kin.')}" for state in STATES)], 1, 30)  # fmt: skip
     for wall in by_zeta(result.walls):
         row += 1
         _wall(book, sheet, wall, row)
@@ -94,8 +93,7 @@ def _wall(book: Book, sheet, wall: WallResult, row: int) -> None:
     text(sheet, row, 4, word(label, language) if label else "–", wrap=True)
     if found.risk:
         number(sheet, row, 5, found.risk.pga / G, ACCELERATION)
-        period = found.risk.return_period
-        text(sheet, row, 6, "–" if period is None else years(period), align="right")
+        text(sheet, row, 6, found.risk.years or "–", align="right")
         letter = found.risk.letter
         text(sheet, row, 7, f"{found.risk.index:.2f}  {letter}" if letter else "–", align="right")
     for column, one in enumerate(found.states, start=8):
@@ -110,7 +108,8 @@ def _ties(book: Book, sheet, result: StudyResult, row: int) -> int:
         return row
     title(sheet, row, say("Tie for the ζ required"), 12)
     header(sheet, row + 1, [
-        say("Wall"), "h [m]", "ζ", say("by"), say("Force [kN/m]"), say("Largest [kN/m]"), "α0"], 1, 30)  # fmt: skip
+        say("Wall"), "h [m]", "ζ", say("by"), say("Force [kN/m]"), say("Largest [kN/m]"), "α0",
+        say("all hinges")], 1, 30)  # fmt: skip
     row += 1
     for wall in designed:
         tie = wall.assessment.tie
@@ -125,11 +124,14 @@ def _ties(book: Book, sheet, result: StudyResult, row: int) -> int:
             number(sheet, row, 5, 1e-3 * tie.force, RATIO)
         number(sheet, row, 6, 1e-3 * tie.largest, RATIO)
         number(sheet, row, 7, tie.alpha0, ACCELERATION)
-        rule(sheet, row, 1, 7)
+        number(
+            sheet, row, 8, None if tie.governing is None else 1e-3 * tie.governing, RATIO, bold=True
+        )
+        rule(sheet, row, 1, 8)
         own, loads, force = (1e-3 * moment for moment in tie.holding)
         words = say(
-            "By hand: α0 = (W x {own:.2f} + loads {loads:.2f} + F h {force:.2f}) / {pushing:.2f} = {alpha0:.4f} "
-            "(kNm/m)",
+            "By hand, no friction: α0 = (W·x {own:.2f} + loads {loads:.2f} + F·h {force:.2f}) / {pushing:.2f} = "
+            "{alpha0:.4f}",
             own=own, loads=loads, force=force, pushing=1e-3 * tie.pushing, alpha0=tie.alpha0,
         )  # fmt: skip
         row = paragraph(sheet, row + 1, words, LAST, 150, color=QUIET) - 1

@@ -3,7 +3,6 @@
 import math
 
 from core.codes.eq9 import LABEL
-from core.codes.risk import years
 from core.ground.ground_motion import GroundMotion
 from core.report.cells import (
     ACCELERATION,
@@ -197,7 +196,7 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
         line = _mechanism_line(book, assessment.kinematic)
         if assessment.risk:
             line += ", " + _risk_line(book, assessment.risk)
-        text(sheet, row, 5, line, color=QUIET)
+        row = paragraph(sheet, row + 1, line, LAST, 150, color=QUIET) - 1
     top = row + 1
     header(sheet, top, [
         say("Method"), say("Clause"), "q", say("Capacity"),
@@ -244,8 +243,8 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
 def _risk_line(book: Book, risk) -> str:
     """What the mechanism withstands, in one line."""
     parts = [f"PGA_C {risk.pga / G:.3f} g"]
-    if risk.return_period is not None:
-        parts.append(f"T_R,C {years(risk.return_period)} {book.say('years')}")
+    if risk.years is not None:
+        parts.append(f"T_R,C {risk.years} {book.say('years')}")
     if risk.index is not None:
         parts.append(f"IS-V {risk.index:.2f} ({risk.letter})")
     return ", ".join(parts)
@@ -332,17 +331,36 @@ def _warnings(book: Book, sheet, result: StudyResult, row: int, last: int, most:
 
 
 def tie_words(book: Book, tie) -> str:
-    """What a tie must hold, in one sentence."""
+    """What a tie must hold, in one or two sentences."""
+    words = _own_tie(book, tie)
+    if tie.hinges == 1:
+        return words
+    if tie.governing is None:
+        return (
+            f"{words} {book.say('One of its {n} hinges does not reach it with any.', n=tie.hinges)}"
+        )
+    force = 1e-3 * tie.governing
+    more = book.say(
+        "The weakest of its {n} hinges asks {force:.2f} kN/m.", n=tie.hinges, force=force
+    )
+    return f"{words} {more}"
+
+
+def _own_tie(book: Book, tie) -> str:
+    """The same of one hinge."""
     values = {"h": tie.height, "largest": 1e-3 * tie.largest, "zeta": tie.zeta or 0.0}
     if tie.force is None:
         return book.say(
-            "No tie at {h:.2f} m reaches the ζ required: the largest, {largest:.2f} kN/m, gives {zeta:.2f}.", **values
+            "No tie {h:.2f} m above this hinge reaches the ζ required: the largest, {largest:.2f} kN/m, "
+            "gives {zeta:.2f}.",
+            **values,
         )  # fmt: skip
     if tie.force == 0.0:
-        return book.say("No tie at {h:.2f} m is needed: ζ {zeta:.2f}.", **values)
+        return book.say("No tie {h:.2f} m above this hinge is needed: ζ {zeta:.2f}.", **values)
     force = 1e-3 * tie.force
     return book.say(
-        "A tie at {h:.2f} m that holds {force:.2f} kN/m up to collapse gives ζ {zeta:.2f}.", force=force, **values
+        "A tie {h:.2f} m above this hinge that holds {force:.2f} kN/m up to collapse gives ζ {zeta:.2f}.",
+        force=force, **values,
     )  # fmt: skip
 
 

@@ -81,7 +81,7 @@ def assess(
         records=len(motions),
         bundled=any(is_bundled(motion) for motion in motions),
         strongest=strongest,
-        both_signs=wall.mechanism == "two_sided" or len(polarities) == 2,
+        both_signs=wall.model.both_signs_alike or len(polarities) == 2,
         period_estimated=wall.floor is not None and wall.floor.estimated,
         exact=method.name in EXACT_METHODS,
     )
@@ -98,15 +98,18 @@ def assess(
     if dynamic and asked.mechanism == "one_sided" and rocks_both_ways(asked):
         free = restitution(wall.block, "housner")
         model = rocking_model(wall.block, False, free, wall.law, asked.restoring())
+        signs = (1,) if model.both_signs_alike else (1, -1)
         below = demand_check(
-            model, motions, (1,), demand, method, None, BOUND_STEP, False, cancelled
+            model, motions, signs, demand, method, None, BOUND_STEP, False, cancelled
         )
     rows = [dynamic.as_check() if dynamic else None, nonlinear(kinematic, demand)]
     if demand.limit_state == "SLD":
         rows.append(sld(kinematic, demand))
     elif demand.limit_state == "SLV":
         if wall.q_slv_set is not None:
-            rows.append(linear("linear_q_slv", kinematic, demand, wall.q_slv_set))
+            # our q is counted from uplift at alpha_0 g: a0*, which e* raises, must not count it twice
+            own_q = wall.q_slv_set * kinematic.e_star
+            rows.append(linear("linear_q_slv", kinematic, demand, own_q))
         rows.append(linear("linear_q_code", kinematic, demand, demand.q_code))
     checks = tuple(check for check in rows if check is not None)
     lower = below.zeta if below else None
@@ -136,15 +139,17 @@ def assess(
     if asked.tie_height_m is not None and wall.mechanism == "one_sided" and capacity is not None:
         decides = governing_check(checks)
 
-        def zeta_with(force: float, step: float) -> float | None:
+        def judged_with(force: float, step: float) -> tuple[float | None, bool]:
             held = with_tie(asked, force)
             model = rocking_model(held.block(), True, wall.restitution, wall.law, held.restoring())
-            return zeta_of(
+            return judged(
                 decides, held, wall.mechanism, model, kinematic.floor, motions, polarities, demand,
                 method, step, cancelled,
             )  # fmt: skip
 
-        tie = tie_design(asked, result.zeta_e, demand.zeta_target, decides.label, zeta_with)
+        sure = decides.passed and not (dynamic and decides.name == "dynamic"
+                                       and dynamic.within_spread(demand.zeta_target))  # fmt: skip
+        tie = tie_design(asked, (result.zeta_e, bool(sure)), decides.label, judged_with)
     return Assessment(kinematic, checks, dynamic, below, result, sensitivity, ratio, capacity, tie)
 
 
@@ -161,32 +166,25 @@ def _sensitivity(
     found = {}
     for name, change in cases.items():
         floor = floor_of(wall.wall, building, demand, ground, **change)
-        found[name] = zeta_of(
+        found[name], _ = judged(
             decides, wall.wall, wall.mechanism, wall.model, floor.spectrum, list(floor.motions),
             polarities, demand, method, SENSITIVITY_STEP, cancelled,
         )  # fmt: skip
     return found
 
 
-def zeta_of(
+def judged(
     decides: Check, wall, mechanism, model, spectrum, motions, polarities, demand, method, step,
     cancelled,
-) -> float | None:  # fmt: skip
-    """zeta of the check that decides for another wall, model, floor or motions. spectrum : of the floor, None on the
-    ground; step : of the search of the dynamic check."""
+) -> tuple[float | None, bool]:  # fmt: skip
+    """(zeta of the check that decides for another wall, model, floor or motions, whether it is surely satisfied).
+    spectrum : of the floor, None on the ground; step : of the search of the dynamic check."""
     if decides.name == "dynamic":
-        return demand_check(
-            model,
-            motions,
-            polarities,
-            demand,
-            method,
-            None,
-            step,
-            False,
-            cancelled,
+        dynamic = demand_check(
+            model, motions, polarities, demand, method, None, step, False, cancelled,
             NEAR * decides.zeta,
-        ).zeta
+        )  # fmt: skip
+        return dynamic.zeta, dynamic.passed and not dynamic.within_spread(demand.zeta_target)
     moved = kinematic_of(wall, mechanism, demand, spectrum)
     if decides.name == "nonlinear":
         check = nonlinear(moved, demand)
@@ -194,7 +192,7 @@ def zeta_of(
         check = sld(moved, demand)
     else:
         check = linear(decides.name, moved, demand, decides.q)
-    return check.zeta if check else None
+    return (check.zeta, bool(check.passed)) if check else (None, False)
 
 
 def _centroid(wall: WallResult, building: Building) -> float:

@@ -10,9 +10,10 @@ from core.case.schema import Case, Wall
 from core.case.site import Building, HazardRow
 from core.codes.demand import DemandResult
 from core.codes.kinematic import kinematic, nonlinear, sld
-from core.codes.limits import return_period
+from core.codes.limits import SAME_PERIOD, return_period
 from core.study.demand_input import demand_of, hazard_of
 from core.study.floors import floor_of
+from core.text.sentence import Sentence, notice
 
 STATES = ("SLD", "SLV", "SLC")
 
@@ -32,10 +33,10 @@ class StateZeta:
 
 
 def interpolated(hazard: tuple[HazardRow, ...], years: float) -> HazardRow:
-    """The hazard at this return period [years]: a_g, F_0 and T_C* each linear in the logarithms between the rows
-    beside it (NTC 2018, Annex A, Eq. [2]); outside the rows that of the nearest one."""
+    """The hazard at this return period [years] within its rows: a_g, F_0 and T_C* each linear in the logarithms between
+    the rows beside it (NTC 2018, Annex A, Eq. [2])."""
     known = np.log([row.return_period_years for row in hazard])
-    at = math.log(min(max(years, hazard[0].return_period_years), hazard[-1].return_period_years))
+    at = math.log(years)
 
     def value(key: str) -> float | None:
         values = [getattr(row, key) for row in hazard]
@@ -48,7 +49,8 @@ def interpolated(hazard: tuple[HazardRow, ...], years: float) -> HazardRow:
 
 def demands_of(case: Case, base_dir: Path) -> dict[str, DemandResult]:
     """The demand of each limit state; empty without the hazard, or V_N and C_U, or where a spectrum of NTC 2018 is
-    asked and the hazard has no F_0 and T_C*. Raises InputError."""
+    asked and the hazard has no F_0 and T_C*; without the states whose return period lies outside its rows. Raises
+    InputError."""
     asked = case.demand
     if asked is None or asked.spectrum_file or not (hazard := hazard_of(asked, base_dir)):
         return {}
@@ -57,6 +59,9 @@ def demands_of(case: Case, base_dir: Path) -> dict[str, DemandResult]:
     found = {}
     for state in STATES:
         years = return_period(asked.nominal_life_years * asked.use_class_factor, state)
+        low, high = hazard[0].return_period_years, hazard[-1].return_period_years
+        if not (1.0 - SAME_PERIOD) * low <= years <= (1.0 + SAME_PERIOD) * high:
+            continue
         row = interpolated(hazard, years)
         spectrum = asked.spectrum
         if spectrum is not None and spectrum.code == "NTC2018":
@@ -68,6 +73,16 @@ def demands_of(case: Case, base_dir: Path) -> dict[str, DemandResult]:
         )
         found[state] = demand_of(replace(case, demand=demand), base_dir)
     return found
+
+
+def unsaid(demand: DemandResult | None, found: dict[str, DemandResult]) -> list[Sentence]:
+    """Notices on limit states a hazard was given for, and that are not among those found."""
+    if demand is None or not demand.hazard:
+        return []
+    if not found:
+        return [notice("hazard_incomplete")]
+    missing = [state for state in STATES if state not in found]
+    return [notice("hazard_too_short", states=", ".join(missing))] if missing else []
 
 
 def zetas(

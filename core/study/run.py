@@ -25,11 +25,11 @@ from core.study.demand_input import demand_of, generated
 from core.study.floors import floor_of
 from core.study.governing import lowest_run
 from core.study.journal import Journal, Memory
-from core.study.limit_states import demands_of, zetas
+from core.study.limit_states import demands_of, unsaid, zetas
 from core.study.record_input import read_records
 from core.study.results import StudyResult, WallResult
 from core.study.threads import Threads
-from core.study.wall_result import run_result, wall_result, with_weakest_hinge
+from core.study.wall_result import run_result, wall_result, with_variants_alone, with_weakest_hinge
 from core.version import VERSION
 from core.wall.rocking_model import RockingModel, rocking_model
 
@@ -62,14 +62,14 @@ def run(
     hinged = parts(case)
     walls = [(wall, mechanism) for _, wall in hinged for mechanism in wall.mechanisms()]
     origins = [name for name, wall in hinged for _ in wall.mechanisms()]
-    signs = [_polarities(mechanism, chosen.polarity) for _, mechanism in walls]
+    models = [_model(wall, mechanism) for wall, mechanism in walls]
+    signs = [polarities_of(model, chosen.polarity) for model in models]
     planned = [
         (index, record, polarity)
         for index in range(len(walls))
         for record in range(len(motions))
         for polarity in signs[index]
     ]
-    models = [_model(wall, mechanism) for wall, mechanism in walls]
     one_at = {wall.base_z_m: wall for wall, _ in walls}
     at_height = {z: floor_of(wall, case.building, demand, motions) for z, wall in one_at.items()}
     floors = [at_height[wall.base_z_m] for wall, _ in walls]
@@ -136,7 +136,8 @@ def run(
                 )
                 for k, wall in enumerate(results)
             ]
-            results = with_weakest_hinge(results, origins)
+            demand = replace(demand, warnings=(*demand.warnings, *unsaid(demand, by_state)))
+            results = with_variants_alone(with_weakest_hinge(results, origins))
         if chosen.accuracy:
             statements = {
                 k: lambda stop, wall=wall: accuracy_of(wall, motions, method, search, stop)
@@ -195,8 +196,9 @@ def run_key(model: RockingModel, motion: GroundMotion, polarity: int, method, se
     return hashlib.sha256(repr(parts).encode()).hexdigest()
 
 
-def _polarities(mechanism: str, asked: str) -> tuple[int, ...]:
-    if mechanism == "two_sided" or asked == "as_recorded":
+def polarities_of(model: RockingModel, asked: str) -> tuple[int, ...]:
+    """Signs of the records: one where both do the same to the wall."""
+    if model.both_signs_alike or asked == "as_recorded":
         return (1,)
     return (-1,) if asked == "reversed" else (1, -1)
 

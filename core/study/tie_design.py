@@ -24,11 +24,14 @@ class TieDesign:
 
     height : above the hinge of the wall [m]
     check : label of the check that decides, without the tie
-    force : least one that reaches the zeta required [N/m]; 0 where none is needed, None where the largest does not
+    force : least one found with which the check is surely satisfied [N/m]; 0 where none is needed, None where none does
+        it up to the largest
     zeta : with it, with the largest where force is None
     largest : force up to which the wall still turns about its base [N/m]
     holding : moments of wall, loads and tie about the hinge [N]
     pushing : moment of the masses at a multiplier of 1 [N]
+    hinges : of the wall, above which this tie holds it
+    governing : force the weakest of them asks [N/m], None where one has none
     """
 
     height: float
@@ -38,6 +41,8 @@ class TieDesign:
     largest: float
     holding: tuple[float, float, float]
     pushing: float
+    hinges: int = 1
+    governing: float | None = None
 
     @property
     def alpha0(self) -> float:
@@ -55,34 +60,39 @@ def with_tie(wall: Wall, force: float) -> Wall:
 
 def tie_design(
     wall: Wall,
-    zeta: float,
-    target: float,
+    bare: tuple[float, bool],
     check: str,
-    zeta_with: Callable[[float, float], float | None],
+    judged_with: Callable[[float, float], tuple[float | None, bool]],
 ) -> TieDesign:
-    """The least force by bisection: the moment a tie adds grows with its force, and zeta with the moment.
+    """The least force by bisection: the moment a tie adds grows with its force, and zeta with the moment. Since whether
+    the rule of the dynamic check holds is not monotone, the force found is raised until it does, and a little more.
 
-    zeta : without the tie
-    zeta_with : zeta of the check that decides with this force [N/m], at this step of its search
+    bare : zeta without the tie, and whether the check is surely satisfied
+    judged_with : the same with this force [N/m], at this step of the search
     """
     largest = _largest(wall)
-    if zeta >= target:
-        return _found(wall, check, 0.0, zeta, largest)
-    reached = zeta_with(largest, COARSE_STEP) if largest > 0.0 else zeta
-    if reached is None or reached < target:
-        return _found(wall, check, None, reached, largest)
+    if bare[1]:
+        return _found(wall, check, 0.0, bare[0], largest)
+    zeta, sure = judged_with(largest, COARSE_STEP) if largest > 0.0 else bare
+    while (
+        zeta is None and largest > 1.0
+    ):  # a free element so stiff that it does not rock has no linear check
+        largest *= 0.5
+        zeta, sure = judged_with(largest, COARSE_STEP)
+    if not sure:
+        return _found(wall, check, None, zeta, largest)
     low, high = 0.0, largest
     while high - low > CLOSE * high:
         middle = 0.5 * (low + high)
-        found = zeta_with(middle, COARSE_STEP)
-        low, high = (low, middle) if found is not None and found >= target else (middle, high)
+        low, high = (low, middle) if judged_with(middle, COARSE_STEP)[1] else (middle, high)
     while True:
-        reached = zeta_with(high, STEP)
-        if reached is not None and reached >= target:
-            return _found(wall, check, high, reached, largest)
+        zeta, sure = judged_with(high, STEP)
+        more = min(RAISED * high, largest)
+        if sure and (more == high or judged_with(more, STEP)[1]):
+            return _found(wall, check, high, zeta, largest)
         if high >= largest:
-            return _found(wall, check, None, reached, largest)
-        high = min(RAISED * high, largest)
+            return _found(wall, check, None, zeta, largest)
+        high = more
 
 
 def _largest(wall: Wall) -> float:

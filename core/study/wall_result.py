@@ -8,13 +8,14 @@ from core.capacity import closed_forms
 from core.capacity.fragility import fragility
 from core.capacity.ida import TRILINEAR_FLOOR, Ida, multiplier_of, threshold_of
 from core.capacity.scale_free_law import estimates
-from core.case.schema import Wall
+from core.case.schema import AS_IS, DESIGNED, Wall
 from core.codes.eq9 import inequality
 from core.codes.limits import MEAN_FROM, MINIMUM_FROM
 from core.ground.ground_motion import GroundMotion
 from core.study.results import Q_SOURCES, PerRecord, Run, WallResult
 from core.text.sentence import Sentence, notice
 from core.units import CM
+from core.wall import wall_loads
 from core.wall.block import Block
 from core.wall.restitution import housner_ratio
 from core.wall.rocking_model import RockingModel
@@ -26,6 +27,9 @@ THIN, SLENDER = 0.10, 30.0
 
 WEIGHTS, MODULI = (10.0, 28.0), (200.0, 10000.0)
 """Unit weights [kN/m3] and elastic moduli [MPa] of masonry; others are questioned."""
+
+HEAVY = 1.5
+"""Mean stress at the base [MPa] above which loads are questioned."""
 
 NARROW_SI = 1.5
 """Below this ratio of the largest to the smallest SI a power law is warned of."""
@@ -164,7 +168,7 @@ def wall_result(wall, mechanism, model, runs, motions, search, demand, floor=Non
         floor=floor,
         warnings=tuple(
             _unusual(wall)
-            + _model_notices(wall, block, mechanism, restitution, law)
+            + _model_notices(wall, block, mechanism, model, restitution, law)
             + _set_notices(runs, numbers, incomplete, fragile, law_of_si, search)
             + _form_notices(wall, block, mechanism, restitution, law, per_record, demand, checks)
         ),
@@ -183,10 +187,15 @@ def _unusual(wall: Wall) -> list[Sentence]:
         notices.append(notice("odd_weight", w=weight, low=WEIGHTS[0], high=WEIGHTS[1]))
     if modulus is not None and not MODULI[0] <= modulus <= MODULI[1]:
         notices.append(notice("odd_modulus", e=modulus, low=MODULI[0], high=MODULI[1]))
+    if wall.load:
+        weight = wall_loads.weight_per_metre(wall) + wall_loads.vertical_loads(wall)
+        stress = 1e-6 * weight / (wall.thickness - 2.0 * wall.setback)
+        if stress > HEAVY:
+            notices.append(notice("heavy_load", stress=stress))
     return notices
 
 
-def _model_notices(wall, block, mechanism, restitution, law) -> list[Sentence]:
+def _model_notices(wall, block, mechanism, model, restitution, law) -> list[Sentence]:
     notices = []
     if restitution.model == "costa_upper" and restitution.ratio_at_rest > housner_ratio(block):
         notices.append(notice("costa_above_housner", alpha=float(np.degrees(block.slenderness))))
@@ -201,7 +210,8 @@ def _model_notices(wall, block, mechanism, restitution, law) -> list[Sentence]:
         if restitution.model.startswith("one_sided"):
             notices.append(notice("general_contact"))
     if not law.is_rigid:
-        share = np.sin((1.0 - law.plateau_end) * block.slenderness) / np.sin(block.slenderness)
+        top = model.collapse_rotation
+        share = np.sin((1.0 - law.plateau_end) * top) / np.sin(top)
         notices.append(notice("trilinear_threshold", plateau=float(share)))
     return notices
 
@@ -257,6 +267,33 @@ def _form_notices(
     return notices
 
 
+def with_variants_alone(results: list[WallResult]) -> list[WallResult]:
+    """The results, a variant whose counterpart is missing with a notice."""
+    known = {(w.wall.own_name, w.mechanism, w.wall.variant) for w in results}
+    other = {AS_IS: DESIGNED, DESIGNED: AS_IS}
+    said = []
+    for wall in results:
+        asked = wall.wall
+        if (
+            asked.variant is not None
+            and (asked.own_name, wall.mechanism, other[asked.variant]) not in known
+        ):
+            wall = replace(wall, warnings=(notice("variant_alone"), *wall.warnings))
+        said.append(wall)
+    return said
+
+
+def _with_governing_tie(wall: WallResult, group: list[WallResult]) -> WallResult:
+    """The wall, its tie with the force that the weakest of all hinges of the wall asks."""
+    ties = [one.assessment.tie for one in group if one.assessment and one.assessment.tie]
+    if wall.assessment is None or wall.assessment.tie is None:
+        return wall
+    forces = [tie.force for tie in ties]
+    governing = None if None in forces else max(forces)
+    tie = replace(wall.assessment.tie, hinges=len(ties), governing=governing)
+    return replace(wall, assessment=replace(wall.assessment, tie=tie))
+
+
 def with_weakest_hinge(results: list[WallResult], origins: list[str]) -> list[WallResult]:
     """The results, each wall of several hinges with a notice that names the one of the lowest zeta.
 
@@ -268,15 +305,19 @@ def with_weakest_hinge(results: list[WallResult], origins: list[str]) -> list[Wa
     said = []
     for wall, origin in zip(results, origins, strict=True):
         group = groups[origin, wall.mechanism]
+        wall = _with_governing_tie(wall, group)
         known = [w for w in group if w.assessment and w.assessment.verdict.zeta_e is not None]
         if len(group) > 1 and known:
             lowest = min(known, key=lambda w: w.assessment.verdict.zeta_e)
-            words = notice(
-                "weakest_hinge",
-                n=len(known),
-                wall=lowest.name,
-                zeta=lowest.assessment.verdict.zeta_e,
-            )
+            values = {
+                "n": len(group),
+                "wall": lowest.name,
+                "zeta": lowest.assessment.verdict.zeta_e,
+            }
+            if len(known) < len(group):
+                words = notice("weakest_of_known", known=len(known), **values)
+            else:
+                words = notice("weakest_hinge", **values)
             wall = replace(wall, warnings=(words, *wall.warnings))
         said.append(wall)
     return said

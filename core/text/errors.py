@@ -174,6 +174,10 @@ CASE_ERRORS = {
         "una riga della pericolosità ha due o quattro numeri, T_R in anni, a_g in g, F0, T_C* in s, in al più 100 "
         'righe: "{text}"',
     ),
+    "no_hazard_rows": (
+        "no row of numbers: each row has T_R in years, a_g in g and, for NTC 2018, F0 and T_C* in s",
+        "nessuna riga di numeri: ogni riga ha T_R in anni, a_g in g e, per le NTC 2018, F0 e T_C* in s",
+    ),
     "two_hazards": (
         "the hazard is given by a file and by rows: leave one of them out",
         "la pericolosità è data da un file e da righe: togliere l'uno o le altre",

@@ -26,9 +26,8 @@ LOAD_ERRORS = {
         "dare {key}, la distanza del carico dalla faccia esterna della parete",
     ),
     "load_outside": (
-        "{key} {found:g} m lies outside the wall: accepted is 0 to {most:g} m, from the outer face and above the hinge",
-        "{key} {found:g} m è fuori dalla parete: si accetta da 0 a {most:g} m, dalla faccia esterna e sopra la "
-        "cerniera",
+        "{key} {found:g} m lies outside the wall: accepted is up to {most:g} m",
+        "{key} {found:g} m è fuori dalla parete: si accetta fino a {most:g} m",
     ),
     "unstable_under_loads": (
         "unstable under its own loads: it would turn without any earthquake (at {threshold:.3f} g); check sizes, "
@@ -49,9 +48,11 @@ LOAD_ERRORS = {
         "direzione come parete su un lato",
     ),
     "moving_mass_ratio": (
-        "Eq. 6 holds for a wall alone; with a mass that moves with it give {velocity_ratio}, or another {restitution}",
-        "l'Eq. 6 vale per la sola parete; con una massa che si muove con essa dare {velocity_ratio}, oppure un altro "
-        "{restitution}",
+        "Eq. 6 and 7 hold for a wall alone; with a carried mass, or a vertical load whose mass is horizontal "
+        "or moving, "
+        "give {velocity_ratio}",
+        "le Eq. 6 e 7 valgono per la sola parete; con una massa portata, o un carico verticale la cui massa è "
+        "orizzontale o solidale, dare {velocity_ratio}",
     ),
     "two_sided_loads_rigid": (
         "a two-sided wall whose loads differ for its two sides takes the rigid law: give {key} rigid, or study each "
@@ -61,7 +62,12 @@ LOAD_ERRORS = {
     ),
     "return_walls_need_length": (
         "the friction of return walls is shared out over the wall: give {key}",
-        "l'attrito dei muri di spina si ripartisce sulla parete: dare {key}",
+        "l'attrito dei muri ortogonali si ripartisce sulla parete: dare {key}",
+    ),
+    "return_walls_too_many": (
+        "return walls of {found:g} m in all are more than the {length:g} m of the wall: check their number and "
+        "thickness",
+        "i muri ortogonali, {found:g} m in tutto, superano i {length:g} m della parete: controllarne numero e spessore",
     ),
     "holds_one_side": (
         "{key} holds a wall that turns outward only: give the one-sided mechanism",

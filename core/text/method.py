@@ -9,7 +9,7 @@ METHOD_LABELS = {
     "outcomes": ("Words of an outcome", "Parole degli esiti"),
     "range": ("Range of Eq. 15 and 16", "Campo delle Eq. 15 e 16"),
     "circolare": ("Checks of the Circolare 7/2019", "Verifiche della Circolare 7/2019"),
-    "loads": ("Loads, ties, return walls", "Carichi, catene, muri di spina"),
+    "loads": ("Loads, ties, return walls", "Carichi, catene, muri ortogonali"),
     "left_out": ("What is left out", "Che cosa è escluso"),
 }
 """Code -> (English, Italian), in the order of the sheet."""
@@ -115,7 +115,7 @@ METHOD_BODIES = {
         "spingono "
         "formano con essa un solo blocco; per quelle che spingono l'inerzia è sovrastimata al più di sin^2(alpha_i - "
         "theta). C8.7.1.1: alpha0 = (W x + somma N d + somma F h)/(W y + somma Q h); C8.7.1.5: e*; C8.7.1.4: d0. "
-        "L'attrito dei muri di spina conta solo in alpha0, il minimo al variare dell'altezza che ruota: mai nelle "
+        "L'attrito dei muri ortogonali conta solo in alpha0, il minimo al variare dell'altezza che ruota: mai nelle "
         "storie né in d0. La catena ha forza costante; una parete che si inflette fra base e catena è rifiutata. I "
         "periodi T_0 sommano le masse con la regola di Dunkerley.",
     ),

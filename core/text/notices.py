@@ -36,6 +36,36 @@ SENTENCES = {
         "E = {e:g} MPa is outside {low:g} to {high:g}: GPa, kPa or kg/cm2 instead of MPa?",
         "E = {e:g} MPa fuori da {low:g}-{high:g}: GPa, kPa o kg/cm² al posto di MPa?",
     ),
+    "hazard_disagrees": (
+        "a_g = {ag:.3g} g, but the hazard of the site gives {stated:.3g} g at {years:.0f} years: one of them "
+        "is of another "
+        "site, limit state or unit.",
+        "a_g = {ag:.3g} g, ma la pericolosità del sito dà {stated:.3g} g a {years:.0f} anni: una delle due è "
+        "di un altro "
+        "sito, stato limite o unità.",
+    ),
+    "hazard_incomplete": (
+        "No zeta at SLD, SLV and SLC: beside the hazard give V_N and C_U and, for NTC 2018, F0 and T_C* in its rows.",
+        "Nessuno zeta allo SLD, SLV e SLC: oltre alla pericolosità dare V_N e C_U e, per le NTC 2018, F0 e T_C* nelle "
+        "righe.",
+    ),
+    "hazard_too_short": (
+        "No zeta at {states}: the return period lies outside the rows of the hazard.",
+        "Nessuno zeta allo {states}: il periodo di ritorno è fuori dalle righe della pericolosità.",
+    ),
+    "variant_alone": (
+        "Variant without its counterpart: no other wall of this name and mechanism is of the other variant.",
+        "Variante senza corrispondente: nessun'altra parete con questo nome e meccanismo è dell'altra variante.",
+    ),
+    "heavy_load": (
+        "The loads press the base with {stress:.2g} MPa: N/m entered as kN/m?",
+        "I carichi comprimono la base con {stress:.2g} MPa: N/m inseriti come kN/m?",
+    ),
+    "weakest_of_known": (
+        "{known} of {n} hinges of this wall could be assessed; the lowest zeta, {zeta:.2f}, is that of {wall}.",
+        "Delle {n} cerniere di questa parete {known} sono verificabili; lo zeta minore, {zeta:.2f}, è quello "
+        "di {wall}.",
+    ),
     "weakest_hinge": (
         "Of {n} hinges of this wall the lowest zeta, {zeta:.2f}, is that of {wall}.",
         "Delle {n} cerniere di questa parete lo zeta minore, {zeta:.2f}, è quello di {wall}.",

@@ -4,9 +4,14 @@ REPORT = {
     "about the outer hinge": "rispetto alla cerniera esterna",
     "about the inner hinge": "rispetto alla cerniera interna",
     "Loads": "Carichi",
-    "α0 with the friction of return walls, {h:.2f} m turning": (
-        "α0 con l'attrito dei muri di spina, {h:.2f} m in rotazione"
+    "α0 with friction, top {h:.2f} m": "α0 con attrito, {h:.2f} m in alto",
+    "e* of that part": "e* di quella parte",
+    "kin.": "cin.",
+    "all hinges": "tutte le cerniere",
+    ("The weakest of its {n} hinges asks {force:.2f} kN/m."): (
+        "La più debole delle sue {n} cerniere richiede {force:.2f} kN/m."
     ),
+    "One of its {n} hinges does not reach it with any.": "Una delle sue {n} cerniere non lo raggiunge con nessuna.",
     "Risk": "Rischio",
     "What each mechanism withstands": "Che cosa sopporta ogni meccanismo",
     (
@@ -25,21 +30,26 @@ REPORT = {
     "Largest [kN/m]": "Massima [kN/m]",
     "none reaches it": "nessuna lo raggiunge",
     (
-        "By hand: α0 = (W x {own:.2f} + loads {loads:.2f} + F h {force:.2f}) / {pushing:.2f} = {alpha0:.4f} (kNm/m)"
+        "By hand, no friction: α0 = (W·x {own:.2f} + loads {loads:.2f} + F·h {force:.2f}) / {pushing:.2f} = "
+        "{alpha0:.4f}"
     ): (
-        "A mano: α0 = (W x {own:.2f} + carichi {loads:.2f} + F h {force:.2f}) / {pushing:.2f} = {alpha0:.4f} (kNm/m)"
+        "A mano, senza attrito: α0 = (W·x {own:.2f} + carichi {loads:.2f} + F·h {force:.2f}) / {pushing:.2f} = "
+        "{alpha0:.4f}"
     ),
     "Before and after": "Prima e dopo",
     "ζ before": "ζ prima",
     "ζ after": "ζ dopo",
     "changed": "che cosa cambia",
     "nothing": "nulla",
-    "No tie at {h:.2f} m reaches the ζ required: the largest, {largest:.2f} kN/m, gives {zeta:.2f}.": (
-        "Nessuna catena a {h:.2f} m raggiunge lo ζ richiesto: la massima, {largest:.2f} kN/m, dà {zeta:.2f}."
+    "No tie {h:.2f} m above this hinge reaches the ζ required: the largest, {largest:.2f} kN/m, gives {zeta:.2f}.": (
+        "Nessuna catena {h:.2f} m sopra questa cerniera raggiunge lo ζ richiesto: la massima, {largest:.2f} "
+        "kN/m, dà {zeta:.2f}."
     ),
-    "No tie at {h:.2f} m is needed: ζ {zeta:.2f}.": "Non serve una catena a {h:.2f} m: ζ {zeta:.2f}.",
-    "A tie at {h:.2f} m that holds {force:.2f} kN/m up to collapse gives ζ {zeta:.2f}.": (
-        "Una catena a {h:.2f} m che mantiene {force:.2f} kN/m fino al collasso dà ζ {zeta:.2f}."
+    ("No tie {h:.2f} m above this hinge is needed: ζ {zeta:.2f}."): (
+        "Non serve una catena {h:.2f} m sopra questa cerniera: ζ {zeta:.2f}."
+    ),
+    "A tie {h:.2f} m above this hinge that holds {force:.2f} kN/m up to collapse gives ζ {zeta:.2f}.": (
+        "Una catena {h:.2f} m sopra questa cerniera che mantiene {force:.2f} kN/m fino al collasso dà ζ {zeta:.2f}."
     ),
     "Check": "Verifica",
     "SI of the demand": "SI della domanda",
@@ -109,14 +119,14 @@ REPORT = {
     "Spectral compatibility": "Compatibilità spettrale",
     "Dynamic check, Circolare 7/2019 C8.7.1.2.1.9": "Verifica dinamica, Circolare 7/2019 C8.7.1.2.1.9",
     (
-        "The rule: alpha is exceeded in no run and the set of the largest rotations, of each record its worse "
+        "The rule: theta_c is exceeded in no run and the set of the largest rotations, of each record its worse "
         "sign, stays within the limit: mean from 7 stations, else the largest. FC divides the strength of the "
         "wall (clause .3) or multiplies the demand, as said below. Whether the rule holds is not monotone in the "
         "multiplier: ζ_E is the lowest multiplier of the demand at which half of those within ±10 % of it fail, "
         "ζ_16 that at which 16 % do. Verified: the rule holds at the demand itself and ζ_E reaches what is "
         "required. Steps of {STEP:.2%}; another grid would give a ζ_E within the spread printed."
     ): (
-        "La regola: alpha non è mai superato e l'insieme delle rotazioni massime, per ogni accelerogramma il "
+        "La regola: theta_c non è mai superato e l'insieme delle rotazioni massime, per ogni accelerogramma il "
         "segno peggiore, resta entro il limite: media da 7 stazioni, altrimenti il massimo. FC divide la "
         "resistenza della parete (punto .3) o moltiplica la domanda, come indicato sotto. La regola non è "
         "monotona nel moltiplicatore: ζ_E è il minimo moltiplicatore della domanda al quale metà di quelli "
@@ -124,7 +134,7 @@ REPORT = {
         "vale alla domanda stessa e ζ_E raggiunge il valore richiesto. Passo {STEP:.2%}; un'altra griglia "
         "darebbe uno ζ_E entro la dispersione indicata."
     ),
-    "runs in which α is exceeded": "analisi in cui α è superato",
+    "runs in which θc is exceeded": "analisi in cui θc è superato",
     "limit {limit_state}": "limite {limit_state}",
     "rule at the demand": "regola alla domanda",
     "Compatibility of the records with the target spectrum": (
@@ -208,10 +218,10 @@ REPORT = {
         "Analisi dinamica incrementale: passo {step:g} %, metodo {method_words}"
     ),
     (
-        "q, q SLV, q SLC: first collapse, first peak at 0.40 and 0.60 alpha on the grid, bisected to 1e-4. "
+        "q, q SLV, q SLC: first collapse, first peak at 0.40 and 0.60 theta_c on the grid, bisected to 1e-4. "
         "Survival, share and windows are of the map and depend on the grid step ({step:g} %)."
     ): (
-        "q, q SLV, q SLC: primo collasso e prima rotazione pari a 0.40 e 0.60 alpha sulla griglia, bisezione "
+        "q, q SLV, q SLC: primo collasso e prima rotazione pari a 0.40 e 0.60 theta_c sulla griglia, bisezione "
         "a 1e-4. Sopravvivenza, quota e finestre dipendono dal passo ({step:g} %)."
     ),
     "Method, range of use, provenance": "Metodo, campo d'impiego, provenienza",
@@ -249,10 +259,10 @@ REPORT = {
     "Error of the solver": "Errore del risolutore",
     (
         "q by dormand_prince: {_digits} against {q:.4f}, difference {_percent}; history against DOP853 of scipy "
-        "at the last survived scale: {_power} of alpha."
+        "at the last survived scale: {_power} of theta_c."
     ): (
         "q con dormand_prince: {_digits} contro {q:.4f}, differenza {_percent}; storia rispetto a DOP853 di "
-        "scipy all'ultima scala sopportata: {_power} di alpha."
+        "scipy all'ultima scala sopportata: {_power} di theta_c."
     ),
     "Spread by definition": "Dispersione per definizione",
     "Methods on this history": "Metodi su questa storia",

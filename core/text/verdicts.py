@@ -108,6 +108,13 @@ ADDED = {
 """What a sentence is followed by."""
 
 REASONS = {
+    "friction_hinge": (
+        "The friction of return walls governs for the upper {height:.2f} m of the wall; their demand is taken "
+        "at the base.",
+        "L'attrito dei muri ortogonali governa per i {height:.2f} m superiori della parete; la loro domanda è "
+        "quella alla "
+        "base.",
+    ),
     "upper_floor": (
         "The base of the wall is {z:g} m above the ground: not assessable with the ground motion alone. "
         "For the motion of the floor three numbers are missing: height_m, storeys and period_s of [building].",

@@ -33,7 +33,7 @@ WINDOW_FORMS = {
     ),
     "Add a load": "Aggiungi un carico",
     "Delete this load": "Elimina questo carico",
-    "Friction of return walls (in α0 only)": "Attrito dei muri di spina (solo in α0)",
+    "Friction of return walls (in α0 only)": "Attrito dei muri ortogonali (solo in α0)",
     "Return walls": "Muri di spina",
     "Height of a course": "Altezza di un corso",
     "Length of a unit": "Lunghezza di un elemento",
@@ -54,6 +54,7 @@ WINDOW_FORMS = {
         "Una catena di {force:.2f} kN/m a {h:.2f} m dà ζ {zeta}; a mano {hand}"
     ),
     "Wall": "Parete",
+    "the weakest hinge asks {force:.2f} kN/m": "la cerniera più debole richiede {force:.2f} kN/m",
     "Walls of the study": "Pareti dello studio",
     "Before and after": "Prima e dopo",
     "ζ before": "ζ prima",

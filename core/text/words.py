@@ -90,8 +90,7 @@ KEYS = {
     "key_unloaded_confirmed": ("no load", "senza carichi"),
     "key_floor": ("floor", "piano"),
     "key_load": ("loads", "carichi"),
-    "key_return_walls": ("return walls", "muri di spina"),
-    "key_tie_height_m": ("tie asked for", "catena richiesta"),
+    "key_return_walls": ("return walls", "muri ortogonali"),
 }
 """Keys of a wall where two variants differ: code -> (English, Italian)."""
 

@@ -47,6 +47,11 @@ class RockingModel(NamedTuple):
         return self.slenderness + self.lean
 
     @property
+    def both_signs_alike(self) -> bool:
+        """Whether a record and its reverse do the same to it: two-sided, and alike on both sides."""
+        return self.one_sided == 0.0 and self.restoring == self.mirrored
+
+    @property
     def threshold(self) -> float:
         """a_RM = g (a tan(alpha) + c) [m/s2], of both sides the smaller one (Eq. 2)."""
         sides = (self.restoring, self.mirrored)

@@ -23,6 +23,9 @@ MOST_COLLAPSE = math.radians(60.0)
 CENTRED = 1e-6
 """Distance from the middle of the wall up to which moving masses are centred [of t]."""
 
+ALIKE = 1e-9
+"""What a and c of both sides may differ by and still be the same [-]."""
+
 SECTIONS = 400
 """Sections of a wall between which a hinge inside it is looked for."""
 
@@ -70,10 +73,19 @@ def restoring_of(wall, block: Block) -> tuple[RestoringMoment, RestoringMoment]:
         return BARE, BARE
     weight = weight_per_metre(wall) + sum(1e3 * load.kn_m for load in wall.load if load.pushes)
     outward, inward = (
-        restoring_moment(block, weight, [as_force(load, wall, side) for load in held])
+        restoring_moment(
+            block, weight, [as_force(load, wall, side) for load in held if holds(load, side)]
+        )
         for side in (1.0, -1.0)
     )
-    return outward, inward
+    # alike but for rounding: alike
+    same = max(abs(one - other) for one, other in zip(outward, inward, strict=True)) < ALIKE
+    return outward, outward if same else inward
+
+
+def holds(load, side: float) -> bool:
+    """Whether a load acts when the wall turns about the hinge of this side: a tie slackens when it turns inward."""
+    return side > 0.0 or load.kind != "tie"
 
 
 def is_centred(wall, block: Block) -> bool:
@@ -117,6 +129,15 @@ def check_given(wall) -> None:
         raise InputError("loads_need_weight", place=here)
     if across is not None and wall.length_m is None:
         raise InputError("return_walls_need_length", place=here, key="length_m")
+    if across is not None and across.number * across.thickness_m > wall.length_m:
+        raise InputError(
+            "return_walls_too_many",
+            place=here,
+            found=across.number * across.thickness_m,
+            length=wall.length_m,
+        )
+    if "two_sided" in wall.mechanisms() and any(load.kind == "tie" for load in wall.load):
+        raise InputError("holds_one_side", place=here, key="tie")
     for key, given in (("return_walls", across), ("tie_height_m", tie)):
         if given is not None and wall.mechanism == "two_sided":
             raise InputError("holds_one_side", place=here, key=key)

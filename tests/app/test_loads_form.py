@@ -47,6 +47,7 @@ def test_that_a_load_entered_by_hand_is_in_the_case_the_drawing_and_the_threshol
 
 def test_that_what_is_missing_of_a_load_is_said_and_blocks_the_run(opened):
     form = opened.walls.loads
+    opened.session.edit_wall(0, mechanism="one_sided")
     type_into(opened.walls.weight, "18")
     form.add("tie")
     assert (

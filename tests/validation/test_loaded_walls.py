@@ -13,6 +13,7 @@ from core.codes.kinematic import kinematic, linear, nonlinear
 from core.rocking.history import history
 from core.rocking.methods import METHODS
 from core.rocking.outcome import COLLAPSED, STABLE
+from core.study import run as study
 from core.study.demand_input import demand_of
 from core.study.run import _model as model_of
 from core.units import G
@@ -208,6 +209,44 @@ def test_that_q_with_loads_is_that_of_multipliers_one_after_another(reference, l
     for value, outcome in ((low, STABLE), (high, COLLAPSED)):
         scale = multiplier_of(value, pga, model.threshold)
         assert history(ground, 0.01, scale, model).outcome == outcome
+
+
+def test_that_a_two_sided_wall_of_unlike_sides_takes_both_signs_and_does_not_care_from_where_it_is_drawn(
+    tmp_path,
+):
+    """d measured from the other face mirrors the wall: the record reversed does the same to it."""
+    walls = [
+        {**WALL, "name": name, "mechanism": "two_sided", "load": [{**ROOF, "kn_m": 30.0, "d_m": d}]}
+        for name, d in (("one", 0.42), ("other", 0.45 - 0.42))
+    ]
+    table = {
+        "wall": walls,
+        "demand": DEMAND,
+        "generate": {"count": 2},
+        "analysis": {"q_step": 0.02},
+    }
+    one, other = study.run(parse_case(table), base_dir=tmp_path).walls
+    assert [run.polarity for run in one.runs] == [1, -1, 1, -1]
+    found = {(run.record, run.polarity): run.ida.q for run in one.runs}
+    mirrored = {(run.record, -run.polarity): run.ida.q for run in other.runs}
+    assert found == pytest.approx(mirrored, rel=1e-9)
+    assert len(set(found.values())) == 4
+    assert one.q_set == pytest.approx(other.q_set, rel=1e-9)
+    assert one.assessment.dynamic.zeta == pytest.approx(other.assessment.dynamic.zeta, rel=1e-6)
+    alike = {**WALL, "mechanism": "two_sided", "load": [{**ROOF, "d_m": 0.225}]}
+    alike = study.run(parse_case({**table, "wall": [alike]}), base_dir=tmp_path).walls[0]
+    assert {run.polarity for run in alike.runs} == {1}
+
+
+def test_that_q_of_the_histories_is_not_raised_by_e_star_twice(tmp_path):
+    """a_g,SLV = q a_g,SLD with q from uplift at alpha_0 g: q e* a0* FC = q alpha_0 g."""
+    table = {"wall": [{**WALL, "load": [PUSHING]}], "demand": DEMAND, "generate": {"count": 3},
+             "analysis": {"q_step": 0.02}}  # fmt: skip
+    wall = study.run(parse_case(table), base_dir=tmp_path).walls[0]
+    row = next(check for check in wall.assessment.checks if check.name == "linear_q_slv")
+    assert wall.assessment.kinematic.e_star < 0.9
+    expected = wall.q_slv_set * wall.model.threshold / (1.35 * 0.312 * G)
+    assert row.zeta == pytest.approx(expected, rel=1e-9)
 
 
 @pytest.mark.parametrize(("loads", "one_sided"), [entry[:2] for entry in SETS])

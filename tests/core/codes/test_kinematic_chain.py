@@ -2,12 +2,14 @@
 
 import math
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
-from core.codes.kinematic import elastic_period
+from core.codes.kinematic import elastic_period, kinematic, nonlinear
 from core.codes.kinematic_chain import chain, friction, multipliers_with_friction
+from core.study.demand_input import demand_of
 from core.units import G
 from tests.core.wall.test_wall_loads import ACROSS
 from tests.validation.test_loaded_walls import PUSHING, ROOF, case_of
@@ -32,8 +34,36 @@ def test_that_friction_counts_in_alpha0_alone_and_at_its_least():
         values.append(holding / (0.5 * 8.1 * h * h))
     assert found.alpha0_friction == pytest.approx(min(values), rel=1e-6)
     assert found.alpha0_friction > bare.alpha0
-    multipliers, heights = multipliers_with_friction(wall)
+    multipliers, shares, heights = multipliers_with_friction(wall)
     assert multipliers[-1] == pytest.approx(values[-1], rel=1e-9) and heights[-1] == 3.0
+    assert np.abs(shares - 1.0).max() < 1e-14
+    # a wall that turns inward is not held: nothing of it for a two-sided one
+    assert chain(wall, True).alpha0_friction is None
+
+
+def test_that_friction_takes_the_part_whose_a0_is_least_with_its_own_e_star():
+    """a0* = alpha_0 g / (e* FC), both of the upper part of height h."""
+    wall = case_of(
+        {**PUSHING, "kn_m": 50.0}, return_walls={**ACROSS, "number": 4}, length_m=5.0
+    ).wall[0]
+    found = chain(wall, False)
+    least = math.inf
+    for h in np.linspace(0.01, 3.0, 3000):
+        weight = 8.1 * h
+        holding = weight * 0.225 + 50.0 * 0.30 + 4e-3 * friction(wall, h) / 5.0 * h / 3.0
+        first, second = weight * 0.5 * h + 50.0 * h, weight * 0.25 * h * h + 50.0 * h * h
+        e_star = first**2 / ((weight + 50.0) * second)
+        least = min(least, holding / first / e_star)
+    assert found.alpha0_friction / found.e_star_friction == pytest.approx(least, rel=1e-3)
+
+
+def test_that_the_displacement_check_does_not_count_the_friction():
+    case = case_of(return_walls=ACROSS, length_m=5.0)
+    demand = demand_of(case, Path())
+    with_it = kinematic(case.wall[0], "one_sided", demand)
+    without = kinematic(replace(case.wall[0], return_walls=None), "one_sided", demand)
+    assert nonlinear(with_it, demand) == nonlinear(without, demand)
+    assert with_it.zeta_sld > without.zeta_sld
 
 
 def test_that_a_two_sided_wall_takes_its_weaker_side():

@@ -6,7 +6,7 @@ import pytest
 
 from core.case.rules import parse_case
 from core.codes.demand import DemandResult
-from core.codes.risk import letter_of, return_period_of, risk, years
+from core.codes.risk import letter_of, return_period_of, risk
 from core.errors import InputError
 from core.units import G
 
@@ -52,12 +52,15 @@ def test_that_the_index_is_of_slv_and_the_return_period_needs_that_of_the_demand
 
 
 def test_that_beyond_the_hazard_of_ntc_it_is_said():
-    assert (years(29.9), years(30.0), years(475.4), years(2476.0)) == (
-        "< 30",
-        "30",
-        "475",
-        "> 2475",
-    )
+    found = risk(1.0, DEMAND)
+    shown = [replace(found, return_period=years).years for years in (29.9, 30.0, 475.4, 2476.0)]
+    assert shown == ["< 30", "30", "475", "> 2475"]
+
+
+def test_that_beyond_the_rows_of_the_hazard_it_is_said():
+    short = replace(DEMAND, hazard=((50.0, 0.10 * G), (475.0, 0.26 * G), (975.0, 0.33 * G)))
+    assert risk(1.0, short).years == "475"
+    assert risk(2.0, short).years == "> 975" and risk(0.2, short).years == "< 50"
 
 
 HAZARD = ((30.0, 0.06 * G), (72.0, 0.09 * G), (475.0, 0.22 * G), (2475.0, 0.40 * G))

@@ -6,9 +6,10 @@ from pathlib import Path
 import pytest
 
 from core.case.rules import parse_case
+from core.codes.demand import with_records
 from core.codes.kinematic import kinematic, nonlinear, sld
 from core.study.demand_input import demand_of
-from core.study.limit_states import demands_of, interpolated, zetas
+from core.study.limit_states import demands_of, interpolated, unsaid, zetas
 from core.units import G
 from tests.validation.test_loaded_walls import WALL
 
@@ -42,7 +43,6 @@ def test_that_the_hazard_is_linear_in_logarithms_between_its_rows():
         assert interpolated(rows, row.return_period_years).ag_g == pytest.approx(
             row.ag_g, rel=1e-12
         )
-    assert interpolated(rows, 10_000.0).ag_g == pytest.approx(0.45, rel=1e-12)
 
 
 def test_that_each_limit_state_has_its_return_period_and_its_own_check():
@@ -61,6 +61,24 @@ def test_that_each_limit_state_has_its_return_period_and_its_own_check():
     assert found[1].zeta == pytest.approx(
         nonlinear(kinematic(case.wall[0], "one_sided", asked), asked).zeta, rel=3e-3
     )
+
+
+def test_that_a_limit_state_outside_the_rows_has_none_and_is_said():
+    case = site(hazard=HAZARD[:2], nominal_life_years=50.0)
+    found = demands_of(case, Path())
+    assert list(found) == ["SLD", "SLV"]
+    (words,) = unsaid(demand_of(case, Path()), found)
+    assert "SLC" in words.text("en")
+    (words,) = unsaid(demand_of(case, Path()), {})
+    assert "V_N" in words.text("it")
+
+
+@pytest.mark.parametrize(
+    ("ag", "warned"), [(0.26, False), (0.265, False), (0.30, True), (0.10, True)]
+)
+def test_that_an_ag_that_contradicts_the_hazard_is_warned_of(ag, warned):
+    demand = with_records(demand_of(site(ag_g=ag), Path()), [])
+    assert ("hazard_disagrees" in {words.code for words in demand.warnings}) is warned
 
 
 @pytest.mark.parametrize("changes", [

@@ -29,6 +29,14 @@ def test_that_two_walls_of_one_name_are_compared_and_what_changed_is_named():
     assert written["before"]["zeta_e"] < written["after"]["zeta_e"]
 
 
+def test_that_a_variant_without_its_counterpart_is_said():
+    result = study.run(
+        parse_case({"wall": [BEFORE, {**AFTER, "name": "x"}], "demand": DEMAND}), base_dir=Path()
+    )
+    for wall in result.walls:
+        assert wall.warnings[0].code == "variant_alone"
+
+
 def test_that_hinges_are_compared_each_with_its_own():
     walls = [{**one, "hinge_heights": [1.0]} for one in (BEFORE, AFTER)]
     result = study.run(parse_case({"wall": walls, "demand": DEMAND}), base_dir=Path())

@@ -1,5 +1,6 @@
 """Loads a wall cannot have or carry are refused in one sentence."""
 
+import numpy as np
 import pytest
 
 from core.case.rules import parse_case
@@ -27,6 +28,8 @@ REFUSED = [
     ("collapse_too_far", ({**TIE, "kn_m": 40.0},), {}),
     ("return_walls_need_length", (), {"return_walls": ACROSS}),
     ("holds_one_side", (), {"return_walls": ACROSS, "length_m": 5.0, "mechanism": "two_sided"}),
+    ("return_walls_too_many", (), {"return_walls": {**ACROSS, "number": 11}, "length_m": 5.0}),
+    ("holds_one_side", (TIE,), {"mechanism": "both"}),
     ("holds_one_side", (), {"tie_height_m": 2.0, "mechanism": "two_sided"}),
 ]  # fmt: skip
 
@@ -76,6 +79,24 @@ def test_that_the_largest_tie_is_where_the_resultant_of_a_section_leaves_the_wal
         case_of(ROOF, {**TIE, "kn_m": 9.0})
     assert caught.value.values["most"] == pytest.approx(8.696, abs=0.01)
     assert largest_tie_share(strong) > 0.999
+
+
+def test_that_a_tie_does_not_push_a_wall_inward():
+    """Without the restraint behind, a tie slackens when the wall turns inward."""
+    _, bare = case_of(ROOF).wall[0].restoring()
+    _, tied = case_of(ROOF, TIE).wall[0].restoring()
+    assert tied == bare
+
+
+def test_that_sides_alike_but_for_rounding_are_alike():
+    random = np.random.default_rng(3)
+    for d in random.uniform(0.0, 0.45, 200):
+        pair = (
+            {**ROOF, "d_m": float(d), "kn_m": 3.0},
+            {**ROOF, "d_m": float(0.45 - d), "kn_m": 3.0},
+        )
+        outward, inward = case_of(*pair, mechanism="two_sided", law="doherty").wall[0].restoring()
+        assert outward == inward
 
 
 def test_that_the_strength_of_the_masonry_moves_hinge_and_largest_tie():
