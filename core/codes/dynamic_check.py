@@ -52,8 +52,8 @@ class DemandRun:
     """One record and sign at the demand.
 
     factor : multiplier of the record, scaling and an FC on the demand included
-    peak_ratio : largest rotation over alpha, None unless stable
-    exceeded : alpha was exceeded
+    peak_ratio : largest rotation over theta_c, None unless stable
+    exceeded : theta_c was exceeded
     """
 
     record: str

@@ -58,7 +58,7 @@ def sketch(book: Book, sheet, wall: WallResult, anchor: str) -> None:
 
 
 def peaks(book: Book, sheet, check, anchor: str, width: float, height: float) -> None:
-    """Peak rotation over alpha of each record at the demand, with lines at 0.40, 0.60 and 1.00."""
+    """Peak rotation over theta_c of each record at the demand, with lines at 0.40, 0.60 and 1.00."""
     say = book.say
     column = DATA + 8
     heads = [say("record"), "θmax/θc", "0.40", "0.60", "1.00"]
