@@ -114,7 +114,7 @@ class HistoriesTab(QWidget):
         self.marks = self.rotation.points(tr("impacts"), [], [], 1, 5)
         both_ways = wall.model.one_sided == 0.0
         for level in (-1.0, 1.0) if both_ways else (1.0,):
-            self.rotation.level(level, "α" if level > 0 else "−α", "bad")
+            self.rotation.level(level, "θc" if level > 0 else "−θc", "bad")
         self.cursors = [
             chart.level(0.0, "", "ink", vertical=True) for chart in (self.ground, self.rotation)
         ]
@@ -147,7 +147,7 @@ class HistoriesTab(QWidget):
         hits = self.history.impact_time[:2000]
         self.marks.setData(hits, np.zeros(hits.size))
         self.rotation.data = [
-            ("theta/alpha", self.times[: ratio.size], ratio),
+            ("theta/theta_c", self.times[: ratio.size], ratio),
             ("impacts", self.history.impact_time, np.zeros(self.history.impact_time.size)),
         ]
         outcome = named("overturned") if self.history.outcome == COLLAPSED else tr("stands")
