@@ -9,7 +9,7 @@ from core.jit.decorators import inner_kernel, subkernel
 from core.rocking.events import IMPACTS_PER_SAMPLE, LAST_ROTATION
 from core.units import G
 from core.wall.moment_rotation import potential
-from core.wall.rocking_model import seen_from
+from core.wall.rocking_model import seen_from, sides_differ
 
 MAX_BOUNCES = 20.0
 """More than the bounces of a dying chatter to its rest, times the velocity ratio's distance from 1: the
@@ -108,7 +108,7 @@ def chatter_ends(speed, scale, ahead, i, dt, time, impacts, peak, model, constan
     gain = 0.5 * model.p2 * abs(scale) * ahead[2, i] * (1.0 / G) * (flight * per_pull)
     loss = dt - model.ratio_at_rest * (dt + gain)
     return (
-        height * (1.0 + constants.excess + strongest * (1.0 / G)) <= 0.1 * free
+        height * (constants.strength + strongest * (1.0 / G)) <= 0.1 * free
         and height <= peak
         and flight * dt <= 0.999 * loss * time
         and loss * (IMPACTS_PER_SAMPLE - impacts) >= MAX_BOUNCES * dt
@@ -129,7 +129,7 @@ def settled(phi, speed, peak, push, model):
     energy = speed * speed + 2.0 * model.p2 * potential(phi, model)
     reach = math.sqrt(energy) + model.p2 / G * push
     allowed = potential(min(peak, top), model)
-    if model.one_sided == 0.0:
+    if sides_differ(model):
         other = seen_from(model, -1.0)
         top = other.slenderness + other.restoring.lean
         allowed = min(allowed, potential(min(peak, top), other))

@@ -12,7 +12,7 @@ from core.rocking.outcome import COLLAPSED, STABLE
 from core.units import G
 from core.wall.moment_rotation import potential, rotation_at_potential
 from core.wall.restitution import velocity_ratio
-from core.wall.rocking_model import seen_from
+from core.wall.rocking_model import seen_from, sides_differ
 
 REST_FRACTION = 1e-6
 """After an impact the block rests below this fraction of p alpha (1e-9 changes no history, no q)."""
@@ -154,4 +154,6 @@ def end_of_record(phi, speed, peak, model):
             return COLLAPSED, max(peak, top)
         if energy > 0.0:
             peak = max(peak, rotation_at_potential(energy, swing))
+        if not sides_differ(model):
+            break
     return STABLE, peak

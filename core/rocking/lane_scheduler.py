@@ -222,7 +222,12 @@ def make_lane_kernel(order):
         rest_below = REST_FRACTION * math.sqrt(model.p2) * model.slenderness
         loss = 1.0 - model.ratio_at_rest if thresholds[0] > 0.0 else 0.0
         fastest = (
-            0.5 * model.p2 * (model.slenderness + constants.excess) * loss * (LOOKAHEAD - 1) * dt
+            0.5
+            * model.p2
+            * (model.slenderness + (constants.strength - 1.0))
+            * loss
+            * (LOOKAHEAD - 1)
+            * dt
         )
         waiting = zero
         lanes = zero
@@ -255,7 +260,7 @@ def make_lane_kernel(order):
             if lanes == 0:
                 break
             lane_initial_terms(lanes, dt, model, constants, state)
-            lane_taylor_coefficients(lanes, order, state)
+            lane_taylor_coefficients(lanes, constants, order, state)
             if long > 0:
                 long = shorten_steps(lanes, dt, constants, order, state)
             vector_step(lanes, dt, constants, order, state)

@@ -76,6 +76,7 @@ from core.rocking.taylor_series import (
     taylor_coefficients,
 )
 from core.wall.moment_rotation import FAR, zone_of
+from core.wall.rocking_model import sides_differ
 
 MAX_HALVINGS = 4
 """Parts of a step that are taken by vector instructions: down to a sixteenth."""
@@ -119,7 +120,7 @@ def set_higher_terms(k, v, order, state):
 
 
 @subkernel
-def lane_taylor_coefficients(lanes, order, state):
+def lane_taylor_coefficients(lanes, constants, order, state):
     """The Taylor coefficients of each lane from its initial terms."""
     widest_vectors()
     for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
@@ -128,7 +129,7 @@ def lane_taylor_coefficients(lanes, order, state):
             state[RISE + k], state[STEP_P2 + k], state[FORCING + k],
         )  # fmt: skip
         v, growth = taylor_coefficients(
-            state[PHI + k], start, state[FACTOR + k], state[SLOPE + k], order
+            state[PHI + k], start, state[FACTOR + k], state[SLOPE + k], constants.strength, order
         )
         set_higher_terms(k, v, order, state)
         state[GROWTH + k] = growth
@@ -156,7 +157,7 @@ def shorten_steps(lanes, dt, constants, order, state):
     for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
         v, growth, p2 = series_of(k, order, state), state[GROWTH + k], state[STEP_P2 + k]
         rise, forcing, t = state[RISE + k], state[FORCING + k], state[TIME + k]
-        omitted = neglected(v, growth, forcing, rise, p2, order)
+        omitted = neglected(v, growth, forcing, rise, p2, constants.strength, order)
         branch = state[FACTOR + k], state[SLOPE + k], state[CONSTANT + k], state[HELD + k]
         tolerance = constants.tolerance
         relative = relative_tolerance(state[PHI + k], v[0], forcing, p2, branch, constants)
@@ -216,15 +217,17 @@ def vector_step(lanes, dt, constants, order, state):
         left = state[LEFT + k] - 1.0
         branch = state[FACTOR + k], state[SLOPE + k], state[CONSTANT + k], state[HELD + k]
         relative = relative_tolerance(x, v[0], forcing, p2, branch, constants)
-        omitted = neglected(v, growth, forcing, rise, p2, order)
+        omitted = neglected(v, growth, forcing, rise, p2, constants.strength, order)
         long = (omitted > min(tolerance, relative)) | (growth >= MAX_GROWTH)
         dphi = increment(v, 1.0)
         dv = change(v, 1.0)
         y = x + dphi
         upper = max(x, y)
-        push = largest_push(upper, forcing, p2, constants.sine, *branch[:3])
+        push = largest_push(upper, forcing, p2, constants, *branch[:3])
         reach = 0.125 * push
-        margin = turning_margin(v[0], dv, rise, forcing + state[SLOPE + k], p2, push)
+        margin = turning_margin(
+            v[0], dv, rise, forcing + state[SLOPE + k], p2, constants.strength, push
+        )
         after = v[0] + dv
         bend, bulges, stays = shape(v, x - low, dphi, dv, 1.0)
         near = (min(x, y) - low <= reach) & (min(v[0], after) <= margin)
@@ -308,10 +311,7 @@ def scatter_impact(k, j, model, state):
     if model.one_sided == 0.0:
         side = -state[SIDE + k]
         state[SIDE + k] = side
-        if (
-            model.restoring.lean != model.mirrored.lean
-            or model.restoring.sine != model.mirrored.sine
-        ):
+        if sides_differ(model):
             set_lane(k, side, 0.0, state[SPEED + k], zone_of(0.0, model), model, state)
     return True
 

@@ -89,11 +89,11 @@ def converged_step(state, ground0, ground1, t, dt, branch, model, constants, ord
         state.phi, state.speed, s, c, state.side, ground0, ground1, t, dt, (factor, slope, constant, held), model,
         constants,
     )  # fmt: skip
-    v, growth = taylor_coefficients(state.phi, start, factor, slope, order)
+    v, growth = taylor_coefficients(state.phi, start, factor, slope, constants.strength, order)
     relative = relative_tolerance(
         state.phi, start.speed, start.forcing, start.p2, (factor, slope, constant, held), constants
     )
-    tail = neglected(v, growth, start.forcing, start.rise, start.p2, order)
+    tail = neglected(v, growth, start.forcing, start.rise, start.p2, constants.strength, order)
     part = converged_part(tail, growth, order, constants.tolerance, relative)
     if part < 1.0:
         v, p2, rise = shortened(v, start.p2, start.rise, part)
@@ -114,10 +114,12 @@ def first_event(v, start, phi, branch, constants):
     dphi = increment(v, part)
     dv = change(v, part)
     push = largest_push(
-        max(phi, phi + dphi), start.forcing, start.p2, constants.sine, factor, slope, constant
+        max(phi, phi + dphi), start.forcing, start.p2, constants, factor, slope, constant
     )
     reach = 0.125 * push
-    margin = turning_margin(v[0], dv, start.rise, start.forcing + slope, start.p2, push)
+    margin = turning_margin(
+        v[0], dv, start.rise, start.forcing + slope, start.p2, constants.strength, push
+    )
     falls = min(phi, phi + dphi) - low <= reach and min(v[0], v[0] + dv) <= margin
     rises = high - max(phi, phi + dphi) <= reach and max(v[0], v[0] + dv) >= -margin
     crossing = -1.0

@@ -19,7 +19,7 @@ in a long step. Section 8 needs less than 8."""
 
 
 @inner_kernel
-def neglected(v, growth, forcing, rise, p2, order):
+def neglected(v, growth, forcing, rise, p2, strength, order):
     """Estimate of the first omitted term of the rotation at the end of a step [rad]. Its terms are moduli, so that it
     does not vanish by accident; measured against the remainder in resources/docs/physics.md, section 7.
 
@@ -30,16 +30,16 @@ def neglected(v, growth, forcing, rise, p2, order):
 
     v : v0..v8 [rad per step]
     growth : p2 (1 + |beta| + slope of the branch) + phi'^2, all times the step squared [-]
-    forcing, rise, p2 : as `turning_margin`; order : 6 or 8
+    forcing, rise, p2, strength : as `turning_margin`; order : 6 or 8
     """
     if order == 8:
         # twice the products of v_9 = P/9 ((beta k_8 - s_8) + dbeta k_7 ...), by absolute values
         squares = fma(abs(v[2]), abs(v[4]) * (1.0 / 15.0), v[3] * v[3] * (1.0 / 32.0))
         crossed = fma(abs(v[1]), abs(v[5]) * (1.0 / 12.0), abs(v[0]) * abs(v[6]) * (1.0 / 7.0))
         risen = fma(abs(v[1]), abs(v[4]) * (1.0 / 10.0), abs(v[2]) * abs(v[3]) * (1.0 / 12.0))
-        products = fma(1.0 + forcing, squares + crossed, abs(rise) * risen)
+        products = fma(strength + forcing, squares + crossed, abs(rise) * risen)
         return fma(p2 * (1.0 / 45.0), products, (abs(v[7]) + abs(v[8])) * (1.0 / 720.0) * growth)
-    products = fma(1.0 + forcing, fma(v[2], v[2], abs(v[1] * v[3])), abs(rise * v[1] * v[2]))
+    products = fma(strength + forcing, fma(v[2], v[2], abs(v[1] * v[3])), abs(rise * v[1] * v[2]))
     return fma(p2 * (1.0 / 42.0), products, (abs(v[5]) + abs(v[6])) * (1.0 / 336.0) * growth)
 
 
@@ -52,7 +52,7 @@ def relative_tolerance(x, speed, forcing, p2, branch, constants):
     """
     factor, slope, constant, _ = branch
     moment = fma(slope, x + abs(speed), fma(factor, constants.sine, constant))
-    return RELATIVE_TOLERANCE * p2 * ((forcing - constants.excess) + moment)
+    return RELATIVE_TOLERANCE * p2 * (forcing + moment)
 
 
 @subkernel
@@ -87,27 +87,28 @@ def shortened(v, p2, rise, part):
 
 
 @inner_kernel
-def largest_push(upper, forcing, p2, sine_alpha, factor, slope, constant):
+def largest_push(upper, forcing, p2, constants, factor, slope, constant):
     """Bound of |phi''| within a step on its branch [rad per step squared], after Eq. 1 (section 8).
 
-    On the sine branch the moment is at most sin(alpha) + phi, and phi exceeds its chord by at most
-    p2 (1 + forcing) / 8. On the others it is slope phi + constant; there phi exceeds its chord by at most an eighth
+    On the sine branch the moment is at most a (sin(alpha) + |c|/a + phi), and phi exceeds its chord by at most
+    p2 (strength + forcing) / 8. On the others it is slope phi + constant; there phi exceeds its chord by at most an
+    eighth
     of the bound, so that the bound is divided by 1 - p2 slope / 8, of which 1 + 0.2 p2 slope is more while
     p2 slope is below 3 (1.6 = 1 / (1 - 3/8), and the quotient is convex).
 
     upper : the larger rotation of its ends [rad]
-    forcing : bound of |u''|/g plus `WallConstants.excess` [-]
+    forcing : bound of |u''|/g [-]
     p2 : p^2 times the step squared [-]
-    sine_alpha : sin(alpha) [-]
+    constants : WallConstants
     factor, slope, constant : of the branch of the moment law [-]
     """
-    sine = factor * (fma(0.125 * p2, 1.0 + forcing, upper) + sine_alpha)
+    sine = factor * (fma(0.125 * p2, constants.strength + forcing, upper) + constants.sine_bound)
     moment = fma(slope, upper, constant + sine)
     return p2 * ((moment + forcing) * fma(0.2 * p2, slope, 1.0))
 
 
 @inner_kernel
-def turning_margin(speed, change, rise, forcing, p2, push):
+def turning_margin(speed, change, rise, forcing, p2, strength, push):
     """How far the speed [rad per step] can leave its chord within a step: 1/8 of the bound of its second
     derivative, after Eq. 1.
 
@@ -115,7 +116,8 @@ def turning_margin(speed, change, rise, forcing, p2, push):
     rise : of the forcing u''/g over the step [-]
     forcing : its bound plus the slope of the moment law [-]
     p2 : times the step squared [-]
+    strength : of WallConstants
     push : bound of the angular acceleration [rad per step squared]
     """
     fastest = max(abs(speed), abs(speed + change)) + push
-    return 0.125 * p2 * fma(fastest, 1.0 + forcing, abs(rise))
+    return 0.125 * p2 * fma(fastest, strength + forcing, abs(rise))

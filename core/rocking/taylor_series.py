@@ -26,7 +26,8 @@ class WallConstants(NamedTuple):
     thresholds : a_RM of both sides, see `uplift_thresholds` [m/s2]
     tangent, sine, cosine : of alpha [-]
     tolerance : of the omitted term of a step [rad], see `taylor_bounds.SERIES_TOLERANCE`
-    excess : what loads add at most to |beta| and to 1 in bounds of the equation, |c| + max(a - 1, 0); 0 without [-]
+    strength : bound of a and |c| together in bounds of the equation, 1 + |c| + max(a - 1, 0); 1 without loads [-]
+    sine_bound : sin(alpha) + |c|/a, of both sides the larger one; sin(alpha) without loads [-]
     collapse : the smaller theta_c of both sides [rad]
     """
 
@@ -35,7 +36,8 @@ class WallConstants(NamedTuple):
     sine: float
     cosine: float
     tolerance: float
-    excess: float
+    strength: float
+    sine_bound: float
     collapse: float
 
 
@@ -48,7 +50,7 @@ class InitialTerms(NamedTuple):
     beta : u''/g seen from the pivot, less the cosine factor of the branch of the moment law [-]
     rise : change of beta over the step [-]
     p2 : p^2 times the step squared [-]
-    forcing : largest |u''|/g of the sample, plus `WallConstants.excess` [-]
+    forcing : largest |u''|/g of the sample [-]
     """
 
     speed: float
@@ -69,14 +71,15 @@ def wall_constants(model, dt):
     one, other = model.restoring, model.mirrored
     return WallConstants(
         uplift_thresholds(model), math.tan(alpha), math.sin(alpha), math.cos(alpha), tolerance,
-        max(largest_excess(one), largest_excess(other)), alpha + model.lean,
+        max(largest_strength(one), largest_strength(other)),
+        math.sin(alpha) + max(abs(one.cosine) / one.sine, abs(other.cosine) / other.sine), alpha + model.lean,
     )  # fmt: skip
 
 
 @subkernel
-def largest_excess(restoring):
-    """|c| + max(a - 1, 0) of a RestoringMoment [-]."""
-    return abs(restoring.cosine) + max(restoring.sine - 1.0, 0.0)
+def largest_strength(restoring):
+    """max(a, 1) + |c| of a RestoringMoment [-]."""
+    return max(restoring.sine, 1.0) + abs(restoring.cosine)
 
 
 @inner_kernel
@@ -100,7 +103,7 @@ def initial_terms(x, speed, s, c, side, first, second, t, dt, branch, model, con
     jump = second - first
     beta = fma(pull, fma(jump, t, first), -held)
     rise = pull * jump * rest_of_sample
-    forcing = fma(max(abs(first), abs(second)), PER_G, constants.excess)
+    forcing = max(abs(first), abs(second)) * PER_G
     sine = fma(sine_alpha, c, -cosine_alpha * s)
     cosine = fma(cosine_alpha, c, sine_alpha * s)
     # factor sin(alpha - phi) - beta cos(alpha - phi), without its cancellation near uplift
@@ -159,12 +162,13 @@ def series(speed, net, sine, cosine, beta, rise, p2, factor, slope, order):
 
 
 @inner_kernel
-def taylor_coefficients(x, start, factor, slope, order):
+def taylor_coefficients(x, start, factor, slope, strength, order):
     """(v0..v8 of `series`, the square of the rate at which they can grow, see `taylor_bounds.neglected`).
 
     x : rotation at the start [rad]
     start : InitialTerms
     factor, slope : of the branch of the moment law [-]
+    strength : of WallConstants
     """
     v = series(
         start.speed, start.net, start.sine, start.cosine, start.beta, start.rise, start.p2, factor, slope, order
@@ -172,7 +176,7 @@ def taylor_coefficients(x, start, factor, slope, order):
     # at uplift phi'' is zero or outward; its rounding must not push the block down
     v1 = max(v[1], 0.0) if (x == 0.0) & (start.speed == 0.0) else v[1]
     v = (v[0], v1, v[2], v[3], v[4], v[5], v[6], v[7], v[8])
-    return v, fma(start.p2, 1.0 + start.forcing + slope, start.speed * start.speed)
+    return v, fma(start.p2, strength + start.forcing + slope, start.speed * start.speed)
 
 
 @inner_kernel

@@ -70,6 +70,15 @@ def seen_from(model, side):
     )  # fmt: skip
 
 
+@subkernel
+def sides_differ(model):
+    """Whether loads make it another wall for negative rotations."""
+    return (
+        model.restoring.sine != model.mirrored.sine
+        or model.restoring.cosine != model.mirrored.cosine
+    )
+
+
 def rocking_model(
     block: Block,
     one_sided: bool,
