@@ -91,10 +91,9 @@ def largest_push(upper, forcing, p2, constants, factor, slope, constant):
     """Bound of |phi''| within a step on its branch [rad per step squared], after Eq. 1 (section 8).
 
     On the sine branch the moment is at most a (sin(alpha) + |c|/a + phi), and phi exceeds its chord by at most
-    p2 (strength + forcing) / 8. On the others it is slope phi + constant; there phi exceeds its chord by at most an
-    eighth
-    of the bound, so that the bound is divided by 1 - p2 slope / 8, of which 1 + 0.2 p2 slope is more while
-    p2 slope is below 3 (1.6 = 1 / (1 - 3/8), and the quotient is convex).
+    p2 (strength + forcing) / 8. On the others it is slope phi + constant; there phi exceeds its chord by at most
+    an eighth of the bound, so that the bound is divided by 1 - p2 slope / 8, of which 1 + 0.2 p2 slope is more
+    while p2 slope is below 3 (1.6 = 1 / (1 - 3/8), and the quotient is convex).
 
     upper : the larger rotation of its ends [rad]
     forcing : bound of |u''|/g [-]
