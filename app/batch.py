@@ -17,6 +17,7 @@ from core.jit import cache
 from core.study.journal import Journal
 from core.study.results import StudyResult
 from core.study.run import run as run_study
+from core.text.sentence import word
 
 DONE, WITHOUT_NUMBER, CANCELLED = 0, 3, 130
 """Exit codes; 1 input or output error and 2 wrong usage are of __main__, 4 an internal error."""
@@ -113,24 +114,36 @@ def say(text: str) -> None:
         sys.stdout = None
 
 
+RULES = ("minimum", "too_few", "incomplete")
+"""Rules of a set whose words are the terminal's own."""
+
+
 def summary(result: StudyResult, folder: Path, stem: str) -> str:
     """What a terminal shows of a result: a line for each wall. With a demand its verdict, zeta and the check
     that decides; Eq. 9 stands in the files only."""
-    heads = [terminal(head) for head in ("wall", "mechanism", "rule", "q", "robust")]
-    width = min(48, max(24, *(len(wall.name) for wall in result.walls)))
-    lines = [f"{heads[0]:{width}} {{:10}} {{:10}} {{:>6}} {{:>7}}".format(*heads[1:])]
+    columns = ["wall", "mechanism", "rule", "q", "robust"]
     if result.demand:
-        heads = [terminal(head) for head in ("zeta", "verdict", "by")]
-        lines[0] += " {:>6}  {:16} {}".format(*heads)
+        columns += ["zeta", "verdict", "by"]
+    table = [[terminal(head) for head in columns]]
     for wall in result.walls:
-        line = (
-            f"{wall.name[:width]:{width}} {wall.mechanism:10} {wall.set_rule or '-':10} "
-            f"{_short(wall.q_set):>6} {_short(wall.q_robust_set):>7}"
-        )
+        row = [wall.name[:48], *map(_coded, (wall.mechanism, wall.set_rule)), _short(wall.q_set),
+               _short(wall.q_robust_set)]  # fmt: skip
         if wall.assessment:
             verdict = wall.assessment.verdict
-            line += f" {_short(verdict.zeta_e):>6}  {verdict.code:16} {verdict.governing or '-'}"
-        lines.append(line)
+            row += [_short(verdict.zeta_e), _coded(verdict.code), _coded(verdict.governing)]
+        table.append(row)
+    least = (24, 10, 10, 6, 7, 6, 16, 0)
+    widths = [
+        max(wide, *(len(row[k]) if k < len(row) else 0 for row in table))
+        for k, wide in enumerate(least[: len(columns)])
+    ]
+    lines = [
+        " ".join(
+            f"{cell:>{wide}}" if k in (3, 4, 5) else f"{cell:{wide}}"
+            for k, (cell, wide) in enumerate(zip(row, widths, strict=False))
+        ).rstrip()
+        for row in table
+    ]
     runs = [run for wall in result.walls for run in wall.runs]
     analyses = sum(run.ida.analyses for run in runs)
     lines.append(
@@ -143,6 +156,13 @@ def summary(result: StudyResult, folder: Path, stem: str) -> str:
     )
     lines.append(f"{folder / (stem + '.xlsx')}\n{folder / (stem + '.json')}")
     return "\n".join(lines)
+
+
+def _coded(code: str | None) -> str:
+    """A code of the results; in words where the terminal speaks another language than the codes."""
+    if code is None or current_language() == "en":
+        return code or "-"
+    return terminal(code) if code in RULES else word(code, current_language())
 
 
 def _short(value: float | None) -> str:

@@ -5,8 +5,12 @@ from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from app import theme
+from app.language import tr
 from app.plots.check_tab import verdict_color
 from core.text.sentence import word
+
+LISTED = 40
+"""Walls whose verdicts are written beside the tabs; all stand on the tab Walls."""
 
 
 class Veil(QWidget):
@@ -56,7 +60,7 @@ class Page(QWidget):
 def card(result, language: str) -> str:
     """The verdicts of a result as rich text."""
     lines = []
-    for wall in result.walls[:40]:
+    for wall in result.walls[:LISTED]:
         if wall.assessment is None:
             lines.append(f"<b>{_plain(wall.name)}</b>: q {wall.q_set or 0:.2f}")
             continue
@@ -67,6 +71,8 @@ def card(result, language: str) -> str:
             f"<span style='color:{verdict_color(result, wall)}; font-weight:600'>ζ {zeta}, "
             f"{word(verdict.code, language)}</span><br>{verdict.text(language)}"
         )
+    if len(result.walls) > LISTED:
+        lines.append(tr("{n} more walls on the tab Walls", n=len(result.walls) - LISTED))
     return "<p>" + "</p><p>".join(lines) + "</p>"
 
 

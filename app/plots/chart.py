@@ -23,7 +23,7 @@ from PySide6.QtWidgets import (
 
 from app import theme
 from app.files import path_to_write
-from app.language import described, tr
+from app.language import current_language, described, tr
 from app.plots.table import plain_cell
 from core import atomic_write
 from core.errors import OutputError
@@ -32,6 +32,13 @@ from core.errors import OutputError
 def numbers(values) -> np.ndarray:
     """A contiguous float64 array of one dimension: anything else can crash the drawing."""
     return np.ascontiguousarray(np.asarray(values, dtype=np.float64).ravel())
+
+
+def written(value: float, comma: bool) -> str:
+    """A number as a spreadsheet of the language reads it; nothing where there is none."""
+    if not math.isfinite(value):
+        return ""
+    return repr(value).replace(".", ",") if comma else repr(value)
 
 
 class Chart(QWidget):
@@ -92,7 +99,7 @@ class Chart(QWidget):
         for item, *_ in self.items:
             self.plot.removeItem(item)
         self.legend.clear()
-        self.items, self.data, self.recolors = [], [], []
+        self.items, self.data, self.recolors, self.names = [], [], [], []
 
     def curve(self, name, x, y, color=0, width=1.6, dash=False, legend=True, path=False):
         """A line; its data goes into the CSV. path : x may go back and forth."""
@@ -106,22 +113,25 @@ class Chart(QWidget):
         self.data.append((name, x, y))
         return item
 
-    def points(self, name: str, x, y, color=0, size=8, legend=True, symbol="o") -> pg.PlotDataItem:
-        """Marks without a line."""
+    def points(
+        self, name: str, x, y, color=0, size=8, legend=True, symbol="o", values=None
+    ) -> pg.PlotDataItem:
+        """Marks without a line. values : what the CSV holds in the place of y, no number where there is none."""
         x, y = numbers(x), numbers(y)
         item = pg.PlotDataItem(
             x, y, pen=None, symbol=symbol, symbolSize=size, name=name if legend else None
         )
         self.plot.addItem(item)
         self._keep(item, color, 1.0, False, True)
-        self.data.append((name, x, y))
+        self.data.append((name, x, y if values is None else numbers(values)))
         return item
 
-    def bars(self, name: str, x, heights, color=0, width=0.7) -> None:
+    def bars(self, name: str, x, heights, color=0, width=0.7, values=None) -> None:
+        """Bars; values : as of `points`."""
         item = pg.BarGraphItem(x=numbers(x), height=numbers(heights), width=width)
         self.plot.addItem(item)
         self._keep(item, color, 1.0, False, True)
-        self.data.append((name, numbers(x), numbers(heights)))
+        self.data.append((name, numbers(x), numbers(heights if values is None else values)))
 
     def level(self, value: float, label: str = "", color="quiet", vertical=False, place=None):
         """A line across the chart with a label; place : of the label along it, 0 to 1."""
@@ -274,14 +284,16 @@ class Chart(QWidget):
         """The file .png, .svg or .csv."""
         if end == ".csv":
             text = io.StringIO(newline="")
-            writer = csv.writer(text)
-            writer.writerow(["curve", *self.labels])
+            italian = current_language() == "it"
+            writer = csv.writer(text, delimiter=";" if italian else ",")
+            writer.writerow([tr("curve"), *self.labels])
             for name, xs, ys in self.data:
                 label = plain_cell(name)
-                writer.writerows(
-                    (label, x, y) for x, y in zip(xs.tolist(), ys.tolist(), strict=True)
-                )
-            return text.getvalue().encode()
+                for x, y in zip(xs.tolist(), ys.tolist(), strict=True):
+                    place = plain_cell(self.names[int(x)]) if self.names else written(x, italian)
+                    writer.writerow((label, place, written(y, italian)))
+            # a spreadsheet of Italy takes bytes without a mark for those of Windows
+            return text.getvalue().encode("utf-8-sig" if italian else "utf-8")
         room = QBuffer()
         room.open(QIODevice.OpenModeFlag.WriteOnly)
         if end == ".svg":

@@ -180,16 +180,23 @@ class CheckTab(QWidget):
 
     def _bars(self, check) -> None:
         top = 1.2
-        heights = [
-            top if run.peak_ratio is None else min(run.peak_ratio, top) for run in check.runs
-        ]
-        places = np.arange(len(heights), dtype=float)
-        stands = [h for h, run in zip(heights, check.runs, strict=True) if not run.exceeded]
-        at = [x for x, run in zip(places, check.runs, strict=True) if not run.exceeded]
-        falls = [x for x, run in zip(places, check.runs, strict=True) if run.exceeded]
-        self.peaks.bars(tr("within θc"), at, stands, 0)
-        self.peaks.bars(tr("exceeds θc or overturns"), falls,
-                        [h for h, run in zip(heights, check.runs, strict=True) if run.exceeded], 1)  # fmt: skip
+        values = np.array(
+            [np.nan if run.peak_ratio is None else run.peak_ratio for run in check.runs]
+        )
+        drawn = np.minimum(np.nan_to_num(values, nan=top), top)  # to the edge: no number of its own
+        places, exceeds = (
+            np.arange(values.size, dtype=float),
+            np.array([run.exceeded for run in check.runs]),
+        )
+        for chosen, name, color in (
+            (~exceeds, tr("within θc"), 0), (exceeds, tr("exceeds θc or overturns"), 1),
+        ):  # fmt: skip
+            self.peaks.bars(name, places[chosen], drawn[chosen], color, values=values[chosen])
+        if check.set_rule == "mean" and check.mean_peak_ratio is not None:
+            mean = check.mean_peak_ratio
+            self.peaks.level(
+                mean, tr("mean {value:.2f}, which decides", value=mean), "ink", place=0.6
+            )
         for fraction, label in ((0.40, "0.40 SLV"), (0.60, "0.60 SLC"), (1.00, "1.00 θc")):
             wanted = LIMIT_FRACTION.get(check.limit_state) == fraction
             self.peaks.level(fraction, label, "bad" if wanted or fraction == 1.0 else "quiet")

@@ -142,7 +142,7 @@ class HistoriesTab(QWidget):
         scale = self.run.polarity * multiplier_of(self.q, self.motion.pga, threshold_of(wall.model))
         ground, dt = self.motion.acceleration, self.motion.time_step
         self.history = history(ground, dt, scale, wall.model, result.method)
-        ratio = np.clip(self.history.rotation / wall.model.collapse_rotation, -3.0, 3.0)
+        ratio = self.history.rotation / wall.model.collapse_rotation
         self.curve.setData(self.times[: ratio.size], ratio)
         hits = self.history.impact_time[:2000]
         self.marks.setData(hits, np.zeros(hits.size))
@@ -150,9 +150,13 @@ class HistoriesTab(QWidget):
             ("theta/theta_c", self.times[: ratio.size], ratio),
             ("impacts", self.history.impact_time, np.zeros(self.history.impact_time.size)),
         ]
-        outcome = named("overturned") if self.history.outcome == COLLAPSED else tr("stands")
-        self.words.setText(f"C {abs(scale):.3f}   q {self.q:.3f}   {outcome}   "
-                           f"θmax/θc {min(self.history.peak / wall.model.collapse_rotation, 9.99):.2f}")  # fmt: skip
+        if self.history.outcome == COLLAPSED:  # its largest rotation is where the analysis ended
+            outcome = named("overturned")
+        else:
+            outcome = (
+                f"{tr('stands')}   θmax/θc {self.history.peak / wall.model.collapse_rotation:.2f}"
+            )
+        self.words.setText(f"C {abs(scale):.3f}   q {self.q:.3f}   {outcome}")
         self.set_time(self.cursors[0].value())
 
     def set_time(self, time: float) -> None:

@@ -105,7 +105,9 @@ class CapacityTab(QWidget):
         ratio = np.where(outcomes == COLLAPSED, np.nan, peaks / wall.model.collapse_rotation)
         fell = q[outcomes == COLLAPSED]
         self.peaks.curve(run.record, q, ratio, 0)
-        self.peaks.points(named("overturned"), fell, np.full(fell.size, 1.25), 1, 4)
+        edge = np.full(fell.size, 1.25)  # at the upper edge: no number of theirs
+        none = np.full(fell.size, np.nan)
+        self.peaks.points(named("overturned"), fell, edge, 1, 4, values=none)
         for level, label in ((0.40, "0.40"), (0.60, "0.60"), (1.0, "θc")):
             self.peaks.level(level, label)
         if run.ida.q:

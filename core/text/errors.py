@@ -220,13 +220,13 @@ CASE_ERRORS = {
     "eq4_negative": (
         "Eq. 4 gives a negative velocity ratio ({ratio:.3g}) for slenderness {alpha:.2f} deg: the block is "
         "too stocky to rock; give {velocity_ratio} instead",
-        "l'Eq. 4 dà un rapporto di velocità negativo ({ratio:.3g}) per una snellezza di {alpha:.2f} gradi: il "
+        "l'Eq. 4 dà un coefficiente di restituzione negativo ({ratio:.3g}) per una snellezza di {alpha:.2f} gradi: il "
         "blocco è troppo tozzo per oscillare; dare {velocity_ratio}",
     ),
     "eq7_above_one": (
         "Eq. 7 gives a velocity ratio of {ratio:.3g} at vanishing speed, above 1: it was fitted on "
         "rectangular walls; take {one_sided_theoretical} or give {velocity_ratio}",
-        "l'Eq. 7 dà un rapporto di velocità di {ratio:.3g} a velocità nulla, oltre 1: è tarata su pareti "
+        "l'Eq. 7 dà un coefficiente di restituzione di {ratio:.3g} a velocità nulla, oltre 1: è tarata su pareti "
         "rettangolari; prendere {one_sided_theoretical} o dare {velocity_ratio}",
     ),
     "not_accepted": (

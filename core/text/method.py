@@ -5,7 +5,7 @@ METHOD_LABELS = {
     "equations": ("Equations used", "Equazioni usate"),
     "misprints": ("Misprints of the paper handled", "Refusi dell'articolo trattati"),
     "q": ("q and its search", "q e la sua ricerca"),
-    "set": ("Set of records, sign", "Insieme dei record, segno"),
+    "set": ("Set of records, sign", "Insieme degli accelerogrammi, segno"),
     "outcomes": ("Words of an outcome", "Parole degli esiti"),
     "range": ("Range of Eq. 15 and 16", "Campo delle Eq. 15 e 16"),
     "circolare": ("Checks of the Circolare 7/2019", "Verifiche della Circolare 7/2019"),
@@ -29,7 +29,7 @@ METHOD_BODIES = {
         "Eq. 2 a_RM = g tan(alpha); Eq. 3-7 velocity ratio of an impact; Eq. 8 overturning velocity; Fig. 3 "
         "trilinear law; Eq. 9 a_RM >= S a_g / q; Eq. 10 q = C PGA / a_RM; Eq. 11 Housner intensity; Eq. 12 "
         "q_eff = q g / (a_g S); Eq. 13 q_eff = C1 SI^C2; Eq. 15, 16.",
-        "Eq. 2 a_RM = g tan(alpha); Eq. 3-7 rapporto di velocità all'urto; Eq. 8 velocità di ribaltamento; "
+        "Eq. 2 a_RM = g tan(alpha); Eq. 3-7 coefficiente di restituzione all'urto; Eq. 8 velocità di ribaltamento; "
         "Fig. 3 legge trilineare; Eq. 9 a_RM >= S a_g / q; Eq. 10 q = C PGA / a_RM; Eq. 11 intensità di "
         "Housner; Eq. 12 q_eff = q g / (a_g S); Eq. 13 q_eff = C1 SI^C2; Eq. 15, 16.",
     ),
@@ -49,15 +49,15 @@ METHOD_BODIES = {
         "q_robust is the smallest grid q whose neighbourhood of +-10 % (default) holds 16 % of collapsing "
         "points: it hardly depends on the step, and can lie above or below q.",
         "Il collasso non è monotono nel moltiplicatore: una parete può sopravvivere a una scala maggiore "
-        "dello stesso record. q è quindi il primo collasso su una griglia geometrica, con bisezione, e si dà "
+        "dello stesso accelerogramma. q è quindi il primo collasso su una griglia geometrica, con bisezione, e si dà "
         "col passo della griglia. q_robust è il minimo q di griglia il cui intorno di +-10 % (predefinito) "
         "contiene il 16 % di punti di collasso: dipende poco dal passo e può essere maggiore o minore di q.",
     ),
     "set": (
         "7 or more records with a number: mean; 3 to 6: minimum; fewer: minimum, flagged. A one-sided wall is "
         "analysed with both signs of each record and the lower governs.",
-        "7 o più record con un valore: media; da 3 a 6: minimo; meno: minimo, segnalato. La parete su un lato "
-        "si analizza con entrambi i segni di ogni record e governa il minore.",
+        "7 o più accelerogrammi con un valore: media; da 3 a 6: minimo; meno: minimo, segnalato. La parete su un lato "
+        "si analizza con entrambi i segni di ogni accelerogramma e governa il minore.",
     ),
     "outcomes": (
         "collapse found: q is a number. No collapse found: none up to q_limit, left out of the set and "

@@ -13,7 +13,7 @@ SENTENCES = {
         "The samples have a mean of {mean:.3g} g and leave a velocity of {velocity:.2g} m/s: an offset of the "
         "baseline, which pushes the wall to one side. Correct the record.",
         "I campioni hanno media {mean:.3g} g e lasciano una velocità di {velocity:.2g} m/s: uno scostamento "
-        "della linea di base, che spinge la parete da un lato. Correggere il record.",
+        "della linea di base, che spinge la parete da un lato. Correggere l'accelerogramma.",
     ),
     "below_floor": (
         "{n} run(s) fail below q {floor:g}, where the search ends: q, q SLV or q SLC of these is an upper limit.",
@@ -85,7 +85,7 @@ SENTENCES = {
     ),
     "weaker_records": (
         "The records as given have a mean PGA of {share:.0%} of a_g S: the dynamic check is not at the demand.",
-        "I record così come dati hanno PGA media pari al {share:.0%} di a_g S: la verifica dinamica non è "
+        "Gli accelerogrammi così come dati hanno PGA media pari al {share:.0%} di a_g S: la verifica dinamica non è "
         "alla domanda.",
     ),
     "partial_last_line": (
@@ -112,7 +112,7 @@ SENTENCES = {
     "scaled": ("Scaled by {scale:g} as asked.", "Scalato per {scale:g} come richiesto."),
     "scaled_far": (
         "Scaled by {scale:g} as asked: beyond 3 a record stands for an earthquake it was not.",
-        "Scalato per {scale:g} come richiesto: oltre 3 il record rappresenta un terremoto che non era.",
+        "Scalato per {scale:g} come richiesto: oltre 3 l'accelerogramma rappresenta un terremoto che non era.",
     ),
     "costa_above_housner": (
         "costa_upper: 0.98 exceeds Eq. 4 above alpha 6.63 deg (here {alpha:.2f}).",
@@ -170,11 +170,11 @@ SENTENCES = {
     "si_from_records": (
         "SI of the demand {si:.1f} cm is the mean of the records scaled to a_g S: from the records, not "
         "independent of them.",
-        "SI della domanda {si:.1f} cm: media dei record scalati ad a_g S, non indipendente da essi.",
+        "SI della domanda {si:.1f} cm: media degli accelerogrammi scalati ad a_g S, non indipendente da essi.",
     ),
     "too_few": (
         "{n} record(s) with a number: the minimum is taken, too few for a design value.",
-        "{n} record con un valore: si assume il minimo, troppo pochi per un valore di progetto.",
+        "{n} accelerogrammi con un valore: si assume il minimo, troppo pochi per un valore di progetto.",
     ),
     "coarse_window": (
         "q_step is coarse for the robust window ({n} points on either side): one collapsing point decides "
@@ -184,11 +184,11 @@ SENTENCES = {
     ),
     "no_numbers": (
         "No record gives a number: the set has no value.",
-        "Nessun record dà un valore: l'insieme non ha un valore.",
+        "Nessun accelerogramma dà un valore: l'insieme non ha un valore.",
     ),
     "nearly_elastic": (
         "Velocity ratio {ratio:.3f}: impacts hardly dissipate, far from any measured wall.",
-        "Rapporto di velocità {ratio:.3f}: gli urti quasi non dissipano, lontano da ogni misura.",
+        "Coefficiente di restituzione {ratio:.3f}: gli urti quasi non dissipano, lontano da ogni misura.",
     ),
     "no_collapse": (
         "{n} run(s) without collapse up to q = {limit:g}: left out of the set and counted.",
@@ -204,7 +204,7 @@ SENTENCES = {
     ),
     "clamped": (
         "Eq. 7 gave a negative velocity ratio {n} times in all analyses and was held at 0.",
-        "L'Eq. 7 ha dato un rapporto di velocità negativo {n} volte ed è stata posta a 0.",
+        "L'Eq. 7 ha dato un coefficiente di restituzione negativo {n} volte ed è stata posta a 0.",
     ),
     "only_robust": (
         "The check passes on q_robust alone: first collapse does not pass.",
@@ -220,7 +220,7 @@ SENTENCES = {
     ),
     "pga_too_small": (
         "{n} record(s) must be scaled by more than 10 to reach collapse.",
-        "{n} record devono essere scalati oltre 10 volte per raggiungere il collasso.",
+        "{n} accelerogrammi devono essere scalati oltre 10 volte per raggiungere il collasso.",
     ),
 }
 """Code -> (English, Italian)."""

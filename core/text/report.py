@@ -60,17 +60,17 @@ REPORT = {
         "tables of records each pair stands side by side."
     ): (
         "La colonna C è una formula viva di questo foglio, la colonna D il valore del programma: devono "
-        "coincidere. Nelle tabelle dei record ogni coppia è affiancata."
+        "coincidere. Nelle tabelle degli accelerogrammi ogni coppia è affiancata."
     ),
     "Demand": "Domanda",
     "a_g on rock": "a_g su suolo rigido",
     "q of the code": "q di norma",
-    "velocity ratio e": "rapporto di velocità e",
+    "velocity ratio e": "coefficiente di restituzione e",
     "no number": "nessun valore",
     "No demand given: no check.": "Nessuna domanda assegnata: nessuna verifica.",
     "equivalent": "equivalente",
     "hinge setback u": "arretramento cerniera u",
-    "Record (governing sign)": "Record (segno governante)",
+    "Record (governing sign)": "Accelerogramma (segno governante)",
     "Scale C": "Scala C",
     "program": "programma",
     "q of Eq. 15/16": "q delle Eq. 15/16",
@@ -168,7 +168,7 @@ REPORT = {
         "Non mostrata: richiede accelerogrammi e uno spettro ([demand.spectrum] o spectrum_file)."
     ),
     "Rule": "Regola",
-    "Clause": "Clausola",
+    "Clause": "Paragrafo",
     "Value": "Valore",
     "Limit": "Limite",
     "Unit": "Unità",
@@ -211,7 +211,7 @@ REPORT = {
         "16 digits of the file's hash; the whole one is in the JSON."
     ): (
         "SI: integrale della pseudo-velocità al 5 % da 0.1 a 2.5 s (Eq. 11), non diviso per 2.4. PGV e PGD "
-        "senza correzione della linea di base: senza significato per record non corretti. Nessun taglio o "
+        "senza correzione della linea di base: senza significato per accelerogrammi non corretti. Nessun taglio o "
         "ricampionamento. SHA-256: prime 16 cifre; per intero nel JSON."
     ),
     "Incremental dynamic analysis: grid step {step:g} %, method {method_words}": (
@@ -241,7 +241,7 @@ REPORT = {
     "Date": "Data",
     "Magnitude": "Magnitudo",
     "Distance": "Distanza",
-    "Soil": "Suolo",
+    "Soil": "Categoria di sottosuolo",
     "Filter": "Filtro",
     "Sign": "Segno",
     "bracket low": "da",
@@ -255,7 +255,7 @@ REPORT = {
     "Eq. 7 clamped": "Eq. 7 limitata",
     "Case SHA-256": "SHA-256 del caso",
     "Search": "Ricerca",
-    "Sign of the records": "Segno dei record",
+    "Sign of the records": "Segno degli accelerogrammi",
     "Error of the solver": "Errore del risolutore",
     (
         "q by dormand_prince: {_digits} against {q:.4f}, difference {_percent}; history against DOP853 of scipy "
@@ -287,7 +287,7 @@ REPORT = {
         "q (Coccia, Di Carlo, Imperatore 2016) e verifiche della Circolare 7/2019, C8.7.1.2.1"
     ),
     "Overview of the walls": "Riepilogo delle pareti",
-    "record": "record",
+    "record": "accelerogramma",
     "Warnings": "Avvertenze",
     "Assumptions confirmed by the engineer": "Ipotesi confermate dal progettista",
     "Reasoned judgement on the results (NTC 2018 10.2)": (
@@ -317,7 +317,7 @@ REPORT = {
     "Seismic site": "Sito sismico",
     "given": "assegnata",
     "of the spectrum": "dello spettro",
-    "from the records": "dai record",
+    "from the records": "dagli accelerogrammi",
     "Eq. 9, without e* and FC": "Eq. 9, senza e* e FC",
 }
 """English -> Italian."""

@@ -1,6 +1,9 @@
 """What a terminal shows."""
 
 TERMINAL = {
+    "minimum": "minimo",
+    "too_few": "minimo, troppo pochi",
+    "incomplete": "incompleto",
     "refused: {error}": "rifiutato: {error}",
     (
         "{path}: {format}, {samples} samples every {step:g} s, unit {unit}, PGA {pga:.4f} g, PGV {pgv:.2f} cm/s, "

@@ -61,7 +61,7 @@ WINDOW = {
     "&Paste walls": "&Incolla pareti",
     "&Run": "E&segui",
     "&Cancel": "&Interrompi",
-    "&View": "&Vista",
+    "&View": "&Visualizza",
     "Theme": "Tema",
     "light": "chiaro",
     "dark": "scuro",
@@ -122,14 +122,14 @@ WINDOW = {
     "no spectrum, S given": "nessuno spettro, S assegnato",
     "spectrum of a file": "spettro da file",
     "Intensity SI": "Intensità SI",
-    "Soil": "Suolo",
-    "Topography": "Topografia",
+    "Soil": "Categoria di sottosuolo",
+    "Topography": "Categoria topografica",
     "Type": "Tipo",
     "Choose file…": "Scegli file…",
     "1.35 where the compressive strength is not in α; lower with a hinge setback": (
         "1.35 se la resistenza a compressione non entra in α; minore con cerniera arretrata"
     ),
-    "Records at the demand": "Record alla domanda",
+    "Records at the demand": "Accelerogrammi alla domanda",
     "as given": "come dati",
     "scaled to PGA = a_g S": "scalati a PGA = a_g S",
     "ζ required": "ζ richiesto",
@@ -142,12 +142,12 @@ WINDOW = {
     "automatic": "automatico",
     "Step of the search": "Passo della ricerca",
     "Largest q": "q massimo",
-    "Map up to times q": "Mappa fino a volte q",
+    "Map up to times q": "Estensione della mappa (× q)",
     "Robust window": "Finestra robusta",
-    "Sign of the records": "Segno dei record",
+    "Sign of the records": "Segno degli accelerogrammi",
     "as recorded": "come registrato",
     "reversed": "invertito",
-    "State the accuracy": "Dichiara l'accuratezza",
+    "State the accuracy": "Valuta l'accuratezza",
     "Seconds a wall: error of the solver and spread of q in the report": (
         "Secondi per parete: errore del risolutore e dispersione di q nella relazione"
     ),
@@ -171,7 +171,7 @@ WINDOW = {
         "Le scelte valgono per i file selezionati; quelli non leggibili sono esclusi."
     ),
     "Use": "Usa",
-    "Record": "Record",
+    "Record": "Accelerogramma",
     "D5-95 [s]": "D5-95 [s]",
     "Sign": "Segno",
     "Format": "Formato",
@@ -181,11 +181,11 @@ WINDOW = {
     "Generate…": "Genera…",
     "Seven motions compatible with the spectrum": "Sette moti compatibili con lo spettro",
     "Reverse": "Inverti",
-    "Change the sign of the selected records": "Cambia il segno dei record selezionati",
+    "Change the sign of the selected records": "Cambia il segno degli accelerogrammi selezionati",
     "Remove": "Togli",
-    "Remove the selected records": "Togli i record selezionati",
+    "Remove the selected records": "Togli gli accelerogrammi selezionati",
     "{n} records in use. Drop accelerograms or folders here.": (
-        "{n} record in uso. Trascinare qui accelerogrammi o cartelle."
+        "{n} accelerogrammi in uso. Trascinare qui accelerogrammi o cartelle."
     ),
     "Choose a spectrum on the sheet Demand first.": "Scegliere prima uno spettro nella scheda Domanda.",
     "default of the mechanism": "predefinito del meccanismo",
@@ -193,7 +193,7 @@ WINDOW = {
     "Costa, upper bound": "Costa, limite superiore",
     "one-sided, theoretical (Eq. 6)": "un lato, teorico (Eq. 6)",
     "one-sided, experimental (Eq. 7)": "un lato, sperimentale (Eq. 7)",
-    "given velocity ratio": "rapporto di velocità dato",
+    "given velocity ratio": "coefficiente di restituzione dato",
     "Name": "Nome",
     "Height H": "Altezza H",
     "Thickness t": "Spessore t",
@@ -216,7 +216,7 @@ WINDOW = {
     "Notes": "Note",
     "No load from floors or roof": "Nessun carico da solai o tetto",
     "Model": "Modello",
-    "Velocity ratio e": "Rapporto di velocità e",
+    "Velocity ratio e": "Coefficiente di restituzione e",
     "rigid": "rigida",
     "own D1, D2": "D1, D2 propri",
     "Moment-rotation law": "Legge momento-rotazione",
@@ -256,7 +256,7 @@ WINDOW = {
     "Save as SVG": "Salva come SVG",
     "Save the data as CSV": "Salva i dati come CSV",
     "Save the chart": "Salva il grafico",
-    "Multiplier of the record": "Moltiplicatore del record",
+    "Multiplier of the record": "Moltiplicatore dell'accelerogramma",
     "Play": "Anima",
     "Ground motion": "Moto del suolo",
     "Rotation": "Rotazione",
@@ -291,11 +291,11 @@ WINDOW = {
     "impacts": "urti",
     "stands": "resiste",
     "State the accuracy for this wall (some seconds)": (
-        "Dichiara l'accuratezza per questa parete (alcuni secondi)"
+        "Valuta l'accuratezza per questa parete (alcuni secondi)"
     ),
     "Error of the solver and spread of q by definition, for this wall and its governing record.": (
-        "Errore del risolutore e dispersione di q per definizione, per questa parete e il suo record "
-        "governante."
+        "Errore del risolutore e dispersione di q per definizione, per questa parete e il suo "
+        "accelerogramma più gravoso."
     ),
     "time per history [ms]": "tempo per storia [ms]",
     "error / α [-]": "errore / α [-]",
@@ -311,13 +311,13 @@ WINDOW = {
         "Definition: by the step of the search q spreads {q}, q robust {robust}; by rounding the record to five "
         "figures {rounded} and {rounded_robust}."
     ): (
-        "Definizione: con il passo della ricerca q varia del {q}, q robusto del {robust}; arrotondando il "
-        "record a cinque cifre del {rounded} e {rounded_robust}."
+        "Definizione: con il passo della ricerca q varia del {q}, q robusto del {robust}; arrotondando "
+        "l'accelerogramma a cinque cifre del {rounded} e {rounded_robust}."
     ),
     "Checks": "Verifiche",
-    "Clause": "Clausola",
+    "Clause": "Paragrafo",
     "Outcome": "Esito",
-    "record": "record",
+    "record": "accelerogramma",
     "Peaks at the demand": "Massimi alla domanda",
     "No demand: no check. q of the wall: {q}": "Nessuna domanda: nessuna verifica. q della parete: {q}",
     "Should the restraint behind fail: ζ {zeta}": "Se il vincolo posteriore cede: ζ {zeta}",
@@ -333,14 +333,14 @@ WINDOW = {
     "Not drawn above the ground, where Eq. 15 and 16 do not hold.": (
         "Non disegnato sopra il suolo, dove le Eq. 15 e 16 non valgono."
     ),
-    "No record with a q.": "Nessun record con un q.",
+    "No record with a q.": "Nessun accelerogramma con un q.",
     "time histories": "storie temporali",
     "set: q {q}, q robust {robust}": "insieme: q {q}, q robusto {robust}",
     "Compatibility": "Compatibilità",
     "Rule": "Regola",
     "Value": "Valore",
     "Limit": "Limite",
-    "mean of the records": "media dei record",
+    "mean of the records": "media degli accelerogrammi",
     "target: {name}": "spettro: {name}",
     "SI is the area under the pseudo-velocity from 0.1 to 2.5 s (shaded).": (
         "SI è l'area sotto la pseudo-velocità da 0.1 a 2.5 s (in grigio)."

@@ -76,7 +76,7 @@ KEYS = {
     "key_radius_m": ("radius", "raggio"),
     "key_inertia_over_mass_m2": ("inertia", "inerzia"),
     "key_restitution": ("restitution", "restituzione"),
-    "key_velocity_ratio": ("velocity ratio", "rapporto di velocità"),
+    "key_velocity_ratio": ("velocity ratio", "coefficiente di restituzione"),
     "key_law": ("moment law", "legge del momento"),
     "key_hinge_heights": ("hinges", "cerniere"),
     "key_hinge_setback_m": ("hinge setback", "arretramento della cerniera"),

@@ -13,7 +13,7 @@ from PySide6.QtCore import QByteArray, QPointF
 from PySide6.QtGui import QColor, QImage, QPainter
 from PySide6.QtSvg import QSvgRenderer
 
-from app import theme
+from app import language, theme
 from app.plots.chart import Chart
 from app.plots.table import Table, plain_cell
 from core.errors import OutputError
@@ -159,3 +159,53 @@ def test_that_an_image_is_recoloured_in_the_light_file(chart):
     chart.add(pg.ImageItem(np.zeros((2, 2))), seen.append)
     chart.content(".png")
     assert seen == [theme.current, theme.LIGHT, theme.current]
+
+
+def rows_of(chart) -> list[list[str]]:
+    return list(csv.reader(io.StringIO(chart.content(".csv").decode("utf-8-sig")), delimiter=","))
+
+
+def test_that_the_csv_of_bars_has_the_names_of_the_records_and_no_number_for_what_overturned(chart):
+    chart.clear()
+    chart.bars("stands", [0.0, 2.0], [0.31, 1.2], values=[0.31, 1.74])
+    chart.bars("overturned", [1.0], [1.2], 1, values=[np.nan])
+    chart.names_below(["a", "=b", "c"])
+    assert rows_of(chart)[1:] == [
+        ["stands", "a", "0.31"], ["stands", "c", "1.74"], ["overturned", "'=b", ""],
+    ]  # fmt: skip
+    chart.clear()
+    chart.curve("x", [1.0], [2.0])
+    assert rows_of(chart)[1:] == [["x", "1.0", "2.0"]]
+
+
+def test_that_an_italian_csv_has_semicolons_and_commas(chart):
+    language.set_language("it")
+    try:
+        lines = chart.content(".csv").decode("utf-8-sig").splitlines()
+    finally:
+        language.set_language("en")
+    assert lines[0] == "curva;SI [cm];q_eff [-]" and lines[1] == "time histories;61,7;16,3"
+
+
+def test_that_no_chart_of_a_result_writes_a_number_that_nobody_computed(opened, application):
+    """Overturned runs have no largest rotation: none is drawn into the files."""
+    from tests.app.driving import run
+
+    opened.session.edit_section("demand", ag_g=1.5, demand_scaling="pga")
+    run(application, opened)
+    result = opened.session.result
+    dynamic = result.walls[0].assessment.dynamic
+    assert any(one.peak_ratio is None for one in dynamic.runs)
+    written = {row[2] for row in rows_of(opened.pages["check"].content.peaks)[1:]}
+    assert written == {"" if r.peak_ratio is None else repr(r.peak_ratio) for r in dynamic.runs}
+    opened.tabs.setCurrentWidget(opened.pages["capacity"])
+    peaks = rows_of(opened.pages["capacity"].content.peaks)
+    assert "1.25" not in {row[2] for row in peaks}
+    opened.tabs.setCurrentWidget(opened.pages["histories"])
+    tab = opened.pages["histories"].content
+    tab.slider.setValue(tab.slider.maximum())
+    assert "9.99" not in tab.words.text()
+    largest = max(abs(float(row[2])) for row in rows_of(tab.rotation)[1:])
+    assert largest == pytest.approx(
+        np.abs(tab.history.rotation).max() / result.walls[0].model.collapse_rotation, rel=1e-12
+    )
