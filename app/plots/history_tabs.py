@@ -144,6 +144,9 @@ class HistoriesTab(QWidget):
         self.history = history(ground, dt, scale, wall.model, result.method)
         ratio = self.history.rotation / wall.model.collapse_rotation
         self.curve.setData(self.times[: ratio.size], ratio)
+        felt = scale * ground / G  # multiplier and sign in use
+        self.ground_curve.setData(self.times, felt)
+        self.ground.data = [(self.ground_curve.name() or "", self.times, felt)]
         hits = self.history.impact_time[:2000]
         self.marks.setData(hits, np.zeros(hits.size))
         self.rotation.data = [

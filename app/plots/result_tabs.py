@@ -22,11 +22,11 @@ from app.plots.check_tab import digits
 from app.plots.table import Table
 from core.capacity.closed_forms import closed_form_q_eff
 from core.capacity.fragility import fragility_curve
-from core.capacity.ida import multiplier_of, threshold_of
+from core.capacity.ida import grid_point, multiplier_of, threshold_of
 from core.capacity.scale_free_law import dimensionless_intensity, law_of, loss_ratio
 from core.ground.response_spectrum import HOUSNER_PERIODS, pseudo_acceleration_spectrum
 from core.rocking.history import scan
-from core.rocking.outcome import COLLAPSED
+from core.rocking.outcome import COLLAPSED, STABLE
 from core.study.floors import CHART_PERIODS
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import word
@@ -35,8 +35,6 @@ from core.units import CM, G
 
 class CapacityTab(QWidget):
     """Peak rotation against q of one record, survival strips of all, fragility of the wall."""
-
-    POINTS = 240
 
     def __init__(self):
         super().__init__()
@@ -52,7 +50,9 @@ class CapacityTab(QWidget):
         layout = QVBoxLayout(self)
         layout.addWidget(self.record)
         layout.addLayout(top, 1)
+        self.words = QLabel()
         layout.addWidget(self.strips, 1)
+        layout.addWidget(self.words)
         self.shown: tuple[StudyResult, WallResult] | None = None
 
     def show_wall(self, result: StudyResult, wall: WallResult) -> None:
@@ -89,8 +89,12 @@ class CapacityTab(QWidget):
         result, wall = self.shown
         run = wall.runs[self.record.currentIndex()]
         motion = result.motion_of(wall, run.record)
-        top = 1.6 * (run.ida.q or 5.0)
-        q = np.geomspace(run.ida.q_start, top, self.POINTS)
+        # the points of the search itself, so that the first that overturns is the one q was bisected from
+        step, last = result.search.q_step, run.ida.first_index + len(run.ida.outcomes)
+        q = np.array(
+            [grid_point(run.ida.q_start, step, k) for k in range(run.ida.first_index, last)]
+        )
+        q = q[q <= 1.6 * (run.ida.q or 5.0)]
         outcomes, peaks = np.zeros(q.size, np.int64), np.zeros(q.size)
         scales = run.polarity * multiplier_of(q, motion.pga, threshold_of(wall.model))
         scan(
@@ -126,15 +130,25 @@ class CapacityTab(QWidget):
             image[k, start : start + len(run.ida.outcomes)] = [int(d) for d in run.ida.outcomes]
         step = math.log1p(self.shown[0].search.q_step)
         low = math.log(wall.runs[0].ida.q_start) + first * step
-        item = pg.ImageItem(
-            np.ascontiguousarray(np.nan_to_num(image, nan=0.0).T), levels=(0.0, 1.0)
-        )
+        # what was not searched, or ended without an outcome, is neither: in a colour of its own
+        shades = np.select([image == STABLE, image == COLLAPSED], [0.0, 1.0], 0.5)
+        item = pg.ImageItem(np.ascontiguousarray(shades.T), levels=(0.0, 1.0))
         item.setRect(low, -0.5, image.shape[1] * step, image.shape[0])
 
         def recolor(chosen: theme.Theme) -> None:
-            item.setColorMap(pg.ColorMap([0.0, 1.0], [chosen.back, chosen.curves[1]]))
+            item.setColorMap(
+                pg.ColorMap([0.0, 0.5, 1.0], [chosen.back, chosen.grid, chosen.curves[1]])
+            )
 
         self.strips.add(item, recolor)
+        self.words.setText(
+            tr("Survival map: coloured where the wall overturns, grey where nothing was searched.")
+        )
+        grid = np.exp(low + step * np.arange(image.shape[1]))
+        for k, run in enumerate(wall.runs):
+            known = ~np.isnan(image[k])
+            sign = "+" if run.polarity > 0 else "−"
+            self.strips.data.append((f"{run.record} {sign}", grid[known], image[k][known]))
         names = [
             (k, f"{run.record[:14]} {'+' if run.polarity > 0 else '−'}")
             for k, run in enumerate(wall.runs)

@@ -209,3 +209,32 @@ def test_that_no_chart_of_a_result_writes_a_number_that_nobody_computed(opened, 
     assert largest == pytest.approx(
         np.abs(tab.history.rotation).max() / result.walls[0].model.collapse_rotation, rel=1e-12
     )
+
+
+def test_that_the_capacity_chart_shows_the_points_of_the_search(opened, application):
+    """The first multiplier that overturns is the one q was bisected from; what was not searched is not survival."""
+    from tests.app.driving import run
+
+    run(application, opened)
+    opened.tabs.setCurrentWidget(opened.pages["capacity"])
+    tab = opened.pages["capacity"].content
+    ida = opened.session.result.walls[0].runs[0].ida
+    _, q, _ = next(entry for entry in tab.peaks.data if entry[0] == "overturns")
+    step = opened.session.result.search.q_step
+    assert q[0] / (1.0 + step) < ida.q <= q[0] * (1.0 + 1e-12)
+    _, places, outcomes = tab.strips.data[0]
+    assert "".join(str(int(one)) for one in outcomes) == ida.outcomes
+    assert places[0] == pytest.approx(ida.q_start * (1.0 + step) ** ida.first_index, rel=1e-9)
+
+
+def test_that_the_ground_is_shown_at_the_multiplier_in_use(opened, application):
+    from tests.app.driving import run
+
+    run(application, opened)
+    opened.tabs.setCurrentWidget(opened.pages["histories"])
+    tab = opened.pages["histories"].content
+    wall, motion = opened.session.result.walls[0], opened.session.result.motions[0]
+    tab.slider.setValue(300)
+    _, _, felt = tab.ground.data[0]
+    assert np.abs(felt).max() == pytest.approx(tab.q * wall.model.threshold / 9.80665, rel=1e-9)
+    assert felt.size == motion.acceleration.size
