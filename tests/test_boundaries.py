@@ -95,6 +95,7 @@ SHOWN_BY = {
             "load_arrows",
             "load_rows",
             "risk_sheet",
+            "tie_words",
             "plots",
             "rows",
             "sheets",

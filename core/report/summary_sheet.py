@@ -24,6 +24,7 @@ from core.report.cells import (
     title,
 )  # fmt: skip
 from core.report.summary_charts import peaks, sketch
+from core.report.tie_words import tie_words
 from core.study.results import Q_SOURCES, StudyResult, WallResult
 from core.text.sentence import localized, word
 from core.text.words import ASSUMPTIONS
@@ -328,40 +329,6 @@ def _warnings(book: Book, sheet, result: StudyResult, row: int, last: int, most:
             140,
         )
     return row
-
-
-def tie_words(book: Book, tie) -> str:
-    """What a tie must hold, in one or two sentences."""
-    words = _own_tie(book, tie)
-    if tie.hinges == 1:
-        return words
-    if tie.governing is None:
-        return (
-            f"{words} {book.say('One of its {n} hinges does not reach it with any.', n=tie.hinges)}"
-        )
-    force = 1e-3 * tie.governing
-    more = book.say(
-        "The weakest of its {n} hinges asks {force:.2f} kN/m.", n=tie.hinges, force=force
-    )
-    return f"{words} {more}"
-
-
-def _own_tie(book: Book, tie) -> str:
-    """The same of one hinge."""
-    values = {"h": tie.height, "largest": 1e-3 * tie.largest, "zeta": tie.zeta or 0.0}
-    if tie.force is None:
-        return book.say(
-            "No tie {h:.2f} m above this hinge reaches the ζ required: the largest, {largest:.2f} kN/m, "
-            "gives {zeta:.2f}.",
-            **values,
-        )  # fmt: skip
-    if tie.force == 0.0:
-        return book.say("No tie {h:.2f} m above this hinge is needed: ζ {zeta:.2f}.", **values)
-    force = 1e-3 * tie.force
-    return book.say(
-        "A tie {h:.2f} m above this hinge that holds {force:.2f} kN/m up to collapse gives ζ {zeta:.2f}.",
-        force=force, **values,
-    )  # fmt: skip
 
 
 def assumptions_of(walls) -> list[str]:

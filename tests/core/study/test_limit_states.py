@@ -29,7 +29,10 @@ def site(**changes):
         "hazard": HAZARD,
         "spectrum": NTC,
     }
-    return parse_case({"wall": [WALL], "demand": {**demand, **changes}})
+    given = {**demand, **changes}
+    return parse_case(
+        {"wall": [WALL], "demand": {k: v for k, v in given.items() if v not in (None, [])}}
+    )
 
 
 def test_that_the_hazard_is_linear_in_logarithms_between_its_rows():
@@ -86,15 +89,7 @@ def test_that_an_ag_that_contradicts_the_hazard_is_warned_of(ag, warned):
     {"hazard": [{k: row[k] for k in ("return_period_years", "ag_g")} for row in HAZARD]},
 ])  # fmt: skip
 def test_that_without_what_it_takes_there_is_none(changes):
-    demand = {
-        "ag_g": 0.26,
-        "nominal_life_years": 50.0,
-        "use_class_factor": 1.0,
-        "hazard": HAZARD,
-        "spectrum": NTC,
-    }
-    demand = {key: value for key, value in {**demand, **changes}.items() if value not in (None, [])}
-    assert demands_of(parse_case({"wall": [WALL], "demand": demand}), Path()) == {}
+    assert demands_of(site(**changes), Path()) == {}
 
 
 def test_that_a_file_of_the_hazard_is_the_same_as_its_rows(tmp_path):
