@@ -194,8 +194,10 @@ class IntensityTab(QWidget):
         if not known:
             self.words.setText(tr("No record with a q."))
             return
-        if wall.wall.above_ground:
-            self.words.setText(tr("Not drawn above the ground, where Eq. 15 and 16 do not hold."))
+        if not wall.wall.has_closed_forms:
+            self.words.setText(
+                tr("Not drawn above the ground and with loads, where Eq. 15 and 16 do not hold.")
+            )
             return
         si = np.array([entry.intensity for entry in known])
         self.chart.points(tr("time histories"), si / CM, [entry.q_eff for entry in known], 0, 9)

@@ -97,9 +97,9 @@ def q_against_si(book: Book, result: StudyResult) -> None:
     title(sheet, 1, say("Effective q against Housner intensity"))
     row = 3
     with_q = [wall for wall in result.walls if any(entry.q for entry in wall.per_record)]
-    walls = [wall for wall in with_q if not wall.wall.above_ground]
+    walls = [wall for wall in with_q if wall.wall.has_closed_forms]
     if len(walls) < len(with_q):
-        note = say("Not drawn above the ground, where Eq. 15 and 16 do not hold.")
+        note = say("Not drawn above the ground and with loads, where Eq. 15 and 16 do not hold.")
         row = paragraph(sheet, row, note, 10, 90, color=QUIET)
     if not with_q:
         text(sheet, row, 1, say("No run with a number of q."))

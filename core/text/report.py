@@ -104,8 +104,8 @@ REPORT = {
     "code, C7.2.5": "norma, C7.2.5",
     "mean of the floor motions": "media dei moti di piano",
     "Floor spectra, z = {z:g} m, ξ = {damping:.0f} %": "Spettri di piano, z = {z:g} m, ξ = {damping:.0f} %",
-    "Not drawn above the ground, where Eq. 15 and 16 do not hold.": (
-        "Non disegnato sopra il suolo, dove le Eq. 15 e 16 non valgono."
+    "Not drawn above the ground and with loads, where Eq. 15 and 16 do not hold.": (
+        "Non disegnato sopra il suolo e con carichi, dove le Eq. 15 e 16 non valgono."
     ),
     "Circolare 7/2019, wall on the ground, {kind}": "Circolare 7/2019, parete al suolo, {kind}",
     "not below a_g,SLD / a_g": "non minore di a_g,SLD / a_g",

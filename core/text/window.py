@@ -330,8 +330,8 @@ WINDOW = {
     "Fragility": "Fragilità",
     "fragility": "fragilità",
     "Logarithmic axes": "Assi logaritmici",
-    "Not drawn above the ground, where Eq. 15 and 16 do not hold.": (
-        "Non disegnato sopra il suolo, dove le Eq. 15 e 16 non valgono."
+    "Not drawn above the ground and with loads, where Eq. 15 and 16 do not hold.": (
+        "Non disegnato sopra il suolo e con carichi, dove le Eq. 15 e 16 non valgono."
     ),
     "No record with a q.": "Nessun accelerogramma con un q.",
     "time histories": "storie temporali",

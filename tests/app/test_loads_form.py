@@ -126,3 +126,5 @@ def test_that_all_walls_are_on_one_tab_the_lowest_first_and_variants_are_compare
     tab.table.cellDoubleClicked.emit(1, 0)
     assert opened.chosen.currentIndex() == tab.order[1]
     assert opened.tabs.currentWidget() is opened.pages["check"]
+    opened.tabs.setCurrentWidget(opened.pages["intensity"])
+    assert opened.pages["intensity"].content.chart.data == []

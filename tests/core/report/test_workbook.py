@@ -168,6 +168,13 @@ def test_that_loads_are_on_every_sheet_that_a_reader_needs(loads):
     assert min(zetas) in [cell.value for row in book.workbook["Risk"].iter_rows() for cell in row]
 
 
+def test_that_no_closed_form_is_drawn_for_a_wall_with_loads(loads):
+    """Eq. 15, 16 and Ribalta's law were fitted without loads."""
+    sheet = loads[1].workbook["q against SI"]
+    assert len(sheet._charts) == 0
+    assert any("with loads" in str(cell.value) for row in sheet.iter_rows() for cell in row)
+
+
 def test_that_every_load_is_an_arrow_at_its_place(loads):
     wall = loads[0].walls[0].wall
     down, outward = arrows(wall, 3.0, 0.45)
