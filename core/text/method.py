@@ -22,7 +22,7 @@ METHOD_BODIES = {
         "outcome is decided by energy.",
         "Blocco rigido su base rigida, Eq. 1 nella forma phi'' = -p^2 [legge del momento - beta cos(alpha - "
         "phi)], vista dalla cerniera; accelerazione del suolo lineare fra i campioni; partenza da fermo; g = "
-        "9.80665 m/s2. Sollevamento, urto e spigoli della legge trilineare sono localizzati nel passo. Dopo "
+        "9,80665 m/s2. Sollevamento, urto e spigoli della legge trilineare sono localizzati nel passo. Dopo "
         "il record l'esito è deciso dall'energia.",
     ),
     "equations": (
@@ -69,8 +69,8 @@ METHOD_BODIES = {
     "range": (
         "Fitted on rectangular blocks, rigid law, Eq. 4 or Eq. 6, alpha 3.1-11.3 deg, H 3-11 m, PGA "
         "0.106-0.312 g, no load: outside, a warning. SI and a_g S belong to the same motion.",
-        "Tarate su blocchi rettangolari, legge rigida, Eq. 4 o Eq. 6, alpha 3.1-11.3°, H 3-11 m, PGA "
-        "0.106-0.312 g, senza carico: fuori, un'avvertenza. SI e a_g S sono dello stesso moto.",
+        "Tarate su blocchi rettangolari, legge rigida, Eq. 4 o Eq. 6, alpha 3,1-11,3°, H 3-11 m, PGA "
+        "0,106-0,312 g, senza carico: fuori, un'avvertenza. SI e a_g S sono dello stesso moto.",
     ),
     "circolare": (
         "C8.7.1.2.1.9: time histories of the capacity curve with FC on its strength (p^2 / FC under the "
@@ -88,9 +88,9 @@ METHOD_BODIES = {
         "C8.7.1.2.1.9: storie temporali della curva di capacità con FC sulla resistenza (p^2 / FC sotto il "
         "moto moltiplicato per FC; oppure FC sulla domanda), theta_c (alpha senza carichi) mai superato, media "
         "delle rotazioni "
-        "massime (da 7 stazioni, altrimenti il massimo) entro 0.40 theta_c (SLV), 0.60 (SLC); zeta_E è il "
+        "massime (da 7 stazioni, altrimenti il massimo) entro 0,40 theta_c (SLV), 0,60 (SLC); zeta_E è il "
         "minimo moltiplicatore della domanda al quale metà di quelli entro il 10 % non soddisfa la regola. "
-        "C8.7.1.2.1.8: d = 0.40 d0 (0.60), T = 1.68 pi sqrt(d/a) (1.56 pi), smorzamento 8 % (10 %), rispetto "
+        "C8.7.1.2.1.8: d = 0,40 d0 (0,60), T = 1,68 pi sqrt(d/a) (1,56 pi), smorzamento 8 % (10 %), rispetto "
         "al massimo S_De in [T_0, T], T_0 = 0 per pareti vincolate; non minore di a_g,SLD. C8.7.1.2.1.5 e .7: "
         "a_g,SLD da a0* = alpha0 g / (e* FC), e* = 1 per una parete senza masse che la spingono (peso nel "
         "baricentro), rispetto ad a_g S "
@@ -111,7 +111,7 @@ METHOD_BODIES = {
         "rule.",
         "Una forza di intensità e direzione costanti è esatta: phi'' = -p^2 [a sin(alpha - phi) + c cos(alpha - phi) "
         "- beta cos(alpha - phi)]; si solleva per a_RM = g (a tan(alpha) + c) e ribalta a theta_c = alpha + "
-        "arctan(c/a), che sostituisce alpha in 0.40, 0.60 e 1.00. Le masse che si muovono con la parete o la "
+        "arctan(c/a), che sostituisce alpha in 0,40, 0,60 e 1,00. Le masse che si muovono con la parete o la "
         "spingono "
         "formano con essa un solo blocco; per quelle che spingono l'inerzia è sovrastimata al più di sin^2(alpha_i - "
         "theta). C8.7.1.1: alpha0 = (W x + somma N d + somma F h)/(W y + somma Q h); C8.7.1.5: e*; C8.7.1.4: d0. "

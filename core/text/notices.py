@@ -7,7 +7,7 @@ SENTENCES = {
     ),
     "small_pga": (
         "PGA {pga:.2g} g is below 0.001 g: check the unit.",
-        "PGA {pga:.2g} g sotto 0.001 g: verificare l'unità di misura.",
+        "PGA {pga:.2g} g sotto 0,001 g: verificare l'unità di misura.",
     ),
     "offset": (
         "The samples have a mean of {mean:.3g} g and leave a velocity of {velocity:.2g} m/s: an offset of the "
@@ -72,7 +72,7 @@ SENTENCES = {
     ),
     "large_ag": (
         "a_g = {ag:.3g} g is above 0.6 g: m/s2 or % instead of g, or S counted in it?",
-        "a_g = {ag:.3g} g supera 0.6 g: m/s² o % al posto di g, oppure S già compreso?",
+        "a_g = {ag:.3g} g supera 0,6 g: m/s² o % al posto di g, oppure S già compreso?",
     ),
     "table_sheet": ("Walls read from the sheet {sheet}.", "Pareti lette dal foglio {sheet}."),
     "hidden_rows": (
@@ -116,7 +116,7 @@ SENTENCES = {
     ),
     "costa_above_housner": (
         "costa_upper: 0.98 exceeds Eq. 4 above alpha 6.63 deg (here {alpha:.2f}).",
-        "costa_upper: 0.98 supera l'Eq. 4 oltre alpha 6.63° (qui {alpha:.2f}).",
+        "costa_upper: 0,98 supera l'Eq. 4 oltre alpha 6,63° (qui {alpha:.2f}).",
     ),
     "hogan": (
         "{model} on a one-sided wall is Hogan's hypothesis (1992): far less dissipation than Eq. 6.",
@@ -153,7 +153,7 @@ SENTENCES = {
     ),
     "eq15_slenderness": (
         "alpha {alpha:.2f} deg is outside the 3.1-11.3 deg Eq. 15/16 were fitted on.",
-        "alpha {alpha:.2f}° fuori dall'intervallo 3.1-11.3° di taratura delle Eq. 15/16.",
+        "alpha {alpha:.2f}° fuori dall'intervallo 3,1-11,3° di taratura delle Eq. 15/16.",
     ),
     "eq15_height": (
         "H {height:.2f} m is outside the 3-11 m Eq. 15/16 were fitted on.",
@@ -161,7 +161,7 @@ SENTENCES = {
     ),
     "eq15_pga": (
         "PGA outside the 0.106-0.312 g Eq. 15/16 were fitted on: {where}.",
-        "PGA fuori dall'intervallo 0.106-0.312 g di taratura delle Eq. 15/16: {where}.",
+        "PGA fuori dall'intervallo 0,106-0,312 g di taratura delle Eq. 15/16: {where}.",
     ),
     "eq15_model": (
         "Eq. 15/16 were fitted with the rigid law and {fitted}; this wall uses {used}.",

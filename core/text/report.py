@@ -210,7 +210,7 @@ REPORT = {
         "without baseline step: no meaning for uncorrected records. Nothing trimmed or resampled. SHA-256: first "
         "16 digits of the file's hash; the whole one is in the JSON."
     ): (
-        "SI: integrale della pseudo-velocità al 5 % da 0.1 a 2.5 s (Eq. 11), non diviso per 2.4. PGV e PGD "
+        "SI: integrale della pseudo-velocità al 5 % da 0,1 a 2,5 s (Eq. 11), non diviso per 2,4. PGV e PGD "
         "senza correzione della linea di base: senza significato per accelerogrammi non corretti. Nessun taglio o "
         "ricampionamento. SHA-256: prime 16 cifre; per intero nel JSON."
     ),
@@ -221,7 +221,7 @@ REPORT = {
         "q, q SLV, q SLC: first collapse, first peak at 0.40 and 0.60 theta_c on the grid, bisected to 1e-4. "
         "Survival, share and windows are of the map and depend on the grid step ({step:g} %)."
     ): (
-        "q, q SLV, q SLC: primo collasso e prima rotazione pari a 0.40 e 0.60 theta_c sulla griglia, bisezione "
+        "q, q SLV, q SLC: primo collasso e prima rotazione pari a 0,40 e 0,60 theta_c sulla griglia, bisezione "
         "a 1e-4. Sopravvivenza, quota e finestre dipendono dal passo ({step:g} %)."
     ),
     "Method, range of use, provenance": "Metodo, campo d'impiego, provenienza",

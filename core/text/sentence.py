@@ -33,6 +33,13 @@ FILE_NAMES = FormNames()
 """The words of a case file itself."""
 
 
+class CommaFloat(float):
+    """A number that is written with the decimal comma, whatever the format asks."""
+
+    def __format__(self, form: str) -> str:
+        return super().__format__(form).replace(".", ",")
+
+
 class Key(str):
     """A key, name or section of a case file as a value of a sentence."""
 
@@ -58,19 +65,27 @@ class Sentence:
 
     def text(self, language: str = "en", form: FormNames = FILE_NAMES) -> str:
         """The words in "en" or "it"; raises KeyError for an unknown code."""
+        # an error of a file is in the numbers of the file, which have points
+        comma = language == "it" and not (self.group == "error" and form is FILE_NAMES)
+        return self.in_numbers(comma, language, form)
+
+    def in_numbers(self, comma: bool, language: str, form: FormNames) -> str:
+        """`text`, its numbers with the decimal comma or with the point."""
         template = CATALOGUE[self.group][self.code][language == "it"]
-        return template.format_map(_Values(self.values, language, form, self.group == "error"))
+        keyed = self.group == "error"
+        return template.format_map(_Values(self.values, language, form, keyed, comma))
 
 
 class _Values(Mapping):
     """Values of a template's placeholders, each in words."""
 
-    def __init__(self, values, language: str, form: FormNames, keyed: bool):
-        self.values_of, self.language, self.form, self.keyed = dict(values), language, form, keyed
+    def __init__(self, values, language: str, form: FormNames, keyed: bool, comma: bool):
+        self.values_of, self.keyed = dict(values), keyed
+        self.language, self.form, self.comma = language, form, comma
 
     def __getitem__(self, name: str):
         if name in self.values_of:
-            return in_words(self.values_of[name], self.language, self.form)
+            return in_words(self.values_of[name], self.language, self.form, self.comma)
         if not self.keyed:
             raise KeyError(name)
         if name.startswith("section_"):
@@ -84,18 +99,29 @@ class _Values(Mapping):
         return len(self.values_of)
 
 
-def in_words(value, language: str, form: FormNames = FILE_NAMES):
-    """A value of a sentence: what is a sentence, a key, a quantity or several of these in words, else itself."""
+def in_words(value, language: str, form: FormNames = FILE_NAMES, comma: bool = False):
+    """A value of a sentence: what is a sentence, a key, a quantity or several of these in words, else itself.
+    comma : of a number, in the place of the decimal point"""
     if isinstance(value, Sentence):
-        return value.text(language, form)
+        return value.in_numbers(comma, language, form)
     if isinstance(value, Key):
         return form.of(value)
     if isinstance(value, Quantity):
         factor, unit = form.scales.get(value.key, (1.0, ""))
-        return f"{value.value * factor:g} {unit}".strip()
+        number = in_words(value.value * factor, language, form, comma)
+        return f"{number:g} {unit}".strip()
     if isinstance(value, tuple):
-        return ", ".join(str(in_words(part, language, form)) for part in value)
+        return ", ".join(str(in_words(part, language, form, comma)) for part in value)
+    if isinstance(value, float) and comma:
+        return CommaFloat(value)
     return value
+
+
+def numeral(value: float | None, form: str, language: str) -> str:
+    """A number as it is written in "en" or "it", "–" for None; form : as of format()."""
+    if value is None:
+        return "–"
+    return format(CommaFloat(value) if language == "it" else value, form)
 
 
 def sentence(group: str, code: str, /, **values) -> Sentence:

@@ -31,13 +31,13 @@ STUDY = {
     "Eq. 15 and 16 against q": "Eq. 15 e 16 rispetto a q",
     "Eq. over q, mean - 1": "Eq. su q, media - 1",
     "q of the sets within 20 % of Eq. {number} (ours)": "q degli insiemi entro il 20 % dall'Eq. {number} (nostro)",
-    "Fig. 19: rigid and trilinear law, 6.8 degrees, 7 m": "Fig. 19: legge rigida e trilineare, 6.8 gradi, 7 m",
+    "Fig. 19: rigid and trilinear law, 6.8 degrees, 7 m": "Fig. 19: legge rigida e trilineare, 6,8 gradi, 7 m",
     "Fig. 20: q of the time histories against Eq. 15 and 16": "Fig. 20: q delle storie temporali ed Eq. 15 e 16",
     "Fig. 4: free rocking of the tuff block, 0.800 x 0.123 m": (
-        "Fig. 4: oscillazione libera del blocco di tufo, 0.800 x 0.123 m"
+        "Fig. 4: oscillazione libera del blocco di tufo, 0,800 x 0,123 m"
     ),
     "Fig. 5: target spectra and motions, group {group}": "Fig. 5: spettri e moti generati, gruppo {group}",
-    "Fig. 9: q against H at 6.8 degrees, all spectra": "Fig. 9: q e H a 6.8 gradi, tutti gli spettri",
+    "Fig. 9: q against H at 6.8 degrees, all spectra": "Fig. 9: q e H a 6,8 gradi, tutti gli spettri",
     "Fig. {number}: q against H, {restitution}, group B": "Fig. {number}: q e H, {restitution}, gruppo B",
     "Fig. {number}: q of both restitution models": "Fig. {number}: q dei due modelli di restituzione",
     "q_eff against SI, {mechanism}, {alpha:g} degrees": "q_eff e SI, {mechanism}, {alpha:g} gradi",
@@ -62,12 +62,12 @@ STUDY = {
     "Source": "Fonte",
     "Study": "Studio",
     "Table 1: the spectra, our reconstruction": "Tabella 1: gli spettri, ricostruiti da noi",
-    "Table 2: natural records, 6.8 degrees, 7 m": "Tabella 2: accelerogrammi naturali, 6.8 gradi, 7 m",
+    "Table 2: natural records, 6.8 degrees, 7 m": "Tabella 2: accelerogrammi naturali, 6,8 gradi, 7 m",
     (
         "The print gives PGA to 0.01 g: its rows of 0.02 and 0.03 g are uncertain by 17 to 25 % and cannot test "
         "±20 %."
     ): (
-        "La stampa dà la PGA a 0.01 g: le sue righe da 0.02 e 0.03 g sono incerte del 17-25 % e non possono provare "
+        "La stampa dà la PGA a 0,01 g: le sue righe da 0,02 e 0,03 g sono incerte del 17-25 % e non possono provare "
         "il ±20 %."
     ),
     "What goes with the integrator, the step of the search and the shape of the spectra; no cause is claimed.": (
@@ -76,11 +76,11 @@ STUDY = {
     ),
     "What is found": "Che cosa si trova",
     "a clear power law (ours: R² of at least 0.9), {name}": (
-        "una chiara legge di potenza (nostro: R² almeno 0.9), {name}"
+        "una chiara legge di potenza (nostro: R² almeno 0,9), {name}"
     ),
     "exact, as recorded": "esatto, segno registrato",
     "exact, spectrum {name}": "esatto, spettro {name}",
-    "exact, step 0.5 %": "esatto, passo 0.5 %",
+    "exact, step 0.5 %": "esatto, passo 0,5 %",
     "exact, step {step:g} %": "esatto, passo {step:g} %",
     "experimental over theoretical q: {low:.2f} to {high:.2f}": (
         "q sperimentale su q teorico: da {low:.2f} a {high:.2f}"
@@ -101,7 +101,7 @@ STUDY = {
     "q [-], time histories": "q [-], storie temporali",
     "q [-], trilinear": "q [-], trilineare",
     "q against H": "q e H",
-    "q against SI/PGA, {mechanism}, 6.8 degrees": "q e SI/PGA, {mechanism}, 6.8 gradi",
+    "q against SI/PGA, {mechanism}, 6.8 degrees": "q e SI/PGA, {mechanism}, 6,8 gradi",
     "q against Π = p² SI/PGA": "q e Π = p² SI/PGA",
     "q grows with H, {name}": "q cresce con H, {name}",
     "q grows with alpha, {name}": "q cresce con alfa, {name}",

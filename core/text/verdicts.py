@@ -133,11 +133,11 @@ REASONS = {
         "The building is taken at {factor:g} times its elastic period and {damping:.0%} damping: at the ultimate limit "
         "states C8.7.1.2.1.4 has 1.5 to 2.0 and 10 to 20%.",
         "L'edificio è preso a {factor:g} volte il periodo elastico e smorzamento {damping:.0%}: agli stati limite "
-        "ultimi C8.7.1.2.1.4 indica 1.5-2.0 e 10-20%.",
+        "ultimi C8.7.1.2.1.4 indica 1,5-2,0 e 10-20%.",
     ),
     "period_estimated": (
         "The period of the building is an estimate, 0.05 H^0.75: give period_s of [building].",
-        "Il periodo dell'edificio è una stima, 0.05 H^0.75: dare period_s di [building].",
+        "Il periodo dell'edificio è una stima, 0,05 H^0,75: dare period_s di [building].",
     ),
     "other_building": (
         "With the building at {factor:g} times its elastic period and {damping:.0%} damping zeta is {zeta}.",

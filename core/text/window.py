@@ -127,7 +127,7 @@ WINDOW = {
     "Type": "Tipo",
     "Choose file…": "Scegli file…",
     "1.35 where the compressive strength is not in α; lower with a hinge setback": (
-        "1.35 se la resistenza a compressione non entra in α; minore con cerniera arretrata"
+        "1,35 se la resistenza a compressione non entra in α; minore con cerniera arretrata"
     ),
     "Records at the demand": "Accelerogrammi alla domanda",
     "as given": "come dati",
@@ -343,7 +343,7 @@ WINDOW = {
     "mean of the records": "media degli accelerogrammi",
     "target: {name}": "spettro: {name}",
     "SI is the area under the pseudo-velocity from 0.1 to 2.5 s (shaded).": (
-        "SI è l'area sotto la pseudo-velocità da 0.1 a 2.5 s (in grigio)."
+        "SI è l'area sotto la pseudo-velocità da 0,1 a 2,5 s (in grigio)."
     ),
     "Files": "File",
     "Time step": "Passo temporale",
@@ -367,13 +367,13 @@ WINDOW = {
     ),
     "tests on walls of tuff units and of clay bricks": "prove su pareti di tufo e di mattoni pieni",
     "tests on sack stone masonry; above Eq. 4 for α > 6.63°": (
-        "prove su muratura a sacco; sopra l'Eq. 4 per α > 6.63°"
+        "prove su muratura a sacco; sopra l'Eq. 4 per α > 6,63°"
     ),
     "theory: impacts of base, upper corner and base again": (
         "teoria: urti di base, spigolo superiore e di nuovo base"
     ),
     "tests; v over the overturning velocity, beyond v = 1.58 held at e = 0; value for v = 0": (
-        "prove; v sulla velocità di ribaltamento, oltre v = 1.58 tenuto a e = 0; valore per v = 0"
+        "prove; v sulla velocità di ribaltamento, oltre v = 1,58 tenuto a e = 0; valore per v = 0"
     ),
     "given, 0 to 1": "dato, da 0 a 1",
     "It is being written.": "È in corso la scrittura.",
@@ -407,7 +407,7 @@ WINDOW = {
     ),
     "Periods compared": "Periodi confrontati",
     "Compatibility of the records; empty: 0.15 to 2.0 s, natural records to T_SLV": (
-        "Compatibilità degli accelerogrammi; vuoto: da 0.15 a 2.0 s, naturali fino a T_SLV"
+        "Compatibilità degli accelerogrammi; vuoto: da 0,15 a 2,0 s, naturali fino a T_SLV"
     ),
     "{text}: not two numbers": "{text}: non sono due numeri",
     "Element free to vibrate": "Elemento libero di vibrare",
