@@ -266,7 +266,7 @@ def main():
     arguments = sys.argv[1:]
     word = arguments[0] if arguments else ""
     if word == "test":
-        ensure(["base", "test", "gui", "study"])
+        ensure(["base", "test", "gui", "study", "report"])
         return test(arguments[1:])
     if word == "bench":
         more = {
@@ -286,13 +286,14 @@ def main():
         script = os.path.join(ROOT, "tests", folder, word + ".py")
         return hand_over([interpreter(), "-P", script, *arguments[1:]])
     if word == "package":
-        ensure(["base", "gui", "study", "package"])
+        ensure(["base", "gui", "study", "report", "package"])
         script = os.path.join(ROOT, "packaging", "build.py")
         return hand_over([interpreter(), "-P", script, *arguments[1:]])
     headless = {"--batch", "--study", "--inspect", "--version", "--help", "-h"}
     windowed = not any(argument.split("=")[0] in headless for argument in arguments)
-    study = any(argument.split("=")[0] == "--study" for argument in arguments)
-    ensure(["base", "gui", "study"] if windowed else ["base", "study"] if study else ["base"])
+    asked = {argument.split("=")[0] for argument in arguments}
+    more = [name for name in ("study", "report") if "--" + name in asked]
+    ensure(["base", "gui", "study", "report"] if windowed else ["base", *more])
     return hand_over([interpreter(), "-P", "-m", "app", *arguments])
 
 

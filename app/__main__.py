@@ -38,6 +38,12 @@ def parser() -> argparse.ArgumentParser:
     made.add_argument(
         "--jobs", type=_jobs, metavar="N", help=terminal("threads (default: all cores)")
     )
+    made.add_argument(
+        "--report",
+        type=Path,
+        metavar="FILE",
+        help=terminal("the calculation note too, as a Word document (.docx)"),
+    )
     made.add_argument("--quiet", action="store_true", help=terminal("no progress, no summary"))
     made.add_argument("--resume", action="store_true", help=terminal("go on from the journal"))
     made.add_argument(
@@ -82,6 +88,8 @@ def main(arguments: list[str] | None = None) -> int:
         parser().error(terminal("--batch, --study and --inspect do not go together"))
     if not (options.batch or options.study) and (options.output or options.resume or options.jobs):
         parser().error(terminal("--output, --jobs and --resume go with --batch or --study"))
+    if options.report and not options.batch:
+        parser().error(terminal("--report goes with --batch"))
     if not options.study and (options.quick or options.records):
         parser().error(terminal("--quick and --records go with --study"))
     try:
@@ -105,7 +113,9 @@ def main(arguments: list[str] | None = None) -> int:
         if options.batch:
             from app import batch
 
-            return batch.run(options.batch, options.output, jobs, options.quiet, options.resume)
+            return batch.run(
+                options.batch, options.output, jobs, options.quiet, options.resume, options.report
+            )
         return window(options.case)
     except InputError as error:
         print(terminal("error: {error}", error=quoted_from_file(error)), file=sys.stderr)

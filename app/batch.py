@@ -23,18 +23,29 @@ DONE, WITHOUT_NUMBER, CANCELLED = 0, 3, 130
 """Exit codes; 1 input or output error and 2 wrong usage are of __main__, 4 an internal error."""
 
 
-def run(case_path: Path, output: Path | None, jobs: int, quiet: bool, resume: bool) -> int:
-    """Read a case, run it, write `<stem>.xlsx` and `<stem>.json`; returns the exit code.
+def run(
+    case_path: Path,
+    output: Path | None,
+    jobs: int,
+    quiet: bool,
+    resume: bool,
+    report: Path | None = None,
+) -> int:
+    """Read a case, run it, write `<stem>.xlsx` and `<stem>.json`; returns the exit code. report : of the calculation
+    note as a Word document, where one is asked for.
 
     Raises InputError for what the user can mend; nothing is written then.
     """
+    export.check_note_path(report, case_path)
     case = read_case(case_path)
     folder, stem = output or case_path.parent, case_path.stem
     made = []
     try:
         export.refuse_overwriting(case, case_path, folder, stem)
         made = atomic_write.check_folder(folder)
-        return run_in(case, case_path, folder, stem, jobs, quiet, resume)
+        if report:
+            made += atomic_write.check_folder(report.parent)
+        return run_in(case, case_path, folder, stem, jobs, quiet, resume, report)
     except InputError as error:
         for new in made:
             with contextlib.suppress(OSError):
@@ -43,7 +54,14 @@ def run(case_path: Path, output: Path | None, jobs: int, quiet: bool, resume: bo
 
 
 def run_in(
-    case: Case, case_path: Path, folder: Path, stem: str, jobs: int, quiet: bool, resume: bool
+    case: Case,
+    case_path: Path,
+    folder: Path,
+    stem: str,
+    jobs: int,
+    quiet: bool,
+    resume: bool,
+    report: Path | None = None,
 ) -> int:
     """`run` in a folder that is there."""
     cancel = threading.Event()
@@ -67,13 +85,13 @@ def run_in(
             place = folder / f"{stem}.journal"
             tell("cancelled: finished runs are in {path}; go on with --resume", path=place)
             return CANCELLED
-        export.write(result, folder, stem)
+        export.write(result, folder, stem, note=report)
         for book in books:
             book.remove()
     for note in case.table_notes[1:]:
         print(f"{case.table}: {note.text(current_language())}", file=sys.stderr)
     if not quiet:
-        say(summary(result, folder, stem))
+        say(summary(result, folder, stem) + (f"\n{report}" if report else ""))
     for wall, record, polarity, status in result.without_number:
         tell(
             "no number: {wall}, {record} ({sign}): {status}",

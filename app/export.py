@@ -32,14 +32,28 @@ def refuse_overwriting(case: Case, case_path: Path, folder: Path, stem: str) -> 
         raise InputError("would_overwrite", path=path)
 
 
+def check_note_path(path: Path | None, case_path: Path) -> None:
+    """Raise InputError before the run where the calculation note could not be written: another ending than .docx, or
+    packages that are missing."""
+    if path is None:
+        return
+    if path.suffix.lower() != ".docx":
+        raise InputError("note_is_docx", path=path, place=(case_path,))
+    from core.report.note.document import check_packages
+
+    check_packages()
+
+
 def write(
     result: StudyResult,
     folder: Path,
     stem: str,
     check: Callable[[], None] = lambda: None,
     ready: Callable[[], None] = lambda: None,
+    note: Path | None = None,
 ) -> None:
-    """Workbook and JSON of a result, both or none. check : called now and then, ready when all is made and
+    """Workbook and JSON of a result, and the calculation note as a Word document where a file is named for it: all or
+    none. check : called now and then, ready when all is made and
     nothing written yet. Raises OutputError and what these two raise."""
     from core.report import json_report, workbook
 
@@ -61,8 +75,21 @@ def write(
         raise OutputError(
             "workbook_not_made", reason=error.strerror, folder=tempfile.gettempdir()
         ) from None
+    files = {folder / f"{stem}.xlsx": book, folder / f"{stem}.json": text}
+    if note is not None:
+        check()
+        files[note] = note_content(result)
     ready()
-    atomic_write.write({folder / f"{stem}.xlsx": book, folder / f"{stem}.json": text})
+    atomic_write.write(files)
+
+
+def note_content(result: StudyResult) -> bytes:
+    """The calculation note as a Word document. Raises OutputError."""
+    from core.report.note.content import note
+    from core.report.note.document import document
+
+    language = result.case.report.language
+    return document(note(result, language), language)
 
 
 @contextlib.contextmanager

@@ -11,7 +11,7 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-GROUPS = ("base", "test", "gui", "study", "bench", "package")
+GROUPS = ("base", "test", "gui", "study", "report", "bench", "package")
 
 
 def resolved(extras: list[str], constraint: Path | None = None) -> dict[str, str]:

@@ -8,6 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import core  # noqa: F401  (before openpyxl, whose way of reading it sets)
+
 for name in ("LC_ALL", "LC_MESSAGES", "LANG"):
     os.environ[name] = "C.UTF-8"  # the tests read the program's words in English
 

@@ -64,6 +64,8 @@ SHOWN_BY = {
     "study/paper_tables": STUDY,
     "study/set_means": "tests/core/study/test_parametric.py",
     "study/study_report": STUDY,
+    "codes/capacity_curve": "tests/core/report/test_note.py",
+    "study/demand_histories": "tests/core/report/test_note.py",
     "study/assessment": "tests/core/codes/test_verdict.py",
     "study/demand_input": "tests/core/codes/test_target_spectrum.py",
     "study/governing": RUN,
@@ -87,6 +89,7 @@ SHOWN_BY = {
     **{
         f"report/{name}": WORKBOOK
         for name in (
+            "assumptions",
             "cells",
             "check_sheet",
             "circolare",
@@ -94,6 +97,7 @@ SHOWN_BY = {
             "json_report",
             "load_arrows",
             "load_rows",
+            "verdict_words",
             "risk_sheet",
             "tie_words",
             "plots",
@@ -104,6 +108,10 @@ SHOWN_BY = {
         )
     },
     **{
+        f"report/note/{name}": "tests/core/report/test_note.py"
+        for name in ("content", "document", "parts", "sheet", "wall_figures", "wall_steps", "words")
+    },
+    **{
         f"text/{name}": SENTENCES
         for name in (
             "study",
@@ -112,6 +120,7 @@ SHOWN_BY = {
             "file_errors",
             "load_errors",
             "method",
+            "note",
             "notices",
             "report",
             "sentence",

@@ -15,21 +15,17 @@ from app.plots.chart import Chart
 from app.plots.table import Table
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.eq9 import LABEL
+from core.report.verdict_words import tone_of
 from core.study.results import Q_SOURCES, StudyResult, WallResult
 from core.text.sentence import word
 from core.units import G
 
 LAW_WORDS = {"q": "law_q", "q_slv": "law_q_slv"}
-VERDICT_COLORS = {"verified": "good", "not_activated": "good", "verified_refined": "amber",
-                  "indicative": "amber", "undetermined": "amber", "q2_unsafe": "bad",
-                  "not_verified": "bad"}  # fmt: skip
 
 
 def verdict_color(result: StudyResult, wall: WallResult) -> str:
     """Green only where nothing is left to read."""
-    name = VERDICT_COLORS[wall.assessment.verdict.code]
-    name = "amber" if name == "good" and result.left_to_read(wall) else name
-    return getattr(theme.current, name)
+    return getattr(theme.current, tone_of(result, wall))
 
 
 def digits(value: float | None, figures: int = 2) -> str:

@@ -133,18 +133,26 @@ class DemandCheck:
         return self.zeta_spread[0] < target < self.zeta_spread[1]
 
 
+def at_demand(
+    model: RockingModel, demand: DemandResult, confidence_on: str, motion: GroundMotion
+) -> tuple[RockingModel, float]:
+    """(wall, multiplier of the record) of the check at the demand, with FC on the capacity or on the demand."""
+    confidence = demand.confidence_factor
+    if confidence_on == "capacity":  # strength over FC is p^2 / FC under the ground times FC
+        model = model._replace(p2=model.p2 / confidence)
+    return model, confidence * demand.scaling(motion)
+
+
 class _Set:
     """All runs of a wall at one multiplier of the demand after another."""
 
     def __init__(self, model, motions, polarities, demand, confidence_on, method, cancelled):
-        confidence = demand.confidence_factor
-        if confidence_on == "capacity":
-            model = model._replace(p2=model.p2 / confidence)
-        self.model, self.method, self.cancelled = model, method, cancelled
+        at = [at_demand(model, demand, confidence_on, motion) for motion in motions]
+        self.model, self.method, self.cancelled = at[0][0], method, cancelled
         self.motions, self.polarities = motions, polarities
-        self.ground_factors = [confidence * demand.scaling(motion) for motion in motions]
+        self.ground_factors = [factor for _, factor in at]
         # what of it is of the demand
-        on_demand = confidence if confidence_on == "demand" else 1.0
+        on_demand = demand.confidence_factor if confidence_on == "demand" else 1.0
         self.factors = [on_demand * demand.scaling(motion) for motion in motions]
         self.limit = LIMIT_FRACTION[demand.limit_state]
         self.mean = len(stations(motions)) >= MEAN_FROM

@@ -8,7 +8,7 @@ from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import Check, Kinematic
 from core.codes.limits import MEAN_FROM, MINIMUM_FROM
 from core.codes.record_compatibility import Compliance
-from core.text.sentence import Sentence, localized, sentence
+from core.text.sentence import Number, Sentence, localized, sentence
 from core.units import G
 
 ORDER = ("dynamic", "nonlinear", "linear_q_slv", "linear_q_code")
@@ -264,7 +264,7 @@ def _sentence(
         way = "verified_plainly"
     elif code == "verified_refined" and q_code is None:
         way = "verified_alone"
-    zeta = f"{governing.zeta:.2f}" if governing and governing.zeta is not None else "–"
+    zeta = Number(governing.zeta if governing else None)
     if demand.zeta_target != 1.0:
         zeta = sentence("added", "required", zeta=zeta, target=demand.zeta_target)
     method = sentence("method", governing.label) if governing else ""
@@ -291,7 +291,7 @@ def _dynamic_parts(dynamic: DemandCheck, target: float) -> list[Sentence]:
         else:
             parts.append(sentence("added", "share_of_target", share=share, target=target))
     if other and other.passed != dynamic.passed:
-        zeta = "–" if other.zeta is None else f"{other.zeta:.2f}"
+        zeta = Number(other.zeta)
         if not other.passed and other.zeta is not None and other.zeta >= target:
             zeta = sentence("added", "fails_at_demand", zeta=zeta)
         negation = sentence("added", "nothing" if other.passed else "not")

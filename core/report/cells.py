@@ -19,7 +19,7 @@ from openpyxl.workbook.defined_name import DefinedName
 from openpyxl.worksheet.worksheet import Worksheet
 
 from core.file_names import shown
-from core.text.sentence import localized
+from core.text.sentence import localized, numeral
 
 INK = "1F2D3D"
 ACCENT = "2B5C8A"
@@ -28,6 +28,9 @@ BAD = "B3421B"
 AMBER = "8A5A00"
 QUIET = "6B7785"
 LINE = "C9D1D9"
+
+ROW_HEIGHT = 12.6
+"""Height of a row of one line [points]."""
 
 ACCELERATION = "0.000"
 RATIO = "0.00"
@@ -60,6 +63,10 @@ class Book:
         """A text of the group "report" in the workbook's language."""
         return localized("report", english, self.language, **values)
 
+    def digits(self, value: float | None, form: str) -> str:
+        """A number within a text, "–" for None; form : as of format()."""
+        return numeral(value, form, self.language)
+
     def sheet(self, english: str, widths: Sequence[float], landscape=False) -> Worksheet:
         """A new A4 sheet, fitted to the page's width; english : its name, a text of the group "report"."""
         return self.named_sheet(self.say(english), widths, landscape)
@@ -70,6 +77,7 @@ class Book:
         for k, width in enumerate(widths, start=1):
             sheet.column_dimensions[get_column_letter(k)].width = width
         sheet.sheet_view.showGridLines = False
+        sheet.sheet_format.defaultRowHeight, sheet.sheet_format.customHeight = ROW_HEIGHT, True
         sheet.page_setup.paperSize = sheet.PAPERSIZE_A4
         sheet.page_setup.orientation = "landscape" if landscape else "portrait"
         sheet.page_setup.fitToWidth = 1

@@ -2,8 +2,6 @@
 
 import math
 
-from openpyxl.worksheet.pagebreak import Break
-
 from core.capacity.closed_forms import COEFFICIENTS
 from core.codes.eq9 import TITLE
 from core.report.cells import (
@@ -22,9 +20,16 @@ from core.report.cells import (
     text,
     title,
 )  # fmt: skip
-from core.report.circolare import spectrum_rows, wall_rows
+from core.report.circolare import follows_spectrum, spectrum_rows, wall_rows
 from core.report.load_rows import geometry_rows
-from core.report.rows import heads, input_row, live_row
+from core.report.rows import (
+    changed_cell,
+    close_inputs,
+    found_row,
+    heads,
+    input_row,
+    live_row,
+)
 from core.report.sheets import rule_word
 from core.study.results import Q_SOURCES, PerRecord, StudyResult, WallResult
 from core.text.sentence import word
@@ -35,25 +40,26 @@ def check(book: Book, result: StudyResult) -> None:
     """One block a wall: geometry, records, set, power law, closed forms, Eq. 9."""
     say = book.say
     widths = [34, 13, 13, 13, 12, 11, 12, 16, 11, 11, 11, 11, 12]
-    sheet = book.sheet("Check", widths, landscape=True)
+    sheet = book.sheet("Check", widths)
     title(sheet, 1, say("Check of the equations"))
     paragraph(
         sheet,
         2,
         say(
             "Column C is a live formula of this sheet, column D the value of the program: they must "
-            "agree. In the tables of records each pair stands side by side."
+            "agree. In the tables of records each pair stands side by side. Yellow cells may be changed."
         ),
         len(widths),
         150,
         color=QUIET,
     )
+    changed_cell(book, sheet, 3, 1)
     row = _demand(book, sheet, result, 4)
     for index, wall in enumerate(result.walls, start=1):
-        if index > 1:
-            sheet.row_breaks.append(Break(id=row))
         row = _wall(book, sheet, result, wall, f"wall{index}", row + 1)
     sheet.freeze_panes = "A4"
+    sheet.print_area = f"A1:M{sheet.max_row}"
+    close_inputs(book, sheet)
 
 
 def _demand(book: Book, sheet, result: StudyResult, row: int) -> int:
@@ -65,12 +71,28 @@ def _demand(book: Book, sheet, result: StudyResult, row: int) -> int:
         return row + 1
     row = input_row(book, sheet, row, say("a_g on rock"), demand.ag / G, "g",
                  "demand_ag", ACCELERATION)  # fmt: skip
-    row = input_row(book, sheet, row, "S", demand.soil_factor, "–", "demand_s", RATIO)
+    if follows_spectrum(result):
+        row = live_row(
+            book,
+            sheet,
+            row,
+            "S",
+            "3.2.3",
+            "=spectrum_s",
+            demand.soil_factor,
+            "–",
+            "demand_s",
+            RATIO,
+        )
+    else:
+        row = input_row(book, sheet, row, "S", demand.soil_factor, "–", "demand_s", RATIO)
     row = live_row(book, sheet, row, "S a_g", "", "=demand_ag*demand_s", demand.pga / G, "g", "demand_pga",
                 ACCELERATION)  # fmt: skip
     si = demand.intensity / CM if demand.intensity else None
     label = say("SI of the demand")
-    row = input_row(book, sheet, row, label, si, "cm", "demand_si", RATIO)
+    given = demand.intensity_source == "given"
+    si_row = input_row if given else found_row
+    row = si_row(book, sheet, row, label, si, "cm", "demand_si", RATIO)
     row = spectrum_rows(book, sheet, result, row)
     return input_row(book, sheet, row, say("q of the code"), demand.q_code, "–", "code_q", RATIO)
 
@@ -103,7 +125,8 @@ def _geometry(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
         row = input_row(book, sheet, row, "H", wall.height, "m", f"{name}_height", RATIO)
     if setback:
         row = input_row(book, sheet, row, "t", wall.thickness, "m", f"{name}_thickness", "0.000")
-        row = input_row(book, sheet, row, say("hinge setback u"), setback,
+        setback_row = found_row if wall.wall.compressive_strength_mpa else input_row
+        row = setback_row(book, sheet, row, say("hinge setback u"), setback,
                         "m", f"{name}_setback")  # fmt: skip
         row = live_row(book, sheet, row, "α = arctan((t − 2u)/H)", "Fig. 1",
                        f"=DEGREES(ATAN(({name}_thickness-2*{name}_setback)/{name}_height))", degrees,
@@ -164,7 +187,8 @@ def _ratio_row(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
         equation, formula = formulas[ratio.model]
         return live_row(book, sheet, row, label, equation, f"={formula}", ratio.ratio_at_rest, "–",
                      f"{name}_velocity_ratio")  # fmt: skip
-    return input_row(book, sheet, row, label, ratio.ratio_at_rest, "–", f"{name}_velocity_ratio")
+    ratio_row = input_row if ratio.model == "user" else found_row
+    return ratio_row(book, sheet, row, label, ratio.ratio_at_rest, "–", f"{name}_velocity_ratio")
 
 
 def _records(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
@@ -310,7 +334,7 @@ def _inequality(
             wall.block.threshold_acceleration / G / demand,
             RATIO,
         )
-        words = f"{estimate.low:.2f} – {estimate.high:.2f}"
+        words = f"{book.digits(estimate.low, '.2f')} – {book.digits(estimate.high, '.2f')}"
         if not estimate.within:
             words += " " + say("outside its range")
         text(sheet, row, 8, words, color=QUIET, align="center")

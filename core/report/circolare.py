@@ -5,11 +5,23 @@ from core.codes.kinematic import CANTILEVER, DAMPING, PERIOD_FACTOR
 from core.codes.risk import EXPONENT, exponent_by_ag
 from core.codes.target_spectrum import EN_AMPLIFICATION, NTC_SOIL, NTC_TOPOGRAPHY, CodeSpectrum
 from core.report.cells import ACCELERATION, BAD, EXACT, GOOD, QUIET, RATIO, Book, style, text
-from core.report.load_rows import chain_formulas, sides_agree
-from core.report.rows import heads, input_row, live_row
+from core.report.load_rows import MOMENTS, chain_formulas, moments, sides_agree
+from core.report.rows import found_row, heads, input_row, live_row
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import word
 from core.units import G
+
+
+def follows_spectrum(result: StudyResult) -> bool:
+    """Whether S is that of the spectrum of NTC 2018, which the sheet has as a formula."""
+    asked = result.case.demand
+    spectrum = asked.spectrum
+    return (
+        asked.soil_factor is None
+        and spectrum is not None
+        and spectrum.code == "NTC2018"
+        and isinstance(result.demand.target, CodeSpectrum)
+    )
 
 
 def spectrum_rows(book: Book, sheet, result: StudyResult, row: int) -> int:
@@ -25,7 +37,7 @@ def spectrum_rows(book: Book, sheet, result: StudyResult, row: int) -> int:
         for label, value, name in (("F0", EN_AMPLIFICATION, "f0"), ("T_B", target.t_b, "tb"),
                                    ("T_C", target.t_c, "tc"), ("T_D", target.t_d, "td")):  # fmt: skip
             unit = "–" if name == "f0" else "s"
-            row = input_row(book, sheet, row, label, value, unit, f"spectrum_{name}", ACCELERATION)
+            row = found_row(book, sheet, row, label, value, unit, f"spectrum_{name}", ACCELERATION)
         return row
     a, b, low, high, c, d = NTC_SOIL[asked.soil]
     st = NTC_TOPOGRAPHY[asked.topography]
@@ -63,6 +75,9 @@ def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: st
     sums, start = kinematic.chain, f"{name}_alpha0"
     if wall.wall.load:
         formulas = chain_formulas(book, name)
+        for key, value in moments(wall).items():
+            row = live_row(book, sheet, row, MOMENTS[key], "C8.7.1.1", formulas[key], 1e-3 * value, "kN",
+                           f"{name}_{key}", "0.00")  # fmt: skip
         row = live_row(book, sheet, row, "α0 = (W x + ΣN d + ΣF h)/(W y + ΣQ h)", "C8.7.1.1",
                        formulas["alpha0"], sums.alpha0, "–", start)  # fmt: skip
         row = live_row(book, sheet, row, "e* = (W y + ΣQ h)²/[(W + ΣQ)(W y² + ΣQ h²)]", "C8.7.1.5",
@@ -70,22 +85,22 @@ def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: st
     else:
         row = live_row(book, sheet, row, "α0 = tan α", "C8.7.1.1",
                        f"=TAN(RADIANS({name}_slenderness))", sums.alpha0, "–", start)  # fmt: skip
-        row = input_row(
+        row = found_row(
             book, sheet, row, "e* (C8.7.1.5)", kinematic.e_star, "–", f"{name}_e_star", RATIO
         )
     if sums.alpha0_friction is not None:
         start = f"{name}_alpha0_friction"
         label = say("α0 with friction, top {h:.2f} m", h=sums.friction_height)
-        row = input_row(book, sheet, row, label, sums.alpha0_friction, "–", start)
+        row = found_row(book, sheet, row, label, sums.alpha0_friction, "–", start)
         share = f"{name}_e_star_friction"
-        row = input_row(book, sheet, row, say("e* of that part"), sums.e_star_friction, "–", share)
+        row = found_row(book, sheet, row, say("e* of that part"), sums.e_star_friction, "–", share)
     else:
         share = f"{name}_e_star"
     row = live_row(book, sheet, row, "a0* = α0 g / (e* FC)", "C8.7.1.3",
                    f"={start}/({share}*demand_fc)", kinematic.a0 / G, "g",
                    f"{name}_a0_star")  # fmt: skip
     if kinematic.m_star is not None:
-        row = input_row(book, sheet, row, say("M* per metre"), kinematic.m_star, "kg/m",
+        row = found_row(book, sheet, row, say("M* per metre"), kinematic.m_star, "kg/m",
                         f"{name}_m_star", "0")  # fmt: skip
     row = _sld(book, sheet, wall, name, demand, row)
     for check in found_checks(wall, "linear_q_slv", "linear_q_code"):
@@ -94,7 +109,10 @@ def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: st
             continue
         q = f"{name}_{check.name}"
         label = word(check.label, book.language)
-        row = input_row(book, sheet, row, f"q: {label}", check.q, "–", q, EXACT)
+        if check.name == "linear_q_code":
+            row = live_row(book, sheet, row, f"q: {label}", "", "=code_q", check.q, "–", q)
+        else:
+            row = found_row(book, sheet, row, f"q: {label}", check.q, "–", q)
         row = live_row(book, sheet, row, f"ζ: {label}", check.clause,
                        f"={q}*{name}_zeta_sld", check.zeta, "–", f"{q}_zeta")  # fmt: skip
         row = _outcome(book, sheet, row, f"{q}_zeta", check)
@@ -102,27 +120,37 @@ def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: st
         row = _displacement(book, sheet, wall, name, demand, check, row)
     for check in found_checks(wall, "dynamic"):
         if check.demand is not None:
-            row = input_row(book, sheet, row, say("θmax/θc of the set (Dynamic check)"), check.demand, "–",
+            row = found_row(book, sheet, row, say("θmax/θc of the set (Dynamic check)"), check.demand, "–",
                             f"{name}_peak", EXACT)  # fmt: skip
-        row = input_row(book, sheet, row, f"ζ_E: {word('dynamic', book.language)}", check.zeta, "–",
+        row = found_row(book, sheet, row, f"ζ_E: {word('dynamic', book.language)}", check.zeta, "–",
                         f"{name}_dynamic_zeta", EXACT)  # fmt: skip
         dynamic = wall.assessment.dynamic
-        row = input_row(book, sheet, row, "ζ_16", dynamic.zeta_16, "–", None, EXACT)
+        row = found_row(book, sheet, row, "ζ_16", dynamic.zeta_16, "–", None, EXACT)
         if dynamic.zeta_other:
             on = word(f"confidence_{dynamic.zeta_other.confidence_on}", book.language)
-            row = input_row(book, sheet, row, f"ζ_E, {on}", dynamic.zeta_other.zeta, "–", None, EXACT)  # fmt: skip
+            row = found_row(book, sheet, row, f"ζ_E, {on}", dynamic.zeta_other.zeta, "–", None, EXACT)  # fmt: skip
     return _risk(book, sheet, wall, name, demand, row)
+
+
+def cell_prefix(result: StudyResult, wall: WallResult) -> str:
+    """What the names of the cells of a wall begin with: wall1 for the first of the result."""
+    return f"wall{next(k for k, one in enumerate(result.walls, start=1) if one is wall)}"
+
+
+def zeta_cell(wall: WallResult, name: str, demand) -> str:
+    """Name of the cell of the zeta that decides."""
+    governing = wall.assessment.verdict.governing
+    if demand.limit_state == "SLD" and governing == "linear_q_code":
+        return f"{name}_zeta_sld"
+    return f"{name}_{governing}_zeta"
 
 
 def _risk(book: Book, sheet, wall, name: str, demand, row: int) -> int:
     """PGA_C, T_R,C by both exponents, IS-V of this mechanism, from the zeta of the check that decides."""
-    say, found, verdict = book.say, wall.assessment.risk, wall.assessment.verdict
+    say, found = book.say, wall.assessment.risk
     if found is None:
         return row
-    cells = {"dynamic": "dynamic_zeta", "nonlinear": "nonlinear_zeta"}
-    zeta = f"{name}_{cells.get(verdict.governing, f'{verdict.governing}_zeta')}"
-    if demand.limit_state == "SLD" and verdict.governing == "linear_q_code":
-        zeta = f"{name}_zeta_sld"
+    zeta = zeta_cell(wall, name, demand)
     row = live_row(book, sheet, row, "PGA_C = ζ S a_g", "", f"={zeta}*demand_pga", found.pga / G, "g",
                    f"{name}_pga_c")  # fmt: skip
     if found.by_hazard:
@@ -177,14 +205,14 @@ def _sld(book: Book, sheet, wall, name: str, demand, row: int) -> int:
         row = live_row(book, sheet, row, label, "C8.7.1.7", formula, kinematic.period_0, "s",
                        f"{name}_period_0")  # fmt: skip
         if kinematic.floor:
-            row = input_row(book, sheet, row, "S_eZ(T_0, 5 %)", kinematic.acceleration_demand / G, "g",
+            row = found_row(book, sheet, row, "S_eZ(T_0, 5 %)", kinematic.acceleration_demand / G, "g",
                             against)  # fmt: skip
         elif isinstance(demand.target, CodeSpectrum):
             formula = f"=demand_pga*{spectrum_shape(f'{name}_period_0', 5.0)}"
             row = live_row(book, sheet, row, "S_e(T_0, 5 %)", clause, formula,
                            kinematic.acceleration_demand / G, "g", against)  # fmt: skip
         else:
-            row = input_row(book, sheet, row, "S_e(T_0, 5 %)", kinematic.acceleration_demand / G, "g",
+            row = found_row(book, sheet, row, "S_e(T_0, 5 %)", kinematic.acceleration_demand / G, "g",
                             against)  # fmt: skip
     return live_row(book, sheet, row, "a_g,SLD / a_g", clause, f"={name}_a0_star/{against}",
                     kinematic.zeta_sld, "–", f"{name}_zeta_sld")  # fmt: skip
@@ -198,7 +226,7 @@ def _floor(book: Book, sheet, kinematic, name: str, row: int) -> int:
         row = input_row(book, sheet, row, f"ξ_{k}", mode.damping, "–", f"{name}_xi_{k}")
         row = input_row(book, sheet, row, f"γψ_{k}", mode.participation, "–", f"{name}_part_{k}")
         elastic = kinematic.floor.ground.acceleration([mode.period], mode.damping)[0] / G
-        row = input_row(
+        row = found_row(
             book, sheet, row, f"S_e(T_{k}, ξ_{k})", float(elastic), "g", f"{name}_se_{k}"
         )
         squares.append(f"({name}_se_{k}*{name}_part_{k})^2*(1+4*{name}_xi_{k}^2)")
@@ -214,7 +242,7 @@ def _displacement(book: Book, sheet, wall, name: str, demand, check, row: int) -
     kinematic, state = wall.assessment.kinematic, demand.limit_state
     share = LIMIT_FRACTION[state]
     if wall.wall.load and not sides_agree(wall):
-        row = input_row(book, sheet, row, "d0 (C8.7.1.4)", kinematic.d0, "m", f"{name}_d0")
+        row = found_row(book, sheet, row, "d0 (C8.7.1.4)", kinematic.d0, "m", f"{name}_d0")
     elif wall.wall.load:
         row = live_row(book, sheet, row, "d0 = d_C(θ_c) (W y² + ΣQ h²)/[y (W y + ΣQ h)]", "C8.7.1.4",
                        chain_formulas(book, name)["d0"], kinematic.d0, "m", f"{name}_d0")  # fmt: skip
@@ -234,7 +262,7 @@ def _displacement(book: Book, sheet, wall, name: str, demand, check, row: int) -
                    f"{name}_period")  # fmt: skip
     damping = 100.0 * DAMPING[state]
     if kinematic.floor:
-        row = input_row(book, sheet, row, f"S_DeZ(T_{state}, {damping:g} %), C8.7.1.12", kinematic.s_de, "m",
+        row = found_row(book, sheet, row, f"S_DeZ(T_{state}, {damping:g} %), C8.7.1.12", kinematic.s_de, "m",
                         f"{name}_s_de")  # fmt: skip
     elif isinstance(demand.target, CodeSpectrum):
         t = f"{name}_period"
@@ -242,7 +270,7 @@ def _displacement(book: Book, sheet, wall, name: str, demand, check, row: int) -
         row = live_row(book, sheet, row, f"S_De(T_{state}, {damping:g} %)", "C8.7.1.12", formula,
                        kinematic.s_de, "m", f"{name}_s_de")  # fmt: skip
     else:
-        row = input_row(book, sheet, row, f"S_De max, [T_0, T_{state}], {damping:g} %", kinematic.s_de, "m",
+        row = found_row(book, sheet, row, f"S_De max, [T_0, T_{state}], {damping:g} %", kinematic.s_de, "m",
                         f"{name}_s_de")  # fmt: skip
     ratio, formula = f"{name}_d_limit/{name}_s_de", f"={name}_d_limit/{name}_s_de"
     if state == "SLV" and kinematic.zeta_floor is not None:

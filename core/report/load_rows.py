@@ -2,14 +2,25 @@
 
 import math
 
-from core.report.cells import RATIO, Book, header, number, rule, text
-from core.report.rows import input_row, live_row
+from core.report.cells import RATIO, Book, fill, header, number, rule, text
+from core.report.rows import CHANGED, INPUT_FILL, found_row, input_row, live_row, mark_changed
 from core.study.results import WallResult
 from core.text.sentence import word
 from core.units import G
 from core.wall import wall_loads
 
 SIZE = "0.000"
+
+
+MOMENTS = {"wx": "W x", "nd": "ΣN d", "fh": "ΣF h", "wy": "W y", "qh": "ΣQ h"}
+"""Moments of alpha_0: end of the name of the cell -> as it is written."""
+
+
+def moments(wall: WallResult) -> dict[str, float]:
+    """The same with their values [N], about the governing hinge."""
+    return dict(
+        zip(MOMENTS, wall_loads.start_moments(wall.wall, governing_side(wall)), strict=True)
+    )
 
 
 def governing_side(wall: WallResult) -> float:
@@ -34,7 +45,10 @@ def geometry_rows(book: Book, sheet, wall: WallResult, name: str, row: int) -> i
     side = governing_side(wall)
     row = input_row(book, sheet, row, "H", wall.height, "m", f"{name}_height", RATIO)
     row = input_row(book, sheet, row, "t", wall.thickness, "m", f"{name}_thickness", SIZE)
-    row = input_row(book, sheet, row, say("hinge setback u"), asked.setback, "m", f"{name}_setback")
+    setback_row = found_row if asked.compressive_strength_mpa else input_row
+    row = setback_row(
+        book, sheet, row, say("hinge setback u"), asked.setback, "m", f"{name}_setback"
+    )
     row = input_row(book, sheet, row, say("unit weight"), asked.unit_weight_kn_m3, "kN/m³", f"{name}_weight",
                     RATIO)  # fmt: skip
     weight = wall_loads.weight_per_metre(asked) / 1e3
@@ -64,7 +78,9 @@ def geometry_rows(book: Book, sheet, wall: WallResult, name: str, row: int) -> i
             pushed,
         )
         for column, value in enumerate(values, start=2):
-            number(sheet, row, column, value, SIZE)
+            fill(number(sheet, row, column, value, SIZE), INPUT_FILL)
+            number(sheet, row, CHANGED + column - 1, value, SIZE)
+        mark_changed(book, sheet, row, f"B{row}:F{row}", f"P{row}:T{row}")
         rule(sheet, row, 1, 6)
     ranges = {
         key: f"${column}${first}:${column}${row}"
@@ -120,6 +136,11 @@ def chain_formulas(book: Book, name: str) -> dict[str, str]:
     radius = f"SQRT({name}_x^2+{name}_y^2)"
     centroid = f"({name}_x-{radius}*SIN(ATAN({name}_x/{name}_y)-{name}_theta_c))"
     return {
+        "wx": f"={name}_w*{name}_x",
+        "nd": f"=SUMPRODUCT({n},{d})",
+        "fh": f"=SUMPRODUCT({f},{h})",
+        "wy": f"={name}_w*{name}_y",
+        "qh": f"=SUMPRODUCT({q},{h})",
         "alpha0": f"={holding}/{first}",
         "e_star": f"={first}^2/(({name}_w+SUM({q}))*{second})",
         "d0": f"={centroid}*{second}/({name}_y*{first})",

@@ -38,7 +38,10 @@ from core.text.sentence import word
 from core.units import CM
 
 CHART_WALLS = 20
-CHARTS_PER_PAGE = 3
+ABREAST_FROM = 4
+"""Charts from which two stand side by side."""
+WIDE, SMALL = (17.5, 9.0), (9.4, 6.3)
+"""Sizes of a chart alone and beside another [cm]."""
 CURVE_POINTS = 25
 WIDE_SPREAD = 8.0
 """Ratio of the largest to the smallest q_eff from which a chart has logarithmic axes."""
@@ -69,6 +72,23 @@ def new_chart(heading: str, x: str, y: str, width=24.0, height=9.5) -> ScatterCh
     chart.width, chart.height = width, height
     chart.legend.position = "b"
     return chart
+
+
+def _placed(sheet, chart, index: int, count: int, row: int) -> int:
+    """Put the chart of this index, of so many, onto the sheet; returns the row of the next."""
+    if count < ABREAST_FROM:
+        sheet.add_chart(chart, f"A{row}")
+        row += 19
+        if index % 3 == 2:
+            sheet.row_breaks.append(Break(id=row - 1))
+        return row
+    sheet.add_chart(chart, f"{'AF'[index % 2]}{row}")
+    if index % 2 == 0 and index < count - 1:
+        return row
+    row += 13
+    if index % 8 == 7:
+        sheet.row_breaks.append(Break(id=row - 1))
+    return row
 
 
 def add_series(chart, sheet, columns, rows, color, points=False, dash=None, width=19000) -> None:
@@ -103,11 +123,13 @@ def q_against_si(book: Book, result: StudyResult) -> None:
         row = paragraph(sheet, row, note, 10, 90, color=QUIET)
     if not with_q:
         text(sheet, row, 1, say("No run with a number of q."))
-    for index, wall in enumerate(walls[:CHART_WALLS]):
+    drawn = walls[:CHART_WALLS]
+    abreast = len(drawn) >= ABREAST_FROM
+    for index, wall in enumerate(drawn):
         column = DATA + 8 * index
         last_point, last_curve = _si_data(book, sheet, wall, column)
         label = f"{wall.name} – {word(wall.mechanism, book.language)}"
-        chart = new_chart(label, "SI [cm]", "q_eff [-]", 17.5, 9.5)
+        chart = new_chart(label, "SI [cm]", "q_eff [-]", *(SMALL if abreast else WIDE))
         add_series(chart, sheet, (column, column + 1), (2, last_point), ACCENT, points=True)
         if wall.power_law:
             add_series(chart, sheet, (column + 2, column + 3), (2, last_curve), ACCENT)
@@ -131,10 +153,7 @@ def q_against_si(book: Book, result: StudyResult) -> None:
                 axis.scaling.logBase = 10
             else:
                 axis.scaling.min = 0
-        sheet.add_chart(chart, f"A{row}")
-        row += 21
-        if index % CHARTS_PER_PAGE == CHARTS_PER_PAGE - 1:
-            sheet.row_breaks.append(Break(id=row - 2))
+        row = _placed(sheet, chart, index, len(drawn), row)
     if len(walls) > CHART_WALLS:
         names = ", ".join(wall.name for wall in walls[CHART_WALLS:])
         row = paragraph(sheet, row, say("Not drawn: ") + names, 10, 90)
@@ -182,6 +201,7 @@ def histories(book: Book, result: StudyResult, drawn: list[CollapseHistories]) -
     sheet = book.sheet("Histories", [10] * 14)
     title(sheet, 1, say("Rotation at first collapse"))
     row = 3
+    abreast = len(drawn) >= ABREAST_FROM
     for index, entry in enumerate(drawn[:CHART_WALLS]):
         column = DATA + 5 * index
         last = _history_data(book, sheet, entry, column)
@@ -190,7 +210,7 @@ def histories(book: Book, result: StudyResult, drawn: list[CollapseHistories]) -
             f"{entry.wall.name} – {word(entry.wall.mechanism, book.language)}: "
             f"{entry.motion.name} ({sign})"
         )
-        chart = new_chart(label, "t [s]", "θ/θc [-]", 17.5, 8.5)
+        chart = new_chart(label, "t [s]", "θ/θc [-]", *(SMALL if abreast else WIDE))
         add_series(chart, sheet, (column, column + 1), (2, last[0]), GOOD, width=12000)
         add_series(chart, sheet, (column + 2, column + 3), (2, last[1]), BAD, width=12000)
         one_sided = entry.wall.mechanism == "one_sided"
@@ -199,10 +219,7 @@ def histories(book: Book, result: StudyResult, drawn: list[CollapseHistories]) -
         chart.x_axis.scaling.min = 0
         chart.x_axis.scaling.max = math.ceil(entry.motion.duration)
         chart.x_axis.tickLblPos = "low"
-        sheet.add_chart(chart, f"A{row}")
-        row += 19
-        if index % CHARTS_PER_PAGE == CHARTS_PER_PAGE - 1:
-            sheet.row_breaks.append(Break(id=row - 2))
+        row = _placed(sheet, chart, index, len(drawn[:CHART_WALLS]), row)
     shown = {id(entry.wall) for entry in drawn[:CHART_WALLS]}
     rest = [wall for wall in result.walls if id(wall) not in shown]
     if rest:
@@ -270,10 +287,11 @@ def survival_map(book: Book, result: StudyResult) -> None:
         )
         text(sheet, 4, 5 + k - first, f"{math.exp(MAP_BIN * k):.2f}", size=8, color=QUIET)
     for row, ((wall, run), share) in enumerate(zip(runs, shares, strict=False), start=5):
-        text(sheet, row, 1, wall.name)
-        text(sheet, row, 2, word(wall.mechanism, book.language))
-        text(sheet, row, 3, run.record)
-        text(sheet, row, 4, "+" if run.polarity > 0 else "−", align="center")
+        text(sheet, row, 1, wall.name, size=7)
+        text(sheet, row, 2, word(wall.mechanism, book.language), size=7)
+        text(sheet, row, 3, run.record, size=7)
+        text(sheet, row, 4, "+" if run.polarity > 0 else "−", align="center", size=7)
+        sheet.row_dimensions[row].height = 8.8
         for k in range(first, last + 1):
             number(sheet, row, 5 + k - first, share.get(k, -1.0), ";;;")
     area = f"E5:{get_column_letter(5 + last - first)}{4 + len(shares)}"

@@ -13,7 +13,7 @@ from core.report.cells import (
     text,
     title,
 )
-from core.report.summary_sheet import by_zeta
+from core.report.verdict_words import by_zeta
 from core.study.limit_states import STATES
 from core.study.results import StudyResult, WallResult
 from core.study.variants import comparisons
@@ -95,7 +95,13 @@ def _wall(book: Book, sheet, wall: WallResult, row: int) -> None:
         number(sheet, row, 5, found.risk.pga / G, ACCELERATION)
         text(sheet, row, 6, found.risk.years or "–", align="right")
         letter = found.risk.letter
-        text(sheet, row, 7, f"{found.risk.index:.2f}  {letter}" if letter else "–", align="right")
+        text(
+            sheet,
+            row,
+            7,
+            f"{book.digits(found.risk.index, '.2f')}  {letter}" if letter else "–",
+            align="right",
+        )
     for column, one in enumerate(found.states, start=8):
         number(sheet, row, column, one.zeta, RATIO)
 

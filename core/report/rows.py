@@ -2,22 +2,77 @@
 
 import math
 
-from core.report.cells import EXACT, QUIET, Book, header, number, rule, text
+from core.report.cells import (
+    BAD,
+    EXACT,
+    QUIET,
+    Book,
+    fill,
+    header,
+    number,
+    rule,
+    style,
+    text,
+)
 
 LIVE, ENGINE = 3, 4
 """Columns of the live value and of the program's value."""
 
+CHANGED = 15
+"""Hidden column of the sheet Check: 1 in the row of an input that differs from that of the run."""
+
+INPUT_FILL = "FFF6D5"
+"""Colour of the cells a person may change."""
+
 
 def input_row(book: Book, sheet, row, label, value, unit, name=None, shape=EXACT) -> int:
-    """A number of the case, which the formulas refer to by its name; returns the next row."""
+    """A number of the case, which a person may change and the formulas refer to by its name; returns the next row."""
+    row = found_row(book, sheet, row, label, value, unit, name, shape, book.say("input"))
+    if value is not None:
+        fill(sheet.cell(row - 1, LIVE), INPUT_FILL)
+        number(sheet, row - 1, ENGINE, value, shape, color=QUIET)
+        mark_changed(book, sheet, row - 1, f"C{row - 1}", f"D{row - 1}")
+    return row
+
+
+def found_row(
+    book: Book, sheet, row, label, value, unit, name=None, shape=EXACT, source=None
+) -> int:
+    """A number of the run that no formula of the sheet gives. source : word of column B, "of the run" by default."""
     text(sheet, row, 1, label)
-    text(sheet, row, 2, book.say("input"), color=QUIET)
+    text(sheet, row, 2, source or book.say("of the run"), color=QUIET)
     number(sheet, row, LIVE, value, shape)
     text(sheet, row, 5, unit, color=QUIET, align="center")
     if name and value is not None:
         book.name(name, sheet.cell(row, LIVE))
     rule(sheet, row, 1, 5)
     return row + 1
+
+
+def mark_changed(book: Book, sheet, row: int, now: str, then: str) -> None:
+    """The hidden mark of a row whose inputs are the cells `now`, in the run the cells `then`."""
+    formula = f"=IF(SUMPRODUCT(ABS({now}-{then}))>1E-9,1,0)"
+    book.formula(sheet.cell(row, CHANGED), formula, 0.0, "0")
+
+
+def close_inputs(book: Book, sheet) -> None:
+    """After the last row: the cell `inputs_changed` counts the inputs that differ from those of the run."""
+    letter = sheet.cell(1, CHANGED).column_letter
+    cell = sheet.cell(1, CHANGED)
+    book.formula(cell, f"=SUM({letter}2:{letter}{sheet.max_row})", 0.0, "0")
+    book.name("inputs_changed", cell)
+    for column in range(CHANGED, CHANGED + 7):
+        sheet.column_dimensions[sheet.cell(1, column).column_letter].hidden = True
+
+
+def changed_cell(book: Book, sheet, row: int, column: int) -> None:
+    """A cell that states plainly that an input is no longer that of the run."""
+    words = book.say(
+        "Input changed since the run: q and zeta of the histories are of the old wall. Run the case again."
+    )
+    cell = sheet.cell(row, column)
+    book.formula(cell, f'=IF(inputs_changed>0,"{words}","")', "")
+    style(cell, bold=True, color=BAD, size=11)
 
 
 def live_row(

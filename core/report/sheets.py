@@ -272,7 +272,9 @@ def method(book: Book, result: StudyResult) -> None:
         if not wall.law.is_rigid:
             ends = f"D1 {wall.law.elastic_limit:g}, D2 {wall.law.plateau_end:g}"
             law = f"{say('trilinear')} {ends}"
-        facts.append((label, f"{ratio}, e = {wall.restitution.ratio_at_rest:.4f}; {law}"))
+        facts.append(
+            (label, f"{ratio}, e = {book.digits(wall.restitution.ratio_at_rest, '.4f')}; {law}")
+        )
     if len(facts) > 46:
         facts = facts[:46] + [("…", say("see Input and the JSON"))]
     for label, value in facts:
@@ -310,34 +312,32 @@ def _uncertainty(book: Book, sheet, result: StudyResult, row: int) -> int:
                 say(
                     "q by dormand_prince: {_digits} against {q:.4f}, difference {_percent}; history against "
                     "DOP853 of scipy at the last survived scale: {_power} of theta_c.",
-                    _digits=_digits(accuracy.q_reference),
+                    _digits=_digits(book, accuracy.q_reference),
                     q=accuracy.q,
-                    _percent=_percent(accuracy.solver_q_error),
-                    _power=_power(accuracy.history_error),
+                    _percent=_percent(book, accuracy.solver_q_error),
+                    _power=_power(book, accuracy.history_error),
                 ),
             ),
             (
                 say("Spread by definition"),
                 say("q (q robust) by step of the search: ")
                 + "; ".join(
-                    f"{100 * s:g} %: {_digits(q)} ({_digits(r)})" for s, q, r in accuracy.steps
+                    f"{book.digits(100 * s, 'g')} %: {_digits(book, q)} ({_digits(book, r)})"
+                    for s, q, r in accuracy.steps
                 )
                 + ". "
                 + say("Samples rounded to five figures: q spreads ")
-                + f"{_percent(accuracy.spread(0, accuracy.rounded))}, q robust "
-                f"{_percent(accuracy.spread(1, accuracy.rounded))}."
+                + f"{_percent(book, accuracy.spread(0, accuracy.rounded))}, q robust "
+                f"{_percent(book, accuracy.spread(1, accuracy.rounded))}."
                 + (
-                    say(" Sign: ") + " / ".join(_digits(q) for q in accuracy.polarities)
+                    say(" Sign: ") + " / ".join(_digits(book, q) for q in accuracy.polarities)
                     if accuracy.polarities
                     else ""
                 ),
             ),
             (
                 say("Methods on this history"),
-                "; ".join(
-                    f"{p.name}: {1e6 * p.seconds:.0f} µs, {_power(p.error)}"
-                    for p in accuracy.points
-                ),
+                "; ".join(f"{p.name}: {_power(book, p.error)}" for p in accuracy.points),
             ),
         ]
         for label, body in rows:
@@ -350,13 +350,13 @@ def _uncertainty(book: Book, sheet, result: StudyResult, row: int) -> int:
     return row
 
 
-def _digits(value: float | None) -> str:
-    return "–" if value is None else f"{value:.2f}"
+def _digits(book: Book, value: float | None) -> str:
+    return book.digits(value, ".2f")
 
 
-def _percent(value: float | None) -> str:
-    return "–" if value is None else f"{100 * value:.2g} %"
+def _percent(book: Book, value: float | None) -> str:
+    return "–" if value is None else book.digits(100 * value, ".2g") + " %"
 
 
-def _power(value: float | None) -> str:
-    return "overturns" if value is None else f"{value:.0e}"
+def _power(book: Book, value: float | None) -> str:
+    return word("overturned", book.language) if value is None else f"{value:.0e}"

@@ -1,9 +1,11 @@
-"""Summary: the page an engineer signs, and the overview of all walls."""
+"""Summary: one page of all that decides, and the overview of all walls."""
 
 import math
+from copy import copy
 
 from core.codes.eq9 import LABEL
 from core.ground.ground_motion import GroundMotion
+from core.report.assumptions import assumptions_of
 from core.report.cells import (
     ACCELERATION,
     AMBER,
@@ -23,11 +25,13 @@ from core.report.cells import (
     text,
     title,
 )  # fmt: skip
+from core.report.circolare import cell_prefix, zeta_cell
+from core.report.rows import changed_cell
 from core.report.summary_charts import peaks, sketch
 from core.report.tie_words import tie_words
+from core.report.verdict_words import by_zeta, tone_of
 from core.study.results import Q_SOURCES, StudyResult, WallResult
 from core.text.sentence import localized, word
-from core.text.words import ASSUMPTIONS
 from core.units import CM, G
 from core.version import NAME, VERSION
 
@@ -36,26 +40,12 @@ SUMMARY_WALLS = 8
 
 WIDTHS = [30, 12, 8, 9, 9, 7, 8, 14, 9, 8, 9, 9, 26]
 LAST = len(WIDTHS)
-COLORS = {"verified": GOOD, "not_activated": GOOD, "verified_refined": AMBER, "indicative": AMBER,
-          "undetermined": AMBER, "q2_unsafe": BAD, "not_verified": BAD}  # fmt: skip
-
-
-def by_zeta(walls) -> list[WallResult]:
-    """Walls without a zeta first, then the lowest."""
-
-    def key(wall: WallResult) -> float:
-        zeta = wall.assessment.verdict.zeta_e if wall.assessment else None
-        return -math.inf if zeta is None else zeta
-
-    return sorted(walls, key=key)
+TONE_COLORS = {"": INK, "good": GOOD, "amber": AMBER, "bad": BAD}
 
 
 def verdict_color(result: StudyResult, wall: WallResult) -> str:
     """Green only where nothing is left to read: a warning or a reason turns it amber."""
-    if wall.assessment is None:
-        return INK
-    color = COLORS[wall.assessment.verdict.code]
-    return AMBER if color == GOOD and result.left_to_read(wall) else color
+    return TONE_COLORS[tone_of(result, wall)]
 
 
 def summary(book: Book, result: StudyResult) -> None:
@@ -76,6 +66,8 @@ def summary(book: Book, result: StudyResult) -> None:
         color=QUIET,
     )
     row = _title_block(book, sheet, result, report, 3)
+    changed_cell(book, sheet, row, 1)
+    row += 1
     row = _demand_lines(book, sheet, result, row, LAST)
     ordered = by_zeta(result.walls)
     row = _walls_table(book, sheet, result, ordered[:SUMMARY_WALLS], row + 1)
@@ -121,7 +113,7 @@ def _title_block(book: Book, sheet, result: StudyResult, report, row: int) -> in
     ]  # fmt: skip
     if asked:
         life = [
-            f"{label} {value:g}" for label, value in (
+            f"{label} {book.digits(value, 'g')}" for label, value in (
                 ("V_N", asked.nominal_life_years), ("C_U", asked.use_class_factor),
                 ("T_R", asked.return_period and round(asked.return_period))) if value is not None
         ]  # fmt: skip
@@ -141,10 +133,10 @@ def _demand_lines(book: Book, sheet, result: StudyResult, row: int, last: int) -
         line = say("No demand given: no check.")
         return paragraph(sheet, row, line, last, 150, bold=True)
     line = (
-        f"{say('Demand')} {demand.limit_state}: a_g {demand.ag / G:.3f} g "
-        f"({say('on rock, S apart')}), S {demand.soil_factor:.3f}, "
-        f"S a_g {demand.pga / G:.3f} g, {word(f'confidence_{demand.confidence_on}', book.language)} "
-        f"{demand.confidence_factor:.2f}"
+        f"{say('Demand')} {demand.limit_state}: a_g {book.digits(demand.ag / G, '.3f')} g "
+        f"({say('on rock, S apart')}), S {book.digits(demand.soil_factor, '.3f')}, "
+        f"S a_g {book.digits(demand.pga / G, '.3f')} g, {word(f'confidence_{demand.confidence_on}', book.language)} "
+        f"{book.digits(demand.confidence_factor, '.2f')}"
     )
     if demand.target:
         line += f", {demand.target.name}"
@@ -153,7 +145,7 @@ def _demand_lines(book: Book, sheet, result: StudyResult, row: int, last: int) -
             "given": say("given"), "spectrum": say("of the spectrum"),
             "records_scaled": say("from the records"),
         }[demand.intensity_source]  # fmt: skip
-        line += f", SI {demand.intensity / CM:.1f} cm ({source})"
+        line += f", SI {book.digits(demand.intensity / CM, '.1f')} cm ({source})"
     return paragraph(sheet, row, line, last, 150, bold=True)
 
 
@@ -183,9 +175,24 @@ def _walls_table(book: Book, sheet, result: StudyResult, walls: list[WallResult]
             number(sheet, row, column, value, shape)
         color = verdict_color(result, wall)
         number(sheet, row, 12, verdict.zeta_e if verdict else None, RATIO, bold=True, color=color)
+        _link(book, sheet, result, wall, row)
         text(sheet, row, 13, label, bold=True, color=color, wrap=True)
         rule(sheet, row, 1, LAST)
     return row + 1
+
+
+def _link(book: Book, sheet, result: StudyResult, wall: WallResult, row: int) -> None:
+    """alpha, a_RM, q and zeta as those of the sheet Check, live."""
+    name = cell_prefix(result, wall)
+    links = {7: f"{name}_slenderness", 8: f"{name}_a_rm", 10: f"{name}_q_set"}
+    if wall.assessment and wall.assessment.verdict.governing:
+        links[12] = zeta_cell(wall, name, result.demand)
+    for column, target in links.items():
+        cell = sheet.cell(row, column)
+        if target in book.workbook.defined_names and isinstance(cell.value, float):
+            look = copy(cell._style)
+            book.formula(cell, f"={target}", cell.value, cell.number_format)
+            cell._style = look
 
 
 def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: int) -> int:
@@ -210,6 +217,17 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
         _method_row(
             book, sheet, row, label, check.clause, values, decides, check.name == "floor_sld"
         )
+    if any(wall.code_check):
+        row += 1
+        text(
+            sheet,
+            row,
+            1,
+            say("For comparison only: Eq. 9 of the paper"),
+            color=QUIET,
+            italic=True,
+            size=9,
+        )
     for source, check in zip(Q_SOURCES, wall.code_check, strict=False):
         if check:
             row += 1
@@ -226,7 +244,7 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
     for reason in verdict.reasons:
         row = paragraph(sheet, row, f"• {reason.text(book.language)}", LAST, 150)
     if assessment.tie is not None:
-        row = paragraph(sheet, row, f"• {tie_words(book, assessment.tie)}", LAST, 150)
+        row = paragraph(sheet, row, f"• {tie_words(book.say, assessment.tie)}", LAST, 150)
     if verdict.lower_bound is not None:
         row = paragraph(
             sheet,
@@ -243,11 +261,11 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
 
 def _risk_line(book: Book, risk) -> str:
     """What the mechanism withstands, in one line."""
-    parts = [f"PGA_C {risk.pga / G:.3f} g"]
+    parts = [f"PGA_C {book.digits(risk.pga / G, '.3f')} g"]
     if risk.years is not None:
         parts.append(f"T_R,C {risk.years} {book.say('years')}")
     if risk.index is not None:
-        parts.append(f"IS-V {risk.index:.2f} ({risk.letter})")
+        parts.append(f"IS-V {book.digits(risk.index, '.2f')} ({risk.letter})")
     return ", ".join(parts)
 
 
@@ -255,20 +273,20 @@ def _mechanism_line(book: Book, assessment) -> str:
     """Quantities of the mechanism in one line."""
     say = book.say
     parts = [
-        f"α0 {assessment.alpha0:.4f}",
-        f"e* {assessment.e_star:.3g}",
-        f"a0* {assessment.a0 / G:.3f} g",
+        f"α0 {book.digits(assessment.alpha0, '.4f')}",
+        f"e* {book.digits(assessment.e_star, '.3g')}",
+        f"a0* {book.digits(assessment.a0 / G, '.3f')} g",
     ]
     if assessment.m_star is not None:
-        parts.append(f"M* {assessment.m_star:.0f} kg/m")
+        parts.append(f"M* {book.digits(assessment.m_star, '.0f')} kg/m")
     if assessment.free_element:
         parts.append(say("free to vibrate"))
         if assessment.period_0 is not None:
-            parts.append(f"T_0 {assessment.period_0:.3f} s")
+            parts.append(f"T_0 {book.digits(assessment.period_0, '.3f')} s")
     else:
         parts.append(say("restrained by transverse walls"))
     if assessment.zeta_sld is not None:
-        parts.append(f"a_g,SLD/a_g {assessment.zeta_sld:.2f}")
+        parts.append(f"a_g,SLD/a_g {book.digits(assessment.zeta_sld, '.2f')}")
     return ", ".join(parts)
 
 
@@ -329,17 +347,6 @@ def _warnings(book: Book, sheet, result: StudyResult, row: int, last: int, most:
             140,
         )
     return row
-
-
-def assumptions_of(walls) -> list[str]:
-    """Codes of what the engineer confirms: the loads as given where a wall has some, else that there are none."""
-    loaded = any(wall.load for wall in walls)
-    tied = any(load.kind == "tie" for wall in walls for load in wall.load)
-    left_out = {
-        "no_load" if loaded else "loads_as_given",
-        "no_ties" if tied else "ties_as_given",
-    }
-    return [code for code in ASSUMPTIONS if code not in left_out]
 
 
 def _signature(book: Book, sheet, row: int, walls) -> None:

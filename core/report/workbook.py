@@ -12,6 +12,7 @@ from core.report import (
     summary_sheet,
 )
 from core.report.cells import Book
+from core.report.note.sheet import note_sheet
 from core.study.results import CollapseHistories, StudyResult
 
 HISTORY_WALLS = 20
@@ -42,10 +43,10 @@ def build(
     book = Book(result.case.report.language)
     book.workbook.remove(book.workbook.active)
     sheets_in_order = (
-        summary_sheet.summary, summary_sheet.overview, risk_sheet.risk, sheets.inputs, sheets.records, sheets.results,
-        check_sheet.check, demand_sheets.dynamic_check, demand_sheets.spectral_compatibility, floor_sheet.floors,
-        plots.q_against_si, lambda book, result: plots.histories(book, result, histories),
-        plots.survival_map, sheets.method,
+        check_sheet.check, summary_sheet.summary, summary_sheet.overview, note_sheet, risk_sheet.risk,
+        sheets.inputs, sheets.records, sheets.results, demand_sheets.dynamic_check,
+        demand_sheets.spectral_compatibility, floor_sheet.floors, plots.q_against_si,
+        lambda book, result: plots.histories(book, result, histories), plots.survival_map, sheets.method,
     )  # fmt: skip
     for sheet in sheets_in_order:
         if sheet is summary_sheet.overview and len(result.walls) <= summary_sheet.SUMMARY_WALLS:
@@ -56,4 +57,7 @@ def build(
             continue
         check()
         sheet(book, result)
+    # made first, for the others show its cells: it stands behind the results
+    place = book.workbook.sheetnames.index(book.say("Results"))
+    book.workbook.move_sheet(book.say("Check"), place)
     return book

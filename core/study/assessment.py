@@ -17,7 +17,7 @@ from core.rocking.methods import Method
 from core.study.floors import LOW_CODE, building_notes, floor_of, other_end
 from core.study.results import Assessment, WallResult
 from core.study.tie_design import tie_design, with_tie
-from core.text.sentence import Sentence, sentence
+from core.text.sentence import Number, Sentence, sentence
 from core.wall.restitution import restitution
 from core.wall.rocking_model import rocking_model
 from core.wall.wall_loads import rocks_both_ways
@@ -204,8 +204,8 @@ def _floor_notes(wall, building, demand, ratio: float | None, sensitivity) -> tu
     """What is said of the floor beside the verdict. ratio : of `Floor.code_over_records`."""
     notes = building_notes(building, demand.limit_state)
 
-    def words(name: str) -> str:
-        return "–" if sensitivity[name] is None else f"{sensitivity[name]:.2f}"
+    def words(name: str) -> Number:
+        return Number(sensitivity[name])
 
     if "other_building" in sensitivity:
         factor, damping = other_end(building, demand.limit_state)

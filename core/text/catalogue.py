@@ -5,6 +5,7 @@ from core.text.errors import CASE_ERRORS
 from core.text.file_errors import FILE_ERRORS
 from core.text.load_errors import LOAD_ERRORS
 from core.text.method import METHOD_BODIES, METHOD_LABELS
+from core.text.note import NOTE
 from core.text.notices import SENTENCES as NOTICES
 from core.text.report import REPORT
 from core.text.study import STUDY
@@ -41,7 +42,7 @@ CATALOGUE: dict[str, dict[str, tuple[str, str]]] = {
     "started_method": {code: _started(words) for code, words in METHOD_WORDS.items()},
     "method_label": METHOD_LABELS,
     "method_body": METHOD_BODIES,
-    "report": _by_english({**STUDY, **REPORT}),
+    "report": _by_english({**STUDY, **REPORT, **NOTE}),
     "window": _by_english({**WINDOW, **WINDOW_FORMS}),
     "terminal": _by_english(TERMINAL),
 }

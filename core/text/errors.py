@@ -382,6 +382,16 @@ CASE_ERRORS = {
         "la finestra richiede PySide6 e pyqtgraph, e in Linux libgl1, libegl1 e libxkbcommon0 ({reason}); "
         "avviarla con python3 run.py, o calcolare un caso con --batch",
     ),
+    "note_is_docx": (
+        "{path} is no Word document: name a file that ends in .docx",
+        "{path} non è un documento Word: indicare un file che termina in .docx",
+    ),
+    "report_needs_packages": (
+        "the calculation note needs python-docx and matplotlib ({reason}); start the program with python3 run.py, "
+        "which installs them",
+        "la relazione richiede python-docx e matplotlib ({reason}); avviare il programma con python3 run.py, che li "
+        "installa",
+    ),
     "picture_not_made": ("The picture cannot be made.", "Non è possibile creare l'immagine."),
 }
 """Of cases, settings, spectra and results: code -> (English, Italian). A placeholder without a value is a key of the

@@ -83,8 +83,7 @@ METHOD_BODIES = {
         "alpha0 g / (e* FC), e* = 1 for one wall without masses that push it (its weight at its centroid), "
         "against a_g S or, free to "
         "vibrate, S_e(T_0, 5 %); a_g,SLV = q a_g,SLD. The verdict follows the most refined check that could "
-        "be made, in this order. Sentences of the clauses were read in a public transcription of the "
-        "Circolare.",
+        "be made, in this order.",
         "C8.7.1.2.1.9: storie temporali della curva di capacità con FC sulla resistenza (p^2 / FC sotto il "
         "moto moltiplicato per FC; oppure FC sulla domanda), theta_c (alpha senza carichi) mai superato, media "
         "delle rotazioni "
@@ -95,8 +94,7 @@ METHOD_BODIES = {
         "a_g,SLD da a0* = alpha0 g / (e* FC), e* = 1 per una parete senza masse che la spingono (peso nel "
         "baricentro), rispetto ad a_g S "
         "o, se libera di vibrare, S_e(T_0, 5 %); a_g,SLV = q a_g,SLD. L'esito segue la verifica più raffinata "
-        "disponibile, in quest'ordine. I testi dei punti sono stati letti in una trascrizione pubblica della "
-        "Circolare.",
+        "disponibile, in quest'ordine.",
     ),
     "loads": (
         "A force of constant size and direction is exact: phi'' = -p^2 [a sin(alpha - phi) + c cos(alpha - phi) - "

@@ -57,10 +57,10 @@ REPORT = {
     "Check of the equations": "Verifica delle equazioni",
     (
         "Column C is a live formula of this sheet, column D the value of the program: they must agree. In the "
-        "tables of records each pair stands side by side."
+        "tables of records each pair stands side by side. Yellow cells may be changed."
     ): (
         "La colonna C è una formula viva di questo foglio, la colonna D il valore del programma: devono "
-        "coincidere. Nelle tabelle degli accelerogrammi ogni coppia è affiancata."
+        "coincidere. Nelle tabelle degli accelerogrammi ogni coppia è affiancata. Le celle gialle si possono cambiare."
     ),
     "Demand": "Domanda",
     "a_g on rock": "a_g su suolo rigido",

@@ -55,6 +55,14 @@ class Quantity:
 
 
 @dataclass(frozen=True)
+class Number:
+    """A number as a value of a sentence that says nothing of its format; "–" for None. form : as of format()"""
+
+    value: float | None
+    form: str = ".2f"
+
+
+@dataclass(frozen=True)
 class Sentence:
     """A text as data: group and code of the catalogue, values of its placeholders. In an error a placeholder
     without a value is a key of the case; section_demand is [demand]."""
@@ -110,6 +118,8 @@ def in_words(value, language: str, form: FormNames = FILE_NAMES, comma: bool = F
         factor, unit = form.scales.get(value.key, (1.0, ""))
         number = in_words(value.value * factor, language, form, comma)
         return f"{number:g} {unit}".strip()
+    if isinstance(value, Number):
+        return numeral(value.value, value.form, "it" if comma else "en")
     if isinstance(value, tuple):
         return ", ".join(str(in_words(part, language, form, comma)) for part in value)
     if isinstance(value, float) and comma:

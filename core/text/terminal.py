@@ -1,6 +1,8 @@
 """What a terminal shows."""
 
 TERMINAL = {
+    "the calculation note too, as a Word document (.docx)": "anche la relazione, come documento Word (.docx)",
+    "--report goes with --batch": "--report va con --batch",
     "minimum": "minimo",
     "too_few": "minimo, troppo pochi",
     "incomplete": "incompleto",

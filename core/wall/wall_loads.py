@@ -209,6 +209,22 @@ def start_multiplier(weight: float, x: float, y: float, forces, pushed) -> float
     return holding / (weight * y + sum(mass.mass * G * mass.height for mass in pushed))
 
 
+def start_moments(wall, side: float) -> tuple[float, float, float, float, float]:
+    """W x, sum N d, sum F h, W y, sum Q h [N]: what alpha_0 of a wall with loads is made of (C8.7.1.1).
+
+    side : 1.0 about the outer hinge, -1.0 about the inner one
+    """
+    weight, (x, y) = weight_per_metre(wall), wall.bare_block().centroid
+    forces = [as_force(load, wall, side) for load in wall.load]
+    return (
+        weight * x,
+        sum(force.vertical * force.distance for force in forces),
+        sum(force.horizontal * force.height for force in forces),
+        weight * y,
+        sum(mass.mass * G * mass.height for mass in masses(wall)),
+    )
+
+
 def hinge_inside(wall, share: float = 1.0) -> float | None:
     """Height [m] at which a wall with ties opens a hinge before it turns about its base; None where it does not.
 

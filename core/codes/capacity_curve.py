@@ -1,0 +1,58 @@
+"""The capacity curve of a wall over the demand, displacement against acceleration (Circolare 7/2019 C8.7.1.3)."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from core.codes.demand import DemandResult
+from core.codes.kinematic import DAMPING, Kinematic
+from core.codes.target_spectrum import displacement
+from core.units import G
+
+PERIODS = np.concatenate([np.linspace(0.0, 0.5, 51), np.linspace(0.52, 4.0, 175)])
+"""Periods of the curve of the demand [s]."""
+
+BEYOND = 1.25
+"""How far the curve of the demand is drawn: times the largest displacement of the check."""
+
+
+@dataclass(frozen=True)
+class CapacityCurve:
+    """Curves of d [m] and a [m/s2] of the equivalent oscillator.
+
+    capacity : a(d) = alpha(d) g / (e* FC), from d = 0 to d_0: ((d, a), (d, a))
+    demand_d, demand_a : S_De and S_e at the damping of the check, by period; above the ground of the ground
+    floor_d, floor_a : the same of the floor, empty on the ground
+    damping : of both [-]
+    """
+
+    capacity: tuple[tuple[float, float], tuple[float, float]]
+    demand_d: np.ndarray
+    demand_a: np.ndarray
+    floor_d: np.ndarray
+    floor_a: np.ndarray
+    damping: float
+
+
+def capacity_curve(mechanism: Kinematic, demand: DemandResult) -> CapacityCurve | None:
+    """The curves of the nonlinear check of C8.7.1.2.1.8; None where that is not made."""
+    if mechanism.d_limit is None:
+        return None
+    # the friction of return walls is lost over a slip: none of it in the curve
+    start = mechanism.chain.alpha0 * G / (mechanism.e_star * demand.confidence_factor)
+    damping = DAMPING[demand.limit_state]
+    most = BEYOND * max(mechanism.d0, mechanism.s_de)
+
+    def shown(d, a) -> tuple[np.ndarray, np.ndarray]:
+        inside = d <= most
+        return d[inside], a[inside]
+
+    ground = shown(
+        displacement(demand.target, PERIODS, damping), demand.target.acceleration(PERIODS, damping)
+    )
+    floor = np.zeros(0), np.zeros(0)
+    if mechanism.floor is not None:
+        felt = mechanism.floor.acceleration(PERIODS, damping)
+        floor = shown(felt * (PERIODS / (2.0 * np.pi)) ** 2, felt)
+    line = ((0.0, start), (mechanism.d0, 0.0))
+    return CapacityCurve(line, ground[0], ground[1], floor[0], floor[1], damping)

@@ -1,0 +1,231 @@
+"""The calculation note as a Word document (.docx), figures included: it goes into an office's own note.
+
+python-docx, because a docx is what an office edits; matplotlib draws the figures, without a screen.
+"""
+
+import io
+
+from core.errors import OutputError
+from core.report.note.parts import (
+    Blanks,
+    Box,
+    Curve,
+    Derivation,
+    Figure,
+    Figures,
+    Heading,
+    Paragraph,
+    Part,
+    Step,
+    Table,
+)
+from core.report.note.words import Words
+
+COLORS = {"ink": "#1F2D3D", "quiet": "#6B7785", "accent": "#2B5C8A", "good": "#1B6E4B", "amber": "#8A5A00",
+          "bad": "#B3421B"}  # fmt: skip
+WIDTH = 17.0
+"""Width of the text of an A4 page [cm]."""
+
+DPI = 300
+
+
+def document(parts: list[Part], language: str) -> bytes:
+    """The docx file. Raises OutputError where the packages of the group `report` are not installed."""
+    check_packages()
+    import docx
+
+    made = docx.Document()
+    writer = _Writer(made, Words(language))
+    for part in parts:
+        writer.add(part)
+    content = io.BytesIO()
+    made.save(content)
+    return content.getvalue()
+
+
+def check_packages() -> None:
+    """Raise OutputError where python-docx or matplotlib is missing."""
+    try:
+        import docx  # noqa: F401
+        import matplotlib
+
+        matplotlib.use("Agg")
+    except ImportError as error:
+        raise OutputError("report_needs_packages", reason=str(error)) from None
+
+
+class _Writer:
+    """Puts parts into a document, one after the other."""
+
+    def __init__(self, made, words: Words):
+        from docx.shared import Cm, Pt, RGBColor
+
+        self.made, self.words = made, words
+        self.cm, self.pt, self.rgb = Cm, Pt, RGBColor
+        self.figures = 0
+        section = made.sections[0]
+        section.page_width, section.page_height = Cm(21.0), Cm(29.7)
+        section.left_margin = section.right_margin = Cm(2.0)
+        section.top_margin, section.bottom_margin = Cm(1.6), Cm(1.6)
+        normal = made.styles["Normal"]
+        normal.font.name, normal.font.size = "Calibri", Pt(9.5)
+        normal.paragraph_format.space_after = Pt(2)
+        normal.paragraph_format.space_before = Pt(0)
+        for level, size in ((1, 16), (2, 12), (3, 10)):
+            style = made.styles[f"Heading {level}"]
+            style.font.name, style.font.size = "Calibri", Pt(size)
+            style.font.color.rgb = RGBColor.from_string(COLORS["accent"][1:])
+            style.paragraph_format.space_before = Pt(8 if level < 3 else 5)
+            style.paragraph_format.space_after = Pt(2)
+        self._number_pages(section)
+
+    def _number_pages(self, section) -> None:
+        """The number of the page at the foot, as a field of Word."""
+        from docx.oxml import OxmlElement
+        from docx.oxml.ns import qn
+
+        run = section.footer.paragraphs[0].add_run("Ribalta  ")
+        for kind, content in (("begin", None), (None, "PAGE"), ("end", None)):
+            if kind:
+                mark = OxmlElement("w:fldChar")
+                mark.set(qn("w:fldCharType"), kind)
+            else:
+                mark = OxmlElement("w:instrText")
+                mark.text = content
+            run._r.append(mark)
+
+    def add(self, part: Part) -> None:
+        if isinstance(part, Heading):
+            heading = self.made.add_heading(part.text, part.level)
+            heading.paragraph_format.page_break_before = part.new_page
+        elif isinstance(part, Paragraph):
+            self._run(self.made.add_paragraph(), part.text, part.tone)
+        elif isinstance(part, Table):
+            self._table(part)
+        elif isinstance(part, Derivation):
+            self._derivation(part.steps)
+        elif isinstance(part, Figures):
+            self._figures(part.figures)
+        elif isinstance(part, Box):
+            table = self.made.add_table(1, 1, style="Table Grid")
+            table.cell(0, 0).text = "\n" * (part.lines - 1)
+        elif isinstance(part, Blanks):
+            self.made.add_paragraph(
+                "\n" + "      ".join(f"{label} {'_' * 24}" for label in part.labels)
+            )
+
+    def _run(self, paragraph, content: str, tone: str = "", size: float | None = None) -> None:
+        run = paragraph.add_run(content)
+        run.bold = tone in ("strong", "good", "amber", "bad")
+        if tone in COLORS:
+            run.font.color.rgb = self.rgb.from_string(COLORS[tone][1:])
+        if size:
+            run.font.size = self.pt(size)
+
+    def _cells(self, table, widths) -> None:
+        table.autofit = False
+        whole = sum(widths)
+        for column, width in zip(table.columns, widths, strict=True):
+            column.width = self.cm(WIDTH * width / whole)
+            for cell in column.cells:
+                cell.width = self.cm(WIDTH * width / whole)
+
+    def _table(self, part: Table) -> None:
+        plain = not part.heads
+        rows = len(part.rows) + (0 if plain else 1)
+        table = self.made.add_table(
+            rows, len(part.widths), style="Normal Table" if plain else "Table Grid"
+        )
+        self._cells(table, part.widths)
+        for k, head in enumerate(part.heads):
+            self._run(table.rows[0].cells[k].paragraphs[0], head, "strong", 8.5)
+        if not plain:
+            self._repeat(table.rows[0])
+        for n, row in enumerate(part.rows):
+            cells = table.rows[n + (0 if plain else 1)].cells
+            for k, content in enumerate(row):
+                tone = part.tones.get((n, k), "quiet" if plain and k == 0 else "")
+                self._run(cells[k].paragraphs[0], content, tone, 9 if plain else 8.5)
+
+    def _repeat(self, row) -> None:
+        """A header row that comes again on the next page."""
+        from docx.oxml import OxmlElement
+
+        row._tr.get_or_add_trPr().append(OxmlElement("w:tblHeader"))
+
+    def _derivation(self, steps) -> None:
+        table = self.made.add_table(len(steps), 3, style="Normal Table")
+        self._cells(table, (10.6, 4.4, 2.0))
+        for row, step in zip(table.rows, steps, strict=True):
+            first, second, third = (cell.paragraphs[0] for cell in row.cells)
+            self._run(first, self.line(step))
+            if step.label:
+                self._run(second, step.label, "quiet", 8)
+            self._run(third, step.clause, "quiet", 8)
+
+    def line(self, step: Step) -> str:
+        """The whole line of a step."""
+        language = self.words.language
+        unit = "" if step.unit in ("–", "") else f" {step.unit}"
+        return f"{step.written(language)} = {step.result_written(language)}{unit}"
+
+    def _figures(self, figures) -> None:
+        table = self.made.add_table(2, len(figures), style="Normal Table")
+        self._cells(table, [1.0] * len(figures))
+        for k, figure in enumerate(figures):
+            self.figures += 1
+            run = table.cell(0, k).paragraphs[0].add_run()
+            run.add_picture(io.BytesIO(picture(figure, self.words)), width=self.cm(8.2))
+            caption = f"Fig. {self.figures}. {figure.caption}"
+            self._run(table.cell(1, k).paragraphs[0], caption, "quiet", 8)
+        self.made.add_paragraph()
+
+
+def picture(figure: Figure, words: Words, width: float = 8.2, height: float = 6.6) -> bytes:
+    """A figure as PNG at 300 dpi; width, height [cm]."""
+    from matplotlib.figure import Figure as Canvas
+    from matplotlib.ticker import FuncFormatter
+
+    canvas = Canvas(figsize=(width / 2.54, height / 2.54), dpi=DPI, layout="constrained")
+    axes = canvas.subplots()
+    for curve in figure.curves:
+        _draw(axes, curve)
+    for label in figure.labels:
+        axes.text(label.x, label.y, label.text, ha="center", va="center", fontsize=7)
+    if figure.x_range:
+        axes.set_xlim(*figure.x_range)
+    if figure.y_range:
+        axes.set_ylim(*figure.y_range)
+    if figure.is_drawing:
+        axes.set_aspect("equal")
+        axes.axis("off")
+    else:
+        axes.set_xlabel(figure.x, fontsize=7)
+        axes.set_ylabel(figure.y, fontsize=7)
+        axes.tick_params(labelsize=6.5)
+        axes.grid(color="#DDE3E8", linewidth=0.5)
+        axes.set_axisbelow(True)
+        numbers = FuncFormatter(lambda value, _: words.number(value, "g"))
+        axes.yaxis.set_major_formatter(numbers)
+        if figure.names:
+            axes.set_xticks(
+                range(len(figure.names)), figure.names, rotation=45, ha="right", fontsize=5.5
+            )
+        else:
+            axes.xaxis.set_major_formatter(numbers)
+        if any(curve.name for curve in figure.curves):
+            canvas.legend(loc="outside upper center", fontsize=6, frameon=False, ncols=3)
+    content = io.BytesIO()
+    canvas.savefig(content, format="png")
+    return content.getvalue()
+
+
+def _draw(axes, curve: Curve) -> None:
+    color, name = COLORS[curve.color], curve.name or None
+    if curve.shape == "bars":
+        axes.bar(curve.x, curve.y, width=0.7, color=color, label=name)
+    elif curve.shape == "points":
+        axes.plot(curve.x, curve.y, "o", color=color, markersize=4, label=name)
+    else:
+        dash = "--" if curve.shape == "dash" else "-"
+        axes.plot(curve.x, curve.y, dash, color=color, linewidth=curve.width, label=name)

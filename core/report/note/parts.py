@@ -1,0 +1,160 @@
+"""Parts of the calculation note as data; sheet.py and document.py write them."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from string import Formatter
+
+import numpy as np
+
+from core.text.sentence import numeral
+
+
+@dataclass(frozen=True)
+class Heading:
+    """level : 1 of the note, 2 of a section, 3 within one; new_page : it begins a page."""
+
+    text: str
+    level: int = 2
+    new_page: bool = False
+
+
+@dataclass(frozen=True)
+class Paragraph:
+    """tone : "", quiet, strong, or the colour of a verdict: good, amber, bad."""
+
+    text: str
+    tone: str = ""
+
+
+@dataclass(frozen=True)
+class Table:
+    """Cells of text. widths : of the columns, relative; tones : by (row, column), as of Paragraph."""
+
+    heads: Sequence[str]
+    rows: Sequence[Sequence[str]]
+    widths: Sequence[float]
+    tones: dict[tuple[int, int], str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Step:
+    """One line of a derivation, as "α0 = t/H = 0.90/12.50 = 0.0720".
+
+    symbol, formula : "α0", "t/H"; formula "" for what is given or found otherwise
+    numbers : the formula with places for its numbers, as "{t:.2f}/{h:.2f}"
+    values : name of a place -> (value, name of its cell on the sheet Check or None)
+    result, form : the value and its format, as ".4f"
+    cell : name of the result's cell on the sheet Check
+    """
+
+    symbol: str
+    result: float | str | None
+    form: str = ".3f"
+    unit: str = ""
+    clause: str = ""
+    formula: str = ""
+    numbers: str = ""
+    values: dict[str, tuple[float, str | None]] = field(default_factory=dict)
+    cell: str | None = None
+    label: str = ""
+
+    def in_numbers(self, language: str) -> str:
+        """The formula with its numbers."""
+        pieces = []
+        for text, name, form, _ in Formatter().parse(self.numbers):
+            pieces.append(text)
+            if name:
+                pieces.append(numeral(self.values[name][0], form, language))
+        return "".join(pieces)
+
+    def written(self, language: str) -> str:
+        """The whole line but the result and its unit."""
+        return " = ".join(
+            part for part in (self.symbol, self.formula, self.in_numbers(language)) if part
+        )
+
+    def result_written(self, language: str) -> str:
+        """The result."""
+        if self.result is None or isinstance(self.result, str):
+            return self.result or "–"
+        return numeral(self.result, self.form, language)
+
+
+@dataclass(frozen=True)
+class Derivation:
+    """Steps one below the other."""
+
+    steps: Sequence[Step]
+
+
+@dataclass(frozen=True)
+class Curve:
+    """A line of a figure. color : ink, quiet, accent, good, amber or bad; shape : line, dash, bars or points."""
+
+    name: str
+    x: Sequence[float] | np.ndarray
+    y: Sequence[float] | np.ndarray
+    color: str = "accent"
+    shape: str = "line"
+    width: float = 1.3
+
+
+def path(points, color: str, shape: str = "line", width: float = 1.3) -> Curve:
+    """A line without a name through points (x, y)."""
+    xs, ys = zip(*points, strict=True)
+    return Curve("", xs, ys, color, shape, width)
+
+
+@dataclass(frozen=True)
+class Label:
+    """A word at a place of a figure."""
+
+    text: str
+    x: float
+    y: float
+
+
+@dataclass(frozen=True)
+class Figure:
+    """x, y : labels of the axes, "" for a drawing without axes, whose scale is the same both ways
+    x_range, y_range : of the axes
+    names : below the places 0, 1, 2 … of the x axis
+    """
+
+    caption: str
+    curves: Sequence[Curve]
+    x: str = ""
+    y: str = ""
+    x_range: tuple[float, float] | None = None
+    y_range: tuple[float, float] | None = None
+    labels: Sequence[Label] = ()
+    names: Sequence[str] = ()
+
+    @property
+    def is_drawing(self) -> bool:
+        """Whether it is to scale."""
+        return not self.x
+
+
+@dataclass(frozen=True)
+class Figures:
+    """Two figures side by side."""
+
+    figures: Sequence[Figure]
+
+
+@dataclass(frozen=True)
+class Box:
+    """An empty frame the engineer writes into, of so many lines."""
+
+    lines: int
+
+
+@dataclass(frozen=True)
+class Blanks:
+    """Words with a line to write on behind each."""
+
+    labels: Sequence[str]
+
+
+Part = Heading | Paragraph | Table | Derivation | Figures | Box | Blanks

@@ -1,0 +1,212 @@
+"""Figures of one wall of the note: to scale, the capacity curve over the demand, histories and peaks at the demand."""
+
+import math
+
+import numpy as np
+
+from core.capacity.limit_states import LIMIT_FRACTION
+from core.case.schema import Wall
+from core.codes.capacity_curve import capacity_curve
+from core.report.load_arrows import arrows
+from core.report.note.parts import Curve, Figure, Label, path
+from core.report.note.words import Words
+from core.report.plots import thinned
+from core.study.demand_histories import demand_histories
+from core.study.results import StudyResult, WallResult
+from core.units import CM, G
+
+TURNED = math.radians(7.0)
+"""Rotation of the dashed outline of the mechanism."""
+
+POINTS = 500
+"""Points of a history in a figure."""
+
+FULL = 1.2
+"""Height of the bar of a wall that overturns, and the top of the chart of peaks."""
+
+
+def whole_wall(result: StudyResult, wall: WallResult) -> Wall | None:
+    """The wall of the case a part above a hinge belongs to; None for one about its base."""
+    for asked in result.case.wall:
+        if wall.name.startswith(f"{asked.title} (+") and asked.height_m:
+            return asked
+    return None
+
+
+def drawing(result: StudyResult, wall: WallResult, words: Words) -> Figure | None:
+    """The wall to scale with its sizes, hinge, restraint, loads and the mechanism; None for a general block."""
+    h, t, u = wall.height, wall.thickness, wall.wall.setback
+    if not wall.wall.height_m:
+        return None
+    whole = whole_wall(result, wall)
+    below = whole.height_m - h if whole else 0.0
+    curves = [
+        path(_corners(h, t, u, 0.0), "accent", width=1.8),
+        path(_corners(h, t, u, TURNED), "quiet", "dash", 0.9),
+        Curve("", (t - u,), (0.0,), "bad", "points"),
+    ]
+    if below:
+        legs = [(0.0, 0.0), (0.0, -below), (t, -below), (t, 0.0)]
+        curves.append(path(legs, "quiet", width=0.9))
+    reach = 0.45 * (h + below)
+    curves.append(Curve("", (-reach, t + reach), (-below, -below), "quiet", width=1.1))
+    if wall.mechanism == "one_sided":
+        rise, wide = 0.06 * h, 0.05 * h
+        for k in range(1, 15):
+            y = k * h / 15.0
+            curves.append(
+                Curve("", (-0.3 * wide, -0.3 * wide - wide), (y, y - rise), "quiet", width=0.7)
+            )
+    for points in arrows(wall.wall, h, t):
+        curves.append(path(points, "amber", width=1.3))
+    top = h * (1.0 + 0.1) + 0.04 * h
+    sweep = [TURNED * k / 6.0 for k in range(1, 7)]
+    arc = [_turned(0.5 * t, 1.06 * h, t - u, angle) for angle in sweep]
+    (x0, y0), (x1, y1) = arc[-2:]
+    size, way = 0.05 * h, math.atan2(y1 - y0, x1 - x0)
+    barbs = [
+        (x1 - size * math.cos(way + s), y1 - size * math.sin(way + s)) for s in (0.45, 0.0, -0.45)
+    ]
+    arrow = [*arc, barbs[0], (x1, y1), barbs[2]]
+    curves.append(path(arrow, "bad", width=1.3))
+    beside = t + math.sin(TURNED) * h + 0.10 * h
+    tick = 0.02 * h
+    sizes = [
+        (beside - tick, 0.0),
+        (beside + tick, 0.0),
+        (beside, 0.0),
+        (beside, h),
+        (beside - tick, h),
+        (beside + tick, h),
+    ]
+    curves.append(path(sizes, "ink", width=0.7))
+    labels = [
+        Label(f"H {words.number(h, '.2f')} m", beside + 0.16 * h, 0.5 * h),
+        Label(f"t {words.number(t, '.2f')} m" + (f", u {words.number(u, '.3f')} m" if u else ""),
+              0.5 * t, -below - 0.07 * (h + below)),
+    ]  # fmt: skip
+    caption = words.say("{wall}: sizes, hinge (red point) and mechanism (dashed)", wall=wall.name)
+    if wall.wall.back_restraint and wall.mechanism == "one_sided":
+        caption += words.say("; behind it: {restraint}", restraint=wall.wall.back_restraint)
+    if wall.wall.load:
+        caption += words.say("; loads as arrows")
+    low, high = -below - 0.14 * (h + below), top
+    for points in arrows(wall.wall, h, t):
+        high = max(high, 1.04 * max(y for _, y in points))
+    return Figure(caption, curves, y_range=(low, high), labels=labels,
+                  x_range=(-0.5 * (h + below), t + 0.5 * (h + below)))  # fmt: skip
+
+
+def _turned(x: float, y: float, hinge: float, angle: float) -> tuple[float, float]:
+    """A point turned outward about the hinge."""
+    c, s = math.cos(angle), math.sin(angle)
+    return hinge + c * (x - hinge) + s * y, -s * (x - hinge) + c * y
+
+
+def _corners(h: float, t: float, u: float, angle: float) -> list[tuple[float, float]]:
+    """The closed outline of the wall, x from its inner face outward."""
+    around = ((0.0, 0.0), (t, 0.0), (t, h), (0.0, h), (0.0, 0.0))
+    return [_turned(x, y, t - u, angle) for x, y in around]
+
+
+def capacity(result: StudyResult, wall: WallResult, words: Words) -> Figure | None:
+    """The capacity curve over the demand; None where the nonlinear check is not made."""
+    mechanism, state = wall.assessment.kinematic, result.demand.limit_state
+    found = capacity_curve(mechanism, result.demand)
+    if found is None:
+        return None
+    percent = words.number(100.0 * found.damping, "g")
+    (_, a0), (d0, _) = found.capacity
+    d, a, s_de = mechanism.d_limit, mechanism.a_limit, mechanism.s_de
+    curves = [
+        Curve(words.say("demand {percent} %", percent=percent), found.demand_d / CM, found.demand_a / G, "bad"),
+        Curve(words.say("capacity"), (0.0, d0 / CM), (a0 / G, 0.0), "accent", width=1.8),
+    ]  # fmt: skip
+    if found.floor_d.size:
+        curves.insert(1, Curve(words.say("floor {percent} %", percent=percent),
+                               found.floor_d / CM, found.floor_a / G, "amber"))  # fmt: skip
+    high = 1.1 * max(a0, *found.demand_a, *found.floor_a) / G
+    slope = (2.0 * math.pi / mechanism.period) ** 2
+    end = max(1.15 * d, s_de)
+    curves += [
+        Curve(f"T_{state}", (0.0, end / CM), (0.0, slope * end / G), "quiet", "dash", 0.9),
+        Curve(f"d_{state}", (d / CM,), (a / G,), "accent", "points"),
+        Curve("S_De", (s_de / CM,), (slope * s_de / G,), "bad", "points"),
+    ]
+    caption = words.say(
+        "Capacity curve (C8.7.1.3) over the demand, spectral displacement and acceleration"
+    )
+    return Figure(caption, curves, "d [cm]", "a [g]", (0.0, 1.05 * max(d0, s_de) / CM), (0.0, high))
+
+
+def histories(result: StudyResult, wall: WallResult, words: Words) -> Figure | None:
+    """Displacement of the control point under the records that decide; None without a dynamic check."""
+    mechanism = wall.assessment.kinematic
+    found = demand_histories(result, wall)
+    if not found:
+        return None
+    d0, curves, last = mechanism.d0 / CM, [], 0.0
+    for one, color in zip(found, ("bad", "accent"), strict=False):
+        size = min(one.displacement.size, one.motion.acceleration.size)
+        fallen = np.nonzero(np.abs(one.displacement) > 1.5 * mechanism.d0)[0]
+        if fallen.size:  # it overturned: what follows is no part of the check
+            size = min(size, int(fallen[0]) + 1)
+        moved = one.displacement[:size]
+        chosen = thinned(moved, POINTS)
+        sign = "+" if one.run.polarity > 0 else "−"
+        times = [k * one.motion.time_step for k in chosen]
+        curves.append(
+            Curve(
+                f"{one.run.record} ({sign})", times, (moved[chosen] / CM).tolist(), color, width=0.9
+            )
+        )
+        last = max(last, times[-1])
+    state = result.demand.limit_state
+    limit = LIMIT_FRACTION[state] * d0
+    both_ways = wall.model.one_sided == 0.0
+    for level, name, color in ((limit, f"d_{state}", "amber"), (d0, "d_0", "ink")):
+        curves.append(Curve(name, (0.0, last), (level, level), color, "dash", 0.9))
+        if both_ways:
+            curves.append(Curve("", (0.0, last), (-level, -level), color, "dash", 0.9))
+    caption = words.say("Displacement of the control point at the demand: the largest peak")
+    if len(found) > 1:
+        caption += words.say(", and the record nearest to the mean of the peaks")
+    return Figure(
+        caption,
+        curves,
+        "t [s]",
+        "d [cm]",
+        (0.0, last),
+        (-1.3 * d0 if both_ways else -0.2 * d0, 1.3 * d0),
+    )
+
+
+def peaks(wall: WallResult, words: Words) -> Figure | None:
+    """Largest rotation of each record at the demand; None without a dynamic check."""
+    check = wall.assessment.dynamic
+    if check is None:
+        return None
+    both = len({run.polarity for run in check.runs}) > 1
+    names = [
+        run.record[-14:] + ("" if not both else " +" if run.polarity > 0 else " −")
+        for run in check.runs
+    ]
+    stands = [(k, run.peak_ratio) for k, run in enumerate(check.runs) if not run.exceeded]
+    falls = [k for k, run in enumerate(check.runs) if run.exceeded]
+    curves = []
+    if stands:
+        places, heights = zip(*stands, strict=True)
+        curves.append(Curve(words.say("stands"), places, heights, "accent", "bars"))
+    if falls:
+        name = words.say("exceeds θc or overturns")
+        curves.append(Curve(name, falls, [FULL] * len(falls), "bad", "bars"))
+    ends = (-0.6, len(names) - 0.4)
+    if check.set_rule == "mean" and check.mean_peak_ratio is not None:
+        mean = check.mean_peak_ratio
+        name = words.say("mean {value:.2f}, which decides", value=mean)
+        curves.append(Curve(name, ends, (mean, mean), "ink", width=1.6))
+    limit = check.limit_ratio
+    name = f"{check.limit_state}: {words.number(limit, '.2f')}"
+    curves.append(Curve(name, ends, (limit, limit), "amber", "dash"))
+    caption = words.say("Largest rotation of each record at the demand over θc")
+    return Figure(caption, curves, " ", "θmax/θc", ends, (0.0, FULL), names=names)

@@ -1,0 +1,24 @@
+"""The language of a note: sentences, words and numbers."""
+
+from dataclasses import dataclass
+
+from core.text.sentence import localized, numeral, word
+
+
+@dataclass(frozen=True)
+class Words:
+    """language : "en" or "it"."""
+
+    language: str
+
+    def say(self, english: str, /, **values) -> str:
+        """A text of the group "report"."""
+        return localized("report", english, self.language, **values)
+
+    def word(self, code: str) -> str:
+        """A word of a result."""
+        return word(code, self.language)
+
+    def number(self, value: float | None, form: str) -> str:
+        """A number, "–" for None."""
+        return numeral(value, form, self.language)

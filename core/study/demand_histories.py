@@ -1,0 +1,62 @@
+"""Histories of a wall at the demand: those that decide its dynamic check."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from core.codes.dynamic_check import DemandRun, at_demand
+from core.ground.ground_motion import GroundMotion
+from core.rocking.history import History, history
+from core.study.results import StudyResult, WallResult
+
+
+@dataclass(frozen=True)
+class DemandHistory:
+    """One record and sign at the demand, FC included as in the check.
+
+    displacement : of the control point, d_0 where nothing holds the wall [m], at the samples of the motion
+    """
+
+    run: DemandRun
+    motion: GroundMotion
+    history: History
+    displacement: np.ndarray
+
+
+def deciding_runs(wall: WallResult) -> list[DemandRun]:
+    """The run of the largest rotation (or that overturns); where the mean decides also that nearest to it."""
+    check = wall.assessment.dynamic if wall.assessment else None
+    if check is None:
+        return []
+    worst = max(check.runs, key=lambda run: math.inf if run.peak_ratio is None else run.peak_ratio)
+    mean = check.mean_peak_ratio
+    if check.set_rule != "mean" or mean is None:
+        return [worst]
+    nearest = min(check.runs, key=lambda run: abs(run.peak_ratio - mean))
+    return [worst] if nearest is worst else [worst, nearest]
+
+
+def demand_histories(result: StudyResult, wall: WallResult) -> list[DemandHistory]:
+    """The deciding runs of the dynamic check, integrated again; empty without that check."""
+    found = []
+    for run in deciding_runs(wall):
+        motion = result.motion_of(wall, run.record)
+        model, factor = at_demand(
+            wall.model, result.demand, wall.assessment.dynamic.confidence_on, motion
+        )
+        one = history(
+            motion.acceleration, motion.time_step, run.polarity * factor, model, result.method
+        )
+        found.append(DemandHistory(run, motion, one, control_displacement(wall, one.rotation)))
+    return found
+
+
+def control_displacement(wall: WallResult, rotation: np.ndarray) -> np.ndarray:
+    """d [m] of the control point: that of the centroid of the wall alone, R [sin(alpha) - sin(alpha - theta)], scaled
+    so that it is d_0 at theta_c (C8.7.1.4)."""
+    alpha = wall.wall.bare_block().slenderness
+    turned = np.abs(rotation)
+    centroid = np.sin(alpha) - np.sin(alpha - turned)
+    at_collapse = math.sin(alpha) - math.sin(alpha - wall.model.collapse_rotation)
+    return np.sign(rotation) * centroid * wall.assessment.kinematic.d0 / at_collapse

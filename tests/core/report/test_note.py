@@ -1,0 +1,230 @@
+"""The calculation note: its derivations, its figures, the document, the live sheet."""
+
+import io
+import re
+import shutil
+import subprocess
+from dataclasses import replace
+
+import numpy as np
+import openpyxl
+import pytest
+
+from app import __main__ as program
+from app import export
+from core.case.reader import read_case
+from core.codes.capacity_curve import capacity_curve
+from core.codes.target_spectrum import displacement
+from core.errors import InputError, OutputError
+from core.report import workbook
+from core.report.note.content import note
+from core.report.note.parts import Derivation, Figures, Paragraph, Step, Table
+from core.study.demand_histories import deciding_runs, demand_histories
+from core.study.run import run
+from core.units import G
+from tests.conftest import ROOT
+
+BUILDING = ROOT / "resources" / "cases" / "building.toml"
+
+
+@pytest.fixture(scope="module")
+def building():
+    """A facade with its variants, a gable and a parapet above the ground, all with loads."""
+    case = read_case(BUILDING)
+    return run(case, base_dir=BUILDING.parent)
+
+
+@pytest.fixture(scope="module")
+def verdict():
+    """Walls of a table without loads, NTC 2018, Italian."""
+    path = ROOT / "resources" / "cases" / "verdict.toml"
+    return run(read_case(path), base_dir=path.parent)
+
+
+def steps_of(parts):
+    return [step for part in parts if isinstance(part, Derivation) for step in part.steps]
+
+
+def test_a_derivation_in_the_form_of_an_italian_note(verdict):
+    lines = [f"{s.written('it')} = {s.result_written('it')}" for s in steps_of(note(verdict, "it"))]
+    assert "α0 = t/H = 0,830/7,000 = 0,1186" not in lines  # two figures of H
+    assert "α0 = t/H = 0,830/7,00 = 0,1186" in lines
+    assert "a_0* = α0/(e* FC) = 0,1186/(1,000 · 1,35) = 0,0878" in lines
+
+
+def test_that_each_line_of_a_derivation_gives_its_result(building, verdict):
+    """The numbers of a line, computed as they stand there, give the result to the digits they are written with."""
+    counted = 0
+    for result in (building, verdict):
+        for step in steps_of(note(result, "en")):
+            written = step.in_numbers("en")
+            if not written or "κ" in step.formula:
+                continue
+            text = (
+                written.replace("·", "*")
+                .replace("−", "-")
+                .replace("°", "*pi/180")
+                .replace("π", "*pi*")
+            )
+            text = (
+                re.sub(r"(?<=[\d.]) \*pi\* √", "*pi*√", text)
+                .replace("√(", "sqrt(")
+                .replace("10³", "1000")
+            )
+            text = text.replace("[", "(").replace("]", ")")
+            text = re.sub(r"(sin|tan) ([\d.]+\*pi/180)", r"\1(\2)", text)
+            text = re.sub(r"\*pi\* ?sqrt", "*pi*sqrt", text)
+            known = {"pi": np.pi, "sqrt": np.sqrt, "sin": np.sin, "tan": np.tan,
+                     "arctan": lambda x: np.degrees(np.arctan(x))}  # fmt: skip
+            assert eval(text, known) == pytest.approx(step.result, rel=0.02), written
+            counted += 1
+    assert counted > 60
+
+
+def test_that_every_wall_has_its_verdict_with_all_reasons_and_its_figures(building):
+    parts = note(building, "en")
+    words = [part.text for part in parts if isinstance(part, Paragraph)]
+    for wall in building.walls:
+        assert wall.assessment.verdict.text("en") in words
+        for reason in wall.assessment.verdict.reasons:
+            assert f"• {reason.text('en')}" in words
+        for warning in wall.warnings:
+            assert f"• {warning.text('en')}" in words
+    figures = [figure for part in parts if isinstance(part, Figures) for figure in part.figures]
+    assert len(figures) == 4 * len(building.walls)
+    table = next(part for part in parts if isinstance(part, Table) and "ζ_E" in part.heads)
+    assert table.rows[0][0] == "gable" and len(table.rows) == len(building.walls)
+
+
+def test_that_the_histories_at_the_demand_are_those_of_the_check(building):
+    for wall in building.walls:
+        runs = deciding_runs(wall)
+        worst = [run for run in wall.assessment.dynamic.runs if run.peak_ratio is None]
+        assert runs[0] in worst or runs[0].peak_ratio == max(
+            r.peak_ratio for r in wall.assessment.dynamic.runs
+        )
+        for one in demand_histories(building, wall):
+            if one.run.peak_ratio is not None:
+                found = one.history.peak / wall.model.collapse_rotation
+                assert found == one.run.peak_ratio
+                assert np.abs(one.displacement).max() < wall.assessment.kinematic.d0
+
+
+def test_the_capacity_curve_over_the_demand(verdict):
+    wall = verdict.walls[0]
+    mechanism = wall.assessment.kinematic
+    curve = capacity_curve(mechanism, verdict.demand)
+    (first, a0), (d0, last) = curve.capacity
+    assert (first, d0, last) == (0.0, mechanism.d0, 0.0) and a0 == pytest.approx(mechanism.a0)
+    on_curve = a0 * (1.0 - mechanism.d_limit / d0)
+    assert on_curve == pytest.approx(mechanism.a_limit)
+    target = verdict.demand.target
+    assert displacement(target, mechanism.period, 0.08) == pytest.approx(mechanism.s_de)
+    at = float(target.acceleration(mechanism.period, 0.08))
+    away = np.hypot(curve.demand_d / mechanism.s_de - 1.0, curve.demand_a / at - 1.0)
+    assert away.min() < 0.01
+    assert capacity_curve(replace(mechanism, d_limit=None), verdict.demand) is None
+
+
+def test_the_document_opens_and_says_what_the_note_says(verdict):
+    docx = pytest.importorskip("docx")
+    from PIL import Image
+
+    made = docx.Document(io.BytesIO(export.note_content(verdict)))
+    text = [p.text for p in made.paragraphs]
+    text += [cell.text for table in made.tables for row in table.rows for cell in row.cells]
+    for part in note(verdict, "it"):
+        if isinstance(part, Paragraph):
+            assert part.text in text
+    assert any("α0 = t/H = 0,830/7,00 = 0,1186" in line for line in text)
+    pictures = (
+        [p.image for p in made.part.package.image_parts]
+        if hasattr(made.part.package, "image_parts")
+        else []
+    )
+    assert len(pictures) == 4 * len(verdict.walls)
+    for picture in pictures:
+        image = Image.open(io.BytesIO(picture.blob)).convert("L")
+        assert round(picture.horz_dpi) == 300 and image.width > 900
+        assert np.asarray(image).min() < 100  # something is drawn
+    decimals = [line for line in text if re.search(r"(?<![\dC.])\d\.\d(?![\d.]*\.)", line)]
+    allowed = re.compile(r"C8\.7|C7\.2|NTC 2018 10\.2|^3\.2\.|Ribalta|^0\.\d+\.\d")
+    assert [line for line in decimals if not allowed.search(line)] == []
+
+
+def test_that_the_batch_writes_the_document_or_refuses_before_the_run(
+    tmp_path, monkeypatch, capsys
+):
+    pytest.importorskip("docx")
+    case = ROOT / "resources" / "cases" / "example.toml"
+    out = tmp_path / "new"
+    assert (
+        program.main(
+            ["--batch", str(case), "--output", str(out), "--quiet", "--report", str(out / "n.docx")]
+        )
+        == 0
+    )
+    assert {path.name for path in out.iterdir()} == {"example.xlsx", "example.json", "n.docx"}
+    assert (
+        program.main(["--batch", str(case), "--output", str(tmp_path / "b"), "--report", "x.pdf"])
+        == 1
+    )
+    assert ".docx" in capsys.readouterr().err and not (tmp_path / "b").exists()
+    with pytest.raises(SystemExit) as usage:
+        program.main(["--report", "x.docx"])
+    assert usage.value.code == 2
+
+
+def test_that_without_its_packages_the_note_is_refused_in_one_sentence(monkeypatch, tmp_path):
+    monkeypatch.setitem(__import__("sys").modules, "docx", None)
+    with pytest.raises(OutputError, match="python-docx and matplotlib"):
+        export.check_note_path(tmp_path / "a.docx", tmp_path / "a.toml")
+    with pytest.raises(InputError, match="ends in .docx"):
+        export.check_note_path(tmp_path / "a.doc", tmp_path / "a.toml")
+
+
+def recalculated(book, folder):
+    """The workbook as LibreOffice computes it."""
+    office = shutil.which("soffice") or shutil.which("libreoffice")
+    if not office:
+        pytest.skip("LibreOffice is not installed: formulas were not recalculated")
+    path = folder / "bare.xlsx"
+    book.save(path)
+    subprocess.run(
+        [office, "--headless", f"-env:UserInstallation=file://{folder}/profile", "--convert-to",
+         "xlsx:Calc MS Excel 2007 XML", "--outdir", folder / "out", path],
+        check=True, capture_output=True, timeout=180,
+    )  # fmt: skip
+    return openpyxl.load_workbook(folder / "out" / "bare.xlsx", data_only=True)
+
+
+def cell_of(book, name):
+    sheet, place = book.defined_names[name].attr_text.replace("'", "").replace("$", "").split("!")
+    return sheet, place
+
+
+def test_that_a_changed_input_is_stated_and_moves_what_follows_from_it(building, tmp_path):
+    made = workbook.build(building, []).workbook
+    sheet, place = cell_of(made, "demand_ag")
+    made[sheet][place].value *= 1.1
+    shown = recalculated(made, tmp_path)
+    for name in ("Summary", "Calculation note", "Check"):
+        words = [
+            c.value
+            for line in shown[name].iter_rows(max_row=12)
+            for c in line
+            if isinstance(c.value, str)
+        ]
+        assert any("Input changed since the run" in word for word in words), name
+    sheet, place = cell_of(made, "demand_pga")
+    assert shown[sheet][place].value == pytest.approx(1.1 * building.demand.pga / G)
+    note_words = " ".join(
+        str(c.value) for line in shown["Calculation note"].iter_rows() for c in line
+    )
+    assert "1.200 · 0.286" in note_words
+
+
+def test_that_a_step_without_numbers_is_written_alone():
+    step = Step("a_g", 0.25, ".3f", "g")
+    assert (step.written("it"), step.result_written("it")) == ("a_g", "0,250")
+    assert Step("ζ", None).result_written("en") == "–"
