@@ -95,6 +95,7 @@ SHOWN_BY = {
             "circolare",
             "demand_sheets",
             "json_report",
+            "input_sheet",
             "load_arrows",
             "load_rows",
             "verdict_words",
@@ -116,6 +117,7 @@ SHOWN_BY = {
         for name in (
             "study",
             "error_parts",
+            "keys",
             "errors",
             "file_errors",
             "load_errors",

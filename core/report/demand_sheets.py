@@ -161,9 +161,7 @@ def spectral_compatibility(book: Book, result: StudyResult) -> None:
             sheet,
             3,
             1,
-            say(
-                "Not shown: it takes records and a target spectrum ([demand.spectrum] or spectrum_file)."
-            ),
+            say("Not shown: it takes records and a target spectrum, of a code or of a file."),
         )
         return
     verdict = (

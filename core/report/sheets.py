@@ -3,7 +3,6 @@
 import math
 import platform
 
-from core.case.schema import Case
 from core.ground.provenance import provenance
 from core.report.cells import (
     ACCELERATION,
@@ -46,70 +45,6 @@ def status_word(book: Book, status: str) -> str:
         "no_collapse_found": book.say("no collapse found"),
         "impact_limit": book.say("impact limit"),
     }[status]
-
-
-def inputs(book: Book, result: StudyResult) -> None:
-    """Echo of the case; what the user did not write is marked as default."""
-    say, case = book.say, result.case
-    sheet = book.sheet("Input", [26, 30, 44, 16])
-    title(sheet, 1, say("Input as read"))
-    text(sheet, 2, 1, f"SHA-256 {case.sha256}", color=QUIET, size=8)
-    header(
-        sheet,
-        4,
-        [say("Section"), say("Key"), say("Value"), ""],
-        1,
-        18,
-    )
-    row = 5
-    given = case.given
-    text(sheet, row, 2, "title")
-    text(sheet, row, 3, case.title, wrap=True)
-    heighten(sheet, row, (case.title, 44))
-    row += 1
-    for section, index, place, values in _sections(case):
-        for key, value in values.items():
-            if value is None or value in ("", ()):
-                continue
-            text(sheet, row, 1, place)
-            text(sheet, row, 2, key)
-            if isinstance(value, (dict, tuple)):
-                value = _spelled(value)
-            if isinstance(value, bool):
-                value = say("yes") if value else say("no")
-            if isinstance(value, (int, float)):
-                number(sheet, row, 3, value, "General", align="left")
-            else:
-                text(sheet, row, 3, value, wrap=True)
-                heighten(sheet, row, (str(value), 44))
-            if (section, index, key) not in given:
-                text(sheet, row, 4, say("default"), color=QUIET, italic=True)
-            rule(sheet, row, 1, 4)
-            row += 1
-    for note in case.table_notes:
-        row = paragraph(sheet, row, f"• {note.text(book.language)}", 4, 110, color=QUIET)
-    sheet.freeze_panes = "A5"
-    sheet.print_title_rows = "4:4"
-
-
-def _spelled(value) -> str:
-    """A table, or a list of tables or numbers, in one line."""
-    if isinstance(value, dict):
-        return ", ".join(f"{name} = {end}" for name, end in value.items() if end is not None)
-    if isinstance(value, tuple):
-        return "; ".join(_spelled(part) for part in value)
-    return str(value)
-
-
-def _sections(case: Case):
-    content = case.as_dict()
-    for section in ("report", "wall", "record", "generate", "analysis", "demand", "building"):
-        items = content[section]
-        if isinstance(items, dict):
-            yield section, 0, f"[{section}]", items
-        else:
-            for index, item in enumerate(items or ()):
-                yield section, index, f"[[{section}]] {index + 1}", item
 
 
 def records(book: Book, result: StudyResult) -> None:

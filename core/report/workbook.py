@@ -6,6 +6,7 @@ from core.report import (
     check_sheet,
     demand_sheets,
     floor_sheet,
+    input_sheet,
     plots,
     risk_sheet,
     sheets,
@@ -44,7 +45,7 @@ def build(
     book.workbook.remove(book.workbook.active)
     sheets_in_order = (
         check_sheet.check, summary_sheet.summary, summary_sheet.overview, note_sheet, risk_sheet.risk,
-        sheets.inputs, sheets.records, sheets.results, demand_sheets.dynamic_check,
+        input_sheet.inputs, sheets.records, sheets.results, demand_sheets.dynamic_check,
         demand_sheets.spectral_compatibility, floor_sheet.floors, plots.q_against_si,
         lambda book, result: plots.histories(book, result, histories), plots.survival_map, sheets.method,
     )  # fmt: skip

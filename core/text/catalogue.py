@@ -3,6 +3,7 @@
 from core.text.error_parts import ACCEPTED, PLACES
 from core.text.errors import CASE_ERRORS
 from core.text.file_errors import FILE_ERRORS
+from core.text.keys import CHOICES, KEYS, SECTIONS
 from core.text.load_errors import LOAD_ERRORS
 from core.text.method import METHOD_BODIES, METHOD_LABELS
 from core.text.note import NOTE
@@ -14,7 +15,7 @@ from core.text.verdicts import ADDED, METHOD_WORDS, MISSING_WORDS, REASONS
 from core.text.verdicts import SENTENCES as VERDICTS
 from core.text.window import WINDOW
 from core.text.window_forms import WINDOW_FORMS
-from core.text.words import ASSUMPTIONS, KEYS, LOADS, WORDS
+from core.text.words import ASSUMPTIONS, LOADS, WORDS
 
 
 def _started(words: tuple[str, str]) -> tuple[str, str]:
@@ -32,7 +33,7 @@ CATALOGUE: dict[str, dict[str, tuple[str, str]]] = {
     "place": PLACES,
     "accepted": ACCEPTED,
     "notice": NOTICES,
-    "word": {**WORDS, **LOADS, **KEYS},
+    "word": {**WORDS, **LOADS, **KEYS, **SECTIONS, **CHOICES},
     "assumption": ASSUMPTIONS,
     "verdict": VERDICTS,
     "added": ADDED,

@@ -60,10 +60,10 @@ METHOD_BODIES = {
         "si analizza con entrambi i segni di ogni accelerogramma e governa il minore.",
     ),
     "outcomes": (
-        "collapse found: q is a number. No collapse found: none up to q_limit, left out of the set and "
+        "collapse found: q is a number. No collapse found: none up to the largest q searched, left out of the set and "
         "counted. Impact limit: more than 10 000 impacts within a sample, outcome unknown, the set is "
         "incomplete.",
-        "Collasso trovato: q è un numero. Nessun collasso: fino a q_limit, escluso dall'insieme e contato. "
+        "Collasso trovato: q è un numero. Nessun collasso: fino al massimo q cercato, escluso dall'insieme e contato. "
         "Limite di urti: oltre 10 000 urti in un campione, esito ignoto, insieme incompleto.",
     ),
     "range": (

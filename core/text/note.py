@@ -85,6 +85,7 @@ NOTE = {
     "one block, no other mass pushes it": "un blocco, nessun'altra massa lo spinge",
     "runs beyond θc": "analisi oltre θc",
     "stands": "resta in piedi",
+    "table of walls": "tabella delle pareti",
     "the Ribalta authors": "gli autori di Ribalta",
     "velocity ratio of an impact: {model}": "coefficiente di restituzione: {model}",
     "wall at {z:g} m, {kind}": "parete a {z:g} m, {kind}",

@@ -115,8 +115,8 @@ SENTENCES = {
         "Scalato per {scale:g} come richiesto: oltre 3 l'accelerogramma rappresenta un terremoto che non era.",
     ),
     "costa_above_housner": (
-        "costa_upper: 0.98 exceeds Eq. 4 above alpha 6.63 deg (here {alpha:.2f}).",
-        "costa_upper: 0,98 supera l'Eq. 4 oltre alpha 6,63° (qui {alpha:.2f}).",
+        "Costa's upper ratio: 0.98 exceeds Eq. 4 above alpha 6.63 deg (here {alpha:.2f}).",
+        "Coefficiente superiore di Costa: 0,98 supera l'Eq. 4 oltre alpha 6,63° (qui {alpha:.2f}).",
     ),
     "hogan": (
         "{model} on a one-sided wall is Hogan's hypothesis (1992): far less dissipation than Eq. 6.",
@@ -177,10 +177,10 @@ SENTENCES = {
         "{n} accelerogrammi con un valore: si assume il minimo, troppo pochi per un valore di progetto.",
     ),
     "coarse_window": (
-        "q_step is coarse for the robust window ({n} points on either side): one collapsing point decides "
-        "q_robust.",
-        "q_step è grande per la finestra robusta ({n} punti per lato): un solo punto di collasso decide "
-        "q_robust.",
+        "The step of the search is coarse for the robust window ({n} points on either side): one collapsing point "
+        "decides q_robust.",
+        "Il passo della ricerca è grande per la finestra robusta ({n} punti per lato): un solo punto di collasso "
+        "decide q_robust.",
     ),
     "no_numbers": (
         "No record gives a number: the set has no value.",

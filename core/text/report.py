@@ -164,8 +164,8 @@ REPORT = {
     "spread of ζ_E, to": "dispersione di ζ_E, a",
     "ζ of the first failure on the grid": "ζ del primo cedimento sulla griglia",
     "share failing within ±10 % of the demand": "quota che cede entro ±10 % dalla domanda",
-    "Not shown: it takes records and a target spectrum ([demand.spectrum] or spectrum_file).": (
-        "Non mostrata: richiede accelerogrammi e uno spettro ([demand.spectrum] o spectrum_file)."
+    "Not shown: it takes records and a target spectrum, of a code or of a file.": (
+        "Non mostrata: richiede accelerogrammi e uno spettro, di norma o da file."
     ),
     "Rule": "Regola",
     "Clause": "Paragrafo",
@@ -232,8 +232,6 @@ REPORT = {
     "collapse found": "collasso trovato",
     "no collapse found": "nessun collasso",
     "impact limit": "limite di urti",
-    "Section": "Sezione",
-    "Key": "Chiave",
     "Format": "Formato",
     "Samples": "Campioni",
     "Event and station": "Evento e stazione",

@@ -117,17 +117,17 @@ REASONS = {
     ),
     "upper_floor": (
         "The base of the wall is {z:g} m above the ground: not assessable with the ground motion alone. "
-        "For the motion of the floor three numbers are missing: height_m, storeys and period_s of [building].",
+        "For the motion of the floor three numbers are missing: height, storeys and period of the building.",
         "La base della parete è a {z:g} m dal suolo: non valutabile con il solo moto del terreno. Per il moto "
-        "del piano mancano tre numeri: height_m, storeys e period_s di [building].",
+        "del piano mancano tre numeri: altezza, piani e periodo dell'edificio.",
     ),
     "odd_storeys": (
-        "[building] has storeys of {storey:.1f} m: a height or a number of storeys mistyped?",
-        "[building] ha piani di {storey:.1f} m: altezza o numero di piani errati?",
+        "The building has storeys of {storey:.1f} m: a height or a number of storeys mistyped?",
+        "L'edificio ha piani di {storey:.1f} m: altezza o numero di piani errati?",
     ),
     "odd_building_period": (
-        "period_s {period:g} s of [building] is far from the {expected:.2f} s of its height: mistyped?",
-        "period_s {period:g} s di [building] è lontano da {expected:.2f} s della sua altezza: errato?",
+        "The period {period:g} s of the building is far from the {expected:.2f} s of its height: mistyped?",
+        "Il periodo {period:g} s dell'edificio è lontano da {expected:.2f} s della sua altezza: errato?",
     ),
     "stiff_building": (
         "The building is taken at {factor:g} times its elastic period and {damping:.0%} damping: at the ultimate limit "
@@ -136,8 +136,8 @@ REASONS = {
         "ultimi C8.7.1.2.1.4 indica 1,5-2,0 e 10-20%.",
     ),
     "period_estimated": (
-        "The period of the building is an estimate, 0.05 H^0.75: give period_s of [building].",
-        "Il periodo dell'edificio è una stima, 0,05 H^0,75: dare period_s di [building].",
+        "The period of the building is an estimate, 0.05 H^0.75: give its period.",
+        "Il periodo dell'edificio è una stima, 0,05 H^0,75: indicarne il periodo.",
     ),
     "other_building": (
         "With the building at {factor:g} times its elastic period and {damping:.0%} damping zeta is {zeta}.",
@@ -181,9 +181,9 @@ REASONS = {
     ),
     "rigid_free": (
         "C8.7.1.2.1.3 asks an initial elastic branch of an element free to vibrate: the histories use the "
-        "rigid law; compare with law = {{ elastic_limit, plateau_end }}.",
+        "rigid law; compare with a trilinear law.",
         "Il C8.7.1.2.1.3 richiede un ramo elastico iniziale per un elemento libero di vibrare: le storie "
-        "usano la legge rigida; confrontare con law = {{ elastic_limit, plateau_end }}.",
+        "usano la legge rigida; confrontare con una legge trilineare.",
     ),
     "no_period": (
         "Linear checks not made: an element free to vibrate is compared with the spectrum at T_0 "

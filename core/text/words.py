@@ -67,33 +67,6 @@ LOADS = {
 }
 """Kinds of loads: code -> (English, Italian)."""
 
-KEYS = {
-    "key_mechanism": ("mechanism", "meccanismo"),
-    "key_height_m": ("height", "altezza"),
-    "key_thickness_m": ("thickness", "spessore"),
-    "key_slenderness_deg": ("slenderness", "snellezza"),
-    "key_height_over_thickness": ("H/t", "H/t"),
-    "key_radius_m": ("radius", "raggio"),
-    "key_inertia_over_mass_m2": ("inertia", "inerzia"),
-    "key_restitution": ("restitution", "restituzione"),
-    "key_velocity_ratio": ("velocity ratio", "coefficiente di restituzione"),
-    "key_law": ("moment law", "legge del momento"),
-    "key_hinge_heights": ("hinges", "cerniere"),
-    "key_hinge_setback_m": ("hinge setback", "arretramento della cerniera"),
-    "key_compressive_strength_mpa": ("compressive strength", "resistenza a compressione"),
-    "key_base_z_m": ("height of the base", "quota della base"),
-    "key_length_m": ("length", "lunghezza"),
-    "key_unit_weight_kn_m3": ("unit weight", "peso specifico"),
-    "key_free_element": ("free to vibrate", "libero di vibrare"),
-    "key_elastic_modulus_mpa": ("elastic modulus", "modulo elastico"),
-    "key_back_restraint": ("restraint behind", "vincolo retrostante"),
-    "key_unloaded_confirmed": ("no load", "senza carichi"),
-    "key_floor": ("floor", "piano"),
-    "key_load": ("loads", "carichi"),
-    "key_return_walls": ("return walls", "muri ortogonali"),
-}
-"""Keys of a wall where two variants differ: code -> (English, Italian)."""
-
 ASSUMPTIONS = {
     "monolithic": (
         "monolithic wall, no leaves that part",

@@ -11,12 +11,15 @@ import numpy as np
 import openpyxl
 import pytest
 
+from core.case.reader import read_case
 from core.case.rules import parse_case
 from core.report import workbook
+from core.report.cells import Book
+from core.report.input_sheet import inputs
 from core.report.load_arrows import arrows
 from core.study import run as study
 from core.study.governing import collapse_histories
-from tests.conftest import STANDING
+from tests.conftest import ROOT, STANDING
 
 HOSTILE = '=HYPERLINK("http://x","y")'
 
@@ -161,7 +164,7 @@ def test_that_loads_are_on_every_sheet_that_a_reader_needs(loads):
     summary, risk = words("Summary"), words("Risk")
     assert any("ties hold their force" in text for text in summary)
     assert not any("no load or thrust" in text for text in summary)
-    assert any("kn_m = 10.0" in text for text in words("Input"))
+    assert any("vertical load, intensity 10" in text for text in words("Input"))
     assert (
         sum(text in ("vertical load", "thrust", "tie", "carried mass") for text in words("Check"))
         == 6
@@ -349,3 +352,20 @@ def test_that_thinning_keeps_the_peaks():
     assert len(chosen) <= 1501
     assert {7, 50_123, 99_999} <= set(chosen)
     assert chosen == sorted(set(chosen))
+
+
+def test_that_the_input_is_in_words_and_says_what_the_user_did_not_write():
+    """A value of a table of walls is no default."""
+    path = ROOT / "resources" / "cases" / "verdict.toml"
+    sheet = Book("it")
+    sheet.workbook.remove(sheet.workbook.active)
+    result = study.run(read_case(path), base_dir=path.parent)
+    inputs(sheet, result)
+    rows = [
+        [cell.value or None for cell in row] for row in sheet.workbook["Dati"].iter_rows(min_row=3)
+    ]
+    assert ["Altezza", 7.0, "m", "tabella delle pareti"] in rows
+    assert ["Fattore di confidenza FC", 1.35, None, "predefinito"] in rows
+    assert ["a_g su suolo rigido", 0.2, "g", None] in rows
+    words = " ".join(str(cell) for row in rows for cell in row if cell)
+    assert "_m" not in words and "demand" not in words

@@ -8,7 +8,17 @@ from string import Formatter
 import pytest
 
 from core.case.rules import parse_case
-from core.case.schema import Wall
+from core.case.schema import (
+    Analysis,
+    Case,
+    Generate,
+    Load,
+    Record,
+    Report,
+    ReturnWalls,
+    Wall,
+)
+from core.case.site import Building, BuildingMode, Demand, HazardRow, Spectrum
 from core.errors import InputError, place, section
 from core.text.catalogue import CATALOGUE
 from core.text.sentence import FormNames, Key, Quantity, localized, sentence
@@ -38,6 +48,10 @@ OF_NO_SENTENCE = {
     "core/wall/restitution.py": "sources of the models",
 }
 """Files with literals of three words that nobody reads, and what they are."""
+
+
+SECTIONS_OF_A_CASE = (Report, Wall, Record, Generate, Analysis, Demand, Spectrum, HazardRow, Building, BuildingMode,
+                      Load, ReturnWalls)  # fmt: skip
 
 
 def calls(tree):
@@ -106,7 +120,11 @@ def test_that_every_text_of_the_catalogue_is_used():
     sides = {
         f"{word}_{side}" for word in ("confidence", "dynamic") for side in ("demand", "capacity")
     }
-    sides |= {f"key_{entry.name}" for entry in fields(Wall)}
+    entries = [entry for section in SECTIONS_OF_A_CASE for entry in fields(section)]
+    sides |= {f"key_{entry.name}" for entry in entries}
+    sides |= {"key_title", "key_elastic_limit", "key_plateau_end", "choice_rigid", "choice_floors"}
+    sides |= {f"choice_{name}" for entry in entries for name in entry.metadata.get("names", ())}
+    sides |= {f"section_{entry.name}" for entry in fields(Case)}
     sides |= {f"load_{kind}" for kind in ("vertical", "thrust", "tie", "carried_mass")}
     for group in (
         "window",
@@ -190,3 +208,9 @@ def test_that_no_text_says_safe():
     for code in ("verdict", "reason", "added"):
         for english, italian in CATALOGUE[code].values():
             assert "safe" not in english.lower() and "sicura" not in italian.lower()
+
+
+def test_that_every_key_of_a_case_has_a_word():
+    for section in SECTIONS_OF_A_CASE:
+        for entry in fields(section):
+            assert f"key_{entry.name}" in CATALOGUE["word"], entry.name

@@ -1,0 +1,101 @@
+"""The sheet Input: the case in words, what the user did not write marked as default."""
+
+from dataclasses import fields
+
+from core.case.schema import Analysis, Case, Generate, Load, Record, Report, ReturnWalls, Wall
+from core.case.site import Building, BuildingMode, Demand, HazardRow, Spectrum
+from core.report.cells import QUIET, Book, header, heighten, number, paragraph, rule, text, title
+from core.study.results import StudyResult
+from core.text.catalogue import CATALOGUE
+from core.text.sentence import word
+
+UNITS = {
+    entry.name: entry.metadata.get("unit", "")
+    for section in (
+        Report, Wall, Record, Generate, Analysis, Demand, Building, BuildingMode, Load, ReturnWalls, HazardRow,
+        Spectrum,
+    )
+    for entry in fields(section)
+    if entry.metadata.get("unit")
+}  # fmt: skip
+"""Key -> its unit."""
+
+PRETTY = {"m2": "m²", "kN/m3": "kN/m³", "deg": "°"}
+
+
+def inputs(book: Book, result: StudyResult) -> None:
+    """The case section by section, wall by wall."""
+    say, case = book.say, result.case
+    sheet = book.sheet("Input", [40, 44, 9, 14])
+    title(sheet, 1, say("Input as read"))
+    text(sheet, 2, 1, f"SHA-256 {case.sha256}", color=QUIET, size=8)
+    row = _line(book, sheet, 3, "title", case.title, None)
+    from_table = case.differing() if case.table else frozenset()
+    for section, index, heading, values in _sections(book, case):
+        header(sheet, row, [heading, "", "", ""], 1, 15)
+        row += 1
+        for key, value in values.items():
+            if value is None or value in ("", ()):
+                continue
+            place = (section, index, key)
+            source = None
+            if place not in case.given:
+                in_table = section == "wall" and place in from_table
+                source = say("table of walls") if in_table else say("default")
+            row = _line(book, sheet, row, key, value, source)
+    for note in case.table_notes:
+        row = paragraph(sheet, row, f"• {note.text(book.language)}", 4, 110, color=QUIET)
+    sheet.freeze_panes = "A3"
+
+
+def _line(book: Book, sheet, row: int, key: str, value, source: str | None) -> int:
+    """A key in words, its value and unit, where it comes from; returns the next row."""
+    language = book.language
+    label = word(f"key_{key}", language)
+    plain = label[:1].islower() and "_" not in label.split()[0]
+    text(sheet, row, 1, label[0].upper() + label[1:] if plain else label)
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        shown = spelled(value, book)
+        text(sheet, row, 2, shown, wrap=True)
+        heighten(sheet, row, (shown, 50))
+    else:
+        number(sheet, row, 2, value, "General", align="left")
+        unit = UNITS.get(key, "")
+        text(sheet, row, 3, PRETTY.get(unit, unit), color=QUIET)
+    if source:
+        text(sheet, row, 4, source, color=QUIET, italic=True)
+    rule(sheet, row, 1, 4)
+    return row + 1
+
+
+def spelled(value, book: Book) -> str:
+    """A value of any key in words, a list or a table of them in one line."""
+    if isinstance(value, bool):
+        return book.say("yes") if value else book.say("no")
+    if isinstance(value, dict):
+        parts = (
+            (word(f"key_{name}", book.language), end)
+            for name, end in value.items()
+            if end not in (None, "")
+        )
+        return ", ".join(f"{name} {spelled(end, book)}" for name, end in parts)
+    if isinstance(value, tuple):
+        return "; ".join(spelled(part, book) for part in value)
+    if isinstance(value, float):
+        return book.digits(value, "g")
+    known = f"choice_{value}"
+    return word(known, book.language) if known in CATALOGUE["word"] else str(value)
+
+
+def _sections(book: Book, case: Case):
+    """(section, index, heading, keys and values)"""
+    content = case.as_dict()
+    for section in ("report", "demand", "building", "wall", "record", "generate", "analysis"):
+        items = content[section]
+        heading = word(f"section_{section}", book.language)
+        if isinstance(items, dict):
+            yield section, 0, heading, items
+        else:
+            for index, item in enumerate(items or ()):
+                name = f": {item['name']}" if section == "wall" else ""
+                yield section, index, f"{heading} {index + 1}{name}", item
