@@ -5,27 +5,14 @@ from pathlib import Path
 from PySide6.QtCore import QSettings
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 
-from app.language import described, quoted_from_file, tr
+from app.file_dialogs import path_to_write, plain_name
+from app.language import described, named, quoted_from_file, tr
 from app.session import Session
+from core import atomic_write
 from core.errors import InputError, OutputError
 
 EXAMPLE = Path(__file__).resolve().parents[1] / "resources" / "cases" / "example.toml"
 RECENT = 8
-
-
-def path_to_write(parent, title: str, proposal: str, kinds: str, end: str) -> Path | None:
-    """The file to write that the user names, None if none. Its ending is added where it lacks, and where that
-    makes it another file that is there, asked again."""
-    name, _ = QFileDialog.getSaveFileName(parent, title, proposal, kinds)
-    path = Path(name)
-    if not name or path.suffix.lower() == end:
-        return path if name else None
-    path = path.with_name(path.name + end)
-    if path.exists():
-        question = tr("{path} is there already. Overwrite it?", path=path)
-        if QMessageBox.question(parent, title, question) != QMessageBox.StandardButton.Yes:
-            return None
-    return path
 
 
 class Files:
@@ -80,7 +67,7 @@ class Files:
     def save_as(self) -> bool:
         proposal = str(self.session.path or self.session.base_dir / "case.toml")
         kinds = tr("Cases") + " (*.toml)"
-        path = path_to_write(self.window, tr("Save the case"), proposal, kinds, ".toml")
+        path = path_to_write(self.window, tr("Save the case"), proposal, kinds, (".toml",))
         return self._save(path) if path else False
 
     def _save(self, path: Path | None) -> bool:
@@ -112,13 +99,75 @@ class Files:
         stem = self.session.path.stem if self.session.path else "ribalta"
         proposal = str(self.session.base_dir / f"{stem}.xlsx")
         title = tr("Export the workbook")
-        path = path_to_write(self.window, title, proposal, "Excel (*.xlsx)", ".xlsx")
+        path = path_to_write(self.window, title, proposal, "Excel (*.xlsx)", (".xlsx",))
         if path is None:
             return
         beside = path.with_suffix(".json")
         question = tr("{path} is there already. Overwrite it?", path=beside)
         if not beside.exists() or path.exists() or self._agreed(title, question):
             self.export(path)
+
+    def ask_note(self) -> None:
+        """The calculation note as a Word document, to a place the user names."""
+        from app import export
+
+        if self.export_refused():
+            return
+        title = tr("Export the calculation note")
+        stem = self.session.path.stem if self.session.path else "ribalta"
+        proposal = str(self.session.base_dir / f"{stem}.docx")
+        path = path_to_write(self.window, title, proposal, "Word (*.docx)", (".docx",))
+        if path is None:
+            return
+        try:
+            export.check_note_path(path, path)
+        except InputError as error:
+            QMessageBox.warning(self.window, tr("Nothing exported"), described(error))
+            return
+        result = self.session.result
+
+        def write(job) -> None:
+            content = export.note_content(result)
+            job.commit()
+            atomic_write.write({path: content})
+
+        self.window.start(
+            write, lambda _: self.window.show_word(tr("Written: {path}", path=path)), to_end=True
+        )
+
+    def ask_figures(self) -> None:
+        """Every figure of the wall shown, to a folder the user names."""
+        from app.plots.figure_dialogs import ask_size
+
+        if self.export_refused():
+            return
+        size = ask_size(self.window)
+        title = tr("Export all figures")
+        name = size and QFileDialog.getExistingDirectory(
+            self.window, title, str(self.session.base_dir)
+        )
+        if name:
+            self.export_figures(Path(name), size)
+
+    def export_figures(self, folder: Path, size) -> None:
+        """The charts of every tab as PNG, all or none; nothing that is there is overwritten unasked."""
+        from app.plots.figure_file import figure
+
+        wall = self.window.wall
+        start = plain_name(f"{wall.name} {named(wall.mechanism)}")
+        charts = self.window.charts()
+        paths = {folder / f"{start} - {plain_name(chart.name)}.png": chart for chart in charts}
+        there = next((path for path in paths if path.exists()), None)
+        title = tr("Export all figures")
+        question = tr("{path} is there already. Overwrite it?", path=there)
+        if there is not None and not self._agreed(title, question):
+            return
+        try:
+            atomic_write.write({path: figure(chart, ".png", size) for path, chart in paths.items()})
+        except OutputError as error:
+            QMessageBox.warning(self.window, title, described(error))
+            return
+        self.window.show_word(tr("{n} figures written to {folder}", n=len(paths), folder=folder))
 
     def export_refused(self) -> bool:
         """Whether there is nothing to export, or only results of an earlier input; says so."""

@@ -35,6 +35,14 @@ def build(window) -> Actions:
     add(window, file, tr("Save &as…"), window.files.save_as, QKeySequence("Ctrl+Shift+S"))
     file.addSeparator()
     add(window, file, tr("&Export workbook…"), window.files.ask_export, QKeySequence("Ctrl+E"))
+    add(
+        window,
+        file,
+        tr("Export calculation &note…"),
+        window.files.ask_note,
+        QKeySequence("Ctrl+Shift+E"),
+    )
+    add(window, file, tr("Export all &figures…"), window.files.ask_figures)
     file.addSeparator()
     add(window, file, tr("&Quit"), window.close, key.Quit)
     edit = window.menuBar().addMenu(tr("&Edit"))

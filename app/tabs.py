@@ -2,9 +2,10 @@
 
 from app.language import tr
 from app.pages import Page
+from app.plots.capacity_tab import CapacityTab
 from app.plots.check_tab import CheckTab
 from app.plots.history_tabs import HistoriesTab
-from app.plots.result_tabs import CapacityTab, IntensityTab, SpectraTab
+from app.plots.result_tabs import IntensityTab, SpectraTab
 from app.plots.walls_tab import WallsTab
 
 

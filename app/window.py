@@ -1,8 +1,5 @@
 """The window: forms on the left, tabs in the middle, records and verdict on the right."""
 
-import os
-import time
-from dataclasses import replace
 from pathlib import Path
 
 import pyqtgraph as pg
@@ -12,8 +9,6 @@ from PySide6.QtWidgets import (
     QDockWidget,
     QHBoxLayout,
     QLabel,
-    QMainWindow,
-    QMessageBox,
     QPushButton,
     QTabWidget,
     QVBoxLayout,
@@ -25,10 +20,13 @@ from app.files import Files
 from app.forms.fields import Field
 from app.language import described, named, tr
 from app.pages import Veil, card
+from app.plots.chart import Chart
+from app.plots.chart_output import ChartOutput
 from app.plots.history_tabs import ValidationTab
+from app.plots.table import Table
 from app.preparation import Preparation
+from app.running import RunningWindow
 from app.session import Session
-from app.worker import Job
 from core.errors import InputError
 from core.study.demand_input import target_of
 from core.study.journal import Memory
@@ -37,7 +35,7 @@ from core.version import NAME
 AUTOSAVE_MS = 4000
 
 
-class MainWindow(QMainWindow):
+class MainWindow(RunningWindow):
     """One session in a window.
 
     settings : where its state is remembered
@@ -50,11 +48,8 @@ class MainWindow(QMainWindow):
         self.session = Session(recovery)
         self.session.listeners.append(self.refresh)
         self.files = Files(self, self.session, settings)
-        self.job: Job | None = None
         self.preparation = Preparation(self)
         self.finished_runs = Memory()
-        self.closing = self.to_end = False
-        self.began = 0.0
         self.build()
         geometry = settings.value("geometry")
         if isinstance(geometry, QByteArray):
@@ -164,8 +159,8 @@ class MainWindow(QMainWindow):
         self.setWindowTitle(f"{mark}{name} – {NAME}")
         self.actions_of.undo.setEnabled(bool(self.session.past))
         self.actions_of.redo.setEnabled(bool(self.session.future))
-        stale = self.session.stale
-        self.veil.cover(stale)
+        stale = ChartOutput.stale = Table.stale = self.session.stale
+        self._cover_tabs()
         self.card_veil.cover(stale)
         problem = self.session.problem()
         wall = self.walls.wall.name if self.walls.wall else ""
@@ -223,6 +218,19 @@ class MainWindow(QMainWindow):
         self._wall_chosen()
         self.tabs.setCurrentWidget(self.pages["check"])
 
+    def charts(self) -> list[Chart]:
+        """Every chart that shows something of the wall shown, the tabs filled first."""
+        found = []
+        for page in self.pages.values():
+            if page is self.pages["spectra"]:
+                page.content  # noqa: B018  (made)
+                self._show_spectra()
+            elif page not in self.fresh:
+                page.content.show_wall(self.session.result, self.wall)
+                self.fresh.add(page)
+            found += [chart for chart in page.content.findChildren(Chart) if chart.data]
+        return found
+
     def _wall_chosen(self) -> None:
         self.fresh.clear()
         self.show_result()
@@ -238,115 +246,18 @@ class MainWindow(QMainWindow):
                 return
             content.show_wall(self.session.result, self.wall)
             self.fresh.add(tab)
-        self.veil.cover(self.session.stale)
+        self._cover_tabs()
+
+    def _cover_tabs(self) -> None:
+        """Grey the tab in front where its result is of an earlier input; Spectra shows the input as it is."""
+        live = self.tabs.currentWidget() is self.pages["spectra"]
+        self.veil.cover(self.session.stale and not live)
 
     def resizeEvent(self, event) -> None:
         super().resizeEvent(event)
-        self.veil.cover(self.session.stale)
+        self._cover_tabs()
 
-    # running
-
-    def show_word(self, text: str, kind: str = "message") -> None:
-        """The word of the status line. kind : what it is about, for who may take it away again."""
-        self.word.setText(text)
-        self.word_kind = kind
-
-    def show_running(self, on: bool) -> None:
-        """Progress and Cancel, while there is something to cancel."""
-        self.bar.setVisible(on)
-        self.cancel_button.setVisible(on)
-        self.actions_of.cancel.setEnabled(on)
-
-    def run(self) -> None:
-        """Run the case off this thread; the window stays alive."""
-        case = self.session.checked()
-        if case is None or self.job is not None or not self.run_action.isEnabled():
-            return
-        generation, made = self.session.generation, self.finished_runs.analyses
-        base = self.session.base_dir
-
-        def arrived(result) -> None:
-            if generation == self.session.generation:
-                if base != self.session.base_dir:  # saved elsewhere meanwhile
-                    result = self.session.moved_result(result, base)
-                self.result_arrived(result)
-                self.show_word(
-                    tr(
-                        "{n} analyses in {seconds:.1f} s",
-                        n=self.finished_runs.analyses - made,
-                        seconds=result.elapsed,
-                    )
-                )
-
-        from core.study.run import run
-
-        self.records.read_again()
-        self.start(
-            lambda job: run(
-                case, base_dir=base, jobs=os.cpu_count() or 1, journal=lambda _: self.finished_runs,
-                on_progress=job.progress, cancelled=job.cancelled,
-            ),
-            arrived,
-        )  # fmt: skip
-
-    def start(self, work, arrived, to_end: bool = False) -> None:
-        """Work off this thread, one at a time; `arrived(result)` unless it is cancelled before. to_end : the
-        window does not close before its end."""
-        if self.job is not None:
-            return
-        job = self.job = Job(work)
-        self.to_end = to_end
-
-        def unless_left(slot):
-            return lambda *values: slot(*values) if self.job is job else None
-
-        job.done.connect(unless_left(arrived))
-        job.failed.connect(unless_left(self.failed))
-        job.progressed.connect(unless_left(self._progressed))
-        job.finished.connect(unless_left(self._ended))
-        self.began = time.monotonic()
-        self.bar.setRange(0, 0)
-        self.show_word(tr("Running…"))
-        self.show_running(True)
-        job.start()
-        self.refresh()
-
-    def _progressed(self, done: int, planned: int) -> None:
-        self.bar.setRange(0, max(planned, 1))
-        self.bar.setValue(done)
-        elapsed = time.monotonic() - self.began
-        left = elapsed / done * (planned - done) if done else 0.0
-        self.show_word(
-            tr(
-                "{done} of {planned}, {elapsed:.0f} s, about {left:.0f} s left",
-                done=done,
-                planned=planned,
-                elapsed=elapsed,
-                left=left,
-            )
-        )
-
-    def _ended(self) -> None:
-        self.job = None
-        self.show_running(False)
-        self.refresh()
-        if self.closing:
-            QTimer.singleShot(0, self.close)
-
-    def failed(self, sentence: str, log: str) -> None:
-        if log:
-            sentence += "\n" + tr("Details are in {log}", log=log)
-        self.closing = False
-        self.show_word(tr("Not done."))
-        QMessageBox.warning(self, tr("Not done"), sentence)
-
-    def cancel(self) -> None:
-        """Stop what runs: at once here, its thread ends when it can. What is being written is written."""
-        if self.job is not None and self.job.cancel():
-            self._ended()
-            self.show_word(tr("Cancelled."))
-        elif self.job is not None:
-            self.show_word(tr("It is being written."))
+    # results
 
     def start_afresh(self) -> None:
         """Another case is open: nothing of the last one stays."""
@@ -375,31 +286,6 @@ class MainWindow(QMainWindow):
         self.card.setText(card(result, self.language))
         self.refresh()
         self.show_result()
-
-    def state_accuracy(self) -> None:
-        """The accuracy statement of the wall shown, off this thread."""
-        result, k = self.session.result, self.chosen.currentIndex()
-        if self.wall is None or self.job is not None or self.session.stale:
-            return
-        from core.study.run import accuracy_of
-
-        def arrived(accuracy) -> None:
-            self.show_word("", "")
-            shown = self.session.result
-            if shown is not None and shown.walls is result.walls:
-                walls = list(shown.walls)
-                walls[k] = replace(walls[k], accuracy=accuracy)
-                self.session.result = replace(shown, walls=tuple(walls))
-                if self.chosen.currentIndex() == k:
-                    self.pages["validation"].content.show_accuracy(accuracy)
-
-        wall = result.walls[k]
-        self.start(
-            lambda job: accuracy_of(
-                wall, result.motions, result.method, result.search, job.cancelled
-            ),
-            arrived,
-        )
 
     def closeEvent(self, event) -> None:
         if not self.closing and not self.files.give_up():

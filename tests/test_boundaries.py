@@ -129,6 +129,7 @@ SHOWN_BY = {
             "terminal",
             "verdicts",
             "window",
+            "window_charts",
             "window_forms",
             "words",
         )

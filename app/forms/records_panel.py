@@ -58,6 +58,7 @@ class RecordsPanel(QWidget):
         self.table = Table(tr("Records"), [
             tr("Use"), tr("Record"), "PGA [g]", "PGV [cm/s]", "SI [cm]", tr("D5-95 [s]"), "Δt [s]",
             tr("Sign"), tr("Format")])  # fmt: skip
+        self.table.live = True
         self.table.itemChanged.connect(self._ticked)
         self.table.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.table.customContextMenuRequested.connect(self._menu)

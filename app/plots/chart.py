@@ -1,32 +1,27 @@
-"""One chart: curves with names and units, values under the cursor, copy, PNG, SVG, CSV (always light)."""
+"""One chart: curves with names and units, values under the cursor, copy, PNG, SVG, PDF, CSV (always light)."""
 
-import csv
-import io
 import math
 from collections.abc import Callable
-from pathlib import Path
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import QBuffer, QIODevice, QRect, Qt
-from PySide6.QtGui import QGuiApplication, QImage
-from PySide6.QtSvg import QSvgGenerator
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
-    QMessageBox,
+    QMenu,
     QSizePolicy,
     QToolButton,
     QVBoxLayout,
-    QWidget,
 )
 
 from app import theme
-from app.files import path_to_write
-from app.language import current_language, described, tr
-from app.plots.table import plain_cell
-from core import atomic_write
-from core.errors import OutputError
+from app.language import current_language, tr
+from app.plots.chart_output import ChartOutput
+from core.text.sentence import numeral
+
+NEAR = 0.04
+"""Of the size of the axes: how close the cursor must be to a data point to be read there."""
 
 
 def numbers(values) -> np.ndarray:
@@ -34,30 +29,36 @@ def numbers(values) -> np.ndarray:
     return np.ascontiguousarray(np.asarray(values, dtype=np.float64).ravel())
 
 
-def written(value: float, comma: bool) -> str:
-    """A number as a spreadsheet of the language reads it; nothing where there is none."""
-    if not math.isfinite(value):
-        return ""
-    return repr(value).replace(".", ",") if comma else repr(value)
-
-
-class Chart(QWidget):
+class Chart(ChartOutput):
     """A plot with axes `x` and `y`. Colours are roles of the theme: an index of its curves, or a name.
-    legend : the corner it stands in, of top or bottom and left or right, or beside for many curves."""
 
-    def __init__(self, x: str, y: str, name: str, legend: str = "top right"):
+    legend : above the axes or, for many curves, beside them: never on the data
+    live : as of ChartOutput
+    """
+
+    def __init__(self, x: str, y: str, name: str, legend: str = "above", live: bool = False):
         super().__init__()
         self.labels, self.name = (x, y), name
         self.setAccessibleName(name)
         self.view = pg.PlotWidget()
         self.plot = self.view.getPlotItem()
         self.plot.showGrid(x=True, y=True, alpha=0.25)
-        self.beside = legend == "beside"
-        corner = (8 if "left" in legend else -8, -8 if "bottom" in legend else 8)
-        self.legend = self.plot.addLegend(offset=corner, labelTextSize="9pt")
-        if self.beside:
-            self.legend.setParentItem(self.plot)
-            self.legend.anchor((1, 0), (1, 0), (0, 8))
+        self.beside, self.live = legend == "beside", live
+        self.legend = self.plot.addLegend(labelTextSize="9pt")
+        self.legend.setParentItem(self.plot)
+        self.legend.anchor((1, 0), (1, 0), (0, 8 if self.beside else 0))
+        self.ranges: dict[str, tuple[float, float]] = {}
+        self.plot.setMenuEnabled(False)
+        self.plot.hideButtons()
+        self.view.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        self.view.customContextMenuRequested.connect(self._menu)
+        self.found = pg.ScatterPlotItem(size=9, pen=pg.mkPen(None))
+        self.found.setZValue(50)
+        self.plot.addItem(self.found, ignoreBounds=True)
+        self.reason = QLabel(self.view)
+        self.reason.setWordWrap(True)
+        self.reason.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.reason.hide()
         self.items: list[tuple] = []
         self.recolors: list[Callable[[theme.Theme], None]] = []
         self.names: list[str] = []
@@ -80,9 +81,8 @@ class Chart(QWidget):
         bar.addWidget(self.read, 1)
         for label, tip, slot in (
             (tr("Reset"), tr("Show everything"), self.reset), (tr("Copy"), tr("Copy the picture"), self.copy),
-            ("PNG", tr("Save as PNG"), lambda: self._save("png")),
-            ("SVG", tr("Save as SVG"), lambda: self._save("svg")),
-            ("CSV", tr("Save the data as CSV"), lambda: self._save("csv")),
+            (tr("Figure…"), tr("Save as a figure for a report: PNG, SVG or PDF"), self._save_figure),
+            ("CSV", tr("Save the data as CSV"), self._save_data),
         ):  # fmt: skip
             button = QToolButton()
             button.setText(label)
@@ -99,7 +99,16 @@ class Chart(QWidget):
         for item, *_ in self.items:
             self.plot.removeItem(item)
         self.legend.clear()
-        self.items, self.data, self.recolors, self.names = [], [], [], []
+        self.found.clear()
+        self.items, self.data, self.recolors, self.names, self.ranges = [], [], [], [], {}
+        self.reason.hide()
+
+    def say_why(self, reason: str) -> None:
+        """Words in the place of an empty chart."""
+        self.reason.setText(reason)
+        self.reason.setStyleSheet(f"color: {theme.current.quiet};")
+        self.reason.setVisible(bool(reason))
+        self._place_legend()
 
     def curve(self, name, x, y, color=0, width=1.6, dash=False, legend=True, path=False):
         """A line; its data goes into the CSV. path : x may go back and forth."""
@@ -135,7 +144,9 @@ class Chart(QWidget):
 
     def level(self, value: float, label: str = "", color="quiet", vertical=False, place=None):
         """A line across the chart with a label; place : of the label along it, 0 to 1."""
-        options = {"position": place or (0.92 if vertical else 0.01), "fill": None}
+        shade = pg.mkColor(theme.current.back)
+        shade.setAlpha(210)  # legible where it meets a bar or a curve
+        options = {"position": place or (0.92 if vertical else 0.01), "fill": shade}
         if (
             not vertical and place is None
         ):  # it begins right of the axis, however narrow the chart is
@@ -183,16 +194,50 @@ class Chart(QWidget):
 
     def resizeEvent(self, event) -> None:
         super().resizeEvent(event)
+        self.fit()
+
+    def fit(self) -> None:
+        """Names, legend and words as the width of the view wants them."""
         if self.names:
             self.names_below(self.names)
+        self._place_legend()
+
+    def _place_legend(self) -> None:
+        """In as many columns as the width holds, and room for it."""
+        self.reason.setGeometry(self.view.rect().adjusted(70, 20, -20, -40))
+        if self.beside:
+            self.plot.layout.setColumnFixedWidth(3, self.legend.boundingRect().width())
+            return
+        count = len(self.legend.items)
+        widest = max((label.width() for _, label in self.legend.items), default=0.0)
+        columns = max(1, min(count, int((self.view.width() - 70) / (widest + 40))))
+        if count and columns != self.legend.columnCount:
+            self.legend.setColumnCount(columns)
+        self.legend.updateSize()
+        height = self.legend.boundingRect().height() if count else 0.0
+        self.plot.layout.setRowFixedHeight(0, height)
 
     def set_log(self, on: bool) -> None:
         self.plot.setLogMode(on, on)
+        for side in ("bottom", "left"):  # the labels of the decades alone, apart from each other
+            self.plot.getAxis(side).setStyle(maxTextLevel=0 if on else 2)
+
+    def set_range(
+        self, x: tuple[float, float] | None = None, y: tuple[float, float] | None = None
+    ) -> None:
+        """Ends of the axes, to which `reset` comes back."""
+        for name, ends in (("x", x), ("y", y)):
+            if ends is not None:
+                self.ranges[name] = ends
+        self.reset()
 
     def reset(self) -> None:
-        if self.beside:
-            self.plot.layout.setColumnFixedWidth(3, self.legend.boundingRect().width())
+        """Show everything."""
+        self._place_legend()
         self.plot.autoRange()
+        for name, ends in self.ranges.items():
+            show = self.plot.setXRange if name == "x" else self.plot.setYRange
+            show(*ends, padding=0.01 if name == "x" else 0.0)
 
     # colours
 
@@ -224,6 +269,9 @@ class Chart(QWidget):
             item.setPen(pen)
             if isinstance(item, pg.InfiniteLine) and hasattr(item, "label"):
                 item.label.setColor(shade)
+                behind = pg.mkColor(chosen.back)
+                behind.setAlpha(210)
+                item.label.fill = pg.mkBrush(behind)
 
     def _apply_theme(self, chosen: theme.Theme) -> None:
         self.view.setBackground(chosen.back)
@@ -238,6 +286,7 @@ class Chart(QWidget):
         self.legend.setLabelTextColor(chosen.ink)
         for _, label in self.legend.items:
             label.setText(label.text, color=chosen.ink)
+        self.found.setBrush(chosen.ink)
         for entry in self.items:
             self._paint(*entry, chosen)
         for recolor in self.recolors:
@@ -248,80 +297,60 @@ class Chart(QWidget):
     def _moved(self, event) -> None:
         point = self.plot.vb.mapSceneToView(event[0])
         x, y = point.x(), point.y()
-        if self.plot.ctrl.logXCheck.isChecked():
+        log = self.plot.ctrl.logXCheck.isChecked()
+        near = self._nearest(x, y, log)
+        name = ""
+        if near is not None:
+            name, x, y = near
+            self.found.setData([x], [y])
+            name += "   "
+        else:
+            self.found.clear()
+        if log:
             x, y = 10.0**x, 10.0**y
-        self.read.setText(f"  {self.labels[0]} {x:.4g}   {self.labels[1]} {y:.4g}")
+        language = current_language()
+        words = (
+            self.labels[0],
+            numeral(x, ".4g", language),
+            self.labels[1],
+            numeral(y, ".4g", language),
+        )
+        self.read.setText("  " + name + "{} {}   {} {}".format(*words))
 
-    # out
+    def _nearest(self, x: float, y: float, log: bool) -> tuple[str, float, float] | None:
+        """(curve, x, y) of the data point close to a place of the axes; None where none is."""
+        (left, right), (low, high) = self.plot.viewRange()
+        best, found = NEAR, None
+        for name, xs, ys in self.data:
+            if not xs.size or xs.size != ys.size:
+                continue
+            with np.errstate(invalid="ignore", divide="ignore"):
+                if log:
+                    xs, ys = np.log10(xs), np.log10(ys)
+                away = np.hypot((xs - x) / (right - left), (ys - y) / (high - low))
+            if not np.isfinite(away).any():
+                continue
+            k = int(np.nanargmin(away))
+            if away[k] < best:
+                best, found = float(away[k]), (name, float(xs[k]), float(ys[k]))
+        return found
 
-    def image(self) -> QImage:
-        """The chart as a light picture, twice the size on the screen. Painted as a widget: the marks are placed in
-        pixels of the screen, and a scene painted to another size would leave them there."""
-        image = QImage(2 * self.view.size(), QImage.Format.Format_RGB32)
-        image.setDevicePixelRatio(2.0)
-        image.fill(Qt.GlobalColor.white)
-        self._paint_light(image)
-        image.setDevicePixelRatio(1.0)
-        return image
+    # menu
 
-    def _paint_light(self, device) -> None:
-        """The view as on the screen, in the light theme, without the pixel caches of the screen."""
-        marks = [item.scatter for item, *_ in self.items if isinstance(item, pg.PlotDataItem)]
-        mode = self.view.cacheMode()
-        self._apply_theme(theme.LIGHT)
-        self.view.setCacheMode(type(mode)(0))
-        for mark in marks:
-            mark.opts["useCache"] = False
-        try:
-            QWidget.render(self.view, device)
-        finally:
-            for mark in marks:
-                mark.opts["useCache"] = True
-            self.view.setCacheMode(mode)
-            self._apply_theme(theme.current)
+    def _menu(self, place) -> None:
+        menu = QMenu(self)
+        for label, slot in (
+            (tr("Show everything"), self.reset), (tr("Axis limits…"), self._ask_limits), (tr("Copy"), self.copy),
+            (tr("Figure…"), self._save_figure), (tr("Save the data as CSV"), self._save_data),
+        ):  # fmt: skip
+            menu.addAction(label, slot)
+        menu.exec(self.view.mapToGlobal(place))
 
-    def content(self, end: str) -> bytes:
-        """The file .png, .svg or .csv."""
-        if end == ".csv":
-            text = io.StringIO(newline="")
-            italian = current_language() == "it"
-            writer = csv.writer(text, delimiter=";" if italian else ",")
-            writer.writerow([tr("curve"), *self.labels])
-            for name, xs, ys in self.data:
-                label = plain_cell(name)
-                for x, y in zip(xs.tolist(), ys.tolist(), strict=True):
-                    place = plain_cell(self.names[int(x)]) if self.names else written(x, italian)
-                    writer.writerow((label, place, written(y, italian)))
-            # a spreadsheet of Italy takes bytes without a mark for those of Windows
-            return text.getvalue().encode("utf-8-sig" if italian else "utf-8")
-        room = QBuffer()
-        room.open(QIODevice.OpenModeFlag.WriteOnly)
-        if end == ".svg":
-            picture = QSvgGenerator()
-            picture.setOutputDevice(room)
-            size = self.view.size()
-            picture.setSize(size)
-            picture.setViewBox(QRect(0, 0, size.width(), size.height()))
-            picture.setResolution(self.view.logicalDpiX())
-            self._paint_light(picture)
-        elif not self.image().save(room, "PNG"):
-            raise OutputError("picture_not_made")
-        return bytes(room.data())
+    def _ask_limits(self) -> None:
+        from app.plots.figure_dialogs import axis_limits
 
-    def write(self, path: Path) -> None:
-        """Write .png, .svg or .csv by the end of the name, whole or not at all. Raises OutputError."""
-        atomic_write.write({path: self.content(path.suffix.lower())})
-
-    def copy(self) -> None:
-        """The picture to the clipboard. Not by a QMimeData of ours: it crashes Qt when the program ends."""
-        QGuiApplication.clipboard().setImage(self.image())
-
-    def _save(self, end: str) -> None:
-        title = tr("Save the chart")
-        path = path_to_write(self, title, f"{self.name}.{end}", f"*.{end}", f".{end}")
-        if path is None:
-            return
-        try:
-            self.write(path)
-        except OutputError as error:
-            QMessageBox.warning(self, title, described(error))
+        (left, right), (low, high) = self.plot.viewRange()
+        found = axis_limits(self, self.labels, (left, right, low, high))
+        if found is not None:
+            self.plot.setXRange(*found[:2], padding=0)
+            self.plot.setYRange(*found[2:], padding=0)

@@ -67,6 +67,7 @@ class CheckTab(QWidget):
             self.sentence.setStyleSheet("font-size: 12pt;")
             self.reasons.setText(self._warnings(wall))
             self.table.show_rows([])
+            self.peaks.say_why(tr("No demand: nothing to compare the peaks with."))
             return
         verdict = assessment.verdict
         self.sentence.setText(verdict.text(self.language))
@@ -114,8 +115,11 @@ class CheckTab(QWidget):
                          digits(estimate.q), digits(capacity, 3), digits(wanted, 3), "g"])  # fmt: skip
             colors.append([theme.current.quiet] * 8)
         self.table.show_rows(rows, colors)
+        self.peaks.caption = f"{wall.name}, {word(wall.mechanism, self.language)}"
         if assessment.dynamic:
             self._bars(assessment.dynamic)
+        else:
+            self.peaks.say_why(tr("No dynamic check: it takes records and a demand at SLV or SLC."))
 
     def _mechanism(self, assessment) -> str:
         """Free to vibrate or restrained, T_0, and what the dynamic check says beside zeta_E."""
@@ -188,11 +192,11 @@ class CheckTab(QWidget):
             (~exceeds, tr("within θc"), 0), (exceeds, tr("exceeds θc or overturns"), 1),
         ):  # fmt: skip
             self.peaks.bars(name, places[chosen], drawn[chosen], color, values=values[chosen])
+        ends = np.array([-0.6, values.size - 0.4])
         if check.set_rule == "mean" and check.mean_peak_ratio is not None:
-            mean = check.mean_peak_ratio
-            self.peaks.level(
-                mean, tr("mean {value:.2f}, which decides", value=mean), "ink", place=0.6
-            )
+            mean = check.mean_peak_ratio  # in the legend: no word of it lies on the bars
+            name = tr("mean {value:.2f}, which decides", value=mean)
+            self.peaks.curve(name, ends, [mean, mean], "ink", 2.0)
         for fraction, label in ((0.40, "0.40 SLV"), (0.60, "0.60 SLC"), (1.00, "1.00 θc")):
             wanted = LIMIT_FRACTION.get(check.limit_state) == fraction
             self.peaks.level(fraction, label, "bad" if wanted or fraction == 1.0 else "quiet")
@@ -202,5 +206,4 @@ class CheckTab(QWidget):
             for run in check.runs
         ]
         self.peaks.names_below(names)
-        self.peaks.plot.setYRange(0.0, top)
-        self.peaks.plot.setXRange(-0.6, len(names) - 0.4)
+        self.peaks.set_range((-0.6, len(names) - 0.4), (0.0, top))

@@ -1,6 +1,7 @@
 """Tabs that integrate under the hand: Histories and Validation."""
 
 import math
+from functools import partial
 
 import numpy as np
 from PySide6.QtCore import QElapsedTimer, Qt, QTimer, Signal
@@ -16,12 +17,13 @@ from PySide6.QtWidgets import (
 )
 
 from app.drawing import WallDrawing
-from app.language import named, tr
+from app.language import current_language, named, tr
 from app.plots.chart import Chart
 from core.capacity.ida import multiplier_of, threshold_of
 from core.rocking.history import history
 from core.rocking.outcome import COLLAPSED
 from core.study.results import StudyResult, WallResult
+from core.text.sentence import numeral
 from core.units import G
 
 SLIDER = 2000
@@ -40,7 +42,15 @@ class HistoriesTab(QWidget):
         self.slider = QSlider(Qt.Orientation.Horizontal)
         self.slider.setRange(0, SLIDER)
         self.slider.setAccessibleName(tr("Multiplier of the record"))
-        self.slider.valueChanged.connect(lambda _: self.integrate())
+        self.slider.valueChanged.connect(lambda _: self._slid())
+        self.preset = QComboBox()
+        self.preset.setAccessibleName(tr("Multiplier at once"))
+        self.preset.addItems(
+            [tr("Set to…"), tr("the demand"), tr("the demand x FC"), tr("just before collapse"),
+             tr("just after collapse"), "q = 2"]
+        )  # fmt: skip
+        self.preset.activated.connect(self._set_to)
+        self.chosen_q: float | None = None
         self.words = QLabel()
         self.words.setMinimumWidth(120)
         self.play = QPushButton(tr("Play"))
@@ -55,6 +65,7 @@ class HistoriesTab(QWidget):
         self.record.setMinimumWidth(60)
         bar.addWidget(self.record, 1)
         bar.addWidget(self.slider, 2)
+        bar.addWidget(self.preset)
         bar.addWidget(self.play)
         charts = QSplitter(Qt.Orientation.Vertical)
         charts.addWidget(self.ground)
@@ -121,18 +132,53 @@ class HistoriesTab(QWidget):
         for line in self.cursors:
             line.setMovable(True)
             line.sigDragged.connect(lambda line: self.set_time(line.value()))
-        self.rotation.plot.setYRange(-1.4 if both_ways else -0.2, 1.4)
-        self.ground.plot.setXRange(0.0, float(self.times[-1]), padding=0.01)
-        self.slider.blockSignals(True)
-        self.slider.setValue(SLIDER // 2)
-        self.slider.blockSignals(False)
-        self.integrate()
+        self.rotation.set_range((0.0, float(self.times[-1])), (-1.4 if both_ways else -0.2, 1.4))
+        self.ground.set_range((0.0, float(self.times[-1])))
+        self._set_q(self.middle)
+
+    @property
+    def middle(self) -> float:
+        """q in the middle of the slider: the last survived one."""
+        return (self.run.ida.bracket or (2.0, 2.0))[0]
 
     @property
     def q(self) -> float:
-        middle = (self.run.ida.bracket or (2.0, 2.0))[0]
+        if self.chosen_q is not None:
+            return self.chosen_q
         low, high = (math.log(end) for end in SPAN)
-        return middle * math.exp(low + (high - low) * self.slider.value() / SLIDER)
+        return self.middle * math.exp(low + (high - low) * self.slider.value() / SLIDER)
+
+    def _slid(self) -> None:
+        self.chosen_q = None
+        self.integrate()
+
+    def _set_q(self, q: float) -> None:
+        """This q exactly, the slider as near to it as it goes."""
+        low, high = (math.log(end) for end in SPAN)
+        at = (math.log(q / self.middle) - low) / (high - low)
+        self.slider.blockSignals(True)
+        self.slider.setValue(round(SLIDER * min(1.0, max(0.0, at))))
+        self.slider.blockSignals(False)
+        self.chosen_q = q
+        self.integrate()
+
+    def _set_to(self, k: int) -> None:
+        """A multiplier that an engineer asks for by name."""
+        self.preset.setCurrentIndex(0)
+        if self.run is None:
+            return
+        result, wall = self.shown
+        demand, bracket = result.demand, self.run.ida.bracket
+        if (k in (1, 2) and demand is None) or (k in (3, 4) and bracket is None):
+            self.words.setText(tr("Not known here: no demand, or no collapse of this record."))
+            return
+        if k in (1, 2):
+            factor = demand.scaling(self.motion) * (demand.confidence_factor if k == 2 else 1.0)
+            q = factor * self.motion.pga / threshold_of(wall.model)
+        else:
+            q = {3: bracket and bracket[0], 4: bracket and bracket[1], 5: 2.0}.get(k)
+        if q:
+            self._set_q(q)
 
     def integrate(self) -> None:
         """The history at the slider's multiplier: a fraction of a millisecond, then drawn."""
@@ -156,10 +202,18 @@ class HistoriesTab(QWidget):
         if self.history.outcome == COLLAPSED:  # its largest rotation is where the analysis ended
             outcome = named("overturned")
         else:
-            outcome = (
-                f"{tr('stands')}   θmax/θc {self.history.peak / wall.model.collapse_rotation:.2f}"
+            peak = numeral(
+                self.history.peak / wall.model.collapse_rotation, ".2f", current_language()
             )
-        self.words.setText(f"C {abs(scale):.3f}   q {self.q:.3f}   {outcome}")
+            outcome = f"{tr('stands')}   θmax/θc {peak}"
+        number = partial(numeral, language=current_language())
+        self.words.setText(f"C {number(abs(scale), '.3f')}   q {number(self.q, '.3f')}   {outcome}")
+        for chart in (self.ground, self.rotation):
+            sign = "+" if self.run.polarity > 0 else "−"
+            chart.caption = (
+                f"{wall.name}, {named(wall.mechanism)}, {self.run.record} ({sign}), "
+                f"C {number(abs(scale), '.3f')}"
+            )
         self.set_time(self.cursors[0].value())
 
     def set_time(self, time: float) -> None:
@@ -236,8 +290,11 @@ class ValidationTab(QWidget):
         law = np.array([moment(x * alpha, wall.model) for x in ratio])
         law = law / (wall.model.amplitude * math.sin(alpha))
         self.moment.curve(tr("law"), ratio, law, 0, 2.0)
+        for chart in (self.chart, self.phase, self.moment):
+            chart.caption = f"{wall.name}, {named(wall.mechanism)}"
         pair = collapse_histories(result, wall)
         if pair is None:
+            self.phase.say_why(tr("No record with a q."))
             return
         speed = wall.block.frequency_parameter * alpha
         for one, name, color in zip(
@@ -258,6 +315,7 @@ class ValidationTab(QWidget):
         """The chart and the two statements; nothing before they are asked for."""
         self.chart.clear()
         if accuracy is None:
+            self.chart.say_why(tr("Not stated yet for this wall: press the button above."))
             return
         for k, point in enumerate(accuracy.points):
             if point.error is not None:

@@ -1,13 +1,10 @@
-"""Tabs of a result: Capacity, q against SI, Spectra."""
-
-import math
+"""Tabs of a result: q against SI, Spectra."""
 
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QCheckBox,
-    QComboBox,
     QHBoxLayout,
     QLabel,
     QSplitter,
@@ -21,146 +18,12 @@ from app.plots.chart import Chart
 from app.plots.check_tab import digits
 from app.plots.table import Table
 from core.capacity.closed_forms import closed_form_q_eff
-from core.capacity.fragility import fragility_curve
-from core.capacity.ida import grid_point, multiplier_of, threshold_of
 from core.capacity.scale_free_law import dimensionless_intensity, law_of, loss_ratio
 from core.ground.response_spectrum import HOUSNER_PERIODS, pseudo_acceleration_spectrum
-from core.rocking.history import scan
-from core.rocking.outcome import COLLAPSED, STABLE
 from core.study.floors import CHART_PERIODS
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import word
 from core.units import CM, G
-
-
-class CapacityTab(QWidget):
-    """Peak rotation against q of one record, survival strips of all, fragility of the wall."""
-
-    def __init__(self):
-        super().__init__()
-        self.record = QComboBox()
-        self.record.setAccessibleName(tr("Record"))
-        self.record.activated.connect(lambda _: self._show_peaks())
-        self.peaks = Chart("q [-]", "θmax/θc [-]", tr("Peak rotation against q"), "top left")
-        self.strips = Chart("q [-]", tr("run"), tr("Survival map"))
-        self.fragility = Chart("q [-]", tr("share collapsed [-]"), tr("Fragility"), "bottom right")
-        top = QHBoxLayout()
-        top.addWidget(self.peaks, 1)
-        top.addWidget(self.fragility, 1)
-        layout = QVBoxLayout(self)
-        layout.addWidget(self.record)
-        layout.addLayout(top, 1)
-        self.words = QLabel()
-        layout.addWidget(self.strips, 1)
-        layout.addWidget(self.words)
-        self.shown: tuple[StudyResult, WallResult] | None = None
-
-    def show_wall(self, result: StudyResult, wall: WallResult) -> None:
-        """Fill the tab from one wall of a result."""
-        self.shown = (result, wall)
-        self.record.clear()
-        for run in wall.runs:
-            self.record.addItem(f"{run.record} ({'+' if run.polarity > 0 else '−'})")
-        self._show_peaks()
-        self._show_strips(wall)
-        self.fragility.clear()
-        q, count, n = fragility_curve([run.ida for run in wall.runs], result.search)
-        if n:
-            share = count / (n * (2 * result.search.half_window + 1))
-            whole = slice(
-                0, q.size - result.search.half_window
-            )  # beyond it the window is not whole
-            self.fragility.curve(tr("fragility"), q[whole], share[whole], 0, 2.0)
-            marks = (
-                ("q", wall.q_set),
-                ("q SLV", wall.q_slv_set),
-                (tr("q robust"), wall.q_robust_set),
-            )
-            for k, (label, value) in enumerate(marks):
-                if value is not None:
-                    self.fragility.level(value, label, "ink", vertical=True, place=0.95 - 0.09 * k)
-            self.fragility.reset()
-
-    def _show_peaks(self) -> None:
-        """Peaks at many q of the chosen run, integrated again: some ten milliseconds."""
-        self.peaks.clear()
-        if self.shown is None or self.record.currentIndex() < 0:
-            return
-        result, wall = self.shown
-        run = wall.runs[self.record.currentIndex()]
-        motion = result.motion_of(wall, run.record)
-        # the points of the search itself, so that the first that overturns is the one q was bisected from
-        step, last = result.search.q_step, run.ida.first_index + len(run.ida.outcomes)
-        q = np.array(
-            [grid_point(run.ida.q_start, step, k) for k in range(run.ida.first_index, last)]
-        )
-        q = q[q <= 1.6 * (run.ida.q or 5.0)]
-        outcomes, peaks = np.zeros(q.size, np.int64), np.zeros(q.size)
-        scales = run.polarity * multiplier_of(q, motion.pga, threshold_of(wall.model))
-        scan(
-            result.method,
-            motion.acceleration,
-            motion.time_step,
-            scales,
-            wall.model,
-            outcomes,
-            peaks,
-        )
-        ratio = np.where(outcomes == COLLAPSED, np.nan, peaks / wall.model.collapse_rotation)
-        fell = q[outcomes == COLLAPSED]
-        self.peaks.curve(run.record, q, ratio, 0)
-        edge = np.full(fell.size, 1.25)  # at the upper edge: no number of theirs
-        none = np.full(fell.size, np.nan)
-        self.peaks.points(named("overturned"), fell, edge, 1, 4, values=none)
-        for level, label in ((0.40, "0.40"), (0.60, "0.60"), (1.0, "θc")):
-            self.peaks.level(level, label)
-        if run.ida.q:
-            self.peaks.level(run.ida.q, "q", "bad", vertical=True, place=0.75)
-        self.peaks.plot.setYRange(0.0, 1.45)
-
-    def _show_strips(self, wall: WallResult) -> None:
-        self.strips.clear()
-        if not wall.runs:
-            return
-        first = min(run.ida.first_index for run in wall.runs)
-        last = max(run.ida.first_index + len(run.ida.outcomes) for run in wall.runs)
-        image = np.full((len(wall.runs), last - first), np.nan)
-        for k, run in enumerate(wall.runs):
-            start = run.ida.first_index - first
-            image[k, start : start + len(run.ida.outcomes)] = [int(d) for d in run.ida.outcomes]
-        step = math.log1p(self.shown[0].search.q_step)
-        low = math.log(wall.runs[0].ida.q_start) + first * step
-        # what was not searched, or ended without an outcome, is neither: in a colour of its own
-        shades = np.select([image == STABLE, image == COLLAPSED], [0.0, 1.0], 0.5)
-        item = pg.ImageItem(np.ascontiguousarray(shades.T), levels=(0.0, 1.0))
-        item.setRect(low, -0.5, image.shape[1] * step, image.shape[0])
-
-        def recolor(chosen: theme.Theme) -> None:
-            item.setColorMap(
-                pg.ColorMap([0.0, 0.5, 1.0], [chosen.back, chosen.grid, chosen.curves[1]])
-            )
-
-        self.strips.add(item, recolor)
-        self.words.setText(
-            tr("Survival map: coloured where the wall overturns, grey where nothing was searched.")
-        )
-        grid = np.exp(low + step * np.arange(image.shape[1]))
-        for k, run in enumerate(wall.runs):
-            known = ~np.isnan(image[k])
-            sign = "+" if run.polarity > 0 else "−"
-            self.strips.data.append((f"{run.record} {sign}", grid[known], image[k][known]))
-        names = [
-            (k, f"{run.record[:14]} {'+' if run.polarity > 0 else '−'}")
-            for k, run in enumerate(wall.runs)
-        ]
-        self.strips.plot.getAxis("left").setTicks([names[:: max(1, len(names) // 14)]])
-        marks = [
-            q
-            for q in (0.5, 0.7, 1, 1.5, 2, 3, 4, 6, 8, 12, 16, 24, 40, 60, 100)
-            if math.log(q) >= low - 0.1
-        ]
-        self.strips.ticks("bottom", [(math.log(q), f"{q:g}") for q in marks])
-        self.strips.reset()
 
 
 class IntensityTab(QWidget):
@@ -191,13 +54,16 @@ class IntensityTab(QWidget):
         self.scale_free.clear()
         self.chart.set_log(self.log.isChecked())
         known = [entry for entry in wall.per_record if entry.q is not None]
+        why = ""
         if not known:
-            self.words.setText(tr("No record with a q."))
-            return
-        if not wall.wall.has_closed_forms:
-            self.words.setText(
-                tr("Not drawn above the ground and with loads, where Eq. 15 and 16 do not hold.")
-            )
+            why = tr("No record with a q.")
+        elif not wall.wall.has_closed_forms:
+            why = tr("Not drawn above the ground and with loads, where Eq. 15 and 16 do not hold.")
+        for chart in (self.chart, self.scale_free):
+            chart.caption = f"{wall.name}, {named(wall.mechanism)}"
+            chart.say_why(why)
+        self.words.setText("")
+        if why:
             return
         si = np.array([entry.intensity for entry in known])
         self.chart.points(tr("time histories"), si / CM, [entry.q_eff for entry in known], 0, 9)
@@ -255,7 +121,7 @@ class SpectraTab(QWidget):
     def __init__(self, language: str):
         super().__init__()
         self.language = language
-        self.chart = Chart("T [s]", "S_a [g]", tr("Spectra"))
+        self.chart = Chart("T [s]", "S_a [g]", tr("Spectra"), live=True)
         self.table = Table(
             tr("Compatibility"), [tr("Rule"), tr("Clause"), tr("Value"), tr("Limit"), tr("Outcome")]
         )

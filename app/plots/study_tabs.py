@@ -16,7 +16,7 @@ BESIDE_FROM = 7
 def figure_chart(figure: Figure) -> QWidget:
     """A figure as a chart, its note below."""
     many = sum(bool(series.name) for series in figure.series) >= BESIDE_FROM
-    chart = Chart(figure.x, figure.y, figure.title, "beside" if many else "top right")
+    chart = Chart(figure.x, figure.y, figure.title, "beside" if many else "above", live=True)
     chart.plot.setLogMode(figure.log_x, figure.log_y)
     for k, series in enumerate(figure.series):
         named = bool(series.name)
@@ -52,6 +52,7 @@ def shown(value) -> str:
 def table_view(table: StudyTable) -> QWidget:
     """A table whose cells copy into Excel, its note below."""
     view = Table(table.title, list(table.head))
+    view.live = True
     view.show_rows([[shown(value) for value in row] for row in table.rows])
     return _with_note(view, table.note)
 
@@ -60,6 +61,7 @@ def claims_table(claims: tuple[Claim, ...]) -> Table:
     """What the paper claims and in how many cases it holds."""
     heads = [tr("Source"), tr("Claim of the paper"), tr("holds in"), tr("of"), tr("What is found")]
     view = Table(tr("Claims"), heads)
+    view.live = True
     view.show_rows(
         [
             [claim.source, claim.claim, shown(claim.held), shown(claim.tried), claim.found]

@@ -5,6 +5,8 @@ import re
 from PySide6.QtGui import QColor, QGuiApplication, QKeySequence
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
+from app.language import tr
+
 
 def plain_cell(text: str) -> str:
     """Text that no spreadsheet takes for a formula."""
@@ -14,7 +16,15 @@ def plain_cell(text: str) -> str:
 
 
 class Table(QTableWidget):
-    """Read-only cells; Ctrl+C copies the selection, or all of it, with tabs between the cells."""
+    """Read-only cells; Ctrl+C copies the selection, or all of it, with tabs between the cells.
+
+    live : what it shows is of the input as it stands, not of the last result
+    """
+
+    stale = False
+    """Whether the input has changed since the result shown: what is copied says so."""
+
+    live = False
 
     def __init__(self, name: str, heads: list[str]):
         super().__init__(0, len(heads))
@@ -42,6 +52,8 @@ class Table(QTableWidget):
         rows = sorted({index.row() for index in chosen}) or range(self.rowCount())
         columns = sorted({index.column() for index in chosen}) or range(self.columnCount())
         lines = []
+        if Table.stale and not self.live:
+            lines.append(tr("The input has changed since these results."))
         if len(chosen) != 1:
             lines.append(
                 "\t".join(self.horizontalHeaderItem(c).text().replace("\n", " ") for c in columns)

@@ -252,8 +252,6 @@ WINDOW = {
     "Show everything": "Mostra tutto",
     "Copy": "Copia",
     "Copy the picture": "Copia l'immagine",
-    "Save as PNG": "Salva come PNG",
-    "Save as SVG": "Salva come SVG",
     "Save the data as CSV": "Salva i dati come CSV",
     "Save the chart": "Salva il grafico",
     "Multiplier of the record": "Moltiplicatore dell'accelerogramma",

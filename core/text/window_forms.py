@@ -54,9 +54,6 @@ WINDOW_FORMS = {
         "Una catena di {force:.2f} kN/m a {h:.2f} m dà ζ {zeta}; a mano {hand}"
     ),
     "curve": "curva",
-    "Survival map: coloured where the wall overturns, grey where nothing was searched.": (
-        "Mappa di sopravvivenza: colorata dove la parete ribalta, grigia dove nulla è stato cercato."
-    ),
     "{n} more walls on the tab Walls": "altre {n} pareti nella scheda Pareti",
     "mean {value:.2f}, which decides": "media {value:.2f}, che decide",
     "Wall": "Parete",

@@ -46,15 +46,15 @@ def test_that_an_ending_added_to_a_name_overwrites_nothing_unasked(
     assert ((tmp_path / "v1.2.toml").read_text() == "another") is not written
     assert (tmp_path / "v1.toml").read_text() == "a third"
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: ("", ""))
-    assert files.path_to_write(opened, "", "", "", ".toml") is None
+    assert files.path_to_write(opened, "", "", "", (".toml",)) is None
 
 
 def test_that_a_chart_not_written_says_so(opened, monkeypatch):
     said = []
     monkeypatch.setattr(QMessageBox, "warning", lambda *a: said.append(a[-1]))
-    target = Path("/nowhere/at/all.png")
-    monkeypatch.setattr("app.plots.chart.path_to_write", lambda *_: target)
-    opened.findChildren(Chart)[0]._save("png")
+    target = Path("/nowhere/at/all.csv")
+    monkeypatch.setattr("app.plots.chart_output.path_to_write", lambda *_: target)
+    opened.findChildren(Chart)[0]._save_data()
     assert said[0].startswith(f"{target}: cannot be written (No such file or directory)")
 
 

@@ -211,6 +211,6 @@ def test_that_no_text_says_safe():
 
 
 def test_that_every_key_of_a_case_has_a_word():
-    for section in SECTIONS_OF_A_CASE:
-        for entry in fields(section):
+    for part in SECTIONS_OF_A_CASE:
+        for entry in fields(part):
             assert f"key_{entry.name}" in CATALOGUE["word"], entry.name

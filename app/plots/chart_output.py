@@ -1,0 +1,137 @@
+"""What leaves a chart: pictures always light, figures for a report, its data."""
+
+import csv
+import io
+import math
+from pathlib import Path
+
+import pyqtgraph as pg
+from PySide6.QtCore import QBuffer, QIODevice, QPoint, QRect, Qt
+from PySide6.QtGui import QGuiApplication, QImage, QPainter
+from PySide6.QtSvg import QSvgGenerator
+from PySide6.QtWidgets import QMessageBox, QWidget
+
+from app import theme
+from app.file_dialogs import path_to_write
+from app.language import current_language, described, tr
+from app.plots.table import plain_cell
+from core import atomic_write
+from core.errors import OutputError
+
+
+def written(value: float, comma: bool) -> str:
+    """A number as a spreadsheet of the language reads it; nothing where there is none."""
+    if not math.isfinite(value):
+        return ""
+    return repr(value).replace(".", ",") if comma else repr(value)
+
+
+class ChartOutput(QWidget):
+    """The part of a Chart that writes: pictures, figures, data.
+
+    live : what it shows is of the input as it stands, not of the last result
+    caption : of what is shown, for a figure that leaves the program
+    """
+
+    stale = False
+    """Whether the input has changed since the result shown: what leaves the program says so."""
+
+    live = False
+    caption = ""
+
+    @property
+    def is_stale(self) -> bool:
+        """Whether what it shows is of an earlier input."""
+        return ChartOutput.stale and not self.live
+
+    def image(self) -> QImage:
+        """The chart as a light picture, twice the size on the screen. Painted as a widget: the marks are placed in
+        pixels of the screen, and a scene painted to another size would leave them there."""
+        image = QImage(2 * self.view.size(), QImage.Format.Format_RGB32)
+        image.setDevicePixelRatio(2.0)
+        image.fill(Qt.GlobalColor.white)
+        self.paint_light(image)
+        image.setDevicePixelRatio(1.0)
+        return image
+
+    def paint_light(self, device) -> None:
+        """The view as on the screen, in the light theme, without the pixel caches of the screen."""
+        marks = [item.scatter for item, *_ in self.items if isinstance(item, pg.PlotDataItem)]
+        mode = self.view.cacheMode()
+        self._apply_theme(theme.LIGHT)
+        self.view.setCacheMode(type(mode)(0))
+        for mark in marks:
+            mark.opts["useCache"] = False
+        try:
+            if isinstance(device, QPainter):
+                QWidget.render(self.view, device, QPoint())
+            else:
+                QWidget.render(self.view, device)
+        finally:
+            for mark in marks:
+                mark.opts["useCache"] = True
+            self.view.setCacheMode(mode)
+            self._apply_theme(theme.current)
+
+    def content(self, end: str) -> bytes:
+        """The file .png, .svg or .csv."""
+        if end == ".csv":
+            text = io.StringIO(newline="")
+            italian = current_language() == "it"
+            writer = csv.writer(text, delimiter=";" if italian else ",")
+            if self.is_stale:
+                writer.writerow([tr("The input has changed since these results.")])
+            writer.writerow([tr("curve"), *self.labels])
+            for name, xs, ys in self.data:
+                label = plain_cell(name)
+                for x, y in zip(xs.tolist(), ys.tolist(), strict=True):
+                    place = plain_cell(self.names[int(x)]) if self.names else written(x, italian)
+                    writer.writerow((label, place, written(y, italian)))
+            # a spreadsheet of Italy takes bytes without a mark for those of Windows
+            return text.getvalue().encode("utf-8-sig" if italian else "utf-8")
+        room = QBuffer()
+        room.open(QIODevice.OpenModeFlag.WriteOnly)
+        if end == ".svg":
+            picture = QSvgGenerator()
+            picture.setOutputDevice(room)
+            size = self.view.size()
+            picture.setSize(size)
+            picture.setViewBox(QRect(0, 0, size.width(), size.height()))
+            picture.setResolution(self.view.logicalDpiX())
+            self.paint_light(picture)
+        elif not self.image().save(room, "PNG"):
+            raise OutputError("picture_not_made")
+        return bytes(room.data())
+
+    def write(self, path: Path) -> None:
+        """Write .png, .svg or .csv by the end of the name, whole or not at all. Raises OutputError."""
+        atomic_write.write({path: self.content(path.suffix.lower())})
+
+    def copy(self) -> None:
+        """The picture to the clipboard. Not by a QMimeData of ours: it crashes Qt when the program ends."""
+        QGuiApplication.clipboard().setImage(self.image())
+
+    def _save_figure(self) -> None:
+        from app.plots.figure_dialogs import ask_size
+        from app.plots.figure_file import figure
+
+        size = ask_size(self)
+        if size is None:
+            return
+        title = tr("Save the chart")
+        kinds = "PNG (*.png);;SVG (*.svg);;PDF (*.pdf)"
+        path = path_to_write(self, title, f"{self.name}.png", kinds, (".png", ".svg", ".pdf"))
+        if path is not None:
+            self._written(title, lambda: {path: figure(self, path.suffix.lower(), size)})
+
+    def _save_data(self) -> None:
+        title = tr("Save the chart")
+        path = path_to_write(self, title, f"{self.name}.csv", "*.csv", (".csv",))
+        if path is not None:
+            self._written(title, lambda: {path: self.content(".csv")})
+
+    def _written(self, title: str, files) -> None:
+        try:
+            atomic_write.write(files())
+        except OutputError as error:
+            QMessageBox.warning(self, title, described(error))
