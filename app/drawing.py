@@ -8,6 +8,7 @@ from PySide6.QtGui import QColor, QFont, QIcon, QPainter, QPen, QPixmap, QPolygo
 from PySide6.QtWidgets import QWidget
 
 from app import theme
+from app.language import number
 from core.case.schema import Wall
 from core.errors import InputError
 from core.report.load_arrows import arrows
@@ -112,7 +113,7 @@ class WallDrawing(QWidget):
             if zeta is not None:
                 weakest = zeta == min(known)
                 painter.setPen(QColor(theme.current.bad if weakest else theme.current.ink))
-                words = f"ζ {zeta:.2f}"
+                words = f"ζ {number(zeta, '.2f')}"
                 at = place(QPointF(-0.5 * thickness, level))
                 wide = painter.fontMetrics().horizontalAdvance(words)
                 painter.drawText(QPointF(max(0.0, at.x() - wide - 14), at.y() - 2), words)
@@ -127,7 +128,7 @@ class WallDrawing(QWidget):
         painter.drawLine(QPointF(x, low.y()), QPointF(x, high.y()))
         for y in (low.y(), high.y()):
             painter.drawLine(QPointF(x - 3, y), QPointF(x + 3, y))
-        words = f"H {height:.2f} m"
+        words = f"H {number(height, '.2f')} m"
         painter.save()
         half = 0.5 * painter.fontMetrics().horizontalAdvance(words)
         painter.translate(x + 14, min(0.5 * (low.y() + high.y()) + half, low.y()))
@@ -135,7 +136,9 @@ class WallDrawing(QWidget):
         painter.drawText(QPointF(0.0, 0.0), words)
         painter.restore()
         left = place(QPointF(-0.5 * thickness, 0.0))
-        words = f"t {100 * thickness:.1f} cm" + (f", u {100 * setback:.1f} cm" if setback else "")
+        words = f"t {number(100 * thickness, '.1f')} cm" + (
+            f", u {number(100 * setback, '.1f')} cm" if setback else ""
+        )
         width = painter.fontMetrics().horizontalAdvance(words)
         painter.drawText(
             QPointF(max(2.0, 0.5 * (left.x() + low.x()) - 0.5 * width), left.y() + 16), words

@@ -4,7 +4,7 @@ import locale
 import os
 
 from core.errors import InputError
-from core.text.sentence import LANGUAGES, FormNames, Sentence, localized, word
+from core.text.sentence import LANGUAGES, FormNames, Sentence, localized, numeral, word
 
 FORM_NAMES = FormNames()
 """Captions and units of the forms; each field adds its own."""
@@ -37,6 +37,11 @@ def tr(text: str, /, **values) -> str:
 def named(code: str) -> str:
     """A word of a result or of a case: a mechanism, an outcome."""
     return word(code, current_language())
+
+
+def number(value: float | None, form: str) -> str:
+    """A number with the decimal mark of the language, "–" for None; form : as of format()."""
+    return numeral(value, form, current_language())
 
 
 def terminal(text: str, /, **values) -> str:

@@ -5,7 +5,7 @@ from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from app import theme
-from app.language import tr
+from app.language import number, tr
 from app.plots.check_tab import verdict_color
 from core.text.sentence import word
 
@@ -62,10 +62,10 @@ def card(result, language: str) -> str:
     lines = []
     for wall in result.walls[:LISTED]:
         if wall.assessment is None:
-            lines.append(f"<b>{_plain(wall.name)}</b>: q {wall.q_set or 0:.2f}")
+            lines.append(f"<b>{_plain(wall.name)}</b>: q {number(wall.q_set or 0, '.2f')}")
             continue
         verdict = wall.assessment.verdict
-        zeta = "–" if verdict.zeta_e is None else f"{verdict.zeta_e:.2f}"
+        zeta = "–" if verdict.zeta_e is None else f"{number(verdict.zeta_e, '.2f')}"
         lines.append(
             f"<b>{_plain(wall.name)}</b> ({word(wall.mechanism, language)})<br>"
             f"<span style='color:{verdict_color(result, wall)}; font-weight:600'>ζ {zeta}, "

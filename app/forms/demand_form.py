@@ -23,7 +23,7 @@ from app.forms.fields import (
 )
 from app.forms.hazard_form import HazardForm
 from app.forms.law_curve import SpectrumCurve
-from app.language import described, named, tr
+from app.language import described, named, number, tr
 from app.session import Session
 from core.case.schema import Analysis, Report
 from core.case.site import Demand, Spectrum
@@ -178,10 +178,10 @@ class DemandForm(QWidget):
     @staticmethod
     def _said(demand: Demand, target) -> str:
         if target is None:
-            return f"S a_g {demand.ag_g * (demand.soil_factor or 1.0):.3f} g"
-        words = f"S {target.soil:.3f}, S a_g {target.pga / G:.3f} g"
+            return f"S a_g {number(demand.ag_g * (demand.soil_factor or 1.0), '.3f')} g"
+        words = f"S {number(target.soil, '.3f')}, S a_g {number(target.pga / G, '.3f')} g"
         if hasattr(target, "t_b"):
-            words += f"\nT_B {target.t_b:.3f} s, T_C {target.t_c:.3f} s, T_D {target.t_d:.3f} s"
+            words += f"\nT_B {number(target.t_b, '.3f')} s, T_C {number(target.t_c, '.3f')} s, T_D {number(target.t_d, '.3f')} s"
         return words
 
     def _toggled(self, on: bool) -> None:

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from app import theme
-from app.language import FORM_NAMES, current_language, tr
+from app.language import FORM_NAMES, current_language, number, tr
 from core.case.number import parse_number
 from core.case.schema import Analysis, Report, Wall
 from core.case.site import Demand, Spectrum
@@ -255,7 +255,7 @@ class NumberField(Field):
         self.value = value
         if self.editor.hasFocus() and self._means(value):
             return
-        shown = "" if value is None or value == "" else f"{value * self.factor:.{FIGURES}g}"
+        shown = "" if value is None or value == "" else number(value * self.factor, f".{FIGURES}g")
         if self.editor.text() != shown:
             self.editor.setText(shown)
         self.show_error("")
@@ -298,7 +298,9 @@ class RangeField(Field):
             self.value_before = value
         self.value = value
         if not (self.editor.hasFocus() and value is not None):
-            self.editor.setText("" if value is None else " – ".join(f"{end:g}" for end in value))
+            self.editor.setText(
+                "" if value is None else " – ".join(f"{number(end, 'g')}" for end in value)
+            )
         self.show_error("")
 
 

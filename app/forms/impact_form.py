@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QGroupBox, QHBoxLayout, QLabel, QVBoxLayout
 
 from app.forms.fields import Choice, ChoiceField, NumberField
 from app.forms.law_curve import LawCurve
-from app.language import described, named, tr
+from app.language import described, named, number, tr
 from app.session import Session
 from core.case.schema import Wall
 from core.errors import InputError
@@ -121,7 +121,7 @@ class ImpactForm(QGroupBox):
                 model_used = wall.restitution_of(mechanism)
                 word = named(mechanism)
                 lines.append(
-                    f"{word}: {FORMULAS[model_used.model]} = {model_used.ratio_at_rest:.4f}"
+                    f"{word}: {FORMULAS[model_used.model]} = {number(model_used.ratio_at_rest, '.4f')}"
                 )
                 lines.append(f"({self.scopes[model_used.model]})")
             except (InputError, TypeError) as error:

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from app import theme
 from app.forms.fields import ChoiceField, NumberField, connect
-from app.language import described, named, tr
+from app.language import described, named, number, tr
 from app.plots.chart import Chart
 from core.case.schema import Record
 from core.errors import InputError
@@ -170,8 +170,8 @@ class ImportDialog(QDialog):
             self.words.setText(motion)
             return
         self.words.setText(
-            f"{motion.format}: {motion.acceleration.size} × {motion.time_step:g} s, {motion.unit}, "
-            f"PGA {motion.pga / G:.3f} g"
+            f"{motion.format}: {motion.acceleration.size} × {number(motion.time_step, 'g')} s, {motion.unit}, "
+            f"PGA {number(motion.pga / G, '.3f')} g"
         )
         times = np.arange(motion.acceleration.size) * motion.time_step
         self.chart.curve(motion.name, times, motion.acceleration / G, 0, 1.0)

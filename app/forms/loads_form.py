@@ -7,7 +7,7 @@ from dataclasses import replace
 from PySide6.QtWidgets import QGroupBox, QHBoxLayout, QListWidget, QMenu, QToolButton, QVBoxLayout
 
 from app.forms.fields import ChoiceField, Field, NumberField, connect
-from app.language import named, tr
+from app.language import named, number, tr
 from app.session import Session
 from core.case.hinges import FLOORS
 from core.case.number import parse_number
@@ -46,7 +46,11 @@ class HingesField(Field):
             return
         self.value = value
         if not self.editor.hasFocus():
-            words = tr("floors") if value == FLOORS else "; ".join(f"{h:g}" for h in value or ())
+            words = (
+                tr("floors")
+                if value == FLOORS
+                else "; ".join(f"{number(h, 'g')}" for h in value or ())
+            )
             self.editor.setText(words)
         self.show_error("")
 
@@ -171,8 +175,8 @@ class LoadsForm(QGroupBox):
 
     @staticmethod
     def _words(load: Load) -> str:
-        size = "–" if load.kn_m in (None, "") else f"{load.kn_m:g}"
-        height = "–" if load.h_m in (None, "") else f"{load.h_m:g}"
+        size = "–" if load.kn_m in (None, "") else f"{number(load.kn_m, 'g')}"
+        height = "–" if load.h_m in (None, "") else f"{number(load.h_m, 'g')}"
         return f"{named(f'load_{load.kind}')}, {size} kN/m, h {height} m"
 
     # changes

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 
 from app import theme
 from app.forms.import_dialog import ImportDialog, all_files, read
-from app.language import described, tr
+from app.language import described, number, tr
 from app.plots.table import Table
 from app.session import Session
 from app.worker import Job
@@ -163,9 +163,9 @@ class RecordsPanel(QWidget):
                 colors.append([theme.current.bad] * 9)
                 continue
             sign = "+" if k is None or case.record[k].scale > 0 else "−"
-            rows.append(["", motion.name, f"{motion.pga / G:.3f}", f"{motion.pgv / CM:.1f}",
-                         f"{motion.housner_intensity / CM:.1f}", f"{motion.duration_5_95:.1f}",
-                         f"{motion.time_step:g}", sign, motion.format])  # fmt: skip
+            rows.append(["", motion.name, f"{number(motion.pga / G, '.3f')}", f"{number(motion.pgv / CM, '.1f')}",
+                         f"{number(motion.housner_intensity / CM, '.1f')}", f"{number(motion.duration_5_95, '.1f')}",
+                         f"{number(motion.time_step, 'g')}", sign, motion.format])  # fmt: skip
             color = theme.current.amber if motion.warnings else None
             colors.append([theme.current.bad if row in twins else color] * 9)
         self.table.show_rows(rows, colors)

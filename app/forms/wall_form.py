@@ -31,7 +31,15 @@ from app.forms.fields import (
 from app.forms.impact_form import ImpactForm
 from app.forms.loads_form import LoadsForm
 from app.forms.wall_words import estimate_lines, hinge_zetas
-from app.language import FORM_NAMES, current_language, described, named, quoted_from_file, tr
+from app.language import (
+    FORM_NAMES,
+    current_language,
+    described,
+    named,
+    number,
+    quoted_from_file,
+    tr,
+)
 from app.session import Session
 from core.case.schema import AS_IS, DESIGNED, Wall
 from core.case.wall_table import read_table, text_rows, walls_of
@@ -262,13 +270,15 @@ class WallForm(QWidget):
         except TypeError:  # a size is still to be given
             self.summary.setText("")
             return
-        lines = [f"α {math.degrees(block.slenderness):.2f}°"]
+        lines = [f"α {number(math.degrees(block.slenderness), '.2f')}°"]
         if wall.thickness:
-            lines.append(f"H/t {wall.height_m / wall.thickness:.2f}")
+            lines.append(f"H/t {number(wall.height_m / wall.thickness, '.2f')}")
         if wall.height_m and wall.setback:
-            lines.append(f"u {100 * wall.setback:.1f} cm")
-        lines.append(f"a_RM {a / G:.3f} g = {a:.2f} m/s²")
-        lines.append(f"R {block.radius:.3f} m, p {block.frequency_parameter:.3f} rad/s")
+            lines.append(f"u {number(100 * wall.setback, '.1f')} cm")
+        lines.append(f"a_RM {number(a / G, '.3f')} g = {number(a, '.2f')} m/s²")
+        lines.append(
+            f"R {number(block.radius, '.3f')} m, p {number(block.frequency_parameter, '.3f')} rad/s"
+        )
         lines += estimate_lines(self.session, wall)
         self.summary.setText("\n".join(lines))
 

@@ -9,7 +9,7 @@ from PySide6.QtGui import QBrush, QColor
 from PySide6.QtWidgets import QComboBox, QGraphicsRectItem, QHBoxLayout, QVBoxLayout, QWidget
 
 from app import theme
-from app.language import named, tr
+from app.language import named, number, tr
 from app.plots.chart import Chart
 from core.capacity.fragility import fragility_curve
 from core.capacity.ida import grid_point, multiplier_of, threshold_of
@@ -196,7 +196,7 @@ class CapacityTab(QWidget):
         names = [(k, _name(run)) for k, run in enumerate(wall.runs)]
         self.strips.ticks("left", names[:: max(1, len(names) // 14)])
         marks = [q for q in MARKS if math.log(q) >= low - 0.1]
-        self.strips.ticks("bottom", [(math.log(q), f"{q:g}") for q in marks])
+        self.strips.ticks("bottom", [(math.log(q), f"{number(q, 'g')}") for q in marks])
         self.strips.reset()
 
 

@@ -29,6 +29,16 @@ def numbers(values) -> np.ndarray:
     return np.ascontiguousarray(np.asarray(values, dtype=np.float64).ravel())
 
 
+class Axis(pg.AxisItem):
+    """Numbers with the decimal mark of the language."""
+
+    def tickStrings(self, values, scale, spacing):
+        words = super().tickStrings(values, scale, spacing)
+        if current_language() == "en":
+            return words
+        return [word.replace(".", ",") for word in words]
+
+
 class Chart(ChartOutput):
     """A plot with axes `x` and `y`. Colours are roles of the theme: an index of its curves, or a name.
 
@@ -40,7 +50,7 @@ class Chart(ChartOutput):
         super().__init__()
         self.labels, self.name = (x, y), name
         self.setAccessibleName(name)
-        self.view = pg.PlotWidget()
+        self.view = pg.PlotWidget(axisItems={side: Axis(side) for side in ("bottom", "left")})
         self.plot = self.view.getPlotItem()
         self.plot.showGrid(x=True, y=True, alpha=0.25)
         self.beside, self.live = legend == "beside", live
@@ -182,7 +192,13 @@ class Chart(ChartOutput):
 
     def ticks(self, side: str, places: list[tuple[float, str]]) -> None:
         """Labels of an axis at these places."""
-        self.plot.getAxis(side).setTicks([places])
+        axis = self.plot.getAxis(side)
+        axis.setTicks([places])
+        if side == "left":  # else as wide as the numbers that were there before
+            widest = max(
+                (self.fontMetrics().horizontalAdvance(name) for _, name in places), default=0
+            )
+            axis.setWidth(widest + 34)
 
     def names_below(self, names: list[str]) -> None:
         """Names below the places 0, 1, 2 … of the axis, as many of them as its width holds."""

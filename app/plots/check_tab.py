@@ -10,7 +10,7 @@ from PySide6.QtWidgets import (
 )
 
 from app import theme
-from app.language import tr
+from app.language import number, tr
 from app.plots.chart import Chart
 from app.plots.table import Table
 from core.capacity.limit_states import LIMIT_FRACTION
@@ -29,7 +29,8 @@ def verdict_color(result: StudyResult, wall: WallResult) -> str:
 
 
 def digits(value: float | None, figures: int = 2) -> str:
-    return "–" if value is None else f"{value:.{figures}f}"
+    """A number with so many decimals."""
+    return number(value, f".{figures}f")
 
 
 class CheckTab(QWidget):
@@ -108,7 +109,7 @@ class CheckTab(QWidget):
         for estimate in wall.estimates:
             capacity = wall.model.threshold / G
             wanted = result.demand.pga / G / estimate.q
-            between = f"q {estimate.low:.2f} – {estimate.high:.2f}"
+            between = f"q {number(estimate.low, '.2f')} – {number(estimate.high, '.2f')}"
             if not estimate.within:
                 between += ", " + tr("outside its range")
             rows.append([word(LAW_WORDS[estimate.quantity], self.language), digits(capacity / wanted), between, LABEL,
@@ -130,12 +131,14 @@ class CheckTab(QWidget):
             else tr("Restrained by transverse walls")
         ]
         if kinematic.period_0 is not None:
-            parts.append(f"T_0 {kinematic.period_0:.3f} s")
-        parts.append(f"e* {kinematic.e_star:.3g}, a0* {kinematic.a0 / G:.3f} g")
+            parts.append(f"T_0 {number(kinematic.period_0, '.3f')} s")
+        parts.append(
+            f"e* {number(kinematic.e_star, '.3g')}, a0* {number(kinematic.a0 / G, '.3f')} g"
+        )
         if dynamic:
             parts.append(word(f"confidence_{dynamic.confidence_on}", self.language))
             parts.append(f"ζ_16 {digits(dynamic.zeta_16)}")
-            share = f"{dynamic.share_failing_at_demand:.0%}"
+            share = f"{number(dynamic.share_failing_at_demand, '.0%')}"
             parts.append(tr("failing within ±10 % of the demand: {share}", share=share))
         if assessment.risk:
             parts += self._risk(assessment.risk)
@@ -153,7 +156,7 @@ class CheckTab(QWidget):
         if tie.force == 0.0:
             return tr("No tie at {h:.2f} m is needed: ζ {zeta}", **values)
         own, loads, force = (1e-3 * moment for moment in tie.holding)
-        hand = f"α0 = ({own:.2f} + {loads:.2f} + {force:.2f}) / {1e-3 * tie.pushing:.2f} = {tie.alpha0:.4f}"
+        hand = f"α0 = ({number(own, '.2f')} + {number(loads, '.2f')} + {number(force, '.2f')}) / {number(1e-3 * tie.pushing, '.2f')} = {number(tie.alpha0, '.4f')}"
         if tie.hinges > 1 and tie.governing is not None:
             hand += "; " + tr("the weakest hinge asks {force:.2f} kN/m", force=1e-3 * tie.governing)
         return tr("A tie of {force:.2f} kN/m at {h:.2f} m gives ζ {zeta}; by hand {hand}",
@@ -162,7 +165,7 @@ class CheckTab(QWidget):
     @staticmethod
     def _risk(risk) -> list[str]:
         """What the mechanism withstands."""
-        parts = [f"PGA_C {risk.pga / G:.3f} g"]
+        parts = [f"PGA_C {number(risk.pga / G, '.3f')} g"]
         if risk.years is not None:
             parts.append(tr("T_R,C {years} years", years=risk.years))
         if risk.index is not None:

@@ -11,8 +11,9 @@ from app.language import tr
 from core.errors import OutputError
 
 MM_PER_INCH = 25.4
-SCREEN = 96
-"""Pixels an inch of the layout: text and lines keep the size they have on the screen."""
+SCREEN, NARROW = 96, 120.0
+"""Pixels an inch of the layout: text and lines keep the size they have on the screen; in figures below that width [mm]
+they shrink with it."""
 
 SHAPE = 0.62
 """Height of the axes over the width."""
@@ -32,7 +33,8 @@ class FigureSize:
 
 def figure(chart, end: str, size: FigureSize) -> bytes:
     """The file .png, .svg or .pdf of a chart. Raises OutputError."""
-    wide = round(size.width / MM_PER_INCH * SCREEN)
+    density = SCREEN * max(1.0, NARROW / size.width)
+    wide = round(size.width / MM_PER_INCH * density)
     whole, lines = QSize(wide, round(SHAPE * wide)), []
     if size.caption:
         lines = [f"{chart.name}. {chart.caption}" if chart.caption else chart.name]
@@ -41,14 +43,15 @@ def figure(chart, end: str, size: FigureSize) -> bytes:
     page = QSize(wide, whole.height() + (LINE * 2 * len(lines) if lines else 0))
     room = QBuffer()
     room.open(QIODevice.OpenModeFlag.WriteOnly)
-    old = chart.view.size()
-    chart.view.setUpdatesEnabled(False)
+    old, ranges, box = chart.view.size(), chart.plot.viewRange(), chart.plot.vb
+    box.blockLink(True)  # a linked chart of another width would move the axis
     try:
         chart.view.resize(whole)
         chart.fit()
         chart.plot.layout.activate()
+        box.setRange(xRange=ranges[0], yRange=ranges[1], padding=0)
         if end == ".png":
-            image = _image(chart, page, whole, lines, size.dpi)
+            image = _image(chart, page, whole, lines, size.dpi, density)
             if not image.save(room, "PNG"):
                 raise OutputError("picture_not_made")
         elif end == ".svg":
@@ -56,19 +59,20 @@ def figure(chart, end: str, size: FigureSize) -> bytes:
             picture.setOutputDevice(room)
             picture.setSize(page)
             picture.setViewBox(QRect(0, 0, page.width(), page.height()))
-            picture.setResolution(SCREEN)
+            picture.setResolution(round(density))
             _paint(chart, picture, whole, lines)
         else:
-            _paint(chart, _pdf(room, page), whole, lines)
+            _paint(chart, _pdf(room, page, density), whole, lines)
     finally:
         chart.view.resize(old)
         chart.fit()
-        chart.view.setUpdatesEnabled(True)
+        box.setRange(xRange=ranges[0], yRange=ranges[1], padding=0)
+        box.blockLink(False)
     return bytes(room.data())
 
 
-def _image(chart, page: QSize, whole: QSize, lines: list[str], dpi: int) -> QImage:
-    ratio = dpi / SCREEN
+def _image(chart, page: QSize, whole: QSize, lines: list[str], dpi: int, density: float) -> QImage:
+    ratio = dpi / density
     pixels = QSize(round(page.width() * ratio), round(page.height() * ratio))
     image = QImage(pixels, QImage.Format.Format_RGB32)
     image.setDevicePixelRatio(ratio)
@@ -80,16 +84,16 @@ def _image(chart, page: QSize, whole: QSize, lines: list[str], dpi: int) -> QIma
     return image
 
 
-def _pdf(room: QBuffer, page: QSize) -> QPdfWriter:
+def _pdf(room: QBuffer, page: QSize, density: float) -> QPdfWriter:
     """One page of the size of the figure."""
     writer = QPdfWriter(room)
-    points = QSizeF(page.width() * 72.0 / SCREEN, page.height() * 72.0 / SCREEN)
+    points = QSizeF(page.width() * 72.0 / density, page.height() * 72.0 / density)
     writer.setPageLayout(
         QPageLayout(
             QPageSize(points, QPageSize.Unit.Point), QPageLayout.Orientation.Portrait, QMarginsF()
         )
     )
-    writer.setResolution(SCREEN)
+    writer.setResolution(round(density))
     return writer
 
 

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.drawing import WallDrawing
-from app.language import current_language, named, tr
+from app.language import current_language, named, number, tr
 from app.plots.chart import Chart
 from core.capacity.ida import multiplier_of, threshold_of
 from core.rocking.history import history
@@ -327,7 +327,7 @@ class ValidationTab(QWidget):
         self.chart.reset()
 
         def share(value: float | None) -> str:
-            return "–" if value is None else f"{100 * value:.2g} %"
+            return "–" if value is None else f"{number(100 * value, '.2g')} %"
 
         self.words.setText(
             "\n".join(

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import (
 )
 
 from app import theme
-from app.language import named, tr
+from app.language import named, number, tr
 from app.plots.chart import Chart
 from app.plots.check_tab import digits
 from app.plots.table import Table
@@ -84,7 +84,7 @@ class IntensityTab(QWidget):
             inside = np.geomspace(si.min(), si.max(), 60)  # where the records are, no further
             fit = [law.q_eff(v) for v in inside]
             self.chart.curve("C1 SI^C2", inside / CM, fit, 0, 1.6, dash=True)
-            text += f"   C1 {law.c1:.3g}, C2 {law.c2:.2f}, R² {law.r_squared:.2f}"
+            text += f"   C1 {number(law.c1, '.3g')}, C2 {number(law.c2, '.2f')}, R² {number(law.r_squared, '.2f')}"
         self.words.setText(text)
         self._show_law(wall, known)
         self.chart.reset()
@@ -203,8 +203,8 @@ class SpectraTab(QWidget):
                 if rule.passed
                 else theme.current.bad
             )
-            rows.append([word(rule.name, self.language), rule.clause, f"{percent * rule.value:.3g} {rule.unit}",
-                         "–" if rule.limit is None else f"{percent * rule.limit:.3g} {rule.unit}",
+            rows.append([word(rule.name, self.language), rule.clause, f"{number(percent * rule.value, '.3g')} {rule.unit}",
+                         "–" if rule.limit is None else f"{number(percent * rule.limit, '.3g')} {rule.unit}",
                          word(outcome, self.language)])  # fmt: skip
             colors.append([None] * 4 + [color])
         self.table.show_rows(rows, colors)

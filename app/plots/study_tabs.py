@@ -2,7 +2,7 @@
 
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
-from app.language import tr
+from app.language import number, tr
 from app.plots.chart import Chart
 from app.plots.table import Table
 from core.study.figures import DASHED, LINE_POINTS, POINTS, Claim, Figure, marker_of
@@ -45,7 +45,7 @@ def shown(value) -> str:
     if value is None:
         return "–"
     if isinstance(value, float):
-        return f"{value:.0f}" if abs(value) >= 100.0 else f"{value:.3g}"
+        return f"{number(value, '.0f')}" if abs(value) >= 100.0 else f"{number(value, '.3g')}"
     return str(value)
 
 

@@ -3,7 +3,7 @@
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QLabel, QSplitter, QVBoxLayout, QWidget
 
-from app.language import tr
+from app.language import number, tr
 from app.plots.check_tab import digits, verdict_color
 from app.plots.table import Table
 from core.study.limit_states import STATES
@@ -84,7 +84,7 @@ class WallsTab(QWidget):
             word(found.verdict.code, language) if found else "–", method_of(wall, language), digits(wall.q_set),
             digits(risk.pga / G, 3) if risk else "–",
             (risk.years if risk else None) or "–",
-            f"{risk.index:.2f} {risk.letter}" if risk and risk.index is not None else "–",
+            f"{number(risk.index, '.2f')} {risk.letter}" if risk and risk.index is not None else "–",
             *(digits(states.get(state)) for state in STATES),
         ]  # fmt: skip
 
