@@ -11,10 +11,15 @@ FORM_NAMES = FormNames()
 
 _current = ["en"]
 
+followers: list = []
+"""Called with the code of a language that is set: the window has Qt's own words follow."""
+
 
 def set_language(code: str) -> None:
     """From now on texts are in "en" or "it"; widgets made before keep theirs."""
     _current[:] = [code]
+    for follow in followers:
+        follow(code)
 
 
 def current_language() -> str:

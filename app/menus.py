@@ -7,7 +7,7 @@ from PySide6.QtCore import QSettings
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QDockWidget, QMenu, QMessageBox
 
-from app import language, theme
+from app import guide, language, theme
 from app.files import EXAMPLE
 from app.language import tr
 from core.version import NAME, VERSION
@@ -25,6 +25,7 @@ class Actions(NamedTuple):
 
 def build(window) -> Actions:
     """Menu bar with all actions and their keys."""
+    window.actions_with_keys = []
     key = QKeySequence.StandardKey
     file = window.menuBar().addMenu(tr("&File"))
     add(window, file, tr("&New"), window.files.new, key.New)
@@ -64,10 +65,16 @@ def build(window) -> Actions:
         add(window, view, label, lambda k=k: window.tabs.setCurrentIndex(k),
                      QKeySequence(f"Ctrl+{k + 1}"))  # fmt: skip
     view.addSeparator()
+    add(window, view, tr("&Reset layout"), window.reset_layout)
     choices(window, view, tr("Theme"), "theme", {"light": tr("light"), "dark": tr("dark")},
                   theme.current.name)  # fmt: skip
     choices(window, view, tr("Language"), "language", language.LANGUAGES, window.language)
     helps = window.menuBar().addMenu(tr("&Help"))
+    add(window, helps, tr("What is this field?"), lambda: guide.explain(window), QKeySequence("F1"))
+    add(window, helps, tr("&Guide"), lambda: guide.show_guide(window))
+    add(window, helps, tr("&Shortcuts"), lambda: guide.show_shortcuts(window))
+    add(window, helps, tr("Save the empty table of &walls…"), lambda: guide.save_template(window))
+    helps.addSeparator()
     add(window, helps, tr("&About"), lambda: about(window))
     return Actions(recent, undo, redo, run, cancel)
 
@@ -94,6 +101,7 @@ def add(window, menu, label: str, slot, keys=None) -> QAction:
     action.triggered.connect(lambda _=False: slot())
     if keys is not None:
         action.setShortcut(QKeySequence(keys))
+        window.actions_with_keys.append(action)
     menu.addAction(action)
     return action
 

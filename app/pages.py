@@ -72,7 +72,7 @@ def card(result, language: str) -> str:
             f"{word(verdict.code, language)}</span><br>{verdict.text(language)}"
         )
     if len(result.walls) > LISTED:
-        lines.append(tr("{n} more walls on the tab Walls", n=len(result.walls) - LISTED))
+        lines.append(tr("{n} more walls on the tab Overview", n=len(result.walls) - LISTED))
     return "<p>" + "</p><p>".join(lines) + "</p>"
 
 

@@ -17,6 +17,7 @@ class RunningWindow(QMainWindow):
     job: Job | None = None
     began = 0.0
     closing = to_end = False
+    finished_walls: list = []
 
     def show_word(self, text: str, kind: str = "message") -> None:
         """The word of the status line. kind : what it is about, for who may take it away again."""
@@ -56,7 +57,7 @@ class RunningWindow(QMainWindow):
         self.start(
             lambda job: run(
                 case, base_dir=base, jobs=os.cpu_count() or 1, journal=lambda _: self.finished_runs,
-                on_progress=job.progress, cancelled=job.cancelled,
+                on_progress=job.progress, cancelled=job.cancelled, on_wall=job.found.emit,
             ),
             arrived,
         )  # fmt: skip
@@ -75,15 +76,27 @@ class RunningWindow(QMainWindow):
         job.done.connect(unless_left(arrived))
         job.failed.connect(unless_left(self.failed))
         job.progressed.connect(unless_left(self._progressed))
+        job.found.connect(unless_left(self._found))
         job.finished.connect(unless_left(self._ended))
         self.began = time.monotonic()
         self.bar.setRange(0, 0)
+        self.finished_walls = []
         self.show_word(tr("Running…"))
         self.show_running(True)
         job.start()
         self.refresh()
 
+    def _found(self, wall) -> None:
+        """A wall has its verdict while others run."""
+        self.finished_walls.append(wall)
+        self.show_finished(self.finished_walls)
+
     def _progressed(self, done: int, planned: int) -> None:
+        from core.jit import cache
+
+        if done == 0 and cache.lacks_lanes():
+            self.show_word(tr("The solver is being compiled, once for each version: some seconds."))
+            return
         self.bar.setRange(0, max(planned, 1))
         self.bar.setValue(done)
         elapsed = time.monotonic() - self.began
@@ -100,6 +113,10 @@ class RunningWindow(QMainWindow):
 
     def _ended(self) -> None:
         self.job = None
+        if self.finished_walls and self.session.result is not None:
+            self.fresh.discard(self.pages["walls"])  # cancelled or failed: the last result again
+            self.show_result()
+        self.finished_walls = []
         self.show_running(False)
         self.refresh()
         if self.closing:

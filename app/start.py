@@ -6,7 +6,7 @@ import os
 import sys
 from pathlib import Path
 
-from PySide6.QtCore import QSettings, QStandardPaths, QTimer
+from PySide6.QtCore import QLibraryInfo, QSettings, QStandardPaths, QTimer, QTranslator
 from PySide6.QtWidgets import QApplication, QMessageBox
 
 from app import language, menus, theme
@@ -52,6 +52,19 @@ def install_hook(window: MainWindow) -> None:
     sys.excepthook = hook
 
 
+def translate_qt(application: QApplication) -> None:
+    """Qt's own dialogs and menus in the language of the window."""
+    translator = QTranslator(application)
+    folder = QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)
+
+    def follow(code: str) -> None:
+        application.removeTranslator(translator)
+        if code != "en" and translator.load(f"qtbase_{code}", folder):
+            application.installTranslator(translator)
+
+    language.followers.append(follow)
+
+
 def make(arguments: list[str] | None = None) -> tuple[QApplication, MainWindow]:
     """The application and its window, not shown yet."""
     application = QApplication.instance() or QApplication(arguments or sys.argv[:1])
@@ -60,6 +73,7 @@ def make(arguments: list[str] | None = None) -> tuple[QApplication, MainWindow]:
     folder = Path(QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppDataLocation))
     folder.mkdir(parents=True, exist_ok=True)
     settings = QSettings(str(folder / "window.ini"), QSettings.Format.IniFormat)
+    translate_qt(application)
     theme.set_theme(menus.chosen(settings, "theme", theme.THEMES) or "light")
     asked = menus.chosen(settings, "language", language.LANGUAGES)
     language.set_language(asked or language.system_language())

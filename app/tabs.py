@@ -18,8 +18,8 @@ def pages(language: str, validation, pick) -> dict[str, tuple[Page, str]]:
         return tab
 
     return {
+        "walls": (Page(walls), tr("Overview")),
         "check": (Page(lambda: CheckTab(language)), tr("Check")),
-        "walls": (Page(walls), tr("Walls")),
         "histories": (Page(HistoriesTab), tr("Histories")),
         "capacity": (Page(CapacityTab), tr("Capacity")),
         "intensity": (Page(IntensityTab), tr("q against SI")),

@@ -1,5 +1,6 @@
 """The window: forms on the left, tabs in the middle, records and verdict on the right."""
 
+import html
 from pathlib import Path
 
 import pyqtgraph as pg
@@ -33,6 +34,11 @@ from core.study.journal import Memory
 from core.version import NAME
 
 AUTOSAVE_MS = 4000
+
+
+def is_part_of(wall, name: str) -> bool:
+    """Whether a wall of a result is that of this name in the case, or the part of it above a hinge."""
+    return wall.name == name or wall.name.startswith(f"{name} (+")
 
 
 class MainWindow(RunningWindow):
@@ -78,6 +84,7 @@ class MainWindow(RunningWindow):
         self.analysis, self.records = sides.analysis, sides.records
         self.card, self.card_veil = sides.card, sides.card_veil
         self.records.loaded.connect(self.records_loaded)
+        self.walls.list.currentRowChanged.connect(self._wall_listed)
         self.actions_of = menus.build(self)
         self.run_action = self.actions_of.run
         line = docks.build_status(self)
@@ -103,6 +110,7 @@ class MainWindow(RunningWindow):
         self.chosen.setAccessibleName(tr("Wall shown"))
         self.chosen.activated.connect(lambda _: self._wall_chosen())
         self.banner = QLabel()
+        self.banner.linkActivated.connect(lambda _: self.lead_to_field())
         self.banner.setStyleSheet(f"color: {theme.current.amber}; font-weight: 600;")
         self.run_button = QPushButton(tr("Run (F5)"))
         self.run_button.clicked.connect(self.run)
@@ -115,7 +123,7 @@ class MainWindow(RunningWindow):
         layout.setContentsMargins(6, 6, 6, 0)
         layout.addLayout(bar)
         layout.addWidget(self.tabs, 1)
-        self.pages["check"].content  # noqa: B018  (the first page is there at once)
+        self.pages["walls"].content  # noqa: B018  (the first page is there at once)
         self.veil = Veil(self.tabs)
         self.setCentralWidget(centre)
         self.fresh: set[QWidget] = set()
@@ -125,10 +133,11 @@ class MainWindow(RunningWindow):
         tab.asked.connect(self.state_accuracy)
         return tab
 
-    def set_choice(self, setting: str, name: str) -> None:
-        """Change the theme or the language, and build the window again."""
+    def set_choice(self, setting: str, name: str, keep: bool = True) -> None:
+        """Change the theme or the language, and build the window again. keep : the docks where they are"""
         self.settings.setValue(setting, name)
-        self.settings.setValue("state", self.saveState())
+        if keep:
+            self.settings.setValue("state", self.saveState())
         if setting == "theme":
             theme.set_theme(name)
         else:
@@ -136,11 +145,21 @@ class MainWindow(RunningWindow):
         tab, wall = self.tabs.currentIndex(), self.chosen.currentIndex()
         widths = [dock.width() for dock in docks.sides(self)]
         self.build()
-        QTimer.singleShot(0, self, lambda: docks.widen(self, widths))
+        if keep:
+            QTimer.singleShot(0, self, lambda: docks.widen(self, widths))
         self.tabs.setCurrentIndex(tab)
         self.result_arrived(self.session.result)
         self.chosen.setCurrentIndex(wall)
         self.show_result()
+
+    def reset_layout(self) -> None:
+        """Docks and sizes as at the first start."""
+        self.settings.remove("state")
+        self.settings.remove("geometry")
+        self.resize(1280, 800)
+        self.set_choice("language", self.language, keep=False)
+        for dock in self.findChildren(QDockWidget):
+            dock.show()
 
     # what is shown
 
@@ -173,7 +192,12 @@ class MainWindow(RunningWindow):
         self.run_action.setEnabled(can_run)
         self.run_button.setEnabled(can_run)
         if problem:
-            self.banner.setText(problem if len(problem) < 160 else problem[:157] + "…")
+            shown = problem if len(problem) < 160 else problem[:157] + "…"
+            link = (
+                f" <a href='field' style='color:{theme.current.amber}'>{tr('Show the field')}</a>"
+            )
+            leads = self.wrong_field() is not None
+            self.banner.setText(html.escape(shown, quote=False) + link if leads else shown)
             self.banner.setToolTip(problem)
         else:
             ask = stale and self.job is None
@@ -184,6 +208,26 @@ class MainWindow(RunningWindow):
             self._show_spectra()
         menus.show_recent(self, self.actions_of.recent)
         self.preparation.prepare_next()
+
+    def wrong_field(self) -> Field | None:
+        """The field that holds what is not accepted, or that a rule names."""
+        marked = [field for field in self.fields if field.error or field.rule]
+        return marked[0] if marked else None
+
+    def lead_to_field(self) -> None:
+        """Show the tab and the dock of the field in question, and put the cursor there."""
+        field = self.wrong_field()
+        if field is None:
+            return
+        dock = self.findChild(QDockWidget, "input")
+        dock.show()
+        dock.raise_()
+        for k in range(self.forms.count()):
+            area = self.forms.widget(k)
+            if area.isAncestorOf(field):
+                self.forms.setCurrentIndex(k)
+                area.ensureWidgetVisible(field)
+        field.editor.setFocus()
 
     def changeEvent(self, event) -> None:
         """Back from another program: has it changed a record?"""
@@ -199,7 +243,7 @@ class MainWindow(RunningWindow):
         demand = self.session.case.demand
         try:
             target = target_of(demand, self.session.base_dir) if demand else None
-        except (InputError, TypeError):
+        except (InputError, TypeError, KeyError):  # still to be given
             target = None
         result = self.session.result
         rules = result.compliance if result and not self.session.stale else None
@@ -232,8 +276,28 @@ class MainWindow(RunningWindow):
         return found
 
     def _wall_chosen(self) -> None:
+        """List, selector and tabs show one wall."""
         self.fresh.clear()
+        if self.wall is not None:
+            names = [wall.title for wall in self.session.case.wall]
+            wanted = [k for k, name in enumerate(names) if is_part_of(self.wall, name)]
+            if wanted and self.walls.list.currentRow() not in wanted:
+                self.walls.list.setCurrentRow(wanted[0])
         self.show_result()
+
+    def _wall_listed(self, row: int) -> None:
+        """The selector follows the list."""
+        result, walls = self.session.result, self.session.case.wall
+        if result is None or not 0 <= row < len(walls) or self.walls.showing:
+            return
+        name = walls[row].title
+        if self.wall is None or is_part_of(self.wall, name):
+            return
+        found = [k for k, wall in enumerate(result.walls) if is_part_of(wall, name)]
+        if found:
+            self.chosen.setCurrentIndex(found[0])
+            self.fresh.clear()
+            self.show_result()
 
     def show_result(self) -> None:
         """Fill the tab in front, once per result and wall."""
@@ -250,8 +314,17 @@ class MainWindow(RunningWindow):
 
     def _cover_tabs(self) -> None:
         """Grey the tab in front where its result is of an earlier input; Spectra shows the input as it is."""
-        live = self.tabs.currentWidget() is self.pages["spectra"]
+        front = self.tabs.currentWidget()
+        live = front is self.pages["spectra"] or (
+            front is self.pages["walls"] and self.finished_walls
+        )
         self.veil.cover(self.session.stale and not live)
+
+    def show_finished(self, walls: list) -> None:
+        """Walls that have their verdict while others run."""
+        self.pages["walls"].content.show_running(walls)
+        self.fresh.discard(self.pages["walls"])
+        self._cover_tabs()
 
     def resizeEvent(self, event) -> None:
         super().resizeEvent(event)
@@ -277,7 +350,7 @@ class MainWindow(RunningWindow):
             self.card.setText(tr("No result yet: press F5."))
             for page in self.pages.values():
                 page.empty()
-            self.pages["check"].content  # noqa: B018  (it says what to do)
+            self.pages["walls"].content  # noqa: B018  (it says what to do)
             self.show_result()
             self.refresh()
             return

@@ -28,12 +28,14 @@ class Job(QThread):
     taken back, as writing files, it does after `job.commit()`.
 
     done(result), failed(sentence: str, log: str; no log for wrong input) : one of them, none if it stops;
-    progressed(done, planned). A job that was cancelled may be left: its thread ends by itself.
+    progressed(done, planned); found(part) : a part of the result, before it is whole. A job that was cancelled may be
+    left: its thread ends by itself.
     """
 
     done = Signal(object)
     failed = Signal(str, str)
     progressed = Signal(int, int)
+    found = Signal(object)
 
     def __init__(self, work: Callable):
         super().__init__()

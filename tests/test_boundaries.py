@@ -131,6 +131,8 @@ SHOWN_BY = {
             "window",
             "window_charts",
             "window_forms",
+            "window_help",
+            "help",
             "words",
         )
     },

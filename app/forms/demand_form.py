@@ -41,8 +41,8 @@ class DemandForm(QWidget):
         self.session = session
         self.last: tuple | None = None
         self.spectra = {
-            "NTC2018": Spectrum("NTC2018", "B", f0=2.5, tc_star_s=0.35, topography="T1"),
-            "EN1998": Spectrum("EN1998", "B", type=1),
+            "NTC2018": Spectrum("NTC2018", "", f0="", tc_star_s="", topography=""),
+            "EN1998": Spectrum("EN1998", "", type=""),
         }
         self.given = QGroupBox(tr("Check against a demand"))
         self.given.setCheckable(True)
@@ -152,9 +152,12 @@ class DemandForm(QWidget):
         self.file.setText(demand.spectrum_file or tr("Choose file…"))
         try:
             target = target_of(demand, self.session.base_dir)
-        except (InputError, TypeError) as error:
+        except InputError as error:
             target = None
             self.summary.setText(described(error))
+        except (TypeError, KeyError):  # values of the site are still to be given
+            target = None
+            self.summary.setText(tr("The values of the site are still to be given."))
         else:
             self.summary.setText(self._said(demand, target))
         if self.curve is not None:
@@ -178,17 +181,20 @@ class DemandForm(QWidget):
     @staticmethod
     def _said(demand: Demand, target) -> str:
         if target is None:
+            if not isinstance(demand.ag_g, float | int):
+                return ""
             return f"S a_g {number(demand.ag_g * (demand.soil_factor or 1.0), '.3f')} g"
         words = f"S {number(target.soil, '.3f')}, S a_g {number(target.pga / G, '.3f')} g"
         if hasattr(target, "t_b"):
-            words += f"\nT_B {number(target.t_b, '.3f')} s, T_C {number(target.t_c, '.3f')} s, T_D {number(target.t_d, '.3f')} s"
+            periods = (("T_B", target.t_b), ("T_C", target.t_c), ("T_D", target.t_d))
+            words += "\n" + ", ".join(f"{name} {number(value, '.3f')} s" for name, value in periods)
         return words
 
     def _toggled(self, on: bool) -> None:
         """With the demand go the motions made for it; both come back as they were."""
         case = self.session.case
         if on:
-            demand, made = self.last or (Demand(0.15), None)
+            demand, made = self.last or (Demand(""), None)  # what is of the site is never assumed
             self.session.edit(replace(case, demand=demand, generate=made))
         else:
             self.last = (case.demand, case.generate)

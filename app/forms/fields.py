@@ -341,7 +341,9 @@ class ChoiceField(Field):
         return editor
 
     def show_value(self, value) -> None:
-        self.editor.setCurrentIndex(max(0, self.editor.findData(value)))
+        # a choice that is still to be made shows none
+        at = self.editor.findData(value)
+        self.editor.setCurrentIndex(at if at >= 0 or value == "" else 0)
         self.show_error("")
 
 

@@ -51,13 +51,20 @@ def all_files(paths: list[Path]) -> list[Path]:
 
 
 class ImportDialog(QDialog):
-    """What was recognised in each file; the choices apply to the files selected."""
+    """What was recognised in each file; the choices apply to the files selected. entries : of records that are there
+    already, by their path."""
 
-    def __init__(self, paths: list[Path], parent: QWidget | None = None):
+    def __init__(
+        self,
+        paths: list[Path],
+        parent: QWidget | None = None,
+        entries: dict[Path, Record] | None = None,
+    ):
         super().__init__(parent)
         self.setWindowTitle(tr("Records found"))
         self.paths = paths[:MAX_FILES]
-        self.entries = {path: Record(str(path)) for path in self.paths}
+        known = entries or {}
+        self.entries = {path: known.get(path, Record(str(path))) for path in self.paths}
         self.found: dict[Record, list] = {}
         self.list = QListWidget()
         self.list.setAccessibleName(tr("Files"))
@@ -66,7 +73,7 @@ class ImportDialog(QDialog):
         self.list.currentRowChanged.connect(lambda _: self._other_file())
         self.words = QLabel()
         self.words.setWordWrap(True)
-        self.chart = Chart("t [s]", "u'' [g]", tr("Preview"))
+        self.chart = Chart("t [s]", "u'' [g]", tr("Preview"), live=True)
         stated = tr("as the file says")
         units = {None: stated} | {unit: unit for unit in ("g", "m/s2", "cm/s2", "mm/s2")}
         kinds = {"natural": named("natural"), "artificial": named("artificial"),
@@ -79,6 +86,7 @@ class ImportDialog(QDialog):
             NumberField(Record, "skip_lines", tr("Lines to skip"), optional=True, whole=True,
                         tip=tr("Of plain text: lines of the head before the numbers")),
             ChoiceField(Record, "kind", tr("Kind"), kinds),
+            NumberField(Record, "scale", tr("Scale"), tip=tr("Factor of the record; negative reverses it")),
         ]  # fmt: skip
         connect(self.fields, lambda field, value: self.change(**{field.key: value}))
         for field in self.fields[1:4]:

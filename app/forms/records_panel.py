@@ -11,6 +11,7 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QMenu,
+    QMessageBox,
     QSizePolicy,
     QTableWidgetItem,
     QToolButton,
@@ -20,11 +21,12 @@ from PySide6.QtWidgets import (
 
 from app import theme
 from app.forms.import_dialog import ImportDialog, all_files, read
-from app.language import described, number, tr
+from app.language import described, named, number, tr
 from app.plots.table import Table
 from app.session import Session
 from app.worker import Job
 from core.case.schema import Generate, Record
+from core.codes.record_compatibility import common_factor
 from core.errors import InputError
 from core.file_names import name_of
 from core.study.demand_input import demand_of, generated
@@ -56,8 +58,12 @@ class RecordsPanel(QWidget):
         self.key: object = None
         self.pending = False
         self.table = Table(tr("Records"), [
-            tr("Use"), tr("Record"), "PGA [g]", "PGV [cm/s]", "SI [cm]", tr("D5-95 [s]"), "Δt [s]",
-            tr("Sign"), tr("Format")])  # fmt: skip
+            tr("Use"), tr("Record"), "PGA [g]", "SI [cm]", tr("Scale"), tr("Kind"), tr("Unit"), "Δt [s]",
+            "PGV [cm/s]", tr("D5-95 [s]"), tr("Format")])  # fmt: skip
+        self.table.setToolTip(
+            tr("Double-click a record to change its scale, unit, time step or kind.")
+        )
+        self.table.cellDoubleClicked.connect(lambda row, column: self.edit() if column else None)
         self.table.live = True
         self.table.itemChanged.connect(self._ticked)
         self.table.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
@@ -123,8 +129,11 @@ class RecordsPanel(QWidget):
                         (None, m)
                         for m in (generated(case, asked) if asked and asked.target else [])
                     ]
-                except (InputError, TypeError) as error:
+                except InputError as error:
                     motions_read.append((None, described(error)))
+                except (TypeError, KeyError):  # values of the site are still to be given
+                    words = tr("The values of the site are still to be given.")
+                    motions_read.append((None, words))
             for _, motion in motions_read:
                 if not isinstance(motion, str):
                     motion.measure()
@@ -159,15 +168,18 @@ class RecordsPanel(QWidget):
         rows, colors, twins = [], [], self._twins()
         for row, (k, motion) in enumerate(motions_read):
             if isinstance(motion, str):
-                rows.append(["", motion, *[""] * 7])
-                colors.append([theme.current.bad] * 9)
+                rows.append(["", motion, *[""] * 9])
+                colors.append([theme.current.bad] * 11)
                 continue
-            sign = "+" if k is None or case.record[k].scale > 0 else "−"
-            rows.append(["", motion.name, f"{number(motion.pga / G, '.3f')}", f"{number(motion.pgv / CM, '.1f')}",
-                         f"{number(motion.housner_intensity / CM, '.1f')}", f"{number(motion.duration_5_95, '.1f')}",
-                         f"{number(motion.time_step, 'g')}", sign, motion.format])  # fmt: skip
+            entry = None if k is None else case.record[k]
+            rows.append([
+                "", motion.name, number(motion.pga / G, ".3f"), number(motion.housner_intensity / CM, ".1f"),
+                number(entry.scale if entry else 1.0, "g").replace("-", "−"),
+                named(entry.kind if entry else "artificial"), motion.unit, number(motion.time_step, "g"),
+                number(motion.pgv / CM, ".1f"), number(motion.duration_5_95, ".1f"), motion.format,
+            ])  # fmt: skip
             color = theme.current.amber if motion.warnings else None
-            colors.append([theme.current.bad if row in twins else color] * 9)
+            colors.append([theme.current.bad if row in twins else color] * 11)
         self.table.show_rows(rows, colors)
         for row, (k, motion) in enumerate(motions_read):
             if isinstance(motion, str):
@@ -214,19 +226,28 @@ class RecordsPanel(QWidget):
         return set() if self.pending else {index.row() for index in self.table.selectedIndexes()}
 
     def _change(self, rows: set[int], change: Callable[[Record], Record | None]) -> None:
-        """Change the records of these rows, None to drop them. An entry of many files is written file by file
-        where only some of them are meant."""
+        """Change the records of these rows, None to drop them."""
+        self._change_each(rows, lambda record, row: change(record), False)
+
+    def _change_each(
+        self, rows: set[int], change: Callable[[Record, int], Record | None], apart: bool = True
+    ) -> None:
+        """`change(record, row)` of these rows. An entry of many files is written file by file where only some of them
+        are meant; apart : always."""
         case = self.session.case
         records: list[Record | None] = []
         for k, record in enumerate(case.record):
             mine = [row for row, (entry, _) in enumerate(self.rows) if entry == k]
-            if rows.issuperset(mine) or rows.isdisjoint(mine):
-                records.append(change(record) if mine and mine[0] in rows else record)
+            alike = rows.isdisjoint(mine) or (
+                rows.issuperset(mine) and not (apart and len(mine) > 1)
+            )
+            if alike:
+                records.append(change(record, mine[0]) if mine and mine[0] in rows else record)
                 continue
             for row in mine:
                 name = self.session.relative(Path(name_of(self.rows[row][1].file)))
                 one = replace(record, file=name)
-                records.append(change(one) if row in rows else one)
+                records.append(change(one, row) if row in rows else one)
         self.session.edit(replace(case, record=tuple(one for one in records if one is not None)))
 
     def _ticked(self, item) -> None:
@@ -237,6 +258,8 @@ class RecordsPanel(QWidget):
 
     def _menu(self, place) -> None:
         menu = QMenu(self)
+        menu.addAction(tr("Change…"), self.edit)
+        menu.addAction(tr("Scale all to the spectrum"), self.scale_to_target)
         menu.addAction(tr("Reverse"), self.reverse)
         menu.addAction(tr("Remove"), self.remove)
         menu.exec(self.table.viewport().mapToGlobal(place))
@@ -260,7 +283,76 @@ class RecordsPanel(QWidget):
             self.words.setText(tr("Choose a spectrum on the sheet Demand first."))
             return
         seed = case.generate.seed + case.generate.count if case.generate else 1
-        self.session.edit(replace(case, generate=Generate(7, seed)))
+        records = case.record
+        if records:
+            answer = self.ask_replace()
+            if answer is None:
+                return
+            records = () if answer else records
+        self.session.edit(replace(case, record=records, generate=Generate(7, seed)))
+
+    def ask_replace(self) -> bool | None:
+        """Whether generated records take the place of those there, or come beside them; None for neither."""
+        box = QMessageBox(self)
+        box.setWindowTitle(tr("Generate…"))
+        box.setText(
+            tr("There are records already. Put seven generated ones in their place, or add them?")
+        )
+        instead = box.addButton(tr("Replace"), QMessageBox.ButtonRole.AcceptRole)
+        beside = box.addButton(tr("Add to them"), QMessageBox.ButtonRole.AcceptRole)
+        box.addButton(tr("Cancel"), QMessageBox.ButtonRole.RejectRole)
+        box.exec()
+        return {instead: True, beside: False}.get(box.clickedButton())
+
+    def edit(self) -> None:
+        """Scale, unit, time step and kind of the selected records."""
+        rows = sorted(row for row in self._selected() if self.rows[row][0] is not None)
+        entries = {}
+        for row in rows:
+            k, motion = self.rows[row]
+            entry = self.session.case.record[k]
+            path = Path(entry.file if isinstance(motion, str) else name_of(motion.file))
+            if not path.is_absolute():
+                path = self.session.base_dir / path
+            entries[path] = replace(entry, file=str(path))
+        if not entries:
+            self.words.setText(self.one_set)
+            return
+        dialog = ImportDialog(list(entries), self, entries)
+        try:
+            if dialog.exec() != QDialog.DialogCode.Accepted:
+                return
+            changed = dict(zip(rows, dialog.entries.values(), strict=True))
+        finally:
+            dialog.deleteLater()
+        keys = ("unit", "time_step_s", "column", "skip_lines", "kind", "scale")
+
+        def change(record: Record, row: int) -> Record:
+            return replace(record, **{key: getattr(changed[row], key) for key in keys})
+
+        self._change_each(set(changed), change)
+
+    def scale_to_target(self) -> None:
+        """One factor for all records in use: the mean spectrum nearest to that of the demand."""
+        case = self.session.case
+        try:
+            asked = demand_of(case, self.session.base_dir) if case.demand else None
+        except (InputError, TypeError, KeyError):
+            asked = None
+        rows = {
+            row for row, (k, motion) in enumerate(self.rows)
+            if k is not None and not isinstance(motion, str) and case.record[k].include
+        }  # fmt: skip
+        if asked is None or asked.target is None or not rows or self.pending:
+            self.words.setText(tr("It takes records of files and a spectrum on the sheet Demand."))
+            return
+        factor = common_factor([self.rows[row][1] for row in rows], asked)
+        self._change(
+            rows, lambda record: replace(record, scale=float(f"{record.scale * factor:.4g}"))
+        )
+        self.left_out = tr(
+            "Scaled by {factor:.3f}, the factor nearest to the spectrum.", factor=factor
+        )
 
     def add(self) -> None:
         names, _ = QFileDialog.getOpenFileNames(

@@ -297,9 +297,10 @@ class WallForm(QWidget):
 
     def _changed(self, field, value) -> None:
         if self.wall is not None:
-            self.session.edit_wall(
-                self.current, ("wall", self.current, field.key), **{field.key: value}
-            )
+            values = {field.key: value}
+            if field is self.strength and value is not None:
+                values["hinge_setback_m"] = 0.0  # it follows from the strength: its field is hidden
+            self.session.edit_wall(self.current, ("wall", self.current, field.key), **values)
 
     def _shape_chosen(self, index: int) -> None:
         """Write the same block in another way."""

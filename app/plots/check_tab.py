@@ -156,7 +156,9 @@ class CheckTab(QWidget):
         if tie.force == 0.0:
             return tr("No tie at {h:.2f} m is needed: ζ {zeta}", **values)
         own, loads, force = (1e-3 * moment for moment in tie.holding)
-        hand = f"α0 = ({number(own, '.2f')} + {number(loads, '.2f')} + {number(force, '.2f')}) / {number(1e-3 * tie.pushing, '.2f')} = {number(tie.alpha0, '.4f')}"
+        moments = " + ".join(number(moment, ".2f") for moment in (own, loads, force))
+        pushing, alpha0 = number(1e-3 * tie.pushing, ".2f"), number(tie.alpha0, ".4f")
+        hand = f"α0 = ({moments}) / {pushing} = {alpha0}"
         if tie.hinges > 1 and tie.governing is not None:
             hand += "; " + tr("the weakest hinge asks {force:.2f} kN/m", force=1e-3 * tie.governing)
         return tr("A tie of {force:.2f} kN/m at {h:.2f} m gives ζ {zeta}; by hand {hand}",

@@ -203,8 +203,11 @@ class SpectraTab(QWidget):
                 if rule.passed
                 else theme.current.bad
             )
-            rows.append([word(rule.name, self.language), rule.clause, f"{number(percent * rule.value, '.3g')} {rule.unit}",
-                         "–" if rule.limit is None else f"{number(percent * rule.limit, '.3g')} {rule.unit}",
-                         word(outcome, self.language)])  # fmt: skip
+            value = f"{number(percent * rule.value, '.3g')} {rule.unit}"
+            limit = (
+                "–" if rule.limit is None else f"{number(percent * rule.limit, '.3g')} {rule.unit}"
+            )
+            name, found = word(rule.name, self.language), word(outcome, self.language)
+            rows.append([name, rule.clause, value, limit, found])
             colors.append([None] * 4 + [color])
         self.table.show_rows(rows, colors)

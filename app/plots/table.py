@@ -15,6 +15,13 @@ def plain_cell(text: str) -> str:
     return f"'{text}" if text.strip()[:1] in ("=", "+", "-", "@") else text
 
 
+LEAST_WIDTH = 88
+"""Width of a column [px] below which none gives way."""
+
+MOST_WRAPPED = 400
+"""Rows up to which their height follows their words: more take too long."""
+
+
 class Table(QTableWidget):
     """Read-only cells; Ctrl+C copies the selection, or all of it, with tabs between the cells.
 
@@ -33,7 +40,8 @@ class Table(QTableWidget):
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.verticalHeader().hide()
         self.setAlternatingRowColors(True)
-        self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
+        self.setWordWrap(True)
         self.horizontalHeader().setStretchLastSection(True)
 
     def show_rows(self, rows: list[list], colors: list[list[str | None]] | None = None) -> None:
@@ -45,6 +53,30 @@ class Table(QTableWidget):
                 if colors and colors[r][c]:
                     item.setForeground(QColor(colors[r][c]))
                 self.setItem(r, c, item)
+        self.fit()
+
+    def resizeEvent(self, event) -> None:
+        super().resizeEvent(event)
+        self.fit()
+
+    def fit(self) -> None:
+        """Columns as wide as their words; where they are too many, the wide ones give way and their words wrap."""
+        head, room = self.horizontalHeader(), self.viewport().width()
+        wanted = [
+            max(self.sizeHintForColumn(c), head.sectionSizeHint(c)) + 4
+            for c in range(self.columnCount())
+        ]
+        over = sum(wanted) - room
+        wide = [c for c, width in enumerate(wanted) if width > LEAST_WIDTH]
+        slack = sum(wanted[c] - LEAST_WIDTH for c in wide)
+        if over > 0 and slack > 0:
+            share = min(1.0, over / slack)
+            for c in wide:
+                wanted[c] -= round(share * (wanted[c] - LEAST_WIDTH))
+        for c, width in enumerate(wanted):
+            self.setColumnWidth(c, width)
+        if self.rowCount() <= MOST_WRAPPED:
+            self.resizeRowsToContents()
 
     def text(self) -> str:
         """Selected cells, or the whole table with its heads, with tabs and line ends."""

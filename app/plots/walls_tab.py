@@ -1,4 +1,4 @@
-"""The tab Walls: every wall of the study, the lowest zeta first, and walls before beside walls after."""
+"""The tab Overview: every wall of the study, the lowest zeta first, and walls before beside walls after."""
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QLabel, QSplitter, QVBoxLayout, QWidget
@@ -11,6 +11,18 @@ from core.study.results import StudyResult, WallResult
 from core.study.variants import Comparison, comparisons
 from core.text.sentence import word
 from core.units import G
+
+ZETA = 2
+"""Column of zeta."""
+
+
+def steps() -> list[str]:
+    """How to begin, in three steps."""
+    return [
+        tr("1. Walls: sizes, mechanism, what stands behind them (left, or Table… for many)."),
+        tr("2. Demand: a_g, spectrum, confidence factor; records: drop files, or Generate…"),
+        tr("3. F5. Then this overview, the tab Check of each wall, and File → Export."),
+    ]
 
 
 def zeta_of(wall: WallResult) -> float | None:
@@ -28,7 +40,7 @@ def method_of(wall: WallResult, language: str) -> str:
 
 
 class WallsTab(QWidget):
-    """One row a wall and mechanism. picked(k) : a row of the result's k-th wall was double-clicked."""
+    """One row a wall and mechanism. picked(k) : the row of the result's k-th wall was clicked twice, its name once."""
 
     picked = Signal(int)
 
@@ -36,10 +48,20 @@ class WallsTab(QWidget):
         super().__init__()
         self.language = language
         self.order: list[int] = []
+        self.shown: tuple[StudyResult, WallResult] | None = None
+        self.by, self.falling = ZETA, False
+        self.words = QLabel(tr("No result yet: press F5.") + "\n\n" + "\n".join(steps()))
+        self.words.setWordWrap(True)
         self.table = Table(tr("Walls of the study"), [
             tr("Wall"), tr("Mechanism"), "ζ", tr("Outcome"), tr("by"), "q", "PGA_C [g]", "T_R,C", "IS-V",
             *(f"ζ {state}" for state in STATES)])  # fmt: skip
         self.table.cellDoubleClicked.connect(lambda row, _: self._picked(row))
+        self.table.cellClicked.connect(
+            lambda row, column: self._picked(row) if column == 0 else None
+        )
+        self.table.setToolTip(tr("Click the name of a wall to open it, a head to sort by it."))
+        self.table.horizontalHeader().setSectionsClickable(True)
+        self.table.horizontalHeader().sectionClicked.connect(self._sort)
         self.pairs = Table(tr("Before and after"), [
             tr("Wall"), tr("Mechanism"), tr("ζ before"), tr("by"), tr("ζ after"), tr("by"), tr("changed")])  # fmt: skip
         self.pairs_title = QLabel(tr("Before and after"))
@@ -52,17 +74,24 @@ class WallsTab(QWidget):
         split = QSplitter(Qt.Orientation.Vertical)
         split.addWidget(self.table)
         split.addWidget(below)
-        QVBoxLayout(self).addWidget(split)
+        self.split = split
+        split.setVisible(False)
+        layout = QVBoxLayout(self)
+        layout.addWidget(self.words)
+        layout.addWidget(split, 1)
+        layout.addStretch(0)
 
     def show_wall(self, result: StudyResult, wall: WallResult) -> None:
         """Fill the tables from a result; the row of the wall is marked."""
-
-        def rank(k: int) -> tuple[bool, float]:
-            zeta = zeta_of(result.walls[k])
-            return zeta is None, zeta or 0.0
-
-        self.order = sorted(range(len(result.walls)), key=rank)
+        self.shown = (result, wall)
+        self.split.setVisible(True)
+        self.words.setText(tr("Lowest ζ first. Click the name of a wall to open it."))
         rows, colors = [], []
+        self.order = sorted(
+            range(len(result.walls)),
+            key=lambda k: self._rank(result.walls[k]),
+            reverse=self.falling,
+        )
         for k in self.order:
             rows.append(self._row(result.walls[k]))
             shade = verdict_color(result, result.walls[k]) if result.walls[k].assessment else None
@@ -97,5 +126,34 @@ class WallsTab(QWidget):
             digits(zeta_of(one.after)), method_of(one.after, language), changed,
         ]  # fmt: skip
 
+    def _rank(self, wall: WallResult) -> tuple:
+        """By the column chosen: numbers by their size, what has none last."""
+        if self.by == ZETA:
+            value = zeta_of(wall)
+        else:
+            word_or_number = self._row(wall)[self.by]
+            try:
+                value = float(word_or_number.split()[0].replace(",", "."))
+            except ValueError:
+                return (word_or_number == "–", 0.0, word_or_number)
+        return (value is None) != self.falling, value or 0.0, ""
+
+    def _sort(self, column: int) -> None:
+        self.falling = not self.falling if column == self.by else False
+        self.by = column
+        if self.shown:
+            self.show_wall(*self.shown)
+
+    def show_running(self, walls: list[WallResult]) -> None:
+        """What is known while others run: verdicts of the walls that are finished."""
+        self.split.setVisible(True)
+        self.below.setVisible(False)
+        self.order = []
+        self.words.setText(tr("Running: {n} walls are finished.", n=len(walls)))
+        ordered = sorted(walls, key=lambda wall: (zeta_of(wall) is None, zeta_of(wall) or 0.0))
+        rows = [self._row(wall) for wall in ordered]
+        self.table.show_rows(rows, [[None] * len(row) for row in rows])
+
     def _picked(self, row: int) -> None:
-        self.picked.emit(self.order[row])
+        if row < len(self.order):
+            self.picked.emit(self.order[row])

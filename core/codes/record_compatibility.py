@@ -105,6 +105,20 @@ def period_range(kinds: list[str], longest: float, demand: DemandResult) -> tupl
     return low, high
 
 
+def common_factor(motions: list[GroundMotion], demand: DemandResult) -> float:
+    """The one factor of all records for which their mean 5 % spectrum is nearest to the target, by the mean of the
+    logarithms of their ratio over the periods of the rules."""
+    low, high = demand.period_range or RANGE
+    count = math.ceil(math.log(high / low) / math.log1p(PERIOD_STEP)) + 1
+    periods = np.geomspace(low, high, count)
+    spectra = [
+        demand.scaling(m) * pseudo_acceleration_spectrum(m.acceleration, m.time_step, periods)
+        for m in motions
+    ]
+    ratio = demand.target.acceleration(periods) / np.mean(spectra, axis=0)
+    return float(np.exp(np.log(ratio).mean()))
+
+
 def compliance(
     motions: list[GroundMotion], kinds: list[str], demand: DemandResult, longest: float = 0.0
 ) -> Compliance | None:

@@ -42,6 +42,7 @@ def run(
     journal: Callable[[str], Journal | Memory] | None = None,
     on_progress: Callable[[int, int], None] = lambda done, planned: None,
     cancelled: Callable[[], bool] = lambda: False,
+    on_wall: Callable[[WallResult], None] = lambda wall: None,
 ) -> StudyResult:
     """Run a study.
 
@@ -49,6 +50,7 @@ def run(
     jobs : threads, which change no result
     journal : makes the Journal of finished runs from the study's key; on_progress(done, planned) and cancelled()
         are called from this thread, the latter from the workers as well
+    on_wall : called from this thread with each wall that has its verdict, before what is said of several together
     Raises InputError for what the user can mend, Cancelled when cancelled() is true.
     """
     started = datetime.datetime.now(datetime.UTC)
@@ -124,7 +126,9 @@ def run(
                 for k in range(len(walls))
             }
             done = threads.run(
-                checks, lambda k, _: None, lambda n: on_progress(len(planned) + n, total)
+                checks,
+                lambda k, found: on_wall(replace(results[k], assessment=found)),
+                lambda n: on_progress(len(planned) + n, total),
             )
             by_state = demands_of(case, base_dir)
             results = [

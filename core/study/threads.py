@@ -21,7 +21,7 @@ class Threads:
     def run(
         self,
         tasks: Mapping[Any, Callable],
-        on_result: Callable[[object, object], None],
+        on_result: Callable[[Any, Any], None],
         on_count: Callable[[int], None] = lambda done: None,
     ) -> dict:
         """Results by key of `task(stop)`; on_result(key, result), on_count(done) from the calling thread.

@@ -16,6 +16,7 @@ from core.text.verdicts import SENTENCES as VERDICTS
 from core.text.window import WINDOW
 from core.text.window_charts import WINDOW_CHARTS
 from core.text.window_forms import WINDOW_FORMS
+from core.text.window_help import WINDOW_HELP
 from core.text.words import ASSUMPTIONS, LOADS, WORDS
 
 
@@ -45,6 +46,6 @@ CATALOGUE: dict[str, dict[str, tuple[str, str]]] = {
     "method_label": METHOD_LABELS,
     "method_body": METHOD_BODIES,
     "report": _by_english({**STUDY, **REPORT, **NOTE}),
-    "window": _by_english({**WINDOW, **WINDOW_FORMS, **WINDOW_CHARTS}),
+    "window": _by_english({**WINDOW, **WINDOW_FORMS, **WINDOW_CHARTS, **WINDOW_HELP}),
     "terminal": _by_english(TERMINAL),
 }

@@ -54,7 +54,6 @@ WINDOW_FORMS = {
         "Una catena di {force:.2f} kN/m a {h:.2f} m dà ζ {zeta}; a mano {hand}"
     ),
     "curve": "curva",
-    "{n} more walls on the tab Walls": "altre {n} pareti nella scheda Pareti",
     "mean {value:.2f}, which decides": "media {value:.2f}, che decide",
     "Wall": "Parete",
     "the weakest hinge asks {force:.2f} kN/m": "la cerniera più debole richiede {force:.2f} kN/m",

@@ -196,6 +196,7 @@ def test_that_no_chart_of_a_result_writes_a_number_that_nobody_computed(opened, 
     result = opened.session.result
     dynamic = result.walls[0].assessment.dynamic
     assert any(one.peak_ratio is None for one in dynamic.runs)
+    opened.tabs.setCurrentWidget(opened.pages["check"])
     written = {row[2] for row in rows_of(opened.pages["check"].content.peaks)[1:]}
     assert written == {"" if r.peak_ratio is None else repr(r.peak_ratio) for r in dynamic.runs}
     opened.tabs.setCurrentWidget(opened.pages["capacity"])

@@ -170,7 +170,13 @@ def test_that_choosing_the_spectrum_again_or_the_demand_off_and_on_loses_nothing
     form = opened.demand
     opened.session.edit_section("demand", soil_factor=None)
     form._kind_chosen(form.kind.findData("NTC2018"))
+    assert opened.session.problem() is not None  # nothing of the site is assumed
     type_into(form.f0, "2.4")
+    type_into(form.tc, "0.35")
+    form.soil.offer("B")
+    form.topography.offer("T1")
+    assert opened.session.problem() is None
+    opened.records.ask_replace = lambda: False
     opened.records.generate()
     case = opened.session.case
     form._kind_chosen(form.kind.findData("NTC2018"))

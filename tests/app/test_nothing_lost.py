@@ -13,7 +13,6 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 
 from app import files
-from app.plots.chart import Chart
 from core.errors import InputError
 from tests.app.driving import run, settle
 
@@ -54,7 +53,7 @@ def test_that_a_chart_not_written_says_so(opened, monkeypatch):
     monkeypatch.setattr(QMessageBox, "warning", lambda *a: said.append(a[-1]))
     target = Path("/nowhere/at/all.csv")
     monkeypatch.setattr("app.plots.chart_output.path_to_write", lambda *_: target)
-    opened.findChildren(Chart)[0]._save_data()
+    opened.pages["check"].content.peaks._save_data()
     assert said[0].startswith(f"{target}: cannot be written (No such file or directory)")
 
 

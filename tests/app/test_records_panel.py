@@ -5,6 +5,7 @@ import pytest
 from PySide6.QtCore import Qt
 
 from core.case.schema import Record
+from core.case.site import Spectrum
 from tests.app.driving import settle, type_into
 from tests.conftest import ROOT
 
@@ -68,7 +69,9 @@ def test_that_a_record_that_is_there_twice_is_named_at_once(bundled, application
 
 def test_that_generated_motions_are_ticked_and_stay_one_set(bundled, application):
     bundled.session.edit_section("demand", soil_factor=None)
-    bundled.demand._kind_chosen(bundled.demand.kind.findData("EN1998"))
+    spectrum = Spectrum("EN1998", "B", type=1)
+    bundled.session.edit_section("demand", spectrum=spectrum)
+    bundled.records.ask_replace = lambda: False
     bundled.records.generate()
     settle(application, lambda: not bundled.records.pending)
     row = len(bundled.records.rows) - 1
@@ -93,7 +96,7 @@ def test_that_the_dialog_takes_only_choices_the_case_accepts_and_shows_those_of_
     for name in ("a.txt", "b.txt"):
         (tmp_path / name).write_text("\n".join(["head 1", *samples]))
     dialog = ImportDialog([tmp_path / "a.txt", tmp_path / "b.txt"])
-    unit, step, column, skip, _ = dialog.fields
+    unit, step, column, skip, _, _ = dialog.fields
     ok = dialog.buttons.button(QDialogButtonBox.StandardButton.Ok)
     unit.offer("m/s2")
     for text in ("-0.01", "nan", "3"):

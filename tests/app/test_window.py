@@ -246,17 +246,17 @@ def test_that_charts_export_light_pictures_and_their_data(opened, application, t
 
 def test_that_tables_copy_with_tabs(opened, application):
     run(application, opened)
-    opened.tabs.setCurrentIndex(0)
+    opened.tabs.setCurrentWidget(opened.pages["check"])
     lines = opened.pages["check"].content.table.text().splitlines()
     assert len(lines) > 3 and all(line.count("\t") == 7 for line in lines)
 
 
 def test_that_the_window_speaks_italian(opened, application):
     opened.set_choice("language", "it")
-    assert opened.tabs.tabText(0) == "Verifica"
+    assert opened.tabs.tabText(0) == "Quadro generale"
     assert opened.walls.height.caption.text() == "Altezza H"
     opened.set_choice("language", "en")
-    assert opened.tabs.tabText(0) == "Check"
+    assert opened.tabs.tabText(0) == "Overview"
 
 
 def test_that_every_editor_has_a_name_for_a_screen_reader(opened):

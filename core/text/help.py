@@ -1,0 +1,212 @@
+"""What F1 says of a field: one paragraph with its clause or equation."""
+
+HELP = {
+    "height_m": (
+        "Height H of the wall above its hinge [m]. With t it gives alpha = arctan(t/H) and R = sqrt(H^2 + "
+        "t^2)/2 (Fig. 1 of the paper).",
+        "Altezza H della parete sopra la cerniera [m]. Con t dà alpha = arctan(t/H) e R = sqrt(H^2 + t^2)/2"
+        " (Fig. 1 dell'articolo).",
+    ),
+    "thickness_m": (
+        "Thickness t of the wall. The wall uplifts at a_RM = g t/H (Eq. 2); alpha_0 = t/H (C8.7.1.1).",
+        "Spessore t della parete. La parete si solleva per a_RM = g t/H (Eq. 2); alpha_0 = t/H (C8.7.1.1).",
+    ),
+    "slenderness_deg": (
+        "alpha = arctan(t/H): larger is stockier, not more slender (Fig. 1 of the paper).",
+        "alpha = arctan(t/H): se maggiore la parete è più tozza, non più snella (Fig. 1 dell'articolo).",
+    ),
+    "hinge_setback_m": (
+        "The hinge lies inside the edge by u, since the masonry crushes there: tan(alpha) = (t - 2u)/H. 0 "
+        "for a rigid edge.",
+        "La cerniera è arretrata di u dallo spigolo, dove la muratura si schiaccia: tan(alpha) = (t - "
+        "2u)/H. 0 per spigolo rigido.",
+    ),
+    "compressive_strength_mpa": (
+        "Compressive strength f of the masonry [MPa]: u = 2 N/(3 f L), the triangle of stress at the hinge "
+        "(C8.7.1.2.1). With it FC may be below 1.35.",
+        "Resistenza a compressione f della muratura [MPa]: u = 2 N/(3 f L), diagramma triangolare alla "
+        "cerniera (C8.7.1.2.1). Con essa FC può scendere sotto 1,35.",
+    ),
+    "velocity_ratio": (
+        "Ratio e of the velocities after and before an impact: 1 loses nothing. Eq. 4 to 7 of the paper "
+        "give it from alpha; a value of your own takes their place.",
+        "Rapporto e fra le velocità dopo e prima di un urto: 1 non dissipa nulla. Le Eq. 4-7 dell'articolo "
+        "lo danno da alpha; un valore proprio le sostituisce.",
+    ),
+    "base_z_m": (
+        "Height z of the hinge above the ground [m]: 0 on the ground. Above it the motion is that of the "
+        "floor (C7.2.3), which takes the building.",
+        "Quota z della cerniera dal suolo [m]: 0 a terra. Sopra, il moto è quello del piano (C7.2.3), che "
+        "richiede i dati dell'edificio.",
+    ),
+    "free_element": (
+        "Free to vibrate before it moves: parapet, gable top, free wall. Its demand is S_e(T_0) (C8.7.1.9),"
+        " that of a wall held by transverse walls a_g S (C8.7.1.8).",
+        "Libero di vibrare prima di muoversi: parapetto, timpano, muro isolato. La domanda è S_e(T_0) "
+        "(C8.7.1.9); per la parete vincolata da muri trasversali a_g S (C8.7.1.8).",
+    ),
+    "elastic_modulus_mpa": (
+        "Elastic modulus E [MPa]: with the unit weight it gives T_0 = 6.2 (H/t) H sqrt(w/(E g)) of an "
+        "element free to vibrate (C8.7.1.7).",
+        "Modulo elastico E [MPa]: con il peso specifico dà T_0 = 6,2 (H/t) H sqrt(w/(E g)) di un elemento "
+        "libero di vibrare (C8.7.1.7).",
+    ),
+    "unit_weight_kn_m3": (
+        "Unit weight of the masonry [kN/m3]. Weight of the wall, M*, T_0 and loads need it; q of a wall "
+        "alone does not.",
+        "Peso specifico della muratura [kN/m3]. Serve per peso, M*, T_0 e carichi; non per il q di una "
+        "parete sola.",
+    ),
+    "length_m": (
+        "Length L of the wall [m]: it gives the weight W for the report and spreads the friction of the "
+        "return walls.",
+        "Lunghezza L della parete [m]: dà il peso W per la relazione e ripartisce l'attrito dei muri "
+        "ortogonali.",
+    ),
+    "back_restraint": (
+        "What stands behind a one-sided wall and holds it: transverse walls, floors. Without it the verdict"
+        " is only indicative.",
+        "Che cosa sta dietro una parete su un lato e la trattiene: muri trasversali, solai. Senza, l'esito "
+        "è solo indicativo.",
+    ),
+    "unloaded_confirmed": (
+        'Tick where nothing rests on the wall; else the verdict says "if the wall carries no load".',
+        "Spuntare se nulla grava sulla parete; altrimenti l'esito dice «se la parete non porta carichi».",
+    ),
+    "hinge_heights": (
+        "Other hinges above the base: each makes a wall of the part above it, and the lowest zeta governs.",
+        "Altre cerniere sopra la base: ognuna dà una parete della parte sovrastante, e governa lo zeta "
+        "minore.",
+    ),
+    "tie_height_m": (
+        "Height of a tie whose force is looked for, so that zeta reaches the one required.",
+        "Quota di una catena di cui si cerca la forza, perché zeta raggiunga quello richiesto.",
+    ),
+    "kn_m": (
+        "Intensity of the load per metre of wall [kN/m]; it keeps its size and direction.",
+        "Intensità del carico per metro di parete [kN/m]; conserva intensità e direzione.",
+    ),
+    "d_m": (
+        "Distance of the load from the outer face [m]: lever arm d of C8.7.1.1.",
+        "Distanza del carico dalla faccia esterna [m]: braccio d di C8.7.1.1.",
+    ),
+    "h_m": (
+        "Height of the load above the base [m]: lever arm h of C8.7.1.1.",
+        "Quota del carico sulla base [m]: braccio h di C8.7.1.1.",
+    ),
+    "mass": (
+        "Whether the mass of the load pushes the wall in an earthquake: Q of C8.7.1.1, and a part of e*.",
+        "Se la massa del carico spinge la parete durante il sisma: Q di C8.7.1.1, e parte di e*.",
+    ),
+    "limit_state": (
+        "SLV: d_SLV = 0.40 d_0; SLC: 0.60 d_0; SLD: the wall does not uplift (C8.7.1.2.1.5, .6).",
+        "SLV: d_SLV = 0,40 d_0; SLC: 0,60 d_0; SLD: la parete non si solleva (C8.7.1.2.1.5, .6).",
+    ),
+    "ag_g": (
+        "a_g on rigid ground, in g, without S; of the site and the return period of the limit state (NTC "
+        "2018 3.2).",
+        "a_g su suolo rigido, in g, senza S; del sito e del periodo di ritorno dello stato limite (NTC 2018"
+        " 3.2).",
+    ),
+    "soil_factor": (
+        "S = S_S S_T, ground and topography (NTC 2018 3.2.3). With the spectrum of a code it follows from "
+        "the categories.",
+        "S = S_S S_T, sottosuolo e topografia (NTC 2018 3.2.3). Con lo spettro di norma segue dalle "
+        "categorie.",
+    ),
+    "f0": (
+        "F0: largest spectral amplification on rigid ground, of the site (NTC 2018, Annex B).",
+        "F0: massima amplificazione spettrale su suolo rigido, del sito (NTC 2018, Allegato B).",
+    ),
+    "tc_star_s": (
+        "T_C*: start of the branch of constant velocity on rigid ground [s], of the site (NTC 2018, Annex "
+        "B).",
+        "T_C*: inizio del tratto a velocità costante su suolo rigido [s], del sito (NTC 2018, Allegato B).",
+    ),
+    "soil": (
+        "Ground category A to E (NTC 2018 Tab. 3.2.II): S_S and C_C follow from it.",
+        "Categoria di sottosuolo da A a E (NTC 2018 Tab. 3.2.II): ne seguono S_S e C_C.",
+    ),
+    "topography": (
+        "Topographic category T1 to T4 (NTC 2018 Tab. 3.2.III): S_T follows from it.",
+        "Categoria topografica da T1 a T4 (NTC 2018 Tab. 3.2.III): ne segue S_T.",
+    ),
+    "housner_intensity_cm": (
+        "Housner intensity SI: area under the 5 % pseudo-velocity from 0.1 to 2.5 s (Eq. 11), not divided "
+        "by 2.4.",
+        "Intensità di Housner SI: area sotto la pseudo-velocità al 5 % da 0,1 a 2,5 s (Eq. 11), non divisa "
+        "per 2,4.",
+    ),
+    "confidence_factor": (
+        "Confidence factor FC: 1.35 where the compressive strength is not in the hinge (C8.7.1.2.1).",
+        "Fattore di confidenza FC: 1,35 se la resistenza a compressione non entra nella cerniera "
+        "(C8.7.1.2.1).",
+    ),
+    "confidence_on": (
+        "FC divides the strength of the capacity curve (C8.7.1.2.1.3), or multiplies the demand, which is "
+        "more cautious.",
+        "FC divide la resistenza della curva di capacità (C8.7.1.2.1.3), o moltiplica la domanda, più "
+        "cautelativo.",
+    ),
+    "demand_scaling": (
+        "Records as they are, or each scaled to PGA = a_g S: then the verdict is only indicative, for the "
+        "set no longer follows the spectrum.",
+        "Accelerogrammi come sono, o ciascuno scalato a PGA = a_g S: allora l'esito è solo indicativo, "
+        "perché l'insieme non segue più lo spettro.",
+    ),
+    "period_range_s": (
+        "Periods at which the mean spectrum is compared with the target (NTC 2018 3.2.3.6). A rigid block "
+        "has no period of its own.",
+        "Periodi in cui lo spettro medio si confronta con quello di riferimento (NTC 2018 3.2.3.6). Un "
+        "blocco rigido non ha periodo proprio.",
+    ),
+    "zeta_target": (
+        "zeta_E required: 1 for adaptation, less for improvement (NTC 2018 8.4).",
+        "zeta_E richiesto: 1 per l'adeguamento, meno per il miglioramento (NTC 2018 8.4).",
+    ),
+    "q_code": (
+        "Behaviour factor of the linear check: q = 2 (C8.7.1.2.1.7).",
+        "Fattore di comportamento della verifica lineare: q = 2 (C8.7.1.2.1.7).",
+    ),
+    "nominal_life_years": (
+        "Nominal life V_N [years] (NTC 2018 2.4.1).",
+        "Vita nominale V_N [anni] (NTC 2018 2.4.1).",
+    ),
+    "use_class_factor": (
+        "Coefficient C_U of the class of use (NTC 2018 2.4.3).",
+        "Coefficiente d'uso C_U della classe d'uso (NTC 2018 2.4.3).",
+    ),
+    "return_period_years": (
+        "Return period T_R [years]; else from V_N and C_U (NTC 2018 3.2.0).",
+        "Periodo di ritorno T_R [anni]; altrimenti da V_N e C_U (NTC 2018 3.2.0).",
+    ),
+    "q_step": (
+        "Step of the geometric grid of q: a smaller one finds an earlier first collapse. q robust hardly "
+        "depends on it.",
+        "Passo della griglia geometrica di q: uno minore trova un primo collasso anticipato. q robusto ne "
+        "dipende poco.",
+    ),
+    "q_limit": (
+        "Largest q searched for a collapse.",
+        "Massimo q a cui si cerca un collasso.",
+    ),
+    "map_span": (
+        "How far beyond q the survival map goes on.",
+        "Di quanto la mappa di sopravvivenza prosegue oltre q.",
+    ),
+    "robust_window": (
+        "Half-width of the neighbourhood of q robust: the smallest q around which 16 % of the points "
+        "collapse.",
+        "Semiampiezza dell'intorno di q robusto: il minimo q attorno al quale collassa il 16 % dei punti.",
+    ),
+    "polarity": (
+        "Sign of the records: a one-sided wall takes both, and the lower q governs.",
+        "Segno degli accelerogrammi: la parete su un lato li prende entrambi, e governa il q minore.",
+    ),
+    "period_s": (
+        "Elastic period T_1 of the building [s]; at the ultimate limit states 1.5 T_1 is taken "
+        "(C8.7.1.2.1.4).",
+        "Periodo elastico T_1 dell'edificio [s]; agli stati limite ultimi si assume 1,5 T_1 (C8.7.1.2.1.4).",
+    ),
+}
+"""Key of a field -> (English, Italian)."""
