@@ -56,7 +56,7 @@ CASE_ERRORS = {
     "strength_gives_setback": (
         "{compressive_strength_mpa} gives the setback of the hinge: it takes {unit_weight_kn_m3} and no "
         "{hinge_setback_m}",
-        "{compressive_strength_mpa} dà l'arretramento della cerniera: vuole {unit_weight_kn_m3} e nessun "
+        "{compressive_strength_mpa} dà l'arretramento della cerniera: richiede {unit_weight_kn_m3} e nessun "
         "{hinge_setback_m}",
     ),
     "setback_too_large": (
@@ -78,14 +78,14 @@ CASE_ERRORS = {
     "general_no_setback": (
         "a general block takes no {hinge_setback_m} and no {compressive_strength_mpa}: give {radius_m}, "
         "{slenderness_deg} and {inertia_over_mass_m2} about the hinge itself",
-        "un blocco qualsiasi non ammette {hinge_setback_m} né {compressive_strength_mpa}: dare {radius_m}, "
+        "un blocco qualsiasi non ammette {hinge_setback_m} né {compressive_strength_mpa}: indicare {radius_m}, "
         "{slenderness_deg} e {inertia_over_mass_m2} rispetto alla cerniera stessa",
     ),
     "general_keys": (
         "a general block takes {radius_m}, {slenderness_deg} and {inertia_over_mass_m2} and nothing else; a "
         "rectangular one takes {height_m}",
         "un blocco qualsiasi richiede {radius_m}, {slenderness_deg} e {inertia_over_mass_m2} e nient'altro; uno "
-        "rettangolare vuole {height_m}",
+        "rettangolare richiede {height_m}",
     ),
     "general_needs": (
         "a general block needs {radius_m} and {inertia_over_mass_m2}",
@@ -94,7 +94,7 @@ CASE_ERRORS = {
     "spectrum_ends": (
         "{name} ends at {end:.2f} s, before {period_name} = {period:.2f} s (C8.7.1.2.1.8): give the spectrum "
         "up to there",
-        "{name} finisce a {end:.2f} s, prima di {period_name} = {period:.2f} s (C8.7.1.2.1.8): dare lo "
+        "{name} finisce a {end:.2f} s, prima di {period_name} = {period:.2f} s (C8.7.1.2.1.8): indicare lo "
         "spettro fino a quel periodo",
     ),
     "return_period_short": (
@@ -116,13 +116,13 @@ CASE_ERRORS = {
         "which has {own:.0f} (NTC 2018 3.2.0): give the motion of {state}, or {nominal_life_years} and "
         "{use_class_factor} if it is right",
         "{return_period_years} = {stated:g} è quello dello {weaker} per V_R = {life:g} anni, non dello "
-        "{state}, che ha {own:.0f} (NTC 2018 3.2.0): dare il moto dello {state}, oppure {nominal_life_years} "
+        "{state}, che ha {own:.0f} (NTC 2018 3.2.0): indicare il moto dello {state}, oppure {nominal_life_years} "
         "e {use_class_factor} se è giusto",
     ),
     "period_range_beyond": (
         "{period_range_s} goes to {high:.2f} s, but {name} ends at {end:.2f} s: shorten it or give the "
         "spectrum up to there",
-        "{period_range_s} arriva a {high:.2f} s, ma {name} finisce a {end:.2f} s: accorciarlo o dare lo "
+        "{period_range_s} arriva a {high:.2f} s, ma {name} finisce a {end:.2f} s: accorciarlo o indicare lo "
         "spettro fino a quel periodo",
     ),
     "t_c_above_t_d": (
@@ -147,7 +147,7 @@ CASE_ERRORS = {
     "spectrum_start": (
         "it starts at {start:.3f} g, but a_g S of the demand is {pga:.3f} g: give {ag_g} and {soil_factor} of "
         "the same site",
-        "comincia da {start:.3f} g, ma a_g S della domanda è {pga:.3f} g: dare {ag_g} e {soil_factor} dello "
+        "comincia da {start:.3f} g, ma a_g S della domanda è {pga:.3f} g: indicare {ag_g} e {soil_factor} dello "
         "stesso sito",
     ),
     "spectrum_largest": (
@@ -162,11 +162,11 @@ CASE_ERRORS = {
     ),
     "no_hazard_file": (
         "there is no such file of the hazard; give its name as in its folder",
-        "il file della pericolosità non esiste; dare il nome come nella sua cartella",
+        "il file della pericolosità non esiste; indicare il nome come nella sua cartella",
     ),
     "hazard_too_large": (
         "larger than a table of the hazard: give one row for each return period",
-        "più grande di una tabella di pericolosità: dare una riga per ogni periodo di ritorno",
+        "più grande di una tabella di pericolosità: indicare una riga per ogni periodo di ritorno",
     ),
     "hazard_line": (
         "a row of the hazard has two or four numbers, T_R in years, a_g in g, F0, T_C* in s, in at most 100 rows: "
@@ -221,13 +221,13 @@ CASE_ERRORS = {
         "Eq. 4 gives a negative velocity ratio ({ratio:.3g}) for slenderness {alpha:.2f} deg: the block is "
         "too stocky to rock; give {velocity_ratio} instead",
         "l'Eq. 4 dà un coefficiente di restituzione negativo ({ratio:.3g}) per una snellezza di {alpha:.2f} gradi: il "
-        "blocco è troppo tozzo per oscillare; dare {velocity_ratio}",
+        "blocco è troppo tozzo per oscillare; indicare {velocity_ratio}",
     ),
     "eq7_above_one": (
         "Eq. 7 gives a velocity ratio of {ratio:.3g} at vanishing speed, above 1: it was fitted on "
         "rectangular walls; take {one_sided_theoretical} or give {velocity_ratio}",
         "l'Eq. 7 dà un coefficiente di restituzione di {ratio:.3g} a velocità nulla, oltre 1: è tarata su pareti "
-        "rettangolari; prendere {one_sided_theoretical} o dare {velocity_ratio}",
+        "rettangolari; usare {one_sided_theoretical} o indicare {velocity_ratio}",
     ),
     "not_accepted": (
         "{key} = {value} is not accepted: {accepted}",
@@ -247,11 +247,12 @@ CASE_ERRORS = {
         "{robust_window} = {window} is narrower than one step of {q_step} = {step}: widen the window or take "
         "a finer step",
         "{robust_window} = {window} è più stretta di un passo {q_step} = {step}: allargare la finestra o "
-        "prendere un passo più fine",
+        "usare un passo più fine",
     ),
     "hinges_need_building": (
         "hinges at the floors need the building: give {section_building} with {storeys}, or the heights of the hinges",
-        "le cerniere ai piani richiedono l'edificio: dare {section_building} con {storeys}, o le quote delle cerniere",
+        "le cerniere ai piani richiedono l'edificio: indicare {section_building} con {storeys}, o le quote "
+        "delle cerniere",
     ),
     "hinges_need_rectangle": (
         "hinges above the base need a wall by its {height_m}: give it, or leave them out",
@@ -259,12 +260,13 @@ CASE_ERRORS = {
     ),
     "hinge_above_wall": (
         "a hinge at {hinge:g} m leaves no wall above it: give heights above its base of at most {most:g} m",
-        "una cerniera a {hinge:g} m non lascia parete sopra di sé: dare quote dalla base di al più {most:g} m",
+        "una cerniera a {hinge:g} m non lascia parete sopra di sé: indicare quote dalla base di al più {most:g} m",
     ),
     "base_above_building": (
         "the base of the wall is {base:g} m above the ground, the building is {height:g} m high: give the height of "
         "the hinge, at most that of the building",
-        "la base della parete è a {base:g} m dal suolo, l'edificio è alto {height:g} m: dare la quota della cerniera, "
+        "la base della parete è a {base:g} m dal suolo, l'edificio è alto {height:g} m: indicare la quota della "
+        "cerniera, "
         "al più quella dell'edificio",
     ),
     "hazard_not_rising": (
@@ -274,7 +276,7 @@ CASE_ERRORS = {
     "modes_at_one_height": (
         "the participation of modes is that at one height, and walls stand at {low:g} m and {high:g} m: give "
         "{period_s}, or a case for each height",
-        "la partecipazione dei modi vale a una sola quota, e vi sono pareti a {low:g} m e {high:g} m: dare "
+        "la partecipazione dei modi vale a una sola quota, e vi sono pareti a {low:g} m e {high:g} m: indicare "
         "{period_s}, oppure un caso per ogni quota",
     ),
     "modes_or_period": (
@@ -284,7 +286,7 @@ CASE_ERRORS = {
     "generate_needs_spectrum": (
         "{section_generate} makes motions compatible with the spectrum of the demand: give "
         "{section_demand_spectrum} or {spectrum_file}",
-        "{section_generate} genera moti compatibili con lo spettro della domanda: dare "
+        "{section_generate} genera moti compatibili con lo spettro della domanda: indicare "
         "{section_demand_spectrum} o {spectrum_file}",
     ),
     "no_wall": (
@@ -293,7 +295,7 @@ CASE_ERRORS = {
     ),
     "two_spectra": (
         "give {spectrum} or {spectrum_file}, not both",
-        "dare {spectrum} o {spectrum_file}, non entrambi",
+        "indicare {spectrum} o {spectrum_file}, non entrambi",
     ),
     "soil_factor_follows": (
         "{soil_factor} follows from {section_demand_spectrum}: leave it out",
@@ -331,7 +333,7 @@ CASE_ERRORS = {
     ),
     "study_same_name": (
         'two are called "{name}" ({kind}): give each its own name',
-        'due si chiamano "{name}" ({kind}): dare a ciascuno un nome',
+        'due si chiamano "{name}" ({kind}): assegnare a ciascuno un nome',
     ),
     "study_same_seed": (
         'spectrum "{name}" would use seed {seed} again: motions of one seed are alike; leave count seeds between two',
@@ -340,7 +342,7 @@ CASE_ERRORS = {
     ),
     "study_no_runs": (
         "no wall has a motion: give groups, records, or a grid that --quick keeps",
-        "nessuna parete ha un moto: dare gruppi, accelerogrammi, o una griglia che --quick conserva",
+        "nessuna parete ha un moto: indicare gruppi, accelerogrammi, o una griglia che --quick conserva",
     ),
     "study_no_pga": (
         "no a_g gives a_g S = {pga:g} g with this soil: take another pga_g",
@@ -358,7 +360,7 @@ CASE_ERRORS = {
         "{confidence_factor} = {stated:g} is for walls whose compressive strength is in alpha (Circolare "
         'C8.7.1.2.1): give {hinge_setback_m} above 0 for wall "{wall}", or 1.35',
         "{confidence_factor} = {stated:g} è per pareti con la resistenza a compressione in alpha (Circolare "
-        'C8.7.1.2.1): dare {hinge_setback_m} maggiore di 0 per la parete "{wall}", oppure 1.35',
+        'C8.7.1.2.1): indicare {hinge_setback_m} maggiore di 0 per la parete "{wall}", oppure 1.35',
     ),
     "not_built": (
         "{key} is not built yet in this version: leave it out",
@@ -374,7 +376,7 @@ CASE_ERRORS = {
     ),
     "one_geometry": (
         "give {height_m} and exactly one of {shapes} (found: {height_m} {height}; {found})",
-        "dare {height_m} e uno solo fra {shapes} (trovati: {height_m} {height}; {found})",
+        "indicare {height_m} e uno solo fra {shapes} (trovati: {height_m} {height}; {found})",
     ),
     "window_needs_qt": (
         "the window needs PySide6 and pyqtgraph, and on Linux libgl1, libegl1 and libxkbcommon0 ({reason}); "

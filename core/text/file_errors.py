@@ -161,7 +161,7 @@ FILE_ERRORS = {
     ),
     "other_quantity": (
         "the header speaks of {quantity}: this is not an accelerogram; take the acceleration file",
-        "l'intestazione parla di {quantity}: non è un accelerogramma; prendere il file di accelerazione",
+        "l'intestazione parla di {quantity}: non è un accelerogramma; usare il file di accelerazione",
     ),
     "binary_file": (
         "this is a binary file; SAC and miniSEED need instrument metadata: convert it to text with ObsPy "
@@ -176,7 +176,7 @@ FILE_ERRORS = {
     "not_numbers": ("{text} is not numbers", "{text} non sono numeri"),
     "esm_data_type": (
         "DATA_TYPE is {kind}: take the ACCELERATION file (.ACC.ASC)",
-        "DATA_TYPE è {kind}: prendere il file ACCELERATION (.ACC.ASC)",
+        "DATA_TYPE è {kind}: usare il file ACCELERATION (.ACC.ASC)",
     ),
     "esm_peak": (
         "UNITS {unit} gives a peak of {read:.4g} cm/s2, PGA_CM/S^2 states {stated:.4g}: one of them is wrong",
@@ -207,7 +207,7 @@ FILE_ERRORS = {
     ),
     "peer_quantity": (
         "this file holds {quantity}: take the acceleration file (.AT2)",
-        "questo file contiene {quantity}: prendere il file di accelerazione (.AT2)",
+        "questo file contiene {quantity}: usare il file di accelerazione (.AT2)",
     ),
     "second_header": (
         "a second header stands among the samples: two records in one file",
@@ -238,7 +238,7 @@ FILE_ERRORS = {
         "column 1 does not grow: it is no time column; one column is read with {time_step_s}, and a decimal "
         "comma needs ; or a tab between columns",
         "la colonna 1 non cresce: non è il tempo; una colonna sola si legge con {time_step_s}, e la virgola "
-        "decimale vuole ; o tabulazione fra le colonne",
+        "decimale richiede ; o tabulazione fra le colonne",
     ),
     "gap": (
         "{text} is not numbers: a gap in the record?",
@@ -268,11 +268,11 @@ FILE_ERRORS = {
     ),
     "no_unit": (
         "the file does not state its unit of acceleration: give {key} (g, m/s2, cm/s2 or mm/s2)",
-        "il file non dice l'unità dell'accelerazione: dare {key} (g, m/s2, cm/s2 o mm/s2)",
+        "il file non dice l'unità dell'accelerazione: indicare {key} (g, m/s2, cm/s2 o mm/s2)",
     ),
     "no_time_step_s": (
         "the file does not state its time step: give {key} (in seconds)",
-        "il file non dice il passo temporale: dare {key} (in secondi)",
+        "il file non dice il passo temporale: indicare {key} (in secondi)",
     ),
     "no_match": (
         "file = {pattern!r}: no file matches",

@@ -58,7 +58,7 @@ KEYS = {
     "key_spectrum": ("spectrum", "spettro"),
     "key_spectrum_file": ("spectrum of a file", "spettro da file"),
     "key_housner_intensity_cm": ("SI of the demand", "SI della domanda"),
-    "key_q_code": ("q of the code", "q di norma"),
+    "key_q_code": ("q of the code", "fattore di comportamento q"),
     "key_confidence_factor": ("confidence factor FC", "fattore di confidenza FC"),
     "key_confidence_on": ("FC acts on", "FC agisce su"),
     "key_period_range_s": ("periods of compatibility", "periodi della compatibilità"),

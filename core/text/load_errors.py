@@ -4,7 +4,7 @@ LOAD_ERRORS = {
     "loads_need_weight": (
         "loads act on a metre of a rectangular wall of known weight: give {height_m}, {thickness_m} and "
         "{unit_weight_kn_m3}",
-        "i carichi agiscono su un metro di parete rettangolare di peso noto: dare {height_m}, {thickness_m} e "
+        "i carichi agiscono su un metro di parete rettangolare di peso noto: indicare {height_m}, {thickness_m} e "
         "{unit_weight_kn_m3}",
     ),
     "loads_contradict": (
@@ -23,7 +23,7 @@ LOAD_ERRORS = {
     ),
     "load_distance_missing": (
         "give {key}, the distance of the load from the outer face of the wall",
-        "dare {key}, la distanza del carico dalla faccia esterna della parete",
+        "indicare {key}, la distanza del carico dalla faccia esterna della parete",
     ),
     "load_outside": (
         "{key} {found:g} m lies outside the wall: accepted is up to {most:g} m",
@@ -52,17 +52,18 @@ LOAD_ERRORS = {
         "or moving, "
         "give {velocity_ratio}",
         "le Eq. 6 e 7 valgono per la sola parete; con una massa portata, o un carico verticale la cui massa è "
-        "orizzontale o solidale, dare {velocity_ratio}",
+        "orizzontale o solidale, indicare {velocity_ratio}",
     ),
     "two_sided_loads_rigid": (
         "a two-sided wall whose loads differ for its two sides takes the rigid law: give {key} rigid, or study each "
         "direction as a one-sided wall",
-        "una parete su due lati con carichi diversi per i due lati richiede la legge rigida: dare {key} rigid, oppure "
+        "una parete su due lati con carichi diversi per i due lati richiede la legge rigida: indicare {key} "
+        "rigid, oppure "
         "studiare ogni direzione come parete su un lato",
     ),
     "return_walls_need_length": (
         "the friction of return walls is shared out over the wall: give {key}",
-        "l'attrito dei muri ortogonali si ripartisce sulla parete: dare {key}",
+        "l'attrito dei muri ortogonali si ripartisce sulla parete: indicare {key}",
     ),
     "return_walls_too_many": (
         "return walls of {found:g} m in all are more than the {length:g} m of the wall: check their number and "
@@ -71,7 +72,7 @@ LOAD_ERRORS = {
     ),
     "holds_one_side": (
         "{key} holds a wall that turns outward only: give the one-sided mechanism",
-        "{key} trattiene solo una parete che ruota verso l'esterno: dare il meccanismo su un lato",
+        "{key} trattiene solo una parete che ruota verso l'esterno: indicare il meccanismo su un lato",
     ),
     "tie_too_strong": (
         "with ties of {found:g} kN/m the wall opens a hinge at {hinge:.2f} m before it turns about its base, so that "

@@ -23,7 +23,7 @@ METHOD_BODIES = {
         "Blocco rigido su base rigida, Eq. 1 nella forma phi'' = -p^2 [legge del momento - beta cos(alpha - "
         "phi)], vista dalla cerniera; accelerazione del suolo lineare fra i campioni; partenza da fermo; g = "
         "9,80665 m/s2. Sollevamento, urto e spigoli della legge trilineare sono localizzati nel passo. Dopo "
-        "il record l'esito è deciso dall'energia.",
+        "l'accelerogramma l'esito è deciso dall'energia.",
     ),
     "equations": (
         "Eq. 2 a_RM = g tan(alpha); Eq. 3-7 velocity ratio of an impact; Eq. 8 overturning velocity; Fig. 3 "

@@ -46,7 +46,8 @@ SENTENCES = {
     ),
     "hazard_incomplete": (
         "No zeta at SLD, SLV and SLC: beside the hazard give V_N and C_U and, for NTC 2018, F0 and T_C* in its rows.",
-        "Nessuno zeta allo SLD, SLV e SLC: oltre alla pericolosità dare V_N e C_U e, per le NTC 2018, F0 e T_C* nelle "
+        "Nessuno zeta allo SLD, SLV e SLC: oltre alla pericolosità indicare V_N e C_U e, per le NTC 2018, F0 e "
+        "T_C* nelle "
         "righe.",
     ),
     "hazard_too_short": (

@@ -12,7 +12,7 @@ METHOD_WORDS = {
     ),
     "linear_q_code": (
         "the linear kinematic check with the q of the code (C8.7.1.2.1.7)",
-        "la verifica cinematica lineare con q di norma (C8.7.1.2.1.7)",
+        "la verifica cinematica lineare con il fattore di comportamento q (C8.7.1.2.1.7)",
     ),
     "linear_sld": (
         "the linear kinematic check (C8.7.1.2.1.5)",

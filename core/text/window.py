@@ -133,7 +133,7 @@ WINDOW = {
     "as given": "come dati",
     "scaled to PGA = a_g S": "scalati a PGA = a_g S",
     "ζ required": "ζ richiesto",
-    "q of the code": "q di norma",
+    "q of the code": "fattore di comportamento q",
     "Site": "Sito",
     "Coordinates": "Coordinate",
     "years": "anni",
@@ -160,7 +160,7 @@ WINDOW = {
     "Report in": "Relazione in",
     "Title": "Titolo",
     "Analysis": "Analisi",
-    "a number is needed here": "qui serve un numero",
+    "a number is needed here": "qui è richiesto un numero",
     "{text}: not a number": "{text}: non è un numero",
     "Records found": "Accelerogrammi trovati",
     "Preview": "Anteprima",
@@ -197,7 +197,7 @@ WINDOW = {
     "Name": "Nome",
     "Height H": "Altezza H",
     "Thickness t": "Spessore t",
-    "Slenderness α": "Snellezza α",
+    "Slenderness α": "Angolo α = arctan(t/H)",
     "arctan(t/H): larger is stockier": "arctan(t/H): maggiore è più tozza",
     "Radius R": "Raggio R",
     "Hinge setback u": "Arretramento u",
@@ -255,7 +255,7 @@ WINDOW = {
     "Save the data as CSV": "Salva i dati come CSV",
     "Save the chart": "Salva il grafico",
     "Multiplier of the record": "Moltiplicatore dell'accelerogramma",
-    "Play": "Anima",
+    "Play": "Riproduci",
     "Ground motion": "Moto del suolo",
     "Rotation": "Rotazione",
     "Building of the walls above the ground": "Edificio delle pareti sopra il suolo",
@@ -359,7 +359,7 @@ WINDOW = {
     "Generated motions are one set: Remove takes them all, Generate… makes others.": (
         "I moti generati sono un solo gruppo: Togli li toglie tutti, Genera… ne fa altri."
     ),
-    "No files there.": "Nessun file lì.",
+    "No files there.": "Nessun file trovato.",
     "theory: angular momentum kept, no sliding, no bouncing": (
         "teoria: momento angolare conservato, senza scorrimento né rimbalzo"
     ),
