@@ -17,7 +17,7 @@ from core.jit import cache
 from core.study.journal import Journal
 from core.study.results import StudyResult
 from core.study.run import run as run_study
-from core.text.sentence import word
+from core.text.sentence import numeral, word
 
 DONE, WITHOUT_NUMBER, CANCELLED = 0, 3, 130
 """Exit codes; 1 input or output error and 2 wrong usage are of __main__, 4 an internal error."""
@@ -184,7 +184,7 @@ def _coded(code: str | None) -> str:
 
 
 def _short(value: float | None) -> str:
-    return "-" if value is None else f"{value:.2f}"
+    return "-" if value is None else numeral(value, ".2f", current_language())
 
 
 @contextlib.contextmanager

@@ -1,5 +1,6 @@
 """A table whose cells copy into Word and Excel."""
 
+import math
 import re
 
 from PySide6.QtGui import QColor, QGuiApplication, QKeySequence
@@ -15,7 +16,7 @@ def plain_cell(text: str) -> str:
     return f"'{text}" if text.strip()[:1] in ("=", "+", "-", "@") else text
 
 
-LEAST_WIDTH = 88
+LEAST_WIDTH = 70
 """Width of a column [px] below which none gives way."""
 
 MOST_WRAPPED = 400
@@ -72,7 +73,7 @@ class Table(QTableWidget):
         if over > 0 and slack > 0:
             share = min(1.0, over / slack)
             for c in wide:
-                wanted[c] -= round(share * (wanted[c] - LEAST_WIDTH))
+                wanted[c] -= math.ceil(share * (wanted[c] - LEAST_WIDTH))
         for c, width in enumerate(wanted):
             self.setColumnWidth(c, width)
         if self.rowCount() <= MOST_WRAPPED:

@@ -208,5 +208,52 @@ HELP = {
         "(C8.7.1.2.1.4).",
         "Periodo elastico T_1 dell'edificio [s]; agli stati limite ultimi si assume 1,5 T_1 (C8.7.1.2.1.4).",
     ),
+    "height_over_thickness": (
+        "H/t: the slenderness as a ratio; alpha = arctan(t/H).",
+        "H/t: la snellezza come rapporto; alpha = arctan(t/H).",
+    ),
+    "radius_m": (
+        "R: distance of the centroid from the hinge [m], of a general block (Fig. 1 of the paper).",
+        "R: distanza del baricentro dalla cerniera [m], di un blocco qualsiasi (Fig. 1 dell'articolo).",
+    ),
+    "inertia_over_mass_m2": (
+        "I_0/m: moment of inertia about the hinge over the mass [m2]; 4 R^2/3 of a rectangle (Eq. 1).",
+        "I_0/m: momento d'inerzia rispetto alla cerniera sulla massa [m2]; 4 R^2/3 di un rettangolo (Eq. "
+        "1).",
+    ),
+    "storeys": (
+        "Storeys of the building: the participation gamma of its first mode follows from them (C7.2.3).",
+        "Piani dell'edificio: ne segue la partecipazione gamma del primo modo (C7.2.3).",
+    ),
+    "period_factor": (
+        "Period of the damaged building over the elastic one: 1.5 to 2.0 at the ultimate limit states "
+        "(C8.7.1.2.1.4).",
+        "Periodo dell'edificio danneggiato su quello elastico: da 1,5 a 2,0 agli stati limite ultimi "
+        "(C8.7.1.2.1.4).",
+    ),
+    "damping": (
+        "Damping of the building: 10 to 20 % at the ultimate limit states (C8.7.1.2.1.4).",
+        "Smorzamento dell'edificio: dal 10 al 20 % agli stati limite ultimi (C8.7.1.2.1.4).",
+    ),
+    "number": (
+        "Return walls along the wall, whose courses it drags out as it turns (C8.7.1.2.1.1).",
+        "Muri ortogonali lungo la parete, i cui corsi essa trascina ruotando (C8.7.1.2.1.1).",
+    ),
+    "brick_height_m": (
+        "Height h_b of a course of the return walls [m]: how many are dragged out.",
+        "Altezza h_b di un corso dei muri ortogonali [m]: quanti ne vengono trascinati.",
+    ),
+    "brick_length_m": (
+        "Length l of a unit of the return walls [m]: half of it rests on the next course.",
+        "Lunghezza l di un elemento dei muri ortogonali [m]: metà poggia sul corso successivo.",
+    ),
+    "friction": (
+        "Friction coefficient mu between the courses; 0.577 is tan 30 degrees.",
+        "Coefficiente d'attrito mu fra i corsi; 0,577 è tan 30 gradi.",
+    ),
+    "time_step_s": (
+        "Time step of the record [s], only where the file does not say.",
+        "Passo temporale dell'accelerogramma [s], solo se il file non lo dice.",
+    ),
 }
 """Key of a field -> (English, Italian)."""

@@ -1,0 +1,298 @@
+"""What makes the window considerate: overview, errors that lead, records edited, figures for a report, help."""
+
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+pytest.importorskip("PySide6")
+
+from PySide6.QtGui import QColor, QImage, QPalette
+from PySide6.QtWidgets import QApplication, QDockWidget, QLineEdit
+
+from app import guide, theme
+from app.forms.fields import Field
+from app.plots.chart_output import ChartOutput
+from app.plots.figure_file import FigureSize, figure
+from app.plots.table import Table
+from core.codes.record_compatibility import common_factor
+from core.ground.response_spectrum import pseudo_acceleration_spectrum
+from core.study.demand_input import demand_of
+from core.text.help import HELP
+from tests.app.driving import run, settle, type_into
+from tests.conftest import ROOT
+
+VERDICT = ROOT / "resources" / "cases" / "verdict.toml"
+
+
+@pytest.fixture
+def walls(opened, application):
+    """The window with the two walls of a table, run."""
+    assert opened.files.open(VERDICT)
+    settle(application, lambda: not opened.records.pending)
+    run(application, opened)
+    return opened
+
+
+def test_that_the_overview_is_first_sorts_and_opens_a_wall(walls):
+    tab = walls.pages["walls"].content
+    walls.tabs.setCurrentIndex(0)
+    assert walls.tabs.widget(0) is walls.pages["walls"]
+    names = [tab.table.item(r, 0).text() for r in range(tab.table.rowCount())]
+    assert names == ["Timpano", "Facciata"]  # the lowest zeta first
+    assert tab.table.item(0, 2).foreground().color() == QColor(theme.current.bad)
+    tab._sort(2)
+    assert tab.table.item(0, 0).text() == "Facciata"
+    tab._sort(0)
+    assert tab.table.item(0, 0).text() == "Facciata"
+    tab.table.cellClicked.emit(1, 0)
+    assert walls.tabs.currentWidget() is walls.pages["check"]
+    assert walls.wall.name == "Timpano"
+
+
+def test_that_list_selector_and_tabs_show_one_wall(walls):
+    walls.walls.list.setCurrentRow(1)
+    assert walls.wall.name == "Timpano" == walls.walls.wall.name
+    walls.pick(0)
+    assert walls.walls.list.currentRow() == 0
+
+
+def test_that_an_error_leads_to_its_field_with_its_dock_hidden(opened, application):
+    opened.session.edit_wall(0, height_m=7.0, thickness_m=0.4, slenderness_deg=None)
+    opened.forms.setCurrentIndex(1)
+    type_into(opened.walls.height, "70")
+    dock = opened.findChild(QDockWidget, "input")
+    dock.hide()
+    opened.refresh()
+    assert "<a href=" in opened.banner.text()
+    opened.banner.linkActivated.emit("field")
+    assert dock.isVisible() and opened.forms.currentIndex() == 0
+    opened.walls.height.revert()
+
+
+def test_that_a_strength_takes_the_setback_with_it(opened):
+    opened.session.edit_wall(0, hinge_setback_m=0.03, unit_weight_kn_m3=18.0)
+    opened.walls.strength.offer(2.0)
+    assert opened.session.case.wall[0].hinge_setback_m == 0.0 and opened.session.problem() is None
+
+
+def test_that_a_new_demand_assumes_nothing_of_the_site(opened):
+    opened.session.edit(replace(opened.session.case, demand=None, generate=None))
+    opened.demand.last = None
+    opened.demand.given.setChecked(True)
+    assert opened.session.case.demand.ag_g == "" and opened.demand.ag.editor.text() == ""
+    assert opened.session.problem() is not None and not opened.run_button.isEnabled()
+    opened.demand._kind_chosen(opened.demand.kind.findData("NTC2018"))
+    assert opened.demand.soil.editor.currentIndex() == -1
+    assert opened.demand.tc.editor.text() == ""
+
+
+def test_that_finished_walls_appear_while_others_run(walls, application):
+    seen = []
+    tab = walls.pages["walls"].content
+    tab.show_running = lambda found: seen.append(len(found))
+    walls.session.edit_wall(0, height_m=6.9)
+    walls.finished_runs.found.clear() if hasattr(walls.finished_runs, "found") else None
+    run(application, walls)
+    assert seen == [1, 2]
+
+
+def test_that_the_common_factor_brings_the_mean_to_the_target(walls):
+    case, motions = walls.session.case, walls.records.motions
+    demand = demand_of(case, walls.session.base_dir)
+    factor = common_factor(motions, demand)
+    periods = np.geomspace(0.15, 2.0, 400)
+    spectra = [pseudo_acceleration_spectrum(m.acceleration, m.time_step, periods) for m in motions]
+    ratio = demand.target.acceleration(periods) / (factor * np.mean(spectra, axis=0))
+    assert np.log(ratio).mean() == pytest.approx(0.0, abs=2e-3)
+
+
+@pytest.mark.parametrize(("width", "dpi"), [(80.0, 300), (160.0, 300), (160.0, 600)])
+def test_that_a_figure_is_as_wide_as_asked_light_and_has_its_caption(walls, width, dpi):
+    walls.set_choice("theme", "dark")
+    walls.tabs.setCurrentWidget(walls.pages["capacity"])
+    chart = walls.pages["capacity"].content.peaks
+    size, ranges = chart.view.size(), chart.plot.viewRange()
+    image = QImage.fromData(figure(chart, ".png", FigureSize(width, dpi)), "PNG")
+    assert image.width() == pytest.approx(width / 25.4 * dpi, abs=3)
+    assert image.dotsPerMeterX() == round(dpi / 25.4 * 1000)
+    assert image.pixelColor(2, 2).lightness() > 240
+    colors = {
+        image.pixelColor(x, y).name()
+        for x in range(0, image.width(), 3)
+        for y in range(0, image.height(), 3)
+    }
+    assert theme.LIGHT.curves[0] in colors  # the curve itself
+    below = range(int(0.92 * image.height()), image.height())
+    assert any(
+        image.pixelColor(x, y).lightness() < 140
+        for y in below
+        for x in range(0, image.width() // 2, 2)
+    )
+    assert (chart.view.size(), chart.plot.viewRange()) == (size, ranges)
+    for end in (".svg", ".pdf"):
+        content = figure(chart, end, FigureSize(width, dpi))
+        assert len(content) > 4000 and content[:5] in (b"<?xml", b"%PDF-")
+    walls.set_choice("theme", "light")
+
+
+def test_that_stale_results_say_so_where_they_leave_and_live_ones_do_not(walls):
+    chart, table = walls.pages["check"].content.peaks, walls.pages["check"].content.table
+    live = walls.pages["spectra"].content.chart
+    fresh = figure(chart, ".png", FigureSize())
+    walls.session.edit_wall(0, height_m=6.5)
+    assert ChartOutput.stale and Table.stale and chart.is_stale and not live.is_stale
+    assert "input has changed" in chart.content(".csv").decode()
+    assert (
+        "input has changed" in table.text()
+        and "input has changed" not in live.content(".csv").decode()
+    )
+    marked = QImage.fromData(figure(chart, ".png", FigureSize()), "PNG")
+    assert marked.height() > QImage.fromData(fresh, "PNG").height()
+    walls.tabs.setCurrentWidget(walls.pages["spectra"])
+    assert not walls.veil.isVisible()
+    walls.tabs.setCurrentWidget(walls.pages["check"])
+    assert walls.veil.isVisibleTo(walls)
+    walls.session.undo()
+    assert not ChartOutput.stale
+
+
+def test_that_all_figures_are_written_together(walls, tmp_path):
+    folder = tmp_path / "figures"
+    folder.mkdir()
+    walls.files.export_figures(folder, FigureSize(80.0))
+    names = sorted(path.name for path in folder.iterdir())
+    assert len(names) >= 9 and all(name.endswith(".png") for name in names)
+    for path in folder.iterdir():
+        assert not QImage(str(path)).isNull()
+
+
+def test_that_the_cursor_reads_a_data_point(walls, application):
+    chart = walls.pages["check"].content.peaks
+    walls.tabs.setCurrentWidget(walls.pages["check"])
+    name, x, _ = chart._nearest(2.01, 0.02, False)
+    assert x == 2.0 and name
+    assert chart._nearest(2.0, 1.1, False) is None
+
+
+def test_that_reset_restores_the_ranges_a_chart_was_given(walls):
+    walls.tabs.setCurrentWidget(walls.pages["capacity"])
+    chart = walls.pages["capacity"].content.peaks
+    chart.plot.setYRange(0.2, 0.3, padding=0)
+    chart.plot.setXRange(2.0, 2.1, padding=0)
+    chart.reset()
+    (left, right), (low, high) = chart.plot.viewRange()
+    assert (low, high) == (0.0, 1.45) and left < 2.0 < 4.0 < right
+
+
+def test_that_a_preset_sets_the_multiplier(walls):
+    walls.pick(1)
+    walls.tabs.setCurrentWidget(walls.pages["histories"])
+    tab = walls.pages["histories"].content
+    _, wall = tab.shown
+    tab._set_to(1)
+    assert tab.q * wall.model.threshold == pytest.approx(tab.motion.pga)
+    tab._set_to(2)
+    assert tab.q * wall.model.threshold == pytest.approx(1.35 * tab.motion.pga)
+    tab._set_to(4)
+    assert tab.history.outcome == 1 and tab.q == tab.run.ida.bracket[1]
+    tab._set_to(3)
+    assert tab.history.outcome != 1
+    tab._set_to(5)
+    assert tab.q == 2.0
+
+
+def test_that_empty_charts_say_why(walls):
+    walls.tabs.setCurrentWidget(walls.pages["validation"])
+    assert "press the button" in walls.pages["validation"].content.chart.reason.text()
+
+
+def contrast(one: QColor, other: QColor) -> float:
+    """W3C contrast of two colours."""
+
+    def light(color: QColor) -> float:
+        parts = (color.redF(), color.greenF(), color.blueF())
+        r, g, b = (c / 12.92 if c <= 0.03928 else ((c + 0.055) / 1.055) ** 2.4 for c in parts)
+        return 0.2126 * r + 0.7152 * g + 0.0722 * b
+
+    high, low = sorted((light(one), light(other)), reverse=True)
+    return (high + 0.05) / (low + 0.05)
+
+
+@pytest.mark.parametrize("name", ["light", "dark"])
+def test_that_edges_and_marks_stand_out(application, name):
+    theme.set_theme(name)
+    chosen = theme.THEMES[name]
+    base = QColor(chosen.back)
+    edge = QApplication.palette("QLineEdit").color(QPalette.ColorRole.Window).darker(140)
+    assert contrast(edge, base) >= 3.0
+    field = QLineEdit("x")
+    field.resize(80, 30)
+    picture = field.grab().toImage()
+    drawn = max(contrast(picture.pixelColor(40, y), base) for y in (0, 1, 2))
+    assert drawn >= 2.9
+    for mark in (chosen.good, chosen.amber, chosen.bad, chosen.quiet, chosen.ink):
+        assert contrast(QColor(mark), base) >= 4.5
+    theme.set_theme("light")
+
+
+def test_that_every_number_field_has_help_in_both_languages(opened):
+    for field in opened.findChildren(Field):
+        if type(field).__name__ in ("NumberField", "RangeField"):
+            assert guide.help_of(field), field.key
+    for key, (english, italian) in HELP.items():
+        assert english and italian and english != italian, key
+
+
+@pytest.mark.parametrize("tongue", ["en", "it"])
+def test_that_the_guide_opens_in_its_language(opened, tongue):
+    opened.set_choice("language", tongue)
+    shown = guide.Guide(opened)
+    assert shown.chosen.count() == 7
+    for k in range(7):
+        shown.chosen.setCurrentIndex(k)
+        assert len(shown.text.toPlainText()) > 600
+    assert ("Glossario" if tongue == "it" else "Glossary") in shown.text.toPlainText()
+    shown.deleteLater()
+    opened.set_choice("language", "en")
+
+
+def test_that_the_pages_of_both_guides_are_the_same():
+    english, italian = (guide.pages_of(tongue) for tongue in ("en", "it"))
+    assert (
+        [path.name[0] for path in english] == [path.name[0] for path in italian] == list("1234567")
+    )
+
+
+def test_that_numbers_have_a_comma_in_the_italian_window(walls):
+    walls.set_choice("language", "it")
+    assert walls.walls.thickness.editor.text() == "83"
+    walls.walls.thickness.offer(0.835)
+    walls.walls.thickness.show_value(0.8355)
+    assert walls.walls.thickness.editor.text() == "83,55"
+    assert re.search(r"\d,\d\d°", walls.walls.summary.text())
+    axis = walls.pages["check"].content.peaks.plot.getAxis("left")
+    assert axis.tickStrings([0.5], 1.0, 0.5) == ["0,5"]
+    walls.set_choice("language", "en")
+
+
+@pytest.mark.parametrize("size", [(1024, 768), (960, 540)])
+@pytest.mark.parametrize("tongue", ["en", "it"])
+def test_that_the_window_fits_a_small_screen(opened, application, size, tongue):
+    opened.set_choice("language", tongue)
+    assert opened.minimumSizeHint().width() <= size[0], opened.minimumSizeHint()
+    assert opened.minimumSizeHint().height() <= size[1], opened.minimumSizeHint()
+    opened.set_choice("language", "en")
+
+
+def test_that_tables_fit_their_tab_at_1280(walls, application):
+    walls.resize(1280, 800)
+    for language_of in ("it", "en"):
+        walls.set_choice("language", language_of)
+        for name in ("walls", "check"):
+            walls.tabs.setCurrentWidget(walls.pages[name])
+            application.processEvents()
+            for table in walls.pages[name].content.findChildren(Table):
+                if table.isVisible() and table.rowCount():
+                    assert table.horizontalScrollBar().maximum() == 0, (name, language_of)
