@@ -1,12 +1,13 @@
 """Restitution model and moment law of a wall, with formula, value and curve."""
 
+import re
 from collections.abc import Callable
 
 from PySide6.QtWidgets import QGroupBox, QHBoxLayout, QLabel, QVBoxLayout
 
 from app.forms.fields import Choice, ChoiceField, NumberField
 from app.forms.law_curve import LawCurve
-from app.language import described, named, number, tr
+from app.language import current_language, described, named, number, tr
 from app.session import Session
 from core.case.schema import Wall
 from core.errors import InputError
@@ -120,9 +121,10 @@ class ImpactForm(QGroupBox):
             try:
                 model_used = wall.restitution_of(mechanism)
                 word = named(mechanism)
-                lines.append(
-                    f"{word}: {FORMULAS[model_used.model]} = {number(model_used.ratio_at_rest, '.4f')}"
-                )
+                formula = FORMULAS[model_used.model]
+                if current_language() == "it":
+                    formula = re.sub(r"(?<=\d)\.(?=\d)", ",", formula)
+                lines.append(f"{word}: {formula} = {number(model_used.ratio_at_rest, '.4f')}")
                 lines.append(f"({self.scopes[model_used.model]})")
             except (InputError, TypeError) as error:
                 lines.append(described(error))

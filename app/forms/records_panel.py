@@ -59,7 +59,7 @@ class RecordsPanel(QWidget):
         self.pending = False
         self.table = Table(tr("Records"), [
             tr("Use"), tr("Record"), "PGA [g]", "SI [cm]", tr("Scale"), tr("Kind"), tr("Unit"), "Δt [s]",
-            "PGV [cm/s]", tr("D5-95 [s]"), tr("Format")])  # fmt: skip
+            "PGV [cm/s]", tr("D5-95 [s]"), tr("Format")], wraps=False)  # fmt: skip
         self.table.setToolTip(
             tr("Double-click a record to change its scale, unit, time step or kind.")
         )

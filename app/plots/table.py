@@ -16,9 +16,6 @@ def plain_cell(text: str) -> str:
     return f"'{text}" if text.strip()[:1] in ("=", "+", "-", "@") else text
 
 
-LEAST_WIDTH = 70
-"""Width of a column [px] below which none gives way."""
-
 MOST_WRAPPED = 400
 """Rows up to which their height follows their words: more take too long."""
 
@@ -27,6 +24,7 @@ class Table(QTableWidget):
     """Read-only cells; Ctrl+C copies the selection, or all of it, with tabs between the cells.
 
     live : what it shows is of the input as it stands, not of the last result
+    wraps : its columns give way where the room is short; else it scrolls
     """
 
     stale = False
@@ -34,15 +32,16 @@ class Table(QTableWidget):
 
     live = False
 
-    def __init__(self, name: str, heads: list[str]):
+    def __init__(self, name: str, heads: list[str], wraps: bool = True):
         super().__init__(0, len(heads))
+        self.wraps = wraps
         self.setAccessibleName(name)
         self.setHorizontalHeaderLabels(heads)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.verticalHeader().hide()
         self.setAlternatingRowColors(True)
         self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
-        self.setWordWrap(True)
+        self.setWordWrap(wraps)
         self.horizontalHeader().setStretchLastSection(True)
 
     def show_rows(self, rows: list[list], colors: list[list[str | None]] | None = None) -> None:
@@ -63,21 +62,27 @@ class Table(QTableWidget):
     def fit(self) -> None:
         """Columns as wide as their words; where they are too many, the wide ones give way and their words wrap."""
         head, room = self.horizontalHeader(), self.viewport().width()
-        wanted = [
-            max(self.sizeHintForColumn(c), head.sectionSizeHint(c)) + 4
-            for c in range(self.columnCount())
-        ]
-        over = sum(wanted) - room
-        wide = [c for c, width in enumerate(wanted) if width > LEAST_WIDTH]
-        slack = sum(wanted[c] - LEAST_WIDTH for c in wide)
-        if over > 0 and slack > 0:
-            share = min(1.0, over / slack)
-            for c in wide:
-                wanted[c] -= math.ceil(share * (wanted[c] - LEAST_WIDTH))
-        for c, width in enumerate(wanted):
+        columns = [c for c in range(self.columnCount()) if not self.isColumnHidden(c)]
+        wanted = {c: max(self.sizeHintForColumn(c), head.sectionSizeHint(c)) + 4 for c in columns}
+        over = sum(wanted.values()) - room
+        if self.wraps and over > 0:
+            least = {c: min(wanted[c], self._widest_word(c)) for c in columns}
+            slack = sum(wanted.values()) - sum(least.values())
+            share = min(1.0, over / max(slack, 1))
+            for c in columns:
+                wanted[c] -= math.ceil(share * (wanted[c] - least[c]))
+        for c, width in wanted.items():
             self.setColumnWidth(c, width)
         if self.rowCount() <= MOST_WRAPPED:
             self.resizeRowsToContents()
+
+    def _widest_word(self, column: int) -> int:
+        """Width [px] below which a word of a column would be cut."""
+        cells = [self.item(r, column) for r in range(min(self.rowCount(), MOST_WRAPPED))]
+        words = {word for cell in cells if cell for word in cell.text().split()}
+        words |= set(self.horizontalHeaderItem(column).text().split())
+        metrics = self.fontMetrics()
+        return max((metrics.horizontalAdvance(word) for word in words), default=20) + 12
 
     def text(self) -> str:
         """Selected cells, or the whole table with its heads, with tabs and line ends."""

@@ -12,8 +12,8 @@ from core.study.variants import Comparison, comparisons
 from core.text.sentence import word
 from core.units import G
 
-ZETA = 2
-"""Column of zeta."""
+ZETA, RISK = 2, 6
+"""Column of zeta, and first one of what a mechanism withstands."""
 
 
 def steps() -> list[str]:
@@ -96,6 +96,8 @@ class WallsTab(QWidget):
             rows.append(self._row(result.walls[k]))
             shade = verdict_color(result, result.walls[k]) if result.walls[k].assessment else None
             colors.append([None, None, shade, shade] + [None] * (len(rows[-1]) - 4))
+        for column in range(RISK, self.table.columnCount()):  # what no wall has takes no room
+            self.table.setColumnHidden(column, all(row[column] == "–" for row in rows))
         self.table.show_rows(rows, colors)
         shown = next((k for k, one in enumerate(result.walls) if one is wall), None)
         if shown is not None:
