@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.text.sentence import Sentence, notice
+from core.text.sentence import Sentence, notice, sentence
 from core.units import G
 
 FITTED_SLENDERNESS = (math.radians(3.1), math.radians(11.3))
@@ -40,11 +40,11 @@ def closed_form_q(slenderness, height, intensity, pga, one_sided) -> float:
 
 
 def range_notices(
-    slenderness: float, height: float, pgas: list[tuple[str, float]]
+    slenderness: float, height: float, pgas: list[tuple[str | Sentence, float]]
 ) -> list[Sentence]:
     """Where a wall and its motions lie outside what Eq. 15/16 were fitted on.
 
-    pgas : (where, PGA [m/s2]) of each motion the forms are used with.
+    pgas : (where, a name or a Sentence, PGA [m/s2]) of each motion the forms are used with.
     """
     notices = []
     low, high = FITTED_SLENDERNESS
@@ -52,14 +52,14 @@ def range_notices(
         notices.append(notice("eq15_slenderness", alpha=math.degrees(slenderness)))
     if not FITTED_HEIGHT[0] - 1e-9 <= height <= FITTED_HEIGHT[1] + 1e-9:
         notices.append(notice("eq15_height", height=height))
-    outside = [
-        f"{where} {pga / G:.3f} g"
+    outside: list = [
+        sentence("added", "with_pga", where=where, pga=pga / G)
         for where, pga in pgas
         if not FITTED_PGA[0] - 1e-9 <= pga <= FITTED_PGA[1] + 1e-9
     ]
     if outside:
-        more = f" +{len(outside) - 5}" if len(outside) > 5 else ""
-        notices.append(notice("eq15_pga", where=", ".join(outside[:5]) + more))
+        more = [f"+{len(outside) - 5}"] if len(outside) > 5 else []
+        notices.append(notice("eq15_pga", where=(*outside[:5], *more)))
     return notices
 
 

@@ -32,6 +32,7 @@ class GroundMotion:
     details : what the file says of itself
     warnings : Notices
     ground_pga : of a floor motion, PGA of the record it comes from [m/s2]
+    scale : factor the samples of the file were read with
     Raises RecordError for fewer than 10 samples, a motion of zeros, or samples that are not finite.
     """
 
@@ -45,6 +46,7 @@ class GroundMotion:
     details: tuple[tuple[str, str], ...] = ()
     warnings: tuple = ()
     ground_pga: float | None = None
+    scale: float = 1.0
 
     def __post_init__(self):
         samples = np.ascontiguousarray(self.acceleration, dtype=np.float64).copy()

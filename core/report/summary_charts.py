@@ -68,7 +68,7 @@ def peaks(book: Book, sheet, check, anchor: str, width: float, height: float) ->
         sign = (
             "" if len({r.polarity for r in check.runs}) == 1 else " +" if run.polarity > 0 else " −"
         )
-        text(sheet, n, column, f"{run.record}{sign}", size=8, color=QUIET)
+        text(sheet, n, column, f"{run.record[-14:]}{sign}", size=8, color=QUIET)
         # a wall that overturns has no peak: its bar fills the chart
         sheet.cell(n, column + 1, 1.2 if run.peak_ratio is None else min(run.peak_ratio, 1.2))
         for k, level in enumerate((0.40, 0.60, 1.00), start=2):

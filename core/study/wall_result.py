@@ -13,7 +13,7 @@ from core.codes.eq9 import inequality
 from core.codes.limits import MEAN_FROM, MINIMUM_FROM
 from core.ground.ground_motion import GroundMotion
 from core.study.results import Q_SOURCES, PerRecord, Run, WallResult
-from core.text.sentence import Sentence, notice
+from core.text.sentence import Sentence, notice, sentence
 from core.units import CM
 from core.wall import wall_loads
 from core.wall.block import Block
@@ -250,9 +250,9 @@ def _form_notices(
     """On the closed forms, which are not shown above the ground or with loads."""
     if not wall.has_closed_forms:
         return [notice("no_closed_forms")] if wall.load and not wall.above_ground else []
-    pgas = [(entry.record, entry.pga) for entry in per_record]
+    pgas: list = [(entry.record, entry.pga) for entry in per_record]
     if demand:
-        pgas.append(("demand", demand.pga))
+        pgas.append((sentence("word", "choice_demand"), demand.pga))
     notices = closed_forms.range_notices(block.slenderness, block.height, pgas)
     fitted = "one_sided_theoretical" if mechanism == "one_sided" else "housner"
     if restitution.model != fitted or not law.is_rigid:

@@ -78,6 +78,7 @@ SENTENCES = {
 """Code of a verdict, or one of the ways to say `verified` and `verified_refined` -> (English, Italian)."""
 
 ADDED = {
+    "with_pga": ("{where} {pga:.3f} g", "{where} {pga:.3f} g"),
     "share_of_target": (
         " Of the multipliers within 10 % of {target:g} of the demand {share:.0%} fail.",
         " Dei moltiplicatori entro il 10 % dal {target:g} della domanda il {share:.0%} non soddisfa la regola.",

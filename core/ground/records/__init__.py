@@ -138,6 +138,7 @@ def _motion(content: bytes, path: Path, options: Options, scale: float, name: st
         unit=unit,
         details=parsed.details,
         warnings=tuple(warnings),
+        scale=scale,
     )
 
 

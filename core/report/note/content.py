@@ -146,7 +146,7 @@ def _records(result: StudyResult, words: Words) -> list[Part]:
     rows = []
     for motion, kind in zip(result.motions, result.kinds, strict=True):
         where = provenance(motion)
-        scale = result.demand.scaling(motion) if result.demand else 1.0
+        scale = motion.scale * (result.demand.scaling(motion) if result.demand else 1.0)
         station = ", ".join(part for part in (where.event, where.station) if part)
         cells = [
             station,
@@ -159,7 +159,7 @@ def _records(result: StudyResult, words: Words) -> list[Part]:
                      words.number(scale, ".3f"), words.word(kind)])  # fmt: skip
     parts: list[Part] = [
         Heading(say("Records")),
-        Table(heads, rows, (2.2, 2.0, 1.1, 0.7, 0.9, 1.0, 0.8, 0.8, 1.1)),
+        Table(heads, rows, (2.1, 1.9, 1.1, 0.8, 1.0, 1.0, 0.8, 1.0, 1.1)),
     ]
     rules = result.compliance
     if rules is not None:

@@ -310,8 +310,9 @@ def dynamic(wall: WallResult, name: str, words: Words) -> list[Step]:
     if check is None:
         return []
     rule = words.say("mean of the peaks") if check.set_rule == "mean" else words.say("largest peak")
+    peak = words.word("overturned") if check.peak_ratio is None else check.peak_ratio
     steps = [
-        Step("θmax/θc", check.peak_ratio, ".3f", "–", "C8.7.1.2.1.9", cell=f"{name}_peak", label=rule),
+        Step("θmax/θc", peak, ".3f", "–", "C8.7.1.2.1.9", cell=f"{name}_peak", label=rule),
         Step(words.say("limit"), check.limit_ratio, ".2f", "–", "C8.7.1.2.1.9"),
         Step(words.say("runs beyond θc"), f"{check.n_exceeded} / {len(check.runs)}", "", "–"),
         Step("ζ_E", check.zeta, ".3f", "–", "C8.7.1.2.1.9", cell=f"{name}_dynamic_zeta",
