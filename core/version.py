@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-VERSION = "0.5.0"
+VERSION = "0.6.0"
 NAME = "Ribalta"
 
 

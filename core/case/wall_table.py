@@ -1,4 +1,4 @@
-"""Walls of a table: .xlsx or .csv, one row a wall, a row of units below the heads."""
+"""Walls of a table: .xlsx or .csv, one row a wall; units in a row below the heads, or in the heads."""
 
 import csv
 import io
@@ -12,7 +12,7 @@ from core.case.number import parse_number
 from core.case.rules import parse_wall
 from core.case.schema import Wall
 from core.errors import InputError, place
-from core.text.sentence import Key, Sentence, notice
+from core.text.sentence import Sentence, notice
 
 COLUMNS = {
     "name": ("parete", "wall", "nome"),
@@ -37,6 +37,14 @@ COLUMNS = {
     "hinge_heights": ("cerniere", "hinges"),
     "tie_height_m": ("quota catena", "tie height"),
     "variant": ("variante",),
+    "radius_m": ("r", "raggio", "radius"),
+    "inertia_over_mass_m2": ("i0/m", "inerzia"),
+    "compressive_strength_mpa": ("f", "resistenza a compressione", "compressive strength"),
+    "across_number": ("muri ortogonali", "return walls"),
+    "across_thickness_m": ("muri ortogonali t", "return walls t"),
+    "across_brick_height_m": ("muri ortogonali hb", "return walls hb"),
+    "across_brick_length_m": ("muri ortogonali l", "return walls l"),
+    "across_friction": ("muri ortogonali mu", "return walls mu"),
 }
 """Key of a wall -> further heads of its column; the key itself is always one."""
 
@@ -56,15 +64,17 @@ COLUMNS |= {
     for key, names in LOAD_COLUMNS.items()
 }
 
-LOAD_WORDS = {
+LOAD_KINDS = {
     "verticale": "vertical", "spinta": "thrust", "catena": "tie", "tirante": "tie", "massa portata": "carried_mass",
-    "carried mass": "carried_mass", "nessuna": "none", "orizzontale": "horizontal", "solidale": "moving",
+    "vertical": "vertical", "thrust": "thrust", "tie": "tie", "carried mass": "carried_mass",
+    "carried_mass": "carried_mass",
 }  # fmt: skip
+LOAD_MASSES = {"nessuna": "none", "orizzontale": "horizontal", "solidale": "moving", "none": "none",
+               "horizontal": "horizontal", "moving": "moving"}  # fmt: skip
 
 MECHANISMS = {
-    "su due lati": "two_sided", "due lati": "two_sided", "two-sided": "two_sided",
-    "su un lato": "one_sided", "un lato": "one_sided", "one-sided": "one_sided",
-    "entrambi": "both",
+    "su due lati": "two_sided", "due lati": "two_sided", "su un lato": "one_sided", "un lato": "one_sided",
+    "entrambi": "both", "two-sided": "two_sided", "one-sided": "one_sided", "both": "both",
 }  # fmt: skip
 NO_UNIT = {"": 1.0, "-": 1.0, "–": 1.0}
 UNITS = {
@@ -72,6 +82,7 @@ UNITS = {
     "_mpa": {"mpa": 1.0, "n/mm2": 1.0, "n/mm²": 1.0, "gpa": 1000.0},
     "_kn_m": {"kn/m": 1.0, **NO_UNIT},
     "_deg": {"deg": 1.0, "°": 1.0, **NO_UNIT},
+    "_m2": {"m2": 1.0, "m²": 1.0, **NO_UNIT},
     "_m": {"m": 1.0, "cm": 0.01, "mm": 0.001},
 }
 """End of a key -> units of its column, and what a number is multiplied with; the first end that fits."""
@@ -109,6 +120,11 @@ def read_table(path: Path, with_demand: bool = False) -> tuple[list[Wall], list[
         content, notes = path.read_bytes(), []
         if path.suffix.lower() == ".xlsx":
             rows, notes = _xlsx_rows(content)
+            try:
+                return walls_of(rows, with_demand), notes
+            except InputError as error:
+                title = dict(notes[0].values)["sheet"]
+                raise error.at(place("sheet", name=title)) from None
         elif path.suffix.lower() in (".csv", ".txt"):
             rows = text_rows(_decoded(content))
         else:
@@ -222,20 +238,22 @@ def walls_of(rows: list[list[str]], with_demand: bool = False) -> list[Wall]:
     """Walls of a table's cells: a row of heads, a row of units, one row a wall; empty rows are skipped.
     with_demand : an empty height of the base is an error, never the ground."""
     rows = [(n, row) for n, row in enumerate(rows, start=1) if n == 2 or any(row)]
+    if len(rows) >= 2 and rows[1][0] == 2 and not _is_units(rows[1][1]):
+        rows.insert(1, (0, []))  # the heads name their units
     if len(rows) < 3:
         raise InputError("table_rows")
     if len(rows) > MAX_ROWS or len(rows[0][1]) > 4 * MAX_COLUMNS:
         raise InputError("table_too_large", rows=MAX_ROWS, columns=4 * MAX_COLUMNS)
-    keys = _heads(rows[0][1])
-    factors = _factors(keys, rows[1][1], rows[0][1])
+    heads, keys = rows[0][1], _heads(rows[0][1])
+    factors = _factors(keys, rows[1][1], heads)
     walls = []
     for number, row in rows[2:]:
         if any(cell for cell in row[len(keys) :]):
             raise InputError("value_beyond_columns", place=(place("row", n=number),))
         table = {}
-        for key, factor, cell in zip(keys, factors, row, strict=False):
+        for key, factor, cell, head in zip(keys, factors, row, heads, strict=False):
             if key and cell:
-                table[key] = _cell(key, factor, cell, number)
+                table[key] = _cell(key, factor, cell, place("cell", n=number, key=head[:60]))
         table.setdefault("name", f"row {number}")
         _gather_loads(table)
         try:
@@ -243,8 +261,27 @@ def walls_of(rows: list[list[str]], with_demand: bool = False) -> list[Wall]:
                 raise InputError("base_missing", key="base_z_m")
             walls.append(parse_wall(table))
         except InputError as error:
-            raise error.at(place("row", n=number)) from None
+            where = _column_of(error, keys)
+            here = place("row", n=number)
+            if where is not None:
+                here = place("cell", n=number, key=heads[where][:60])
+            raise error.at(here) from None
     return walls
+
+
+def _is_units(cells: list[str]) -> bool:
+    """Whether this row has nothing but units, or nothing at all."""
+    known = {name for units in UNITS.values() for name in units} | OTHER_UNITS | set(NO_UNIT)
+    return all(cell.strip("[]() ").lower() in known for cell in cells)
+
+
+def _column_of(error: InputError, keys: list) -> int | None:
+    """The column an error of a wall is about."""
+    key = error.key
+    for part in error.place:
+        if isinstance(part, Sentence) and part.code == "load":
+            key = f"load{dict(part.values)['n']}_{key}"
+    return keys.index(key) if key in keys else None
 
 
 def _gather_loads(table: dict) -> None:
@@ -255,6 +292,13 @@ def _gather_loads(table: dict) -> None:
         loads.setdefault(number, {})[own] = table.pop(key)
     if loads:
         table["load"] = [loads[number] for number in sorted(loads)]
+    across = {
+        key.removeprefix("across_"): table.pop(key)
+        for key in list(table)
+        if key.startswith("across_")
+    }
+    if across:
+        table["return_walls"] = across
 
 
 def _heads(cells: list[str]) -> list[str | None]:
@@ -282,11 +326,16 @@ def _factors(keys: list, cells: list[str], heads: list[str]) -> list[float]:
     for k, key in enumerate(keys):
         unit = (cells[k] if k < len(cells) else "").strip("[]() ").lower()
         units = next((units for end, units in UNITS.items() if key.endswith(end)), NO_UNIT)
+        if not unit:  # the unit of the head, where it names one
+            words = [
+                re.sub(r"[. ]", "", name.strip().lower()) for name in _HEAD_UNIT.findall(heads[k])
+            ]
+            unit = next((word for word in words if word in units), "")
         if unit not in units:
             raise InputError(
                 "unknown_unit",
                 unit=unit[:40],
-                column=key,
+                column=heads[k][:60],
                 known=", ".join(name or "empty" for name in units),
             )
         for named in _HEAD_UNIT.findall(heads[k]):
@@ -302,9 +351,10 @@ def _factors(keys: list, cells: list[str], heads: list[str]) -> list[float]:
     return factors
 
 
-def _cell(key: str, factor: float, cell: str, number: int):
+def _cell(key: str, factor: float, cell: str, here: Sentence):
+    """The value of a cell. here : its place, for an error"""
     if key == "mechanism":
-        return MECHANISMS.get(cell.lower(), cell.lower().replace("-", "_"))
+        return _one_of(cell.replace("_", "-") if cell.isascii() else cell, MECHANISMS, here)
     if key in WORDS:
         return cell
     if key == "hinge_heights":
@@ -313,16 +363,24 @@ def _cell(key: str, factor: float, cell: str, number: int):
         try:
             return [parse_number(part) for part in re.split(r"[\s;]+", cell)]
         except InputError as error:
-            raise error.at(place("cell", n=number, key=Key(key))) from None
+            raise error.at(here) from None
     if key.startswith("load") and key.endswith(("_kind", "_mass")):
-        return LOAD_WORDS.get(cell.lower(), cell.lower())
+        return _one_of(cell, LOAD_MASSES if key.endswith("_mass") else LOAD_KINDS, here)
     if key in ("free_element", "unloaded_confirmed"):
         if cell.lower() not in FLAGS:
-            raise InputError(
-                "not_yes_or_no", text=cell[:60], place=(place("cell", n=number, key=Key(key)),)
-            )
+            raise InputError("not_yes_or_no", text=cell[:60], place=(here,))
         return FLAGS[cell.lower()]
     try:
-        return parse_number(cell) * factor
+        value = parse_number(cell) * factor
     except InputError as error:
-        raise error.at(place("cell", n=number, key=Key(key))) from None
+        raise error.at(here) from None
+    return int(value) if key == "across_number" and value == int(value) else value
+
+
+def _one_of(cell: str, words: dict[str, str], here: Sentence) -> str:
+    """The code of a word of a list that a cell chooses from."""
+    code = words.get(cell.lower())
+    if code is None:
+        known = ", ".join(word for word in words if word not in words.values() or word.isalpha())
+        raise InputError("table_word", text=cell[:60], known=known, place=(here,))
+    return code

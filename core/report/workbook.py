@@ -12,7 +12,7 @@ from core.report import (
     sheets,
     summary_sheet,
 )
-from core.report.cells import Book
+from core.report.cells import ACCENT, QUIET, Book
 from core.report.note.sheet import note_sheet
 from core.study.results import CollapseHistories, StudyResult
 
@@ -61,4 +61,14 @@ def build(
     # made first, for the others show its cells: it stands behind the results
     place = book.workbook.sheetnames.index(book.say("Results"))
     book.workbook.move_sheet(book.say("Check"), place)
+    _mark_parts(book)
     return book
+
+
+def _mark_parts(book: Book) -> None:
+    """The note, which is signed, and the annexes, which prove it: in the foot of the pages and on the tabs."""
+    signed = {book.say(name) for name in ("Summary", "Overview", "Calculation note")}
+    for sheet in book.workbook:
+        front = sheet.title in signed
+        sheet.oddFooter.center.text = book.say("Calculation note") if front else book.say("Annexes")
+        sheet.sheet_properties.tabColor = ACCENT if front else QUIET

@@ -7,6 +7,7 @@ PLACES = {
     "group": ('group "{name}"', 'gruppo "{name}"'),
     "row": ("row {n}", "riga {n}"),
     "cell": ("row {n}, {key}", "riga {n}, {key}"),
+    "sheet": ('sheet "{name}"', 'foglio "{name}"'),
     "load": ("load {n}", "carico {n}"),
     "line": ("line {n}", "riga {n}"),
     "section": ("{name}", "{name}"),

@@ -7,10 +7,10 @@ FILE_ERRORS = {
     ),
     "unreadable": ("cannot be read: {reason}", "non si può leggere: {reason}"),
     "table_rows": (
-        "a table of walls has a row of heads (Parete; H; t; Meccanismo), a row of units (; m; cm;) and a row "
-        "for each wall",
+        "a table of walls has a row of heads (Parete; H; t; Meccanismo), a row of units (; m; cm;) unless the "
+        "heads name them (H [m]), and a row for each wall",
         "una tabella di pareti ha una riga di intestazioni (Parete; H; t; Meccanismo), una di unità (; m; "
-        "cm;) e una per parete",
+        "cm;) salvo che le intestazioni le indichino (H [m]), e una per parete",
     ),
     "table_too_large": (
         "more than {rows} rows or {columns} columns",
@@ -53,9 +53,14 @@ FILE_ERRORS = {
         "la colonna {column!r} c'è due volte",
     ),
     "unknown_unit": (
-        "the unit {unit!r} of the column {column} is not accepted: one of {known} in the row below the heads",
+        "the unit {unit!r} of the column {column} is not accepted: one of {known} in the row below "
+        "the heads, or in brackets in the head",
         "l'unità {unit!r} della colonna {column} non è ammessa: una fra {known} nella riga sotto le "
-        "intestazioni",
+        "intestazioni, o fra parentesi nell'intestazione",
+    ),
+    "table_word": (
+        "{text!r} is not accepted: one of {known}",
+        "{text!r} non è ammesso: una fra {known}",
     ),
     "not_yes_or_no": (
         "{text!r} is not accepted: sì, yes, x or no",

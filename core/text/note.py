@@ -1,6 +1,7 @@
 """Texts of the calculation note."""
 
 NOTE = {
+    "Annexes": "Allegati",
     ", and the record nearest to the mean of the peaks": (
         ", e l'accelerogramma più vicino alla media dei massimi"
     ),

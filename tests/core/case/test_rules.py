@@ -125,7 +125,7 @@ def test_that_the_height_of_the_base_is_never_guessed(tmp_path):
     )
     path = tmp_path / "case.toml"
     path.write_text('walls = "walls.csv"\n[demand]\nag_g = 0.2\n')
-    with pytest.raises(InputError, match="walls.csv: row 4: base_z_m is missing"):
+    with pytest.raises(InputError, match="walls.csv: row 4, z: base_z_m is missing"):
         read_case(path)
     path.write_text('walls = "walls.csv"\n')
     assert [wall.base_z_m for wall in read_case(path).wall] == [0.0, None]

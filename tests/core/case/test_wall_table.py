@@ -2,11 +2,14 @@
 
 import io
 import zipfile
+from dataclasses import fields
 
 import pytest
 from openpyxl import Workbook
 
+from core.case import wall_table
 from core.case.reader import read_case
+from core.case.schema import ReturnWalls, Wall
 from core.case.wall_table import read_table, read_walls, text_rows, walls_of
 from core.errors import InputError
 
@@ -123,7 +126,7 @@ def test_that_a_lying_dimension_changes_nothing(tmp_path):
         (book([["Wall", "colour"], ["", ""], ["a", "red"]]), "'colour' is not known"),
         (book([["Wall", "H"], ["", "ft"], ["a", 5]]), "unit 'ft'"),
         (book([["Wall", "H"], ["", ""], ["a", 5]]), "unit ''"),
-        (book([*ROWS, ["b", "5,0.1", 0.5, "two_sided"]]), "row 4, height_m"),
+        (book([*ROWS, ["b", "5,0.1", 0.5, "two_sided"]]), 'sheet "Sheet": row 4, H: '),
         (book([*ROWS, ["b", 5, 0.5, "sideways"]]), "row 4.*mechanism"),
         (book([*ROWS, ["b", 500, 0.5, "two_sided"]]), "row 4.*height_m = 500"),
         (book([["Wall", "Parete"], ["", ""], ["a", "b"]]), "twice"),
@@ -179,7 +182,7 @@ def test_that_free_elements_their_modulus_and_confirmations_are_columns():
     a, b = walls_of(text_rows(rows))
     assert (a.free_element, a.unloaded_confirmed, a.elastic_modulus_mpa) == (True, True, 1200.0)
     assert (b.free_element, b.unloaded_confirmed, b.elastic_modulus_mpa) == (False, False, None)
-    with pytest.raises(InputError, match="row 3, free_element: 'forse' is not accepted"):
+    with pytest.raises(InputError, match="row 3, Elemento libero: 'forse' is not accepted"):
         walls_of(text_rows(rows.replace(";sì;", ";forse;")))
     for word in ("sì", "si", "Yes", "true", "VERO", "x", "1"):
         assert walls_of(text_rows(rows.replace(";sì;", f";{word};")))[0].free_element is True
@@ -232,7 +235,7 @@ def test_that_a_unit_of_another_quantity_is_refused(head, unit):
 def test_that_the_units_a_column_takes_are_listed():
     rows = "Parete;z;H;t;Meccanismo;notes\n;m;m;ft;;\na;0;4;45;su un lato;\n"
     with pytest.raises(
-        InputError, match="the unit 'ft' of the column thickness_m .*: one of (m, cm|cm, m), "
+        InputError, match="the unit 'ft' of the column t .*: one of (m, cm|cm, m), "
     ):
         walls_of(text_rows(rows))
     rows = rows.replace("ft;;", "m;;m").replace(";45;", ";0.45;")
@@ -382,3 +385,44 @@ def test_that_hinges_stand_in_a_column(cell, heights):
     assert wall.hinge_heights == heights
     with pytest.raises(InputError):
         walls_of(text_rows(text.replace(cell, "high")))
+
+
+def test_that_a_table_takes_every_key_of_a_wall():
+    known = set(wall_table.COLUMNS)
+    for entry in fields(Wall):
+        assert entry.name in known or entry.name in ("load", "return_walls"), entry.name
+    for entry in fields(ReturnWalls):
+        assert f"across_{entry.name}" in known, entry.name
+    heads = ["Parete", "H [m]", "t [cm]", "Meccanismo", "z [m]", "L [m]", "Peso specifico", "Muri ortogonali",
+             "Muri ortogonali t [cm]", "Muri ortogonali hb [cm]", "Muri ortogonali l [cm]", "f [MPa]"]  # fmt: skip
+    text = ";".join(heads) + "\na;6,5;45;su un lato;0;4;18;2;40;12;25;2,5"
+    (wall,) = wall_table.walls_of(wall_table.text_rows(text))
+    assert (wall.height_m, wall.thickness_m, wall.compressive_strength_mpa) == (6.5, 0.45, 2.5)
+    assert wall.return_walls == ReturnWalls(2, 0.4, 0.12, 0.25, 0.577)
+    (block,) = wall_table.walls_of(
+        wall_table.text_rows(
+            "Parete;R [m];alpha [deg];I0/m [m2];Meccanismo\nb;3;8;12,5;su due lati"
+        )
+    )
+    assert (block.radius_m, block.inertia_over_mass_m2) == (3.0, 12.5)
+
+
+@pytest.mark.parametrize(
+    ("cell", "words"),
+    [
+        ("oscillante", "su due lati, due lati, su un lato"),
+        ("spingente", "verticale, spinta, catena"),
+    ],
+)
+def test_that_a_wrong_word_is_answered_with_the_words_of_the_list(cell, words):
+    head = "Parete;H [m];t [m];Meccanismo;Peso specifico;Carico 1"
+    row = f"a;6;0,5;{cell};18;" if words.startswith("su") else f"a;6;0,5;su un lato;18;{cell}"
+    with pytest.raises(InputError) as caught:
+        wall_table.walls_of(wall_table.text_rows(f"{head}\n{row}"))
+    column = "Meccanismo" if words.startswith("su") else "Carico 1"
+    assert f"row 2, {column}: '{cell}' is not accepted: one of {words}" in str(caught.value)
+
+
+def test_that_a_head_without_a_unit_still_asks_for_one():
+    with pytest.raises(InputError, match="unit '' of the column H is not accepted"):
+        wall_table.walls_of(wall_table.text_rows("Parete;H;t [m];Meccanismo\na;6;0,5;su un lato"))
