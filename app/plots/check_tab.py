@@ -15,7 +15,7 @@ from app.plots.chart import Chart
 from app.plots.table import Table
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.eq9 import LABEL
-from core.report.verdict_words import tone_of
+from core.report.verdict_words import names_in, tone_of
 from core.study.results import Q_SOURCES, StudyResult, WallResult
 from core.text.sentence import word
 from core.units import G
@@ -75,7 +75,9 @@ class CheckTab(QWidget):
         self.sentence.setStyleSheet(
             f"font-size: 12pt; font-weight: 600; color: {verdict_color(result, wall)};"
         )
-        reasons = [reason.text(self.language) for reason in verdict.reasons]
+        reasons = [
+            reason.text(self.language, names_in(self.language)) for reason in verdict.reasons
+        ]
         if assessment.tie is not None:
             reasons.append(self._tie(assessment.tie))
         if verdict.lower_bound is not None:

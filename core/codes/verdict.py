@@ -8,7 +8,7 @@ from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import Check, Kinematic
 from core.codes.limits import MEAN_FROM, MINIMUM_FROM
 from core.codes.record_compatibility import Compliance
-from core.text.sentence import Number, Sentence, localized, sentence
+from core.text.sentence import Key, Number, Sentence, localized, sentence
 from core.units import G
 
 ORDER = ("dynamic", "nonlinear", "linear_q_slv", "linear_q_code")
@@ -104,7 +104,14 @@ def verdict(
     activated = _activated(wall, threshold, demand, checks, kinematic, circumstances)
     doubts = []
     if wall.above_ground and kinematic is None:
-        doubts.append(_reason("upper_floor", z=wall.base_z_m))
+        missing = {
+            "height": "height_m",
+            "storeys": "storeys",
+            "period": "period_s",
+            "building": "[building]",
+        }
+        keys = {name: Key(key) for name, key in missing.items()}
+        doubts.append(_reason("upper_floor", z=wall.base_z_m, **keys))
     elif governing is None:
         doubts.append(_reason("no_check"))
     elif zeta is None:

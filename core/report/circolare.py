@@ -250,7 +250,7 @@ def _displacement(book: Book, sheet, wall, name: str, demand, check, row: int) -
         row = live_row(book, sheet, row, "d0 = R sin α", "C8.7.1.2.1.6",
                        f"={name}_radius*SIN(RADIANS({name}_slenderness))", kinematic.d0, "m",
                        f"{name}_d0")  # fmt: skip
-    row = live_row(book, sheet, row, f"d_{state} = {share:.2f} d0", "C8.7.1.2.1.6",
+    row = live_row(book, sheet, row, f"d_{state} = {book.digits(share, '.2f')} d0", "C8.7.1.2.1.6",
                    f"={share}*{name}_d0", kinematic.d_limit, "m", f"{name}_d_limit")  # fmt: skip
     row = live_row(book, sheet, row, f"a(d_{state})", "C8.7.1.3",
                    f"=(1-{share})*{name}_alpha0/({name}_e_star*demand_fc)*gravity", kinematic.a_limit, "m/s²",

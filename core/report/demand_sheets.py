@@ -175,7 +175,10 @@ def spectral_compatibility(book: Book, result: StudyResult) -> None:
     for item in compliance.rules:
         row += 1
         text(sheet, row, 1, word(item.name, book.language))
-        text(sheet, row, 2, item.clause, color=QUIET, size=9)
+        # a range of periods, no clause, stands where a value is only shown
+        comma = item.code == "shown" and book.language == "it"
+        clause = item.clause.replace(".", ",") if comma else item.clause
+        text(sheet, row, 2, clause, color=QUIET, size=9)
         for column, value in ((3, item.value), (4, item.limit)):
             if value is not None and item.unit == "%":
                 value *= 100.0

@@ -164,8 +164,8 @@ def _si_data(book: Book, sheet, wall: WallResult, column: int) -> tuple[int, int
     """Points and curves behind one chart; returns their last rows."""
     form = "Eq. 16" if wall.mechanism == "one_sided" else "Eq. 15"
     law = wall.power_law
-    fit = f"C1 SI^C2 (R² {law.r_squared:.2f})" if law else "–"
-    text(sheet, 1, column, f"{wall.name} {wall.mechanism}", color=QUIET)
+    fit = f"C1 SI^C2 (R² {book.digits(law.r_squared, '.2f')})" if law else "–"
+    text(sheet, 1, column, f"{wall.name} {word(wall.mechanism, book.language)}", color=QUIET)
     header(sheet, 2, ["SI [cm]", book.say("time histories"), "SI [cm]", fit, form,
                       f"{form} +20 %", f"{form} −20 %", book.say("Ribalta's law")], column, 30)  # fmt: skip
     scale_free = law_of(wall.mechanism == "one_sided", wall.law, "q")
@@ -234,7 +234,13 @@ def _history_data(book: Book, sheet, entry: CollapseHistories, column: int) -> t
     text(sheet, 1, column, entry.wall.name, color=QUIET)
     last = []
     for k, (history, scale) in enumerate(zip(entry.histories, entry.scales, strict=True)):
-        header(sheet, 2, ["t [s]", f"C = {abs(scale):.4f} {words[k]}"], column + 2 * k, 30)
+        header(
+            sheet,
+            2,
+            ["t [s]", f"C = {book.digits(abs(scale), '.4f')} {words[k]}"],
+            column + 2 * k,
+            30,
+        )
         ratio = history.rotation / entry.wall.model.collapse_rotation
         row = 2
         for sample in thinned(ratio, HISTORY_POINTS):
@@ -285,7 +291,8 @@ def survival_map(book: Book, result: StudyResult) -> None:
         sheet.merge_cells(
             start_row=4, start_column=5 + k - first, end_row=4, end_column=14 + k - first
         )
-        text(sheet, 4, 5 + k - first, f"{math.exp(MAP_BIN * k):.2f}", size=8, color=QUIET)
+        label = book.digits(math.exp(MAP_BIN * k), ".2f")
+        text(sheet, 4, 5 + k - first, label, size=8, color=QUIET)
     for row, ((wall, run), share) in enumerate(zip(runs, shares, strict=False), start=5):
         text(sheet, row, 1, wall.name, size=7)
         text(sheet, row, 2, word(wall.mechanism, book.language), size=7)

@@ -194,8 +194,9 @@ def method(book: Book, result: StudyResult) -> None:
         ("Python", f"{platform.python_version()}, {platform.system()} {platform.machine()}"),
         (say("Case SHA-256"), result.case.sha256),
         (say("Method"), result.method_words),
-        (say("Search"), f"q_step {settings.q_step:g}, q_limit {settings.q_limit:g}, map_span "
-         f"{settings.map_span:g}, robust_window {settings.robust_window:g}"),
+        (say("Search"), ", ".join(
+            f"{word(f'key_{key}', book.language)} {book.digits(getattr(settings, key), 'g')}"
+            for key in ("q_step", "q_limit", "map_span", "robust_window"))),
         (say("Sign of the records"), {
             "both": word("both", book.language), "as_recorded": say("as recorded"),
             "reversed": say("reversed")}[result.case.analysis.polarity]),

@@ -29,7 +29,7 @@ from core.report.circolare import cell_prefix, zeta_cell
 from core.report.rows import changed_cell
 from core.report.summary_charts import peaks, sketch
 from core.report.tie_words import tie_words
-from core.report.verdict_words import by_zeta, tone_of
+from core.report.verdict_words import by_zeta, names_in, tone_of
 from core.study.results import Q_SOURCES, StudyResult, WallResult
 from core.text.sentence import localized, word
 from core.units import CM, G
@@ -242,7 +242,9 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
     row = paragraph(sheet, row, verdict.text(book.language), LAST, 120, bold=True, size=12,
                     color=verdict_color(result, wall))  # fmt: skip
     for reason in verdict.reasons:
-        row = paragraph(sheet, row, f"• {reason.text(book.language)}", LAST, 150)
+        row = paragraph(
+            sheet, row, f"• {reason.text(book.language, names_in(book.language))}", LAST, 150
+        )
     if assessment.tie is not None:
         row = paragraph(sheet, row, f"• {tie_words(book.say, assessment.tie)}", LAST, 150)
     if verdict.lower_bound is not None:

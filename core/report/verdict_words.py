@@ -1,11 +1,23 @@
 """Order and tone of the verdicts, for workbook, note and window."""
 
+import functools
 import math
 
 from core.study.results import StudyResult, WallResult
+from core.text.keys import KEYS, SECTIONS
+from core.text.sentence import FormNames, word
 
 TONES = {"verified": "good", "not_activated": "good", "verified_refined": "amber", "indicative": "amber",
          "undetermined": "amber", "q2_unsafe": "bad", "not_verified": "bad"}  # fmt: skip
+
+
+@functools.cache
+def names_in(language: str) -> FormNames:
+    """What the report calls the keys of a case."""
+    captions = {code.removeprefix("key_"): word(code, language) for code in KEYS}
+    for code in SECTIONS:
+        captions[f"[{code.removeprefix('section_')}]"] = word(code, language).lower()
+    return FormNames(captions)
 
 
 def by_zeta(walls) -> list[WallResult]:

@@ -8,9 +8,9 @@ FILE_ERRORS = {
     "unreadable": ("cannot be read: {reason}", "non si può leggere: {reason}"),
     "table_rows": (
         "a table of walls has a row of heads (Parete; H; t; Meccanismo), a row of units (; m; cm;) unless the "
-        "heads name them (H [m]), and a row for each wall",
+        "heads name them, as H (m), and a row for each wall",
         "una tabella di pareti ha una riga di intestazioni (Parete; H; t; Meccanismo), una di unità (; m; "
-        "cm;) salvo che le intestazioni le indichino (H [m]), e una per parete",
+        "cm;) salvo che le intestazioni le indichino, come H (m), e una per parete",
     ),
     "table_too_large": (
         "more than {rows} rows or {columns} columns",

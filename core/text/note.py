@@ -1,6 +1,7 @@
 """Texts of the calculation note."""
 
 NOTE = {
+    "Other walls: the derivations are on the sheet Check": "Altre pareti: le derivazioni sono nel foglio Verifica",
     "Annexes": "Allegati",
     ", and the record nearest to the mean of the peaks": (
         ", e l'accelerogramma più vicino alla media dei massimi"

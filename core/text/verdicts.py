@@ -118,9 +118,9 @@ REASONS = {
     ),
     "upper_floor": (
         "The base of the wall is {z:g} m above the ground: not assessable with the ground motion alone. "
-        "For the motion of the floor three numbers are missing: height, storeys and period of the building.",
+        "For the motion of the floor three numbers are missing: {height}, {storeys} and {period} of {building}.",
         "La base della parete è a {z:g} m dal suolo: non valutabile con il solo moto del terreno. Per il moto "
-        "del piano mancano tre numeri: altezza, piani e periodo dell'edificio.",
+        "del piano mancano tre numeri: {height}, {storeys} e {period} di {building}.",
     ),
     "odd_storeys": (
         "The building has storeys of {storey:.1f} m: a height or a number of storeys mistyped?",

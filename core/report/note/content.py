@@ -18,13 +18,16 @@ from core.report.note.parts import (
 )
 from core.report.note.words import Words
 from core.report.tie_words import tie_words
-from core.report.verdict_words import by_zeta, tone_of
+from core.report.verdict_words import by_zeta, names_in, tone_of
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import localized
 from core.units import CM, G
 from core.version import NAME, VERSION, commit
 
 JUDGEMENT_LINES = 7
+
+FULL_WALLS = 24
+"""Walls, of the lowest zeta, whose derivations and figures are in the note; of the others verdict and reasons."""
 
 
 def note(result: StudyResult, language: str) -> list[Part]:
@@ -44,8 +47,15 @@ def note(result: StudyResult, language: str) -> list[Part]:
     parts += _demand(result, words)
     parts += _verdicts(result, words)
     parts += _records(result, words)
-    for wall in by_zeta(result.walls):
+    ordered = by_zeta(result.walls)
+    for wall in ordered[:FULL_WALLS]:
         parts += wall_parts(result, wall, cell_prefix(result, wall), words)
+    if ordered[FULL_WALLS:]:
+        title = say("Other walls: the derivations are on the sheet Check")
+        parts.append(Heading(title, new_page=True))
+    for wall in ordered[FULL_WALLS:]:
+        parts.append(Heading(f"{wall.name} – {words.word(wall.mechanism)}", 3))
+        parts += _verdict(result, wall, words)
     parts += _closing(result, words)
     return parts
 
@@ -225,7 +235,7 @@ def _verdict(result: StudyResult, wall: WallResult, words: Words) -> list[Part]:
             Heading(say("Verdict"), 3),
             Paragraph(verdict.text(language), tone_of(result, wall)),
         ]
-        lines = [reason.text(language) for reason in verdict.reasons]
+        lines = [reason.text(language, names_in(language)) for reason in verdict.reasons]
         if found.tie is not None:
             lines.append(tie_words(say, found.tie))
         if verdict.lower_bound is not None:

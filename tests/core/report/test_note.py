@@ -19,6 +19,7 @@ from core.errors import InputError, OutputError
 from core.report import workbook
 from core.report.note.content import note
 from core.report.note.parts import Derivation, Figures, Paragraph, Step, Table
+from core.report.verdict_words import names_in
 from core.study.demand_histories import deciding_runs, demand_histories
 from core.study.run import run
 from core.units import G
@@ -87,7 +88,7 @@ def test_that_every_wall_has_its_verdict_with_all_reasons_and_its_figures(buildi
     for wall in building.walls:
         assert wall.assessment.verdict.text("en") in words
         for reason in wall.assessment.verdict.reasons:
-            assert f"• {reason.text('en')}" in words
+            assert f"• {reason.text('en', names_in('en'))}" in words
         for warning in wall.warnings:
             assert f"• {warning.text('en')}" in words
     figures = [figure for part in parts if isinstance(part, Figures) for figure in part.figures]
@@ -228,3 +229,14 @@ def test_that_a_step_without_numbers_is_written_alone():
     step = Step("a_g", 0.25, ".3f", "g")
     assert (step.written("it"), step.result_written("it")) == ("a_g", "0,250")
     assert Step("ζ", None).result_written("en") == "–"
+
+
+def test_that_many_walls_keep_their_reasons_and_the_lowest_their_figures(building, monkeypatch):
+    from core.report.note import content
+
+    monkeypatch.setattr(content, "FULL_WALLS", 2)
+    parts = note(building, "en")
+    assert sum(isinstance(part, Figures) for part in parts) == 4
+    words = [part.text for part in parts if isinstance(part, Paragraph)]
+    for wall in building.walls:
+        assert wall.assessment.verdict.text("en") in words

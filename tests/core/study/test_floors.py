@@ -9,6 +9,7 @@ import pytest
 from core.case.rules import parse_case
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
+from core.report.verdict_words import names_in
 from core.rocking.history import history
 from core.rocking.methods import METHODS
 from core.study import floors
@@ -79,6 +80,8 @@ def test_that_without_a_building_the_wall_is_undetermined_and_names_what_is_miss
     assert verdict.code == "undetermined"
     words = verdict.reasons[0].text("en")
     assert all(key in words for key in ("height_m", "storeys", "period_s"))
+    words = verdict.reasons[0].text("it", names_in("it"))  # the report has no keys
+    assert words.endswith("mancano tre numeri: altezza, piani e periodo di edificio.")
 
 
 def test_that_an_estimated_period_is_said():
