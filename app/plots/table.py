@@ -16,6 +16,9 @@ def plain_cell(text: str) -> str:
     return f"'{text}" if text.strip()[:1] in ("=", "+", "-", "@") else text
 
 
+SPARE = 24
+"""What the widest column gives at last, for no scroll bar [px]."""
+
 MOST_WRAPPED = 400
 """Rows up to which their height follows their words: more take too long."""
 
@@ -34,7 +37,7 @@ class Table(QTableWidget):
 
     def __init__(self, name: str, heads: list[str], wraps: bool = True):
         super().__init__(0, len(heads))
-        self.wraps = wraps
+        self.wraps, self.fitted = wraps, 0
         self.setAccessibleName(name)
         self.setHorizontalHeaderLabels(heads)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -57,20 +60,28 @@ class Table(QTableWidget):
 
     def resizeEvent(self, event) -> None:
         super().resizeEvent(event)
-        self.fit()
+        if self.width() != self.fitted:  # not for a scroll bar that comes and goes
+            self.fit()
 
     def fit(self) -> None:
         """Columns as wide as their words; where they are too many, the wide ones give way and their words wrap."""
-        head, room = self.horizontalHeader(), self.viewport().width()
+        self.fitted = self.width()
+        head = self.horizontalHeader()
+        # rows that wrap may bring the vertical scroll bar
+        room = (
+            self.width() - 2 * self.frameWidth() - self.verticalScrollBar().sizeHint().width() - 2
+        )
         columns = [c for c in range(self.columnCount()) if not self.isColumnHidden(c)]
         wanted = {c: max(self.sizeHintForColumn(c), head.sectionSizeHint(c)) + 4 for c in columns}
-        over = sum(wanted.values()) - room
+        over = sum(wanted.values()) - room + 2
         if self.wraps and over > 0:
             least = {c: min(wanted[c], self._widest_word(c)) for c in columns}
             slack = sum(wanted.values()) - sum(least.values())
             share = min(1.0, over / max(slack, 1))
             for c in columns:
                 wanted[c] -= math.ceil(share * (wanted[c] - least[c]))
+            widest = max(columns, key=lambda c: wanted[c])
+            wanted[widest] -= max(0, min(SPARE, sum(wanted.values()) - room + 2))
         for c, width in wanted.items():
             self.setColumnWidth(c, width)
         if self.rowCount() <= MOST_WRAPPED:
@@ -82,7 +93,7 @@ class Table(QTableWidget):
         words = {word for cell in cells if cell for word in cell.text().split()}
         words |= set(self.horizontalHeaderItem(column).text().split())
         metrics = self.fontMetrics()
-        return max((metrics.horizontalAdvance(word) for word in words), default=20) + 12
+        return max((metrics.horizontalAdvance(word) for word in words), default=20) + 10
 
     def text(self) -> str:
         """Selected cells, or the whole table with its heads, with tabs and line ends."""

@@ -34,6 +34,11 @@ def application():
 @pytest.fixture
 def opened(application, tmp_path, monkeypatch):
     """A window on a small copy of the example; message boxes answer Discard."""
+    yield from window_in(application, tmp_path, monkeypatch)
+
+
+def window_in(application, tmp_path, monkeypatch):
+    """`opened` in this folder, for a fixture of any scope."""
     from PySide6.QtCore import QSettings
     from PySide6.QtWidgets import QMessageBox
 
