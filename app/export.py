@@ -95,8 +95,10 @@ def note_content(result: StudyResult) -> bytes:
 @contextlib.contextmanager
 def _no_collector():
     """Python's collector would look through the cells of a workbook again and again, which are no garbage."""
+    was_on = gc.isenabled()  # not in the window, which collects in its own thread
     gc.disable()
     try:
         yield
     finally:
-        gc.enable()
+        if was_on:
+            gc.enable()

@@ -22,7 +22,7 @@ class Mirror(types.ModuleType):
 def quicken() -> None:
     """Before the window is imported.
 
-    Python's collector finds nothing in the imports; `start.show` turns it on again. PySide reads the source of
+    Python's collector finds nothing in the imports; `worker.Collector` takes its place. PySide reads the source of
     each module imported after it, to see whether it may ask for Qt's optional names, which no module here
     does. pyqtgraph copies each of Qt's thousand classes, and PySide makes each of them for that.
     """

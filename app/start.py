@@ -85,7 +85,6 @@ def show(window: MainWindow) -> None:
     would hold up the window for as long."""
     window.show()
     gc.freeze()
-    gc.enable()
 
 
 def main(path: Path | None) -> int:

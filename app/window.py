@@ -28,6 +28,7 @@ from app.plots.table import Table
 from app.preparation import Preparation
 from app.running import RunningWindow
 from app.session import Session
+from app.worker import Collector
 from core.errors import InputError
 from core.study.demand_input import target_of
 from core.study.journal import Memory
@@ -51,6 +52,7 @@ class MainWindow(RunningWindow):
     def __init__(self, settings: QSettings, recovery: Path):
         super().__init__()
         self.settings = settings
+        self.collector = Collector(self)
         self.session = Session(recovery)
         self.session.listeners.append(self.refresh)
         self.files = Files(self, self.session, settings)

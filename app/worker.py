@@ -1,12 +1,13 @@
 """Work off the window's thread, cancelled by a flag. What a cancelled job still does arrives nowhere."""
 
 import atexit
+import gc
 import tempfile
 import threading
 import traceback
 from collections.abc import Callable
 
-from PySide6.QtCore import QThread, Signal
+from PySide6.QtCore import QObject, QThread, QTimer, Signal
 
 from app.language import described
 from core.errors import Cancelled, InputError
@@ -90,6 +91,29 @@ class Job(QThread):
             self.failed.emit(f"{type(error).__name__}: {error}", write_log(traceback.format_exc()))
         else:
             self.done.emit(result)
+
+
+class Collector(QObject):
+    """Python's collector of cycles, in the thread of the window alone: started by an allocation in a job it would
+    destroy widgets there, and Qt waits for ever or crashes."""
+
+    INTERVAL_MS = 500
+
+    def __init__(self, parent: QObject):
+        super().__init__(parent)
+        gc.disable()
+        self.timer = QTimer(self)
+        self.timer.timeout.connect(self.look)
+        self.timer.start(self.INTERVAL_MS)
+
+    @staticmethod
+    def look() -> None:
+        """Collect the oldest generation that is due."""
+        limits = gc.get_threshold()
+        for k in (2, 1, 0):
+            if gc.get_count()[k] > limits[k] > 0:
+                gc.collect(k)
+                return
 
 
 def write_log(text: str) -> str:

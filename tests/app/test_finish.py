@@ -320,3 +320,33 @@ def test_that_tables_fit_their_tab_at_1280(own_walls, application):
                 if table.isVisible() and table.rowCount():
                     columns = sum(map(table.columnWidth, range(table.columnCount())))
                     assert columns <= table.width(), (name, language_of)
+
+
+def test_that_no_job_collects_widgets_in_its_thread(opened):
+    """Cycles are collected in the thread of the window alone."""
+    import gc
+    import threading
+
+    from app.worker import Job
+
+    assert not gc.isenabled()
+    seen = []
+
+    class Cycle:
+        def __del__(self):
+            seen.append(threading.current_thread() is threading.main_thread())
+
+    def work(job):
+        for _ in range(3000):
+            one = Cycle()
+            one.itself = one
+        return len(seen)
+
+    done = []
+    job = Job(work)
+    job.done.connect(done.append)
+    job.start()
+    job.wait()
+    opened.collector.look()
+    gc.collect()
+    assert len(seen) == 3000 and all(seen)
