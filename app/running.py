@@ -39,7 +39,9 @@ class RunningWindow(QMainWindow):
         base = self.session.base_dir
 
         def arrived(result) -> None:
-            if generation == self.session.generation:
+            if generation != self.session.generation:
+                self.show_word(tr("The input has changed: press F5."))
+            else:
                 if base != self.session.base_dir:  # saved elsewhere meanwhile
                     result = self.session.moved_result(result, base)
                 self.result_arrived(result)
@@ -113,8 +115,12 @@ class RunningWindow(QMainWindow):
 
     def _ended(self) -> None:
         self.job = None
-        if self.finished_walls and self.session.result is not None:
-            self.fresh.discard(self.pages["walls"])  # cancelled or failed: the last result again
+        if (
+            self.finished_walls
+        ):  # cancelled, failed or of an earlier input: the last result again, or none
+            self.fresh.discard(self.pages["walls"])
+            if self.session.result is None:
+                self.pages["walls"].empty()
             self.show_result()
         self.finished_walls = []
         self.show_running(False)

@@ -1,5 +1,6 @@
 """The records: drag and drop, what each file is, include, sign, generated sets."""
 
+import math
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -150,6 +151,7 @@ class RecordsPanel(QWidget):
         job.start()
 
     def _failed(self, sentence: str, log: str) -> None:
+        self.pending, self.key = False, None  # tried again at the next change
         self.words.setText(f"{sentence} {log}")
 
     def _arrived(self, answer) -> None:
@@ -307,14 +309,14 @@ class RecordsPanel(QWidget):
     def edit(self) -> None:
         """Scale, unit, time step and kind of the selected records."""
         rows = sorted(row for row in self._selected() if self.rows[row][0] is not None)
-        entries = {}
+        entries, path_of = {}, {}
         for row in rows:
             k, motion = self.rows[row]
             entry = self.session.case.record[k]
             path = Path(entry.file if isinstance(motion, str) else name_of(motion.file))
             if not path.is_absolute():
                 path = self.session.base_dir / path
-            entries[path] = replace(entry, file=str(path))
+            entries[path], path_of[row] = replace(entry, file=str(path)), path
         if not entries:
             self.words.setText(self.one_set)
             return
@@ -322,7 +324,10 @@ class RecordsPanel(QWidget):
         try:
             if dialog.exec() != QDialog.DialogCode.Accepted:
                 return
-            changed = dict(zip(rows, dialog.entries.values(), strict=True))
+            found = (
+                dialog.entries
+            )  # two rows may be of one file, and the dialog shows not all of very many
+            changed = {row: found[path] for row, path in path_of.items() if path in found}
         finally:
             dialog.deleteLater()
         keys = ("unit", "time_step_s", "column", "skip_lines", "kind", "scale")
@@ -346,7 +351,17 @@ class RecordsPanel(QWidget):
         if asked is None or asked.target is None or not rows or self.pending:
             self.words.setText(tr("It takes records of files and a spectrum on the sheet Demand."))
             return
-        factor = common_factor([self.rows[row][1] for row in rows], asked)
+        if asked.record_scaling == "pga":  # which cancels any factor of a file
+            self.words.setText(tr("The records are scaled to PGA = a_g S already (sheet Demand)."))
+            return
+        try:
+            factor = common_factor([self.rows[row][1] for row in rows], asked)
+        except InputError as error:
+            self.words.setText(described(error))
+            return
+        if not 0.0 < factor < math.inf:
+            self.words.setText(tr("It takes records of files and a spectrum on the sheet Demand."))
+            return
         self._change(
             rows, lambda record: replace(record, scale=float(f"{record.scale * factor:.4g}"))
         )

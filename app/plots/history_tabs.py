@@ -20,6 +20,7 @@ from app.drawing import WallDrawing
 from app.language import current_language, named, number, tr
 from app.plots.chart import Chart
 from core.capacity.ida import multiplier_of, threshold_of
+from core.codes.dynamic_check import at_demand
 from core.rocking.history import history
 from core.rocking.outcome import COLLAPSED
 from core.study.results import StudyResult, WallResult
@@ -51,6 +52,7 @@ class HistoriesTab(QWidget):
         )  # fmt: skip
         self.preset.activated.connect(self._set_to)
         self.chosen_q: float | None = None
+        self.model = None
         self.words = QLabel()
         self.words.setMinimumWidth(120)
         self.play = QPushButton(tr("Play"))
@@ -89,7 +91,8 @@ class HistoriesTab(QWidget):
 
     def show_wall(self, result: StudyResult, wall: WallResult) -> None:
         """Fill the tab from one wall of a result."""
-        self.shown = (result, wall)
+        self.play.setChecked(False)
+        self.shown, self.history, self.cursors = (result, wall), None, []
         self.wall_drawing.show_wall(wall.wall)
         self.wall_drawing.one_sided = wall.mechanism == "one_sided"
         self.record.clear()
@@ -102,7 +105,8 @@ class HistoriesTab(QWidget):
 
     @property
     def run(self):
-        return self.shown[1].runs[self.record.currentIndex()] if self.shown else None
+        k = self.record.currentIndex()
+        return self.shown[1].runs[k] if self.shown and k >= 0 else None
 
     def _chosen(self) -> None:
         """A record: its ground motion, and charts whose curves are then only given new data."""
@@ -149,11 +153,12 @@ class HistoriesTab(QWidget):
         return self.middle * math.exp(low + (high - low) * self.slider.value() / SLIDER)
 
     def _slid(self) -> None:
-        self.chosen_q = None
+        self.chosen_q = self.model = None
         self.integrate()
 
-    def _set_q(self, q: float) -> None:
-        """This q exactly, the slider as near to it as it goes."""
+    def _set_q(self, q: float, model=None) -> None:
+        """This q exactly, the slider as near to it as it goes. model : the wall with FC on its strength"""
+        self.model = model
         low, high = (math.log(end) for end in SPAN)
         at = (math.log(q / self.middle) - low) / (high - low)
         self.slider.blockSignals(True)
@@ -172,13 +177,16 @@ class HistoriesTab(QWidget):
         if (k in (1, 2) and demand is None) or (k in (3, 4) and bracket is None):
             self.words.setText(tr("Not known here: no demand, or no collapse of this record."))
             return
-        if k in (1, 2):
-            factor = demand.scaling(self.motion) * (demand.confidence_factor if k == 2 else 1.0)
+        model = None
+        if k == 1:
+            q = demand.scaling(self.motion) * self.motion.pga / threshold_of(wall.model)
+        elif k == 2:  # as the dynamic check has it
+            model, factor = at_demand(wall.model, demand, demand.confidence_on, self.motion)
             q = factor * self.motion.pga / threshold_of(wall.model)
         else:
             q = {3: bracket and bracket[0], 4: bracket and bracket[1], 5: 2.0}.get(k)
         if q:
-            self._set_q(q)
+            self._set_q(q, model)
 
     def integrate(self) -> None:
         """The history at the slider's multiplier: a fraction of a millisecond, then drawn."""
@@ -187,7 +195,7 @@ class HistoriesTab(QWidget):
         result, wall = self.shown
         scale = self.run.polarity * multiplier_of(self.q, self.motion.pga, threshold_of(wall.model))
         ground, dt = self.motion.acceleration, self.motion.time_step
-        self.history = history(ground, dt, scale, wall.model, result.method)
+        self.history = history(ground, dt, scale, self.model or wall.model, result.method)
         ratio = self.history.rotation / wall.model.collapse_rotation
         self.curve.setData(self.times[: ratio.size], ratio)
         felt = scale * ground / G  # multiplier and sign in use

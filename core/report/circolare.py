@@ -222,9 +222,9 @@ def _floor(book: Book, sheet, kinematic, name: str, row: int) -> int:
     """The modes of the building and a_Z, C7.2.7 and C7.2.8."""
     squares = []
     for k, mode in enumerate(kinematic.floor.modes, start=1):
-        row = input_row(book, sheet, row, f"T_{k}", mode.period, "s", f"{name}_t_{k}")
-        row = input_row(book, sheet, row, f"ξ_{k}", mode.damping, "–", f"{name}_xi_{k}")
-        row = input_row(book, sheet, row, f"γψ_{k}", mode.participation, "–", f"{name}_part_{k}")
+        row = found_row(book, sheet, row, f"T_{k}", mode.period, "s", f"{name}_t_{k}")
+        row = found_row(book, sheet, row, f"ξ_{k}", mode.damping, "–", f"{name}_xi_{k}")
+        row = found_row(book, sheet, row, f"γψ_{k}", mode.participation, "–", f"{name}_part_{k}")
         elastic = kinematic.floor.ground.acceleration([mode.period], mode.damping)[0] / G
         row = found_row(
             book, sheet, row, f"S_e(T_{k}, ξ_{k})", float(elastic), "g", f"{name}_se_{k}"

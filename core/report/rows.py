@@ -51,7 +51,7 @@ def found_row(
 
 def mark_changed(book: Book, sheet, row: int, now: str, then: str) -> None:
     """The hidden mark of a row whose inputs are the cells `now`, in the run the cells `then`."""
-    formula = f"=IF(SUMPRODUCT(ABS({now}-{then}))>1E-9,1,0)"
+    formula = f"=IF(IFERROR(SUMPRODUCT(ABS({now}-{then})),1)>1E-9,1,0)"
     book.formula(sheet.cell(row, CHANGED), formula, 0.0, "0")
 
 
@@ -68,7 +68,8 @@ def close_inputs(book: Book, sheet) -> None:
 def changed_cell(book: Book, sheet, row: int, column: int) -> None:
     """A cell that states plainly that an input is no longer that of the run."""
     words = book.say(
-        "Input changed since the run: q and zeta of the histories are of the old wall. Run the case again."
+        "Input changed since the run: q and zeta of the histories, and all that is marked 'of the run', are of the "
+        "old wall. Run the case again."
     )
     cell = sheet.cell(row, column)
     book.formula(cell, f'=IF(inputs_changed>0,"{words}","")', "")

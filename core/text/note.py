@@ -1,6 +1,7 @@
 """Texts of the calculation note."""
 
 NOTE = {
+    "PGA used [g]": "PGA usata [g]",
     "Other walls: the derivations are on the sheet Check": "Altre pareti: le derivazioni sono nel foglio Verifica",
     "Annexes": "Allegati",
     ", and the record nearest to the mean of the peaks": (
@@ -30,9 +31,12 @@ NOTE = {
         "Storie temporali confrontate con soluzioni a 40 cifre e in forma chiusa, verifiche con calcoli a "
         "mano, ripetuti dalle prove distribuite con il programma; metodo di questa analisi: {method}."
     ),
-    "Input changed since the run: q and zeta of the histories are of the old wall. Run the case again.": (
-        "Dati modificati dopo l'analisi: q e zeta delle storie temporali sono della vecchia parete. Ripetere "
-        "l'analisi."
+    (
+        "Input changed since the run: q and zeta of the histories, and all that is marked 'of the run', are of the "
+        "old wall. Run the case again."
+    ): (
+        "Dati modificati dopo l'analisi: q e zeta delle storie temporali, e ciò che è indicato «dell'analisi», sono "
+        "della vecchia parete. Ripetere l'analisi."
     ),
     "Kinematic chain": "Catena cinematica",
     "Largest rotation of each record at the demand over θc": (

@@ -39,6 +39,9 @@ WINDOW_HELP = {
     "It takes records of files and a spectrum on the sheet Demand.": (
         "Richiede accelerogrammi da file e uno spettro nella scheda Domanda."
     ),
+    "The records are scaled to PGA = a_g S already (sheet Demand).": (
+        "Gli accelerogrammi sono già scalati a PGA = a_g S (scheda Domanda)."
+    ),
     "Scaled by {factor:.3f}, the factor nearest to the spectrum.": (
         "Scalati di {factor:.3f}, il fattore più vicino allo spettro."
     ),

@@ -218,6 +218,13 @@ def test_that_a_preset_sets_the_multiplier(walls):
     assert tab.q * wall.model.threshold == pytest.approx(tab.motion.pga)
     tab._set_to(2)
     assert tab.q * wall.model.threshold == pytest.approx(1.35 * tab.motion.pga)
+    checked = next(r for r in wall.assessment.dynamic.runs
+                   if (r.record, r.polarity) == (tab.run.record, tab.run.polarity))  # fmt: skip
+    peak = tab.history.peak / wall.model.collapse_rotation
+    if checked.peak_ratio is None:
+        assert tab.history.outcome == 1
+    else:
+        assert peak == pytest.approx(checked.peak_ratio, rel=1e-9)
     tab._set_to(4)
     assert tab.history.outcome == 1 and tab.q == tab.run.ida.bracket[1]
     tab._set_to(3)

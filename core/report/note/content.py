@@ -151,12 +151,13 @@ def _records(result: StudyResult, words: Words) -> list[Part]:
     say = words.say
     heads = [
         say("Record"), say("Event and station"), say("Date"), "M", say("Distance [km]"), say("Filter [Hz]"),
-        "PGA [g]", say("Scale used"), say("Kind"),
+        say("PGA used [g]"), say("Scale used"), say("Kind"),
     ]  # fmt: skip
     rows = []
     for motion, kind in zip(result.motions, result.kinds, strict=True):
         where = provenance(motion)
-        scale = motion.scale * (result.demand.scaling(motion) if result.demand else 1.0)
+        at_demand = result.demand.scaling(motion) if result.demand else 1.0
+        scale = motion.scale * at_demand
         station = ", ".join(part for part in (where.event, where.station) if part)
         cells = [
             station,
@@ -165,7 +166,7 @@ def _records(result: StudyResult, words: Words) -> list[Part]:
             where.distance_km,
             where.filter,
         ]
-        rows.append([motion.name, *(cell or "–" for cell in cells), words.number(motion.pga / G, ".3f"),
+        rows.append([motion.name, *(cell or "–" for cell in cells), words.number(at_demand * motion.pga / G, ".3f"),
                      words.number(scale, ".3f"), words.word(kind)])  # fmt: skip
     parts: list[Part] = [
         Heading(say("Records")),

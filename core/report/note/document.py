@@ -191,7 +191,7 @@ def picture(figure: Figure, words: Words, width: float = 8.2, height: float = 6.
     for curve in figure.curves:
         _draw(axes, curve)
     for label in figure.labels:
-        axes.text(label.x, label.y, label.text, ha="center", va="center", fontsize=7)
+        axes.text(label.x, label.y, _plain(label.text), ha="center", va="center", fontsize=7)
     if figure.x_range:
         axes.set_xlim(*figure.x_range)
     if figure.y_range:
@@ -208,9 +208,8 @@ def picture(figure: Figure, words: Words, width: float = 8.2, height: float = 6.
         numbers = FuncFormatter(lambda value, _: words.number(value, "g"))
         axes.yaxis.set_major_formatter(numbers)
         if figure.names:
-            axes.set_xticks(
-                range(len(figure.names)), figure.names, rotation=45, ha="right", fontsize=5.5
-            )
+            names = [_plain(name) for name in figure.names]
+            axes.set_xticks(range(len(names)), names, rotation=45, ha="right", fontsize=5.5)
         else:
             axes.xaxis.set_major_formatter(numbers)
         if any(curve.name for curve in figure.curves):
@@ -220,8 +219,14 @@ def picture(figure: Figure, words: Words, width: float = 8.2, height: float = 6.
     return content.getvalue()
 
 
+def _plain(name: str) -> str:
+    """A name as it is: no formula between $, and in the legend though it begins with _."""
+    name = name.replace("$", r"\$")
+    return f"\u200b{name}" if name.startswith("_") else name
+
+
 def _draw(axes, curve: Curve) -> None:
-    color, name = COLORS[curve.color], curve.name or None
+    color, name = COLORS[curve.color], _plain(curve.name) or None
     if curve.shape == "bars":
         axes.bar(curve.x, curve.y, width=0.7, color=color, label=name)
     elif curve.shape == "points":

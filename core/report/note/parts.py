@@ -1,6 +1,6 @@
 """Parts of the calculation note as data; sheet.py and document.py write them."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from string import Formatter
 
@@ -54,7 +54,7 @@ class Step:
     clause: str = ""
     formula: str = ""
     numbers: str = ""
-    values: dict[str, tuple[float, str | None]] = field(default_factory=dict)
+    values: Mapping[str, tuple[float, str | None]] = field(default_factory=dict)
     cell: str | None = None
     label: str = ""
 

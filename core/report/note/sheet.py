@@ -260,7 +260,8 @@ class _Writer:
         text(self.sheet, 1, y, head, size=8, color=QUIET)
         for n, (a, b) in enumerate(zip(xs, ys, strict=True), start=2):
             self.sheet.cell(n, x, float(a))
-            self.sheet.cell(n, y, float(b))
+            if b is not None:
+                self.sheet.cell(n, y, float(b))
         last = 1 + len(xs)
         return (
             Reference(self.sheet, min_col=x, min_row=2, max_row=last),
@@ -322,7 +323,7 @@ class _Writer:
         for curve in figure.curves:
             if curve.shape == "bars":
                 heights = dict(zip(curve.x, curve.y, strict=True))
-                values = [heights.get(k, 0.0) for k in range(count)]
+                values = [heights.get(k) for k in range(count)]
             else:
                 values = [curve.y[0]] * count
             _, ys = self._columns(range(count), values, curve.name)

@@ -199,7 +199,9 @@ def peaks(wall: WallResult, words: Words) -> Figure | None:
         curves.append(Curve(words.say("stands"), places, heights, "accent", "bars"))
     if falls:
         name = words.say("exceeds θc or overturns")
-        curves.append(Curve(name, falls, [FULL] * len(falls), "bad", "bars"))
+        # what overturned has no number: its bar goes to the top of the chart
+        heights = [check.runs[k].peak_ratio or FULL for k in falls]
+        curves.append(Curve(name, falls, heights, "bad", "bars"))
     ends = (-0.6, len(names) - 0.4)
     if check.set_rule == "mean" and check.mean_peak_ratio is not None:
         mean = check.mean_peak_ratio

@@ -187,7 +187,7 @@ def start(result: StudyResult, wall: WallResult, name: str, words: Words) -> lis
             )
         )
     if kinematic.m_star is not None:
-        values = {"e": (kinematic.e_star, f"{name}_e_star"), "m": (sums.mass, None)}
+        values = {"e": (kinematic.e_star, None), "m": (sums.mass, None)}
         steps.append(Step("M*", kinematic.m_star, ".0f", "kg/m", "C8.7.1.4", "e* Σ(P + Q)/g", "{e:.3f} · {m:.0f}",
                           values, f"{name}_m_star"))  # fmt: skip
     values = {"a": alpha0, "e": e_star, "fc": (demand.confidence_factor, "demand_fc")}
@@ -228,7 +228,9 @@ def linear(result: StudyResult, wall: WallResult, name: str, words: Words) -> li
     steps = [Step(symbol, asked, ".3f", "g", clause, cell=cell)]
     if kinematic.floor and not kinematic.free_element:
         steps[0] = Step("max(a_Z, S a_g)", asked, ".3f", "g", clause)
-        cell = None
+        symbol, cell = "max(a_Z, S a_g)", None
+    # no cell, no live text: a number that stands still beside one that moves would contradict it
+    numbers = "{a:.4f}/{s:.3f}" if cell else ""
     steps.append(
         Step(
             "a_g,SLD/a_g",
@@ -237,7 +239,7 @@ def linear(result: StudyResult, wall: WallResult, name: str, words: Words) -> li
             "–",
             "C8.7.1.2.1.5",
             "a_0*/" + symbol,
-            "{a:.4f}/{s:.3f}",
+            numbers,
             {"a": a0, "s": (asked, cell)},
             f"{name}_zeta_sld",
         )
