@@ -19,7 +19,7 @@ def plain_cell(text: str) -> str:
 SPARE = 24
 """What the widest column gives at last, for no scroll bar [px]."""
 
-MOST_WRAPPED = 400
+MAX_WRAPPED_ROWS = 400
 """Rows up to which their height follows their words: more take too long."""
 
 
@@ -84,12 +84,12 @@ class Table(QTableWidget):
             wanted[widest] -= max(0, min(SPARE, sum(wanted.values()) - room + 2))
         for c, width in wanted.items():
             self.setColumnWidth(c, width)
-        if self.rowCount() <= MOST_WRAPPED:
+        if self.rowCount() <= MAX_WRAPPED_ROWS:
             self.resizeRowsToContents()
 
     def _widest_word(self, column: int) -> int:
         """Width [px] below which a word of a column would be cut."""
-        cells = [self.item(r, column) for r in range(min(self.rowCount(), MOST_WRAPPED))]
+        cells = [self.item(r, column) for r in range(min(self.rowCount(), MAX_WRAPPED_ROWS))]
         words = {word for cell in cells if cell for word in cell.text().split()}
         words |= set(self.horizontalHeaderItem(column).text().split())
         metrics = self.fontMetrics()

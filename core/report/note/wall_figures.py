@@ -112,20 +112,20 @@ def _corners(h: float, t: float, u: float, angle: float) -> list[tuple[float, fl
 def capacity(result: StudyResult, wall: WallResult, words: Words) -> Figure | None:
     """The capacity curve over the demand; None where the nonlinear check is not made."""
     mechanism, state = wall.assessment.kinematic, result.demand.limit_state
-    found = capacity_curve(mechanism, result.demand)
-    if found is None:
+    curve = capacity_curve(mechanism, result.demand)
+    if curve is None:
         return None
-    percent = words.number(100.0 * found.damping, "g")
-    (_, a0), (d0, _) = found.capacity
+    percent = words.number(100.0 * curve.damping, "g")
+    (_, a0), (d0, _) = curve.capacity
     d, a, s_de = mechanism.d_limit, mechanism.a_limit, mechanism.s_de
     curves = [
-        Curve(words.say("demand {percent} %", percent=percent), found.demand_d / CM, found.demand_a / G, "bad"),
+        Curve(words.say("demand {percent} %", percent=percent), curve.demand_d / CM, curve.demand_a / G, "bad"),
         Curve(words.say("capacity"), (0.0, d0 / CM), (a0 / G, 0.0), "accent", width=1.8),
     ]  # fmt: skip
-    if found.floor_d.size:
+    if curve.floor_d.size:
         curves.insert(1, Curve(words.say("floor {percent} %", percent=percent),
-                               found.floor_d / CM, found.floor_a / G, "amber"))  # fmt: skip
-    high = 1.1 * max(a0, *found.demand_a, *found.floor_a) / G
+                               curve.floor_d / CM, curve.floor_a / G, "amber"))  # fmt: skip
+    high = 1.1 * max(a0, *curve.demand_a, *curve.floor_a) / G
     slope = (2.0 * math.pi / mechanism.period) ** 2
     end = max(1.15 * d, s_de)
     curves += [
@@ -142,15 +142,15 @@ def capacity(result: StudyResult, wall: WallResult, words: Words) -> Figure | No
 def histories(result: StudyResult, wall: WallResult, words: Words) -> Figure | None:
     """Displacement of the control point under the records that decide; None without a dynamic check."""
     mechanism = wall.assessment.kinematic
-    found = demand_histories(result, wall)
-    if not found:
+    deciding = demand_histories(result, wall)
+    if not deciding:
         return None
     d0, curves, last = mechanism.d0 / CM, [], 0.0
-    for one, color in zip(found, ("bad", "accent"), strict=False):
+    for one, color in zip(deciding, ("bad", "accent"), strict=False):
         size = min(one.displacement.size, one.motion.acceleration.size)
-        fallen = np.nonzero(np.abs(one.displacement) > 1.5 * mechanism.d0)[0]
-        if fallen.size:  # it overturned: what follows is no part of the check
-            size = min(size, int(fallen[0]) + 1)
+        overturned = np.nonzero(np.abs(one.displacement) > 1.5 * mechanism.d0)[0]
+        if overturned.size:  # it overturned: what follows is no part of the check
+            size = min(size, int(overturned[0]) + 1)
         moved = one.displacement[:size]
         chosen = thinned(moved, POINTS)
         sign = "+" if one.run.polarity > 0 else "−"
@@ -169,7 +169,7 @@ def histories(result: StudyResult, wall: WallResult, words: Words) -> Figure | N
         if both_ways:
             curves.append(Curve("", (0.0, last), (-level, -level), color, "dash", 0.9))
     caption = words.say("Displacement of the control point at the demand: the largest peak")
-    if len(found) > 1:
+    if len(deciding) > 1:
         caption += words.say(", and the record nearest to the mean of the peaks")
     return Figure(
         caption,

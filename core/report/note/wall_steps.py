@@ -4,6 +4,7 @@ The values are those of the result; each step names the cell of the sheet Check 
 """
 
 import math
+from functools import partial
 
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.kinematic import CANTILEVER, DAMPING, PERIOD_FACTOR
@@ -26,52 +27,22 @@ def geometry(wall: WallResult, name: str, words: Words) -> list[Step]:
         "h": (h, f"{name}_height"),
         "u": (u, f"{name}_setback"),
     }
+    alpha = partial(Step, "α", degrees, ".2f", "°", "Fig. 1", cell=f"{name}_slenderness")
     steps = []
     if asked.load:
         weight = 1e-3 * wall_loads.weight_per_metre(asked)
         values = {**sizes, "w": (asked.unit_weight_kn_m3, f"{name}_weight")}
         steps.append(Step("W", weight, ".2f", "kN/m", "", "w t H", "{w:.1f} · {t:.3f} · {h:.2f}", values,
                           f"{name}_w"))  # fmt: skip
-        steps.append(
-            Step(
-                "α",
-                degrees,
-                ".2f",
-                "°",
-                "Fig. 1",
-                cell=f"{name}_slenderness",
-                label=words.say("of the wall with the masses that move with it"),
-            )
-        )
+        steps.append(alpha(label=words.say("of the wall with the masses that move with it")))
     elif asked.height_m and u:
-        steps.append(
-            Step(
-                "α",
-                degrees,
-                ".2f",
-                "°",
-                "Fig. 1",
-                "arctan[(t − 2u)/H]",
-                "arctan[({t:.3f} − 2 · {u:.4f})/{h:.2f}]",
-                sizes,
-                f"{name}_slenderness",
-            )
-        )
+        numbers = "arctan[({t:.3f} − 2 · {u:.4f})/{h:.2f}]"
+        steps.append(alpha(formula="arctan[(t − 2u)/H]", numbers=numbers, values=sizes))
     elif asked.height_m and asked.slenderness_deg is None:
-        steps.append(Step("α", degrees, ".2f", "°", "Fig. 1", "arctan(t/H)", "arctan({t:.3f}/{h:.2f})", sizes,
-                          f"{name}_slenderness"))  # fmt: skip
+        numbers = "arctan({t:.3f}/{h:.2f})"
+        steps.append(alpha(formula="arctan(t/H)", numbers=numbers, values=sizes))
     else:
-        steps.append(
-            Step(
-                "α",
-                degrees,
-                ".2f",
-                "°",
-                "Fig. 1",
-                cell=f"{name}_slenderness",
-                label=words.say("as given"),
-            )
-        )
+        steps.append(alpha(label=words.say("as given")))
     steps.append(Step("R", block.radius, ".3f", "m", "Fig. 1", cell=f"{name}_radius"))
     p = f"{name}_p"
     if block.is_rectangle:
