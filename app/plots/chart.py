@@ -147,7 +147,8 @@ class Chart(ChartOutput):
 
     def bars(self, name: str, x, heights, color=0, width=0.7, values=None) -> None:
         """Bars; values : as of `points`."""
-        item = pg.BarGraphItem(x=numbers(x), height=numbers(heights), width=width)
+        label = name if numbers(x).size else None  # no entry for bars that are not there
+        item = pg.BarGraphItem(x=numbers(x), height=numbers(heights), width=width, name=label)
         self.plot.addItem(item)
         self._keep(item, color, 1.0, False, True)
         self.data.append((name, numbers(x), numbers(heights if values is None else values)))

@@ -200,6 +200,9 @@ class HistoriesTab(QWidget):
         self.curve.setData(self.times[: ratio.size], ratio)
         felt = scale * ground / G  # multiplier and sign in use
         self.ground_curve.setData(self.times, felt)
+        peak = 1.05 * float(np.abs(felt).max())
+        self.ground.ranges["y"] = (-peak, peak)
+        self.ground.plot.setYRange(-peak, peak, padding=0.0)
         self.ground.data = [(self.ground_curve.name() or "", self.times, felt)]
         hits = self.history.impact_time[:2000]
         self.marks.setData(hits, np.zeros(hits.size))

@@ -194,6 +194,8 @@ def test_that_all_figures_are_written_together(walls, tmp_path):
 def test_that_the_cursor_reads_a_data_point(walls, application):
     chart = walls.pages["check"].content.peaks
     walls.tabs.setCurrentWidget(walls.pages["check"])
+    entries = [label.text for _, label in chart.legend.items]
+    assert "within θc" in entries and any("which decides" in entry for entry in entries)
     name, x, _ = chart._nearest(2.01, 0.02, False)
     assert x == 2.0 and name
     assert chart._nearest(2.0, 1.1, False) is None
@@ -231,6 +233,10 @@ def test_that_a_preset_sets_the_multiplier(walls):
     assert tab.history.outcome != 1
     tab._set_to(5)
     assert tab.q == 2.0
+    for choice in (1, 4):  # the ground is shown whole at every multiplier
+        tab._set_to(choice)
+        _, (low, high) = tab.ground.plot.viewRange()
+        assert low < tab.ground.data[0][2].min() and tab.ground.data[0][2].max() < high
 
 
 def test_that_empty_charts_say_why(walls):
