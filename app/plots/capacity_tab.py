@@ -123,7 +123,8 @@ class CapacityTab(QWidget):
             if run.ida.q:
                 self.peaks.level(run.ida.q, "q", "bad", vertical=True, place=0.75)
             self.peaks.caption = f"{_title(wall)}, {_name(run)}"
-        for level, label in ((0.40, "0.40"), (0.60, "0.60"), (1.0, "θc")):
+        for level in (0.40, 0.60, 1.0):
+            label = "θc" if level == 1.0 else number(level, ".2f")
             self.peaks.level(level, label)
         self.peaks.set_range(y=(0.0, 1.45))
 

@@ -204,9 +204,13 @@ class CheckTab(QWidget):
             mean = check.mean_peak_ratio  # in the legend: no word of it lies on the bars
             name = tr("mean {value:.2f}, which decides", value=mean)
             self.peaks.curve(name, ends, [mean, mean], "ink", 2.0)
-        for fraction, label in ((0.40, "0.40 SLV"), (0.60, "0.60 SLC"), (1.00, "1.00 θc")):
+        for fraction, label in ((0.40, "SLV"), (0.60, "SLC"), (1.00, "θc")):
             wanted = LIMIT_FRACTION.get(check.limit_state) == fraction
-            self.peaks.level(fraction, label, "bad" if wanted or fraction == 1.0 else "quiet")
+            self.peaks.level(
+                fraction,
+                f"{number(fraction, '.2f')} {label}",
+                "bad" if wanted or fraction == 1.0 else "quiet",
+            )
         signs = {run.polarity for run in check.runs}
         names = [
             run.record[:14] + ("" if len(signs) == 1 else " +" if run.polarity > 0 else " −")
