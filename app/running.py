@@ -18,6 +18,8 @@ class RunningWindow(QMainWindow):
     began = 0.0
     closing = to_end = False
     finished_walls: list = []
+    refused: tuple = (None, None)
+    """(case, what the last run of it refused: an InputError or None)."""
 
     def show_word(self, text: str, kind: str = "message") -> None:
         """The word of the status line. kind : what it is about, for who may take it away again."""
@@ -132,6 +134,7 @@ class RunningWindow(QMainWindow):
         if log:
             sentence += "\n" + tr("Details are in {log}", log=log)
         self.closing = False
+        self.refused = (self.session.case, self.job.error if self.job else None)
         self.show_word(tr("Not done."))
         QMessageBox.warning(self, tr("Not done"), sentence)
 

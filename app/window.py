@@ -1,6 +1,5 @@
 """The window: forms on the left, tabs in the middle, records and verdict on the right."""
 
-import html
 from pathlib import Path
 
 import pyqtgraph as pg
@@ -9,7 +8,6 @@ from PySide6.QtWidgets import (
     QComboBox,
     QDockWidget,
     QHBoxLayout,
-    QLabel,
     QPushButton,
     QTabWidget,
     QVBoxLayout,
@@ -17,9 +15,10 @@ from PySide6.QtWidgets import (
 )
 
 from app import docks, language, menus, tabs, theme
+from app.banner import Banner
 from app.files import Files
 from app.forms.fields import Field
-from app.language import described, named, tr
+from app.language import named, tr
 from app.pages import Veil, card
 from app.plots.chart import Chart
 from app.plots.chart_output import ChartOutput
@@ -111,9 +110,7 @@ class MainWindow(RunningWindow):
         self.chosen.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self.chosen.setAccessibleName(tr("Wall shown"))
         self.chosen.activated.connect(lambda _: self._wall_chosen())
-        self.banner = QLabel()
-        self.banner.linkActivated.connect(lambda _: self.lead_to_field())
-        self.banner.setStyleSheet(f"color: {theme.current.amber}; font-weight: 600;")
+        self.banner = Banner(self)
         self.run_button = QPushButton(tr("Run (F5)"))
         self.run_button.clicked.connect(self.run)
         bar = QHBoxLayout()
@@ -183,53 +180,13 @@ class MainWindow(RunningWindow):
         stale = ChartOutput.stale = Table.stale = self.session.stale
         self._cover_tabs()
         self.card_veil.cover(stale)
-        problem = self.session.problem()
-        wall = self.walls.wall.name if self.walls.wall else ""
-        for field in self.fields:
-            field.show_rule(described(problem) if problem and field.named_in(problem, wall) else "")
-        problem = described(problem) if problem else None
-        if any(field.wrong for field in self.fields):
-            problem = problem or tr("A field holds what is not accepted: see the words below it.")
-        can_run = problem is None and self.job is None
+        can_run = self.banner.show_problem() and self.job is None
         self.run_action.setEnabled(can_run)
         self.run_button.setEnabled(can_run)
-        if problem:
-            shown = problem if len(problem) < 160 else problem[:157] + "…"
-            link = (
-                f" <a href='field' style='color:{theme.current.amber}'>{tr('Show the field')}</a>"
-            )
-            leads = self.wrong_field() is not None
-            self.banner.setText(html.escape(shown, quote=False) + link if leads else shown)
-            self.banner.setToolTip(problem)
-        else:
-            ask = stale and self.job is None
-            self.banner.setText(tr("The input has changed: press F5.") if ask else "")
-            self.banner.setToolTip("")
-        self.banner.setWordWrap(True)
         if self.tabs.currentWidget() is self.pages["spectra"]:
             self._show_spectra()
         menus.show_recent(self, self.actions_of.recent)
         self.preparation.prepare_next()
-
-    def wrong_field(self) -> Field | None:
-        """The field that holds what is not accepted, or that a rule names."""
-        marked = [field for field in self.fields if field.error or field.rule]
-        return marked[0] if marked else None
-
-    def lead_to_field(self) -> None:
-        """Show the tab and the dock of the field in question, and put the cursor there."""
-        field = self.wrong_field()
-        if field is None:
-            return
-        dock = self.findChild(QDockWidget, "input")
-        dock.show()
-        dock.raise_()
-        for k in range(self.forms.count()):
-            area = self.forms.widget(k)
-            if area.isAncestorOf(field):
-                self.forms.setCurrentIndex(k)
-                area.ensureWidgetVisible(field)
-        field.editor.setFocus()
 
     def changeEvent(self, event) -> None:
         """Back from another program: has it changed a record?"""

@@ -43,6 +43,7 @@ class Job(QThread):
         self._work = work
         self._flag, self._commits = threading.Event(), threading.Lock()
         self.committed = False
+        self.error: InputError | None = None
 
     def start(self) -> None:
         RUNNING.add(self)
@@ -86,6 +87,7 @@ class Job(QThread):
         except Cancelled:
             pass
         except InputError as error:
+            self.error = error
             self.failed.emit(described(error), "")
         except Exception as error:  # the worker's: an internal error must not be silent
             self.failed.emit(f"{type(error).__name__}: {error}", write_log(traceback.format_exc()))

@@ -109,7 +109,10 @@ class Field(QWidget):
         self._show_words()
 
     def show_rule(self, sentence: str) -> None:
-        """Words below the field on a rule that it breaks together with others; none if all hold."""
+        """Words below the field on a rule that it breaks together with others, none if all hold. A field that is
+        hidden shows itself: its value may be the one to take away."""
+        if sentence and self.isHidden():
+            self.show()
         if sentence != self.rule:
             self.rule = sentence
             self._show_words()

@@ -21,8 +21,9 @@ from PySide6.QtWidgets import (
 )
 
 from app import theme
-from app.forms.import_dialog import ImportDialog, all_files, read
-from app.language import described, named, number, tr
+from app.forms.import_dialog import ImportDialog, all_files
+from app.forms.record_rows import Row, cells, heads, read_rows, state_of
+from app.language import described, tr
 from app.plots.table import Table
 from app.session import Session
 from app.worker import Job
@@ -30,17 +31,7 @@ from core.case.schema import Generate, Record
 from core.codes.record_compatibility import common_factor
 from core.errors import InputError
 from core.file_names import name_of
-from core.study.demand_input import demand_of, generated
-from core.units import CM, G
-
-
-def state_of(name: str) -> tuple | None:
-    """What tells whether a file is still the same; None where it is gone."""
-    try:
-        state = Path(name).stat()
-    except OSError:
-        return None
-    return state.st_mtime_ns, state.st_size
+from core.study.demand_input import demand_of
 
 
 class RecordsPanel(QWidget):
@@ -55,12 +46,10 @@ class RecordsPanel(QWidget):
         self.motions: list = []
         self.states: dict[str, tuple | None] = {}
         self.left_out = ""
-        self.rows: list[tuple[int | None, object]] = []
+        self.rows: list[Row] = []
         self.key: object = None
         self.pending = False
-        self.table = Table(tr("Records"), [
-            tr("Use"), tr("Record"), "PGA [g]", "SI [cm]", tr("Scale"), tr("Kind"), tr("Unit"), "Δt [s]",
-            "PGV [cm/s]", tr("D5-95 [s]"), tr("Format")], wraps=False)  # fmt: skip
+        self.table = Table(tr("Records"), heads(), wraps=False)
         self.table.setToolTip(
             tr("Double-click a record to change its scale, unit, time step or kind.")
         )
@@ -119,33 +108,7 @@ class RecordsPanel(QWidget):
         self.session.samples = None
         base = self.session.base_dir
 
-        def work(job):
-            motions_read = [
-                (k, motion) for k, entry in enumerate(case.record) for motion in read(entry, base)
-            ]
-            if case.generate:
-                try:
-                    asked = demand_of(case, base)
-                    motions_read += [
-                        (None, m)
-                        for m in (generated(case, asked) if asked and asked.target else [])
-                    ]
-                except InputError as error:
-                    motions_read.append((None, described(error)))
-                except (TypeError, KeyError):  # values of the site are still to be given
-                    words = tr("The values of the site are still to be given.")
-                    motions_read.append((None, words))
-            for _, motion in motions_read:
-                if not isinstance(motion, str):
-                    motion.measure()
-            files = {
-                m.file
-                for _, m in motions_read
-                if not isinstance(m, str) and m.format != "generated"
-            }
-            return key, motions_read, {name: state_of(name) for name in files}
-
-        job = Job(work)
+        job = Job(lambda _: (key, *read_rows(case, base)))
         job.done.connect(self._arrived)
         job.failed.connect(self._failed)
         job.start()
@@ -169,19 +132,10 @@ class RecordsPanel(QWidget):
         self.table.blockSignals(True)
         rows, colors, twins = [], [], self._twins()
         for row, (k, motion) in enumerate(motions_read):
-            if isinstance(motion, str):
-                rows.append(["", motion, *[""] * 9])
-                colors.append([theme.current.bad] * 11)
-                continue
-            entry = None if k is None else case.record[k]
-            rows.append([
-                "", motion.name, number(motion.pga / G, ".3f"), number(motion.housner_intensity / CM, ".1f"),
-                number(entry.scale if entry else 1.0, "g").replace("-", "−"),
-                named(entry.kind if entry else "artificial"), motion.unit, number(motion.time_step, "g"),
-                number(motion.pgv / CM, ".1f"), number(motion.duration_5_95, ".1f"), motion.format,
-            ])  # fmt: skip
-            color = theme.current.amber if motion.warnings else None
-            colors.append([theme.current.bad if row in twins else color] * 11)
+            rows.append(cells(motion, None if k is None else case.record[k]))
+            bad = isinstance(motion, str) or row in twins
+            color = theme.current.amber if not bad and motion.warnings else None
+            colors.append([theme.current.bad if bad else color] * len(rows[-1]))
         self.table.show_rows(rows, colors)
         for row, (k, motion) in enumerate(motions_read):
             if isinstance(motion, str):
@@ -204,6 +158,22 @@ class RecordsPanel(QWidget):
         self.words.setText("\n".join([*twins.values(), f"{words} {self.left_out}".strip()]))
         self.left_out = ""
         self.loaded.emit()
+
+    def unreadable_row(self) -> int | None:
+        """The first row in use that cannot be read; None while they are being read."""
+        records = self.session.case.record
+        bad = [
+            row for row, (k, motion) in enumerate(self.rows)
+            if isinstance(motion, str) and (k is None or (k < len(records) and records[k].include))
+        ]  # fmt: skip
+        return bad[0] if bad and not self.pending else None
+
+    def point_at(self, row: int) -> None:
+        """Select a row and say what is wrong with it."""
+        self.table.selectRow(row)
+        self.table.scrollToItem(self.table.item(row, 1))
+        self.table.setFocus()
+        self.words.setText(str(self.rows[row][1]))
 
     def _twins(self) -> dict[int, str]:
         """What to say of the rows in use whose samples an earlier one has: no study takes both."""

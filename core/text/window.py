@@ -1,36 +1,6 @@
 """The words of the window."""
 
 WINDOW = {
-    "&Study": "&Studio",
-    "&Parametric study…": "Studio &parametrico…",
-    "Parametric study": "Studio parametrico",
-    "Study": "Studio",
-    "Short form": "Forma breve",
-    "Folder of the results": "Cartella dei risultati",
-    "Natural records": "Accelerogrammi naturali",
-    "none": "nessuno",
-    "Run or go on": "Esegui o prosegui",
-    "File…": "File…",
-    "Folder…": "Cartella…",
-    "Cancelled: finished runs are kept, Run goes on with them.": (
-        "Annullato: le analisi finite sono conservate, Esegui prosegue da lì."
-    ),
-    "Written to {folder}": "Scritto in {folder}",
-    "Claims": "Affermazioni",
-    "Figures": "Figure",
-    "Source": "Fonte",
-    "Claim of the paper": "Affermazione dell'articolo",
-    "holds in": "vale in",
-    "of": "su",
-    "What is found": "Che cosa si trova",
-    "q against Π": "q e Π",
-    "Ribalta's law (research)": "legge di Ribalta (ricerca)",
-    "Research, no records, {kind}: q {q:.1f} ({low:.1f}–{high:.1f}), q SLV {q_slv:.1f}": (
-        "Ricerca, senza accelerogrammi, {kind}: q {q:.1f} ({low:.1f}–{high:.1f}), q SLV {q_slv:.1f}"
-    ),
-    "outside its range": "fuori dal suo campo",
-    "Name a folder for the results.": "Indicare una cartella per i risultati.",
-    "q robust": "q robusto",
     "Check": "Verifica",
     "Histories": "Storie temporali",
     "Capacity": "Capacità",

@@ -17,6 +17,7 @@ from app.plots.chart_output import ChartOutput
 from app.plots.figure_file import FigureSize, figure
 from app.plots.table import Table
 from core.codes.record_compatibility import common_factor
+from core.errors import InputError, place
 from core.ground.response_spectrum import pseudo_acceleration_spectrum
 from core.study.demand_input import demand_of
 from core.text.help import HELP
@@ -93,6 +94,51 @@ def test_that_an_error_leads_to_its_field_with_its_dock_hidden(opened, applicati
     opened.banner.linkActivated.emit("field")
     assert dock.isVisible() and opened.forms.currentIndex() == 0
     opened.walls.height.revert()
+
+
+def test_that_a_hidden_field_that_blocks_shows_itself(opened):
+    opened.session.edit_wall(0, hinge_setback_m=0.03, unit_weight_kn_m3=18.0)
+    opened.session.edit_wall(0, compressive_strength_mpa=2.0)  # as a file can say it
+    assert opened.session.problem() is not None and not opened.walls.setback.isHidden()
+    opened.walls.setback.offer(0.0)
+    assert opened.session.problem() is None and opened.walls.setback.isHidden()
+
+
+def test_that_an_error_of_another_wall_leads_to_that_wall(own_walls):
+    own_walls.session.edit_wall(1, thickness_m=0.4, height_over_thickness=9.0)
+    assert own_walls.walls.list.currentRow() == 0 and "<a href=" in own_walls.banner.text()
+    own_walls.banner.linkActivated.emit("field")
+    assert own_walls.walls.list.currentRow() == 1
+
+
+def test_that_a_record_that_cannot_be_read_leads_to_its_row(opened, application):
+    record = replace(opened.session.case.record[0], file="nowhere.AT2")
+    opened.session.edit(replace(opened.session.case, record=(record,)))
+    settle(application, lambda: not opened.records.pending)
+    assert "nowhere.AT2" in opened.banner.text() and "<a href=" in opened.banner.text()
+    dock = opened.findChild(QDockWidget, "records")
+    dock.hide()
+    opened.banner.linkActivated.emit("field")
+    assert dock.isVisible() and opened.records._selected() == {0}
+    opened.session.edit(replace(opened.session.case, record=(replace(record, include=False),)))
+    settle(application, lambda: not opened.records.pending)
+    assert "nowhere.AT2" not in opened.banner.text()
+
+
+def test_that_what_a_run_refuses_leads_to_its_field(opened, application, monkeypatch):
+    def refuse(*arguments, **options):
+        raise InputError("setback_too_large", key="hinge_setback_m", setback=0.3, most=0.2, share=40.0,
+                         place=(place("wall", name=opened.walls.wall.name),))  # fmt: skip
+
+    monkeypatch.setattr("core.study.run.run", refuse)
+    said = []
+    monkeypatch.setattr("app.running.QMessageBox.warning", lambda *words: said.append(words[2]))
+    settle(application, lambda: not opened.records.pending)
+    opened.run()
+    settle(application, lambda: opened.job is None)
+    assert said and opened.walls.setback.rule in said[0] and opened.run_button.isEnabled()
+    opened.session.edit_wall(0, height_m=6.0)
+    assert opened.walls.setback.rule == "" == opened.banner.text()
 
 
 def test_that_a_strength_takes_the_setback_with_it(opened):

@@ -190,61 +190,6 @@ def test_that_free_elements_their_modulus_and_confirmations_are_columns():
         assert walls_of(text_rows(rows.replace(";sì;", f";{word};")))[0].free_element is False
 
 
-@pytest.mark.parametrize(
-    ("head", "unit", "cell", "key", "value"),
-    [
-        ("H", "cm", "400", "height_m", 4.0), ("t", "mm", "450", "thickness_m", 0.45),
-        ("t", "m", "0.45", "thickness_m", 0.45), ("L", "cm", "500", "length_m", 5.0),
-        ("u", "mm", "30", "hinge_setback_m", 0.03), ("z", "cm", "350", "base_z_m", 3.5),
-        ("E", "MPa", "900", "elastic_modulus_mpa", 900.0), ("E", "GPa", "0.9", "elastic_modulus_mpa", 900.0),
-        ("E", "N/mm2", "900", "elastic_modulus_mpa", 900.0), ("γ", "kn/m³", "18", "unit_weight_kn_m3", 18.0),
-        ("γ", "-", "18", "unit_weight_kn_m3", 18.0), ("H", "mm", "4000", "height_m", 4.0),
-        ("γ", "kN/m3", "18", "unit_weight_kn_m3", 18.0),
-    ],
-)  # fmt: skip
-def test_that_each_unit_of_a_table_has_its_factor(head, unit, cell, key, value):
-    cells = {
-        "Parete": ("", "a"),
-        "H": ("m", "4"),
-        "t": ("m", "0.5"),
-        "Meccanismo": ("", "entrambi"),
-    }
-    cells[head] = (unit, cell)
-    rows = [list(cells), [pair[0] for pair in cells.values()], [pair[1] for pair in cells.values()]]
-    (wall,) = walls_of(rows)
-    assert getattr(wall, key) == pytest.approx(value, rel=1e-15)
-
-
-@pytest.mark.parametrize(
-    ("head", "unit"),
-    [("E", "kN/m3"), ("E", ""), ("γ", "MPa"), ("H", "kN/m3"), ("H", ""), ("Meccanismo", "m")],
-)
-def test_that_a_unit_of_another_quantity_is_refused(head, unit):
-    cells = {
-        "Parete": ("", "a"),
-        "H": ("m", "4"),
-        "t": ("m", "0.5"),
-        "Meccanismo": ("", "entrambi"),
-    }
-    cells[head] = (unit, cells.get(head, ("", "900"))[1])
-    rows = [list(cells), [pair[0] for pair in cells.values()], [pair[1] for pair in cells.values()]]
-    with pytest.raises(InputError, match="the unit"):
-        walls_of(rows)
-
-
-def test_that_the_units_a_column_takes_are_listed():
-    rows = "Parete;z;H;t;Meccanismo;notes\n;m;m;ft;;\na;0;4;45;su un lato;\n"
-    with pytest.raises(
-        InputError, match="the unit 'ft' of the column t .*: one of (m, cm|cm, m), "
-    ):
-        walls_of(text_rows(rows))
-    rows = rows.replace("ft;;", "m;;m").replace(";45;", ";0.45;")
-    with pytest.raises(
-        InputError, match="the unit 'm' of the column notes is not accepted: one of empty, -"
-    ):
-        walls_of(text_rows(rows))
-
-
 def workbook(tmp_path, hide=(), sheets=()):
     """A table of three walls; rows to hide, and further sheets (name, hidden)."""
     import openpyxl
@@ -280,24 +225,6 @@ def test_that_hidden_rows_and_sheets_are_not_read_and_said(tmp_path):
     assert "foglio Pareti" in notes[0].text("it")
     walls, notes = read_table(workbook(tmp_path))
     assert len(walls) == 3 and len(notes) == 1
-
-
-@pytest.mark.parametrize(
-    ("head", "unit", "word"),
-    [("t (mm)", "cm", "names mm, the row of units below it cm"), ("H [cm]", "m", "names cm"),
-     ("E [GPa]", "MPa", "names GPa"), ("t (mm.)", "cm", "names mm."), ("t (in mm)", "cm", "names in mm"),
-     ("t (dm)", "cm", "names dm"), ("t (muro) (mm)", "cm", "names mm"), ("H (ft)", "m", "names ft"),
-     ("E [kPa]", "MPa", "names kPa")],
-)  # fmt: skip
-def test_that_a_unit_in_the_head_that_contradicts_the_row_of_units_is_refused(head, unit, word):
-    heads = ["Parete", "H", "t", "Meccanismo", "E"]
-    units = ["", "m", "m", "", "MPa"]
-    place = next(k for k, name in enumerate(heads) if head.startswith(name))
-    heads[place], units[place] = head, unit
-    with pytest.raises(InputError, match=word):
-        walls_of([heads, units, ["a", "4", "0.5", "entrambi", "900"]])
-    heads[place] = f"{head[0]} (misurato) [{unit}]"
-    assert len(walls_of([heads, units, ["a", "4", "0.5", "entrambi", "900"]])) == 1
 
 
 def test_that_unicode_text_of_a_spreadsheet_is_read_or_refused_by_name(tmp_path):
@@ -421,8 +348,3 @@ def test_that_a_wrong_word_is_answered_with_the_words_of_the_list(cell, words):
         wall_table.walls_of(wall_table.text_rows(f"{head}\n{row}"))
     column = "Meccanismo" if words.startswith("su") else "Carico 1"
     assert f"row 2, {column}: '{cell}' is not accepted: one of {words}" in str(caught.value)
-
-
-def test_that_a_head_without_a_unit_still_asks_for_one():
-    with pytest.raises(InputError, match="unit '' of the column H is not accepted"):
-        wall_table.walls_of(wall_table.text_rows("Parete;H;t [m];Meccanismo\na;6;0,5;su un lato"))
