@@ -275,7 +275,7 @@ def main():
             "--steps": ["test", "bench", "study"],
             "--zeta": ["test"],
             "--window": ["gui", "study"],
-            "--screenshots": ["gui", "study"],
+            "--screenshots": ["gui", "study", "report"],
         }
         ensure(["base"] + [group for key in more if key in arguments for group in more[key]])
         script = os.path.join(ROOT, "tests", "benchmarks", "bench.py")

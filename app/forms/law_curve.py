@@ -4,6 +4,7 @@ import numpy as np
 import pyqtgraph as pg
 
 from app import theme
+from app.plots.chart import Axis
 from core.case.schema import Wall
 from core.errors import InputError
 from core.units import G
@@ -19,7 +20,7 @@ class SmallCurve(pg.PlotWidget):
     """One curve to look at, not to work with."""
 
     def __init__(self, x: str, y: str):
-        super().__init__()
+        super().__init__(axisItems={side: Axis(side) for side in ("bottom", "left")})
         self.setBackground(theme.current.back)
         self.setMinimumSize(110, 90)
         self.setMaximumHeight(120)

@@ -29,8 +29,19 @@ def numbers(values) -> np.ndarray:
     return np.ascontiguousarray(np.asarray(values, dtype=np.float64).ravel())
 
 
+LEAST_TICK = 26
+"""Room [px] below which the labels of neighbouring ticks of a bottom axis touch."""
+
+
 class Axis(pg.AxisItem):
-    """Numbers with the decimal mark of the language."""
+    """Numbers with the decimal mark of the language, apart from each other."""
+
+    def tickSpacing(self, minVal, maxVal, size):
+        levels = super().tickSpacing(minVal, maxVal, size)
+        span = abs(maxVal - minVal)
+        if self.orientation != "bottom" or not span:
+            return levels
+        return [level for level in levels if level[0] * size >= LEAST_TICK * span] or levels[:1]
 
     def tickStrings(self, values, scale, spacing):
         words = super().tickStrings(values, scale, spacing)

@@ -91,9 +91,13 @@ class Table(QTableWidget):
         """Width [px] below which a word of a column would be cut."""
         cells = [self.item(r, column) for r in range(min(self.rowCount(), MAX_WRAPPED_ROWS))]
         words = {word for cell in cells if cell for word in cell.text().split()}
-        words |= set(self.horizontalHeaderItem(column).text().split())
-        metrics = self.fontMetrics()
-        return max((metrics.horizontalAdvance(word) for word in words), default=20) + 10
+        metrics, bold = self.fontMetrics(), self.horizontalHeader().fontMetrics()
+        widths = [metrics.horizontalAdvance(word) for word in words]
+        widths += [  # a head does not wrap: its unit stands in its line
+            bold.horizontalAdvance(line) + 4
+            for line in self.horizontalHeaderItem(column).text().split("\n")
+        ]
+        return max(widths) + 10
 
     def text(self) -> str:
         """Selected cells, or the whole table with its heads, with tabs and line ends."""

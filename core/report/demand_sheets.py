@@ -52,7 +52,7 @@ def dynamic_check(book: Book, result: StudyResult) -> None:
         sheet,
         2,
         say(
-            "The rule: theta_c is exceeded in no run and the set of the largest rotations, of each "
+            "The rule: θc is exceeded in no run and the set of the largest rotations, of each "
             "record its worse sign, stays within the limit: mean from 7 stations, else the largest. FC "
             "divides the strength of the wall (clause .3) or multiplies the demand, as said below. "
             "Whether the rule holds is not monotone in the multiplier: ζ_E is the lowest multiplier of "

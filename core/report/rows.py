@@ -68,7 +68,7 @@ def close_inputs(book: Book, sheet) -> None:
 def changed_cell(book: Book, sheet, row: int, column: int) -> None:
     """A cell that states plainly that an input is no longer that of the run."""
     words = book.say(
-        "Input changed since the run: q and zeta of the histories, and all that is marked 'of the run', are of the "
+        "Input changed since the run: q and ζ of the histories, and all that is marked 'of the run', are of the "
         "old wall. Run the case again."
     )
     cell = sheet.cell(row, column)

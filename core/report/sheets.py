@@ -171,7 +171,7 @@ def results(book: Book, result: StudyResult) -> None:
         sheet,
         row + 2,
         say(
-            "q, q SLV, q SLC: first collapse, first peak at 0.40 and 0.60 theta_c on the grid, bisected "
+            "q, q SLV, q SLC: first collapse, first peak at 0.40 and 0.60 θc on the grid, bisected "
             "to 1e-4. Survival, share and windows are of the map and depend on the grid step ({step:g} "
             "%).",
             step=step,
@@ -247,7 +247,7 @@ def _uncertainty(book: Book, sheet, result: StudyResult, row: int) -> int:
                 say("Error of the solver"),
                 say(
                     "q by dormand_prince: {_digits} against {q:.4f}, difference {_percent}; history against "
-                    "DOP853 of scipy at the last survived scale: {_power} of theta_c.",
+                    "DOP853 of scipy at the last survived scale: {_power} of θc.",
                     _digits=_digits(book, accuracy.q_reference),
                     q=accuracy.q,
                     _percent=_percent(book, accuracy.solver_q_error),

@@ -252,7 +252,7 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
             sheet,
             row,
             say(
-                "Should the restraint behind fail, the wall rocks on both sides: zeta {lower_bound:.2f}.",
+                "Should the restraint behind fail, the wall rocks on both sides: ζ {lower_bound:.2f}.",
                 lower_bound=verdict.lower_bound,
             ),
             LAST,

@@ -74,13 +74,13 @@ HELP = {
         "Spuntare se nulla grava sulla parete; altrimenti l'esito dice «se la parete non porta carichi».",
     ),
     "hinge_heights": (
-        "Other hinges above the base: each makes a wall of the part above it, and the lowest zeta governs.",
-        "Altre cerniere sopra la base: ognuna dà una parete della parte sovrastante, e governa lo zeta "
+        "Other hinges above the base: each makes a wall of the part above it, and the lowest ζ governs.",
+        "Altre cerniere sopra la base: ognuna dà una parete della parte sovrastante, e governa lo ζ "
         "minore.",
     ),
     "tie_height_m": (
-        "Height of a tie whose force is looked for, so that zeta reaches the one required.",
-        "Quota di una catena di cui si cerca la forza, perché zeta raggiunga quello richiesto.",
+        "Height of a tie whose force is looked for, so that ζ reaches the one required.",
+        "Quota di una catena di cui si cerca la forza, perché ζ raggiunga quello richiesto.",
     ),
     "kn_m": (
         "Intensity of the load per metre of wall [kN/m]; it keeps its size and direction.",
@@ -161,8 +161,8 @@ HELP = {
         "blocco rigido non ha periodo proprio.",
     ),
     "zeta_target": (
-        "zeta_E required: 1 for adaptation, less for improvement (NTC 2018 8.4).",
-        "zeta_E richiesto: 1 per l'adeguamento, meno per il miglioramento (NTC 2018 8.4).",
+        "ζ_E required: 1 for adaptation, less for improvement (NTC 2018 8.4).",
+        "ζ_E richiesto: 1 per l'adeguamento, meno per il miglioramento (NTC 2018 8.4).",
     ),
     "q_code": (
         "Behaviour factor of the linear check: q = 2 (C8.7.1.2.1.7).",

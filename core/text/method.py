@@ -74,9 +74,9 @@ METHOD_BODIES = {
     ),
     "circolare": (
         "C8.7.1.2.1.9: time histories of the capacity curve with FC on its strength (p^2 / FC under the "
-        "ground times FC; or FC on the demand), theta_c (alpha without loads) exceeded in none, mean of the "
+        "ground times FC; or FC on the demand), θc (alpha without loads) exceeded in none, mean of the "
         "largest rotations (7 "
-        "stations or more, else the largest) within 0.40 theta_c (SLV), 0.60 (SLC); zeta_E is the lowest "
+        "stations or more, else the largest) within 0.40 θc (SLV), 0.60 (SLC); ζ_E is the lowest "
         "multiplier of the demand at which half of those within 10 % of it fail this rule. C8.7.1.2.1.8: d = "
         "0.40 d0 (0.60), T = 1.68 pi sqrt(d/a) (1.56 pi), damping 8 % (10 %), against the largest S_De on "
         "[T_0, T], T_0 = 0 for restrained walls; not below a_g,SLD. C8.7.1.2.1.5 and .7: a_g,SLD from a0* = "
@@ -85,9 +85,9 @@ METHOD_BODIES = {
         "vibrate, S_e(T_0, 5 %); a_g,SLV = q a_g,SLD. The verdict follows the most refined check that could "
         "be made, in this order.",
         "C8.7.1.2.1.9: storie temporali della curva di capacità con FC sulla resistenza (p^2 / FC sotto il "
-        "moto moltiplicato per FC; oppure FC sulla domanda), theta_c (alpha senza carichi) mai superato, media "
+        "moto moltiplicato per FC; oppure FC sulla domanda), θc (alpha senza carichi) mai superato, media "
         "delle rotazioni "
-        "massime (da 7 stazioni, altrimenti il massimo) entro 0,40 theta_c (SLV), 0,60 (SLC); zeta_E è il "
+        "massime (da 7 stazioni, altrimenti il massimo) entro 0,40 θc (SLV), 0,60 (SLC); ζ_E è il "
         "minimo moltiplicatore della domanda al quale metà di quelli entro il 10 % non soddisfa la regola. "
         "C8.7.1.2.1.8: d = 0,40 d0 (0,60), T = 1,68 pi sqrt(d/a) (1,56 pi), smorzamento 8 % (10 %), rispetto "
         "al massimo S_De in [T_0, T], T_0 = 0 per pareti vincolate; non minore di a_g,SLD. C8.7.1.2.1.5 e .7: "
@@ -98,7 +98,7 @@ METHOD_BODIES = {
     ),
     "loads": (
         "A force of constant size and direction is exact: phi'' = -p^2 [a sin(alpha - phi) + c cos(alpha - phi) - "
-        "beta cos(alpha - phi)]; it uplifts at a_RM = g (a tan(alpha) + c) and overturns at theta_c = alpha + "
+        "beta cos(alpha - phi)]; it uplifts at a_RM = g (a tan(alpha) + c) and overturns at θc = alpha + "
         "arctan(c/a), which takes the place of alpha in 0.40, 0.60 and 1.00. Masses that move with the wall or push "
         "it are one block with it; of those that push, inertia is overstated by up to sin^2(alpha_i - theta). "
         "C8.7.1.1: alpha0 = (W x + sum N d + sum F h)/(W y + sum Q h); C8.7.1.5: e*; C8.7.1.4: d0. Friction of "
@@ -108,7 +108,7 @@ METHOD_BODIES = {
         "Dunkerley's "
         "rule.",
         "Una forza di intensità e direzione costanti è esatta: phi'' = -p^2 [a sin(alpha - phi) + c cos(alpha - phi) "
-        "- beta cos(alpha - phi)]; si solleva per a_RM = g (a tan(alpha) + c) e ribalta a theta_c = alpha + "
+        "- beta cos(alpha - phi)]; si solleva per a_RM = g (a tan(alpha) + c) e ribalta a θc = alpha + "
         "arctan(c/a), che sostituisce alpha in 0,40, 0,60 e 1,00. Le masse che si muovono con la parete o la "
         "spingono "
         "formano con essa un solo blocco; per quelle che spingono l'inerzia è sovrastimata al più di sin^2(alpha_i - "

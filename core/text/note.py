@@ -32,10 +32,10 @@ NOTE = {
         "mano, ripetuti dalle prove distribuite con il programma; metodo di questa analisi: {method}."
     ),
     (
-        "Input changed since the run: q and zeta of the histories, and all that is marked 'of the run', are of the "
+        "Input changed since the run: q and ζ of the histories, and all that is marked 'of the run', are of the "
         "old wall. Run the case again."
     ): (
-        "Dati modificati dopo l'analisi: q e zeta delle storie temporali, e ciò che è indicato «dell'analisi», sono "
+        "Dati modificati dopo l'analisi: q e ζ delle storie temporali, e ciò che è indicato «dell'analisi», sono "
         "della vecchia parete. Ripetere l'analisi."
     ),
     "Kinematic chain": "Catena cinematica",

@@ -45,14 +45,14 @@ SENTENCES = {
         "sito, stato limite o unità.",
     ),
     "hazard_incomplete": (
-        "No zeta at SLD, SLV and SLC: beside the hazard give V_N and C_U and, for NTC 2018, F0 and T_C* in its rows.",
-        "Nessuno zeta allo SLD, SLV e SLC: oltre alla pericolosità indicare V_N e C_U e, per le NTC 2018, F0 e "
+        "No ζ at SLD, SLV and SLC: beside the hazard give V_N and C_U and, for NTC 2018, F0 and T_C* in its rows.",
+        "Nessuno ζ allo SLD, SLV e SLC: oltre alla pericolosità indicare V_N e C_U e, per le NTC 2018, F0 e "
         "T_C* nelle "
         "righe.",
     ),
     "hazard_too_short": (
-        "No zeta at {states}: the return period lies outside the rows of the hazard.",
-        "Nessuno zeta allo {states}: il periodo di ritorno è fuori dalle righe della pericolosità.",
+        "No ζ at {states}: the return period lies outside the rows of the hazard.",
+        "Nessuno ζ allo {states}: il periodo di ritorno è fuori dalle righe della pericolosità.",
     ),
     "variant_alone": (
         "Variant without its counterpart: no other wall of this name and mechanism is of the other variant.",
@@ -63,13 +63,13 @@ SENTENCES = {
         "I carichi comprimono la base con {stress:.2g} MPa: N/m inseriti come kN/m?",
     ),
     "weakest_of_known": (
-        "{known} of {n} hinges of this wall could be assessed; the lowest zeta, {zeta:.2f}, is that of {wall}.",
-        "Delle {n} cerniere di questa parete {known} sono verificabili; lo zeta minore, {zeta:.2f}, è quello "
+        "{known} of {n} hinges of this wall could be assessed; the lowest ζ, {zeta:.2f}, is that of {wall}.",
+        "Delle {n} cerniere di questa parete {known} sono verificabili; lo ζ minore, {zeta:.2f}, è quello "
         "di {wall}.",
     ),
     "weakest_hinge": (
-        "Of {n} hinges of this wall the lowest zeta, {zeta:.2f}, is that of {wall}.",
-        "Delle {n} cerniere di questa parete lo zeta minore, {zeta:.2f}, è quello di {wall}.",
+        "Of {n} hinges of this wall the lowest ζ, {zeta:.2f}, is that of {wall}.",
+        "Delle {n} cerniere di questa parete lo ζ minore, {zeta:.2f}, è quello di {wall}.",
     ),
     "large_ag": (
         "a_g = {ag:.3g} g is above 0.6 g: m/s2 or % instead of g, or S counted in it?",

@@ -119,14 +119,14 @@ REPORT = {
     "Spectral compatibility": "Compatibilità spettrale",
     "Dynamic check, Circolare 7/2019 C8.7.1.2.1.9": "Verifica dinamica, Circolare 7/2019 C8.7.1.2.1.9",
     (
-        "The rule: theta_c is exceeded in no run and the set of the largest rotations, of each record its worse "
+        "The rule: θc is exceeded in no run and the set of the largest rotations, of each record its worse "
         "sign, stays within the limit: mean from 7 stations, else the largest. FC divides the strength of the "
         "wall (clause .3) or multiplies the demand, as said below. Whether the rule holds is not monotone in the "
         "multiplier: ζ_E is the lowest multiplier of the demand at which half of those within ±10 % of it fail, "
         "ζ_16 that at which 16 % do. Verified: the rule holds at the demand itself and ζ_E reaches what is "
         "required. Steps of {STEP:.2%}; another grid would give a ζ_E within the spread printed."
     ): (
-        "La regola: theta_c non è mai superato e l'insieme delle rotazioni massime, per ogni accelerogramma il "
+        "La regola: θc non è mai superato e l'insieme delle rotazioni massime, per ogni accelerogramma il "
         "segno peggiore, resta entro il limite: media da 7 stazioni, altrimenti il massimo. FC divide la "
         "resistenza della parete (punto .3) o moltiplica la domanda, come indicato sotto. La regola non è "
         "monotona nel moltiplicatore: ζ_E è il minimo moltiplicatore della domanda al quale metà di quelli "
@@ -218,10 +218,10 @@ REPORT = {
         "Analisi dinamica incrementale: passo {step:g} %, metodo {method_words}"
     ),
     (
-        "q, q SLV, q SLC: first collapse, first peak at 0.40 and 0.60 theta_c on the grid, bisected to 1e-4. "
+        "q, q SLV, q SLC: first collapse, first peak at 0.40 and 0.60 θc on the grid, bisected to 1e-4. "
         "Survival, share and windows are of the map and depend on the grid step ({step:g} %)."
     ): (
-        "q, q SLV, q SLC: primo collasso e prima rotazione pari a 0,40 e 0,60 theta_c sulla griglia, bisezione "
+        "q, q SLV, q SLC: primo collasso e prima rotazione pari a 0,40 e 0,60 θc sulla griglia, bisezione "
         "a 1e-4. Sopravvivenza, quota e finestre dipendono dal passo ({step:g} %)."
     ),
     "Method, range of use, provenance": "Metodo, campo d'impiego, provenienza",
@@ -257,10 +257,10 @@ REPORT = {
     "Error of the solver": "Errore del risolutore",
     (
         "q by dormand_prince: {_digits} against {q:.4f}, difference {_percent}; history against DOP853 of scipy "
-        "at the last survived scale: {_power} of theta_c."
+        "at the last survived scale: {_power} of θc."
     ): (
         "q con dormand_prince: {_digits} contro {q:.4f}, differenza {_percent}; storia rispetto a DOP853 di "
-        "scipy all'ultima scala sopportata: {_power} di theta_c."
+        "scipy all'ultima scala sopportata: {_power} di θc."
     ),
     "Spread by definition": "Dispersione per definizione",
     "Methods on this history": "Metodi su questa storia",
@@ -305,8 +305,8 @@ REPORT = {
     "on rock, S apart": "su suolo rigido, S a parte",
     "Verdict": "Esito",
     "Capacity": "Capacità",
-    "Should the restraint behind fail, the wall rocks on both sides: zeta {lower_bound:.2f}.": (
-        "Se il vincolo posteriore cede, la parete oscilla su due lati: zeta {lower_bound:.2f}."
+    "Should the restraint behind fail, the wall rocks on both sides: ζ {lower_bound:.2f}.": (
+        "Se il vincolo posteriore cede, la parete oscilla su due lati: ζ {lower_bound:.2f}."
     ),
     "free to vibrate": "libera di vibrare",
     "demand": "domanda",

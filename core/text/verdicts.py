@@ -33,42 +33,42 @@ SENTENCES = {
         "a_RM = {a_rm:.3f} g.",
     ),
     "verified": (
-        "Verified at {state}: zeta {zeta} by {method}; the check with q = {q:g} agrees.",
-        "Verificata allo {state}: zeta {zeta} secondo {method}; la verifica con q = {q:g} concorda.",
+        "Verified at {state}: ζ {zeta} by {method}; the check with q = {q:g} agrees.",
+        "Verificata allo {state}: ζ {zeta} secondo {method}; la verifica con q = {q:g} concorda.",
     ),
     "verified_plainly": (
-        "Verified at {state}: zeta {zeta} by {method}.",
-        "Verificata allo {state}: zeta {zeta} secondo {method}.",
+        "Verified at {state}: ζ {zeta} by {method}.",
+        "Verificata allo {state}: ζ {zeta} secondo {method}.",
     ),
     "verified_simply": (
-        "Verified at {state}: zeta {zeta} by {method}, the simplified one.",
-        "Verificata allo {state}: zeta {zeta} secondo {method}, quella semplificata.",
+        "Verified at {state}: ζ {zeta} by {method}, the simplified one.",
+        "Verificata allo {state}: ζ {zeta} secondo {method}, quella semplificata.",
     ),
     "verified_refined": (
-        "Verified at {state} by {method} only: zeta {zeta}. With q = {q:g} it is not: the designer must "
+        "Verified at {state} by {method} only: ζ {zeta}. With q = {q:g} it is not: the designer must "
         "justify the refined method.",
-        "Verificata allo {state} solo secondo {method}: zeta {zeta}. Con q = {q:g} non lo è: il progettista "
+        "Verificata allo {state} solo secondo {method}: ζ {zeta}. Con q = {q:g} non lo è: il progettista "
         "deve motivare il metodo raffinato.",
     ),
     "verified_alone": (
-        "Verified at {state} by {method} only: zeta {zeta}. The check with q = {q:g} could not be made: the "
+        "Verified at {state} by {method} only: ζ {zeta}. The check with q = {q:g} could not be made: the "
         "designer must justify the refined method.",
-        "Verificata allo {state} solo secondo {method}: zeta {zeta}. La verifica con q = {q:g} non è stata "
+        "Verificata allo {state} solo secondo {method}: ζ {zeta}. La verifica con q = {q:g} non è stata "
         "possibile: il progettista deve motivare il metodo raffinato.",
     ),
     "q2_unsafe": (
-        "Not verified at {state}: zeta {zeta} by {method}. The check with q = {q:g} alone would pass and is "
+        "Not verified at {state}: ζ {zeta} by {method}. The check with q = {q:g} alone would pass and is "
         "not conservative here.",
-        "Non verificata allo {state}: zeta {zeta} secondo {method}. La sola verifica con q = {q:g} sarebbe "
+        "Non verificata allo {state}: ζ {zeta} secondo {method}. La sola verifica con q = {q:g} sarebbe "
         "soddisfatta: qui non è cautelativa.",
     ),
     "not_verified": (
-        "Not verified at {state}: zeta {zeta} by {method}.",
-        "Non verificata allo {state}: zeta {zeta} secondo {method}.",
+        "Not verified at {state}: ζ {zeta} by {method}.",
+        "Non verificata allo {state}: ζ {zeta} secondo {method}.",
     ),
     "indicative": (
-        "Indicative only: zeta {zeta} at {state} by {method}, not a verification.",
-        "Solo indicativo: zeta {zeta} allo {state} secondo {method}, non è una verifica.",
+        "Indicative only: ζ {zeta} at {state} by {method}, not a verification.",
+        "Solo indicativo: ζ {zeta} allo {state} secondo {method}, non è una verifica.",
     ),
     "undetermined": (
         "Undetermined at {state}: see the reasons.",
@@ -88,12 +88,12 @@ ADDED = {
         " Dei moltiplicatori entro il 10 % dalla domanda il {share:.0%} non soddisfa la regola.",
     ),
     "confidence_demand": (
-        " With FC on the demand instead of the strength it is {negation}verified: zeta {zeta}.",
-        " Con FC sulla domanda anziché sulla resistenza {negation}è verificata: zeta {zeta}.",
+        " With FC on the demand instead of the strength it is {negation}verified: ζ {zeta}.",
+        " Con FC sulla domanda anziché sulla resistenza {negation}è verificata: ζ {zeta}.",
     ),
     "confidence_capacity": (
-        " With FC on the strength, as C8.7.1.2.1.3 has it, it is {negation}verified: zeta {zeta}.",
-        " Con FC sulla resistenza, come nel C8.7.1.2.1.3, {negation}è verificata: zeta {zeta}.",
+        " With FC on the strength, as C8.7.1.2.1.3 has it, it is {negation}verified: ζ {zeta}.",
+        " Con FC sulla resistenza, come nel C8.7.1.2.1.3, {negation}è verificata: ζ {zeta}.",
     ),
     "required": ("{zeta} (required {target:g})", "{zeta} (richiesto {target:g})"),
     "at_demand": ("the demand", "alla domanda"),
@@ -141,12 +141,12 @@ REASONS = {
         "Il periodo dell'edificio è una stima, 0,05 H^0,75: indicarne il periodo.",
     ),
     "other_building": (
-        "With the building at {factor:g} times its elastic period and {damping:.0%} damping zeta is {zeta}.",
-        "Con l'edificio a {factor:g} volte il periodo elastico e smorzamento {damping:.0%} zeta è {zeta}.",
+        "With the building at {factor:g} times its elastic period and {damping:.0%} damping ζ is {zeta}.",
+        "Con l'edificio a {factor:g} volte il periodo elastico e smorzamento {damping:.0%} ζ è {zeta}.",
     ),
     "at_centroid": (
-        "With the motion at the height of the wall's centroid, {z:.2f} m, zeta is {zeta}.",
-        "Con il moto alla quota del baricentro della parete, {z:.2f} m, zeta è {zeta}.",
+        "With the motion at the height of the wall's centroid, {z:.2f} m, ζ is {zeta}.",
+        "Con il moto alla quota del baricentro della parete, {z:.2f} m, ζ è {zeta}.",
     ),
     "code_below_records": (
         "On [T_0, T_SLV] the floor spectrum of the code falls to {ratio:.2f} of the mean of the floor motions: its "
@@ -159,8 +159,8 @@ REASONS = {
         "Una storia temporale è terminata senza un valore (limite di urti).",
     ),
     "within_spread": (
-        "zeta is known from {low:.3f} to {high:.3f} only, and the required {target:.2f} lies between.",
-        "zeta è nota solo fra {low:.3f} e {high:.3f}, e il valore richiesto {target:.2f} sta in mezzo.",
+        "ζ is known from {low:.3f} to {high:.3f} only, and the required {target:.2f} lies between.",
+        "ζ è noto solo fra {low:.3f} e {high:.3f}, e il valore richiesto {target:.2f} sta in mezzo.",
     ),
     "weaker_fails": (
         "The rule holds at {at} itself but fails around {zeta:.2f} of it: a weaker motion is worse.",
@@ -240,8 +240,8 @@ REASONS = {
         "S non è assegnato ed è posto pari a 1, roccia.",
     ),
     "disagrees": (
-        "{method} gives zeta {zeta:.2f}: {outcome}.",
-        "{method}: zeta {zeta:.2f}, {outcome}.",
+        "{method} gives ζ {zeta:.2f}: {outcome}.",
+        "{method}: ζ {zeta:.2f}, {outcome}.",
     ),
 }
 

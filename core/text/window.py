@@ -158,7 +158,7 @@ WINDOW = {
         "{n} accelerogrammi in uso. Trascinare qui accelerogrammi o cartelle."
     ),
     "Choose a spectrum on the sheet Demand first.": "Scegliere prima uno spettro nella scheda Domanda.",
-    "default of the mechanism": "predefinito del meccanismo",
+    "default of the mechanism": "secondo il meccanismo",
     "Sorrentino, experimental (Eq. 5)": "Sorrentino, sperimentale (Eq. 5)",
     "Costa, upper bound": "Costa, limite superiore",
     "one-sided, theoretical (Eq. 6)": "un lato, teorico (Eq. 6)",

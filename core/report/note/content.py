@@ -242,7 +242,7 @@ def _verdict(result: StudyResult, wall: WallResult, words: Words) -> list[Part]:
         if verdict.lower_bound is not None:
             lines.append(
                 say(
-                    "Should the restraint behind fail, the wall rocks on both sides: zeta {lower_bound:.2f}.",
+                    "Should the restraint behind fail, the wall rocks on both sides: ζ {lower_bound:.2f}.",
                     lower_bound=verdict.lower_bound,
                 )
             )

@@ -139,7 +139,7 @@ def test_that_q2_and_its_agreement_are_only_said_where_the_row_was_made():
     assert said(dynamic=0.8).code == "not_verified"
     slc = said(dynamic=1.2, limit_state="SLC")
     assert slc.text("en") == (
-        "Verified at SLC: zeta 1.20 by the dynamic check (C8.7.1.2.1.9), if the wall carries no load."
+        "Verified at SLC: ζ 1.20 by the dynamic check (C8.7.1.2.1.9), if the wall carries no load."
     )
 
 
@@ -154,20 +154,20 @@ def test_that_fc_on_the_other_side_is_said_where_it_decides_differently():
     other = OtherConfidence("demand", 0.91, False)
     found = said(1.2, q2=1.1, check={"zeta_other": other})
     assert (
-        "With FC on the demand instead of the strength it is not verified: zeta 0.91"
+        "With FC on the demand instead of the strength it is not verified: ζ 0.91"
         in found.text("en")
     )
     same = said(1.2, q2=1.1, check={"zeta_other": OtherConfidence("demand", 1.1, True)})
     assert "FC" not in same.text("en")
     capacity = OtherConfidence("capacity", 1.08, True)
-    assert "it is verified: zeta 1.08" in said(0.8, check={"zeta_other": capacity}).text("en")
+    assert "it is verified: ζ 1.08" in said(0.8, check={"zeta_other": capacity}).text("en")
 
 
 def test_that_another_target_than_one_is_said():
     found = said(
         0.85, q2=0.9, zeta_target=0.8, check={"zeta_16": 0.78, "share_failing_at_demand": 0.2}
     )
-    assert "zeta 0.85 (required 0.8)" in found.text(
+    assert "ζ 0.85 (required 0.8)" in found.text(
         "en"
     ) and "10 % of 0.8 of the demand 20% fail" in found.text("en")
     whole = said(1.1, q2=1.2, zeta_target=0.8, check={"holds": False})
@@ -206,7 +206,7 @@ def test_that_a_one_sided_wall_without_its_restraint_is_indicative():
 
 def test_that_a_check_that_disagrees_is_named():
     found = said(dynamic=1.2, nonlinear=0.9, q2=1.1)
-    assert len(found.reasons) == 1 and "zeta 0.90: not passed" in found.reasons[0].text()
+    assert len(found.reasons) == 1 and "ζ 0.90: not passed" in found.reasons[0].text()
     assert said(dynamic=1.2, nonlinear=1.3, q2=1.1).reasons == ()
 
 
@@ -239,5 +239,5 @@ def test_that_sld_is_checked_without_q(tmp_path):
     assert check.zeta == pytest.approx(0.83 / 7.0 / 1.35 / 0.312, rel=1e-12)
     text = result.walls[0].assessment.verdict.text("en")
     assert text.startswith(
-        "Not verified at SLD: zeta 0.28 by the linear kinematic check (C8.7.1.2.1.5)"
+        "Not verified at SLD: ζ 0.28 by the linear kinematic check (C8.7.1.2.1.5)"
     )

@@ -172,7 +172,7 @@ def test_that_loads_are_on_every_sheet_that_a_reader_needs(loads):
     assert any(text.startswith("By hand, no friction: α0 = (W·x ") for text in risk)
     assert "Before and after" in risk and "Variants" not in risk
     assert any("loads" in text and "return walls" in text for text in risk)
-    assert any("theta_c" in text for text in words("Method"))
+    assert any("θc" in text for text in words("Method"))
     zetas = [w.assessment.verdict.zeta_e for w in result.walls]
     assert min(zetas) in [cell.value for row in book.workbook["Risk"].iter_rows() for cell in row]
 
