@@ -27,7 +27,7 @@ KEYS = {
     "key_unit_weight_kn_m3": ("unit weight", "peso specifico"),
     "key_free_element": ("free to vibrate", "libero di vibrare"),
     "key_elastic_modulus_mpa": ("elastic modulus", "modulo elastico"),
-    "key_back_restraint": ("restraint behind", "vincolo retrostante"),
+    "key_back_restraint": ("restraint behind", "vincolo posteriore"),
     "key_unloaded_confirmed": ("no load", "senza carichi"),
     "key_floor": ("floor", "piano"),
     "key_notes": ("notes", "note"),
