@@ -38,6 +38,7 @@ class DemandResult:
     soil_factor_stated : S is given or follows from the spectrum
     return_period : T_R [years] or None
     hazard : (T_R [years], a_g on rock [m/s2]) of the site, rising; empty where it is not given
+    weak_share : mean PGA of the records as given over a_g S where they are weaker than the demand, else None
     """
 
     limit_state: str
@@ -57,6 +58,7 @@ class DemandResult:
     soil_factor_stated: bool = True
     return_period: float | None = None
     hazard: tuple[tuple[float, float], ...] = ()
+    weak_share: float | None = None
     warnings: tuple[Sentence, ...] = ()
 
     def scaling(self, motion: GroundMotion) -> float:
@@ -98,6 +100,7 @@ def with_records(demand: DemandResult, motions: list[GroundMotion]) -> DemandRes
     share = float(np.mean([motion.pga for motion in motions])) / demand.pga
     if demand.record_scaling == "as_given" and share < WEAK_RECORDS:
         notices.append(notice("weaker_records", share=share))
+        demand = replace(demand, weak_share=share)
     if demand.intensity is None:
         intensity = mean_intensity(demand, motions)
         demand = replace(demand, intensity=intensity, intensity_source="records_scaled")

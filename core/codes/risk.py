@@ -88,8 +88,9 @@ def return_period_of(ag: float, hazard: tuple[tuple[float, float], ...]) -> floa
     return math.exp(low + (high - low) * (math.log(ag) - at_low) / (at_high - at_low))
 
 
-def risk(zeta: float, demand: DemandResult) -> Risk:
-    """The capacity of a mechanism whose deciding check has this zeta."""
+def risk(zeta: float, demand: DemandResult, sure: float | None = None) -> Risk:
+    """The capacity of a mechanism whose deciding check has this zeta. sure : the lower end of what zeta is known to be,
+    which the letter is of."""
     shorter = longer = None
     if demand.return_period is not None:
         exponents = (EXPONENT, exponent_by_ag(demand.ag))
@@ -102,7 +103,7 @@ def risk(zeta: float, demand: DemandResult) -> Risk:
         return_period=shorter,
         other_return_period=longer,
         index=zeta if slv else None,
-        letter=letter_of(zeta) if slv else None,
+        letter=letter_of(min(zeta, sure or zeta)) if slv else None,
         by_hazard=bool(demand.hazard),
         known_years=(max(SHORTEST, demand.hazard[0][0]), min(LONGEST, demand.hazard[-1][0]))
         if demand.hazard

@@ -31,6 +31,9 @@ EN_SOIL = {
 }  # fmt: skip
 EN_AMPLIFICATION = 2.5
 
+SI_FROM, SI_TO = float(HOUSNER_PERIODS[0]), float(HOUSNER_PERIODS[-1])
+"""Periods of the Housner intensity [s]."""
+
 
 @dataclass(frozen=True)
 class CodeSpectrum:
@@ -134,6 +137,15 @@ def largest_displacement(target: Target, low: float, high: float, damping: float
         periods = np.concatenate([periods, known, turn[inside]])
         periods = periods[(periods >= low) & (periods <= high)]
     return float(displacement(target, periods, damping).max())
+
+
+def shape_integral(target: CodeSpectrum) -> float:
+    """Integral of S_e T / (a_g S) over the periods of the Housner intensity, exact on each branch of the spectrum."""
+    tb, tc, td, f0 = target.t_b, target.t_c, target.t_d, target.amplification
+    first, last = min(SI_FROM, tb), min(td, SI_TO)
+    rise = (tb**2 - first**2) / 2 + (f0 - 1) * (tb**3 - first**3) / (3 * tb)
+    level = f0 * (tc**2 - max(tb, SI_FROM) ** 2) / 2
+    return rise + level + f0 * tc * (last - tc) + f0 * tc * td * math.log(SI_TO / last)
 
 
 def housner_intensity(target: Target) -> float:

@@ -8,7 +8,7 @@ from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import Check, Kinematic
 from core.codes.limits import MEAN_FROM, MINIMUM_FROM
 from core.codes.record_compatibility import Compliance
-from core.text.sentence import Key, Number, Sentence, localized, sentence
+from core.text.sentence import Key, Number, Sentence, apart, localized, sentence
 from core.units import G
 
 ORDER = ("dynamic", "nonlinear", "linear_q_slv", "linear_q_code")
@@ -155,7 +155,7 @@ def verdict(
         _reason(
             "disagrees",
             method=sentence("started_method", other.label),
-            zeta=other.zeta,
+            zeta=apart(other.zeta, target),
             outcome=sentence("word", "passed" if other.passed else "not_passed"),
         )
         for other in checks
@@ -230,6 +230,8 @@ def _limits(
             reasons.append(_reason("narrow_range", low=low, high=high, least=least, most=most))
         if demand.record_scaling == "pga":
             reasons.append(_reason("pga_scaling"))
+        if demand.weak_share is not None:
+            reasons.append(_reason("weaker_records", share=demand.weak_share))
         stations = compliance.stations if compliance else circumstances.records
         if stations < MINIMUM_FROM:
             reasons.append(_reason("few_records", n=stations))
@@ -271,7 +273,7 @@ def _sentence(
         way = "verified_plainly"
     elif code == "verified_refined" and q_code is None:
         way = "verified_alone"
-    zeta = Number(governing.zeta if governing else None)
+    zeta = apart(governing.zeta if governing else None, demand.zeta_target)
     if demand.zeta_target != 1.0:
         zeta = sentence("added", "required", zeta=zeta, target=demand.zeta_target)
     method = sentence("method", governing.label) if governing else ""

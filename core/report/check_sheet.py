@@ -20,7 +20,7 @@ from core.report.cells import (
     text,
     title,
 )  # fmt: skip
-from core.report.circolare import follows_spectrum, spectrum_rows, wall_rows
+from core.report.circolare import follows_spectrum, intensity_row, spectrum_rows, wall_rows
 from core.report.load_rows import geometry_rows
 from core.report.rows import (
     changed_cell,
@@ -87,13 +87,10 @@ def _demand(book: Book, sheet, result: StudyResult, row: int) -> int:
     else:
         row = input_row(book, sheet, row, "S", demand.soil_factor, "–", "demand_s", RATIO)
     row = live_row(book, sheet, row, "S a_g", "", "=demand_ag*demand_s", demand.pga / G, "g", "demand_pga",
-                ACCELERATION)  # fmt: skip
+                ACCELERATION, "demand_pga_run")  # fmt: skip
     si = demand.intensity / CM if demand.intensity else None
-    label = say("SI of the demand")
-    given = demand.intensity_source == "given"
-    si_row = input_row if given else found_row
-    row = si_row(book, sheet, row, label, si, "cm", "demand_si", RATIO)
     row = spectrum_rows(book, sheet, result, row)
+    row = intensity_row(book, sheet, row, demand, si)
     return input_row(book, sheet, row, say("q of the code"), demand.q_code, "–", "code_q", RATIO)
 
 
@@ -166,7 +163,7 @@ def _geometry(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
     )
     row = live_row(book, sheet, row, "a_RM / g = tan α", "Eq. 2",
                 f"=TAN(RADIANS({name}_slenderness))", block.threshold_acceleration / G, "g",
-                f"{name}_a_rm", ACCELERATION)  # fmt: skip
+                f"{name}_a_rm", ACCELERATION, f"{name}_a_rm_run")  # fmt: skip
     return _ratio_row(book, sheet, wall, name, row)
 
 
@@ -218,7 +215,7 @@ def _records(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
             book, sheet, row, "C2", "Eq. 13", f"=SLOPE({ys},{xs})", law.c2, "–", f"{name}_c2"
         )
         row = live_row(book, sheet, row, "C1", "Eq. 13", f"=EXP(INTERCEPT({ys},{xs}))", law.c1, "–",
-                    f"{name}_c1")  # fmt: skip
+                    f"{name}_c1", "0.000E+00")  # fmt: skip
         row = live_row(book, sheet, row, "R²", "Eq. 13", f"=RSQ({ys},{xs})", law.r_squared, "–")
     return row
 
@@ -235,7 +232,7 @@ def _record_row(book: Book, sheet, wall, entry: PerRecord, scale, name: str, row
         text(sheet, row, 5, words, color=BAD)
     else:
         ln_si, ln_q = math.log(entry.intensity / CM), math.log(entry.q_eff)
-        book.formula(sheet.cell(row, 5), f"=D{row}*C{row}/{name}_a_rm", entry.q, RATIO)
+        book.formula(sheet.cell(row, 5), f"=D{row}*C{row}/{name}_a_rm_run", entry.q, RATIO)
         number(sheet, row, 6, entry.q, RATIO, color=QUIET)
         book.formula(sheet.cell(row, 7), f"=E{row}/C{row}", entry.q_eff, RATIO)
         number(sheet, row, 8, entry.q_eff, RATIO, color=QUIET)
@@ -305,11 +302,12 @@ def _inequality(
             book.formula(sheet.cell(row, 6), f"=C{row}/D{row}", inequality.ratio, RATIO)
             number(sheet, row, 7, inequality.ratio, RATIO, color=QUIET)
             yes, no = say("passed"), say("not passed")
-            cell = book.formula(
-                sheet.cell(row, 8),
-                f'=IF(F{row}>=1-1E-12,"{yes}","{no}")',
-                yes if inequality.passed else no,
-            )
+            formula = f'IF(F{row}>=1-1E-12,"{yes}","{no}")'
+            if source.startswith(
+                "time_histories"
+            ):  # that q is of the wall and the demand of the run
+                formula = f'IF(inputs_changed>0,"{say("run again")}",{formula})'
+            cell = book.formula(sheet.cell(row, 8), f"={formula}", yes if inequality.passed else no)
             color = GOOD if inequality.passed else BAD
             style(cell, bold=True, color=color, align="center")
         rule(sheet, row, 1, 8)

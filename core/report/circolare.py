@@ -3,7 +3,15 @@
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.kinematic import CANTILEVER, DAMPING, PERIOD_FACTOR
 from core.codes.risk import EXPONENT, exponent_by_ag
-from core.codes.target_spectrum import EN_AMPLIFICATION, NTC_SOIL, NTC_TOPOGRAPHY, CodeSpectrum
+from core.codes.target_spectrum import (
+    EN_AMPLIFICATION,
+    NTC_SOIL,
+    NTC_TOPOGRAPHY,
+    SI_FROM,
+    SI_TO,
+    CodeSpectrum,
+    shape_integral,
+)
 from core.report.cells import ACCELERATION, BAD, EXACT, GOOD, QUIET, RATIO, Book, style, text
 from core.report.load_rows import MOMENTS, chain_formulas, moments, sides_agree
 from core.report.rows import found_row, heads, input_row, live_row
@@ -58,15 +66,32 @@ def spectrum_rows(book: Book, sheet, result: StudyResult, row: int) -> int:
     )
 
 
+def intensity_row(book: Book, sheet, row: int, demand, intensity: float | None) -> int:
+    """SI of the demand [cm], which follows the other cells where it is of a spectrum or of records scaled to a_g S."""
+    label = book.say("SI of the demand")
+    if demand.intensity_source == "given":
+        return input_row(book, sheet, row, label, intensity, "cm", "demand_si", RATIO)
+    follows = "demand_pga/demand_pga_run"
+    if isinstance(demand.target, CodeSpectrum) and demand.intensity_source == "spectrum":
+        then = shape_integral(demand.target)
+        tb, tc, td, f0 = (f"spectrum_{key}" for key in ("tb", "tc", "td", "f0"))
+        first, last = f"MIN({SI_FROM},{tb})", f"MIN({td},{SI_TO})"
+        now = (
+            f"(({tb}^2-{first}^2)/2+({f0}-1)*({tb}^3-{first}^3)/(3*{tb})+{f0}*({tc}^2-MAX({tb},{SI_FROM})^2)/2"
+            f"+{f0}*{tc}*({last}-{tc})+{f0}*{tc}*{td}*LN({SI_TO}/{last}))"
+        )
+        follows += f"*{now}/{then!r}"
+    elif demand.intensity_source != "records_scaled":
+        return found_row(book, sheet, row, label, intensity, "cm", "demand_si", RATIO)
+    formula = f"={intensity!r}*{follows}"
+    return live_row(book, sheet, row, label, "Eq. 11", formula, intensity, "cm", "demand_si", RATIO)
+
+
 def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: str, row: int) -> int:
     """Kinematic checks of one wall, linear and nonlinear, beside the program's values."""
     say, kinematic = book.say, wall.assessment.kinematic
     demand = result.demand
-    kind = (
-        say("element free to vibrate")
-        if kinematic.free_element
-        else say("restrained by transverse walls")
-    )
+    kind = say("element free to vibrate") if kinematic.free_element else say("not free to vibrate")
     if kinematic.floor:
         label = say("Circolare 7/2019, wall at {z:g} m, {kind}", z=wall.wall.base_z_m, kind=kind)
     else:
@@ -151,7 +176,11 @@ def _risk(book: Book, sheet, wall, name: str, demand, row: int) -> int:
     if found is None:
         return row
     zeta = zeta_cell(wall, name, demand)
-    row = live_row(book, sheet, row, "PGA_C = ζ S a_g", "", f"={zeta}*demand_pga", found.pga / G, "g",
+    of_histories = wall.assessment.verdict.governing == "dynamic"
+    pga = (
+        "demand_pga_run" if of_histories else "demand_pga"
+    )  # zeta of the histories is of the demand of the run
+    row = live_row(book, sheet, row, "PGA_C = ζ S a_g", "", f"={zeta}*{pga}", found.pga / G, "g",
                    f"{name}_pga_c")  # fmt: skip
     if found.by_hazard:
         text(sheet, row, 1, say("T_R,C by the hazard of the site"))
@@ -159,7 +188,8 @@ def _risk(book: Book, sheet, wall, name: str, demand, row: int) -> int:
         text(sheet, row, 5, say("years"), color=QUIET, align="center")
         row += 1
     elif found.return_period is not None:
-        row = input_row(
+        tr_row = found_row if of_histories else input_row
+        row = tr_row(
             book, sheet, row, "T_R,D", demand.return_period, say("years"), f"{name}_tr_d", RATIO
         )
         both = [
@@ -173,7 +203,7 @@ def _risk(book: Book, sheet, wall, name: str, demand, row: int) -> int:
                        found.other_return_period, say("years"), None, RATIO)  # fmt: skip
     if found.index is not None:
         label = say("IS-V of this mechanism, class {letter}", letter=found.letter)
-        row = live_row(book, sheet, row, label, "D.M. 65/2017", f"={name}_pga_c/demand_pga", found.index,
+        row = live_row(book, sheet, row, label, "D.M. 65/2017", f"={name}_pga_c/{pga}", found.index,
                        "–", None, RATIO)  # fmt: skip
     return row
 

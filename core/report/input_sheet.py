@@ -52,7 +52,7 @@ def _line(book: Book, sheet, row: int, key: str, value, source: str | None) -> i
     """A key in words, its value and unit, where it comes from; returns the next row."""
     language = book.language
     label = word(f"key_{key}", language)
-    plain = label[:1].islower() and "_" not in label.split()[0]
+    plain = label[:1].islower() and label[:1].isascii() and "_" not in label.split()[0]
     text(sheet, row, 1, label[0].upper() + label[1:] if plain else label)
     if isinstance(value, bool) or not isinstance(value, (int, float)):
         shown = spelled(value, book)

@@ -121,7 +121,7 @@ def _block_rows(book: Book, sheet, name, r, row, block, model, restoring) -> int
                    f"{name}_theta_c")  # fmt: skip
     row = live_row(book, sheet, row, "a_RM / g = a tan α + c", "Eq. 2",
                    f"={name}_a*TAN(RADIANS({name}_slenderness))+{name}_c", model.threshold / G, "g",
-                   f"{name}_a_rm", "0.000")  # fmt: skip
+                   f"{name}_a_rm", "0.000", f"{name}_a_rm_run")  # fmt: skip
     book.sums[name] = r
     return row
 

@@ -77,9 +77,10 @@ def changed_cell(book: Book, sheet, row: int, column: int) -> None:
 
 
 def live_row(
-    book: Book, sheet, row, label, equation, formula, value, unit, name=None, shape=EXACT
+    book: Book, sheet, row, label, equation, formula, value, unit, name=None, shape=EXACT, run=None
 ) -> int:
-    """A live formula and the program's value beside it; returns the next row."""
+    """A live formula and the program's value beside it; returns the next row. run : name of the program's value, for
+    what the histories found and no changed input moves."""
     text(sheet, row, 1, label)
     text(sheet, row, 2, equation, color=QUIET)
     if value is None:
@@ -89,6 +90,8 @@ def live_row(
         if name:
             book.name(name, sheet.cell(row, LIVE))
     number(sheet, row, ENGINE, value, shape, color=QUIET)
+    if run and value is not None:
+        book.name(run, sheet.cell(row, ENGINE))
     text(sheet, row, 5, unit, color=QUIET, align="center")
     rule(sheet, row, 1, 5)
     return row + 1

@@ -184,12 +184,19 @@ def _walls_table(book: Book, sheet, result: StudyResult, walls: list[WallResult]
 def _link(book: Book, sheet, result: StudyResult, wall: WallResult, row: int) -> None:
     """alpha, a_RM, q and zeta as those of the sheet Check, live."""
     name = cell_prefix(result, wall)
-    links = {7: f"{name}_slenderness", 8: f"{name}_a_rm", 10: f"{name}_q_set"}
+    names = book.workbook.defined_names
+    links = {3: f"{name}_height", 4: f"{name}_thickness", 7: f"{name}_slenderness", 8: f"{name}_a_rm",
+             10: f"{name}_q_set"}  # fmt: skip
+    if links[3] in names and links[4] in names:
+        size = f"{links[3]}*{links[4]}"
+        links[6] = f"{links[3]}/{links[4]}"
+        if wall.wall.weight:
+            links[9] = f"{wall.wall.weight / 1000.0 / (wall.height * wall.thickness)!r}*{size}"
     if wall.assessment and wall.assessment.verdict.governing:
         links[12] = zeta_cell(wall, name, result.demand)
     for column, target in links.items():
         cell = sheet.cell(row, column)
-        if target in book.workbook.defined_names and isinstance(cell.value, float):
+        if (target in names or column in (6, 9)) and isinstance(cell.value, float):
             look = copy(cell._style)
             book.formula(cell, f"={target}", cell.value, cell.number_format)
             cell._style = look
@@ -286,7 +293,7 @@ def _mechanism_line(book: Book, assessment) -> str:
         if assessment.period_0 is not None:
             parts.append(f"T_0 {book.digits(assessment.period_0, '.3f')} s")
     else:
-        parts.append(say("restrained by transverse walls"))
+        parts.append(say("not free to vibrate"))
     if assessment.zeta_sld is not None:
         parts.append(f"a_g,SLD/a_g {book.digits(assessment.zeta_sld, '.2f')}")
     return ", ".join(parts)

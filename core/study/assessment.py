@@ -134,9 +134,23 @@ def assess(
         lower,
         notes,
     )
-    capacity = None if result.zeta_e is None else risk(result.zeta_e, demand)
+    unknown = result.zeta_e is None
+    if (
+        dynamic and result.governing == "dynamic"
+    ):  # records weaker than the demand tell nothing of a PGA
+        unknown = unknown or demand.weak_share is not None
+    least = (
+        dynamic.zeta_spread[0]
+        if dynamic and result.governing == "dynamic" and dynamic.zeta_spread
+        else None
+    )
+    capacity = None if unknown else risk(result.zeta_e, demand, least)
     tie = None
-    if asked.tie_height_m is not None and wall.mechanism == "one_sided" and capacity is not None:
+    if (
+        asked.tie_height_m is not None
+        and wall.mechanism == "one_sided"
+        and result.zeta_e is not None
+    ):
         decides = governing_check(checks)
 
         def judged_with(force: float, step: float) -> tuple[float | None, bool]:
@@ -161,8 +175,11 @@ def _sensitivity(
     cases: dict[str, dict] = {}
     if (other := other_end(building, demand.limit_state)) is not None:
         cases["other_building"] = {"other": other}
-    if not building.modes:  # the participation of given modes is that at the wall
-        cases["at_centroid"] = {"z": _centroid(wall, building)}
+    z = _centroid(wall, building)
+    if (
+        not building.modes and z > wall.wall.base_z_m
+    ):  # the participation of given modes is that at the wall
+        cases["at_centroid"] = {"z": z}
     found = {}
     for name, change in cases.items():
         floor = floor_of(wall.wall, building, demand, ground, **change)

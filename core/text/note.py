@@ -49,20 +49,20 @@ NOTE = {
     "Range of use": "Campo d'impiego",
     (
         "Rigid block, simple overturning about a hinge, loads of constant size and direction, no sliding, no "
-        "vertical motion; equations and limits in the sheet Method of the annexes."
+        "vertical motion; equations and limits in the sheet Method of the workbook."
     ): (
         "Blocco rigido, ribaltamento semplice attorno a una cerniera, carichi di intensità e direzione "
-        "costanti, senza scorrimento né moto verticale; equazioni e limiti nel foglio Metodo degli allegati."
+        "costanti, senza scorrimento né moto verticale; equazioni e limiti nel foglio Metodo della cartella di lavoro."
     ),
     "Scale used": "Fattore usato",
     "Site and demand": "Sito e azione sismica",
     "The block": "Il blocco",
     "The program (NTC 2018 10.2)": "Il programma di calcolo (NTC 2018 10.2)",
-    "The set is compatible with the spectrum (sheet Spectral compatibility).": (
-        "L'insieme è compatibile con lo spettro (foglio Compatibilità spettrale)."
+    "The set is compatible with the spectrum (workbook, sheet Spectral compatibility).": (
+        "L'insieme è compatibile con lo spettro (cartella di lavoro, foglio Compatibilità spettrale)."
     ),
-    "The set is not compatible with the spectrum (sheet Spectral compatibility).": (
-        "L'insieme non è compatibile con lo spettro (foglio Compatibilità spettrale)."
+    "The set is not compatible with the spectrum (workbook, sheet Spectral compatibility).": (
+        "L'insieme non è compatibile con lo spettro (cartella di lavoro, foglio Compatibilità spettrale)."
     ),
     "Time histories": "Storie temporali",
     "Title": "Titolo",
@@ -101,5 +101,6 @@ NOTE = {
     "{wall}: sizes, hinge (red point) and mechanism (dashed)": (
         "{wall}: dimensioni, cerniera (punto rosso) e meccanismo (tratteggio)"
     ),
+    "paper, Fig. 1": "articolo, Fig. 1",
 }
 """English -> Italian; the group "report"."""

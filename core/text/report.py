@@ -83,7 +83,8 @@ REPORT = {
     "not passed": "non soddisfatta",
     "ζ required": "ζ richiesto",
     "element free to vibrate": "elemento libero di vibrare",
-    "restrained by transverse walls": "vincolata ai muri trasversali",
+    "not free to vibrate": "non libera di vibrare",
+    "run again": "rifare l'analisi",
     "Circolare 7/2019, wall at {z:g} m, {kind}": "Circolare 7/2019, parete a {z:g} m, {kind}",
     "Floors": "Piani",
     "Motion of the floors": "Moto dei piani",
@@ -281,7 +282,7 @@ REPORT = {
         "Out-of-plane overturning of masonry walls: rocking analysis, force reduction factor q (Coccia, Di "
         "Carlo, Imperatore 2016) and checks of the Circolare 7/2019, C8.7.1.2.1"
     ): (
-        "Ribaltamento fuori piano di pareti in muratura: analisi del blocco oscillante, fattore di struttura "
+        "Ribaltamento fuori piano di pareti in muratura: analisi del blocco oscillante, fattore di comportamento "
         "q (Coccia, Di Carlo, Imperatore 2016) e verifiche della Circolare 7/2019, C8.7.1.2.1"
     ),
     "Overview of the walls": "Riepilogo delle pareti",

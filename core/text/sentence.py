@@ -134,6 +134,14 @@ def numeral(value: float | None, form: str, language: str) -> str:
     return format(CommaFloat(value) if language == "it" else value, form)
 
 
+def apart(value: float | None, limit: float) -> Number:
+    """A ratio of a check with the digits, two to four, that keep a value below its limit from reading as the limit."""
+    digits = next(
+        (d for d in (2, 3) if value is None or (round(value, d) < limit) == (value < limit)), 4
+    )
+    return Number(value, f".{digits}f")
+
+
 def sentence(group: str, code: str, /, **values) -> Sentence:
     """A Sentence of this group and code; raises KeyError for an unknown one."""
     CATALOGUE[group][code]

@@ -144,9 +144,15 @@ REASONS = {
         "With the building at {factor:g} times its elastic period and {damping:.0%} damping ζ is {zeta}.",
         "Con l'edificio a {factor:g} volte il periodo elastico e smorzamento {damping:.0%} ζ è {zeta}.",
     ),
+    "weaker_records": (
+        "The records as given have a mean PGA of {share:.0%} of a_g S: the dynamic check is not at the demand, and "
+        "no PGA_C follows from it.",
+        "Gli accelerogrammi così come dati hanno PGA media pari al {share:.0%} di a_g S: la verifica dinamica non è "
+        "alla domanda, e non se ne ricava alcuna PGA_C.",
+    ),
     "at_centroid": (
-        "With the motion at the height of the wall's centroid, {z:.2f} m, ζ is {zeta}.",
-        "Con il moto alla quota del baricentro della parete, {z:.2f} m, ζ è {zeta}.",
+        "With the motion at {z:.2f} m, the height of the wall's centroid up to that of the building, ζ is {zeta}.",
+        "Con il moto a {z:.2f} m, quota del baricentro della parete fino a quella dell'edificio, ζ è {zeta}.",
     ),
     "code_below_records": (
         "On [T_0, T_SLV] the floor spectrum of the code falls to {ratio:.2f} of the mean of the floor motions: its "
@@ -240,8 +246,8 @@ REASONS = {
         "S non è assegnato ed è posto pari a 1, roccia.",
     ),
     "disagrees": (
-        "{method} gives ζ {zeta:.2f}: {outcome}.",
-        "{method}: ζ {zeta:.2f}, {outcome}.",
+        "{method} gives ζ {zeta}: {outcome}.",
+        "{method}: ζ {zeta}, {outcome}.",
     ),
 }
 

@@ -3,7 +3,7 @@
 from core.codes.target_spectrum import CodeSpectrum
 from core.ground.provenance import provenance
 from core.report.assumptions import assumptions_of
-from core.report.circolare import cell_prefix
+from core.report.circolare import cell_prefix, follows_spectrum
 from core.report.note import wall_figures, wall_steps
 from core.report.note.parts import (
     Blanks,
@@ -87,7 +87,8 @@ def _demand(result: StudyResult, words: Words) -> list[Part]:
     if demand.return_period is not None:
         steps.append(Step("T_R", demand.return_period, ".0f", say("years"), "3.2.0"))
     steps.append(Step("a_g", demand.ag / G, ".3f", "g", "", cell="demand_ag", label=say("on rock")))
-    steps.append(Step("S", demand.soil_factor, ".3f", "–", "3.2.3", cell="demand_s"))
+    clause = "3.2.3" if follows_spectrum(result) else ""
+    steps.append(Step("S", demand.soil_factor, ".3f", "–", clause, cell="demand_s"))
     values = {"s": (demand.soil_factor, "demand_s"), "a": (demand.ag / G, "demand_ag")}
     steps.append(
         Step("S a_g", demand.pga / G, ".3f", "g", "", "", "{s:.3f} · {a:.3f}", values, "demand_pga")
@@ -175,9 +176,11 @@ def _records(result: StudyResult, words: Words) -> list[Part]:
     rules = result.compliance
     if rules is not None:
         line = (
-            say("The set is compatible with the spectrum (sheet Spectral compatibility).")
+            say("The set is compatible with the spectrum (workbook, sheet Spectral compatibility).")
             if rules.compatible
-            else say("The set is not compatible with the spectrum (sheet Spectral compatibility).")
+            else say(
+                "The set is not compatible with the spectrum (workbook, sheet Spectral compatibility)."
+            )
         )
         parts.append(Paragraph(line))
     return parts
@@ -197,11 +200,7 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
         parts.append(Derivation([q]))
         return [*parts, *_verdict(result, wall, words)]
     kinematic = found.kinematic
-    held = (
-        say("element free to vibrate")
-        if kinematic.free_element
-        else say("restrained by transverse walls")
-    )
+    held = say("element free to vibrate") if kinematic.free_element else say("not free to vibrate")
     if kinematic.floor:
         held = say("wall at {z:g} m, {kind}", z=float(wall.wall.base_z_m), kind=held)
     parts.append(Paragraph(held, "quiet"))
@@ -212,7 +211,7 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
         (say("Linear check"), wall_steps.linear(result, wall, name, words)),
         (say("Displacement check"), wall_steps.nonlinear(result, wall, name, words)),
         (say("Time histories"), wall_steps.dynamic(wall, name, words)),
-        (say("What the mechanism withstands"), wall_steps.risk(result, wall, name, words)),
+        (say("What the mechanism withstands"), wall_steps.risk(result, wall, words)),
     ):
         if steps:
             parts += [Heading(heading, 3), Derivation(steps)]
@@ -283,7 +282,7 @@ def _closing(result: StudyResult, words: Words) -> list[Part]:
         (say("Licence"), "BSD-3-Clause"),
         (say("Range of use"), say(
             "Rigid block, simple overturning about a hinge, loads of constant size and direction, no sliding, no "
-            "vertical motion; equations and limits in the sheet Method of the annexes.")),
+            "vertical motion; equations and limits in the sheet Method of the workbook.")),
         (say("Validation"), say(
             "Histories against 40-digit solutions and closed forms, checks against hand calculations, both repeated by "
             "the tests that come with the program; method of this analysis: {method}.", method=result.method_words)),

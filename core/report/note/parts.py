@@ -64,7 +64,9 @@ class Step:
         for text, name, form, _ in Formatter().parse(self.numbers):
             pieces.append(text)
             if name:
-                pieces.append(numeral(self.values[name][0], form, language))
+                value = self.values[name][0]
+                shown = numeral(value, form, language)
+                pieces.append(f"({shown})" if value < 0.0 else shown)
         return "".join(pieces)
 
     def written(self, language: str) -> str:

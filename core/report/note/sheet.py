@@ -179,7 +179,8 @@ class _Writer:
         language, cells = self.book.language, self.book.workbook.defined_names
         written = step.written(language)
         self._wrapped(self.row, 1, 6, written)
-        names = [name for _, name in step.values.values() if name]
+        used = [key for _, key, _, _ in Formatter().parse(step.numbers) if key]
+        names = [name for name in (step.values[key][1] for key in used) if name]
         if step.numbers and all(name in cells for name in names):
             formula = self._live_text(step)
             if formula:
@@ -208,7 +209,8 @@ class _Writer:
             if name:
                 value, cell = step.values[name]
                 digits = int(form.strip(".f"))
-                pieces.append((cell or repr(value), digits))
+                number = (cell or repr(value), digits)
+                pieces += ["(", number, ")"] if value < 0.0 else [number]
         # whatever mark the spreadsheet's own language has
         marks = '".",","' if self.book.language == "it" else '",","."'
         joined = []

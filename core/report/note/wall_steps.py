@@ -8,7 +8,6 @@ from functools import partial
 
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.kinematic import CANTILEVER, DAMPING, PERIOD_FACTOR
-from core.report.circolare import zeta_cell
 from core.report.load_rows import governing_side, moments
 from core.report.note.parts import Step
 from core.report.note.words import Words
@@ -27,7 +26,9 @@ def geometry(wall: WallResult, name: str, words: Words) -> list[Step]:
         "h": (h, f"{name}_height"),
         "u": (u, f"{name}_setback"),
     }
-    alpha = partial(Step, "α", degrees, ".2f", "°", "Fig. 1", cell=f"{name}_slenderness")
+    alpha = partial(
+        Step, "α", degrees, ".2f", "°", words.say("paper, Fig. 1"), cell=f"{name}_slenderness"
+    )
     steps = []
     if asked.load:
         weight = 1e-3 * wall_loads.weight_per_metre(asked)
@@ -43,7 +44,9 @@ def geometry(wall: WallResult, name: str, words: Words) -> list[Step]:
         steps.append(alpha(formula="arctan(t/H)", numbers=numbers, values=sizes))
     else:
         steps.append(alpha(label=words.say("as given")))
-    steps.append(Step("R", block.radius, ".3f", "m", "Fig. 1", cell=f"{name}_radius"))
+    steps.append(
+        Step("R", block.radius, ".3f", "m", words.say("paper, Fig. 1"), cell=f"{name}_radius")
+    )
     p = f"{name}_p"
     if block.is_rectangle:
         values = {"g": (G, "gravity"), "r": (block.radius, f"{name}_radius")}
@@ -301,13 +304,12 @@ def dynamic(wall: WallResult, name: str, words: Words) -> list[Step]:
     return steps
 
 
-def risk(result: StudyResult, wall: WallResult, name: str, words: Words) -> list[Step]:
-    """What the mechanism withstands."""
+def risk(result: StudyResult, wall: WallResult, words: Words) -> list[Step]:
+    """What the mechanism withstands: of the run, for the zeta of histories moves with no cell."""
     found, demand = wall.assessment.risk, result.demand
     if found is None:
         return []
-    zeta = (wall.assessment.verdict.zeta_e, zeta_cell(wall, name, demand))
-    values = {"z": zeta, "s": (demand.pga / G, "demand_pga")}
+    values = {"z": (wall.assessment.verdict.zeta_e, None), "s": (demand.pga / G, None)}
     steps = [
         Step(
             "PGA_C",
@@ -318,7 +320,7 @@ def risk(result: StudyResult, wall: WallResult, name: str, words: Words) -> list
             "ζ S a_g",
             "{z:.3f} · {s:.3f}",
             values,
-            f"{name}_pga_c",
+            label=words.say("of the run"),
         )
     ]
     if found.years is not None:

@@ -90,6 +90,8 @@ def test_that_the_intensity_of_a_spectrum_is_the_integral_of_its_velocity():
     fine = np.trapezoid(target.acceleration(t) * t / (2.0 * math.pi), t)
     # 0.02 s against 1e-5 s: the kinks at T_C and T_D are grid points
     assert ts.housner_intensity(target) == pytest.approx(fine, rel=1e-4)
+    exact = target.pga * ts.shape_integral(target) / (2.0 * math.pi)
+    assert exact == pytest.approx(fine, rel=1e-9)
 
 
 def test_that_a_spectrum_of_a_file_gives_its_points_and_its_ends():

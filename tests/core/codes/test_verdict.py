@@ -153,9 +153,8 @@ def test_that_failing_neighbours_of_a_demand_that_is_met_are_counted():
 def test_that_fc_on_the_other_side_is_said_where_it_decides_differently():
     other = OtherConfidence("demand", 0.91, False)
     found = said(1.2, q2=1.1, check={"zeta_other": other})
-    assert (
-        "With FC on the demand instead of the strength it is not verified: ζ 0.91"
-        in found.text("en")
+    assert "With FC on the demand instead of the strength it is not verified: ζ 0.91" in found.text(
+        "en"
     )
     same = said(1.2, q2=1.1, check={"zeta_other": OtherConfidence("demand", 1.1, True)})
     assert "FC" not in same.text("en")

@@ -226,6 +226,37 @@ def test_that_a_changed_input_is_stated_and_moves_what_follows_from_it(building,
     assert "1.200 · 0.286" in note_words
 
 
+def test_that_a_changed_sheet_agrees_with_a_new_run_or_stays_that_of_the_run(verdict, tmp_path):
+    """The thickness of the first wall and a_g changed in the workbook, against the case run with both."""
+    made = workbook.build(verdict, []).workbook
+    for name, value in (("demand_ag", 0.3), ("wall1_thickness", 0.6)):
+        sheet, place = cell_of(made, name)
+        made[sheet][place].value = value
+    shown = recalculated(made, tmp_path)
+    walls = (replace(verdict.case.wall[0], thickness_m=0.6),)
+    demand = replace(verdict.case.demand, ag_g=0.3)
+    again = run(replace(verdict.case, wall=walls, walls=None, demand=demand), base_dir=ROOT)
+    wall, old = again.walls[0], verdict.walls[0]
+
+    def value(name):
+        sheet, place = cell_of(made, name)
+        return shown[sheet][place].value
+
+    assert value("wall1_a_rm") == pytest.approx(wall.model.threshold / G, rel=1e-9)
+    assert value("demand_si") == pytest.approx(100.0 * again.demand.intensity, rel=1e-4)
+    assert value("wall1_q_closed") == pytest.approx(wall.closed_form_q, rel=1e-4)
+    a0 = wall.assessment.kinematic.a0 / G
+    assert value("wall1_a0_star") == pytest.approx(a0, rel=1e-9)
+    assert value("wall1_q_set") == pytest.approx(old.q_set, rel=1e-9)  # of the run, as it says
+    assert value("wall1_pga_c") == pytest.approx(old.assessment.risk.pga / G, rel=1e-9)
+    cells = [c.value for line in shown["Verifica"].iter_rows() for c in line]
+    assert cells.count("rifare l'analisi") == 3 * len(verdict.walls)
+    lines = " ".join(str(c.value) for line in shown["Relazione"].iter_rows() for c in line)
+    assert "arctan(0,600/7,00)" in lines and "arctan(0,830/7,00)" not in lines
+    summary = [c.value for line in shown["Sintesi"].iter_rows() for c in line]
+    assert 0.6 in summary and pytest.approx(7.0 / 0.6) in summary
+
+
 def test_that_a_step_without_numbers_is_written_alone():
     step = Step("a_g", 0.25, ".3f", "g")
     assert (step.written("it"), step.result_written("it")) == ("a_g", "0,250")
