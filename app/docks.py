@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from PySide6.QtCore import QByteArray, Qt
+from PySide6.QtCore import QByteArray, Qt, QTimer
 from PySide6.QtWidgets import (
     QDockWidget,
     QLabel,
@@ -80,11 +80,34 @@ def build(window, session: Session, state) -> Sides:
     below = QDockWidget(tr("Verdict"), objectName="verdict")
     below.setWidget(area)
     window.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, below)
-    window.resizeDocks([left, right], [348, 318], Qt.Orientation.Horizontal)
-    window.resizeDocks([right, below], [430, 260], Qt.Orientation.Vertical)
+    arrange(window, False)
     if isinstance(state, QByteArray):
         window.restoreState(state)
     return Sides(forms, walls, demand, analysis, records, card, card_veil)
+
+
+NARROW = 1200
+"""Width of the window [px] below which its docks share the left side: both sides would leave the tabs too little."""
+
+
+def arrange(window, narrow: bool) -> None:
+    """Records and verdict right of the tabs, or behind the input where the window is narrow."""
+    left, right, below = (
+        window.findChild(QDockWidget, name) for name in ("input", "records", "verdict")
+    )
+    if narrow:
+        window.tabifyDockWidget(left, right)
+        window.tabifyDockWidget(right, below)
+        left.raise_()
+        QTimer.singleShot(
+            0, window, lambda: window.resizeDocks([left], [348], Qt.Orientation.Horizontal)
+        )
+        return
+    for dock in (right, below):
+        window.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
+    window.splitDockWidget(right, below, Qt.Orientation.Vertical)
+    window.resizeDocks([left, right], [348, 318], Qt.Orientation.Horizontal)
+    window.resizeDocks([right, below], [430, 260], Qt.Orientation.Vertical)
 
 
 def sides(window) -> list[QDockWidget]:

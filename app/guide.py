@@ -74,6 +74,7 @@ class Guide(QDialog):
 
     def _show(self, k: int) -> None:
         if 0 <= k < len(self.paths):
+            self.text.setSearchPaths([str(self.paths[k].parent)])
             self.text.setMarkdown(self.paths[k].read_text(encoding="utf-8"))
 
 

@@ -84,6 +84,10 @@ class MainWindow(RunningWindow):
         self.forms, self.walls, self.demand = sides.forms, sides.walls, sides.demand
         self.analysis, self.records = sides.analysis, sides.records
         self.card, self.card_veil = sides.card, sides.card_veil
+        self.narrow = False
+        if self.isVisible() and self.width() < docks.NARROW:
+            self.narrow = True
+            docks.arrange(self, True)
         self.records.loaded.connect(self.records_loaded)
         self.walls.list.currentRowChanged.connect(self._wall_listed)
         self.actions_of = menus.build(self)
@@ -143,6 +147,7 @@ class MainWindow(RunningWindow):
             language.set_language(name)
         tab, wall = self.tabs.currentIndex(), self.chosen.currentIndex()
         widths = [dock.width() for dock in docks.sides(self)]
+        keep = keep and not self.narrow  # those of a narrow window share a side
         self.build()
         if keep:
             QTimer.singleShot(0, self, lambda: docks.widen(self, widths))
@@ -222,16 +227,14 @@ class MainWindow(RunningWindow):
         self.tabs.setCurrentWidget(self.pages["check"])
 
     def charts(self) -> list[Chart]:
-        """Every chart that shows something of the wall shown, the tabs filled first."""
-        found = []
+        """Every chart that shows something of the wall shown. Its tab is once in front: Qt lays nothing out before."""
+        found, front = [], self.tabs.currentIndex()
+        self.tabs.setUpdatesEnabled(False)
         for page in self.pages.values():
-            if page is self.pages["spectra"]:
-                page.content  # noqa: B018  (made)
-                self._show_spectra()
-            elif page not in self.fresh:
-                page.content.show_wall(self.session.result, self.wall)
-                self.fresh.add(page)
+            self.tabs.setCurrentWidget(page)
             found += [chart for chart in page.content.findChildren(Chart) if chart.data]
+        self.tabs.setCurrentIndex(front)
+        self.tabs.setUpdatesEnabled(True)
         return found
 
     def _wall_chosen(self) -> None:
@@ -287,6 +290,10 @@ class MainWindow(RunningWindow):
 
     def resizeEvent(self, event) -> None:
         super().resizeEvent(event)
+        narrow = self.width() < docks.NARROW
+        if narrow != self.narrow:
+            self.narrow = narrow
+            docks.arrange(self, narrow)
         self._cover_tabs()
 
     # results

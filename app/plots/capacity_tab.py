@@ -195,7 +195,7 @@ class CapacityTab(QWidget):
             known = ~np.isnan(image[k])
             self.strips.data.append((_name(run), grid[known], image[k][known]))
         names = [(k, _name(run)) for k, run in enumerate(wall.runs)]
-        self.strips.ticks("left", names[:: max(1, len(names) // 14)])
+        self.strips.names_beside(names)
         marks = [q for q in MARKS if math.log(q) >= low - 0.1]
         self.strips.ticks("bottom", [(math.log(q), f"{number(q, 'g')}") for q in marks])
         self.strips.reset()

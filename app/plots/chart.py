@@ -83,6 +83,7 @@ class Chart(ChartOutput):
         self.items: list[tuple] = []
         self.recolors: list[Callable[[theme.Theme], None]] = []
         self.names: list[str] = []
+        self.lines: list[tuple[float, str]] = []
         self.data: list[tuple[str, np.ndarray, np.ndarray]] = []
         self.read = QLabel()
         self.read.setMinimumWidth(10)
@@ -122,6 +123,7 @@ class Chart(ChartOutput):
         self.legend.clear()
         self.found.clear()
         self.items, self.data, self.recolors, self.names, self.ranges = [], [], [], [], {}
+        self.lines = []
         self.reason.hide()
 
     def say_why(self, reason: str) -> None:
@@ -220,6 +222,12 @@ class Chart(ChartOutput):
         step = max(1, math.ceil(len(names) / max(1.0, room)))
         self.ticks("bottom", [(k, names[k]) for k in range(0, len(names), step)])
 
+    def names_beside(self, lines: list[tuple[float, str]]) -> None:
+        """Names at places of the left axis, as many of them as its height holds."""
+        self.lines = lines
+        room = 0.6 * self.view.height() / self.fontMetrics().height()
+        self.ticks("left", lines[:: max(1, math.ceil(len(lines) / max(1.0, room)))])
+
     def resizeEvent(self, event) -> None:
         super().resizeEvent(event)
         self.fit()
@@ -228,6 +236,8 @@ class Chart(ChartOutput):
         """Names, legend and words as the width of the view wants them."""
         if self.names:
             self.names_below(self.names)
+        if self.lines:
+            self.names_beside(self.lines)
         self._place_legend()
 
     def _place_legend(self) -> None:

@@ -45,6 +45,9 @@ def figure(chart, end: str, size: FigureSize) -> bytes:
     room.open(QIODevice.OpenModeFlag.WriteOnly)
     old, ranges, box = chart.view.size(), chart.plot.viewRange(), chart.plot.vb
     box.blockLink(True)  # a linked chart of another width would move the axis
+    chart.layout().setEnabled(
+        False
+    )  # behind another tab, painting would give the view its old size
     try:
         chart.view.resize(whole)
         chart.fit()
@@ -68,6 +71,7 @@ def figure(chart, end: str, size: FigureSize) -> bytes:
         chart.fit()
         box.setRange(xRange=ranges[0], yRange=ranges[1], padding=0)
         box.blockLink(False)
+        chart.layout().setEnabled(True)
     return bytes(room.data())
 
 

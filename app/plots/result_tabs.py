@@ -36,6 +36,7 @@ class IntensityTab(QWidget):
         self.chart = Chart("SI [cm]", "q_eff [-]", tr("q against SI"))
         self.scale_free = Chart("Π = p² SI/PGA [-]", "q [-]", tr("q against Π"))
         self.words = QLabel()
+        self.words.setWordWrap(True)
         layout = QVBoxLayout(self)
         row = QHBoxLayout()
         row.addWidget(self.log)

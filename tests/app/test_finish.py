@@ -8,6 +8,7 @@ import pytest
 
 pytest.importorskip("PySide6")
 
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QImage, QPalette
 from PySide6.QtWidgets import QApplication, QDockWidget, QLineEdit
 
@@ -359,13 +360,23 @@ def test_that_numbers_have_a_comma_in_the_italian_window(own_walls):
     own_walls.set_choice("language", "en")
 
 
-@pytest.mark.parametrize("size", [(1024, 768), (960, 540)])
 @pytest.mark.parametrize("tongue", ["en", "it"])
-def test_that_the_window_fits_a_small_screen(opened, application, size, tongue):
-    opened.set_choice("language", tongue)
-    assert opened.minimumSizeHint().width() <= size[0], opened.minimumSizeHint()
-    assert opened.minimumSizeHint().height() <= size[1], opened.minimumSizeHint()
-    opened.set_choice("language", "en")
+def test_that_the_window_fits_a_small_screen(own_walls, application, tongue):
+    own_walls.set_choice("language", tongue)
+    for size in ((1024, 768), (960, 540)):
+        own_walls.resize(*size)
+        for page in own_walls.pages.values():
+            own_walls.tabs.setCurrentWidget(page)
+            application.processEvents()
+            assert (own_walls.width(), own_walls.height()) == size, page
+            assert own_walls.minimumSizeHint().width() <= size[0]
+            assert own_walls.minimumSizeHint().height() <= size[1]
+            assert own_walls.tabs.width() >= 0.5 * size[0]
+    own_walls.resize(1280, 800)
+    application.processEvents()
+    records = own_walls.findChild(QDockWidget, "records")
+    assert own_walls.dockWidgetArea(records) == Qt.DockWidgetArea.RightDockWidgetArea
+    own_walls.set_choice("language", "en")
 
 
 def test_that_tables_fit_their_tab_at_1280(own_walls, application):
@@ -409,3 +420,19 @@ def test_that_no_job_collects_widgets_in_its_thread(opened):
     opened.collector.look()
     gc.collect()
     assert len(seen) == 3000 and all(seen)
+
+
+def test_that_figures_of_tabs_never_looked_at_fill_their_page(opened, application):
+    opened.files.open(VERDICT)
+    settle(application, lambda: not opened.records.pending)
+    run(application, opened)
+    charts = opened.charts()
+    assert len(charts) == 11 and opened.tabs.currentIndex() == 0
+    for chart in charts:
+        picture = QImage.fromData(figure(chart, ".png", FigureSize(160, 96)))
+        picture = picture.convertToFormat(QImage.Format.Format_Grayscale8)
+        grey = np.frombuffer(picture.bits(), np.uint8).reshape(picture.height(), -1)
+        grey = grey[:, : picture.width()]
+        rows, columns = (np.flatnonzero((grey < 250).any(axis=k)) for k in (1, 0))
+        assert columns[-1] - columns[0] > 0.9 * picture.width(), chart.name
+        assert rows[-1] - rows[0] > 0.9 * picture.height(), chart.name
