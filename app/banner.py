@@ -33,8 +33,9 @@ class Banner(QLabel):
             here = error is not None and field.named_in(error, wall)
             field.show_rule(described(error) if here else "")
         words = described(broken) if broken else ""
-        if not words and any(field.wrong for field in window.fields):
-            words = tr("A field holds what is not accepted: see the words below it.")
+        wrong = next((field for field in window.fields if field.wrong), None)
+        if not words and wrong is not None:
+            words = f"{wrong.caption.text()}: {wrong.error}"
         runs = not words
         row = window.records.unreadable_row()
         if not words and row is not None:

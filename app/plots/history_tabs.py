@@ -207,8 +207,8 @@ class HistoriesTab(QWidget):
         hits = self.history.impact_time[:2000]
         self.marks.setData(hits, np.zeros(hits.size))
         self.rotation.data = [
-            ("theta/theta_c", self.times[: ratio.size], ratio),
-            ("impacts", self.history.impact_time, np.zeros(self.history.impact_time.size)),
+            ("θ/θc", self.times[: ratio.size], ratio),
+            (tr("impacts"), self.history.impact_time, np.zeros(self.history.impact_time.size)),
         ]
         if self.history.outcome == COLLAPSED:  # its largest rotation is where the analysis ended
             outcome = named("overturned")

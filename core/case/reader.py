@@ -23,6 +23,10 @@ MAX_BYTES = 2_000_000
 """A case file is a page or two; a larger file is something else."""
 
 
+_COMMA = re.compile(r"^[^#\n\"']*=\s*([+-]?\d+,\d+)\s*(?:#.*)?$", re.MULTILINE)
+"""A number with a decimal comma, which TOML has not."""
+
+
 def read_toml(path: Path) -> tuple[dict, bytes]:
     """Content of a TOML file as a mapping, and its bytes. Raises InputError."""
     try:
@@ -44,6 +48,10 @@ def read_toml(path: Path) -> tuple[dict, bytes]:
         raise InputError("case_not_utf8", place=(path,)) from None
     except (ValueError, RecursionError) as error:
         reason = str(error).split("; use sys")[0][:200]
+        number = _COMMA.search(text)
+        if number:
+            line = text.count("\n", 0, number.start(1)) + 1
+            raise InputError("toml_comma", line=line, found=number[1], place=(path,)) from None
         raise InputError("not_toml", reason=reason, place=(path,)) from None
     return table, content
 

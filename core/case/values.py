@@ -2,6 +2,7 @@
 
 import datetime
 import difflib
+import re
 from dataclasses import MISSING, fields
 from types import SimpleNamespace
 
@@ -70,6 +71,10 @@ def section_of(cls, table, name: str, here):
         elif entry.default is MISSING:
             raise InputError("missing", place=(here,), key=entry.name, accepted=accepted_by(entry))
     return cls(**values)
+
+
+_QUOTED = re.compile(r"[+-]?\d+([.,]\d+)?")
+"""A number as text."""
 
 
 def are_ends(value) -> bool:
@@ -184,6 +189,9 @@ def value_of(entry, value, *here):
                 least=MIN_ELASTIC,
             )
     shown, accepted = repeated(value), accepted_by(entry)
+    if kind in ("float", "int") and isinstance(value, str) and _QUOTED.fullmatch(value.strip()):
+        plain = value.strip().replace(",", ".")
+        raise InputError("number_in_quotes", place=here, key=entry.name, value=shown, plain=plain)
     raise InputError(
         "not_accepted", place=here, key=entry.name, value=shown, accepted=accepted, found=value
     )

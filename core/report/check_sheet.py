@@ -34,6 +34,7 @@ from core.report.sheets import rule_word
 from core.study.results import Q_SOURCES, PerRecord, StudyResult, WallResult
 from core.text.sentence import word
 from core.units import CM, G
+from core.wall.restitution import MODELS
 
 
 def check(book: Book, result: StudyResult) -> None:
@@ -170,7 +171,7 @@ def _geometry(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
 def _ratio_row(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
     say, block = book.say, wall.block
     ratio = wall.restitution
-    label = say("velocity ratio e") + f" ({ratio.model})"
+    label = say("velocity ratio e") + f" ({MODELS[ratio.model]})"
     factor = f"(2*{name}_radius^2/{name}_inertia)" if not block.is_rectangle else "1.5"
     eq4 = f"(1-{factor}*SIN(RADIANS({name}_slenderness))^2)"
     eq6 = f"{eq4}^2*ABS(1-{factor}*COS(RADIANS({name}_slenderness))^2)"

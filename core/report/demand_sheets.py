@@ -3,6 +3,7 @@
 import math
 
 from openpyxl.chart import ScatterChart
+from openpyxl.chart.legend import LegendEntry
 
 from core.codes.multiplier_search import STEP
 from core.report.cells import (
@@ -24,7 +25,7 @@ from core.report.cells import (
     text,
     title,
 )  # fmt: skip
-from core.report.plots import add_series, new_chart
+from core.report.plots import add_series, new_chart, rows_below
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import word
 from core.units import G
@@ -206,7 +207,7 @@ def spectral_compatibility(book: Book, result: StudyResult) -> None:
     )
     chart = _spectra(book, sheet, result)
     sheet.add_chart(chart, f"A{row + 1}")
-    sheet.print_area = f"A1:I{row + 22}"
+    sheet.print_area = f"A1:I{row + 1 + rows_below(chart)}"
 
 
 def _spectra(book: Book, sheet, result: StudyResult) -> ScatterChart:
@@ -232,6 +233,6 @@ def _spectra(book: Book, sheet, result: StudyResult) -> ScatterChart:
         math.ceil(2.0 * compliance.periods[-1]) / 2.0,
     )
     chart.y_axis.scaling.min = 0
-    if len(curves) > 10:
-        chart.legend = None
+    records = range(len(curves) - 2)  # drawn first, alike in grey: the legend names mean and target
+    chart.legend.legendEntry = [LegendEntry(idx=k, delete=True) for k in records]
     return chart

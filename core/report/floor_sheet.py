@@ -1,5 +1,7 @@
 """The sheet of the floors: what moves the walls above the ground, the code beside the records."""
 
+from openpyxl.worksheet.pagebreak import Break
+
 from core.report.cells import (
     ACCELERATION,
     ACCENT,
@@ -13,7 +15,7 @@ from core.report.cells import (
     text,
     title,
 )
-from core.report.plots import DATA, add_series, new_chart
+from core.report.plots import DATA, add_series, new_chart, rows_below
 from core.study.floors import CHART_PERIODS, Floor
 from core.study.results import StudyResult
 from core.units import G
@@ -41,6 +43,8 @@ def floors(book: Book, result: StudyResult) -> None:
         color=QUIET,
     )
     for index, (z, floor) in enumerate(sorted(found.items())):
+        if index:  # a page each: tables and chart stay together
+            sheet.row_breaks.append(Break(id=row))
         row = _floor(book, sheet, floor, z, index, row + 1)
     sheet.print_area = f"A1:H{row}"
 
@@ -86,4 +90,4 @@ def _floor(book: Book, sheet, floor: Floor, z: float, index: int, row: int) -> i
         add_series(chart, sheet, (first, first + k), (2, 2 + CHART_PERIODS.size), color)
     chart.x_axis.scaling.min = chart.y_axis.scaling.min = 0
     sheet.add_chart(chart, f"A{row + 1}")
-    return row + 19
+    return row + 1 + rows_below(chart)

@@ -26,6 +26,7 @@ from core.report.cells import (
     GOOD,
     QUIET,
     RATIO,
+    ROW_HEIGHT,
     Book,
     header,
     number,
@@ -37,6 +38,7 @@ from core.study.results import CollapseHistories, StudyResult, WallResult
 from core.text.sentence import word
 from core.units import CM
 
+CM_PER_POINT = 2.54 / 72.0
 CHART_WALLS = 20
 ABREAST_FROM = 4
 """Charts from which two stand side by side."""
@@ -74,19 +76,24 @@ def new_chart(heading: str, x: str, y: str, width=24.0, height=9.5) -> ScatterCh
     return chart
 
 
+def rows_below(chart) -> int:
+    """Rows a chart covers, and one of air."""
+    return math.ceil(chart.height / (ROW_HEIGHT * CM_PER_POINT)) + 1
+
+
 def _placed(sheet, chart, index: int, count: int, row: int) -> int:
     """Put the chart of this index, of so many, onto the sheet; returns the row of the next."""
     if count < ABREAST_FROM:
         sheet.add_chart(chart, f"A{row}")
-        row += 19
+        row += rows_below(chart)
         if index % 3 == 2:
             sheet.row_breaks.append(Break(id=row - 1))
         return row
     sheet.add_chart(chart, f"{'AF'[index % 2]}{row}")
     if index % 2 == 0 and index < count - 1:
         return row
-    row += 13
-    if index % 8 == 7:
+    row += rows_below(chart)
+    if index % 6 == 5:
         sheet.row_breaks.append(Break(id=row - 1))
     return row
 

@@ -202,7 +202,7 @@ def method(book: Book, result: StudyResult) -> None:
             "reversed": say("reversed")}[result.case.analysis.polarity]),
     ]  # fmt: skip
     for wall in result.walls:
-        ratio = f"{wall.restitution.model} ({MODELS[wall.restitution.model]})"
+        ratio = MODELS[wall.restitution.model]
         label = f"{wall.name}, {word(wall.mechanism, book.language)}"
         law = say("rigid")
         if not wall.law.is_rigid:

@@ -53,6 +53,14 @@ CASE_ERRORS = {
         "not TOML: {reason}; see the examples in resources/cases",
         "non è TOML: {reason}; vedere gli esempi in resources/cases",
     ),
+    "toml_comma": (
+        "line {line}: {found} has a comma: numbers of a case file have a decimal point",
+        "riga {line}: {found} ha la virgola: i numeri di un file di caso hanno il punto decimale",
+    ),
+    "number_in_quotes": (
+        "{key} = {value}: write the number without quotes and with a decimal point, {key} = {plain}",
+        "{key} = {value}: scrivere il numero senza virgolette e con il punto decimale, {key} = {plain}",
+    ),
     "strength_gives_setback": (
         "{compressive_strength_mpa} gives the setback of the hinge: it takes {unit_weight_kn_m3} and no "
         "{hinge_setback_m}",

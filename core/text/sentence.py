@@ -136,10 +136,10 @@ def numeral(value: float | None, form: str, language: str) -> str:
 
 def apart(value: float | None, limit: float) -> Number:
     """A ratio of a check with the digits, two to four, that keep a value below its limit from reading as the limit."""
-    digits = next(
-        (d for d in (2, 3) if value is None or (round(value, d) < limit) == (value < limit)), 4
-    )
-    return Number(value, f".{digits}f")
+    for digits in (2, 3, 4):
+        if value is None or (round(value, digits) < limit) == (value < limit):
+            return Number(value, f".{digits}f")
+    return Number(limit - 1e-4, ".4f")
 
 
 def sentence(group: str, code: str, /, **values) -> Sentence:

@@ -41,9 +41,6 @@ WINDOW = {
     "Progress": "Avanzamento",
     "Cancel": "Interrompi",
     "untitled": "senza nome",
-    "A field holds what is not accepted: see the words below it.": (
-        "Un campo contiene un valore non accettato: vedere le parole sotto di esso."
-    ),
     "The input has changed: press F5.": "I dati sono cambiati: premere F5.",
     "Cancelled.": "Interrotto.",
     "Running…": "In esecuzione…",

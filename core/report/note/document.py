@@ -26,6 +26,9 @@ COLORS = {"ink": "#1F2D3D", "quiet": "#6B7785", "accent": "#2B5C8A", "good": "#1
 WIDTH = 17.0
 """Width of the text of an A4 page [cm]."""
 
+BLANKS = 80
+"""Letters of a line of blanks to fill in."""
+
 DPI = 300
 
 
@@ -110,9 +113,9 @@ class _Writer:
             table = self.made.add_table(1, 1, style="Table Grid")
             table.cell(0, 0).text = "\n" * (part.lines - 1)
         elif isinstance(part, Blanks):
-            self.made.add_paragraph(
-                "\n" + "      ".join(f"{label} {'_' * 24}" for label in part.labels)
-            )
+            room = BLANKS - sum(len(label) + 6 for label in part.labels)
+            line = "_" * (room // len(part.labels))
+            self.made.add_paragraph("\n" + "     ".join(f"{label} {line}" for label in part.labels))
 
     def _run(self, paragraph, content: str, tone: str = "", size: float | None = None) -> None:
         run = paragraph.add_run(content)
@@ -155,7 +158,7 @@ class _Writer:
 
     def _derivation(self, steps) -> None:
         table = self.made.add_table(len(steps), 3, style="Normal Table")
-        self._cells(table, (10.6, 4.4, 2.0))
+        self._cells(table, (10.2, 4.2, 2.6))
         for row, step in zip(table.rows, steps, strict=True):
             first, second, third = (cell.paragraphs[0] for cell in row.cells)
             self._run(first, self.line(step))
@@ -175,7 +178,7 @@ class _Writer:
         for k, figure in enumerate(figures):
             self.figures += 1
             run = table.cell(0, k).paragraphs[0].add_run()
-            run.add_picture(io.BytesIO(picture(figure, self.words)), width=self.cm(8.2))
+            run.add_picture(io.BytesIO(picture(figure, self.words)), width=self.cm(8.0))
             caption = f"Fig. {self.figures}. {figure.caption}"
             self._run(table.cell(1, k).paragraphs[0], caption, "quiet", 8)
         self.made.add_paragraph()

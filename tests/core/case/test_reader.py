@@ -45,3 +45,17 @@ def test_that_a_key_of_thousands_of_parts_is_refused_at_once(tmp_path):
         path.write_text(f'title = "x"\n{text}\n')
         with pytest.raises(InputError, match="more than 50 parts"):
             read_case(path)
+
+
+@pytest.mark.parametrize(
+    ("written", "words"),
+    [("0,83  # m", "line 3: 0,83 has a comma"), ("'0,83'", "without quotes .* thickness_m = 0.83"),
+     ("'0.83'", "without quotes")],
+)  # fmt: skip
+def test_that_a_decimal_comma_and_a_quoted_number_are_named(tmp_path, written, words):
+    path = tmp_path / "c.toml"
+    path.write_text(
+        f"[[wall]]\nname = 'a, 0,5'\nthickness_m = {written}\nheight_m = 7.0\nmechanism = 'one_sided'\n"
+    )
+    with pytest.raises(InputError, match=words):
+        read_case(path)

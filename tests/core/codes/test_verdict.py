@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from core.case.rules import parse_case
@@ -9,8 +10,10 @@ from core.codes.dynamic_check import DemandCheck, OtherConfidence
 from core.codes.kinematic import Check
 from core.codes.record_compatibility import Compliance
 from core.codes.verdict import Circumstances, verdict
+from core.ground.artificial import compatible_motion
 from core.study import run as study
 from core.study.demand_input import demand_of
+from core.text.sentence import apart, numeral
 
 SPECTRUM = {"code": "EN1998", "soil": "B", "type": 1}
 
@@ -240,3 +243,29 @@ def test_that_sld_is_checked_without_q(tmp_path):
     assert text.startswith(
         "Not verified at SLD: ζ 0.28 by the linear kinematic check (C8.7.1.2.1.5)"
     )
+
+
+@pytest.mark.parametrize("scale", [1.0, 0.1])
+def test_that_records_weaker_than_the_demand_give_no_pga_of_capacity(tmp_path, scale):
+    """The same motions whole and at a tenth: the zeta of these is large, and says nothing of an acceleration."""
+    asked = demand_of(case(0.3), tmp_path)
+    for seed in range(1, 8):
+        motion = compatible_motion(asked.target, seed)
+        np.savetxt(tmp_path / f"r{seed}.txt", motion / 9.80665)
+    wall = {"name": "w", "height_m": 3.0, "thickness_m": 0.3, "base_z_m": 0.0, "mechanism": "one_sided",
+            "back_restraint": "cross walls"}  # fmt: skip
+    records = [{"file": "r*.txt", "unit": "g", "time_step_s": 0.01, "scale": scale}]
+    table = {"wall": [wall], "record": records, "demand": {"ag_g": 0.3, "spectrum": SPECTRUM}}
+    found = study.run(parse_case(table), base_dir=tmp_path).walls[0].assessment
+    codes = [reason.code for reason in found.verdict.reasons]
+    assert (found.risk is None) == ("weaker_records" in codes) == (scale < 1.0)
+    if scale < 1.0:
+        assert found.verdict.code == "indicative" and "no PGA_C" in found.verdict.reasons[1].text()
+
+
+@pytest.mark.parametrize(
+    ("value", "shown"),
+    [(0.994, "0.99"), (0.9951, "0.995"), (0.99996, "0.9999"), (1.0, "1.00"), (1.004, "1.00")],
+)
+def test_that_a_zeta_below_one_does_not_read_as_one(value, shown):
+    assert numeral(apart(value, 1.0).value, apart(value, 1.0).form, "en") == shown

@@ -181,7 +181,7 @@ def test_that_the_window_says_its_own_names_and_units():
     assert error.text("en", form) == (
         'wall "thickness_m": Thickness t = 8300 cm is not accepted: from 0.5 to 2000 cm'
     )
-    assert error.accepted_text("it", form) == "da 0.5 a 2000 cm"
+    assert error.accepted_text("it", form) == "da 0,5 a 2000 cm"
     assert (
         InputError("two_spectra", place=(section("[demand]"),))
         .text("en", form)
