@@ -22,6 +22,7 @@ WORKBOOK, RUN = "tests/core/report/test_workbook.py", "tests/core/study/test_run
 LAW = "tests/core/study/test_law_study.py"
 STUDY = "tests/app/test_study.py"
 SENTENCES = "tests/core/text/test_catalogue.py"
+DIALECTS = "tests/core/ground/test_dialects.py"
 REFUSALS = "tests/core/ground/test_record_refusals.py"
 
 SHOWN_BY = {
@@ -35,6 +36,12 @@ SHOWN_BY = {
     "case/site": "tests/core/case/test_schema.py",
     "case/values": "tests/core/case/test_rules.py",
     "codes/demand": "tests/core/codes/test_target_spectrum.py",
+    "ground/records/california": DIALECTS,
+    "ground/records/channels": DIALECTS,
+    "ground/records/container": DIALECTS,
+    "ground/records/geonet": DIALECTS,
+    "ground/records/japan_taiwan": DIALECTS,
+    "ground/records/smc": DIALECTS,
     "ground/records/cut": REFUSALS,
     "ground/records/grammar": REFUSALS,
     "ground/records/italian": REFUSALS,

@@ -1,10 +1,11 @@
 """The dialog that shows what accelerogram files are, and asks for what they do not say."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import QSize, QTimer
+from PySide6.QtCore import QSize, Qt, QTimer
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -13,6 +14,7 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QListWidget,
+    QListWidgetItem,
     QVBoxLayout,
     QWidget,
 )
@@ -23,6 +25,7 @@ from app.language import described, named, number, tr
 from app.plots.chart import Chart
 from core.case.schema import Record
 from core.errors import InputError
+from core.file_names import name_of
 from core.ground import records
 from core.ground.records.grammar import Options
 from core.units import G
@@ -30,9 +33,15 @@ from core.units import G
 MAX_FILES = 500
 
 
+Row = Path | tuple[Path, str]
+"""A file, or a channel of a file that has several."""
+
+
 def read(record: Record, base_dir: Path) -> list:
     """Motions of one entry, or the sentence why there are none."""
-    options = Options(record.unit, record.time_step_s, record.column, record.skip_lines)
+    options = Options(
+        record.unit, record.time_step_s, record.column, record.skip_lines, record.channel or None
+    )
     try:
         return [
             records.read(path, options, record.scale)
@@ -40,6 +49,21 @@ def read(record: Record, base_dir: Path) -> list:
         ]
     except InputError as error:
         return [described(error)]
+
+
+def channels_of(record: Record) -> tuple[str, ...]:
+    """Channels of the file of an entry, none where it has one."""
+    options = Options(record.unit, record.time_step_s, record.column, record.skip_lines)
+    return records.channels(Path(name_of(record.file)), options)
+
+
+def file_of(row: Row) -> Path:
+    return row if isinstance(row, Path) else row[0]
+
+
+def named_row(row: Row) -> str:
+    """What a row of the list says."""
+    return row.name if isinstance(row, Path) else f"{row[0].name}: {row[1]}"
 
 
 def all_files(paths: list[Path]) -> list[Path]:
@@ -51,25 +75,27 @@ def all_files(paths: list[Path]) -> list[Path]:
 
 
 class ImportDialog(QDialog):
-    """What was recognised in each file; the choices apply to the files selected. entries : of records that are there
-    already, by their path."""
+    """What was recognised in each file; the choices apply to the files selected. A file of several channels becomes a
+    row for each, to be ticked: none is taken by itself. entries : of records that are there already, by their row."""
 
     def __init__(
         self,
-        paths: list[Path],
+        paths: Sequence[Row],
         parent: QWidget | None = None,
-        entries: dict[Path, Record] | None = None,
+        entries: dict[Row, Record] | None = None,
     ):
         super().__init__(parent)
         self.setWindowTitle(tr("Records found"))
-        self.paths = paths[:MAX_FILES]
+        self.paths: list[Row] = list(paths[:MAX_FILES])
         known = entries or {}
         self.entries = {path: known.get(path, Record(str(path))) for path in self.paths}
+        self.looked: set[Row] = set(known)
         self.found: dict[Record, list] = {}
         self.list = QListWidget()
         self.list.setAccessibleName(tr("Files"))
         self.list.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
-        self.list.addItems([path.name for path in self.paths])
+        self.list.addItems([named_row(path) for path in self.paths])
+        self.list.itemChanged.connect(lambda _: self._judge())
         self.list.currentRowChanged.connect(lambda _: self._other_file())
         self.words = QLabel()
         self.words.setWordWrap(True)
@@ -105,7 +131,9 @@ class ImportDialog(QDialog):
         row = QHBoxLayout()
         row.addWidget(self.list, 1)
         row.addLayout(right, 2)
-        hint = tr("Choices apply to the files selected; those not readable are left out.")
+        hint = tr(
+            "Choices apply to the files selected; those not readable are left out. Tick the channels to take."
+        )
         if len(paths) > MAX_FILES:
             left = tr("{n} more files are not shown: add them in parts.", n=len(paths) - MAX_FILES)
             hint += " " + left
@@ -129,12 +157,48 @@ class ImportDialog(QDialog):
             self.marking.stop()
 
     def _mark(self, row: int) -> None:
+        if self._split(row):
+            return
         (motion, *_) = self._read(self.paths[row])
-        bad, name = isinstance(motion, str), self.paths[row].name
+        bad, name = isinstance(motion, str), named_row(self.paths[row])
+        if not bad and any(warning.code == "vertical" for warning in motion.warnings):
+            name = tr("{name} (vertical)", name=name)
         item = self.list.item(row)
         item.setText(f"{name}  ✕" if bad else name)
         item.setForeground(QColor(theme.current.bad if bad else theme.current.ink))
         item.setToolTip(motion if bad else "")
+
+    def _split(self, row: int) -> bool:
+        """Put the channels of a file of several in its place, each with a box to tick."""
+        path = self.paths[row]
+        if path in self.looked or not isinstance(path, Path):
+            return False
+        self.looked.add(path)
+        entry = self.entries[path]
+        names = channels_of(entry) if isinstance(self._read(path)[0], str) else ()
+        if not names:
+            return False
+        shown = self.list.currentRow()
+        rows: list[Row] = [(path, name) for name in names]
+        self.paths[row : row + 1] = rows
+        del self.entries[path]
+        self.list.blockSignals(True)
+        self.list.takeItem(row)
+        for k, one in enumerate(rows):
+            self.entries[one] = replace(entry, channel=names[k])
+            item = QListWidgetItem(named_row(one))
+            item.setCheckState(Qt.CheckState.Unchecked)
+            self.list.insertItem(row + k, item)
+        self.list.setCurrentRow(shown if shown <= row else shown + len(rows) - 1)
+        self.list.blockSignals(False)
+        added = range(row, row + len(rows))
+        self.unmarked = [*added, *(k + len(rows) - 1 if k > row else k for k in self.unmarked)]
+        self.show_file()
+        return True
+
+    def _ticked(self, row: int) -> bool:
+        item = self.list.item(row)
+        return isinstance(self.paths[row], Path) or item.checkState() == Qt.CheckState.Checked
 
     def _judge(self) -> None:
         """No OK while a field holds what is not in the entries."""
@@ -147,14 +211,14 @@ class ImportDialog(QDialog):
         self.show_file()
 
     @property
-    def path(self) -> Path:
+    def path(self) -> Row:
         return self.paths[max(0, self.list.currentRow())]
 
-    def _read(self, path: Path) -> list:
+    def _read(self, path: Row) -> list:
         """`read` of the entry of a file, once."""
         entry = self.entries[path]
         if entry not in self.found:
-            self.found[entry] = read(entry, path.parent)
+            self.found[entry] = read(entry, file_of(path).parent)
         return self.found[entry]
 
     def change(self, **values) -> None:
@@ -186,7 +250,10 @@ class ImportDialog(QDialog):
         self.chart.reset()
 
     def chosen(self) -> list[Record]:
-        """Entries of the files that can be read."""
+        """Entries of the files that can be read, of several channels those ticked."""
+        for row in range(len(self.paths) - 1, -1, -1):
+            self._split(row)
         return [
-            self.entries[path] for path in self.paths if not isinstance(self._read(path)[0], str)
-        ]
+            self.entries[path] for row, path in enumerate(self.paths)
+            if self._ticked(row) and not isinstance(self._read(path)[0], str)
+        ]  # fmt: skip

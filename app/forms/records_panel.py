@@ -21,7 +21,8 @@ from PySide6.QtWidgets import (
 )
 
 from app import theme
-from app.forms.import_dialog import ImportDialog, all_files
+from app.forms.import_dialog import ImportDialog, all_files, file_of
+from app.forms.import_dialog import Row as FileRow
 from app.forms.record_rows import Row, cells, heads, read_rows, state_of
 from app.language import described, tr
 from app.plots.table import Table
@@ -183,8 +184,9 @@ class RecordsPanel(QWidget):
                 k is None or self.session.case.record[k].include
             )
             if used:
-                first = seen.get(motion.samples_sha256, seen.get(motion.file, row))
-                seen |= {motion.samples_sha256: first, motion.file: first}
+                here = (motion.file, motion.channel)
+                first = seen.get(motion.samples_sha256, seen.get(here, row))
+                seen |= {motion.samples_sha256: first, here: first}
                 if first != row:
                     sentences[row] = described(
                         InputError("record_twice", file=motion.name, twin=self.rows[first][1].name)
@@ -279,14 +281,16 @@ class RecordsPanel(QWidget):
     def edit(self) -> None:
         """Scale, unit, time step and kind of the selected records."""
         rows = sorted(row for row in self._selected() if self.rows[row][0] is not None)
-        entries, path_of = {}, {}
+        entries: dict[FileRow, Record] = {}
+        path_of: dict[int, FileRow] = {}
         for row in rows:
             k, motion = self.rows[row]
             entry = self.session.case.record[k]
             path = Path(entry.file if isinstance(motion, str) else name_of(motion.file))
             if not path.is_absolute():
                 path = self.session.base_dir / path
-            entries[path], path_of[row] = replace(entry, file=str(path)), path
+            place = (path, entry.channel) if entry.channel else path
+            entries[place], path_of[row] = replace(entry, file=str(path)), place
         if not entries:
             self.words.setText(self.one_set)
             return
@@ -364,7 +368,7 @@ class RecordsPanel(QWidget):
                 for entry in chosen
             ]
         )
-        left = len(dialog.paths) - len(chosen)
+        left = len({file_of(row) for row in dialog.paths} - {Path(entry.file) for entry in chosen})
         if taken and left:
             self.left_out = tr("{n} files were left out: they cannot be read as they are.", n=left)
             self.words.setText(self.left_out)

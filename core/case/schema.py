@@ -261,6 +261,7 @@ class Record:
     time_step_s: float | None = number_key(1e-5, 0.5, unit="s")
     column: int | None = number_key(1, 100, whole=True)
     skip_lines: int | None = number_key(0, 1000, whole=True)
+    channel: str = text_key()
     scale: float = number_key(-1000.0, 1000.0, 1.0)
     kind: str = choice_key("natural", "artificial", "simulated", default="natural")
     include: bool = field(default=True, metadata={"kind": "flag"})

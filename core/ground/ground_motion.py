@@ -33,6 +33,7 @@ class GroundMotion:
     warnings : Notices
     ground_pga : of a floor motion, PGA of the record it comes from [m/s2]
     scale : factor the samples of the file were read with
+    channel : of a file that has several
     Raises RecordError for fewer than 10 samples, a motion of zeros, or samples that are not finite.
     """
 
@@ -47,6 +48,7 @@ class GroundMotion:
     warnings: tuple = ()
     ground_pga: float | None = None
     scale: float = 1.0
+    channel: str = ""
 
     def __post_init__(self):
         samples = np.ascontiguousarray(self.acceleration, dtype=np.float64).copy()

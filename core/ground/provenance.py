@@ -23,7 +23,8 @@ class Provenance:
 
 
 def provenance(motion: GroundMotion) -> Provenance:
-    """Of an ESM, AFAD or DYNA header, of a SIGMA / ITACA one, of the second line of a PEER file."""
+    """Of an ESM, AFAD or DYNA header, of a SIGMA / ITACA one, of the second line of a PEER file, of the labels that
+    the readers of other dialects give."""
     details = {key.lower(): " ".join(value.split()) for key, value in motion.details}
 
     def header_value(*keys: str) -> str:
@@ -52,7 +53,14 @@ def provenance(motion: GroundMotion) -> Provenance:
     if motion.format == "PEER AT2" and len(parts) >= 3:
         # event, its date in one part or more, station, component
         return Provenance(event=", ".join(parts[:-2]), station=parts[-2], date=_dated(parts[:-2]))
-    return Provenance(station=header_value("station", "station_name"))
+    return Provenance(
+        event=header_value("event"),
+        station=header_value("station", "station_name"),
+        date=header_value("date", "event"),
+        magnitude=header_value("magnitude"),
+        distance_km=header_value("distance_km"),
+        filter=header_value("filter") or ("none" if header_value("processing") == "none" else ""),
+    )
 
 
 def _magnitude(moment: str, local: str) -> str:

@@ -25,13 +25,16 @@ def read_records(case: Listed, base_dir: Path) -> tuple[list[GroundMotion], list
     for k, entry in enumerate(case.record, start=1):
         if not entry.include:
             continue
-        options = Options(entry.unit, entry.time_step_s, entry.column, entry.skip_lines)
+        options = Options(
+            entry.unit, entry.time_step_s, entry.column, entry.skip_lines, entry.channel or None
+        )
         try:
             for path in records.expand(entry.file, base_dir):
                 file = _relative(path, base_dir)
                 motion = replace(records.read(path, options, entry.scale), file=file)
                 twin = seen.setdefault(motion.samples_sha256, file)
-                if twin != file or file in [known.file for known in motions]:
+                known = [(other.file, other.channel) for other in motions]
+                if twin != file or (file, motion.channel) in known:
                     raise InputError("record_twice", file=file, twin=twin)
                 motions.append(motion)
                 kinds.append(entry.kind)
@@ -39,7 +42,7 @@ def read_records(case: Listed, base_dir: Path) -> tuple[list[GroundMotion], list
             raise error.at(place("record", n=k)) from None
     names = [motion.name for motion in motions]
     if len(set(names)) < len(names):
-        motions = [replace(motion, name=motion.file) for motion in motions]
+        motions = [replace(m, name=f"{m.file} {m.channel}".strip()) for m in motions]
     return motions, kinds
 
 

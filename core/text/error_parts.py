@@ -21,6 +21,8 @@ ACCEPTED = {
         "a whole number from {low:g} to {high:g}{unit}",
         "un numero intero da {low:g} a {high:g}{unit}",
     ),
+    "channel": ("{n} {name}", "{n} {name}"),
+    "vertical_channel": ("{n} {name} (vertical)", "{n} {name} (verticale)"),
     "one_of": ("one of {names}", "uno fra {names}"),
     "law": (
         "one of {names}, or {{ elastic_limit = ..., plateau_end = ... }}",

@@ -137,10 +137,6 @@ FILE_ERRORS = {
         "{mb:.0f} MB non sono un accelerogramma (fino a {most} MB)",
     ),
     "no_record": ("there is no such file", "questo file non esiste"),
-    "format_not_read": (
-        "{format} files are not read yet: convert to two columns, time and acceleration",
-        "i file {format} non si leggono ancora: convertire in due colonne, tempo e accelerazione",
-    ),
     "bad_pattern": (
         "file = {pattern!r} is not accepted as a pattern: {reason}",
         "file = {pattern!r} non è ammesso come modello: {reason}",

@@ -39,6 +39,7 @@ KEYS = {
     "key_unit": ("unit", "unità"),
     "key_time_step_s": ("time step", "passo temporale"),
     "key_column": ("column", "colonna"),
+    "key_channel": ("channel", "canale"),
     "key_skip_lines": ("lines to skip", "righe da saltare"),
     "key_scale": ("scale", "fattore di scala"),
     "key_kind": ("kind", "tipo"),

@@ -84,6 +84,22 @@ SENTENCES = {
         "Other sheets of the table of walls were not read: {names}.",
         "Altri fogli della tabella delle pareti non letti: {names}.",
     ),
+    "vertical": (
+        "A vertical component: the histories take it as horizontal.",
+        "Componente verticale: le storie la usano come orizzontale.",
+    ),
+    "unprocessed": (
+        "Not processed, as recorded: no filter; its PGV and PGD mean nothing, and its mean and drift stay in.",
+        "Non processato, come registrato: senza filtro; PGV e PGD non hanno senso, media e deriva restano.",
+    ),
+    "borehole": (
+        "Recorded at the bottom of a borehole, not at the surface.",
+        "Registrato in fondo a un pozzo, non in superficie.",
+    ),
+    "drawn_on_grid": (
+        "Samples at uneven times, drawn on steps of 0.001 s: the same motion, linear between its samples.",
+        "Campioni a tempi irregolari, riportati a passi di 0,001 s: lo stesso moto, lineare fra i campioni.",
+    ),
     "weaker_records": (
         "The records as given have a mean PGA of {share:.0%} of a_g S: the dynamic check is not at the demand.",
         "Gli accelerogrammi così come dati hanno PGA media pari al {share:.0%} di a_g S: la verifica dinamica non è "

@@ -134,9 +134,10 @@ WINDOW = {
     "as the file says": "come dice il file",
     "Unit": "Unità",
     "Kind": "Tipo",
-    "Choices apply to the files selected; those not readable are left out.": (
-        "Le scelte valgono per i file selezionati; quelli non leggibili sono esclusi."
+    "Choices apply to the files selected; those not readable are left out. Tick the channels to take.": (
+        "Le scelte valgono per i file selezionati; quelli non leggibili sono esclusi. Spuntare i canali da prendere."
     ),
+    "{name} (vertical)": "{name} (verticale)",
     "Use": "Usa",
     "Record": "Accelerogramma",
     "D5-95 [s]": "D5-95 [s]",

@@ -2,6 +2,7 @@
 
 import hashlib
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -9,9 +10,10 @@ import numpy as np
 from core.errors import InputError, RecordError
 from core.file_names import name_of, shown
 from core.ground.ground_motion import LARGE_PGA, SMALL_PGA, GroundMotion
-from core.ground.records import italian, peer, plain
+from core.ground.records import california, geonet, italian, japan_taiwan, peer, plain, smc
+from core.ground.records.container import BETWEEN, is_workbook, is_zip, member_of, sheet_of
 from core.ground.records.cut import refuse_cut
-from core.ground.records.grammar import UNITS, Options, decode
+from core.ground.records.grammar import UNITS, Options, decode, quoted
 from core.text.sentence import notice
 from core.units import G
 
@@ -20,21 +22,15 @@ READERS = (
     ("tab matrix", peer.recognises_matrix, peer.read_matrix),
     ("ESM ASCII", italian.recognises_esm, italian.read_esm),
     ("SIGMA acc", italian.recognises_sigma, italian.read_sigma),
+    ("K-NET / KiK-net", japan_taiwan.recognises_knet, japan_taiwan.read_knet),
+    ("CWA", japan_taiwan.recognises_cwa, japan_taiwan.read_cwa),
+    ("GeoNet", geonet.recognises, geonet.read),
+    ("SMC", smc.recognises, smc.read),
+    ("CSMIP / COSMOS", california.recognises, california.read),
+    ("USC volume 1", california.recognises_pairs, california.read_pairs),
     ("plain text", plain.recognises, plain.read),
 )
 """(format, recognises(lines), read(lines, options)); the first that recognises the content reads it."""
-
-NOT_READ_YET = (
-    ("K-NET / KiK-net", re.compile(r"^Sampling Freq\(Hz\)", re.MULTILINE)),
-    ("CWA", re.compile(r"^#SampleRate\(Hz\)", re.MULTILINE)),
-    ("SMC", re.compile(r"\A[012] (UN)?(CORRECTED|KNOWN)\b")),
-    (
-        "CSMIP, COSMOS or GeoNet",
-        re.compile(r"\A\s*(un)?corrected (accelerogram\b|acceleration\s+\(format)", re.I),
-    ),
-    ("USC volume", re.compile(r"\AFILE .*ACCELEROGRAM DATA OF VOLUME", re.I)),
-)
-"""Known formats without a reader: refused by name, so that no other reader guesses at them."""
 
 SPECTRA = re.compile(r"RESPONSE AND FOURIER", re.IGNORECASE)
 """Beginning of a file of spectra (CSMIP volume 3)."""
@@ -84,16 +80,54 @@ def read(
 def _motion(content: bytes, path: Path, options: Options, scale: float, name: str) -> GroundMotion:
     if not content.strip():
         raise RecordError("empty_file")
+    if is_zip(content):
+        return _unpacked(content, path, options, scale, name)
     if len(content) > MAX_NUMBERS and _separate(content) > MAX_NUMBERS:
         raise RecordError("too_many_numbers", n=MAX_NUMBERS)
-    lines = decode(content)
-    ended = content.rstrip(b"\x00\x1a")[-1:] in (b"\n", b"\r") or content[-2:] in (b"\n\0", b"\0\n")
+    return _of_lines(content, decode(content), path, options, scale, name)
+
+
+def _unpacked(
+    content: bytes, path: Path, options: Options, scale: float, name: str
+) -> GroundMotion:
+    """The accelerogram of one member of a zip, or of one sheet of a workbook."""
+    if is_workbook(content):
+        sheet, lines, several = sheet_of(content, options.channel)
+        inside = replace(options, channel=None)
+        motion = _of_lines(content, lines, path, inside, scale, name)
+        if several:
+            motion = replace(motion, name=f"{name} {sheet}", channel=sheet)
+        return replace(motion, format=f"xlsx, {motion.format}")
+    member, body, within, several = member_of(content, options.channel)
+    try:
+        inner = replace(options, channel=within)
+        motion = _motion(body, path, inner, scale, shown(Path(member).stem))
+    except RecordError as error:
+        if error.code == "which_channel" and several:  # say them as they are asked for
+            names = [f"{member}{BETWEEN}{one}" for one in error.values["names"]]
+            raise RecordError("which_channel", **{**error.values, "names": names}, key="channel",
+                              place=(member,)) from None  # fmt: skip
+        raise error.at(member) from None
+    channel = (
+        BETWEEN.join(part for part in (member, motion.channel) if part)
+        if several
+        else motion.channel
+    )
+    return replace(
+        motion, file_sha256=hashlib.sha256(content).hexdigest(), channel=channel,
+        format=f"zip, {motion.format}",
+    )  # fmt: skip
+
+
+def _of_lines(
+    content: bytes, lines: list[str], path: Path, options: Options, scale: float, name: str
+) -> GroundMotion:
+    cells = is_zip(content)  # a workbook is whole or cannot be opened
+    ended = cells or content.rstrip(b"\x00\x1a")[-1:] in (b"\n", b"\r")
+    ended = ended or content[-2:] in (b"\n\0", b"\0\n")
     head = "\n".join(lines[:30])
     if SPECTRA.match(head):
         raise RecordError("spectra_file")
-    for title, pattern in NOT_READ_YET:
-        if pattern.search(head):
-            raise RecordError("format_not_read", format=title)
     title, reader = next((title, read) for title, knows, read in READERS if knows(lines))
     parsed = reader(lines, options)
     if not ended and any(warning.code == "partial_last_line" for warning in parsed.warnings):
@@ -123,13 +157,20 @@ def _motion(content: bytes, path: Path, options: Options, scale: float, name: st
     left = abs(mean) * motion.size * time_step
     if abs(mean) > OFFSET_SHARE * pga and left > OFFSET_VELOCITY:
         warnings.append(notice("offset", mean=mean / G, velocity=left))
+    if options.channel and not parsed.several and options.channel not in (parsed.channel, "1"):
+        raise RecordError("one_channel", given=quoted(options.channel), format=title)
+    if parsed.vertical:
+        warnings.append(notice("vertical"))
     if options.skip_lines and title != "plain text":
         raise RecordError("skip_lines_of_plain_text", format=title)
     if options.column and title != "plain text":
         raise RecordError("column_of_plain_text", format=title)
-    refuse_cut(lines, ended)
+    if not cells:
+        refuse_cut(lines, ended)
+    channel = parsed.channel if parsed.several else ""
     return GroundMotion(
-        name=name,
+        name=f"{name} {channel}".strip(),
+        channel=channel,
         acceleration=motion,
         time_step=time_step,
         file=str(path),
@@ -158,6 +199,15 @@ def _agreed(key: str, stated, given):
     if not same:
         raise RecordError("contradicts_file", named=key, stated=stated, given=given)
     return stated
+
+
+def channels(path: Path, options: Options = Options()) -> tuple[str, ...]:
+    """Names of the channels of a file that has several, else none; RecordErrors of another kind say nothing here."""
+    try:
+        read(path, replace(options, channel=None))
+    except RecordError as error:
+        return tuple(error.values["names"]) if error.code == "which_channel" else ()
+    return ()
 
 
 def expand(pattern: str, base_dir: Path) -> list[Path]:

@@ -81,6 +81,7 @@ def refuse_cut(lines: list[str], ended: bool) -> None:
 
 
 def _first(lines: list[str], place: int) -> list[str]:
-    """Numbers of this column in the first lines: does the file write zero as 0?"""
-    rows = (_tokens(line) for line in lines[:NEIGHBOURS] if line.strip())
+    """Numbers of this column in the first lines, the last one apart: does the file write zero as 0?"""
+    filled = [line for line in lines[: NEIGHBOURS + 1] if line.strip()]
+    rows = (_tokens(line) for line in (filled[:-1] if len(lines) <= NEIGHBOURS + 1 else filled))
     return [row[place] for row in rows if len(row) > place]

@@ -62,7 +62,8 @@ UNITS = {"g": G, "m/s2": 1.0, "cm/s2": 0.01, "mm/s2": 0.001}
 @dataclass
 class Parsed:
     """What a reader found: values in the file's unit, shape (n,); time step [s] and unit, or None
-    where the file does not say; details and warnings; counted : the file declares its count of samples."""
+    where the file does not say; details and warnings; counted : the file declares its count of samples; channel : its
+    name, "" where the file has none; vertical : its direction is; several : the file has others."""
 
     values: np.ndarray
     time_step: float | None
@@ -71,17 +72,22 @@ class Parsed:
     warnings: list[Sentence] = field(default_factory=list)
     stated_peak: float | None = None
     counted: bool = False
+    channel: str = ""
+    vertical: bool = False
+    several: bool = False
 
 
 @dataclass(frozen=True)
 class Options:
     """What the user says of a file, only where the file does not: unit (a key of UNITS),
-    time_step [s], column (counted from 1, time included), skip_lines (text lines on top)."""
+    time_step [s], column (counted from 1, time included), skip_lines (text lines on top), channel (its name, or its
+    number from 1)."""
 
     unit: str | None = None
     time_step: float | None = None
     column: int | None = None
     skip_lines: int | None = None
+    channel: str | None = None
 
 
 def quoted(text: str) -> str:
@@ -197,6 +203,35 @@ def fixed_width(line: str, width: int) -> list[float] | None:
     if not all(_TOKEN.fullmatch(entry) for entry in fields):
         return None
     return [to_float(entry) for entry in fields]
+
+
+CONTRADICTION = 1.5
+"""Ratio of the peak read to the one stated beyond which unit or scale is wrong; less is warned of."""
+
+
+def agree_with_peak(parsed: Parsed, stated: float | None) -> None:
+    """Keep the peak a header states, in the unit of the samples; raise RecordError where they are of another size."""
+    parsed.stated_peak = abs(stated) if stated else None
+    peak = float(np.abs(parsed.values).max()) if parsed.values.size else 0.0
+    if parsed.stated_peak and peak:
+        ratio = peak / parsed.stated_peak
+        if not 1.0 / CONTRADICTION < ratio < CONTRADICTION:
+            raise RecordError("peak_contradicts", read=peak, stated=parsed.stated_peak)
+
+
+def one_number(text: str, label: str) -> float:
+    """The number that a text is. Raises RecordError naming the label."""
+    values = numbers(text[:HEAD_LINE])
+    if not values or len(values) != 1:
+        raise RecordError("not_one_number", label=label, text=quoted(text))
+    return values[0]
+
+
+def whole(parsed: Parsed) -> Parsed:
+    """Refuse what `block` only warns of, where the samples depend on one another or end inside the file."""
+    if parsed.warnings:
+        raise RecordError("not_whole", n=parsed.values.size)
+    return parsed
 
 
 def block(lines: list[str], first_line: int, declared: int, width: int | None = None) -> Parsed:

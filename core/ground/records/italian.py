@@ -5,16 +5,26 @@ import re
 import numpy as np
 
 from core.errors import RecordError
-from core.ground.records.grammar import UNITS, Options, Parsed, block, numbers, quoted, to_float
+from core.ground.records.grammar import (
+    CONTRADICTION,
+    UNITS,
+    Options,
+    Parsed,
+    block,
+    numbers,
+    quoted,
+    to_float,
+)
+from core.text.sentence import notice
 
-CONTRADICTION = 1.5
-"""Ratio of the peak read to the one stated beyond which the unit is wrong; less is warned of."""
+RAW = "UNPROCESSED ACCELERATION"
+"""DATA_TYPE of ITACA before 2014, beside PROCESSED ACCELERATION."""
 
 _KEY = re.compile(r"^([A-Z][A-Z0-9_/^]*):\s?(.*)$")
 _SIGMA_DATA = re.compile(r"^\s*accel\w* time series", re.IGNORECASE)
 _ESM_DETAILS = (
     "EVENT_NAME", "EVENT_ID", "EVENT_DATE_YYYYMMDD", "EVENT_TIME_HHMMSS", "MAGNITUDE_W",
-    "MAGNITUDE_L", "NETWORK", "STATION_CODE", "STREAM", "EPICENTRAL_DISTANCE_KM",
+    "MAGNITUDE_L", "NETWORK", "STATION_CODE", "STREAM", "COMPONENT", "EPICENTRAL_DISTANCE_KM",
     "SITE_CLASSIFICATION_EC8", "LOW_CUT_FREQUENCY_HZ",
     "HIGH_CUT_FREQUENCY_HZ", "PROCESSING", "DATA_LICENSE",
 )  # fmt: skip
@@ -36,13 +46,17 @@ def read_esm(lines: list[str], options: Options) -> Parsed:
         if match:
             header[match[1]] = match[2].strip()
     kind = header.get("DATA_TYPE", "ACCELERATION").upper()
-    if kind != "ACCELERATION":
+    if kind not in ("ACCELERATION", "PROCESSED ACCELERATION", RAW):
         raise RecordError("esm_data_type", kind=quoted(kind))
     parsed = block(lines[start:], start + 1, _count(header.get("NDATA", ""), "NDATA"))
     parsed.time_step = _positive(header.get("SAMPLING_INTERVAL_S", ""), "SAMPLING_INTERVAL_S")
     parsed.unit = _unit(header.get("UNITS", ""))
     parsed.stated_peak = _optional(header.get("PGA_CM/S^2", ""))
     _agree(parsed, header)
+    if kind == RAW or header.get("PROCESSING", "").lower() == "none":
+        parsed.warnings.append(notice("unprocessed"))
+    direction = header.get("COMPONENT") or header.get("STREAM", "")
+    parsed.channel, parsed.vertical = direction, direction.upper().endswith(("Z", "UP", "UD"))
     parsed.details = tuple((key, header[key]) for key in _ESM_DETAILS if header.get(key))
     return parsed
 

@@ -18,9 +18,9 @@ def test_that_what_is_no_acceleration_is_refused(shelf):
         ("plain_txt/oqvmtk_dts_1.csv", "time column"),
         ("SAC_MSEED/20190706031952.CJ.T001230.HNE.sac", "binary"),
         ("SAC_MSEED/TA.M04C..HNE_20140824.mseed", "binary"),
-        ("KNET_KIKNET/test.knet", "K-NET"),
-        ("SMC/0111a.smc", "SMC"),
-        ("GEONET/20180212_211557_WPWS_20.V2A", "not read yet"),
+        ("SMC/A-CAT090.AT2.smc", "give unit"),
+        ("GEONET/20180212_211557_WPWS_20.V2A", "3 channels here, give channel: 1 S16W, 2 S74E, 3 Up \\(vertical\\)"),
+        ("COSMOS_CSMIP/imperialvalley79_ce01336p_CHAN24_FF270.V3", "spectra"),
     ):
         with pytest.raises(RecordError, match=word):
             records.read(shelf / file)

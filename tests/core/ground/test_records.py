@@ -9,13 +9,18 @@ from core.ground.records.grammar import Options
 from core.units import CM, G
 from tests.core.ground.record_texts import MOTION, column, peer, two
 
-READ = ("PEER_AT2", "ESM_ASCII", "SIGMA_ITACA_acc", "plain_txt")
+READ = ("PEER_AT2", "ESM_ASCII", "SIGMA_ITACA_acc", "plain_txt", "COSMOS_CSMIP", "KNET_KIKNET", "SMC", "GEONET")
 
 ASKED = {
     "PEER_AT2/AND270.AT2": {"unit": "g"},
     "PEER_AT2/IELC180.acc": {"unit": "g", "time_step": 0.01},
     "plain_txt/sct190985.txt": {"unit": "g", "column": 3},
     "plain_txt/tabasFN.txt": {"unit": "g", "time_step": 0.02},
+    "COSMOS_CSMIP/BadHeader.V2": {"channel": "1"},
+    "COSMOS_CSMIP/CE58667.V2": {"channel": "1"},
+    "COSMOS_CSMIP/ce36456p_CE36456.V2": {"channel": "1"},
+    "GEONET/20161113_110300_HSES_20.V1A": {"channel": "1"},
+    "GEONET/20180212_211557_WPWS_20.V2A": {"channel": "1"},
 }
 """What these files do not say."""
 
@@ -48,7 +53,7 @@ def test_that_every_file_of_these_formats_has_its_known_measures(shelf, index):
         assert found.acceleration.size == int(row["npts"]), file
         assert found.time_step == pytest.approx(float(row["dt_s"]), rel=1e-9), file
         read += 1
-    assert read >= 50
+    assert read >= 67
 
 
 def test_that_every_file_of_the_shelf_is_read_or_refused_in_one_sentence(shelf, index):

@@ -1,0 +1,216 @@
+"""CSMIP / USGS volumes 1 and 2 (.V1, .V2), COSMOS v01.20 (CESMD V2c included), the USC volume 1 of pairs."""
+
+import re
+from functools import partial
+
+import numpy as np
+
+from core.errors import RecordError
+from core.ground.records.channels import Channel, chosen, is_vertical
+from core.ground.records.grammar import (
+    NUMBER,
+    Options,
+    Parsed,
+    agree_with_peak,
+    block,
+    numbers,
+    quoted,
+    to_float,
+    whole,
+)
+from core.text.sentence import notice
+
+_V2 = re.compile(
+    rf"\s*(\d{{1,9}}) points of (accel)\w* data equally spaced at\s+({NUMBER})\s+sec\.?,?\s*"
+    r"(?:in |\(units: ?)?([a-z]+/[a-z/0-9]+)",
+    re.IGNORECASE,
+)
+_V1 = re.compile(
+    rf"\s*(\d{{1,9}}) (accel)erogram points at\s+({NUMBER})\s+pts/sec in units of ([a-z/0-9]+)", re.IGNORECASE
+)  # fmt: skip
+_COSMOS = re.compile(
+    rf"\s*(\d{{1,9}})\s+(accel|veloc|displ)\w* pts, approx\s+({NUMBER})\s+secs, *units= *([a-z/0-9]+)", re.IGNORECASE
+)  # fmt: skip
+_OF_DATA = re.compile(r"[a-df-z&]", re.IGNORECASE)
+"""A letter that no number has: the samples of a channel end there."""
+
+_WIDTH = re.compile(r"\(\s*\d+[fe](\d+)\.\d+\s*\)", re.IGNORECASE)
+_CHANNEL = re.compile(r"(?:sta )?chan?(?:nel)?:? +(\d{1,3}):? +(.*?)(?: {2,}|\(|$)", re.IGNORECASE)
+_STATION_CHANNEL = re.compile(r"sta cha: *(\d{1,3}): *(.*?) *(?:\(|$)", re.IGNORECASE)
+_PEAK = re.compile(
+    rf"(?:peak acceleration =|max =)\s*({NUMBER})\s*cm/s(?:ec2|ec/sec)", re.IGNORECASE
+)
+_RAW = re.compile(r"^\s*(?:raw|uncorrected) acceleration", re.IGNORECASE | re.MULTILINE)
+_FILTER = re.compile(r"(?:filtered (?:with )?)(.*)", re.IGNORECASE)
+_STATION = re.compile(r"(?:station|statn)\s+no[.:]\s*(\S+)", re.IGNORECASE)
+UNITS_OF = {
+    "cm/sec2": "cm/s2",
+    "cm/sec/sec": "cm/s2",
+    "g": "g",
+    "mm/sec2": "mm/s2",
+    "m/sec2": "m/s2",
+}
+"""Units as these files write them."""
+
+HEAD = 200
+"""Lines in which the first samples must begin."""
+
+STEP_REAL = 61
+"""Place from 0 of the time step [ms] among the real headers of COSMOS."""
+
+_PAIRS = re.compile(r"FILE\s+\d+ OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I:", re.IGNORECASE)
+_POINTS = re.compile(r"NO\. OF POINTS =\s*(\d{1,7})\s+DURATION =\s*([0-9.]+) SEC", re.IGNORECASE)
+_COMPONENT = re.compile(r"COMP\s+(\S+)", re.IGNORECASE)
+PAIRS_A_LINE, GRID = 5, 0.001
+"""Of volume 1: pairs in a line; steps [s] that all its printed times stand on."""
+
+
+def _data_line(line: str):
+    """The line above the samples of a channel, None for any other."""
+    if len(line) > 300 or "p" not in line.lower():
+        return None
+    return _V2.match(line) or _V1.match(line) or _COSMOS.match(line)
+
+
+def recognises(lines: list[str]) -> bool:
+    return any(_data_line(line) for line in lines[:HEAD])
+
+
+def read(lines: list[str], options: Options) -> Parsed:
+    """The acceleration of one channel. Raises RecordError."""
+    places = [
+        k
+        for k, line in enumerate(lines)
+        if (match := _data_line(line)) and match[2].lower() == "accel"
+    ]
+    if not places:
+        quantity = next(match[2] for line in lines[:HEAD] if (match := _data_line(line)))
+        raise RecordError(
+            "peer_quantity", quantity={"v": "velocity"}.get(quantity[0].lower(), "displacement")
+        )
+    ends = [_end(lines, k + 1) for k in places]
+    channels = []
+    for k, place in enumerate(places):
+        head = [line[:300] for line in lines[ends[k - 1] if k else 0 : place + 1]]
+        head = head[-HEAD:]
+        name = _name(head, k + 1)
+        channels.append(
+            Channel(name, is_vertical(name), partial(_channel, lines, place, ends[k], head))
+        )
+    return chosen(channels, options)
+
+
+def _end(lines: list[str], start: int) -> int:
+    """The line after the samples that begin at this one."""
+    for k in range(start, len(lines)):
+        if _OF_DATA.search(lines[k]):
+            return k
+    return len(lines)
+
+
+def _name(head: list[str], number: int) -> str:
+    """Number and direction of a channel, "1: 360 Deg"."""
+    for line in head:
+        match = _STATION_CHANNEL.match(line) or _CHANNEL.match(line)
+        if match:
+            return f"{match[1]}: {match[2].strip()}"
+    return str(number)
+
+
+def _channel(lines: list[str], place: int, end: int, head: list[str]) -> Parsed:
+    match = _data_line(lines[place])
+    declared, rate, written = int(match[1]), to_float(match[3]), match[4].lower()
+    if written not in UNITS_OF:
+        raise RecordError("unit_not_acceleration", unit=quoted(match[4]))
+    width = _WIDTH.search(lines[place])
+    parsed = whole(
+        block(lines[place + 1 : end], place + 2, declared, int(width[1][:2]) if width else 10)
+    )
+    parsed.unit = UNITS_OF[written]
+    if _COSMOS.match(lines[place]):
+        parsed.time_step = _cosmos_step(head)
+        if abs(parsed.time_step * declared - rate) > max(0.02 * rate, 1.0):
+            raise RecordError("head_lacks", label="100 Real-header values, 62")
+    elif not rate > 0.0:
+        raise RecordError("head_lacks", label="sec")
+    else:
+        parsed.time_step = 1.0 / rate if _V1.match(lines[place]) else rate
+    text = "\n".join(head)
+    peak = _PEAK.search(text)
+    agree_with_peak(parsed, to_float(peak[1]) if peak and parsed.unit == "cm/s2" else None)
+    raw = bool(_V1.match(lines[place]) or _RAW.search(text))
+    if raw:
+        parsed.warnings.append(notice("unprocessed"))
+    station, filtered = _STATION.search(text), _FILTER.search(text)
+    titled = [line.strip() for line in head if line.strip()]
+    parsed.details = (
+        ("event", next((line for line in titled if re.match(r"(?:rcrd|record) of|.*earthquake", line, re.I)),
+                       titled[1] if len(titled) > 1 else "")),
+        ("station", station[1] if station else ""),
+        ("filter", filtered[1].strip() if filtered else ""),
+        ("processing", "none" if raw else "corrected"),
+    )  # fmt: skip
+    return parsed
+
+
+def _cosmos_step(head: list[str]) -> float:
+    """Real header 62 [ms] as a time step [s]. Raises RecordError."""
+    said = (k for k, line in enumerate(head) if "real-header values" in line.lower())
+    reals: list[float] = []
+    for line in head[next(said, len(head)) + 1 :]:
+        row = numbers(line)
+        if not row or len(reals) >= 100:
+            break
+        reals += row
+    if len(reals) <= STEP_REAL or not reals[STEP_REAL] > 0.0:
+        raise RecordError("head_lacks", label="100 Real-header values, 62")
+    return reals[STEP_REAL] / 1000.0
+
+
+def recognises_pairs(lines: list[str]) -> bool:
+    return bool(lines and _PAIRS.match(lines[0][:200]))
+
+
+def read_pairs(lines: list[str], options: Options) -> Parsed:
+    """Times and samples in G/10 at uneven times printed to 0.001 s: drawn on a grid of 0.001 s the motion, linear
+    between samples, is the same. Uncorrected."""
+    places = [k for k, line in enumerate(lines) if _PAIRS.match(line[:200])]
+    channels = []
+    for k, place in enumerate(places):
+        end = places[k + 1] if k + 1 < len(places) else len(lines)
+        head = "\n".join(line[:200] for line in lines[place : place + 30])
+        component = _COMPONENT.search(head)
+        name = component[1] if component else str(k + 1)
+        reader = partial(_pairs, lines, place, end, head)
+        channels.append(Channel(name, is_vertical(name), reader))
+    return chosen(channels, options)
+
+
+def _pairs(lines: list[str], place: int, end: int, head: str) -> Parsed:
+    points = _POINTS.search(head)
+    if not points or "G/10" not in head:
+        raise RecordError("head_lacks", label="NO. OF POINTS, G/10")
+    declared = int(points[1])
+    while end > place and not lines[end - 1].strip("/&- \t"):
+        end -= 1
+    # the reals of the head look like pairs: counted from the end, in lines of five
+    start = max(end - -(-declared // PAIRS_A_LINE), place)
+    parsed = whole(block(lines[start:end], start + 1, 2 * declared))
+    times, samples = parsed.values[::2], parsed.values[1::2]
+    steps = np.diff(times)
+    if times[0] != 0.0 or not (steps > 0.0).all() or steps.max() > 0.1:
+        raise RecordError("uneven_pairs")
+    if not times[-1] < 1000.0 or abs(times[-1] - to_float(points[2])) > 0.1:
+        raise RecordError("uneven_pairs")
+    grid = np.arange(round(times[-1] / GRID) + 1) * GRID
+    parsed.values, parsed.time_step, parsed.unit = np.interp(grid, times, samples) * 0.1, GRID, "g"
+    parsed.warnings += [notice("drawn_on_grid"), notice("unprocessed")]
+    component, titled = _COMPONENT.search(head), head.splitlines()
+    station = re.search(r"STATION\s+(\S+ \S+)", head, re.IGNORECASE)
+    parsed.details = (
+        ("event", titled[1][:50].strip() if len(titled) > 1 else ""),
+        ("station", station[1].rstrip(",") if station else ""),
+        ("component", component[1] if component else ""),
+        ("processing", "none"),
+    )
+    return parsed

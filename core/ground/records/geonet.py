@@ -1,0 +1,90 @@
+"""GeoNet V1A and V2A (New Zealand): blocks of one component, mm/s2, ten fields of eight."""
+
+import math
+import re
+from functools import partial
+
+from core.errors import RecordError
+from core.ground.records.channels import Channel, chosen, is_vertical
+from core.ground.records.grammar import (
+    NUMBER,
+    Options,
+    Parsed,
+    agree_with_peak,
+    block,
+    to_float,
+    whole,
+)
+from core.text.sentence import notice
+
+_BEGIN = re.compile(r"(Unc|C)orrected accelerogram ")
+_POINTS = re.compile(r"Number of points +(\d{1,9})\b")
+_RAW_STEP = re.compile(rf"in units of ({NUMBER}) mm/s/s +at intervals of ({NUMBER}) s\b")
+_STEP = re.compile(rf"data at ({NUMBER}) sec intervals")
+_PEAK = re.compile(rf"Acceleration: +[Pp]eak +({NUMBER}) mm/s/s")
+_FILTER = re.compile(r"filter transition bands are (.*?)\s*$", re.MULTILINE)
+_MAGNITUDE = re.compile(r"\bM(w?) +([0-9.]+)")
+_DISTANCE = re.compile(r"\bDist +([0-9]+)km")
+TEXTS, DATA = 16, 26
+"""Lines of text of a block, and the line from 0 at which its samples begin."""
+
+ROW, WIDTH = 10, 8
+
+
+def recognises(lines: list[str]) -> bool:
+    head = "\n".join(lines[:TEXTS])
+    return bool(_BEGIN.match(head) and _POINTS.search(head))
+
+
+def read(lines: list[str], options: Options) -> Parsed:
+    """The acceleration of one component. Raises RecordError."""
+    places = [k for k, line in enumerate(lines) if _BEGIN.match(line)]
+    channels = []
+    for k, place in enumerate(places):
+        head = "\n".join(line[:200] for line in lines[place : place + TEXTS])
+        component = re.search(r"^Component +(\S+)", head, re.MULTILINE)
+        name = component[1] if component else str(k + 1)
+        end = places[k + 1] if k + 1 < len(places) else len(lines)
+        channels.append(
+            Channel(name, is_vertical(name), partial(_component, lines, place, end, head))
+        )
+    return chosen(channels, options)
+
+
+def _component(lines: list[str], place: int, end: int, head: str) -> Parsed:
+    points, raw, step = _POINTS.search(head), _RAW_STEP.search(head), _STEP.search(head)
+    if not points or not (raw or step):
+        raise RecordError("head_lacks", label="Number of points, intervals")
+    if raw and to_float(raw[1]) != 1.0:
+        raise RecordError("unit_not_acceleration", unit=f"{raw[1][:20]} mm/s/s")
+    declared = int(points[1])
+    rows = math.ceil(declared / ROW)
+    start = place + DATA
+    kinds = 1 if raw else 3  # velocity and displacement follow
+    filled = sum(1 for line in lines[start:end] if line.strip())
+    if filled != kinds * rows:
+        raise RecordError("rows_differ", n=filled, declared=kinds * rows)
+    parsed = whole(block(lines[start : start + rows], start + 1, declared, WIDTH))
+    parsed.time_step = to_float(raw[2]) if raw else to_float(step[1])
+    parsed.unit = "mm/s2"
+    peak = _PEAK.search(head)
+    agree_with_peak(parsed, to_float(peak[1]) if peak else None)
+    if raw:
+        parsed.warnings.append(notice("unprocessed"))
+    titles = head.splitlines()
+    site = titles[1].split() if len(titles) > 1 else []
+    magnitude, distance, filtered = (
+        _MAGNITUDE.search(head),
+        _DISTANCE.search(head),
+        _FILTER.search(head),
+    )
+    parsed.details = (
+        ("event", titles[7].strip() if len(titles) > 7 else ""),
+        ("station", site[1] if len(site) > 1 else ""),
+        ("date", titles[7].strip() if len(titles) > 7 else ""),
+        ("magnitude", f"M{magnitude[1]} {magnitude[2]}" if magnitude else ""),
+        ("distance_km", distance[1] if distance else ""),
+        ("filter", filtered[1] if filtered else ""),
+        ("processing", "none" if raw else "corrected"),
+    )
+    return parsed

@@ -1,0 +1,71 @@
+"""SMC, the format of the USGS: 11 lines of text, 48 integers, 50 reals, comments, samples in cm/s2."""
+
+import re
+
+from core.errors import RecordError
+from core.ground.records.channels import is_vertical
+from core.ground.records.grammar import (
+    NUMBER,
+    Options,
+    Parsed,
+    agree_with_peak,
+    block,
+    fixed_width,
+    numbers,
+    to_float,
+)
+from core.text.sentence import notice
+
+_KIND = re.compile(r"\s?([0-9]) ([A-Z]+)")
+_PEAK = re.compile(rf"\bpk(?:\s+\w+)?\s*=\s*({NUMBER})")
+_STATION = re.compile(r"station\s*=\s*(.*?)\s*(?:component\s*=\s*(.*?))?\s*$")
+TEXTS, INTEGERS, REALS = 11, 6, 10
+"""Lines of each part of the head."""
+
+WIDTHS = (10, 14)
+"""Of a sample: eight or five in a line."""
+
+
+def recognises(lines: list[str]) -> bool:
+    if len(lines) < TEXTS + INTEGERS + REALS or not _KIND.match(lines[0]):
+        return False
+    rows = [fixed_width(line, 10) for line in lines[TEXTS : TEXTS + INTEGERS]]
+    return all(row is not None and len(row) == 8 for row in rows)
+
+
+def read(lines: list[str], options: Options) -> Parsed:
+    """Raises RecordError for velocities, spectra and counts that do not agree."""
+    kind = _KIND.match(lines[0])[2]
+    if kind not in ("CORRECTED", "UNCORRECTED", "UNKNOWN"):
+        raise RecordError("peer_quantity", quantity=kind.lower())
+    start = TEXTS + INTEGERS
+    integers = [n for line in lines[TEXTS:start] for n in numbers(line) or ()]
+    reals = [n for line in lines[start : start + REALS] for n in numbers(line) or ()]
+    comments, declared, rate = integers[15], integers[16], reals[1] if len(reals) > 1 else 0.0
+    start += REALS
+    if not 0 <= comments < len(lines) - start or not 0 < declared < 1e8 or not 0.0 < rate < 1e6:
+        raise RecordError("head_lacks", label="SMC, 16, 17, 2")
+    start += int(comments)
+    if start >= len(lines) or any(line[:1] != "|" for line in lines[start - int(comments) : start]):
+        raise RecordError("head_lacks", label="|")
+    width = next((w for w in WIDTHS if fixed_width(lines[start], w)), None)
+    parsed = block(lines[start:], start + 1, int(declared), width)
+    parsed.time_step = 1.0 / rate
+    parsed.unit = "cm/s2" if kind != "UNKNOWN" else None
+    head = [line[:500] for line in lines[:TEXTS]]
+    peak = _PEAK.search(" ".join(head))
+    if parsed.unit:
+        agree_with_peak(parsed, to_float(peak[1]) if peak else None)
+    where = next((found for line in head if (found := _STATION.match(line))), None)
+    component = (where[2] or "") if where else ""
+    parsed.channel, parsed.vertical = component, is_vertical(component)
+    if kind == "UNCORRECTED":
+        parsed.warnings.append(notice("unprocessed"))
+    event = head[3].strip()
+    parsed.details = (
+        ("event", "" if event.startswith("*") else event),
+        ("station", where[1] if where else ""),
+        ("component", component),
+        ("processing", "none" if kind == "UNCORRECTED" else ""),
+    )
+    return parsed

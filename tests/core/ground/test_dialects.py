@@ -1,0 +1,158 @@
+"""Dialects of the world's networks: one motion in all of them, channels, cut and lying files."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from core.errors import RecordError
+from core.ground import records
+from core.ground.provenance import provenance
+from core.ground.records.grammar import Options
+from tests.core.ground import dialects
+from tests.core.ground.dialects import DIALECTS, MOTION, STEP
+
+
+def read(content: bytes, **given):
+    return records._motion(content, Path("x.txt"), Options(**given), 1.0, "x")
+
+
+@pytest.mark.parametrize("name", DIALECTS)
+def test_that_one_motion_is_the_same_bit_for_bit_in_every_dialect(name):
+    content, given = DIALECTS[name]
+    found = read(content, **given)
+    assert np.array_equal(found.acceleration, MOTION)
+    assert found.time_step == STEP
+
+
+def test_that_pairs_at_uneven_times_are_drawn_on_a_grid_that_holds_them_all():
+    found = read(dialects.usc())
+    assert found.time_step == 0.001 and found.acceleration.size == 391
+    assert np.allclose(found.acceleration[::10], 0.1 * 9.80665 * MOTION, rtol=1e-12)
+    between = 0.5 * (found.acceleration[0] + found.acceleration[10])
+    assert found.acceleration[5] == pytest.approx(between)
+    assert {w.code for w in found.warnings} >= {"drawn_on_grid", "unprocessed"}
+
+
+@pytest.mark.parametrize("name", DIALECTS)
+def test_that_a_dialect_cut_at_any_byte_is_refused_or_gives_the_same_samples(name):
+    content, given = DIALECTS[name]
+    whole = read(content, **given).acceleration
+    counted = name not in ("one column", "two columns", "csv of an Italian Excel", "SeismoSignal")
+    for size in range(len(content)):
+        if size % 7 and size < len(content) - 120:  # every byte of the end, every seventh before
+            continue
+        try:
+            found = read(content[:size], **given).acceleration
+        except RecordError as error:
+            assert "\n" not in str(error)
+            continue
+        assert np.array_equal(found, whole[: found.size]), size
+        assert found.size == whole.size or not counted, size
+
+
+@pytest.mark.parametrize(
+    ("name", "names", "vertical"),
+    [
+        ("CWA", ["U", "N", "E"], "U"),
+        ("GeoNet V1A", ["N10E", "Up", "S80E"], "Up"),
+        ("CSMIP V2", ["1: 360 Deg", "2: Up", "3: 90 Deg"], "2: Up"),
+        ("zip of ESM", sorted(k for k in dialects.ESM_ZIP if ".ACC." in k), "IT.AMT..HGZ.D.EMSC-1.ACC.MP.ASC"),
+    ],
+)  # fmt: skip
+def test_that_a_file_of_several_channels_asks_which(tmp_path, name, names, vertical):
+    path = tmp_path / "several.v2"
+    path.write_bytes(DIALECTS[name][0])
+    with pytest.raises(RecordError) as caught:
+        records.read(path)
+    words = str(caught.value)
+    assert "give channel" in words and all(one[:30] in words for one in names)
+    assert f"{vertical[:60]} (vertical)" in words
+    assert sorted(records.channels(path)) == sorted(names)
+    found = records.read(path, Options(channel=vertical))
+    assert "vertical" in {warning.code for warning in found.warnings}
+    assert (found.channel == vertical and vertical in found.name) or name == "zip of ESM"
+    for wrong in ("nowhere", "0", "99", ""):
+        with pytest.raises(RecordError, match="no channel"):
+            records.read(path, Options(channel=wrong))
+
+
+def test_that_processed_horizontals_of_a_zip_come_first_and_what_is_converted_only_is_warned_of():
+    content = dialects.zipped(**dialects.ESM_ZIP)
+    first = read(content, channel="1")
+    assert first.channel == "IT.AMT..HGE.D.EMSC-1.ACC.MP.ASC" and not first.warnings
+    raw = read(content, channel="IT.AMT..HGE.D.EMSC-1.ACC.CV.ASC")
+    assert [warning.code for warning in raw.warnings] == ["unprocessed"]
+    nested = dialects.zipped(**{"a.V2": dialects.volume2(), "b.V2": dialects.volume2()})
+    with pytest.raises(RecordError, match="a.V2.*give channel"):
+        read(nested, channel="a.V2")
+    assert np.array_equal(read(nested, channel="a.V2: 3").acceleration, 3.0 * MOTION)
+
+
+@pytest.mark.parametrize(
+    ("content", "word"),
+    [
+        (dialects.knet(peak=20.0), "peak"),
+        (dialects.knet(declared=0.5), "declares 50"),
+        (dialects.knet(declared=0.3), "declares 30"),
+        (dialects.knet().replace(b"       25", b"     25.5", 1), "whole"),
+        (dialects.cwa(unit="cm/s"), "unit"),
+        (dialects.cwa(rate=200), "SampleRate"),
+        (dialects.smc(declared=44), "44|40"),
+        (dialects.smc(declared=36), "36"),
+        (dialects.smc(kind="3 VELOCITY"), "velocity"),
+        (dialects.smc(kind="0 UNKNOWN"), "give unit"),
+        (dialects.volume2(declared=48), "48|40"),
+        (dialects.cosmos(seconds=40.0), "head"),
+        (dialects.cosmos(quantity="velocity"), "velocity"),
+        (dialects.geonet(True).replace(b"Number of points  40", b"Number of points  50", 1), "lines"),
+        (dialects.geonet(False).replace(b"at 0.010 sec", b"at 0.010 hrs", 1), "intervals"),
+        (dialects.usc().replace(b"G/10", b"G/99"), "G/10"),
+        (dialects.usc().replace(b"0.100", b"0.600"), "times"),
+        (dialects.dyna(DATA_TYPE="VELOCITY"), "VELOCITY"),
+        (dialects.dyna(DATA_TYPE="ACCELERATION RESPONSE SPECTRUM"), "SPECTRUM"),
+        (dialects.zipped(**{"x.zip": dialects.zipped(a=b"1")}), "within an archive"),
+        (dialects.zipped(**{"a.pdf": b"%PDF"}), "no accelerogram"),
+        (dialects.zipped(**{"a.txt": b"0.1\n" * 6_000_000}), "20 MB"),
+        (dialects.zipped(**{f"{k}.txt": b"1" for k in range(600)}), "600"),
+        (b"PK\x03\x04" + b"\0" * 60, "cannot be opened"),
+        (dialects.workbook(sheets=("a", "b")), "give channel.*1 a, 2 b"),
+        (dialects.workbook(heads=("T [s]", "Sa [g]")), "this is"),
+    ],
+)  # fmt: skip
+def test_that_what_lies_or_is_damaged_is_refused_in_one_sentence(content, word):
+    given = {"channel": "1"} if content[:9] in (b"Corrected", b"Uncorrect", b"#Earthqua") else {}
+    if b"v01.20" in content[:90]:
+        given = {}
+    with pytest.raises(RecordError, match=word) as caught:
+        read(content, **given)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("name", "event", "station"),
+    [
+        ("K-NET", "2018/01/24", "AOM001"), ("CWA", "2018/02/06", "EGF"), ("GeoNet V2A", "2016 November 13", "HSES"),
+        ("SMC, 8 fields", "Loma Prieta", "San Francisco"), ("CSMIP V2", "COALINGA", "58667"),
+        ("COSMOS", "Los Angeles", "01-23075"), ("ITACA before 2014", "EMSC-1", "IT AMT"), ("PEER", "EVENT", "STATION"),
+    ],
+)  # fmt: skip
+def test_that_event_and_station_are_kept(name, event, station):
+    content, given = DIALECTS[name]
+    where = provenance(read(content, **given))
+    assert event in where.event and station in where.station
+
+
+def test_that_channels_are_for_files_that_have_them():
+    with pytest.raises(RecordError, match="one channel"):
+        read(dialects.peer(), channel="2")
+    assert read(dialects.knet(), channel="E-W").channel == ""
+
+
+@pytest.mark.parametrize(
+    ("direction", "codes"),
+    [("U-D", {"unprocessed", "vertical"}), ("1", {"unprocessed", "borehole"}), ("4", {"unprocessed"}),
+     ("6", {"unprocessed", "vertical"}), ("N-S", {"unprocessed"})],
+)  # fmt: skip
+def test_that_verticals_and_boreholes_of_japan_are_named(direction, codes):
+    assert {w.code for w in read(dialects.knet(direction=direction)).warnings} == codes
