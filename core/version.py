@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-VERSION = "0.6.0"
+VERSION = "0.7.0"
 NAME = "Ribalta"
 
 

@@ -124,6 +124,7 @@ SHOWN_BY = {
         for name in (
             "study",
             "error_parts",
+            "channel_errors",
             "keys",
             "errors",
             "file_errors",

@@ -129,8 +129,8 @@ class ImportDialog(QDialog):
         for field in self.fields:
             right.addWidget(field)
         row = QHBoxLayout()
-        row.addWidget(self.list, 1)
-        row.addLayout(right, 2)
+        row.addWidget(self.list, 2)
+        row.addLayout(right, 3)
         hint = tr(
             "Choices apply to the files selected; those not readable are left out. Tick the channels to take."
         )
@@ -142,7 +142,7 @@ class ImportDialog(QDialog):
         layout.addWidget(self.hint)
         layout.addLayout(row, 1)
         layout.addWidget(self.buttons)
-        self.resize(QSize(820, 560))
+        self.resize(QSize(920, 560))
         self.list.setCurrentRow(0)
         self.unmarked = list(range(len(self.paths)))
         self.marking = QTimer(self)
@@ -166,7 +166,7 @@ class ImportDialog(QDialog):
         item = self.list.item(row)
         item.setText(f"{name}  ✕" if bad else name)
         item.setForeground(QColor(theme.current.bad if bad else theme.current.ink))
-        item.setToolTip(motion if bad else "")
+        item.setToolTip(motion if bad else "" if isinstance(self.paths[row], Path) else name)
 
     def _split(self, row: int) -> bool:
         """Put the channels of a file of several in its place, each with a box to tick."""

@@ -10,6 +10,11 @@ def number_key(low, high, default=None, unit="", exclusive=False, whole=False):
     return field(default=default, metadata=rule)
 
 
+def channel_key():
+    """The channel of a file of several: its name, or its number from 1 as a number or as text."""
+    return field(default="", metadata={"kind": "channel"})
+
+
 def text_key(default=""):
     return field(default=default, metadata={"kind": "text"})
 

@@ -4,7 +4,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import MISSING, asdict, dataclass, field, fields
 
-from core.case.keys import choice_key, flag_key, number_key, path_key, text_key
+from core.case.keys import channel_key, choice_key, flag_key, number_key, path_key, text_key
 from core.case.site import Building, Demand
 from core.errors import InputError, place
 from core.rocking.methods import AUTO, METHODS
@@ -261,7 +261,7 @@ class Record:
     time_step_s: float | None = number_key(1e-5, 0.5, unit="s")
     column: int | None = number_key(1, 100, whole=True)
     skip_lines: int | None = number_key(0, 1000, whole=True)
-    channel: str = text_key()
+    channel: str = channel_key()
     scale: float = number_key(-1000.0, 1000.0, 1.0)
     kind: str = choice_key("natural", "artificial", "simulated", default="natural")
     include: bool = field(default=True, metadata={"kind": "flag"})

@@ -23,9 +23,6 @@ SHOWN = 100
 PERIOD_LIMITS = (0.02, 10.0)
 """Periods accepted for the check of compatibility [s]."""
 
-LATER = {"record": ("channel",)}
-"""Keys of the contract whose work is not built yet: refused, never ignored."""
-
 
 def check_value(cls, key: str, value):
     """One value of a key of a section, checked; raises InputError that names what is accepted."""
@@ -44,10 +41,8 @@ def refuse_unknown(cls, table: dict, name: str, here) -> None:
     """
     keys = [entry.name for entry in fields(cls) if entry.name not in OWN_FIELDS]
     for key in table:
-        if key in LATER.get(name, ()):
-            raise InputError("not_built", place=(here,), key=key)
         if key not in keys:
-            near = difflib.get_close_matches(key, keys + list(LATER.get(name, ())), 1)
+            near = difflib.get_close_matches(key, keys, 1)
             if near:
                 raise InputError(
                     "unknown_key_near", place=(here,), value=repeated(key), near=near[0]
@@ -106,6 +101,8 @@ def accepted_by(entry) -> Sentence:
         return sentence("accepted", "tables", name=entry.name)
     if kind == "section":
         return sentence("accepted", "section", name=entry.name)
+    if kind == "channel":
+        return sentence("accepted", "channel_key")
     if kind == "text":
         return sentence("accepted", "text", most=MAX_TEXT)
     return sentence("accepted", {"flag": "flag", "spectrum": "table", "path": "path"}[kind])
@@ -129,6 +126,11 @@ def value_of(entry, value, *here):
             value = value.isoformat()
         printable = isinstance(value, str) and len(value) <= MAX_TEXT and is_text(value)
         if printable and (value or entry.default is not MISSING):
+            return value
+    elif kind == "channel":
+        if type(value) is int and 1 <= value <= 999:
+            return str(value)
+        if isinstance(value, str) and len(value) <= MAX_TEXT and is_text(value):
             return value
     elif kind == "path":
         named = isinstance(value, str) and 0 < len(value) <= MAX_PATH and "\0" not in value

@@ -11,6 +11,7 @@ class Provenance:
 
     station : with its network
     filter : the corner frequencies [Hz] as written
+    processing : as the file names it
     """
 
     event: str = ""
@@ -20,6 +21,11 @@ class Provenance:
     distance_km: str = ""
     site_class: str = ""
     filter: str = ""
+    processing: str = ""
+
+    @property
+    def filter_and_processing(self) -> str:
+        return ", ".join(part for part in (self.filter, self.processing) if part)
 
 
 def provenance(motion: GroundMotion) -> Provenance:
@@ -40,6 +46,7 @@ def provenance(motion: GroundMotion) -> Provenance:
             distance_km=header_value("epicentral_distance_km"),
             site_class=header_value("site_classification_ec8"),
             filter=f"{corners[0]}-{corners[1]} Hz" if any(corners) else "",
+            processing=header_value("processing"),
         )
     if header_value("station code / name"):
         corners = header_value("filter cut-off frequency (hz)")
@@ -59,7 +66,8 @@ def provenance(motion: GroundMotion) -> Provenance:
         date=header_value("date", "event"),
         magnitude=header_value("magnitude"),
         distance_km=header_value("distance_km"),
-        filter=header_value("filter") or ("none" if header_value("processing") == "none" else ""),
+        filter=header_value("filter"),
+        processing=header_value("processing"),
     )
 
 

@@ -113,7 +113,13 @@ def _provenance(book: Book, sheet, result: StudyResult, row: int) -> None:
         text(sheet, row, 3, word(kind, book.language))
         if result.demand:
             number(sheet, row, 4, result.demand.scaling(motion), ACCELERATION)
-        cells = (where.date, where.magnitude, where.distance_km, where.site_class, where.filter)
+        cells = (
+            where.date,
+            where.magnitude,
+            where.distance_km,
+            where.site_class,
+            where.filter_and_processing,
+        )
         for column, value in zip((5, 7, 9, 11, 13), cells, strict=True):
             text(sheet, row, column, value, size=8)
         rule(sheet, row, 1, 13)

@@ -21,8 +21,12 @@ ACCEPTED = {
         "a whole number from {low:g} to {high:g}{unit}",
         "un numero intero da {low:g} a {high:g}{unit}",
     ),
-    "channel": ("{n} {name}", "{n} {name}"),
-    "vertical_channel": ("{n} {name} (vertical)", "{n} {name} (verticale)"),
+    "channel_key": (
+        "the name of a channel, or its number from 1",
+        "il nome di un canale, o il suo numero da 1",
+    ),
+    "channel": ('"{name}"', '"{name}"'),
+    "vertical_channel": ('"{name}" (vertical)', '"{name}" (verticale)'),
     "one_of": ("one of {names}", "uno fra {names}"),
     "law": (
         "one of {names}, or {{ elastic_limit = ..., plateau_end = ... }}",

@@ -370,10 +370,6 @@ CASE_ERRORS = {
         "{confidence_factor} = {stated:g} è per pareti con la resistenza a compressione in alpha (Circolare "
         'C8.7.1.2.1): indicare {hinge_setback_m} maggiore di 0 per la parete "{wall}", oppure 1.35',
     ),
-    "not_built": (
-        "{key} is not built yet in this version: leave it out",
-        "{key} non c'è ancora in questa versione: toglierlo",
-    ),
     "unknown_key": (
         "unknown key {value}; known: {known}",
         "chiave sconosciuta {value}; note: {known}",

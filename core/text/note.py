@@ -22,7 +22,7 @@ NOTE = {
         "Spostamento del punto di controllo alla domanda: il massimo maggiore"
     ),
     "Distance [km]": "Distanza [km]",
-    "Filter [Hz]": "Filtro [Hz]",
+    "Filter [Hz], processing": "Filtro [Hz], trattamento",
     "For comparison only: Eq. 9 of the paper": "Solo per confronto: Eq. 9 dell'articolo",
     (
         "Histories against 40-digit solutions and closed forms, checks against hand calculations, both "

@@ -84,6 +84,10 @@ SENTENCES = {
         "Other sheets of the table of walls were not read: {names}.",
         "Altri fogli della tabella delle pareti non letti: {names}.",
     ),
+    "unit_as_given": (
+        "The file does not state its unit: read as {unit}, as given. Does its PGA agree with what is known of it?",
+        "Il file non dice la sua unità: letto come {unit}, come indicato. La PGA concorda con ciò che se ne sa?",
+    ),
     "vertical": (
         "A vertical component: the histories take it as horizontal.",
         "Componente verticale: le storie la usano come orizzontale.",

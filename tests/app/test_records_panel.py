@@ -1,5 +1,7 @@
 """Records in the window: each motion by itself, the dialog that takes files in."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
@@ -13,8 +15,6 @@ from tests.conftest import ROOT
 @pytest.fixture
 def bundled(opened, application):
     """The window with the three bundled motions as one entry."""
-    from dataclasses import replace
-
     pattern = (ROOT / "resources" / "motions" / "noise_*.txt").as_posix()
     case = replace(opened.session.case, record=(Record(pattern, kind="artificial"),))
     opened.session.edit(case)
@@ -142,3 +142,42 @@ def test_that_the_dialog_marks_what_cannot_be_read(application, tmp_path):
     assert "✕" not in dialog.list.item(0).text() and "✕" in dialog.list.item(1).text()
     assert dialog.list.item(1).toolTip() and not dialog.list.item(0).toolTip()
     dialog.deleteLater()
+
+
+def test_that_a_file_of_several_channels_is_a_row_for_each_and_none_is_taken_unticked(
+    application, tmp_path
+):
+    from PySide6.QtCore import Qt
+
+    from app.forms.import_dialog import ImportDialog
+    from tests.core.ground import dialects
+
+    path, other = tmp_path / "three.V2", tmp_path / "one.AT2"
+    path.write_bytes(dialects.volume2())
+    other.write_bytes(dialects.peer())
+    dialog = ImportDialog([path, other])
+    settle(application, lambda: not dialog.unmarked)
+    shown = [dialog.list.item(k).text() for k in range(dialog.list.count())]
+    assert [name.rstrip(" ✕") for name in shown] == [
+        "three.V2: 1: 360 Deg", "three.V2: 2: Up (vertical)", "three.V2: 3: 90 Deg", "one.AT2",
+    ]  # fmt: skip
+    assert [entry.file for entry in dialog.chosen()] == [str(other)]
+    for k in (0, 2):
+        dialog.list.setCurrentRow(k)  # each has its preview
+        assert "CSMIP" in dialog.words.text() and dialog.chart.data
+        dialog.list.item(k).setCheckState(Qt.CheckState.Checked)
+    taken = dialog.chosen()
+    assert [entry.channel for entry in taken] == ["1: 360 Deg", "3: 90 Deg", ""]
+    dialog.deleteLater()
+
+
+def test_that_two_channels_of_one_file_are_two_records(opened, application, tmp_path):
+    from tests.core.ground import dialects
+
+    path = tmp_path / "three.V2"
+    path.write_bytes(dialects.volume2())
+    entries = tuple(Record(str(path), channel=name) for name in ("1", "3"))
+    opened.session.edit(replace(opened.session.case, record=entries, generate=None))
+    settle(application, lambda: not opened.records.pending)
+    names = [motion.name for motion in opened.records.motions]
+    assert names == ["three 1: 360 Deg", "three 3: 90 Deg"] and not opened.records._twins()

@@ -37,6 +37,7 @@ from core.ground.records.grammar import Options
 from core.study.demand_input import target_of
 from core.study.journal import Journal
 from tests.conftest import shelf_folder
+from tests.core.ground.dialects import DIALECTS, usc
 
 ROOT = Path(__file__).resolve().parents[2]
 SLOWEST = 2.0
@@ -82,8 +83,16 @@ def changed(chance: random.Random, seeds: list[bytes]) -> bytes:
     return bytes(data[:400_000])
 
 
+DIALECT_TARGETS = {
+    "knet": ("K-NET",), "cwa": ("CWA",), "geonet": ("GeoNet V1A", "GeoNet V2A"),
+    "smc": ("SMC, 8 fields", "SMC, 5 fields"), "california": ("CSMIP V2", "CSMIP V1", "COSMOS"),
+    "itaca": ("ESM", "AFAD", "ITACA before 2014", "DYNA 1.0"), "zip": ("zip of ESM",), "sheet": ("xlsx",),
+}  # fmt: skip
+"""target -> the dialects of tests/core/ground/dialects.py whose files are changed; usc beside them."""
+
+
 def _record(content: bytes, folder: Path) -> None:
-    for options in (Options(), Options("g", 0.01)):
+    for options in (Options(), Options("g", 0.01), Options(channel="1")):
         try:
             motion = records._motion(content, folder / "x.txt", options, 1.0, "x")
         except InputError as error:
@@ -213,13 +222,15 @@ def seeds(folder: Path) -> dict[str, list[bytes]]:
         "journal": [(folder / "seed.journal").read_bytes()],
         "swap": [json.dumps({"path": None, "base_dir": ".", "case": case.decode()}).encode() for case in cases],
         "spectrum": [spectrum.encode()],
+        "usc": [usc()],
+        **{name: [DIALECTS[one][0] for one in names] for name, names in DIALECT_TARGETS.items()},
         "hazard": [b"T_R\ta_g\tF0\tTC*\n30\t0,08\t2,4\t0,28\n475\t0,26\t2,4\t0,35\n", b"30 0.08\n2475 0.4\n"],
     }  # fmt: skip
 
 
 TARGETS: dict[str, Callable[[bytes, Path], None]] = {
     "record": _record, "case": _case, "draft": _draft, "table": _table, "workbook": _workbook, "journal": _journal,
-    "swap": _swap, "spectrum": _spectrum, "hazard": _hazard,
+    "swap": _swap, "spectrum": _spectrum, "hazard": _hazard, "usc": _record, **dict.fromkeys(DIALECT_TARGETS, _record),
 }  # fmt: skip
 
 
@@ -248,7 +259,7 @@ def attack(name: str, seconds: float, seed: int) -> tuple[int, str | None]:
         good = seeds(folder)[name]
         end = time.monotonic() + seconds
         while time.monotonic() < end:
-            whole_zip = name == "workbook" and chance.random() < 0.8
+            whole_zip = name in ("workbook", "zip", "sheet") and chance.random() < 0.8
             content = inside(good[0], chance) if whole_zip else changed(chance, good)
             count += 1
             start = time.monotonic()

@@ -47,8 +47,8 @@ def refuse_unchosen(names: list[str], verticals: list[bool], asked: str | None) 
     if len(same) == 1:
         return same[0]
     listed = tuple(
-        sentence("accepted", "vertical_channel" if vertical else "channel", n=k, name=name[:SHOWN])
-        for k, (name, vertical) in enumerate(zip(names, verticals, strict=True), start=1)
+        sentence("accepted", "vertical_channel" if vertical else "channel", name=name[:SHOWN])
+        for name, vertical in zip(names, verticals, strict=True)
     )
     if asked is None:
         raise RecordError(

@@ -11,6 +11,7 @@ from core.ground.records.grammar import (
     Parsed,
     head_lines,
     numbers,
+    plain_numbers,
     quoted,
     refuse_other_quantity,
     stated_unit,
@@ -21,6 +22,22 @@ _TIME_STEP = re.compile(rf"\bdt\s*=\s*([0-9]+,[0-9]+|{NUMBER})\s*(ms\b)?", re.IG
 _NO_NUMBER = re.compile(rf"(?:{NUMBER}|[+-]?nan|[+-]?inf(?:inity)?|\*++|[,;\s]++)++", re.IGNORECASE)
 _DECIMAL_COMMA = re.compile(r"[+-]?+[0-9]++(,[0-9]++)?+([EeDd][+-]?+[0-9]++)?+")
 _INTEGER = re.compile(r"[0-9]+")
+
+
+FIRST_ROWS = 8
+"""Rows read one by one before the rest is tried at once."""
+
+
+def _alike(lines: list[str], width: int) -> np.ndarray | None:
+    """Rows of so many numbers with blanks between, all at once, shape (n, width); None where any line is another."""
+    while lines and not lines[-1].strip():
+        lines = lines[:-1]
+    if set(map(len, map(str.split, lines))) != {width}:
+        return None
+    values = plain_numbers(lines)
+    if values is None:
+        return None
+    return np.array(values).reshape(-1, width)
 
 
 def recognises(lines: list[str]) -> bool:
@@ -45,8 +62,13 @@ def read(lines: list[str], options: Options) -> Parsed:
     """Raises RecordError for spectra, uneven or unsorted time, several columns without a choice,
     and rows that are not numbers."""
     skip = options.skip_lines or 0
-    head, rows, places = list(lines[:skip]), [], []
+    head, rows, places, rest, tried = list(lines[:skip]), [], [], None, False
     for k, line in enumerate(lines[skip:], start=skip + 1):
+        if len(rows) == FIRST_ROWS and not tried:
+            tried = True
+            rest = _alike(lines[k - 1 :], len(rows[-1]))
+            if rest is not None:
+                break
         text = line.strip()
         if not text:
             continue
@@ -75,14 +97,14 @@ def read(lines: list[str], options: Options) -> Parsed:
     if options.column is not None:
         _refuse_column(head, len(rows[-1]), options.column)
     time_step, counted = None, None
-    first = rows[0]
-    if len(first) == 2 and len(rows) > 2 and first[0] == int(first[0]) >= 10 and 0 < first[1] < 1:
+    first, n = rows[0], len(rows) + (0 if rest is None else len(rest))
+    if len(first) == 2 and n > 2 and first[0] == int(first[0]) >= 10 and 0 < first[1] < 1:
         counted = int(first[0])
-        if abs(len(rows) - 1 - counted) <= 1 or len(rows[1]) == 1:
+        if abs(n - 1 - counted) <= 1 or len(rows[1]) == 1:
             time_step = first[1]
-            rows, places = rows[1:], places[1:]
-            if len(rows) != counted:
-                raise RecordError("count_differs", n=len(rows), declared=counted)
+            rows, places, n = rows[1:], places[1:], n - 1
+            if n != counted:
+                raise RecordError("count_differs", n=n, declared=counted)
     width = len(rows[0])
     for row, line in zip(rows, places, strict=True):
         if len(row) != width:
@@ -90,6 +112,11 @@ def read(lines: list[str], options: Options) -> Parsed:
                 "columns_differ", n=len(row), above=width, place=(place("line", n=line),)
             )
     table = np.array(rows)
+    if rest is not None:
+        if rest.shape[1] != width:
+            raise RecordError("columns_differ", n=rest.shape[1], above=width)
+        table = np.concatenate([table, rest])
+        places += range(places[-1] + 1, places[-1] + 1 + len(rest))
     comment_step = _TIME_STEP.search("\n".join(head))
     if comment_step and time_step is None:
         time_step = to_float(comment_step[1].replace(",", "."))

@@ -151,7 +151,7 @@ def _records(result: StudyResult, words: Words) -> list[Part]:
         return []
     say = words.say
     heads = [
-        say("Record"), say("Event and station"), say("Date"), "M", say("Distance [km]"), say("Filter [Hz]"),
+        say("Record"), say("Event and station"), say("Date"), "M", say("Distance [km]"), say("Filter [Hz], processing"),
         say("PGA used [g]"), say("Scale used"), say("Kind"),
     ]  # fmt: skip
     rows = []
@@ -165,7 +165,7 @@ def _records(result: StudyResult, words: Words) -> list[Part]:
             where.date.split()[0] if where.date else "",
             where.magnitude,
             where.distance_km,
-            where.filter,
+            where.filter_and_processing,
         ]
         rows.append([motion.name, *(cell or "–" for cell in cells), words.number(at_demand * motion.pga / G, ".3f"),
                      words.number(scale, ".3f"), words.word(kind)])  # fmt: skip

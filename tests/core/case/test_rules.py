@@ -61,7 +61,10 @@ from tests.core.case.tables import WALL, case, without
             },
             ["general block takes no"],
         ),
-        (case(record=[{"file": "a.txt", "channel": 2}]), ["channel", "not built yet"]),
+        (
+            case(record=[{"file": "a.txt", "channel": 0}]),
+            ["channel", "name of a channel, or its number"],
+        ),
         (case(generate={"count": 7}), ["generate", "spectrum"]),
         (case({"law": "doherty"}, analysis={"method": "linearised"}), ["rigid law", "trilinear"]),
         (case(analysis={"method": "magic"}), ["magic", "taylor"]),

@@ -11,6 +11,7 @@ from core.ground.provenance import provenance
 from core.ground.records.grammar import Options
 from tests.core.ground import dialects
 from tests.core.ground.dialects import DIALECTS, MOTION, STEP
+from tests.core.ground.test_records import ASKED
 
 
 def read(content: bytes, **given):
@@ -67,7 +68,7 @@ def test_that_a_file_of_several_channels_asks_which(tmp_path, name, names, verti
         records.read(path)
     words = str(caught.value)
     assert "give channel" in words and all(one[:30] in words for one in names)
-    assert f"{vertical[:60]} (vertical)" in words
+    assert f'"{vertical[:60]}" (vertical)' in words
     assert sorted(records.channels(path)) == sorted(names)
     found = records.read(path, Options(channel=vertical))
     assert "vertical" in {warning.code for warning in found.warnings}
@@ -116,7 +117,7 @@ def test_that_processed_horizontals_of_a_zip_come_first_and_what_is_converted_on
         (dialects.zipped(**{"a.txt": b"0.1\n" * 6_000_000}), "20 MB"),
         (dialects.zipped(**{f"{k}.txt": b"1" for k in range(600)}), "600"),
         (b"PK\x03\x04" + b"\0" * 60, "cannot be opened"),
-        (dialects.workbook(sheets=("a", "b")), "give channel.*1 a, 2 b"),
+        (dialects.workbook(sheets=("a", "b")), 'give channel.*"a", "b"'),
         (dialects.workbook(heads=("T [s]", "Sa [g]")), "this is"),
     ],
 )  # fmt: skip
@@ -127,6 +128,31 @@ def test_that_what_lies_or_is_damaged_is_refused_in_one_sentence(content, word):
     with pytest.raises(RecordError, match=word) as caught:
         read(content, **given)
     assert "\n" not in str(caught.value)
+
+
+def test_that_a_slip_of_the_unit_is_warned_of_or_refused(shelf, index):
+    """Each acceleration of the shelf, read with its unit off by 9.81, 981 and 1000: refused where the file states its
+    own, else warned of."""
+    slips = {"g": ("m/s2", "cm/s2", "mm/s2"), "m/s2": ("g", "cm/s2", "mm/s2"), "cm/s2": ("g", "m/s2", "mm/s2"),
+             "mm/s2": ("g", "m/s2", "cm/s2")}  # fmt: skip
+    tried = caught = 0
+    for file, row in index.items():
+        if not row["pga_g"] or file.startswith("SAC"):
+            continue
+        given = {**ASKED.get(file, {}), **({"channel": "1"} if file.endswith((".V2", "A")) else {})}
+        if "CHAN24" in file:
+            given = {}
+        given.pop("unit", None)
+        for wrong in slips[row["units_in_file"].replace("^", "").replace("sec", "s").split("(")[0].split()[0]
+                           .replace("counts", "cm/s2")]:  # fmt: skip
+            tried += 1
+            try:
+                found = records.read(shelf / file, Options(unit=wrong, **given))
+            except RecordError as error:
+                caught += error.code in ("contradicts_file", "peak_too_large")
+            else:
+                caught += bool(found.warnings)
+    assert tried > 200 and caught >= 0.99 * tried
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,10 @@ def test_that_what_is_no_acceleration_is_refused(shelf):
         ("SAC_MSEED/20190706031952.CJ.T001230.HNE.sac", "binary"),
         ("SAC_MSEED/TA.M04C..HNE_20140824.mseed", "binary"),
         ("SMC/A-CAT090.AT2.smc", "give unit"),
-        ("GEONET/20180212_211557_WPWS_20.V2A", "3 channels here, give channel: 1 S16W, 2 S74E, 3 Up \\(vertical\\)"),
+        (
+            "GEONET/20180212_211557_WPWS_20.V2A",
+            '3 channels here, give channel: "S16W", "S74E", "Up" \\(vertical\\)',
+        ),
         ("COSMOS_CSMIP/imperialvalley79_ce01336p_CHAN24_FF270.V3", "spectra"),
     ):
         with pytest.raises(RecordError, match=word):
