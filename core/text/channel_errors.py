@@ -62,6 +62,14 @@ CHANNEL_ERRORS = {
         "no accelerogram in this archive or workbook",
         "nessun accelerogramma in questo archivio o cartella di lavoro",
     ),
+    "sheet_too_long": (
+        "more than {rows} rows: save the sheet as .csv, which is read faster",
+        "più di {rows} righe: salvare il foglio come .csv, che si legge prima",
+    ),
+    "line_too_long": (
+        "a line of {n} characters: samples stand one or a few in a line",
+        "una riga di {n} caratteri: i campioni stanno uno o pochi per riga",
+    ),
     "unpacked_too_large": (
         "unpacked it has {mb:.0f} MB, beyond 20 MB: no accelerogram",
         "estratto ha {mb:.0f} MB, oltre 20 MB: non è un accelerogramma",

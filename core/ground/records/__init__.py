@@ -36,7 +36,7 @@ SPECTRA = re.compile(r"RESPONSE AND FOURIER", re.IGNORECASE)
 """Beginning of a file of spectra (CSMIP volume 3)."""
 
 MAX_BYTES = 20_000_000
-MAX_NUMBERS = 5_000_000
+MAX_NUMBERS, MAX_LINES, LONGEST_LINE = 5_000_000, 2_500_000, 1_000_000
 """Larger files are refused before they take the memory; the longest records known have 2 MB."""
 
 END_SHARE = 0.05
@@ -84,6 +84,8 @@ def _motion(content: bytes, path: Path, options: Options, scale: float, name: st
         return _unpacked(content, path, options, scale, name)
     if len(content) > MAX_NUMBERS and _separate(content) > MAX_NUMBERS:
         raise RecordError("too_many_numbers", n=MAX_NUMBERS)
+    if content.count(b"\n") > MAX_LINES:
+        raise RecordError("too_many_numbers", n=MAX_LINES)
     return _of_lines(content, decode(content), path, options, scale, name)
 
 
@@ -125,6 +127,9 @@ def _of_lines(
     cells = is_zip(content)  # a workbook is whole or cannot be opened
     ended = cells or content.rstrip(b"\x00\x1a")[-1:] in (b"\n", b"\r")
     ended = ended or content[-2:] in (b"\n\0", b"\0\n")
+    longest = max(map(len, lines))
+    if longest > LONGEST_LINE:
+        raise RecordError("line_too_long", n=longest)
     head = "\n".join(lines[:30])
     if SPECTRA.match(head):
         raise RecordError("spectra_file")

@@ -59,7 +59,9 @@ STEP_REAL = 61
 """Place from 0 of the time step [ms] among the real headers of COSMOS."""
 
 _PAIRS = re.compile(r"FILE\s+\d+ OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I:", re.IGNORECASE)
-_POINTS = re.compile(r"NO\. OF POINTS =\s*(\d{1,7})\s+DURATION =\s*([0-9.]+) SEC", re.IGNORECASE)
+_POINTS = re.compile(
+    r"NO\. OF POINTS =\s*(\d{1,7})\s+DURATION =\s*([0-9]{1,6}\.[0-9]{0,6}) SEC", re.IGNORECASE
+)
 _COMPONENT = re.compile(r"COMP\s+(\S+)", re.IGNORECASE)
 PAIRS_A_LINE, GRID = 5, 0.001
 """Of volume 1: pairs in a line; steps [s] that all its printed times stand on."""

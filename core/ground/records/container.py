@@ -11,7 +11,7 @@ from core.ground.records.channels import is_vertical, refuse_unchosen
 MAX_UNPACKED = 20_000_000
 """Bytes of one member, or of a workbook, unpacked."""
 
-MAX_MEMBERS, MAX_ROWS, MAX_COLUMNS = 500, 100_000, 100
+MAX_MEMBERS, MAX_ROWS, MAX_COLUMNS = 500, 50_000, 100
 
 BETWEEN = ": "
 """Between the name of a member and that of a channel in it."""
@@ -121,7 +121,7 @@ def sheet_of(content: bytes, asked: str | None) -> tuple[str, list[str], bool]:
         lines = []
         for row in sheet.iter_rows(max_col=MAX_COLUMNS, values_only=True):
             if len(lines) >= MAX_ROWS:
-                raise RecordError("too_many_numbers", n=MAX_ROWS)
+                raise RecordError("sheet_too_long", rows=MAX_ROWS)
             lines.append("\t".join(_cell(value) for value in row).rstrip("\t"))
         return sheet.title, lines, len(sheets) > 1
     except RecordError:

@@ -1,5 +1,6 @@
 """What every text format shares: bytes to lines, the strict number grammar, the count check."""
 
+import contextlib
 import math
 import re
 from dataclasses import dataclass, field
@@ -208,6 +209,17 @@ def fixed_width(line: str, width: int) -> list[float] | None:
     return [to_float(entry) for entry in fields]
 
 
+def _row_or_nan(line: str, width: int | None, number: int) -> list[float]:
+    """The numbers of a line, NaN among them. Raises RecordError naming the line where anything else is there."""
+    row = _row(line, width)
+    if row is None:
+        tokens = line.replace(",", " ").split()
+        if not all(_NAN.fullmatch(token) or _TOKEN.fullmatch(token) for token in tokens):
+            raise RecordError("not_numbers", text=quoted(line), place=(place("line", n=number),))
+        row = [math.nan if _NAN.fullmatch(token) else to_float(token) for token in tokens]
+    return row
+
+
 CONTRADICTION = 1.5
 """Ratio of the peak read to the one stated beyond which unit or scale is wrong; less is warned of."""
 
@@ -237,28 +249,56 @@ def whole(parsed: Parsed) -> Parsed:
     return parsed
 
 
+AT_ONCE = 50_000
+"""Lines whose words are in memory at once."""
+
 _GLUED = re.compile(r"(?<=[0-9.])(?=[+-])")
 _NUMBER_LETTERS = str.maketrans("", "", "0123456789+-.eE \t\n")
 
 
-def plain_numbers(lines: list[str], count: int | None = None) -> list[float] | None:
+def plain_numbers(lines: list[str], count: int | None = None) -> np.ndarray | None:
     """All numbers of lines that hold nothing but numbers with blanks between them, fast; None for all others, which
     are read line by line. count : how many there must be.
 
     Of these letters alone `float` takes the very numbers of the grammar."""
-    text = "\n".join(lines)
-    if text.translate(_NUMBER_LETTERS):
+    glued = count is not None and bool(_GLUED.search("\n".join(lines[:50])))
+    parts = []
+    for k in range(0, len(lines), AT_ONCE):
+        text = "\n".join(lines[k : k + AT_ONCE])
+        if text.translate(_NUMBER_LETTERS):
+            return None
+        words = (_GLUED.sub(" ", text) if glued else text).split()
+        try:
+            parts.append(np.fromiter(map(float, words), float, len(words)))
+        except ValueError:
+            return None
+    values = np.concatenate(parts) if parts else np.zeros(0)
+    if (count is not None and values.size != count) or not np.isfinite(values).all():
         return None
-    if count is not None and _GLUED.search("\n".join(lines[:50])):
-        text = _GLUED.sub(" ", text)
-    words = text.split()
-    if count is not None and len(words) != count:
+    return values
+
+
+def table_of(lines: list[str], width: int) -> np.ndarray | None:
+    """Rows of so many numbers with blanks between, all at once, shape (n, width); None where any line is another."""
+    while lines and not lines[-1].strip():
+        lines = lines[:-1]
+    if set(map(len, map(str.split, lines))) != {width}:
         return None
-    try:
-        values = list(map(float, words))
-    except ValueError:
-        return None
-    return values if all(map(math.isfinite, values)) else None
+    values = plain_numbers(lines)
+    return None if values is None else values.reshape(-1, width)
+
+
+def _row(line: str, width: int | None) -> list[float] | None:
+    """The numbers of a line, in columns of this width where they stand in such; None if anything else is there."""
+    if not line.translate(_NUMBER_LETTERS):
+        words = _GLUED.sub(" ", line).split()
+        if width is None or len(words) == -(-len(line.rstrip()) // width):
+            with contextlib.suppress(ValueError):
+                row = list(map(float, words))
+                if all(map(math.isfinite, row)):
+                    return row
+    row = fixed_width(line, width) if width else None
+    return numbers(line) if row is None else row
 
 
 def block(lines: list[str], first_line: int, declared: int, width: int | None = None) -> Parsed:
@@ -268,22 +308,15 @@ def block(lines: list[str], first_line: int, declared: int, width: int | None = 
     Accepts a short last line and surplus zeros or NaN, with a warning; raises RecordError otherwise.
     """
     whole_block = plain_numbers(lines, declared)
-    if whole_block is not None and whole_block:
-        return Parsed(np.array(whole_block), None, None, counted=True)
+    if whole_block is not None and whole_block.size:
+        return Parsed(whole_block, None, None, counted=True)
+    odd = (k for k, line in enumerate(lines) if line.translate(_NUMBER_LETTERS))
+    for k in odd:  # a line that is none is found before the others are read one by one
+        _row_or_nan(lines[k], width, first_line + k)
     rows, not_numbers = [], 0
     for k, line in enumerate(lines):
-        if not line.strip():
-            continue
-        row = fixed_width(line, width) if width else None
-        row = numbers(line) if row is None else row
-        if row is None:
-            tokens = line.replace(",", " ").split()
-            if not all(_NAN.fullmatch(token) or _TOKEN.fullmatch(token) for token in tokens):
-                raise RecordError(
-                    "not_numbers", text=quoted(line), place=(place("line", n=first_line + k),)
-                )
-            row = [math.nan if _NAN.fullmatch(token) else to_float(token) for token in tokens]
-        rows.append(row)
+        if line.strip():
+            rows.append(_row_or_nan(line, width, first_line + k))
     values = np.array([value for row in rows for value in row])
     while values.size and math.isnan(values[-1]):
         values = values[:-1]

@@ -13,9 +13,9 @@ from core.ground.records.grammar import (
     Parsed,
     agree_with_peak,
     block,
-    numbers,
     one_number,
     quoted,
+    table_of,
     to_float,
     whole,
 )
@@ -100,12 +100,10 @@ def read_cwa(lines: list[str], options: Options) -> Parsed:
         raise RecordError("head_lacks", label="DataSequence")
     if not header.get("AmplitudeUnit", "").lower().startswith("gal"):
         raise RecordError("unit_not_acceleration", unit=quoted(header.get("AmplitudeUnit", "")))
-    rows = [(k, row) for k, line in enumerate(lines[start:], start + 1) if (row := numbers(line))]
-    filled = sum(bool(line.strip()) for line in lines[start:])
     width = len(names) + 1
-    if len(rows) < 3 or len(rows) != filled or any(len(row) != width for _, row in rows):
+    table = table_of(lines[start:], width)
+    if table is None or table.shape[0] < 3:
         raise RecordError("columns_not", n=width)
-    table = np.array([row for _, row in rows])
     steps = np.diff(table[:, 0])
     if np.abs(steps - 1.0 / rate).max() > 0.6e-3:
         raise RecordError("head_lacks", label="SampleRate(Hz)")

@@ -11,10 +11,10 @@ from core.ground.records.grammar import (
     Parsed,
     head_lines,
     numbers,
-    plain_numbers,
     quoted,
     refuse_other_quantity,
     stated_unit,
+    table_of,
     to_float,
 )  # fmt: skip
 
@@ -24,20 +24,11 @@ _DECIMAL_COMMA = re.compile(r"[+-]?+[0-9]++(,[0-9]++)?+([EeDd][+-]?+[0-9]++)?+")
 _INTEGER = re.compile(r"[0-9]+")
 
 
+LONGEST_LINE = 20_000
+"""Characters of a line of plain text."""
+
 FIRST_ROWS = 8
 """Rows read one by one before the rest is tried at once."""
-
-
-def _alike(lines: list[str], width: int) -> np.ndarray | None:
-    """Rows of so many numbers with blanks between, all at once, shape (n, width); None where any line is another."""
-    while lines and not lines[-1].strip():
-        lines = lines[:-1]
-    if set(map(len, map(str.split, lines))) != {width}:
-        return None
-    values = plain_numbers(lines)
-    if values is None:
-        return None
-    return np.array(values).reshape(-1, width)
 
 
 def recognises(lines: list[str]) -> bool:
@@ -66,9 +57,11 @@ def read(lines: list[str], options: Options) -> Parsed:
     for k, line in enumerate(lines[skip:], start=skip + 1):
         if len(rows) == FIRST_ROWS and not tried:
             tried = True
-            rest = _alike(lines[k - 1 :], len(rows[-1]))
+            rest = table_of(lines[k - 1 :], len(rows[-1]))
             if rest is not None:
                 break
+        if len(line) > LONGEST_LINE:
+            raise RecordError("line_too_long", n=len(line), place=(place("line", n=k),))
         text = line.strip()
         if not text:
             continue
