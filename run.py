@@ -275,6 +275,7 @@ def main():
             "--steps": ["test", "bench", "study"],
             "--zeta": ["test"],
             "--window": ["gui", "study"],
+            "--records": ["test", "gui", "study"],
             "--screenshots": ["gui", "study", "report"],
         }
         ensure(["base"] + [group for key in more if key in arguments for group in more[key]])

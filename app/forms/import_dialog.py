@@ -86,7 +86,7 @@ class ImportDialog(QDialog):
     ):
         super().__init__(parent)
         self.setWindowTitle(tr("Records found"))
-        self.paths: list[Row] = list(paths[:MAX_FILES])
+        self.paths: list[Row] = list(dict.fromkeys(paths))[:MAX_FILES]
         known = entries or {}
         self.entries = {path: known.get(path, Record(str(path))) for path in self.paths}
         self.looked: set[Row] = set(known)

@@ -10,6 +10,7 @@
     python3 run.py bench --memory                           peak memory and time of large work
     python3 run.py bench --window                           start of the window, redraws, event loop
     python3 run.py bench --screenshots [--output DIR]       every tab, both themes and languages
+    python3 run.py bench --records                          a million samples read, 200 files previewed
     python3 run.py bench --screenshots --guide [--output DIR]   the pictures of the guides
 
 Whole batches are timed as processes; the loop of sin and cos is measured in the same run, so that
@@ -182,6 +183,7 @@ if __name__ == "__main__":
     words.add_argument("--pairs", type=int, default=7)
     words.add_argument("--screenshots", action="store_true")
     words.add_argument("--guide", action="store_true")
+    words.add_argument("--records", action="store_true")
     words.add_argument("--output", type=Path, default=Path("work_precision"))
     options = words.parse_args()
     if options.work_precision:
@@ -216,6 +218,10 @@ if __name__ == "__main__":
         from tests.benchmarks import screenshots
 
         (screenshots.guide if options.guide else screenshots.main)(options.output)
+    elif options.records:
+        from tests.benchmarks import record_speed
+
+        record_speed.main()
     elif options.steps:
         from tests.benchmarks import step_study
 

@@ -193,6 +193,8 @@ def _pairs(lines: list[str], place: int, end: int, head: str) -> Parsed:
     if not points or "G/10" not in head:
         raise RecordError("head_lacks", label="NO. OF POINTS, G/10")
     declared = int(points[1])
+    if declared < 3:
+        raise RecordError("head_lacks", label="NO. OF POINTS")
     while end > place and not lines[end - 1].strip("/&- \t"):
         end -= 1
     # the reals of the head look like pairs: counted from the end, in lines of five
