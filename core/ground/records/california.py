@@ -34,7 +34,7 @@ _COSMOS = re.compile(
 _OF_DATA = re.compile(r"[a-df-z&]", re.IGNORECASE)
 """A letter that no number has: the samples of a channel end there."""
 
-_WIDTH = re.compile(r"\(\s*\d+[fe](\d+)\.\d+\s*\)", re.IGNORECASE)
+_WIDTH = re.compile(r"\(\s*\d+[fe]([1-9]\d?)\.\d+\s*\)", re.IGNORECASE)
 _CHANNEL = re.compile(r"(?:sta )?chan?(?:nel)?:? +(\d{1,3}):? +(.*?)(?: {2,}|\(|$)", re.IGNORECASE)
 _STATION_CHANNEL = re.compile(r"sta cha: *(\d{1,3}): *(.*?) *(?:\(|$)", re.IGNORECASE)
 _PEAK = re.compile(
@@ -126,7 +126,7 @@ def _channel(lines: list[str], place: int, end: int, head: list[str]) -> Parsed:
         raise RecordError("unit_not_acceleration", unit=quoted(match[4]))
     width = _WIDTH.search(lines[place])
     parsed = whole(
-        block(lines[place + 1 : end], place + 2, declared, int(width[1][:2]) if width else 10)
+        block(lines[place + 1 : end], place + 2, declared, int(width[1]) if width else 10)
     )
     parsed.unit = UNITS_OF[written]
     if _COSMOS.match(lines[place]):
