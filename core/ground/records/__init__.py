@@ -127,7 +127,7 @@ def _of_lines(
     cells = is_zip(content)  # a workbook is whole or cannot be opened
     ended = cells or content.rstrip(b"\x00\x1a")[-1:] in (b"\n", b"\r")
     ended = ended or content[-2:] in (b"\n\0", b"\0\n")
-    longest = max(map(len, lines))
+    longest = max(map(len, lines), default=0)
     if longest > LONGEST_LINE:
         raise RecordError("line_too_long", n=longest)
     head = "\n".join(lines[:30])

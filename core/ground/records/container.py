@@ -24,6 +24,7 @@ _OTHER = re.compile(
 )
 """Members that are no accelerogram: velocities, displacements and spectra of ESM by their names, documents."""
 
+_CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]")
 _STREAM = re.compile(r"\.\w\w([ZENXY123])\.")
 
 BAD_ZIP = (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, RuntimeError, OSError,
@@ -62,7 +63,7 @@ def member_of(content: bytes, asked: str | None) -> tuple[str, bytes, str | None
             entries = sorted(marked or entries, key=_order)
             if not entries:
                 raise RecordError("no_member")
-            names = [entry.filename for entry in entries]
+            names = [_CONTROL.sub("?", entry.filename) for entry in entries]
             member, within = _split(asked, names)
             k = refuse_unchosen(names, [_is_vertical(name) for name in names], member)
             entry = entries[k]
@@ -78,7 +79,7 @@ def member_of(content: bytes, asked: str | None) -> tuple[str, bytes, str | None
         raise RecordError("unpacked_too_large", mb=len(body) / 1e6)
     if is_zip(body):
         raise RecordError("nested_archive")
-    return entry.filename, body, within, len(entries) > 1
+    return names[k], body, within, len(entries) > 1
 
 
 def _split(asked: str | None, names: list[str]) -> tuple[str | None, str | None]:
@@ -115,7 +116,7 @@ def sheet_of(content: bytes, asked: str | None) -> tuple[str, list[str], bool]:
         sheets = [sheet for sheet in book.worksheets if sheet.sheet_state == "visible"]
         if not sheets:
             raise RecordError("no_member")
-        names = [sheet.title for sheet in sheets]
+        names = [_CONTROL.sub("?", sheet.title) for sheet in sheets]
         sheet = sheets[refuse_unchosen(names, [False] * len(names), asked)]
         sheet.reset_dimensions()  # the tag that states them can lie
         lines = []
@@ -123,7 +124,7 @@ def sheet_of(content: bytes, asked: str | None) -> tuple[str, list[str], bool]:
             if len(lines) >= MAX_ROWS:
                 raise RecordError("sheet_too_long", rows=MAX_ROWS)
             lines.append("\t".join(_cell(value) for value in row).rstrip("\t"))
-        return sheet.title, lines, len(sheets) > 1
+        return _CONTROL.sub("?", sheet.title), lines, len(sheets) > 1
     except RecordError:
         raise
     except BAD_ZIP as error:
