@@ -1,6 +1,5 @@
 """The program: `--batch` without a window, else the window; wrong input is one line and exit code 1."""
 
-import argparse
 import contextlib
 import faulthandler
 import os
@@ -9,56 +8,9 @@ import tempfile
 import traceback
 from pathlib import Path
 
+from app.command_line import parser
 from app.language import quoted_from_file, set_language, system_language, terminal
 from core.errors import InputError
-
-
-def parser() -> argparse.ArgumentParser:
-    """The command line."""
-    made = argparse.ArgumentParser(
-        prog="ribalta",
-        description=terminal(
-            "How strong an earthquake a masonry wall withstands before it overturns."
-        ),
-    )
-    made.add_argument(
-        "case", nargs="?", type=Path, help=terminal("case file to open in the window")
-    )
-    made.add_argument(
-        "--batch", type=Path, metavar="CASE", help=terminal("run a case without a window")
-    )
-    made.add_argument(
-        "--study", metavar="STUDY", help=terminal("run a parametric study: paper, law or a file")
-    )
-    made.add_argument("--quick", action="store_true", help=terminal("a short form of the study"))
-    made.add_argument(
-        "--records", type=Path, metavar="DIR", help=terminal("natural records of the study")
-    )
-    made.add_argument("--output", type=Path, metavar="DIR", help=terminal("folder of the results"))
-    made.add_argument(
-        "--jobs", type=_jobs, metavar="N", help=terminal("threads (default: all cores)")
-    )
-    made.add_argument(
-        "--report",
-        type=Path,
-        metavar="FILE",
-        help=terminal("the calculation note too, as a Word document (.docx)"),
-    )
-    made.add_argument("--quiet", action="store_true", help=terminal("no progress, no summary"))
-    made.add_argument("--resume", action="store_true", help=terminal("go on from the journal"))
-    made.add_argument(
-        "--inspect", nargs="+", type=Path, metavar="FILE", help=terminal("say what records hold")
-    )
-    made.add_argument("--version", action="store_true", help=terminal("version and commit"))
-    return made
-
-
-def _jobs(word: str) -> int:
-    if not word.isascii() or not word.isdigit() or not 1 <= int(word) <= 1024:
-        raise argparse.ArgumentTypeError(
-            terminal("{word!r} is not a number of threads from 1 to 1024", word=word)
-        )
-    return int(word)
 
 
 def window(case: Path | None) -> int:

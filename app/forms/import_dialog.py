@@ -27,6 +27,8 @@ from core.case.schema import Record
 from core.errors import InputError
 from core.file_names import name_of
 from core.ground import records
+from core.ground.ground_motion import GroundMotion
+from core.ground.provenance import provenance
 from core.ground.records.grammar import Options
 from core.units import G
 
@@ -55,6 +57,14 @@ def channels_of(record: Record) -> tuple[str, ...]:
     """Channels of the file of an entry, none where it has one."""
     options = Options(record.unit, record.time_step_s, record.column, record.skip_lines)
     return records.channels(Path(name_of(record.file)), options)
+
+
+def told_of(motion: GroundMotion) -> list[str]:
+    """What the file says of event, station, date, magnitude, filter and processing, and the warnings."""
+    where = provenance(motion)
+    parts = (where.event, where.station, where.date, where.magnitude, where.filter_and_processing)
+    line = ", ".join(dict.fromkeys(part for part in parts if part))
+    return [*([line] if line else []), *(described(warning) for warning in motion.warnings)]
 
 
 def file_of(row: Row) -> Path:
@@ -241,10 +251,11 @@ class ImportDialog(QDialog):
         if isinstance(motion, str):
             self.words.setText(motion)
             return
-        self.words.setText(
+        found = (
             f"{motion.format}: {motion.acceleration.size} × {number(motion.time_step, 'g')} s, {motion.unit}, "
             f"PGA {number(motion.pga / G, '.3f')} g"
         )
+        self.words.setText("\n".join([found, *told_of(motion)]))
         times = np.arange(motion.acceleration.size) * motion.time_step
         self.chart.curve(motion.name, times, motion.acceleration / G, 0, 1.0)
         self.chart.reset()

@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 )
 
 from app import theme
-from app.forms.import_dialog import ImportDialog, all_files, file_of
+from app.forms.import_dialog import ImportDialog, all_files, file_of, told_of
 from app.forms.import_dialog import Row as FileRow
 from app.forms.record_rows import Row, cells, heads, read_rows, state_of
 from app.language import described, tr
@@ -150,9 +150,8 @@ class RecordsPanel(QWidget):
             else:
                 tick.setFlags(tick.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             self.table.setItem(row, 0, tick)
-            tips = [w.text(case.report.language) for w in motion.warnings]
-            tips += [twins[row]] if row in twins else []
-            self.table.item(row, 1).setToolTip("\n".join(tips) or motion.file)
+            tips = [*told_of(motion), *([twins[row]] if row in twins else []), motion.file]
+            self.table.item(row, 1).setToolTip("\n".join(tips))
         self.table.blockSignals(False)
         count = len(self.motions)
         words = tr("{n} records in use. Drop accelerograms or folders here.", n=count)

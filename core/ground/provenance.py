@@ -57,7 +57,7 @@ def provenance(motion: GroundMotion) -> Provenance:
             filter=f"{corners} Hz" if corners else "",
         )
     parts = [part.strip() for part in header_value("line 2").split(",")]
-    if motion.format == "PEER AT2" and len(parts) >= 3:
+    if motion.format.endswith("PEER AT2") and len(parts) >= 3:
         # event, its date in one part or more, station, component
         return Provenance(event=", ".join(parts[:-2]), station=parts[-2], date=_dated(parts[:-2]))
     return Provenance(

@@ -32,9 +32,10 @@ def read_records(case: Listed, base_dir: Path) -> tuple[list[GroundMotion], list
             for path in records.expand(entry.file, base_dir):
                 file = _relative(path, base_dir)
                 motion = replace(records.read(path, options, entry.scale), file=file)
-                twin = seen.setdefault(motion.samples_sha256, file)
+                here = (file, motion.channel)
+                twin, of_it = seen.setdefault(motion.samples_sha256, here)
                 known = [(other.file, other.channel) for other in motions]
-                if twin != file or (file, motion.channel) in known:
+                if (twin, of_it) != here or here in known:
                     raise InputError("record_twice", file=file, twin=twin)
                 motions.append(motion)
                 kinds.append(entry.kind)

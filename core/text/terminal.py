@@ -74,5 +74,12 @@ TERMINAL = {
     "internal error, nothing was written; please send {path}": (
         "errore interno, non è stato scritto nulla; inviare {path}"
     ),
+    "usage: ": "uso: ",
+    "arguments": "argomenti",
+    "this help": "questo aiuto",
+    "not known here: {words}": "sconosciuto qui: {words}",
+    "{words} takes a value": "{words} richiede un valore",
+    "{words} takes no value": "{words} non ammette un valore",
+    "{words} may mean several options: write it out": "{words} può indicare più opzioni: scriverla per intero",
 }
 """English -> Italian."""

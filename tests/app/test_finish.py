@@ -348,35 +348,35 @@ def test_that_the_pages_of_both_guides_are_the_same():
     )
 
 
-def test_that_numbers_have_a_comma_in_the_italian_window(own_walls):
-    own_walls.set_choice("language", "it")
-    assert own_walls.walls.thickness.editor.text() == "83"
-    own_walls.walls.thickness.offer(0.835)
-    own_walls.walls.thickness.show_value(0.8355)
-    assert own_walls.walls.thickness.editor.text() == "83,55"
-    assert re.search(r"\d,\d\d°", own_walls.walls.summary.text())
-    axis = own_walls.pages["check"].content.peaks.plot.getAxis("left")
+def test_that_numbers_have_a_comma_in_the_italian_window(walls):
+    walls.set_choice("language", "it")
+    assert walls.walls.thickness.editor.text() == "83"
+    walls.walls.thickness.offer(0.835)
+    walls.walls.thickness.show_value(0.8355)
+    assert walls.walls.thickness.editor.text() == "83,55"
+    assert re.search(r"\d,\d\d°", walls.walls.summary.text())
+    axis = walls.pages["check"].content.peaks.plot.getAxis("left")
     assert axis.tickStrings([0.5], 1.0, 0.5) == ["0,5"]
-    own_walls.set_choice("language", "en")
+    walls.set_choice("language", "en")
 
 
 @pytest.mark.parametrize("tongue", ["en", "it"])
-def test_that_the_window_fits_a_small_screen(own_walls, application, tongue):
-    own_walls.set_choice("language", tongue)
+def test_that_the_window_fits_a_small_screen(walls, application, tongue):
+    walls.set_choice("language", tongue)
     for size in ((1024, 768), (960, 540)):
-        own_walls.resize(*size)
-        for page in own_walls.pages.values():
-            own_walls.tabs.setCurrentWidget(page)
+        walls.resize(*size)
+        for page in walls.pages.values():
+            walls.tabs.setCurrentWidget(page)
             application.processEvents()
-            assert (own_walls.width(), own_walls.height()) == size, page
-            assert own_walls.minimumSizeHint().width() <= size[0]
-            assert own_walls.minimumSizeHint().height() <= size[1]
-            assert own_walls.tabs.width() >= 0.5 * size[0]
-    own_walls.resize(1280, 800)
+            assert (walls.width(), walls.height()) == size, page
+            assert walls.minimumSizeHint().width() <= size[0]
+            assert walls.minimumSizeHint().height() <= size[1]
+            assert walls.tabs.width() >= 0.5 * size[0]
+    walls.resize(1280, 800)
     application.processEvents()
-    records = own_walls.findChild(QDockWidget, "records")
-    assert own_walls.dockWidgetArea(records) == Qt.DockWidgetArea.RightDockWidgetArea
-    own_walls.set_choice("language", "en")
+    records = walls.findChild(QDockWidget, "records")
+    assert walls.dockWidgetArea(records) == Qt.DockWidgetArea.RightDockWidgetArea
+    walls.set_choice("language", "en")
 
 
 def test_that_tables_fit_their_tab_at_1280(own_walls, application):
@@ -422,12 +422,11 @@ def test_that_no_job_collects_widgets_in_its_thread(opened):
     assert len(seen) == 3000 and all(seen)
 
 
-def test_that_figures_of_tabs_never_looked_at_fill_their_page(opened, application):
-    opened.files.open(VERDICT)
-    settle(application, lambda: not opened.records.pending)
-    run(application, opened)
-    charts = opened.charts()
-    assert len(charts) == 11 and opened.tabs.currentIndex() == 0
+def test_that_figures_of_tabs_never_looked_at_fill_their_page(walls):
+    walls.set_choice("theme", "light")  # every tab is made anew
+    walls.tabs.setCurrentIndex(0)
+    charts = walls.charts()
+    assert len(charts) == 11 and walls.tabs.currentIndex() == 0
     for chart in charts:
         picture = QImage.fromData(figure(chart, ".png", FigureSize(160, 96)))
         picture = picture.convertToFormat(QImage.Format.Format_Grayscale8)

@@ -6,7 +6,7 @@ import pytest
 
 from tests.fuzz.fuzz import TARGETS, attack
 
-SECONDS = float(os.environ.get("RIBALTA_FUZZ_SECONDS", "2"))
+SECONDS = float(os.environ.get("RIBALTA_FUZZ_SECONDS", "1"))
 
 
 @pytest.mark.parametrize("name", TARGETS)

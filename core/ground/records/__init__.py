@@ -164,7 +164,11 @@ def _of_lines(
     left = abs(mean) * motion.size * time_step
     if abs(mean) > OFFSET_SHARE * pga and left > OFFSET_VELOCITY:
         warnings.append(notice("offset", mean=mean / G, velocity=left))
-    if options.channel and not parsed.several and options.channel not in (parsed.channel, "1"):
+    if (
+        options.channel
+        and not parsed.several
+        and options.channel.casefold() not in (parsed.channel.casefold(), "1")
+    ):
         raise RecordError("one_channel", given=quoted(options.channel), format=title)
     if parsed.vertical:
         warnings.append(notice("vertical"))
@@ -216,8 +220,24 @@ def channels(path: Path, options: Options = Options()) -> tuple[str, ...]:
     try:
         read(path, replace(options, channel=None))
     except RecordError as error:
-        return tuple(error.values["names"]) if error.code == "which_channel" else ()
-    return ()
+        if error.code != "which_channel":
+            return ()
+        names = tuple(error.values["names"])
+    else:
+        return ()
+    with open(path, "rb") as stream:
+        if not is_zip(stream.read(4)):
+            return names
+    found: list[str] = []
+    for name in names:  # a member may have channels of its own
+        try:
+            read(path, replace(options, channel=name))
+        except RecordError as error:
+            if error.code == "which_channel":
+                found += error.values["names"]
+                continue
+        found.append(name)
+    return tuple(found)
 
 
 def expand(pattern: str, base_dir: Path) -> list[Path]:

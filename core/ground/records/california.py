@@ -9,6 +9,7 @@ from core.errors import RecordError
 from core.ground.records.channels import Channel, chosen, is_vertical
 from core.ground.records.grammar import (
     NUMBER,
+    UNITS,
     Options,
     Parsed,
     agree_with_peak,
@@ -37,9 +38,12 @@ _OF_DATA = re.compile(r"[a-df-z&]", re.IGNORECASE)
 _WIDTH = re.compile(r"\(\s*\d+[fe]([1-9]\d?)\.\d+\s*\)", re.IGNORECASE)
 _CHANNEL = re.compile(r"(?:sta )?chan?(?:nel)?:? +(\d{1,3}):? +(.*?)(?: {2,}|\(|$)", re.IGNORECASE)
 _STATION_CHANNEL = re.compile(r"sta cha: *(\d{1,3}): *(.*?) *(?:\(|$)", re.IGNORECASE)
+_TITLE = re.compile(r"\s*(?:un)?corrected accel|\s*raw accel", re.IGNORECASE)
 _PEAK = re.compile(
-    rf"(?:peak acceleration =|max =)\s*({NUMBER})\s*cm/s(?:ec2|ec/sec)", re.IGNORECASE
-)
+    rf"(?:peak acceleration|(?<!uncor )\bmax)\s*=\s*({NUMBER})\s*(cm/sec/sec|cm/sec2|g)\b", re.IGNORECASE
+)  # fmt: skip
+_INTERVALS = re.compile(rf"equally-spaced intervals of\s+({NUMBER})\s+sec", re.IGNORECASE)
+_LENGTH = re.compile(rf"record length\s*=\s*({NUMBER})\s*sec", re.IGNORECASE)
 _RAW = re.compile(r"^\s*(?:raw|uncorrected) acceleration", re.IGNORECASE | re.MULTILINE)
 _FILTER = re.compile(r"(?:filtered (?:with )?)(.*)", re.IGNORECASE)
 _STATION = re.compile(r"(?:station|statn)\s+no[.:]\s*(\S+)", re.IGNORECASE)
@@ -94,12 +98,21 @@ def read(lines: list[str], options: Options) -> Parsed:
     channels = []
     for k, place in enumerate(places):
         head = [line[:300] for line in lines[ends[k - 1] if k else 0 : place + 1]]
-        head = head[-HEAD:]
+        head = _own(head)
         name = _name(head, k + 1)
         channels.append(
             Channel(name, is_vertical(name), partial(_channel, lines, place, ends[k], head))
         )
     return chosen(channels, options)
+
+
+def _own(head: list[str]) -> list[str]:
+    """The head of a channel without the end of the one before: from its first title."""
+    titles = [k for k, line in enumerate(head) if _TITLE.match(line)]
+    if titles:  # the second line of a volume 2 is a title too
+        first = titles[-2] if len(titles) > 1 and titles[-2] == titles[-1] - 1 else titles[-1]
+        return head[first:]
+    return [line for line in head[-HEAD:] if not numbers(line)]
 
 
 def _end(lines: list[str], start: int) -> int:
@@ -138,16 +151,26 @@ def _channel(lines: list[str], place: int, end: int, head: list[str]) -> Parsed:
     else:
         parsed.time_step = 1.0 / rate if _V1.match(lines[place]) else rate
     text = "\n".join(head)
+    said, length = _INTERVALS.search(text), _LENGTH.search(text)
+    step, covered = parsed.time_step, parsed.time_step * declared
+    if said and abs(to_float(said[1]) - step) > 1e-6 * step:
+        raise RecordError("head_lacks", label="intervals of ... sec")
+    raw_length = _COSMOS.match(lines[place])  # of COSMOS it is that of the raw record
+    if length and not raw_length and abs(to_float(length[1]) - covered) > max(0.02 * covered, 1.0):
+        raise RecordError("head_lacks", label="record length")
     peak = _PEAK.search(text)
-    agree_with_peak(parsed, to_float(peak[1]) if peak and parsed.unit == "cm/s2" else None)
+    ratio = UNITS[UNITS_OF[peak[2].lower()]] / UNITS[parsed.unit] if peak else 1.0
+    agree_with_peak(parsed, to_float(peak[1]) * ratio if peak else None)
     raw = bool(_V1.match(lines[place]) or _RAW.search(text))
     if raw:
         parsed.warnings.append(notice("unprocessed"))
     station, filtered = _STATION.search(text), _FILTER.search(text)
-    titled = [line.strip() for line in head if line.strip()]
+    titled = [
+        line.strip() for line in head if line.strip() and not (_TITLE.match(line) or numbers(line))
+    ]
     parsed.details = (
         ("event", next((line for line in titled if re.match(r"(?:rcrd|record) of|.*earthquake", line, re.I)),
-                       titled[1] if len(titled) > 1 else "")),
+                       titled[0] if titled else "")),
         ("station", station[1] if station else ""),
         ("filter", filtered[1].strip() if filtered else ""),
         ("processing", "none" if raw else "corrected"),

@@ -11,7 +11,8 @@ from core.text.sentence import sentence
 MAX_CHANNELS = 200
 """Channels of a file that are looked at; real files have up to some dozens."""
 
-_VERTICAL = re.compile(r"\b(up|down|dn|vert\w*|u-d|ud)\b", re.IGNORECASE)
+_VERTICAL = re.compile(r"\b(up|down|dwn|dn|ver|vert\w*|u-d|ud|v|z|[a-z]{2}z)\b", re.IGNORECASE)
+_NUMBERED = re.compile(r"(\d+): ?")
 
 
 @dataclass(frozen=True)
@@ -34,7 +35,8 @@ def is_vertical(direction: str) -> bool:
 
 
 def refuse_unchosen(names: list[str], verticals: list[bool], asked: str | None) -> int:
-    """Number from 0 of the channel asked for, by name or by its number from 1; the only one where none is asked for.
+    """Number from 0 of the channel asked for, by name or by its number: its own where the file numbers them ("2: Up"),
+    else its place from 1; the only one where none is asked for.
     Raises RecordError naming the channels."""
     if len(names) > MAX_CHANNELS:
         raise RecordError("too_many_channels", n=len(names), most=MAX_CHANNELS)
@@ -42,8 +44,12 @@ def refuse_unchosen(names: list[str], verticals: list[bool], asked: str | None) 
         return 0
     wanted = (asked or "").strip().casefold()
     same = [k for k, name in enumerate(names) if name.casefold() == wanted]
-    if not same and wanted.isascii() and wanted.isdigit() and 0 < int(wanted[:4]) <= len(names):
-        same = [int(wanted) - 1]
+    if not same and wanted.isascii() and wanted.isdigit():
+        numbered = [_NUMBERED.match(name) for name in names]
+        if all(numbered):  # a number is that of the channel, whatever its place in the file
+            same = [k for k, found in enumerate(numbered) if found and found[1] == wanted]
+        elif 0 < int(wanted[:4]) <= len(names):
+            same = [int(wanted[:4]) - 1]
     if len(same) == 1:
         return same[0]
     listed = tuple(

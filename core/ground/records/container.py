@@ -7,11 +7,13 @@ import zlib
 
 from core.errors import RecordError
 from core.ground.records.channels import is_vertical, refuse_unchosen
+from core.ground.records.plain import EMPTY
 
 MAX_UNPACKED = 20_000_000
 """Bytes of one member, or of a workbook, unpacked."""
 
 MAX_MEMBERS, MAX_ROWS, MAX_COLUMNS = 500, 50_000, 100
+MAX_CELLS = 150_000
 
 BETWEEN = ": "
 """Between the name of a member and that of a channel in it."""
@@ -19,11 +21,15 @@ BETWEEN = ": "
 _ACCELERATION = re.compile(r"\.ACC\.", re.IGNORECASE)
 _OTHER = re.compile(
     r"\.(vt2|dt2|v3|pdf|png|jpe?g|gif|xml|html?|json|md|rs|metadata)\Z"
-    r"|\.(VEL|DIS|SA|SD|SV|PSA|PSV)\.[^/]*\Z|readme|licen[cs]e",
+    r"|\.(VEL|DIS|SA|SD|SV|PSA|PSV)\.[^/]*\Z|(?:\A|/)(?:readme|licen[cs]e)[^/.]*(?:\.(txt|pdf|md))?\Z",
     re.IGNORECASE,
 )
 """Members that are no accelerogram: velocities, displacements and spectra of ESM by their names, documents."""
 
+_UP = re.compile(r"[-_.](UP|DWN|VER|UD|V)\.\w+\Z", re.IGNORECASE)
+_NO_VALUE = re.compile(
+    rb"<f[ >][^<]*</f>\s*(?:<v\s*/>|<v></v>|</c>)|<f[^>]*/>\s*(?:<v\s*/>|<v></v>|</c>)"
+)
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]")
 _STREAM = re.compile(r"\.\w\w([ZENXY123])\.")
 
@@ -59,8 +65,7 @@ def member_of(content: bytes, asked: str | None) -> tuple[str, bytes, str | None
                 entry for entry in entries
                 if not _OTHER.search(entry.filename) and not entry.filename.startswith("__MACOSX")
             ]  # fmt: skip
-            marked = [entry for entry in entries if _ACCELERATION.search(entry.filename)]
-            entries = sorted(marked or entries, key=_order)
+            entries = sorted(entries, key=_order)
             if not entries:
                 raise RecordError("no_member")
             names = [_CONTROL.sub("?", entry.filename) for entry in entries]
@@ -83,24 +88,27 @@ def member_of(content: bytes, asked: str | None) -> tuple[str, bytes, str | None
 
 
 def _split(asked: str | None, names: list[str]) -> tuple[str | None, str | None]:
-    """(member, channel within it) of what is asked for."""
-    if asked is None or asked in names or BETWEEN not in asked:
+    """(member, channel within it) of what is asked for; of the only member it is the channel."""
+    if asked is None or asked in names:
         return asked, None
-    member, _, within = asked.partition(BETWEEN)
-    return member, within
+    for name in names:
+        if asked.startswith(name + BETWEEN):
+            return name, asked.removeprefix(name + BETWEEN)
+    return (names[0], asked) if len(names) == 1 else (asked, None)
 
 
 def _order(entry: zipfile.ZipInfo) -> tuple:
-    """Horizontal before vertical, processed (MP) before converted only (CV), then by name."""
+    """Accelerations by name first, horizontal before vertical, processed (MP) before converted only (CV)."""
     name = entry.filename
-    return _is_vertical(name), ".CV." in name.upper(), name
+    return not _ACCELERATION.search(name), _is_vertical(name), ".CV." in name.upper(), name
 
 
 def _is_vertical(name: str) -> bool:
     base = name.rpartition("/")[2]
     stream = _STREAM.search(base)
     ending = base.rpartition(".")[2]
-    return bool(stream and stream[1] == "Z") or is_vertical(ending.rstrip("12"))
+    told = bool(stream and stream[1] == "Z") or bool(_UP.search(base))
+    return told or is_vertical(ending.rstrip("12"))
 
 
 def sheet_of(content: bytes, asked: str | None) -> tuple[str, list[str], bool]:
@@ -119,11 +127,15 @@ def sheet_of(content: bytes, asked: str | None) -> tuple[str, list[str], bool]:
         names = [_CONTROL.sub("?", sheet.title) for sheet in sheets]
         sheet = sheets[refuse_unchosen(names, [False] * len(names), asked)]
         sheet.reset_dimensions()  # the tag that states them can lie
-        lines = []
+        _refuse_formulas(content, sheet._worksheet_path)
+        lines, cells = [], 0
         for row in sheet.iter_rows(max_col=MAX_COLUMNS, values_only=True):
-            if len(lines) >= MAX_ROWS:
+            cells += len(row)
+            if len(lines) >= MAX_ROWS or cells > MAX_CELLS:
                 raise RecordError("sheet_too_long", rows=MAX_ROWS)
-            lines.append("\t".join(_cell(value) for value in row).rstrip("\t"))
+            lines.append("\t".join(map(_cell, row)) or EMPTY)
+        while lines and not lines[-1].strip(f"\t{EMPTY}"):
+            lines.pop()
         return _CONTROL.sub("?", sheet.title), lines, len(sheets) > 1
     except RecordError:
         raise
@@ -131,10 +143,17 @@ def sheet_of(content: bytes, asked: str | None) -> tuple[str, list[str], bool]:
         raise RecordError("bad_archive", reason=type(error).__name__) from None
 
 
+def _refuse_formulas(content: bytes, part: str) -> None:
+    """Raise RecordError where a formula of a sheet has no value: no program has computed it."""
+    with zipfile.ZipFile(io.BytesIO(content)) as folder:
+        if _NO_VALUE.search(folder.read(part.lstrip("/"))):
+            raise RecordError("formula_without_value")
+
+
 def _cell(value) -> str:
     """A cell as text; a number with every digit it has."""
-    if value is None:
-        return ""
+    if value is None or value == "":
+        return EMPTY
     if isinstance(value, float):
         return repr(value)
     return str(value)[:500].replace("\n", " ").replace("\t", " ")

@@ -21,6 +21,7 @@ _BEGIN = re.compile(r"(Unc|C)orrected accelerogram ")
 _POINTS = re.compile(r"Number of points +(\d{1,9})\b")
 _RAW_STEP = re.compile(rf"in units of ({NUMBER}) mm/s/s +at intervals of ({NUMBER}) s\b")
 _STEP = re.compile(rf"data at ({NUMBER}) sec intervals")
+_DURATION = re.compile(rf"Duration +({NUMBER}) s")
 _PEAK = re.compile(rf"Acceleration: +[Pp]eak +({NUMBER}) mm/s/s")
 _FILTER = re.compile(r"filter transition bands are (.*?)\s*$", re.MULTILINE)
 _MAGNITUDE = re.compile(r"\bM(w?) +([0-9.]+)")
@@ -67,6 +68,10 @@ def _component(lines: list[str], place: int, end: int, head: str) -> Parsed:
     parsed = whole(block(lines[start : start + rows], start + 1, declared, WIDTH))
     parsed.time_step = to_float(raw[2]) if raw else to_float(step[1])
     parsed.unit = "mm/s2"
+    duration = _DURATION.search(head)
+    covered = parsed.time_step * declared
+    if duration and abs(to_float(duration[1]) - covered) > max(0.02 * covered, 1.0):
+        raise RecordError("head_lacks", label="Duration")
     peak = _PEAK.search(head)
     agree_with_peak(parsed, to_float(peak[1]) if peak else None)
     if raw:

@@ -5,6 +5,7 @@ import re
 import numpy as np
 
 from core.errors import RecordError
+from core.ground.records.channels import is_vertical
 from core.ground.records.grammar import (
     CONTRADICTION,
     UNITS,
@@ -53,7 +54,7 @@ def read_esm(lines: list[str], options: Options) -> Parsed:
     parsed.unit = _unit(header.get("UNITS", ""))
     parsed.stated_peak = _optional(header.get("PGA_CM/S^2", ""))
     _agree(parsed, header)
-    if kind == RAW or header.get("PROCESSING", "").lower() == "none":
+    if kind == RAW or header.get("PROCESSING", "").lower().startswith("none"):
         parsed.warnings.append(notice("unprocessed"))
     direction = header.get("COMPONENT") or header.get("STREAM", "")
     parsed.channel, parsed.vertical = direction, direction.upper().endswith(("Z", "UP", "UD"))
@@ -104,6 +105,7 @@ def read_sigma(lines: list[str], options: Options) -> Parsed:
     parsed.time_step = _positive(header.get("Time Increment (s)", ""), "Time Increment (s)")
     parsed.unit = _unit(lines[start - 1].split()[-1])
     parsed.stated_peak = _optional(header.get("PGA (m/s/s)", ""))
+    parsed.vertical = is_vertical(header.get("Orientation", ""))
     parsed.details = tuple(header.items())
     return parsed
 

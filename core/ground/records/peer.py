@@ -3,6 +3,7 @@
 import re
 
 from core.errors import RecordError
+from core.ground.records.channels import is_vertical
 from core.ground.records.grammar import (
     NUMBER,
     Options,
@@ -49,6 +50,8 @@ def read(lines: list[str], options: Options) -> Parsed:
     parsed.time_step = time_step
     parsed.unit = stated_unit("\n".join(head))
     parsed.details = tuple((f"line {k + 1}", line.strip()) for k, line in enumerate(head[:-1]))
+    component = head[1].rpartition(",")[2].split() if len(head) > 1 else []
+    parsed.vertical = bool(component) and is_vertical(component[0])
     scaled = _SCALE.search("\n".join(head))
     if scaled:
         parsed.warnings.append(notice("already_scaled", factor=scaled[1]))

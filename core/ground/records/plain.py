@@ -1,5 +1,6 @@
 """Plain text: one column, time and columns, `npts dt` headers, `#` comments, comma or point decimals."""
 
+import math
 import re
 
 import numpy as np
@@ -21,8 +22,15 @@ from core.ground.records.grammar import (
 _TIME_STEP = re.compile(rf"\bdt\s*=\s*([0-9]+,[0-9]+|{NUMBER})\s*(ms\b)?", re.IGNORECASE)
 _NO_NUMBER = re.compile(rf"(?:{NUMBER}|[+-]?nan|[+-]?inf(?:inity)?|\*++|[,;\s]++)++", re.IGNORECASE)
 _DECIMAL_COMMA = re.compile(r"[+-]?+[0-9]++(,[0-9]++)?+([EeDd][+-]?+[0-9]++)?+")
-_INTEGER = re.compile(r"[0-9]+")
+_ONE = re.compile(NUMBER)
+_EMPTY_FIELD = re.compile(r"\t[ ]*\t|^[ ]*\t")
+_EXCEL_ERROR = re.compile(
+    r"#(?:N/?[AD]|DIV/0!|VAL\w+!|R[EI]F!|NUM!|N[AO]ME\?|NULL\w*!)", re.IGNORECASE
+)
 
+
+EMPTY = "∅"
+"""An empty cell of a workbook, in its place."""
 
 LONGEST_LINE = 20_000
 """Characters of a line of plain text."""
@@ -36,17 +44,37 @@ def recognises(lines: list[str]) -> bool:
 
 
 def _row(line: str) -> list[float] | None:
-    """The numbers of one line under any of the accepted separators, None if it is text."""
-    fields = [entry.strip() for entry in re.split(r"[;\t]", line.strip()) if entry.strip()]
-    if "," in line:
-        if fields and all(_DECIMAL_COMMA.fullmatch(entry) for entry in fields):
-            # one comma in every field and `;` or tab between: decimal commas
-            if len(fields) > 1 or ";" in line or "\t" in line:
-                return [to_float(entry.replace(",", ".")) for entry in fields]
-            parts = [part.strip() for part in line.split(",")]
-            return [to_float(part) for part in parts] if len(parts) > 1 else None
-        line = line.replace(",", " ")
-    return numbers(line.replace(";", " "))
+    """The numbers of one line under any of the accepted separators, NaN for an empty field; None if it is text.
+
+    Where `;` or tabs separate, each field is judged alone: `12,34` is one number. A comma separates where neither is
+    there and the fields have points or are whole.
+    """
+    if EMPTY in line or ";" in line or "\t" in line:
+        fields = [entry.strip() for entry in re.split(r"[;\t]", line)]
+        row = _fields(
+            [
+                entry.replace(",", ".") if _DECIMAL_COMMA.fullmatch(entry) else entry
+                for entry in fields
+            ]
+        )
+        if row is not None or "," in line or "" in fields:
+            return row
+        return numbers(re.sub(r"[;\t]", " ", line))
+    if "," not in line:
+        return numbers(line)
+    fields = [entry.strip() for entry in line.split(",")]
+    row = _fields(fields)
+    return numbers(line.replace(",", " ")) if row is None and "" not in fields else row
+
+
+def _fields(fields: list[str]) -> list[float] | None:
+    """One number a field, NaN for an empty one, the empty ones of the end left out; None where one is text."""
+    while fields and fields[-1] in ("", EMPTY):
+        fields = fields[:-1]
+    if not fields or not all(entry in ("", EMPTY) or _ONE.fullmatch(entry) for entry in fields):
+        return None
+    row = [math.nan if entry in ("", EMPTY) else to_float(entry) for entry in fields]
+    return None if all(map(math.isnan, row)) and EMPTY not in fields else row
 
 
 def read(lines: list[str], options: Options) -> Parsed:
@@ -57,7 +85,8 @@ def read(lines: list[str], options: Options) -> Parsed:
     for k, line in enumerate(lines[skip:], start=skip + 1):
         if len(rows) == FIRST_ROWS and not tried:
             tried = True
-            rest = table_of(lines[k - 1 :], len(rows[-1]))
+            spaced = any(_EMPTY_FIELD.search(one) for one in lines[k - 1 :])
+            rest = None if spaced else table_of(lines[k - 1 :], len(rows[-1]))
             if rest is not None:
                 break
         if len(line) > LONGEST_LINE:
@@ -65,6 +94,8 @@ def read(lines: list[str], options: Options) -> Parsed:
         text = line.strip()
         if not text:
             continue
+        if rows and _EXCEL_ERROR.search(text):
+            raise RecordError("gap", text=quoted(text), place=(place("line", n=k),))
         if text.startswith(("#", "%", "//", "!")):
             head.append(text)
             continue
@@ -74,7 +105,7 @@ def read(lines: list[str], options: Options) -> Parsed:
             raise error.at(place("line", n=k)) from None
         if row is None and _NO_NUMBER.fullmatch(text):
             raise RecordError("gap", text=quoted(text), place=(place("line", n=k),))
-        if row:
+        if row and not (not rows and all(map(math.isnan, row))):
             rows.append(row)
             places.append(k)
         elif not rows or (len(rows) == 1 and len(rows[0]) <= 2):
@@ -114,7 +145,9 @@ def read(lines: list[str], options: Options) -> Parsed:
     if comment_step and time_step is None:
         time_step = to_float(comment_step[1].replace(",", "."))
         time_step *= 0.001 if comment_step[2] else 1.0
-    values, from_time = _columns(table, places, options)
+    values, from_time, taken = _columns(table, places, options)
+    if taken != options.column:
+        _refuse_column(head, width, taken)
     stated = from_time if time_step is None else time_step
     if from_time is not None and abs(from_time - stated) > 1e-3 * stated:
         raise RecordError("two_time_steps", stated=stated, column_step=from_time)
@@ -130,29 +163,43 @@ def read(lines: list[str], options: Options) -> Parsed:
 def _refuse_column(head: list[str], width: int, column: int) -> None:
     """Raise RecordError where a head names another quantity above the column that is asked for."""
     for line in head_lines("\n".join(head)):
-        for fields in (re.split(r"[;,\t]", line), re.split(r" {2,}", line.strip()), line.split()):
-            if len(fields) == width and 1 <= column <= width:
+        for fields, apart in ((re.split(r"[;,\t]", line), True), (re.split(r" {2,}", line.strip()), False),
+                              (line.split(), False)):  # fmt: skip
+            named = len(fields) >= column if apart else len(fields) == width
+            if len(fields) > 1 and named and 1 <= column <= len(fields):
                 refuse_other_quantity(fields[column - 1])
 
 
 def _columns(table, places, options: Options):
-    """The acceleration column and the time step of the time column, if there is one."""
-    if table.shape[1] == 1:
-        if options.column not in (None, 1):
+    """(the acceleration column, the time step of the time column or None, its number from 1). Columns that are empty
+    throughout stay in their places and are none; an empty cell in the one taken is a gap."""
+    filled = [k for k in range(table.shape[1]) if not np.isnan(table[:, k]).all()]
+    if len(filled) == 1:
+        if options.column not in (None, 1, filled[0] + 1):
             raise RecordError("one_column", given=options.column)
-        values = table[:, 0]
+        values = _without_gap(table[:, filled[0]], places)
         steps = np.diff(values)
         if values.size > 3 and steps[0] > 0 and np.allclose(steps, steps[0], rtol=1e-6, atol=0):
             raise RecordError("time_as_acceleration")
         if values.size > 20 and values[0] in (values.size - 1, values.size - 2):
             raise RecordError("count_on_top", first=values[0])
-        return values, None
-    if options.column is not None and not 2 <= options.column <= table.shape[1]:
-        raise RecordError("column_out_of_range", given=options.column, most=table.shape[1])
-    if table.shape[1] > 2 and options.column is None:
-        raise RecordError("which_column", n=table.shape[1], most=table.shape[1])
-    step = _even_step(table[:, 0], places, options.time_step)
-    return table[:, (options.column or 2) - 1], step
+        return values, None, filled[0] + 1
+    if options.column is not None and options.column - 1 not in filled[1:]:
+        raise RecordError("column_out_of_range", given=options.column, most=filled[-1] + 1)
+    if len(filled) > 2 and options.column is None:
+        raise RecordError("which_column", n=len(filled), most=filled[-1] + 1)
+    taken = options.column or filled[1] + 1
+    step = _even_step(_without_gap(table[:, filled[0]], places), places, options.time_step)
+    return _without_gap(table[:, taken - 1], places), step, taken
+
+
+def _without_gap(values, places):
+    """A column without empty cells. Raises RecordError naming the first line that has one."""
+    empty = np.isnan(values)
+    if empty.any():
+        k = int(np.argmax(empty))
+        raise RecordError("gap", text="''", place=(place("line", n=places[k]),))
+    return values
 
 
 def _even_step(times, places, given: float | None) -> float:

@@ -61,11 +61,15 @@ def read(lines: list[str], options: Options) -> Parsed:
     parsed.channel, parsed.vertical = component, is_vertical(component)
     if kind == "UNCORRECTED":
         parsed.warnings.append(notice("unprocessed"))
-    event = head[3].strip()
+    event, text = head[3].strip(), " ".join(head)
+    magnitude = re.search(rf"Moment Mag=\s*({NUMBER})", text)
+    distance = re.search(rf"epicentral dist =\s*({NUMBER})", text)
     parsed.details = (
         ("event", "" if event.startswith("*") else event),
         ("station", where[1] if where else ""),
         ("component", component),
+        ("magnitude", f"Mw {magnitude[1]}" if magnitude else ""),
+        ("distance_km", distance[1] if distance else ""),
         ("processing", "none" if kind == "UNCORRECTED" else ""),
     )
     return parsed

@@ -1,13 +1,16 @@
 """Dialects of the world's networks: one motion in all of them, channels, cut and lying files."""
 
+import datetime
+import io
 from pathlib import Path
 
 import numpy as np
 import pytest
+from openpyxl import Workbook
 
 from core.errors import RecordError
 from core.ground import records
-from core.ground.provenance import provenance
+from core.ground.provenance import provenance, stations
 from core.ground.records.grammar import Options
 from tests.core.ground import dialects
 from tests.core.ground.dialects import DIALECTS, MOTION, STEP
@@ -182,3 +185,132 @@ def test_that_channels_are_for_files_that_have_them():
 )  # fmt: skip
 def test_that_verticals_and_boreholes_of_japan_are_named(direction, codes):
     assert {w.code for w in read(dialects.knet(direction=direction)).warnings} == codes
+
+
+A, B = MOTION, 0.2 * MOTION[::-1]
+
+
+def sheet(*rows) -> bytes:
+    book = Workbook()
+    for row in rows:
+        book.active.append(list(row))
+    room = io.BytesIO()
+    book.save(room)
+    return room.getvalue()
+
+
+def lines(mark: str, *columns, head=()) -> bytes:
+    table = [mark.join(head)] if head else []
+    table += [mark.join(cells) for cells in zip(*columns, strict=True)]
+    return ("\n".join(table) + "\n").encode()
+
+
+TIMES = [f"{k * STEP:.2f}" for k in range(MOTION.size)]
+FIRST, SECOND, NONE = [f"{a:.3f}" for a in A], [f"{b:.3f}" for b in B], [""] * MOTION.size
+
+
+@pytest.mark.parametrize("mark", [",", ";", "\t"])
+def test_that_an_empty_column_keeps_its_place(mark):
+    content = lines(mark, TIMES, NONE, FIRST, SECOND)
+    assert np.array_equal(read(content, unit="m/s2", column=3).acceleration, A)
+    assert np.allclose(read(content, unit="m/s2", column=4).acceleration, B)
+    for wrong in ({"column": 2}, {}):
+        with pytest.raises(RecordError, match="column"):
+            read(content, unit="m/s2", **wrong)
+    spare = lines(mark, TIMES, NONE, FIRST)
+    assert np.array_equal(read(spare, unit="m/s2").acceleration, A)
+    velocity = lines(
+        mark, TIMES, NONE, FIRST, SECOND, head=("t [s]", "", "acc [m/s2]", "vel [cm/s]")
+    )
+    with pytest.raises(RecordError, match="this is"):
+        read(velocity, column=4)
+    gap = FIRST[:9] + [""] + FIRST[10:]
+    with pytest.raises(RecordError, match="line 10"):
+        read(lines(mark, TIMES, gap, SECOND), unit="m/s2", column=2)
+
+
+@pytest.mark.parametrize("mark", [";", "\t"])
+def test_that_points_and_commas_may_stand_in_fields_of_their_own(mark):
+    content = lines(mark, TIMES, [a.replace(".", ",") for a in FIRST])
+    assert np.array_equal(read(content, unit="m/s2").acceleration, A)
+    with pytest.raises(RecordError):
+        read(lines(mark, TIMES, ["1,234.5"] * len(TIMES)), unit="m/s2")
+
+
+def test_that_sheets_refuse_what_is_no_number_and_keep_their_columns():
+    rows = [[k * STEP, None, float(a), float(b)] for k, (a, b) in enumerate(zip(A, B, strict=True))]
+    found = read(sheet(["t [s]", None, "a [m/s2]", "b [m/s2]"], *rows), column=3)
+    assert np.array_equal(found.acceleration, A)
+    formulas = [[k * STEP, "=1*0.2", float(b)] for k, b in enumerate(B)]
+    with pytest.raises(RecordError, match="formulas without values"):
+        read(sheet(*formulas), unit="m/s2")
+    for wrong in ("#DIV/0!", "#N/A", None, datetime.date(2024, 1, 5)):
+        column = [[float(a)] for a in A]
+        column[20] = [wrong]
+        with pytest.raises(RecordError):
+            read(sheet(*column), unit="m/s2", time_step=STEP)
+    text = "\n".join([*FIRST[:20], "#DIV/0!", *FIRST[21:]]) + "\n"
+    with pytest.raises(RecordError, match="gap"):
+        read(text.encode(), unit="m/s2", time_step=STEP)
+
+
+@pytest.mark.parametrize("word", ["UP", "DWN", "VER", "V", "UD", "up"])
+def test_that_a_vertical_of_peer_is_named(word):
+    content = dialects.peer().replace(b"STATION, 90", f"STATION, {word}".encode())
+    assert "vertical" in {warning.code for warning in read(content).warnings}
+    zipped = dialects.zipped(**{f"RSN1_A-{word}.AT2": content, "RSN1_A-90.AT2": dialects.peer()})
+    with pytest.raises(RecordError, match=rf'RSN1_A-{word}.AT2" .vertical'):
+        read(zipped)
+
+
+def test_that_a_number_is_that_of_the_channel_where_the_file_numbers_them():
+    content = dialects.volume2()
+    first = content.index(b"/&  ----------  End of data for channel  1")
+    rest = content[content.index(b"\n", first) + 1 :]
+    assert (
+        read(rest, channel="2").channel == "2: Up"
+        and read(rest, channel="3").channel == "3: 90 Deg"
+    )
+    with pytest.raises(RecordError, match="no channel"):
+        read(rest, channel="1")
+
+
+def test_that_every_name_that_is_offered_reads_also_within_zips(tmp_path):
+    one, two = (
+        {"a.V2": dialects.volume2()},
+        {"a.V2": dialects.volume2(), "b/b.V2": dialects.volume2()},
+    )
+    for members, count in ((one, 3), (two, 6), (dialects.ESM_ZIP, 4)):
+        path = tmp_path / "x.zip"
+        path.write_bytes(dialects.zipped(**members))
+        names = records.channels(path)
+        assert len(names) == count
+        for name in names:
+            assert records.read(path, Options(channel=name)).acceleration.size == MOTION.size
+
+
+@pytest.mark.parametrize(
+    ("content", "old", "new"),
+    [
+        (dialects.volume2(), b"sec, in cm/sec2. (8f10.6)", b"sec, in mm/sec2. (8f10.6)"),
+        (dialects.cosmos(), b"units=cm/sec2", b"units=mm/sec2"),
+        (dialects.volume2(), b"accel data equally spaced at  .010 sec", b"accel data equally spaced at  .020 sec"),
+        (dialects.geonet(False), b"Duration 0.40 s", b"Duration 9.00 s"),
+    ],
+)  # fmt: skip
+def test_that_a_data_line_that_contradicts_its_head_is_refused(content, old, new):
+    assert old in content
+    with pytest.raises(RecordError):
+        read(content.replace(old, new, 1), channel="1")
+
+
+def test_that_all_channels_of_a_file_are_of_one_station(shelf):
+    for file in ("CE58667.V2", "BadHeader.V2", "ce36456p_CE36456.V2", "CE89146.V1"):
+        path = shelf / "COSMOS_CSMIP" / file
+        found = [records.read(path, Options(channel=name)) for name in records.channels(path)]
+        assert len(found) == 3 and len(stations(found)) == 1, file
+    pair = {
+        name: dialects.peer().replace(b"90", name[:3].encode()) for name in ("090.AT2", "180.AT2")
+    }
+    content = dialects.zipped(**pair)
+    assert len(stations([read(content, channel=k) for k in ("1", "2")])) == 1

@@ -51,6 +51,7 @@ def test_that_q_does_not_depend_on_the_scale_of_the_record(one_sided, law, make_
         assert numbers(factor * ground) == pytest.approx(once, rel=1e-12)
 
 
+@pytest.mark.long
 def test_that_dop853_in_a_plain_loop_finds_the_q_of_a_cell(tmp_path):
     """The grid one point after the other, then bisection, each by a solver that shares no line with the kernels."""
     lines = (ROOT / "resources" / "motions" / "noise_1.txt").read_text().splitlines()
