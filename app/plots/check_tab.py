@@ -128,9 +128,7 @@ class CheckTab(QWidget):
         """Free to vibrate or restrained, T_0, and what the dynamic check says beside zeta_E."""
         kinematic, dynamic = assessment.kinematic, assessment.dynamic
         parts = [
-            tr("Element free to vibrate")
-            if kinematic.free_element
-            else tr("Restrained by transverse walls")
+            tr("Element free to vibrate") if kinematic.free_element else tr("Not free to vibrate")
         ]
         if kinematic.period_0 is not None:
             parts.append(f"T_0 {number(kinematic.period_0, '.3f')} s")

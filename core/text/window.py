@@ -377,7 +377,7 @@ WINDOW = {
     ),
     "{text}: not two numbers": "{text}: non sono due numeri",
     "Element free to vibrate": "Elemento libero di vibrare",
-    "Restrained by transverse walls": "Vincolata ai muri trasversali",
+    "Not free to vibrate": "Non libera di vibrare",
     "failing within ±10 % of the demand: {share}": "cedono entro ±10 % dalla domanda: {share}",
 }
 """English -> Italian."""
