@@ -90,6 +90,10 @@ NARROW = 1200
 """Width of the window [px] below which its docks share the left side: both sides would leave the tabs too little."""
 
 
+WIDTHS = [348, 318]
+"""Of input and records where both sides are taken [px]."""
+
+
 def arrange(window, narrow: bool) -> None:
     """Records and verdict right of the tabs, or behind the input where the window is narrow."""
     left, right, below = (
@@ -106,7 +110,7 @@ def arrange(window, narrow: bool) -> None:
     for dock in (right, below):
         window.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
     window.splitDockWidget(right, below, Qt.Orientation.Vertical)
-    window.resizeDocks([left, right], [348, 318], Qt.Orientation.Horizontal)
+    window.resizeDocks([left, right], WIDTHS, Qt.Orientation.Horizontal)
     window.resizeDocks([right, below], [430, 260], Qt.Orientation.Vertical)
 
 

@@ -294,6 +294,8 @@ class MainWindow(RunningWindow):
         if narrow != self.narrow:
             self.narrow = narrow
             docks.arrange(self, narrow)
+            if not narrow:  # once more when the docks have their places
+                QTimer.singleShot(0, self, lambda: docks.widen(self, docks.WIDTHS))
         self._cover_tabs()
 
     # results
