@@ -12,22 +12,23 @@ from core.units import CM, G
 
 
 def inspect(paths: list[Path]) -> int:
-    """One line a file, or a channel of it, on stdout, refusals on stderr; exit code 1 if any file was refused."""
-    refused = 0
-    for path in paths:
-        try:
-            motion = records.read(path)
-        except RecordError as error:
-            if error.code == "no_unit" and _without_unit(path):
-                continue
-            if error.code == "which_channel":
-                refused += _channels(path, error)
-                continue
-            print(terminal("refused: {error}", error=described(error)), file=sys.stderr)
-            refused += 1
-            continue
-        _say(str(path), motion)
-    return 1 if refused else 0
+    """One line a file, or a channel of it, on stdout, refusals on stderr; exit code 1 if any was refused."""
+    return 1 if sum(_refused(path) for path in paths) else 0
+
+
+def _refused(path: Path, channel: str | None = None) -> int:
+    """Say what a file or each of its channels holds; returns how many were refused."""
+    name = str(path) if channel is None else f'{path}, channel = "{channel}"'
+    try:
+        _say(name, records.read(path, Options(channel=channel)))
+    except RecordError as error:
+        if error.code == "which_channel":
+            return sum(_refused(path, one) for one in error.values["names"])
+        if error.code == "no_unit" and _without_unit(name, path, channel):
+            return 0
+        print(terminal("refused: {error}", error=described(error)), file=sys.stderr)
+        return 1
+    return 0
 
 
 def _say(name: str, motion: GroundMotion) -> None:
@@ -50,32 +51,17 @@ def _say(name: str, motion: GroundMotion) -> None:
         print(f"  {warning.text(current_language())}")
 
 
-def _channels(path: Path, error: RecordError) -> int:
-    """Say what each channel of a file holds; returns how many were refused."""
-    refused = 0
-    for name in error.values["names"]:
-        try:
-            _say(f'{path}, channel = "{name}"', records.read(path, Options(channel=name)))
-        except RecordError as why:
-            if why.code == "which_channel":  # of a member of a zip
-                refused += _channels(path, why)
-                continue
-            print(terminal("refused: {error}", error=described(why)), file=sys.stderr)
-            refused += 1
-    return refused
-
-
-def _without_unit(path: Path) -> bool:
+def _without_unit(name: str, path: Path, channel: str | None) -> bool:
     """Say what a file holds that does not state its unit; False if it lacks more than that."""
     try:
-        motion = records.read(path, Options(unit="mm/s2"))
+        motion = records.read(path, Options(unit="mm/s2", channel=channel))
     except RecordError:
         return False
     print(
         terminal(
             "{path}: {format}, {samples} samples every {step:g} s, peak {peak:.5g}; the unit is not stated: give it in "
             "the case",
-            path=path,
+            path=name,
             format=motion.format,
             samples=motion.acceleration.size,
             step=motion.time_step,

@@ -57,11 +57,15 @@ def sketch(book: Book, sheet, wall: WallResult, anchor: str) -> None:
     sheet.add_chart(chart, anchor)
 
 
+TOP = 1.2
+"""Of the axis of the peaks, which the mark of an overturned run fills."""
+
+
 def peaks(book: Book, sheet, check, anchor: str, width: float, height: float) -> None:
     """Peak rotation over theta_c of each record at the demand, with lines at 0.40, 0.60 and 1.00."""
     say = book.say
     column = DATA + 8
-    heads = [say("record"), "θmax/θc", "0.40", "0.60", "1.00"]
+    heads = [say("record"), "θmax/θc", "0.40", "0.60", "1.00", say("exceeds θc or overturns")]
     for k, head in enumerate(heads):
         text(sheet, 1, column + k, head, size=8, color=QUIET)
     for n, run in enumerate(check.runs, start=2):
@@ -69,18 +73,20 @@ def peaks(book: Book, sheet, check, anchor: str, width: float, height: float) ->
             "" if len({r.polarity for r in check.runs}) == 1 else " +" if run.polarity > 0 else " −"
         )
         text(sheet, n, column, f"{run.record[-14:]}{sign}", size=8, color=QUIET)
-        # a wall that overturns has no peak: its bar fills the chart
-        sheet.cell(n, column + 1, 1.2 if run.peak_ratio is None else min(run.peak_ratio, 1.2))
+        # a wall that overturns has no peak: the mark of its own series fills the chart
+        exceeded = run.peak_ratio is None or run.exceeded
+        sheet.cell(n, column + (5 if exceeded else 1), TOP if exceeded else run.peak_ratio)
         for k, level in enumerate((0.40, 0.60, 1.00), start=2):
             sheet.cell(n, column + k, level)
     last = 1 + len(check.runs)
     bars = BarChart()
     bars.type, bars.style, bars.gapWidth = "col", 13, 60
-    bars.add_data(
-        Reference(sheet, min_col=column + 1, min_row=1, max_row=last), titles_from_data=True
-    )
+    bars.overlap = 100
+    for k, color in ((1, ACCENT), (5, BAD)):
+        data = Reference(sheet, min_col=column + k, min_row=1, max_row=last)
+        bars.add_data(data, titles_from_data=True)
+        bars.series[-1].graphicalProperties.solidFill = color
     bars.set_categories(Reference(sheet, min_col=column, min_row=2, max_row=last))
-    bars.series[0].graphicalProperties.solidFill = ACCENT
     lines = LineChart()
     for k, color in zip((2, 3, 4), (GOOD, AMBER, BAD), strict=True):
         data = Reference(sheet, min_col=column + k, min_row=1, max_row=last)
@@ -90,7 +96,7 @@ def peaks(book: Book, sheet, check, anchor: str, width: float, height: float) ->
         series.graphicalProperties.line.solidFill = color
         series.graphicalProperties.line.width = 14000
     bars += lines
-    bars.y_axis.scaling.min, bars.y_axis.scaling.max = 0, 1.2
+    bars.y_axis.scaling.min, bars.y_axis.scaling.max = 0, TOP
     bars.y_axis.title, bars.x_axis.title = "θmax/θc", None
     bars.x_axis.delete = bars.y_axis.delete = False
     bars.y_axis.majorGridlines = None

@@ -37,26 +37,6 @@ CASE_ERRORS = {
         "this is not a file and cannot be read: name a case (.toml)",
         "non è un file e non si può leggere: indicare un caso (.toml)",
     ),
-    "case_too_large": (
-        "{mb:.0f} MB is no case file (up to 2 MB)",
-        "{mb:.0f} MB non sono un file di caso (fino a 2 MB)",
-    ),
-    "toml_dotted": (
-        "not TOML: a key of more than {parts} parts",
-        "non è TOML: una chiave di oltre {parts} parti",
-    ),
-    "case_not_utf8": (
-        "not UTF-8 text: a case file is TOML, see the examples",
-        "non è testo UTF-8: un caso è TOML, vedere gli esempi",
-    ),
-    "not_toml": (
-        "not TOML: {reason}; see the examples in resources/cases",
-        "non è TOML: {reason}; vedere gli esempi in resources/cases",
-    ),
-    "toml_comma": (
-        "line {line}: {found} has a comma: numbers of a case file have a decimal point",
-        "riga {line}: {found} ha la virgola: i numeri di un file di caso hanno il punto decimale",
-    ),
     "number_in_quotes": (
         "{key} = {value}: write the number without quotes and with a decimal point, {key} = {plain}",
         "{key} = {value}: scrivere il numero senza virgolette e con il punto decimale, {key} = {plain}",

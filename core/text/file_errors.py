@@ -292,5 +292,25 @@ FILE_ERRORS = {
         "{file} is in the case twice (the same samples as {twin}): leave one out",
         "{file} è due volte nel caso (gli stessi campioni di {twin}): toglierne uno",
     ),
+    "case_too_large": (
+        "{mb:.0f} MB is no case file (up to 2 MB)",
+        "{mb:.0f} MB non sono un file di caso (fino a 2 MB)",
+    ),
+    "toml_dotted": (
+        "not TOML: a key of more than {parts} parts",
+        "non è TOML: una chiave di oltre {parts} parti",
+    ),
+    "case_not_utf8": (
+        "not UTF-8 text: a case file is TOML, see the examples",
+        "non è testo UTF-8: un caso è TOML, vedere gli esempi",
+    ),
+    "not_toml": (
+        "not TOML: {reason}; see the examples in resources/cases",
+        "non è TOML: {reason}; vedere gli esempi in resources/cases",
+    ),
+    "toml_comma": (
+        "line {line}: {found} has a comma: numbers of a case file have a decimal point",
+        "riga {line}: {found} ha la virgola: i numeri di un file di caso hanno il punto decimale",
+    ),
 }
 """Code -> (English, Italian)."""

@@ -9,11 +9,10 @@ import pytest
 pytest.importorskip("PySide6")
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor, QImage, QPalette
-from PySide6.QtWidgets import QApplication, QDockWidget, QLineEdit
+from PySide6.QtGui import QColor, QImage
+from PySide6.QtWidgets import QDockWidget
 
-from app import guide, language, theme
-from app.forms.fields import Field
+from app import language, theme
 from app.plots.chart_output import ChartOutput
 from app.plots.figure_file import FigureSize, figure
 from app.plots.table import Table
@@ -21,7 +20,6 @@ from core.codes.record_compatibility import common_factor
 from core.errors import InputError, place
 from core.ground.response_spectrum import pseudo_acceleration_spectrum
 from core.study.demand_input import demand_of
-from core.text.help import HELP
 from tests.app.conftest import window_in
 from tests.app.driving import run, settle, type_into
 from tests.conftest import ROOT
@@ -289,63 +287,6 @@ def test_that_a_preset_sets_the_multiplier(walls):
 def test_that_empty_charts_say_why(walls):
     walls.tabs.setCurrentWidget(walls.pages["validation"])
     assert "press the button" in walls.pages["validation"].content.chart.reason.text()
-
-
-def contrast(one: QColor, other: QColor) -> float:
-    """W3C contrast of two colours."""
-
-    def light(color: QColor) -> float:
-        parts = (color.redF(), color.greenF(), color.blueF())
-        r, g, b = (c / 12.92 if c <= 0.03928 else ((c + 0.055) / 1.055) ** 2.4 for c in parts)
-        return 0.2126 * r + 0.7152 * g + 0.0722 * b
-
-    high, low = sorted((light(one), light(other)), reverse=True)
-    return (high + 0.05) / (low + 0.05)
-
-
-@pytest.mark.parametrize("name", ["light", "dark"])
-def test_that_edges_and_marks_stand_out(application, name):
-    theme.set_theme(name)
-    chosen = theme.THEMES[name]
-    base = QColor(chosen.back)
-    edge = QApplication.palette("QLineEdit").color(QPalette.ColorRole.Window).darker(140)
-    assert contrast(edge, base) >= 3.0
-    field = QLineEdit("x")
-    field.resize(80, 30)
-    picture = field.grab().toImage()
-    drawn = max(contrast(picture.pixelColor(40, y), base) for y in (0, 1, 2))
-    assert drawn >= 2.9
-    for mark in (chosen.good, chosen.amber, chosen.bad, chosen.quiet, chosen.ink):
-        assert contrast(QColor(mark), base) >= 4.5
-    theme.set_theme("light")
-
-
-def test_that_every_number_field_has_help_in_both_languages(opened):
-    for field in opened.findChildren(Field):
-        if type(field).__name__ in ("NumberField", "RangeField"):
-            assert guide.help_of(field), field.key
-    for key, (english, italian) in HELP.items():
-        assert english and italian and english != italian, key
-
-
-@pytest.mark.parametrize("tongue", ["en", "it"])
-def test_that_the_guide_opens_in_its_language(opened, tongue):
-    opened.set_choice("language", tongue)
-    shown = guide.Guide(opened)
-    assert shown.chosen.count() == 7
-    for k in range(7):
-        shown.chosen.setCurrentIndex(k)
-        assert len(shown.text.toPlainText()) > 600
-    assert ("Glossario" if tongue == "it" else "Glossary") in shown.text.toPlainText()
-    shown.deleteLater()
-    opened.set_choice("language", "en")
-
-
-def test_that_the_pages_of_both_guides_are_the_same():
-    english, italian = (guide.pages_of(tongue) for tongue in ("en", "it"))
-    assert (
-        [path.name[0] for path in english] == [path.name[0] for path in italian] == list("1234567")
-    )
 
 
 def test_that_numbers_have_a_comma_in_the_italian_window(walls):

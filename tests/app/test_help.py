@@ -1,0 +1,69 @@
+"""Help and looks: contrast, help of every number, the guide in two languages."""
+
+import pytest
+
+pytest.importorskip("PySide6")
+
+from PySide6.QtGui import QColor, QPalette
+from PySide6.QtWidgets import QApplication, QLineEdit
+
+from app import guide, theme
+from app.forms.fields import Field
+from core.text.help import HELP
+
+
+def contrast(one: QColor, other: QColor) -> float:
+    """W3C contrast of two colours."""
+
+    def light(color: QColor) -> float:
+        parts = (color.redF(), color.greenF(), color.blueF())
+        r, g, b = (c / 12.92 if c <= 0.03928 else ((c + 0.055) / 1.055) ** 2.4 for c in parts)
+        return 0.2126 * r + 0.7152 * g + 0.0722 * b
+
+    high, low = sorted((light(one), light(other)), reverse=True)
+    return (high + 0.05) / (low + 0.05)
+
+
+@pytest.mark.parametrize("name", ["light", "dark"])
+def test_that_edges_and_marks_stand_out(application, name):
+    theme.set_theme(name)
+    chosen = theme.THEMES[name]
+    base = QColor(chosen.back)
+    edge = QApplication.palette("QLineEdit").color(QPalette.ColorRole.Window).darker(140)
+    assert contrast(edge, base) >= 3.0
+    field = QLineEdit("x")
+    field.resize(80, 30)
+    picture = field.grab().toImage()
+    drawn = max(contrast(picture.pixelColor(40, y), base) for y in (0, 1, 2))
+    assert drawn >= 2.9
+    for mark in (chosen.good, chosen.amber, chosen.bad, chosen.quiet, chosen.ink):
+        assert contrast(QColor(mark), base) >= 4.5
+    theme.set_theme("light")
+
+
+def test_that_every_number_field_has_help_in_both_languages(opened):
+    for field in opened.findChildren(Field):
+        if type(field).__name__ in ("NumberField", "RangeField"):
+            assert guide.help_of(field), field.key
+    for key, (english, italian) in HELP.items():
+        assert english and italian and english != italian, key
+
+
+@pytest.mark.parametrize("tongue", ["en", "it"])
+def test_that_the_guide_opens_in_its_language(opened, tongue):
+    opened.set_choice("language", tongue)
+    shown = guide.Guide(opened)
+    assert shown.chosen.count() == 7
+    for k in range(7):
+        shown.chosen.setCurrentIndex(k)
+        assert len(shown.text.toPlainText()) > 600
+    assert ("Glossario" if tongue == "it" else "Glossary") in shown.text.toPlainText()
+    shown.deleteLater()
+    opened.set_choice("language", "en")
+
+
+def test_that_the_pages_of_both_guides_are_the_same():
+    english, italian = (guide.pages_of(tongue) for tongue in ("en", "it"))
+    assert (
+        [path.name[0] for path in english] == [path.name[0] for path in italian] == list("1234567")
+    )
