@@ -33,6 +33,18 @@ LEAST_TICK = 26
 """Room [px] below which the labels of neighbouring ticks of a bottom axis touch."""
 
 
+LEGEND_LETTERS, TICK_LETTERS = 22, 16
+"""Letters of a name in a legend and beside an axis; the data have all of it."""
+
+
+def elided(name: str, most: int = LEGEND_LETTERS) -> str:
+    """A name as a chart has room for it: its beginning and its end, where channel and sign stand."""
+    if len(name) <= most:
+        return name
+    end = most - most // 3 - 1
+    return f"{name[: most // 3]}…{name[-end:]}"
+
+
 class Axis(pg.AxisItem):
     """Numbers with the decimal mark of the language, apart from each other."""
 
@@ -136,7 +148,7 @@ class Chart(ChartOutput):
     def curve(self, name, x, y, color=0, width=1.6, dash=False, legend=True, path=False):
         """A line; its data goes into the CSV. path : x may go back and forth."""
         x, y = numbers(x), numbers(y)
-        item = pg.PlotDataItem(x, y, name=name if legend else None)
+        item = pg.PlotDataItem(x, y, name=elided(name) if legend else None)
         self.plot.addItem(item)
         if not path and not self.plot.ctrl.logXCheck.isChecked():
             item.setClipToView(True)
@@ -151,7 +163,7 @@ class Chart(ChartOutput):
         """Marks without a line. values : what the CSV holds in the place of y, no number where there is none."""
         x, y = numbers(x), numbers(y)
         item = pg.PlotDataItem(
-            x, y, pen=None, symbol=symbol, symbolSize=size, name=name if legend else None
+            x, y, pen=None, symbol=symbol, symbolSize=size, name=elided(name) if legend else None
         )
         self.plot.addItem(item)
         self._keep(item, color, 1.0, False, True)
@@ -160,7 +172,7 @@ class Chart(ChartOutput):
 
     def bars(self, name: str, x, heights, color=0, width=0.7, values=None) -> None:
         """Bars; values : as of `points`."""
-        label = name if numbers(x).size else None  # no entry for bars that are not there
+        label = elided(name) if numbers(x).size else None  # no entry for bars that are not there
         item = pg.BarGraphItem(x=numbers(x), height=numbers(heights), width=width, name=label)
         self.plot.addItem(item)
         self._keep(item, color, 1.0, False, True)
@@ -217,16 +229,18 @@ class Chart(ChartOutput):
     def names_below(self, names: list[str]) -> None:
         """Names below the places 0, 1, 2 … of the axis, as many of them as its width holds."""
         self.names = names
-        widest = max((self.fontMetrics().horizontalAdvance(name) for name in names), default=0)
+        shown = [elided(name, TICK_LETTERS) for name in names]
+        widest = max((self.fontMetrics().horizontalAdvance(name) for name in shown), default=0)
         room = 0.85 * self.view.width() / (widest + 12)
         step = max(1, math.ceil(len(names) / max(1.0, room)))
-        self.ticks("bottom", [(k, names[k]) for k in range(0, len(names), step)])
+        self.ticks("bottom", [(k, shown[k]) for k in range(0, len(names), step)])
 
     def names_beside(self, lines: list[tuple[float, str]]) -> None:
         """Names at places of the left axis, as many of them as its height holds."""
         self.lines = lines
         room = 0.6 * self.view.height() / self.fontMetrics().height()
-        self.ticks("left", lines[:: max(1, math.ceil(len(lines) / max(1.0, room)))])
+        step = max(1, math.ceil(len(lines) / max(1.0, room)))
+        self.ticks("left", [(at, elided(name, TICK_LETTERS + 4)) for at, name in lines[::step]])
 
     def resizeEvent(self, event) -> None:
         super().resizeEvent(event)

@@ -211,7 +211,7 @@ class CheckTab(QWidget):
             )
         signs = {run.polarity for run in check.runs}
         names = [
-            run.record[:14] + ("" if len(signs) == 1 else " +" if run.polarity > 0 else " −")
+            run.record + ("" if len(signs) == 1 else " +" if run.polarity > 0 else " −")
             for run in check.runs
         ]
         self.peaks.names_below(names)

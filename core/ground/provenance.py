@@ -63,7 +63,7 @@ def provenance(motion: GroundMotion) -> Provenance:
     return Provenance(
         event=header_value("event"),
         station=header_value("station", "station_name"),
-        date=header_value("date", "event"),
+        date=header_value("date"),
         magnitude=header_value("magnitude"),
         distance_km=header_value("distance_km"),
         filter=header_value("filter"),

@@ -26,7 +26,7 @@ COLORS = {"ink": "#1F2D3D", "quiet": "#6B7785", "accent": "#2B5C8A", "good": "#1
 WIDTH = 17.0
 """Width of the text of an A4 page [cm]."""
 
-BLANKS = 80
+BLANKS = 105
 """Letters of a line of blanks to fill in."""
 
 DPI = 300

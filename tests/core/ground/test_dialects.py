@@ -170,6 +170,7 @@ def test_that_event_and_station_are_kept(name, event, station):
     content, given = DIALECTS[name]
     where = provenance(read(content, **given))
     assert event in where.event and station in where.station
+    assert not where.date or any(letter.isdigit() for letter in where.date)
 
 
 def test_that_channels_are_for_files_that_have_them():
