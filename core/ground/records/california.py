@@ -45,6 +45,12 @@ _PEAK = re.compile(
 _INTERVALS = re.compile(rf"equally-spaced intervals of\s+({NUMBER})\s+sec", re.IGNORECASE)
 _LENGTH = re.compile(rf"record length\s*=\s*({NUMBER})\s*sec", re.IGNORECASE)
 _RAW = re.compile(r"^\s*(?:raw|uncorrected) acceleration", re.IGNORECASE | re.MULTILINE)
+_DATE = re.compile(
+    r"^(?:Record of|Rcrd of|Origin:) ([A-Z]?[a-z]{0,3} ?[0-9A-Z][^\n(]{5,40}?)(?: {2}|\(|$)",
+    re.MULTILINE,
+)
+_MAGNITUDE = re.compile(rf"\b(Mw|ML|Ms) ?= ?({NUMBER})")
+_PAIRS_DATE = re.compile(r"[A-Z]{3,9} [0-9]{1,2}, [0-9]{4}[^\n]{0,10}GMT", re.IGNORECASE)
 _FILTER = re.compile(r"(?:filtered (?:with )?)(.*)", re.IGNORECASE)
 _STATION = re.compile(r"(?:station|statn)\s+no[.:]\s*(\S+)", re.IGNORECASE)
 UNITS_OF = {
@@ -56,7 +62,7 @@ UNITS_OF = {
 }
 """Units as these files write them."""
 
-HEAD = 200
+HEAD = 1000
 """Lines in which the first samples must begin."""
 
 STEP_REAL = 61
@@ -164,7 +170,8 @@ def _channel(lines: list[str], place: int, end: int, head: list[str]) -> Parsed:
     raw = bool(_V1.match(lines[place]) or _RAW.search(text))
     if raw:
         parsed.warnings.append(notice("unprocessed"))
-    station, filtered = _STATION.search(text), _FILTER.search(text)
+    station, filtered, date = _STATION.search(text), _FILTER.search(text), _DATE.search(text)
+    magnitude = max(_MAGNITUDE.findall(text), key=lambda one: one[0] == "Mw", default=None)
     titled = [
         line.strip() for line in head if line.strip() and not (_TITLE.match(line) or numbers(line))
     ]
@@ -172,6 +179,8 @@ def _channel(lines: list[str], place: int, end: int, head: list[str]) -> Parsed:
         ("event", next((line for line in titled if re.match(r"(?:rcrd|record) of|.*earthquake", line, re.I)),
                        titled[0] if titled else "")),
         ("station", station[1] if station else ""),
+        ("date", date[1].strip() if date else ""),
+        ("magnitude", " ".join(magnitude) if magnitude else ""),
         ("filter", filtered[1].strip() if filtered else ""),
         ("processing", "none" if raw else "corrected"),
     )  # fmt: skip
@@ -237,6 +246,7 @@ def _pairs(lines: list[str], place: int, end: int, head: str) -> Parsed:
     parsed.details = (
         ("event", titled[1][:50].strip() if len(titled) > 1 else ""),
         ("station", station[1].rstrip(",") if station else ""),
+        ("date", date[0] if (date := _PAIRS_DATE.search(head)) else ""),
         ("component", component[1] if component else ""),
         ("processing", "none"),
     )

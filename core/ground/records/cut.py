@@ -3,7 +3,7 @@
 import re
 
 from core.errors import RecordError
-from core.ground.records.grammar import quoted
+from core.ground.records.grammar import GLUED, NUMBER_LETTERS, quoted
 from core.text.sentence import sentence
 
 NEIGHBOURS = 20
@@ -27,11 +27,13 @@ def _shapes(token: str) -> tuple[tuple[int, int], tuple[int, int]]:
 
 def _tokens(line: str) -> list[str]:
     """The numbers of a line, also glued ones; the mark of decimals may be a comma where ; or tabs stand between."""
+    if not line.translate(NUMBER_LETTERS):
+        return GLUED.sub(" ", line).split()
     if re.search(r"[0-9],[0-9]", line) and not ("." in line and "," in line):
         parts = re.split(r"[;\t]" if re.search(r"[;\t]", line) else r"[,\s]", line)
     else:
         parts = re.split(r"[,;\s]", line)
-    glued = [re.split(r"(?<=[0-9.])(?=[+-])", part.strip()) for part in parts]
+    glued = [GLUED.split(part.strip()) for part in parts]
     return [token for part in glued for token in part if token]
 
 

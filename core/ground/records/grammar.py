@@ -161,6 +161,9 @@ def refuse_other_quantity(head: str) -> None:
             raise RecordError("other_quantity", quantity=other[0].strip("[()] ").lower())
 
 
+_CONTROL = re.compile(rb"[\x00-\x08\x7f]")
+
+
 def decode(content: bytes) -> list[str]:
     """Lines of a text file: UTF-8 or UTF-16 by their marks, else UTF-8, else Latin-1.
 
@@ -170,8 +173,7 @@ def decode(content: bytes) -> list[str]:
         text = content.decode("utf-16", errors="replace")
     else:
         body = content.removeprefix(b"\xef\xbb\xbf").rstrip(b"\x00\x1a")
-        control = sum(body[:4096].count(byte) for byte in range(9)) + body[:4096].count(0x7F)
-        if control:
+        if _CONTROL.search(body[:4096]):
             raise RecordError("binary_file")
         try:
             text = body.decode("utf-8")
@@ -184,9 +186,16 @@ def decode(content: bytes) -> list[str]:
     return text.rstrip("\n").split("\n")
 
 
+GLUED = re.compile(r"(?<=[0-9.])(?=[+-])")
+NUMBER_LETTERS = str.maketrans("", "", "0123456789+-.eE \t\n")
+
+
 def to_float(token: str) -> float:
     """One number of the grammar, D exponents included; raises RecordError beyond the doubles."""
-    value = float(token.replace("D", "E").replace("d", "e"))
+    try:
+        value = float(token)
+    except ValueError:
+        value = float(token.replace("D", "E").replace("d", "e"))
     if not math.isfinite(value):
         raise RecordError("token_too_large", text=quoted(token))
     return value
@@ -195,6 +204,11 @@ def to_float(token: str) -> float:
 def numbers(line: str) -> list[float] | None:
     """All numbers of a line, also those glued by a sign (`1.0E-08-2.0E-08`); None if anything else is there:
     `1.52.5` is not two numbers."""
+    if not line.translate(NUMBER_LETTERS):
+        with contextlib.suppress(ValueError):
+            row = list(map(float, GLUED.sub(" ", line).split()))
+            if row and all(map(math.isfinite, row)):
+                return row
     if not _NUMBERS_ONLY.fullmatch(line):
         return None
     return [to_float(token) for token in _TOKEN.findall(line)]
@@ -252,22 +266,19 @@ def whole(parsed: Parsed) -> Parsed:
 AT_ONCE = 50_000
 """Lines whose words are in memory at once."""
 
-_GLUED = re.compile(r"(?<=[0-9.])(?=[+-])")
-_NUMBER_LETTERS = str.maketrans("", "", "0123456789+-.eE \t\n")
-
 
 def plain_numbers(lines: list[str], count: int | None = None) -> np.ndarray | None:
     """All numbers of lines that hold nothing but numbers with blanks between them, fast; None for all others, which
     are read line by line. count : how many there must be.
 
     Of these letters alone `float` takes the very numbers of the grammar."""
-    glued = count is not None and bool(_GLUED.search("\n".join(lines[:50])))
+    glued = count is not None and bool(GLUED.search("\n".join(lines[:50])))
     parts = []
     for k in range(0, len(lines), AT_ONCE):
         text = "\n".join(lines[k : k + AT_ONCE])
-        if text.translate(_NUMBER_LETTERS):
+        if text.translate(NUMBER_LETTERS):
             return None
-        words = (_GLUED.sub(" ", text) if glued else text).split()
+        words = (GLUED.sub(" ", text) if glued else text).split()
         try:
             parts.append(np.fromiter(map(float, words), float, len(words)))
         except ValueError:
@@ -290,13 +301,6 @@ def table_of(lines: list[str], width: int) -> np.ndarray | None:
 
 def _row(line: str, width: int | None) -> list[float] | None:
     """The numbers of a line, in columns of this width where they stand in such; None if anything else is there."""
-    if not line.translate(_NUMBER_LETTERS):
-        words = _GLUED.sub(" ", line).split()
-        if width is None or len(words) == -(-len(line.rstrip()) // width):
-            with contextlib.suppress(ValueError):
-                row = list(map(float, words))
-                if all(map(math.isfinite, row)):
-                    return row
     row = fixed_width(line, width) if width else None
     return numbers(line) if row is None else row
 
@@ -310,7 +314,7 @@ def block(lines: list[str], first_line: int, declared: int, width: int | None = 
     whole_block = plain_numbers(lines, declared)
     if whole_block is not None and whole_block.size:
         return Parsed(whole_block, None, None, counted=True)
-    odd = (k for k, line in enumerate(lines) if line.translate(_NUMBER_LETTERS))
+    odd = (k for k, line in enumerate(lines) if line.translate(NUMBER_LETTERS))
     for k in odd:  # a line that is none is found before the others are read one by one
         _row_or_nan(lines[k], width, first_line + k)
     rows, not_numbers = [], 0

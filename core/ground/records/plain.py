@@ -85,7 +85,7 @@ def read(lines: list[str], options: Options) -> Parsed:
     for k, line in enumerate(lines[skip:], start=skip + 1):
         if len(rows) == FIRST_ROWS and not tried:
             tried = True
-            spaced = any(_EMPTY_FIELD.search(one) for one in lines[k - 1 :])
+            spaced = any("\t" in one and _EMPTY_FIELD.search(one) for one in lines[k - 1 :])
             rest = None if spaced else table_of(lines[k - 1 :], len(rows[-1]))
             if rest is not None:
                 break

@@ -18,6 +18,7 @@ from core.text.sentence import notice
 
 _KIND = re.compile(r"\s?([0-9]) ([A-Z]+)")
 _PEAK = re.compile(rf"\bpk(?:\s+\w+)?\s*=\s*({NUMBER})")
+_WHEN = re.compile(r"\s*([0-9]{4} +[0-9]{1,2} +[0-9]{1,2} +[0-9]{1,6}) (.*)")
 _STATION = re.compile(r"station\s*=\s*(.*?)\s*(?:component\s*=\s*(.*?))?\s*$")
 TEXTS, INTEGERS, REALS = 11, 6, 10
 """Lines of each part of the head."""
@@ -61,13 +62,15 @@ def read(lines: list[str], options: Options) -> Parsed:
     parsed.channel, parsed.vertical = component, is_vertical(component)
     if kind == "UNCORRECTED":
         parsed.warnings.append(notice("unprocessed"))
-    event, text = head[3].strip(), " ".join(head)
+    written = _WHEN.match(head[3])
+    event, text = (written[2] if written else head[3]).strip(), " ".join(head)
     magnitude = re.search(rf"Moment Mag=\s*({NUMBER})", text)
     distance = re.search(rf"epicentral dist =\s*({NUMBER})", text)
     parsed.details = (
         ("event", "" if event.startswith("*") else event),
         ("station", where[1] if where else ""),
         ("component", component),
+        ("date", " ".join(written[1].split()) if written else ""),
         ("magnitude", f"Mw {magnitude[1]}" if magnitude else ""),
         ("distance_km", distance[1] if distance else ""),
         ("processing", "none" if kind == "UNCORRECTED" else ""),

@@ -4,6 +4,7 @@ import pytest
 
 from core.ground import records
 from core.ground.provenance import provenance, stations, unnamed
+from core.ground.records.grammar import Options
 from tests.conftest import shelf_folder
 
 SHELF = [
@@ -17,6 +18,11 @@ SHELF = [
      "20190728 160908", "ML 4.6", "0.100-30.000 Hz"),
     ("ESM_ASCII/20101114230825_3104_ap_RawAcc_E.asc", "TK 3104", "3336", "2010/11/14 23:08:25.75",
      "ML 5.1", ""),
+    ("SMC/0111a.smc", "San Francisco, 1295 Shafter, F", "Loma Prieta, CA", "1989 10 18 0004", "Mw 7.1", ""),
+    ("COSMOS_CSMIP/Cosmos12TimeSeriesTest.v1", "01-23075", "Somewhere in Los Angeles, CA",
+     "06/16/2005, 20:53:26.1 UTC", "Mw 4.8", "below 0.30 Hz (periods over 14.5 secs), and above 40.0 Hz"),
+    ("COSMOS_CSMIP/CE89146.V1", "89146", "Record of Mon Feb 13, 2012", "Mon Feb 13, 2012 13:06:45.0 PST", "", ""),
+    ("COSMOS_CSMIP/017m30lw.s0a", "USC# 0016", "NORTHRIDGE EARTHQUAKE", "JAN 17, 1994 -1230 GMT", "", ""),
 ]  # fmt: skip
 
 
@@ -32,7 +38,9 @@ def shelf():
 def test_that_the_header_of_each_dialect_is_read(
     shelf, file, station, event, date, magnitude, corners
 ):
-    found = provenance(records.read(shelf / file))
+    path = shelf / file
+    channel = next(iter(records.channels(path)), None)
+    found = provenance(records.read(path, Options(channel=channel)))
     assert found.station == station and event in found.event
     assert (found.date, found.magnitude, found.filter) == (date, magnitude, corners)
 
