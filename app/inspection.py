@@ -1,5 +1,6 @@
 """`--inspect`: what the program makes of record files."""
 
+import contextlib
 import sys
 from pathlib import Path
 
@@ -12,8 +13,15 @@ from core.units import CM, G
 
 
 def inspect(paths: list[Path]) -> int:
-    """One line a file, or a channel of it, on stdout, refusals on stderr; exit code 1 if any was refused."""
-    return 1 if sum(_refused(path) for path in paths) else 0
+    """One line a file, also of a folder, or a channel of it, on stdout, refusals on stderr; exit code 1 if any was refused."""
+    return 1 if sum(_refused(file) for path in paths for file in _files(path)) else 0
+
+
+def _files(path: Path) -> list[Path]:
+    """The files of a folder by name; a file, what is not there, and an empty folder as it is."""
+    with contextlib.suppress(OSError):
+        return sorted(file for file in path.iterdir() if file.is_file()) or [path]
+    return [path]
 
 
 def _refused(path: Path, channel: str | None = None) -> int:

@@ -245,6 +245,10 @@ def test_that_inspect_tells_what_a_record_holds(case, capsys):
     )
     assert call("--inspect", case.parent / "two.txt") == 0
     assert "99 samples every 0.01 s, peak 3; the unit is not stated" in capsys.readouterr().out
+    assert call("--inspect", ROOT / "resources" / "motions") == 0
+    assert capsys.readouterr().out.count("samples every") == len(
+        list((ROOT / "resources" / "motions").iterdir())
+    )
 
 
 def test_that_version_names_program_and_version(capsys):

@@ -122,7 +122,13 @@ def read(lines: list[str], options: Options) -> Parsed:
         _refuse_column(head, len(rows[-1]), options.column)
     time_step, counted = None, None
     first, n = rows[0], len(rows) + (0 if rest is None else len(rest))
-    if len(first) == 2 and n > 2 and first[0] == int(first[0]) >= 10 and 0 < first[1] < 1:
+    if (
+        len(first) == 2
+        and n > 2
+        and first[0] >= 10
+        and first[0] == int(first[0])
+        and 0 < first[1] < 1
+    ):
         counted = int(first[0])
         if abs(n - 1 - counted) <= 1 or len(rows[1]) == 1:
             time_step = first[1]

@@ -56,6 +56,7 @@ def test_that_a_velocity_without_unit_is_not_guessed(shelf):
         ("0.00 nan\n0.01 nan\n" + two(), {"unit": "g"}, "line 1.*gap"),
         ("inf\n" + column(), {"unit": "g", "time_step": 0.01}, "line 1.*gap"),
         ("********\n" + column(), {"unit": "g", "time_step": 0.01}, "line 1.*gap"),
+        (",-1\n1\n1\n", {"unit": "g"}, "line 2: 1 columns, 2 above"),
         ("41\n0.01\n" + column(), {"unit": "g", "time_step": 0.01}, "count of samples"),
         ("1940\n" + column(), {"unit": "g", "time_step": 0.01}, "beyond any earthquake"),
         (two().replace("0.61280", "6.1e200"), {"unit": "g"}, "beyond any earthquake"),
