@@ -26,6 +26,7 @@ ACCEPTED = {
         "il nome di un canale, o il suo numero da 1",
     ),
     "channel": ('"{name}"', '"{name}"'),
+    "more_channels": ("{n} more", "altri {n}"),
     "vertical_channel": ('"{name}" (vertical)', '"{name}" (verticale)'),
     "one_of": ("one of {names}", "uno fra {names}"),
     "law": (

@@ -247,9 +247,12 @@ def inside(content: bytes, chance: random.Random) -> bytes:
     return room.getvalue()
 
 
-def check_sentence(error: InputError) -> None:
-    text = str(error)
-    assert "\n" not in text and len(text) < LONGEST, f"a message of {len(text)} characters"
+def _refused_in_a_sentence(target, content: bytes, folder: Path) -> None:
+    try:
+        target(content, folder)
+    except InputError as error:
+        text = str(error)
+        assert "\n" not in text and len(text) < LONGEST, f"a message of {len(text)} characters"
 
 
 def attack(
@@ -269,9 +272,7 @@ def attack(
             try:
                 with warnings.catch_warnings():  # openpyxl's, of what it passes over
                     warnings.simplefilter("ignore")
-                    TARGETS[name](content, folder)
-            except InputError as error:
-                check_sentence(error)
+                    _refused_in_a_sentence(TARGETS[name], content, folder)
             except BaseException as error:
                 kept = Path(tempfile.mkstemp(prefix=f"ribalta-{name}-")[1])
                 kept.write_bytes(content)

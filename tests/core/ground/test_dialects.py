@@ -315,3 +315,10 @@ def test_that_all_channels_of_a_file_are_of_one_station(shelf):
     }
     content = dialects.zipped(**pair)
     assert len(stations([read(content, channel=k) for k in ("1", "2")])) == 1
+
+
+def test_that_of_many_channels_a_sentence_names_some_and_counts_the_others(tmp_path):
+    (tmp_path / "many.V2").write_bytes(dialects.volume2(names=["360 Deg"] * 60))
+    with pytest.raises(RecordError, match="60 channels here.*36 more") as caught:
+        records.read(tmp_path / "many.V2")
+    assert len(str(caught.value)) < 1000 and len(records.channels(tmp_path / "many.V2")) == 60
