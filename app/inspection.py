@@ -13,7 +13,7 @@ from core.units import CM, G
 
 
 def inspect(paths: list[Path]) -> int:
-    """One line a file, also of a folder, or a channel of it, on stdout, refusals on stderr; exit code 1 if any was refused."""
+    """One line a file, also of a folder, or a channel of it, on stdout, refusals on stderr; exit code 1 if any was."""
     return 1 if sum(_refused(file) for path in paths for file in _files(path)) else 0
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from core.ground.ground_motion import GroundMotion
+from core.jit.decorators import kernel
 
 TAIL = 1e-3
 """Share of its peak below which the free motion of a mode after the record is left out."""
@@ -25,23 +26,32 @@ class Mode:
     participation: float
 
 
+@kernel
+def _sum_of_ramps(ramps, gain, turn, decay, moved):
+    """moved = ramps less the filter gain (z - 1)^2 / (z^2 - turn z + decay) of them."""
+    first = second = 0.0
+    for k in range(ramps.size):
+        value = first + gain * ramps[k]
+        first = second - 2.0 * gain * ramps[k] + turn * value
+        second = gain * ramps[k] - decay * value
+        moved[k] = ramps[k] - value
+
+
 def modal_acceleration(ground: np.ndarray, dt: float, period: float, damping: float) -> np.ndarray:
     """Absolute acceleration A = -(2 xi w D' + w^2 D) of an oscillator at rest under a ground motion [m/s2], exact for
     a ground linear between samples; both terms of A, since a floor feels the damping force too.
 
     ground : [m/s2], shape (n,); dt, period [s]; damping [-]
     """
-    from scipy.signal import lfilter
-
     omega = 2.0 * math.pi / period
     damped = omega * math.sqrt(1.0 - damping * damping)
     # under the ground t the oscillator answers t - exp(-xi w t) sin(w_d t) / w_d; a ground linear between samples is a
     # sum of such ramps, which the z-transform sums as 1 - gain (z - 1)^2 / (z^2 - 2 E cos(w_d dt) z + E^2)
     fades = math.exp(-damping * omega * dt)
     gain = fades * math.sin(damped * dt) / (damped * dt)
-    recursive = [1.0, -2.0 * fades * math.cos(damped * dt), fades * fades]
     ramps = ground - ground[0]
-    moved = ramps - lfilter([gain, -2.0 * gain, gain], recursive, ramps)
+    moved = np.empty(ground.size)
+    _sum_of_ramps(ramps, gain, 2.0 * fades * math.cos(damped * dt), fades * fades, moved)
     # the first value is a step
     times = dt * np.arange(ground.size)
     decay = np.exp(-damping * omega * times)
