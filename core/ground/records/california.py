@@ -16,6 +16,7 @@ from core.ground.records.grammar import (
     block,
     numbers,
     quoted,
+    to_count,
     to_float,
     whole,
 )
@@ -140,7 +141,7 @@ def _name(head: list[str], number: int) -> str:
 
 def _channel(lines: list[str], place: int, end: int, head: list[str]) -> Parsed:
     match = _data_line(lines[place])
-    declared, rate, written = int(match[1]), to_float(match[3]), match[4].lower()
+    declared, rate, written = to_count(match[1]), to_float(match[3]), match[4].lower()
     if written not in UNITS_OF:
         raise RecordError("unit_not_acceleration", unit=quoted(match[4]))
     width = _WIDTH.search(lines[place])
@@ -224,7 +225,7 @@ def _pairs(lines: list[str], place: int, end: int, head: str) -> Parsed:
     points = _POINTS.search(head)
     if not points or "G/10" not in head:
         raise RecordError("head_lacks", label="NO. OF POINTS, G/10")
-    declared = int(points[1])
+    declared = to_count(points[1])
     if declared < 3:
         raise RecordError("head_lacks", label="NO. OF POINTS")
     while end > place and not lines[end - 1].strip("/&- \t"):

@@ -47,7 +47,7 @@ def refuse_cut(lines: list[str], ended: bool) -> None:
     """
     tail = [line for line in lines[-NEIGHBOURS - 1 :] if line.strip()]
     rows = [(line, _tokens(line)) for line in tail]
-    rows = [(line, row) for line, row in rows if all(_TOKEN.fullmatch(token) for token in row)]
+    rows = [(line, row) for line, row in rows if row and all(map(_TOKEN.fullmatch, row))]
     if not rows or rows[-1][0] != tail[-1]:
         return  # what is no number is refused by the reader, or ends the file as NaN
     (line, (*_, last)), place = rows[-1], len(rows[-1][1]) - 1

@@ -201,6 +201,11 @@ def to_float(token: str) -> float:
     return value
 
 
+def to_count(digits: str) -> int:
+    """A count as a header writes it; of more digits than any file has samples the first, which agree with no file."""
+    return int(digits[:18])
+
+
 def numbers(line: str) -> list[float] | None:
     """All numbers of a line, also those glued by a sign (`1.0E-08-2.0E-08`); None if anything else is there:
     `1.52.5` is not two numbers."""

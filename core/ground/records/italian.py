@@ -14,6 +14,7 @@ from core.ground.records.grammar import (
     block,
     numbers,
     quoted,
+    to_count,
     to_float,
 )
 from core.text.sentence import notice
@@ -120,7 +121,7 @@ def _unit(text: str) -> str:
 def _count(text: str, label: str) -> int:
     if not re.fullmatch(r"[0-9]+", text.strip()):
         raise RecordError("not_a_count", label=label, text=quoted(text))
-    return int(text)
+    return to_count(text.strip())
 
 
 def _positive(text: str, label: str) -> float:

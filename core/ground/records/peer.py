@@ -12,6 +12,7 @@ from core.ground.records.grammar import (
     numbers,
     refuse_other_quantity,
     stated_unit,
+    to_count,
     to_float,
 )  # fmt: skip
 from core.text.sentence import notice
@@ -26,7 +27,7 @@ def _header(lines: list[str]):
     for k, line in enumerate(lines[:12]):
         match = _KEYED.search(line) or _TRAILING.search(line)
         if match:
-            return k, int(match[1]), to_float(match[2])
+            return k, to_count(match[1]), to_float(match[2])
     return None
 
 

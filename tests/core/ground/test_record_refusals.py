@@ -5,6 +5,7 @@ import pytest
 
 from core.errors import RecordError
 from core.ground import records
+from core.ground.records.cut import refuse_cut
 from core.ground.records.grammar import Options
 from tests.core.ground.record_texts import MOTION, column, esm, peer, thousandths, two
 
@@ -80,6 +81,7 @@ def test_that_a_velocity_without_unit_is_not_guessed(shelf):
         (two(" ", "{0:.5f} {0:.5f}"), {"unit": "g"}, "3 columns: say which"),
         (two(" ", "{0:.5f} {0:.5f}"), {"unit": "g", "column": 7}, "column = 7"),
         (peer(), {"column": 2}, "leave it out"),
+        (peer(declared="4" * 5000), {}, "declares 4"),
         ("40 0.01\n" + column()[:200], {"unit": "g"}, "declares 40"),
         ("", {"unit": "g"}, "empty"),
         ("just words\n", {"unit": "g"}, "no numbers"),
@@ -236,6 +238,10 @@ def test_that_names_of_stations_are_no_quantities(write):
         lines = peer().split("\n")
         lines[1] = f"IMPERIAL VALLEY 5/19/40, {station}, 180"
         assert records.read(write("\n".join(lines))).unit == "g"
+
+
+def test_that_a_last_line_of_a_mark_alone_is_no_row():
+    refuse_cut(["0.125 0.250"] * 9 + [" ;"], ended=False)
 
 
 def test_that_unsigned_glue_is_not_two_numbers(write):
