@@ -1,13 +1,26 @@
-"""Version of the program and, in a checkout, its commit."""
+"""Version of the program and the commit it is of."""
 
+import functools
+import json
 from pathlib import Path
 
 VERSION = "0.7.0"
 NAME = "Ribalta"
 
 
+@functools.cache
+def build() -> dict[str, str]:
+    """What packaging/build.py noted of a frozen program, `commit` and `stamp`; nothing in a source tree."""
+    try:
+        return json.loads((Path(__file__).resolve().parents[1] / "build.json").read_bytes())
+    except (OSError, ValueError):
+        return {}
+
+
 def commit() -> str:
-    """Commit of the source tree, "" where there is none."""
+    """Commit of the source tree or of the build, "" where there is none."""
+    if build():
+        return build()["commit"]
     git = Path(__file__).resolve().parents[1] / ".git"
     try:
         head = (git / "HEAD").read_text().strip()

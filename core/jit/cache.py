@@ -17,9 +17,9 @@ import threading
 import time
 from pathlib import Path
 
-from core.version import VERSION
-
-MANIFEST = "manifest.json"
+from core.jit import shipped
+from core.jit.shipped import MANIFEST
+from core.version import VERSION, build
 
 KEEP_SECONDS = 30 * 86400
 """Caches of other versions are deleted after this time."""
@@ -44,21 +44,23 @@ def _once_for_all(function):
 
 
 def source_stamp(sources: Path) -> str:
-    """Hash of all sources below a folder that a kernel may come from; of the program file when frozen."""
+    """Hash of all sources below a folder that a kernel may come from."""
     digest = hashlib.sha256(VERSION.encode())
-    if getattr(sys, "frozen", False):
-        state = os.stat(sys.executable)
-        digest.update(f"{state.st_size} {state.st_mtime_ns}".encode())
-    else:
-        for source in sorted(sources.rglob("*.py")):
-            digest.update(source.read_bytes())
+    for source in sorted(sources.rglob("*.py")):
+        digest.update(source.read_bytes())
     return digest.hexdigest()[:16]
 
 
 @_once_for_all
 def stamp() -> str:
-    """`source_stamp` of this program."""
-    return source_stamp(Path(__file__).parents[1])
+    """`source_stamp` of this program, of a frozen one as its build noted it."""
+    return build().get("stamp") or source_stamp(Path(__file__).parents[1])
+
+
+@_once_for_all
+def name() -> str:
+    """What tells this program's folder from others': the sources, and the level of shipped machine code."""
+    return "-".join(filter(None, [stamp(), shipped.level()]))
 
 
 def user_folder() -> Path:
@@ -84,10 +86,13 @@ def private(folder: Path) -> bool:
     return folder.is_dir() and state.st_uid == os.getuid() and not state.st_mode & 0o022
 
 
-def prepare(base: Path, name: str) -> Path:
-    """The cache folder of this name, checked; a temporary one where the user's is unwritable or not private."""
-    folder = base / f"kernels-{name}"
+def prepare(base: Path | None, name: str) -> Path:
+    """The cache folder of this name, checked; a temporary one where the user's is unwritable or not private, or the
+    user has none."""
     try:
+        if base is None:
+            raise OSError
+        folder = base / f"kernels-{name}"
         folder.mkdir(parents=True, exist_ok=True, mode=0o700)
         if private(folder):
             tempfile.TemporaryFile(dir=folder).close()
@@ -152,7 +157,49 @@ def folder() -> Path:
     if SECOND_PROCESS in os.environ:
         return Path(os.environ[SECOND_PROCESS])
     atexit.register(close)
-    return prepare(user_folder(), stamp())
+    try:
+        base = user_folder()
+    except RuntimeError:  # no home
+        base = None
+    place = prepare(base, name())
+    if (place / TRIAL).exists():
+        return prepare(base, f"{name()}-own")
+    begin_trial(place, shipped.whole_files(shipped.level()))
+    return place
+
+
+TRIAL = "trial"
+"""File in a folder whose shipped machine code has not proved right yet."""
+
+_trials: list[Path] = []
+"""The folder on trial, begun by this process."""
+
+
+def begin_trial(folder: Path, files: dict[str, bytes]) -> None:
+    """Copy shipped machine code into a folder that has none yet."""
+    if not files or (folder / MANIFEST).exists():
+        return
+    try:
+        (folder / TRIAL).touch()
+        _trials.append(folder)
+        for name, content in files.items():
+            (folder / name).write_bytes(content)
+        record(folder)
+    except OSError:
+        drop_damaged(folder)
+
+
+def on_trial() -> bool:
+    """Whether shipped machine code has yet to show that its numbers are right."""
+    return bool(folder() and _trials)
+
+
+def end_trial(right: bool) -> None:
+    """After the self-test: keep the machine code, or have the next start compile its own."""
+    for place in _trials:
+        if right:
+            (place / TRIAL).unlink(missing_ok=True)
+    _trials.clear()
 
 
 LANES_FILE = "*.one_pass-*.nbc"
@@ -169,15 +216,21 @@ def close() -> None:
     if SECOND_PROCESS in os.environ or not folder.is_made():
         return
     record(folder())
-    if folder().name.startswith(TEMPORARY):
+    if (
+        folder().name.startswith(TEMPORARY) or _trials
+    ):  # ended before its trial: another one next time
         shutil.rmtree(folder(), ignore_errors=True)
 
 
 def configure_numba() -> None:
     """Before numba compiles its first kernel: it asks this cache, and optimises at level 1. The code is as fast as
-    with level 3, and a cold start 5 to 7 % shorter (resources/docs/speed.md)."""
+    with level 3, and a cold start 5 to 7 % shorter (resources/docs/speed.md). Where machine code was shipped, what is
+    compiled beside it is of the same level."""
     os.environ.setdefault(
         "NUMBA_CACHE_LOCATOR_CLASSES",
         "core.jit.numba_extensions.Locator,InTreeCacheLocator,UserWideCacheLocator,IPythonCacheLocator",
     )
     os.environ.setdefault("NUMBA_OPT", "1")
+    if shipped.level():
+        os.environ.setdefault("NUMBA_CPU_NAME", shipped.level())
+        os.environ.setdefault("NUMBA_CPU_FEATURES", "")

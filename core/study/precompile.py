@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-from core.jit.cache import SECOND_PROCESS, TEMPORARY, folder, stamp
+from core.jit.cache import SECOND_PROCESS, TEMPORARY, folder, name
 from core.rocking.history import history
 from core.rocking.methods import METHODS
 from core.rocking.taylor import through_sample
@@ -93,15 +93,17 @@ def wait() -> None:
 
 def main() -> None:
     """The second process: histories by the methods its arguments name."""
-    if folder().name != f"kernels-{stamp()}" and not folder().name.startswith(TEMPORARY):
+    if not folder().name.startswith(f"kernels-{name()}") and not folder().name.startswith(
+        TEMPORARY
+    ):
         return  # other sources than those of the process that waits
 
     gc.disable()  # the process ends soon
     ground = np.zeros(2)
     ground.flags.writeable = False  # as that of a record: another type for numba
     model = RockingModel(0.1, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0)
-    for name in sys.argv[1:]:
-        history(ground, 0.01, 1.0, model, METHODS[name])
+    for method in sys.argv[1:]:
+        history(ground, 0.01, 1.0, model, METHODS[method])
 
 
 if __name__ == "__main__":

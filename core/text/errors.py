@@ -362,6 +362,12 @@ CASE_ERRORS = {
         "give {height_m} and exactly one of {shapes} (found: {height_m} {height}; {found})",
         "indicare {height_m} e uno solo fra {shapes} (trovati: {height_m} {height}; {found})",
     ),
+    "machine_code_differs": (
+        "the machine code that came with the program does not give on this processor the numbers it was made for, and "
+        "is not used: start the program again, which then compiles its own",
+        "il codice macchina fornito con il programma non dà su questo processore i numeri per cui è stato fatto, e "
+        "non viene usato: riavviare il programma, che allora compila il proprio",
+    ),
     "window_needs_qt": (
         "the window needs PySide6 and pyqtgraph, and on Linux libgl1, libegl1 and libxkbcommon0 ({reason}); "
         "start it with python3 run.py, or run a case with --batch",
