@@ -27,9 +27,19 @@ def window(case: Path | None) -> int:
     return qt.main(case)
 
 
+def tell(text: str) -> None:
+    """A sentence on the terminal; in a dialog where there is none, as of the window's own program on Windows."""
+    if sys.stderr is not None:
+        print(text, file=sys.stderr)
+        return
+    from app import start as qt
+
+    qt.refuse(text)
+
+
 def main(arguments: list[str] | None = None) -> int:
     """Run the program; returns its exit code."""
-    with contextlib.suppress(OSError, AttributeError):  # no stderr: a windowed program, a test
+    with contextlib.suppress(OSError, AttributeError, RuntimeError):  # no stderr: ribaltaw, a test
         faulthandler.enable()
     set_language(system_language())
     for stream in (sys.stdout, sys.stderr):
@@ -70,7 +80,7 @@ def main(arguments: list[str] | None = None) -> int:
             )
         return window(options.case)
     except InputError as error:
-        print(terminal("error: {error}", error=quoted_from_file(error)), file=sys.stderr)
+        tell(terminal("error: {error}", error=quoted_from_file(error)))
         return 1
     except BrokenPipeError:
         sys.stdout = None
@@ -83,10 +93,7 @@ def main(arguments: list[str] | None = None) -> int:
             "w", prefix="ribalta-error-", suffix=".log", delete=False
         ) as log:
             traceback.print_exc(file=log)
-        print(
-            terminal("internal error, nothing was written; please send {path}", path=log.name),
-            file=sys.stderr,
-        )
+        tell(terminal("internal error, nothing was written; please send {path}", path=log.name))
         return 4
 
 

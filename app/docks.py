@@ -82,9 +82,12 @@ def build(window, session: Session, state) -> Sides:
     window.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, below)
     arrange(window, False)
     if isinstance(state, QByteArray):
-        window.restoreState(state)
+        window.restoreState(state, LAYOUT)
     return Sides(forms, walls, demand, analysis, records, card, card_veil)
 
+
+LAYOUT = 1
+"""Raised where the docks are no longer those of an older version, whose arrangement is left aside then."""
 
 NARROW = 1200
 """Width of the window [px] below which its docks share the left side: both sides would leave the tabs too little."""

@@ -14,6 +14,10 @@ from core.errors import InputError, OutputError
 EXAMPLE = Path(__file__).resolve().parents[1] / "resources" / "cases" / "example.toml"
 RECENT = 8
 
+CASE_ENDS = (".toml", ".ribalta")
+"""Of a case file; the second is the one that opens the installed program."""
+KINDS = f" ({' '.join(f'*{end}' for end in CASE_ENDS)})"
+
 
 class Files:
     """What the menu File does for a window and its session."""
@@ -54,7 +58,7 @@ class Files:
 
     def ask_open(self) -> None:
         name, _ = QFileDialog.getOpenFileName(
-            self.window, tr("Open a case"), str(self.session.base_dir), tr("Cases") + " (*.toml)"
+            self.window, tr("Open a case"), str(self.session.base_dir), tr("Cases") + KINDS
         )
         if name:
             self.open(Path(name))
@@ -66,8 +70,8 @@ class Files:
 
     def save_as(self) -> bool:
         proposal = str(self.session.path or self.session.base_dir / "case.toml")
-        kinds = tr("Cases") + " (*.toml)"
-        path = path_to_write(self.window, tr("Save the case"), proposal, kinds, (".toml",))
+        kinds = tr("Cases") + KINDS
+        path = path_to_write(self.window, tr("Save the case"), proposal, kinds, CASE_ENDS)
         return self._save(path) if path else False
 
     def _save(self, path: Path | None) -> bool:

@@ -1,12 +1,15 @@
-"""The start of the window: application, theme, language, recovery, kernels, errors of slots."""
+"""The start of the window: application, theme, language, recovery, kernels, errors of slots, logs of crashes."""
 
 import contextlib
+import faulthandler
 import gc
 import os
 import sys
+import tempfile
 from pathlib import Path
 
 from PySide6.QtCore import QLibraryInfo, QSettings, QStandardPaths, QTimer, QTranslator
+from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication, QMessageBox
 
 from app import language, menus, theme
@@ -15,7 +18,9 @@ from app.language import quoted_from_file, tr
 from app.window import MainWindow
 from app.worker import RUNNING, write_log
 from core.errors import InputError
-from core.version import NAME
+from core.version import NAME, VERSION
+
+ICON = Path(__file__).resolve().parents[1] / "resources" / "icons" / "ribalta.png"
 
 
 def offer_recovery(window: MainWindow) -> None:
@@ -65,13 +70,42 @@ def translate_qt(application: QApplication) -> None:
     language.followers.append(follow)
 
 
+def data_folder() -> Path:
+    """Where settings, recovery files and logs of crashes are kept; a temporary one for a user who has none."""
+    folder = Path(QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppDataLocation))
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        tempfile.TemporaryFile(dir=folder).close()
+    except OSError:
+        return Path(tempfile.mkdtemp(prefix="ribalta-data-"))
+    return folder
+
+
+@contextlib.contextmanager
+def logged_crash(folder: Path):
+    """Where the process ends by a fault of a library, what it was doing goes to a file of this folder. Yields the
+    files of earlier starts, each once."""
+    found = []
+    with contextlib.suppress(OSError):
+        for file in sorted(folder.glob("crash-*.log")):
+            if file.stat().st_size:
+                found.append(file.replace(file.with_suffix(".txt")))
+    with tempfile.NamedTemporaryFile(
+        "w", dir=folder, prefix=f"crash-{VERSION}-", suffix=".log", delete=False
+    ) as log:
+        faulthandler.enable(log)
+        yield found
+        faulthandler.disable()
+    Path(log.name).unlink(missing_ok=True)
+
+
 def make(arguments: list[str] | None = None) -> tuple[QApplication, MainWindow]:
     """The application and its window, not shown yet."""
     application = QApplication.instance() or QApplication(arguments or sys.argv[:1])
     application.setApplicationName(NAME)
     application.setOrganizationName(NAME)
-    folder = Path(QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppDataLocation))
-    folder.mkdir(parents=True, exist_ok=True)
+    application.setWindowIcon(QIcon(str(ICON)))
+    folder = data_folder()
     settings = QSettings(str(folder / "window.ini"), QSettings.Format.IniFormat)
     translate_qt(application)
     theme.set_theme(menus.chosen(settings, "theme", theme.THEMES) or "light")
@@ -87,6 +121,12 @@ def show(window: MainWindow) -> None:
     gc.freeze()
 
 
+def refuse(text: str) -> None:
+    """A sentence in a dialog before there is a window."""
+    application = QApplication.instance() or QApplication([])
+    QMessageBox.critical(application.activeWindow(), NAME, text)
+
+
 def main(path: Path | None) -> int:
     """Show the window, on this case or the example; returns its exit code."""
     application, window = make()
@@ -98,7 +138,13 @@ def main(path: Path | None) -> int:
         window.session.open(EXAMPLE)
     QTimer.singleShot(0, lambda: offer_recovery(window))
     window.preparation.begin()
-    code = application.exec()
+    with logged_crash(Path(window.settings.fileName()).parent) as crashes:
+        if crashes:
+            word = tr(
+                "The program ended by a fault the last time; please send {path}", path=crashes[-1]
+            )
+            window.show_word(word)
+        code = application.exec()
     if any(not job.isFinished() for job in RUNNING):
         # a thread that compiles cannot be stopped, and nobody is to wait for it
         from core.jit import cache

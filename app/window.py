@@ -140,7 +140,7 @@ class MainWindow(RunningWindow):
         """Change the theme or the language, and build the window again. keep : the docks where they are"""
         self.settings.setValue(setting, name)
         if keep:
-            self.settings.setValue("state", self.saveState())
+            self.settings.setValue("state", self.saveState(docks.LAYOUT))
         if setting == "theme":
             theme.set_theme(name)
         else:
@@ -343,5 +343,5 @@ class MainWindow(RunningWindow):
         self.session.drop_recovery_file()
         self.session.close()
         self.settings.setValue("geometry", self.saveGeometry())
-        self.settings.setValue("state", self.saveState())
+        self.settings.setValue("state", self.saveState(docks.LAYOUT))
         event.accept()

@@ -73,6 +73,9 @@ WINDOW = {
         "Circolare 7/2019 C8.7.1.2.1). I risultati sono responsabilità del progettista."
     ),
     "Autosaved case found": "Trovato un caso salvato automaticamente",
+    "The program ended by a fault the last time; please send {path}": (
+        "L'ultima volta il programma è terminato per un errore interno; si prega di inviare {path}"
+    ),
     "The program ended without saving. Bring back the unsaved case?": (
         "Il programma si è chiuso senza salvare. Recuperare il caso non salvato?"
     ),

@@ -1,0 +1,81 @@
+"""The start of the window: where its data lie, what a fault leaves behind, words where there is no terminal."""
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+from tests.conftest import ROOT
+
+pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
+
+FAULT = """
+import faulthandler, sys
+from pathlib import Path
+from app import start
+with start.logged_crash(Path(sys.argv[1])) as earlier:
+    print([file.name for file in earlier])
+    if sys.argv[2] == "fault":
+        def reading_a_record(): faulthandler._sigsegv()
+        reading_a_record()
+"""
+
+
+def start(folder, kind):
+    return subprocess.run(
+        [sys.executable, "-P", "-c", FAULT, folder, kind], capture_output=True, text=True,
+        env=dict(os.environ, PYTHONPATH=str(ROOT), QT_QPA_PLATFORM="offscreen"),
+    )  # fmt: skip
+
+
+def test_that_a_fault_leaves_a_log_that_the_next_start_names_once(tmp_path):
+    assert start(tmp_path, "none").returncode == 0 and not list(tmp_path.iterdir())
+    assert start(tmp_path, "fault").returncode != 0
+    (log,) = tmp_path.iterdir()
+    assert log.name.startswith("crash-") and "reading_a_record" in log.read_text()
+    named = log.with_suffix(".txt").name
+    assert start(tmp_path, "none").stdout == f"['{named}']\n"
+    assert [file.name for file in tmp_path.iterdir()] == [named]
+    assert start(tmp_path, "none").stdout == "[]\n"
+
+
+def test_that_a_user_without_a_writable_home_has_a_folder_of_data(tmp_path, monkeypatch):
+    from app import start
+
+    (tmp_path / "file").touch()
+    monkeypatch.setattr(start.QStandardPaths, "writableLocation", lambda _: str(tmp_path / "file" / "data"))
+    monkeypatch.setattr(start.tempfile, "tempdir", str(tmp_path))
+    folder = start.data_folder()
+    assert folder.parent == tmp_path and folder.name.startswith("ribalta-data-") and folder.is_dir()
+
+
+def test_that_words_without_a_terminal_come_in_a_dialog(application, tmp_path, monkeypatch):
+    from app import __main__ as program
+    from app import start
+
+    words = []
+    monkeypatch.setattr(start.QMessageBox, "critical", lambda *given: words.append(given[-1]))
+    monkeypatch.setattr(sys, "stderr", None)
+    assert program.main([str(tmp_path / "absent.ribalta")]) == 1
+    assert len(words) == 1 and "absent.ribalta" in words[0]
+
+
+def test_that_an_arrangement_of_another_version_is_left_aside(opened, monkeypatch):
+    from app import docks
+
+    state = opened.saveState(docks.LAYOUT)
+    assert opened.restoreState(state, docks.LAYOUT)
+    assert not opened.restoreState(state, docks.LAYOUT + 1)
+
+
+def test_that_a_case_of_the_own_extension_opens_saves_and_runs_as_batch(opened, tmp_path, monkeypatch):
+    from app import files
+
+    path = tmp_path / "parete.ribalta"
+    monkeypatch.setattr(files, "path_to_write", lambda *given: path if given[-1] == files.CASE_ENDS else None)
+    assert opened.files.save_as() and path.exists()
+    assert opened.files.open(path) and opened.session.path == path
+    from app.__main__ import main
+
+    assert main(["--batch", str(path), "--quiet"]) == 0 and path.with_suffix(".json").exists()
