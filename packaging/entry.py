@@ -1,4 +1,5 @@
-"""Entry of the frozen program, and of its second process in a cold start (core.study.precompile)."""
+"""Entry of the frozen program, of its second process in a cold start (core.study.precompile), and of its trial after a
+build (packaging/smoke.py)."""
 
 import os
 import sys
@@ -7,6 +8,10 @@ if "RIBALTA_SECOND_PROCESS" in os.environ:
     from core.study import precompile
 
     precompile.main()
+elif "RIBALTA_SMOKE" in os.environ:
+    import window_smoke
+
+    sys.exit(window_smoke.main(os.environ["RIBALTA_SMOKE"]))
 else:
     from app.__main__ import main
 

@@ -44,7 +44,9 @@ def test_that_a_user_without_a_writable_home_has_a_folder_of_data(tmp_path, monk
     from app import start
 
     (tmp_path / "file").touch()
-    monkeypatch.setattr(start.QStandardPaths, "writableLocation", lambda _: str(tmp_path / "file" / "data"))
+    monkeypatch.setattr(
+        start.QStandardPaths, "writableLocation", lambda _: str(tmp_path / "file" / "data")
+    )
     monkeypatch.setattr(start.tempfile, "tempdir", str(tmp_path))
     folder = start.data_folder()
     assert folder.parent == tmp_path and folder.name.startswith("ribalta-data-") and folder.is_dir()
@@ -69,11 +71,15 @@ def test_that_an_arrangement_of_another_version_is_left_aside(opened, monkeypatc
     assert not opened.restoreState(state, docks.LAYOUT + 1)
 
 
-def test_that_a_case_of_the_own_extension_opens_saves_and_runs_as_batch(opened, tmp_path, monkeypatch):
+def test_that_a_case_of_the_own_extension_opens_saves_and_runs_as_batch(
+    opened, tmp_path, monkeypatch
+):
     from app import files
 
     path = tmp_path / "parete.ribalta"
-    monkeypatch.setattr(files, "path_to_write", lambda *given: path if given[-1] == files.CASE_ENDS else None)
+    monkeypatch.setattr(
+        files, "path_to_write", lambda *given: path if given[-1] == files.CASE_ENDS else None
+    )
     assert opened.files.save_as() and path.exists()
     assert opened.files.open(path) and opened.session.path == path
     from app.__main__ import main

@@ -1,0 +1,206 @@
+"""Try the frozen program as its users have it.
+
+python3 packaging/smoke.py [FOLDER]     (python3 run.py package does it after the build)
+
+Results equal to the source tree's bit for bit; from any directory, a read-only folder with spaces and accents in its
+path, as a user without rights and without a home, and with the network denied; the window opens, runs, exports and
+closes; a fault leaves a log; an older version's settings stay. What this machine cannot try is said.
+"""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT))
+from tests.xvfb import display  # noqa: E402
+
+CASES = sorted((ROOT / "resources" / "cases").glob("*.toml"))
+NOBODY = 65534
+
+
+def program_of(folder: Path) -> Path:
+    return folder / ("ribalta.exe" if os.name == "nt" else "ribalta")
+
+
+def variables(folder: Path, **more: str) -> dict[str, str]:
+    """The environment of a user of his own below a folder."""
+    kept = {key: value for key, value in os.environ.items() if not key.startswith(("PYTHON", "RIBALTA", "XDG"))}
+    homes = {"HOME": folder / "home", "USERPROFILE": folder / "home", "LOCALAPPDATA": folder / "home",
+             "APPDATA": folder / "home", "RIBALTA_CACHE": folder / "cache"}  # fmt: skip
+    (folder / "home").mkdir(exist_ok=True)
+    return kept | {key: str(place) for key, place in homes.items()} | {"LC_ALL": "C.UTF-8"} | more
+
+
+def batch(program, case: Path, output: Path, environment: dict, before: tuple = ()) -> tuple[dict, float]:
+    """Results without what names the moment and the build, and the seconds it took."""
+    words = program if isinstance(program, list) else [program]
+    output.mkdir(parents=True, exist_ok=True)
+    start = time.perf_counter()
+    subprocess.run([*before, *words, "--batch", case, "--output", output, "--quiet"], check=True, cwd=output,
+                   env=environment, stdin=subprocess.DEVNULL)  # fmt: skip
+    seconds = time.perf_counter() - start
+    content = json.loads((output / f"{case.stem}.json").read_text(encoding="utf-8"))
+    for key in ("started_utc", "program"):
+        del content[key]
+    return content, seconds
+
+
+def screen(shown: dict | str) -> dict[str, str]:
+    """Variables of a display that tests.xvfb.display gives, or of none."""
+    if isinstance(shown, str):
+        return {"QT_QPA_PLATFORM": "offscreen"}
+    return {key: shown[key] for key in ("DISPLAY", "QT_QPA_PLATFORM")}
+
+
+def window(
+    program: Path, folder: Path, environment: dict, before: tuple = (), code: int = 0, **more: str
+) -> dict:
+    """Drive the window by packaging/window_smoke.py; the seconds it noted."""
+    left = folder / "left"
+    shutil.rmtree(left, ignore_errors=True)
+    left.mkdir(parents=True)
+    left.chmod(0o777)
+    case = left / "case of the trial.ribalta"
+    shutil.copy(ROOT / "resources" / "cases" / "verdict.toml", case)
+    text = case.read_text(encoding="utf-8").replace('"../', f'"{(ROOT / "resources").as_posix()}/')
+    case.write_text(text, encoding="utf-8")
+    with display() as shown:
+        asked = {"RIBALTA_SMOKE": str(left), "RIBALTA_SMOKE_CASE": str(case), "RIBALTA_SMOKE_START": str(time.time())}
+        done = subprocess.run([*before, program], cwd=left, env=environment | screen(shown) | asked | more, timeout=300)
+    assert done.returncode == code, f"the window ended with code {done.returncode}"
+    assert (left / "window.xlsx").stat().st_size > 10_000 and (left / "window.json").exists()
+    assert any(left.glob("*.png"))
+    return json.loads((left / "times.json").read_text(encoding="ascii"))
+
+
+def same_as_the_source(program: Path, folder: Path) -> None:
+    """Every example: the results of the frozen program are those of the source tree."""
+    source = [sys.executable, "-P", "-m", "app"]
+    mine = variables(folder)
+    theirs = variables(folder, PYTHONPATH=str(ROOT), RIBALTA_CACHE=str(folder / "source"))
+    for case in CASES:
+        frozen, first = batch(program, case, folder / "frozen", mine)
+        again = batch(program, case, folder / "frozen", mine)[1]
+        assert frozen == batch(source, case, folder / "of_source", theirs)[0], f"{case.name}: other numbers"
+        print(f"{case.name}: equal to the source tree's; {first:.2f} s the first time, then {again:.2f} s")
+
+
+def main(folder: Path) -> int:
+    program = program_of(folder)
+    with tempfile.TemporaryDirectory(prefix="ribalta-smoke-") as name:
+        place = Path(name)
+        place.chmod(0o755)
+        words = subprocess.run([program, "--version"], check=True, capture_output=True, text=True, cwd=place)
+        print(words.stdout.strip())
+        for trial in TRIALS:
+            below = place / trial.__name__
+            below.mkdir()
+            trial(program, below)
+    print("the frozen program passed its trial")
+    return 0
+
+
+def first_start(program: Path, folder: Path) -> None:
+    """Of a user who never started it: the first result, with nothing compiled before."""
+    case = next(case for case in CASES if case.stem == "verdict")
+    seconds = batch(program, case, folder / "first", variables(folder))[1]
+    print(f"first result of a new user: {seconds:.2f} s")
+    made = next((folder / "cache").glob("kernels-*"))
+    assert not (made / "trial").exists(), "its machine code did not end its trial"
+
+
+def inspection(program: Path, folder: Path) -> None:
+    record = ROOT / "resources" / "motions" / "noise_1.txt"
+    words = subprocess.run([program, "--inspect", record], capture_output=True, text=True, encoding="utf-8",
+                           env=variables(folder), check=True)  # fmt: skip
+    assert "noise_1" in words.stdout
+    print("--inspect reads a record")
+
+
+def the_window(program: Path, folder: Path) -> None:
+    for kind in ("a new user", "the next time"):
+        times = window(program, folder, variables(folder))
+        print(f"window of {kind}: shown after {times['window']:.2f} s, first result after {times['result']:.2f} s")
+
+
+def crash_log(program: Path, folder: Path) -> None:
+    """A fault of a library: a file says where, and the next start names it."""
+    mine = variables(folder)
+    fault = 0xC0000005 if os.name == "nt" else -11
+    window(program, folder, mine, code=fault, RIBALTA_SMOKE_FAULT="1")
+    log = next((folder / "home").rglob("crash-*.log"))
+    text = log.read_text(encoding="utf-8")
+    assert "window_smoke.py" in text and "drive" in text, text
+    window(program, folder, mine)
+    assert log.with_suffix(".txt").exists() and not log.exists()
+    print(f"a fault leaves a log: {text.splitlines()[0]}")
+
+
+def upgrade(program: Path, folder: Path) -> None:
+    """Settings of an older version are kept; its machine code neither used nor deleted."""
+    mine = variables(folder)
+    window(program, folder, mine)
+    settings = next((folder / "home").rglob("window.ini"))
+    text = settings.read_text(encoding="utf-8")
+    settings.write_text(text.replace("[General]", "[General]\ntheme=dark"), encoding="utf-8")
+    old = folder / "cache" / "kernels-0123456789abcdef"
+    old.mkdir(mode=0o700)
+    (old / "kernel.nbi").write_bytes(b"of another version")
+    window(program, folder, mine)
+    assert "theme=dark" in settings.read_text(encoding="utf-8") and (old / "kernel.nbi").exists()
+    print("settings of an older version are kept, its machine code stays apart")
+
+
+def elsewhere(program: Path, folder: Path) -> None:
+    """Moved to a read-only folder with spaces and accents in its path; as nobody, without a home."""
+    if os.name == "nt" or not shutil.which("setpriv") or os.getuid() != 0:
+        print("not tried here: another user, a read-only folder (they need Linux, root and setpriv)")
+        return
+    place = folder / "Strumenti dell'ingegnère Müller — 1"
+    shutil.copytree(program.parent, place / "ribalta", symlinks=True)
+    subprocess.run(["chmod", "-R", "a-w,a+rX", place], check=True)
+    moved = place / "ribalta" / program.name
+    nobody = ("setpriv", f"--reuid={NOBODY}", f"--regid={NOBODY}", "--clear-groups")
+    open_to_all = folder / "of nobody"
+    open_to_all.mkdir()
+    open_to_all.chmod(0o777)
+    case = next(case for case in CASES if case.stem == "verdict")
+    right = batch(moved, case, folder / "root", variables(folder))[0]
+    personal = ("HOME", "USERPROFILE", "APPDATA", "LOCALAPPDATA", "RIBALTA_CACHE", "USER", "LOGNAME")
+    homeless = {key: value for key, value in variables(folder).items() if key not in personal}
+    subprocess.run(["chmod", "a+rwX", folder], check=True)
+    with tempfile.TemporaryDirectory(dir=open_to_all) as temporary:
+        os.chmod(temporary, 0o777)
+        homeless |= {"TMPDIR": temporary}
+        found, seconds = batch(moved, case, open_to_all, homeless, nobody)
+        assert found == right, "other numbers elsewhere"
+        times = window(moved, open_to_all, homeless, nobody)
+    print("read-only folder, spaces and accents, nobody without a home: "
+          f"batch {seconds:.2f} s, window {times['window']:.2f} s")  # fmt: skip
+
+
+def no_network(program: Path, folder: Path) -> None:
+    """In a network of its own without an interface."""
+    before = ("unshare", "--net")
+    if not shutil.which("unshare") or subprocess.run([*before, "true"], capture_output=True).returncode:
+        print("not tried here: without a network (needs Linux, unshare and the right to use it)")
+        return
+    case = next(case for case in CASES if case.stem == "verdict")
+    batch(program, case, folder / "batch", variables(folder), before)
+    window(program, folder, variables(folder, QT_QPA_PLATFORM="offscreen"), before)
+    print("with the network denied: batch and window")
+
+
+TRIALS = (
+    first_start, same_as_the_source, inspection, the_window, crash_log, upgrade, elsewhere, no_network,
+)  # fmt: skip
+
+
+if __name__ == "__main__":
+    sys.exit(main(Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "dist" / "ribalta"))
