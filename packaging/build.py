@@ -29,7 +29,9 @@ DIST, WORK, PARTS = ROOT / "dist", ROOT / "build", ROOT / "build" / "parts"
 FOLDER = DIST / "ribalta"
 INTERNAL = FOLDER / "_internal"
 SIZES = ROOT / "packaging" / "sizes.json"
-MACHINE = {"AMD64": "x86_64", "x86_64": "x86_64", "arm64": "arm64", "aarch64": "arm64"}[platform.machine()]
+MACHINE = {"AMD64": "x86_64", "x86_64": "x86_64", "arm64": "arm64", "aarch64": "arm64"}[
+    platform.machine()
+]
 SYSTEM = f"{ {'win32': 'windows', 'darwin': 'macos'}.get(sys.platform, 'linux') }-{MACHINE}"
 
 VERSION_RESOURCE = """VSVersionInfo(
@@ -81,7 +83,9 @@ def _loaded(files: list[Path]) -> set[str]:
     """Those libraries that the dynamic linker loads."""
     variables = {**os.environ, "LD_LIBRARY_PATH": str(INTERNAL)}
     command = [sys.executable, "-c", LOADS, *map(str, files)]
-    return set(subprocess.run(command, capture_output=True, text=True, env=variables).stdout.split("\n"))
+    return set(
+        subprocess.run(command, capture_output=True, text=True, env=variables).stdout.split("\n")
+    )
 
 
 def strip() -> None:
@@ -116,7 +120,9 @@ def refuse_missing_libraries() -> None:
         listed = subprocess.run(["ldd", file], capture_output=True, text=True, env=variables).stdout
         missing = [line.split()[0] for line in listed.split("\n") if "not found" in line]
         if missing:
-            raise FileNotFoundError(f"{file.name} needs {', '.join(missing)}: install it and build again")
+            raise FileNotFoundError(
+                f"{file.name} needs {', '.join(missing)}: install it and build again"
+            )
 
 
 def ship_machine_code(program: Path) -> None:
@@ -170,8 +176,14 @@ def archive() -> Path:
     if not shutil.which("zstd"):
         return Path(shutil.make_archive(str(name), "zip", DIST, "ribalta"))
     whole, packed = Path(f"{name}.tar"), Path(f"{name}.tar.zst")
-    subprocess.run(["tar", "-C", DIST, "--sort=name", "--owner=0", "--group=0", "-cf", whole, "ribalta"], check=True)
-    subprocess.run(["zstd", "-q", "--ultra", "-22", "--long=27", "-T0", "--rm", "-f", whole, "-o", packed], check=True)
+    subprocess.run(
+        ["tar", "-C", DIST, "--sort=name", "--owner=0", "--group=0", "-cf", whole, "ribalta"],
+        check=True,
+    )
+    subprocess.run(
+        ["zstd", "-q", "--ultra", "-22", "--long=27", "-T0", "--rm", "-f", whole, "-o", packed],
+        check=True,
+    )
     return packed
 
 
@@ -196,7 +208,10 @@ def _needed_packages() -> str:
     listed = subprocess.run(["ldd", *files], capture_output=True, text=True).stdout.split("\n")
     outside = {Path(line.split("=>")[1].split()[0]) for line in listed if "=> /" in line}
     outside = {file.resolve() for file in outside if file.name not in inside}
-    owners = [subprocess.run(["dpkg", "-S", file], capture_output=True, text=True).stdout for file in outside]
+    owners = [
+        subprocess.run(["dpkg", "-S", file], capture_output=True, text=True).stdout
+        for file in outside
+    ]
     return ", ".join(sorted({owner.split(":")[0] for owner in owners if owner}))
 
 

@@ -54,7 +54,9 @@ def _of_distribution(name: str) -> Part:
     about = found.metadata
     stated = about.get("License-Expression") or about.get("License") or ""
     if not stated or len(stated) > 100:  # a whole text in the field of the name
-        kinds = [line for line in about.get_all("Classifier") or () if line.startswith("License ::")]
+        kinds = [
+            line for line in about.get_all("Classifier") or () if line.startswith("License ::")
+        ]
         stated = "; ".join(line.rsplit(" :: ", 1)[-1] for line in kinds)
     texts = [
         Path(found.locate_file(file)) for file in found.files or ()
@@ -64,21 +66,34 @@ def _of_distribution(name: str) -> Part:
     name = about["Name"]
     if re.match("(?i)pyside6|shiboken6", name):
         texts += sorted(TEXTS.glob("*.txt"))
-    return Part(name, found.version, f"pkg:pypi/{name.lower().replace('_', '-')}@{found.version}", stated, texts)
+    return Part(
+        name,
+        found.version,
+        f"pkg:pypi/{name.lower().replace('_', '-')}@{found.version}",
+        stated,
+        texts,
+    )
 
 
 def _of_system(file: Path) -> Part:
     """The Debian package of a library; the bare file where there is no such package."""
     for place in (file, file.resolve()):
-        owner = shutil.which("dpkg") and subprocess.run(
-            ["dpkg", "-S", str(place)], capture_output=True, text=True
-        ).stdout
+        owner = (
+            shutil.which("dpkg")
+            and subprocess.run(["dpkg", "-S", str(place)], capture_output=True, text=True).stdout
+        )
         if owner:
             name = owner.split(":")[0]
             version = subprocess.run(["dpkg-query", "-W", "-f", "${Version}", name],
                                      check=True, capture_output=True, text=True).stdout  # fmt: skip
             text = Path("/usr/share/doc") / name / "copyright"
-            return Part(name, version, f"pkg:deb/debian/{name}@{version}", "", [text] if text.exists() else [])
+            return Part(
+                name,
+                version,
+                f"pkg:deb/debian/{name}@{version}",
+                "",
+                [text] if text.exists() else [],
+            )
     return Part(file.name, "", f"pkg:generic/{file.name}", "")
 
 
@@ -91,7 +106,11 @@ def _of_python() -> Part:
 
 def _listed(file: Path) -> list[tuple]:
     """Entries (name, source, kind) of a list that PyInstaller made."""
-    return next(part for part in ast.literal_eval(file.read_text(encoding="utf-8")) if isinstance(part, list))
+    return next(
+        part
+        for part in ast.literal_eval(file.read_text(encoding="utf-8"))
+        if isinstance(part, list)
+    )
 
 
 def parts(work: Path) -> list[Part]:

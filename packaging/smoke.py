@@ -30,14 +30,20 @@ def program_of(folder: Path) -> Path:
 
 def variables(folder: Path, **more: str) -> dict[str, str]:
     """The environment of a user of his own below a folder."""
-    kept = {key: value for key, value in os.environ.items() if not key.startswith(("PYTHON", "RIBALTA", "XDG"))}
+    kept = {
+        key: value
+        for key, value in os.environ.items()
+        if not key.startswith(("PYTHON", "RIBALTA", "XDG"))
+    }
     homes = {"HOME": folder / "home", "USERPROFILE": folder / "home", "LOCALAPPDATA": folder / "home",
              "APPDATA": folder / "home", "RIBALTA_CACHE": folder / "cache"}  # fmt: skip
     (folder / "home").mkdir(exist_ok=True)
     return kept | {key: str(place) for key, place in homes.items()} | {"LC_ALL": "C.UTF-8"} | more
 
 
-def batch(program, case: Path, output: Path, environment: dict, before: tuple = ()) -> tuple[dict, float]:
+def batch(
+    program, case: Path, output: Path, environment: dict, before: tuple = ()
+) -> tuple[dict, float]:
     """Results without what names the moment and the build, and the seconds it took."""
     words = program if isinstance(program, list) else [program]
     output.mkdir(parents=True, exist_ok=True)
@@ -71,8 +77,17 @@ def window(
     text = case.read_text(encoding="utf-8").replace('"../', f'"{(ROOT / "resources").as_posix()}/')
     case.write_text(text, encoding="utf-8")
     with display() as shown:
-        asked = {"RIBALTA_SMOKE": str(left), "RIBALTA_SMOKE_CASE": str(case), "RIBALTA_SMOKE_START": str(time.time())}
-        done = subprocess.run([*before, program], cwd=left, env=environment | screen(shown) | asked | more, timeout=300)
+        asked = {
+            "RIBALTA_SMOKE": str(left),
+            "RIBALTA_SMOKE_CASE": str(case),
+            "RIBALTA_SMOKE_START": str(time.time()),
+        }
+        done = subprocess.run(
+            [*before, program],
+            cwd=left,
+            env=environment | screen(shown) | asked | more,
+            timeout=300,
+        )
     assert done.returncode == code, f"the window ended with code {done.returncode}"
     assert (left / "window.xlsx").stat().st_size > 10_000 and (left / "window.json").exists()
     assert any(left.glob("*.png"))
@@ -87,8 +102,12 @@ def same_as_the_source(program: Path, folder: Path) -> None:
     for case in CASES:
         frozen, first = batch(program, case, folder / "frozen", mine)
         again = batch(program, case, folder / "frozen", mine)[1]
-        assert frozen == batch(source, case, folder / "of_source", theirs)[0], f"{case.name}: other numbers"
-        print(f"{case.name}: equal to the source tree's; {first:.2f} s the first time, then {again:.2f} s")
+        assert frozen == batch(source, case, folder / "of_source", theirs)[0], (
+            f"{case.name}: other numbers"
+        )
+        print(
+            f"{case.name}: equal to the source tree's; {first:.2f} s the first time, then {again:.2f} s"
+        )
 
 
 def main(folder: Path) -> int:
@@ -96,7 +115,9 @@ def main(folder: Path) -> int:
     with tempfile.TemporaryDirectory(prefix="ribalta-smoke-") as name:
         place = Path(name)
         place.chmod(0o755)
-        words = subprocess.run([program, "--version"], check=True, capture_output=True, text=True, cwd=place)
+        words = subprocess.run(
+            [program, "--version"], check=True, capture_output=True, text=True, cwd=place
+        )
         print(words.stdout.strip())
         for trial in TRIALS:
             below = place / trial.__name__
@@ -126,7 +147,9 @@ def inspection(program: Path, folder: Path) -> None:
 def the_window(program: Path, folder: Path) -> None:
     for kind in ("a new user", "the next time"):
         times = window(program, folder, variables(folder))
-        print(f"window of {kind}: shown after {times['window']:.2f} s, first result after {times['result']:.2f} s")
+        print(
+            f"window of {kind}: shown after {times['window']:.2f} s, first result after {times['result']:.2f} s"
+        )
 
 
 def crash_log(program: Path, folder: Path) -> None:
@@ -160,7 +183,9 @@ def upgrade(program: Path, folder: Path) -> None:
 def elsewhere(program: Path, folder: Path) -> None:
     """Moved to a read-only folder with spaces and accents in its path; as nobody, without a home."""
     if os.name == "nt" or not shutil.which("setpriv") or os.getuid() != 0:
-        print("not tried here: another user, a read-only folder (they need Linux, root and setpriv)")
+        print(
+            "not tried here: another user, a read-only folder (they need Linux, root and setpriv)"
+        )
         return
     place = folder / "Strumenti dell'ingegnère Müller — 1"
     shutil.copytree(program.parent, place / "ribalta", symlinks=True)
@@ -172,7 +197,15 @@ def elsewhere(program: Path, folder: Path) -> None:
     open_to_all.chmod(0o777)
     case = next(case for case in CASES if case.stem == "verdict")
     right = batch(moved, case, folder / "root", variables(folder))[0]
-    personal = ("HOME", "USERPROFILE", "APPDATA", "LOCALAPPDATA", "RIBALTA_CACHE", "USER", "LOGNAME")
+    personal = (
+        "HOME",
+        "USERPROFILE",
+        "APPDATA",
+        "LOCALAPPDATA",
+        "RIBALTA_CACHE",
+        "USER",
+        "LOGNAME",
+    )
     homeless = {key: value for key, value in variables(folder).items() if key not in personal}
     subprocess.run(["chmod", "a+rwX", folder], check=True)
     with tempfile.TemporaryDirectory(dir=open_to_all) as temporary:
@@ -188,7 +221,10 @@ def elsewhere(program: Path, folder: Path) -> None:
 def no_network(program: Path, folder: Path) -> None:
     """In a network of its own without an interface."""
     before = ("unshare", "--net")
-    if not shutil.which("unshare") or subprocess.run([*before, "true"], capture_output=True).returncode:
+    if (
+        not shutil.which("unshare")
+        or subprocess.run([*before, "true"], capture_output=True).returncode
+    ):
         print("not tried here: without a network (needs Linux, unshare and the right to use it)")
         return
     case = next(case for case in CASES if case.stem == "verdict")

@@ -22,7 +22,10 @@ EXTRAS = "gui,study,report"
 
 def main() -> int:
     shutil.rmtree(ROOT / "dist" / "wheel", ignore_errors=True)
-    subprocess.run(["uv", "build", "--quiet", "--wheel", "--out-dir", ROOT / "dist" / "wheel", ROOT], check=True)
+    subprocess.run(
+        ["uv", "build", "--quiet", "--wheel", "--out-dir", ROOT / "dist" / "wheel", ROOT],
+        check=True,
+    )
     wheel = next((ROOT / "dist" / "wheel").glob("*.whl"))
     pipx = ["pipx"] if shutil.which("pipx") else ["uvx", "--quiet", "pipx"]
     case = next(case for case in smoke.CASES if case.stem == "verdict")
@@ -52,7 +55,9 @@ def main() -> int:
                 except subprocess.TimeoutExpired:
                     started.kill()
                     started.wait()
-            print(f"{kind}: the command ribalta gives the results of the source tree, its window opens")
+            print(
+                f"{kind}: the command ribalta gives the results of the source tree, its window opens"
+            )
     return 0
 
 
