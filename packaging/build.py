@@ -207,12 +207,10 @@ def _needed_packages() -> str:
     files = [FOLDER / "ribalta", *INTERNAL.rglob("*.so*")]
     listed = subprocess.run(["ldd", *files], capture_output=True, text=True).stdout.split("\n")
     outside = {Path(line.split("=>")[1].split()[0]) for line in listed if "=> /" in line}
-    outside = {file.resolve() for file in outside if file.name not in inside}
-    owners = [
-        subprocess.run(["dpkg", "-S", file], capture_output=True, text=True).stdout
-        for file in outside
-    ]
-    return ", ".join(sorted({owner.split(":")[0] for owner in owners if owner}))
+    found = [licences.of_system(file) for file in outside if file.name not in inside]
+    names = {part.name for part in found if part.purl.startswith("pkg:deb/")}
+    oldest = f"libc6 (>= {platform.libc_ver()[1]})"
+    return ", ".join(sorted((names - {"libc6"}) | {oldest}))
 
 
 def debian_package() -> Path:

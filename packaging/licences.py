@@ -75,7 +75,7 @@ def _of_distribution(name: str) -> Part:
     )
 
 
-def _of_system(file: Path) -> Part:
+def of_system(file: Path) -> Part:
     """The Debian package of a library; the bare file where there is no such package."""
     for place in (file, file.resolve()):
         owner = (
@@ -128,7 +128,7 @@ def parts(work: Path) -> list[Part]:
             if str(file) in owners:
                 distributions.add(owners[str(file)])
             elif kind == "BINARY" and not file.resolve().is_relative_to(python):
-                part = _of_system(file)
+                part = of_system(file)
                 system[part.name] = part
     found = [_of_python(), *map(_of_distribution, distributions), *system.values()]
     return sorted(found, key=lambda part: part.name.lower())
