@@ -9,11 +9,14 @@ closes; a fault leaves a log; an older version's settings stay. What this machin
 
 import json
 import os
+import re
+import shlex
 import shutil
 import subprocess
 import sys
 import tempfile
 import time
+import zipfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -144,6 +147,32 @@ def inspection(program: Path, folder: Path) -> None:
     print("--inspect reads a record")
 
 
+def other_products(program: Path, folder: Path) -> None:
+    """The calculation note says what the source tree's says; a short study leaves its files; a terminal's bar."""
+    case = next(case for case in CASES if case.stem == "verdict")
+    source = [sys.executable, "-P", "-m", "app"]
+    theirs = variables(folder, PYTHONPATH=str(ROOT), RIBALTA_CACHE=str(folder / "source"))
+    said = []
+    for words, mine in (([program], variables(folder)), (source, theirs)):
+        note = folder / f"{len(said)}.docx"
+        subprocess.run([*words, "--batch", case, "--output", folder / str(len(said)), "--quiet", "--report", note],
+                       check=True, env=mine, cwd=folder)  # fmt: skip
+        with zipfile.ZipFile(note) as parts:
+            text = parts.read("word/document.xml").decode("utf-8")
+            pictures = [parts.read(name) for name in parts.namelist() if "media/" in name]
+        said.append((re.sub(r"<[^>]*>|20\d\d-\d\d-\d\d[T ][\d:]+", "", text), pictures))
+    assert said[0] == said[1], "another note than the source tree's"
+    subprocess.run([program, "--study", "paper", "--quick", "--output", folder / "study", "--quiet"], check=True,
+                   env=variables(folder))  # fmt: skip
+    kinds = {file.suffix for file in (folder / "study").rglob("*")}
+    assert {".xlsx", ".json", ".csv", ".png", ".svg"} <= kinds, kinds
+    if shutil.which("script"):
+        command = shlex.join(map(str, [program, "--batch", case, "--output", folder / "terminal"]))
+        subprocess.run(["script", "-qec", command, folder / "typescript"], check=True, env=variables(folder),
+                       stdout=subprocess.DEVNULL)  # fmt: skip
+    print("calculation note as the source tree's, a short study, the bar of a terminal")
+
+
 def the_window(program: Path, folder: Path) -> None:
     for kind in ("a new user", "the next time"):
         times = window(program, folder, variables(folder))
@@ -234,7 +263,7 @@ def no_network(program: Path, folder: Path) -> None:
 
 
 TRIALS = (
-    first_start, same_as_the_source, inspection, the_window, crash_log, upgrade, elsewhere, no_network,
+    first_start, same_as_the_source, inspection, other_products, the_window, crash_log, upgrade, elsewhere, no_network,
 )  # fmt: skip
 
 

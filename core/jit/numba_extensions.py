@@ -6,7 +6,7 @@ from pathlib import Path
 
 from numba import njit, types
 from numba.core import config
-from numba.core.caching import _CacheLocator
+from numba.core.caching import Cache, _CacheLocator
 from numba.extending import lower_builtin, type_callable, typeof_impl
 
 from core.jit import cache
@@ -73,6 +73,16 @@ def _once(function, context, arguments, keywords):
 
 
 types.Function.get_call_type = _once  # type: ignore[method-assign]
+
+
+def _load_overload(cached, signature, context):
+    """numba first imports what it needs to compile, a sixth of a run of one wall (resources/docs/speed.md). Machine
+    code from the cache needs none of it; where there is none, the compiler itself asks for it."""
+    with cached._guard_against_spurious_io_errors():
+        return cached._load_overload(signature, context)
+
+
+Cache.load_overload = _load_overload  # type: ignore[method-assign]
 
 
 @typeof_impl.register(Kernel)

@@ -1,6 +1,8 @@
 """The demand of a case, and the motions generated for it."""
 
+import functools
 import re
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from core.case.hazard_table import read_hazard
@@ -120,14 +122,18 @@ def generated(case: Case, demand: DemandResult) -> list[GroundMotion]:
     if case.generate is None:
         return []
     seeds = range(case.generate.seed, case.generate.seed + case.generate.count)
-    return [
-        GroundMotion(
-            name=f"compatible {seed}",
-            acceleration=compatible_motion(demand.target, seed),
-            time_step=0.01,
-            file=f"generated, seed {seed}",
-            format="generated",
-            details=(("spectrum", demand.target.name), ("seed", str(seed))),
-        )
-        for seed in seeds
-    ]
+    with ThreadPoolExecutor() as pool:  # the kernel, most of the time, holds no lock
+        return list(pool.map(functools.partial(_compatible, demand.target), seeds))
+
+
+@functools.lru_cache(maxsize=64)
+def _compatible(target: Target, seed: int) -> GroundMotion:
+    """Kept: the window shows the motions before each run with them."""
+    return GroundMotion(
+        name=f"compatible {seed}",
+        acceleration=compatible_motion(target, seed),
+        time_step=0.01,
+        file=f"generated, seed {seed}",
+        format="generated",
+        details=(("spectrum", target.name), ("seed", str(seed))),
+    )
