@@ -47,6 +47,7 @@ SHOWN_BY = {
     "ground/records/italian": REFUSALS,
     "ground/records/peer": REFUSALS,
     "ground/records/plain": REFUSALS,
+    "ground/records/plain_head": "tests/core/ground/test_plain_head.py",
     "jit/kernel": "tests/core/jit/test_decorators.py",
     "jit/numba_extensions": "tests/core/jit/test_decorators.py",
     "rocking/events": "tests/validation/test_energy.py",

@@ -198,6 +198,14 @@ FILE_ERRORS = {
         "unit {unit} is not an acceleration: g, m/s2, cm/s2 or mm/s2",
         "l'unità {unit} non è un'accelerazione: g, m/s2, cm/s2 o mm/s2",
     ),
+    "unit_not_read": (
+        "the file is in {unit}: convert it to g, m/s2, cm/s2 or mm/s2",
+        "il file è in {unit}: convertirlo in g, m/s2, cm/s2 o mm/s2",
+    ),
+    "pairs_in_line": (
+        "a line holds several pairs of time and acceleration: write one pair a line",
+        "una riga contiene più coppie di tempo e accelerazione: scrivere una coppia per riga",
+    ),
     "not_a_count": (
         "{label} is {text}, not a count of samples",
         "{label} è {text}, non un numero di campioni",

@@ -6,11 +6,11 @@ import re
 import numpy as np
 
 from core.errors import RecordError, place
+from core.ground.records import plain_head
 from core.ground.records.grammar import (
     NUMBER,
     Options,
     Parsed,
-    head_lines,
     numbers,
     quoted,
     refuse_other_quantity,
@@ -19,7 +19,6 @@ from core.ground.records.grammar import (
     to_float,
 )  # fmt: skip
 
-_TIME_STEP = re.compile(rf"\bdt\s*=\s*([0-9]+,[0-9]+|{NUMBER})\s*(ms\b)?", re.IGNORECASE)
 _NO_NUMBER = re.compile(rf"(?:{NUMBER}|[+-]?nan|[+-]?inf(?:inity)?|\*++|[,;\s]++)++", re.IGNORECASE)
 _DECIMAL_COMMA = re.compile(r"[+-]?+[0-9]++(,[0-9]++)?+([EeDd][+-]?+[0-9]++)?+")
 _ONE = re.compile(NUMBER)
@@ -47,8 +46,12 @@ def _row(line: str) -> list[float] | None:
     """The numbers of one line under any of the accepted separators, NaN for an empty field; None if it is text.
 
     Where `;` or tabs separate, each field is judged alone: `12,34` is one number. A comma separates where neither is
-    there and the fields have points or are whole.
+    there and the fields have points or are whole. Fields may stand in double quotes.
     """
+    if '"' in line:
+        if line.count('"') % 2:
+            return None
+        line = line.replace('","', "\t").replace('"', "")
     if EMPTY in line or ";" in line or "\t" in line:
         fields = [entry.strip() for entry in re.split(r"[;\t]", line)]
         row = _fields(
@@ -115,11 +118,13 @@ def read(lines: list[str], options: Options) -> Parsed:
                 raise RecordError("not_numbers", text=quoted(text), place=(place("line", n=k),))
         else:
             raise RecordError("not_numbers", text=quoted(text), place=(place("line", n=k),))
-    refuse_other_quantity("\n".join(head))
+    said = "\n".join(head)
+    refuse_other_quantity(said)
     if not rows:
         raise RecordError("no_numbers")
     if options.column is not None:
-        _refuse_column(head, len(rows[-1]), options.column)
+        plain_head.refuse_column(said, len(rows[-1]), options.column)
+    plain_head.refuse_unit_not_read(said)
     time_step, counted = None, None
     first, n = rows[0], len(rows) + (0 if rest is None else len(rest))
     if (
@@ -147,38 +152,28 @@ def read(lines: list[str], options: Options) -> Parsed:
             raise RecordError("columns_differ", n=rest.shape[1], above=width)
         table = np.concatenate([table, rest])
         places += range(places[-1] + 1, places[-1] + 1 + len(rest))
-    comment_step = _TIME_STEP.search("\n".join(head))
-    if comment_step and time_step is None:
-        time_step = to_float(comment_step[1].replace(",", "."))
-        time_step *= 0.001 if comment_step[2] else 1.0
-    values, from_time, taken = _columns(table, places, options)
+    if time_step is None:
+        time_step = plain_head.time_step(said)
+    values, from_time, taken = _columns(table, places, options, plain_head.seconds_of_time(said))
     if taken != options.column:
-        _refuse_column(head, width, taken)
+        plain_head.refuse_column(said, width, taken)
     stated = from_time if time_step is None else time_step
     if from_time is not None and abs(from_time - stated) > 1e-3 * stated:
         raise RecordError("two_time_steps", stated=stated, column_step=from_time)
     return Parsed(
         values,
         stated,
-        stated_unit("\n".join(head)),
-        counted=counted is not None and time_step is not None,
+        stated_unit(said),
+        counted=plain_head.agrees_with_count(said, values.size) or n == counted,
         details=tuple((f"line {k + 1}", text) for k, text in enumerate(head[:6])),
+        vertical=plain_head.vertical(said, width, taken),
     )
 
 
-def _refuse_column(head: list[str], width: int, column: int) -> None:
-    """Raise RecordError where a head names another quantity above the column that is asked for."""
-    for line in head_lines("\n".join(head)):
-        for fields, apart in ((re.split(r"[;,\t]", line), True), (re.split(r" {2,}", line.strip()), False),
-                              (line.split(), False)):  # fmt: skip
-            named = len(fields) >= column if apart else len(fields) == width
-            if len(fields) > 1 and named and 1 <= column <= len(fields):
-                refuse_other_quantity(fields[column - 1])
-
-
-def _columns(table, places, options: Options):
+def _columns(table, places, options: Options, seconds: float):
     """(the acceleration column, the time step of the time column or None, its number from 1). Columns that are empty
-    throughout stay in their places and are none; an empty cell in the one taken is a gap."""
+    throughout stay in their places and are none; an empty cell in the one taken is a gap. seconds : of one unit of
+    the time column."""
     filled = [k for k in range(table.shape[1]) if not np.isnan(table[:, k]).all()]
     if len(filled) == 1:
         if options.column not in (None, 1, filled[0] + 1):
@@ -187,16 +182,26 @@ def _columns(table, places, options: Options):
         steps = np.diff(values)
         if values.size > 3 and steps[0] > 0 and np.allclose(steps, steps[0], rtol=1e-6, atol=0):
             raise RecordError("time_as_acceleration")
-        if values.size > 20 and values[0] in (values.size - 1, values.size - 2):
-            raise RecordError("count_on_top", first=values[0])
+        for first in values[:2]:
+            if values.size > 20 and first in (values.size - 1, values.size - 2):
+                raise RecordError("count_on_top", first=first)
         return values, None, filled[0] + 1
     if options.column is not None and options.column - 1 not in filled[1:]:
         raise RecordError("column_out_of_range", given=options.column, most=filled[-1] + 1)
+    times = _without_gap(table[:, filled[0]], places) * seconds
+    if any(_goes_on(times, table[:, k] * seconds) for k in filled[2:]):
+        raise RecordError("pairs_in_line")
     if len(filled) > 2 and options.column is None:
         raise RecordError("which_column", n=len(filled), most=filled[-1] + 1)
     taken = options.column or filled[1] + 1
-    step = _even_step(_without_gap(table[:, filled[0]], places), places, options.time_step)
+    step = _even_step(times, places, options.time_step)
     return _without_gap(table[:, taken - 1], places), step, taken
+
+
+def _goes_on(times, column) -> bool:
+    """Whether a column is the time of the same line's next sample: as even as the times and later than them."""
+    later, step = column - times, float(np.median(np.diff(times))) if times.size > 3 else 0.0
+    return bool(0.05 * step < later[0] < step and np.ptp(later) <= 0.26 * step)
 
 
 def _without_gap(values, places):

@@ -1,0 +1,119 @@
+"""What the head of plain text states is used, and contradicts what else is said in a sentence."""
+
+import numpy as np
+import pytest
+
+from core.errors import RecordError
+from core.ground import records
+from core.ground.records import plain_head
+from core.ground.records.grammar import Options
+from tests.core.ground.record_texts import MOTION, column, two
+
+
+@pytest.fixture
+def read(tmp_path):
+    def motion(text, **options):
+        file = tmp_path / "motion.txt"
+        file.write_text(text, encoding="utf-8")
+        return records.read(file, Options(**options))
+
+    return motion
+
+
+@pytest.mark.parametrize(
+    "head",
+    ["# dt=0.005", "# DT 0.005", "Time step: 0.005 s", "Time step (ms) = 5", "dt = 5 ms",
+     "passo di campionamento 0,005 s", "Sampling rate: 200 Hz", "sampling frequency (Hz): 200 Hz",
+     "frequenza di campionamento 200 Hz", "# sampled at a sample rate of 200 sps"],
+)  # fmt: skip
+def test_that_a_time_step_stated_in_words_is_used_and_not_contradicted(read, head):
+    text = f"{head}\n{column()}\n"
+    assert read(text, unit="g").time_step == pytest.approx(0.005, rel=1e-12)
+    with pytest.raises(RecordError, match="states time_step_s 0.005, the case gives 0.01"):
+        read(text, unit="g", time_step=0.01)
+
+
+@pytest.mark.parametrize(
+    "head", ["Sampling instrument SMA-1, 200 m away", "Time  Acc (g)", "station dt01"]
+)
+def test_that_other_words_state_no_time_step(head):  # fmt: skip
+    assert plain_head.time_step(head) is None
+
+
+def test_that_a_declared_count_must_agree(read):
+    for head in (
+        "NPTS 40",
+        "# number of points: 40",
+        "No. of samples = 41",
+        "numero di campioni: 40",
+    ):
+        assert read(f"{head}\n{two()}", unit="g").acceleration.size == 40
+        other = head.replace("40", "80").replace("41", "80")
+        with pytest.raises(RecordError, match="40 samples, but the header declares 80"):
+            read(f"{other}\n{two()}", unit="g")
+
+
+def test_that_a_time_column_in_milliseconds_or_minutes_is_taken_as_such(read):
+    seconds = read(two(), unit="g")
+    milli = "".join(f"{10 * k};{a:.5f}\n" for k, a in enumerate(MOTION))
+    minutes = "".join(f"{0.01 * k / 60.0:.9f};{a:.5f}\n" for k, a in enumerate(MOTION))
+    for text in (f"Time (ms);Acc\n{milli}", f"Tempo [min];Acc\n{minutes}"):
+        motion = read(text, unit="g")
+        assert motion.time_step == seconds.time_step == 0.01
+        assert np.array_equal(motion.acceleration, seconds.acceleration)
+
+
+@pytest.mark.parametrize(
+    ("head", "unit"),
+    [("Time (s) Acc (ft/s2)", "ft/s2"), ("Time (s) Acc (mg)", "mg"), ("t [s]  a [%g]", "%g"),
+     ("units: counts", "counts"),
+     ("# raw counts", "raw counts"), ("t  a [counts]", "counts")],
+)  # fmt: skip
+def test_that_a_unit_no_option_names_is_refused_whatever_is_given(read, head, unit):
+    for given in ({}, {"unit": "cm/s2"}):
+        with pytest.raises(RecordError, match=f"the file is in {unit}: convert it"):
+            read(f"{head}\n{two()}", **given)
+
+
+def test_that_pairs_side_by_side_are_not_read_as_one_in_two_samples(read):
+    rows = [f"{0.01 * k:.2f} {MOTION[k]:.5f}" for k in range(40)]
+    text = "\n".join("  ".join(rows[k : k + 4]) for k in range(0, 40, 4)) + "\n"
+    for given in ({}, {"column": 2}, {"column": 4}):
+        with pytest.raises(RecordError, match="several pairs of time and acceleration"):
+            read(text, unit="g", **given)
+
+
+def test_that_tables_with_a_time_of_each_channel_are_read(read):
+    text = "".join(
+        f"{0.01 * k:.2f} {a:.5f} {0.01 * k:.2f} {a / 2:.5f}\n" for k, a in enumerate(MOTION)
+    )
+    assert read(text, unit="g", column=4).pga == pytest.approx(
+        read(two(), unit="g").pga / 2, rel=1e-4
+    )
+
+
+def test_that_a_count_on_the_second_line_is_no_sample(read):
+    with pytest.raises(RecordError, match="the first value 40 looks like a count"):
+        read(f"0.01\n40\n{column()}\n", unit="cm/s2", time_step=0.01)
+
+
+def test_that_a_vertical_column_or_file_is_named(read):
+    table = "Time (s),EW (g),UD (g)\n" + "".join(
+        f"{0.01 * k:.2f},{a:.5f},{a:.5f}\n" for k, a in enumerate(MOTION)
+    )
+    alone = f"# Component: UP\n{two()}"
+    for text, given, said in ((table, {"column": 3}, True), (table, {"column": 2}, False), (alone, {"unit": "g"}, True),
+                              (f"# Component: N21E\n{two()}", {"unit": "g"}, False)):  # fmt: skip
+        codes = [warning.code for warning in read(text, **given).warnings]
+        assert ("vertical" in codes) == said
+
+
+def test_that_fields_in_double_quotes_are_read_and_a_cut_one_is_not(read):
+    plain = read(two(",")[:-1] + "\n", unit="g").acceleration
+    rows = [f'"{0.01 * k:.2f}","{a:.5f}"' for k, a in enumerate(MOTION)]
+    commas = [row.replace(".", ",") for row in rows]
+    for lines in (rows, commas):
+        head = '"Time (s)","Acc (g)"\n'
+        assert np.array_equal(read(head + "\n".join(lines) + "\n").acceleration, plain)
+        with pytest.raises(RecordError):
+            read(head + "\n".join(lines)[:-3] + "\n")
