@@ -133,8 +133,8 @@ def sheet_of(content: bytes, asked: str | None) -> tuple[str, list[str], bool]:
             cells += len(row)
             if len(lines) >= MAX_ROWS or cells > MAX_CELLS:
                 raise RecordError("sheet_too_long", rows=MAX_ROWS)
-            lines.append("\t".join(map(_cell, row)) or EMPTY)
-        while lines and not lines[-1].strip(f"\t{EMPTY}"):
+            lines.append("\t".join(map(_cell, row)).rstrip(f"\t{EMPTY}") or EMPTY)
+        while lines and lines[-1] == EMPTY:
             lines.pop()
         return _CONTROL.sub("?", sheet.title), lines, len(sheets) > 1
     except RecordError:

@@ -28,6 +28,13 @@ _STATED = re.compile(
     rf"|\baccelerations?[ \t]++in[ \t]++{_ACCELERATION}(?![\w/])",
     re.IGNORECASE,
 )
+_PER_S2_POWER = rf"(?:cm|mm|m)(?:{_B}[·.*]?{_B}s(?:ec)?{_B}(?:\^|\*\*)?{_B}(?:-2|⁻²|\(-2\))|_s2)"
+_IN_WORDS = re.compile(
+    rf"(?<![A-Za-z0-9/])({_PER_S2}|{_PER_S2_POWER}|gals?)(?![\w/])"
+    r"|^ *(?:s|sec) *[;,\t] *(g) *(?=\Z|[;,\t])", re.IGNORECASE,
+)  # fmt: skip
+"""A unit of acceleration without brackets, or a line of units `s, g`."""
+
 _VALUE = re.compile(r"[0-9]\.?[ \t]*\Z|[0-9][EeDd][+-]?[0-9]+[ \t]*\Z")
 """The end of a text that gives a number: what follows is its unit, not that of the samples."""
 
@@ -102,9 +109,9 @@ def _unit_of(word: str) -> str:
     word = re.sub(r"\s", "", word).lower()
     if word.startswith("g/"):
         raise RecordError("unit_g_tenth")
-    if word in ("g", "gal"):
+    if word in ("g", "gal", "gals"):
         return "g" if word == "g" else "cm/s2"
-    return word.split("/")[0] + "/s2"
+    return re.match("cm|mm|m", word)[0] + "/s2"
 
 
 def head_lines(head: str) -> list[str]:
@@ -120,12 +127,18 @@ def stated_unit(head: str) -> str | None:
     are stated, nobody knows which holds. Raises RecordError then, and for g/10."""
     units: dict[str, str] = {}
     beside: dict[str, str] = {}
+    in_words: dict[str, str] = {}
     for line in head_lines(head):
         for match in _STATED.finditer(line):
             unit = _unit_of(next(group for group in match.groups() if group))
             value = _VALUE.search(line[max(0, match.start() - 40) : match.start()])
             of_one = value or (_LABEL.search(line) and _NUMBER_AFTER.match(line, match.end()))
             (beside if of_one or _LABEL.search(line) else units).setdefault(unit, line)
+        if not units and not _LABEL.search(line):
+            for match in _IN_WORDS.finditer(line):
+                if not _VALUE.search(line[max(0, match.start() - 40) : match.start()]):
+                    in_words.setdefault(_unit_of(match[1] or match[2]), line)
+    units = units or in_words
     clash = [
         *units.items(),
         *((unit, line) for unit, line in beside.items() if units and unit not in units),

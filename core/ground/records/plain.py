@@ -106,7 +106,7 @@ def read(lines: list[str], options: Options) -> Parsed:
             row = _row(text)
         except RecordError as error:
             raise error.at(place("line", n=k)) from None
-        if row is None and _NO_NUMBER.fullmatch(text):
+        if row is None and (_NO_NUMBER.fullmatch(text) or (rows and text == EMPTY)):
             raise RecordError("gap", text=quoted(text), place=(place("line", n=k),))
         if row and not (not rows and all(map(math.isnan, row))):
             rows.append(row)

@@ -17,22 +17,22 @@ from core.ground.records.grammar import (
 _NUMBER = rf"([0-9]+,[0-9]+|{NUMBER})"
 _STEP = re.compile(
     r"\b(?:dt|time step|(?:time|sampling) interval|sampling period|passo(?: temporale| di campionamento)?)\b"
-    rf"[ \t]*[(\[]?(ms|s|sec)?[)\]]?[ \t]*[:=]?[ \t]*{_NUMBER}[ \t]*(ms\b)?", re.IGNORECASE,
+    rf"[ \t]*+[(\[]?(ms|s|sec)?[)\]]?[ \t]*+[:=]?[ \t]*+{_NUMBER}[ \t]*+(ms\b)?", re.IGNORECASE,
 )  # fmt: skip
 _RATE = re.compile(
     r"\b(?:sampl\w{0,6} (?:rate|freq\w{0,6})|frequenza di campionamento)\b[^0-9\n]{0,20}"
-    rf"{_NUMBER}[ \t]*(?:hz|sps)\b", re.IGNORECASE,
+    rf"{_NUMBER}[ \t]*+(?:hz|sps)\b", re.IGNORECASE,
 )  # fmt: skip
 _COUNT = re.compile(
-    r"\b(?:npts\b[ \t]*[:=]?|(?:n(?:umber|o\.|r\.)? of (?:points|samples|data)|numero (?:di )?(?:campioni|punti|dati))"
-    r"[ \t]*[:=])[ \t]*([0-9]{1,18})(?![\w.,])", re.IGNORECASE,
+    r"\b(?:npts\b[ \t]*+[:=]?|(?:n(?:umber|o\.|r\.)? of (?:points|samples|data)|numero (?:di )?(?:campioni|punti|dati))"
+    r"[ \t]*+[:=])[ \t]*+([0-9]{1,18})(?![\w.,])", re.IGNORECASE,
 )  # fmt: skip
 _TIME_UNIT = re.compile(
-    r"\b(?:time|tempo|t)[ \t]*[(\[][ \t]*(ms|msec|min)[ \t]*[)\]]", re.IGNORECASE
+    r"\b(?:time|tempo|t)[ \t]*+[(\[][ \t]*+(ms|msec|min)[ \t]*+[)\]]", re.IGNORECASE
 )
 _UNIT_NOT_READ = re.compile(
-    r"[(\[][ \t]*((?:ft|in|dm|um|µm|nm)/s(?:ec)?(?:/s(?:ec)?|\^?[2²])|m(?:illi-?)?g|%[ \t]*g|(?:raw )?counts?|volts?"
-    r"|mV)[ \t]*[)\]]|^#?[ \t]*(?:units?[ \t]*[:=][ \t]*)?((?:raw )?counts)[ \t]*$", re.IGNORECASE,
+    r"[(\[][ \t]*+((?:ft|in|dm|um|µm|nm)/s(?:ec)?(?:/s(?:ec)?|\^?[2²])|m(?:illi-?)?g|%[ \t]*+g|(?:raw )?counts?|volts?"
+    r"|mV)[ \t]*+[)\]]|^#?[ \t]*+(?:units?[ \t]*+[:=][ \t]*+)?((?:raw )?counts)[ \t]*+$", re.IGNORECASE,
 )  # fmt: skip
 _COMPONENT = re.compile(r"\bcomp(?:onente?|\.)?[ \t]*[:=][ \t]*(\S{1,20})", re.IGNORECASE)
 

@@ -117,3 +117,38 @@ def test_that_fields_in_double_quotes_are_read_and_a_cut_one_is_not(read):
         assert np.array_equal(read(head + "\n".join(lines) + "\n").acceleration, plain)
         with pytest.raises(RecordError):
             read(head + "\n".join(lines)[:-3] + "\n")
+
+
+@pytest.mark.parametrize(
+    ("head", "unit"),
+    [("Time s,Acc m/s2", "m/s2"), ("Time_s,Acc_cm/s2", "cm/s2"), ("time;acc_cm_s2", "cm/s2"),
+     ("time;acc [m s-2]", "m/s2"), ("t  a m·s⁻²", "m/s2"), ("acceleration, mm/s²", "mm/s2"),
+     ("values in m/s^2", "m/s2"), ("Acc. gal", "cm/s2"),
+     ("Time,Acc\ns,g", "g"), ("Time;Acc\ns;m/s2", "m/s2")],
+)  # fmt: skip
+def test_that_a_unit_in_words_is_that_of_the_samples(read, head, unit):
+    other = "g" if unit != "g" else "cm/s2"
+    assert read(f"{head}\n{two()}").unit == unit
+    with pytest.raises(RecordError, match=f"states unit {unit}, the case gives {other}"):
+        read(f"{head}\n{two()}", unit=other)
+
+
+@pytest.mark.parametrize(
+    "head", ["g = 9.81 m/s2", "PGA 3.2 m/s2", "peak acceleration, cm/s2: 310", "Galileo station"]
+)
+def test_that_the_unit_of_a_value_is_not_taken(read, head):
+    with pytest.raises(RecordError, match="does not state its unit"):
+        read(f"{head}\n{two()}")
+
+
+@pytest.mark.parametrize(
+    "word", ["dt", "time step (", "npts", "number of points", "sampling rate", "t", "Acc m", "comp"]
+)
+def test_that_a_head_of_blanks_takes_linear_time(word):
+    head = "\n".join([(word + " " * 19_000) + "x"] * 20)
+    (
+        plain_head.time_step(head),
+        plain_head.seconds_of_time(head),
+        plain_head.agrees_with_count(head, 40),
+    )
+    plain_head.refuse_unit_not_read(head), plain_head.vertical(head, 2, 2)
