@@ -54,6 +54,12 @@ def main(arguments: list[str] | None = None) -> int:
         parser().error(terminal("--report goes with --batch"))
     if not options.study and (options.quick or options.records):
         parser().error(terminal("--quick and --records go with --study"))
+    if (
+        options.batch or options.study or options.inspect
+    ):  # without a window nothing is said in a dialog
+        sys.stdout, sys.stderr = (
+            stream or open(os.devnull, "w") for stream in (sys.stdout, sys.stderr)
+        )
     try:
         if options.version:
             from core.version import NAME, VERSION, commit

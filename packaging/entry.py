@@ -4,6 +4,8 @@ build (packaging/smoke.py)."""
 import os
 import sys
 
+if sys.platform.startswith("linux"):  # plugins of the desktop's own Qt are of another build
+    os.environ.pop("QT_PLUGIN_PATH", None)
 if "RIBALTA_SECOND_PROCESS" in os.environ:
     from core.study import precompile
 

@@ -6,6 +6,7 @@ checked against a hash before numba may load it. RIBALTA_CACHE names another fol
 """
 
 import atexit
+import contextlib
 import functools
 import hashlib
 import json
@@ -164,7 +165,14 @@ def folder() -> Path:
     place = prepare(base, name())
     if (place / TRIAL).exists():
         return prepare(base, f"{name()}-own")
-    begin_trial(place, shipped.whole_files(shipped.level()))
+    files = shipped.whole_files(shipped.level())
+    try:
+        begin_trial(place, files)
+    except OSError:  # no room for it there
+        shutil.rmtree(place, ignore_errors=True)
+        place = Path(tempfile.mkdtemp(prefix=TEMPORARY))
+        with contextlib.suppress(OSError):
+            begin_trial(place, files)
     return place
 
 
@@ -176,17 +184,14 @@ _trials: list[Path] = []
 
 
 def begin_trial(folder: Path, files: dict[str, bytes]) -> None:
-    """Copy shipped machine code into a folder that has none yet."""
+    """Copy shipped machine code into a folder that has none yet. Raises OSError."""
     if not files or (folder / MANIFEST).exists():
         return
-    try:
-        (folder / TRIAL).touch()
-        _trials.append(folder)
-        for name, content in files.items():
-            (folder / name).write_bytes(content)
-        record(folder)
-    except OSError:
-        drop_damaged(folder)
+    (folder / TRIAL).touch()
+    for name, content in files.items():
+        (folder / name).write_bytes(content)
+    record(folder)
+    _trials.append(folder)
 
 
 def on_trial() -> bool:

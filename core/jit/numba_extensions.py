@@ -1,5 +1,6 @@
 """What numba has to know of the kernels; imported with the first call of one."""
 
+import contextlib
 import gc
 import hashlib
 from pathlib import Path
@@ -82,7 +83,14 @@ def _load_overload(cached, signature, context):
         return cached._load_overload(signature, context)
 
 
+def _save_overload(cached, signature, compiled):
+    """A full disk must not end a run: what was compiled is of this process alone then."""
+    with contextlib.suppress(OSError):
+        cached._save_overload(signature, compiled)
+
+
 Cache.load_overload = _load_overload  # type: ignore[method-assign]
+Cache.save_overload = _save_overload  # type: ignore[method-assign]
 
 
 @typeof_impl.register(Kernel)

@@ -376,3 +376,12 @@ def test_that_a_second_batch_on_the_same_output_is_refused(case, tmp_path, capsy
     assert call("--batch", case, "--output", tmp_path / "out", "--quiet") == 1
     assert "another batch is writing" in capsys.readouterr().err
     held.close()
+
+
+def test_that_a_batch_without_any_stream_says_nothing_and_opens_no_dialog(tmp_path, monkeypatch):
+    for name in ("stdin", "stdout", "stderr"):
+        monkeypatch.setattr(sys, name, None)
+    monkeypatch.setitem(sys.modules, "app.start", None)  # an import of it raises
+    assert call("--batch", ROOT / "resources" / "cases" / "verdict.toml", "--output", tmp_path) == 0
+    assert call("--batch", tmp_path / "missing.toml") == 1
+    assert (tmp_path / "verdict.xlsx").exists()

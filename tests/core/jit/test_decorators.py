@@ -58,3 +58,18 @@ def test_that_kernels_of_kernels_run_as_python_when_python_calls_them():
     assert half("a") == "python"
     assert quarter(8.0) == 2.0
     assert three_quarters(8.0) == 6.0
+
+
+def test_that_a_kernel_runs_where_its_machine_code_cannot_be_saved(monkeypatch):
+    from numba.core import caching
+
+    def no_room(*arguments):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(caching.IndexDataCacheFile, "save", no_room)
+
+    @decorators.kernel
+    def doubled(x):
+        return 2.0 * x
+
+    assert doubled(21.0) == 42.0

@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import shutil
 
 import pytest
 
@@ -97,3 +98,19 @@ def test_that_machine_code_that_failed_or_ended_its_trial_badly_is_not_used_agai
     assert (
         other.name == folder.name + "-own" and not any(other.glob("*.nb*")) and not cache.on_trial()
     )
+
+
+def test_that_a_cache_without_room_leaves_a_folder_of_the_process(level, monkeypatch):
+    write, failed = type(level).write_bytes, []
+
+    def no_room_at_first(path, content):
+        if path.name == "a.1.nbc" and not failed:
+            failed.append(path.parent)
+            raise OSError(28, "No space left on device")
+        return write(path, content)
+
+    monkeypatch.setattr(type(level), "write_bytes", no_room_at_first)
+    folder = started(level / "user", monkeypatch)
+    assert folder.name.startswith(cache.TEMPORARY) and not failed[0].exists()
+    assert cache.on_trial() and {name: (folder / name).read_bytes() for name in FILES} == FILES
+    shutil.rmtree(folder)
