@@ -54,12 +54,10 @@ def main(arguments: list[str] | None = None) -> int:
         parser().error(terminal("--report goes with --batch"))
     if not options.study and (options.quick or options.records):
         parser().error(terminal("--quick and --records go with --study"))
-    if (
-        options.batch or options.study or options.inspect
-    ):  # without a window nothing is said in a dialog
-        sys.stdout, sys.stderr = (
-            stream or open(os.devnull, "w") for stream in (sys.stdout, sys.stderr)
-        )
+    windowless = options.batch or options.study or options.inspect  # nothing is said in a dialog
+    if windowless and not (sys.stdout and sys.stderr):
+        nowhere = open(os.devnull, "w")  # noqa: SIM115
+        sys.stdout, sys.stderr = sys.stdout or nowhere, sys.stderr or nowhere
     try:
         if options.version:
             from core.version import NAME, VERSION, commit

@@ -384,4 +384,5 @@ def test_that_a_batch_without_any_stream_says_nothing_and_opens_no_dialog(tmp_pa
     monkeypatch.setitem(sys.modules, "app.start", None)  # an import of it raises
     assert call("--batch", ROOT / "resources" / "cases" / "verdict.toml", "--output", tmp_path) == 0
     assert call("--batch", tmp_path / "missing.toml") == 1
+    sys.stderr.close()
     assert (tmp_path / "verdict.xlsx").exists()
