@@ -11,6 +11,7 @@ from pathlib import Path
 from app.command_line import parser
 from app.language import quoted_from_file, set_language, system_language, terminal
 from core.errors import InputError
+from core.jit import trial
 
 
 def window(case: Path | None) -> int:
@@ -25,6 +26,12 @@ def window(case: Path | None) -> int:
     if case is not None and not case.exists():
         raise InputError("no_case_file", place=(case,))
     return qt.main(case)
+
+
+def _machine_code_is_right() -> bool:
+    from core.study.self_test import numbers_are_right
+
+    return numbers_are_right()
 
 
 def tell(text: str) -> None:
@@ -42,6 +49,7 @@ def main(arguments: list[str] | None = None) -> int:
     with contextlib.suppress(OSError, AttributeError, RuntimeError):  # no stderr: ribaltaw, a test
         faulthandler.enable()
     set_language(system_language())
+    trial.self_test[:] = [_machine_code_is_right]
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):  # a name the terminal cannot show must not end a run
             stream.reconfigure(errors="replace")

@@ -57,6 +57,7 @@ def main(folder: str) -> int:
     from PySide6.QtCore import QTimer
     from PySide6.QtWidgets import QApplication
 
+    from app import __main__ as program
     from app import start
 
     show, times = start.show, {}
@@ -74,4 +75,4 @@ def main(folder: str) -> int:
         QTimer.singleShot(0, lambda: _or_end(drive, application, window, Path(folder), times))
 
     start.show = shown
-    return start.main(Path(os.environ["RIBALTA_SMOKE_CASE"]))
+    return program.main([os.environ["RIBALTA_SMOKE_CASE"]])

@@ -11,6 +11,7 @@ import functools
 import hashlib
 import json
 import os
+import re
 import shutil
 import sys
 import tempfile
@@ -18,7 +19,7 @@ import threading
 import time
 from pathlib import Path
 
-from core.jit import shipped
+from core.jit import shipped, trial
 from core.jit.shipped import MANIFEST
 from core.version import VERSION, build
 
@@ -66,7 +67,7 @@ def name() -> str:
 
 def user_folder() -> Path:
     """Folder of this user's caches, by the custom of the system."""
-    if "RIBALTA_CACHE" in os.environ:
+    if os.environ.get("RIBALTA_CACHE"):
         return Path(os.environ["RIBALTA_CACHE"])
     if sys.platform == "win32":
         return Path(os.environ.get("LOCALAPPDATA", Path.home())) / "Ribalta"
@@ -87,6 +88,16 @@ def private(folder: Path) -> bool:
     return folder.is_dir() and state.st_uid == os.getuid() and not state.st_mode & 0o022
 
 
+def _left_by_this_program(folder: Path) -> bool:
+    """Whether a folder is of a version long unused, and nothing else, by its name, its files and its time."""
+    named = re.fullmatch(r"kernels-[0-9a-f]{16}(-x86-64(-v[34])?)?(-own)?", folder.name)
+    unused = time.time() - folder.lstat().st_mtime > KEEP_SECONDS
+    return bool(named and unused and private(folder)) and all(
+        file.suffix in (".nbi", ".nbc") or file.name in (MANIFEST, trial.TRIAL)
+        for file in folder.iterdir()
+    )
+
+
 def prepare(base: Path | None, name: str) -> Path:
     """The cache folder of this name, checked; a temporary one where the user's is unwritable or not private, or the
     user has none."""
@@ -98,10 +109,10 @@ def prepare(base: Path | None, name: str) -> Path:
         if private(folder):
             tempfile.TemporaryFile(dir=folder).close()
             for old in base.glob("kernels-*"):
-                unused = time.time() - old.stat().st_mtime > KEEP_SECONDS
-                if old != folder and unused and private(old):
+                if old != folder and _left_by_this_program(old):
                     shutil.rmtree(old, ignore_errors=True)
-            drop_damaged(folder)
+            if not trial.under_way(folder):
+                drop_damaged(folder)
             return folder
     except OSError:
         pass
@@ -163,48 +174,36 @@ def folder() -> Path:
     except RuntimeError:  # no home
         base = None
     place = prepare(base, name())
-    if (place / TRIAL).exists():
+    if trial.given_up(place):
         return prepare(base, f"{name()}-own")
     files = shipped.whole_files(shipped.level())
+    if not trial.under_way(place) and (not files or (place / MANIFEST).exists()):
+        return place
+    own = place
     try:
-        begin_trial(place, files)
+        if not trial.claimed(place):
+            own = Path(tempfile.mkdtemp(prefix=TEMPORARY))
+        _begin_trial(own, place, files)
     except OSError:  # no room for it there
-        shutil.rmtree(place, ignore_errors=True)
-        place = Path(tempfile.mkdtemp(prefix=TEMPORARY))
+        shutil.rmtree(own, ignore_errors=True)
+        own = Path(tempfile.mkdtemp(prefix=TEMPORARY))
         with contextlib.suppress(OSError):
-            begin_trial(place, files)
-    return place
+            _begin_trial(own, own, files)
+    return own
 
 
-TRIAL = "trial"
-"""File in a folder whose shipped machine code has not proved right yet."""
-
-_trials: list[Path] = []
-"""The folder on trial, begun by this process."""
-
-
-def begin_trial(folder: Path, files: dict[str, bytes]) -> None:
-    """Copy shipped machine code into a folder that has none yet. Raises OSError."""
-    if not files or (folder / MANIFEST).exists():
-        return
-    (folder / TRIAL).touch()
+def _begin_trial(folder: Path, listed_in: Path, files: dict[str, bytes]) -> None:
+    """Copy shipped machine code into a folder. Raises OSError."""
+    trial.begin(folder, listed_in)
     for name, content in files.items():
         (folder / name).write_bytes(content)
     record(folder)
-    _trials.append(folder)
 
 
-def on_trial() -> bool:
-    """Whether shipped machine code has yet to show that its numbers are right."""
-    return bool(folder() and _trials)
-
-
-def end_trial(right: bool) -> None:
-    """After the self-test: keep the machine code, or have the next start compile its own."""
-    for place in _trials:
-        if right:
-            (place / TRIAL).unlink(missing_ok=True)
-    _trials.clear()
+def proven() -> None:
+    """Before a kernel is used: machine code that was shipped has passed its trial. Raises InputError."""
+    folder()
+    trial.pass_it()
 
 
 LANES_FILE = "*.one_pass-*.nbc"
@@ -221,10 +220,10 @@ def close() -> None:
     if SECOND_PROCESS in os.environ or not folder.is_made():
         return
     record(folder())
-    if (
-        folder().name.startswith(TEMPORARY) or _trials
-    ):  # ended before its trial: another one next time
+    if folder().name.startswith(TEMPORARY):
         shutil.rmtree(folder(), ignore_errors=True)
+    for untried in trial.withdraw():
+        shutil.rmtree(untried, ignore_errors=True)
 
 
 def configure_numba() -> None:

@@ -11,6 +11,7 @@ __all__ = ["Kernel", "inner_kernel", "kernel", "subkernel", "widest_vectors"]
 
 def _compiled(function, inlined: bool, python_wrapper: bool):
     cache.configure_numba()
+    cache.proven()
     from core.jit.numba_extensions import compiled
 
     return compiled(function, inlined, python_wrapper)

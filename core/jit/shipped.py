@@ -45,9 +45,9 @@ def whole_files(name: str) -> dict[str, bytes]:
     if not name or FORCED_LEVEL in os.environ:
         return {}
     try:
-        manifest = json.loads((folder / MANIFEST).read_bytes())
+        manifest = dict(json.loads((folder / MANIFEST).read_bytes()))
         files = {file: (folder / file).read_bytes() for file in manifest}
-    except (OSError, ValueError):
+    except (OSError, ValueError, TypeError, RecursionError):
         return {}
     same = all(
         hashlib.sha256(files[file]).hexdigest() == digest for file, digest in manifest.items()

@@ -28,7 +28,6 @@ from core.study.journal import Journal, Memory
 from core.study.limit_states import demands_of, unsaid, zetas
 from core.study.record_input import read_records
 from core.study.results import StudyResult, WallResult
-from core.study.self_test import try_machine_code
 from core.study.threads import Threads
 from core.study.wall_result import run_result, wall_result, with_variants_alone, with_weakest_hinge
 from core.version import VERSION
@@ -55,7 +54,7 @@ def run(
     Raises InputError for what the user can mend, Cancelled when cancelled() is true.
     """
     started = datetime.datetime.now(datetime.UTC)
-    try_machine_code()
+    cache.proven()
     demand = demand_of(case, base_dir)
     motions, kinds = read_records(case, base_dir)
     made = generated(case, demand) if demand else []
@@ -181,7 +180,7 @@ def accuracy_of(wall: WallResult, motions, method, search, cancelled) -> Accurac
 
 def warm(case: Case, motion: GroundMotion) -> None:
     """Make the kernels of a case ready: a few analyses of its first wall."""
-    try_machine_code()
+    cache.proven()
     wall = case.wall[0]
     model = _model(wall, wall.mechanisms()[0])
     method = METHODS.get(case.analysis.method, AUTO)

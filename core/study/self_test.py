@@ -5,9 +5,7 @@ import math
 import numpy as np
 
 from core.capacity.ida import Search, incremental_dynamic_analysis, multiplier_of, threshold_of
-from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
-from core.jit import cache
 from core.rocking.history import history
 from core.rocking.methods import METHODS
 from core.version import build
@@ -38,12 +36,6 @@ def numbers() -> list[str]:
     return [float(value).hex() for value in found]
 
 
-def try_machine_code() -> None:
-    """Where machine code shipped with the program was copied for this user and not tried: it gives the numbers of the
-    machine it was made on, or is not used. Raises InputError then: what is loaded cannot be unloaded."""
-    if not cache.on_trial():
-        return
-    right = numbers() == build().get("self_test")
-    cache.end_trial(right)
-    if not right:
-        raise InputError("machine_code_differs")
+def numbers_are_right() -> bool:
+    """Whether they are those of the machine this program was built on."""
+    return numbers() == build().get("self_test")

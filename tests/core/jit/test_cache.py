@@ -128,3 +128,29 @@ def test_that_kernels_are_kept_in_the_cache_whoever_imported_numba_first(tmp_pat
     subprocess.run([sys.executable, "-P", "-c", script], check=True, env=dict(
         os.environ, PYTHONPATH=str(ROOT), RIBALTA_CACHE=str(tmp_path)))  # fmt: skip
     assert list(tmp_path.glob("kernels-*/*.nbc"))
+
+
+def test_that_only_old_folders_of_this_program_are_deleted(tmp_path):
+    """RIBALTA_CACHE may name a folder that holds other things."""
+    files = {
+        "kernels-0123456789abcdef/a.nbi": True,
+        "kernels-0123456789abcdef-x86-64-v3-own/manifest.json": True,
+        "kernels-0123456789abcde0/photos.zip": False,
+        "kernels-of-linux/vmlinuz": False,
+        "kernels-mine/manifest.json": False,
+    }
+    for name in files:
+        (tmp_path / name).parent.mkdir(mode=0o700)
+        (tmp_path / name).write_bytes(b"x")
+        os.utime((tmp_path / name).parent, (1e9, 1e9))
+    (tmp_path / "kernels-0123456789abcde1").write_bytes(b"a file of this name")
+    os.utime(tmp_path / "kernels-0123456789abcde1", (1e9, 1e9))
+    cache.prepare(tmp_path, "fedcba9876543210")
+    assert {name: not (tmp_path / name).exists() for name in files} == files
+    assert (tmp_path / "kernels-0123456789abcde1").exists()
+    assert (tmp_path / "kernels-fedcba9876543210").is_dir()
+
+
+def test_that_an_empty_variable_names_no_folder(monkeypatch):
+    monkeypatch.setenv("RIBALTA_CACHE", "")
+    assert cache.user_folder().is_absolute()
