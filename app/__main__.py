@@ -16,6 +16,11 @@ from core.jit import trial
 
 def window(case: Path | None) -> int:
     """The window, imported here so that nothing else needs Qt. Raises InputError where Qt cannot start."""
+    if sys.platform.startswith("linux"):  # Qt would end the process
+        displays = {"": {"DISPLAY", "WAYLAND_DISPLAY"}, "xcb": {"DISPLAY"}}
+        needed = displays.get(os.environ.get("QT_QPA_PLATFORM", ""))
+        if needed and not any(map(os.environ.get, needed)):
+            raise InputError("no_display")
     try:
         from app.quick_imports import quicken
 

@@ -8,7 +8,15 @@ import sys
 import tempfile
 from pathlib import Path
 
-from PySide6.QtCore import QLibraryInfo, QSettings, QStandardPaths, QTimer, QTranslator
+from PySide6.QtCore import (
+    QEvent,
+    QLibraryInfo,
+    QObject,
+    QSettings,
+    QStandardPaths,
+    QTimer,
+    QTranslator,
+)
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication, QMessageBox
 
@@ -99,6 +107,20 @@ def logged_crash(folder: Path):
     Path(log.name).unlink(missing_ok=True)
 
 
+class FileOpener(QObject):
+    """Opens in the window what the system asks the application to open: on macOS a double click on a case."""
+
+    def __init__(self, window: MainWindow):
+        super().__init__(window)
+        self.window = window
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() != QEvent.Type.FileOpen:
+            return False
+        self.window.files.open(Path(event.file()))
+        return True
+
+
 def make(arguments: list[str] | None = None) -> tuple[QApplication, MainWindow]:
     """The application and its window, not shown yet."""
     application = QApplication.instance() or QApplication(arguments or sys.argv[:1])
@@ -131,6 +153,7 @@ def main(path: Path | None) -> int:
     """Show the window, on this case or the example; returns its exit code."""
     application, window = make()
     install_hook(window)
+    application.installEventFilter(FileOpener(window))
     show(window)
     if path is not None:
         window.files.open(path)

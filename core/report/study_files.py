@@ -6,6 +6,7 @@ import json
 import math
 from dataclasses import asdict
 
+from core.report.drawing import style
 from core.report.json_report import record_measures
 from core.study.figures import DASHED, LINE, LINE_POINTS, POINTS, Figure, StudyReport, marker_of
 from core.study.parametric import ParametricResult
@@ -152,12 +153,9 @@ def _finite(row: tuple) -> list:
 
 def figure_files(figure: Figure) -> dict[str, bytes]:
     """PNG and SVG of a figure, by the name of the file."""
-    import matplotlib as mpl
+    from matplotlib.figure import Figure as Canvas
 
-    mpl.use("Agg")
-    from matplotlib import pyplot
-
-    style: dict = {
+    look: dict = {
         "font.size": 9,
         "font.family": "DejaVu Sans",
         "svg.hashsalt": "ribalta",
@@ -169,8 +167,9 @@ def figure_files(figure: Figure) -> dict[str, bytes]:
         "text.parse_math": False,
     }
     files = {}
-    with mpl.rc_context(style):
-        drawn, axes = pyplot.subplots(figsize=(7.2, 4.6), layout="constrained")
+    with style(look):
+        drawn = Canvas(figsize=(7.2, 4.6), layout="constrained")
+        axes = drawn.subplots()
         for k, series in enumerate(figure.series):
             color = PALETTE[series.color % len(PALETTE)]
             marker = MARKERS[marker_of(figure, k) % len(MARKERS)]
@@ -207,7 +206,6 @@ def figure_files(figure: Figure) -> dict[str, bytes]:
                 stream, format=end, dpi=DPI, metadata={"Date": None} if end == "svg" else None
             )
             files[f"{figure.key}.{end}"] = stream.getvalue()
-        pyplot.close(drawn)
     return files
 
 

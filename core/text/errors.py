@@ -374,6 +374,12 @@ CASE_ERRORS = {
         "la finestra richiede PySide6 e pyqtgraph, e in Linux libgl1, libegl1 e libxkbcommon0 ({reason}); "
         "avviarla con python3 run.py, o calcolare un caso con --batch",
     ),
+    "no_display": (
+        "there is no display for the window: start it in a desktop session (or with ssh -X), or run a case with "
+        "--batch",
+        "non c'è uno schermo per la finestra: avviarla in una sessione grafica (o con ssh -X), o calcolare un caso con "
+        "--batch",
+    ),
     "note_is_docx": (
         "{path} is no Word document: name a file that ends in .docx",
         "{path} non è un documento Word: indicare un file che termina in .docx",

@@ -85,3 +85,31 @@ def test_that_a_case_of_the_own_extension_opens_saves_and_runs_as_batch(
     from app.__main__ import main
 
     assert main(["--batch", str(path), "--quiet"]) == 0 and path.with_suffix(".json").exists()
+
+
+def test_that_a_file_the_system_asks_to_open_opens(opened, application, tmp_path):
+    from PySide6.QtGui import QFileOpenEvent
+
+    from app import start
+
+    path = tmp_path / "wall of the client.ribalta"
+    path.write_text(start.EXAMPLE.read_text().replace('"../', f'"{ROOT.as_posix()}/resources/'))
+    opener = start.FileOpener(opened)
+    application.installEventFilter(opener)
+    application.sendEvent(application, QFileOpenEvent(str(path)))
+    application.removeEventFilter(opener)
+    assert opened.session.path == path
+
+
+@pytest.mark.parametrize(("platform", "displays"), [("", {}), ("xcb", {"WAYLAND_DISPLAY": "w"})])
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="displays are of Linux")
+def test_that_no_display_is_said_in_a_sentence(platform, displays):
+    screens = ("DISPLAY", "WAYLAND_DISPLAY")
+    none = {key: value for key, value in os.environ.items() if key not in screens}
+    words = subprocess.run(
+        [sys.executable, "-P", "-m", "app"], capture_output=True, text=True,
+        env=none | displays | {"PYTHONPATH": str(ROOT), "QT_QPA_PLATFORM": platform, "LC_ALL": "C"},
+    )  # fmt: skip
+    assert words.returncode == 1
+    assert words.stderr.startswith("error: there is no display for the window")
+    assert words.stderr.count("\n") == 1

@@ -6,6 +6,7 @@ python-docx, because a docx is what an office edits; matplotlib draws the figure
 import io
 
 from core.errors import OutputError
+from core.report.drawing import style
 from core.report.note.parts import (
     Blanks,
     Box,
@@ -50,9 +51,7 @@ def check_packages() -> None:
     """Raise OutputError where python-docx or matplotlib is missing."""
     try:
         import docx  # noqa: F401
-        import matplotlib
-
-        matplotlib.use("Agg")
+        import matplotlib  # noqa: F401
     except ImportError as error:
         raise OutputError("report_needs_packages", reason=str(error)) from None
 
@@ -186,6 +185,11 @@ class _Writer:
 
 def picture(figure: Figure, words: Words, width: float = 8.2, height: float = 6.6) -> bytes:
     """A figure as PNG at 300 dpi; width, height [cm]."""
+    with style({}):
+        return _drawn(figure, words, width, height)
+
+
+def _drawn(figure: Figure, words: Words, width: float, height: float) -> bytes:
     from matplotlib.figure import Figure as Canvas
     from matplotlib.ticker import FuncFormatter
 

@@ -1,0 +1,30 @@
+"""A matplotlibrc of the user or of the folder changes no figure that leaves the program."""
+
+import pytest
+
+from core.report import study_files
+from core.report.note import document
+from core.report.note.parts import Curve, Figure
+from core.report.note.words import Words
+from core.study import figures
+
+mpl = pytest.importorskip("matplotlib")
+
+OF_A_USER = {"lines.linewidth": 9, "axes.facecolor": "red", "savefig.dpi": 30, "font.size": 20}
+
+
+def test_that_the_settings_of_a_user_change_no_figure():
+    series = tuple(
+        figures.Series(look, (1.0, 2.0, 3.0), (1.0, 2.0, 4.0), look, k)
+        for k, look in enumerate((figures.POINTS, figures.LINE, figures.DASHED))
+    )
+    of_study = figures.Figure("key", "title", "x", "y", series)
+    of_note = Figure("caption", [Curve("", [0.0, 1.0], [0.0, 2.0], "ink")], x="x", y="y")
+
+    def drawn():
+        return study_files.figure_files(of_study), document.picture(of_note, Words("en"))
+
+    plain = drawn()
+    with mpl.rc_context(OF_A_USER):
+        assert drawn() == plain
+        assert mpl.rcParams["lines.linewidth"] == 9
