@@ -34,19 +34,42 @@ the same major and minor version and put its libraries in the place of those in 
 made again, and none checks them. Nothing in the terms of Ribalta forbids to modify these libraries for
 your own use or to reverse engineer for debugging such modifications.
 
+The other libraries of Linux are those of their Debian packages and wheels, without their symbols.
+
 What Qt itself contains of others, with its licences: doc.qt.io/qt-6/licenses-used-in-qt.html
 """
 
 
+COMMON = Path("/usr/share/common-licenses")
+"""Texts that copyright files of Debian refer to."""
+
+
 @dataclass
 class Part:
-    """What was packed of one project: licence as it states it, files of licence texts."""
+    """What was packed of one project: licence as it states it, files of licence texts; `inside`, (name, version,
+    licence) of what its files contain of others' libraries, beside what their texts say of it."""
 
     name: str
     version: str
     purl: str
     licence: str
     texts: list[Path] = field(default_factory=list)
+    inside: list[tuple[str, str, str]] = field(default_factory=list)
+
+
+def _inside(name: str, version: str) -> list[tuple[str, str, str]]:
+    if name in ("numpy", "scipy"):
+        built = importlib.import_module(f"{name}.__config__").CONFIG["Build Dependencies"]["blas"]
+        return [("OpenBLAS", built["version"], "BSD-3-Clause")]
+    if name == "llvmlite":
+        from llvmlite.binding import llvm_version_info
+
+        return [("LLVM", ".".join(map(str, llvm_version_info)), "Apache-2.0 WITH LLVM-exception")]
+    if name == "PySide6_Essentials":
+        files = [file.name for file in importlib.metadata.files(name) or ()]
+        icu = next((file.rsplit(".", 1)[1] for file in files if "icudata.so." in file), None)
+        return [("Qt", version, "LGPL-3.0-only")] + ([("ICU", icu, "Unicode-DFS-2016")] if icu else [])
+    return []
 
 
 def _of_distribution(name: str) -> Part:
@@ -72,7 +95,14 @@ def _of_distribution(name: str) -> Part:
         f"pkg:pypi/{name.lower().replace('_', '-')}@{found.version}",
         stated,
         texts,
+        _inside(name, found.version),
     )
+
+
+def _stated(text: str) -> str:
+    """The licences that a copyright file of Debian names, in its machine-readable form."""
+    names = re.findall(r"^License: *(\S.*)$", text, re.MULTILINE)
+    return "; ".join(dict.fromkeys(names)) or "see its text"
 
 
 def of_system(file: Path) -> Part:
@@ -87,13 +117,10 @@ def of_system(file: Path) -> Part:
             version = subprocess.run(["dpkg-query", "-W", "-f", "${Version}", name],
                                      check=True, capture_output=True, text=True).stdout  # fmt: skip
             text = Path("/usr/share/doc") / name / "copyright"
-            return Part(
-                name,
-                version,
-                f"pkg:deb/debian/{name}@{version}",
-                "",
-                [text] if text.exists() else [],
-            )
+            purl = f"pkg:deb/debian/{name}@{version}"
+            if not text.exists():
+                return Part(name, version, purl, "")
+            return Part(name, version, purl, _stated(text.read_text(encoding="utf-8")), [text])
     return Part(file.name, "", f"pkg:generic/{file.name}", "")
 
 
@@ -135,8 +162,22 @@ def parts(work: Path) -> list[Part]:
 
 
 def _component(part: Part) -> dict:
-    about = {"type": "library", "name": part.name, "version": part.version, "purl": part.purl}
-    return about | ({"licenses": [{"license": {"name": part.licence}}]} if part.licence else {})
+    def about(name: str, version: str, licence: str) -> dict:
+        return {"type": "library", "name": name, "version": version,
+                "licenses": [{"license": {"name": licence or "see its text"}}]}  # fmt: skip
+
+    inside = [about(*other) for other in part.inside]
+    component = about(part.name, part.version, part.licence) | {"purl": part.purl}
+    return component | ({"components": inside} if inside else {})
+
+
+def _copy_common(text: Path, target: Path) -> None:
+    """Copy the texts that a copyright file of Debian refers to."""
+    content = text.read_text(encoding="utf-8")
+    for name in re.findall(rf"{COMMON}/([A-Za-z0-9]+(?:-\d+(?:\.\d+)?)?)", content):
+        if (COMMON / name).exists():
+            target.mkdir(exist_ok=True)
+            shutil.copyfile(COMMON / name, target / name)
 
 
 def gather(work: Path, target: Path, version: str, qt_place: str) -> list[Part]:
@@ -154,6 +195,8 @@ def gather(work: Path, target: Path, version: str, qt_place: str) -> list[Part]:
             if place.exists():  # several of one name, in folders of their own
                 place = folder / f"{text.parent.name}-{text.name}"
             shutil.copyfile(text, place)
+            if part.purl.startswith("pkg:deb/"):
+                _copy_common(text, target / COMMON.name)
         if not part.texts:
             (folder / "LICENCE.txt").write_text(f"{part.name} states: {part.licence}\n")
     qt = importlib.metadata.version("PySide6-Essentials")

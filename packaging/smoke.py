@@ -262,8 +262,39 @@ def no_network(program: Path, folder: Path) -> None:
     print("with the network denied: batch and window")
 
 
+def closed_streams(program: Path, folder: Path) -> None:
+    """As a service or a launcher starts it: none of the three streams is open."""
+    if os.name == "nt":
+        print("not tried here: closed streams (they need a shell of Linux or macOS)")
+        return
+    case = next(case for case in CASES if case.stem == "verdict")
+    right = batch(program, case, folder / "open", variables(folder))[0]
+    before = ("sh", "-c", 'exec "$@" <&- >&- 2>&-', "sh")
+    assert batch(program, case, folder / "closed", variables(folder), before)[0] == right
+    print("with its streams closed: the same results")
+
+
+def full_cache(program: Path, folder: Path) -> None:
+    """A cache on a disk that is full after a few files."""
+    full = folder / "full"
+    full.mkdir()
+    mount = ("mount", "-t", "tmpfs", "-o", "size=256k", "tmpfs", full)
+    if not shutil.which("mount") or subprocess.run(mount, capture_output=True).returncode:
+        print("not tried here: a full disk (needs Linux and the right to mount one)")
+        return
+    case = next(case for case in CASES if case.stem == "verdict")
+    try:
+        mine = variables(folder, RIBALTA_CACHE=str(full))
+        found = batch(program, case, folder / "of_full", mine)[0]
+    finally:
+        subprocess.run(["umount", full], check=True)
+    assert found == batch(program, case, folder / "of_whole", variables(folder))[0]
+    print("with a full cache: the same results")
+
+
 TRIALS = (
     first_start, same_as_the_source, inspection, other_products, the_window, crash_log, upgrade, elsewhere, no_network,
+    closed_streams, full_cache,
 )  # fmt: skip
 
 

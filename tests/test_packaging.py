@@ -14,12 +14,17 @@ from tests.conftest import ROOT
 PACKAGING = ROOT / "packaging"
 
 
+def of_packaging(name, monkeypatch):
+    spec = importlib.util.spec_from_file_location(name, PACKAGING / f"{name}.py")
+    module = importlib.util.module_from_spec(spec)
+    monkeypatch.setitem(sys.modules, name, module)
+    spec.loader.exec_module(module)
+    return module
+
+
 @pytest.fixture
 def licences(monkeypatch):
-    spec = importlib.util.spec_from_file_location("licences", PACKAGING / "licences.py")
-    module = importlib.util.module_from_spec(spec)
-    monkeypatch.setitem(sys.modules, "licences", module)
-    spec.loader.exec_module(module)
+    module = of_packaging("licences", monkeypatch)
     monkeypatch.setattr(module.importlib.metadata, "version", lambda name: "6.0")  # of Qt
     return module
 
@@ -57,6 +62,56 @@ def test_that_a_part_without_a_licence_ends_the_build(licences, tmp_path, monkey
     with pytest.raises(ValueError, match=r"libstranger\.so\.1"):
         licences.gather(tmp_path, tmp_path / "licences", "1.0", "lib")
     assert not (tmp_path / "licences").exists()
+
+
+def test_that_libraries_inside_others_are_in_the_parts_list(licences, tmp_path, monkeypatch):
+    without_starter(licences, monkeypatch)
+    packed(tmp_path)
+    licences.gather(tmp_path, tmp_path / "licences", "1.0", "lib")
+    listing = json.loads((tmp_path / "licences" / "sbom.cdx.json").read_text())
+    of_numpy = next(part for part in listing["components"] if part["name"] == "numpy")
+    assert [part["name"] for part in of_numpy["components"]] == ["OpenBLAS"]
+    assert all(part["licenses"][0]["license"]["name"] for part in listing["components"])
+
+
+DEBIAN = """Files: *
+License: LGPL-2.1+
+
+Files: tests/*
+License: Expat
+
+License: LGPL-2.1+
+ On Debian systems the text is in `{common}/LGPL-2.1'.
+ That of the Artistic licence: {common}/Artistic.
+"""
+
+
+def test_what_a_copyright_file_of_debian_names_and_refers_to(licences, tmp_path, monkeypatch):
+    common = tmp_path / "common-licenses"
+    common.mkdir()
+    for name in ("LGPL-2.1", "LGPL-2", "Artistic"):
+        (common / name).write_text(name)
+    monkeypatch.setattr(licences, "COMMON", common)
+    text = tmp_path / "copyright"
+    text.write_text(DEBIAN.format(common=common))
+    assert licences._stated(text.read_text()) == "LGPL-2.1+; Expat"
+    licences._copy_common(text, tmp_path / "copied")
+    assert {file.name for file in (tmp_path / "copied").iterdir()} == {"LGPL-2.1", "Artistic"}
+    assert licences._stated("Redistribution is permitted.") == "see its text"
+
+
+def test_that_a_library_that_nothing_packed_needs_is_left_out(monkeypatch):
+    libraries = of_packaging("libraries", monkeypatch)
+    monkeypatch.setattr(libraries, "LINUX", True)
+    links = {"qt": {"libx.so"}, "libx.so": {"liby.so"}, "libgtk.so": {"libcairo.so"}}
+    monkeypatch.setattr(libraries, "needed", lambda source: links.get(source, set()))
+    entries = [
+        ("PySide6/qt.so", "qt", "EXTENSION"), ("libx.so", "libx.so", "BINARY"), ("liby.so", "liby.so", "BINARY"),
+        ("libgtk.so", "libgtk.so", "BINARY"), ("libcairo.so", "libcairo.so", "BINARY"),
+        ("libpython3.11.so.1.0", "python", "BINARY"), ("libz.so", "numpy.libs/libz.so", "SYMLINK"),
+    ]  # fmt: skip
+    kept = [name for name, *_ in libraries.without_unneeded(entries)]
+    assert kept == ["PySide6/qt.so", "libx.so", "liby.so", "libpython3.11.so.1.0", "libz.so"]
 
 
 def test_that_the_own_extension_is_the_same_everywhere():

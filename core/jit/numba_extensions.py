@@ -84,9 +84,10 @@ def _load_overload(cached, signature, context):
 
 
 def _save_overload(cached, signature, compiled):
-    """A full disk must not end a run: what was compiled is of this process alone then."""
+    """Without the listing of the source with its types, which names folders of this machine. A full disk must not end a
+    run: what was compiled is of this process alone then."""
     with contextlib.suppress(OSError):
-        cached._save_overload(signature, compiled)
+        cached._save_overload(signature, compiled._replace(type_annotation=""))
 
 
 Cache.load_overload = _load_overload  # type: ignore[method-assign]
