@@ -77,7 +77,7 @@ types.Function.get_call_type = _once  # type: ignore[method-assign]
 
 
 def _load_overload(cached, signature, context):
-    """numba first imports what it needs to compile, a sixth of a run of one wall (resources/docs/speed.md). Machine
+    """numba first imports what it needs to compile, a seventh of a run of one wall (resources/docs/speed.md). Machine
     code from the cache needs none of it; where there is none, the compiler itself asks for it."""
     with cached._guard_against_spurious_io_errors():
         return cached._load_overload(signature, context)
