@@ -6,7 +6,8 @@ import sys
 
 if sys.platform.startswith("linux"):  # plugins of the desktop's own Qt are of another build
     os.environ.pop("QT_PLUGIN_PATH", None)
-    if os.environ.get("QT_QPA_PLATFORM") != "offscreen":  # of the platforms only these two are packed
+    # of the platforms only these two are packed
+    if os.environ.get("QT_QPA_PLATFORM") != "offscreen":
         os.environ["QT_QPA_PLATFORM"] = "xcb"
 if "RIBALTA_SECOND_PROCESS" in os.environ:
     from core.study import precompile

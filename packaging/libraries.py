@@ -29,7 +29,9 @@ def without_unneeded(entries: list[tuple]) -> list[tuple]:
     if not LINUX:
         return entries
     while True:
-        wanted = {name for _, source, kind in entries if kind != "SYMLINK" for name in needed(source)}
+        wanted = {
+            name for _, source, kind in entries if kind != "SYMLINK" for name in needed(source)
+        }
         kept = [
             entry for entry in entries
             if "/" in entry[0] or entry[2] != "BINARY" or entry[0] in wanted or entry[0].startswith("libpython")

@@ -67,8 +67,9 @@ def _inside(name: str, version: str) -> list[tuple[str, str, str]]:
         return [("LLVM", ".".join(map(str, llvm_version_info)), "Apache-2.0 WITH LLVM-exception")]
     if name == "PySide6_Essentials":
         files = [file.name for file in importlib.metadata.files(name) or ()]
-        icu = next((file.rsplit(".", 1)[1] for file in files if "icudata.so." in file), None)
-        return [("Qt", version, "LGPL-3.0-only")] + ([("ICU", icu, "Unicode-DFS-2016")] if icu else [])
+        icu = [file.rsplit(".", 1)[1] for file in files if "icudata.so." in file]
+        unicode = [("ICU", number, "Unicode-DFS-2016") for number in icu]
+        return [("Qt", version, "LGPL-3.0-only"), *unicode]
     return []
 
 

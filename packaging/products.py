@@ -124,5 +124,3 @@ def debian_package() -> Path:
         command = ["dpkg-deb", "--root-owner-group", "-Zxz", "-b", root, target]
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
     return target
-
-

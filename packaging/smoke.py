@@ -160,7 +160,9 @@ def other_products(program: Path, folder: Path) -> None:
         with zipfile.ZipFile(note) as parts:
             text = parts.read("word/document.xml").decode("utf-8")
             pictures = [parts.read(name) for name in parts.namelist() if "media/" in name]
-        version = subprocess.run([*words, "--version"], check=True, capture_output=True, text=True, env=mine)
+        version = subprocess.run(
+            [*words, "--version"], check=True, capture_output=True, text=True, env=mine
+        )
         built = version.stdout.split()[-1]  # the commit, or the version where there is none
         said.append((re.sub(rf"<[^>]*>|20\d\d-\d\d-\d\d[T ][\d:]+|{built}\w*", "", text), pictures))
     assert said[0] == said[1], "another note than the source tree's"
