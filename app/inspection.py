@@ -34,7 +34,8 @@ def _refused(path: Path, channel: str | None = None) -> int:
             return sum(_refused(path, one) for one in error.values["names"])
         if error.code == "no_unit" and _without_unit(name, path, channel):
             return 0
-        print(terminal("refused: {error}", error=described(error)), file=sys.stderr)
+        words = described(error).replace(str(path), name, 1)
+        print(terminal("refused: {error}", error=words), file=sys.stderr)
         return 1
     return 0
 

@@ -251,6 +251,20 @@ def test_that_inspect_tells_what_a_record_holds(case, capsys):
     )
 
 
+def test_that_inspect_names_the_channel_that_is_refused(tmp_path, capsys):
+    from openpyxl import Workbook
+
+    book = Workbook()
+    book.active.title = "Words"
+    book.active.append(["of", "no", "record"])
+    book.create_sheet("Empty")
+    book.save(tmp_path / "two sheets.xlsx")
+    assert call("--inspect", tmp_path / "two sheets.xlsx") == 1
+    lines = capsys.readouterr().err.splitlines()
+    for line, sheet in zip(lines, ("Words", "Empty"), strict=True):
+        assert f'two sheets.xlsx, channel = "{sheet}": ' in line
+
+
 def test_that_version_names_program_and_version(capsys):
     assert call("--version") == 0
     assert capsys.readouterr().out.startswith("Ribalta 0.")
