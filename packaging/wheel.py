@@ -31,8 +31,8 @@ def main() -> int:
     case = next(case for case in smoke.CASES if case.stem == "verdict")
     with tempfile.TemporaryDirectory(prefix="ribalta-wheel-") as name:
         folder = Path(name)
-        theirs = smoke.variables(folder, PYTHONPATH=str(ROOT))
-        source = [sys.executable, "-P", "-m", "app"]
+        theirs = smoke.variables(folder)
+        source = [sys.executable, ROOT / "run.py"]
         right = smoke.batch(source, case, folder / "source", theirs)[0]
         for kind, command, places in (
             ("uv tool install", ["uv", "tool", "install", "--quiet", "--python", sys.executable],
