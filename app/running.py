@@ -10,12 +10,15 @@ from PySide6.QtWidgets import QMainWindow, QMessageBox
 from app.language import tr
 from app.worker import Job
 
+BETWEEN_WORDS = 0.1
+"""Least time between two states of the progress bar [s]: each paints the window at once."""
+
 
 class RunningWindow(QMainWindow):
     """The part of the window that starts jobs, shows how far they are and takes what they bring."""
 
     job: Job | None = None
-    began = 0.0
+    began = told = 0.0
     closing = to_end = False
     finished_walls: list = []
     refused: tuple = (None, None)
@@ -98,12 +101,16 @@ class RunningWindow(QMainWindow):
     def _progressed(self, done: int, planned: int) -> None:
         from core.jit import cache
 
+        now = time.monotonic()
+        if done and now - self.told < BETWEEN_WORDS:  # each paints the bar at once
+            return
+        self.told = now
         if done == 0 and cache.lacks_lanes():
             self.show_word(tr("The solver is being compiled, once for each version: some seconds."))
             return
         self.bar.setRange(0, max(planned, 1))
         self.bar.setValue(done)
-        elapsed = time.monotonic() - self.began
+        elapsed = now - self.began
         left = elapsed / done * (planned - done) if done else 0.0
         self.show_word(
             tr(

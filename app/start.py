@@ -6,12 +6,12 @@ import gc
 import os
 import sys
 import tempfile
+from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import (
     QEvent,
     QLibraryInfo,
-    QObject,
     QSettings,
     QStandardPaths,
     QTimer,
@@ -107,23 +107,21 @@ def logged_crash(folder: Path):
     Path(log.name).unlink(missing_ok=True)
 
 
-class FileOpener(QObject):
+class Application(QApplication):
     """Opens in the window what the system asks the application to open: on macOS a double click on a case."""
 
-    def __init__(self, window: MainWindow):
-        super().__init__(window)
-        self.window = window
+    opens: Callable[[Path], object] | None = None
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() != QEvent.Type.FileOpen:
-            return False
-        self.window.files.open(Path(event.file()))
-        return True
+    def event(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.FileOpen and self.opens is not None:
+            self.opens(Path(event.file()))
+            return True
+        return super().event(event)
 
 
 def make(arguments: list[str] | None = None) -> tuple[QApplication, MainWindow]:
     """The application and its window, not shown yet."""
-    application = QApplication.instance() or QApplication(arguments or sys.argv[:1])
+    application = QApplication.instance() or Application(arguments or sys.argv[:1])
     application.setApplicationName(NAME)
     application.setOrganizationName(NAME)
     application.setWindowIcon(QIcon(str(ICON)))
@@ -153,7 +151,7 @@ def main(path: Path | None) -> int:
     """Show the window, on this case or the example; returns its exit code."""
     application, window = make()
     install_hook(window)
-    application.installEventFilter(FileOpener(window))
+    application.opens = window.files.open
     show(window)
     if path is not None:
         window.files.open(path)

@@ -87,18 +87,26 @@ def test_that_a_case_of_the_own_extension_opens_saves_and_runs_as_batch(
     assert main(["--batch", str(path), "--quiet"]) == 0 and path.with_suffix(".json").exists()
 
 
-def test_that_a_file_the_system_asks_to_open_opens(opened, application, tmp_path):
-    from PySide6.QtGui import QFileOpenEvent
+OPENED = """
+import sys
+from PySide6.QtGui import QFileOpenEvent
+from app import start
+application, window = start.make([])
+application.opens = window.files.open
+application.sendEvent(application, QFileOpenEvent(sys.argv[1]))
+print(window.session.path)
+"""
 
-    from app import start
 
+def test_that_a_file_the_system_asks_to_open_opens(tmp_path):
     path = tmp_path / "wall of the client.ribalta"
-    path.write_text(start.EXAMPLE.read_text().replace('"../', f'"{ROOT.as_posix()}/resources/'))
-    opener = start.FileOpener(opened)
-    application.installEventFilter(opener)
-    application.sendEvent(application, QFileOpenEvent(str(path)))
-    application.removeEventFilter(opener)
-    assert opened.session.path == path
+    example = (ROOT / "resources" / "cases" / "example.toml").read_text(encoding="utf-8")
+    path.write_text(example.replace('"../', f'"{ROOT.as_posix()}/resources/'), encoding="utf-8")
+    words = subprocess.run(
+        [sys.executable, "-P", "-c", OPENED, path], capture_output=True, text=True,
+        env=dict(os.environ, PYTHONPATH=str(ROOT), QT_QPA_PLATFORM="offscreen", HOME=str(tmp_path)),
+    )  # fmt: skip
+    assert words.stdout.strip() == str(path), words.stderr
 
 
 @pytest.mark.parametrize(("platform", "displays"), [("", {}), ("xcb", {"WAYLAND_DISPLAY": "w"})])
