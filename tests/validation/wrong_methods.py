@@ -117,7 +117,10 @@ double_crossing_missed = taylor_variant(
     first_crossing=_crossing_by_sign_change, converged_part=_whole_step
 )
 rotation_decides_at_the_end = taylor_variant(end_of_record=_rotation_decides)
-no_rest = taylor_variant(leave_impact=variant(leave_impact, stops_rocking=_never_rests))
+no_rest = variant(
+    taylor_variant(leave_impact=variant(leave_impact, stops_rocking=_never_rests)),
+    IMPACTS_PER_SAMPLE=1_000,  # of 10 000: enough to see that there is no end
+)
 kinks_ignored = variant(
     comparison.COMPARISON[False][0],
     stepped=types.SimpleNamespace(

@@ -13,7 +13,7 @@ from core.ground.response_spectrum import housner_intensity
 from core.rocking.history import history, scan
 from core.rocking.methods import METHODS
 from core.wall.rocking_model import RockingModel
-ground = np.loadtxt(sys.argv[1], delimiter=",", skiprows=1)[:350, 1].copy()
+ground = np.loadtxt(sys.argv[1], delimiter=",", skiprows=1)[:240, 1].copy()
 digest = hashlib.sha256()
 a = math.radians(6.8)
 for one, ratio, drop, d1, d2 in ((0, .97, 0, 0, 0), (1, .45, 0, 0, 0), (1, .5, 9., 0, 0),
