@@ -10,7 +10,7 @@ NAME = "Ribalta"
 
 @functools.cache
 def build() -> dict[str, str]:
-    """What packaging/build.py noted of a frozen program, `commit` and `stamp`; nothing in a source tree."""
+    """What packaging/build.py noted of a frozen program: `commit`, hashes of its sources. Nothing in a source tree."""
     try:
         return json.loads((Path(__file__).resolve().parents[1] / "build.json").read_bytes())
     except (OSError, ValueError):

@@ -52,8 +52,8 @@ def _commit() -> str:
 
 
 def make_parts() -> None:
-    """Icons, the version resource, and what the program knows of its build: commit, stamp of the sources (names the
-    folders of machine code) and the numbers of the self-test, computed here by the source tree."""
+    """Icons, the version resource, and what the program knows of its build: commit, hashes of the sources (that of
+    kernels names the folders of machine code) and the numbers of the self-test, computed here by the source tree."""
     PARTS.mkdir(parents=True, exist_ok=True)
     icon.write(PARTS)
     numbers = (*map(int, VERSION.split(".")), 0)
@@ -61,7 +61,12 @@ def make_parts() -> None:
     (PARTS / "version.txt").write_text(resource, encoding="utf-8")
     from core.study import self_test
 
-    about = {"commit": _commit(), "stamp": cache.stamp(), "self_test": self_test.numbers()}
+    about = {
+        "commit": _commit(),
+        "kernels": cache.stamp(),
+        "sources": cache.source_stamp(),
+        "self_test": self_test.numbers(),
+    }
     (PARTS / "build.json").write_text(json.dumps(about), encoding="ascii")
 
 

@@ -27,6 +27,8 @@ KEEP_SECONDS = 30 * 86400
 """Caches of other versions are deleted after this time."""
 
 
+CORE = Path(__file__).parents[1]
+
 _once = threading.RLock()
 
 
@@ -45,23 +47,66 @@ def _once_for_all(function):
     return result
 
 
-def source_stamp(sources: Path) -> str:
-    """Hash of all sources below a folder that a kernel may come from."""
+WITHOUT_KERNELS = ("core.text", "core.errors", "core.atomic_write")
+_IMPORT = re.compile(
+    r"^[ \t]*from[ \t]+(core[\w.]*)[ \t]+import[ \t]+(\([^)]*\)|[^\n]*)", re.MULTILINE
+)
+
+
+def kernel_sources(core: Path) -> list[Path]:
+    """The sources machine code comes from: the modules of kernels, all they import from core, and core/jit. Kernels
+    return codes, so that no error and no sentence is part of them.
+
+    core : the folder core
+    """
+    known = {file: file.read_text(encoding="utf-8") for file in core.rglob("*.py")}
+    found: set[Path] = set()
+    new = {
+        file
+        for file, text in known.items()
+        if file.parent.name == "jit" or "from core.jit.decorators import" in text
+    }
+    while new:
+        found |= new
+        names = {
+            name
+            for file in new
+            for package, listed in _IMPORT.findall(known[file])
+            if not package.startswith(WITHOUT_KERNELS)
+            for name in (package, *(f"{package}.{one}" for one in re.findall(r"\w+", listed)))
+        }
+        places = [core.parent.joinpath(*name.split(".")) for name in names]
+        files = {
+            file for place in places for file in (place.with_suffix(".py"), place / "__init__.py")
+        }
+        new = (files & set(known)) - found
+    return sorted(found)
+
+
+def hash_of(files: list[Path]) -> str:
+    """Hash of the version and of what files hold."""
     digest = hashlib.sha256(VERSION.encode())
-    for source in sorted(sources.rglob("*.py")):
-        digest.update(source.read_bytes())
+    for file in files:
+        digest.update(file.read_bytes())
     return digest.hexdigest()[:16]
 
 
 @_once_for_all
 def stamp() -> str:
-    """`source_stamp` of this program, of a frozen one as its build noted it."""
-    return build().get("stamp") or source_stamp(Path(__file__).parents[1])
+    """Hash of the sources machine code comes from, of a frozen program as its build noted it: a changed sentence
+    discards no machine code."""
+    return build().get("kernels") or hash_of(kernel_sources(CORE))
+
+
+@_once_for_all
+def source_stamp() -> str:
+    """Hash of all sources of core, which decide a result: of a frozen program as its build noted it."""
+    return build().get("sources") or hash_of(sorted(CORE.rglob("*.py")))
 
 
 @_once_for_all
 def name() -> str:
-    """What tells this program's folder from others': the sources, and the level of shipped machine code."""
+    """What tells this program's folder from others': the sources of kernels, and the level of shipped machine code."""
     return "-".join(filter(None, [stamp(), shipped.level()]))
 
 

@@ -186,7 +186,7 @@ def run(
     natural, refused = natural_motions(study, base_dir, records_from)
     motions = _generated(study, spectra, threads) + natural
     threads.run({k: entry.motion.measure for k, entry in enumerate(motions)}, lambda k, _: None)
-    book = journal(f"{VERSION} {cache.stamp()}") if journal else None
+    book = journal(f"{VERSION} {cache.source_stamp()}") if journal else None
     try:
         rows, restored = _rows(study, motions, threads, book, on_progress)
     finally:

@@ -87,7 +87,7 @@ def run(
     if demand and demand.target and motions:
         period_range(kinds, longest, demand)  # refused before hours of work, not after
     _precompile(method, models, [motion for moved in felt for motion in moved])
-    book = journal(f"{VERSION} {cache.stamp()}") if journal else None
+    book = journal(f"{VERSION} {cache.source_stamp()}") if journal else None
     assessed = len(walls) if demand else 0
     total = len(planned) + assessed
     try:

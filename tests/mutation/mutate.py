@@ -50,8 +50,8 @@ REPLACED = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.
             ast.Or: ast.And, ast.BitAnd: ast.BitOr, ast.BitOr: ast.BitAnd}  # fmt: skip
 SECONDS = 240
 FIXED_STAMP = (
-    "    digest = hashlib.sha256(VERSION",
-    '    return "mutants"\n    digest = hashlib.sha256(VERSION',
+    'return build().get("kernels") or',
+    'return "mutants" or',
 )
 """Replaced in core/jit/cache.py: the kernels are of no module that changes, and compiled once for all."""
 
