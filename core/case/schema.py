@@ -244,7 +244,8 @@ class Wall:
             )
         if (model == "user") != (self.velocity_ratio is not None):
             raise InputError("velocity_ratio_user", place=(place("wall", name=self.name),))
-        return restitution(self.block(), model, self.velocity_ratio)
+        contact = wall_loads.contact_of(self)
+        return restitution(self.block(), model, self.velocity_ratio, contact)
 
     def moment_law(self) -> MomentLaw:
         if isinstance(self.law, str):

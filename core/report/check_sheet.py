@@ -21,7 +21,7 @@ from core.report.cells import (
     title,
 )  # fmt: skip
 from core.report.circolare import follows_spectrum, intensity_row, spectrum_rows, wall_rows
-from core.report.load_rows import geometry_rows
+from core.report.load_rows import geometry_rows, impact_formulas
 from core.report.rows import (
     changed_cell,
     close_inputs,
@@ -34,6 +34,7 @@ from core.report.sheets import rule_word
 from core.study.results import Q_SOURCES, PerRecord, StudyResult, WallResult
 from core.text.sentence import word
 from core.units import CM, G
+from core.wall import wall_loads
 from core.wall.restitution import MODELS
 
 
@@ -174,7 +175,10 @@ def _ratio_row(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
     label = say("velocity ratio e") + f" ({MODELS[ratio.model]})"
     factor = f"(2*{name}_radius^2/{name}_inertia)" if not block.is_rectangle else "1.5"
     eq4 = f"(1-{factor}*SIN(RADIANS({name}_slenderness))^2)"
-    eq6 = f"{eq4}^2*ABS(1-{factor}*COS(RADIANS({name}_slenderness))^2)"
+    top = f"ABS(1-{factor}*COS(RADIANS({name}_slenderness))^2)"
+    if wall_loads.contact_of(wall.wall):
+        eq4, top = impact_formulas(name)
+    eq6 = f"{eq4}^2*{top}"
     formulas = {
         "housner": ("Eq. 4", eq4),
         "sorrentino_experimental": ("Eq. 5", f"0.95*{eq4}"),

@@ -126,6 +126,18 @@ def _block_rows(book: Book, sheet, name, r, row, block, model, restoring) -> int
     return row
 
 
+def impact_formulas(name: str) -> tuple[str, str]:
+    """The ratios of the impacts of a wall with masses that move with it, as formulas: outer to inner hinge, and inner
+    hinge to the top of the inner face (`restitution.impact_ratio`)."""
+    sine, cosine = (f"{name}_radius*{way}(RADIANS({name}_slenderness))" for way in ("SIN", "COS"))
+    own = f"{name}_inertia-{name}_radius^2"
+    inward = f"({name}_thickness-2*{name}_setback-{sine})"
+    above = f"({name}_height-{cosine})"
+    outer = f"(({own}-{sine}*{inward}+({cosine})^2)/({own}+{inward}^2+({cosine})^2))"
+    top = f"ABS(({own}+{inward}^2-{cosine}*{above})/({own}+{inward}^2+{above}^2))"
+    return outer, top
+
+
 def chain_formulas(book: Book, name: str) -> dict[str, str]:
     """alpha_0, e* and d_0 of a wall with loads as formulas (C8.7.1.1, .5, .4)."""
     r = book.sums[name]

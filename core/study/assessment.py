@@ -20,7 +20,7 @@ from core.study.tie_design import tie_design, with_tie
 from core.text.sentence import Number, Sentence, sentence
 from core.wall.restitution import restitution
 from core.wall.rocking_model import rocking_model
-from core.wall.wall_loads import rocks_both_ways
+from core.wall.wall_loads import contact_of, rocks_both_ways
 
 EXACT_METHODS = ("auto", "taylor", "taylor_6", "dormand_prince")
 """Methods whose result a verdict may rest on; the others are for comparison."""
@@ -96,7 +96,7 @@ def assess(
     )
     below = None
     if dynamic and asked.mechanism == "one_sided" and rocks_both_ways(asked):
-        free = restitution(wall.block, "housner")
+        free = restitution(wall.block, "housner", contact=contact_of(asked))
         model = rocking_model(wall.block, False, free, wall.law, asked.restoring())
         signs = (1,) if model.both_signs_alike else (1, -1)
         below = demand_check(

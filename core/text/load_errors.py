@@ -47,13 +47,6 @@ LOAD_ERRORS = {
         "una massa che si muove con una parete su due lati deve stare a metà spessore; altrimenti studiare ogni "
         "direzione come parete su un lato",
     ),
-    "moving_mass_ratio": (
-        "Eq. 6 and 7 hold for a wall alone; with a carried mass, or a vertical load whose mass is horizontal "
-        "or moving, "
-        "give {velocity_ratio}",
-        "le Eq. 6 e 7 valgono per la sola parete; con una massa portata, o un carico verticale la cui massa è "
-        "orizzontale o solidale, indicare {velocity_ratio}",
-    ),
     "two_sided_loads_rigid": (
         "a two-sided wall whose loads differ for its two sides takes the rigid law: give {key} rigid, or study each "
         "direction as a one-sided wall",

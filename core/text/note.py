@@ -94,6 +94,8 @@ NOTE = {
     "table of walls": "tabella delle pareti",
     "the Ribalta authors": "gli autori di Ribalta",
     "velocity ratio of an impact: {model}": "coefficiente di restituzione: {model}",
+    "{equation}, impacts of the wall with what moves with it": "{equation}, urti della parete con ciò che si muove con "
+    "essa",
     "wall at {z:g} m, {kind}": "parete a {z:g} m, {kind}",
     "with the friction of the return walls, of the upper {h:.2f} m": (
         "con l'attrito dei muri ortogonali, dei {h:.2f} m superiori"

@@ -35,22 +35,59 @@ class Restitution:
     ratio_drop: float = 0.0
 
 
-def housner_ratio(block: Block) -> float:
-    """sqrt(r) = 1 - 2 R^2 sin^2(alpha) m / I0 [-], Eq. 4; 1 - 1.5 sin^2(alpha) for a rectangle.
+@dataclass(frozen=True)
+class Contact:
+    """Where a block meets its base and its restraint, where masses that move with a wall make it unsymmetric.
 
-    Raises InputError where it is negative: the block is too stocky to rock.
+    width : B, from the outer hinge to the inner one [m]
+    height : H_r, of the point above the inner hinge that meets the restraint of a one-sided wall [m]
     """
-    factor = 2.0 * block.radius**2 / block.inertia_over_mass
-    ratio = 1.0 - factor * math.sin(block.slenderness) ** 2
+
+    width: float
+    height: float
+
+
+def impact_ratio(block: Block, pivot: tuple[float, float], new: tuple[float, float]) -> float:
+    """Angular velocity after over before an impact that moves the pivot from P to Q [-]: angular momentum about Q,
+    e = (I_G + m GP . GQ) / (I_G + m GQ^2).
+
+    block : about its outer hinge, (0, 0)
+    pivot, new : P and Q, inward from the outer hinge and above it [m]
+    """
+    x, y = block.centroid
+    own = block.inertia_over_mass - block.radius**2
+    (px, py), (qx, qy) = (pivot[0] - x, pivot[1] - y), (new[0] - x, new[1] - y)
+    return (own + px * qx + py * qy) / (own + qx * qx + qy * qy)
+
+
+def _not_negative(ratio: float, block: Block) -> float:
+    """Raise InputError for a block that is too stocky to rock."""
     if ratio < 0.0:
         raise InputError("eq4_negative", ratio=ratio, alpha=math.degrees(block.slenderness))
     return ratio
 
 
-def one_sided_ratio(block: Block) -> float:
+def housner_ratio(block: Block, contact: Contact | None = None) -> float:
+    """sqrt(r) = 1 - 2 R^2 sin^2(alpha) m / I0 [-], Eq. 4; 1 - 1.5 sin^2(alpha) for a rectangle. contact : of a block
+    with masses that move with it, whose ratio from the outer to the inner hinge is that of `impact_ratio`.
+
+    Raises InputError where it is negative: the block is too stocky to rock.
+    """
+    if contact is not None:
+        return _not_negative(impact_ratio(block, (0.0, 0.0), (contact.width, 0.0)), block)
+    factor = 2.0 * block.radius**2 / block.inertia_over_mass
+    return _not_negative(1.0 - factor * math.sin(block.slenderness) ** 2, block)
+
+
+def one_sided_ratio(block: Block, contact: Contact | None = None) -> float:
     """sqrt(r_1s) [-], Eq. 6: base, upper corner and base again. The bracket in cos is negative for
     slender blocks, which is the reversal of the motion: its modulus is the ratio. For a general
-    block the contact at 2 R cos(alpha) above the pivot is an assumption."""
+    block the contact at 2 R cos(alpha) above the pivot is an assumption. contact : of a block with masses that
+    move with it; the same three impacts by `impact_ratio`."""
+    if contact is not None:
+        inner = contact.width, 0.0
+        top = abs(impact_ratio(block, inner, (contact.width, contact.height)))
+        return housner_ratio(block, contact) ** 2 * top
     factor = 2.0 * block.radius**2 / block.inertia_over_mass
     return housner_ratio(block) ** 2 * abs(1.0 - factor * math.cos(block.slenderness) ** 2)
 
@@ -60,19 +97,25 @@ def overturning_velocity(block: Block) -> float:
     return math.sqrt(2.0 * block.p2 * (1.0 - math.cos(block.slenderness)))
 
 
-def restitution(block: Block, model: str, velocity_ratio: float | None = None) -> Restitution:
-    """Restitution of a named model for this block; velocity_ratio only with model "user"."""
+def restitution(
+    block: Block,
+    model: str,
+    velocity_ratio: float | None = None,
+    contact: Contact | None = None,
+) -> Restitution:
+    """Restitution of a named model for this block; velocity_ratio only with model "user", contact only of a block
+    with masses that move with it."""
     if model == "housner":
-        return Restitution(model, housner_ratio(block))
+        return Restitution(model, housner_ratio(block, contact))
     if model == "sorrentino_experimental":
-        return Restitution(model, 0.95 * housner_ratio(block))
+        return Restitution(model, 0.95 * housner_ratio(block, contact))
     if model == "costa_upper":
         return Restitution(model, 0.98)
     if model == "one_sided_theoretical":
-        return Restitution(model, one_sided_ratio(block))
+        return Restitution(model, one_sided_ratio(block, contact))
     if model == "one_sided_experimental":
         # Eq. 7: sqrt(r_1s) (1.18 - 0.473 (v / theta_r')^2)
-        ratio = one_sided_ratio(block)
+        ratio = one_sided_ratio(block, contact)
         if 1.18 * ratio > 1.0:
             raise InputError("eq7_above_one", ratio=1.18 * ratio)
         drop = 0.473 * ratio / overturning_velocity(block) ** 2

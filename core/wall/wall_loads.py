@@ -16,6 +16,7 @@ from core.wall.loads import (
     composite,
     restoring_moment,
 )
+from core.wall.restitution import Contact
 
 MOST_COLLAPSE = math.radians(60.0)
 """Largest collapse rotation: beyond it a wall is no wall that overturns."""
@@ -63,6 +64,14 @@ def moving_block(wall, bare: Block) -> Block:
     if not any(load.pushes for load in wall.load):
         return bare
     return composite(bare, weight_per_metre(wall) / G, masses(wall))
+
+
+def contact_of(wall) -> Contact | None:
+    """Where a wall with masses that move with it meets its base and, at the top of the wall, its restraint; None of a
+    wall alone, which is symmetric."""
+    if not any(load.pushes for load in wall.load):
+        return None
+    return Contact(wall.thickness - 2.0 * wall.setback, wall.height_m)
 
 
 def restoring_of(wall, block: Block) -> tuple[RestoringMoment, RestoringMoment]:
@@ -163,9 +172,6 @@ def check_loads(wall) -> None:
     two_sided = "two_sided" in wall.mechanisms()
     if two_sided and not is_centred(wall, block):
         raise InputError("moving_mass_off_centre", place=here)
-    eq6 = wall.restitution_model("one_sided").startswith("one_sided")
-    if any(load.pushes for load in wall.load) and "one_sided" in wall.mechanisms() and eq6:
-        raise InputError("moving_mass_ratio", place=here, key="velocity_ratio")
     for side in (outward, inward) if two_sided else (outward,):
         if not is_stable(block, side):
             threshold = side.sine * math.tan(block.slenderness) + side.cosine

@@ -84,7 +84,11 @@ def geometry(wall: WallResult, name: str, words: Words) -> list[Step]:
 def _source(wall: WallResult, words: Words) -> str:
     """Where the velocity ratio comes from."""
     model = wall.restitution.model
-    return words.say("given") if model == "user" else MODELS[model]
+    if model == "user":
+        return words.say("given")
+    if wall_loads.contact_of(wall.wall):
+        return words.say("{equation}, impacts of the wall with what moves with it", equation=MODELS[model])
+    return MODELS[model]
 
 
 def start(result: StudyResult, wall: WallResult, name: str, words: Words) -> list[Step]:

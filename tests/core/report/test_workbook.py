@@ -133,7 +133,7 @@ def loads(folder):
     """Walls with every kind of load, hinge setback, return walls, tie, variants, hazard."""
     roof = {"kind": "vertical", "kn_m": 10.0, "d_m": 0.30, "h_m": 3.0, "mass": "none"}
     base = {"height_m": 3.0, "thickness_m": 0.45, "unit_weight_kn_m3": 18.0, "base_z_m": 0.0,
-            "mechanism": "one_sided", "velocity_ratio": 0.5, "back_restraint": "cross walls"}  # fmt: skip
+            "mechanism": "one_sided", "back_restraint": "cross walls"}  # fmt: skip
     across = {"number": 2, "thickness_m": 0.4, "brick_height_m": 0.2, "brick_length_m": 0.3}
     walls = [
         {**base, "name": "a", "variant": "stato di fatto", "tie_height_m": 2.8,

@@ -7,8 +7,9 @@ import pytest
 from core.errors import InputError
 from core.units import G
 from core.wall.block import Block
+from core.wall.loads import PointMass, composite
 from core.wall.moment_rotation import LAWS
-from core.wall.restitution import overturning_velocity, restitution
+from core.wall.restitution import Contact, impact_ratio, overturning_velocity, restitution
 from core.wall.rocking_model import rocking_model
 
 WALL = Block.rectangle(7.0, math.radians(6.8))
@@ -78,3 +79,69 @@ def test_that_a_general_block_follows_the_general_equations():
 def test_that_eq_7_cannot_create_energy():
     with pytest.raises(InputError, match="above 1"):
         restitution(Block(math.radians(5.0), 1.0, 50.0), "one_sided_experimental")
+
+
+def carrying(kilograms, distance, height):
+    """A wall of 6.0 x 0.5 m, length 4 m, 18 kN/m3, with a mass that moves with it, and its contacts."""
+    mass = 18000.0 * 6.0 * 0.5 * 4.0 / G
+    bare = Block.with_setback(6.0, 0.5, 0.0)
+    return composite(bare, mass, [PointMass(kilograms, distance, height)]), Contact(0.5, 6.0)
+
+
+@pytest.mark.parametrize(
+    "mass, place, one_sided, outward, inward",
+    [
+        ((300.0, 0.25, 6.0), "coping", 0.47973, 0.98992, 0.98992),
+        ((1500.0, 0.10, 5.8), "roof", 0.48524, 0.99036, 0.99107),
+    ],
+)
+def test_that_the_ratio_of_a_wall_that_moves_a_mass_is_that_of_its_impacts(
+    mass, place, one_sided, outward, inward
+):
+    """By quadrature over the body, twice: five digits."""
+    block, contact = carrying(*mass)
+    ratio = restitution(block, "one_sided_theoretical", contact=contact).ratio_at_rest
+    assert ratio == pytest.approx(one_sided, abs=5e-6)
+    assert restitution(block, "housner", contact=contact).ratio_at_rest == pytest.approx(
+        outward, abs=5e-6
+    )
+    inner = (contact.width, 0.0)
+    assert impact_ratio(block, (0.0, 0.0), inner) == pytest.approx(outward, abs=5e-6)
+    # about the inner hinge, from the inner to the outer: the same body seen from there
+    x, y = block.centroid
+    own = block.inertia_over_mass - block.radius**2
+    back = (own - x * (contact.width - x) + y * y) / (own + x * x + y * y)
+    assert back == pytest.approx(inward, abs=5e-6)
+    experimental = restitution(block, "one_sided_experimental", contact=contact)
+    assert experimental.ratio_at_rest == pytest.approx(1.18 * ratio, rel=1e-15)
+
+
+def test_that_a_mass_that_vanishes_leaves_eq_4_and_6():
+    block, contact = carrying(1e-9, 0.1, 6.0)
+    bare = Block.with_setback(6.0, 0.5, 0.0)
+    for model in ("housner", "sorrentino_experimental", "one_sided_theoretical"):
+        with_mass = restitution(block, model, contact=contact).ratio_at_rest
+        assert with_mass == pytest.approx(restitution(bare, model).ratio_at_rest, rel=1e-12)
+
+
+def test_that_an_impact_keeps_the_angular_momentum_of_every_part_of_the_body():
+    """Summed over 200 000 points of wall and masses, about the new pivot, before and after."""
+    import numpy as np
+
+    rng = np.random.default_rng(5)
+    x, z = rng.uniform(0.0, 0.5, 200_000), rng.uniform(0.0, 6.0, 200_000)
+    mass = np.full(x.size, 20_000.0 / x.size)
+    mass, x, z = np.append(mass, 1500.0), np.append(x, 0.1), np.append(z, 5.8)
+    total = mass.sum()
+    centre = float(mass @ x / total), float(mass @ z / total)
+    block = Block(math.atan2(*centre), math.hypot(*centre), float(mass @ (x**2 + z**2) / total))
+    for pivot, new in (((0.0, 0.0), (0.5, 0.0)), ((0.5, 0.0), (0.5, 6.0))):
+        # velocity of a point turning about a pivot: (-(z - pz), x - px) times the angular velocity
+
+        def momentum(about, pivot=pivot, new=new):
+            across, up = -(z - about[1]), x - about[0]
+            return float(mass @ ((x - new[0]) * up - (z - new[1]) * across))
+
+        assert impact_ratio(block, pivot, new) == pytest.approx(
+            momentum(pivot) / momentum(new), rel=1e-9
+        )

@@ -22,7 +22,6 @@ REFUSED = [
     ("load_outside", (ROOF,), {"tie_height_m": 3.5}),
     ("unstable_under_loads", ({**THRUST, "kn_m": 6.0},), {}),
     ("moving_mass_off_centre", (PUSHING,), {"mechanism": "two_sided"}),
-    ("moving_mass_ratio", (PUSHING,), {"velocity_ratio": None}),
     ("two_sided_loads_rigid", (ROOF,), {"mechanism": "two_sided", "law": "doherty"}),
     ("tie_too_strong", (ROOF, {**TIE, "kn_m": 12.0}), {}),
     ("collapse_too_far", ({**TIE, "kn_m": 40.0},), {}),
@@ -106,3 +105,14 @@ def test_that_the_strength_of_the_masonry_moves_hinge_and_largest_tie():
     with pytest.raises(InputError) as caught:
         case_of(ROOF, {**TIE, "kn_m": 9.0}, compressive_strength_mpa=1.0)
     assert caught.value.values["most"] < 8.69
+
+
+def test_that_a_wall_that_pushes_a_roof_is_asked_for_no_velocity_ratio():
+    wall = {key: value for key, value in WALL.items() if key != "velocity_ratio"}
+    case = parse_case({"wall": [{**wall, "load": [PUSHING]}]})
+    pushed = case.wall[0]
+    alone = parse_case({"wall": [wall]}).wall[0]
+    found = pushed.restitution_of("one_sided")
+    assert found.model == "one_sided_theoretical"
+    assert 0.0 < found.ratio_at_rest < 1.0
+    assert found.ratio_at_rest != alone.restitution_of("one_sided").ratio_at_rest
