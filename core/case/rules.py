@@ -63,6 +63,13 @@ def parse_case(table: dict) -> Case:
         building=_building(table["building"]) if "building" in table else None,
         given=frozenset(_written(table)),
     )
+    if case.demand and case.demand.demand_scaling == "pga":
+        for k, record in enumerate(records, start=1):
+            if record.scale not in (1.0, -1.0):
+                here = place("record", n=k)
+                raise InputError(
+                    "scale_and_pga_scaling", place=(here,), key="scale", found=record.scale
+                )
     if case.generate and not (case.demand and (case.demand.spectrum or case.demand.spectrum_file)):
         raise InputError("generate_needs_spectrum")
     walls = [

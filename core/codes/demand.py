@@ -15,9 +15,6 @@ WEAK_RECORDS = 0.9
 LARGE_AG = 0.6 * G
 """a_g on rock beyond that of any place in Italy: questioned."""
 
-SAME_HAZARD = 0.05
-"""What a_g may differ from that of the hazard at its return period by."""
-
 LARGE_SCALING = 3.0
 """Scale factors of a record above this one are warned of."""
 
@@ -66,30 +63,11 @@ class DemandResult:
         return self.pga / (motion.ground_pga or motion.pga) if self.record_scaling == "pga" else 1.0
 
 
-def hazard_at(demand: DemandResult) -> float | None:
-    """a_g [m/s2] of the hazard at the return period of the demand (NTC 2018, Annex A, Eq. [2]); None without both, or
-    outside its rows."""
-    if not demand.hazard or demand.return_period is None:
-        return None
-    periods, accelerations = np.log(np.array(demand.hazard)).T
-    at = float(np.log(demand.return_period))
-    if not periods[0] - 0.01 <= at <= periods[-1] + 0.01:
-        return None
-    return float(np.exp(np.interp(at, periods, accelerations)))
-
-
 def with_records(demand: DemandResult, motions: list[GroundMotion]) -> DemandResult:
     """The demand with what only the records give: an intensity that nothing else states, warnings."""
     notices = []
     if demand.ag > LARGE_AG:
         notices.append(notice("large_ag", ag=demand.ag / G))
-    stated = hazard_at(demand)
-    if stated is not None and abs(stated / demand.ag - 1.0) > SAME_HAZARD:
-        notices.append(
-            notice(
-                "hazard_disagrees", stated=stated / G, ag=demand.ag / G, years=demand.return_period
-            )
-        )
     if not motions:
         return replace(demand, warnings=tuple(notices))
     if demand.record_scaling == "pga":

@@ -1,9 +1,12 @@
 """The demand of a case, and the motions generated for it."""
 
 import functools
+import math
 import re
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+
+import numpy as np
 
 from core.case.hazard_table import read_hazard
 from core.case.number import parse_number
@@ -11,8 +14,9 @@ from core.case.schema import Case
 from core.case.site import Demand, HazardRow
 from core.codes import target_spectrum
 from core.codes.demand import DemandResult
+from core.codes.limits import SAME_PERIOD
 from core.codes.target_spectrum import Target
-from core.errors import InputError, place
+from core.errors import InputError, place, section
 from core.file_names import name_of
 from core.ground.artificial import compatible_motion
 from core.ground.ground_motion import GroundMotion
@@ -81,6 +85,8 @@ def demand_of(case: Case, base_dir: Path) -> DemandResult | None:
     asked = case.demand
     if asked is None:
         return None
+    hazard = hazard_of(asked, base_dir)
+    check_hazard(asked, hazard)
     target = target_of(asked, base_dir)
     ag = asked.ag_g * G
     soil = target.soil if target else asked.soil_factor or 1.0
@@ -106,7 +112,7 @@ def demand_of(case: Case, base_dir: Path) -> DemandResult | None:
         period_range=asked.period_range_s,
         soil_factor_stated=target is not None or asked.soil_factor is not None,
         return_period=asked.return_period,
-        hazard=tuple((row.return_period_years, row.ag_g * G) for row in hazard_of(asked, base_dir)),
+        hazard=tuple((row.return_period_years, row.ag_g * G) for row in hazard),
     )
 
 
@@ -115,6 +121,49 @@ def hazard_of(asked: Demand, base_dir: Path) -> tuple[HazardRow, ...]:
     if asked.hazard_file:
         return read_hazard(base_dir / name_of(asked.hazard_file))
     return asked.hazard
+
+
+def interpolated(hazard: tuple[HazardRow, ...], years: float) -> HazardRow:
+    """The hazard at this return period [years] within its rows: a_g, F_0 and T_C* each linear in the logarithms between
+    the rows beside it (NTC 2018, Annex A, Eq. [2])."""
+    known = np.log([row.return_period_years for row in hazard])
+    at = math.log(years)
+
+    def value(key: str) -> float | None:
+        values = [getattr(row, key) for row in hazard]
+        if None in values:
+            return None
+        return math.exp(float(np.interp(at, known, np.log(values))))
+
+    return HazardRow(years, value("ag_g"), value("f0"), value("tc_star_s"))
+
+
+def check_hazard(asked: Demand, hazard: tuple[HazardRow, ...]) -> None:
+    """Raise InputError where a_g, F_0 or T_C* is not that of the case's own hazard at the return period of the demand,
+    beyond the digits both are printed with. Without a return period, or outside its rows, nothing is compared."""
+    years = asked.return_period
+    if not hazard or years is None:
+        return
+    low, high = hazard[0].return_period_years, hazard[-1].return_period_years
+    if not (1.0 - SAME_PERIOD) * low <= years <= (1.0 + SAME_PERIOD) * high:
+        return
+    row, spectrum = interpolated(hazard, years), asked.spectrum
+    pairs = [("ag_g", asked.ag_g, row.ag_g)]
+    if spectrum is not None:
+        pairs += [(key, getattr(spectrum, key), getattr(row, key)) for key in ("f0", "tc_star_s")]
+    for key, given, stated in pairs:
+        if given is None or stated is None:
+            continue
+        rows = max(_decimals(getattr(row, key)) for row in hazard)
+        within = 0.5 * 10.0 ** -_decimals(given) + 0.5 * 10.0**-rows + SAME_PERIOD * stated / 2.0
+        if abs(given - stated) > within:
+            raise InputError("hazard_disagrees", place=(section("[demand]"),), key=key, given=given,
+                             stated=stated, years=years, state=asked.limit_state)  # fmt: skip
+
+
+def _decimals(value: float) -> int:
+    """Decimals a number of a case was printed with, as far as can be told: a trailing zero is lost, so 2 at least."""
+    return max(2, len(f"{value:.10g}".partition(".")[2]))
 
 
 def generated(case: Case, demand: DemandResult) -> list[GroundMotion]:

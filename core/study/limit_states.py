@@ -1,17 +1,14 @@
 """The demands of SLD, SLV and SLC of a site by its hazard, and zeta of a wall at each (NTC 2018, Annex A)."""
 
-import math
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-import numpy as np
-
 from core.case.schema import Case, Wall
-from core.case.site import Building, HazardRow
+from core.case.site import Building
 from core.codes.demand import DemandResult
 from core.codes.kinematic import kinematic, nonlinear, sld
 from core.codes.limits import SAME_PERIOD, return_period
-from core.study.demand_input import demand_of, hazard_of
+from core.study.demand_input import demand_of, hazard_of, interpolated
 from core.study.floors import floor_of
 from core.text.sentence import Sentence, notice
 
@@ -30,21 +27,6 @@ class StateZeta:
     ag: float
     check: str
     zeta: float | None
-
-
-def interpolated(hazard: tuple[HazardRow, ...], years: float) -> HazardRow:
-    """The hazard at this return period [years] within its rows: a_g, F_0 and T_C* each linear in the logarithms between
-    the rows beside it (NTC 2018, Annex A, Eq. [2])."""
-    known = np.log([row.return_period_years for row in hazard])
-    at = math.log(years)
-
-    def value(key: str) -> float | None:
-        values = [getattr(row, key) for row in hazard]
-        if None in values:
-            return None
-        return math.exp(float(np.interp(at, known, np.log(values))))
-
-    return HazardRow(years, value("ag_g"), value("f0"), value("tc_star_s"))
 
 
 def demands_of(case: Case, base_dir: Path) -> dict[str, DemandResult]:

@@ -99,6 +99,18 @@ CASE_ERRORS = {
         "{return_period_years} = {stated:g} contraddice {nominal_life_years} e {use_class_factor}, che danno "
         "{own:.0f} anni allo {state} (NTC 2018 3.2.0): correggere uno dei dati",
     ),
+    "hazard_disagrees": (
+        "{key} {given:g} contradicts the hazard of this case, which has {stated:.4g} at {years:.0f} years ({state}): "
+        "correct one of them",
+        "{key} {given:g} contraddice la pericolosità di questo caso, che ha {stated:.4g} a {years:.0f} anni ({state}): "
+        "correggere uno dei due",
+    ),
+    "scale_and_pga_scaling": (
+        "{key} {found:g} has no effect with {demand_scaling} pga, which scales every record to a_g S: remove one of "
+        "them",
+        "{key} {found:g} non ha effetto con {demand_scaling} pga, che scala ogni accelerogramma ad a_g S: togliere uno "
+        "dei due",
+    ),
     "return_period_of_other": (
         "{return_period_years} = {stated:g} is that of {weaker} for V_R = {life:g} years, not of {state}, "
         "which has {own:.0f} (NTC 2018 3.2.0): give the motion of {state}, or {nominal_life_years} and "

@@ -36,14 +36,6 @@ SENTENCES = {
         "E = {e:g} MPa is outside {low:g} to {high:g}: GPa, kPa or kg/cm2 instead of MPa?",
         "E = {e:g} MPa fuori da {low:g}-{high:g}: GPa, kPa o kg/cm² al posto di MPa?",
     ),
-    "hazard_disagrees": (
-        "a_g = {ag:.3g} g, but the hazard of the site gives {stated:.3g} g at {years:.0f} years: one of them "
-        "is of another "
-        "site, limit state or unit.",
-        "a_g = {ag:.3g} g, ma la pericolosità del sito dà {stated:.3g} g a {years:.0f} anni: una delle due è "
-        "di un altro "
-        "sito, stato limite o unità.",
-    ),
     "hazard_incomplete": (
         "No ζ at SLD, SLV and SLC: beside the hazard give V_N and C_U and, for NTC 2018, F0 and T_C* in its rows.",
         "Nessuno ζ allo SLD, SLV e SLC: oltre alla pericolosità indicare V_N e C_U e, per le NTC 2018, F0 e "

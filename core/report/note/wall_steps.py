@@ -87,7 +87,9 @@ def _source(wall: WallResult, words: Words) -> str:
     if model == "user":
         return words.say("given")
     if wall_loads.contact_of(wall.wall):
-        return words.say("{equation}, impacts of the wall with what moves with it", equation=MODELS[model])
+        return words.say(
+            "{equation}, impacts of the wall with what moves with it", equation=MODELS[model]
+        )
     return MODELS[model]
 
 

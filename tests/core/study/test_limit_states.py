@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 
 from core.case.rules import parse_case
-from core.codes.demand import with_records
 from core.codes.kinematic import kinematic, nonlinear, sld
+from core.errors import InputError
 from core.study.demand_input import demand_of
 from core.study.limit_states import demands_of, interpolated, unsaid, zetas
 from core.units import G
@@ -77,11 +77,47 @@ def test_that_a_limit_state_outside_the_rows_has_none_and_is_said():
 
 
 @pytest.mark.parametrize(
-    ("ag", "warned"), [(0.26, False), (0.265, False), (0.30, True), (0.10, True)]
+    ("key", "value", "refused"),
+    [
+        ("ag_g", 0.26, False),
+        ("ag_g", 0.262, False),
+        ("ag_g", 0.30, True),
+        ("ag_g", 0.10, True),
+        ("f0", 2.41, False),
+        ("f0", 2.6, True),
+        ("tc_star_s", 0.35, False),
+        ("tc_star_s", 0.29, True),
+    ],
 )
-def test_that_an_ag_that_contradicts_the_hazard_is_warned_of(ag, warned):
-    demand = with_records(demand_of(site(ag_g=ag), Path()), [])
-    assert ("hazard_disagrees" in {words.code for words in demand.warnings}) is warned
+def test_that_a_demand_that_contradicts_the_hazard_of_the_case_is_refused(key, value, refused):
+    """Beyond the digits both are printed with."""
+    hazard = [{**row, "f0": 2.41, "tc_star_s": 0.347} for row in HAZARD]
+    spectrum = {"code": "NTC2018", "f0": 2.41, "tc_star_s": 0.347, "soil": "B", "topography": "T1"}
+    changes = {"ag_g": 0.26, "hazard": hazard, "spectrum": spectrum}
+    if key in spectrum:
+        changes["spectrum"] = {**spectrum, key: value}
+    else:
+        changes[key] = value
+    case = site(**changes)
+    if not refused:
+        demand_of(case, Path())
+        return
+    with pytest.raises(InputError) as caught:
+        demand_of(case, Path())
+    for language in ("en", "it"):
+        text = caught.value.text(language)
+        assert (
+            "SLV" in text
+            and "475" in text
+            and f"{value:g}".replace(".", ",") in text.replace(".", ",")
+        )
+
+
+def test_that_a_scale_that_has_no_effect_is_refused():
+    demand = {"ag_g": 0.2, "soil_factor": 1.2, "demand_scaling": "pga"}
+    record = {"file": "r.txt", "scale": 1.3}
+    with pytest.raises(InputError, match=r"1\.3 has no effect"):
+        parse_case({"wall": [WALL], "record": [record], "demand": demand})
 
 
 @pytest.mark.parametrize("changes", [
