@@ -8,24 +8,55 @@ from core.case.site import Building
 from core.errors import InputError, place
 from core.wall.wall_loads import loads_above
 
-FLOORS = "floors"
-"""Hinges at every floor of the building between the base of the wall and its top."""
+FLOORS, BASE = "floors", "base"
+"""Hinges at every floor of the building between the base of the wall and its top; the one at its base alone."""
+
+SLENDER_ABOVE = 3.0
+"""Without `hinge_heights` a hinge is looked at where the wall above it has at least this H/t: a lower part of a wall is
+a parapet's or a sill's, which turns as a block of its own."""
+
+SAME_HINGE = 0.05
+"""Hinges nearer to each other than this [m] are one."""
 
 LEAST_ABOVE = 0.1
 """Least height of the wall above a hinge [m], that of a wall."""
 
 
 def hinges_of(wall: Wall, building: Building | None) -> Sequence[float]:
-    """Heights of the hinges above the base of a wall [m], without the one at its base."""
-    if wall.hinge_heights is None:
+    """Heights of the hinges above the base of a wall [m], without the one at its base: as asked, else those of
+    `usual_hinges` where the building is known."""
+    asked = wall.hinge_heights
+    if asked is not None and not isinstance(asked, str):
+        return asked
+    if asked == BASE or building is None:
         return ()
-    if not isinstance(wall.hinge_heights, str):
-        return wall.hinge_heights
-    if building is None or wall.height_m is None:
+    if asked is None:
+        return usual_hinges(wall, building)
+    return storey_ends(wall, building)
+
+
+def storey_ends(wall: Wall, building: Building) -> tuple[float, ...]:
+    """Heights of the floors of a building above the base of a wall, between it and the top of the wall [m]."""
+    if wall.height_m is None:
         return ()
     storey, base = building.height_m / building.storeys, wall.base_z_m or 0.0
     heights = (storey * floor - base for floor in range(1, building.storeys + 1))
     return tuple(h for h in heights if LEAST_ABOVE <= h <= wall.height_m - LEAST_ABOVE)
+
+
+def usual_hinges(wall: Wall, building: Building | None) -> tuple[float, ...]:
+    """Heights above the base of a wall at which it carries something or a storey ends, and SLENDER_ABOVE is above [m].
+    A mechanism may start at any of them (Circolare 7/2019 C8.7.1.2.1)."""
+    if wall.height_m is None or wall.thickness is None:
+        return ()
+    loads = tuple(load.h_m for load in wall.load)
+    heights = sorted({*loads, *(storey_ends(wall, building) if building else ())})
+    highest = wall.height_m - max(SLENDER_ABOVE * wall.thickness, LEAST_ABOVE)
+    found: list[float] = []
+    for height in heights:
+        if LEAST_ABOVE <= height <= highest + 1e-9 and (not found or height - found[-1] > SAME_HINGE):
+            found.append(height)
+    return tuple(found)
 
 
 def check_hinges(wall: Wall, building: Building | None) -> None:
@@ -35,6 +66,8 @@ def check_hinges(wall: Wall, building: Building | None) -> None:
     here = (place("wall", name=wall.name),)
     if wall.height_m is None:
         raise InputError("hinges_need_rectangle", place=here, key="hinge_heights")
+    if wall.hinge_heights == BASE:
+        return
     if isinstance(wall.hinge_heights, str):
         if building is None:
             raise InputError("hinges_need_building", place=here, key="hinge_heights")

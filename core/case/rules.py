@@ -8,7 +8,7 @@ from dataclasses import MISSING, fields, replace
 from core.case.hazard_table import check_rising
 from core.case.hinges import check_hinges, parts
 from core.case.schema import Analysis, Case, Generate, Record, Report, Wall
-from core.case.site import Building, Demand, Spectrum
+from core.case.site import KNOWLEDGE, Building, Demand, Spectrum
 from core.case.values import (
     SHOWN,
     are_ends,
@@ -22,6 +22,12 @@ from core.codes.limits import check_return_period
 from core.errors import InputError, place, section
 from core.text.sentence import Quantity, sentence
 from core.wall.wall_loads import check_given, check_loads
+
+MIN_LETTERS = 3
+"""Letters of a text that is to name something."""
+
+TESTED_STRENGTH = (0.5, 10.0)
+"""Compressive strengths of masonry [MPa] that tests give."""
 
 FULL_FACTOR = 1.35
 """Confidence factor where the compressive strength is not in alpha (Circolare 7/2019 C8.7.1.2.1)."""
@@ -150,12 +156,14 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
         check_hinges(wall, case.building)
         if case.demand and wall.base_z_m is None:
             raise InputError("base_missing", place=(place("wall", name=wall.name),), key="base_z_m")
-        if case.demand and case.demand.confidence_factor < FULL_FACTOR and not wall.setback > 0.0:
+        if case.demand:
+            check_confidence(case.demand, wall)
+        if wall.back_restraint and sum(map(str.isalpha, wall.back_restraint)) < MIN_LETTERS:
             raise InputError(
-                "low_confidence_factor",
-                place=(section("[demand]"),),
-                stated=case.demand.confidence_factor,
-                wall=wall.name,
+                "restraint_unnamed",
+                place=(place("wall", name=wall.name),),
+                key="back_restraint",
+                value=wall.back_restraint,
             )
     case = replace(case, wall=tuple(walls), walls=None)
     for name, part in parts(case):
@@ -173,6 +181,32 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
         )
     digest = hashlib.sha256(json.dumps(case.as_dict(), sort_keys=True).encode()).hexdigest()
     return replace(case, sha256=digest)
+
+
+def check_confidence(demand: Demand, wall: Wall) -> None:
+    """Refuse an FC below 1.35 for a wall whose compressive strength is not in alpha, or without the level of knowledge
+    and the investigations that it follows from (Circolare 7/2019 C8.7.1.2.1, Tab. C8.5.IV)."""
+    stated = demand.confidence_factor
+    if stated >= FULL_FACTOR:
+        return
+    here, least = section("[demand]"), KNOWLEDGE.get(demand.knowledge_level)
+    if least is None or sum(map(str.isalpha, demand.investigations)) < MIN_LETTERS:
+        raise InputError("low_confidence_factor", place=(here,), stated=stated)
+    if stated < least:
+        raise InputError(
+            "confidence_below_level", place=(here,), stated=stated, level=demand.knowledge_level, least=least
+        )
+    low, high = TESTED_STRENGTH
+    if wall.compressive_strength_mpa is None or not low <= wall.compressive_strength_mpa <= high:
+        raise InputError(
+            "confidence_needs_strength",
+            place=(place("wall", name=wall.name),),
+            key="compressive_strength_mpa",
+            stated=stated,
+            found=wall.compressive_strength_mpa,
+            low=low,
+            high=high,
+        )
 
 
 def parse_wall(table: dict) -> Wall:

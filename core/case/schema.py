@@ -77,6 +77,17 @@ class ReturnWalls:
     friction: float = number_key(0.1, 1.0, 0.577)
 
 
+@dataclass(frozen=True)
+class WallJustification:
+    """[wall.justification]: why a value of the wall that raises zeta holds, in the engineer's words."""
+
+    velocity_ratio: str = text_key()
+    restitution: str = text_key()
+    return_walls: str = text_key()
+    free_element: str = text_key()
+    base_z_m: str = text_key()
+
+
 MAX_SETBACK = 0.4
 """Largest hinge setback over the thickness: at 0.5 nothing is left to turn about."""
 
@@ -113,6 +124,9 @@ class Wall:
         default=None, metadata={"kind": "section", "of": ReturnWalls}
     )
     tie_height_m: float | None = number_key(0.1, 60.0, unit="m")
+    justification: WallJustification | None = field(
+        default=None, metadata={"kind": "section", "of": WallJustification}
+    )
     variant: str | None = choice_key(AS_IS, DESIGNED, default=None)
 
     @property

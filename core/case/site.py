@@ -30,6 +30,21 @@ class HazardRow:
 
 
 @dataclass(frozen=True)
+class DemandJustification:
+    """[demand.justification]: why a value of the demand or of the building that raises zeta holds, in the engineer's
+    words."""
+
+    confidence_factor: str = text_key()
+    q_code: str = text_key()
+    building: str = text_key()
+    participation: str = text_key()
+
+
+KNOWLEDGE = {"LC2": 1.20, "LC3": 1.00}
+"""Levels of knowledge above LC1 -> least FC (Circolare 7/2019 Tab. C8.5.IV)."""
+
+
+@dataclass(frozen=True)
 class Demand:
     """[demand]: the motion asked of the wall; ag_g on rock ("su suolo rigido"), without S."""
 
@@ -41,6 +56,8 @@ class Demand:
     housner_intensity_cm: float | None = number_key(0.1, 5000.0, unit="cm")
     q_code: float = number_key(1.0, 10.0, 2.0)
     confidence_factor: float = number_key(1.0, 1.35, 1.35)
+    knowledge_level: str | None = choice_key("LC1", *KNOWLEDGE, default=None)
+    investigations: str = text_key()
     confidence_on: str = choice_key("capacity", "demand", default="capacity")
     period_range_s: tuple[float, float] | None = field(default=None, metadata={"kind": "range"})
     demand_scaling: str = choice_key("as_given", "pga", default="as_given")
@@ -52,6 +69,12 @@ class Demand:
     return_period_years: float | None = number_key(1.0, 100000.0, unit="years")
     hazard: tuple[HazardRow, ...] = field(default=(), metadata={"kind": "tables", "of": HazardRow})
     hazard_file: str | None = path_key(None)
+    limit_states: tuple[str, ...] = field(
+        default=(), metadata={"kind": "list", "of": choice_key("SLD", "SLV", "SLC")}
+    )
+    justification: DemandJustification | None = field(
+        default=None, metadata={"kind": "section", "of": DemandJustification, "in": "demand"}
+    )
 
     @property
     def return_period(self) -> float | None:

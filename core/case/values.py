@@ -6,7 +6,7 @@ import re
 from dataclasses import MISSING, fields
 from types import SimpleNamespace
 
-from core.case.hinges import FLOORS
+from core.case.hinges import BASE, FLOORS
 from core.case.schema import MIN_ELASTIC, OWN_FIELDS
 from core.case.site import Spectrum
 from core.errors import InputError, section
@@ -94,13 +94,13 @@ def accepted_by(entry) -> Sentence:
     if kind == "law":
         return sentence("accepted", "law", names=tuple(LAWS))
     if kind == "hinges":
-        return sentence("accepted", "hinges", floors=FLOORS)
+        return sentence("accepted", "hinges", floors=FLOORS, base=BASE)
     if kind == "list":
         return sentence("accepted", "list", items=accepted_by(rule["of"]))
     if kind == "tables":
         return sentence("accepted", "tables", name=entry.name)
     if kind == "section":
-        return sentence("accepted", "section", name=entry.name)
+        return sentence("accepted", "section", of=rule.get("in", "wall"), name=entry.name)
     if kind == "channel":
         return sentence("accepted", "channel_key")
     if kind == "text":
@@ -163,14 +163,14 @@ def value_of(entry, value, *here):
             return tuple(parts)
     elif kind == "section":
         try:
-            return section_of(rule["of"], value, entry.name, section(f"[wall.{entry.name}]"))
+            return section_of(rule["of"], value, entry.name, section(f"[{rule.get('in', 'wall')}.{entry.name}]"))
         except InputError as error:
             above = [part for part in here if isinstance(part, Sentence)]
             raise (error.at(above[0]) if above else error) from None
     elif kind == "spectrum":
         return section_of(Spectrum, value, "spectrum", section("[demand.spectrum]"))
     elif kind == "hinges":
-        if value == FLOORS:
+        if value in (FLOORS, BASE):
             return value
         heights = value if isinstance(value, (list, tuple)) else ()
         if heights and all(type(h) in (int, float) and 0.0 < h < 300.0 for h in heights):

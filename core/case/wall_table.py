@@ -7,7 +7,7 @@ import zipfile
 import zlib
 from pathlib import Path
 
-from core.case.hinges import FLOORS
+from core.case.hinges import BASE, FLOORS
 from core.case.number import parse_number
 from core.case.rules import parse_wall
 from core.case.schema import Wall
@@ -360,6 +360,8 @@ def _cell(key: str, factor: float, cell: str, here: Sentence):
     if key == "hinge_heights":
         if cell.lower() in (FLOORS, "piani"):
             return FLOORS
+        if cell.lower() == BASE:
+            return BASE
         try:
             return [parse_number(part) for part in re.split(r"[\s;]+", cell)]
         except InputError as error:

@@ -38,10 +38,10 @@ ACCEPTED = {
         "un elenco fra parentesi quadre, ciascuno {items}",
     ),
     "tables": ("one or more tables [[{name}]]", "una o più tabelle [[{name}]]"),
-    "section": ("a table [wall.{name}]", "una tabella [wall.{name}]"),
+    "section": ("a table [{of}.{name}]", "una tabella [{of}.{name}]"),
     "hinges": (
-        '"{floors}" or heights above the base in m, [3.0, 6.0]',
-        '"{floors}" o quote dalla base in m, [3.0, 6.0]',
+        '"{floors}", "{base}" for the one at the base alone, or heights above the base in m, [3.0, 6.0]',
+        '"{floors}", "{base}" per la sola cerniera alla base, o quote dalla base in m, [3.0, 6.0]',
     ),
     "flag": ("true or false", "true o false"),
     "table": ("a table [demand.spectrum]", "una tabella [demand.spectrum]"),

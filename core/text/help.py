@@ -142,6 +142,16 @@ HELP = {
         "Fattore di confidenza FC: 1,35 se la resistenza a compressione non entra nella cerniera "
         "(C8.7.1.2.1).",
     ),
+    "knowledge_level": (
+        "Level of knowledge of the building: LC1 has FC 1.35, LC2 1.20, LC3 1.00 (Tab. C8.5.IV). An FC below 1.35 raises ζ: "
+        "it takes LC2 or LC3, the investigations and the compressive strength of the masonry.",
+        "Livello di conoscenza della costruzione: LC1 ha FC 1,35, LC2 1,20, LC3 1,00 (Tab. C8.5.IV). Un FC sotto 1,35 alza "
+        "ζ: richiede LC2 o LC3, le indagini svolte e la resistenza a compressione della muratura.",
+    ),
+    "investigations": (
+        "What was surveyed and tested, on which the level of knowledge rests; printed in the note.",
+        "Che cosa è stato rilevato e provato, su cui si basa il livello di conoscenza; stampato nella relazione.",
+    ),
     "confidence_on": (
         "FC divides the strength of the capacity curve (C8.7.1.2.1.3), or multiplies the demand, which is "
         "more cautious.",
