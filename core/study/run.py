@@ -101,7 +101,7 @@ def run(
         by_wall: dict[int, list] = {}
         for entry in planned:
             wall, number, polarity = entry
-            one = run_result(models[wall], felt[wall][number], polarity, found[entry])
+            one = run_result(models[wall], felt[wall][number], number, polarity, found[entry])
             by_wall.setdefault(wall, []).append(one)
         results = [
             wall_result(
@@ -166,11 +166,9 @@ def accuracy_of(wall: WallResult, motions, method, search, cancelled) -> Accurac
     lowest = lowest_run(wall)
     if lowest is None:
         return None
-    if wall.floor:
-        motions = wall.floor.motions
-    motion = next(motion for motion in motions if motion.name == lowest.record)
+    motion = (wall.floor.motions if wall.floor else motions)[lowest.motion]
     other = next(
-        (r.ida.q for r in wall.runs if r.record == lowest.record and r.polarity != lowest.polarity),
+        (r.ida.q for r in wall.runs if r.motion == lowest.motion and r.polarity != lowest.polarity),
         None,
     )
     return accuracy(

@@ -39,7 +39,7 @@ def test_that_a_wall_with_both_mechanisms_gives_two_entries(result):
 def test_that_q_is_c_pga_over_a_rm(result):
     for wall in result.walls:
         for run in wall.runs:
-            motion = next(m for m in result.motions if m.name == run.record)
+            motion = result.motions[run.motion]
             q = run.scale * motion.pga / wall.block.threshold_acceleration
             assert run.ida.q == pytest.approx(q, rel=1e-14)
             assert run.q_eff == pytest.approx(run.ida.q * G / motion.pga, rel=1e-14)
