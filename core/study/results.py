@@ -7,6 +7,7 @@ from core.capacity.closed_forms import PowerLaw
 from core.capacity.fragility import Fragility
 from core.capacity.ida import Ida, Search
 from core.capacity.scale_free_law import Estimate
+from core.case.hinges import Part
 from core.case.schema import Case, Wall
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandCheck
@@ -120,8 +121,7 @@ class PerRecord:
 class WallResult:
     """Results of one wall and mechanism; set values are None where the set has none. floor : above the ground."""
 
-    name: str
-    wall: Wall
+    part: Part
     block: Block
     mechanism: str
     restitution: Restitution
@@ -145,6 +145,21 @@ class WallResult:
     assessment: Assessment | None = None
     accuracy: Accuracy | None = None
     floor: Floor | None = None
+
+    @property
+    def wall(self) -> Wall:
+        """What was analysed."""
+        return self.part.wall
+
+    @property
+    def name(self) -> str:
+        """For people: `part` says which it is."""
+        return self.part.wall.name
+
+    @property
+    def pair(self) -> tuple[str, float, str]:
+        """What it shares with its other variant alone: the name given, the hinge [m], the mechanism."""
+        return self.part.asked.name, self.part.hinge, self.mechanism
 
     @property
     def height(self) -> float:

@@ -8,6 +8,7 @@ from core.capacity import closed_forms
 from core.capacity.fragility import fragility
 from core.capacity.ida import TRILINEAR_FLOOR, Ida, multiplier_of, threshold_of
 from core.capacity.scale_free_law import estimates
+from core.case.hinges import Part
 from core.case.schema import AS_IS, DESIGNED, Wall
 from core.codes.eq9 import inequality
 from core.codes.limits import MEAN_FROM, MINIMUM_FROM, set_rule, set_value
@@ -83,11 +84,14 @@ def _per_record(
     )
 
 
-def wall_result(wall, mechanism, model, runs, motions, search, demand, floor=None) -> WallResult:
+def wall_result(
+    part: Part, mechanism, model, runs, motions, search, demand, floor=None
+) -> WallResult:
     """Everything of one wall and mechanism from its runs; an incomplete set has no values.
 
     motions : of the ground; floor : Floor of a wall above it
     """
+    wall = part.wall
     block, law = wall.block(), wall.moment_law()
     one_sided = mechanism == "one_sided"
     per_record = [
@@ -137,8 +141,7 @@ def wall_result(wall, mechanism, model, runs, motions, search, demand, floor=Non
         )
     fragile = fragility([run.ida for run in runs], search)
     return WallResult(
-        name=wall.name,
-        wall=wall,
+        part=part,
         block=block,
         mechanism=mechanism,
         restitution=restitution,
@@ -267,15 +270,12 @@ def _form_notices(
 
 def with_variants_alone(results: list[WallResult]) -> list[WallResult]:
     """The results, a variant whose counterpart is missing with a notice."""
-    known = {(w.wall.own_name, w.mechanism, w.wall.variant) for w in results}
+    known = {(w.pair, w.wall.variant) for w in results}
     other = {AS_IS: DESIGNED, DESIGNED: AS_IS}
     said = []
     for wall in results:
-        asked = wall.wall
-        if (
-            asked.variant is not None
-            and (asked.own_name, wall.mechanism, other[asked.variant]) not in known
-        ):
+        variant = wall.wall.variant
+        if variant is not None and (wall.pair, other[variant]) not in known:
             wall = replace(wall, warnings=(notice("variant_alone"), *wall.warnings))
         said.append(wall)
     return said
@@ -292,17 +292,14 @@ def _with_governing_tie(wall: WallResult, group: list[WallResult]) -> WallResult
     return replace(wall, assessment=replace(wall.assessment, tie=tie))
 
 
-def with_weakest_hinge(results: list[WallResult], origins: list[str]) -> list[WallResult]:
-    """The results, each wall of several hinges with a notice that names the one of the lowest zeta.
-
-    origins : name of the wall of the case of each result
-    """
+def with_weakest_hinge(results: list[WallResult]) -> list[WallResult]:
+    """The results, each wall of several hinges with a notice that names the one of the lowest zeta."""
     groups: dict[tuple, list[WallResult]] = {}
-    for wall, origin in zip(results, origins, strict=True):
-        groups.setdefault((origin, wall.mechanism), []).append(wall)
+    for wall in results:
+        groups.setdefault((wall.part.origin, wall.mechanism), []).append(wall)
     said = []
-    for wall, origin in zip(results, origins, strict=True):
-        group = groups[origin, wall.mechanism]
+    for wall in results:
+        group = groups[wall.part.origin, wall.mechanism]
         wall = _with_governing_tie(wall, group)
         known = [w for w in group if w.assessment and w.assessment.verdict.zeta_e is not None]
         if len(group) > 1 and known:
