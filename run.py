@@ -25,9 +25,10 @@ import tempfile
 import time
 
 ROOT = os.path.dirname(os.path.abspath(__file__))
-ENVIRONMENT = os.path.abspath(os.environ.get("RIBALTA_ENV") or os.path.join(ROOT, ".venv"))
-STAMP = os.path.join(ENVIRONMENT, "ribalta.json")
-MARK = os.path.join(ENVIRONMENT, "ribalta-environment")
+ENVIRONMENT = os.path.realpath(os.environ.get("RIBALTA_ENV") or os.path.join(ROOT, ".venv"))
+NEXT, PREVIOUS = ENVIRONMENT + ".next", ENVIRONMENT + ".previous"
+"""A new environment while it is made, and the one it replaces while it is deleted."""
+STAMP, MARK = "ribalta.json", "ribalta-environment"
 LOG = ENVIRONMENT + ".log"
 MIN_PYTHON = (3, 11)
 
@@ -43,18 +44,18 @@ def lock_sections():
     return dict(zip(parts[1::2], parts[2::2]))  # noqa: B905  (an old Python must reach our sentence)
 
 
-def interpreter():
-    """The environment's Python."""
+def interpreter(folder=ENVIRONMENT):
+    """The Python of an environment."""
     if os.name == "nt":
-        return os.path.join(ENVIRONMENT, "Scripts", "python.exe")
-    return os.path.join(ENVIRONMENT, "bin", "python")
+        return os.path.join(folder, "Scripts", "python.exe")
+    return os.path.join(folder, "bin", "python")
 
 
-def site_packages():
+def site_packages(folder=ENVIRONMENT):
     if os.name == "nt":
-        return os.path.join(ENVIRONMENT, "Lib", "site-packages")
+        return os.path.join(folder, "Lib", "site-packages")
     version = "python{}.{}".format(*sys.version_info[:2])
-    return os.path.join(ENVIRONMENT, "lib", version, "site-packages")
+    return os.path.join(folder, "lib", version, "site-packages")
 
 
 def identity(lines):
@@ -62,21 +63,42 @@ def identity(lines):
     return hashlib.sha256((sys.version + sys.platform + lines).encode()).hexdigest()
 
 
-def installed_groups():
-    """Groups installed from the lock as it is now; empty where the environment is not whole."""
+def stamped_groups(folder):
+    """Group -> `identity` of the lines it was installed from; empty where the environment is not whole."""
     try:
-        with open(STAMP, encoding="utf-8") as stream:
+        with open(os.path.join(folder, STAMP), encoding="utf-8") as stream:
             stamp = json.load(stream)
-        folder = site_packages()
-        whole = os.path.exists(interpreter()) and all(
-            os.path.exists(os.path.join(folder, name)) for name in stamp["contents"]
+        packages = site_packages(folder)
+        whole = os.path.exists(interpreter(folder)) and all(
+            os.path.exists(os.path.join(packages, name)) for name in stamp["contents"]
         )
-        groups = stamp["groups"] if whole else {}
+        return dict(stamp["groups"]) if whole else {}
     except (OSError, ValueError, KeyError, TypeError):
         return {}
+
+
+def installed_groups(folder=ENVIRONMENT):
+    """Groups of an environment that are of the lock as it is now; none where the base is not."""
     sections = lock_sections()
+    groups = stamped_groups(folder)
     current = {name for name, key in groups.items() if identity(sections.get(name, "")) == key}
     return {name: groups[name] for name in current} if "base" in current else {}
+
+
+def serves(groups):
+    """Whether the environment, though of another lock, is whole and holds all packages of these groups, in some
+    version."""
+    if not set(groups) <= set(stamped_groups(ENVIRONMENT)):
+        return False
+    sections = lock_sections()
+    lines = [line for group in groups for line in sections[group].split("\n") if "==" in line]
+    named = {line.split("==")[0] for line in lines if " ; " not in line}
+    there = {name.split("-")[0] for name in os.listdir(site_packages())}
+    return all(_canonical(name) in map(_canonical, there) for name in named)
+
+
+def _canonical(name):
+    return re.sub("[-_.]+", "-", name).lower()
 
 
 @contextlib.contextmanager
@@ -116,46 +138,69 @@ def say(sentence):
     print("run.py: " + sentence, file=sys.stderr, flush=True)
 
 
-def ensure(groups):
-    """Make the environment hold these groups; does nothing where it does."""
-    if all(group in installed_groups() for group in groups):
+def ensure(groups, older_serves=False):
+    """Make the environment hold these groups; does nothing where it does. older_serves : one of an earlier lock does
+    where no other can be had, as after an update without a network."""
+    if set(groups) <= set(installed_groups()):
         return
-    with environment_lock():
+    try:
+        with environment_lock():
+            update(groups)
+    except Failure as failure:
+        if not (older_serves and serves(groups)):
+            raise
+        say(f"{failure}; started with the packages of an earlier version instead")
+
+
+def update(groups):
+    """Add what the environment lacks of these groups; where some of them are of another lock, replace it."""
+    try:
+        take_back()
         have = installed_groups()
         missing = [group for group in groups if group not in have]
-        if not missing:
-            return
-        try:
-            if not have:
-                create()
-            install(missing)
-            have.update({name: identity(lock_sections()[name]) for name in missing})
-            contents = [name for name in os.listdir(site_packages()) if name != "__pycache__"]
-            with open(STAMP, "w", encoding="utf-8") as stream:
-                json.dump({"groups": have, "contents": contents}, stream)
-        except OSError as error:
-            raise Failure(
-                f"the environment cannot be written in {ENVIRONMENT}: {error.strerror}; "
-                "free some space or name another folder in the variable RIBALTA_ENV"
-            ) from None
+        if have and not set(missing) & set(stamped_groups(ENVIRONMENT)):
+            if missing:
+                install(missing, ENVIRONMENT, have)
+        else:
+            replace_environment(groups)
+    except OSError as error:
+        raise Failure(
+            f"the environment cannot be written in {ENVIRONMENT}: {error.strerror}; free some space, end the "
+            "programs that run from it, or name another folder in the variable RIBALTA_ENV"
+        ) from None
 
 
-def made_here():
-    """Whether run.py made the folder of the environment: by its mark, by the stamp of an earlier version beside
-    a pyvenv.cfg, or since it is .venv of this project."""
-    config = os.path.isfile(os.path.join(ENVIRONMENT, "pyvenv.cfg"))
-    if os.path.isfile(MARK) or (config and "RIBALTA_ENV" not in os.environ):
-        return True
-    try:
-        with open(STAMP, encoding="utf-8") as stream:
-            stamp = json.load(stream)
-        return config and set(stamp) == {"groups", "contents"}
-    except (OSError, ValueError, TypeError):
-        return False
+def refuse_if_not_ours(folder):
+    """What run.py did not make, by its mark, is neither emptied nor moved."""
+    ours = os.path.isfile(os.path.join(folder, MARK))
+    if os.path.lexists(folder) and not (os.path.isdir(folder) and (ours or not os.listdir(folder))):
+        raise Failure(
+            f"{folder} was not made by run.py and stays as it is: move it away, or name another folder, empty or "
+            "new, in the variable RIBALTA_ENV"
+        )
 
 
-def create():
-    """A new, empty environment; an old or broken one goes first."""
+def remove(folder):
+    """Delete an environment; the mark last, so that what a kill leaves is known as ours."""
+    if not os.path.isdir(folder):
+        return
+    for name in os.listdir(folder):
+        path = os.path.join(folder, name)
+        if os.path.isdir(path) and not os.path.islink(path):
+            shutil.rmtree(path)
+        elif name != MARK:
+            os.unlink(path)
+    shutil.rmtree(folder)
+
+
+def take_back():
+    """Put the environment back that a kill left moved away, before the new one was in its place."""
+    if not os.path.lexists(ENVIRONMENT) and os.path.isfile(os.path.join(PREVIOUS, MARK)):
+        os.rename(PREVIOUS, ENVIRONMENT)
+
+
+def replace_environment(groups):
+    """Make a new environment with these groups beside the one there is, then put it in its place."""
     for module in ("venv", "ensurepip"):
         try:
             __import__(module)
@@ -164,42 +209,72 @@ def create():
                 f"this Python lacks the module {module}: install it (Debian and Ubuntu: apt install "
                 "python3-venv) or start with a Python from python.org"
             ) from None
-    if os.path.exists(ENVIRONMENT):
-        if not os.path.isdir(ENVIRONMENT) or (os.listdir(ENVIRONMENT) and not made_here()):
-            raise Failure(
-                f"{ENVIRONMENT} was not made by run.py and stays as it is: name another folder, empty or new, "
-                "in the variable RIBALTA_ENV"
-            )
-        for name in os.listdir(
-            ENVIRONMENT
-        ):  # the mark last, so that a kill leaves it known as ours
-            path = os.path.join(ENVIRONMENT, name)
-            if os.path.isdir(path) and not os.path.islink(path):
-                shutil.rmtree(path)
-            elif path != MARK:
-                os.unlink(path)
-    os.makedirs(ENVIRONMENT, exist_ok=True)
-    with open(
-        MARK, "w", encoding="utf-8"
-    ) as stream:  # first of all, so that what a kill leaves is known
+    for folder in (ENVIRONMENT, NEXT, PREVIOUS):
+        refuse_if_not_ours(folder)
+    remove(PREVIOUS)
+    if not set(groups) <= set(installed_groups(NEXT)):  # else made before, and not put in its place
+        remove(NEXT)
+        try:
+            make(NEXT, groups)
+        except BaseException:
+            shutil.rmtree(NEXT, ignore_errors=True)
+            raise
+    name_its_place(NEXT)
+    if os.path.isdir(ENVIRONMENT):
+        os.rename(ENVIRONMENT, PREVIOUS)
+    try:
+        os.rename(NEXT, ENVIRONMENT)
+    except OSError:
+        take_back()
+        raise
+    with contextlib.suppress(OSError):  # next time
+        remove(PREVIOUS)
+
+
+def make(folder, groups):
+    """A new environment in a folder, with these groups."""
+    os.makedirs(folder)
+    with open(os.path.join(folder, MARK), "w", encoding="utf-8") as stream:  # first of all
         stream.write("made by run.py, which may delete it\n")
     say(f"making the environment in {ENVIRONMENT} (once)")
-    logged([sys.executable, "-m", "venv", ENVIRONMENT], "the environment could not be made")
+    prompt = os.path.basename(ENVIRONMENT)
+    logged(
+        [sys.executable, "-m", "venv", "--prompt", prompt, folder],
+        "the environment could not be made",
+    )
+    install(groups, folder, {})
 
 
-def install(groups):
-    """Install groups of the lock, every file checked against its hash."""
+def name_its_place(folder):
+    """Let the scripts of an environment name the place it is moved to."""
+    scripts = os.path.dirname(interpreter(folder))
+    for path in [os.path.join(scripts, name) for name in os.listdir(scripts)]:
+        if os.path.isfile(path) and not os.path.islink(path):
+            with open(path, "rb") as stream:
+                content = stream.read()
+            moved = content.replace(os.fsencode(folder), os.fsencode(ENVIRONMENT))
+            if moved != content:
+                with open(path, "wb") as stream:
+                    stream.write(moved)
+
+
+def install(groups, folder, have):
+    """Install groups of the lock beside those an environment has, every file checked against its hash."""
     sections = lock_sections()
-    with tempfile.TemporaryDirectory() as folder:
-        wanted = os.path.join(folder, "requirements.txt")
+    with tempfile.TemporaryDirectory() as place:
+        wanted = os.path.join(place, "requirements.txt")
         with open(wanted, "w", encoding="ascii") as stream:
             stream.write("".join(sections[group] for group in groups))
         say("installing {} (once)".format(", ".join(groups)))
         logged(
-            [interpreter(), "-m", "pip", "install", "--disable-pip-version-check", "--no-input",
+            [interpreter(folder), "-m", "pip", "install", "--disable-pip-version-check", "--no-input",
              "--require-hashes", "--no-deps", "-r", wanted],
             "the installation failed: check the network or the proxy settings of pip",
         )  # fmt: skip
+    now = dict(have, **{name: identity(sections[name]) for name in groups})
+    contents = [name for name in os.listdir(site_packages(folder)) if name != "__pycache__"]
+    with open(os.path.join(folder, STAMP), "w", encoding="utf-8") as stream:
+        json.dump({"groups": now, "contents": contents}, stream)
 
 
 def logged(command, trouble):
@@ -294,7 +369,8 @@ def main():
     windowed = not any(argument.split("=")[0] in headless for argument in arguments)
     asked = {argument.split("=")[0] for argument in arguments}
     more = [name for name in ("study", "report") if "--" + name in asked]
-    ensure(["base", "gui", "study", "report"] if windowed else ["base", *more])
+    groups = ["base", "gui", "study", "report"] if windowed else ["base", *more]
+    ensure(groups, older_serves=True)
     return hand_over([interpreter(), "-P", "-m", "app", *arguments])
 
 

@@ -122,6 +122,7 @@ def main() -> int:
     words = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     words.add_argument("--no-smoke", action="store_true", help="do not try what was built")
     options = words.parse_args()
+    libraries.refuse_missing_tools()
     make_parts()
     freeze()
     libraries.refuse_missing(INTERNAL)

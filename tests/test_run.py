@@ -1,38 +1,66 @@
 """run.py: what it does before anything is installed."""
 
 import importlib.util
-import json
 import os
+import re
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
 from tests.conftest import ROOT
 
 
-@pytest.fixture
-def run(tmp_path, monkeypatch):
-    """run.py as a module whose environment is a folder of the test; nothing is installed."""
-    monkeypatch.setenv("RIBALTA_ENV", str(tmp_path / "env"))
+def load():
+    """run.py as a module, of the environment RIBALTA_ENV names now."""
     description = importlib.util.spec_from_file_location("run", ROOT / "run.py")
     module = importlib.util.module_from_spec(description)
     description.loader.exec_module(module)
-    calls = []
+    return module
+
+
+@pytest.fixture
+def run(tmp_path, monkeypatch):
+    """run.py whose environment is a folder of the test; nothing is installed. `offline` : pip fails;
+    `version` : of what pip installs."""
+    monkeypatch.setenv("RIBALTA_ENV", str(tmp_path / "env"))
+    module = load()
+    module.calls, module.offline, module.version = [], False, "1.0"
 
     def logged(command, trouble):
-        calls.append(command)
+        module.calls.append(command)
         if "venv" in command:
-            os.makedirs(module.site_packages())
-            os.makedirs(os.path.dirname(module.interpreter()), exist_ok=True)
-            open(module.interpreter(), "w").close()
-            open(os.path.join(module.ENVIRONMENT, "pyvenv.cfg"), "w").close()
-        else:
-            os.makedirs(os.path.join(module.site_packages(), f"package{len(calls)}"))
+            folder = command[-1]
+            os.makedirs(module.site_packages(folder))
+            os.makedirs(os.path.dirname(module.interpreter(folder)), exist_ok=True)
+            for name in (module.interpreter(folder), os.path.join(folder, "pyvenv.cfg")):
+                open(name, "w").close()
+            return
+        if module.offline:
+            raise module.Failure(f"{trouble} (ERROR: no network)")
+        folder = os.path.dirname(os.path.dirname(command[0]))
+        with open(command[-1]) as stream:
+            names = re.findall(r"^([\w.-]+)==", stream.read(), re.MULTILINE)
+        for name in names:
+            place = f"{name.replace('-', '_')}-{module.version}.dist-info"
+            os.makedirs(os.path.join(module.site_packages(folder), place), exist_ok=True)
 
     module.logged = logged
-    module.calls = calls
     return module
+
+
+def contents(folder):
+    """Every path below a folder."""
+    return sorted(str(path.relative_to(folder)) for path in Path(folder).rglob("*"))
+
+
+def of_another_lock(run, monkeypatch, *added):
+    """As after an update: all groups are of other lines, the base names one more package where given."""
+    sections = run.lock_sections()
+    changed = {name: lines + "# another\n" for name, lines in sections.items()}
+    changed["base"] += "".join(f"{name}==1.0\n" for name in added)
+    monkeypatch.setattr(run, "lock_sections", lambda: changed)
 
 
 def test_that_an_environment_is_made_once(run):
@@ -47,28 +75,169 @@ def test_that_an_environment_is_made_once(run):
 
 def test_that_a_broken_environment_is_rebuilt(run):
     run.ensure(["base"])
-    os.rmdir(os.path.join(run.site_packages(), "package2"))
+    os.rmdir(os.path.join(run.site_packages(), os.listdir(run.site_packages())[0]))
     assert run.installed_groups() == {}
     run.ensure(["base"])
     assert len(run.calls) == 4
     os.unlink(run.interpreter())
     run.ensure(["base"])
     assert len(run.calls) == 6
-    with open(run.STAMP, "w") as stream:
+    with open(os.path.join(run.ENVIRONMENT, run.STAMP), "w") as stream:
         stream.write("{half")
     run.ensure(["base"])
     assert len(run.calls) == 8
 
 
-def test_that_an_outdated_environment_is_rebuilt(run):
+def test_that_an_outdated_environment_is_replaced(run, monkeypatch):
     run.ensure(["base"])
-    with open(run.STAMP) as stream:
-        stamp = json.load(stream)
-    stamp["groups"]["base"] = "of another lock"
-    with open(run.STAMP, "w") as stream:
-        json.dump(stamp, stream)
+    of_another_lock(run, monkeypatch)
+    run.version = "2.0"
     run.ensure(["base"])
     assert len(run.calls) == 4
+    assert all("-2.0" in name for name in os.listdir(run.site_packages()))
+    assert not os.path.exists(run.NEXT) and not os.path.exists(run.PREVIOUS)
+
+
+def test_that_an_environment_is_made_beside_and_the_old_one_untouched_until_it_is_whole(
+    run, monkeypatch
+):
+    run.ensure(["base", "gui"])
+    before = contents(run.ENVIRONMENT)
+    of_another_lock(run, monkeypatch)
+    real = run.logged
+
+    def watched(command, trouble):
+        assert contents(run.ENVIRONMENT) == before and run.ENVIRONMENT + os.sep not in command[0]
+        real(command, trouble)
+
+    monkeypatch.setattr(run, "logged", watched)
+    run.ensure(["base", "gui"])
+    assert set(run.installed_groups()) == {"base", "gui"}
+    # a failure, a kill and a full disk on the way
+    of_another_lock(run, monkeypatch)
+    for trouble in (run.Failure("no network"), KeyboardInterrupt(), OSError(28, "No space left")):
+        for step in ("venv", "pip"):
+
+            def fails(command, sentence, trouble=trouble, step=step):
+                if step in command:
+                    raise trouble
+                watched(command, sentence)
+
+            monkeypatch.setattr(run, "logged", fails)
+            with pytest.raises((run.Failure, KeyboardInterrupt)):
+                run.ensure(["base", "gui"])
+            assert contents(run.ENVIRONMENT) == before and not os.path.exists(run.NEXT)
+
+
+def test_that_without_a_network_after_an_update_the_packages_there_are_start_the_program(
+    run, monkeypatch, capsys
+):
+    run.ensure(["base", "gui"])
+    before = contents(run.ENVIRONMENT)
+    of_another_lock(run, monkeypatch)
+    run.offline = True
+    run.ensure(["base", "gui"], older_serves=True)
+    said = capsys.readouterr().err.splitlines()[-1]
+    assert "no network" in said and "packages of an earlier version" in said
+    for groups, older in ((["base", "gui"], False), (["base", "study"], True)):
+        with pytest.raises(run.Failure, match="the installation failed: check the network"):
+            run.ensure(groups, older_serves=older)
+    of_another_lock(run, monkeypatch, "new-package")
+    with pytest.raises(run.Failure, match="the installation failed: check the network"):
+        run.ensure(["base", "gui"], older_serves=True)
+    assert contents(run.ENVIRONMENT) == before
+    run.offline = False
+    run.ensure(["base", "gui"], older_serves=True)
+    assert set(run.installed_groups()) == {"base", "gui"}
+
+
+def test_that_only_the_program_starts_with_packages_of_another_lock(run, monkeypatch):
+    asked = []
+    monkeypatch.setattr(
+        run, "ensure", lambda groups, older_serves=False: asked.append(older_serves)
+    )
+    monkeypatch.setattr(run, "hand_over", lambda command: 0)
+    monkeypatch.setattr(run, "test", lambda arguments: 0)
+    for words in ([], ["--batch", "x.toml"], ["test"], ["bench"], ["mutate"], ["package"]):
+        monkeypatch.setattr(sys, "argv", ["run.py", *words])
+        run.main()
+    assert asked == [True, True, False, False, False, False]
+
+
+def test_that_a_kill_between_the_two_moves_loses_no_environment(run, monkeypatch):
+    run.ensure(["base"])
+    before = contents(run.ENVIRONMENT)
+    of_another_lock(run, monkeypatch)
+    move = os.rename
+
+    def killed(source, target):
+        if source == run.NEXT:
+            raise KeyboardInterrupt
+        move(source, target)
+
+    monkeypatch.setattr(run.os, "rename", killed)
+    with pytest.raises(KeyboardInterrupt):
+        run.ensure(["base"])
+    assert not os.path.exists(run.ENVIRONMENT)
+    monkeypatch.setattr(run.os, "rename", move)
+    run.offline = True
+    calls = len(run.calls)
+    run.take_back()
+    assert contents(run.ENVIRONMENT) == before
+    run.ensure(["base"])  # the new one was whole
+    assert len(run.calls) == calls and set(run.installed_groups()) == {"base"}
+
+
+def test_that_an_environment_in_use_is_not_lost_and_the_new_one_waits(run, monkeypatch):
+    """On Windows a folder is not moved while a program runs from it."""
+    run.ensure(["base"])
+    before = contents(run.ENVIRONMENT)
+    of_another_lock(run, monkeypatch)
+    move = os.rename
+    for held in (run.ENVIRONMENT, run.NEXT):
+
+        def refused(source, target, held=held):
+            if source == held:
+                raise PermissionError(13, "Access is denied")
+            move(source, target)
+
+        monkeypatch.setattr(run.os, "rename", refused)
+        with pytest.raises(run.Failure, match=r"Access is denied; .* end the programs that run"):
+            run.ensure(["base"])
+        assert contents(run.ENVIRONMENT) == before
+    monkeypatch.setattr(run.os, "rename", move)
+    run.ensure(["base"])
+    assert len(run.calls) == 4 and set(run.installed_groups()) == {"base"}
+
+
+@pytest.mark.parametrize("place", ["ENVIRONMENT", "NEXT", "PREVIOUS"])
+def test_that_no_environment_of_another_tool_is_emptied(run, monkeypatch, place):
+    """As `uv run` makes one: `.venv` of the project is none of ours without the mark."""
+    monkeypatch.delenv("RIBALTA_ENV")
+    folder = getattr(run, place)
+    os.makedirs(os.path.join(folder, "lib"))
+    for name in ("pyvenv.cfg", "lib/module.py"):
+        with open(os.path.join(folder, name), "w") as stream:
+            stream.write("mine")
+    before = contents(folder)
+    with pytest.raises(
+        run.Failure, match="was not made by run.py and stays as it is: move it away"
+    ):
+        run.ensure(["base"], older_serves=True)
+    assert contents(folder) == before and not run.calls
+
+
+def test_that_the_scripts_of_an_environment_name_the_place_it_was_moved_to(run, tmp_path):
+    """A real one: pip is a script, and runs where it lies."""
+    fresh = load()
+    fresh.install = lambda groups, folder, have: None
+    fresh.replace_environment(["base"])
+    scripts = os.path.dirname(fresh.interpreter())
+    pip = os.path.join(scripts, "pip.exe" if os.name == "nt" else "pip")
+    found = subprocess.run([pip, "--version"], capture_output=True, text=True, check=True)
+    assert os.path.join(fresh.ENVIRONMENT, "") in found.stdout
+    for file in Path(scripts).iterdir():
+        assert file.is_symlink() or os.fsencode(fresh.NEXT) not in file.read_bytes()
 
 
 def test_that_a_folder_of_the_user_is_never_deleted(run):
@@ -103,16 +272,14 @@ def test_that_results_of_the_program_are_no_environment(run):
 
 def test_that_what_a_kill_left_of_an_environment_of_ours_is_made_anew(run):
     os.makedirs(run.ENVIRONMENT)
-    open(run.MARK, "w").close()
+    open(os.path.join(run.ENVIRONMENT, run.MARK), "w").close()
     open(os.path.join(run.ENVIRONMENT, "half"), "w").close()
     run.ensure(["base"])
     assert not os.path.exists(os.path.join(run.ENVIRONMENT, "half"))
 
 
 def test_that_a_package_that_differs_from_the_lock_is_not_a_matter_of_the_network(run):
-    description = importlib.util.spec_from_file_location("again", ROOT / "run.py")
-    fresh = importlib.util.module_from_spec(description)
-    description.loader.exec_module(fresh)
+    fresh = load()
     os.makedirs(os.path.dirname(fresh.LOG), exist_ok=True)
     words = "ERROR: THESE PACKAGES DO NOT MATCH THE HASHES FROM THE REQUIREMENTS FILE."
     command = [sys.executable, "-c", f"print({words!r}); raise SystemExit(1)"]
@@ -133,9 +300,7 @@ def test_that_a_place_that_cannot_be_written_is_one_sentence(tmp_path):
 
 
 def test_that_a_failed_installation_is_one_sentence_with_its_log(run, monkeypatch, capsys):
-    description = importlib.util.spec_from_file_location("again", ROOT / "run.py")
-    fresh = importlib.util.module_from_spec(description)
-    description.loader.exec_module(fresh)
+    fresh = load()
     os.makedirs(os.path.dirname(fresh.LOG), exist_ok=True)
     command = [sys.executable, "-c", "print('ERROR: no network'); raise SystemExit(1)"]
     with pytest.raises(fresh.Failure, match="the installation failed .*ERROR: no network"):

@@ -236,7 +236,7 @@ class WallForm(QWidget):
         self.setProperty("empty", wall is None)
         for group in self.findChildren(QGroupBox):
             group.setEnabled(wall is not None)
-        self.drawing.show_wall(wall, hinge_zetas(self.session, wall) if wall else [])
+        self.drawing.show_wall(wall, hinge_zetas(self.session, self.current) if wall else [])
         if wall is None:
             self._show_shape("thickness_m", False)
             self.summary.setText(tr("No wall yet: press Add."))

@@ -115,7 +115,7 @@ class HistoriesTab(QWidget):
         if self.shown is None or self.record.currentIndex() < 0:
             return
         result, wall = self.shown
-        self.motion = result.motion_of(wall, self.run.record)
+        self.motion = result.motion_of(wall, self.run.motion)
         self.times = np.arange(self.motion.acceleration.size) * self.motion.time_step
         self.ground_curve = self.ground.curve(
             tr("floor") if wall.floor else tr("ground"),

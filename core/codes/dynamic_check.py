@@ -21,7 +21,7 @@ from core.capacity.ida import BRACKET, CHUNK, TRILINEAR_FLOOR, multiplier_of, th
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.demand import DemandResult
 from core.codes.kinematic import ROUNDING, Check
-from core.codes.limits import MEAN_FROM
+from core.codes.limits import set_rule
 from core.codes.multiplier_search import STEP, search_zeta
 from core.errors import Cancelled
 from core.ground.ground_motion import GroundMotion
@@ -51,12 +51,14 @@ STATUS = {STABLE: "stable", COLLAPSED: "overturned", IMPACT_LIMIT: "impact_limit
 class DemandRun:
     """One record and sign at the demand.
 
+    record : its name for people; motion : its index in the study
     factor : multiplier of the record, scaling and an FC on the demand included
     peak_ratio : largest rotation over theta_c, None unless stable
     exceeded : theta_c was exceeded
     """
 
     record: str
+    motion: int
     polarity: int
     factor: float
     peak_ratio: float | None
@@ -155,7 +157,7 @@ class _Set:
         on_demand = demand.confidence_factor if confidence_on == "demand" else 1.0
         self.factors = [on_demand * demand.scaling(motion) for motion in motions]
         self.limit = LIMIT_FRACTION[demand.limit_state]
-        self.mean = len(stations(motions)) >= MEAN_FROM
+        self.mean = set_rule(stations(motions)) == "mean"
         self.in_order(range(len(motions)))
 
     def in_order(self, order) -> None:
@@ -198,7 +200,7 @@ class _Set:
             for k, record in enumerate(batch):
                 runs[record] = [
                     DemandRun(
-                        self.motions[record].name, sign, self.factors[record],
+                        self.motions[record].name, record, sign, self.factors[record],
                         float(peaks[k, n, 0]) if outcomes[k, n, 0] == STABLE else None,
                         bool(outcomes[k, n, 0] == COLLAPSED or peaks[k, n, 0] > 1.0),
                         STATUS[int(outcomes[k, n, 0])],
@@ -287,7 +289,9 @@ def demand_check(
     worse = None
     if None not in peaks:
         worse = np.array(peaks).reshape(len(motions), -1).max(axis=1)
-    worst = [max(run.peak_ratio or 2.0 for run in runs if run.record == m.name) for m in motions]
+    worst = [0.0] * len(motions)
+    for run in runs:
+        worst[run.motion] = max(worst[run.motion], run.peak_ratio or 2.0)
     judged = {}
     # what is found with FC on the demand tells where to look with FC on the strength
     for name, there in sides.items():

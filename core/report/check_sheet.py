@@ -203,10 +203,10 @@ def _records(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
         say("program"), "ln SI", "ln q_eff",
         *([f"q_eff, {form}", f"q, {form}", say("program")] if wall.wall.has_closed_forms else [])], 1, 32)  # fmt: skip
     first = row + 1
-    scale = {(run.record, run.polarity): run.scale for run in wall.runs}
+    scale = {(run.motion, run.polarity): run.scale for run in wall.runs}
     for entry in wall.per_record:
         row += 1
-        _record_row(book, sheet, wall, entry, scale.get((entry.record, entry.polarity)), name, row)
+        _record_row(book, sheet, wall, entry, scale.get((entry.motion, entry.polarity)), name, row)
     last = row
     row += 1
     formula = "AVERAGE" if wall.set_rule == "mean" else "MIN"

@@ -137,7 +137,11 @@ def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: st
         if check.name == "linear_q_code":
             row = live_row(book, sheet, row, f"q: {label}", "", "=code_q", check.q, "–", q)
         else:
-            row = found_row(book, sheet, row, f"q: {label}", check.q, "–", q)
+            row = found_row(book, sheet, row, "q SLV", wall.q_slv_set, "–")
+            row = found_row(book, sheet, row, say("lower end of the spread of q SLV"), wall.q_slv_low_set, "–",
+                            f"{name}_q_slv_low")  # fmt: skip
+            row = live_row(book, sheet, row, f"q: {label}", "C8.7.1.5", f"={name}_q_slv_low*{name}_e_star",
+                           check.q, "–", q)  # fmt: skip
         row = live_row(book, sheet, row, f"ζ: {label}", check.clause,
                        f"={q}*{name}_zeta_sld", check.zeta, "–", f"{q}_zeta")  # fmt: skip
         row = _outcome(book, sheet, row, f"{q}_zeta", check)

@@ -71,7 +71,10 @@ def _compliance(compliance: Compliance) -> dict:
 def _demand_check(check: DemandCheck | None) -> dict | None:
     if check is None:
         return None
-    return {**asdict(check), "runs": [asdict(run) for run in check.runs]}
+    runs = [asdict(run) for run in check.runs]
+    for run in runs:
+        del run["motion"]  # the file names its records
+    return {**asdict(check), "runs": runs}
 
 
 def _assessment(assessment: Assessment | None) -> dict:
@@ -230,7 +233,7 @@ def record_measures(motion: GroundMotion) -> dict:
 
 def _run(run: Run, wall: WallResult, result: StudyResult) -> dict:
     ida = run.ida
-    method = result.method_of(wall, run.record)
+    method = result.method_of(wall, run.motion)
     return {
         "record": run.record,
         "polarity": run.polarity,
@@ -238,6 +241,7 @@ def _run(run: Run, wall: WallResult, result: StudyResult) -> dict:
         "q": ida.q,
         "bracket": list(ida.bracket) if ida.bracket else None,
         "q_slv": ida.q_slv,
+        "q_slv_low": ida.q_slv_low,
         "q_slc": ida.q_slc,
         "q_robust": ida.q_robust,
         "collapse_scale": run.scale,
@@ -276,6 +280,7 @@ def _wall(wall: WallResult, result: StudyResult) -> dict:
                 "q": entry.q,
                 "q_robust": entry.q_robust,
                 "q_slv": entry.q_slv,
+                "q_slv_low": entry.q_slv_low,
                 "q_eff": entry.q_eff,
                 "housner_intensity_cm": entry.intensity / CM,
                 "closed_form_q_eff": entry.closed_form_q_eff,
@@ -288,6 +293,7 @@ def _wall(wall: WallResult, result: StudyResult) -> dict:
         "q_min": wall.q_min,
         "q_robust_set": wall.q_robust_set,
         "q_slv_set": wall.q_slv_set,
+        "q_slv_low_set": wall.q_slv_low_set,
         "power_law": {"c1": law.c1, "c2": law.c2, "r_squared": law.r_squared, "n": law.n}
         if law
         else None,

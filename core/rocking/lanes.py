@@ -1,6 +1,7 @@
 """What all lanes of a pass do at once.
 
-Loops without branches over contiguous lanes, which the compiler turns into vector instructions: the initial terms of
+Loops without branches over contiguous lanes, which the compiler turns into vector instructions (where every value is
+loaded before the conditions: a load under one, `a[k] if c else b`, keeps a loop scalar): the initial terms of
 the step to the end of each lane's sample, its Taylor coefficients, what comes of it, and the impacts of the lanes
 that fall. A step whose series has not converged is taken in parts, down to a sixteenth. A lane whose step is not that
 plain (a kink, a new peak, an outward pull while it falls) takes it by `taylor.through_sample`, so that results equal
@@ -190,13 +191,16 @@ def stay_in_sample(lanes, state):
     """Put the lanes that took a part of their sample back into it."""
     widest_vectors()
     for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
-        inside = (state[PART + k] < 1.0) & (state[NEXT + k] <= CHECK)
-        state[NEXT + k] = STEPPED if inside else state[NEXT + k]
+        step, ends = state[NEXT + k], state[END_TIME + k]
+        t, first, impacts = state[TIME + k], state[FIRST + k], state[IMPACTS + k]
+        start, before = state[START + k], state[BEFORE + k]
+        inside = (state[PART + k] < 1.0) & (step <= CHECK)
+        state[NEXT + k] = STEPPED if inside else step
         state[SAMPLE + k] -= 1.0 if inside else 0.0
         state[LEFT + k] += 1.0 if inside else 0.0
-        state[TIME + k] = state[END_TIME + k] if inside else state[TIME + k]
-        state[FIRST + k] = state[START + k] if inside else state[FIRST + k]
-        state[IMPACTS + k] = state[BEFORE + k] if inside else state[IMPACTS + k]
+        state[TIME + k] = ends if inside else t
+        state[FIRST + k] = start if inside else first
+        state[IMPACTS + k] = before if inside else impacts
 
 
 @subkernel
@@ -214,7 +218,9 @@ def vector_step(lanes, dt, constants, order, state):
         forcing, growth = state[FORCING + k], state[GROWTH + k]
         x, low, peak = state[PHI + k], state[LOW + k], state[PEAK + k]
         speed, per_step = state[SPEED + k], state[PER_STEP + k]
-        left = state[LEFT + k] - 1.0
+        high, moving, left = state[HIGH + k], state[MOVING + k], state[LEFT + k] - 1.0
+        t, first, impacts = state[TIME + k], state[FIRST + k], state[IMPACTS + k]
+        second = state[SCALE + k] * state[SECOND + k]
         branch = state[FACTOR + k], state[SLOPE + k], state[CONSTANT + k], state[HELD + k]
         relative = relative_tolerance(x, v[0], forcing, p2, branch, constants)
         omitted = neglected(v, growth, forcing, rise, p2, constants.strength, order)
@@ -234,11 +240,11 @@ def vector_step(lanes, dt, constants, order, state):
         falls = near & (not stays)
         tops = (v[0] > -2.0 * margin) & (after < 2.0 * margin) & (not bulges)
         scalar = (
-            ((state[HIGH + k] - upper <= reach) & (max(v[0], after) >= -margin))
+            ((high - upper <= reach) & (max(v[0], after) >= -margin))
             | (upper > SHORT_SERIES)
             | long
             | (falls & (low != 0.0))
-            | (state[MOVING + k] == 0.0)
+            | (moving == 0.0)
             | ((not falls) & tops & peak_may_grow(x, dphi, v[0], bend, reach, peak))
         )
         stays = scalar | falls
@@ -250,13 +256,13 @@ def vector_step(lanes, dt, constants, order, state):
         )
         state[SAMPLE + k] += 0.0 if stays else 1.0
         state[LEFT + k] = left + 1.0 if stays else left
-        state[FIRST + k] = state[FIRST + k] if stays else state[SCALE + k] * state[SECOND + k]
+        state[FIRST + k] = first if stays else second
         state[PHI + k] = x if stays else y
         state[SPEED + k] = speed if stays else fma(dv, per_step, speed)
         state[PEAK + k] = peak if stays else max(peak, y)
-        state[TIME + k] = state[TIME + k] if stays else 0.0
+        state[TIME + k] = t if stays else 0.0
         state[PER_STEP + k] = per_step if stays else per_dt
-        state[IMPACTS + k] = state[IMPACTS + k] if stays else 0.0
+        state[IMPACTS + k] = impacts if stays else 0.0
 
 
 @subkernel

@@ -13,6 +13,7 @@ from core.codes.record_compatibility import Compliance
 from core.codes.risk import risk
 from core.codes.verdict import Circumstances, governing_check, verdict
 from core.ground.ground_motion import GroundMotion
+from core.ground.provenance import stations
 from core.rocking.methods import Method
 from core.study.floors import LOW_CODE, building_notes, floor_of, other_end
 from core.study.results import Assessment, WallResult
@@ -78,7 +79,7 @@ def assess(
     asked = wall.wall
     strongest = max((demand.scaling(m) * m.pga for m in motions), default=0.0)
     doubtful = Circumstances(
-        records=len(motions),
+        stations=len(stations(motions)),
         bundled=any(is_bundled(motion) for motion in motions),
         strongest=strongest,
         both_signs=wall.model.both_signs_alike or len(polarities) == 2,
@@ -102,18 +103,26 @@ def assess(
         below = demand_check(
             model, motions, signs, demand, method, None, BOUND_STEP, False, cancelled
         )
+    notes: list[Sentence] = []
     rows = [dynamic.as_check() if dynamic else None, nonlinear(kinematic, demand)]
     if demand.limit_state == "SLD":
         rows.append(sld(kinematic, demand))
     elif demand.limit_state == "SLV":
-        if wall.q_slv_set is not None:
+        if wall.q_slv_low_set is not None:
             # our q is counted from uplift at alpha_0 g: a0*, which e* raises, must not count it twice
-            own_q = wall.q_slv_set * kinematic.e_star
-            rows.append(linear("linear_q_slv", kinematic, demand, own_q))
+            own, upper = (
+                linear("linear_q_slv", kinematic, demand, q * kinematic.e_star)
+                for q in (wall.q_slv_low_set, wall.q_slv_set)
+            )
+            rows.append(own)
+            if own and upper.passed and not own.passed:
+                notes.append(
+                    sentence("reason", "lower_q_slv", low=wall.q_slv_low_set, q=wall.q_slv_set)
+                )
         rows.append(linear("linear_q_code", kinematic, demand, demand.q_code))
     checks = tuple(check for check in rows if check is not None)
     lower = below.zeta if below else None
-    sensitivity, ratio, notes = {}, None, ()
+    sensitivity, ratio = {}, None
     if wall.floor is not None:
         decides = governing_check(checks)
         if decides is not None and decides.zeta is not None:
@@ -121,7 +130,7 @@ def assess(
                 wall, decides, building, ground or [], polarities, demand, method, cancelled
             )
         ratio = wall.floor.code_over_records(kinematic)
-        notes = _floor_notes(wall, building, demand, ratio, sensitivity)
+        notes += _floor_notes(wall, building, demand, ratio, sensitivity)
     result = verdict(
         asked,
         wall.mechanism,
@@ -132,7 +141,7 @@ def assess(
         compliance,
         doubtful,
         lower,
-        notes,
+        tuple(notes),
     )
     unknown = result.zeta_e is None
     if (
@@ -217,7 +226,7 @@ def _centroid(wall: WallResult, building: Building) -> float:
     return min(wall.wall.base_z_m + 0.5 * wall.height, building.height_m)
 
 
-def _floor_notes(wall, building, demand, ratio: float | None, sensitivity) -> tuple[Sentence, ...]:
+def _floor_notes(wall, building, demand, ratio: float | None, sensitivity) -> list[Sentence]:
     """What is said of the floor beside the verdict. ratio : of `Floor.code_over_records`."""
     notes = building_notes(building, demand.limit_state)
 
@@ -234,4 +243,4 @@ def _floor_notes(wall, building, demand, ratio: float | None, sensitivity) -> tu
         notes.append(sentence("reason", "at_centroid", z=z, zeta=words("at_centroid")))
     if ratio is not None and ratio < LOW_CODE:
         notes.append(sentence("reason", "code_below_records", ratio=ratio))
-    return tuple(notes)
+    return notes

@@ -26,7 +26,7 @@ from core.study.floors import floor_of
 from core.study.governing import lowest_run
 from core.study.journal import Journal, Memory
 from core.study.limit_states import demands_of, unsaid, zetas
-from core.study.record_input import read_records
+from core.study.record_input import joined, read_records
 from core.study.results import StudyResult, WallResult
 from core.study.threads import Threads
 from core.study.wall_result import run_result, wall_result, with_variants_alone, with_weakest_hinge
@@ -58,13 +58,13 @@ def run(
     demand = demand_of(case, base_dir)
     motions, kinds = read_records(case, base_dir)
     made = generated(case, demand) if demand else []
-    motions, kinds = motions + made, kinds + ["artificial"] * len(made)
+    motions, kinds = joined(motions, made), kinds + ["artificial"] * len(made)
     method = METHODS.get(case.analysis.method, AUTO)
     chosen = case.analysis
     search = Search(chosen.q_step, chosen.q_limit, chosen.map_span, chosen.robust_window)
     hinged = parts(case)
-    walls = [(wall, mechanism) for _, wall in hinged for mechanism in wall.mechanisms()]
-    origins = [name for name, wall in hinged for _ in wall.mechanisms()]
+    entries = [(part, mechanism) for part in hinged for mechanism in part.wall.mechanisms()]
+    walls = [(part.wall, mechanism) for part, mechanism in entries]
     models = [_model(wall, mechanism) for wall, mechanism in walls]
     signs = [polarities_of(model, chosen.polarity) for model in models]
     planned = [
@@ -101,13 +101,13 @@ def run(
         by_wall: dict[int, list] = {}
         for entry in planned:
             wall, number, polarity = entry
-            one = run_result(models[wall], felt[wall][number], polarity, found[entry])
+            one = run_result(models[wall], felt[wall][number], number, polarity, found[entry])
             by_wall.setdefault(wall, []).append(one)
         results = [
             wall_result(
-                wall, mechanism, models[k], by_wall.get(k, []), motions, search, demand, floors[k]
+                part, mechanism, models[k], by_wall.get(k, []), motions, search, demand, floors[k]
             )
-            for k, (wall, mechanism) in enumerate(walls)
+            for k, (part, mechanism) in enumerate(entries)
         ]
         if demand:
             checks = {
@@ -142,7 +142,7 @@ def run(
                 for k, wall in enumerate(results)
             ]
             demand = replace(demand, warnings=(*demand.warnings, *unsaid(demand, by_state)))
-            results = with_variants_alone(with_weakest_hinge(results, origins))
+            results = with_variants_alone(with_weakest_hinge(results))
         if chosen.accuracy:
             statements = {
                 k: lambda stop, wall=wall: accuracy_of(wall, motions, method, search, stop)
@@ -166,11 +166,9 @@ def accuracy_of(wall: WallResult, motions, method, search, cancelled) -> Accurac
     lowest = lowest_run(wall)
     if lowest is None:
         return None
-    if wall.floor:
-        motions = wall.floor.motions
-    motion = next(motion for motion in motions if motion.name == lowest.record)
+    motion = (wall.floor.motions if wall.floor else motions)[lowest.motion]
     other = next(
-        (r.ida.q for r in wall.runs if r.record == lowest.record and r.polarity != lowest.polarity),
+        (r.ida.q for r in wall.runs if r.motion == lowest.motion and r.polarity != lowest.polarity),
         None,
     )
     return accuracy(

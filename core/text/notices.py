@@ -186,8 +186,14 @@ SENTENCES = {
         "SI della domanda {si:.1f} cm: media degli accelerogrammi scalati ad a_g S, non indipendente da essi.",
     ),
     "too_few": (
-        "{n} record(s) with a number: the minimum is taken, too few for a design value.",
-        "{n} accelerogrammi con un valore: si assume il minimo, troppo pochi per un valore di progetto.",
+        "{n} station(s) with a number: the minimum is taken, too few for a design value.",
+        "{n} stazioni con un valore: si assume il minimo, troppo poche per un valore di progetto.",
+    ),
+    "few_stations": (
+        "{files} records with a number are of {n} station(s): below 7 stations the set takes the minimum, not the "
+        "mean.",
+        "{files} accelerogrammi con un valore sono di {n} stazioni: sotto 7 stazioni l'insieme assume il minimo, "
+        "non la media.",
     ),
     "coarse_window": (
         "The step of the search is coarse for the robust window ({n} points on either side): one collapsing point "

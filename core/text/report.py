@@ -6,6 +6,7 @@ REPORT = {
     "Loads": "Carichi",
     "α0 with friction, top {h:.2f} m": "α0 con attrito, {h:.2f} m in alto",
     "e* of that part": "e* di quella parte",
+    "lower end of the spread of q SLV": "estremo inferiore della dispersione di q SLV",
     "kin.": "cin.",
     "all hinges": "tutte le cerniere",
     ("The weakest of its {n} hinges asks {force:.2f} kN/m."): (

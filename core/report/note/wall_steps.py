@@ -232,6 +232,14 @@ def linear(result: StudyResult, wall: WallResult, name: str, words: Words) -> li
             "z": (kinematic.zeta_sld, f"{name}_zeta_sld"),
         }
         label = words.word(check.label)
+        if check.name == "linear_q_slv":
+            low, share = wall.q_slv_low_set, kinematic.e_star
+            factors = {"l": (low, f"{name}_q_slv_low"), "e": (share, f"{name}_e_star")}
+            lower = words.say(
+                "lower end of the spread of q SLV, {q:.2f}, times e*", q=wall.q_slv_set
+            )
+            steps.append(Step("q", check.q, ".3f", "–", "C8.7.1.5", "q_SLV,min e*", "{l:.3f} · {e:.3f}", factors,
+                              f"{name}_linear_q_slv", lower))  # fmt: skip
         steps.append(Step("ζ", check.zeta, ".3f", "–", check.clause, "q a_g,SLD/a_g", "{q:.2f} · {z:.3f}", values,
                           f"{name}_{check.name}_zeta", label))  # fmt: skip
     return steps
