@@ -5,16 +5,24 @@ from dataclasses import dataclass
 
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandCheck
-from core.codes.kinematic import Check, Kinematic
+from core.capacity.ida import BRACKET
+from core.codes.kinematic import ROUNDING, Check, Kinematic
 from core.codes.limits import MEAN_FROM, MINIMUM_FROM
 from core.codes.record_compatibility import Compliance
-from core.text.sentence import Key, Number, Sentence, apart, localized, sentence
+from core.text.sentence import Key, Number, Sentence, apart, sentence
 from core.units import G
 
 ORDER = ("dynamic", "nonlinear", "linear_q_slv", "linear_q_code")
 """The check that governs is the first of these that could be made."""
 
 STOCKY_DEG = 20.0
+
+CODE_Q = 2.0
+"""q of C8.7.1.2.1.7."""
+
+TO_MEND = ("no_restraint", "no_spectrum", "not_compatible", "few_records", "bundled", "one_sign", "no_soil_factor",
+           "period_estimated")  # fmt: skip
+"""What makes a verdict indicative and the designer can mend, as `to_...` says; the first two are said."""
 
 
 @dataclass(frozen=True)
@@ -38,14 +46,32 @@ class Circumstances:
 
 
 @dataclass(frozen=True)
+class Lift:
+    """An input that raises zeta, as the case gives it, and what zeta is at the other end of its range.
+
+    key : of the case, and of [wall.justification] or [demand.justification]
+    words : Sentence of the group "reason"
+    turns : the other end turns what is satisfied into what is not
+    justified : the engineer's reason stands in the case
+    """
+
+    key: str
+    words: Sentence
+    turns: bool = False
+    justified: bool = False
+
+
+@dataclass(frozen=True)
 class Verdict:
-    """The verdict of a wall.
+    """The verdict of a wall about one hinge.
 
     code : of the group "verdict"
     governing : name of the check that decides, or None
-    reasons : Sentences of the group "reason"
-    parts : of its sentence
-    if_unloaded : it holds only if the wall carries no load
+    way, values : the sentence of the group "verdict" and what it says; `text` adds where
+    decides : the check that decides with what it compares, or what is missing
+    to_do : what the designer does next, two at most
+    limits : what limits the verdict, first what makes it indicative
+    notes : what a reader may pass over
     lower_bound : zeta of the two-sided motion where the restraint behind a one-sided wall fails, or None
     """
 
@@ -53,17 +79,31 @@ class Verdict:
     governing: str | None
     zeta_e: float | None
     zeta_target: float
-    reasons: tuple[Sentence, ...]
-    parts: tuple[Sentence, ...]
-    if_unloaded: bool
+    way: str
+    values: tuple[tuple[str, object], ...]
+    decides: Sentence | None = None
+    to_do: tuple[Sentence, ...] = ()
+    limits: tuple[Sentence, ...] = ()
+    notes: tuple[Sentence, ...] = ()
     lower_bound: float | None = None
 
-    def text(self, language: str) -> str:
-        """The sentence in "en" or "it"."""
-        words = "".join(part.text(language) for part in self.parts)
-        if self.if_unloaded:
-            words = words.removesuffix(".") + localized("added", "unloaded", language)
-        return words
+    @property
+    def reasons(self) -> tuple[Sentence, ...]:
+        """What follows the sentence, in the order it is read."""
+        return (*self.to_do, *self.limits, *self.notes)
+
+    def text(self, language: str, subject: str = "", where: Sentence | str = "") -> str:
+        """The sentence in "en" or "it". subject : name of the wall; where : of `at_hinge`"""
+        words = sentence("verdict", self.way, where=where, **dict(self.values)).text(language)
+        return f"{subject}: {words}" if subject else words[:1].upper() + words[1:]
+
+
+def at_hinge(height: float, z: float) -> Sentence | str:
+    """Where a hinge is, for the sentence of a wall: nothing at its base on the ground. height : above the base of the
+    wall; z : above the ground [m]"""
+    if height > 0.0:
+        return sentence("added", "at_hinge", height=height)
+    return sentence("added", "at_base", z=z) if z > 0.0 else ""
 
 
 def governing_check(checks: tuple[Check, ...]) -> Check | None:
@@ -76,6 +116,13 @@ def _reason(code: str, /, **values) -> Sentence:
     return sentence("reason", code, **values)
 
 
+def passes_with_q2(check: Check | None, target: float) -> bool:
+    """Whether the check with q of the code is satisfied with q = 2 as well, where a larger q was given."""
+    if check is None or check.zeta is None:
+        return False
+    return check.zeta * min(1.0, CODE_Q / (check.q or CODE_Q)) >= target - ROUNDING
+
+
 def verdict(
     wall,
     mechanism: str,
@@ -86,107 +133,148 @@ def verdict(
     compliance: Compliance | None,
     circumstances: Circumstances,
     lower_bound: float | None,
-    own_notes: tuple[Sentence, ...] = (),
+    own_limits: tuple[Sentence, ...] = (),
+    lifts: tuple[Lift, ...] = (),
 ) -> Verdict:
     """The verdict from the checks of a wall, the most refined first.
 
     checks : those that were made
-    own_notes : Sentences on the checks and on the floor of a wall above the ground
+    own_limits : Sentences on the checks and on the floor of a wall above the ground
     kinematic : None above the ground where the building is not known
+    lifts : inputs that raise zeta
     """
     block = wall.block()
     threshold = G * wall.uplift_multiplier(mechanism)
     made = {check.name: check for check in checks}
-    governing = governing_check(checks)
-    q_code = made.get("linear_q_code")
+    governing, q_code = governing_check(checks), made.get("linear_q_code")
     zeta = governing.zeta if governing else None
     target = demand.zeta_target
+    missing = _missing(wall, governing, kinematic)
     activated = _activated(wall, threshold, demand, checks, kinematic, circumstances)
-    doubts = []
-    if wall.above_ground and kinematic is None:
-        missing = {
-            "height": "height_m",
-            "storeys": "storeys",
-            "period": "period_s",
-            "building": "[building]",
-        }
-        keys = {name: Key(key) for name, key in missing.items()}
-        doubts.append(_reason("upper_floor", z=wall.base_z_m, **keys))
-    elif governing is None:
-        doubts.append(_reason("no_check"))
-    elif zeta is None:
-        doubts.append(_reason("no_number"))
-    elif activated and dynamic and dynamic.within_spread(target):
-        low, high = dynamic.zeta_spread
-        doubts.append(_reason("within_spread", zeta=zeta, target=target, low=low, high=high))
-    notes = list(own_notes)
-    if kinematic and kinematic.chain.friction_height is not None:
-        notes.append(_reason("friction_hinge", height=kinematic.chain.friction_height))
-    if kinematic and kinematic.missing:
-        missing = tuple(sentence("missing", key) for key in kinematic.missing)
-        notes.append(_reason("no_period", missing=missing))
-    at = sentence("added", "at_demand")
-    if target != 1.0:
-        at = sentence("added", "at_share", target=target)
-    if dynamic and zeta is not None:
-        if zeta < target and dynamic.holds_at_target:
-            notes.append(_reason("weaker_fails", zeta=zeta, at=at))
-        if zeta >= target and not dynamic.holds_at_target:
-            notes.append(_reason("demand_fails", at=at))
-        if dynamic.passed and target < 1.0 <= zeta and not dynamic.holds:
-            notes.append(_reason("whole_demand_fails", target=target))
-        if kinematic and kinematic.free_element and wall.moment_law().is_rigid:
-            notes.append(_reason("rigid_free"))
-    limits = _limits(wall, mechanism, block, demand, dynamic, compliance, circumstances)
-    if zeta is None or (wall.above_ground and kinematic is None):
+    blocking = _limits(wall, mechanism, block, demand, dynamic, compliance, circumstances)
+    blocking += [lift.words for lift in lifts if lift.turns and not lift.justified]
+    if dynamic and dynamic.passed and _alone(made, dynamic):
+        blocking.append(_reason("alone"))
+    agrees = passes_with_q2(q_code, target)
+    if missing is not None:
         code = "undetermined"
     elif not activated:
         code = "not_activated"
-    elif doubts:
-        code = "undetermined"
-    elif limits:
+    elif dynamic and dynamic.within_spread(target):
+        code = "at_limit"
+    elif blocking:
         code = "indicative"
     elif governing.passed:
-        refined = demand.limit_state == "SLV" and not (q_code and q_code.passed)
+        refined = demand.limit_state == "SLV" and not agrees
         code = "verified_refined" if refined else "verified"
     else:
-        code = "q2_unsafe" if q_code and q_code.passed else "not_verified"
-    notes += [
-        _reason(
-            "disagrees",
-            method=sentence("started_method", other.label),
-            zeta=apart(other.zeta, target),
-            outcome=sentence("word", "passed" if other.passed else "not_passed"),
-        )
-        for other in checks
-        if governing
-        and other is not governing
-        and other.passed is not None
-        and other.passed != governing.passed
-    ]
+        code = "q2_unsafe" if agrees else "not_verified"
+    limits = [*blocking, *own_limits]
+    limits += [lift.words for lift in lifts if lift.words not in limits]
+    if code != "undetermined":
+        limits += _of_the_histories(dynamic, kinematic, wall, zeta, target)
+    if kinematic and kinematic.missing:
+        keys = tuple(sentence("missing", key) for key in kinematic.missing)
+        limits.append(_reason("no_period", missing=keys))
+    if lower_bound is not None:
+        limits.append(_reason("restraint_fails", zeta=Number(lower_bound)))
+    notes = []
+    if kinematic and kinematic.chain.friction_height is not None:
+        notes.append(_reason("friction_hinge", height=kinematic.chain.friction_height))
     if dynamic and compliance and code != "not_activated":
         if compliance.unnamed:
             notes.append(_reason("no_station", n=compliance.unnamed))
         if compliance.stations <= MEAN_FROM:
             notes.append(_reason("more_records", n=compliance.stations))
+    by = sentence("added", "nothing")
+    if governing and zeta is not None:
+        by = measured(governing, dynamic, demand)
     largest = demand.pga
     if wall.above_ground and code == "not_activated":
         largest = _strongest(demand, kinematic, circumstances)
-    parts = _sentence(
-        code, threshold, demand, governing, q_code, dynamic, wall.above_ground, largest
+    way, values = _outcome(
+        code, missing, threshold, demand, governing, checks, dynamic, by, largest, wall
     )
-    if_unloaded = code != "undetermined" and not (wall.unloaded_confirmed or wall.load)
-    reasons = (*doubts, *limits, *notes)
+    decides = missing
+    if missing is None and governing:
+        decides = sentence("added", "decides", by=by, clause=governing.clause)
     return Verdict(
         code,
         governing.name if governing else None,
         zeta,
         target,
-        reasons,
-        parts,
-        if_unloaded,
+        way,
+        tuple(values.items()),
+        decides,
+        tuple(_to_do(code, blocking, lifts)[:2]),
+        tuple(limits),
+        tuple(notes),
         lower_bound,
     )
+
+
+def _missing(wall, governing, kinematic) -> Sentence | None:
+    """What is missing where no verdict can be given, with the keys that give it."""
+    if wall.above_ground and kinematic is None:
+        keys = {
+            "height": "height_m",
+            "storeys": "storeys",
+            "period": "period_s",
+            "building": "[building]",
+        }
+        keys = {name: Key(key) for name, key in keys.items()}
+        return _reason("upper_floor", z=wall.base_z_m, **keys)
+    if governing is None:
+        keys = {"spectrum": "spectrum", "modulus": "elastic_modulus_mpa", "weight": "unit_weight_kn_m3"}
+        return _reason("no_check", **{name: Key(key) for name, key in keys.items()})
+    return _reason("no_number") if governing.zeta is None else None
+
+
+def _alone(made: dict[str, Check], dynamic: DemandCheck) -> bool:
+    """Whether neither the displacement check nor FC on the other side confirms what the histories say."""
+    displacement, other = made.get("nonlinear"), dynamic.zeta_other
+    refuted = displacement is not None and displacement.passed is False
+    return refuted and other is not None and not other.passed
+
+
+def _of_the_histories(dynamic, kinematic, wall, zeta, target) -> list[Sentence]:
+    """What else the histories say of the demand and of weaker motions."""
+    if dynamic is None or zeta is None:
+        return []
+    said = []
+    at = sentence("added", "at_demand")
+    if target != 1.0:
+        at = sentence("added", "at_share", target=target)
+    first = dynamic.zeta_first
+    if first is not None and dynamic.zeta is not None and first < dynamic.zeta * (1.0 - BRACKET):
+        said.append(_reason("weaker_fails", first=first, zeta_16=Number(dynamic.zeta_16)))
+    if zeta >= target and not dynamic.holds_at_target:
+        said.append(_reason("demand_fails", at=at))
+    if dynamic.passed and target < 1.0 <= zeta and not dynamic.holds:
+        said.append(_reason("whole_demand_fails", target=target))
+    if dynamic.passed and dynamic.zeta_16 is not None and dynamic.zeta_16 < target:
+        said.append(_reason("share", share=dynamic.share_failing_at_demand, target=target))
+    if kinematic and kinematic.free_element and wall.moment_law().is_rigid:
+        said.append(_reason("rigid_free"))
+    return said
+
+
+def _to_do(code: str, blocking: list[Sentence], lifts: tuple[Lift, ...]) -> list[Sentence]:
+    """What the designer does next, the first first."""
+    found = []
+    if code == "indicative":
+        for lift in lifts:
+            if lift.words in blocking:
+                found.append(_reason("give_reason", key=Key(lift.key)))
+        codes = [words.code for words in blocking]
+        found += [_reason(f"to_{code}") for code in TO_MEND if code in codes]
+        if "alone" in codes:
+            found.append(_reason("justify"))
+    elif code == "verified_refined":
+        found.append(_reason("justify"))
+    elif code in ("not_verified", "q2_unsafe", "at_limit"):
+        found.append(_reason("strengthen"))
+    return found
 
 
 def _activated(
@@ -253,58 +341,72 @@ def _limits(
     return reasons
 
 
-def _sentence(
-    code: str,
-    threshold: float,
-    demand,
-    governing,
-    q_code,
-    dynamic,
-    above_ground: bool,
-    largest: float,
-) -> tuple[Sentence, ...]:
-    """The parts of the sentence of a verdict. threshold : a_RM; largest : under the wall, FC apart [m/s2]."""
-    way = code
-    if code == "not_activated" and above_ground:
-        way = "not_activated_floor"
-    if code == "verified" and governing.name == "linear_q_code":
-        way = "verified_simply" if demand.limit_state == "SLV" else "verified_plainly"
-    elif code == "verified" and q_code is None:
-        way = "verified_plainly"
-    elif code == "verified_refined" and q_code is None:
-        way = "verified_alone"
-    zeta = apart(governing.zeta if governing else None, demand.zeta_target)
-    if demand.zeta_target != 1.0:
-        zeta = sentence("added", "required", zeta=zeta, target=demand.zeta_target)
-    method = sentence("method", governing.label) if governing else ""
-    lifting = demand.confidence_factor * largest / G
-    parts = [
-        sentence(
-            "verdict", way, state=demand.limit_state, q=demand.q_code, zeta=zeta, method=method, demand=lifting,
-            a_rm=threshold / G,
-        )
+def measured(check: Check, dynamic: DemandCheck | None, demand: DemandResult) -> Sentence:
+    """A check with what it compares: demand and capacity."""
+    if check.name != "dynamic" or dynamic is None:
+        return sentence(
+            "added", f"by_{check.label}", q=Number(check.q, "g"), state=demand.limit_state,
+            capacity=Number(check.capacity, ".3f"), demand=Number(check.demand, ".3f"),
+        )  # fmt: skip
+    falls = sum(run.status != "stable" for run in dynamic.runs)
+    if dynamic.peak_ratio is None and falls:
+        return sentence("added", "by_dynamic_falls", n=falls, m=len(dynamic.runs))
+    return sentence(
+        "added", f"by_dynamic_{dynamic.set_rule}", peak=Number(dynamic.peak_ratio), limit=Number(dynamic.limit_ratio)
+    )  # fmt: skip
+
+
+def _failing(checks, governing, dynamic, demand) -> tuple[Sentence, ...]:
+    """Checks beside the one that decides that are not satisfied, with zeta."""
+    target = demand.zeta_target
+    found = [
+        sentence("added", "check_zeta", check=sentence("short", check.label, q=Number(check.q, "g")),
+                 zeta=apart(check.zeta, target))
+        for check in checks
+        if check is not governing and check.passed is False
     ]  # fmt: skip
-    if code not in ("undetermined", "not_activated") and dynamic:
-        parts += _dynamic_parts(dynamic, demand.zeta_target)
-    return tuple(parts)
-
-
-def _dynamic_parts(dynamic: DemandCheck, target: float) -> list[Sentence]:
-    """How many multipliers around a demand that is met fail, and whether FC on the other side decides
-    differently."""
-    parts, other = [], dynamic.zeta_other
-    if dynamic.passed and dynamic.zeta_16 is not None and dynamic.zeta_16 < target:
-        share = dynamic.share_failing_at_demand
-        if target == 1.0:
-            parts.append(sentence("added", "share", share=share))
-        else:
-            parts.append(sentence("added", "share_of_target", share=share, target=target))
-    if other and other.passed != dynamic.passed:
-        zeta = Number(other.zeta)
-        if not other.passed and other.zeta is not None and other.zeta >= target:
+    other = dynamic.zeta_other if dynamic else None
+    if other and not other.passed:
+        zeta = Number(None) if other.zeta is None else apart(other.zeta, target)
+        if other.zeta is not None and other.zeta >= target:
             zeta = sentence("added", "fails_at_demand", zeta=zeta)
-        negation = sentence("added", "nothing" if other.passed else "not")
-        parts.append(
-            sentence("added", f"confidence_{other.confidence_on}", negation=negation, zeta=zeta)
-        )
-    return parts
+        found.append(
+            sentence("added", "check_zeta", check=sentence("short", f"confidence_{other.confidence_on}", q=""), zeta=zeta)
+        )  # fmt: skip
+    return tuple(found)
+
+
+def _outcome(
+    code: str, missing, threshold: float, demand, governing, checks, dynamic, by, largest: float, wall
+) -> tuple[str, dict]:
+    """Way and values of the sentence. threshold : a_RM; largest : acceleration under the wall, FC apart [m/s2]."""
+    target, way = demand.zeta_target, code
+    if code == "not_activated" and wall.above_ground:
+        way = "not_activated_floor"
+    zeta = apart(governing.zeta if governing else None, target)
+    if target != 1.0:
+        zeta = sentence("added", "required", zeta=zeta, target=target)
+    fails = _failing(checks, governing, dynamic, demand) if governing else ()
+    tail = sentence("added", "not_by", checks=fails) if fails else ""
+    if code == "verified" and not fails and any(c.name == "linear_q_code" for c in checks) and governing.name != "linear_q_code":
+        tail = sentence("added", "q_agrees", q=CODE_Q)
+    if code == "q2_unsafe":
+        tail = sentence("added", "q_would_pass", q=CODE_Q)
+    elif code == "verified_refined" and not any(c.name == "linear_q_code" for c in checks):
+        tail = sentence("added", "no_q_check", q=CODE_Q, tail=tail)
+    low, high = dynamic.zeta_spread if code == "at_limit" else (None, None)
+    return way, {
+        "state": demand.limit_state,
+        "zeta": zeta,
+        "by": by,
+        "tail": tail,
+        "target": target,
+        "low": apart(low, target),
+        "high": apart(high, target, above=True),
+        "missing": missing or "",
+        "demand": demand.confidence_factor * largest / G,
+        "a_rm": threshold / G,
+        "unloaded": ""
+        if code == "undetermined" or wall.unloaded_confirmed or wall.load
+        else sentence("added", "unloaded"),
+    }

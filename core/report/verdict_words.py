@@ -8,7 +8,7 @@ from core.text.keys import KEYS, SECTIONS
 from core.text.sentence import FormNames, word
 
 TONES = {"verified": "good", "not_activated": "good", "verified_refined": "amber", "indicative": "amber",
-         "undetermined": "amber", "q2_unsafe": "bad", "not_verified": "bad"}  # fmt: skip
+         "undetermined": "amber", "at_limit": "bad", "q2_unsafe": "bad", "not_verified": "bad"}  # fmt: skip
 
 
 @functools.cache

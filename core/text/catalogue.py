@@ -12,18 +12,13 @@ from core.text.notices import SENTENCES as NOTICES
 from core.text.report import REPORT
 from core.text.study import STUDY
 from core.text.terminal import TERMINAL
-from core.text.verdicts import ADDED, METHOD_WORDS, MISSING_WORDS, REASONS
+from core.text.verdicts import ADDED, MISSING_WORDS, REASONS, SHORT
 from core.text.verdicts import SENTENCES as VERDICTS
 from core.text.window import WINDOW
 from core.text.window_charts import WINDOW_CHARTS
 from core.text.window_forms import WINDOW_FORMS
 from core.text.window_help import WINDOW_HELP
 from core.text.words import ASSUMPTIONS, LOADS, WORDS
-
-
-def _started(words: tuple[str, str]) -> tuple[str, str]:
-    english, italian = (text[0].upper() + text[1:] for text in words)
-    return english, italian
 
 
 def _by_english(texts: dict[str, str]) -> dict[str, tuple[str, str]]:
@@ -42,8 +37,7 @@ CATALOGUE: dict[str, dict[str, tuple[str, str]]] = {
     "added": ADDED,
     "reason": REASONS,
     "missing": MISSING_WORDS,
-    "method": METHOD_WORDS,
-    "started_method": {code: _started(words) for code, words in METHOD_WORDS.items()},
+    "short": SHORT,
     "method_label": METHOD_LABELS,
     "method_body": METHOD_BODIES,
     "report": _by_english({**STUDY, **REPORT, **NOTE}),

@@ -134,12 +134,16 @@ def numeral(value: float | None, form: str, language: str) -> str:
     return format(CommaFloat(value) if language == "it" else value, form)
 
 
-def apart(value: float | None, limit: float) -> Number:
-    """A ratio of a check with the digits, two to four, that keep a value below its limit from reading as the limit."""
+def apart(value: float | None, limit: float, above: bool = False) -> Number:
+    """A ratio of a check with the digits, two to four, that keep a value below its limit from reading as the limit;
+    above : one above it as well."""
     for digits in (2, 3, 4):
-        if value is None or (round(value, digits) < limit) == (value < limit):
+        if value is None:
+            return Number(None)
+        shown = round(value, digits)
+        if (shown < limit) == (value < limit) and not (above and shown == limit != value):
             return Number(value, f".{digits}f")
-    return Number(limit - 1e-4, ".4f")
+    return Number(limit - 1e-4 if value < limit else limit + 1e-4, ".4f")
 
 
 def sentence(group: str, code: str, /, **values) -> Sentence:

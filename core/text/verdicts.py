@@ -1,114 +1,226 @@
 """Sentences of the verdict and its reasons, English and Italian. Never the word "safe"."""
 
-METHOD_WORDS = {
-    "dynamic": ("the dynamic check (C8.7.1.2.1.9)", "la verifica dinamica (C8.7.1.2.1.9)"),
-    "nonlinear": (
-        "the nonlinear kinematic check (C8.7.1.2.1.8)",
-        "la verifica cinematica non lineare (C8.7.1.2.1.8)",
-    ),
-    "linear_q_slv": (
-        "the linear kinematic check with the lower q of the time histories (C8.7.1.2.1.7)",
-        "la verifica cinematica lineare con il q inferiore delle storie temporali (C8.7.1.2.1.7)",
-    ),
-    "linear_q_code": (
-        "the linear kinematic check with the q of the code (C8.7.1.2.1.7)",
-        "la verifica cinematica lineare con il fattore di comportamento q (C8.7.1.2.1.7)",
-    ),
-    "linear_sld": (
-        "the linear kinematic check (C8.7.1.2.1.5)",
-        "la verifica cinematica lineare (C8.7.1.2.1.5)",
-    ),
+SHORT = {
+    "dynamic": ("time histories", "storie temporali"),
+    "nonlinear": ("displacement", "spostamento"),
+    "linear_q_slv": ("lower q of the histories", "q inferiore delle storie"),
+    "linear_q_code": ("q = {q}", "q = {q}"),
+    "linear_sld": ("linear check", "verifica lineare"),
+    "confidence_demand": ("FC on the demand", "FC sulla domanda"),
+    "confidence_capacity": ("FC on the strength", "FC sulla resistenza"),
 }
-"""Label of a check -> (English, Italian)."""
+"""Label of a check -> what a list of checks calls it (English, Italian)."""
 
 SENTENCES = {
     "not_activated": (
-        "The mechanism does not start: FC S a_g = {demand:.3f} g does not exceed a_RM = {a_rm:.3f} g.",
-        "Il meccanismo non si attiva: FC S a_g = {demand:.3f} g non supera a_RM = {a_rm:.3f} g.",
+        "not activated at {state}{where}{unloaded}: FC S a_g = {demand:.3f} g does not exceed a_RM = {a_rm:.3f} g.",
+        "meccanismo non attivato allo {state}{where}{unloaded}: FC S a_g = {demand:.3f} g non supera a_RM = {a_rm:.3f} g.",
     ),
     "not_activated_floor": (
-        "The mechanism does not start: FC times the largest acceleration of the floor, {demand:.3f} g, does not exceed "
-        "a_RM = {a_rm:.3f} g.",
-        "Il meccanismo non si attiva: FC per la massima accelerazione del piano, {demand:.3f} g, non supera "
-        "a_RM = {a_rm:.3f} g.",
+        "not activated at {state}{where}{unloaded}: FC times the largest acceleration of the floor, {demand:.3f} g, does "
+        "not exceed a_RM = {a_rm:.3f} g.",
+        "meccanismo non attivato allo {state}{where}{unloaded}: FC per la massima accelerazione del piano, {demand:.3f} g, "
+        "non supera a_RM = {a_rm:.3f} g.",
     ),
     "verified": (
-        "Verified at {state}: ζ {zeta} by {method}; the check with q = {q:g} agrees.",
-        "Verificata allo {state}: ζ {zeta} secondo {method}; la verifica con q = {q:g} concorda.",
-    ),
-    "verified_plainly": (
-        "Verified at {state}: ζ {zeta} by {method}.",
-        "Verificata allo {state}: ζ {zeta} secondo {method}.",
-    ),
-    "verified_simply": (
-        "Verified at {state}: ζ {zeta} by {method}, the simplified one.",
-        "Verificata allo {state}: ζ {zeta} secondo {method}, quella semplificata.",
+        "verified at {state}{unloaded}, ζ {zeta}{where}, by {by}.{tail}",
+        "verificata allo {state}{unloaded}, ζ {zeta}{where}, secondo {by}.{tail}",
     ),
     "verified_refined": (
-        "Verified at {state} by {method} only: ζ {zeta}. With q = {q:g} it is not: the designer must "
-        "justify the refined method.",
-        "Verificata allo {state} solo secondo {method}: ζ {zeta}. Con q = {q:g} non lo è: il progettista "
-        "deve motivare il metodo raffinato.",
-    ),
-    "verified_alone": (
-        "Verified at {state} by {method} only: ζ {zeta}. The check with q = {q:g} could not be made: the "
-        "designer must justify the refined method.",
-        "Verificata allo {state} solo secondo {method}: ζ {zeta}. La verifica con q = {q:g} non è stata "
-        "possibile: il progettista deve motivare il metodo raffinato.",
+        "verified at {state}{unloaded} only by {by}, ζ {zeta}{where}.{tail}",
+        "verificata allo {state}{unloaded} solo secondo {by}, ζ {zeta}{where}.{tail}",
     ),
     "q2_unsafe": (
-        "Not verified at {state}: ζ {zeta} by {method}. The check with q = {q:g} alone would pass and is "
-        "not conservative here.",
-        "Non verificata allo {state}: ζ {zeta} secondo {method}. La sola verifica con q = {q:g} sarebbe "
-        "soddisfatta: qui non è cautelativa.",
+        "not verified at {state}, ζ {zeta}{where}, by {by}.{tail}",
+        "non verificata allo {state}, ζ {zeta}{where}, secondo {by}.{tail}",
     ),
     "not_verified": (
-        "Not verified at {state}: ζ {zeta} by {method}.",
-        "Non verificata allo {state}: ζ {zeta} secondo {method}.",
+        "not verified at {state}, ζ {zeta}{where}, by {by}.{tail}",
+        "non verificata allo {state}, ζ {zeta}{where}, secondo {by}.{tail}",
+    ),
+    "at_limit": (
+        "at the limit at {state}{unloaded}: ζ {low} to {high}{where} for {target:.2f} required, counted as not verified, by "
+        "{by}.{tail}",
+        "al limite allo {state}{unloaded}: ζ fra {low} e {high}{where} per {target:.2f} richiesto, considerata non "
+        "verificata, secondo {by}.{tail}",
     ),
     "indicative": (
-        "Indicative only: ζ {zeta} at {state} by {method}, not a verification.",
-        "Solo indicativo: ζ {zeta} allo {state} secondo {method}, non è una verifica.",
+        "only indicative at {state}{unloaded}, not a verification: ζ {zeta}{where} by {by}.{tail}",
+        "solo indicativa allo {state}{unloaded}, non è una verifica: ζ {zeta}{where} secondo {by}.{tail}",
     ),
     "undetermined": (
-        "Undetermined at {state}: see the reasons.",
-        "Non determinabile allo {state}: vedere i motivi.",
+        "not determined at {state}{where}: {missing}",
+        "non determinata allo {state}{where}: {missing}",
     ),
 }
-"""Code of a verdict, or one of the ways to say `verified` and `verified_refined` -> (English, Italian)."""
+"""Code of a verdict -> (English, Italian); the name of the wall stands before it."""
 
 ADDED = {
     "with_pga": ("{where} {pga:.3f} g", "{where} {pga:.3f} g"),
-    "share_of_target": (
-        " Of the multipliers within 10 % of {target:g} of the demand {share:.0%} fail.",
-        " Dei moltiplicatori entro il 10 % dal {target:g} della domanda il {share:.0%} non soddisfa la regola.",
-    ),
-    "share": (
-        " Of the multipliers within 10 % of the demand {share:.0%} fail.",
-        " Dei moltiplicatori entro il 10 % dalla domanda il {share:.0%} non soddisfa la regola.",
-    ),
-    "confidence_demand": (
-        " With FC on the demand instead of the strength it is {negation}verified: ζ {zeta}.",
-        " Con FC sulla domanda anziché sulla resistenza {negation}è verificata: ζ {zeta}.",
-    ),
-    "confidence_capacity": (
-        " With FC on the strength, as C8.7.1.2.1.3 has it, it is {negation}verified: ζ {zeta}.",
-        " Con FC sulla resistenza, come nel C8.7.1.2.1.3, {negation}è verificata: ζ {zeta}.",
-    ),
     "required": ("{zeta} (required {target:g})", "{zeta} (richiesto {target:g})"),
+    "at_hinge": (" at the hinge of +{height:.4g} m", " alla cerniera a +{height:.4g} m"),
+    "at_base": (" at the base, {z:.4g} m above the ground", " alla base, a {z:.4g} m dal suolo"),
     "at_demand": ("the demand", "alla domanda"),
     "at_share": ("{target:g} of the demand", "allo {target:g} della domanda"),
-    "not": ("not ", "non "),
     "nothing": ("", ""),
+    "unloaded": (" if the wall carries no load", " se la parete non porta carichi"),
+    "by_dynamic_mean": (
+        "time histories (mean peak {peak} θ_c, limit {limit})",
+        "storie temporali (media dei massimi {peak} θ_c, limite {limit})",
+    ),
+    "by_dynamic_maximum": (
+        "time histories (largest peak {peak} θ_c, limit {limit})",
+        "storie temporali (massimo {peak} θ_c, limite {limit})",
+    ),
+    "by_dynamic_falls": (
+        "time histories ({n} of {m} overturn)",
+        "storie temporali ({n} su {m} ribaltano)",
+    ),
+    "by_nonlinear": (
+        "the displacement check (d {demand} m, limit {capacity} m)",
+        "la verifica in spostamento (d {demand} m, limite {capacity} m)",
+    ),
+    "by_linear_q_code": (
+        "the linear check with q = {q} (a_g {demand} g, limit {capacity} g)",
+        "la verifica lineare con q = {q} (a_g {demand} g, limite {capacity} g)",
+    ),
+    "by_linear_q_slv": (
+        "the linear check with the lower q of the histories, {q} (a_g {demand} g, limit {capacity} g)",
+        "la verifica lineare con il q inferiore delle storie, {q} (a_g {demand} g, limite {capacity} g)",
+    ),
+    "by_linear_sld": (
+        "the linear check (acceleration {demand} g, limit {capacity} g)",
+        "la verifica lineare (accelerazione {demand} g, limite {capacity} g)",
+    ),
+    "by_dynamic": ("time histories", "storie temporali"),
+    "decides": ("{by}, {clause}", "{by}, {clause}"),
+    "check_zeta": ("{check} {zeta}", "{check} {zeta}"),
+    "not_by": (" Not by: {checks}.", " Non secondo: {checks}."),
+    "q_agrees": (" The check with q = {q:g} agrees.", " La verifica con q = {q:g} concorda."),
+    "q_would_pass": (
+        " The check with q = {q:g} alone would pass: here it is not on the safe side.",
+        " La sola verifica con q = {q:g} sarebbe soddisfatta: qui non è cautelativa.",
+    ),
+    "no_q_check": (
+        "{tail} The check with q = {q:g} could not be made.",
+        "{tail} La verifica con q = {q:g} non è stata possibile.",
+    ),
     "fails_at_demand": (
         "{zeta}, but the rule fails at the demand itself",
         "{zeta}, ma la regola non vale alla domanda stessa",
     ),
-    "unloaded": (", if the wall carries no load.", ", se la parete non porta carichi."),
 }
-"""What a sentence is followed by."""
+"""Parts of a sentence."""
 
 REASONS = {
+    "weaker_fails": (
+        "A weaker motion fails already, at {first:.3f} of the demand; around {zeta_16} of it one multiplier in six does.",
+        "Un moto più debole non soddisfa già a {first:.3f} della domanda; intorno a {zeta_16} di essa uno su sei.",
+    ),
+    "share": (
+        "Of the multipliers within 10 % of {target:g} of the demand {share:.0%} fail.",
+        "Dei moltiplicatori entro il 10 % dal {target:g} della domanda il {share:.0%} non soddisfa la regola.",
+    ),
+    "alone": (
+        "Neither the displacement check nor FC on the other side confirms the time histories.",
+        "Né la verifica in spostamento né FC sull'altro lato confermano le storie temporali.",
+    ),
+    "restraint_fails": (
+        "Should the restraint behind the wall fail, it rocks on both sides: ζ {zeta}.",
+        "Se il vincolo dietro la parete cede, la parete oscilla su due lati: ζ {zeta}.",
+    ),
+    "no_check": (
+        "no check could be made; give records or {spectrum}, and of an element free to vibrate {modulus} and {weight}.",
+        "nessuna verifica è stata possibile; indicare accelerogrammi o {spectrum}, e di un elemento libero di vibrare "
+        "{modulus} e {weight}.",
+    ),
+    "no_number": (
+        "a time history ended without a number (impact limit); leave that record out, or give another restitution.",
+        "una storia temporale è terminata senza un valore (limite di urti); escludere quell'accelerogramma, o indicare "
+        "un'altra restituzione.",
+    ),
+    "other_state": (
+        "At {state} it is {outcome}: ζ {zeta} by {check}.",
+        "Allo {state} è {outcome}: ζ {zeta} secondo {check}.",
+    ),
+    "heights_left_out": (
+        "Hinges at {heights} m above its base are not checked: give [building], or hinge_heights.",
+        "Le cerniere a {heights} m dalla base non sono verificate: indicare [building], o hinge_heights.",
+    ),
+    "base_alone": (
+        "Only the hinge at the base is checked, as asked (hinge_heights base); others lie at {heights} m.",
+        "È verificata solo la cerniera alla base, come richiesto (hinge_heights base); altre sono a {heights} m.",
+    ),
+    "justify": (
+        "The designer justifies the refined method in the note (C8.7.1.2.1.9).",
+        "Il progettista motiva nella relazione il metodo raffinato (C8.7.1.2.1.9).",
+    ),
+    "strengthen": (
+        "Strengthen the wall (tie, restraint, less thrust) and check it again as the variant progetto.",
+        "Rinforzare la parete (catena, vincolo, spinta ridotta) e verificarla di nuovo come variante progetto.",
+    ),
+    "give_reason": (
+        "Write why the value of {key} holds, under justification, or take the safe one.",
+        "Scrivere perché il valore di {key} è valido, in justification, o usare quello cautelativo.",
+    ),
+    "to_no_restraint": (
+        "Name what holds the wall from behind (back_restraint), or study it as two-sided.",
+        "Indicare che cosa trattiene la parete da dietro (back_restraint), o studiarla su due lati.",
+    ),
+    "to_no_spectrum": ("Give the spectrum of the demand.", "Indicare lo spettro della domanda."),
+    "to_not_compatible": (
+        "Choose records compatible with the spectrum (tab Spectra), or generate them.",
+        "Scegliere accelerogrammi compatibili con lo spettro (scheda Spettri), o generarli.",
+    ),
+    "to_few_records": (
+        "Give records of seven stations or more.",
+        "Indicare accelerogrammi di almeno sette stazioni.",
+    ),
+    "to_bundled": (
+        "Replace the bundled motions by records of the site.",
+        "Sostituire i moti di esempio con accelerogrammi del sito.",
+    ),
+    "to_one_sign": (
+        "Take both signs of each record (polarity both).",
+        "Usare entrambi i segni di ogni accelerogramma (polarity both).",
+    ),
+    "to_no_soil_factor": ("Give the soil factor S.", "Indicare il coefficiente S."),
+    "to_period_estimated": (
+        "Give the period of the building (period_s).",
+        "Indicare il periodo dell'edificio (period_s).",
+    ),
+    "lift_velocity_ratio": (
+        "The velocity ratio {e:.3f} is given: with {more:.3f} ζ is {zeta_more}, with the theoretical {theory:.3f} it is "
+        "{zeta_theory}.",
+        "Il coefficiente di restituzione {e:.3f} è dato: con {more:.3f} ζ è {zeta_more}, con quello teorico {theory:.3f} è "
+        "{zeta_theory}.",
+    ),
+    "lift_confidence_factor": (
+        "FC {fc:g} by {level} ({investigations}): with 1.35 ζ is {zeta}.",
+        "FC {fc:g} per {level} ({investigations}): con 1,35 ζ è {zeta}.",
+    ),
+    "lift_q_code": (
+        "q = {q:g} is given in place of 2: with q = 2 ζ of the linear check is {zeta}.",
+        "È dato q = {q:g} al posto di 2: con q = 2 ζ della verifica lineare è {zeta}.",
+    ),
+    "lift_return_walls": (
+        "The friction of the return walls is counted: without it ζ is {zeta}.",
+        "È contato l'attrito dei muri ortogonali: senza, ζ è {zeta}.",
+    ),
+    "lift_participation": (
+        "The participation {given:.2f} is below the {expected:.2f} of C7.2.10: with that ζ is {zeta}.",
+        "La partecipazione {given:.2f} è minore di {expected:.2f} di C7.2.10: con questa ζ è {zeta}.",
+    ),
+    "lift_free_element": (
+        "The two-sided wall is declared not free to vibrate: as a free element ζ of the linear check is {zeta}. By what is "
+        "it held?",
+        "La parete su due lati è dichiarata non libera di vibrare: come elemento libero ζ della verifica lineare è {zeta}. "
+        "Da che cosa è trattenuta?",
+    ),
+    "generated_motions": (
+        "The motions are generated: C8.7.1.2.1.9 advises natural records, under which ζ may be lower.",
+        "I moti sono generati: il C8.7.1.2.1.9 consiglia accelerogrammi naturali, con i quali ζ può essere minore.",
+    ),
     "friction_hinge": (
         "The friction of return walls governs for the upper {height:.2f} m of the wall; their demand is taken "
         "at the base.",
@@ -160,18 +272,6 @@ REASONS = {
         "Su [T_0, T_SLV] lo spettro di piano della norma scende a {ratio:.2f} della media dei moti di piano: le sue "
         "verifiche chiedono meno di questi accelerogrammi.",
     ),
-    "no_number": (
-        "A time history ended without a number (impact limit).",
-        "Una storia temporale è terminata senza un valore (limite di urti).",
-    ),
-    "within_spread": (
-        "ζ is known from {low:.3f} to {high:.3f} only, and the required {target:.2f} lies between.",
-        "ζ è noto solo fra {low:.3f} e {high:.3f}, e il valore richiesto {target:.2f} sta in mezzo.",
-    ),
-    "weaker_fails": (
-        "The rule holds at {at} itself but fails around {zeta:.2f} of it: a weaker motion is worse.",
-        "La regola vale {at} ma non intorno a {zeta:.2f} di essa: un moto più debole è più gravoso.",
-    ),
     "demand_fails": (
         "The rule fails at {at} itself, though at fewer than half of the multipliers around.",
         "La regola non vale {at} stessa, benché cada a meno di metà dei moltiplicatori intorno.",
@@ -198,7 +298,6 @@ REASONS = {
         "Verifiche lineari non eseguite: un elemento libero di vibrare si confronta con lo spettro in T_0 "
         "(C8.7.1.2.1.5, .7), che richiede {missing}.",
     ),
-    "no_check": ("No check could be made.", "Nessuna verifica è stata possibile."),
     "no_restraint": (
         "The restraint behind the wall is not named: one-sided rocking rests on it.",
         "Il vincolo dietro la parete non è indicato: l'oscillazione su un lato si basa su di esso.",
@@ -250,10 +349,6 @@ REASONS = {
     "no_soil_factor": (
         "S is not given and taken as 1, rock.",
         "S non è assegnato ed è posto pari a 1, roccia.",
-    ),
-    "disagrees": (
-        "{method} gives ζ {zeta}: {outcome}.",
-        "{method}: ζ {zeta}, {outcome}.",
     ),
 }
 
