@@ -14,6 +14,7 @@ from core.case.reader import read_case
 from core.case.schema import Case
 from core.errors import Cancelled, InputError
 from core.jit import cache
+from core.report.verdict_words import in_order
 from core.study.journal import Journal
 from core.study.results import StudyResult
 from core.study.run import run as run_study
@@ -143,7 +144,7 @@ def summary(result: StudyResult, folder: Path, stem: str) -> str:
     if result.demand:
         columns += ["zeta", "verdict", "by"]
     table = [[terminal(head) for head in columns]]
-    for wall in result.walls:
+    for wall in (wall for wall, decides in in_order(result) if decides):
         row = [wall.name[:48], *map(_coded, (wall.mechanism, wall.set_rule)), _short(wall.q_set),
                _short(wall.q_robust_set)]  # fmt: skip
         if wall.assessment:

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from app import theme
 from app.language import number, tr
 from app.plots.check_tab import verdict_color
+from core.report.verdict_words import in_order, sentence_of
 from core.text.sentence import word
 
 LISTED = 40
@@ -60,19 +61,19 @@ class Page(QWidget):
 def card(result, language: str) -> str:
     """The verdicts of a result as rich text."""
     lines = []
-    for wall in result.walls[:LISTED]:
+    deciding = [wall for wall, decides in in_order(result) if decides]
+    for wall in deciding[:LISTED]:
         if wall.assessment is None:
             lines.append(f"<b>{_plain(wall.name)}</b>: q {number(wall.q_set or 0, '.2f')}")
             continue
         verdict = wall.assessment.verdict
         zeta = "–" if verdict.zeta_e is None else f"{number(verdict.zeta_e, '.2f')}"
         lines.append(
-            f"<b>{_plain(wall.name)}</b> ({word(wall.mechanism, language)})<br>"
             f"<span style='color:{verdict_color(result, wall)}; font-weight:600'>ζ {zeta}, "
-            f"{word(verdict.code, language)}</span><br>{verdict.text(language)}"
+            f"{word(verdict.code, language)}</span><br>{_plain(sentence_of(result, wall, language))}"
         )
-    if len(result.walls) > LISTED:
-        lines.append(tr("{n} more walls on the tab Overview", n=len(result.walls) - LISTED))
+    if len(deciding) > LISTED:
+        lines.append(tr("{n} more walls on the tab Overview", n=len(deciding) - LISTED))
     return "<p>" + "</p><p>".join(lines) + "</p>"
 
 

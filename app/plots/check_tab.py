@@ -15,7 +15,7 @@ from app.plots.chart import Chart
 from app.plots.table import Table
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.eq9 import LABEL
-from core.report.verdict_words import names_in, tone_of
+from core.report.verdict_words import lines_of, sentence_of, tone_of
 from core.study.results import Q_SOURCES, StudyResult, WallResult
 from core.text.sentence import word
 from core.units import G
@@ -70,20 +70,13 @@ class CheckTab(QWidget):
             self.table.show_rows([])
             self.peaks.say_why(tr("No demand: nothing to compare the peaks with."))
             return
-        verdict = assessment.verdict
-        self.sentence.setText(verdict.text(self.language))
+        self.sentence.setText(sentence_of(result, wall, self.language))
         self.sentence.setStyleSheet(
             f"font-size: 12pt; font-weight: 600; color: {verdict_color(result, wall)};"
         )
-        reasons = [
-            reason.text(self.language, names_in(self.language)) for reason in verdict.reasons
-        ]
+        reasons = lines_of(result, wall, self.language)
         if assessment.tie is not None:
             reasons.append(self._tie(assessment.tie))
-        if verdict.lower_bound is not None:
-            reasons.append(
-                tr("Should the restraint behind fail: ζ {zeta}", zeta=digits(verdict.lower_bound))
-            )
         if assessment.kinematic:
             reasons.insert(0, self._mechanism(assessment))
         lines = [f"• {reason}" for reason in reasons] + [self._warnings(wall)]

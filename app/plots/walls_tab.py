@@ -87,8 +87,9 @@ class WallsTab(QWidget):
         self.split.setVisible(True)
         self.words.setText(tr("Lowest ζ first. Click the name of a wall to open it."))
         rows, colors = [], []
+        deciding = [one.governing for one in result.verdicts] or range(len(result.walls))
         self.order = sorted(
-            range(len(result.walls)),
+            deciding,
             key=lambda k: self._rank(result.walls[k]),
             reverse=self.falling,
         )
@@ -99,7 +100,9 @@ class WallsTab(QWidget):
         for column in range(RISK, self.table.columnCount()):  # what no wall has takes no room
             self.table.setColumnHidden(column, all(row[column] == "–" for row in rows))
         self.table.show_rows(rows, colors)
-        shown = next((k for k, one in enumerate(result.walls) if one is wall), None)
+        shown = next(
+            (k for k in self.order if result.walls[k].part.origin == wall.part.origin), None
+        )
         if shown is not None:
             self.table.selectRow(self.order.index(shown))
         found = comparisons(result.walls)

@@ -8,7 +8,7 @@ from dataclasses import MISSING, fields, replace
 from core.case.hazard_table import check_rising
 from core.case.hinges import check_hinges, parts
 from core.case.schema import Analysis, Case, Generate, Record, Report, Wall
-from core.case.site import KNOWLEDGE, Building, Demand, Spectrum
+from core.case.site import FULL_FACTOR, KNOWLEDGE, Building, Demand, Spectrum
 from core.case.values import (
     SHOWN,
     are_ends,
@@ -29,8 +29,6 @@ MIN_LETTERS = 3
 TESTED_STRENGTH = (0.5, 10.0)
 """Compressive strengths of masonry [MPa] that tests give."""
 
-FULL_FACTOR = 1.35
-"""Confidence factor where the compressive strength is not in alpha (Circolare 7/2019 C8.7.1.2.1)."""
 
 
 def parse_case(table: dict) -> Case:

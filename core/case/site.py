@@ -40,6 +40,9 @@ class DemandJustification:
     participation: str = text_key()
 
 
+FULL_FACTOR = 1.35
+"""FC of LC1, and where the compressive strength is not in alpha (Circolare 7/2019 C8.7.1.2.1)."""
+
 KNOWLEDGE = {"LC2": 1.20, "LC3": 1.00}
 """Levels of knowledge above LC1 -> least FC (Circolare 7/2019 Tab. C8.5.IV)."""
 

@@ -11,7 +11,7 @@ from core.codes.record_compatibility import Compliance
 from core.file_names import shown
 from core.ground.ground_motion import GroundMotion
 from core.ground.provenance import provenance
-from core.report.json_walls import limit_states, loads, tie_design, variants
+from core.report.json_walls import limit_states, loads, tie_design, variants, verdicts
 from core.study.results import Q_SOURCES, Assessment, Run, StudyResult, WallResult
 from core.units import CM, G
 from core.version import NAME, VERSION, commit
@@ -28,6 +28,7 @@ def results(result: StudyResult) -> dict:
         "records": [
             _record(motion, kind) for motion, kind in zip(result.motions, result.kinds, strict=True)
         ],
+        **verdicts(result),
         "walls": [_wall(wall, result) for wall in result.walls],
         **variants(result),
     }

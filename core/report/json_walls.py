@@ -1,7 +1,10 @@
 """Keys of the results JSON that only some walls have: loads, tie, limit states, variants."""
 
-from core.study.results import StudyResult, WallResult
+from core.study.limit_states import STATES
+from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.variants import Comparison, comparisons
+from core.study.wall_verdict import deciding, where
+from core.text.sentence import Sentence
 from core.units import G
 
 
@@ -58,6 +61,56 @@ def limit_states(wall: WallResult) -> dict:
             }
             for one in wall.assessment.states
         ]
+    }
+
+
+def verdicts(result: StudyResult) -> dict:
+    """The key verdicts: one a wall of the case, empty without a demand."""
+    return {
+        "verdicts": [_verdict(one, result) for one in result.verdicts]
+    }
+
+
+def _said(sentences: tuple[Sentence, ...]) -> list[dict]:
+    return [
+        {"key": one.code, "text_it": one.text("it"), "text_en": one.text("en")} for one in sentences
+    ]
+
+
+def _verdict(one: WallVerdict, result: StudyResult) -> dict:
+    wall = result.walls[one.governing]
+    found, check = wall.assessment.verdict, deciding(wall)
+    return {
+        "wall": one.wall.name,
+        "variant": one.wall.variant,
+        "code": found.code,
+        "zeta_e": found.zeta_e,
+        "zeta_target": found.zeta_target,
+        "hinge_m": wall.part.hinge,
+        "mechanism": wall.mechanism,
+        "check": found.governing,
+        "clause": check.clause if check else None,
+        "text_it": found.text("it", one.title, where(wall)),
+        "text_en": found.text("en", one.title, where(wall)),
+        "decides": found.decides.text("en") if found.decides else "",
+        "to_do": _said(found.to_do),
+        "limits": _said((*found.limits, *one.extra)),
+        "notes": _said(found.notes),
+        "hinges": [
+            {
+                "hinge_m": result.walls[k].part.hinge,
+                "mechanism": result.walls[k].mechanism,
+                "code": result.walls[k].assessment.verdict.code,
+                "zeta_e": result.walls[k].assessment.verdict.zeta_e,
+                "check": result.walls[k].assessment.verdict.governing,
+            }
+            for k in one.results
+        ],
+        "states": {
+            state: {"code": of.code, "zeta_e": of.zeta, "check": of.check}
+            for state in STATES
+            for of in [one.states[state]]
+        },
     }
 
 

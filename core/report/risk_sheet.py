@@ -13,7 +13,7 @@ from core.report.cells import (
     text,
     title,
 )
-from core.report.verdict_words import by_zeta
+from core.report.verdict_words import in_order
 from core.study.limit_states import STATES
 from core.study.results import StudyResult, WallResult
 from core.study.variants import comparisons
@@ -57,7 +57,7 @@ def _walls(book: Book, sheet, result: StudyResult, row: int) -> int:
     header(sheet, row, [
         say("Wall"), say("Mechanism"), "ζ_E", say("by"), "PGA_C [g]", "T_R,C", "IS-V",
         *(f"ζ {state}, {say('kin.')}" for state in STATES)], 1, 30)  # fmt: skip
-    for wall in by_zeta(result.walls):
+    for wall, _ in in_order(result):
         row += 1
         _wall(book, sheet, wall, row)
     known = [

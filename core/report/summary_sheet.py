@@ -29,7 +29,7 @@ from core.report.circolare import cell_prefix, zeta_cell
 from core.report.rows import changed_cell
 from core.report.summary_charts import peaks, sketch
 from core.report.tie_words import tie_words
-from core.report.verdict_words import by_zeta, names_in, tone_of
+from core.report.verdict_words import in_order, lines_of, sentence_of, tone_of
 from core.study.results import Q_SOURCES, StudyResult, WallResult
 from core.text.sentence import localized, word
 from core.units import CM, G
@@ -69,7 +69,7 @@ def summary(book: Book, result: StudyResult) -> None:
     changed_cell(book, sheet, row, 1)
     row += 1
     row = _demand_lines(book, sheet, result, row, LAST)
-    ordered = by_zeta(result.walls)
+    ordered = [wall for wall, decides in in_order(result) if decides]
     row = _walls_table(book, sheet, result, ordered[:SUMMARY_WALLS], row + 1)
     if len(ordered) > SUMMARY_WALLS:
         row = paragraph(
@@ -95,7 +95,7 @@ def overview(book: Book, result: StudyResult) -> None:
     """All walls, the lowest zeta first."""
     sheet = book.sheet("Overview", WIDTHS, landscape=True)
     title(sheet, 1, book.say("Overview of the walls"))
-    last = _walls_table(book, sheet, result, by_zeta(result.walls), 3)
+    last = _walls_table(book, sheet, result, [wall for wall, _ in in_order(result)], 3)
     sheet.auto_filter.ref = f"A3:M{last - 1}"
     sheet.freeze_panes = "B4"
     sheet.print_title_rows = "3:3"
@@ -245,26 +245,12 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
     if assessment.dynamic:
         peaks(book, sheet, assessment.dynamic, f"K{top}", 10.4, 6.2)
     row = max(row, top + 11) + 1
-    verdict = assessment.verdict
-    row = paragraph(sheet, row, verdict.text(book.language), LAST, 120, bold=True, size=12,
+    row = paragraph(sheet, row, sentence_of(result, wall, book.language), LAST, 120, bold=True, size=12,
                     color=verdict_color(result, wall))  # fmt: skip
-    for reason in verdict.reasons:
-        row = paragraph(
-            sheet, row, f"• {reason.text(book.language, names_in(book.language))}", LAST, 150
-        )
+    for line in lines_of(result, wall, book.language):
+        row = paragraph(sheet, row, f"• {line}", LAST, 150)
     if assessment.tie is not None:
         row = paragraph(sheet, row, f"• {tie_words(book.say, assessment.tie)}", LAST, 150)
-    if verdict.lower_bound is not None:
-        row = paragraph(
-            sheet,
-            row,
-            say(
-                "Should the restraint behind fail, the wall rocks on both sides: ζ {lower_bound:.2f}.",
-                lower_bound=verdict.lower_bound,
-            ),
-            LAST,
-            150,
-        )
     return row
 
 

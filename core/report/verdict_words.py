@@ -1,9 +1,9 @@
 """Order and tone of the verdicts, for workbook, note and window."""
 
 import functools
-import math
 
 from core.study.results import StudyResult, WallResult
+from core.study.wall_verdict import by_severity, where
 from core.text.keys import KEYS, SECTIONS
 from core.text.sentence import FormNames, word
 
@@ -20,14 +20,34 @@ def names_in(language: str) -> FormNames:
     return FormNames(captions)
 
 
-def by_zeta(walls) -> list[WallResult]:
-    """Walls without a zeta first, then the lowest."""
+def in_order(result: StudyResult) -> list[tuple[WallResult, bool]]:
+    """(result, whether it is the one that decides about its wall): the worst wall first, of each its worst hinge first;
+    without a demand all as they are."""
+    found = by_severity(result.verdicts, result.walls)
+    if not found:
+        return [(wall, True) for wall in result.walls]
+    return [(result.walls[k], k == one.governing) for one in found for k in one.results]
 
-    def key(wall: WallResult) -> float:
-        zeta = wall.assessment.verdict.zeta_e if wall.assessment else None
-        return -math.inf if zeta is None else zeta
 
-    return sorted(walls, key=key)
+def sentence_of(result: StudyResult, wall: WallResult, language: str) -> str:
+    """The verdict of a result in words: of its wall where it decides about it, else of its hinge."""
+    return wall.assessment.verdict.text(language, wall.part.asked.title, where(wall))
+
+
+def lines_of(result: StudyResult, wall: WallResult, language: str) -> list[str]:
+    """What follows the sentence, each kind with its word: what to do, what limits the result, notes."""
+    verdict = wall.assessment.verdict
+    extra = [one.extra for one in result.verdicts if result.walls[one.governing] is wall]
+    kinds = (
+        ("to_do", verdict.to_do),
+        ("limits", (*verdict.limits, *(extra[0] if extra else ()))),
+        ("note", verdict.notes),
+    )
+    return [
+        f"{word(kind, language)}: {one.text(language, names_in(language))}"
+        for kind, sentences in kinds
+        for one in sentences
+    ]
 
 
 def tone_of(result: StudyResult, wall: WallResult) -> str:

@@ -1,12 +1,13 @@
 """The demands of SLD, SLV and SLC of a site by its hazard, and zeta of a wall at each (NTC 2018, Annex A)."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from core.case.schema import Case, Wall
 from core.case.site import Building
 from core.codes.demand import DemandResult
-from core.codes.kinematic import kinematic, nonlinear, sld
+from core.codes.kinematic import ROUNDING, Check, kinematic, linear, nonlinear, sld
 from core.codes.limits import SAME_PERIOD, return_period
 from core.study.demand_input import demand_of, hazard_of, interpolated
 from core.study.floors import floor_of
@@ -17,9 +18,13 @@ STATES = ("SLD", "SLV", "SLC")
 
 @dataclass(frozen=True)
 class StateZeta:
-    """A wall at one limit state, by its kinematic check: linear at SLD, of displacement at SLV and SLC.
+    """A wall at one limit state, by its kinematic checks: linear at SLD, displacement and linear with q of the code at
+    SLV, displacement at SLC; the most refined decides, or time histories where they are asked for.
 
-    return_period : T_R [years]; ag : on rock [m/s2]; check : label of the check; zeta : None where it cannot be made
+    return_period : T_R [years]; ag : on rock [m/s2]
+    checks : those that could be made, the most refined first
+    check : label of the one that decides, or would; zeta : of it, None where none could be made
+    zeta_target : required
     """
 
     state: str
@@ -27,6 +32,15 @@ class StateZeta:
     ag: float
     check: str
     zeta: float | None
+    zeta_target: float = 1.0
+    checks: tuple[Check, ...] = ()
+
+    @property
+    def code(self) -> str:
+        """verified, not_verified, or undetermined."""
+        if self.zeta is None:
+            return "undetermined"
+        return "verified" if self.zeta >= self.zeta_target - ROUNDING else "not_verified"
 
 
 def demands_of(case: Case, base_dir: Path) -> dict[str, DemandResult]:
@@ -68,16 +82,28 @@ def unsaid(demand: DemandResult | None, found: dict[str, DemandResult]) -> list[
 
 
 def zetas(
-    wall: Wall, mechanism: str, demands: dict[str, DemandResult], building: Building | None
+    wall: Wall,
+    mechanism: str,
+    demands: dict[str, DemandResult],
+    building: Building | None,
+    histories: Callable[[str, DemandResult], Check | None] = lambda state, demand: None,
 ) -> tuple[StateZeta, ...]:
-    """The wall at each limit state. Raises InputError where a spectrum ends too early."""
+    """The wall at each limit state. histories : the dynamic check at a state, where it is asked for. Raises InputError
+    where a spectrum ends too early."""
     found = []
     for state, demand in demands.items():
         floor = floor_of(wall, building, demand, []) if wall.above_ground else None
-        check, label = None, "linear_sld" if state == "SLD" else "nonlinear"
+        made: list[Check | None] = []
         if floor is not None or not wall.above_ground:
             moved = kinematic(wall, mechanism, demand, floor.spectrum if floor else None)
-            check = sld(moved, demand) if state == "SLD" else nonlinear(moved, demand)
+            made = [histories(state, demand), nonlinear(moved, demand)]
+            if state == "SLD":
+                made.append(sld(moved, demand))
+            elif state == "SLV":
+                made.append(linear("linear_q_code", moved, demand, demand.q_code))
+        checks = tuple(check for check in made if check is not None)
+        label = checks[0].label if checks else "linear_sld" if state == "SLD" else "nonlinear"
+        zeta = checks[0].zeta if checks else None
         years = demand.return_period or 0.0
-        found.append(StateZeta(state, years, demand.ag, label, check.zeta if check else None))
+        found.append(StateZeta(state, years, demand.ag, label, zeta, demand.zeta_target, checks))
     return tuple(found)

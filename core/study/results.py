@@ -173,11 +173,42 @@ class WallResult:
 
 
 @dataclass(frozen=True)
+class StateOutcome:
+    """A wall at a limit state. code : of the verdict, or no_hazard; zeta, check : of the worst hinge, or None"""
+
+    code: str
+    zeta: float | None = None
+    check: str | None = None
+
+
+@dataclass(frozen=True)
+class WallVerdict:
+    """The verdict of a wall of the case.
+
+    wall : of the case; governing : index of the result that decides, the worst
+    results : indices of the results of all its hinges and mechanisms, the worst first
+    states : limit state -> outcome, of the worst hinge there
+    extra : what limits it beyond the hinge that decides
+    """
+
+    wall: Wall
+    governing: int
+    results: tuple[int, ...]
+    states: dict[str, StateOutcome]
+    extra: tuple[Sentence, ...] = ()
+
+    @property
+    def title(self) -> str:
+        return self.wall.title
+
+
+@dataclass(frozen=True)
 class StudyResult:
     """Everything that decides.
 
     motions : the records, SI units
-    walls : one entry per mechanism
+    walls : one entry for each hinge and mechanism of each wall of the case
+    verdicts : one for each wall of the case, in its order; empty without a demand
     """
 
     case: Case
@@ -190,6 +221,7 @@ class StudyResult:
     walls: tuple[WallResult, ...]
     compliance: Compliance | None = None
     elapsed: float = field(compare=False, default=0.0)
+    verdicts: tuple[WallVerdict, ...] = ()
 
     def motion_of(self, wall: WallResult, k: int) -> GroundMotion:
         """The motion under a wall: the k-th of the study, or of a wall above the ground that of its floor."""
@@ -209,7 +241,8 @@ class StudyResult:
 
     def left_to_read(self, wall: WallResult) -> bool:
         """Whether a warning or a reason stands beside the verdict of a wall."""
-        reasons = wall.assessment.verdict.reasons if wall.assessment else ()
+        verdict = wall.assessment.verdict if wall.assessment else None
+        reasons = (*verdict.to_do, *verdict.limits) if verdict else ()
         demand = self.demand.warnings if self.demand else ()
         records = any(motion.warnings for motion in self.motions)
         return bool(wall.warnings or reasons or demand or records)

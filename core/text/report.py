@@ -307,9 +307,6 @@ REPORT = {
     "on rock, S apart": "su suolo rigido, S a parte",
     "Verdict": "Esito",
     "Capacity": "Capacità",
-    "Should the restraint behind fail, the wall rocks on both sides: ζ {lower_bound:.2f}.": (
-        "Se il vincolo posteriore cede, la parete oscilla su due lati: ζ {lower_bound:.2f}."
-    ),
     "free to vibrate": "libera di vibrare",
     "demand": "domanda",
     "none": "nessuna",

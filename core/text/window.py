@@ -289,7 +289,6 @@ WINDOW = {
     "record": "accelerogramma",
     "Peaks at the demand": "Massimi alla domanda",
     "No demand: no check. q of the wall: {q}": "Nessuna domanda: nessuna verifica. q della parete: {q}",
-    "Should the restraint behind fail: ζ {zeta}": "Se il vincolo posteriore cede: ζ {zeta}",
     "within θc": "entro θc",
     "exceeds θc or overturns": "supera θc o ribalta",
     "Peak rotation against q": "Rotazione massima e q",

@@ -18,7 +18,7 @@ from core.report.note.parts import (
 )
 from core.report.note.words import Words
 from core.report.tie_words import tie_words
-from core.report.verdict_words import by_zeta, names_in, tone_of
+from core.report.verdict_words import in_order, lines_of, sentence_of, tone_of
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import localized
 from core.units import CM, G
@@ -47,7 +47,7 @@ def note(result: StudyResult, language: str) -> list[Part]:
     parts += _demand(result, words)
     parts += _verdicts(result, words)
     parts += _records(result, words)
-    ordered = by_zeta(result.walls)
+    ordered = [wall for wall, _ in in_order(result)]
     for wall in ordered[:FULL_WALLS]:
         parts += wall_parts(result, wall, cell_prefix(result, wall), words)
     if ordered[FULL_WALLS:]:
@@ -123,9 +123,9 @@ def _verdicts(result: StudyResult, words: Words) -> list[Part]:
         say("Wall"), say("Mechanism"), "H [m]", "t [m]", "q", "ζ_E", say("Deciding check"), say("Verdict"),
     ]  # fmt: skip
     rows, tones = [], {}
-    for n, wall in enumerate(by_zeta(result.walls)):
+    for n, (wall, decides) in enumerate(in_order(result)):
         found = wall.assessment
-        row = [wall.name, words.word(wall.mechanism), words.number(wall.height, ".2f"),
+        row = [wall.name if decides else f"– {wall.name}", words.word(wall.mechanism), words.number(wall.height, ".2f"),
                words.number(wall.thickness, ".3f"), words.number(wall.q_set, ".2f")]  # fmt: skip
         if found:
             verdict = found.verdict
@@ -230,21 +230,13 @@ def _verdict(result: StudyResult, wall: WallResult, words: Words) -> list[Part]:
     say, found, language = words.say, wall.assessment, words.language
     parts: list[Part] = []
     if found is not None:
-        verdict = found.verdict
         parts = [
             Heading(say("Verdict"), 3),
-            Paragraph(verdict.text(language), tone_of(result, wall)),
+            Paragraph(sentence_of(result, wall, language), tone_of(result, wall)),
         ]
-        lines = [reason.text(language, names_in(language)) for reason in verdict.reasons]
+        lines = lines_of(result, wall, language)
         if found.tie is not None:
             lines.append(tie_words(say, found.tie))
-        if verdict.lower_bound is not None:
-            lines.append(
-                say(
-                    "Should the restraint behind fail, the wall rocks on both sides: ζ {lower_bound:.2f}.",
-                    lower_bound=verdict.lower_bound,
-                )
-            )
         parts += [Paragraph(f"• {line}") for line in lines]
     parts += [Paragraph(f"• {warning.text(language)}", "quiet") for warning in wall.warnings]
     return parts
