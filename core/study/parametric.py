@@ -26,7 +26,6 @@ from core.units import G
 from core.version import VERSION
 from core.wall.rocking_model import RockingModel, rocking_model
 
-
 ROUNDED = 1e-4
 """Largest difference of two copies of a motion that files round differently [of its peak]."""
 
