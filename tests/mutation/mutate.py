@@ -23,7 +23,17 @@ ROOT = Path(__file__).resolve().parents[2]
 HAND = "tests/validation/test_circolare_by_hand.py"
 DISPLACEMENT = "tests/validation/test_displacement_demand.py"
 READERS = ["tests/core/ground/test_records.py", "tests/core/ground/test_record_refusals.py"]
+OWN = (
+    "core/wall/block.py", "core/wall/loads.py", "core/wall/moment_rotation.py", "core/wall/restitution.py",
+    "core/wall/rocking_model.py", "core/wall/wall_loads.py", "core/codes/capacity_curve.py", "core/codes/demand.py",
+    "core/codes/eq9.py", "core/codes/floor_spectrum.py", "core/codes/kinematic_chain.py",
+    "core/codes/multiplier_search.py", "core/codes/record_compatibility.py", "core/codes/risk.py",
+    "core/codes/target_spectrum.py",
+)  # fmt: skip
+"""Modules whose own tests, in the file of their name, hold their facts."""
+
 TESTS = {
+    **{module: [f"tests/{Path(module).with_name('test_' + Path(module).name)}"] for module in OWN},
     "core/codes/kinematic.py": [HAND, DISPLACEMENT, "tests/core/codes/test_kinematic.py"],
     "core/codes/dynamic_check.py": [
         HAND,
@@ -31,8 +41,6 @@ TESTS = {
         "tests/core/codes/test_verdict.py",
         "tests/core/study/test_run.py",
     ],
-    "core/codes/eq9.py": ["tests/core/codes/test_eq9.py"],
-    "core/codes/multiplier_search.py": ["tests/core/codes/test_multiplier_search.py"],
     "core/capacity/ida.py": ["tests/core/capacity/test_ida.py"],
     "core/codes/verdict.py": ["tests/core/codes/test_verdict.py", HAND],
     "core/codes/limits.py": [
