@@ -68,16 +68,23 @@ FIXED_STAMP = (
 
 def faults(tree: ast.Module) -> list[tuple[Any, str]]:
     """(node, attribute) of every place a fault can be put."""
-    annotations = {
+    passed_over = {
         id(part)
         for node in ast.walk(tree)
         for name in ("annotation", "returns")
         if getattr(node, name, None)
         for part in ast.walk(getattr(node, name))
     }
+    # nothing assigns to a frozen class: whether it is one no test can see
+    passed_over |= {
+        id(part)
+        for node in ast.walk(tree)
+        for decorator in getattr(node, "decorator_list", [])
+        for part in ast.walk(decorator)
+    }
     found: list[tuple[Any, str]] = []
     for node in ast.walk(tree):
-        if id(node) in annotations:
+        if id(node) in passed_over:
             continue
         if isinstance(node, ast.Compare) and type(node.ops[0]) in COMPARED:
             found.append((node, "ops"))
