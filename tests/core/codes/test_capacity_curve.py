@@ -13,7 +13,7 @@ from core.codes.target_spectrum import en1998
 from core.study.demand_input import demand_of
 from core.units import G
 
-WALL = {"name": "w", "height_m": 6.0, "thickness_m": 0.6, "mechanism": "two_sided", "base_z_m": 0.0}
+WALL = {"name": "w", "height_m": 1.0, "thickness_m": 0.1, "mechanism": "two_sided", "base_z_m": 0.0}
 DEMAND = {
     "ag_g": 0.2,
     "spectrum": {"code": "EN1998", "type": 1, "soil": "B"},
@@ -41,13 +41,14 @@ def test_that_the_capacity_falls_on_a_line_from_alpha_0_to_d_0():
 def test_that_the_demand_is_the_spectrum_up_to_a_quarter_more_than_the_check_needs(
     limit_state, damping
 ):
-    found, demand = curve_of(limit_state=limit_state)
+    found, demand = curve_of(limit_state=limit_state, ag_g=0.5)
     curve = capacity_curve(found, demand)
     assert curve.damping == damping
-    target = en1998(0.2 * G, 1, "B")
+    target = en1998(0.5 * G, 1, "B")
     acceleration = target.acceleration(PERIODS, damping)
     moved = acceleration * (PERIODS / (2.0 * np.pi)) ** 2
     inside = moved <= 1.25 * max(found.d0, found.s_de)
+    assert 50 < inside.sum() < PERIODS.size - 20  # it ends within the curve
     assert curve.demand_d == pytest.approx(moved[inside], rel=1e-13)
     assert curve.demand_a == pytest.approx(acceleration[inside], rel=1e-13)
     assert curve.floor_d.size == curve.floor_a.size == 0

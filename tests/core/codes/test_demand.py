@@ -64,7 +64,11 @@ def test_that_an_acceleration_no_site_has_and_another_than_the_hazards_are_warne
     assert codes(with_records(demand(0.61 * G), [])) == ["large_ag"]
     for ag, warned in ((0.191, False), (0.190, True), (0.210, False), (0.2106, True)):
         asked = demand(ag * G, hazard=HAZARD, return_period=475.0)
-        assert codes(with_records(asked, [])) == (["hazard_disagrees"] if warned else []), ag
+        found = with_records(asked, [])
+        assert codes(found) == (["hazard_disagrees"] if warned else []), ag
+        if warned:
+            told = dict(found.warnings[0].values)
+            assert told == pytest.approx({"stated": 0.2, "ag": ag, "years": 475.0}, rel=1e-12)
 
 
 def test_that_records_scaled_far_or_weaker_than_the_demand_are_warned_of():

@@ -37,7 +37,8 @@ def test_that_the_shorter_return_period_is_taken_on_either_side_of_one():
 
 @pytest.mark.parametrize(
     ("ag_g", "inverse"),
-    [(0.26, 0.49), (0.25, 0.49), (0.249, 0.43), (0.15, 0.43), (0.149, 0.356), (0.05, 0.356), (0.049, 0.34), (0.0, 0.34)],
+    [(0.26, 0.49), (0.25, 0.49), (0.249, 0.43), (0.15, 0.43), (0.149, 0.356), (0.05, 0.356),
+     (0.049, 0.34), (0.0, 0.34)],
 )  # fmt: skip
 def test_that_the_exponent_goes_by_a_g(ag_g, inverse):
     assert exponent_by_ag(ag_g * G) == pytest.approx(1.0 / inverse, rel=1e-14)

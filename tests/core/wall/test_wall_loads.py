@@ -127,7 +127,18 @@ def test_that_the_strength_of_the_masonry_moves_hinge_and_largest_tie():
     assert wall.setback == pytest.approx(2.0 * 34.3e3 / 3e6, rel=1e-12)
     with pytest.raises(InputError) as caught:
         case_of(ROOF, {**TIE, "kn_m": 9.0}, compressive_strength_mpa=1.0)
-    assert caught.value.values["most"] < 8.69
+    most, weight = caught.value.values["most"], 24.3
+    assert most < 8.69
+    # about the hinge u inside the edge; of each section u = 2 N / (3 f) inside its own
+    u = wall.setback
+    push = (weight * (0.225 - u) + 10.0 * (0.30 - u) + most * 2.8) / (weight * 1.5)
+    worst = 0.0
+    for y in (3.0 / 400 * k for k in range(1, 400)):
+        part = weight * (1.0 - y / 3.0)
+        moment = 0.5 * push * part * (3.0 - y) - 10.0 * (0.30 - 0.225)
+        moment -= most * max(2.8 - y, 0.0)
+        worst = max(worst, abs(moment) / ((part + 10.0) * (0.225 - 2.0 * (part + 10.0) / 3e3)))
+    assert worst == pytest.approx(1.0, abs=1e-6)
 
 
 def wall_of(*loads, **changes):
