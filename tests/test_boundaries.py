@@ -36,7 +36,6 @@ SHOWN_BY = {
     "case/schema": "tests/core/case/test_schema.py",
     "case/site": "tests/core/case/test_schema.py",
     "case/values": "tests/core/case/test_rules.py",
-    "codes/demand": "tests/core/codes/test_target_spectrum.py",
     "ground/records/california": DIALECTS,
     "ground/records/channels": DIALECTS,
     "ground/records/container": DIALECTS,
@@ -73,15 +72,12 @@ SHOWN_BY = {
     "study/paper_tables": STUDY,
     "study/set_means": "tests/core/study/test_parametric.py",
     "study/study_report": STUDY,
-    "codes/capacity_curve": "tests/core/report/test_note.py",
     "study/demand_histories": "tests/core/report/test_note.py",
     "study/assessment": "tests/core/codes/test_verdict.py",
     "study/demand_input": "tests/core/codes/test_target_spectrum.py",
     "study/governing": RUN,
     "study/results": RUN,
     "study/threads": RUN,
-    "wall/loads": "tests/validation/test_loaded_walls.py",
-    "wall/rocking_model": "tests/validation/test_reference_histories.py",
     **{
         f"rocking/compared/{name}": ORDER
         for name in (

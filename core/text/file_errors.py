@@ -5,6 +5,10 @@ FILE_ERRORS = {
         "this file holds response spectra: take the accelerogram (volume 1 or 2)",
         "questo file contiene spettri di risposta: usare l'accelerogramma (volume 1 o 2)",
     ),
+    "vertical_component": (
+        "a vertical component, left out of a study of horizontal motions",
+        "componente verticale, esclusa da uno studio di moti orizzontali",
+    ),
     "unreadable": ("cannot be read: {reason}", "non si può leggere: {reason}"),
     "table_rows": (
         "a table of walls has a row of heads (Parete; H; t; Meccanismo), a row of units (; m; cm;) unless the "

@@ -12,7 +12,7 @@ from core.codes.kinematic_chain import chain, friction, multipliers_with_frictio
 from core.study.demand_input import demand_of
 from core.units import G
 from tests.core.wall.test_wall_loads import ACROSS
-from tests.validation.test_loaded_walls import PUSHING, ROOF, case_of
+from tests.validation.test_loaded_walls import PUSHING, ROOF, TIE, case_of
 
 
 def across(**changes):
@@ -72,7 +72,23 @@ def test_that_a_two_sided_wall_takes_its_weaker_side():
     outer, both = chain(wall, False), chain(wall, True)
     assert outer.alpha0 == pytest.approx((24.3 * 0.225 + 10.0 * 0.30) / 36.45, rel=1e-12)
     assert both.alpha0 == pytest.approx((24.3 * 0.225 + 10.0 * 0.15) / 36.45, rel=1e-12)
-    assert both.d0 < outer.d0
+    # theta_c where W R sin(alpha - theta) + N (d cos(theta) - h sin(theta)) = 0; d_0 of the centroid of the wall
+    for found, d in ((outer, 0.30), (both, 0.15)):
+        collapse = math.atan2(24.3 * 0.225 + 10.0 * d, 24.3 * 1.5 + 10.0 * 3.0)
+        alpha, radius = math.atan(0.15), math.hypot(0.225, 1.5)
+        d0 = radius * (math.sin(alpha) - math.sin(alpha - collapse))
+        assert found.d0 == pytest.approx(d0, rel=1e-12)
+
+
+def test_that_friction_holds_a_part_with_the_loads_above_its_hinge():
+    wall = case_of(ROOF, TIE, return_walls=ACROSS, length_m=5.0).wall[0]
+    multipliers, _, heights = multipliers_with_friction(wall)
+    for h, tied in ((3.0, True), (0.21, True), (0.19, False), (0.1, False)):
+        k = int(np.argmin(np.abs(heights - h)))
+        h = heights[k]
+        holding = 8.1 * h * 0.225 + 10.0 * 0.30 + 2e-3 * friction(wall, h) / 5.0 * h / 3.0
+        holding += 5.0 * (2.8 - (3.0 - h)) if tied else 0.0
+        assert multipliers[k] == pytest.approx(holding / (0.5 * 8.1 * h * h), rel=1e-9), h
 
 
 def test_that_masses_lengthen_the_elastic_period_by_dunkerleys_rule():
