@@ -1,0 +1,202 @@
+"""The words heads of accelerograms use, as tables: wording -> quantity, unit, factor. All are in lower case, without
+accents, Δt as dt, powers as ^2: see `folded`."""
+
+import re
+import unicodedata
+
+from core.ground.records.grammar import HEAD_LINE, NUMBER
+from core.units import G
+
+_DIGITS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
+_POWER = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺]++")
+_LETTERS = str.maketrans({
+    "Δ": "d", "δ": "d", "∆": "d", "Τ": "t", "τ": "t", "µ": "u", "μ": "u", "ε": "e", "×": "x", "·": "*", "⋅": "*", "−": "-",
+    "–": "-", "÷": "/", "∕": "/", "⁄": "/", "’": "'", "°": "", "º": "",
+})  # fmt: skip
+
+
+def folded(line: str) -> str:
+    """A line of a head as the tables write it."""
+    if not line.isascii():
+        line = _POWER.sub(lambda run: "^" + run[0].translate(_DIGITS), line).translate(_LETTERS)
+        line = "".join(x for x in unicodedata.normalize("NFKD", line) if not unicodedata.combining(x))
+    return line.lower()[:HEAD_LINE]
+
+
+def any_of(words) -> str:
+    """A pattern of any of these wordings, the longest first; a blank in one is a blank, `_`, `-`, a point or nothing."""
+    ordered = sorted(words, key=len, reverse=True)
+    return "(?:" + "|".join(re.escape(w).replace(r"\ ", "[ _.-]{0,2}+") for w in ordered) + ")"
+
+
+N = NUMBER.replace("[EeDd]", "[ed]").replace(r"\.[0-9]", "[.,][0-9]")
+"""A number of a head: the comma may be the decimal mark."""
+
+FACTOR = rf"(?:{N}(?: *+(?:x|\*) *+10 *+(?:\^|\*\*)? *+-?[0-9]++|(?:\^|\*\*) *+-?[0-9]++| *+/ *+{N})?+)"
+"""A number, a power (10^-3, 2.5 x 10^-3) or a quotient."""
+
+_SECOND = r"(?:s(?:ec(?:ond[oi]?s?|s)?)?)\.?(?![a-z])"
+
+TIME_UNITS = {
+    "s": 1.0, "sec": 1.0, "secs": 1.0, "sec.": 1.0, "second": 1.0, "seconds": 1.0, "secondo": 1.0, "secondi": 1.0,
+    "ms": 1e-3, "msec": 1e-3, "millisecond": 1e-3, "milliseconds": 1e-3, "millisecondi": 1e-3, "millisecondo": 1e-3,
+    "us": 1e-6, "usec": 1e-6, "microseconds": 1e-6, "microsecondi": 1e-6,
+    "min": 60.0, "minutes": 60.0, "minuti": 60.0,
+}  # fmt: skip
+"""Seconds of one unit."""
+
+RATE_UNITS = {"hz": 1.0, "hertz": 1.0, "khz": 1e3, "sps": 1.0, "cps": 1.0, "c/s": 1.0, "s/s": 1.0}
+SAMPLES = ("samples", "sample", "samps", "samp", "pts", "points", "campioni", "punti", "letture", "valori", "values",
+           "readings", "data points", "dati")  # fmt: skip
+RATE_PHRASE = rf"{any_of(SAMPLES)} *+(?:/|per|al|a|each|every|ogni) *+{_SECOND}"
+"""`samples per second`, `campioni al secondo`: Hz by themselves."""
+
+TIMING = {
+    "step": ("dt", "d t", "delta", "delta t", "timestep", "step", "step size", "interval", "intervals", "spacing", "increment",
+             "sampling period", "sample period", "sampling time", "sample time", "sampling dt", "time resolution", "ts",
+             "passo", "intervallo", "incremento", "spaziatura", "periodo di campionamento", "tempo di campionamento",
+             "periodo campionamento", "tempo campionamento", "risoluzione temporale", "every", "ogni"),
+    "rate": ("rate", "samplerate", "fs", "f s", "f samp", "fsamp", "sps", "hz", "hertz", "sampling frequency", "sample frequency",
+             "sampling freq", "sample freq", "samp freq", "sampl freq", "sampling hz", "acquisition frequency", "frequenza di campionamento",
+             "frequenza campionamento", "freq di campionamento", "freq campionamento", "freq camp", "frequenza camp", "frequenza di camp",
+             "frequenza di acquisizione", "frequenza acquisizione", "frequenza di digitalizzazione", "cadenza", "tasso di campionamento",
+             "velocita di campionamento", "sampling speed"),
+    "either": ("sampling", "sampled", "resampled", "digitized", "digitised", "campionamento", "campionato", "campionata",
+               "campionati", "campionate", "ricampionato", "ricampionata", "acquisito", "digitalizzato", "digitalizzata"),
+}  # fmt: skip
+"""Wordings of a time step, of a sampling rate, of whichever the unit says."""
+
+VAGUE_TIMING = ("step", "delta", "interval", "intervals", "increment", "spacing", "every", "ogni", "rate", "intervallo", "incremento",
+                "spaziatura", "passo", "hz", "hertz", "ts", "cadenza", "sampling time", "sample time")  # fmt: skip
+"""Of these a number that is no plausible step or rate states none (`step 2 of the processing`)."""
+
+NOUNS = ("points", "pts", "samples", "data points", "data", "values", "readings", "rows", "records", "ordinates", "time points",
+         "accelerations", "campioni", "punti", "dati", "valori", "letture", "righe", "ordinate", "lines")  # fmt: skip
+GAPS = ("steps", "time steps", "timesteps", "intervals", "time intervals", "passi", "passi temporali", "intervalli")
+"""Of these a record of n samples has n or n - 1."""
+
+COUNT = ("npts", "npt", "npoints", "nsamples", "nsamp", "nsample", "ndata", "nsteps", "ndat", "nvalues", "n samp", "sample count",
+         "samples count", "point count", "data count", "count of samples", "count of points", "data length", "nt", "numpts",
+         "npunti", "ncampioni", "ndati")  # fmt: skip
+VAGUE_COUNT = ("n", "count", "length", "record length", "size", "lunghezza", "conteggio", "totale", "total", "ns", "np", "nd")
+
+FACTORS = ("scale factor", "scaling factor", "scalefactor", "scale", "scaling", "multiplier", "multiplying factor", "multiplication factor",
+           "multiply by", "multiply all by", "multiply data by", "multiply values by", "multiply all values by", "multiply samples by", "multiplied by",
+           "multiply the values by", "multiply the data by", "multiply the samples by", "multiply with", "to be multiplied by",
+           "factor", "conversion factor", "conversion", "conv factor", "calibration factor", "calibration", "amplitude factor",
+           "amplification", "normalization factor", "normalisation factor", "normalizing factor", "gain", "sensitivity", "lsb", "times",
+           "fattore", "fattore di scala", "fattore scala", "fattore moltiplicativo", "fattore di conversione", "fattore di calibrazione",
+           "fattore di amplificazione", "fattore di normalizzazione", "coefficiente", "coefficiente di scala", "coefficiente moltiplicativo",
+           "moltiplicare per", "moltiplicare i valori per", "moltiplicare i dati per", "moltiplicare tutto per", "moltiplica per",
+           "moltiplicato per", "moltiplicati per", "moltiplicata per", "da moltiplicare per", "moltiplicatore", "scala",
+           "costante di conversione", "costante di calibrazione", "guadagno", "sensibilita", "conversione")  # fmt: skip
+DIVISORS = ("divide by", "divided by", "divide values by", "divide data by", "divide all by", "divide the values by", "divisor",
+            "dividere per", "dividere i valori per", "dividere tutto per", "diviso per", "divisi per", "divisore")  # fmt: skip
+APPLIED = ("scaled by", "already scaled by", "already multiplied by", "rescaled by", "scaled with", "scaled up by", "scaled down by",
+           "scalato per", "scalato di", "scalati per", "scalata per", "gia scalato per", "gia moltiplicato per", "riscalato per")
+"""Factors that are in the samples."""  # fmt: skip
+
+NO_FACTOR = re.compile(
+    r"\b(?:richter|mercalli|mcs|magnitude|magnitudo|intensity|soil|site|behaviou?r|damping|importance|ductility|struttura"
+    r"|suolo|smorzamento|comportamento|sottosuolo|topograph\w*|topografic\w*|confidence|confidenza|participation|map|time)\b"
+)
+"""Words of a line whose factor or scale is not that of the samples."""
+
+LENGTHS = {
+    "m": 1.0, "metre": 1.0, "metres": 1.0, "meter": 1.0, "meters": 1.0, "metro": 1.0, "metri": 1.0, "cm": 0.01,
+    "centimetre": 0.01, "centimetres": 0.01, "centimeter": 0.01, "centimeters": 0.01, "centimetri": 0.01, "centimetro": 0.01,
+    "mm": 1e-3, "millimetre": 1e-3, "millimetres": 1e-3, "millimeter": 1e-3, "millimeters": 1e-3, "millimetri": 1e-3,
+    "dm": 0.1, "um": 1e-6, "nm": 1e-9, "km": 1e3, "in": 0.0254, "inch": 0.0254, "inches": 0.0254, "pollici": 0.0254,
+    "ft": 0.3048, "foot": 0.3048, "feet": 0.3048, "piedi": 0.3048,
+}  # fmt: skip
+BARE_LENGTHS = ("m", "cm", "mm", "in", "inch", "inches")
+"""Lengths that alone are the unit of a displacement."""
+
+OF_POWER = {0: "displacement", 1: "velocity", 2: "acceleration", 3: "jerk"}
+"""Quantity of a length over so many seconds."""
+
+PER_SECONDS = (
+    rf"(?:(?P<over>(?: *+(?:/|per|al|a|over) *+\(? *+{_SECOND}){{1,3}}+)(?: *+(?:\^|\*\*)? *+(?P<power>[23])(?![0-9.]))?+"
+    r"(?: *+al)?+(?P<word> *+(?:squared|square|cubed|quadrat[oi]|quadro|cubo))?+"
+    r"|(?P<square> *+(?:/|per) *+(?:square|sq\.?) *+s(?:ec(?:ond)?)?\b)"
+    r"|[ .*_]*+s(?:ec)? *+(?:\^|\*\*)? *+\(? *+- *+(?P<minus>[123]) *+\)?|_+(?:s|sec)(?P<under>[23]))"
+)
+
+_QUANTITIES = {
+    "acceleration": {"g": G, "g's": G, "gs": G, "gn": G, "g units": G, "units of g": G, "gal": 0.01, "gals": 0.01, "mg": 1e-3 * G, "milli g": 1e-3 * G,
+                     "millig": 1e-3 * G, "micro g": 1e-6 * G, "ug": 1e-6 * G, "mgal": 1e-5, "mgals": 1e-5, "milligal": 1e-5,
+                     "milligals": 1e-5, "% of g": 0.01 * G, "%g": 0.01 * G, "% g": 0.01 * G, "%": 0.01 * G},
+    "counts": ("counts", "count", "cts", "raw counts", "raw count", "digital counts", "adc counts", "adc units", "digital units", "digits", "lsb",
+               "conteggi", "bit", "bits"),
+    "voltage": ("v", "volt", "volts", "mv", "millivolt", "millivolts", "uv", "microvolt", "microvolts"),
+    "velocity": ("kine", "kines", "mkine", "millikine", "knots", "km/h", "kmh", "mph"),
+    "jerk": ("g/s", "g/sec", "gal/s", "gal/sec"),
+    "rotation": ("rad", "rads", "mrad", "urad", "radians", "radian", "radianti", "rad/s", "rad/sec", "rad/s2", "rad/s^2", "mrad/s", "deg/s",
+                 "deg/sec", "degrees/s", "gradi/s", "rad/sec2"),
+    "strain": ("strain", "microstrain", "micro strain", "nanostrain", "ustrain", "ue", "mm/mm", "m/m"),
+    "pressure": ("pa", "kpa", "mpa", "hpa", "gpa", "bar", "mbar", "psi", "ksi", "n/mm2", "n/mm^2", "n/m2", "n/m^2", "kn/m2", "kg/cm2", "kg/cm^2"),
+    "force": ("kn", "kgf", "newton", "newtons"),
+}  # fmt: skip
+NAMED_UNITS = {word: (quantity, si[word] if isinstance(si, dict) else None) for quantity, si in _QUANTITIES.items() for word in si}  # fmt: skip
+"""Unit -> (quantity, of an acceleration m/s2 of one)."""
+
+SHORT = ("v", "%", "bit", "m", "ue", "bar", "gs", "kn")
+"""Units that could be something else: they count where they are said to be units, or beside an acceleration."""
+
+_LENGTH = any_of(LENGTHS)
+_BEFORE = rf"(?:(?:(?:x|\*|times) *+)?(?P<before>{FACTOR}) *+(?:x|\*|times)? *+)?"
+_AFTER = rf"(?: *+(?P<how>x|\*|times|/|per) *+(?P<after>{FACTOR}))?"
+UNIT = re.compile(
+    rf"{_BEFORE}(?:(?P<named>{any_of(NAMED_UNITS)})(?![a-z0-9%'])(?! *+/ *+s)"
+    rf"|(?P<length>{_LENGTH})(?:{PER_SECONDS}|(?![a-z0-9]))){_AFTER}(?![a-z0-9^]| *+/ *+[a-z])"
+)
+"""A unit with the factor before or after it."""
+
+UNIT_SAID = re.compile(
+    r"(?:\b(?:units?|unita|unita' di misura|unita di misura|u\.?m\.?|unit of measure(?:ment)?)(?![a-z])"
+    r"(?: *+(?:(?:of|are|is|in|di|sono|misura)\b|[:=]))*+"
+    r"|\b(?:accelerations?|accelerazion[ei]|accelerogramm?a?|acc(?:el)?\.?|values?|valori|data|dati|samples?|campioni|amplitudes?|ampiezz[ae]"
+    r"|ordinat[ae]s?|expressed|given|measured|espress[oaie]|misurat[oaie]|units?|time histor(?:y|ies)|record|signal|segnale|serie) +in"
+    r"(?: units? of)?) *+[(\[]? *+(?=\S)"
+)
+"""What stands before a unit that is said to be one."""
+
+ACCELERATION_WORD = r"(?:acc(?:el(?:eration|erazione)?s?)?|accelerations|accelerazioni|data|dati|values?|valori|samples|campioni|signal|segnale|record)"
+
+MOTION = r"veloc\w*|vel(?![a-z]{2})\w*|displ\w*|disp\b\.?|spostament\w*"
+OTHER = (
+    r"jerks?\b|strappo\b|rotations?\b|rotational\b|rotazion[ei]\b|rotazionale\b|tilts?\b|inclinazion[ei]\b"
+    r"|(?:micro|nano)?strains?\b|deformazion[ei]\b|pressures?\b|pression[ei]\b|stress(?:es)?\b|tension[ei]\b|sforz[oi]\b"
+    r"|forces?\b|forz[ae]\b|voltages?\b|volts?\b|millivolts?\b|(?:raw|digital) counts?\b|temperatur[ae]s?\b"
+)
+"""Words of a motion that is no acceleration, and of what is no motion; the latter count where no number follows them and
+no acceleration is named."""
+
+NOT_THE_SAMPLES = re.compile(
+    r"\b(?:veloc\w+ (?:di )?campionamento|(?:shear|s|p|sound)[ -]?waves? velocit\w+|velocit\w+ (?:delle|di) onde[a-z ]*"
+    r"|fft of|(?:rotation|rotated)[ -]?(?:angle|by)|angle of rotation|angolo di rotazione|rotazione di|stress[ -]drop|air force"
+    r"|(?:for|before|after) rotation|peak (?:ground )?(?:velocity|displacement)|(?:base ?line|drift|mean|offset|tilt) correct\w*"
+    r"|correct\w* (?:for|of) tilt)\b"
+)
+"""Phrases that speak of another quantity without saying that the samples are one."""
+
+VERTICAL_WORDS = re.compile(r"\b(?:verticale?|verticali|up[ -]?down|su[ -]?giu|vert\.?(?![a-z])|z[ -]?axis|asse z)(?! *(?:array|and|e|o|or)\b)")
+DIRECTION_LABEL = re.compile(
+    r"\b(?:comp(?:onent[ei]?|\.)?|channel|canale|chan|cha|direction|direzione|dir|orientation|orientazione|orientamento|stream|axis"
+    r"|asse|sensor|verso)(?:[ _-]?(?:name|code|nome|codice))?[ .]*[:= ][ ]*(\S{1,20})"
+)  # fmt: skip
+DIRECTION_CODES = re.compile(r"(?:up|down|dwn|dn|ver|vert|vertical[ei]?|u-d|ud|u|z|v|h[a-z]z|[a-z]nz|[a-z]gz|[a-z]hz|[a-z]lz|su)\.?")
+
+OTHER_NUMBERS = re.compile(
+    r"\b(?:filter\w*|filtr\w*|bandpass|band|butterworth|corner|cut\w*|hp|lp|high[ -]?pass|low[ -]?pass|fft|window|finestra|passa\w*|taper\w*|poles?|order|ordine|range"
+    r"|magnitud[eo]|mag|mw|ml|ms|md|lat\w*|lon\w*|dist\w*|depth|profond\w*|elev\w*|quota|height|altezza|azimut\w*|vs ?30|strike|dip|rake|pga|pgv|pgd|peak"
+    r"|picco|max\w*|min(?:imum|imo)?|massim\w*|date|data ?:|origin|event\w*|station\w*|stazion\w*|code|codice|id|seed|seme|serial|version\w*|lines?"
+    r"|righ[ae]|damping|smorzamento|natural|instrument|strumento|intensity|intensita|arias|housner|gravity|gravita|return|ritorno"
+    r"|format|copyright|pages?|pagina|fig|eq|km|kilomet\w*|deg(?:rees)?|gradi|bearing|baro\w*|target|anni|years?|vref|corrected by)\b"
+)  # fmt: skip
+"""Words of a line whose numbers are known to be something else."""
+
+RATES = (20, 25, 40, 50, 60, 64, 75, 80, 100, 120, 125, 128, 150, 160, 200, 204.8, 240, 250, 256, 300, 320, 400, 409.6, 500, 512, 600,
+         800, 1000, 1024, 1200, 2000, 2048, 4000, 4096)  # fmt: skip
+GRAVITY = (9.8, 9.81, 9.807, 9.80665, 980.0, 981.0, 980.7, 980.665, 9806.65, 9810.0, 386.1, 386.09, 386.4, 32.2, 32.174)
+"""Numbers that are likely a rate [Hz]; its inverse a step; a factor from g."""
