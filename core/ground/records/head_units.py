@@ -168,13 +168,23 @@ def _in_words(line: str) -> Iterator[re.Match]:
             yield match
     for word in _BESIDE_WORD.finditer(line):
         match = wordings.UNIT.match(line, word.end())
-        if match and not _bare(match) and not _of_a_value(match) and _FIELD_END.match(line, match.end()):
+        if (
+            match
+            and not _bare(match)
+            and not _of_a_value(match)
+            and _FIELD_END.match(line, match.end())
+        ):
             yield match
     for match in wordings.UNIT.finditer(line):
         at = match.start("named") if match["named"] else match.start("length")
         alone = not at or line[at - 1] not in _LETTERS
         only = _power(match) > 1 if match["length"] else re.search("gal|kine", match["named"])
-        if only and alone and not _of_a_value(match) and not _VALUE.search(line[max(0, at - 40) : at]):
+        if (
+            only
+            and alone
+            and not _of_a_value(match)
+            and not _VALUE.search(line[max(0, at - 40) : at])
+        ):
             yield match
 
 
@@ -189,7 +199,9 @@ def _units(head: str) -> Iterator[tuple[Unit, str]]:
         line = folded(raw)
         label = _LABEL.search(line)
         for match, of_one, _ in _said(line):
-            yield from ((unit, "beside" if of_one or label else "said") for unit in _unit(match, raw))
+            yield from (
+                (unit, "beside" if of_one or label else "said") for unit in _unit(match, raw)
+            )
         if not label:
             for match in _in_words(line):
                 yield from ((unit, "words") for unit in _unit(match, raw))
@@ -234,7 +246,9 @@ def _other_of(line: str) -> str | None:
     """What a line that is no head of a table with an acceleration names instead of one."""
     fields = [field for field in re.split(r"[;,\t]| {2,}|(?<=[\])]) ", line) if field.strip()]
     if len(fields) > 1 and any(
-        _ACCELERATION_WORD.search(field) and not _words_of_other(field) and not _units_of_other(field)
+        _ACCELERATION_WORD.search(field)
+        and not _words_of_other(field)
+        and not _units_of_other(field)
         for field in fields
     ):
         return None
@@ -242,11 +256,12 @@ def _other_of(line: str) -> str | None:
 
 
 def _words_of_other(line: str) -> str | None:
+    """A word of another quantity."""
     match = _MOTION.search(line)
-    if not match and not _ACCELERATION_WORD.search(line):
-        found = _OTHER.search(line)
-        match = found if found and not _NUMBER_AFTER.match(line, found.end()) else None
-    return match and match[0]
+    if not match and not _ACCELERATION_WORD.search(line) and (found := _OTHER.search(line)):
+        valued = _NUMBER_AFTER.match(line, found.end()) or _VALUE.search(line[: found.start()])
+        match = None if valued else found
+    return match[0] if match else None
 
 
 def _units_of_other(line: str) -> str | None:
@@ -255,6 +270,10 @@ def _units_of_other(line: str) -> str | None:
     words = [] if _LABEL.search(line) else list(_in_words(line))
     for match in [*said, *words]:
         for unit in _unit(match, line):
-            if unit.quantity not in ("acceleration", "counts", "voltage") and not (match["length"] and not _power(match) and match["length"] not in wordings.BARE_LENGTHS):
+            if unit.quantity not in ("acceleration", "counts", "voltage") and not (
+                match["length"]
+                and not _power(match)
+                and match["length"] not in wordings.BARE_LENGTHS
+            ):
                 return unit.text
     return None

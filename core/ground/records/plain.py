@@ -96,6 +96,8 @@ def read(lines: list[str], options: Options) -> Parsed:
                 break
         if len(line) > LONGEST_LINE:
             raise RecordError("line_too_long", n=len(line), place=(place("line", n=k),))
+        if len(head) > MAX_HEAD:
+            raise RecordError("head_too_long", n=MAX_HEAD)
         text = line.strip()
         sampled = len(rows) > 1 or (rows and not _count_and_step(rows[0]))
         if not text:
@@ -111,8 +113,6 @@ def read(lines: list[str], options: Options) -> Parsed:
                     "text_among_samples", text=quoted(text), place=(place("line", n=k),)
                 )
             head.append(text)
-            if len(head) > MAX_HEAD:
-                raise RecordError("head_too_long", n=MAX_HEAD)
             continue
         try:
             row = _row(text)
@@ -127,8 +127,6 @@ def read(lines: list[str], options: Options) -> Parsed:
             raise RecordError("not_numbers", text=quoted(text), place=(place("line", n=k),))
         else:
             head.append(text)
-            if len(head) > MAX_HEAD:
-                raise RecordError("head_too_long", n=MAX_HEAD)
     said = "\n".join(head)
     refuse_other_quantity(said)
     if not rows:
@@ -160,7 +158,7 @@ def read(lines: list[str], options: Options) -> Parsed:
         plain_head.refuse_column(said, width, taken)
     parsed = Parsed(values, from_time, None, counted=declared is not None)
     take_unit(parsed, unit)
-    plain_head.agree(parsed, said, declared and declared[1], options.time_step)
+    plain_head.agree(parsed, said, declared[1] if declared else None, options.time_step)
     parsed.details = tuple((f"line {k + 1}", text) for k, text in enumerate(head[:6]))
     parsed.vertical = plain_head.vertical(said, width, taken)
     return parsed

@@ -2,7 +2,8 @@
 and the numbers of it that nobody understood."""
 
 import re
-from collections.abc import Iterator
+from collections import defaultdict
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from core.errors import RecordError
@@ -45,27 +46,45 @@ _ALONE = re.compile(rf"(?P<n>{N}) *+{_UNIT_AFTER}")
 _PAIR = re.compile(rf"{_START}npts[ ,;/&]*+(?:and|e)?[ ]*+dt[ :=]*+([0-9]++)[ ,;]++({N})(?![0-9])")
 """A list of both, read as `npts = 40 dt = 0.01`."""
 
-_NOUN = rf"(?:(?:data|time|sample|acceleration)[ _-]?)?(?:(?P<noun>{any_of(wordings.NOUNS)})|(?P<gap>{any_of(wordings.GAPS)}))"
-_NUMBER_OF = r"(?:numbers?|no\.?|nr\.?|num\.?|n\.?|n[o°]\.?|nro\.?|#|total|totale|quantity|numero|how many)[ _]*+(?:total |totale )?(?:of |di |dei |delle |the )?+"
-_WHOLE = r"(?P<n>[1-9][0-9]*+(?:[ .,'][0-9]{3})*+)(?![0-9]|[.,][0-9])"
+_KIND = r"(?:(?:data|time|sample|acceleration)[ _-]?)?"
+_NOUN, _GAP = any_of(wordings.NOUNS), rf"(?P<gap>{any_of(wordings.GAPS)})"
+_NUMBER_OF = (
+    r"(?:numbers?|no\.?|nr\.?|num\.?|n\.?|n[o°]\.?|nro\.?|#|total|totale|quantity|numero|how many)[ _]*+"
+    r"(?:total |totale )?(?:of |di |dei |delle |the )?+(?:[a-z]{3,14}[ _])?"
+)
+_WHOLE = r"(?P<n>[1-9][0-9]*+(?:[ .,'][0-9]{3})*+)(?![0-9a-z]|[.,/:-][0-9])"
 _COUNTED = [
-    re.compile(rf"{_START}{_NUMBER_OF}(?:[a-z]{{3,14}}[ _])?{_NOUN}{_END}[ ()a-z]{{0,8}}?[ :=]*+{_WHOLE}"),
-    re.compile(rf"{_START}(?:{any_of(wordings.COUNT)}|{_NOUN.replace('?P<noun>', '?:').replace('?P<gap>', '?P<gap>')}(?= *+[:=])){_END}[ :=]*+{_WHOLE}"),
-    re.compile(rf"(?<![a-z0-9.,/:-])(?<!first )(?<!last )(?<!primi )(?<!ultimi )(?<!every )(?<!ogni ){_WHOLE} *+{_NOUN}{_END}"
-               r"(?! *+(?:/|per\b|al\b|a (?:line|row|second)|in (?:a|each) |across|each|every|ogni|on (?:a|each)|su ogni|di testa|of header))"),
-]  # fmt: skip
+    re.compile(
+        rf"{_START}{_NUMBER_OF}{_KIND}(?:{_NOUN}|{any_of(wordings.NUMBERED)}|{_GAP}){_END}(?! *+(?:/|per\b|al\b))[ ()a-z]{{0,8}}?[ :=]*+{_WHOLE}"
+    ),
+    re.compile(
+        rf"{_START}(?:{any_of(wordings.COUNT)}|{_KIND}(?:{_NOUN}|{_GAP})(?= *+[:=])){_END}[ :=]*+{_WHOLE}"
+    ),
+    re.compile(
+        rf"(?<![a-z0-9.,/:-])(?<!first )(?<!last )(?<!primi )(?<!ultimi )(?<!every )(?<!ogni ){_WHOLE} *+{_KIND}{_NOUN}{_END}"
+        r"(?! *+(?:/|per\b|al\b|a (?:line|row|second)|in (?:a|each) |across|each|every|ogni|on (?:a|each)|su ogni))"
+    ),
+]
 _MAYBE_COUNTED = re.compile(rf"{_START}{any_of(wordings.VAGUE_COUNT)} *+[:=] *+{_WHOLE}")
-_NOT_COUNTED = re.compile(r"\b(?:header|testata|intestazione|skip|columns?|colonn[ae]|comment|filter|filtr\w+|poles?|fft|taper)\b")
+_NOT_COUNTED = re.compile(
+    r"\b(?:header|testata|intestazione|skip|columns?|colonn[ae]|comment|filter|filtr\w+|poles?|fft|taper)\b"
+)
 
+_TO_FACTOR = rf"(?: *+[(\[][^()\[\]]{{0,24}}[)\]])?(?:[ :=~]|\b(?:of|is|by|di|per|pari|a|e|x|the)\b)*+(?P<n>{FACTOR})(?! *+(?:[:%]|[a-z]++ *+/|{_TIME_UNIT}{_END}|{_RATE_UNIT}))"
+_MARKED = rf"(?:\A|(?<=[,;(|]) ?){any_of(wordings.FACTORS_BEFORE_A_MARK)}(?= *+[:=(\[])"
 _MULTIPLIED = [
-    (sign, re.compile(rf"{_START}{any_of(words)}{_END}(?: *+[(\[][^()\[\]]{{0,24}}[)\]])?(?:[ :=~]|\b(?:of|is|by|di|per|pari|a|e|x|the)\b)*+(?P<n>{FACTOR})(?! *+(?:[:%]|{_TIME_UNIT}{_END}|{_RATE_UNIT}))"))
-    for sign, words in ((1, wordings.FACTORS), (-1, wordings.DIVISORS))
-]  # fmt: skip
-_APPLIED = re.compile(rf"{_START}{any_of(wordings.APPLIED)} *+(?:factor|un fattore|a factor)?(?: of| di)? *+(?P<n>{FACTOR})")
+    (1, re.compile(rf"(?:{_START}{any_of(wordings.FACTORS)}{_END}|{_MARKED}){_TO_FACTOR}")),
+    (-1, re.compile(rf"{_START}{any_of(wordings.DIVISORS)}{_END}{_TO_FACTOR}")),
+]
+_APPLIED = re.compile(
+    rf"{_START}{any_of(wordings.APPLIED)} *+(?:factor|un fattore|a factor)?(?: of| di)? *+(?P<n>{FACTOR})"
+)
 _TIMES = re.compile(rf"(?:\A|[:=(]) *+x *+(?P<n>{FACTOR}) *+(?:\Z|\))")
 
 _TIME_OF_COLUMN = re.compile(rf"\b(?:time|tempo|t) *+[(\[_,] *+({_TIME_UNIT}) *+(?:[)\],;]|\Z)")
-_LONE = re.compile(rf"(?<![a-z0-9.,/:_^*+-])({N})(?![a-z0-9/:_^*-]|[.,][0-9])(?! *+(?:m|km|cm|mm|deg|%|g|gal)\b)")
+_LONE = re.compile(
+    rf"(?<![a-z0-9.,/:_^*+-])({N})(?![a-z0-9/:_^*-]|[.,][0-9])(?! *+(?:m|km|cm|mm|deg|%|g|gal)\b)"
+)
 _MARKS = " \t#%!/*;,'\"<>|:-"
 
 
@@ -124,7 +143,10 @@ def _seconds(kind: str, match: re.Match, line: str) -> float | None:
     else:
         step = 1.0 / value if kind == "rate" else value
     vague = _VAGUE.match(match[0]) or kind == "either"
-    if vague and (not 1e-5 <= step <= (0.2 if time or rate else 0.1) or (wordings.OTHER_NUMBERS.search(line) and not time)):
+    if vague and (
+        not 1e-5 <= step <= (0.2 if time or rate else 0.1)
+        or (wordings.OTHER_NUMBERS.search(line) and not time)
+    ):
         return None
     return step
 
@@ -146,7 +168,7 @@ def time_steps(head: Head) -> list[Statement]:
         step = _seconds("", match, line) if match else None
         if step is not None and 1e-5 <= step <= 0.2:
             stated.append(_statement(head, match, k, step))
-    stated = [one for one in stated if not any(_within(one, other) for other in stated)]
+    stated = _widest(stated)
     for one in stated[1:]:
         if abs(one.value - stated[0].value) > SAME * stated[0].value:
             raise RecordError(
@@ -159,10 +181,22 @@ def time_steps(head: Head) -> list[Statement]:
     return stated
 
 
-def _within(one: Statement, other: Statement) -> bool:
-    """Whether a statement is a part of another one."""
-    (k, start, end), (row, first, last) = one.span, other.span
-    return k == row and first <= start and end <= last and (first, last) != (start, end)
+def _widest(statements: list[Statement], others: list[Statement] | tuple = ()) -> list[Statement]:
+    """Those that are no part of another one."""
+    spans = _by_line([*statements, *others])
+    return [
+        one for one in statements
+        if not any(first <= one.span[1] and one.span[2] <= last and (first, last) != one.span[1:]
+                   for first, last in spans[one.span[0]])
+    ]  # fmt: skip
+
+
+def _by_line(statements: Iterable[Statement]) -> dict[int, list[tuple[int, int]]]:
+    """(start, end) of the statements of each line."""
+    spans = defaultdict(list)
+    for one in statements:
+        spans[one.span[0]].append(one.span[1:])
+    return spans
 
 
 def counts(head: Head, n: int) -> tuple[list[Statement], list[Statement]]:
@@ -172,16 +206,21 @@ def counts(head: Head, n: int) -> tuple[list[Statement], list[Statement]]:
     for pattern in (*_COUNTED, _MAYBE_COUNTED):
         for match, k in _found(head, pattern):
             digits = match["n"]
-            accepted = {int(re.sub(r"[^0-9]", "", digits)[:18]), int(re.match("[0-9]+", digits)[0][:18])}
+            accepted = {
+                int(re.sub(r"[^0-9]", "", digits)[:18]),
+                int(re.match("[0-9]+", digits)[0][:18]),
+            }
             gap = "gap" in match.groupdict() and match["gap"]
             statement = _statement(head, match, k, max(accepted))
+            if _OF_RATE.match(head.lines[k], match.start("n")):
+                continue
             if accepted & ({n, n - 1} if gap else {n}):
                 agreed.append(statement)
             elif _NOT_COUNTED.search(head.lines[k]):
                 continue
             elif pattern is _MAYBE_COUNTED:
                 unsure.append(statement)
-            elif not any(_within(statement, one) for one in agreed):
+            else:
                 raise RecordError("count_stated", n=n, declared=max(accepted), line=statement.line)
     return agreed, unsure
 
@@ -199,8 +238,9 @@ def factors(head: Head) -> tuple[list[Statement], list[Statement]]:
         for match, k in _found(head, pattern):
             value = factor_of(match["n"])
             if value and not wordings.NO_FACTOR.search(head.lines[k]) and abs(value) < 1e15:
-                stated.append(_statement(head, match, k, value**sign))
-    stated = [one for one in stated if not any(_within(one, o) for o in (*stated, *applied))]
+                there = applied if wordings.IN_THE_SAMPLES.search(head.lines[k]) else stated
+                there.append(_statement(head, match, k, value**sign))
+    stated = _widest(stated, applied)
     for one in stated[1:]:
         if abs(one.value - stated[0].value) > 1e-6 * abs(stated[0].value):
             raise RecordError("two_factors_stated", first=stated[0].line, second=one.line)
@@ -223,10 +263,19 @@ def agree(parsed: Parsed, said: str, declared: float | None, given: float | None
     of the case [s]. Raises RecordError where one contradicts another, or the count of samples."""
     head, n = head_of(said), parsed.values.size
     steps = time_steps(head)
-    stated, line = (declared, "npts dt") if declared else (steps[0].value, steps[0].line) if steps else (None, "")
-    for step in (parsed.time_step, steps[0].value if steps else None):
-        if stated and step and abs(step - stated) > SAME * stated:
-            raise RecordError("two_time_steps", stated=stated, column_step=step, line=line)
+    stated, line = (
+        (declared, "npts dt")
+        if declared
+        else (steps[0].value, steps[0].line)
+        if steps
+        else (None, "")
+    )
+    if stated and parsed.time_step and abs(parsed.time_step - stated) > SAME * stated:
+        raise RecordError("two_time_steps", stated=stated, column_step=parsed.time_step, line=line)
+    if declared and steps and abs(steps[0].value - declared) > SAME * declared:
+        raise RecordError(
+            "two_steps_stated", one=declared, first=line, other=steps[0].value, second=steps[0].line
+        )
     parsed.time_step = stated or parsed.time_step
     parsed.lines["time_step_s"] = line
     agreed, unsure = counts(head, n)
@@ -247,7 +296,7 @@ def agree(parsed: Parsed, said: str, declared: float | None, given: float | None
 def not_understood(head: Head, known: list[Statement], step: float | None, n: int) -> list[str]:
     """Lines with a number that could be a step, a rate, a count or a factor and is none that is known, quoted; known
     ones are left out, and those that agree with the time step [s] and the n samples used."""
-    spans = [one.span for one in known]
+    spans = _by_line(known)
     used = [float(n), *((step, 1.0 / step, n * step, (n - 1) * step) if step else ())]
     lines = []
     for k, line in enumerate(head.lines):
@@ -255,7 +304,7 @@ def not_understood(head: Head, known: list[Statement], step: float | None, n: in
             continue
         for match in _LONE.finditer(line):
             value = factor_of(match[1])
-            inside = any(k == row and start <= match.start() < end for row, start, end in spans)
+            inside = any(start <= match.start() < end for start, end in spans[k])
             if value is None or inside or any(abs(value - x) <= SAME * abs(x) for x in used):
                 continue
             if line == match[0] or _plausible(value, n):
@@ -293,7 +342,7 @@ def vertical(head: str, width: int, column: int) -> bool:
     for raw in head_lines(head):
         line = folded(raw).strip(_MARKS + "()[].")
         fields = [field for field in re.split(r"[;,\t|]| {2,}", line) if field.strip()]
-        if width > 1 and len(fields) > 1 and len(fields) >= width:
+        if width > 1 and (len(fields) >= width or (width > 2 and len(line.split()) >= width)):
             continue  # the head of a table: the column says
         codes = [match[1] for match in wordings.DIRECTION_LABEL.finditer(line)]
         if len(line.split()) <= 3:

@@ -15,10 +15,25 @@ sample is up to 1.5 times the next one."""
 _MARK = re.compile(r"9+(\.9+)?|9+0+|32768|32767|8388608|8388607|2147483648|12345|7777|8888|1e\+\d+")
 """How a mark of a missing sample is usually written; of these one alone is enough."""
 
-_MARKS_INSIDE = (-1.0, -9.0, -99.0, -999.0, 99.0, 999.0, 9999.0, -9999.0, 99.99, -99.99, 999.9, -999.9, 999.99, -999.99)
+_MARKS_INSIDE = (
+    -1.0,
+    -9.0,
+    -99.0,
+    -999.0,
+    99.0,
+    999.0,
+    9999.0,
+    -9999.0,
+    99.99,
+    -99.99,
+    999.9,
+    -999.9,
+    999.99,
+    -999.99,
+)
 RUN, JUMP = 3, 0.05
 """Equal samples in a row that are a mark within the range of the others, and share of the peak by which the record jumps
-there and back."""
+to them or back."""
 
 ORDER, AROUND, NEAR, ALONE = 4, 32, 8, 12.0
 """Of the difference that shows a jump; samples around it; those it spoils itself; its ratio to the largest around it. In
@@ -27,7 +42,7 @@ the records tried the ratio is below 10 away from their ends, but for one that b
 
 def refuse_marks(values: np.ndarray) -> None:
     """Raise RecordError where samples are marks of missing ones: equal, extreme and apart from all others, or equal in a
-    row where the record jumps to them and back. values : in the unit of the file, shape (n,)."""
+    row where the record jumps to them or back. values : in the unit of the file, shape (n,)."""
     if values.size < 10 or not np.isfinite(values).all():
         return
     size = np.abs(values)
@@ -43,9 +58,9 @@ def refuse_marks(values: np.ndarray) -> None:
         if marks.sum() >= RUN and marks.sum() < 0.5 * values.size and (values % 1.0).any():
             edges = np.diff(np.concatenate([[0], marks.view(np.int8), [0]]))
             begins, ends = np.flatnonzero(edges > 0), np.flatnonzero(edges < 0)
-            there = np.where(begins > 0, steps[np.maximum(begins - 1, 0)], np.inf)
-            back = np.where(ends < values.size, steps[np.minimum(ends - 1, steps.size - 1)], np.inf)
-            if ((ends - begins >= RUN) & (np.minimum(there, back) > JUMP * top)).any():
+            there = np.where(begins > 0, steps[np.maximum(begins - 1, 0)], 0.0)
+            back = np.where(ends < values.size, steps[np.minimum(ends - 1, steps.size - 1)], 0.0)
+            if ((ends - begins >= RUN) & (np.maximum(there, back) > JUMP * top)).any():
                 _refuse(values, marks)
 
 

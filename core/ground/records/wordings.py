@@ -3,6 +3,7 @@ accents, Δt as dt, powers as ^2: see `folded`."""
 
 import re
 import unicodedata
+from collections.abc import Iterable
 
 from core.ground.records.grammar import HEAD_LINE, NUMBER
 from core.units import G
@@ -19,20 +20,29 @@ def folded(line: str) -> str:
     """A line of a head as the tables write it."""
     if not line.isascii():
         line = _POWER.sub(lambda run: "^" + run[0].translate(_DIGITS), line).translate(_LETTERS)
-        line = "".join(x for x in unicodedata.normalize("NFKD", line) if not unicodedata.combining(x))
+        line = "".join(
+            x for x in unicodedata.normalize("NFKD", line) if not unicodedata.combining(x)
+        )
     return line.lower()[:HEAD_LINE]
 
 
-def any_of(words) -> str:
+def words(table: str) -> tuple[str, ...]:
+    """The wordings of a table, with | between them."""
+    return tuple(one.strip() for one in table.split("|"))
+
+
+def any_of(wordings: Iterable[str]) -> str:
     """A pattern of any of these wordings, the longest first; a blank in one is a blank, `_`, `-`, a point or nothing."""
-    ordered = sorted(words, key=len, reverse=True)
+    ordered = sorted(wordings, key=len, reverse=True)
     return "(?:" + "|".join(re.escape(w).replace(r"\ ", "[ _.-]{0,2}+") for w in ordered) + ")"
 
 
 N = NUMBER.replace("[EeDd]", "[ed]").replace(r"\.[0-9]", "[.,][0-9]")
 """A number of a head: the comma may be the decimal mark."""
 
-FACTOR = rf"(?:{N}(?: *+(?:x|\*) *+10 *+(?:\^|\*\*)? *+-?[0-9]++|(?:\^|\*\*) *+-?[0-9]++| *+/ *+{N})?+)"
+FACTOR = (
+    rf"(?:{N}(?: *+(?:x|\*) *+10 *+(?:\^|\*\*)? *+-?[0-9]++|(?:\^|\*\*) *+-?[0-9]++| *+/ *+{N})?+)"
+)
 """A number, a power (10^-3, 2.5 x 10^-3) or a quotient."""
 
 _SECOND = r"(?:s(?:ec(?:ond[oi]?s?|s)?)?)\.?(?![a-z])"
@@ -46,56 +56,100 @@ TIME_UNITS = {
 """Seconds of one unit."""
 
 RATE_UNITS = {"hz": 1.0, "hertz": 1.0, "khz": 1e3, "sps": 1.0, "cps": 1.0, "c/s": 1.0, "s/s": 1.0}
-SAMPLES = ("samples", "sample", "samps", "samp", "pts", "points", "campioni", "punti", "letture", "valori", "values",
-           "readings", "data points", "dati")  # fmt: skip
+SAMPLES = words("""
+    samples | sample | samps | samp | pts | points | campioni | punti | letture | valori | values |
+    readings | data points | dati
+""")
 RATE_PHRASE = rf"{any_of(SAMPLES)} *+(?:/|per|al|a|each|every|ogni) *+{_SECOND}"
 """`samples per second`, `campioni al secondo`: Hz by themselves."""
 
 TIMING = {
-    "step": ("dt", "d t", "delta", "delta t", "timestep", "step", "step size", "interval", "intervals", "spacing", "increment",
-             "sampling period", "sample period", "sampling time", "sample time", "sampling dt", "time resolution", "ts",
-             "passo", "intervallo", "incremento", "spaziatura", "periodo di campionamento", "tempo di campionamento",
-             "periodo campionamento", "tempo campionamento", "risoluzione temporale", "every", "ogni"),
-    "rate": ("rate", "samplerate", "fs", "f s", "f samp", "fsamp", "sps", "hz", "hertz", "sampling frequency", "sample frequency",
-             "sampling freq", "sample freq", "samp freq", "sampl freq", "sampling hz", "acquisition frequency", "frequenza di campionamento",
-             "frequenza campionamento", "freq di campionamento", "freq campionamento", "freq camp", "frequenza camp", "frequenza di camp",
-             "frequenza di acquisizione", "frequenza acquisizione", "frequenza di digitalizzazione", "cadenza", "tasso di campionamento",
-             "velocita di campionamento", "sampling speed"),
-    "either": ("sampling", "sampled", "resampled", "digitized", "digitised", "campionamento", "campionato", "campionata",
-               "campionati", "campionate", "ricampionato", "ricampionata", "acquisito", "digitalizzato", "digitalizzata"),
-}  # fmt: skip
+    "step": words("""
+        dt | d t | delta | delta t | timestep | step | step size | interval | intervals | spacing |
+        increment | sampling period | sample period | sampling time | sample time | sampling dt |
+        time resolution | ts | passo | intervallo | incremento | spaziatura | periodo di campionamento |
+        tempo di campionamento | periodo campionamento | tempo campionamento | risoluzione temporale |
+        every | ogni
+    """),
+    "rate": words("""
+        rate | samplerate | fs | f s | f samp | fsamp | sps | hz | hertz | sampling frequency |
+        sample frequency | sampling freq | sample freq | samp freq | sampl freq | sampling hz |
+        acquisition frequency | frequenza di campionamento | frequenza campionamento |
+        freq di campionamento | freq campionamento | freq camp | frequenza camp | frequenza di camp |
+        frequenza di acquisizione | frequenza acquisizione | frequenza di digitalizzazione | cadenza |
+        tasso di campionamento | velocita di campionamento | sampling speed
+    """),
+    "either": words("""
+        sampling | sampled | resampled | digitized | digitised | campionamento | campionato | campionata |
+        campionati | campionate | ricampionato | ricampionata | acquisito | digitalizzato |
+        digitalizzata
+    """),
+}
 """Wordings of a time step, of a sampling rate, of whichever the unit says."""
 
-VAGUE_TIMING = ("step", "delta", "interval", "intervals", "increment", "spacing", "every", "ogni", "rate", "intervallo", "incremento",
-                "spaziatura", "passo", "hz", "hertz", "ts", "cadenza", "sampling time", "sample time")  # fmt: skip
+VAGUE_TIMING = words("""
+    step | delta | interval | intervals | increment | spacing | every | ogni | rate | intervallo |
+    incremento | spaziatura | passo | hz | hertz | ts | cadenza | sampling time | sample time
+""")
 """Of these a number that is no plausible step or rate states none (`step 2 of the processing`)."""
 
-NOUNS = ("points", "pts", "samples", "data points", "data", "values", "readings", "rows", "records", "ordinates", "time points",
-         "accelerations", "campioni", "punti", "dati", "valori", "letture", "righe", "ordinate", "lines")  # fmt: skip
-GAPS = ("steps", "time steps", "timesteps", "intervals", "time intervals", "passi", "passi temporali", "intervalli")
+NOUNS = words("""
+    points | pts | samples | data points | time points | readings | values | ordinates | campioni |
+    punti | valori | letture | ordinate
+""")
+NUMBERED = words("""
+    data | accelerations | dati | accelerazioni
+""")
+"""Samples: `40 points`, `points: 40`, `number of points 40`; of the latter kind only (`data: 30/10/2016` is a date)."""
+
+GAPS = words("""
+    steps | time steps | timesteps | intervals | time intervals | passi | passi temporali | intervalli
+""")
 """Of these a record of n samples has n or n - 1."""
 
-COUNT = ("npts", "npt", "npoints", "nsamples", "nsamp", "nsample", "ndata", "nsteps", "ndat", "nvalues", "n samp", "sample count",
-         "samples count", "point count", "data count", "count of samples", "count of points", "data length", "nt", "numpts",
-         "npunti", "ncampioni", "ndati")  # fmt: skip
-VAGUE_COUNT = ("n", "count", "length", "record length", "size", "lunghezza", "conteggio", "totale", "total", "ns", "np", "nd")
+COUNT = words("""
+    npts | npt | npoints | nsamples | nsamp | nsample | ndata | nsteps | ndat | nvalues | n samp |
+    sample count | samples count | point count | data count | count of samples | count of points |
+    data length | nt | numpts | npunti | ncampioni | ndati
+""")
+VAGUE_COUNT = words("""
+    n | count | length | record length | size | lunghezza | conteggio | totale | total | ns | np | nd
+""")
 
-FACTORS = ("scale factor", "scaling factor", "scalefactor", "scale", "scaling", "multiplier", "multiplying factor", "multiplication factor",
-           "multiply by", "multiply all by", "multiply data by", "multiply values by", "multiply all values by", "multiply samples by", "multiplied by",
-           "multiply the values by", "multiply the data by", "multiply the samples by", "multiply with", "to be multiplied by",
-           "factor", "conversion factor", "conversion", "conv factor", "calibration factor", "calibration", "amplitude factor",
-           "amplification", "normalization factor", "normalisation factor", "normalizing factor", "gain", "sensitivity", "lsb", "times",
-           "fattore", "fattore di scala", "fattore scala", "fattore moltiplicativo", "fattore di conversione", "fattore di calibrazione",
-           "fattore di amplificazione", "fattore di normalizzazione", "coefficiente", "coefficiente di scala", "coefficiente moltiplicativo",
-           "moltiplicare per", "moltiplicare i valori per", "moltiplicare i dati per", "moltiplicare tutto per", "moltiplica per",
-           "moltiplicato per", "moltiplicati per", "moltiplicata per", "da moltiplicare per", "moltiplicatore", "scala",
-           "costante di conversione", "costante di calibrazione", "guadagno", "sensibilita", "conversione")  # fmt: skip
-DIVISORS = ("divide by", "divided by", "divide values by", "divide data by", "divide all by", "divide the values by", "divisor",
-            "dividere per", "dividere i valori per", "dividere tutto per", "diviso per", "divisi per", "divisore")  # fmt: skip
-APPLIED = ("scaled by", "already scaled by", "already multiplied by", "rescaled by", "scaled with", "scaled up by", "scaled down by",
-           "scalato per", "scalato di", "scalati per", "scalata per", "gia scalato per", "gia moltiplicato per", "riscalato per")
+FACTORS = words("""
+    scale factor | scaling factor | scalefactor | multiplying factor | multiplication factor |
+    multiply by | multiply with | multiply all by | multiply data by | multiply values by |
+    multiply all values by | multiply samples by | multiplied by | multiply the values by |
+    multiply the data by | multiply the samples by | to be multiplied by | conversion factor |
+    conv factor | calibration factor | amplitude factor | amplification factor | normalization factor |
+    normalisation factor | normalizing factor | fattore di scala | fattore scala |
+    fattore moltiplicativo | fattore di conversione | fattore di calibrazione |
+    fattore di amplificazione | fattore di normalizzazione | coefficiente di scala |
+    coefficiente moltiplicativo | moltiplicare per | moltiplicare i valori per | moltiplicare i dati per |
+    moltiplicare i campioni per | moltiplicare tutto per | moltiplica per | moltiplicato per |
+    moltiplicati per | moltiplicata per | da moltiplicare per | costante di conversione |
+    costante di calibrazione
+""")
+FACTORS_BEFORE_A_MARK = words("""
+    scale | scaling | multiplier | factor | conversion | calibration | amplification | gain |
+    sensitivity | lsb | fattore | coefficiente | moltiplicatore | scala | guadagno | sensibilita |
+    conversione | calibrazione
+""")
+"""What the samples have still to be multiplied by; a single word only at the beginning and with : or =."""
+
+DIVISORS = words("""
+    divide by | divided by | divide values by | divide data by | divide all by | divide the values by |
+    divisor | dividere per | dividere i valori per | dividere tutto per | diviso per | divisi per |
+    divisore
+""")
+APPLIED = words("""
+    scaled by | already scaled by | already multiplied by | rescaled by | scaled with | scaled up by |
+    scaled down by | scalato per | scalato di | scalati per | scalata per | gia scalato per |
+    gia moltiplicato per | riscalato per
+""")
 """Factors that are in the samples."""  # fmt: skip
 
+IN_THE_SAMPLES = re.compile(r"\b(?:applied|already|included|applicato|gia|compreso|incluso)\b")
 NO_FACTOR = re.compile(
     r"\b(?:richter|mercalli|mcs|magnitude|magnitudo|intensity|soil|site|behaviou?r|damping|importance|ductility|struttura"
     r"|suolo|smorzamento|comportamento|sottosuolo|topograph\w*|topografic\w*|confidence|confidenza|participation|map|time)\b"
@@ -109,7 +163,9 @@ LENGTHS = {
     "dm": 0.1, "um": 1e-6, "nm": 1e-9, "km": 1e3, "in": 0.0254, "inch": 0.0254, "inches": 0.0254, "pollici": 0.0254,
     "ft": 0.3048, "foot": 0.3048, "feet": 0.3048, "piedi": 0.3048,
 }  # fmt: skip
-BARE_LENGTHS = ("m", "cm", "mm", "in", "inch", "inches")
+BARE_LENGTHS = words("""
+    m | cm | mm | in | inch | inches
+""")
 """Lengths that alone are the unit of a displacement."""
 
 OF_POWER = {0: "displacement", 1: "velocity", 2: "acceleration", 3: "jerk"}
@@ -122,25 +178,48 @@ PER_SECONDS = (
     r"|[ .*_]*+s(?:ec)? *+(?:\^|\*\*)? *+\(? *+- *+(?P<minus>[123]) *+\)?|_+(?:s|sec)(?P<under>[23]))"
 )
 
-_QUANTITIES = {
-    "acceleration": {"g": G, "g's": G, "gs": G, "gn": G, "g units": G, "units of g": G, "gal": 0.01, "gals": 0.01, "mg": 1e-3 * G, "milli g": 1e-3 * G,
-                     "millig": 1e-3 * G, "micro g": 1e-6 * G, "ug": 1e-6 * G, "mgal": 1e-5, "mgals": 1e-5, "milligal": 1e-5,
-                     "milligals": 1e-5, "% of g": 0.01 * G, "%g": 0.01 * G, "% g": 0.01 * G, "%": 0.01 * G},
-    "counts": ("counts", "count", "cts", "raw counts", "raw count", "digital counts", "adc counts", "adc units", "digital units", "digits", "lsb",
-               "conteggi", "bit", "bits"),
-    "voltage": ("v", "volt", "volts", "mv", "millivolt", "millivolts", "uv", "microvolt", "microvolts"),
-    "velocity": ("kine", "kines", "mkine", "millikine", "knots", "km/h", "kmh", "mph"),
-    "jerk": ("g/s", "g/sec", "gal/s", "gal/sec"),
-    "rotation": ("rad", "rads", "mrad", "urad", "radians", "radian", "radianti", "rad/s", "rad/sec", "rad/s2", "rad/s^2", "mrad/s", "deg/s",
-                 "deg/sec", "degrees/s", "gradi/s", "rad/sec2"),
-    "strain": ("strain", "microstrain", "micro strain", "nanostrain", "ustrain", "ue", "mm/mm", "m/m"),
-    "pressure": ("pa", "kpa", "mpa", "hpa", "gpa", "bar", "mbar", "psi", "ksi", "n/mm2", "n/mm^2", "n/m2", "n/m^2", "kn/m2", "kg/cm2", "kg/cm^2"),
-    "force": ("kn", "kgf", "newton", "newtons"),
-}  # fmt: skip
-NAMED_UNITS = {word: (quantity, si[word] if isinstance(si, dict) else None) for quantity, si in _QUANTITIES.items() for word in si}  # fmt: skip
+_OF_ACCELERATION = {
+    G: words("g | g's | gs | gn | g units | units of g"),
+    0.01: words("gal | gals"),
+    1e-3 * G: words("mg | milli g | millig"),
+    1e-6 * G: words("micro g | ug"),
+    1e-5: words("mgal | mgals | milligal | milligals"),
+    0.01 * G: words("% of g | %g | % g | %"),
+}
+"""m/s2 in one -> how it is written."""
+
+_OF_OTHERS = {
+    "counts": words("""
+        counts | count | cts | raw counts | raw count | digital counts | adc counts | adc units |
+        digital units | digits | lsb | conteggi | bit | bits
+    """),
+    "voltage": words(
+        "v | volt | volts | mv | millivolt | millivolts | uv | microvolt | microvolts"
+    ),
+    "velocity": words("kine | kines | mkine | millikine | knots | km/h | kmh | mph"),
+    "jerk": words("g/s | g/sec | gal/s | gal/sec"),
+    "rotation": words("""
+        rad | rads | mrad | urad | radians | radian | radianti | rad/s | rad/sec | rad/s2 | rad/s^2 |
+        mrad/s | deg/s | deg/sec | degrees/s | gradi/s | rad/sec2
+    """),
+    "strain": words(
+        "strain | microstrain | micro strain | nanostrain | ustrain | ue | mm/mm | m/m"
+    ),
+    "pressure": words("""
+        pa | kpa | mpa | hpa | gpa | bar | mbar | psi | ksi | n/mm2 | n/mm^2 | n/m2 | n/m^2 | kn/m2 |
+        kg/cm2 | kg/cm^2
+    """),
+    "force": words("kn | kgf | newton | newtons"),
+}
+NAMED_UNITS: dict[str, tuple[str, float | None]] = {
+    word: ("acceleration", si) for si, written in _OF_ACCELERATION.items() for word in written
+} | {word: (quantity, None) for quantity, written in _OF_OTHERS.items() for word in written}
+
 """Unit -> (quantity, of an acceleration m/s2 of one)."""
 
-SHORT = ("v", "%", "bit", "m", "ue", "bar", "gs", "kn")
+SHORT = words("""
+    v | % | pa | bit | m | ue | bar | gs | kn
+""")
 """Units that could be something else: they count where they are said to be units, or beside an acceleration."""
 
 _LENGTH = any_of(LENGTHS)
@@ -174,18 +253,22 @@ no acceleration is named."""
 
 NOT_THE_SAMPLES = re.compile(
     r"\b(?:veloc\w+ (?:di )?campionamento|(?:shear|s|p|sound)[ -]?waves? velocit\w+|velocit\w+ (?:delle|di) onde[a-z ]*"
-    r"|fft of|(?:rotation|rotated)[ -]?(?:angle|by)|angle of rotation|angolo di rotazione|rotazione di|stress[ -]drop|air force"
+    r"|fft of|(?:rotation|rotated)[ -]?(?:angle|by|of|to|into)|angle of rotation|angolo di rotazione|rotazione di|stress[ -]drop|air force"
     r"|(?:for|before|after) rotation|peak (?:ground )?(?:velocity|displacement)|(?:base ?line|drift|mean|offset|tilt) correct\w*"
     r"|correct\w* (?:for|of) tilt)\b"
 )
 """Phrases that speak of another quantity without saying that the samples are one."""
 
-VERTICAL_WORDS = re.compile(r"\b(?:verticale?|verticali|up[ -]?down|su[ -]?giu|vert\.?(?![a-z])|z[ -]?axis|asse z)(?! *(?:array|and|e|o|or)\b)")
+VERTICAL_WORDS = re.compile(
+    r"\b(?:verticale?|verticali|up[ -]?down|su[ -]?giu|vert\.?(?![a-z])|z[ -]?axis|asse z)(?! *(?:array|and|e|o|or)\b)"
+)
 DIRECTION_LABEL = re.compile(
     r"\b(?:comp(?:onent[ei]?|\.)?|channel|canale|chan|cha|direction|direzione|dir|orientation|orientazione|orientamento|stream|axis"
     r"|asse|sensor|verso)(?:[ _-]?(?:name|code|nome|codice))?[ .]*[:= ][ ]*(\S{1,20})"
 )  # fmt: skip
-DIRECTION_CODES = re.compile(r"(?:up|down|dwn|dn|ver|vert|vertical[ei]?|u-d|ud|u|z|v|h[a-z]z|[a-z]nz|[a-z]gz|[a-z]hz|[a-z]lz|su)\.?")
+DIRECTION_CODES = re.compile(
+    r"(?:up|down|dwn|dn|ver|vert|vertical[ei]?|u-d|ud|u|z|v|h[a-z]z|[a-z]nz|[a-z]gz|[a-z]hz|[a-z]lz|su)\.?"
+)
 
 OTHER_NUMBERS = re.compile(
     r"\b(?:filter\w*|filtr\w*|bandpass|band|butterworth|corner|cut\w*|hp|lp|high[ -]?pass|low[ -]?pass|fft|window|finestra|passa\w*|taper\w*|poles?|order|ordine|range"
@@ -198,5 +281,21 @@ OTHER_NUMBERS = re.compile(
 
 RATES = (20, 25, 40, 50, 60, 64, 75, 80, 100, 120, 125, 128, 150, 160, 200, 204.8, 240, 250, 256, 300, 320, 400, 409.6, 500, 512, 600,
          800, 1000, 1024, 1200, 2000, 2048, 4000, 4096)  # fmt: skip
-GRAVITY = (9.8, 9.81, 9.807, 9.80665, 980.0, 981.0, 980.7, 980.665, 9806.65, 9810.0, 386.1, 386.09, 386.4, 32.2, 32.174)
+GRAVITY = (
+    9.8,
+    9.81,
+    9.807,
+    9.80665,
+    980.0,
+    981.0,
+    980.7,
+    980.665,
+    9806.65,
+    9810.0,
+    386.1,
+    386.09,
+    386.4,
+    32.2,
+    32.174,
+)
 """Numbers that are likely a rate [Hz]; its inverse a step; a factor from g."""

@@ -149,5 +149,9 @@ def test_that_a_head_of_blanks_takes_linear_time(word):
     head = "\n".join([(word + " " * 19_000) + "x"] * 20)
     lines = plain_head.head_of(head)
     plain_head.seconds_of_time(head), plain_head.vertical(head, 2, 2)
-    stated = [plain_head.time_steps(lines), *plain_head.counts(lines, 40), *plain_head.factors(lines)]
+    stated = [
+        plain_head.time_steps(lines),
+        *plain_head.counts(lines, 40),
+        *plain_head.factors(lines),
+    ]
     assert not any(stated) and stated_unit(head) is None
