@@ -199,10 +199,10 @@ FILE_ERRORS = {
         "il file è in {unit}: convertirlo in g, m/s2, cm/s2 o mm/s2; la sua riga è {line}",
     ),
     "factor_stated": (
-        "the head states a factor of {factor:g} in {line}: give {scale} = {factor:g} if the samples have still to be "
-        "multiplied by it, or take the line out if they have been",
-        "l'intestazione indica un fattore {factor:g} in {line}: dare {scale} = {factor:g} se i campioni vanno ancora "
-        "moltiplicati, o togliere la riga se lo sono già",
+        "the head states a factor of {factor:g} in {line}: give {scale} = {factor:g} if the samples have still to "
+        "be multiplied by it, or take the line out if they have been",
+        "l'intestazione indica un fattore {factor:g} in {line}: dare {scale} = {factor:g} se i campioni vanno "
+        "ancora moltiplicati, o togliere la riga se lo sono già",
     ),
     "two_factors_stated": (
         "the head states two factors, in {first} and in {second}: leave the one that the samples have still to be "
@@ -237,10 +237,10 @@ FILE_ERRORS = {
         "più di {n} righe di testo sopra i campioni: lasciare quelle dell'accelerogramma",
     ),
     "marks_of_gaps": (
-        "{n} samples are {mark:g}, the first of them sample {sample}, all others within {others:.4g}: a mark of missing "
-        "samples? Fill the gaps or cut the record there",
-        "{n} campioni valgono {mark:g}, il primo è il campione {sample}, gli altri sono entro {others:.4g}: un segno di "
-        "campioni mancanti? Colmare i buchi o tagliare lì l'accelerogramma",
+        "{n} samples are {mark:g}, the first of them sample {sample}, all others within {others:.4g}: a mark of "
+        "missing samples? Fill the gaps or cut the record there",
+        "{n} campioni valgono {mark:g}, il primo è il campione {sample}, gli altri sono entro {others:.4g}: un segno "
+        "di campioni mancanti? Colmare i buchi o tagliare lì l'accelerogramma",
     ),
     "line_twice": (
         "the line {text} stands there twice: download the file again, or take one out",
@@ -274,10 +274,10 @@ FILE_ERRORS = {
     ),
     "no_numbers": ("no numbers in this file", "nessun numero in questo file"),
     "two_time_steps": (
-        "the header states a time step of {stated:g} s, {line}, the samples are {column_step:g} s apart: correct the line "
-        "or the times",
-        "l'intestazione dà un passo di {stated:g} s, {line}, i campioni distano {column_step:g} s: correggere la riga o "
-        "i tempi",
+        "the header states a time step of {stated:g} s, {line}, the samples are {column_step:g} s apart: correct "
+        "the line or the times",
+        "l'intestazione dà un passo di {stated:g} s, {line}, i campioni distano {column_step:g} s: correggere la "
+        "riga o i tempi",
     ),
     "column_out_of_range": (
         "{column} = {given} is not accepted: 2 to {most} (column 1 is time)",

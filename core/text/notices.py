@@ -131,10 +131,10 @@ SENTENCES = {
         "Il picco letto, {read:.4g}, differisce da {stated:.4g} dichiarato nel file (stessa unità).",
     ),
     "number_not_understood": (
-        "Numbers of the head that are not understood: {lines}. Is one of them a time step, a rate, a count of samples or "
-        "a factor?",
-        "Numeri dell'intestazione non compresi: {lines}. Uno di essi è un passo, una frequenza di campionamento, un numero "
-        "di campioni o un fattore?",
+        "Numbers of the head that are not understood: {lines}. Is one of them a time step, a rate, a count of samples "
+        "or a factor?",
+        "Numeri dell'intestazione non compresi: {lines}. Uno di essi è un passo, una frequenza di campionamento, un "
+        "numero di campioni o un fattore?",
     ),
     "jump": (
         "Near sample {sample} the record jumps as nowhere around it: lines doubled, swapped or missing?",

@@ -32,9 +32,10 @@ UNITS = {"g": G, "m/s2": 1.0, "cm/s2": 0.01, "mm/s2": 0.001}
 @dataclass
 class Parsed:
     """What a reader found: values in the file's unit, shape (n,); time step [s] and unit, or None
-    where the file does not say; factor : (what the samples have still to be multiplied by, the error where the case
-    does not), None where the file states none; lines : where the head states a key of the case, quoted; details and warnings; counted : the file declares its count of samples; channel : its
-    name, "" where the file has none; vertical : its direction is; several : the file has others."""
+    where the file does not say; details and warnings; counted : the file declares its count of samples; channel : its
+    name, "" where the file has none; vertical : its direction is; several : the file has others; factor : (what the
+    samples have still to be multiplied by, the error where the case does not), None where the file states none;
+    lines : key of the case -> the line of the head that states it, quoted."""
 
     values: np.ndarray
     time_step: float | None

@@ -28,7 +28,8 @@ _FIELD_END = re.compile(r" *+(?:\Z|[;,\t|)\"']|  )")
 _LETTERS = "abcdefghijklmnopqrstuvwxyz0123456789/"
 _ACCELERATION_WORD = re.compile(r"\bacc(?:\b|el|_)|\ba\b *[\[(]")
 _SPECTRUM = re.compile(
-    r"\b(spectr(?:um|a|al)|spettr\w*|response(?![ \t]+spectr)|fourier|fft|psd|psa|psv|pseudo\w*|s_?[avde]\b(?![ \t]*+=))"
+    r"\b(spectr(?:um|a|al)|spettr\w*|response(?![ \t]+spectr)|fourier|fft|psd|psa|psv|pseudo\w*"
+    r"|s_?[avde]\b(?![ \t]*+=))"
     r"|\b(?:periods?|periodo|frequenc(?:y|ies)|frequenza)[ \t]*+[\[(](?![^\])]*[\])][ \t]*+[:=]?[ \t]*+[0-9])"
 )
 _PERIOD = re.compile(r"\bperiod(?:s|o)?\b")

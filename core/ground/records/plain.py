@@ -33,7 +33,7 @@ EMPTY = "∅"
 LONGEST_LINE = 20_000
 """Characters of a line of plain text."""
 
-MAX_HEAD = 300
+MAX_HEAD = 200
 """Lines of text above the first sample."""
 
 FIRST_ROWS = 8

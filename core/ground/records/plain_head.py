@@ -11,18 +11,21 @@ from core.ground.records import wordings
 from core.ground.records.channels import is_vertical
 from core.ground.records.grammar import Parsed, head_lines, quoted
 from core.ground.records.head_units import factor_of, refuse_other_quantity
-from core.ground.records.wordings import FACTOR, N, TIMING, any_of, folded
+from core.ground.records.wordings import FACTOR, TIMING, N, any_of, folded
 from core.text.sentence import notice
 
 SAME = 1e-3
 """Share by which two time steps may differ that are the same in print."""
 
-_WORDS = (
-    r"(?:of|is|are|was|at|a|an|in|the|to|by|with|and|e|di|da|del|dei|della|delle|lo|il|i|per|pari|ad|ogni|every|circa|about|equal|uguale"
-    r"|constant|costante|uniform|uniforme|fixed|fisso|value|valore|temporale|tempo|time|campionamento|sampling|acquisizione|acquisition"
-    r"|digitalizzazione|integrazione|lettura|tra|fra|due|between|samples|campioni|points|punti|successivi|used|usato|size|length|frequency"
-    r"|frequenza|freq|interval|rate|step|spacing|data|dati|nominal|nominale|original|originale|file|d)(?![a-z0-9])"
-)
+_BETWEEN = wordings.words("""
+    of | is | are | was | at | a | an | in | the | to | by | with | and | e | di | da | del | dei | della | delle |
+    lo | il | i | per | pari | ad | ogni | about | equal | uguale | constant | costante | uniform | uniforme |
+    every | circa | fixed | fisso | value | valore | temporale | tempo | time | campionamento | sampling |
+    acquisizione | acquisition | digitalizzazione | integrazione | lettura | tra | fra | due | between | samples |
+    campioni | points | punti | successivi | used | usato | size | length | frequency | frequenza | freq |
+    interval | rate | step | spacing | data | dati | nominal | nominale | original | originale | file | d
+""")
+_WORDS = rf"{any_of(_BETWEEN)}(?![a-z0-9])"
 _LINK = rf"(?:[ :=~_'\"]|\.(?![0-9])|-(?=[> ])|>|{_WORDS}){{0,16}}+"
 """What stands between a label and its number."""
 
@@ -55,13 +58,15 @@ _NUMBER_OF = (
 _WHOLE = r"(?P<n>[1-9][0-9]*+(?:[ .,'][0-9]{3})*+)(?![0-9a-z]|[.,/:-][0-9])"
 _COUNTED = [
     re.compile(
-        rf"{_START}{_NUMBER_OF}{_KIND}(?:{_NOUN}|{any_of(wordings.NUMBERED)}|{_GAP}){_END}(?! *+(?:/|per\b|al\b))[ ()a-z]{{0,8}}?[ :=]*+{_WHOLE}"
+        rf"{_START}{_NUMBER_OF}{_KIND}(?:{_NOUN}|{any_of(wordings.NUMBERED)}|{_GAP}){_END}"
+        rf"(?! *+(?:/|per\b|al\b))[ ()a-z]{{0,8}}?[ :=]*+{_WHOLE}"
     ),
     re.compile(
         rf"{_START}(?:{any_of(wordings.COUNT)}|{_KIND}(?:{_NOUN}|{_GAP})(?= *+[:=])){_END}[ :=]*+{_WHOLE}"
     ),
     re.compile(
-        rf"(?<![a-z0-9.,/:-])(?<!first )(?<!last )(?<!primi )(?<!ultimi )(?<!every )(?<!ogni ){_WHOLE} *+{_KIND}{_NOUN}{_END}"
+        r"(?<![a-z0-9.,/:-])(?<!first )(?<!last )(?<!primi )(?<!ultimi )(?<!every )(?<!ogni )"
+        rf"{_WHOLE} *+{_KIND}{_NOUN}{_END}"
         r"(?! *+(?:/|per\b|al\b|a (?:line|row|second)|in (?:a|each) |across|each|every|ogni|on (?:a|each)|su ogni))"
     ),
 ]
@@ -70,7 +75,11 @@ _NOT_COUNTED = re.compile(
     r"\b(?:header|testata|intestazione|skip|columns?|colonn[ae]|comment|filter|filtr\w+|poles?|fft|taper)\b"
 )
 
-_TO_FACTOR = rf"(?: *+[(\[][^()\[\]]{{0,24}}[)\]])?(?:[ :=~]|\b(?:of|is|by|di|per|pari|a|e|x|the)\b)*+(?P<n>{FACTOR})(?! *+(?:[:%]|[a-z]++ *+/|{_TIME_UNIT}{_END}|{_RATE_UNIT}))"
+_NOT_OF_SAMPLES = rf"(?! *+(?:[:%]|[a-z]++ *+/|{_TIME_UNIT}{_END}|{_RATE_UNIT}))"
+_TO_FACTOR = (
+    r"(?: *+[(\[][^()\[\]]{0,24}[)\]])?(?:[ :=~]|\b(?:of|is|by|di|per|pari|a|e|x|the)\b)*+"
+    rf"(?P<n>{FACTOR}){_NOT_OF_SAMPLES}"
+)
 _MARKED = rf"(?:\A|(?<=[,;(|]) ?){any_of(wordings.FACTORS_BEFORE_A_MARK)}(?= *+[:=(\[])"
 _MULTIPLIED = [
     (1, re.compile(rf"(?:{_START}{any_of(wordings.FACTORS)}{_END}|{_MARKED}){_TO_FACTOR}")),

@@ -16,33 +16,22 @@ _MARK = re.compile(r"9+(\.9+)?|9+0+|32768|32767|8388608|8388607|2147483648|12345
 """How a mark of a missing sample is usually written; of these one alone is enough."""
 
 _MARKS_INSIDE = (
-    -1.0,
-    -9.0,
-    -99.0,
-    -999.0,
-    99.0,
-    999.0,
-    9999.0,
-    -9999.0,
-    99.99,
-    -99.99,
-    999.9,
-    -999.9,
-    999.99,
-    -999.99,
+    -1,
+    -9,
+    *(sign * x for sign in (1, -1) for x in (99, 999, 9999, 99.99, 999.9, 999.99)),
 )
 RUN, JUMP = 3, 0.05
-"""Equal samples in a row that are a mark within the range of the others, and share of the peak by which the record jumps
-to them or back."""
+"""Equal samples in a row that are a mark within the range of the others, and share of the peak by which the record
+jumps to them or back."""
 
 ORDER, AROUND, NEAR, ALONE = 4, 32, 8, 12.0
-"""Of the difference that shows a jump; samples around it; those it spoils itself; its ratio to the largest around it. In
-the records tried the ratio is below 10 away from their ends, but for one that breaks off."""
+"""Of the difference that shows a jump; samples around it; those it spoils itself; its ratio to the largest around it.
+In the records tried the ratio is below 10 away from their ends, but for one that breaks off."""
 
 
 def refuse_marks(values: np.ndarray) -> None:
-    """Raise RecordError where samples are marks of missing ones: equal, extreme and apart from all others, or equal in a
-    row where the record jumps to them or back. values : in the unit of the file, shape (n,)."""
+    """Raise RecordError where samples are marks of missing ones: equal, extreme and apart from all others, or equal
+    in a row where the record jumps to them or back. values : in the unit of the file, shape (n,)."""
     if values.size < 10 or not np.isfinite(values).all():
         return
     size = np.abs(values)

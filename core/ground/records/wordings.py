@@ -11,8 +11,8 @@ from core.units import G
 _DIGITS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
 _POWER = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺]++")
 _LETTERS = str.maketrans({
-    "Δ": "d", "δ": "d", "∆": "d", "Τ": "t", "τ": "t", "µ": "u", "μ": "u", "ε": "e", "×": "x", "·": "*", "⋅": "*", "−": "-",
-    "–": "-", "÷": "/", "∕": "/", "⁄": "/", "’": "'", "°": "", "º": "",
+    "Δ": "d", "δ": "d", "∆": "d", "Τ": "t", "τ": "t", "µ": "u", "μ": "u", "ε": "e", "×": "x", "·": "*", "⋅": "*",
+    "−": "-", "–": "-", "÷": "/", "∕": "/", "⁄": "/", "’": "'", "°": "", "º": "",
 })  # fmt: skip
 
 
@@ -32,17 +32,18 @@ def words(table: str) -> tuple[str, ...]:
 
 
 def any_of(wordings: Iterable[str]) -> str:
-    """A pattern of any of these wordings, the longest first; a blank in one is a blank, `_`, `-`, a point or nothing."""
-    ordered = sorted(wordings, key=len, reverse=True)
-    return "(?:" + "|".join(re.escape(w).replace(r"\ ", "[ _.-]{0,2}+") for w in ordered) + ")"
+    """A pattern of any of these wordings, the longest first; a blank in one is a blank, `_`, `-`, a point or nothing,
+    a * at the end any letters."""
+    ordered = (re.escape(one) for one in sorted(wordings, key=len, reverse=True))
+    parts = (one.replace(r"\ ", "[ _.-]{0,2}+").replace(r"\*", r"\w*+") for one in ordered)
+    return "(?:" + "|".join(parts) + ")"
 
 
 N = NUMBER.replace("[EeDd]", "[ed]").replace(r"\.[0-9]", "[.,][0-9]")
 """A number of a head: the comma may be the decimal mark."""
 
-FACTOR = (
-    rf"(?:{N}(?: *+(?:x|\*) *+10 *+(?:\^|\*\*)? *+-?[0-9]++|(?:\^|\*\*) *+-?[0-9]++| *+/ *+{N})?+)"
-)
+_TEN = rf"(?: *+(?:x|\*) *+10 *+(?:\^|\*\*)? *+-?[0-9]++|(?:\^|\*\*) *+-?[0-9]++| *+/ *+{N})"
+FACTOR = rf"(?:{N}{_TEN}?+)"
 """A number, a power (10^-3, 2.5 x 10^-3) or a quotient."""
 
 _SECOND = r"(?:s(?:ec(?:ond[oi]?s?|s)?)?)\.?(?![a-z])"
@@ -97,9 +98,7 @@ NOUNS = words("""
     points | pts | samples | data points | time points | readings | values | ordinates | campioni |
     punti | valori | letture | ordinate
 """)
-NUMBERED = words("""
-    data | accelerations | dati | accelerazioni
-""")
+NUMBERED = words("data | accelerations | dati | accelerazioni")
 """Samples: `40 points`, `points: 40`, `number of points 40`; of the latter kind only (`data: 30/10/2016` is a date)."""
 
 GAPS = words("""
@@ -147,36 +146,41 @@ APPLIED = words("""
     scaled down by | scalato per | scalato di | scalati per | scalata per | gia scalato per |
     gia moltiplicato per | riscalato per
 """)
-"""Factors that are in the samples."""  # fmt: skip
+"""Factors that are in the samples."""
 
 IN_THE_SAMPLES = re.compile(r"\b(?:applied|already|included|applicato|gia|compreso|incluso)\b")
-NO_FACTOR = re.compile(
-    r"\b(?:richter|mercalli|mcs|magnitude|magnitudo|intensity|soil|site|behaviou?r|damping|importance|ductility|struttura"
-    r"|suolo|smorzamento|comportamento|sottosuolo|topograph\w*|topografic\w*|confidence|confidenza|participation|map|time)\b"
-)
+"""Words of a line whose factor is in the samples."""
+
+_OTHER_FACTORS = words("""
+    richter | mercalli | mcs | magnitude | magnitudo | intensity | soil | site | behaviour | behavior | damping |
+    importance | ductility | struttura | suolo | smorzamento | comportamento | sottosuolo | topogra* |
+    confidence | confidenza | participation | map | time
+""")
+NO_FACTOR = re.compile(rf"\b{any_of(_OTHER_FACTORS)}\b")
 """Words of a line whose factor or scale is not that of the samples."""
 
 LENGTHS = {
     "m": 1.0, "metre": 1.0, "metres": 1.0, "meter": 1.0, "meters": 1.0, "metro": 1.0, "metri": 1.0, "cm": 0.01,
-    "centimetre": 0.01, "centimetres": 0.01, "centimeter": 0.01, "centimeters": 0.01, "centimetri": 0.01, "centimetro": 0.01,
-    "mm": 1e-3, "millimetre": 1e-3, "millimetres": 1e-3, "millimeter": 1e-3, "millimeters": 1e-3, "millimetri": 1e-3,
+    "centimetre": 0.01, "centimetres": 0.01, "centimeter": 0.01, "centimeters": 0.01, "centimetri": 0.01,
+    "centimetro": 0.01, "mm": 1e-3, "millimetre": 1e-3, "millimetres": 1e-3, "millimeter": 1e-3, "millimeters": 1e-3,
+    "millimetri": 1e-3,
     "dm": 0.1, "um": 1e-6, "nm": 1e-9, "km": 1e3, "in": 0.0254, "inch": 0.0254, "inches": 0.0254, "pollici": 0.0254,
     "ft": 0.3048, "foot": 0.3048, "feet": 0.3048, "piedi": 0.3048,
 }  # fmt: skip
-BARE_LENGTHS = words("""
-    m | cm | mm | in | inch | inches
-""")
+BARE_LENGTHS = words("m | cm | mm | in | inch | inches")
 """Lengths that alone are the unit of a displacement."""
 
 OF_POWER = {0: "displacement", 1: "velocity", 2: "acceleration", 3: "jerk"}
 """Quantity of a length over so many seconds."""
 
+_OVER = rf"(?P<over>(?: *+(?:/|per|al|a|over) *+\(? *+{_SECOND}){{1,3}}+)"
 PER_SECONDS = (
-    rf"(?:(?P<over>(?: *+(?:/|per|al|a|over) *+\(? *+{_SECOND}){{1,3}}+)(?: *+(?:\^|\*\*)? *+(?P<power>[23])(?![0-9.]))?+"
+    rf"(?:{_OVER}(?: *+(?:\^|\*\*)? *+(?P<power>[23])(?![0-9.]))?+"
     r"(?: *+al)?+(?P<word> *+(?:squared|square|cubed|quadrat[oi]|quadro|cubo))?+"
     r"|(?P<square> *+(?:/|per) *+(?:square|sq\.?) *+s(?:ec(?:ond)?)?\b)"
     r"|[ .*_]*+s(?:ec)? *+(?:\^|\*\*)? *+\(? *+- *+(?P<minus>[123]) *+\)?|_+(?:s|sec)(?P<under>[23]))"
 )
+"""How a length stands over seconds: /s/s, per second squared, s-2, _s2."""
 
 _OF_ACCELERATION = {
     G: words("g | g's | gs | gn | g units | units of g"),
@@ -214,12 +218,9 @@ _OF_OTHERS = {
 NAMED_UNITS: dict[str, tuple[str, float | None]] = {
     word: ("acceleration", si) for si, written in _OF_ACCELERATION.items() for word in written
 } | {word: (quantity, None) for quantity, written in _OF_OTHERS.items() for word in written}
-
 """Unit -> (quantity, of an acceleration m/s2 of one)."""
 
-SHORT = words("""
-    v | % | pa | bit | m | ue | bar | gs | kn
-""")
+SHORT = words("v | % | pa | bit | m | ue | bar | gs | kn")
 """Units that could be something else: they count where they are said to be units, or beside an acceleration."""
 
 _LENGTH = any_of(LENGTHS)
@@ -231,71 +232,83 @@ UNIT = re.compile(
 )
 """A unit with the factor before or after it."""
 
+_OF_UNITS = words("""
+    unit | units | unita | unita di misura | unita' di misura | u.m. | um | unit of measure | unit of measurement
+""")
+_IN_UNITS = words("""
+    acceleration | accelerations | accelerazione | accelerazioni | accelerogram | accelerogramma | acc | acc. |
+    accel | accel. | value | values | valori | data | dati | sample | samples | campioni | amplitude |
+    amplitudes | ampiezza | ampiezze | ordinate | ordinates | ordinata | expressed | given | measured |
+    espresso | espressa | espressi | espresse | misurato | misurata | misurati | misurate | unit | units |
+    time history | time histories | record | signal | segnale | serie
+""")
 UNIT_SAID = re.compile(
-    r"(?:\b(?:units?|unita|unita' di misura|unita di misura|u\.?m\.?|unit of measure(?:ment)?)(?![a-z])"
-    r"(?: *+(?:(?:of|are|is|in|di|sono|misura)\b|[:=]))*+"
-    r"|\b(?:accelerations?|accelerazion[ei]|accelerogramm?a?|acc(?:el)?\.?|values?|valori|data|dati|samples?|campioni|amplitudes?|ampiezz[ae]"
-    r"|ordinat[ae]s?|expressed|given|measured|espress[oaie]|misurat[oaie]|units?|time histor(?:y|ies)|record|signal|segnale|serie) +in"
-    r"(?: units? of)?) *+[(\[]? *+(?=\S)"
+    rf"(?:\b{any_of(_OF_UNITS)}(?![a-z])(?: *+(?:(?:of|are|is|in|di|sono|misura)\b|[:=]))*+"
+    rf"|\b{any_of(_IN_UNITS)} +in(?: units? of)?) *+[(\[]? *+(?=\S)"
 )
 """What stands before a unit that is said to be one."""
 
-ACCELERATION_WORD = r"(?:acc(?:el(?:eration|erazione)?s?)?|accelerations|accelerazioni|data|dati|values?|valori|samples|campioni|signal|segnale|record)"
+_SAMPLES_SAID = words("""
+    acc | accel | acceleration | accelerations | accelerazione | accelerazioni | data | dati | value | values |
+    valori | samples | campioni | signal | segnale | record
+""")
+ACCELERATION_WORD = any_of(_SAMPLES_SAID)
+"""What a unit may stand beside."""
 
 MOTION = r"veloc\w*|vel(?![a-z]{2})\w*|displ\w*|disp\b\.?|spostament\w*"
-OTHER = (
-    r"jerks?\b|strappo\b|rotations?\b|rotational\b|rotazion[ei]\b|rotazionale\b|tilts?\b|inclinazion[ei]\b"
-    r"|(?:micro|nano)?strains?\b|deformazion[ei]\b|pressures?\b|pression[ei]\b|stress(?:es)?\b|tension[ei]\b|sforz[oi]\b"
-    r"|forces?\b|forz[ae]\b|voltages?\b|volts?\b|millivolts?\b|(?:raw|digital) counts?\b|temperatur[ae]s?\b"
-)
-"""Words of a motion that is no acceleration, and of what is no motion; the latter count where no number follows them and
-no acceleration is named."""
+_OTHERS = words("""
+    jerk | jerks | strappo | rotation | rotations | rotational | rotazione | rotazioni | rotazionale | tilt | tilts |
+    inclinazione | inclinazioni | strain | strains | microstrain | nanostrain | deformazione | deformazioni |
+    pressure | pressures | pressione | pressioni | stress | stresses | tensione | tensioni | sforzo | sforzi |
+    force | forces | forza | forze | voltage | voltages | volt | volts | millivolts | raw counts |
+    digital counts | temperature | temperatures | temperatura
+""")
+OTHER = rf"{any_of(_OTHERS)}\b"
+"""Words of a motion that is no acceleration, and of what is no motion; the latter count where no number stands beside
+them and no acceleration is named."""
 
 NOT_THE_SAMPLES = re.compile(
-    r"\b(?:veloc\w+ (?:di )?campionamento|(?:shear|s|p|sound)[ -]?waves? velocit\w+|velocit\w+ (?:delle|di) onde[a-z ]*"
-    r"|fft of|(?:rotation|rotated)[ -]?(?:angle|by|of|to|into)|angle of rotation|angolo di rotazione|rotazione di|stress[ -]drop|air force"
-    r"|(?:for|before|after) rotation|peak (?:ground )?(?:velocity|displacement)|(?:base ?line|drift|mean|offset|tilt) correct\w*"
-    r"|correct\w* (?:for|of) tilt)\b"
+    r"\b(?:veloc\w+ (?:di )?campionamento|(?:shear|s|p|sound)[ -]?waves? velocit\w+|fft of|stress[ -]drop|air force"
+    r"|velocit\w+ (?:delle|di) onde[a-z ]*|(?:rotation|rotated)[ -]?(?:angle|by|of|to|into)|angle of rotation"
+    r"|angolo di rotazione|rotazione di|(?:for|before|after) rotation|peak (?:ground )?(?:velocity|displacement)"
+    r"|(?:base ?line|drift|mean|offset|tilt) correct\w*|correct\w* (?:for|of) tilt)\b"
 )
 """Phrases that speak of another quantity without saying that the samples are one."""
 
 VERTICAL_WORDS = re.compile(
     r"\b(?:verticale?|verticali|up[ -]?down|su[ -]?giu|vert\.?(?![a-z])|z[ -]?axis|asse z)(?! *(?:array|and|e|o|or)\b)"
 )
+_DIRECTION_OF = words("""
+    comp | comp. | component | componente | componenti | channel | canale | chan | cha | direction | direzione | dir |
+    orientation | orientazione | orientamento | stream | axis | asse | sensor | verso
+""")
 DIRECTION_LABEL = re.compile(
-    r"\b(?:comp(?:onent[ei]?|\.)?|channel|canale|chan|cha|direction|direzione|dir|orientation|orientazione|orientamento|stream|axis"
-    r"|asse|sensor|verso)(?:[ _-]?(?:name|code|nome|codice))?[ .]*[:= ][ ]*(\S{1,20})"
-)  # fmt: skip
+    rf"\b{any_of(_DIRECTION_OF)}(?:[ _-]?(?:name|code|nome|codice))?[ .]*+[:= ] *+(\S{{1,20}})"
+)
 DIRECTION_CODES = re.compile(
     r"(?:up|down|dwn|dn|ver|vert|vertical[ei]?|u-d|ud|u|z|v|h[a-z]z|[a-z]nz|[a-z]gz|[a-z]hz|[a-z]lz|su)\.?"
 )
+"""A vertical in words; what stands before a direction; verticals as networks write them."""
 
-OTHER_NUMBERS = re.compile(
-    r"\b(?:filter\w*|filtr\w*|bandpass|band|butterworth|corner|cut\w*|hp|lp|high[ -]?pass|low[ -]?pass|fft|window|finestra|passa\w*|taper\w*|poles?|order|ordine|range"
-    r"|magnitud[eo]|mag|mw|ml|ms|md|lat\w*|lon\w*|dist\w*|depth|profond\w*|elev\w*|quota|height|altezza|azimut\w*|vs ?30|strike|dip|rake|pga|pgv|pgd|peak"
-    r"|picco|max\w*|min(?:imum|imo)?|massim\w*|date|data ?:|origin|event\w*|station\w*|stazion\w*|code|codice|id|seed|seme|serial|version\w*|lines?"
-    r"|righ[ae]|damping|smorzamento|natural|instrument|strumento|intensity|intensita|arias|housner|gravity|gravita|return|ritorno"
-    r"|format|copyright|pages?|pagina|fig|eq|km|kilomet\w*|deg(?:rees)?|gradi|bearing|baro\w*|target|anni|years?|vref|corrected by)\b"
-)  # fmt: skip
+_NUMBERED_OTHERWISE = words("""
+    filter* | filtr* | bandpass | band | butterworth | corner | cut* | hp | lp | high pass | low pass | fft | window |
+    finestra | passa* | taper* | pole | poles | order | ordine | range | magnitude | magnitudo | mag | mw | ml | ms |
+    md | lat* | lon* | dist* | depth | profond* | elev* | quota | height | altezza | azimut* | vs30 | vs 30 |
+    strike | dip | rake | pga | pgv | pgd | peak | picco | max* | min | minimum | minimo | massim* | date | data: |
+    origin | event* | station* | stazion* | code | codice | id | seed | seme | serial | version* | line | lines |
+    riga | righe | damping | smorzamento | natural | instrument | strumento | intensity | intensita | arias |
+    housner | gravity | gravita | return | ritorno | format | copyright | page | pages | pagina | fig | eq | km |
+    kilomet* | deg | degrees | gradi | bearing | baro* | target | anni | year | years | vref | corrected by
+""")
+OTHER_NUMBERS = re.compile(rf"\b{any_of(_NUMBERED_OTHERWISE)}(?![a-z])")
 """Words of a line whose numbers are known to be something else."""
 
-RATES = (20, 25, 40, 50, 60, 64, 75, 80, 100, 120, 125, 128, 150, 160, 200, 204.8, 240, 250, 256, 300, 320, 400, 409.6, 500, 512, 600,
-         800, 1000, 1024, 1200, 2000, 2048, 4000, 4096)  # fmt: skip
-GRAVITY = (
-    9.8,
-    9.81,
-    9.807,
-    9.80665,
-    980.0,
-    981.0,
-    980.7,
-    980.665,
-    9806.65,
-    9810.0,
-    386.1,
-    386.09,
-    386.4,
-    32.2,
-    32.174,
+_RATES = """
+    20 25 40 50 60 64 75 80 100 120 125 128 150 160 200 204.8 240 250 256 300 320 400 409.6 500 512 600 800 1000 1024
+    1200 2000 2048 4000 4096
+"""
+_GRAVITY = (
+    "9.8 9.81 9.807 9.80665 980 981 980.7 980.665 9806.65 9810 386.1 386.09 386.4 32.2 32.174"
 )
-"""Numbers that are likely a rate [Hz]; its inverse a step; a factor from g."""
+RATES, GRAVITY = (tuple(map(float, table.split())) for table in (_RATES, _GRAVITY))
+"""Numbers that are likely a rate [Hz], its inverse a step; a factor from g."""

@@ -41,7 +41,11 @@ def read(text, **given):
     return records._motion(content, Path("x.txt"), Options(**given), 1.0, "x")
 
 
-SHAPES = {"PEER": (peer, {}), "two columns": (table, {"unit": "g"}), "one column": (alone, {"unit": "g", "time_step": 0.01})}  # fmt: skip
+SHAPES = {
+    "PEER": (peer, {}),
+    "two columns": (table, {"unit": "g"}),
+    "one column": (alone, {"unit": "g", "time_step": 0.01}),
+}
 
 
 @pytest.mark.parametrize("shape", SHAPES)
@@ -85,7 +89,8 @@ def test_that_motions_with_equal_or_single_peaks_are_no_gaps():
     spike = noise(peak=0.1)
     spike[500] = 0.5
     sine = np.sin(np.arange(500) * 0.1)
-    for values in (pulse, clipped, square, spike, sine, np.round(noise(), 2), 0.001 * np.round(noise(peak=3))):  # fmt: skip
+    coarse = np.round(noise(), 2)
+    for values in (pulse, clipped, square, spike, sine, coarse):
         assert read(table(values), unit="g").acceleration.size == values.size
 
 
