@@ -145,10 +145,6 @@ FILE_ERRORS = {
         "file = {pattern!r} is not accepted as a pattern: {reason}",
         "file = {pattern!r} non è ammesso come modello: {reason}",
     ),
-    "unit_g_tenth": (
-        "the unit is g/10: convert the file to g",
-        "l'unità è g/10: convertire il file in g",
-    ),
     "two_units": (
         "the header speaks of two units, {one} in {first} and {other} in {second}: leave the one of the "
         "samples",
@@ -165,8 +161,8 @@ FILE_ERRORS = {
         "{n} campioni, ma l'intestazione ne dichiara {declared}",
     ),
     "other_quantity": (
-        "the header speaks of {quantity}: this is not an accelerogram; take the acceleration file",
-        "l'intestazione parla di {quantity}: non è un accelerogramma; usare il file di accelerazione",
+        "the header speaks of {quantity}: this is not an accelerogram, its line is {line}; take the acceleration file",
+        "l'intestazione parla di {quantity}: non è un accelerogramma, la riga è {line}; usare il file di accelerazione",
     ),
     "binary_file": (
         "this is a binary file; SAC and miniSEED need instrument metadata: convert it to text with ObsPy "
@@ -203,8 +199,56 @@ FILE_ERRORS = {
         "l'unità {unit} non è un'accelerazione: g, m/s2, cm/s2 o mm/s2",
     ),
     "unit_not_read": (
-        "the file is in {unit}: convert it to g, m/s2, cm/s2 or mm/s2",
-        "il file è in {unit}: convertirlo in g, m/s2, cm/s2 o mm/s2",
+        "the file is in {unit}: convert it to g, m/s2, cm/s2 or mm/s2; its line is {line}",
+        "il file è in {unit}: convertirlo in g, m/s2, cm/s2 o mm/s2; la sua riga è {line}",
+    ),
+    "factor_stated": (
+        "the head states a factor of {factor:g} in {line}: give {scale} = {factor:g} if the samples have still to "
+        "be multiplied by it, or take the line out if they have been",
+        "l'intestazione indica un fattore {factor:g} in {line}: dare {scale} = {factor:g} se i campioni vanno "
+        "ancora moltiplicati, o togliere la riga se lo sono già",
+    ),
+    "two_factors_stated": (
+        "the head states two factors, in {first} and in {second}: leave the one that the samples have still to be "
+        "multiplied by",
+        "l'intestazione indica due fattori, in {first} e in {second}: lasciare quello per cui i campioni vanno ancora "
+        "moltiplicati",
+    ),
+    "two_steps_stated": (
+        "the head states a time step of {one:g} s in {first} and of {other:g} s in {second}: leave the one of the "
+        "samples",
+        "l'intestazione dà un passo di {one:g} s in {first} e di {other:g} s in {second}: lasciare quello dei campioni",
+    ),
+    "count_stated": (
+        "{n} samples, but the header declares {declared} in {line}: download the file again, or correct the line",
+        "{n} campioni, ma l'intestazione ne dichiara {declared} in {line}: scaricare di nuovo il file, o correggere "
+        "la riga",
+    ),
+    "contradicts_line": (
+        "the file states {named} {stated}, the case gives {given}: remove {named}, or correct the line {line}",
+        "il file dice {named} {stated}, il caso {given}: togliere {named}, o correggere la riga {line}",
+    ),
+    "blank_among_samples": (
+        "a blank line among the samples: leave one record in the file, without blank lines in it",
+        "una riga vuota fra i campioni: lasciare un solo accelerogramma nel file, senza righe vuote",
+    ),
+    "text_among_samples": (
+        "{text} stands among the samples: leave one record in the file, with text above it only",
+        "{text} si trova fra i campioni: lasciare un solo accelerogramma nel file, con il testo solo sopra",
+    ),
+    "head_too_long": (
+        "more than {n} lines of text above the samples: leave those of the record",
+        "più di {n} righe di testo sopra i campioni: lasciare quelle dell'accelerogramma",
+    ),
+    "marks_of_gaps": (
+        "{n} samples are {mark:g}, the first of them sample {sample}, all others within {others:.4g}: a mark of "
+        "missing samples? Fill the gaps or cut the record there",
+        "{n} campioni valgono {mark:g}, il primo è il campione {sample}, gli altri sono entro {others:.4g}: un segno "
+        "di campioni mancanti? Colmare i buchi o tagliare lì l'accelerogramma",
+    ),
+    "line_twice": (
+        "the line {text} stands there twice: download the file again, or take one out",
+        "la riga {text} c'è due volte: scaricare di nuovo il file, o toglierne una",
     ),
     "pairs_in_line": (
         "a line holds several pairs of time and acceleration: write one pair a line",
@@ -234,8 +278,10 @@ FILE_ERRORS = {
     ),
     "no_numbers": ("no numbers in this file", "nessun numero in questo file"),
     "two_time_steps": (
-        "the header states a time step of {stated:g} s, the time column {column_step:g} s",
-        "l'intestazione dà un passo di {stated:g} s, la colonna dei tempi {column_step:g} s",
+        "the header states a time step of {stated:g} s, {line}, the samples are {column_step:g} s apart: correct "
+        "the line or the times",
+        "l'intestazione dà un passo di {stated:g} s, {line}, i campioni distano {column_step:g} s: correggere la "
+        "riga o i tempi",
     ),
     "column_out_of_range": (
         "{column} = {given} is not accepted: 2 to {most} (column 1 is time)",

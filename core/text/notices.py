@@ -130,6 +130,17 @@ SENTENCES = {
         "The peak read, {read:.4g}, differs from the {stated:.4g} stated in the file (same unit).",
         "Il picco letto, {read:.4g}, differisce da {stated:.4g} dichiarato nel file (stessa unità).",
     ),
+    "number_not_understood": (
+        "Numbers of the head that are not understood: {lines}. Is one of them a time step, a rate, a count of samples "
+        "or a factor?",
+        "Numeri dell'intestazione non compresi: {lines}. Uno di essi è un passo, una frequenza di campionamento, un "
+        "numero di campioni o un fattore?",
+    ),
+    "jump": (
+        "Near sample {sample} the record jumps as nowhere around it: lines doubled, swapped or missing?",
+        "Presso il campione {sample} l'accelerogramma salta come in nessun punto vicino: righe doppie, scambiate o "
+        "mancanti?",
+    ),
     "scaled": ("Scaled by {scale:g} as asked.", "Scalato per {scale:g} come richiesto."),
     "scaled_far": (
         "Scaled by {scale:g} as asked: beyond 3 a record stands for an earthquake it was not.",

@@ -189,6 +189,15 @@ def seeds(folder: Path) -> dict[str, list[bytes]]:
         motion,
         motion.replace(b"\n", b"\r\n"),
         b"# Acceleration (g), dt=0.01s\n" + b"0.1\n-0.2\n0.05\n" * 20,
+        "\n".join(
+            [
+                "Passo temporale (ms): 10, Δt = 0,01 s, fs = 100 Hz, 100 campioni al secondo",
+                "NPTS, DT: 60, 0.01",
+                "unità di misura: 10⁻³ g; fattore di scala = 2.5 x 10^-3",
+                "Component UP, number of data points: 60",
+            ]
+        ).encode()
+        + b"\n0.1\n-0.2\n0.05" * 20,
     ]
     shelf = shelf_folder()
     if shelf:
