@@ -27,7 +27,7 @@ WINDOW_CHARTS = {
     "Multiplier at once": "Moltiplicatore diretto",
     "Set to…": "Porta a…",
     "the demand": "la domanda",
-    "the demand x FC": "la domanda x FC",
+    "the demand with FC": "la domanda con FC",
     "just before collapse": "appena prima del collasso",
     "just after collapse": "appena dopo il collasso",
     "Not known here: no demand, or no collapse of this record.": (
