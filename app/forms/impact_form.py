@@ -55,7 +55,10 @@ def scopes() -> dict:
 def formula_of(model: str, block: Block) -> str:
     """The formula of a model with the factor and the angle of this block: a setback or a mass that moves with the wall
     makes them others than those of a rectangle."""
-    factor, degrees = 2.0 * block.radius**2 / block.inertia_over_mass, math.degrees(block.slenderness)
+    factor, degrees = (
+        2.0 * block.radius**2 / block.inertia_over_mass,
+        math.degrees(block.slenderness),
+    )
     formula = FORMULAS[model].format(k=f"{factor:.5g}", alpha=f"{degrees:.5g}")
     if current_language() == "it":
         formula = re.sub(r"(?<=\d)\.(?=\d)", ",", formula)

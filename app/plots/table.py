@@ -1,7 +1,6 @@
 """A table whose cells copy into Word and Excel."""
 
 import math
-import re
 
 from PySide6.QtGui import QColor, QGuiApplication, QKeySequence
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem

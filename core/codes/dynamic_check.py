@@ -125,10 +125,10 @@ class DemandCheck:
         )
 
     def within_spread(self, target: float) -> bool:
-        """Whether the rule holds at the target, but the spread of zeta_E contains it."""
+        """Whether the rule holds at the target, but the spread of zeta_E contains it, its lower end included."""
         if self.zeta_spread is None or not self.holds_at_target:
             return False
-        return self.zeta_spread[0] < target < self.zeta_spread[1]
+        return self.zeta_spread[0] <= target < self.zeta_spread[1]
 
 
 def at_demand(

@@ -57,8 +57,8 @@ class Zeta:
 
 
 class _Grid:
-    """What is known of the points target (1 + STEP)^(every k): where the rule fails, where that is for want of a number,
-    and where a run rocks."""
+    """What is known of the points target (1 + STEP)^(every k): where the rule fails, where that is for want of a
+    number, and where a run rocks."""
 
     def __init__(self, failures, target: float, every: int):
         self.failures, self.target, self.every = failures, target, every

@@ -16,8 +16,8 @@ LINEAR = 1e-3
 """Share of its peak within which the motion of a floor is linear between its samples."""
 
 PER_PERIOD, MAX_START = 8, 64
-"""Samples in the shortest period from which on it is seen how linear the motion is, as far as MAX_START parts of a sample
-of the record give them: modes so short that they do not, shorter than a case takes, move with the ground."""
+"""Samples in the shortest period from which on it is seen how linear the motion is, as far as MAX_START parts of a
+sample of the record give them: modes so short that they do not, shorter than a case takes, move with the ground."""
 
 
 @dataclass(frozen=True)
@@ -85,9 +85,7 @@ def _is_linear(floor: np.ndarray, finer: np.ndarray) -> bool:
     """Whether a motion is linear between its samples, seen half way between them."""
     size = min(floor.size, (finer.size + 1) // 2)
     middles = 0.5 * (floor[: size - 1] + floor[1:size])
-    return bool(
-        np.abs(finer[1 : 2 * size - 1 : 2] - middles).max() <= LINEAR * np.abs(finer).max()
-    )
+    return bool(np.abs(finer[1 : 2 * size - 1 : 2] - middles).max() <= LINEAR * np.abs(finer).max())
 
 
 def _sampled(ground: np.ndarray, dt: float, modes: Sequence[Mode], parts: int) -> np.ndarray:

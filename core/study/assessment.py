@@ -83,8 +83,11 @@ def assess(
         rows.append(sld(kinematic, demand))
     elif demand.limit_state == "SLV":
         if wall.q_slv_set is not None:
-            # our q is counted from uplift at alpha_0 g: a0*, which e* raises, must not count it twice
+            # our q is counted from uplift at alpha_0 g: a0*, which e* raises, must not count it twice; and of the wall
+            # without the friction of return walls, which must not raise what the histories lead to
             own_q = wall.q_slv_set * kinematic.e_star
+            if kinematic.alpha0 > kinematic.chain.alpha0:
+                own_q *= kinematic.chain.alpha0 / kinematic.alpha0
             rows.append(linear("linear_q_slv", kinematic, demand, own_q))
         rows.append(linear("linear_q_code", kinematic, demand, demand.q_code))
     checks = tuple(check for check in rows if check is not None)
@@ -173,9 +176,7 @@ def judged(
     """(zeta of the check that decides for another wall, model, floor or motions, whether it is surely satisfied).
     spectrum : of the floor, None on the ground; every : of the search of the dynamic check."""
     if decides.name == "dynamic":
-        dynamic = demand_check(
-            model, motions, polarities, demand, method, every, False, cancelled
-        )
+        dynamic = demand_check(model, motions, polarities, demand, method, every, False, cancelled)
         return dynamic.zeta, dynamic.passed and not dynamic.within_spread(demand.zeta_target)
     moved = kinematic_of(wall, mechanism, demand, spectrum)
     if decides.name == "nonlinear":

@@ -24,6 +24,7 @@ WINDOW_CHARTS = {
     "No dynamic check: it takes records and a demand at SLV or SLC.": (
         "Nessuna verifica dinamica: richiede accelerogrammi e una domanda allo SLV o SLC."
     ),
+    "of the upper {h:.2f} m with friction": "dei {h:.2f} m superiori con attrito",
     "Multiplier at once": "Moltiplicatore diretto",
     "Set to…": "Porta a…",
     "the demand": "la domanda",

@@ -178,7 +178,9 @@ def wall_of(k: int):
     model = rocking_model(block, one_sided, restitution(block, named), law)
     motions = []
     for n in range((7, 3)[k // 2 % 2]):
-        noise = np.convolve(chance.normal(size=350), np.hanning(25), "same") * np.hanning(350) ** 0.3
+        noise = (
+            np.convolve(chance.normal(size=350), np.hanning(25), "same") * np.hanning(350) ** 0.3
+        )
         noise *= 3.0 * chance.uniform(0.5, 1.0) / np.abs(noise).max()
         motions.append(GroundMotion(f"{n}", noise, 0.02))
     side = ("capacity", "demand")[k // 4 % 2]

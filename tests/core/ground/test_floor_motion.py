@@ -83,7 +83,8 @@ def test_that_a_three_storey_shear_building_is_that_of_direct_integration(ground
 @pytest.mark.parametrize("dt", [0.005, 0.01, 0.02])
 @pytest.mark.parametrize(
     "modes",
-    [[(0.39, 1.0)], [(0.2, 1.2)], [(0.1, 0.8)], [(0.05, 1.0)], [(0.02, 1.0)], [(0.3, 1.22), (0.1, -0.28), (0.06, 0.06)]],
+    [[(0.39, 1.0)], [(0.2, 1.2)], [(0.1, 0.8)], [(0.05, 1.0)], [(0.02, 1.0)],
+     [(0.3, 1.22), (0.1, -0.28), (0.06, 0.06)]],
 )  # fmt: skip
 def test_that_a_floor_motion_is_linear_between_its_samples_within_a_thousandth(dt, modes):
     """Against samples 16 times as close, exact for a ground linear between samples: sharp noise of five seconds."""

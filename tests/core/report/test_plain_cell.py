@@ -8,7 +8,6 @@ import pytest
 
 from core.case.study_file import Cell
 from core.ground.ground_motion import GroundMotion
-
 from core.report.plain_cell import plain_cell
 from core.report.study_files import csv_text
 from core.study.parametric import ParametricResult, Row, StudyMotion
@@ -30,5 +29,9 @@ def test_that_no_name_of_a_study_begins_a_cell_of_its_runs_as_a_formula():
     row = Row(wall, 0, -1, "collapse_found", 2.0, 1.9, 1.5, 1.7, None, 0.1, 9)
     result = ParametricResult(None, "", False, "", (), (entry,), (row,), (), 0, 0.0)
     (read,) = csv.DictReader(io.StringIO(csv_text(result)))
-    assert (read["group"], read["spectrum"], read["motion"]) == ("'+cmd", "'=HYPERLINK(1)", "'@SUM(1)")
+    assert (read["group"], read["spectrum"], read["motion"]) == (
+        "'+cmd",
+        "'=HYPERLINK(1)",
+        "'@SUM(1)",
+    )
     assert read["polarity"] == "-1" and read["q_robust"] == ""
