@@ -135,6 +135,9 @@ class CheckTab(QWidget):
         parts.append(
             f"e* {number(kinematic.e_star, '.3g')}, a0* {number(kinematic.a0 / G, '.3f')} g"
         )
+        if kinematic.chain.friction_height is not None:
+            height = kinematic.chain.friction_height
+            parts.append(tr("of the upper {h:.2f} m with friction", h=height))
         if dynamic:
             parts.append(word(f"confidence_{dynamic.confidence_on}", self.language))
             parts.append(f"ζ_16 {digits(dynamic.zeta_16)}")

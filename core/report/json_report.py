@@ -7,6 +7,7 @@ from dataclasses import asdict
 from core.capacity.accuracy import ROUNDING, Accuracy
 from core.codes.dynamic_check import DemandCheck
 from core.codes.eq9 import LABEL
+from core.codes.kinematic import Kinematic
 from core.codes.record_compatibility import Compliance
 from core.file_names import shown
 from core.ground.ground_motion import GroundMotion
@@ -77,8 +78,22 @@ def _demand_check(check: DemandCheck | None) -> dict | None:
     return {**asdict(check), "runs": runs}
 
 
-def _assessment(assessment: Assessment | None) -> dict:
-    """The keys demand_check, lower_bound_check, kinematic_check and verdict of a wall."""
+def _without_friction(mechanism: Kinematic, confidence: float) -> dict | None:
+    """alpha0, e*, M* and a0* of the whole wall, where those beside them are of its upper part with the friction of
+    return walls."""
+    sums = mechanism.chain
+    if sums.alpha0_friction is None:
+        return None
+    return {
+        "alpha0": sums.alpha0,
+        "e_star": sums.e_star,
+        "m_star": None if sums.mass is None else sums.e_star * sums.mass,
+        "a0_star_g": sums.alpha0 / (sums.e_star * confidence),
+    }
+
+
+def _assessment(assessment: Assessment | None, confidence: float) -> dict:
+    """The keys demand_check, lower_bound_check, kinematic_check and verdict of a wall. confidence : FC."""
     if assessment is None:
         return {"demand_check": None, "kinematic_check": None, "verdict": None}
     verdict = assessment.verdict
@@ -91,6 +106,8 @@ def _assessment(assessment: Assessment | None) -> dict:
             "e_star": mechanism.e_star,
             "m_star": mechanism.m_star,
             "a0_star_g": mechanism.a0 / G,
+            "friction_height_m": mechanism.chain.friction_height,
+            "without_friction": _without_friction(mechanism, confidence),
             "d0_m": mechanism.d0,
             "d_limit_m": mechanism.d_limit,
             "period_s": mechanism.period,
@@ -321,7 +338,7 @@ def _wall(wall: WallResult, result: StudyResult) -> dict:
         **loads(wall),
         **tie_design(wall),
         **limit_states(wall),
-        **_assessment(wall.assessment),
+        **_assessment(wall.assessment, result.demand.confidence_factor if result.demand else 1.0),
         **_floor(wall),
         **_risk(wall),
         **_uncertainty(wall.accuracy),

@@ -288,6 +288,10 @@ def _mechanism_line(book: Book, assessment) -> str:
     ]
     if assessment.m_star is not None:
         parts.append(f"M* {book.digits(assessment.m_star, '.0f')} kg/m")
+    if assessment.chain.friction_height is not None:
+        parts.append(
+            say("of the upper {h:.2f} m with friction", h=assessment.chain.friction_height)
+        )
     if assessment.free_element:
         parts.append(say("free to vibrate"))
         if assessment.period_0 is not None:

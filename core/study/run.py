@@ -119,7 +119,6 @@ def run(
                     demand,
                     rules,
                     method,
-                    search,
                     stop,
                     case.building,
                     motions,

@@ -15,7 +15,7 @@ from PySide6.QtSvg import QSvgRenderer
 
 from app import language, theme
 from app.plots.chart import Chart
-from app.plots.table import Table, plain_cell
+from app.plots.table import Table
 from core.errors import OutputError
 
 MARKS = ((61.7, 16.3), (80.0, 5.0), (100.0, 20.0), (118.0, 9.0))
@@ -116,7 +116,6 @@ def test_that_a_copied_cell_is_never_a_formula(application, text, copied):
     table = Table("t", ["a", "b"])
     table.show_rows([[text, "x"]])
     assert table.text().split("\n")[1].split("\t") == [copied, "x"]
-    assert plain_cell(plain_cell("wall")) == "wall"
 
 
 def test_that_a_chart_that_cannot_be_written_says_so_and_leaves_the_old_one(chart, tmp_path):

@@ -113,10 +113,10 @@ def spread(k: int, shelf, small: bool = False) -> dict[int, list[tuple]]:
     def looked_up(multipliers):
         place = np.rint(np.log(multipliers) / math.log1p(fine)).astype(int) - low
         known = flags[np.clip(place, 0, flags.size - 1)] & (place >= 0)
-        return known | (place >= flags.size), np.zeros(known.size, bool)
+        return known | (place >= flags.size), np.zeros(known.size, bool), np.ones(known.size, bool)
 
-    def searched(step: float, target: float) -> Zeta:
-        return search_zeta(looked_up, work.rest, target, 0.0, step)
+    def searched(every: int, target: float) -> Zeta:
+        return search_zeta(looked_up, work.rest, target, every)
 
     half = round(WINDOW / math.log1p(fine))
     places = (
@@ -127,7 +127,7 @@ def spread(k: int, shelf, small: bool = False) -> dict[int, list[tuple]]:
     found = {}
     for factor in STEPS:
         step = (1.0 + STEP) ** factor - 1.0
-        tries = [searched(step, (1.0 + fine) ** (factor * start)) for start in STARTS]
+        tries = [searched(factor, (1.0 + fine) ** (factor * start)) for start in STARTS]
         found[factor] = [
             (*(np.array([one.half, one.sixteen, one.first]) / truth - 1.0),
              one.spread[0] * (1.0 - step) <= truth[0] <= one.spread[1] * (1.0 + step),
