@@ -141,8 +141,12 @@ def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: st
             row = found_row(book, sheet, row, "q SLV", wall.q_slv_set, "–")
             row = found_row(book, sheet, row, say("lower end of the spread of q SLV"), wall.q_slv_low_set, "–",
                             f"{name}_q_slv_low")  # fmt: skip
-            row = live_row(book, sheet, row, f"q: {label}", "C8.7.1.5", f"={name}_q_slv_low*{name}_e_star",
-                           check.q, "–", q)  # fmt: skip
+            counted = f"{name}_q_slv_low*{share}"
+            if kinematic.chain.alpha0_friction is not None:
+                counted += f"*MIN(1,{name}_alpha0/{start})"
+            row = live_row(
+                book, sheet, row, f"q: {label}", "C8.7.1.5", f"={counted}", check.q, "–", q
+            )
         row = live_row(book, sheet, row, f"ζ: {label}", check.clause,
                        f"={q}*{name}_zeta_sld", check.zeta, "–", f"{q}_zeta")  # fmt: skip
         row = _outcome(book, sheet, row, f"{q}_zeta", check)

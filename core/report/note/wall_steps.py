@@ -228,12 +228,18 @@ def linear(result: StudyResult, wall: WallResult, name: str, words: Words) -> li
         }
         label = words.word(check.label)
         if check.name == "linear_q_slv":
-            low, share = wall.q_slv_low_set, kinematic.e_star
-            factors = {"l": (low, f"{name}_q_slv_low"), "e": (share, f"{name}_e_star")}
+            low, sums = wall.q_slv_low_set, kinematic.chain
+            bare = sums.alpha0_friction is None
+            cell = f"{name}_e_star" if bare else f"{name}_e_star_friction"
+            factors = {"l": (low, f"{name}_q_slv_low"), "e": (kinematic.e_star, cell)}
+            symbols, numbers = "q_SLV,min e*", "{l:.3f} · {e:.3f}"
+            if not bare and sums.alpha0_friction > sums.alpha0:  # no friction in the histories
+                factors |= {"a": (sums.alpha0, f"{name}_alpha0"), "f": (sums.alpha0_friction, None)}
+                symbols, numbers = symbols + " α0/α0,f", numbers + " · {a:.4f}/{f:.4f}"
             lower = words.say(
                 "lower end of the spread of q SLV, {q:.2f}, times e*", q=wall.q_slv_set
             )
-            steps.append(Step("q", check.q, ".3f", "–", "C8.7.1.5", "q_SLV,min e*", "{l:.3f} · {e:.3f}", factors,
+            steps.append(Step("q", check.q, ".3f", "–", "C8.7.1.5", symbols, numbers, factors,
                               f"{name}_linear_q_slv", lower))  # fmt: skip
         steps.append(Step("ζ", check.zeta, ".3f", "–", check.clause, "q a_g,SLD/a_g", "{q:.2f} · {z:.3f}", values,
                           f"{name}_{check.name}_zeta", label))  # fmt: skip
