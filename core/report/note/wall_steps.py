@@ -234,7 +234,10 @@ def linear(result: StudyResult, wall: WallResult, name: str, words: Words) -> li
             factors = {"l": (low, f"{name}_q_slv_low"), "e": (kinematic.e_star, cell)}
             symbols, numbers = "q_SLV,min e*", "{l:.3f} · {e:.3f}"
             if not bare and sums.alpha0_friction > sums.alpha0:  # no friction in the histories
-                factors |= {"a": (sums.alpha0, f"{name}_alpha0"), "f": (sums.alpha0_friction, None)}
+                factors |= {
+                    "a": (sums.alpha0, f"{name}_alpha0"),
+                    "f": (sums.alpha0_friction, f"{name}_alpha0_friction"),
+                }
                 symbols, numbers = symbols + " α0/α0,f", numbers + " · {a:.4f}/{f:.4f}"
             lower = words.say(
                 "lower end of the spread of q SLV, {q:.2f}, times e*", q=wall.q_slv_set
