@@ -80,6 +80,26 @@ SENTENCES = {
         "Hidden rows of the table of walls were not read: {rows}.",
         "Righe nascoste della tabella delle pareti non lette: {rows}.",
     ),
+    "hidden_columns": (
+        "Hidden columns of the table of walls were not read: {columns}.",
+        "Colonne nascoste della tabella delle pareti non lette: {columns}.",
+    ),
+    "hidden_rows_read": (
+        "Hidden rows of the sheet were read like the others: {rows}. Do they belong to the record?",
+        "Righe nascoste del foglio lette come le altre: {rows}. Appartengono all'accelerogramma?",
+    ),
+    "hidden_columns_read": (
+        "Hidden columns of the sheet count like the others: {columns}. Is the column that is read the one meant?",
+        "Colonne nascoste del foglio contate come le altre: {columns}. La colonna letta è quella voluta?",
+    ),
+    "hidden_sheets": (
+        "Hidden sheets of the workbook were not read: {names}.",
+        "Fogli nascosti della cartella di lavoro non letti: {names}.",
+    ),
+    "formulas_read": (
+        "Formulas of the sheet were read by the values last computed: {cells}.",
+        "Formule del foglio lette con i valori calcolati l'ultima volta: {cells}.",
+    ),
     "other_sheets": (
         "Other sheets of the table of walls were not read: {names}.",
         "Altri fogli della tabella delle pareti non letti: {names}.",
