@@ -17,6 +17,7 @@ from app.language import current_language, described, tr
 from app.plots.table import plain_cell
 from core import atomic_write
 from core.errors import OutputError
+from core.report.xml_text import for_xml
 
 
 def written(value: float, comma: bool) -> str:
@@ -24,6 +25,11 @@ def written(value: float, comma: bool) -> str:
     if not math.isfinite(value):
         return ""
     return repr(value).replace(".", ",") if comma else repr(value)
+
+
+def opened_anywhere(svg: QBuffer) -> bytes:
+    """An SVG of Qt, which writes letters of a text that no XML may hold."""
+    return for_xml(bytes(svg.data()).decode()).encode()
 
 
 class ChartOutput(QWidget):
@@ -99,6 +105,7 @@ class ChartOutput(QWidget):
             picture.setViewBox(QRect(0, 0, size.width(), size.height()))
             picture.setResolution(self.view.logicalDpiX())
             self.paint_light(picture)
+            return opened_anywhere(room)
         elif not self.image().save(room, "PNG"):
             raise OutputError("picture_not_made")
         return bytes(room.data())

@@ -8,6 +8,7 @@ from PySide6.QtSvg import QSvgGenerator
 
 from app import theme
 from app.language import tr
+from app.plots.chart_output import opened_anywhere
 from core.errors import OutputError
 
 MM_PER_INCH = 25.4
@@ -72,7 +73,7 @@ def figure(chart, end: str, size: FigureSize) -> bytes:
         box.setRange(xRange=ranges[0], yRange=ranges[1], padding=0)
         box.blockLink(False)
         chart.layout().setEnabled(True)
-    return bytes(room.data())
+    return opened_anywhere(room) if end == ".svg" else bytes(room.data())
 
 
 def _image(chart, page: QSize, whole: QSize, lines: list[str], dpi: int, density: float) -> QImage:
