@@ -72,8 +72,10 @@ SENTENCES = {
         "Delle {n} cerniere di questa parete lo ζ minore, {zeta:.2f}, è quello di {wall}.",
     ),
     "large_ag": (
-        "a_g = {ag:.3g} g is above 0.6 g: m/s2 or % instead of g, or S counted in it?",
-        "a_g = {ag:.3g} g supera 0,6 g: m/s² o % al posto di g, oppure S già compreso?",
+        "a_g = {ag:.3g} g is above 0.6 g, beyond the hazard of Italy at 2475 years: was {ag:.3g} m/s2 meant, which is "
+        "{meant:.3f} g, or %, or is S counted in it?",
+        "a_g = {ag:.3g} g supera 0,6 g, oltre la pericolosità italiana a 2475 anni: si intendeva {ag:.3g} m/s², cioè "
+        "{meant:.3f} g, o %, oppure S è già compreso?",
     ),
     "table_sheet": ("Walls read from the sheet {sheet}.", "Pareti lette dal foglio {sheet}."),
     "hidden_rows": (

@@ -126,7 +126,7 @@ def test_that_any_text_of_a_case_gives_files_that_open(tmp_path, reference):
     for end in ("t", "c", "w", "r", "s"):
         assert f"{SHOWN} {end}" in written, end
     whole = (tmp_path / "case.xlsx").read_bytes()
-    assert parts(whole)["xl/workbook.xml"] == ""
+    assert "xl/workbook.xml" in parts(whole)
     limits, names, seen = Limits(5000, 200, 200_000, 40_000_000), [], set()
     read_sheet(whole, limits, lambda found: names.extend(found) or 0)
     for number in range(len(names)):
