@@ -27,11 +27,6 @@ def written(value: float, comma: bool) -> str:
     return repr(value).replace(".", ",") if comma else repr(value)
 
 
-def opened_anywhere(svg: QBuffer) -> bytes:
-    """An SVG of Qt, which writes letters of a text that no XML may hold."""
-    return for_xml(bytes(svg.data()).decode()).encode()
-
-
 class ChartOutput(QWidget):
     """The part of a Chart that writes: pictures, figures, data.
 
@@ -105,8 +100,8 @@ class ChartOutput(QWidget):
             picture.setViewBox(QRect(0, 0, size.width(), size.height()))
             picture.setResolution(self.view.logicalDpiX())
             self.paint_light(picture)
-            return opened_anywhere(room)
-        elif not self.image().save(room, "PNG"):
+            return for_xml(bytes(room.data()))  # Qt writes whatever a text holds
+        if not self.image().save(room, "PNG"):
             raise OutputError("picture_not_made")
         return bytes(room.data())
 

@@ -183,7 +183,9 @@ class CheckTab(QWidget):
     def _warnings(self, result: StudyResult, wall: WallResult) -> str:
         """What is said of the demand and of the wall."""
         demand = result.demand.warnings if result.demand else ()
-        return "\n".join(f"• {warning.text(self.language)}" for warning in (*demand, *wall.warnings))
+        return "\n".join(
+            f"• {warning.text(self.language)}" for warning in (*demand, *wall.warnings)
+        )
 
     def _bars(self, check) -> None:
         top = 1.2

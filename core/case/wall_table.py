@@ -174,9 +174,7 @@ def _xlsx_rows(content: bytes) -> tuple[list[list[str]], list[Sentence]]:
         refuse_cells({"merged_cells": sheet.merged, **found})
     except InputError as error:
         raise error.at(place("sheet", name=name)) from None
-    rows = [
-        [text.strip() for text in sheet.texts(row)] for row in range(1, sheet.last_row + 1)
-    ]
+    rows = [[text.strip() for text in sheet.texts(row)] for row in range(1, sheet.last_row + 1)]
     notes = [notice("table_sheet", sheet=name), *hidden_notes(whole, are_read=False)]
     if sheet.other_sheets:
         names = [other[:MAX_NAME] for other in sheet.other_sheets]

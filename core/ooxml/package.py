@@ -35,8 +35,11 @@ PIECE = 1 << 16
 MAX_RELATIONS = 2_000_000
 """Bytes of the relations of a package and its workbook."""
 
+COMPRESSED = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
+"""What members of a package may be (ECMA-376-2, C.3.3); of the others each raises errors of its own."""
+
 DAMAGED = (zipfile.BadZipFile, zlib.error, expat.ExpatError, EOFError, NotImplementedError, RuntimeError, OSError,
-           ValueError, KeyError, IndexError, OverflowError, TypeError)  # fmt: skip
+           ValueError, LookupError, OverflowError, TypeError)  # fmt: skip
 """What a damaged or hostile package raises."""
 
 # callbacks of `Package.parse`
@@ -121,8 +124,10 @@ class Package:
 
         parser.StartElementHandler, parser.EndElementHandler = opened, closed
         parser.CharacterDataHandler, parser.StartDoctypeDeclHandler = written, refused
-        read = 0
-        with self.folder.open(self.parts[_key(part)]) as stream:
+        read, entry = 0, self.parts[_key(part)]
+        if entry.compress_type not in COMPRESSED:
+            raise ValueError("compression")
+        with self.folder.open(entry) as stream:
             while piece := stream.read(PIECE):
                 self.left -= len(piece)
                 if self.left < 0:

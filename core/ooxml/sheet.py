@@ -91,9 +91,7 @@ class Sheet:
     def texts(self, row: int, empty: str = "") -> list[str]:
         """The contents of a row from its first column to the last that has one."""
         cells = self.rows.get(row, {})
-        return [
-            cells[k].text if k in cells else empty for k in range(1, max(cells, default=0) + 1)
-        ]
+        return [cells[k].text if k in cells else empty for k in range(1, max(cells, default=0) + 1)]
 
     def as_shown(self) -> "Sheet":
         """The same sheet without the contents that are hidden, its columns side by side."""
@@ -222,7 +220,9 @@ class _Reader:
     ):
         self.package, self.limits = package, limits
         self.shared, self.formats = texts, formats
-        self.epoch = datetime.datetime(1904, 1, 1) if since_1904 else datetime.datetime(1899, 12, 30)
+        self.epoch = (
+            datetime.datetime(1904, 1, 1) if since_1904 else datetime.datetime(1899, 12, 30)
+        )
         self.row = self.column = self.count = 0
         self.rows_hidden, self.all_hidden = set(), False
         self.columns_hidden: list[range] = []
@@ -236,7 +236,9 @@ class _Reader:
         self.package.parse(part, self.start, self.end)
         sheet = self.sheet
         columns = range(1, sheet.last_column + 1)
-        sheet.hidden_columns = [k for k in columns if any(k in span for span in self.columns_hidden)]
+        sheet.hidden_columns = [
+            k for k in columns if any(k in span for span in self.columns_hidden)
+        ]
         sheet.hidden_rows = sorted(row for row in self.rows_hidden if row <= sheet.last_row)
         return sheet
 
@@ -357,7 +359,7 @@ def _place(reference: str) -> tuple[int, int]:
 
 
 def letters(column: int) -> str:
-    """"AB" of 28."""
+    """ "AB" of 28."""
     name = ""
     while column:
         column, rest = divmod(column - 1, 26)

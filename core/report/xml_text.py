@@ -11,9 +11,12 @@ _LIKE_A_CODE = re.compile(r"_(?=x[0-9A-Fa-f]{4}_)")
 
 
 def for_xml(value: Any) -> Any:
-    """A text that XML can hold, the rest of it escaped as \\uffff; of a sequence or a dataclass all the texts in it."""
+    """A text that XML can hold, the rest of it escaped as \\uffff; bytes are one in UTF-8; of a sequence or a
+    dataclass all the texts in it."""
     if isinstance(value, str):
         return _NOT_XML.sub(lambda letter: letter[0].encode("unicode_escape").decode(), value)
+    if isinstance(value, bytes):
+        return for_xml(value.decode()).encode()
     if isinstance(value, (tuple, list)):
         return type(value)(map(for_xml, value))
     if is_dataclass(value) and not isinstance(value, type):

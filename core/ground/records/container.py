@@ -68,6 +68,8 @@ def member_of(content: bytes, asked: str | None) -> tuple[str, bytes, str | None
             entry = entries[k]
             if entry.file_size > MAX_UNPACKED:
                 raise RecordError("unpacked_too_large", mb=entry.file_size / 1e6)
+            if entry.compress_type == zipfile.ZIP_LZMA:  # raises errors of its own
+                raise RecordError("bad_archive", reason="LZMA")
             with folder.open(entry) as stream:
                 body = stream.read(MAX_UNPACKED + 1)
     except BAD_ZIP as error:

@@ -353,7 +353,17 @@ def test_that_a_wrong_word_is_answered_with_the_words_of_the_list(cell, words):
 
 
 THRUST = [
-    ["Parete", "z", "H", "t", "Meccanismo", "Peso specifico", "Carico 1", "Carico 1 p", "Carico 1 h"],
+    [
+        "Parete",
+        "z",
+        "H",
+        "t",
+        "Meccanismo",
+        "Peso specifico",
+        "Carico 1",
+        "Carico 1 p",
+        "Carico 1 h",
+    ],
     ["", "m", "m", "cm", "", "kN/m3", "", "kN/m", "m"],
     ["A", 0, 4, 45, "su un lato", 18, "spinta", 2.5, 3],
     ["B", 0, 4, 45, "su un lato", 18, None, None, None],
@@ -375,21 +385,31 @@ def saved(tmp_path):
 
 @pytest.mark.parametrize("writer", WRITERS.values(), ids=WRITERS)
 def test_that_a_table_is_the_same_whoever_wrote_it(writer, saved):
-    walls, notes = read_table(saved(written_by(writer, THRUST, hidden_rows=(4,), others=[("Note", [["x"]])])), True)
-    assert walls == walls_of([[("" if c is None else str(c)) for c in row] for row in THRUST[:3] + THRUST[4:]], True)
+    walls, notes = read_table(
+        saved(written_by(writer, THRUST, hidden_rows=(4,), others=[("Note", [["x"]])])), True
+    )
+    assert walls == walls_of(
+        [[("" if c is None else str(c)) for c in row] for row in THRUST[:3] + THRUST[4:]], True
+    )
     assert [note.code for note in notes] == ["table_sheet", "hidden_rows", "other_sheets"]
 
 
 @pytest.mark.parametrize("writer", WRITERS.values(), ids=WRITERS)
 def test_that_a_load_merged_over_two_walls_never_reaches_the_first_alone(writer, saved):
     path = saved(written_by(writer, THRUST, merged=("G3:G4", "H3:H4", "I3:I4")))
-    with pytest.raises(InputError, match='sheet "Foglio 1": merged cells G3:G4, H3:H4, I3:I4: each cell'):
+    with pytest.raises(
+        InputError, match='sheet "Foglio 1": merged cells G3:G4, H3:H4, I3:I4: each cell'
+    ):
         read_table(path)
 
 
 @pytest.mark.parametrize("writer", WRITERS.values(), ids=WRITERS)
 def test_that_all_cells_without_a_value_of_their_own_are_named_at_once(writer, saved):
-    rows = [*THRUST[:3], ["B", 0, Formula("C3", 4), 45, "su un lato", 18], [Fault("#REF!"), 0, 4, 45, "su un lato", 18]]
+    rows = [
+        *THRUST[:3],
+        ["B", 0, Formula("C3", 4), 45, "su un lato", 18],
+        [Fault("#REF!"), 0, 4, 45, "su un lato", 18],
+    ]
     path = saved(written_by(writer, rows, merged=("A4:B4",)))
     with pytest.raises(InputError, match="merged cells A4:B4, formulas C4, errors A5: each cell"):
         read_table(path)
@@ -441,7 +461,9 @@ def test_that_a_workbook_of_some_kilobytes_takes_no_more_than_it_is_worth(
     import tracemalloc
 
     parts = unpacked(written_by(Writer(), THRUST))
-    grown = parts[part].replace(before.encode(), unit.encode() * (18_000_000 // len(unit)) + before.encode(), 1)
+    grown = parts[part].replace(
+        before.encode(), unit.encode() * (18_000_000 // len(unit)) + before.encode(), 1
+    )
     path = saved(packed({**parts, part: grown}))
     assert path.stat().st_size < 200_000
     del grown

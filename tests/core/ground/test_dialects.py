@@ -2,6 +2,7 @@
 
 import datetime
 import io
+import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -122,6 +123,7 @@ def test_that_processed_horizontals_of_a_zip_come_first_and_what_is_converted_on
         (dialects.zipped(**{"a.txt": b"0.1\n" * 6_000_000}), "20 MB"),
         (dialects.zipped(**{f"{k}.txt": b"1" for k in range(600)}), "600"),
         (b"PK\x03\x04" + b"\0" * 60, "cannot be opened"),
+        (dialects.zipped(zipfile.ZIP_LZMA, **{"a.txt": b"0.1 " * 99}), "LZMA"),
         (dialects.workbook(sheets=("a", "b")), 'give channel.*"a", "b"'),
         (dialects.workbook(heads=("T [s]", "Sa [g]")), "this is"),
     ],
@@ -262,7 +264,11 @@ SAMPLES = [["t [s]", "a [m/s2]"], *([round(k * STEP, 2), float(a)] for k, a in e
 
 def notes(content: bytes, **given) -> list[str]:
     """Words of the warnings of a record, but for those on its samples."""
-    return [w.text() for w in read(content, **given).warnings if w.code not in ("ends_moving", "unit_as_given")]
+    return [
+        w.text()
+        for w in read(content, **given).warnings
+        if w.code not in ("ends_moving", "unit_as_given")
+    ]
 
 
 @pytest.mark.parametrize("writer", WRITERS.values(), ids=WRITERS)
@@ -288,7 +294,9 @@ def test_that_a_sheet_refuses_formulas_without_value_and_merged_samples_by_name(
 @pytest.mark.parametrize("writer", WRITERS.values(), ids=WRITERS)
 def test_that_hidden_samples_and_formulas_of_a_sheet_are_read_and_said(writer):
     assert notes(written_by(writer, SAMPLES)) == []
-    hidden = written_by(writer, SAMPLES, hidden_rows=(5, 6), hidden_columns=(2,), others=[("Grezzi", [[1]])])
+    hidden = written_by(
+        writer, SAMPLES, hidden_rows=(5, 6), hidden_columns=(2,), others=[("Grezzi", [[1]])]
+    )
     assert np.array_equal(read(hidden).acceleration, MOTION)
     assert notes(hidden) == [
         "Hidden rows of the sheet were read like the others: 5, 6. Do they belong to the record?",

@@ -1,5 +1,8 @@
 """Packages are found by their relations, and cost what their contents are worth."""
 
+import io
+import zipfile
+
 import pytest
 
 from core.errors import InputError
@@ -38,10 +41,10 @@ def test_that_an_archive_of_files_is_no_workbook():
 )  # fmt: skip
 def test_that_a_target_is_absolute_or_relative_to_its_source(target, part):
     relation = f'<r:Relationship Id="k" Type="urn:x/worksheet" Target="{target}"/>'
-    outside = '<r:Relationship Id="e" Type="urn:x/worksheet" Target="http://x" TargetMode="External"/>'
-    relations = (
-        f'<r:Relationships xmlns:r="{RELATIONS}">{relation}{outside}</r:Relationships>'
+    outside = (
+        '<r:Relationship Id="e" Type="urn:x/worksheet" Target="http://x" TargetMode="External"/>'
     )
+    relations = f'<r:Relationships xmlns:r="{RELATIONS}">{relation}{outside}</r:Relationships>'
     package = Package(packed({"XL\\_rels\\Book.xml.rels": relations}), SIZE)
     assert package.related("xl/book.xml") == {"k": ("worksheet", part)}
     assert package.related("other.xml") == {}
@@ -80,6 +83,14 @@ def test_that_no_more_is_unpacked_than_allowed():
     assert package.left < 0
 
 
+def test_that_a_part_is_stored_or_deflated():
+    room = io.BytesIO()
+    with zipfile.ZipFile(room, "w", zipfile.ZIP_LZMA) as folder:
+        folder.writestr("a.xml", "<a/>")
+    with pytest.raises(ValueError, match="compression"):
+        Package(room.getvalue(), SIZE).parse("a.xml", lambda *_: None)
+
+
 def test_that_a_zip_of_countless_members_is_not_listed(monkeypatch):
     content = packed({f"{k}": b"" for k in range(MAX_PARTS + 1)})
     monkeypatch.setattr("zipfile.ZipFile", lambda *_: pytest.fail("it was listed"))
@@ -87,7 +98,9 @@ def test_that_a_zip_of_countless_members_is_not_listed(monkeypatch):
         Package(content, SIZE)
 
 
-@pytest.mark.parametrize("xml", ['<!DOCTYPE a [<!ENTITY b "c">]><a/>', '<!DOCTYPE a SYSTEM "file:///etc/passwd"><a/>'])
+@pytest.mark.parametrize(
+    "xml", ['<!DOCTYPE a [<!ENTITY b "c">]><a/>', '<!DOCTYPE a SYSTEM "file:///etc/passwd"><a/>']
+)
 def test_that_a_part_declares_no_entities(xml):
     with pytest.raises(ValueError, match="DOCTYPE"):
         Package(with_sheet(xml), SIZE).parse(SHEET, lambda *_: None)

@@ -17,7 +17,16 @@ from core.ooxml.sheet import (
     refuse_cells,
     spoken,
 )
-from tests.core.ooxml.writers import WRITERS, Day, Fault, Formula, Writer, packed, unpacked, workbook
+from tests.core.ooxml.writers import (
+    WRITERS,
+    Day,
+    Fault,
+    Formula,
+    Writer,
+    packed,
+    unpacked,
+    workbook,
+)
 
 LIMITS = Limits(rows=100, columns=30, cells=500, size=5_000_000)
 ROWS = [
@@ -97,7 +106,9 @@ def test_that_a_number_shown_as_a_date_is_no_number(code, is_date):
 
 def test_that_dates_count_from_1904_where_the_workbook_says_so():
     content = workbook(Writer(), [[Day(1.0)]])
-    content = with_part("xl/workbook.xml", "<sheets>", '<workbookPr date1904="1"/><sheets>', content)
+    content = with_part(
+        "xl/workbook.xml", "<sheets>", '<workbookPr date1904="1"/><sheets>', content
+    )
     assert read(content).texts(1) == ["1904-01-02 00:00:00"]
     assert read(workbook(Writer(), [[Day(1e300)]])).texts(1) == ["1e+300 d"]
 
@@ -110,7 +121,12 @@ def test_that_letters_written_as_codes_are_read_as_letters(writer):
 
 def test_that_rich_texts_are_joined_without_the_readings_of_their_signs():
     parts = "<r><rPr><b/></rPr><t>Muri</t></r><r><t xml:space='preserve'> di spina</t></r><rPh><t>x</t></rPh>"
-    rich = with_part("xl/sharedStrings.xml", "<t xml:space='preserve'>a</t>", parts, workbook(Writer(), [["a", "b"]]))
+    rich = with_part(
+        "xl/sharedStrings.xml",
+        "<t xml:space='preserve'>a</t>",
+        parts,
+        workbook(Writer(), [["a", "b"]]),
+    )
     assert read(rich).texts(1) == ["Muri di spina", "b"]
 
 
@@ -125,7 +141,12 @@ def test_that_the_sheet_that_is_asked_for_is_read():
 
 
 def test_that_what_is_shown_is_left_without_hidden_rows_and_columns():
-    rows = [["Parete", "B", "H"], ["a", Formula("1", 1), 3], ["b", Fault("#N/A"), 4], ["c", None, 5]]
+    rows = [
+        ["Parete", "B", "H"],
+        ["a", Formula("1", 1), 3],
+        ["b", Fault("#N/A"), 4],
+        ["c", None, 5],
+    ]
     whole = read(workbook(Writer(), rows, hidden_rows=(3, 9), hidden_columns=(2, 4)))
     seen = whole.as_shown()
     assert [seen.texts(row) for row in range(1, 5)] == [["Parete", "H"], ["a", "3"], [], ["c", "5"]]
@@ -135,7 +156,10 @@ def test_that_what_is_shown_is_left_without_hidden_rows_and_columns():
         "Hidden rows of the table of walls were not read: 3.",
         "Hidden columns of the table of walls were not read: B (B).",
     ]
-    assert [note.code for note in hidden_notes(whole, True)] == ["hidden_rows_read", "hidden_columns_read"]
+    assert [note.code for note in hidden_notes(whole, True)] == [
+        "hidden_rows_read",
+        "hidden_columns_read",
+    ]
     assert hidden_notes(read(workbook(Writer(), [[1], [], [2]], hidden_rows=(2,))), True) == []
 
 
@@ -186,7 +210,8 @@ def test_that_areas_are_bounded():
         (SHEET, "<v>0.1</v>", "<v>0,1</v>"), (SHEET, "<v>0.1</v>", "<v>1E999</v>"), (SHEET, "<v>0.1</v>", "<v>NaN</v>"),
         (SHEET, "<v>0</v>", "<v>-1</v>"), (SHEET, "<v>0</v>", "<v>99</v>"), (SHEET, "</row>", ""),
         (SHEET, "<worksheet ", "<w:worksheet "), ("xl/workbook.xml", "<sheets>", "<sheets"),
-        ("xl/styles.xml", 'numFmtId="0"', 'numFmtId="x"'), ("_rels/.rels", "officeDocument\"", "thumbnail\""),
+        (SHEET, 'encoding="utf-8"', 'encoding="utf-1e8"'), ("xl/styles.xml", 'numFmtId="0"', 'numFmtId="x"'),
+        ("_rels/.rels", 'officeDocument"', 'thumbnail"'),
     ],
 )  # fmt: skip
 def test_that_a_damaged_workbook_is_refused_in_one_sentence(part, old, new):
@@ -195,7 +220,14 @@ def test_that_a_damaged_workbook_is_refused_in_one_sentence(part, old, new):
 
 
 def test_that_cells_are_named_up_to_a_dozen():
-    assert [letters(k) for k in (1, 26, 27, 702, 703, 16384)] == ["A", "Z", "AA", "ZZ", "AAA", "XFD"]
+    assert [letters(k) for k in (1, 26, 27, 702, 703, 16384)] == [
+        "A",
+        "Z",
+        "AA",
+        "ZZ",
+        "AAA",
+        "XFD",
+    ]
     assert spoken([(3, 2), (1, 1, 4, 28), 7, "x"]) == "B3, A1:AB4, 7, x"
     assert spoken(range(1, 30)).endswith("11, 12, … (29)")
     refuse_cells({"merged_cells": [], "error_cells": []})

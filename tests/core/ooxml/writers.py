@@ -99,9 +99,7 @@ def workbook(
     p, (main, office) = writer.prefix, writer.spaces
     space = f'xmlns{":" + p[:-1] if p else ""}="{main}" xmlns:r="{office}"'
     head = '<?xml version="1.0" encoding="utf-8"?>'
-    names = [
-        writer.sheet.format(n=n, only="" if n == 1 else n) for n in range(1, len(sheets) + 1)
-    ]
+    names = [writer.sheet.format(n=n, only="" if n == 1 else n) for n in range(1, len(sheets) + 1)]
     listed = "".join(
         f'<{p}sheet name={quoteattr(name)} sheetId="{n}" state="{shown}" r:id="R{n}cafe"/>'
         for n, (name, _, shown) in enumerate(sheets, start=1)
@@ -119,7 +117,9 @@ def workbook(
         f'<Relationship Target="{target(part)}" Type="{office}/{kind}" Id="{key}"/>'
         for key, (kind, part) in reversed(related.items())
     )
-    texts = "".join(f"<{p}si><{p}t xml:space='preserve'>{escape(one)}</{p}t></{p}si>" for one in shared)
+    texts = "".join(
+        f"<{p}si><{p}t xml:space='preserve'>{escape(one)}</{p}t></{p}si>" for one in shared
+    )
     kinds = {writer.book: "sheet.main", **dict.fromkeys(names, "worksheet"), f"{folder}/styles.xml": "styles",
              f"{folder}/sharedStrings.xml": "sharedStrings"}  # fmt: skip
     types = "".join(
@@ -141,7 +141,9 @@ def workbook(
         f'<{p}cellXfs><{p}xf numFmtId="0"/><{p}xf numFmtId="164"/><{p}xf numFmtId="165"/><{p}xf numFmtId="14"/>'
         f"</{p}cellXfs></{p}styleSheet>",
     }  # fmt: skip
-    parts |= dict(zip(names, (f"{head}<{p}worksheet {space}>{b}</{p}worksheet>" for b in bodies), strict=True))
+    parts |= dict(
+        zip(names, (f"{head}<{p}worksheet {space}>{b}</{p}worksheet>" for b in bodies), strict=True)
+    )
     return packed(parts)
 
 
