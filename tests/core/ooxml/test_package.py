@@ -78,9 +78,17 @@ def test_that_a_part_that_grows_is_left_where_it_passes_its_bound(xml):
 
 def test_that_no_more_is_unpacked_than_allowed():
     package = Package(packed({"a.xml": "<a>" + ("<b/>" + " " * 1000) * 6000 + "</a>"}), 1_000_000)
-    with pytest.raises(InputError, match="larger than 1 MB"):
+    with pytest.raises(InputError, match="larger than 1 MB:"):
         package.parse("a.xml", lambda *_: None)
     assert package.left < 0
+
+
+def test_that_a_package_at_its_bounds_is_read(monkeypatch):
+    monkeypatch.setattr("core.ooxml.package.MAX_ELEMENTS", 3)
+    monkeypatch.setattr("core.ooxml.package.MAX_TEXT", 2)
+    package = Package(packed({"a.xml": "<a><b/><c>xy</c></a>"}), 20)
+    package.parse("a.xml", lambda *_: None)
+    assert (package.left, package.elements) == (0, 3)
 
 
 def test_that_a_part_is_stored_or_deflated():

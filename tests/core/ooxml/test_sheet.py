@@ -196,6 +196,12 @@ def test_that_empty_cells_beyond_the_limits_are_none():
     assert read(with_part(SHEET, "</sheetData>", far)).last_row == 4
 
 
+def test_that_elements_of_the_same_names_elsewhere_are_no_cells():
+    other = '<e:ext xmlns:e="u"><f/><c r="?"><f/><v>1</v></c><row r="?"/><mergeCell ref="?"/><col min="?" width="0"/>'
+    found = read(with_part(SHEET, "</worksheet>", other + "<t>x</t></e:ext></worksheet>"))
+    assert found == read(workbook(Writer(), ROWS))
+
+
 def test_that_areas_are_bounded():
     areas = "<mergeCells>" + '<mergeCell ref="A1:XFD1048576"/>' * (MAX_AREAS + 1) + "</mergeCells>"
     with pytest.raises(InputError, match="more parts"):
@@ -205,7 +211,8 @@ def test_that_areas_are_bounded():
 @pytest.mark.parametrize(
     ("part", "old", "new"),
     [
-        (SHEET, 'r="A2"', 'r="A3"'), (SHEET, 'r="B2"', 'r="A2"'), (SHEET, 'r="A1"', 'r="1A"'),
+        (SHEET, 'r="A2"', 'r="A3"'), (SHEET, 'r="B2"', 'r="A2"'), (SHEET, 'r="A1"', 'r="A0"'),
+        (SHEET, 'r="A1"', 'r="1A"'),
         (SHEET, 'r="A1"', 'r="ZZZ1"'), (SHEET, '<row r="4"', '<row r="2"'), (SHEET, '<row r="4"', '<row r="-4"'),
         (SHEET, "<v>0.1</v>", "<v>0,1</v>"), (SHEET, "<v>0.1</v>", "<v>1E999</v>"), (SHEET, "<v>0.1</v>", "<v>NaN</v>"),
         (SHEET, "<v>0</v>", "<v>-1</v>"), (SHEET, "<v>0</v>", "<v>99</v>"), (SHEET, "</row>", ""),
