@@ -90,6 +90,8 @@ def run_in(
             book.remove()
     for note in case.table_notes[1:]:
         print(f"{case.table}: {note.text(current_language())}", file=sys.stderr)
+    for warning in result.demand.warnings if result.demand else ():
+        print(f"[demand]: {warning.text(current_language())}", file=sys.stderr)
     if not quiet:
         say(summary(result, folder, stem) + (f"\n{report}" if report else ""))
     for wall, record, polarity, status in result.without_number:

@@ -17,6 +17,7 @@ from app.language import current_language, described, tr
 from core import atomic_write
 from core.errors import OutputError
 from core.report.plain_cell import plain_cell
+from core.report.xml_text import for_xml
 
 
 def written(value: float, comma: bool) -> str:
@@ -99,7 +100,8 @@ class ChartOutput(QWidget):
             picture.setViewBox(QRect(0, 0, size.width(), size.height()))
             picture.setResolution(self.view.logicalDpiX())
             self.paint_light(picture)
-        elif not self.image().save(room, "PNG"):
+            return for_xml(bytes(room.data()))  # Qt writes whatever a text holds
+        if not self.image().save(room, "PNG"):
             raise OutputError("picture_not_made")
         return bytes(room.data())
 

@@ -9,6 +9,7 @@ from PySide6.QtSvg import QSvgGenerator
 from app import theme
 from app.language import tr
 from core.errors import OutputError
+from core.report.xml_text import for_xml
 
 MM_PER_INCH = 25.4
 SCREEN, NARROW = 96, 120.0
@@ -72,7 +73,8 @@ def figure(chart, end: str, size: FigureSize) -> bytes:
         box.setRange(xRange=ranges[0], yRange=ranges[1], padding=0)
         box.blockLink(False)
         chart.layout().setEnabled(True)
-    return bytes(room.data())
+    made = bytes(room.data())
+    return for_xml(made) if end == ".svg" else made
 
 
 def _image(chart, page: QSize, whole: QSize, lines: list[str], dpi: int, density: float) -> QImage:

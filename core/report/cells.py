@@ -19,6 +19,7 @@ from openpyxl.workbook.defined_name import DefinedName
 from openpyxl.worksheet.worksheet import Worksheet
 
 from core.file_names import shown
+from core.report.xml_text import for_cell
 from core.text.sentence import localized, numeral
 
 INK = "1F2D3D"
@@ -145,10 +146,10 @@ def _filled(match: re.Match, value) -> str:
     attributes = re.sub(r' t="[^"]*"', "", match[2])
     if isinstance(value, str):
         attributes += ' t="str"'
-        shown = escape(value)
+        written = escape(for_cell(value))
     else:
-        shown = repr(float(value))
-    return f'<c r="{match[1]}"{attributes}><f>{match[3]}</f><v>{shown}</v></c>'
+        written = repr(float(value))
+    return f'<c r="{match[1]}"{attributes}><f>{match[3]}</f><v>{written}</v></c>'
 
 
 def cached_style(cell: Cell, key: tuple, apply: Callable[[], None]) -> Cell:
@@ -201,7 +202,7 @@ def style(cell: Cell, bold=False, color=INK, size=10, number_format=None, wrap=F
 def text(sheet: Worksheet, row: int, column: int, content, **look) -> Cell:
     """Text that can never become a formula."""
     cell = sheet.cell(row, column)
-    cell.value = shown(ILLEGAL_CHARACTERS_RE.sub(" ", str(content)))[:32000]
+    cell.value = for_cell(shown(ILLEGAL_CHARACTERS_RE.sub(" ", str(content)))[:32000])
     cell.data_type = "s"
     return style(cell, **look)
 

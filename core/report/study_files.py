@@ -9,6 +9,7 @@ from dataclasses import asdict
 from core.report.drawing import style
 from core.report.json_report import record_measures
 from core.report.plain_cell import plain_cell
+from core.report.xml_text import for_xml
 from core.study.figures import DASHED, LINE, LINE_POINTS, POINTS, Figure, StudyReport, marker_of
 from core.study.parametric import ParametricResult
 from core.units import CM, G
@@ -155,6 +156,7 @@ def figure_files(figure: Figure) -> dict[str, bytes]:
     """PNG and SVG of a figure, by the name of the file."""
     from matplotlib.figure import Figure as Canvas
 
+    figure = for_xml(figure)
     look: dict = {
         "font.size": 9,
         "font.family": "DejaVu Sans",

@@ -334,6 +334,9 @@ def _method_row(
 def _warnings(book: Book, sheet, result: StudyResult, row: int, last: int, most: int = 7) -> int:
     """Each warning once, with the walls or records it belongs to."""
     owners: dict[str, list[str]] = {}
+    # first what all the walls rest on: more than most are not shown
+    for warning in result.demand.warnings if result.demand else ():
+        owners.setdefault(warning.text(book.language), []).append(book.say("demand"))
     named: list[WallResult | GroundMotion] = [*result.walls, *result.motions]
     for owner in named:
         for warning in owner.warnings:
@@ -341,8 +344,6 @@ def _warnings(book: Book, sheet, result: StudyResult, row: int, last: int, most:
             if isinstance(owner, WallResult):
                 name += f" ({word(owner.mechanism, book.language)})"
             owners.setdefault(warning.text(book.language), []).append(name)
-    for warning in result.demand.warnings if result.demand else ():
-        owners.setdefault(warning.text(book.language), []).append(book.say("demand"))
     text(sheet, row, 1, book.say("Warnings"), bold=True)
     row += 1
     if not owners:

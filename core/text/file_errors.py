@@ -35,12 +35,32 @@ FILE_ERRORS = {
     ),
     "not_a_table": ("not a table: {reason}", "non è una tabella: {reason}"),
     "sheets_hidden": (
-        "every sheet is hidden: show the one with the walls",
-        "tutti i fogli sono nascosti: mostrare quello con le pareti",
+        "every sheet is hidden: show the one that is to be read",
+        "tutti i fogli sono nascosti: mostrare quello da leggere",
     ),
     "not_a_workbook": (
         "not a workbook Excel could have saved ({reason}): save it again as .xlsx",
         "non è una cartella di lavoro che Excel avrebbe salvato ({reason}): salvarla di nuovo come .xlsx",
+    ),
+    "workbook_unpacked": (
+        "unpacked it is larger than {mb:.0f} MB: copy the cells that are to be read into a new workbook",
+        "decompressa supera {mb:.0f} MB: copiare le celle da leggere in una nuova cartella di lavoro",
+    ),
+    "workbook_too_large": (
+        "it holds more parts, cells, texts or formats than can be read: copy the cells that are to be read into a new "
+        "workbook, as values",
+        "contiene più parti, celle, testi o formati di quanti se ne leggano: copiare le celle da leggere in una nuova "
+        "cartella di lavoro, come valori",
+    ),
+    "sheet_too_large": (
+        "there are values beyond row {rows} or column {columns}, or more than {cells} of them: copy what is to be read "
+        "into a sheet of its own, or save it as .csv",
+        "ci sono valori oltre la riga {rows} o la colonna {columns}, o più di {cells}: copiare ciò che va letto in un "
+        "foglio a parte, o salvarlo come .csv",
+    ),
+    "cells_without_value": (
+        "{cells}: each cell that is read holds a value of its own; unmerge, correct, or paste as values",
+        "{cells}: ogni cella che si legge contiene un valore proprio; separare, correggere o incollare come valori",
     ),
     "value_beyond_columns": (
         "there is a value beyond the last column",
@@ -71,22 +91,9 @@ FILE_ERRORS = {
         "{text!r} non è ammesso: sì, yes, x oppure no",
     ),
     "table_kind": ("a table of walls is .xlsx or .csv", "una tabella di pareti è .xlsx o .csv"),
-    "table_unpacked": (
-        "unpacked it is larger than 20 MB: no table of walls",
-        "decompressa supera 20 MB: non è una tabella di pareti",
-    ),
-    "merged_cells": (
-        "cells are merged: a table of walls has one cell for each value",
-        "ci sono celle unite: una tabella di pareti ha una cella per ogni valore",
-    ),
-    "too_many_rows": ("more than {rows} rows", "più di {rows} righe"),
     "two_units_of_column": (
         "the column {column!r} names {named}, the row of units below it {unit}: correct one of them",
         "la colonna {column!r} indica {named}, la riga delle unità sotto {unit}: correggere uno dei due",
-    ),
-    "formula_cell": (
-        "{cell} is a formula: paste it as a value",
-        "{cell} è una formula: incollarla come valore",
     ),
     "time_step": (
         "time step {step:g} s is not accepted: {low:g} to {high:g} s",

@@ -382,6 +382,30 @@ def test_that_the_terminal_names_verdict_zeta_and_deciding_check_of_each_wall(ca
     assert out.splitlines()[1].split()[0] == "w" and out.splitlines()[1].split()[-1] == "dynamic"
 
 
+def test_that_an_a_g_beyond_any_of_italy_is_asked_about_by_terminal_workbook_and_note(
+    case, tmp_path, capsys
+):
+    import docx
+    import openpyxl
+
+    walls = "".join(  # more warnings than the Summary has room for
+        f'[[wall]]\nname = "w{k}"\nheight_m = {4 + 0.1 * k}\nthickness_m = 0.0{5 + k // 2}\n'
+        f'mechanism = "two_sided"\nbase_z_m = 0.0\n'
+        for k in range(8)
+    )
+    case.write_text(case.read_text().replace("ag_g = 0.2", "ag_g = 2.55") + walls)
+    note = tmp_path / "note.docx"
+    assert call("--batch", case, "--quiet", "--report", note) == 0
+    asked = (
+        "a_g = 2.55 g is above 0.6 g, beyond the hazard of Italy at 2475 years: was 2.55 m/s2 meant"
+    )
+    assert f"[demand]: {asked}" in capsys.readouterr().err
+    summary = openpyxl.load_workbook(tmp_path / "case.xlsx")["Summary"]
+    assert any(asked in str(cell.value) for row in summary.iter_rows() for cell in row)
+    assert any(asked in paragraph.text for paragraph in docx.Document(note).paragraphs)
+    assert asked in json.loads((tmp_path / "case.json").read_text())["demand"]["warnings"][0]
+
+
 def test_that_a_second_batch_on_the_same_output_is_refused(case, tmp_path, capsys):
     from core.study.journal import Journal
 

@@ -238,3 +238,14 @@ def test_that_the_ground_is_shown_at_the_multiplier_in_use(opened, application):
     _, _, felt = tab.ground.data[0]
     assert np.abs(felt).max() == pytest.approx(tab.q * wall.model.threshold / 9.80665, rel=1e-9)
     assert felt.size == motion.acceleration.size
+
+
+def test_that_an_svg_opens_whatever_a_name_holds(chart):
+    from xml.etree import ElementTree
+
+    from app.plots.figure_file import FigureSize, figure
+
+    chart.curve("a\ufffe\uffff", [60.0, 120.0], [5.0, 6.0], 2)
+    chart.caption = "wall \uffff"
+    for content in (chart.content(".svg"), figure(chart, ".svg", FigureSize())):
+        assert "\\uffff" in "".join(ElementTree.fromstring(content).itertext())

@@ -302,3 +302,33 @@ def test_that_a_wall_above_the_ground_shows_its_floor(opened, application):
     assert wall.floor.motions[0].pga > opened.session.result.motions[0].pga
     histories = opened.pages["histories"].content
     assert histories.motion is wall.floor.motions[0]
+
+
+def test_that_an_a_g_beyond_any_of_italy_is_asked_about_where_it_is_typed_and_with_the_result(
+    opened, application, tmp_path
+):
+    from app.plots.check_tab import CheckTab
+    from core.case.rules import parse_case
+    from core.study.run import run as run_study
+
+    assert "S apart" in opened.demand.hint.text()
+    type_into(opened.demand.ag, "2.55")
+    application.processEvents()
+    asked = (
+        "a_g = 2.55 g is above 0.6 g, beyond the hazard of Italy at 2475 years: was 2.55 m/s2 meant"
+    )
+    assert asked in opened.demand.hint.text() and opened.session.problem() is None
+    type_into(opened.demand.ag, "0.26")
+    application.processEvents()
+    assert "S apart" in opened.demand.hint.text()
+    wall = {
+        "name": "w",
+        "height_m": 4.0,
+        "thickness_m": 0.5,
+        "base_z_m": 0.0,
+        "mechanism": "two_sided",
+    }
+    result = run_study(parse_case({"wall": [wall], "demand": {"ag_g": 2.55}}), base_dir=tmp_path)
+    tab = CheckTab("en")
+    tab.show_wall(result, result.walls[0])
+    assert asked in tab.reasons.text()

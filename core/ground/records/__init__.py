@@ -11,9 +11,10 @@ from core.errors import InputError, RecordError
 from core.file_names import name_of, shown
 from core.ground.ground_motion import LARGE_PGA, SMALL_PGA, GroundMotion
 from core.ground.records import california, geonet, italian, japan_taiwan, peer, plain, samples, smc
-from core.ground.records.container import BETWEEN, is_workbook, is_zip, member_of, sheet_of
+from core.ground.records.container import BETWEEN, is_zip, member_of, sheet_of
 from core.ground.records.cut import refuse_cut
 from core.ground.records.grammar import UNITS, Options, decode, quoted
+from core.ooxml.package import is_workbook
 from core.text.sentence import notice
 from core.units import G
 
@@ -94,9 +95,10 @@ def _unpacked(
 ) -> GroundMotion:
     """The accelerogram of one member of a zip, or of one sheet of a workbook."""
     if is_workbook(content):
-        sheet, lines, several = sheet_of(content, options.channel)
+        sheet, lines, several, notes = sheet_of(content, options.channel)
         inside = replace(options, channel=None)
         motion = _of_lines(content, lines, path, inside, scale, name)
+        motion = replace(motion, warnings=(*motion.warnings, *notes))
         if several:
             motion = replace(motion, name=f"{name} {sheet}", channel=sheet)
         return replace(motion, format=f"xlsx, {motion.format}")

@@ -21,6 +21,7 @@ from core.report.note.parts import (
     Table,
 )
 from core.report.note.words import Words
+from core.report.xml_text import for_xml
 
 COLORS = {"ink": "#1F2D3D", "quiet": "#6B7785", "accent": "#2B5C8A", "good": "#1B6E4B", "amber": "#8A5A00",
           "bad": "#B3421B"}  # fmt: skip
@@ -40,7 +41,7 @@ def document(parts: list[Part], language: str) -> bytes:
 
     made = docx.Document()
     writer = _Writer(made, Words(language))
-    for part in parts:
+    for part in for_xml(parts):
         writer.add(part)
     content = io.BytesIO()
     made.save(content)
