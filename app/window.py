@@ -20,6 +20,7 @@ from app.files import Files
 from app.forms.fields import Field
 from app.language import named, tr
 from app.pages import Veil, card
+from app.parts import Parts
 from app.plots.chart import Chart
 from app.plots.chart_output import ChartOutput
 from app.plots.history_tabs import ValidationTab
@@ -56,6 +57,7 @@ class MainWindow(RunningWindow):
         self.session.listeners.append(self.refresh)
         self.files = Files(self, self.session, settings)
         self.preparation = Preparation(self)
+        self.parts = Parts(self)
         self.finished_runs = Memory()
         self.build()
         geometry = settings.value("geometry")
@@ -99,6 +101,20 @@ class MainWindow(RunningWindow):
         self.show_running(self.job is not None)
         for field in self.fields:
             field.judged.connect(self.refresh)
+        self.parts.deleteLater()
+        self.parts = Parts(
+            self,
+            self._show_state,
+            self.walls.show_case,
+            self.demand.show_case,
+            self.analysis.show_case,
+            self.records.show_case,
+            self._show_stale,
+            self._show_problem,
+            self._show_input,
+            self._show_recent,
+            self.preparation.prepare_next,
+        )
         self.refresh()
 
     def _tabs(self) -> None:
@@ -175,23 +191,32 @@ class MainWindow(RunningWindow):
 
     def refresh(self) -> None:
         """After every change of the session."""
-        for form in (self.walls, self.demand, self.analysis, self.records):
-            form.show_case()
+        self.parts.show()
+
+    def _show_state(self) -> None:
         mark = "*" if self.session.dirty else ""
         name = self.session.path.name if self.session.path else tr("untitled")
         self.setWindowTitle(f"{mark}{name} – {NAME}")
         self.actions_of.undo.setEnabled(bool(self.session.past))
         self.actions_of.redo.setEnabled(bool(self.session.future))
+
+    def _show_stale(self) -> None:
         stale = ChartOutput.stale = Table.stale = self.session.stale
         self._cover_tabs()
         self.card_veil.cover(stale)
+
+    def _show_problem(self) -> None:
         can_run = self.banner.show_problem() and self.job is None
         self.run_action.setEnabled(can_run)
         self.run_button.setEnabled(can_run)
+
+    def _show_input(self) -> None:
+        """What a tab shows of the input as it stands."""
         if self.tabs.currentWidget() is self.pages["spectra"]:
             self._show_spectra()
+
+    def _show_recent(self) -> None:
         menus.show_recent(self, self.actions_of.recent)
-        self.preparation.prepare_next()
 
     def changeEvent(self, event) -> None:
         """Back from another program: has it changed a record?"""

@@ -215,6 +215,7 @@ WINDOW = {
     "For checks and report": "Per verifiche e relazione",
     "No wall yet: press Add.": "Nessuna parete: premere Nuova.",
     "Choose a mechanism.": "Scegliere un meccanismo.",
+    "Sizes, weights or loads are still to be given.": "Dimensioni, pesi o carichi sono ancora da indicare.",
     "wall": "parete",
     "Read walls": "Leggi pareti",
     "Tables": "Tabelle",
