@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pyqtgraph as pg
-from PySide6.QtCore import QByteArray, QEvent, QSettings, QTimer
+from PySide6.QtCore import QByteArray, QEvent, QSettings, QSize, QTimer
 from PySide6.QtWidgets import (
     QComboBox,
     QDockWidget,
@@ -36,6 +36,9 @@ from core.version import NAME
 
 AUTOSAVE_MS = 4000
 
+FIRST_SIZE, FRAME = QSize(1280, 800), QSize(8, 40)
+"""Of the window at first, and of what the desktop puts around it [px]."""
+
 
 def is_part_of(wall, name: str) -> bool:
     """Whether a wall of a result is that of this name in the case, or the part of it above a hinge."""
@@ -64,7 +67,7 @@ class MainWindow(RunningWindow):
         if isinstance(geometry, QByteArray):
             self.restoreGeometry(geometry)
         else:
-            self.resize(1280, 800)
+            self._first_size()
         self.timer = QTimer(self)
         self.timer.timeout.connect(self.session.autosave)
         self.timer.start(AUTOSAVE_MS)
@@ -76,20 +79,13 @@ class MainWindow(RunningWindow):
         pg.setConfigOptions(antialias=True, exitCleanup=False)
         asked = menus.chosen(self.settings, "language", language.LANGUAGES)
         self.language = asked or language.system_language()
-        for dock in self.findChildren(QDockWidget):
-            self.removeDockWidget(dock)
-            dock.setParent(None)
-            dock.deleteLater()
-        self.menuBar().clear()
+        docks.remove(self)
         self._tabs()
-        sides = docks.build(self, self.session, self.settings.value("state"))
+        self.narrow = self.isVisible() and self.width() < docks.NARROW
+        sides = docks.build(self, self.session, self.settings.value("state"), self.narrow)
         self.forms, self.walls, self.demand = sides.forms, sides.walls, sides.demand
         self.analysis, self.records = sides.analysis, sides.records
         self.card, self.card_veil = sides.card, sides.card_veil
-        self.narrow = False
-        if self.isVisible() and self.width() < docks.NARROW:
-            self.narrow = True
-            docks.arrange(self, True)
         self.records.loaded.connect(self.records_loaded)
         self.walls.list.currentRowChanged.connect(self._wall_listed)
         self.actions_of = menus.build(self)
@@ -166,7 +162,7 @@ class MainWindow(RunningWindow):
         keep = keep and not self.narrow  # those of a narrow window share a side
         self.build()
         if keep:
-            QTimer.singleShot(0, self, lambda: docks.widen(self, widths))
+            docks.widen(self, widths)
         self.tabs.setCurrentIndex(tab)
         self.result_arrived(self.session.result)
         self.chosen.setCurrentIndex(wall)
@@ -176,10 +172,18 @@ class MainWindow(RunningWindow):
         """Docks and sizes as at the first start."""
         self.settings.remove("state")
         self.settings.remove("geometry")
-        self.resize(1280, 800)
+        self.showNormal()
+        self._first_size()
         self.set_choice("language", self.language, keep=False)
         for dock in self.findChildren(QDockWidget):
             dock.show()
+
+    def _first_size(self) -> None:
+        """As large as its contents want, no larger than the screen."""
+        free = self.screen().availableGeometry()
+        self.resize(FIRST_SIZE.boundedTo(free.size() - FRAME))
+        if not free.contains(self.frameGeometry()):
+            self.move(free.topLeft())
 
     # what is shown
 
@@ -319,8 +323,6 @@ class MainWindow(RunningWindow):
         if narrow != self.narrow:
             self.narrow = narrow
             docks.arrange(self, narrow)
-            if not narrow:  # once more when the docks have their places
-                QTimer.singleShot(0, self, lambda: docks.widen(self, docks.WIDTHS))
         self._cover_tabs()
 
     # results

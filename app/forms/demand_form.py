@@ -125,9 +125,7 @@ class DemandForm(QWidget):
         self.building = BuildingForm(session)
         layout.addWidget(self.building)
         layout.addStretch(1)
-        self.parts = Parts(
-            self, self._show_demand, self.building.show_case, self.hazard.show_case
-        )
+        self.parts = Parts(self, self._show_demand, self.building.show_case, self.hazard.show_case)
 
     def show_case(self) -> None:
         """Fill the form from the session."""

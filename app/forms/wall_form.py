@@ -117,7 +117,7 @@ class WallForm(QWidget):
         self.length = NumberField(Wall, "length_m", tr("Length L"), "m", optional=True)
         self.base = NumberField(
             Wall, "base_z_m", tr("Base above ground z"), "m", optional=True,
-            tip=tr("Needed with a demand: 0 on the ground. Above it no check is made yet"),
+            tip=tr("Needed with a demand: 0 on the ground; above it the building is needed too (sheet Demand)"),
         )  # fmt: skip
         self.free = ChoiceField(
             Wall, "free_element", tr("Free to vibrate"),

@@ -68,6 +68,7 @@ def window_in(application, tmp_path, monkeypatch, faults):
         f'[[record]]\nfile = "{motion.as_posix()}"\nkind = "artificial"\n'
         "[analysis]\nq_step = 0.02\n[demand]\nag_g = 0.2\nsoil_factor = 1.2\n"
     )
+    made.resize(1280, 800)  # the screen of the tests is smaller
     made.show()
     made.files.open(path)
     settle(application, lambda: made.records.motions)

@@ -13,13 +13,12 @@ from app.forms.impact_form import FORMULAS, ImpactForm, named_models, scopes
 from app.forms.loads_form import LoadsForm
 from app.language import current_language, set_language
 from app.session import Session
-from core.case.schema import Load, ReturnWalls, Wall
+from core.case.schema import Load, Wall
 from core.rocking.methods import METHODS
 from core.text.catalogue import CATALOGUE
 from core.wall import restitution as of_restitution
 from core.wall.moment_rotation import LAWS
 from core.wall.restitution import MODELS, Restitution
-from tests.app.driving import type_into
 
 
 def choices(section, key):
@@ -62,7 +61,9 @@ def test_that_a_carried_mass_to_be_sized_leaves_undo_alive(opened, faults):
 @pytest.mark.parametrize("form", [ImpactForm, LoadsForm, "walls", "demand", "analysis", "records"])
 def test_that_a_form_that_fails_stops_no_other(opened, faults, monkeypatch, form):
     kind = type(getattr(opened, form)) if isinstance(form, str) else form
-    broken = next(name for name in ("_show_sizes", "_show_demand", "show_case") if name in vars(kind))
+    broken = next(
+        name for name in ("_show_sizes", "_show_demand", "show_case") if name in vars(kind)
+    )
 
     def fail(*_):
         raise RuntimeError("broken on purpose")
@@ -113,7 +114,9 @@ def test_that_one_fault_is_one_dialog_until_it_is_closed(opened, faults, monkeyp
 
 @pytest.mark.parametrize("language", ["en", "it"])
 @pytest.mark.parametrize("model", MODELS)
-def test_that_every_restitution_model_has_its_words_in_the_form(application, tmp_path, model, language):
+def test_that_every_restitution_model_has_its_words_in_the_form(
+    application, tmp_path, model, language
+):
     set_language(language)
     try:
         assert named_models()[model] and scopes()[model] and FORMULAS[model].startswith("e")

@@ -101,9 +101,7 @@ DRAFTS = {
     },
     "return walls ticked": {"return_walls": ReturnWalls("", "", "", "")},
     "some of the return walls": {"return_walls": ReturnWalls(2, "", 0.2, "")},
-    "a law whose ends are the wrong way round": {
-        "law": {"elastic_limit": 0.5, "plateau_end": 0.2}
-    },
+    "a law whose ends are the wrong way round": {"law": {"elastic_limit": 0.5, "plateau_end": 0.2}},
 }
 """What the forms leave in a wall while a person enters it."""
 
