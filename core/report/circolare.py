@@ -168,7 +168,7 @@ def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: st
 
 def cell_prefix(result: StudyResult, wall: WallResult) -> str:
     """What the names of the cells of a wall begin with: wall1 for the first of the result."""
-    return f"wall{next(k for k, one in enumerate(result.walls, start=1) if one is wall)}"
+    return f"wall{result.numbers[id(wall)]}"
 
 
 def zeta_cell(wall: WallResult, name: str, demand) -> str:

@@ -13,13 +13,18 @@ from core.file_names import shown
 from core.ground.ground_motion import GroundMotion
 from core.ground.provenance import provenance
 from core.report.json_walls import limit_states, loads, tie_design, variants
+from core.report.steps import Steps
 from core.study.results import Q_SOURCES, Assessment, Run, StudyResult, WallResult
 from core.units import CM, G
 from core.version import NAME, VERSION, commit
 
+PIECES = 10_000
+"""Of a JSON text between two looks whether it is still wanted."""
 
-def results(result: StudyResult) -> dict:
+
+def results(result: StudyResult, steps: Steps | None = None) -> dict:
     """The results as a mapping of the contract's keys; numbers are exact or None."""
+    steps = steps or Steps()
     return {
         "program": {"name": NAME, "version": VERSION, "commit": commit()},
         "started_utc": result.started_utc,
@@ -29,14 +34,21 @@ def results(result: StudyResult) -> dict:
         "records": [
             _record(motion, kind) for motion, kind in zip(result.motions, result.kinds, strict=True)
         ],
-        "walls": [_wall(wall, result) for wall in result.walls],
+        "walls": [_wall(wall, result) for wall in steps.each(result.walls)],
         **variants(result),
     }
 
 
-def dumps(result: StudyResult) -> str:
+def dumps(result: StudyResult, steps: Steps | None = None) -> str:
     """The results as JSON text; raises ValueError should a number not be finite."""
-    return json.dumps(results(result), indent=1, allow_nan=False, ensure_ascii=False) + "\n"
+    steps = steps or Steps()
+    encoder = json.JSONEncoder(indent=1, allow_nan=False, ensure_ascii=False)
+    pieces = []
+    for k, piece in enumerate(encoder.iterencode(results(result, steps))):
+        if k % PIECES == 0:
+            steps.check()
+        pieces.append(piece)
+    return "".join(pieces) + "\n"
 
 
 def _demand(result: StudyResult) -> dict:

@@ -18,6 +18,7 @@ from core.report.cells import (
     frame,
     header,
     heighten,
+    merge,
     number,
     paragraph,
     rule,
@@ -155,7 +156,7 @@ def _walls_table(book: Book, sheet, result: StudyResult, walls: list[WallResult]
         say("Wall"), say("Mechanism"), "H [m]", "t [m]", "u [m]", "H/t",
         "α [°]", "a_RM [g]", "W [kN]", "q", say("q robust"), "ζ",
         say("Verdict")])  # fmt: skip
-    for wall in walls:
+    for wall in book.steps.each(walls):
         row += 1
         text(sheet, row, 1, wall.name, wrap=True)
         text(sheet, row, 2, word(wall.mechanism, book.language))
@@ -377,7 +378,7 @@ def _signature(book: Book, sheet, row: int, walls) -> None:
         assumption = localized("assumption", code, book.language)
         text(sheet, row + n, 1, f"{'☑' if ticked else '☐'}  {assumption}")
     last = row + len(codes)
-    sheet.merge_cells(start_row=row + 1, start_column=7, end_row=last, end_column=LAST)
+    merge(sheet, row + 1, 7, last, LAST)
     for r in range(row + 1, last + 1):
         for c in range(7, LAST + 1):
             edges = {"left": c == 7, "right": c == LAST, "top": r == row + 1, "bottom": r == last}

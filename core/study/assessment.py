@@ -48,6 +48,7 @@ def assess(
     cancelled: Callable[[], bool] = lambda: False,
     building: Building | None = None,
     ground: list[GroundMotion] | None = None,
+    dynamic_check: Callable = demand_check,
 ) -> Assessment:
     """Dynamic, kinematic and simplified checks of a wall (Circolare 7/2019 C8.7.1.2.1); above the ground none where
     the motion of its floor is not known.
@@ -55,6 +56,7 @@ def assess(
     kinematic : its mechanism, None there
     motions : of the ground, or of the floor of the wall
     building, ground : of a wall above the ground, what carries it and the records
+    dynamic_check : `demand_check`, or one that keeps its results
     Raises Cancelled.
     """
     asked = wall.wall
@@ -72,13 +74,13 @@ def assess(
             asked, wall.mechanism, demand, (), None, None, compliance, doubtful, None
         )  # fmt: skip
         return Assessment(None, (), None, None, result)
-    dynamic = demand_check(wall.model, motions, polarities, demand, method, cancelled=cancelled)
+    dynamic = dynamic_check(wall.model, motions, polarities, demand, method, cancelled=cancelled)
     below = None
     if dynamic and asked.mechanism == "one_sided" and rocks_both_ways(asked):
         free = restitution(wall.block, "housner")
         model = rocking_model(wall.block, False, free, wall.law, asked.restoring())
         signs = (1,) if model.both_signs_alike else (1, -1)
-        below = demand_check(model, motions, signs, demand, method, BOUND_EVERY, False, cancelled)
+        below = dynamic_check(model, motions, signs, demand, method, BOUND_EVERY, False, cancelled)
     notes: list[Sentence] = []
     rows = [dynamic.as_check() if dynamic else None, nonlinear(kinematic, demand)]
     if demand.limit_state == "SLD":
@@ -107,8 +109,8 @@ def assess(
         decides = governing_check(checks)
         if decides is not None and decides.zeta is not None:
             sensitivity = _sensitivity(
-                wall, decides, building, ground or [], polarities, demand, method, cancelled
-            )
+                wall, decides, building, ground or [], polarities, demand, method, cancelled, dynamic_check,
+            )  # fmt: skip
         ratio = wall.floor.code_over_records(kinematic)
         notes += _floor_notes(wall, building, demand, ratio, sensitivity)
     result = verdict(
@@ -147,7 +149,7 @@ def assess(
             model = rocking_model(held.block(), True, wall.restitution, wall.law, held.restoring())
             return judged(
                 decides, held, wall.mechanism, model, kinematic.floor, motions, polarities, demand,
-                method, every, cancelled,
+                method, every, cancelled, dynamic_check,
             )  # fmt: skip
 
         sure = decides.passed and not (dynamic and decides.name == "dynamic"
@@ -157,7 +159,15 @@ def assess(
 
 
 def _sensitivity(
-    wall: WallResult, decides: Check, building, ground, polarities, demand, method, cancelled
+    wall: WallResult,
+    decides: Check,
+    building,
+    ground,
+    polarities,
+    demand,
+    method,
+    cancelled,
+    dynamic_check,
 ) -> dict[str, float | None]:
     """zeta of the check that decides with the building at the other end of what C8.7.1.2.1.4 allows, and with
     the motion at the height of the wall's centroid."""
@@ -174,19 +184,19 @@ def _sensitivity(
         floor = floor_of(wall.wall, building, demand, ground, **change)
         found[name], _ = judged(
             decides, wall.wall, wall.mechanism, wall.model, floor.spectrum, list(floor.motions),
-            polarities, demand, method, SENSITIVITY_EVERY, cancelled,
+            polarities, demand, method, SENSITIVITY_EVERY, cancelled, dynamic_check,
         )  # fmt: skip
     return found
 
 
 def judged(
     decides: Check, wall, mechanism, model, spectrum, motions, polarities, demand, method, every,
-    cancelled,
+    cancelled, dynamic_check,
 ) -> tuple[float | None, bool]:  # fmt: skip
     """(zeta of the check that decides for another wall, model, floor or motions, whether it is surely satisfied).
     spectrum : of the floor, None on the ground; every : of the search of the dynamic check."""
     if decides.name == "dynamic":
-        dynamic = demand_check(model, motions, polarities, demand, method, every, False, cancelled)
+        dynamic = dynamic_check(model, motions, polarities, demand, method, every, False, cancelled)
         return dynamic.zeta, dynamic.passed and not dynamic.within_spread(demand.zeta_target)
     moved = kinematic_of(wall, mechanism, demand, spectrum)
     if decides.name == "nonlinear":

@@ -19,6 +19,7 @@ from core.ground.ground_motion import GroundMotion
 from core.jit import cache
 from core.rocking.methods import METHODS
 from core.study.journal import Journal
+from core.study.progress import OnProgress, Progress, run_cost
 from core.study.record_input import read_records
 from core.study.run import run_key
 from core.study.threads import Threads
@@ -180,7 +181,7 @@ def run(
     quick: bool = False,
     jobs: int = 1,
     journal: Callable[[str], Journal] | None = None,
-    on_progress: Callable[[int, int], None] = lambda done, planned: None,
+    on_progress: OnProgress = lambda done, planned, left: None,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> ParametricResult:
     """Run a parametric study.
@@ -277,14 +278,20 @@ def _rows(study, motions, threads, book, on_progress) -> tuple[tuple[Row, ...], 
                 m.acceleration, m.time_step, m.pga, entry[2], models[entry[0]], method, search, stop
             ),
         )
-    restored, total = len(known), len(planned)
-    on_progress(restored, total)
+    restored = len(known)
+    costs = {
+        entry: run_cost(motions[entry[1]].motion, Search(q_step=entry[0].q_step))
+        for entry in planned
+    }
+    progress = Progress(costs, on_progress)
+    progress.known(known)
 
     def keep(entry, row: Row) -> None:
         if book:
             book.add(keys[entry], row._asdict() | {"cell": asdict(row.cell)})
+        progress.done(entry)
 
-    known.update(threads.run(tasks, keep, lambda done: on_progress(restored + done, total)))
+    known.update(threads.run(tasks, keep))
     return tuple(known[entry] for entry in planned), restored
 
 

@@ -199,10 +199,13 @@ def test_that_a_full_disk_leaves_the_old_report_and_nothing_half_written(case, c
     real, calls = os.fsync, []
 
     def full(handle):
+        journal = case.with_suffix(".journal")
+        if journal.exists() and os.path.samestat(os.fstat(handle), journal.stat()):
+            return real(handle)
         calls.append(1)
-        if len(calls) > 7:  # after the journal's lines: the second file of the results
+        if len(calls) > 2:  # after the proof of the folder: the second file of the results
             raise OSError(errno.ENOSPC, "No space left on device")
-        real(handle)
+        return real(handle)
 
     monkeypatch.setattr(os, "fsync", full)
     assert call("--batch", case, "--quiet") == 1
@@ -299,6 +302,47 @@ def test_that_ctrl_c_stops_with_130_and_keeps_the_journal_and_no_workbook(case):
     assert "--resume" in error
     assert case.with_suffix(".journal").exists()
     assert not case.with_suffix(".xlsx").exists()
+
+
+@pytest.mark.parametrize("module", ["check_sheet", "demand_sheets"])
+def test_that_ctrl_c_while_the_files_are_made_stops_and_resumes(case, monkeypatch, capsys, module):
+    from core.report import check_sheet, demand_sheets
+
+    sheet = {"check_sheet": check_sheet, "demand_sheets": demand_sheets}[module]
+    real = sheet._wall
+
+    def pressed(*arguments):
+        signal.raise_signal(signal.SIGINT)
+        return real(*arguments)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(sheet, "_wall", pressed)
+        assert call("--batch", case) == 130
+    assert "--resume" in capsys.readouterr().err
+    assert sorted(path.name for path in case.parent.iterdir()) == [
+        "case.journal", "case.toml", "r0.txt", "r1.txt",
+    ]  # fmt: skip
+    assert call("--batch", case, "--resume", "--quiet") == 0
+    assert case.with_suffix(".xlsx").exists() and not case.with_suffix(".journal").exists()
+
+
+def test_that_a_line_of_progress_counts_runs_and_checks_and_says_no_time_it_does_not_know(
+    monkeypatch, capsys
+):
+    from app import terminal_progress
+
+    monkeypatch.setattr(terminal_progress, "BETWEEN_LINES", 0.0)
+    with terminal_progress.progress(False) as show:
+        show.runs(0, 23, None)
+        show.runs(2, 23, None)
+        show.runs(3, 23, 41.0)
+        show.writing(50, 100)
+    lines = capsys.readouterr().err.splitlines()
+    assert lines[-3:] == [
+        "2/23 runs and checks",
+        "3/23 runs and checks, about 41 s left",
+        "writing the results: 50 %",
+    ]
 
 
 @pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
