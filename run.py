@@ -344,16 +344,7 @@ def main():
         ensure(["base", "test", "gui", "study", "report"])
         return test(arguments[1:])
     if word == "bench":
-        more = {
-            "--work-precision": ["test", "bench", "study"],
-            "--q-error": ["test", "bench", "study"],
-            "--steps": ["test", "bench", "study"],
-            "--zeta": ["test"],
-            "--window": ["gui", "study"],
-            "--records": ["test", "gui", "study"],
-            "--screenshots": ["gui", "study", "report"],
-        }
-        ensure(["base"] + [group for key in more if key in arguments for group in more[key]])
+        ensure(["base", "test", "gui", "study", "report", "bench"])
         script = os.path.join(ROOT, "tests", "benchmarks", "bench.py")
         return hand_over([interpreter(), "-P", script, *arguments[1:]])
     if word in ("mutate", "fuzz"):

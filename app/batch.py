@@ -4,16 +4,16 @@ import contextlib
 import signal
 import sys
 import threading
-import time
+from collections.abc import Callable
 from pathlib import Path
 
 from app import export
 from app.language import current_language, terminal
+from app.terminal_progress import progress, tell
 from core import atomic_write
 from core.case.reader import read_case
 from core.case.schema import Case
 from core.errors import Cancelled, InputError
-from core.jit import cache
 from core.report.verdict_words import in_order
 from core.study.journal import Journal
 from core.study.results import StudyResult
@@ -79,18 +79,20 @@ def run_in(
                 base_dir=case_path.parent,
                 jobs=jobs,
                 journal=journal,
-                on_progress=show,
+                on_progress=show.runs,
                 cancelled=cancel.is_set,
             )
+            export.write(result, folder, stem, raise_if(cancel), note=report, tell=show.writing)
         except Cancelled:
             place = folder / f"{stem}.journal"
             tell("cancelled: finished runs are in {path}; go on with --resume", path=place)
             return CANCELLED
-        export.write(result, folder, stem, note=report)
         for book in books:
             book.remove()
     for note in case.table_notes[1:]:
         print(f"{case.table}: {note.text(current_language())}", file=sys.stderr)
+    for warning in result.demand.warnings if result.demand else ():
+        print(f"[demand]: {warning.text(current_language())}", file=sys.stderr)
     if not quiet:
         say(summary(result, folder, stem) + (f"\n{report}" if report else ""))
     for wall, record, polarity, status in result.without_number:
@@ -118,11 +120,6 @@ def open_journal(path: Path, key: str, resume: bool, sync_seconds: float = 0.0) 
             n=book.dropped,
         )
     return book
-
-
-def tell(text: str, /, **values) -> None:
-    """A line on stderr."""
-    print(terminal(text, **values), file=sys.stderr, flush=True)
 
 
 def say(text: str) -> None:
@@ -188,6 +185,16 @@ def _short(value: float | None) -> str:
     return "-" if value is None else numeral(value, ".2f", current_language())
 
 
+def raise_if(cancel: threading.Event) -> Callable[[], None]:
+    """A look whether Ctrl-C was pressed: raises Cancelled."""
+
+    def check() -> None:
+        if cancel.is_set():
+            raise Cancelled
+
+    return check
+
+
 @contextlib.contextmanager
 def interrupts(cancel: threading.Event):
     """Ctrl-C asks the run to stop between two analyses; a second one stops at once."""
@@ -205,58 +212,3 @@ def interrupts(cancel: threading.Event):
         yield
     finally:
         signal.signal(signal.SIGINT, old)
-
-
-@contextlib.contextmanager
-def progress(quiet: bool):
-    """A callback that shows progress on stderr: a bar on a terminal, else a line every ten seconds; its first call
-    says that the solver is compiled, where it is."""
-    if quiet:
-        yield lambda done, planned: None
-        return
-    with _progress() as show:
-        said = False
-
-        def first_said(done: int, planned: int) -> None:
-            nonlocal said
-            if not said and done < planned and cache.lacks_lanes():
-                tell("the solver is being compiled, once for each version: it takes some seconds")
-            said = True
-            show(done, planned)
-
-        yield first_said
-
-
-@contextlib.contextmanager
-def _progress():
-    if sys.stderr.isatty():
-        from rich.console import Console
-        from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeRemainingColumn
-
-        bar = Progress(
-            terminal("runs"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn(),
-            console=Console(stderr=True), transient=True,
-        )  # fmt: skip
-        with bar:
-            task = bar.add_task(terminal("runs"), total=None)
-            yield lambda done, planned: bar.update(task, completed=done, total=planned)
-    else:
-        last = time.monotonic()
-        first: tuple[float, int] | None = None  # kernels are compiled before the first run ends
-
-        def lines(done: int, planned: int) -> None:
-            nonlocal last, first
-            now = time.monotonic()
-            if first is None and done:
-                first = now, done
-            if first and now - last >= 10.0 and done > first[1]:
-                last = now
-                left = (now - first[0]) / (done - first[1]) * (planned - done)
-                tell(
-                    "{done}/{planned} runs, about {left:.0f} s left",
-                    done=done,
-                    planned=planned,
-                    left=left,
-                )
-
-        yield lines

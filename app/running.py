@@ -14,6 +14,14 @@ BETWEEN_WORDS = 0.1
 """Least time between two states of the progress bar [s]: each paints the window at once."""
 
 
+def progress_word(done: int, planned: int, elapsed: float, left: float | None) -> str:
+    """How much is done, and the time left [s] where it is known."""
+    values: dict = {"done": done, "planned": planned, "elapsed": elapsed}
+    if left is None:
+        return tr("{done} of {planned}, {elapsed:.0f} s", **values)
+    return tr("{done} of {planned}, {elapsed:.0f} s, about {left:.0f} s left", left=left, **values)
+
+
 class RunningWindow(QMainWindow):
     """The part of the window that starts jobs, shows how far they are and takes what they bring."""
 
@@ -98,7 +106,7 @@ class RunningWindow(QMainWindow):
         self.finished_walls.append(wall)
         self.show_finished(self.finished_walls)
 
-    def _progressed(self, done: int, planned: int) -> None:
+    def _progressed(self, done: int, planned: int, left: float | None) -> None:
         from core.jit import cache
 
         now = time.monotonic()
@@ -110,17 +118,7 @@ class RunningWindow(QMainWindow):
             return
         self.bar.setRange(0, max(planned, 1))
         self.bar.setValue(done)
-        elapsed = now - self.began
-        left = elapsed / done * (planned - done) if done else 0.0
-        self.show_word(
-            tr(
-                "{done} of {planned}, {elapsed:.0f} s, about {left:.0f} s left",
-                done=done,
-                planned=planned,
-                elapsed=elapsed,
-                left=left,
-            )
-        )
+        self.show_word(progress_word(done, planned, now - self.began, left))
 
     def _ended(self) -> None:
         self.job = None

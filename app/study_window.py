@@ -28,6 +28,7 @@ from PySide6.QtWidgets import (
 from app import study
 from app.language import tr
 from app.plots.study_tabs import claims_table, figure_chart, table_view
+from app.running import progress_word
 from app.worker import Job
 from core.study import parametric
 from core.study.study_report import report_of
@@ -147,7 +148,7 @@ class StudyWindow(QDialog):
                 job.cancelled,
             )
             report = report_of(made.result)
-            study.write(made.result, report, folder, made.stem, job.check, job.commit)
+            study.write(made.result, report, folder, made.stem, job.check, job.commit, job.progress)
             made.book.remove()
             return made.result, report, folder
 
@@ -156,7 +157,7 @@ class StudyWindow(QDialog):
         job.failed.connect(self._failed)
         job.progressed.connect(self._progressed)
         job.finished.connect(self._ended)
-        self.began, self.first = time.monotonic(), None
+        self.began = time.monotonic()
         self.bar.setRange(0, 0)
         self.word.setText(tr("Running…"))
         self._show_running(True)
@@ -166,25 +167,10 @@ class StudyWindow(QDialog):
         self.run_button.setEnabled(not on)
         self.cancel_button.setEnabled(on)
 
-    def _progressed(self, done: int, planned: int) -> None:
-        now = time.monotonic()
-        if (
-            self.first is None
-        ):  # what the journal knew, and the kernels compiled, says nothing of what is left
-            self.first = now, done
-        since, known = self.first
-        left = (now - since) / (done - known) * (planned - done) if done > known else 0.0
+    def _progressed(self, done: int, planned: int, left: float | None) -> None:
         self.bar.setRange(0, max(planned, 1))
         self.bar.setValue(done)
-        self.word.setText(
-            tr(
-                "{done} of {planned}, {elapsed:.0f} s, about {left:.0f} s left",
-                done=done,
-                planned=planned,
-                elapsed=now - self.began,
-                left=left,
-            )
-        )
+        self.word.setText(progress_word(done, planned, time.monotonic() - self.began, left))
 
     def cancel(self) -> None:
         """Stop between two analyses; finished runs are kept."""

@@ -57,7 +57,7 @@ def check(book: Book, result: StudyResult) -> None:
     )
     changed_cell(book, sheet, 3, 1)
     row = _demand(book, sheet, result, 4)
-    for index, wall in enumerate(result.walls, start=1):
+    for index, wall in enumerate(book.steps.each(result.walls), start=1):
         row = _wall(book, sheet, result, wall, f"wall{index}", row + 1)
     sheet.freeze_panes = "A4"
     sheet.print_area = f"A1:M{sheet.max_row}"

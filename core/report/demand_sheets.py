@@ -66,7 +66,7 @@ def dynamic_check(book: Book, result: StudyResult) -> None:
         105,
         color=QUIET,
     )
-    for wall in walls:
+    for wall in book.steps.each(walls):
         row = _wall(book, sheet, wall, wall.assessment.dynamic, row + 1)
 
 

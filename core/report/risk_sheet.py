@@ -57,7 +57,7 @@ def _walls(book: Book, sheet, result: StudyResult, row: int) -> int:
     header(sheet, row, [
         say("Wall"), say("Mechanism"), "ζ_E", say("by"), "PGA_C [g]", "T_R,C", "IS-V",
         *(f"ζ {state}, {say('kin.')}" for state in STATES)], 1, 30)  # fmt: skip
-    for wall, _ in in_order(result):
+    for wall, _ in book.steps.each(in_order(result)):
         row += 1
         _wall(book, sheet, wall, row)
     known = [

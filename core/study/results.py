@@ -1,6 +1,7 @@
 """What a study results in: frozen, in SI units, nothing computed later."""
 
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 from core.capacity.accuracy import Accuracy
 from core.capacity.closed_forms import PowerLaw
@@ -246,6 +247,11 @@ class StudyResult:
         demand = self.demand.warnings if self.demand else ()
         records = any(motion.warnings for motion in self.motions)
         return bool(wall.warnings or reasons or demand or records)
+
+    @cached_property
+    def numbers(self) -> dict[int, int]:
+        """Place of each wall, from 1, by its id: a search for each wall would go through all others."""
+        return {id(wall): number for number, wall in enumerate(self.walls, start=1)}
 
     @property
     def without_number(self) -> list[tuple[str, str, int, str]]:

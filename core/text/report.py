@@ -112,6 +112,8 @@ REPORT = {
     "Circolare 7/2019, wall on the ground, {kind}": "Circolare 7/2019, parete al suolo, {kind}",
     "not below a_g,SLD / a_g": "non minore di a_g,SLD / a_g",
     "M* per metre": "M* per metro",
+    "M* per metre of that part": "M* per metro di quella parte",
+    "of the upper {h:.2f} m with friction": "dei {h:.2f} m superiori con attrito",
     "No linear check: T_0 is not known (see the verdict).": (
         "Nessuna verifica lineare: T_0 non è noto (vedere l'esito)."
     ),

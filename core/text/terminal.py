@@ -46,8 +46,14 @@ TERMINAL = {
     "{runs} runs, {analyses} analyses in {seconds:.1f} s": (
         "{runs} serie, {analyses} analisi in {seconds:.1f} s"
     ),
-    "{done}/{planned} runs, about {left:.0f} s left": "{done}/{planned} serie, restano circa {left:.0f} s",
-    "runs": "serie",
+    "{done}/{planned} runs and checks": "{done}/{planned} serie e verifiche",
+    "{done}/{planned} runs and checks, about {left:.0f} s left": (
+        "{done}/{planned} serie e verifiche, restano circa {left:.0f} s"
+    ),
+    "runs and checks": "serie e verifiche",
+    "writing": "scrittura",
+    "{share:.0f} %": "{share:.0f} %",
+    "writing the results: {share:.0f} %": "scrittura dei risultati: {share:.0f} %",
     "How strong an earthquake a masonry wall withstands before it overturns.": (
         "Quanto forte è il terremoto che una parete in muratura sopporta prima di ribaltarsi."
     ),

@@ -44,6 +44,7 @@ WINDOW = {
     "The input has changed: press F5.": "I dati sono cambiati: premere F5.",
     "Cancelled.": "Interrotto.",
     "Running…": "In esecuzione…",
+    "{done} of {planned}, {elapsed:.0f} s": "{done} di {planned}, {elapsed:.0f} s",
     "{done} of {planned}, {elapsed:.0f} s, about {left:.0f} s left": (
         "{done} di {planned}, {elapsed:.0f} s, restano circa {left:.0f} s"
     ),
@@ -215,6 +216,7 @@ WINDOW = {
     "For checks and report": "Per verifiche e relazione",
     "No wall yet: press Add.": "Nessuna parete: premere Nuova.",
     "Choose a mechanism.": "Scegliere un meccanismo.",
+    "Sizes, weights or loads are still to be given.": "Dimensioni, pesi o carichi sono ancora da indicare.",
     "wall": "parete",
     "Read walls": "Leggi pareti",
     "Tables": "Tabelle",
@@ -352,8 +354,8 @@ WINDOW = {
     "Another program has changed {path}. Overwrite it?": (
         "Un altro programma ha cambiato {path}. Sovrascriverlo?"
     ),
-    "Needed with a demand: 0 on the ground. Above it no check is made yet": (
-        "Richiesta con una domanda: 0 al suolo. Più in alto non si esegue ancora alcuna verifica"
+    "Needed with a demand: 0 on the ground; above it the building is needed too (sheet Demand)": (
+        "Richiesta con una domanda: 0 al suolo; più in alto serve anche l'edificio (scheda Domanda)"
     ),
     "Free to vibrate": "Libera di vibrare",
     "two-sided yes, one-sided no": "su due lati sì, su un lato no",

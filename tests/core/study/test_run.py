@@ -8,6 +8,7 @@ import pytest
 
 from core.capacity.ida import Ida
 from core.case.rules import parse_case
+from core.codes import dynamic_check
 from core.errors import Cancelled, InputError
 from core.report import json_report, workbook
 from core.study import run as study
@@ -92,9 +93,44 @@ def test_that_a_new_title_or_demand_keeps_the_finished_runs(folder, tmp_path, re
     first = []
     study.run(
         case(title="other", demand={"ag_g": 0.1}), base_dir=folder,
-        journal=lambda key: Journal(path, key, True), on_progress=lambda d, p: first.append((d, p)),
+        journal=lambda key: Journal(path, key, True), on_progress=lambda d, p, left: first.append((d, p)),
     )  # fmt: skip
     assert first[0] == (12, 15)  # three walls are assessed again
+
+
+def test_that_a_resume_with_every_run_done_makes_no_analysis(folder, tmp_path, result, monkeypatch):
+    """Neither a run nor a check: of a wall that could rock freely, above the ground, with a tie asked for, too."""
+    wall = {"height_m": 3.0, "thickness_m": 0.3, "unit_weight_kn_m3": 18.0, "mechanism": "one_sided"}  # fmt: skip
+    spectrum = {"code": "NTC2018", "f0": 2.4, "tc_star_s": 0.33, "soil": "B", "topography": "T1"}
+    asked = case(
+        wall=[
+            {**wall, "name": "t", "base_z_m": 0.0, "tie_height_m": 2.8, "free_element": True},
+            {**wall, "name": "high", "base_z_m": 3.0},
+        ],
+        building={"height_m": 9.0, "storeys": 3, "period_s": 0.3},
+        demand={"ag_g": 0.2, "spectrum": spectrum},
+    )
+    path = tmp_path / "case.journal"
+    first = study.run(asked, base_dir=folder, journal=lambda key: Journal(path, key, False))
+    assert first.walls[0].assessment.tie and first.walls[1].assessment.sensitivity
+    monkeypatch.setattr(dynamic_check, "scan_records", lambda *_: pytest.fail("checked again"))
+    monkeypatch.setattr(study, "incremental_dynamic_analysis", lambda *_: pytest.fail("run again"))
+    told = []
+    again = study.run(
+        asked, base_dir=folder, journal=lambda key: Journal(path, key, True),
+        on_progress=lambda *state: told.append(state),
+    )  # fmt: skip
+    assert numbers(again) == numbers(first)
+    assert told[-1] == (told[0][1], told[0][1], 0.0)
+
+
+def test_that_runs_checks_and_statements_are_all_counted_from_the_beginning(folder):
+    told = []
+    study.run(
+        case(analysis={"q_step": 0.02, "accuracy": True}), base_dir=folder,
+        on_progress=lambda *state: told.append(state),
+    )  # fmt: skip
+    assert [state[:2] for state in told] == [(k, 12 + 3 + 3) for k in range(12 + 3 + 3 + 1)]
 
 
 def test_that_a_damaged_line_of_a_journal_is_run_again(folder, tmp_path, result):
@@ -119,7 +155,7 @@ def test_that_a_cancelled_run_keeps_its_journal_and_resumes_bit_identical(folder
     path = tmp_path / "case.journal"
     state = {"done": 0}
 
-    def progress(done, planned):
+    def progress(done, planned, left):
         state["done"] = done
 
     with pytest.raises(Cancelled):
@@ -133,7 +169,7 @@ def test_that_a_cancelled_run_keeps_its_journal_and_resumes_bit_identical(folder
     path.write_bytes(path.read_bytes() + b'{"run": "0/0/1", "resu')
     first = []
 
-    def resumed(done, planned):
+    def resumed(done, planned, left):
         first.append(done)
 
     again = study.run(
@@ -157,7 +193,7 @@ def test_that_a_journal_of_another_case_is_not_used(folder, tmp_path):
     first = []
     study.run(
         case(analysis={"q_step": 0.03}), base_dir=folder,
-        journal=lambda key: Journal(path, key, True), on_progress=lambda d, p: first.append(d),
+        journal=lambda key: Journal(path, key, True), on_progress=lambda d, p, left: first.append(d),
     )  # fmt: skip
     assert first[0] == 0
 
