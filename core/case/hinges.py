@@ -74,7 +74,9 @@ def usual_hinges(wall: Wall, building: Building | None) -> tuple[float, ...]:
     highest = wall.height_m - max(SLENDER_ABOVE * wall.thickness, LEAST_ABOVE)
     found: list[float] = []
     for height in heights:
-        if LEAST_ABOVE <= height <= highest + 1e-9 and (not found or height - found[-1] > SAME_HINGE):
+        if LEAST_ABOVE <= height <= highest + 1e-9 and (
+            not found or height - found[-1] > SAME_HINGE
+        ):
             found.append(height)
     return tuple(found)
 

@@ -30,7 +30,6 @@ TESTED_STRENGTH = (0.5, 10.0)
 """Compressive strengths of masonry [MPa] that tests give."""
 
 
-
 def parse_case(table: dict) -> Case:
     """The case of a mapping with the keys of the file; every rule is checked here, once."""
     refuse_unknown(Case, table, "case", "case")
@@ -195,7 +194,11 @@ def check_confidence(demand: Demand, wall: Wall) -> None:
         raise InputError("low_confidence_factor", place=(here,), stated=stated)
     if stated < least:
         raise InputError(
-            "confidence_below_level", place=(here,), stated=stated, level=demand.knowledge_level, least=least
+            "confidence_below_level",
+            place=(here,),
+            stated=stated,
+            level=demand.knowledge_level,
+            least=least,
         )
     low, high = TESTED_STRENGTH
     if wall.compressive_strength_mpa is None or not low <= wall.compressive_strength_mpa <= high:

@@ -163,7 +163,9 @@ def value_of(entry, value, *here):
             return tuple(parts)
     elif kind == "section":
         try:
-            return section_of(rule["of"], value, entry.name, section(f"[{rule.get('in', 'wall')}.{entry.name}]"))
+            return section_of(
+                rule["of"], value, entry.name, section(f"[{rule.get('in', 'wall')}.{entry.name}]")
+            )
         except InputError as error:
             above = [part for part in here if isinstance(part, Sentence)]
             raise (error.at(above[0]) if above else error) from None

@@ -3,9 +3,9 @@
 import math
 from dataclasses import dataclass
 
+from core.capacity.ida import BRACKET
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandCheck
-from core.capacity.ida import BRACKET
 from core.codes.kinematic import ROUNDING, Check, Kinematic
 from core.codes.limits import MEAN_FROM, MINIMUM_FROM
 from core.codes.record_compatibility import Compliance
@@ -53,12 +53,14 @@ class Lift:
     words : Sentence of the group "reason"
     turns : the other end turns what is satisfied into what is not
     justified : the engineer's reason stands in the case
+    zeta : at the other end, None where it has none
     """
 
     key: str
     words: Sentence
     turns: bool = False
     justified: bool = False
+    zeta: float | None = None
 
 
 @dataclass(frozen=True)
@@ -225,7 +227,11 @@ def _missing(wall, governing, kinematic) -> Sentence | None:
         keys = {name: Key(key) for name, key in keys.items()}
         return _reason("upper_floor", z=wall.base_z_m, **keys)
     if governing is None:
-        keys = {"spectrum": "spectrum", "modulus": "elastic_modulus_mpa", "weight": "unit_weight_kn_m3"}
+        keys = {
+            "spectrum": "spectrum",
+            "modulus": "elastic_modulus_mpa",
+            "weight": "unit_weight_kn_m3",
+        }
         return _reason("no_check", **{name: Key(key) for name, key in keys.items()})
     return _reason("no_number") if governing.zeta is None else None
 
@@ -370,14 +376,22 @@ def _failing(checks, governing, dynamic, demand) -> tuple[Sentence, ...]:
         zeta = Number(None) if other.zeta is None else apart(other.zeta, target)
         if other.zeta is not None and other.zeta >= target:
             zeta = sentence("added", "fails_at_demand", zeta=zeta)
-        found.append(
-            sentence("added", "check_zeta", check=sentence("short", f"confidence_{other.confidence_on}", q=""), zeta=zeta)
-        )  # fmt: skip
+        side = sentence("short", f"confidence_{other.confidence_on}", q="")
+        found.append(sentence("added", "check_zeta", check=side, zeta=zeta))
     return tuple(found)
 
 
 def _outcome(
-    code: str, missing, threshold: float, demand, governing, checks, dynamic, by, largest: float, wall
+    code: str,
+    missing,
+    threshold: float,
+    demand,
+    governing,
+    checks,
+    dynamic,
+    by,
+    largest: float,
+    wall,
 ) -> tuple[str, dict]:
     """Way and values of the sentence. threshold : a_RM; largest : acceleration under the wall, FC apart [m/s2]."""
     target, way = demand.zeta_target, code
@@ -388,11 +402,16 @@ def _outcome(
         zeta = sentence("added", "required", zeta=zeta, target=target)
     fails = _failing(checks, governing, dynamic, demand) if governing else ()
     tail = sentence("added", "not_by", checks=fails) if fails else ""
-    if code == "verified" and not fails and any(c.name == "linear_q_code" for c in checks) and governing.name != "linear_q_code":
+    if (
+        code == "verified"
+        and not fails
+        and any(c.name == "linear_q_code" for c in checks)
+        and governing.name != "linear_q_code"
+    ):
         tail = sentence("added", "q_agrees", q=CODE_Q)
     if code == "q2_unsafe":
         tail = sentence("added", "q_would_pass", q=CODE_Q)
-    elif code == "verified_refined" and not any(c.name == "linear_q_code" for c in checks):
+    elif code == "verified_refined" and not beside:
         tail = sentence("added", "no_q_check", q=CODE_Q, tail=tail)
     low, high = dynamic.zeta_spread if code == "at_limit" else (None, None)
     return way, {

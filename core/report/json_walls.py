@@ -66,9 +66,7 @@ def limit_states(wall: WallResult) -> dict:
 
 def verdicts(result: StudyResult) -> dict:
     """The key verdicts: one a wall of the case, empty without a demand."""
-    return {
-        "verdicts": [_verdict(one, result) for one in result.verdicts]
-    }
+    return {"verdicts": [_verdict(one, result) for one in result.verdicts]}
 
 
 def _said(sentences: tuple[Sentence, ...]) -> list[dict]:

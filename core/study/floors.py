@@ -84,14 +84,12 @@ class Floor:
         return float((self.code_spectrum[inside] / self.mean_spectrum[inside]).min())
 
 
-def modes_at(
-    building: Building, z: float, limit_state: str, other: tuple[float, float] | None = None
-) -> tuple[Mode, ...]:
-    """Modes of the building as damaged at this height [m]. other : (period factor, damping) in place of its own."""
-    factor, damping = other or damaged(building, limit_state)
+def modes_at(building: Building, z: float, limit_state: str) -> tuple[Mode, ...]:
+    """Modes of the building as damaged at this height [m]."""
+    factor, damping = damaged(building, limit_state)
     if building.modes:
         return tuple(
-            Mode(factor * mode.period_s, other[1] if other else mode.damping, mode.participation)
+            Mode(factor * mode.period_s, mode.damping, mode.participation)
             for mode in building.modes
         )
     period = building.period_s or estimated_period(building.height_m)
@@ -134,19 +132,14 @@ def floor_of(
     building: Building | None,
     demand: DemandResult | None,
     motions: Sequence[GroundMotion],
-    other: tuple[float, float] | None = None,
-    z: float | None = None,
 ) -> Floor | None:
     """The floor of a wall above the ground; None on it or without [building]. Without a demand the building is that of
-    SLV.
-
-    other : as `modes_at`; z : height in place of the hinge's [m]
-    """
+    SLV."""
     if not wall.above_ground or building is None:
         return None
     limit_state = demand.limit_state if demand else "SLV"
-    height = min(z if z is not None else wall.base_z_m, building.height_m)
-    modes = modes_at(building, height, limit_state, other)
+    height = min(wall.base_z_m, building.height_m)
+    modes = modes_at(building, height, limit_state)
     estimated = building.period_s is None and not building.modes
     spectrum = FloorSpectrum(demand.target, modes) if demand and demand.target else None
     moved = tuple(floor_motion(motion, modes) for motion in motions)

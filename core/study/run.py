@@ -32,7 +32,8 @@ from core.study.progress import STATEMENT, OnProgress, Progress, check_cost, run
 from core.study.record_input import joined, read_records
 from core.study.results import Assessment, StudyResult, WallResult
 from core.study.threads import Threads
-from core.study.wall_result import run_result, wall_result, with_variants_alone, with_weakest_hinge
+from core.study.wall_result import run_result, wall_result, with_governing_tie, with_variants_alone
+from core.study.wall_verdict import wall_verdicts
 from core.version import VERSION
 from core.wall.rocking_model import RockingModel, rocking_model
 
@@ -138,6 +139,7 @@ def run(
                     rules,
                     method,
                     stop,
+                    case.demand,
                     case.building,
                     motions,
                     kept[k],
@@ -156,7 +158,7 @@ def run(
                 for k, wall in enumerate(results)
             ]
             demand = replace(demand, warnings=(*demand.warnings, *unsaid(demand, by_state)))
-            results = with_variants_alone(with_weakest_hinge(results))
+            results = with_variants_alone(with_governing_tie(results))
         if chosen.accuracy:
             statements = {
                 k: lambda stop, wall=wall: accuracy_of(wall, motions, method, search, stop)
@@ -174,6 +176,7 @@ def run(
     return StudyResult(
         case, started.isoformat(timespec="seconds"), method, search, demand,
         tuple(motions), tuple(kinds), tuple(results), rules, elapsed,
+        wall_verdicts(case, tuple(results)),
     )  # fmt: skip
 
 

@@ -281,38 +281,19 @@ def with_variants_alone(results: list[WallResult]) -> list[WallResult]:
     return said
 
 
-def _with_governing_tie(wall: WallResult, group: list[WallResult]) -> WallResult:
-    """The wall, its tie with the force that the weakest of all hinges of the wall asks."""
-    ties = [one.assessment.tie for one in group if one.assessment and one.assessment.tie]
-    if wall.assessment is None or wall.assessment.tie is None:
-        return wall
-    forces = [tie.force for tie in ties]
-    governing = None if None in forces else max(forces)
-    tie = replace(wall.assessment.tie, hinges=len(ties), governing=governing)
-    return replace(wall, assessment=replace(wall.assessment, tie=tie))
-
-
-def with_weakest_hinge(results: list[WallResult]) -> list[WallResult]:
-    """The results, each wall of several hinges with a notice that names the one of the lowest zeta."""
+def with_governing_tie(results: list[WallResult]) -> list[WallResult]:
+    """The results, each tie with the force that the weakest of all hinges of its wall asks."""
     groups: dict[tuple, list[WallResult]] = {}
     for wall in results:
         groups.setdefault((wall.part.origin, wall.mechanism), []).append(wall)
-    said = []
+    found = []
     for wall in results:
         group = groups[wall.part.origin, wall.mechanism]
-        wall = _with_governing_tie(wall, group)
-        known = [w for w in group if w.assessment and w.assessment.verdict.zeta_e is not None]
-        if len(group) > 1 and known:
-            lowest = min(known, key=lambda w: w.assessment.verdict.zeta_e)
-            values = {
-                "n": len(group),
-                "wall": lowest.name,
-                "zeta": lowest.assessment.verdict.zeta_e,
-            }
-            if len(known) < len(group):
-                words = notice("weakest_of_known", known=len(known), **values)
-            else:
-                words = notice("weakest_hinge", **values)
-            wall = replace(wall, warnings=(words, *wall.warnings))
-        said.append(wall)
-    return said
+        ties = [one.assessment.tie for one in group if one.assessment and one.assessment.tie]
+        if wall.assessment is not None and wall.assessment.tie is not None:
+            forces = [tie.force for tie in ties]
+            governing = None if None in forces else max(forces)
+            tie = replace(wall.assessment.tie, hinges=len(ties), governing=governing)
+            wall = replace(wall, assessment=replace(wall.assessment, tie=tie))
+        found.append(wall)
+    return found

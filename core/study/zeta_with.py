@@ -13,7 +13,7 @@ from core.codes.kinematic import kinematic as kinematic_of
 from core.codes.verdict import CODE_Q, Lift
 from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import Method
-from core.study.floors import damaged, floor_of, other_end
+from core.study.floors import Floor, damaged, floor_of, other_end
 from core.text.sentence import Number, sentence
 from core.wall.rocking_model import RockingModel, rocking_model
 
@@ -32,7 +32,8 @@ class Scene:
     """What zeta of a wall follows from.
 
     wall : of the case, about its hinge; decides : the check whose zeta is asked for
-    building : of a wall above the ground; ground : the records
+    building : of a wall above the ground, floor : what it makes of the records; ground : the records
+    dynamic_check : `demand_check`, or one that keeps its results
     """
 
     wall: Wall
@@ -43,6 +44,8 @@ class Scene:
     polarities: tuple[int, ...]
     method: Method
     decides: Check
+    floor: Floor | None = None
+    dynamic_check: Callable = demand_check
 
 
 def model_of(wall: Wall, mechanism: str) -> RockingModel:
@@ -66,10 +69,16 @@ def zeta_with(
     """
     changed = replace(scene, **changes)
     wall, demand, decides = changed.wall, changed.demand, changed.decides
-    floor = floor_of(wall, changed.building, demand, changed.ground)
+    floor = scene.floor
+    if (changed.building, wall.base_z_m, demand) != (
+        scene.building,
+        scene.wall.base_z_m,
+        scene.demand,
+    ):
+        floor = floor_of(wall, changed.building, demand, changed.ground)
     if decides.name == "dynamic":
         motions = list(floor.motions if floor else changed.ground)
-        dynamic = demand_check(
+        dynamic = changed.dynamic_check(
             model_of(wall, changed.mechanism), motions, changed.polarities, demand, changed.method,
             every, False, cancelled,
         )  # fmt: skip
@@ -97,13 +106,15 @@ def lifts(
     of_wall = wall.justification
     of_demand = asked.justification
 
-    def add(key: str, code: str, others: list[bool], reasons, **values) -> None:
+    def add(key: str, code: str, others: list[bool], reasons, zeta=None, **values) -> None:
+        values = {"zeta": Number(zeta), **values}
         found.append(
             Lift(
                 key,
                 sentence("reason", code, **values),
                 turns=passed and not all(others),
                 justified=bool(reasons and getattr(reasons, key)),
+                zeta=zeta,
             )
         )
 
@@ -124,20 +135,20 @@ def lifts(
     if demand.confidence_factor < FULL_FACTOR:
         full = zeta(demand=replace(demand, confidence_factor=FULL_FACTOR))
         add("confidence_factor", "lift_confidence_factor", [full[1]], of_demand, fc=demand.confidence_factor,
-            level=asked.knowledge_level or "", investigations=asked.investigations, zeta=Number(full[0]))  # fmt: skip
+            level=asked.knowledge_level or "", investigations=asked.investigations, zeta=full[0])  # fmt: skip
     q_check = next((check for check in checks if check.name == "linear_q_code"), None)
     if demand.q_code > CODE_Q and q_check is not None:
         lower = q_check.zeta * CODE_Q / demand.q_code
         fine = lower >= demand.zeta_target - ROUNDING
         others = [fine] if scene.decides is q_check else []
-        add("q_code", "lift_q_code", others, of_demand, q=demand.q_code, zeta=Number(lower))
+        add("q_code", "lift_q_code", others, of_demand, q=demand.q_code, zeta=lower)
     if wall.return_walls is not None and scene.decides.name.startswith("linear"):
         bare = zeta(wall=replace(wall, return_walls=None))
-        add("return_walls", "lift_return_walls", [bare[1]], of_wall, zeta=Number(bare[0]))
+        add("return_walls", "lift_return_walls", [bare[1]], of_wall, zeta=bare[0])
     if wall.free_element is False and scene.mechanism == "two_sided" and q_check is not None:
         as_free = zeta_with(replace(scene, decides=q_check), wall=replace(wall, free_element=True))
         others = [as_free[1]] if scene.decides is q_check else []
-        add("free_element", "lift_free_element", others, of_wall, zeta=Number(as_free[0]))
+        add("free_element", "lift_free_element", others, of_wall, zeta=as_free[0])
     if wall.above_ground and scene.building is not None:
         _of_the_building(scene, demand, add, zeta, of_wall, of_demand)
     return tuple(found)
@@ -154,11 +165,11 @@ def _of_the_building(scene: Scene, demand, add, zeta, of_wall, of_demand) -> Non
         given = building.modes or (building.period_factor, building.damping) != (None, None)
         others = [found[1]] if given else []
         add("building", "other_building", others, of_demand, factor=factor, damping=damping,
-            zeta=Number(found[0]))  # fmt: skip
-    centroid = min(wall.base_z_m + 0.5 * wall.block().height, building.height_m)
+            zeta=found[0])  # fmt: skip
+    centroid = min(wall.base_z_m + 0.5 * (wall.height_m or wall.block().height), building.height_m)
     if not building.modes and centroid > wall.base_z_m:
         found = zeta(wall=replace(wall, base_z_m=centroid))
-        add("base_z_m", "at_centroid", [found[1]], of_wall, z=centroid, zeta=Number(found[0]))
+        add("base_z_m", "at_centroid", [found[1]], of_wall, z=centroid, zeta=found[0])
     if building.modes:
         factor, damping = damaged(building, demand.limit_state)
         (expected,) = first_mode(
@@ -166,7 +177,10 @@ def _of_the_building(scene: Scene, demand, add, zeta, of_wall, of_demand) -> Non
         )
         given = building.modes[0].participation
         if abs(given) < abs(expected.participation):
-            modes = (replace(building.modes[0], participation=expected.participation), *building.modes[1:])
+            modes = (
+                replace(building.modes[0], participation=expected.participation),
+                *building.modes[1:],
+            )
             found = zeta(building=replace(building, modes=modes))
             add("participation", "lift_participation", [found[1]], of_demand, given=given,
-                expected=expected.participation, zeta=Number(found[0]))  # fmt: skip
+                expected=expected.participation, zeta=found[0])  # fmt: skip

@@ -367,27 +367,37 @@ CASE_ERRORS = {
         'il metodo linearised è per la legge rigida; la parete "{wall}" è trilineare: usare il metodo auto',
     ),
     "low_confidence_factor": (
-        "{confidence_factor} = {stated:g} takes more than LC1: give {knowledge_level} LC2 or LC3 and what was investigated "
-        "({investigations}), with {compressive_strength_mpa} of each wall (Circolare C8.7.1.2.1, Tab. C8.5.IV), or 1.35",
-        "{confidence_factor} = {stated:g} richiede più di LC1: indicare {knowledge_level} LC2 o LC3 e le indagini svolte "
-        "({investigations}), con {compressive_strength_mpa} di ogni parete (Circolare C8.7.1.2.1, Tab. C8.5.IV), oppure 1.35",
+        "{confidence_factor} = {stated:g} takes more than LC1: give {knowledge_level} LC2 or LC3 and what was "
+        "investigated "
+        "({investigations}), with {compressive_strength_mpa} of each wall (Circolare C8.7.1.2.1, Tab. C8.5.IV), or "
+        "1.35",
+        "{confidence_factor} = {stated:g} richiede più di LC1: indicare {knowledge_level} LC2 o LC3 e le indagini "
+        "svolte "
+        "({investigations}), con {compressive_strength_mpa} di ogni parete (Circolare C8.7.1.2.1, Tab. C8.5.IV), "
+        "oppure 1.35",
     ),
     "confidence_below_level": (
-        "{confidence_factor} = {stated:g} is below the {least:.2f} of {level} (Circolare Tab. C8.5.IV): give {least:.2f} "
+        "{confidence_factor} = {stated:g} is below the {least:.2f} of {level} (Circolare Tab. C8.5.IV): give "
+        "{least:.2f} "
         "or more",
-        "{confidence_factor} = {stated:g} è minore di {least:.2f}, quello di {level} (Circolare Tab. C8.5.IV): indicare "
+        "{confidence_factor} = {stated:g} è minore di {least:.2f}, quello di {level} (Circolare Tab. C8.5.IV): "
+        "indicare "
         "{least:.2f} o più",
     ),
     "confidence_needs_strength": (
         "{confidence_factor} = {stated:g} is for walls whose compressive strength is in alpha (Circolare C8.7.1.2.1): "
-        "give {key} from {low:g} to {high:g} MPa (found {found}), from which the setback of the hinge follows, or FC 1.35",
-        "{confidence_factor} = {stated:g} è per pareti con la resistenza a compressione in alpha (Circolare C8.7.1.2.1): "
-        "indicare {key} da {low:g} a {high:g} MPa (trovato {found}), da cui segue l'arretramento della cerniera, oppure FC "
+        "give {key} from {low:g} to {high:g} MPa (found {found}), from which the setback of the hinge follows, or FC "
+        "1.35",
+        "{confidence_factor} = {stated:g} è per pareti con la resistenza a compressione in alpha (Circolare "
+        "C8.7.1.2.1): "
+        "indicare {key} da {low:g} a {high:g} MPa (trovato {found}), da cui segue l'arretramento della cerniera, "
+        "oppure FC "
         "1.35",
     ),
     "restraint_unnamed": (
         "{key} {value!r} names nothing: say what stands behind the wall and holds it, or leave the key out",
-        "{key} {value!r} non indica nulla: dire che cosa sta dietro la parete e la trattiene, oppure omettere la chiave",
+        "{key} {value!r} non indica nulla: dire che cosa sta dietro la parete e la trattiene, oppure omettere la "
+        "chiave",
     ),
     "unknown_key": (
         "unknown key {value}; known: {known}",

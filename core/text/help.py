@@ -143,9 +143,11 @@ HELP = {
         "(C8.7.1.2.1).",
     ),
     "knowledge_level": (
-        "Level of knowledge of the building: LC1 has FC 1.35, LC2 1.20, LC3 1.00 (Tab. C8.5.IV). An FC below 1.35 raises ζ: "
+        "Level of knowledge of the building: LC1 has FC 1.35, LC2 1.20, LC3 1.00 (Tab. C8.5.IV). An FC below 1.35 "
+        "raises ζ: "
         "it takes LC2 or LC3, the investigations and the compressive strength of the masonry.",
-        "Livello di conoscenza della costruzione: LC1 ha FC 1,35, LC2 1,20, LC3 1,00 (Tab. C8.5.IV). Un FC sotto 1,35 alza "
+        "Livello di conoscenza della costruzione: LC1 ha FC 1,35, LC2 1,20, LC3 1,00 (Tab. C8.5.IV). Un FC sotto 1,35 "
+        "alza "
         "ζ: richiede LC2 o LC3, le indagini svolte e la resistenza a compressione della muratura.",
     ),
     "investigations": (

@@ -54,15 +54,6 @@ SENTENCES = {
         "The loads press the base with {stress:.2g} MPa: N/m entered as kN/m?",
         "I carichi comprimono la base con {stress:.2g} MPa: N/m inseriti come kN/m?",
     ),
-    "weakest_of_known": (
-        "{known} of {n} hinges of this wall could be assessed; the lowest ζ, {zeta:.2f}, is that of {wall}.",
-        "Delle {n} cerniere di questa parete {known} sono verificabili; lo ζ minore, {zeta:.2f}, è quello "
-        "di {wall}.",
-    ),
-    "weakest_hinge": (
-        "Of {n} hinges of this wall the lowest ζ, {zeta:.2f}, is that of {wall}.",
-        "Delle {n} cerniere di questa parete lo ζ minore, {zeta:.2f}, è quello di {wall}.",
-    ),
     "large_ag": (
         "a_g = {ag:.3g} g is above 0.6 g, beyond the hazard of Italy at 2475 years: was {ag:.3g} m/s2 meant, which is "
         "{meant:.3f} g, or %, or is S counted in it?",

@@ -14,12 +14,15 @@ SHORT = {
 SENTENCES = {
     "not_activated": (
         "not activated at {state}{where}{unloaded}: FC S a_g = {demand:.3f} g does not exceed a_RM = {a_rm:.3f} g.",
-        "meccanismo non attivato allo {state}{where}{unloaded}: FC S a_g = {demand:.3f} g non supera a_RM = {a_rm:.3f} g.",
+        "meccanismo non attivato allo {state}{where}{unloaded}: FC S a_g = {demand:.3f} g non supera a_RM = "
+        "{a_rm:.3f} g.",
     ),
     "not_activated_floor": (
-        "not activated at {state}{where}{unloaded}: FC times the largest acceleration of the floor, {demand:.3f} g, does "
+        "not activated at {state}{where}{unloaded}: FC times the largest acceleration of the floor, {demand:.3f} g, "
+        "does "
         "not exceed a_RM = {a_rm:.3f} g.",
-        "meccanismo non attivato allo {state}{where}{unloaded}: FC per la massima accelerazione del piano, {demand:.3f} g, "
+        "meccanismo non attivato allo {state}{where}{unloaded}: FC per la massima accelerazione del piano, "
+        "{demand:.3f} g, "
         "non supera a_RM = {a_rm:.3f} g.",
     ),
     "verified": (
@@ -39,7 +42,8 @@ SENTENCES = {
         "non verificata allo {state}, ζ {zeta}{where}, secondo {by}.{tail}",
     ),
     "at_limit": (
-        "at the limit at {state}{unloaded}: ζ {low} to {high}{where} for {target:.2f} required, counted as not verified, by "
+        "at the limit at {state}{unloaded}: ζ {low} to {high}{where} for {target:.2f} required, counted as not "
+        "verified, by "
         "{by}.{tail}",
         "al limite allo {state}{unloaded}: ζ fra {low} e {high}{where} per {target:.2f} richiesto, considerata non "
         "verificata, secondo {by}.{tail}",
@@ -114,7 +118,8 @@ ADDED = {
 
 REASONS = {
     "weaker_fails": (
-        "A weaker motion fails already, at {first:.3f} of the demand; around {zeta_16} of it one multiplier in six does.",
+        "A weaker motion fails already, at {first:.3f} of the demand; around {zeta_16} of it one multiplier in six "
+        "does.",
         "Un moto più debole non soddisfa già a {first:.3f} della domanda; intorno a {zeta_16} di essa uno su sei.",
     ),
     "share": (
@@ -190,9 +195,11 @@ REASONS = {
         "Indicare il periodo dell'edificio (period_s).",
     ),
     "lift_velocity_ratio": (
-        "The velocity ratio {e:.3f} is given: with {more:.3f} ζ is {zeta_more}, with the theoretical {theory:.3f} it is "
+        "The velocity ratio {e:.3f} is given: with {more:.3f} ζ is {zeta_more}, with the theoretical {theory:.3f} it "
+        "is "
         "{zeta_theory}.",
-        "Il coefficiente di restituzione {e:.3f} è dato: con {more:.3f} ζ è {zeta_more}, con quello teorico {theory:.3f} è "
+        "Il coefficiente di restituzione {e:.3f} è dato: con {more:.3f} ζ è {zeta_more}, con quello teorico "
+        "{theory:.3f} è "
         "{zeta_theory}.",
     ),
     "lift_confidence_factor": (
@@ -212,9 +219,11 @@ REASONS = {
         "La partecipazione {given:.2f} è minore di {expected:.2f} di C7.2.10: con questa ζ è {zeta}.",
     ),
     "lift_free_element": (
-        "The two-sided wall is declared not free to vibrate: as a free element ζ of the linear check is {zeta}. By what is "
+        "The two-sided wall is declared not free to vibrate: as a free element ζ of the linear check is {zeta}. By "
+        "what is "
         "it held?",
-        "La parete su due lati è dichiarata non libera di vibrare: come elemento libero ζ della verifica lineare è {zeta}. "
+        "La parete su due lati è dichiarata non libera di vibrare: come elemento libero ζ della verifica lineare è "
+        "{zeta}. "
         "Da che cosa è trattenuta?",
     ),
     "generated_motions": (
