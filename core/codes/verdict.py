@@ -402,15 +402,11 @@ def _outcome(
         zeta = sentence("added", "required", zeta=zeta, target=target)
     fails = _failing(checks, governing, dynamic, demand) if governing else ()
     tail = sentence("added", "not_by", checks=fails) if fails else ""
-    if (
-        code == "verified"
-        and not fails
-        and any(c.name == "linear_q_code" for c in checks)
-        and governing.name != "linear_q_code"
-    ):
+    beside = any(check.name == "linear_q_code" for check in checks)
+    if code == "verified" and beside and not fails and governing.name != "linear_q_code":
         tail = sentence("added", "q_agrees", q=CODE_Q)
-    if code == "q2_unsafe":
-        tail = sentence("added", "q_would_pass", q=CODE_Q)
+    elif code == "q2_unsafe":
+        tail = sentence("added", "q_would_pass", q=CODE_Q, tail=tail)
     elif code == "verified_refined" and not beside:
         tail = sentence("added", "no_q_check", q=CODE_Q, tail=tail)
     low, high = dynamic.zeta_spread if code == "at_limit" else (None, None)

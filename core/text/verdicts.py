@@ -102,8 +102,8 @@ ADDED = {
     "not_by": (" Not by: {checks}.", " Non secondo: {checks}."),
     "q_agrees": (" The check with q = {q:g} agrees.", " La verifica con q = {q:g} concorda."),
     "q_would_pass": (
-        " The check with q = {q:g} alone would pass: here it is not on the safe side.",
-        " La sola verifica con q = {q:g} sarebbe soddisfatta: qui non è cautelativa.",
+        "{tail} The check with q = {q:g} alone would pass: here it is not on the safe side.",
+        "{tail} La sola verifica con q = {q:g} sarebbe soddisfatta: qui non è cautelativa.",
     ),
     "no_q_check": (
         "{tail} The check with q = {q:g} could not be made.",
