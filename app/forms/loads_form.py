@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QGroupBox, QHBoxLayout, QListWidget, QMenu, QToolB
 from app.forms.fields import ChoiceField, Field, NumberField, connect
 from app.language import named, number, tr
 from app.session import Session
-from core.case.hinges import FLOORS
+from core.case.hinges import BASE, FLOORS
 from core.case.number import parse_number
 from core.case.schema import AS_IS, DESIGNED, Load, ReturnWalls, Wall
 from core.case.values import field_of
@@ -19,9 +19,18 @@ from core.errors import InputError
 KINDS = field_of(Load, "kind").metadata["names"]
 
 
+CODES = {FLOORS: FLOORS, BASE: BASE}
+"""Words of a case file that stand for hinges."""
+
+
+def hinge_words() -> dict[str, str]:
+    """The same in the language of the window."""
+    return {FLOORS: tr("floors"), BASE: tr("base")}
+
+
 class HingesField(Field):
-    """Heights above the base [m] with spaces or semicolons between them, or the word for the floors; empty for
-    none."""
+    """Heights above the base [m] with spaces or semicolons between them, or the word for the floors or for the base
+    alone; empty for the usual ones."""
 
     def make_editor(self):
         editor = super().make_editor()
@@ -34,8 +43,10 @@ class HingesField(Field):
             self.show_error("")
             self.value = None
             self.edited.emit(None)
-        elif text.lower() in (FLOORS, tr("floors")):
-            self.offer(FLOORS)
+        elif text.lower() in (
+            codes := {word: code for code, word in hinge_words().items()} | CODES
+        ):
+            self.offer(codes[text.lower()])
         else:
             try:
                 self.offer([parse_number(part) for part in re.split(r"[\s;]+", text)])
@@ -48,10 +59,11 @@ class HingesField(Field):
             return
         self.value = value
         if not self.editor.hasFocus():
+            heights = () if isinstance(value, str) else value or ()
             words = (
-                tr("floors")
-                if value == FLOORS
-                else "; ".join(f"{number(h, 'g')}" for h in value or ())
+                hinge_words()[value]
+                if isinstance(value, str)
+                else "; ".join(number(h, "g") for h in heights)
             )
             self.editor.setText(words)
         self.show_error("")

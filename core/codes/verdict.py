@@ -20,9 +20,17 @@ STOCKY_DEG = 20.0
 CODE_Q = 2.0
 """q of C8.7.1.2.1.7."""
 
-TO_MEND = ("no_restraint", "no_spectrum", "not_compatible", "few_records", "bundled", "one_sign", "no_soil_factor",
-           "period_estimated")  # fmt: skip
-"""What makes a verdict indicative and the designer can mend, as `to_...` says; the first two are said."""
+TO_MEND = {
+    "no_restraint": "to_no_restraint",
+    "no_spectrum": "to_no_spectrum",
+    "not_compatible": "to_not_compatible",
+    "few_records": "to_few_records",
+    "bundled": "to_bundled",
+    "one_sign": "to_one_sign",
+    "no_soil_factor": "to_no_soil_factor",
+    "period_estimated": "to_period_estimated",
+}
+"""What makes a verdict indicative and the designer can mend -> what to do; the first two of a wall are said."""
 
 
 @dataclass(frozen=True)
@@ -273,7 +281,7 @@ def _to_do(code: str, blocking: list[Sentence], lifts: tuple[Lift, ...]) -> list
             if lift.words in blocking:
                 found.append(_reason("give_reason", key=Key(lift.key)))
         codes = [words.code for words in blocking]
-        found += [_reason(f"to_{code}") for code in TO_MEND if code in codes]
+        found += [_reason(to_do) for code, to_do in TO_MEND.items() if code in codes]
         if "alone" in codes:
             found.append(_reason("justify"))
     elif code == "verified_refined":

@@ -102,7 +102,7 @@ ADDED = {
     "not_by": (" Not by: {checks}.", " Non secondo: {checks}."),
     "q_agrees": (" The check with q = {q:g} agrees.", " La verifica con q = {q:g} concorda."),
     "q_would_pass": (
-        "{tail} The check with q = {q:g} alone would pass: here it is not on the safe side.",
+        "{tail} The check with q = {q:g} alone would pass: here it is not conservative.",
         "{tail} La sola verifica con q = {q:g} sarebbe soddisfatta: qui non è cautelativa.",
     ),
     "no_q_check": (
@@ -165,8 +165,8 @@ REASONS = {
         "Rinforzare la parete (catena, vincolo, spinta ridotta) e verificarla di nuovo come variante progetto.",
     ),
     "give_reason": (
-        "Write why the value of {key} holds, under justification, or take the safe one.",
-        "Scrivere perché il valore di {key} è valido, in justification, o usare quello cautelativo.",
+        "Write under justification why the value of {key} holds, or take the one that lowers ζ.",
+        "Scrivere in justification perché il valore di {key} è valido, o usare quello che abbassa ζ.",
     ),
     "to_no_restraint": (
         "Name what holds the wall from behind (back_restraint), or study it as two-sided.",

@@ -2,6 +2,7 @@
 
 WINDOW_FORMS = {
     "floors": "piani",
+    "base": "base",
     "{text}: not heights in m": "{text}: non sono quote in m",
     "Loads and what holds the wall": "Carichi e ciò che trattiene la parete",
     "Loads": "Carichi",

@@ -63,11 +63,21 @@ def test_that_the_part_above_a_hinge_is_the_wall_one_would_write():
     single = run(case(None, name="top", base_z_m=6.0, height_m=3.0), base_dir=ROOT).walls[0]
     assert both[1].runs == single.runs
     assert both[1].assessment.verdict == single.assessment.verdict
-    zetas = [wall.assessment.verdict.zeta_e for wall in both]
-    lowest = both[zetas.index(min(zetas))]
-    for wall in both:
-        said = wall.warnings[0]
-        assert said.code == "weakest_hinge" and lowest.name in said.text("en")
+
+
+def test_that_without_a_word_a_hinge_is_where_a_load_or_a_storey_is_and_three_times_t_is_above():
+    """A wall of 9.0 x 0.60 m, three storeys of 3 m: above 7.2 m its top is stockier than 3."""
+    roof = {"kind": "vertical", "kn_m": 8.0, "d_m": 0.4, "h_m": 8.8, "mass": "none"}
+    floor = {**roof, "h_m": 4.5}
+    tie = {"kind": "tie", "kn_m": 1.0, "h_m": 7.19}
+    changes = {"unit_weight_kn_m3": 18.0, "load": [roof, floor, tie], "thickness_m": 0.6}
+    found = [part.hinge for part in parts(case(None, BUILDING, **changes))]
+    assert found == pytest.approx([0.0, 3.0, 4.5, 6.0, 7.19])
+    assert [part.hinge for part in parts(case("base", BUILDING, **changes))] == [0.0]
+    assert [part.hinge for part in parts(case(None, None, **changes))] == [0.0]
+    assert [part.hinge for part in parts(case("floors", BUILDING, **changes))] == pytest.approx(
+        [0, 3, 6]
+    )
 
 
 @pytest.mark.parametrize(

@@ -7,6 +7,10 @@ from core.case.rules import parse_case
 from core.errors import InputError
 from tests.core.case.tables import WALL, case, without
 
+TESTED = {"ag_g": 0.2, "confidence_factor": 1.2, "knowledge_level": "LC2",
+          "investigations": "cores, double flat jacks"}  # fmt: skip
+STRENGTH = {"compressive_strength_mpa": 2.0, "unit_weight_kn_m3": 18.0}
+
 
 @pytest.mark.parametrize(
     "table, words",
@@ -75,8 +79,20 @@ from tests.core.case.tables import WALL, case, without
         (case(demand={"ag_g": 0.0}), ["ag_g = 0.0", "from 0.001 to 5 g"]),
         (
             case(demand={"ag_g": 0.2, "confidence_factor": 1.2}),
-            ["confidence_factor", "setback", "1.35"],
+            ["confidence_factor", "knowledge_level", "investigations", "1.35"],
         ),
+        (
+            case({"hinge_setback_m": 0.000001}, demand={**TESTED, "investigations": "x"}),
+            ["investigations"],
+        ),
+        (
+            case({"hinge_setback_m": 0.000001}, demand=TESTED),
+            ["compressive_strength_mpa", "0.5 to 10"],
+        ),
+        (case({**STRENGTH, "compressive_strength_mpa": 50.0}, demand=TESTED), ["0.5 to 10", "50"]),
+        (case(STRENGTH, demand={**TESTED, "confidence_factor": 1.0}), ["LC2", "1.20"]),
+        (case({"back_restraint": "x."}), ["back_restraint", "names nothing"]),
+        (case({"justification": {"thickness_m": "so"}}), ["thickness_m", "velocity_ratio"]),
         (case(demand={"ag_g": 0.2, "spectrum": {"code": "NTC2018", "soil": "B"}}), ["needs f0"]),
         (
             case(

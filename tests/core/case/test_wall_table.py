@@ -319,7 +319,9 @@ def test_that_hinges_stand_in_a_column(cell, heights):
 def test_that_a_table_takes_every_key_of_a_wall():
     known = set(wall_table.COLUMNS)
     for entry in fields(Wall):
-        assert entry.name in known or entry.name in ("load", "return_walls"), entry.name
+        assert entry.name in known or entry.name in ("load", "return_walls", "justification"), (
+            entry.name
+        )
     for entry in fields(ReturnWalls):
         assert f"across_{entry.name}" in known, entry.name
     heads = ["Parete", "H [m]", "t [cm]", "Meccanismo", "z [m]", "L [m]", "Peso specifico", "Muri ortogonali",

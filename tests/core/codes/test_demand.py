@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from core.codes.demand import DemandResult, hazard_at, mean_intensity, with_records
+from core.codes.demand import DemandResult, mean_intensity, with_records
 from core.ground.ground_motion import GroundMotion
 from core.units import G
 
@@ -40,35 +40,9 @@ def test_that_a_record_is_taken_as_given_or_scaled_to_the_pga_of_the_demand():
     assert scaled.scaling(motion(0.5, ground_pga=0.3)) == pytest.approx(0.12 * G / 0.3, rel=1e-14)
 
 
-HAZARD = ((50.0, 0.05 * G), (100.0, 0.08 * G), (475.0, 0.2 * G))
-
-
-def test_that_the_hazard_lies_on_straight_lines_of_the_logarithms():
-    """NTC 2018, Annex A, Eq. [2]: ln a_g between the rows by ln T_R."""
-    for years, ag in HAZARD:
-        assert hazard_at(demand(hazard=HAZARD, return_period=years)) == pytest.approx(ag, rel=1e-13)
-    between = hazard_at(demand(hazard=HAZARD, return_period=200.0))
-    assert between == pytest.approx(0.08 * G * 2.0 ** (np.log(2.5) / np.log(4.75)), rel=1e-13)
-
-
-def test_that_the_hazard_is_not_known_outside_its_rows():
-    assert hazard_at(demand()) is None
-    assert hazard_at(demand(hazard=HAZARD)) is None
-    assert hazard_at(demand(return_period=100.0)) is None
-    for years, known in ((49.6, True), (49.4, False), (479.0, True), (480.0, False)):
-        assert (hazard_at(demand(hazard=HAZARD, return_period=years)) is not None) == known
-
-
-def test_that_an_acceleration_no_site_has_and_another_than_the_hazards_are_warned_of():
+def test_that_an_acceleration_no_site_has_is_warned_of():
     assert codes(with_records(demand(0.6 * G), [])) == []
     assert codes(with_records(demand(0.61 * G), [])) == ["large_ag"]
-    for ag, warned in ((0.191, False), (0.190, True), (0.210, False), (0.2106, True)):
-        asked = demand(ag * G, hazard=HAZARD, return_period=475.0)
-        found = with_records(asked, [])
-        assert codes(found) == (["hazard_disagrees"] if warned else []), ag
-        if warned:
-            told = dict(found.warnings[0].values)
-            assert told == pytest.approx({"stated": 0.2, "ag": ag, "years": 475.0}, rel=1e-12)
 
 
 def test_that_records_scaled_far_or_weaker_than_the_demand_are_warned_of():

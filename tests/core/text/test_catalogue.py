@@ -126,7 +126,14 @@ def test_that_every_text_of_the_catalogue_is_used():
     }
     entries = [entry for section in SECTIONS_OF_A_CASE for entry in fields(section)]
     sides |= {f"key_{entry.name}" for entry in entries}
-    sides |= {"key_title", "key_elastic_limit", "key_plateau_end", "choice_rigid", "choice_floors"}
+    sides |= {
+        "key_title",
+        "key_elastic_limit",
+        "key_plateau_end",
+        "choice_rigid",
+        "choice_floors",
+        "choice_base",
+    }
     sides |= {f"choice_{name}" for entry in entries for name in entry.metadata.get("names", ())}
     sides |= {f"section_{entry.name}" for entry in fields(Case)}
     sides |= {f"load_{kind}" for kind in ("vertical", "thrust", "tie", "carried_mass")}

@@ -1,0 +1,121 @@
+"""One verdict for each wall: its worst hinge, its limit states, what was not checked."""
+
+from dataclasses import replace
+from types import SimpleNamespace
+
+import pytest
+
+from core.case.rules import parse_case
+from core.report import json_report
+from core.study.run import run
+from core.study.wall_verdict import severity, wall_verdicts
+from tests.conftest import ROOT
+
+WALL = {"name": "facade", "height_m": 9.0, "thickness_m": 0.6, "mechanism": "one_sided", "base_z_m": 0.0,
+        "unit_weight_kn_m3": 18.0, "back_restraint": "cross walls"}  # fmt: skip
+ROOF = {"kind": "vertical", "kn_m": 8.0, "d_m": 0.4, "h_m": 6.5, "mass": "none"}
+BUILDING = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
+SPECTRUM = {"code": "EN1998", "type": 1, "soil": "B"}
+HAZARD = [{"return_period_years": y, "ag_g": a} for y, a in ((30, 0.08), (475, 0.2), (2475, 0.4))]
+SITE = {"nominal_life_years": 50, "use_class_factor": 1.0, "hazard": HAZARD}
+
+
+def case(*walls, building=BUILDING, **demand):
+    table = {"wall": [{**WALL, **wall} for wall in walls or ({},)],
+             "record": [{"file": "resources/motions/noise_1.txt"}], "analysis": {"q_step": 0.05},
+             "demand": {"ag_g": 0.2, "spectrum": SPECTRUM, **demand}}  # fmt: skip
+    return parse_case(table | ({"building": building} if building else {}))
+
+
+def made(*walls, **demand):
+    return run(case(*walls, **demand), base_dir=ROOT)
+
+
+def fake(zeta, code="not_verified", target=1.0):
+    verdict = SimpleNamespace(zeta_e=zeta, code=code, zeta_target=target)
+    return SimpleNamespace(assessment=SimpleNamespace(verdict=verdict))
+
+
+def test_that_a_missing_number_is_worst_and_what_is_not_activated_last():
+    order = [fake(None, "undetermined"), fake(0.5), fake(0.7, target=1.0), fake(0.6, target=0.8),
+             fake(1.2, "verified"), fake(0.9, "not_activated")]  # fmt: skip
+    ratios = sorted(order[::-1], key=severity)
+    assert ratios == [order[0], order[1], order[2], order[3], order[4], order[5]]
+
+
+def test_that_the_worst_hinge_and_mechanism_is_the_wall_s():
+    result = made({"mechanism": "both", "load": [{**ROOF, "d_m": 0.3}]})
+    (found,) = result.verdicts
+    assert len(found.results) == len(result.walls) >= 6
+    lowest = min(w.assessment.verdict.zeta_e for w in result.walls)
+    worst = result.walls[found.governing]
+    assert worst.assessment.verdict.zeta_e == lowest
+    (entry,) = json_report.results(result)["verdicts"]
+    assert entry["wall"] == "facade" and entry["variant"] is None
+    assert (entry["hinge_m"], entry["mechanism"]) == (worst.part.hinge, worst.mechanism)
+    assert entry["zeta_e"] == lowest and entry["check"] == "dynamic"
+    assert entry["clause"] == "C8.7.1.2.1.9"
+    assert [h["zeta_e"] for h in entry["hinges"]] == sorted(h["zeta_e"] for h in entry["hinges"])
+    assert entry["text_en"].startswith("facade: ") and entry["text_it"].startswith("facade: ")
+    for kind in ("to_do", "limits", "notes"):
+        assert all(set(one) == {"key", "text_it", "text_en"} for one in entry[kind])
+
+
+def test_that_each_variant_is_a_wall_of_its_own():
+    walls = ({"variant": "stato di fatto"}, {"variant": "progetto", "thickness_m": 0.9})
+    entries = json_report.results(made(*walls, building=None))["verdicts"]
+    assert [(e["wall"], e["variant"]) for e in entries] == [
+        ("facade", "stato di fatto"), ("facade", "progetto")]  # fmt: skip
+    assert entries[0]["zeta_e"] < entries[1]["zeta_e"]
+
+
+def test_that_without_a_building_the_heights_left_out_are_named():
+    loads = {"load": [{**ROOF, "h_m": 5.0}]}
+    (left,) = made(loads, building=None).verdicts
+    assert [one.code for one in left.extra] == ["heights_left_out"]
+    assert "5 m" in left.extra[0].text("en") and "[building]" in left.extra[0].text("it")
+    (alone,) = made({**loads, "hinge_heights": "base"}).verdicts
+    assert [one.code for one in alone.extra] == ["base_alone"]
+    assert made(loads).verdicts[0].extra == ()
+
+
+def test_that_every_limit_state_has_its_outcome_and_a_failing_one_limits_the_verdict():
+    result = made({"thickness_m": 1.5, "height_m": 6.0}, building=None, **SITE)
+    (entry,) = json_report.results(result)["verdicts"]
+    states = entry["states"]
+    assert states["SLV"] == {
+        "code": entry["code"],
+        "zeta_e": entry["zeta_e"],
+        "check": entry["check"],
+    }
+    assert states["SLD"]["check"] == "linear_sld" and states["SLC"]["check"] == "nonlinear"
+    assert states["SLD"]["zeta_e"] is not None
+    said = [one["key"] for one in entry["limits"]]
+    failing = [s for s, one in states.items() if s != "SLV" and one["code"] == "not_verified"]
+    assert said.count("other_state") == len(failing)
+    without = json_report.results(made(building=None))["verdicts"][0]["states"]
+    assert without["SLD"] == without["SLC"] == {"code": "no_hazard", "zeta_e": None, "check": None}
+
+
+def test_that_another_state_that_fails_is_in_limits_and_never_in_code():
+    result = made({"thickness_m": 1.5, "height_m": 6.0}, building=None, **SITE)
+    wall = result.walls[0]
+    failing = [replace(one, zeta=0.6) if one.state == "SLD" else replace(one, zeta=1.5)
+               for one in wall.assessment.states]  # fmt: skip
+    changed = replace(wall, assessment=replace(wall.assessment, states=tuple(failing)))
+    (found,) = wall_verdicts(result.case, (changed,))
+    assert [one.code for one in found.extra] == ["other_state"]
+    assert "SLD" in found.extra[0].text("en") and "0.60" in found.extra[0].text("en")
+    assert found.states["SLV"].code == wall.assessment.verdict.code
+
+
+def test_that_without_a_demand_there_is_no_verdict():
+    table = {"wall": [WALL], "record": [{"file": "resources/motions/noise_1.txt"}]}
+    result = run(parse_case(table), base_dir=ROOT)
+    assert result.verdicts == () and json_report.results(result)["verdicts"] == []
+
+
+@pytest.mark.parametrize("state", ["SLV", "SLC", "SLD"])
+def test_that_the_state_asked_for_is_the_verdict_itself(state):
+    (entry,) = json_report.results(made(building=None, limit_state=state))["verdicts"]
+    assert entry["states"][state]["code"] == entry["code"]

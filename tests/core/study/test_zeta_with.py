@@ -1,0 +1,126 @@
+"""What lifts zeta is named with zeta at the other end of its range."""
+
+import pytest
+
+from core.case.rules import parse_case
+from core.study.run import run
+from tests.conftest import ROOT
+
+WALL = {"name": "w", "height_m": 6.0, "thickness_m": 0.6, "mechanism": "one_sided", "base_z_m": 0.0,
+        "unit_weight_kn_m3": 18.0, "back_restraint": "cross walls", "unloaded_confirmed": True}  # fmt: skip
+SPECTRUM = {"code": "EN1998", "type": 1, "soil": "B"}
+BUILDING = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
+
+
+def made(wall=None, demand=None, records=True, building=None, **rest):
+    own = {key: value for key, value in {**WALL, **(wall or {})}.items() if value is not None}
+    table = {"wall": [own], "demand": {"ag_g": 0.15, "spectrum": SPECTRUM, **(demand or {})}, **rest,
+             "analysis": {"q_step": 0.05}}  # fmt: skip
+    if records:
+        table["generate"] = {"count": 3, "seed": 1}
+    if building:
+        table["building"] = building
+    return run(parse_case(table), base_dir=ROOT).walls[0].assessment
+
+
+def lift(found, code):
+    said = {one.code: dict(one.values) for one in found.verdict.limits}
+    return said.get(code)
+
+
+def test_that_a_given_velocity_ratio_is_shown_with_more_and_by_theory():
+    found = made({"velocity_ratio": 0.0})
+    said = lift(found, "lift_velocity_ratio")
+    assert said["e"] == 0.0 and said["more"] == pytest.approx(0.1)
+    theory = made()
+    assert said["theory"] == pytest.approx(theory.verdict.zeta_e and 0.475, abs=0.02)
+    # by theory it is the check of the wall without the key, searched by steps of 2 %
+    assert said["zeta_theory"].value == pytest.approx(theory.verdict.zeta_e, rel=0.03)
+    assert said["zeta_theory"].value < found.verdict.zeta_e
+    assert lift(theory, "lift_velocity_ratio") is None
+
+
+@pytest.mark.parametrize("model", ["one_sided_experimental", "costa_upper"])
+def test_that_a_model_of_experiments_is_shown_by_theory_too(model):
+    assert lift(made({"restitution": model}), "lift_velocity_ratio") is not None
+
+
+def test_that_an_fc_below_1_35_is_shown_with_1_35():
+    tested = {"confidence_factor": 1.2, "knowledge_level": "LC2", "investigations": "flat jacks"}
+    found = made({"compressive_strength_mpa": 2.0}, tested)
+    said = lift(found, "lift_confidence_factor")
+    full = made({"compressive_strength_mpa": 2.0})
+    # searched by steps of 2 %
+    assert said["zeta"].value == pytest.approx(full.verdict.zeta_e, rel=0.03)
+    assert said["zeta"].value < found.verdict.zeta_e and said["investigations"] == "flat jacks"
+
+
+def test_that_another_q_than_2_is_shown_with_2_and_turns_what_rests_on_it():
+    wall = {"free_element": False, "mechanism": "two_sided", "back_restraint": None}
+    table = {"soil_factor": 1.2, "q_code": 5.0, "spectrum": None}
+    demand = {key: value for key, value in {"ag_g": 0.2, **table}.items() if value is not None}
+    case = {
+        "wall": [{k: v for k, v in {**WALL, **wall}.items() if v is not None}],
+        "demand": demand,
+    }
+    found = run(parse_case(case), base_dir=ROOT).walls[0].assessment
+    (check,) = found.checks
+    assert check.passed and check.q == 5.0
+    assert lift(found, "lift_q_code")["zeta"].value == pytest.approx(0.4 * check.zeta)
+    assert found.verdict.code == "indicative" and found.verdict.to_do[0].code == "give_reason"
+    case["demand"]["justification"] = {"q_code": "tests on specimens of this masonry"}
+    justified = run(parse_case(case), base_dir=ROOT).walls[0].assessment
+    assert justified.verdict.code == "verified_refined"
+    assert lift(justified, "lift_q_code") is not None
+
+
+def test_that_the_friction_of_return_walls_is_shown_without_it():
+    across = {"number": 2, "thickness_m": 0.5, "brick_height_m": 0.25, "brick_length_m": 0.2}
+    case = {"wall": [{**WALL, "return_walls": across, "length_m": 4.0}],
+            "demand": {"ag_g": 0.2, "soil_factor": 1.2}}  # fmt: skip
+    found = run(parse_case(case), base_dir=ROOT).walls[0].assessment
+    bare = {"wall": [WALL], "demand": case["demand"]}
+    without = run(parse_case(bare), base_dir=ROOT).walls[0].assessment
+    assert lift(found, "lift_return_walls")["zeta"].value == pytest.approx(without.verdict.zeta_e)
+
+
+def test_that_a_two_sided_wall_declared_held_is_shown_as_a_free_element():
+    wall = {"mechanism": "two_sided", "back_restraint": None, "free_element": False,
+            "elastic_modulus_mpa": 600.0}  # fmt: skip
+    found = made(wall, records=False)
+    free = made({**wall, "free_element": True}, records=False)
+    linear = next(check for check in free.checks if check.name == "linear_q_code")
+    assert lift(found, "lift_free_element")["zeta"].value == pytest.approx(linear.zeta)
+
+
+def test_that_a_participation_below_that_of_the_clause_is_shown_with_it():
+    """C7.2.10: gamma psi = 9/7 z/H_b."""
+    modes = [{"period_s": 0.26, "damping": 0.10, "participation": 0.3}]
+    wall = {"base_z_m": 6.0, "height_m": 3.0, "thickness_m": 0.45}
+    found = made(wall, building={"height_m": 9.0, "storeys": 3, "modes": modes}, records=False)
+    said = lift(found, "lift_participation")
+    assert said["expected"] == pytest.approx(9.0 / 7.0 * 6.0 / 9.0)
+    whole = [{**modes[0], "participation": 9.0 / 7.0 * 6.0 / 9.0}]
+    other = made(wall, building={"height_m": 9.0, "storeys": 3, "modes": whole}, records=False)
+    assert said["zeta"].value == pytest.approx(other.verdict.zeta_e)
+    assert lift(other, "lift_participation") is None
+
+
+def test_that_the_other_building_and_the_centroid_stand_beside_a_wall_at_height():
+    wall = {"base_z_m": 6.0, "height_m": 3.0, "thickness_m": 0.45, "mechanism": "two_sided",
+            "back_restraint": None}  # fmt: skip
+    found = made(wall, building=BUILDING, records=False)
+    other = made(wall, building={**BUILDING, "period_factor": 2.0, "damping": 0.2}, records=False)
+    assert lift(found, "other_building")["zeta"].value == pytest.approx(other.verdict.zeta_e)
+    higher = made({**wall, "base_z_m": 7.5}, building=BUILDING, records=False)
+    assert lift(found, "at_centroid")["zeta"].value == pytest.approx(higher.verdict.zeta_e)
+    assert found.sensitivity == {
+        "other_building": lift(found, "other_building")["zeta"].value,
+        "at_centroid": lift(found, "at_centroid")["zeta"].value,
+    }
+
+
+def test_that_generated_motions_are_named_and_natural_ones_are_not():
+    assert lift(made(), "generated_motions") == {}
+    natural = {"record": [{"file": "resources/motions/noise_*.txt"}]}
+    assert lift(made(records=False, **natural), "generated_motions") is None
