@@ -54,7 +54,11 @@ def test_that_dop853_gives_the_same_history(
         (False, "al_shawa"),
         *(
             pytest.param(one_sided, law, marks=pytest.mark.long)
-            for one_sided, law in ((True, "al_shawa"), (False, (0.005, 0.28)), (True, (0.005, 0.28)))
+            for one_sided, law in (
+                (True, "al_shawa"),
+                (False, (0.005, 0.28)),
+                (True, (0.005, 0.28)),
+            )
         ),
     ],
 )
