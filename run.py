@@ -323,7 +323,8 @@ def test(arguments):
     ]
     if arguments:
         steps = []
-    steps.append([python, "-m", "pytest", *arguments])
+    every_core = ["-n", "auto", "--dist", "worksteal"]
+    steps.append([python, "-m", "pytest", *(arguments or every_core)])
     for step in steps:
         code = subprocess.call(step, cwd=ROOT, env=environment())
         if code:

@@ -140,7 +140,7 @@ def handed_over(words: list[str]) -> list[str]:
     description.loader.exec_module(run)
     started: list[list[str]] = []
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(run, "ensure", lambda groups: None)
+        patch.setattr(run, "ensure", lambda groups, **_: None)
         patch.setattr(run, "interpreter", lambda: sys.executable)
         patch.setattr(run, "hand_over", started.append)
         patch.setattr(run.subprocess, "call", lambda command, **_: started.append(command))

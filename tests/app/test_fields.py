@@ -48,14 +48,14 @@ BLOCKS = (
 
 
 def test_that_a_restitution_formula_shown_gives_the_value_beside_it(opened, monkeypatch):
+    plain = opened.session.case.wall[0]
     for language, model, shape in itertools.product(
         ("en", "it"), ("housner", "sorrentino_experimental", "one_sided_theoretical"), BLOCKS
     ):
         monkeypatch.setattr("app.language._current", [language])
-        wall = replace(
-            opened.session.case.wall[0], mechanism="one_sided", restitution=model, **shape
-        )
-        opened.walls.impact.show_wall(wall)
+        wall = replace(plain, mechanism="one_sided", restitution=model, **shape)
+        opened.session.case = replace(opened.session.case, wall=(wall,))
+        opened.walls.impact.show_case()
         line = opened.walls.impact.formula.text().splitlines()[0].replace(",", ".")
         degrees = re.search(r"α = ([\d.]+)°", line).group(1)
         expression, value = re.search(r"e = (.*) \(Eq.*= ([\d.]+)$", line).groups()

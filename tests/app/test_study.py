@@ -94,6 +94,7 @@ def test_that_a_study_writes_files_that_open(small, tmp_path, capsys):
             assert shades.shape == (690, 1080) and 0.005 < (shades < 200).mean() < 0.3
 
 
+@pytest.mark.long
 @pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
 def test_that_a_killed_study_resumes_to_the_same_digits(small, tmp_path):
     small.write_text(STUDY.replace("q_step = [0.02]", "q_step = [0.0005]"))
@@ -127,6 +128,7 @@ def test_that_a_study_never_takes_the_place_of_a_file_it_reads(place, small, tmp
     )
 
 
+@pytest.mark.long
 def test_that_a_title_may_change_and_figures_of_an_earlier_run_go(small, tmp_path):
     small.write_text(STUDY.replace("q_step = [0.02]", "q_step = [0.0005]"))
     running = start("--study", small, "--jobs", "1", "--quiet")
@@ -230,6 +232,7 @@ def paper(tmp_path_factory):
     return folder, made.result, report
 
 
+@pytest.mark.long
 def test_that_the_claims_of_the_paper_are_counted(paper):
     _, _, report = paper
     counts = {(claim.source, claim.claim): (claim.held, claim.tried) for claim in report.claims}

@@ -12,6 +12,9 @@ APART = 3.0
 """How many times all other samples equal extreme ones must be to be marks of gaps; in the records tried the largest
 sample is up to 1.5 times the next one."""
 
+ENOUGH = 50
+"""Samples from which on equal extreme ones that are written like no mark are marks: of fewer, that is chance."""
+
 _MARK = re.compile(r"9+(\.9+)?|9+0+|32768|32767|8388608|8388607|2147483648|12345|7777|8888|1e\+\d+")
 """How a mark of a missing sample is usually written; of these one alone is enough."""
 
@@ -38,8 +41,9 @@ def refuse_marks(values: np.ndarray) -> None:
     top = float(size.max())
     marks = size == top
     others = float(size[~marks].max(initial=0.0))
-    alone = marks.sum() == 1 and not _MARK.fullmatch(f"{top:.12g}")
-    if others and top >= APART * others and not alone:
+    usual = bool(_MARK.fullmatch(f"{top:.12g}"))
+    several = marks.sum() > 1 and values.size >= ENOUGH
+    if others and top >= APART * others and (usual or several):
         _refuse(values, marks)
     steps = np.abs(np.diff(values))
     for mark in _MARKS_INSIDE:

@@ -357,6 +357,7 @@ def test_that_no_merged_range_is_compared_with_the_others_and_none_overlap(folde
         assert len(cells) == len(set(cells)), sheet.title
 
 
+@pytest.mark.long
 def test_that_the_writing_tells_how_far_it_is_and_may_be_cancelled_at_every_row(folder, tmp_path):
     result = made(folder)[0]
     told, asked = [], []
