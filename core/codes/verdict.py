@@ -9,7 +9,7 @@ from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import ROUNDING, Check, Kinematic
 from core.codes.limits import MEAN_FROM, MINIMUM_FROM
 from core.codes.record_compatibility import Compliance
-from core.text.sentence import Key, Number, Sentence, apart, sentence
+from core.text.sentence import FILE_NAMES, FormNames, Key, Number, Sentence, apart, sentence
 from core.units import G
 
 ORDER = ("dynamic", "nonlinear", "linear_q_slv", "linear_q_code")
@@ -102,9 +102,15 @@ class Verdict:
         """What follows the sentence, in the order it is read."""
         return (*self.to_do, *self.limits, *self.notes)
 
-    def text(self, language: str, subject: str = "", where: Sentence | str = "") -> str:
-        """The sentence in "en" or "it". subject : name of the wall; where : of `at_hinge`"""
-        words = sentence("verdict", self.way, where=where, **dict(self.values)).text(language)
+    def text(
+        self,
+        language: str,
+        subject: str = "",
+        where: Sentence | str = "",
+        form: FormNames = FILE_NAMES,
+    ) -> str:
+        """The sentence in "en" or "it". subject : name of the wall; where : of `at_hinge`; form : words of the keys"""
+        words = sentence("verdict", self.way, where=where, **dict(self.values)).text(language, form)
         return f"{subject}: {words}" if subject else words[:1].upper() + words[1:]
 
 
@@ -355,19 +361,30 @@ def _limits(
     return reasons
 
 
+BY = {
+    "dynamic": "by_dynamic",
+    "nonlinear": "by_nonlinear",
+    "linear_q_code": "by_linear_q_code",
+    "linear_q_slv": "by_linear_q_slv",
+    "linear_sld": "by_linear_sld",
+}
+"""Label of a check -> the words of what it compares."""
+
+
 def measured(check: Check, dynamic: DemandCheck | None, demand: DemandResult) -> Sentence:
     """A check with what it compares: demand and capacity."""
     if check.name != "dynamic" or dynamic is None:
         return sentence(
-            "added", f"by_{check.label}", q=Number(check.q, "g"), state=demand.limit_state,
+            "added", BY[check.label], q=Number(check.q, "g"), state=demand.limit_state,
             capacity=Number(check.capacity, ".3f"), demand=Number(check.demand, ".3f"),
         )  # fmt: skip
     falls = sum(run.status != "stable" for run in dynamic.runs)
     if dynamic.peak_ratio is None and falls:
         return sentence("added", "by_dynamic_falls", n=falls, m=len(dynamic.runs))
+    rule = "by_dynamic_mean" if dynamic.set_rule == "mean" else "by_dynamic_maximum"
     return sentence(
-        "added", f"by_dynamic_{dynamic.set_rule}", peak=Number(dynamic.peak_ratio), limit=Number(dynamic.limit_ratio)
-    )  # fmt: skip
+        "added", rule, peak=Number(dynamic.peak_ratio), limit=Number(dynamic.limit_ratio)
+    )
 
 
 def _failing(checks, governing, dynamic, demand) -> tuple[Sentence, ...]:

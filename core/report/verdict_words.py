@@ -31,7 +31,9 @@ def in_order(result: StudyResult) -> list[tuple[WallResult, bool]]:
 
 def sentence_of(result: StudyResult, wall: WallResult, language: str) -> str:
     """The verdict of a result in words: of its wall where it decides about it, else of its hinge."""
-    return wall.assessment.verdict.text(language, wall.part.asked.title, where(wall))
+    return wall.assessment.verdict.text(
+        language, wall.part.asked.title, where(wall), names_in(language)
+    )
 
 
 def lines_of(result: StudyResult, wall: WallResult, language: str) -> list[str]:

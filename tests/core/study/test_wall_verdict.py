@@ -39,7 +39,7 @@ def fake(zeta, code="not_verified", target=1.0):
 def test_that_a_missing_number_is_worst_and_what_is_not_activated_last():
     order = [fake(None, "undetermined"), fake(0.5), fake(0.7, target=1.0), fake(0.6, target=0.8),
              fake(1.2, "verified"), fake(0.9, "not_activated")]  # fmt: skip
-    ratios = sorted(order[::-1], key=severity)
+    ratios = sorted(reversed(order), key=severity)
     assert ratios == [order[0], order[1], order[2], order[3], order[4], order[5]]
 
 

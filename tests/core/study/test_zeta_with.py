@@ -50,19 +50,13 @@ def test_that_an_fc_below_1_35_is_shown_with_1_35():
     found = made({"compressive_strength_mpa": 2.0}, tested)
     said = lift(found, "lift_confidence_factor")
     full = made({"compressive_strength_mpa": 2.0})
-    # searched by steps of 2 %
-    assert said["zeta"].value == pytest.approx(full.verdict.zeta_e, rel=0.03)
+    # searched by steps of 2 %, which zeta of a half window may hit twice
+    assert said["zeta"].value == pytest.approx(full.verdict.zeta_e, rel=0.04)
     assert said["zeta"].value < found.verdict.zeta_e and said["investigations"] == "flat jacks"
 
 
 def test_that_another_q_than_2_is_shown_with_2_and_turns_what_rests_on_it():
-    wall = {"free_element": False, "mechanism": "two_sided", "back_restraint": None}
-    table = {"soil_factor": 1.2, "q_code": 5.0, "spectrum": None}
-    demand = {key: value for key, value in {"ag_g": 0.2, **table}.items() if value is not None}
-    case = {
-        "wall": [{k: v for k, v in {**WALL, **wall}.items() if v is not None}],
-        "demand": demand,
-    }
+    case = {"wall": [WALL], "demand": {"ag_g": 0.2, "soil_factor": 1.2, "q_code": 5.0}}
     found = run(parse_case(case), base_dir=ROOT).walls[0].assessment
     (check,) = found.checks
     assert check.passed and check.q == 5.0
