@@ -166,11 +166,15 @@ def _risk(wall: WallResult) -> dict:
     found = wall.assessment.risk if wall.assessment else None
     if found is None:
         return {}
+    dynamic = wall.assessment.dynamic
+    of_histories = wall.assessment.verdict.governing == "dynamic"
     return {
         "risk": {
             "pga_c_g": found.pga / G,
             "return_period_c_years": found.return_period,
             "other_return_period_c_years": found.other_return_period,
+            "zeta_16": dynamic.zeta_16 if of_histories else None,
+            "zeta_first": dynamic.zeta_first if of_histories else None,
             "return_period_c_shown": found.years,
             "is_v": found.index,
             "is_v_letter": found.letter,

@@ -9,9 +9,12 @@ from core.case.site import Building
 from core.codes.demand import DemandResult
 from core.codes.kinematic import ROUNDING, Check, kinematic, linear, nonlinear, sld
 from core.codes.limits import SAME_PERIOD, return_period
+from core.ground.ground_motion import GroundMotion
+from core.rocking.methods import Method
 from core.study.demand_input import demand_of, hazard_of, interpolated
 from core.study.floors import floor_of
 from core.text.sentence import Sentence, notice
+from core.wall.rocking_model import RockingModel
 
 STATES = ("SLD", "SLV", "SLC")
 
@@ -81,22 +84,58 @@ def unsaid(demand: DemandResult | None, found: dict[str, DemandResult]) -> list[
     return [notice("hazard_too_short", states=", ".join(missing))] if missing else []
 
 
+@dataclass(frozen=True)
+class StateHistories:
+    """The dynamic check of a wall at the demand of another limit state.
+
+    model, motions, polarities, method : as at the demand of the case, whose motions are taken times the ratio of the
+        peak accelerations where they are used as given
+    check : `demand_check`, or one that keeps its results
+    """
+
+    model: RockingModel
+    motions: list[GroundMotion]
+    polarities: tuple[int, ...]
+    demand: DemandResult
+    method: Method
+    check: Callable
+    cancelled: Callable[[], bool] = lambda: False
+
+    def __call__(self, demand: DemandResult) -> Check | None:
+        """None where the demand is that of the case, at SLD, and without records. Raises Cancelled."""
+        if demand.limit_state == self.demand.limit_state or not self.motions:
+            return None
+        factor = demand.pga / self.demand.pga if demand.record_scaling == "as_given" else 1.0
+        scaled = [
+            replace(motion, acceleration=factor * motion.acceleration) for motion in self.motions
+        ]
+        found = self.check(
+            self.model, scaled, self.polarities, demand, self.method, EVERY, False, self.cancelled
+        )
+        return found.as_check() if found else None
+
+
+EVERY = 2
+"""Every how many points of the grid zeta of another limit state is searched: by 0.5 %."""
+
+
 def zetas(
     wall: Wall,
     mechanism: str,
     demands: dict[str, DemandResult],
     building: Building | None,
-    histories: Callable[[str, DemandResult], Check | None] = lambda state, demand: None,
+    histories: Callable[[DemandResult], Check | None] = lambda demand: None,
+    asked: tuple[str, ...] = (),
 ) -> tuple[StateZeta, ...]:
-    """The wall at each limit state. histories : the dynamic check at a state, where it is asked for. Raises InputError
-    where a spectrum ends too early."""
+    """The wall at each limit state. histories : the dynamic check at a demand, made at the states asked. Raises
+    InputError where a spectrum ends too early, and Cancelled."""
     found = []
     for state, demand in demands.items():
         floor = floor_of(wall, building, demand, []) if wall.above_ground else None
         made: list[Check | None] = []
         if floor is not None or not wall.above_ground:
             moved = kinematic(wall, mechanism, demand, floor.spectrum if floor else None)
-            made = [histories(state, demand), nonlinear(moved, demand)]
+            made = [histories(demand) if state in asked else None, nonlinear(moved, demand)]
             if state == "SLD":
                 made.append(sld(moved, demand))
             elif state == "SLV":

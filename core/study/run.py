@@ -27,7 +27,7 @@ from core.study.floors import floor_of
 from core.study.governing import lowest_run
 from core.study.journal import Journal, Memory, rebuilt
 from core.study.kept_checks import KeptChecks
-from core.study.limit_states import demands_of, unsaid, zetas
+from core.study.limit_states import StateHistories, demands_of, unsaid, zetas
 from core.study.progress import STATEMENT, OnProgress, Progress, check_cost, run_cost
 from core.study.record_input import joined, read_records
 from core.study.results import Assessment, StudyResult, WallResult
@@ -148,13 +148,20 @@ def run(
             }
             done = threads.run(checks, checked)
             by_state = demands_of(case, base_dir)
-            results = [
-                replace(
-                    wall,
-                    assessment=replace(
-                        done[k], states=zetas(wall.wall, wall.mechanism, by_state, case.building)
-                    ),
+            states = {
+                k: lambda stop, k=k, wall=wall: zetas(
+                    wall.wall,
+                    wall.mechanism,
+                    by_state,
+                    case.building,
+                    StateHistories(wall.model, felt[k], signs[k], demand, method, kept[k], stop),
+                    case.demand.limit_states,
                 )
+                for k, wall in enumerate(results)
+            }
+            outcomes = threads.run(states, lambda k, _: None)
+            results = [
+                replace(wall, assessment=replace(done[k], states=outcomes[k]))
                 for k, wall in enumerate(results)
             ]
             demand = replace(demand, warnings=(*demand.warnings, *unsaid(demand, by_state)))

@@ -165,7 +165,8 @@ def wall_result(
         warnings=tuple(
             _unusual(wall)
             + _model_notices(wall, block, mechanism, model, restitution, law)
-            + _set_notices(runs, len(with_q), len(counted), incomplete, fragile, law_of_si, search)
+            + _set_notices(runs, len(with_q), len(counted), incomplete, fragile, search)
+            + _power_law_notices(wall, with_q, law_of_si)
             + _form_notices(wall, block, mechanism, restitution, law, per_record, demand, checks)
         ),
     )
@@ -212,9 +213,7 @@ def _model_notices(wall, block, mechanism, model, restitution, law) -> list[Sent
     return notices
 
 
-def _set_notices(
-    runs, files: int, counted: int, incomplete, fragile, power_law, search
-) -> list[Sentence]:
+def _set_notices(runs, files: int, counted: int, incomplete, fragile, search) -> list[Sentence]:
     """files : with a number; counted : stations of these"""
     notices = []
     if incomplete:
@@ -228,9 +227,6 @@ def _set_notices(
     standing = sum(run.ida.status == "no_collapse_found" for run in runs)
     if standing:
         notices.append(notice("no_collapse", n=standing, limit=search.q_limit))
-    if power_law and power_law.si_range_cm[1] < NARROW_SI * power_law.si_range_cm[0]:
-        low, high = power_law.si_range_cm
-        notices.append(notice("narrow_si", low=low, high=high))
     lowest = sum(run.ida.below_floor for run in runs)
     if lowest:
         notices.append(notice("below_floor", n=lowest, floor=TRILINEAR_FLOOR))
@@ -243,6 +239,16 @@ def _set_notices(
     if large:
         notices.append(notice("pga_too_small", n=len(large)))
     return notices
+
+
+def _power_law_notices(wall, with_q, power_law) -> list[Sentence]:
+    """Why the power law of a wall on the ground is not given, or that its SI hardly differ."""
+    if wall.above_ground or len(with_q) < MINIMUM_FROM:
+        return []
+    low, high = (end(entry.intensity for entry in with_q) / CM for end in (min, max))
+    if power_law is None:
+        return [notice("no_power_law", low=low, high=high)]
+    return [notice("narrow_si", low=low, high=high)] if high < NARROW_SI * low else []
 
 
 def _form_notices(

@@ -173,6 +173,13 @@ SENTENCES = {
         "Arretramento della cerniera: le Eq. 15/16, tarate senza, usano l'altezza del rettangolo con gli "
         "stessi p e alpha, {height:.2f} m.",
     ),
+    "no_power_law": (
+        "The power law of q_eff (Eq. 13) is not given: the SI of the records hardly differs ({low:.1f} to {high:.1f} "
+        "cm).",
+        "La legge di potenza di q_eff (Eq. 13) non è data: gli SI degli accelerogrammi differiscono appena (da "
+        "{low:.1f} a "
+        "{high:.1f} cm).",
+    ),
     "narrow_si": (
         "The power law of q_eff rests on SI from {low:.0f} to {high:.0f} cm only: no meaning outside.",
         "La legge di potenza di q_eff si basa solo su SI da {low:.0f} a {high:.0f} cm: senza significato "

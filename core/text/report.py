@@ -49,6 +49,11 @@ REPORT = {
     ("No tie {h:.2f} m above this hinge is needed: ζ {zeta:.2f}."): (
         "Non serve una catena {h:.2f} m sopra questa cerniera: ζ {zeta:.2f}."
     ),
+    "Not for sizing a tie: a bar yields and is slack when the wall comes back, and other checks ask more.": (
+        "Non per dimensionare una catena: una barra snerva ed è lenta quando la parete torna, e altre verifiche "
+        "chiedono "
+        "di più."
+    ),
     "A tie {h:.2f} m above this hinge that holds {force:.2f} kN/m up to collapse gives ζ {zeta:.2f}.": (
         "Una catena {h:.2f} m sopra questa cerniera che mantiene {force:.2f} kN/m fino al collasso dà ζ {zeta:.2f}."
     ),

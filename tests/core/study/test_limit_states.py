@@ -10,6 +10,7 @@ from core.codes.kinematic import kinematic, nonlinear, sld
 from core.errors import InputError
 from core.study.demand_input import demand_of
 from core.study.limit_states import demands_of, interpolated, unsaid, zetas
+from core.study.run import run
 from core.units import G
 from tests.validation.test_loaded_walls import WALL
 
@@ -138,3 +139,29 @@ def test_that_a_file_of_the_hazard_is_the_same_as_its_rows(tmp_path):
     assert {state: d.ag / G for state, d in read.items()} == {
         state: d.ag / G for state, d in given.items()
     }
+
+
+def test_that_a_state_asked_for_has_its_time_histories(tmp_path):
+    """Under the motions of the case times the ratio of the peaks; at SLD the clause has no rule for them."""
+    wall = {key: value for key, value in WALL.items() if key != "velocity_ratio"}
+    demand = {"ag_g": 0.26, "nominal_life_years": 50.0, "use_class_factor": 1.0, "hazard": HAZARD, "spectrum": NTC,
+              "limit_states": ["SLC", "SLD"]}  # fmt: skip
+    table = {
+        "wall": [wall],
+        "generate": {"count": 3},
+        "analysis": {"q_step": 0.05},
+        "demand": demand,
+    }
+    found = {
+        one.state: one
+        for one in run(parse_case(table), base_dir=tmp_path).walls[0].assessment.states
+    }
+    assert found["SLC"].check == "dynamic" and found["SLC"].zeta is not None
+    assert found["SLD"].check == "linear_sld" and found["SLV"].check == "nonlinear"
+    del demand["limit_states"]
+    plain = {
+        one.state: one
+        for one in run(parse_case(table), base_dir=tmp_path).walls[0].assessment.states
+    }
+    assert plain["SLC"].check == "nonlinear"
+    assert [one.name for one in plain["SLV"].checks] == ["nonlinear", "linear_q_code"]

@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from core.case.rules import parse_case
-from core.report import json_report
+from core.report import json_report, workbook
 from core.study import run as study
+from core.study.demand_input import demand_of
 from core.units import G
 from tests.conftest import STANDING
 from tests.core.study.cases import case
@@ -162,3 +163,44 @@ def test_that_the_linear_check_takes_the_lower_end_of_q_slv_and_says_where_that_
     assert "estremo inferiore" in words.text("it")
     for ag in (0.999 * limit, 1.001 * limit * ratio):  # both ends decide alike: nothing is said
         assert not at(ag)[2]
+
+
+@pytest.mark.parametrize("alike", ["intensity", "pga", "file"])
+def test_that_records_alike_in_their_measure_end_no_study(tmp_path, alike):
+    """Three records scaled to one SI or one PGA, or copies of one record a hair apart: what is optional is not given,
+    with its reason, and everything else is there."""
+    from core.ground.artificial import compatible_motion
+    from core.ground.ground_motion import GroundMotion
+
+    target = demand_of(
+        parse_case({"wall": [WALL_OF_LAW], "demand": DEMAND_OF_LAW}), tmp_path
+    ).target
+    records = []
+    for k in range(3):
+        motion = compatible_motion(target, 1 if alike == "file" else k + 1)
+        made = GroundMotion("m", motion, 0.01)
+        factor = {
+            "intensity": 1.0 / made.housner_intensity,
+            "pga": 3.0 / made.pga,
+            "file": 1.0 + 1e-6 * k,
+        }[alike]
+        np.savetxt(tmp_path / f"r{k}.txt", factor * motion)
+        records.append({"file": f"r{k}.txt", "unit": "m/s2", "time_step_s": 0.01})
+    case = parse_case({"wall": [WALL_OF_LAW], "record": records, "demand": DEMAND_OF_LAW,
+                       "analysis": {"q_step": 0.05}})  # fmt: skip
+    result = study.run(case, base_dir=tmp_path)
+    (wall,) = result.walls
+    given = wall.power_law is not None
+    assert alike == "pga" or not given
+    assert ("no_power_law" in {one.code for one in wall.warnings}) == (not given)
+    assert json_report.dumps(result) and workbook.build(result, [])
+
+
+WALL_OF_LAW = {
+    "name": "w",
+    "height_m": 5.0,
+    "thickness_m": 0.5,
+    "base_z_m": 0.0,
+    "mechanism": "two_sided",
+}
+DEMAND_OF_LAW = {"ag_g": 0.2, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}

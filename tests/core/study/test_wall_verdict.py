@@ -37,10 +37,10 @@ def fake(zeta, code="not_verified", target=1.0):
 
 
 def test_that_a_missing_number_is_worst_and_what_is_not_activated_last():
-    order = [fake(None, "undetermined"), fake(0.5), fake(0.7, target=1.0), fake(0.6, target=0.8),
-             fake(1.2, "verified"), fake(0.9, "not_activated")]  # fmt: skip
-    ratios = sorted(reversed(order), key=severity)
-    assert ratios == [order[0], order[1], order[2], order[3], order[4], order[5]]
+    order = [fake(0.9, "not_activated"), fake(None, "undetermined"), fake(0.5), fake(0.7, target=1.0),
+             fake(0.6, target=0.8),
+             fake(1.2, "verified")]  # fmt: skip
+    assert sorted(order, key=severity) == [*order[1:], order[0]]
 
 
 def test_that_the_worst_hinge_and_mechanism_is_the_wall_s():
