@@ -27,6 +27,7 @@ DIALECTS = "tests/core/ground/test_dialects.py"
 REFUSALS = "tests/core/ground/test_record_refusals.py"
 
 SHOWN_BY = {
+    "codes/verdict_sentence": "tests/core/codes/test_verdict.py",
     "atomic_write": "tests/core/test_atomic_write.py",
     "errors": SENTENCES,
     "file_names": "tests/app/test_nothing_lost.py",
@@ -130,6 +131,7 @@ SHOWN_BY = {
             "errors",
             "file_errors",
             "load_errors",
+            "demand_errors",
             "method",
             "note",
             "notices",

@@ -5,7 +5,7 @@ import math
 from core.case.hinges import usual_hinges
 from core.case.schema import Case, Wall
 from core.codes.kinematic import Check
-from core.codes.verdict import at_hinge
+from core.codes.verdict_sentence import at_hinge
 from core.study.limit_states import STATES
 from core.study.results import StateOutcome, WallResult, WallVerdict
 from core.text.sentence import Number, Sentence, sentence

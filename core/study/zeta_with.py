@@ -10,7 +10,8 @@ from core.codes.dynamic_check import demand_check
 from core.codes.floor_spectrum import first_mode
 from core.codes.kinematic import ROUNDING, Check, linear, nonlinear, sld
 from core.codes.kinematic import kinematic as kinematic_of
-from core.codes.verdict import CODE_Q, Lift
+from core.codes.verdict import Lift
+from core.codes.verdict_sentence import CODE_Q
 from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import Method
 from core.study.floors import Floor, damaged, floor_of, other_end

@@ -9,7 +9,8 @@ from core.case.rules import parse_case
 from core.codes.dynamic_check import DemandCheck, OtherConfidence
 from core.codes.kinematic import Check
 from core.codes.record_compatibility import Compliance
-from core.codes.verdict import TO_MEND, Circumstances, Lift, at_hinge, verdict
+from core.codes.verdict import TO_MEND, Circumstances, Lift, verdict
+from core.codes.verdict_sentence import at_hinge
 from core.ground.artificial import compatible_motion
 from core.study import run as study
 from core.study.demand_input import demand_of

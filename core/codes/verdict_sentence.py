@@ -1,0 +1,109 @@
+"""The sentence of a verdict: outcome, zeta and what is required, where, by what, and every check that fails."""
+
+from core.codes.demand import DemandResult
+from core.codes.dynamic_check import DemandCheck
+from core.codes.kinematic import Check
+from core.text.sentence import Number, Sentence, apart, sentence
+from core.units import G
+
+CODE_Q = 2.0
+"""q of C8.7.1.2.1.7."""
+
+
+def at_hinge(height: float, z: float) -> Sentence | str:
+    """Where a hinge is, for the sentence of a wall: nothing at its base on the ground. height : above the base of the
+    wall; z : above the ground [m]"""
+    if height > 0.0:
+        return sentence("added", "at_hinge", height=height)
+    return sentence("added", "at_base", z=z) if z > 0.0 else ""
+
+
+BY = {
+    "dynamic": "by_dynamic",
+    "nonlinear": "by_nonlinear",
+    "linear_q_code": "by_linear_q_code",
+    "linear_q_slv": "by_linear_q_slv",
+    "linear_sld": "by_linear_sld",
+}
+"""Label of a check -> the words of what it compares."""
+
+
+def measured(check: Check, dynamic: DemandCheck | None, demand: DemandResult) -> Sentence:
+    """A check with what it compares: demand and capacity."""
+    if check.name != "dynamic" or dynamic is None:
+        return sentence(
+            "added", BY[check.label], q=Number(check.q, "g"), state=demand.limit_state,
+            capacity=Number(check.capacity, ".3f"), demand=Number(check.demand, ".3f"),
+        )  # fmt: skip
+    falls = sum(run.status != "stable" for run in dynamic.runs)
+    if dynamic.peak_ratio is None and falls:
+        return sentence("added", "by_dynamic_falls", n=falls, m=len(dynamic.runs))
+    rule = "by_dynamic_mean" if dynamic.set_rule == "mean" else "by_dynamic_maximum"
+    return sentence(
+        "added", rule, peak=Number(dynamic.peak_ratio), limit=Number(dynamic.limit_ratio)
+    )
+
+
+def _failing(checks, governing, dynamic, demand) -> tuple[Sentence, ...]:
+    """Checks beside the one that decides that are not satisfied, with zeta."""
+    target = demand.zeta_target
+    found = [
+        sentence("added", "check_zeta", check=sentence("short", check.label, q=Number(check.q, "g")),
+                 zeta=apart(check.zeta, target))
+        for check in checks
+        if check is not governing and check.passed is False
+    ]  # fmt: skip
+    other = dynamic.zeta_other if dynamic else None
+    if other and not other.passed:
+        zeta = Number(None) if other.zeta is None else apart(other.zeta, target)
+        if other.zeta is not None and other.zeta >= target:
+            zeta = sentence("added", "fails_at_demand", zeta=zeta)
+        side = sentence("short", f"confidence_{other.confidence_on}", q="")
+        found.append(sentence("added", "check_zeta", check=side, zeta=zeta))
+    return tuple(found)
+
+
+def outcome(
+    code: str,
+    missing,
+    threshold: float,
+    demand,
+    governing,
+    checks,
+    dynamic,
+    by,
+    largest: float,
+    wall,
+) -> tuple[str, dict]:
+    """Way and values of the sentence. threshold : a_RM; largest : acceleration under the wall, FC apart [m/s2]."""
+    target, way = demand.zeta_target, code
+    if code == "not_activated" and wall.above_ground:
+        way = "not_activated_floor"
+    zeta = apart(governing.zeta if governing else None, target)
+    if target != 1.0:
+        zeta = sentence("added", "required", zeta=zeta, target=target)
+    fails = _failing(checks, governing, dynamic, demand) if governing else ()
+    tail = sentence("added", "not_by", checks=fails) if fails else ""
+    beside = any(check.name == "linear_q_code" for check in checks)
+    if code == "verified" and beside and not fails and governing.name != "linear_q_code":
+        tail = sentence("added", "q_agrees", q=CODE_Q)
+    elif code == "q2_unsafe":
+        tail = sentence("added", "q_would_pass", q=CODE_Q, tail=tail)
+    elif code == "verified_refined" and not beside:
+        tail = sentence("added", "no_q_check", q=CODE_Q, tail=tail)
+    low, high = dynamic.zeta_spread if code == "at_limit" else (None, None)
+    return way, {
+        "state": demand.limit_state,
+        "zeta": zeta,
+        "by": by,
+        "tail": tail,
+        "target": target,
+        "low": apart(low, target),
+        "high": apart(high, target, above=True),
+        "missing": missing or "",
+        "demand": demand.confidence_factor * largest / G,
+        "a_rm": threshold / G,
+        "unloaded": ""
+        if code == "undetermined" or wall.unloaded_confirmed or wall.load
+        else sentence("added", "unloaded"),
+    }
