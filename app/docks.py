@@ -6,18 +6,19 @@ from PySide6.QtCore import QByteArray, Qt, QTimer
 from PySide6.QtWidgets import (
     QDockWidget,
     QLabel,
+    QMenuBar,
     QProgressBar,
     QPushButton,
     QScrollArea,
+    QStatusBar,
     QTabWidget,
-    QWidget,
 )
 
 from app.forms.demand_form import AnalysisForm, DemandForm
 from app.forms.records_panel import RecordsPanel
 from app.forms.wall_form import WallForm
 from app.language import FORM_NAMES, tr
-from app.pages import Veil
+from app.pages import Veil, delete
 from app.session import Session
 
 
@@ -41,8 +42,9 @@ class StatusLine(NamedTuple):
     cancel_button: QPushButton
 
 
-def build(window, session: Session, state) -> Sides:
-    """Make the docks of a window for its session. state : where they were last, a QByteArray or anything else."""
+def build(window, session: Session, state, narrow: bool) -> Sides:
+    """Make the docks of a window for its session. state : where they were last, a QByteArray or anything else;
+    narrow : as of `arrange`."""
     walls, demand = WallForm(session), DemandForm(session)
     analysis, records = AnalysisForm(session), RecordsPanel(session)
     forms = QTabWidget()
@@ -80,9 +82,9 @@ def build(window, session: Session, state) -> Sides:
     below = QDockWidget(tr("Verdict"), objectName="verdict")
     below.setWidget(area)
     window.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, below)
-    arrange(window, False)
-    if isinstance(state, QByteArray):
-        window.restoreState(state, LAYOUT)
+    known = isinstance(state, QByteArray) and not narrow
+    if not known or not window.restoreState(state, LAYOUT):
+        arrange(window, narrow)
     return Sides(forms, walls, demand, analysis, records, card, card_veil)
 
 
@@ -93,28 +95,28 @@ NARROW = 1200
 """Width of the window [px] below which its docks share the left side: both sides would leave the tabs too little."""
 
 
-WIDTHS = [348, 318]
-"""Of input and records where both sides are taken [px]."""
+WIDTHS, HEIGHTS = [348, 318], [430, 260]
+"""Of input and records where both sides are taken, of records and verdict below them [px]."""
 
 
 def arrange(window, narrow: bool) -> None:
-    """Records and verdict right of the tabs, or behind the input where the window is narrow."""
+    """Records and verdict right of the tabs, or behind the input where the window is narrow, as wide as at first."""
+    _place(window, narrow)
+    widen(window, WIDTHS[:1] if narrow else WIDTHS)
+
+
+def _place(window, narrow: bool) -> None:
     left, right, below = (
         window.findChild(QDockWidget, name) for name in ("input", "records", "verdict")
     )
     if narrow:
         window.tabifyDockWidget(left, right)
         window.tabifyDockWidget(right, below)
-        left.raise_()
-        QTimer.singleShot(
-            0, window, lambda: window.resizeDocks([left], [348], Qt.Orientation.Horizontal)
-        )
+        QTimer.singleShot(0, left, left.raise_)  # of tabs that are there by then
         return
     for dock in (right, below):
         window.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
     window.splitDockWidget(right, below, Qt.Orientation.Vertical)
-    window.resizeDocks([left, right], WIDTHS, Qt.Orientation.Horizontal)
-    window.resizeDocks([right, below], [430, 260], Qt.Orientation.Vertical)
 
 
 def sides(window) -> list[QDockWidget]:
@@ -123,15 +125,31 @@ def sides(window) -> list[QDockWidget]:
 
 
 def widen(window, widths: list[int]) -> None:
-    """Give the sides their widths again: another language asks for others."""
-    window.resizeDocks(sides(window), widths, Qt.Orientation.Horizontal)
+    """Give the sides these widths when the docks have their places: before they have none to share out."""
+
+    def share_out() -> None:
+        window.resizeDocks(sides(window)[: len(widths)], widths, Qt.Orientation.Horizontal)
+        right = [window.findChild(QDockWidget, name) for name in ("records", "verdict")]
+        window.resizeDocks(right, HEIGHTS, Qt.Orientation.Vertical)
+
+    QTimer.singleShot(0, window, share_out)
+
+
+def remove(window) -> None:
+    """Take away what an earlier build of a window made."""
+    for dock in window.findChildren(QDockWidget):
+        window.removeDockWidget(dock)
+        delete(dock)
+    centre = window.takeCentralWidget()
+    if centre is not None:
+        delete(centre)
+    window.setMenuBar(QMenuBar())
+    window.setStatusBar(QStatusBar())
 
 
 def build_status(window) -> StatusLine:
-    """Make the status line of a window, in the place of an earlier one."""
+    """Make the status line of a window."""
     line = window.statusBar()
-    for child in line.findChildren(QWidget):
-        line.removeWidget(child)
     word, bar, cancel_button = QLabel(), QProgressBar(), QPushButton(tr("Cancel"))
     bar.setMaximumWidth(220)
     bar.setAccessibleName(tr("Progress"))

@@ -84,7 +84,7 @@ class Files:
                 return False
         try:
             self.session.save(path)
-        except OutputError as error:
+        except InputError as error:
             QMessageBox.warning(self.window, tr("Not saved"), described(error))
             return False
         self.remember(self.session.path)

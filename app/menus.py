@@ -97,7 +97,7 @@ def show_recent(window, menu: QMenu) -> None:
 
 def add(window, menu, label: str, slot, keys=None) -> QAction:
     """An entry of a menu."""
-    action = QAction(label, window)
+    action = QAction(label, menu)  # it goes with its menu
     action.triggered.connect(lambda _=False: slot())
     if keys is not None:
         action.setShortcut(QKeySequence(keys))

@@ -1,6 +1,6 @@
 """What stands behind the tabs: pages made when first looked at, a veil over stale results."""
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
@@ -32,6 +32,14 @@ class Veil(QWidget):
         self.raise_()
 
 
+def delete(widget: QWidget) -> None:
+    """Delete a widget with all it holds, at once: what only waits to be deleted is kept as long as no loop of events
+    comes to it, and may meanwhile be painted though Python has taken it apart."""
+    widget.setParent(None)
+    widget.deleteLater()
+    QCoreApplication.sendPostedEvents(widget, QEvent.Type.DeferredDelete)
+
+
 class Page(QWidget):
     """A tab that is made when it is first looked at: the start is faster."""
 
@@ -45,8 +53,7 @@ class Page(QWidget):
         """Forget what was shown; it is made anew when looked at."""
         if self.made is not None:
             self.layout().removeWidget(self.made)
-            self.made.setParent(None)
-            self.made.deleteLater()
+            delete(self.made)
             self.made = None
 
     @property

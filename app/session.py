@@ -217,7 +217,7 @@ class Session:
         return self.content is not None and self._on_disk() not in (None, self.content)
 
     def save(self, path: Path | None = None) -> None:
-        """Write the case file, whole or not at all; record paths follow it to another folder."""
+        """Write the case file, whole or not at all; record paths follow it to another folder. Raises InputError."""
         target = (path or self.path).resolve()
         old = self.base_dir
 
@@ -226,10 +226,8 @@ class Session:
 
         case = moved(self.case)
         before = (self.content or b"").decode("utf-8-sig", errors="replace")
-        text = dumps(case, before)
-        content, given = text.encode(), frozenset()
-        with contextlib.suppress(InputError):  # a draft that breaks a rule is written as it is
-            given = draft_case(tomllib.loads(text)).given
+        text, given = self._text(case, before)
+        content = text.encode()
         atomic_write.write({target: content})
         self.content = content
         self.drop_recovery_file()
@@ -243,6 +241,16 @@ class Session:
             self.result = self.moved_result(self.result, old)
         self.last_place = None
         self.changed()
+
+    @staticmethod
+    def _text(case: Case, before: str = "") -> tuple[str, frozenset]:
+        """(the case as the text of a file, what it states), complete or not. before : as of `dumps`. Raises InputError
+        where it could not be opened again: what is there already is not given up for it."""
+        text = dumps(case, before)
+        again = draft_case(tomllib.loads(text))
+        if table_of(again) != table_of(case):
+            raise OutputError("case_reads_otherwise")
+        return text, again.given
 
     def moved_result(self, result: StudyResult, old: Path) -> StudyResult:
         """A result of the folder `old` as one of the case's folder now, and of its file."""
@@ -291,16 +299,17 @@ class Session:
             lock(self._lock_file)
 
     def autosave(self) -> None:
-        """Keep the unsaved case in the recovery file; a full disk must not disturb the work."""
+        """Keep the unsaved case in the recovery file; a full disk must not disturb the work, and what could not be
+        recovered takes the place of nothing."""
         if not self.dirty:
             self.drop_recovery_file()
             return
-        content = {
-            "path": str(self.path) if self.path else None,
-            "base_dir": str(self.base_dir),
-            "case": dumps(self.case),
-        }
-        with contextlib.suppress(OSError, OutputError):
+        with contextlib.suppress(OSError, InputError):
+            content = {
+                "path": str(self.path) if self.path else None,
+                "base_dir": str(self.base_dir),
+                "case": self._text(self.case)[0],
+            }
             self._hold()
             atomic_write.write({self.recovery_file: json.dumps(content).encode()})
 

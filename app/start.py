@@ -53,14 +53,24 @@ def offer_recovery(window: MainWindow) -> None:
 
 
 def install_hook(window: MainWindow) -> None:
-    """An exception in a slot: a log and a dialog, never a silent stop."""
+    """An exception in a slot: a log and a dialog, never a silent stop. One that comes at every change of the case is
+    one dialog until it is closed."""
+    open_now = set()
 
     def hook(kind, value, trace) -> None:
         import traceback
 
-        log = write_log("".join(traceback.format_exception(kind, value, trace)))
         sentence = f"{kind.__name__}: {value}"
-        QTimer.singleShot(0, window, lambda: window.failed(sentence, log))
+        if sentence in open_now:
+            return
+        log = write_log("".join(traceback.format_exception(kind, value, trace)))
+
+        def tell() -> None:
+            window.failed(sentence, log)
+            open_now.discard(sentence)
+
+        open_now.add(sentence)
+        QTimer.singleShot(0, window, tell)
 
     sys.excepthook = hook
 

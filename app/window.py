@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pyqtgraph as pg
-from PySide6.QtCore import QByteArray, QEvent, QSettings, QTimer
+from PySide6.QtCore import QByteArray, QEvent, QSettings, QSize, QTimer
 from PySide6.QtWidgets import (
     QComboBox,
     QDockWidget,
@@ -20,6 +20,7 @@ from app.files import Files
 from app.forms.fields import Field
 from app.language import named, tr
 from app.pages import Veil, card
+from app.parts import Parts
 from app.plots.chart import Chart
 from app.plots.chart_output import ChartOutput
 from app.plots.history_tabs import ValidationTab
@@ -34,6 +35,9 @@ from core.study.journal import Memory
 from core.version import NAME
 
 AUTOSAVE_MS = 4000
+
+FIRST_SIZE, FRAME = QSize(1280, 800), QSize(8, 40)
+"""Of the window at first, and of what the desktop puts around it [px]."""
 
 
 def is_part_of(wall, name: str) -> bool:
@@ -56,13 +60,14 @@ class MainWindow(RunningWindow):
         self.session.listeners.append(self.refresh)
         self.files = Files(self, self.session, settings)
         self.preparation = Preparation(self)
+        self.parts = Parts(self)
         self.finished_runs = Memory()
         self.build()
         geometry = settings.value("geometry")
         if isinstance(geometry, QByteArray):
             self.restoreGeometry(geometry)
         else:
-            self.resize(1280, 800)
+            self._first_size()
         self.timer = QTimer(self)
         self.timer.timeout.connect(self.session.autosave)
         self.timer.start(AUTOSAVE_MS)
@@ -74,20 +79,13 @@ class MainWindow(RunningWindow):
         pg.setConfigOptions(antialias=True, exitCleanup=False)
         asked = menus.chosen(self.settings, "language", language.LANGUAGES)
         self.language = asked or language.system_language()
-        for dock in self.findChildren(QDockWidget):
-            self.removeDockWidget(dock)
-            dock.setParent(None)
-            dock.deleteLater()
-        self.menuBar().clear()
+        docks.remove(self)
         self._tabs()
-        sides = docks.build(self, self.session, self.settings.value("state"))
+        self.narrow = self.isVisible() and self.width() < docks.NARROW
+        sides = docks.build(self, self.session, self.settings.value("state"), self.narrow)
         self.forms, self.walls, self.demand = sides.forms, sides.walls, sides.demand
         self.analysis, self.records = sides.analysis, sides.records
         self.card, self.card_veil = sides.card, sides.card_veil
-        self.narrow = False
-        if self.isVisible() and self.width() < docks.NARROW:
-            self.narrow = True
-            docks.arrange(self, True)
         self.records.loaded.connect(self.records_loaded)
         self.walls.list.currentRowChanged.connect(self._wall_listed)
         self.actions_of = menus.build(self)
@@ -99,6 +97,20 @@ class MainWindow(RunningWindow):
         self.show_running(self.job is not None)
         for field in self.fields:
             field.judged.connect(self.refresh)
+        self.parts.deleteLater()
+        self.parts = Parts(
+            self,
+            self._show_state,
+            self.walls.show_case,
+            self.demand.show_case,
+            self.analysis.show_case,
+            self.records.show_case,
+            self._show_stale,
+            self._show_problem,
+            self._show_input,
+            self._show_recent,
+            self.preparation.prepare_next,
+        )
         self.refresh()
 
     def _tabs(self) -> None:
@@ -150,7 +162,7 @@ class MainWindow(RunningWindow):
         keep = keep and not self.narrow  # those of a narrow window share a side
         self.build()
         if keep:
-            QTimer.singleShot(0, self, lambda: docks.widen(self, widths))
+            docks.widen(self, widths)
         self.tabs.setCurrentIndex(tab)
         self.result_arrived(self.session.result)
         self.chosen.setCurrentIndex(wall)
@@ -160,10 +172,18 @@ class MainWindow(RunningWindow):
         """Docks and sizes as at the first start."""
         self.settings.remove("state")
         self.settings.remove("geometry")
-        self.resize(1280, 800)
+        self.showNormal()
+        self._first_size()
         self.set_choice("language", self.language, keep=False)
         for dock in self.findChildren(QDockWidget):
             dock.show()
+
+    def _first_size(self) -> None:
+        """As large as its contents want, no larger than the screen."""
+        free = self.screen().availableGeometry()
+        self.resize(FIRST_SIZE.boundedTo(free.size() - FRAME))
+        if not free.contains(self.frameGeometry()):
+            self.move(free.topLeft())
 
     # what is shown
 
@@ -175,23 +195,32 @@ class MainWindow(RunningWindow):
 
     def refresh(self) -> None:
         """After every change of the session."""
-        for form in (self.walls, self.demand, self.analysis, self.records):
-            form.show_case()
+        self.parts.show()
+
+    def _show_state(self) -> None:
         mark = "*" if self.session.dirty else ""
         name = self.session.path.name if self.session.path else tr("untitled")
         self.setWindowTitle(f"{mark}{name} – {NAME}")
         self.actions_of.undo.setEnabled(bool(self.session.past))
         self.actions_of.redo.setEnabled(bool(self.session.future))
+
+    def _show_stale(self) -> None:
         stale = ChartOutput.stale = Table.stale = self.session.stale
         self._cover_tabs()
         self.card_veil.cover(stale)
+
+    def _show_problem(self) -> None:
         can_run = self.banner.show_problem() and self.job is None
         self.run_action.setEnabled(can_run)
         self.run_button.setEnabled(can_run)
+
+    def _show_input(self) -> None:
+        """What a tab shows of the input as it stands."""
         if self.tabs.currentWidget() is self.pages["spectra"]:
             self._show_spectra()
+
+    def _show_recent(self) -> None:
         menus.show_recent(self, self.actions_of.recent)
-        self.preparation.prepare_next()
 
     def changeEvent(self, event) -> None:
         """Back from another program: has it changed a record?"""
@@ -294,8 +323,6 @@ class MainWindow(RunningWindow):
         if narrow != self.narrow:
             self.narrow = narrow
             docks.arrange(self, narrow)
-            if not narrow:  # once more when the docks have their places
-                QTimer.singleShot(0, self, lambda: docks.widen(self, docks.WIDTHS))
         self._cover_tabs()
 
     # results

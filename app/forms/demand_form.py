@@ -24,6 +24,7 @@ from app.forms.fields import (
 from app.forms.hazard_form import HazardForm
 from app.forms.law_curve import SpectrumCurve
 from app.language import described, named, number, tr
+from app.parts import Parts
 from app.session import Session
 from core.case.schema import Analysis, Report
 from core.case.site import Demand, Spectrum
@@ -124,11 +125,13 @@ class DemandForm(QWidget):
         self.building = BuildingForm(session)
         layout.addWidget(self.building)
         layout.addStretch(1)
+        self.parts = Parts(self, self._show_demand, self.building.show_case, self.hazard.show_case)
 
     def show_case(self) -> None:
         """Fill the form from the session."""
-        self.building.show_case()
-        self.hazard.show_case()
+        self.parts.show()
+
+    def _show_demand(self) -> None:
         demand = self.session.case.demand
         self.given.blockSignals(True)
         self.given.setChecked(demand is not None)

@@ -345,8 +345,7 @@ class ChoiceField(Field):
 
     def show_value(self, value) -> None:
         # a choice that is still to be made shows none
-        at = self.editor.findData(value)
-        self.editor.setCurrentIndex(at if at >= 0 or value == "" else 0)
+        self.editor.setCurrentIndex(list(self.words).index(value) if value in self.words else -1)
         self.show_error("")
 
 

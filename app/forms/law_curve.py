@@ -4,7 +4,7 @@ import numpy as np
 import pyqtgraph as pg
 
 from app import theme
-from app.plots.chart import Axis
+from app.plots.axis import Axis
 from core.case.schema import Wall
 from core.errors import InputError
 from core.units import G

@@ -4,6 +4,7 @@ import re
 from collections.abc import Callable
 from dataclasses import replace
 
+from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QGroupBox, QHBoxLayout, QListWidget, QMenu, QToolButton, QVBoxLayout
 
 from app.forms.fields import ChoiceField, Field, NumberField, connect
@@ -12,9 +13,10 @@ from app.session import Session
 from core.case.hinges import FLOORS
 from core.case.number import parse_number
 from core.case.schema import AS_IS, DESIGNED, Load, ReturnWalls, Wall
+from core.case.values import field_of
 from core.errors import InputError
 
-KINDS = ("vertical", "thrust", "tie", "carried_mass")
+KINDS = field_of(Load, "kind").metadata["names"]
 
 
 class HingesField(Field):
@@ -60,12 +62,12 @@ class LoadsForm(QGroupBox):
 
     def __init__(self, session: Session, index: Callable[[], int]):
         super().__init__(tr("Loads and what holds the wall"))
-        self.session, self.index, self.showing = session, index, False
+        self.session, self.index = session, index
         self.former: ReturnWalls | None = None
         self.list = QListWidget()
         self.list.setMaximumHeight(64)
         self.list.setAccessibleName(tr("Loads"))
-        self.list.currentRowChanged.connect(lambda _: self.showing or self._show_load())
+        self.list.currentRowChanged.connect(lambda _: self._show_load())
         self.kind = ChoiceField(
             Load, "kind", tr("Load"), {kind: named(f"load_{kind}") for kind in KINDS}
         )
@@ -142,22 +144,23 @@ class LoadsForm(QGroupBox):
         loads = self.wall.load if self.wall else ()
         return loads[row] if 0 <= row < len(loads) else None
 
-    def show_wall(self, wall: Wall) -> None:
-        """Fill the form from a wall."""
-        self.showing = True
+    def show_case(self) -> None:
+        """Fill the form from the wall."""
+        wall = self.wall
+        if wall is None:
+            return
         row = self.list.currentRow()
         words = [self._words(load) for load in wall.load]
-        if words != [self.list.item(k).text() for k in range(self.list.count())]:
-            self.list.clear()
-            self.list.addItems(words)
-        self.list.setCurrentRow(min(max(row, 0), len(words) - 1))
-        self.showing = False
+        with QSignalBlocker(self.list):
+            if words != [self.list.item(k).text() for k in range(self.list.count())]:
+                self.list.clear()
+                self.list.addItems(words)
+            self.list.setCurrentRow(min(max(row, 0), len(words) - 1))
         self._show_load()
         for field in self.wall_fields:
             field.show_value(getattr(wall, field.key))
-        self.across.blockSignals(True)
-        self.across.setChecked(wall.return_walls is not None)
-        self.across.blockSignals(False)
+        with QSignalBlocker(self.across):
+            self.across.setChecked(wall.return_walls is not None)
         for field in self.across_fields:
             field.setVisible(wall.return_walls is not None)
             if wall.return_walls is not None:

@@ -40,6 +40,7 @@ from app.language import (
     quoted_from_file,
     tr,
 )
+from app.parts import Parts
 from app.session import Session
 from core.case.schema import AS_IS, DESIGNED, Wall
 from core.case.wall_table import read_table, text_rows, walls_of
@@ -77,6 +78,14 @@ class WallForm(QWidget):
         layout.addWidget(self.loads)
         layout.addWidget(self._more())
         layout.addStretch(1)
+        self.parts = Parts(
+            self,
+            self._show_list,
+            self._show_sizes,
+            self._show_fields,
+            self.impact.show_case,
+            self.loads.show_case,
+        )
 
     # building
 
@@ -108,7 +117,7 @@ class WallForm(QWidget):
         self.length = NumberField(Wall, "length_m", tr("Length L"), "m", optional=True)
         self.base = NumberField(
             Wall, "base_z_m", tr("Base above ground z"), "m", optional=True,
-            tip=tr("Needed with a demand: 0 on the ground. Above it no check is made yet"),
+            tip=tr("Needed with a demand: 0 on the ground; above it the building is needed too (sheet Demand)"),
         )  # fmt: skip
         self.free = ChoiceField(
             Wall, "free_element", tr("Free to vibrate"),
@@ -222,6 +231,9 @@ class WallForm(QWidget):
 
     def show_case(self) -> None:
         """Fill the form from the session."""
+        self.parts.show()
+
+    def _show_list(self) -> None:
         self.showing = True
         walls = self.session.case.wall
         row = min(self.current, max(0, len(walls) - 1))
@@ -232,22 +244,27 @@ class WallForm(QWidget):
             self.list.addItems(names)
         self.list.setCurrentRow(row if walls else -1)
         self.showing = False
-        wall = self.wall
-        self.setProperty("empty", wall is None)
+        self.setProperty("empty", self.wall is None)
         for group in self.findChildren(QGroupBox):
-            group.setEnabled(wall is not None)
+            group.setEnabled(self.wall is not None)
+
+    def _show_sizes(self) -> None:
+        wall = self.wall
         self.drawing.show_wall(wall, hinge_zetas(self.session, wall) if wall else [])
-        if wall is None:
-            self._show_shape("thickness_m", False)
-            self.summary.setText(tr("No wall yet: press Add."))
+        if wall is not None:
+            self._show_geometry(wall)
             return
-        self._show_geometry(wall)
+        self._show_shape("thickness_m", False)
+        self.summary.setText(tr("No wall yet: press Add."))
+
+    def _show_fields(self) -> None:
+        wall = self.wall
+        if wall is None:
+            return
         for name, button in self.mechanisms.items():
             button.setChecked(wall.mechanism == name)
         for field in self.fields:
             field.show_value(getattr(wall, field.key))
-        self.impact.show_wall(wall)
-        self.loads.show_wall(wall)
 
     def _shape_of(self, wall: Wall) -> str:
         if wall.radius_m is not None or wall.inertia_over_mass_m2 is not None:

@@ -4,13 +4,14 @@ import math
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import QRectF, Qt
-from PySide6.QtGui import QBrush, QColor
-from PySide6.QtWidgets import QComboBox, QGraphicsRectItem, QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtCore import QRectF
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QVBoxLayout, QWidget
 
 from app import theme
 from app.language import named, number, tr
 from app.plots.chart import Chart
+from app.plots.hatch import Hatch, hatched_square
 from core.capacity.fragility import fragility_curve
 from core.capacity.ida import grid_point, multiplier_of, threshold_of
 from core.rocking.history import scan
@@ -165,31 +166,30 @@ class CapacityTab(QWidget):
         # what was not searched, or ended without an outcome, is neither: hatched, seen through the map
         shades = np.select([image == STABLE, image == COLLAPSED], [0.0, 1.0], 0.5)
         area = QRectF(low, -0.5, image.shape[1] * step, image.shape[0])
-        hatched = QGraphicsRectItem(area)
-        hatched.setPen(pg.mkPen(None))
+        hatched = Hatch(area)
         item = pg.ImageItem(np.ascontiguousarray(shades.T), levels=(0.0, 1.0))
         item.setRect(area)
         legend = [
             (tr("stands"), pg.ScatterPlotItem(symbol="s", size=11)),
             (named("overturned"), pg.ScatterPlotItem(symbol="s", size=11)),
-            (tr("not searched"), pg.ScatterPlotItem(symbol="s", size=11)),
+            (tr("not searched"), pg.ScatterPlotItem(symbol=hatched_square(), size=11)),
         ]
 
-        def recolor(chosen: theme.Theme) -> None:
+        def recolor(chosen: theme.Theme, scale: float) -> None:
             back, fell = QColor(chosen.back), QColor(chosen.curves[1])
             clear = QColor(0, 0, 0, 0)
             item.setColorMap(pg.ColorMap([0.0, 0.5, 1.0], [back, clear, fell]))
-            lines = QBrush(QColor(chosen.quiet), Qt.BrushStyle.BDiagPattern)
-            hatched.setBrush(lines)
-            for (_, mark), brush in zip(legend, (QBrush(back), QBrush(fell), lines), strict=True):
+            pen = pg.mkPen(chosen.quiet, width=scale)
+            hatched.set_pen(pen)
+            for (_, mark), brush in zip(legend, (back, fell, clear), strict=True):
                 mark.setBrush(brush)
-                mark.setPen(pg.mkPen(chosen.quiet))
+                mark.setPen(pen)
 
         self.strips.add(hatched)
         self.strips.add(item, recolor)
+        self.strips.set_range((area.left(), area.right()), (area.top(), area.bottom()))
         for name, mark in legend:
-            self.strips.legend.addItem(mark, name)
-        recolor(theme.current)
+            self.strips.entry(mark, name)
         grid = np.exp(low + step * np.arange(image.shape[1]))
         for k, run in enumerate(wall.runs):
             known = ~np.isnan(image[k])

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 
 from app import theme
 from app.language import current_language, tr
+from app.plots.axis import LEGEND_LETTERS, TICK_LETTERS, Axis, elided, numbers
 from app.plots.chart_output import ChartOutput
 from core.text.sentence import numeral
 
@@ -24,42 +25,8 @@ NEAR = 0.04
 """Of the size of the axes: how close the cursor must be to a data point to be read there."""
 
 
-def numbers(values) -> np.ndarray:
-    """A contiguous float64 array of one dimension: anything else can crash the drawing."""
-    return np.ascontiguousarray(np.asarray(values, dtype=np.float64).ravel())
-
-
-LEAST_TICK = 26
-"""Room [px] below which the labels of neighbouring ticks of a bottom axis touch."""
-
-
-LEGEND_LETTERS, TICK_LETTERS = 22, 16
-"""Letters of a name in a legend and beside an axis; the data have all of it."""
-
-
-def elided(name: str, most: int = LEGEND_LETTERS) -> str:
-    """A name as a chart has room for it: its beginning and its end, where channel and sign stand."""
-    if len(name) <= most:
-        return name
-    end = most - most // 3 - 1
-    return f"{name[: most // 3]}…{name[-end:]}"
-
-
-class Axis(pg.AxisItem):
-    """Numbers with the decimal mark of the language, apart from each other."""
-
-    def tickSpacing(self, minVal, maxVal, size):
-        levels = super().tickSpacing(minVal, maxVal, size)
-        span = abs(maxVal - minVal)
-        if self.orientation != "bottom" or not span:
-            return levels
-        return [level for level in levels if level[0] * size >= LEAST_TICK * span] or levels[:1]
-
-    def tickStrings(self, values, scale, spacing):
-        words = super().tickStrings(values, scale, spacing)
-        if current_language() == "en":
-            return words
-        return [word.replace(".", ",") for word in words]
+ROOM = 0.04
+"""Beside the data that `Chart.reset` shows, of the length of an axis."""
 
 
 class Chart(ChartOutput):
@@ -93,7 +60,9 @@ class Chart(ChartOutput):
         self.reason.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.reason.hide()
         self.items: list[tuple] = []
-        self.recolors: list[Callable[[theme.Theme], None]] = []
+        self.recolors: list[Callable[[theme.Theme, float], None]] = []
+        self.entries: list[str] = []
+        self.extents: list[tuple] = []
         self.names: list[str] = []
         self.lines: list[tuple[float, str]] = []
         self.data: list[tuple[str, np.ndarray, np.ndarray]] = []
@@ -135,7 +104,7 @@ class Chart(ChartOutput):
         self.legend.clear()
         self.found.clear()
         self.items, self.data, self.recolors, self.names, self.ranges = [], [], [], [], {}
-        self.lines = []
+        self.lines, self.entries, self.extents = [], [], []
         self.reason.hide()
 
     def say_why(self, reason: str) -> None:
@@ -148,8 +117,9 @@ class Chart(ChartOutput):
     def curve(self, name, x, y, color=0, width=1.6, dash=False, legend=True, path=False):
         """A line; its data goes into the CSV. path : x may go back and forth."""
         x, y = numbers(x), numbers(y)
-        item = pg.PlotDataItem(x, y, name=elided(name) if legend else None)
+        item = pg.PlotDataItem(x, y, name=self._entry(name) if legend else None)
         self.plot.addItem(item)
+        self.extents.append((x, y))
         if not path and not self.plot.ctrl.logXCheck.isChecked():
             item.setClipToView(True)
             item.setDownsampling(auto=True, method="peak")
@@ -162,21 +132,23 @@ class Chart(ChartOutput):
     ) -> pg.PlotDataItem:
         """Marks without a line. values : what the CSV holds in the place of y, no number where there is none."""
         x, y = numbers(x), numbers(y)
-        item = pg.PlotDataItem(
-            x, y, pen=None, symbol=symbol, symbolSize=size, name=elided(name) if legend else None
-        )
+        label = self._entry(name) if legend else None
+        item = pg.PlotDataItem(x, y, pen=None, symbol=symbol, symbolSize=size, name=label)
         self.plot.addItem(item)
+        self.extents.append((x, y))
         self._keep(item, color, 1.0, False, True)
         self.data.append((name, x, y if values is None else numbers(values)))
         return item
 
     def bars(self, name: str, x, heights, color=0, width=0.7, values=None) -> None:
         """Bars; values : as of `points`."""
-        label = elided(name) if numbers(x).size else None  # no entry for bars that are not there
-        item = pg.BarGraphItem(x=numbers(x), height=numbers(heights), width=width, name=label)
+        x, heights = numbers(x), numbers(heights)
+        label = self._entry(name) if x.size else None  # no entry for bars that are not there
+        item = pg.BarGraphItem(x=x, height=heights, width=width, name=label)
         self.plot.addItem(item)
+        self.extents += [(x - 0.5 * width, heights), (x + 0.5 * width, 0.0 * heights)]
         self._keep(item, color, 1.0, False, True)
-        self.data.append((name, numbers(x), numbers(heights if values is None else values)))
+        self.data.append((name, x, heights if values is None else numbers(values)))
 
     def level(self, value: float, label: str = "", color="quiet", vertical=False, place=None):
         """A line across the chart with a label; place : of the label along it, 0 to 1."""
@@ -202,19 +174,30 @@ class Chart(ChartOutput):
         shade = pg.mkColor(self._shade(theme.current, color))
         shade.setAlpha(45)
         ends = [pg.PlotDataItem(numbers(x), numbers(edge)) for edge in (low, high)]
-        for end in ends:
+        for end, edge in zip(ends, (low, high), strict=True):
             self.plot.addItem(end)
+            self.extents.append((numbers(x), numbers(edge)))
             self._keep(end, color, 0.6, True, False)
         area = pg.FillBetweenItem(*ends, brush=shade)
         self.plot.addItem(area)
         self.items.append((area, None, 0, False, False))
 
-    def add(self, item, recolor: Callable[[theme.Theme], None] = lambda chosen: None) -> None:
-        """Any other item. recolor(theme) : gives it its colours."""
+    def add(
+        self, item, recolor: Callable[[theme.Theme, float], None] = lambda chosen, scale: None
+    ) -> None:
+        """Any other item. recolor(theme, scale) : gives it its colours, and lines so many times as wide."""
         self.plot.addItem(item)
         self.recolors.append(recolor)
-        recolor(theme.current)
+        recolor(theme.current, 1.0)
         self.items.append((item, None, 0, False, False))
+
+    def entry(self, mark, name: str) -> None:
+        """An entry of the legend without an item of the chart."""
+        self.legend.addItem(mark, self._entry(name))
+
+    def _entry(self, name: str) -> str:
+        self.entries.append(name)
+        return name
 
     def ticks(self, side: str, places: list[tuple[float, str]]) -> None:
         """Labels of an axis at these places."""
@@ -257,10 +240,13 @@ class Chart(ChartOutput):
     def _place_legend(self) -> None:
         """In as many columns as the width holds, and room for it."""
         self.reason.setGeometry(self.view.rect().adjusted(70, 20, -20, -40))
+        count = len(self.legend.items)
+        for (_, label), name in zip(self.legend.items, self.entries, strict=True):
+            self._cut(label, name)
         if self.beside:
+            self.legend.updateSize()
             self.plot.layout.setColumnFixedWidth(3, self.legend.boundingRect().width())
             return
-        count = len(self.legend.items)
         widest = max((label.width() for _, label in self.legend.items), default=0.0)
         columns = max(1, min(count, int((self.view.width() - 70) / (widest + 40))))
         if count and columns != self.legend.columnCount:
@@ -268,6 +254,17 @@ class Chart(ChartOutput):
         self.legend.updateSize()
         height = self.legend.boundingRect().height() if count else 0.0
         self.plot.layout.setRowFixedHeight(0, height)
+
+    def _cut(self, label: pg.LabelItem, name: str) -> None:
+        """A name of the legend, cut only where the chart is not as wide; beside the axes there is no such room."""
+        letters = LEGEND_LETTERS
+        if not self.beside:
+            if label.text != name:
+                label.setText(name)
+            share = (self.view.width() - 50) / max(label.itemRect().width(), 1.0)
+            letters = max(letters, int(share * len(name)))
+        if label.text != elided(name, letters):
+            label.setText(elided(name, letters))
 
     def set_log(self, on: bool) -> None:
         self.plot.setLogMode(on, on)
@@ -284,12 +281,26 @@ class Chart(ChartOutput):
         self.reset()
 
     def reset(self) -> None:
-        """Show everything."""
+        """Show everything, by the data themselves: an item that is clipped to the view knows only what it shows."""
         self._place_legend()
-        self.plot.autoRange()
-        for name, ends in self.ranges.items():
-            show = self.plot.setXRange if name == "x" else self.plot.setYRange
-            show(*ends, padding=0.01 if name == "x" else 0.0)
+        for k, name in enumerate("xy"):
+            show = (self.plot.setXRange, self.plot.setYRange)[k]
+            if name in self.ranges:
+                show(*self.ranges[name], padding=(0.01, 0.0)[k])
+            elif (ends := self._ends([extent[k] for extent in self.extents])) is not None:
+                show(*ends, padding=ROOM)
+
+    def _ends(self, values: list[np.ndarray]) -> tuple[float, float] | None:
+        """Least and largest place of an axis among these values, None where there is no number."""
+        found = np.concatenate([np.empty(0), *values])
+        if self.plot.ctrl.logXCheck.isChecked():
+            found = np.log10(found[found > 0.0])
+        found = found[np.isfinite(found)]
+        if not found.size:
+            return None
+        low, high = float(found.min()), float(found.max())
+        half = 0.0 if high > low else 0.5 * abs(low) or 0.5
+        return low - half, high + half
 
     # colours
 
@@ -305,12 +316,14 @@ class Chart(ChartOutput):
         self.items.append((item, color, width, dash, filled))
         self._paint(item, color, width, dash, filled, theme.current)
 
-    def _paint(self, item, color, width, dash, filled, chosen) -> None:
+    def _paint(self, item, color, width, dash, filled, chosen, scale=1.0) -> None:
         if color is None:
             return
         shade = self._shade(chosen, color)
         pen = pg.mkPen(
-            shade, width=width, style=Qt.PenStyle.DashLine if dash else Qt.PenStyle.SolidLine
+            shade,
+            width=width * scale,
+            style=Qt.PenStyle.DashLine if dash else Qt.PenStyle.SolidLine,
         )
         if isinstance(item, pg.BarGraphItem):
             item.setOpts(brush=shade, pen=shade)
@@ -325,14 +338,15 @@ class Chart(ChartOutput):
                 behind.setAlpha(210)
                 item.label.fill = pg.mkBrush(behind)
 
-    def _apply_theme(self, chosen: theme.Theme) -> None:
+    def _apply_theme(self, chosen: theme.Theme, scale: float = 1.0) -> None:
+        """scale : pixels of the device to one of the layout; the width of a pen is in those of the device"""
         self.view.setBackground(chosen.back)
         for side, label in zip(("bottom", "left"), self.labels, strict=True):
             axis = self.plot.getAxis(side)
             # enableAutoSIPrefix(False) alone keeps the scale of the range of that moment: 0.1 g would read 100
             axis.setSIPrefixEnableRanges(())
             axis.enableAutoSIPrefix(False)
-            axis.setPen(chosen.quiet)
+            axis.setPen(chosen.quiet, width=scale)
             axis.setTextPen(chosen.ink)
             self.plot.setLabel(side, label, color=chosen.ink)
         self.legend.setLabelTextColor(chosen.ink)
@@ -340,9 +354,9 @@ class Chart(ChartOutput):
             label.setText(label.text, color=chosen.ink)
         self.found.setBrush(chosen.ink)
         for entry in self.items:
-            self._paint(*entry, chosen)
+            self._paint(*entry, chosen, scale)
         for recolor in self.recolors:
-            recolor(chosen)
+            recolor(chosen, scale)
 
     # values under the cursor
 

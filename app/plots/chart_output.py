@@ -6,9 +6,8 @@ import math
 from pathlib import Path
 
 import pyqtgraph as pg
-from PySide6.QtCore import QBuffer, QIODevice, QPoint, QRect, Qt
+from PySide6.QtCore import QPoint
 from PySide6.QtGui import QGuiApplication, QImage, QPainter
-from PySide6.QtSvg import QSvgGenerator
 from PySide6.QtWidgets import QMessageBox, QWidget
 
 from app import theme
@@ -45,28 +44,22 @@ class ChartOutput(QWidget):
         return ChartOutput.stale and not self.live
 
     def image(self) -> QImage:
-        """The chart as a light picture, twice the size on the screen. Painted as a widget: the marks are placed in
-        pixels of the screen, and a scene painted to another size would leave them there."""
-        image = QImage(2 * self.view.size(), QImage.Format.Format_RGB32)
-        image.setDevicePixelRatio(2.0)
-        image.fill(Qt.GlobalColor.white)
-        self.paint_light(image)
-        image.setDevicePixelRatio(1.0)
-        return image
+        """The chart as a light picture, twice the size on the screen; of stale results it says so."""
+        from app.plots.figure_file import picture, stale_line
 
-    def paint_light(self, device) -> None:
-        """The view as on the screen, in the light theme, without the pixel caches of the screen."""
+        return picture(self, self.view.size(), stale_line(self), 2.0)
+
+    def paint_light(self, painter: QPainter) -> None:
+        """The view as on the screen, in the light theme, without the pixel caches of the screen. Painted as a widget:
+        the marks are placed in pixels of the screen, and a scene painted to another size would leave them there."""
         marks = [item.scatter for item, *_ in self.items if isinstance(item, pg.PlotDataItem)]
         mode = self.view.cacheMode()
-        self._apply_theme(theme.LIGHT)
+        self._apply_theme(theme.LIGHT, painter.device().devicePixelRatioF())
         self.view.setCacheMode(type(mode)(0))
         for mark in marks:
             mark.opts["useCache"] = False
         try:
-            if isinstance(device, QPainter):
-                QWidget.render(self.view, device, QPoint())
-            else:
-                QWidget.render(self.view, device)
+            QWidget.render(self.view, painter, QPoint())
         finally:
             for mark in marks:
                 mark.opts["useCache"] = True
@@ -74,37 +67,27 @@ class ChartOutput(QWidget):
             self._apply_theme(theme.current)
 
     def content(self, end: str) -> bytes:
-        """The file .png, .svg or .csv."""
-        if end == ".csv":
-            text = io.StringIO(newline="")
-            italian = current_language() == "it"
-            writer = csv.writer(text, delimiter=";" if italian else ",")
-            if self.is_stale:
-                writer.writerow([tr("The input has changed since these results.")])
-            writer.writerow([tr("curve"), *self.labels])
-            for name, xs, ys in self.data:
-                label = plain_cell(name)
-                for x, y in zip(xs.tolist(), ys.tolist(), strict=True):
-                    place = plain_cell(self.names[int(x)]) if self.names else written(x, italian)
-                    writer.writerow((label, place, written(y, italian)))
-            # a spreadsheet of Italy takes bytes without a mark for those of Windows
-            return text.getvalue().encode("utf-8-sig" if italian else "utf-8")
-        room = QBuffer()
-        room.open(QIODevice.OpenModeFlag.WriteOnly)
-        if end == ".svg":
-            picture = QSvgGenerator()
-            picture.setOutputDevice(room)
-            size = self.view.size()
-            picture.setSize(size)
-            picture.setViewBox(QRect(0, 0, size.width(), size.height()))
-            picture.setResolution(self.view.logicalDpiX())
-            self.paint_light(picture)
-        elif not self.image().save(room, "PNG"):
-            raise OutputError("picture_not_made")
-        return bytes(room.data())
+        """The file .png, .svg, .pdf or .csv."""
+        from app.plots.figure_file import FigureSize, figure
+
+        if end != ".csv":
+            return figure(self, end, FigureSize())
+        text = io.StringIO(newline="")
+        italian = current_language() == "it"
+        writer = csv.writer(text, delimiter=";" if italian else ",")
+        if self.is_stale:
+            writer.writerow([tr("The input has changed since these results.")])
+        writer.writerow([tr("curve"), *self.labels])
+        for name, xs, ys in self.data:
+            label = plain_cell(name)
+            for x, y in zip(xs.tolist(), ys.tolist(), strict=True):
+                place = plain_cell(self.names[int(x)]) if self.names else written(x, italian)
+                writer.writerow((label, place, written(y, italian)))
+        # a spreadsheet of Italy takes bytes without a mark for those of Windows
+        return text.getvalue().encode("utf-8-sig" if italian else "utf-8")
 
     def write(self, path: Path) -> None:
-        """Write .png, .svg or .csv by the end of the name, whole or not at all. Raises OutputError."""
+        """Write a file of `content` by the end of its name, whole or not at all. Raises OutputError."""
         atomic_write.write({path: self.content(path.suffix.lower())})
 
     def copy(self) -> None:

@@ -1,5 +1,6 @@
 """A chart as a figure for a report: as wide as asked, light, with a caption below it."""
 
+import re
 from dataclasses import dataclass
 
 from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QRect, QSize, QSizeF, Qt
@@ -38,9 +39,8 @@ def figure(chart, end: str, size: FigureSize) -> bytes:
     whole, lines = QSize(wide, round(SHAPE * wide)), []
     if size.caption:
         lines = [f"{chart.name}. {chart.caption}" if chart.caption else chart.name]
-    if chart.is_stale:
-        lines.append(tr("The input has changed since these results."))
-    page = QSize(wide, whole.height() + (LINE * 2 * len(lines) if lines else 0))
+    lines += stale_line(chart)
+    page = _page(whole, lines)
     room = QBuffer()
     room.open(QIODevice.OpenModeFlag.WriteOnly)
     old, ranges, box = chart.view.size(), chart.plot.viewRange(), chart.plot.vb
@@ -54,16 +54,19 @@ def figure(chart, end: str, size: FigureSize) -> bytes:
         chart.plot.layout.activate()
         box.setRange(xRange=ranges[0], yRange=ranges[1], padding=0)
         if end == ".png":
-            image = _image(chart, page, whole, lines, size.dpi, density)
+            image = picture(chart, whole, lines, size.dpi / density)
+            image.setDotsPerMeterX(round(size.dpi / MM_PER_INCH * 1000.0))
+            image.setDotsPerMeterY(round(size.dpi / MM_PER_INCH * 1000.0))
             if not image.save(room, "PNG"):
                 raise OutputError("picture_not_made")
         elif end == ".svg":
-            picture = QSvgGenerator()
-            picture.setOutputDevice(room)
-            picture.setSize(page)
-            picture.setViewBox(QRect(0, 0, page.width(), page.height()))
-            picture.setResolution(round(density))
-            _paint(chart, picture, whole, lines)
+            drawing = QSvgGenerator()
+            drawing.setOutputDevice(room)
+            drawing.setSize(page)
+            drawing.setViewBox(QRect(0, 0, page.width(), page.height()))
+            drawing.setResolution(round(density))
+            _paint(chart, drawing, whole, lines)
+            return _in_pixels(bytes(room.data()).decode()).encode()
         else:
             _paint(chart, _pdf(room, page, density), whole, lines)
     finally:
@@ -75,16 +78,51 @@ def figure(chart, end: str, size: FigureSize) -> bytes:
     return bytes(room.data())
 
 
-def _image(chart, page: QSize, whole: QSize, lines: list[str], dpi: int, density: float) -> QImage:
-    ratio = dpi / density
+_GROUP = re.compile(r'transform="matrix\(([^)]*)\)"([^>]*>)(.*?)</g>', re.DOTALL)
+_PAIR = re.compile(r"(-?[\d.]+(?:e[-+]?\d+)?),(-?[\d.]+(?:e[-+]?\d+)?)")
+_OF_POINTS = ("<polyline", "<polygon", "<path")
+
+
+def _in_pixels(drawing: str) -> str:
+    """An SVG whose lines grow with it. Qt leaves the points of a curve in the units of its axes and asks for a stroke
+    of so many pixels of the screen, whatever the size: a hair line in print."""
+
+    def moved(group: re.Match) -> str:
+        matrix, rest, shapes = group.groups()
+        others = re.sub("|".join(_OF_POINTS), "", shapes)
+        if "non-scaling-stroke" not in shapes or re.search(r"<\w", others):
+            return group[0]
+        a, b, c, d, e, f = map(float, matrix.split(","))
+
+        def place(pair: re.Match) -> str:
+            x, y = map(float, pair.groups())
+            return f"{a * x + c * y + e:.8g},{b * x + d * y + f:.8g}"
+
+        shapes = _PAIR.sub(place, shapes.replace(' vector-effect="non-scaling-stroke"', ""))
+        return f'transform="matrix(1,0,0,1,0,0)"{rest}{shapes}</g>'
+
+    return _GROUP.sub(moved, drawing)
+
+
+def stale_line(chart) -> list[str]:
+    """What stands below a chart of an earlier input."""
+    return [tr("The input has changed since these results.")] if chart.is_stale else []
+
+
+def _page(whole: QSize, lines: list[str]) -> QSize:
+    """Size of a view with these lines below it [px of the layout]."""
+    return QSize(whole.width(), whole.height() + 2 * LINE * len(lines))
+
+
+def picture(chart, whole: QSize, lines: list[str], ratio: float) -> QImage:
+    """A chart with lines of text below it. whole : size of its view; ratio : pixels to one of the layout"""
+    page = _page(whole, lines)
     pixels = QSize(round(page.width() * ratio), round(page.height() * ratio))
     image = QImage(pixels, QImage.Format.Format_RGB32)
     image.setDevicePixelRatio(ratio)
     image.fill(Qt.GlobalColor.white)
     _paint(chart, image, whole, lines)
     image.setDevicePixelRatio(1.0)
-    image.setDotsPerMeterX(round(dpi / MM_PER_INCH * 1000.0))
-    image.setDotsPerMeterY(round(dpi / MM_PER_INCH * 1000.0))
     return image
 
 
@@ -111,7 +149,7 @@ def _paint(chart, device, whole: QSize, lines: list[str]) -> None:
     painter.setFont(font)
     place = QRect(6, whole.height(), whole.width() - 12, 2 * LINE)
     for k, line in enumerate(lines):
-        if k and chart.is_stale:
+        if line in stale_line(chart):
             painter.setPen(QColor(theme.LIGHT.bad))
         painter.drawText(place.translated(0, 2 * LINE * k), Qt.TextFlag.TextWordWrap, line)
     painter.end()

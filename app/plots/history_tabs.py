@@ -301,6 +301,7 @@ class ValidationTab(QWidget):
         law = np.array([moment(x * alpha, wall.model) for x in ratio])
         law = law / (wall.model.amplitude * math.sin(alpha))
         self.moment.curve(tr("law"), ratio, law, 0, 2.0)
+        self.moment.reset()
         for chart in (self.chart, self.phase, self.moment):
             chart.caption = f"{wall.name}, {named(wall.mechanism)}"
         pair = collapse_histories(result, wall)

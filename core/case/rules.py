@@ -83,22 +83,24 @@ def draft_case(table: dict) -> Case:
         if not isinstance(content, dict):
             raise InputError("not_a_table_of_keys", name=name, value=repeated(content))
         refuse_unknown(cls, content, name, name)
+        values = {entry.name: "" for entry in fields(cls) if entry.default is MISSING}
         for entry in fields(cls):
-            # what breaks a rule with others may be work in progress, what is of another kind is not
-            value = content.get(entry.name)
-            if entry.name in content and not (entry.metadata["kind"] == "law" and are_ends(value)):
-                checked = value_of(entry, value, name)
-                if entry.metadata["kind"] in ("tables", "section", "hinges"):
-                    content = {**content, entry.name: checked}
-        missing = {entry.name: "" for entry in fields(cls) if entry.default is MISSING}
-        return cls(**{**missing, **content})
+            if entry.name in content:
+                values[entry.name] = value(entry, content[entry.name], name)
+        return cls(**values)
+
+    def value(entry, given, name):
+        # what breaks a rule with others may be work in progress, what is of another kind is not
+        kind, of = entry.metadata["kind"], entry.metadata.get("of")
+        if kind == "tables" and isinstance(given, (list, tuple)):
+            return tuple(part(of, row, entry.name) for row in given)
+        if kind in ("section", "spectrum"):
+            return part(of or Spectrum, given, entry.name)
+        return given if kind == "law" and are_ends(given) else value_of(entry, given, name)
 
     def one(cls, name):
         return part(cls, table[name], name) if name in table else None
 
-    demand = one(Demand, "demand")
-    if demand and demand.spectrum is not None:
-        demand = replace(demand, spectrum=part(Spectrum, demand.spectrum, "spectrum"))
     return Case(
         title=value_of(field_of(Case, "title"), table.get("title", "Ribalta")),
         report=one(Report, "report") or Report(),
@@ -106,7 +108,7 @@ def draft_case(table: dict) -> Case:
         record=tuple(part(Record, entry, "record") for entry in tables_of(table, "record")),
         generate=one(Generate, "generate"),
         analysis=one(Analysis, "analysis") or Analysis(),
-        demand=demand,
+        demand=one(Demand, "demand"),
         building=one(Building, "building"),
         given=frozenset(_written(table)),
     )

@@ -16,6 +16,10 @@ CASE_ERRORS = {
         "this autosaved case cannot be read: {reason}",
         "questo caso salvato da solo non si può leggere: {reason}",
     ),
+    "case_reads_otherwise": (
+        "what would be written reads back as another case: nothing is written",
+        "ciò che verrebbe scritto si rilegge come un altro caso: non è stato scritto nulla",
+    ),
     "folder_not_writable": (
         "the output folder cannot be written ({reason}): name another with --output",
         "la cartella dei risultati non è scrivibile ({reason}): indicarne un'altra con --output",

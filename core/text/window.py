@@ -215,6 +215,7 @@ WINDOW = {
     "For checks and report": "Per verifiche e relazione",
     "No wall yet: press Add.": "Nessuna parete: premere Nuova.",
     "Choose a mechanism.": "Scegliere un meccanismo.",
+    "Sizes, weights or loads are still to be given.": "Dimensioni, pesi o carichi sono ancora da indicare.",
     "wall": "parete",
     "Read walls": "Leggi pareti",
     "Tables": "Tabelle",
@@ -353,8 +354,8 @@ WINDOW = {
     "Another program has changed {path}. Overwrite it?": (
         "Un altro programma ha cambiato {path}. Sovrascriverlo?"
     ),
-    "Needed with a demand: 0 on the ground. Above it no check is made yet": (
-        "Richiesta con una domanda: 0 al suolo. Più in alto non si esegue ancora alcuna verifica"
+    "Needed with a demand: 0 on the ground; above it the building is needed too (sheet Demand)": (
+        "Richiesta con una domanda: 0 al suolo; più in alto serve anche l'edificio (scheda Domanda)"
     ),
     "Free to vibrate": "Libera di vibrare",
     "two-sided yes, one-sided no": "su due lati sì, su un lato no",

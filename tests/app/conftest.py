@@ -1,6 +1,7 @@
 """The window under test, on a small case."""
 
 import os
+import sys
 
 import pytest
 
@@ -32,12 +33,18 @@ def application():
 
 
 @pytest.fixture
-def opened(application, tmp_path, monkeypatch):
+def faults():
+    """What slots raised, which Qt gives to the hook of errors; a test that raises on purpose empties the list."""
+    return []
+
+
+@pytest.fixture
+def opened(application, tmp_path, monkeypatch, faults):
     """A window on a small copy of the example; message boxes answer Discard."""
-    yield from window_in(application, tmp_path, monkeypatch)
+    yield from window_in(application, tmp_path, monkeypatch, faults)
 
 
-def window_in(application, tmp_path, monkeypatch):
+def window_in(application, tmp_path, monkeypatch, faults):
     """`opened` in this folder, for a fixture of any scope."""
     from PySide6.QtCore import QSettings
     from PySide6.QtWidgets import QMessageBox
@@ -45,6 +52,7 @@ def window_in(application, tmp_path, monkeypatch):
     from app import language, theme, window
     from tests.app.driving import settle
 
+    monkeypatch.setattr(sys, "excepthook", lambda kind, value, trace: faults.append(value))
     monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Discard)
     monkeypatch.setattr(QMessageBox, "information", lambda *_: None)
     monkeypatch.setattr(QMessageBox, "warning", lambda *a: pytest.fail(f"unexpected: {a[-1]}"))
@@ -60,6 +68,7 @@ def window_in(application, tmp_path, monkeypatch):
         f'[[record]]\nfile = "{motion.as_posix()}"\nkind = "artificial"\n'
         "[analysis]\nq_step = 0.02\n[demand]\nag_g = 0.2\nsoil_factor = 1.2\n"
     )
+    made.resize(1280, 800)  # the screen of the tests is smaller
     made.show()
     made.files.open(path)
     settle(application, lambda: made.records.motions)
@@ -68,3 +77,4 @@ def window_in(application, tmp_path, monkeypatch):
     made.close()
     made.deleteLater()
     application.processEvents()
+    assert faults == []

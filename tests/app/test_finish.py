@@ -39,7 +39,7 @@ def with_walls(opened, application):
 def shared_walls(application, tmp_path_factory):
     """One window for all tests that leave its case as it was."""
     with pytest.MonkeyPatch.context() as patch:
-        made = window_in(application, tmp_path_factory.mktemp("walls"), patch)
+        made = window_in(application, tmp_path_factory.mktemp("walls"), patch, [])
         yield with_walls(next(made), application)
         next(made, None)
 

@@ -16,8 +16,9 @@ from hypothesis import strategies as st
 from app.session import Session
 from core.case.reader import read_case
 from core.case.rules import parse_case
-from core.case.schema import Record, Wall
-from core.case.site import Demand
+from core.case.schema import Load, Record, ReturnWalls, Wall
+from core.case.site import Building, BuildingMode, Demand, HazardRow, Spectrum
+from core.case.writer import table_of
 from core.errors import InputError
 from tests.conftest import ROOT
 
@@ -90,6 +91,73 @@ def test_that_a_case_in_the_making_can_be_saved_and_opened_again(session, tmp_pa
     again.open(tmp_path / "draft.toml")
     assert again.case.wall[-1].name == "new"
     assert again.problem() is not None
+
+
+DRAFTS = {
+    "a load without size": {"load": (Load("vertical", "", 5.0),)},
+    "a load of a wall without height": {"height_m": None, "load": (Load("tie", "", ""),)},
+    "one load of two without size": {
+        "load": (Load("thrust", 2.0, 3.0), Load("carried_mass", "", 4.0, 0.2))
+    },
+    "return walls ticked": {"return_walls": ReturnWalls("", "", "", "")},
+    "some of the return walls": {"return_walls": ReturnWalls(2, "", 0.2, "")},
+    "a law whose ends are the wrong way round": {"law": {"elastic_limit": 0.5, "plateau_end": 0.2}},
+}
+"""What the forms leave in a wall while a person enters it."""
+
+SPECTRA = [
+    Spectrum("NTC2018", "", f0="", tc_star_s="", topography=""),
+    Spectrum("NTC2018", "", f0=2.5),
+    Spectrum("EN1998", "", type=""),
+    Spectrum("EN1998", "C", type=""),
+]
+
+
+def drafts(case):
+    """(what is missing, a case in the making)."""
+    for name, values in DRAFTS.items():
+        yield name, replace(case, wall=(replace(case.wall[0], **values),))
+    for spectrum in SPECTRA:
+        yield str(spectrum), replace(case, demand=Demand("", spectrum=spectrum))
+    yield "a building", replace(case, building=Building("", ""))
+    yield "a mode", replace(case, building=Building(9.0, 3, modes=(BuildingMode("", 0.05, ""),)))
+    yield "a row of hazard", replace(case, demand=Demand(0.2, hazard=(HazardRow(30.0, ""),)))
+
+
+def test_that_every_case_in_the_making_is_autosaved_saved_and_opened_again(session, tmp_path):
+    for name, draft in drafts(session.case):
+        session.edit(draft)
+        session.autosave()
+        other = Session(tmp_path / "recovery_folder")
+        other.recover(session.recovery_file)
+        assert table_of(other.case) == table_of(draft), name
+        target = tmp_path / "draft.toml"
+        session.save(target)
+        assert not session.dirty
+        again = Session(tmp_path / "recovery_folder")
+        again.open(target)
+        assert table_of(again.case) == table_of(session.case), name
+        again.save()  # Ctrl+S
+        assert target.read_bytes() == session.content, name
+        assert str(again.problem()) == str(session.problem())
+        session.edit(session.past[0])
+
+
+def test_that_what_could_not_be_opened_again_takes_the_place_of_nothing(session, tmp_path):
+    """A fault of the program that leaves a value no file may hold: the last good files stay, and it is said."""
+    session.edit_wall(0, notes="of mine")
+    session.save(tmp_path / "case.toml")
+    session.edit_wall(0, height_m=6.5)
+    session.autosave()
+    good = session.recovery_file.read_bytes(), session.path.read_bytes()
+    for wrong in ({"notes": "two\nlines"}, {"height_m": 1e9}, {"hinge_heights": (3.0, 1.0)}):
+        session.edit_wall(0, **wrong)
+        session.autosave()
+        with pytest.raises(InputError):
+            session.save()
+        assert session.dirty
+        assert (session.recovery_file.read_bytes(), session.path.read_bytes()) == good
+        session.undo()
 
 
 def test_that_a_file_that_is_no_case_changes_nothing(session, tmp_path):
@@ -204,7 +272,7 @@ def test_that_saving_keeps_comments_and_what_the_batch_says_of_the_file(session,
 
 
 def test_that_a_draft_that_breaks_a_rule_is_saved_whole(session, tmp_path):
-    session.edit_wall(0, notes="two\nlines")
+    session.edit_wall(0, slenderness_deg=7.0, mechanism="")
     session.save(tmp_path / "c.toml")
     assert not session.dirty and session.path == (tmp_path / "c.toml").resolve()
 

@@ -372,7 +372,8 @@ def test_that_a_copied_picture_lets_the_program_end(tmp_path):
 
 
 def test_that_a_long_name_is_short_in_a_chart_and_whole_in_its_data(application):
-    from app.plots.chart import LEGEND_LETTERS, Chart, elided
+    from app.plots.axis import LEGEND_LETTERS, elided
+    from app.plots.chart import Chart
 
     name = "a_file_with_a_long_name_2016 3: 0 DEG (+)"
     assert len(elided(name)) <= LEGEND_LETTERS and elided(name).endswith("3: 0 DEG (+)")

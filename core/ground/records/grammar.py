@@ -204,7 +204,9 @@ NUMBER_LETTERS = str.maketrans("", "", "0123456789+-.eE \t\n")
 
 
 def to_float(token: str) -> float:
-    """One number of the grammar, D exponents included; raises RecordError beyond the doubles."""
+    """One number of the grammar, D exponents included; raises RecordError for another text and beyond the doubles."""
+    if not _TOKEN.fullmatch(token.strip()):
+        raise RecordError("not_numbers", text=quoted(token))
     try:
         value = float(token)
     except ValueError:

@@ -1,0 +1,320 @@
+"""Charts: what Reset shows, what a copy and a figure hold, and windows built again."""
+
+import gc
+import os
+import weakref
+
+import numpy as np
+import pyqtgraph as pg
+import pytest
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
+
+from PySide6.QtCore import QByteArray, QEvent, QObject, QRect, QRectF, Qt
+from PySide6.QtGui import QGuiApplication, QImage, QPainter
+from PySide6.QtSvg import QSvgRenderer
+from PySide6.QtWidgets import QDockWidget
+
+from app import docks, theme
+from app.plots.axis import elided
+from app.plots.chart import Chart
+from app.plots.chart_output import ChartOutput
+from app.plots.figure_file import FigureSize, figure
+from app.plots.hatch import Hatch
+from app.window import MainWindow
+from tests.app.conftest import window_in
+from tests.app.driving import run, settle
+from tests.conftest import ROOT
+
+
+@pytest.fixture(scope="module")
+def shared(application, tmp_path_factory):
+    """A window on two walls that have run, with an accuracy statement of the first."""
+    with pytest.MonkeyPatch.context() as patch:
+        made = window_in(application, tmp_path_factory.mktemp("charts"), patch, [])
+        window = next(made)
+        assert window.files.open(ROOT / "resources" / "cases" / "verdict.toml")
+        settle(application, lambda: not window.records.pending)
+        run(application, window)
+        window.state_accuracy()
+        settle(application, lambda: window.job is None)
+        yield window
+        next(made, None)
+
+
+def charts_of(window, application):
+    """Every chart with data, its tab in front."""
+    for page in window.pages.values():
+        window.tabs.setCurrentWidget(page)
+        application.processEvents()
+        yield from (chart for chart in page.content.findChildren(Chart) if chart.data)
+
+
+def zoom(chart) -> None:
+    (left, right), (low, high) = chart.plot.viewRange()
+    chart.plot.setXRange(left + 0.4 * (right - left), left + 0.5 * (right - left), padding=0)
+    chart.plot.setYRange(low + 0.4 * (high - low), low + 0.5 * (high - low), padding=0)
+
+
+def shows_everything(chart) -> bool:
+    """Whether all data are in view on each axis, or the ends the chart was given."""
+    log = chart.plot.ctrl.logXCheck.isChecked()
+    for k, (name, (low, high)) in enumerate(zip("xy", chart.plot.viewRange(), strict=True)):
+        values = np.concatenate([entry[k + 1] for entry in chart.data])
+        values = np.log10(values) if log else values
+        first, last = chart.ranges.get(name, (np.nanmin(values), np.nanmax(values)))
+        reach = last - first
+        wide = high - low <= 4.0 * reach + 1e-9  # a band about a curve is no curve
+        if not (low <= first + 1e-9 * reach and last - 1e-9 * reach <= high and wide):
+            return False
+    return True
+
+
+@pytest.mark.parametrize("wall", [0, 1])
+def test_that_reset_shows_everything_in_every_chart(shared, application, wall):
+    shared.pick(wall)
+    names = []
+    for chart in charts_of(shared, application):
+        if chart.name == "Survival map":
+            continue  # its axis is a logarithm that its data are not
+        before = chart.plot.viewRange()
+        zoom(chart)
+        application.processEvents()
+        chart.reset()
+        application.processEvents()
+        assert shows_everything(chart), (chart.name, before, chart.plot.viewRange())
+        names.append(chart.name)
+    assert len(names) >= 9
+
+
+def test_that_the_next_wall_is_shown_whole_after_a_zoom(shared, application):
+    shared.pick(0)
+    for chart in charts_of(shared, application):
+        zoom(chart)
+    application.processEvents()
+    shared.pick(1)
+    for chart in charts_of(shared, application):
+        assert chart.name == "Survival map" or shows_everything(chart), chart.name
+
+
+def test_that_the_survival_map_is_whole_after_reset(shared, application):
+    shared.tabs.setCurrentWidget(shared.pages["capacity"])
+    strips = shared.pages["capacity"].content.strips
+    before = strips.plot.viewRange()
+    zoom(strips)
+    strips.reset()
+    assert np.allclose(strips.plot.viewRange(), before)
+    item = next(item for item, *_ in strips.items if isinstance(item, Hatch))
+    (left, right), (low, high) = before
+    assert left <= item.area.left() < item.area.right() <= right
+    assert low <= item.area.top() < item.area.bottom() <= high
+
+
+# pictures
+
+
+def pixels(image: QImage) -> np.ndarray:
+    """Red, green, blue of a picture, shape (height, width, 3)."""
+    image = image.convertToFormat(QImage.Format.Format_RGB888)
+    rows = np.frombuffer(image.bits(), np.uint8).reshape(image.height(), image.bytesPerLine())
+    return rows[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).astype(int)
+
+
+def is_shade(image: QImage, shade: str, tolerance: int = 40) -> np.ndarray:
+    """Where a picture has this colour."""
+    wanted = [int(shade[k : k + 2], 16) for k in (1, 3, 5)]
+    return (np.abs(pixels(image) - wanted) <= tolerance).all(axis=2)
+
+
+def drawn_svg(content: bytes, width: int) -> QImage:
+    """A picture of an SVG, so many pixels wide."""
+    renderer = QSvgRenderer(QByteArray(content))
+    size = renderer.defaultSize()
+    image = QImage(width, round(width * size.height() / size.width()), QImage.Format.Format_RGB32)
+    image.fill(Qt.GlobalColor.white)
+    painter = QPainter(image)
+    renderer.render(painter)
+    painter.end()
+    return image
+
+
+def test_that_a_copied_picture_of_stale_results_says_so(application, monkeypatch):
+    chart = Chart("x", "y", "c")
+    chart.resize(400, 300)
+    chart.curve("k", [0.0, 1.0], [0.0, 1.0])
+    chart.show()
+    application.processEvents()
+    chart.copy()
+    fresh = QGuiApplication.clipboard().image()
+    assert fresh.size() == 2 * chart.view.size()
+    assert not is_shade(fresh, theme.LIGHT.bad).any()
+    monkeypatch.setattr(ChartOutput, "stale", True)
+    chart.copy()
+    marked = QGuiApplication.clipboard().image()
+    assert marked.height() > fresh.height()
+    assert is_shade(marked, theme.LIGHT.bad)[fresh.height() :].sum() > 50
+    chart.live = True
+    chart.copy()
+    assert QGuiApplication.clipboard().image().size() == fresh.size()
+    chart.deleteLater()
+
+
+@pytest.mark.parametrize("end", [".png", ".svg"])
+@pytest.mark.parametrize(("width", "dpi"), [(160.0, 300), (160.0, 600), (80.0, 300)])
+def test_that_a_curve_is_as_wide_in_a_figure_as_on_the_screen(application, end, width, dpi):
+    """Two pixels of 1/96 inch are 0.53 mm; below 120 mm all shrinks with the figure."""
+    chart = Chart("x", "y", "c")
+    chart.resize(500, 400)
+    chart.curve("k", [0.0, 1.0], [0.5, 0.5], 1, 2.0, legend=False)
+    chart.plot.showGrid(x=False, y=False)
+    chart.set_range((0.0, 1.0), (0.0, 1.0))
+    content = figure(chart, end, FigureSize(width, dpi))
+    across = round(width / 25.4 * dpi)
+    image = QImage.fromData(content, "PNG") if end == ".png" else drawn_svg(content, across)
+    shade = int(theme.LIGHT.curves[1][5:], 16)  # its blue, of which it has none
+    columns = slice(image.width() // 3, image.width() // 2)
+    rows = slice(int(0.3 * image.height()), int(0.6 * image.height()))
+    covered = (255.0 - pixels(image)[rows, columns, 2]) / (255.0 - shade)
+    thick = np.median(covered.sum(axis=0)) / dpi * 25.4
+    assert thick == pytest.approx(2.0 / 96.0 * 25.4 * min(1.0, width / 120.0), abs=25.4 / dpi)
+    chart.deleteLater()
+
+
+@pytest.mark.parametrize("end", [".png", ".svg"])
+def test_that_a_hatched_area_is_hatched_in_every_file(application, end):
+    chart = Chart("x", "y", "c")
+    chart.resize(500, 400)
+    area = Hatch(QRectF(0.0, 0.0, 1.0, 1.0))
+
+    def recolor(chosen, scale):
+        area.set_pen(pg.mkPen(chosen.quiet, width=scale))
+
+    chart.add(area, recolor)
+    chart.plot.showGrid(x=False, y=False)
+    chart.set_range((0.0, 2.0), (0.0, 1.0))
+    content = figure(chart, end, FigureSize(160.0, 300))
+    image = QImage.fromData(content, "PNG") if end == ".png" else drawn_svg(content, 1890)
+    lines = is_shade(image, theme.LIGHT.quiet, 60)
+    rows = slice(int(0.3 * image.height()), int(0.6 * image.height()))
+    for columns, hatched in (((0.25, 0.45), True), ((0.65, 0.95), False)):
+        part = lines[rows, int(columns[0] * image.width()) : int(columns[1] * image.width())]
+        assert (0.02 < part.mean() < 0.5) == hatched, (columns, part.mean())
+    chart.deleteLater()
+
+
+@pytest.mark.parametrize("language", ["en", "it"])
+def test_that_no_word_of_a_legend_is_cut_at_1280(shared, application, language):
+    shared.set_choice("language", language)
+    shared.resize(1280, 800)
+    shared.pick(0)
+    for chart in charts_of(shared, application):
+        shown = [label.text for _, label in chart.legend.items]
+        if not chart.beside:
+            assert shown == chart.entries, chart.name
+    mean = shared.wall.assessment.dynamic.mean_peak_ratio
+    if mean is not None:
+        legend = shared.pages["check"].content.peaks.legend.items
+        value = f"{mean:.2f}" if language == "en" else f"{mean:.2f}".replace(".", ",")
+        assert any(value in label.text for _, label in legend)
+    shared.set_choice("language", "en")
+
+
+def test_that_a_name_longer_than_its_chart_keeps_its_beginning_and_end(application):
+    name = "a very long name of a file of a station " * 3 + "(+)"
+    chart = Chart("x", "y", "c")
+    chart.resize(400, 300)
+    chart.show()
+    chart.curve(name, [0.0, 1.0], [0.0, 1.0])
+    application.processEvents()
+    chart.fit()
+    ((_, label),) = chart.legend.items
+    assert "…" in label.text and label.text.endswith("(+)") and label.itemRect().width() < 400
+    assert label.text == elided(name, len(label.text))
+    chart.deleteLater()
+
+
+# the window
+
+
+def test_that_nothing_of_an_earlier_theme_or_language_is_kept(opened, application):
+    """Charts, actions and widgets are as many after the fourth change as after the second."""
+    made = weakref.WeakSet()
+    real = Chart.__init__
+
+    def init(chart, *arguments, **options):
+        real(chart, *arguments, **options)
+        made.add(chart)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(Chart, "__init__", init)
+        counts = []
+        for choice in (
+            ("theme", "dark"),
+            ("language", "it"),
+            ("theme", "light"),
+            ("language", "en"),
+        ):
+            opened.set_choice(*choice)
+            for page in opened.pages.values():
+                opened.tabs.setCurrentWidget(page)
+            application.processEvents()
+            gc.collect()
+            charts = len(made)
+            application.sendPostedEvents(None, QEvent.Type.DeferredDelete)  # as the loop does
+            counts.append((charts, len(opened.findChildren(QObject))))
+    charts, objects = zip(*counts, strict=True)
+    assert set(charts) == {len(opened.findChildren(Chart))}
+    assert max(objects) <= min(objects) + 20, counts
+
+
+def test_that_a_refresh_makes_no_action_that_stays(opened, application):
+    opened.files.remember(ROOT / "resources" / "cases" / "example.toml")
+    application.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    before = len(opened.findChildren(QObject))
+    for _ in range(5):
+        opened.refresh()
+    application.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    assert len(opened.findChildren(QObject)) == before
+
+
+class Screen:
+    """A screen with so much room."""
+
+    def __init__(self, free: QRect):
+        self.free = free
+
+    def availableGeometry(self) -> QRect:
+        return self.free
+
+
+@pytest.mark.parametrize("screen", [(1920, 1080), (1024, 768)])
+def test_that_the_layout_is_reset_with_room_for_the_tabs(opened, application, monkeypatch, screen):
+    opened.resize(1280, 800)
+    monkeypatch.setattr(MainWindow, "screen", lambda _: Screen(QRect(0, 0, *screen)))
+    for state in ("wide", "hidden", "floating"):
+        if state == "wide":
+            opened.resizeDocks(docks.sides(opened), [700, 400], Qt.Orientation.Horizontal)
+        for dock in opened.findChildren(QDockWidget):
+            dock.setVisible(state != "hidden")
+            dock.setFloating(state == "floating")
+        application.processEvents()
+        opened.reset_layout()
+        application.processEvents()
+        left = opened.findChild(QDockWidget, "input")
+        assert opened.tabs.width() > 0.4 * opened.width() and left.width() < 380, state
+        assert left.isVisible() and not left.isFloating() and not left.visibleRegion().isEmpty()
+
+
+@pytest.mark.parametrize("free", [QRect(0, 0, 1024, 700), QRect(60, 30, 1220, 770)])
+def test_that_the_window_is_no_larger_than_its_screen(opened, application, monkeypatch, free):
+    monkeypatch.setattr(MainWindow, "screen", lambda _: Screen(free))
+    opened.resize(1900, 1000)
+    opened.reset_layout()
+    application.processEvents()
+    assert free.contains(opened.frameGeometry()), opened.frameGeometry()
+
+
+def test_that_the_height_of_the_base_says_what_it_takes(opened):
+    words = opened.walls.base.toolTip()
+    assert "building" in words.lower() and "no check" not in words
