@@ -4,16 +4,17 @@ import contextlib
 import signal
 import sys
 import threading
-import time
 from pathlib import Path
 
 from app import export
 from app.language import current_language, terminal
+from app.progress import progress
 from core import atomic_write
 from core.case.reader import read_case
 from core.case.schema import Case
 from core.errors import Cancelled, InputError
 from core.jit import cache
+from core.packages import require
 from core.study.journal import Journal
 from core.study.results import StudyResult
 from core.study.run import run as run_study
@@ -21,6 +22,9 @@ from core.text.sentence import numeral, word
 
 DONE, WITHOUT_NUMBER, CANCELLED = 0, 3, 130
 """Exit codes; 1 input or output error and 2 wrong usage are of __main__, 4 an internal error."""
+
+EXAMPLES = Path(__file__).resolve().parents[1] / "resources" / "cases"
+"""Cases that come with the program: their results land in the folder one stands in."""
 
 
 def run(
@@ -38,7 +42,10 @@ def run(
     """
     export.check_note_path(report, case_path)
     case = read_case(case_path)
-    folder, stem = output or case_path.parent, case_path.stem
+    if case.analysis.accuracy:
+        require("accuracy")
+    shipped = case_path.resolve().parent == EXAMPLES
+    folder, stem = output or (Path() if shipped else case_path.parent), case_path.stem
     made = []
     try:
         export.refuse_overwriting(case, case_path, folder, stem)
@@ -92,6 +99,8 @@ def run_in(
         print(f"{case.table}: {note.text(current_language())}", file=sys.stderr)
     if not quiet:
         say(summary(result, folder, stem) + (f"\n{report}" if report else ""))
+        if _never_explained():
+            say(explanation(folder / f"{stem}.xlsx", bool(result.demand)))
     for wall, record, polarity, status in result.without_number:
         tell(
             "no number: {wall}, {record} ({sign}): {status}",
@@ -176,6 +185,38 @@ def summary(result: StudyResult, folder: Path, stem: str) -> str:
     return "\n".join(lines)
 
 
+def explanation(workbook: Path, with_demand: bool) -> str:
+    """What the words of the summary mean, a line each, and which file to open."""
+    lines = [
+        terminal(
+            "q: acceleration of the motion that first overturns the wall, over that which lifts it"
+        ),
+        terminal("robust: the q around which 16 % of the motions overturn it"),
+    ]
+    if with_demand:
+        lines += [
+            terminal(
+                "zeta: share of the demand at which the wall begins to fail; 1 is what the code asks"
+            ),
+            terminal(
+                "verdict: that of the most refined check that could be made; the last column names it"
+            ),
+        ]
+    return "\n".join(
+        ["", *lines, terminal("open {path}: its first sheet sums up the walls", path=workbook)]
+    )
+
+
+def _never_explained() -> bool:
+    """Whether this user has not been told what the words mean; from now on he has."""
+    try:
+        cache.user_folder().mkdir(parents=True, exist_ok=True, mode=0o700)
+        (cache.user_folder() / "explained").touch(exist_ok=False)
+    except (OSError, RuntimeError):
+        return False
+    return True
+
+
 def _coded(code: str | None) -> str:
     """A code of the results; in words where the terminal speaks another language than the codes."""
     if code is None or current_language() == "en":
@@ -204,58 +245,3 @@ def interrupts(cancel: threading.Event):
         yield
     finally:
         signal.signal(signal.SIGINT, old)
-
-
-@contextlib.contextmanager
-def progress(quiet: bool):
-    """A callback that shows progress on stderr: a bar on a terminal, else a line every ten seconds; its first call
-    says that the solver is compiled, where it is."""
-    if quiet:
-        yield lambda done, planned: None
-        return
-    with _progress() as show:
-        said = False
-
-        def first_said(done: int, planned: int) -> None:
-            nonlocal said
-            if not said and done < planned and cache.lacks_lanes():
-                tell("the solver is being compiled, once for each version: it takes some seconds")
-            said = True
-            show(done, planned)
-
-        yield first_said
-
-
-@contextlib.contextmanager
-def _progress():
-    if sys.stderr.isatty():
-        from rich.console import Console
-        from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeRemainingColumn
-
-        bar = Progress(
-            terminal("runs"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn(),
-            console=Console(stderr=True), transient=True,
-        )  # fmt: skip
-        with bar:
-            task = bar.add_task(terminal("runs"), total=None)
-            yield lambda done, planned: bar.update(task, completed=done, total=planned)
-    else:
-        last = time.monotonic()
-        first: tuple[float, int] | None = None  # kernels are compiled before the first run ends
-
-        def lines(done: int, planned: int) -> None:
-            nonlocal last, first
-            now = time.monotonic()
-            if first is None and done:
-                first = now, done
-            if first and now - last >= 10.0 and done > first[1]:
-                last = now
-                left = (now - first[0]) / (done - first[1]) * (planned - done)
-                tell(
-                    "{done}/{planned} runs, about {left:.0f} s left",
-                    done=done,
-                    planned=planned,
-                    left=left,
-                )
-
-        yield lines

@@ -8,6 +8,7 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QMainWindow, QMessageBox
 
 from app.language import tr
+from app.progress import Pace
 from app.worker import Job
 
 BETWEEN_WORDS = 0.1
@@ -18,7 +19,8 @@ class RunningWindow(QMainWindow):
     """The part of the window that starts jobs, shows how far they are and takes what they bring."""
 
     job: Job | None = None
-    began = told = 0.0
+    told = 0.0
+    pace = Pace()
     closing = to_end = False
     finished_walls: list = []
     refused: tuple = (None, None)
@@ -85,7 +87,7 @@ class RunningWindow(QMainWindow):
         job.progressed.connect(unless_left(self._progressed))
         job.found.connect(unless_left(self._found))
         job.finished.connect(unless_left(self._ended))
-        self.began = time.monotonic()
+        self.pace = Pace()
         self.bar.setRange(0, 0)
         self.finished_walls = []
         self.show_word(tr("Running…"))
@@ -98,10 +100,11 @@ class RunningWindow(QMainWindow):
         self.finished_walls.append(wall)
         self.show_finished(self.finished_walls)
 
-    def _progressed(self, done: int, planned: int) -> None:
+    def _progressed(self, done: int, planned: int, stage: str) -> None:
         from core.jit import cache
 
         now = time.monotonic()
+        sentence = self.pace.sentence(done, planned, stage)
         if done and now - self.told < BETWEEN_WORDS:  # each paints the bar at once
             return
         self.told = now
@@ -110,17 +113,7 @@ class RunningWindow(QMainWindow):
             return
         self.bar.setRange(0, max(planned, 1))
         self.bar.setValue(done)
-        elapsed = now - self.began
-        left = elapsed / done * (planned - done) if done else 0.0
-        self.show_word(
-            tr(
-                "{done} of {planned}, {elapsed:.0f} s, about {left:.0f} s left",
-                done=done,
-                planned=planned,
-                elapsed=elapsed,
-                left=left,
-            )
-        )
+        self.show_word(sentence)
 
     def _ended(self) -> None:
         self.job = None

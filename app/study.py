@@ -14,15 +14,17 @@ from app.batch import (
     WITHOUT_NUMBER,
     interrupts,
     open_journal,
-    progress,
     say,
     tell,
 )
+from app.command_line import STUDIES, study_file
 from app.language import terminal
+from app.progress import progress
 from core import atomic_write
 from core.case.study_file import Study, read_record_list, read_study, shortened
 from core.errors import Cancelled, InputError, place
 from core.ground import records as accelerograms
+from core.packages import require
 from core.report.study_files import COLUMNS
 from core.study import parametric
 from core.study.figures import StudyReport
@@ -35,15 +37,6 @@ MAX_NAMED = 20
 
 FIGURE_NAME = re.compile(r"(fig\d\d|q|q_eff|eq14|law)_\w[\w.]*\.(png|svg)")
 """Names of the figures of a study."""
-
-STUDIES = Path(__file__).resolve().parents[1] / "resources" / "studies"
-"""Studies that come with the program, asked for by name."""
-
-
-def find(asked: str) -> Path:
-    """The file of a study: a name of those that come with the program, or a path."""
-    shipped = STUDIES / f"{asked}.toml"
-    return shipped if asked.isidentifier() and shipped.is_file() else Path(asked)
 
 
 def stem_of(path: Path, quick: bool) -> str:
@@ -115,7 +108,8 @@ def results(
     cancelled,
 ) -> Made:
     """Run a study with its journal in this folder. Raises InputError and Cancelled, with no new folder left."""
-    path = find(asked)
+    require("study")
+    path = study_file(asked)
     study, digest = load(path, quick)
     stem = stem_of(path, quick)
     refuse_overwriting(study, path, records, folder, stem)
@@ -161,7 +155,7 @@ def run(
     records : folder of natural records, or a TOML list of them
     Raises InputError for what the user can mend; nothing is written then.
     """
-    path = find(asked)
+    path = study_file(asked)
     folder = output or (Path() if path.parent == STUDIES else path.parent)
     cancel = threading.Event()
     with interrupts(cancel), progress(quiet) as show:
@@ -202,7 +196,7 @@ def write(
     ready: Callable[[], None] = lambda: None,
 ) -> None:
     """All files of a study. check : called now and then, may raise; ready : when all is made and nothing written
-    yet. Raises OutputError."""
+    yet. Raises OutputError; what a figure raises, when the other files are written."""
     from core.report import study_files, study_workbook
 
     runs = study_files.csv_text(result).encode()
@@ -215,11 +209,23 @@ def write(
         folder / f"{stem}.csv": runs,
     }
     drawn: dict[Path, bytes] = {}
-    for figure in report.figures:
-        check()
-        for name, content in study_files.figure_files(figure).items():
-            drawn[folder / f"{stem}_figures" / name] = content
+    fault = None
+    try:
+        for figure in report.figures:
+            check()
+            for name, content in study_files.figure_files(figure).items():
+                drawn[folder / f"{stem}_figures" / name] = content
+    except Cancelled:
+        raise
+    except (
+        Exception
+    ) as error:  # the numbers of hours do not go with a figure: raised when they are written
+        fault = error
     ready()
+    if fault:
+        atomic_write.write(files)
+        fault.add_note(terminal("workbook, JSON and CSV are written: {path}", path=folder / stem))
+        raise fault
     figures = folder / f"{stem}_figures"
     atomic_write.check_folder(figures)
     atomic_write.write({**drawn, **files})

@@ -1,7 +1,6 @@
 """The window of a parametric study: what to run, its progress, the claims, tables and figures it results in."""
 
 import os
-import time
 from pathlib import Path
 
 from PySide6.QtCore import QStandardPaths
@@ -28,6 +27,7 @@ from PySide6.QtWidgets import (
 from app import study
 from app.language import tr
 from app.plots.study_tabs import claims_table, figure_chart, table_view
+from app.progress import Pace
 from app.worker import Job
 from core.study import parametric
 from core.study.study_report import report_of
@@ -42,7 +42,7 @@ class StudyWindow(QDialog):
         self.setWindowTitle(tr("Parametric study"))
         self.resize(1100, 720)
         self.job: Job | None = None
-        self.began = 0.0
+        self.pace = Pace()
         self.study = QComboBox()
         for name in sorted(path.stem for path in study.STUDIES.glob("*.toml")):
             self.study.addItem(name)
@@ -156,7 +156,7 @@ class StudyWindow(QDialog):
         job.failed.connect(self._failed)
         job.progressed.connect(self._progressed)
         job.finished.connect(self._ended)
-        self.began, self.first = time.monotonic(), None
+        self.pace = Pace()
         self.bar.setRange(0, 0)
         self.word.setText(tr("Running…"))
         self._show_running(True)
@@ -166,25 +166,10 @@ class StudyWindow(QDialog):
         self.run_button.setEnabled(not on)
         self.cancel_button.setEnabled(on)
 
-    def _progressed(self, done: int, planned: int) -> None:
-        now = time.monotonic()
-        if (
-            self.first is None
-        ):  # what the journal knew, and the kernels compiled, says nothing of what is left
-            self.first = now, done
-        since, known = self.first
-        left = (now - since) / (done - known) * (planned - done) if done > known else 0.0
+    def _progressed(self, done: int, planned: int, stage: str) -> None:
         self.bar.setRange(0, max(planned, 1))
         self.bar.setValue(done)
-        self.word.setText(
-            tr(
-                "{done} of {planned}, {elapsed:.0f} s, about {left:.0f} s left",
-                done=done,
-                planned=planned,
-                elapsed=now - self.began,
-                left=left,
-            )
-        )
+        self.word.setText(self.pace.sentence(done, planned, stage))
 
     def cancel(self) -> None:
         """Stop between two analyses; finished runs are kept."""

@@ -167,7 +167,7 @@ def run(
     quick: bool = False,
     jobs: int = 1,
     journal: Callable[[str], Journal] | None = None,
-    on_progress: Callable[[int, int], None] = lambda done, planned: None,
+    on_progress: Callable[[int, int, str], None] = lambda done, planned, stage: None,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> ParametricResult:
     """Run a parametric study.
@@ -265,13 +265,13 @@ def _rows(study, motions, threads, book, on_progress) -> tuple[tuple[Row, ...], 
             ),
         )
     restored, total = len(known), len(planned)
-    on_progress(restored, total)
+    on_progress(restored, total, "stage_runs")
 
     def keep(entry, row: Row) -> None:
         if book:
             book.add(keys[entry], row._asdict() | {"cell": asdict(row.cell)})
 
-    known.update(threads.run(tasks, keep, lambda done: on_progress(restored + done, total)))
+    known.update(threads.run(tasks, keep, lambda done: on_progress(restored + done, total, "stage_runs")))
     return tuple(known[entry] for entry in planned), restored
 
 

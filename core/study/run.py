@@ -40,7 +40,7 @@ def run(
     base_dir: Path,
     jobs: int = 1,
     journal: Callable[[str], Journal | Memory] | None = None,
-    on_progress: Callable[[int, int], None] = lambda done, planned: None,
+    on_progress: Callable[[int, int, str], None] = lambda done, planned, stage: None,
     cancelled: Callable[[], bool] = lambda: False,
     on_wall: Callable[[WallResult], None] = lambda wall: None,
 ) -> StudyResult:
@@ -48,8 +48,9 @@ def run(
 
     base_dir : folder record paths start from
     jobs : threads, which change no result
-    journal : makes the Journal of finished runs from the study's key; on_progress(done, planned) and cancelled()
-        are called from this thread, the latter from the workers as well
+    journal : makes the Journal of finished runs from the study's key; on_progress(done, planned, stage) and
+        cancelled() are called from this thread, the latter from the workers as well
+    stage : a word of core.text, "stage_runs", "stage_checks" or "stage_accuracy"; each is counted by itself
     on_wall : called from this thread with each wall that has its verdict, before what is said of several together
     Raises InputError for what the user can mend, Cancelled when cancelled() is true.
     """
@@ -88,13 +89,11 @@ def run(
         period_range(kinds, longest, demand)  # refused before hours of work, not after
     _precompile(method, models, [motion for moved in felt for motion in moved])
     book = journal(f"{VERSION} {cache.source_stamp()}") if journal else None
-    assessed = len(walls) if demand else 0
-    total = len(planned) + assessed
     try:
         threads = Threads(jobs, cancelled)
         threads.run({k: motion.measure for k, motion in enumerate(motions)}, lambda k, _: None)
         found = _run_all(planned, models, felt, method, search, threads, book,
-                         lambda done: on_progress(done, total))  # fmt: skip
+                         lambda done: on_progress(done, len(planned), "stage_runs"))  # fmt: skip
         if demand:
             demand = with_records(demand, motions)
         rules = compliance(motions, kinds, demand, longest) if demand else None
@@ -126,10 +125,11 @@ def run(
                 )
                 for k in range(len(walls))
             }
+            on_progress(0, len(walls), "stage_checks")
             done = threads.run(
                 checks,
                 lambda k, found: on_wall(replace(results[k], assessment=found)),
-                lambda n: on_progress(len(planned) + n, total),
+                lambda n: on_progress(n, len(walls), "stage_checks"),
             )
             by_state = demands_of(case, base_dir)
             results = [
@@ -148,7 +148,10 @@ def run(
                 k: lambda stop, wall=wall: accuracy_of(wall, motions, method, search, stop)
                 for k, wall in enumerate(results)
             }
-            done = threads.run(statements, lambda k, _: None)
+            on_progress(0, len(walls), "stage_accuracy")
+            done = threads.run(
+                statements, lambda k, _: None, lambda n: on_progress(n, len(walls), "stage_accuracy")
+            )
             results = [replace(wall, accuracy=done[k]) for k, wall in enumerate(results)]
     finally:
         cache.record(cache.folder())

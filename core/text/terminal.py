@@ -46,8 +46,11 @@ TERMINAL = {
     "{runs} runs, {analyses} analyses in {seconds:.1f} s": (
         "{runs} serie, {analyses} analisi in {seconds:.1f} s"
     ),
-    "{done}/{planned} runs, about {left:.0f} s left": "{done}/{planned} serie, restano circa {left:.0f} s",
-    "runs": "serie",
+    "{what}: {done} of {planned}": "{what}: {done} di {planned}",
+    "{what}: {done} of {planned}, about {left:.0f} s for the others": (
+        "{what}: {done} di {planned}, circa {left:.0f} s per le altre"
+    ),
+    "workbook, JSON and CSV are written: {path}": "cartella di lavoro, JSON e CSV sono scritti: {path}",
     "How strong an earthquake a masonry wall withstands before it overturns.": (
         "Quanto forte è il terremoto che una parete in muratura sopporta prima di ribaltarsi."
     ),
@@ -69,11 +72,25 @@ TERMINAL = {
     "and {n} more, in the CSV": "e altre {n}, nel CSV",
     "a short form of the study": "una forma breve dello studio",
     "natural records of the study": "accelerogrammi naturali dello studio",
+    "q: acceleration of the motion that first overturns the wall, over that which lifts it": (
+        "q: accelerazione del moto che per prima ribalta la parete, rispetto a quella che la solleva"
+    ),
+    "robust: the q around which 16 % of the motions overturn it": (
+        "robusto: il q attorno al quale il 16 % dei moti la ribalta"
+    ),
+    "zeta: share of the demand at which the wall begins to fail; 1 is what the code asks": (
+        "zeta: quota della domanda a cui la parete comincia a non resistere; la norma chiede 1"
+    ),
+    "verdict: that of the most refined check that could be made; the last column names it": (
+        "esito: quello della verifica più raffinata fra quelle possibili; l'ultima colonna la nomina"
+    ),
+    "open {path}: its first sheet sums up the walls": "aprire {path}: il primo foglio riassume le pareti",
     "error: {error}": "errore: {error}",
     "stopped": "interrotto",
-    "internal error, nothing was written; please send {path}": (
-        "errore interno, non è stato scritto nulla; inviare {path}"
+    "internal error: no file was left half written; please send {path}": (
+        "errore interno: nessun file è rimasto scritto a metà; inviare {path}"
     ),
+    "; did you mean {nearest}?": "; si intendeva {nearest}?",
     "usage: ": "uso: ",
     "arguments": "argomenti",
     "this help": "questo aiuto",

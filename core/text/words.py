@@ -59,6 +59,9 @@ WORDS = {
     "natural": ("natural", "naturale"),
     "artificial": ("artificial", "artificiale"),
     "simulated": ("simulated", "simulato"),
+    "stage_runs": ("searches of q", "ricerche di q"),
+    "stage_checks": ("checks of walls", "verifiche delle pareti"),
+    "stage_accuracy": ("statements of accuracy", "valutazioni dell'accuratezza"),
 }
 """Key -> (English, Italian)."""
 

@@ -222,7 +222,7 @@ def paper(tmp_path_factory):
     """The paper's study in its short form, and its files."""
     folder = tmp_path_factory.mktemp("paper")
     made = study.results(
-        "paper", folder, None, 2, True, False, lambda done, of: None, lambda: False
+        "paper", folder, None, 2, True, False, lambda done, of, stage: None, lambda: False
     )
     report = report_of(made.result)
     study.write(made.result, report, folder, made.stem)
@@ -308,7 +308,7 @@ def test_that_the_window_of_a_study_runs_cancels_goes_on_and_shows_it(
     assert kept > 0 and made.tabs.count() == 0
     progress = []
     made.run()
-    made.job.progressed.connect(lambda done, of: progress.append(done))
+    made.job.progressed.connect(lambda done, of, stage: progress.append(done))
     settle(application, lambda: made.job is None)
     assert progress[0] >= kept
     assert made.tabs.count() == 2  # no claims of the paper

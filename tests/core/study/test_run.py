@@ -91,9 +91,22 @@ def test_that_a_new_title_or_demand_keeps_the_finished_runs(folder, tmp_path, re
     first = []
     study.run(
         case(title="other", demand={"ag_g": 0.1}), base_dir=folder,
-        journal=lambda key: Journal(path, key, True), on_progress=lambda d, p: first.append((d, p)),
+        journal=lambda key: Journal(path, key, True), on_progress=lambda d, p, stage: first.append((d, p, stage)),
     )  # fmt: skip
-    assert first[0] == (12, 15)  # three walls are assessed again
+    stages = [(12, 12, "stage_runs"), *((n, 3, "stage_checks") for n in range(4))]
+    assert first == stages  # three walls are assessed again
+
+
+def test_that_each_stage_of_a_study_is_counted_by_itself_to_its_end(folder):
+    said = []
+    study.run(
+        case(analysis={"q_step": 0.02, "accuracy": True}), base_dir=folder,
+        on_progress=lambda *counted: said.append(counted),
+    )  # fmt: skip
+    for stage, planned in (("stage_runs", 12), ("stage_checks", 3), ("stage_accuracy", 3)):
+        assert [count for *count, of in said if of == stage] == [
+            [done, planned] for done in range(planned + 1)
+        ]
 
 
 def test_that_a_damaged_line_of_a_journal_is_run_again(folder, tmp_path, result):
@@ -118,7 +131,7 @@ def test_that_a_cancelled_run_keeps_its_journal_and_resumes_bit_identical(folder
     path = tmp_path / "case.journal"
     state = {"done": 0}
 
-    def progress(done, planned):
+    def progress(done, planned, stage):
         state["done"] = done
 
     with pytest.raises(Cancelled):
@@ -132,7 +145,7 @@ def test_that_a_cancelled_run_keeps_its_journal_and_resumes_bit_identical(folder
     path.write_bytes(path.read_bytes() + b'{"run": "0/0/1", "resu')
     first = []
 
-    def resumed(done, planned):
+    def resumed(done, planned, stage):
         first.append(done)
 
     again = study.run(
@@ -156,7 +169,7 @@ def test_that_a_journal_of_another_case_is_not_used(folder, tmp_path):
     first = []
     study.run(
         case(analysis={"q_step": 0.03}), base_dir=folder,
-        journal=lambda key: Journal(path, key, True), on_progress=lambda d, p: first.append(d),
+        journal=lambda key: Journal(path, key, True), on_progress=lambda d, p, stage: first.append(d),
     )  # fmt: skip
     assert first[0] == 0
 
