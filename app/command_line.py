@@ -72,7 +72,13 @@ def parser() -> Parser:
         help=terminal("the calculation note too, as a Word document (.docx)"))  # fmt: skip
     add("--quiet", action="store_true", help=terminal("no progress, no summary"))
     add("--resume", action="store_true", help=terminal("go on from the journal"))
-    add("--inspect", nargs="+", type=Path, metavar="FILE", help=terminal("say what records hold"))
+    add(
+        "--inspect",
+        nargs="+",
+        type=Path,
+        metavar="FILE",
+        help=terminal("summarise the contents of records"),
+    )
     add("--version", action="store_true", help=terminal("version and commit"))
     add("-h", "--help", action="help", help=terminal("this help"))
     return made

@@ -29,14 +29,15 @@ SYSTEMS = (
      "least": {"base": "glibc 2.28", "gui": "glibc 2.39"}, "tag": "manylinux_{}_{}_aarch64"},
     {"system": "Windows", "processor": "amd64", "name": "Windows x86-64", "run": False,
      "without": {"bench": "heyoka"}, "tag": "win_amd64"},
+    {"system": "Windows", "processor": "arm64", "name": "Windows ARM64 (Python 3.12 to 3.14)", "run": False,
+     "pythons": ("3.12", "3.13", "3.14"), "without": {"bench": "heyoka"}, "tag": "win_arm64"},
     {"system": "macOS", "processor": "arm64", "name": "macOS ARM64", "run": False,
      "least": {"base": "macOS 12.0", "gui": "macOS 13.0"}, "without": {"bench": "heyoka"}, "tag": "macosx_{}_{}_arm64"},
 )  # fmt: skip
-"""What was run, or only resolved: least version for the groups, tag of the wheels."""
+"""What was run, or only resolved: the Pythons if not all, least version for the groups, tag of the wheels."""
 
 WITHOUT_WHEELS = (
     {"system": "macOS", "processor": "x86_64", "name": "macOS with an Intel processor", "tag": "macosx_15_0_x86_64"},
-    {"system": "Windows", "processor": "arm64", "name": "Windows ARM64", "tag": "win_arm64"},
     {"system": "Windows", "processor": "x86", "name": "a Python of 32 bits", "tag": "win32"},
     {"system": "Linux", "processor": "x86_64", "name": "a Linux without glibc", "tag": "musllinux_1_2_x86_64"},
 )  # fmt: skip
@@ -107,8 +108,7 @@ def refusal(groups):
         place, package = "Python " + version, without(PYTHONS[version], group)
         instead = span(name for name in PYTHONS if not without(PYTHONS[name], group))
         if not package:
-            place, package = of_system(group)
-            instead = ", ".join(row["name"] for row in SYSTEMS if not without(row, group))
+            place, package, instead = of_system(group, version)
         if package:
             text = "{asked} cannot be installed here ({place}): {package} has no wheel for it; take {instead}"
             asked = phrase(ASKED[group]) if group in ASKED else "Ribalta"
@@ -118,12 +118,16 @@ def refusal(groups):
     return None
 
 
-def of_system(group):
-    """(this system as a sentence names it, the package of a group that it lacks or None)."""
+def of_system(group, version):
+    """(this system as a sentence names it, the package of a group that it lacks or None, what has it)."""
     system, processor, level = this_system()
     place = ", ".join(part for part in (system + " " + processor, level) if part)
+    having = ", ".join(row["name"] for row in SYSTEMS if not without(row, group))
     rows = [row for row in SYSTEMS if (row["system"], row["processor"]) == (system, processor)]
     least = rows[0].get("least", {}).get(group, "") if rows else ""
     if not rows or numbers(level) < numbers(least):
-        return place, NEWEST.get(group, "llvmlite")
-    return place, without(rows[0], group)
+        return place, NEWEST.get(group, "llvmlite"), having
+    pythons = rows[0].get("pythons", PYTHONS)
+    if version not in pythons:
+        return place + ", Python " + version, "llvmlite", span(pythons)
+    return place, without(rows[0], group), having

@@ -271,7 +271,9 @@ def _rows(study, motions, threads, book, on_progress) -> tuple[tuple[Row, ...], 
         if book:
             book.add(keys[entry], row._asdict() | {"cell": asdict(row.cell)})
 
-    known.update(threads.run(tasks, keep, lambda done: on_progress(restored + done, total, "stage_runs")))
+    known.update(
+        threads.run(tasks, keep, lambda done: on_progress(restored + done, total, "stage_runs"))
+    )
     return tuple(known[entry] for entry in planned), restored
 
 

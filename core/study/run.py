@@ -150,7 +150,9 @@ def run(
             }
             on_progress(0, len(walls), "stage_accuracy")
             done = threads.run(
-                statements, lambda k, _: None, lambda n: on_progress(n, len(walls), "stage_accuracy")
+                statements,
+                lambda k, _: None,
+                lambda n: on_progress(n, len(walls), "stage_accuracy"),
             )
             results = [replace(wall, accuracy=done[k]) for k, wall in enumerate(results)]
     finally:

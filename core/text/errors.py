@@ -46,9 +46,9 @@ CASE_ERRORS = {
         "{key} = {value}: scrivere il numero senza virgolette e con il punto decimale, {key} = {plain}",
     ),
     "strength_gives_setback": (
-        "{compressive_strength_mpa} gives the setback of the hinge: it takes {unit_weight_kn_m3} and no "
+        "{compressive_strength_mpa} gives the setback of the hinge: give {unit_weight_kn_m3} and omit "
         "{hinge_setback_m}",
-        "{compressive_strength_mpa} dà l'arretramento della cerniera: richiede {unit_weight_kn_m3} e nessun "
+        "{compressive_strength_mpa} dà l'arretramento della cerniera: indicare {unit_weight_kn_m3} e omettere "
         "{hinge_setback_m}",
     ),
     "setback_too_large": (

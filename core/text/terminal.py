@@ -60,7 +60,7 @@ TERMINAL = {
     "threads (default: all cores)": "thread (predefinito: tutti i processori)",
     "no progress, no summary": "senza avanzamento né riepilogo",
     "go on from the journal": "proseguire dal registro",
-    "say what records hold": "dire che cosa contengono gli accelerogrammi",
+    "summarise the contents of records": "riassumere il contenuto degli accelerogrammi",
     "version and commit": "versione e commit",
     "{word!r} is not a number of threads from 1 to 1024": "{word!r} non è un numero di thread da 1 a 1024",
     "--batch, --study and --inspect do not go together": "--batch, --study e --inspect non vanno insieme",

@@ -51,10 +51,10 @@ SENTENCES = {
         "deve motivare il metodo raffinato.",
     ),
     "verified_alone": (
-        "Verified at {state} by {method} only: ζ {zeta}. The check with q = {q:g} could not be made: the "
-        "designer must justify the refined method.",
-        "Verificata allo {state} solo secondo {method}: ζ {zeta}. La verifica con q = {q:g} non è stata "
-        "possibile: il progettista deve motivare il metodo raffinato.",
+        "Verified at {state} by {method} only: ζ {zeta}. The check with q = {q:g} could not be evaluated: "
+        "the designer must justify the refined method.",
+        "Verificata allo {state} solo secondo {method}: ζ {zeta}. La verifica con q = {q:g} non si è "
+        "potuta valutare: il progettista deve motivare il metodo raffinato.",
     ),
     "q2_unsafe": (
         "Not verified at {state}: ζ {zeta} by {method}. The check with q = {q:g} alone would pass and is "
@@ -67,8 +67,8 @@ SENTENCES = {
         "Non verificata allo {state}: ζ {zeta} secondo {method}.",
     ),
     "indicative": (
-        "Indicative only: ζ {zeta} at {state} by {method}, not a verification.",
-        "Solo indicativo: ζ {zeta} allo {state} secondo {method}, non è una verifica.",
+        "Indicative only: ζ {zeta} at {state} by {method}; this is not a code verification.",
+        "Solo indicativo: ζ {zeta} allo {state} secondo {method}; non è una verifica di norma.",
     ),
     "undetermined": (
         "Undetermined at {state}: see the reasons.",
@@ -92,8 +92,8 @@ ADDED = {
         " Con FC sulla domanda anziché sulla resistenza {negation}è verificata: ζ {zeta}.",
     ),
     "confidence_capacity": (
-        " With FC on the strength, as C8.7.1.2.1.3 has it, it is {negation}verified: ζ {zeta}.",
-        " Con FC sulla resistenza, come nel C8.7.1.2.1.3, {negation}è verificata: ζ {zeta}.",
+        " With FC on the strength, as required by C8.7.1.2.1.3, it is {negation}verified: ζ {zeta}.",
+        " Con FC sulla resistenza, come richiede il C8.7.1.2.1.3, {negation}è verificata: ζ {zeta}.",
     ),
     "required": ("{zeta} (required {target:g})", "{zeta} (richiesto {target:g})"),
     "at_demand": ("the demand", "alla domanda"),
@@ -123,8 +123,8 @@ REASONS = {
         "del piano mancano tre numeri: {height}, {storeys} e {period} di {building}.",
     ),
     "odd_storeys": (
-        "The building has storeys of {storey:.1f} m: a height or a number of storeys mistyped?",
-        "L'edificio ha piani di {storey:.1f} m: altezza o numero di piani errati?",
+        "The building has storeys of {storey:.1f} m: check the height and the number of storeys.",
+        "L'edificio ha piani di {storey:.1f} m: controllare l'altezza e il numero di piani.",
     ),
     "odd_building_period": (
         "The period {period:g} s of the building is far from the {expected:.2f} s of its height: mistyped?",

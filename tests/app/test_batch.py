@@ -400,3 +400,45 @@ def test_that_a_batch_without_any_stream_says_nothing_and_opens_no_dialog(tmp_pa
     assert call("--batch", tmp_path / "missing.toml") == 1
     sys.stderr.close()
     assert (tmp_path / "verdict.xlsx").exists()
+
+
+def test_that_the_results_of_an_example_land_where_one_stands(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    before = sorted((ROOT / "resources" / "cases").iterdir())
+    assert call("--batch", ROOT / "resources" / "cases" / "verdict.toml") == 0
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["verdict.json", "verdict.xlsx"]
+    assert sorted((ROOT / "resources" / "cases").iterdir()) == before
+    assert "\nverdict.xlsx\nverdict.json\n" in capsys.readouterr().out
+
+
+def test_that_the_first_batch_says_what_its_words_mean_and_the_next_does_not(
+    case, tmp_path, monkeypatch, capsys
+):
+    monkeypatch.setattr("core.jit.cache.user_folder", lambda: tmp_path / "user")
+    assert call("--batch", case, "--quiet") == 0 and capsys.readouterr().out == ""
+    assert call("--batch", case) == 0
+    said = capsys.readouterr().out
+    table, words = said.split("\n\n")
+    assert (
+        words.splitlines()[-1]
+        == f"open {case.with_suffix('.xlsx')}: its first sheet sums up the walls"
+    )
+    explained = [line.split(":")[0] for line in words.splitlines()[:-1]]
+    assert explained == ["q", "robust", "zeta", "verdict"]
+    assert set(explained) <= set(table.splitlines()[0].split())
+    assert call("--batch", case) == 0
+    assert capsys.readouterr().out.splitlines()[:2] == table.splitlines()[:2]
+    case.write_text(CASE.replace("[demand]\nag_g = 0.2\n", ""))
+    (tmp_path / "user" / "explained").unlink()
+    assert call("--batch", case) == 0
+    assert "zeta" not in capsys.readouterr().out
+
+
+def test_that_a_statement_of_accuracy_without_scipy_is_refused_before_the_run(
+    case, monkeypatch, capsys
+):
+    case.write_text(CASE.replace("q_step = 0.02", "q_step = 0.02\naccuracy = true"))
+    monkeypatch.setitem(sys.modules, "scipy", None)
+    monkeypatch.setattr(batch, "run_study", lambda *_, **__: pytest.fail("computed"))
+    assert call("--batch", case) == 1
+    assert "the statement of accuracy needs scipy" in capsys.readouterr().err

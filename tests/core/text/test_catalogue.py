@@ -161,7 +161,12 @@ def test_that_no_sentence_stands_outside_the_catalogue():
         for node in ast.walk(tree):
             text = node.value if isinstance(node, ast.Constant) else None
             in_catalogue = text in CATALOGUE["terminal"]
-            if isinstance(text, str) and not in_catalogue and id(node) not in known and WORDS.search(text):
+            if (
+                isinstance(text, str)
+                and not in_catalogue
+                and id(node) not in known
+                and WORDS.search(text)
+            ):
                 found.append((name, text[:60]))
     assert [(name, text) for name, text in found if name not in OF_NO_SENTENCE] == []
     assert {name for name, _ in found} == set(OF_NO_SENTENCE)
