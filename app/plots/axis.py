@@ -27,6 +27,20 @@ def elided(name: str, most: int = LEGEND_LETTERS) -> str:
     return f"{name[: most // 3]}…{name[-end:]}"
 
 
+def ends_of(values: list[np.ndarray], log: bool) -> tuple[float, float] | None:
+    """Least and largest place of an axis among these values, None where there is no number. log : whether places are
+    their logarithms"""
+    found = np.concatenate([np.empty(0), *values])
+    if log:
+        found = np.log10(found[found > 0.0])
+    found = found[np.isfinite(found)]
+    if not found.size:
+        return None
+    low, high = float(found.min()), float(found.max())
+    half = 0.0 if high > low else 0.5 * abs(low) or 0.5
+    return low - half, high + half
+
+
 class Axis(pg.AxisItem):
     """Numbers with the decimal mark of the language, apart from each other."""
 

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 
 from app import theme
 from app.language import current_language, tr
-from app.plots.axis import LEGEND_LETTERS, TICK_LETTERS, Axis, elided, numbers
+from app.plots.axis import LEGEND_LETTERS, TICK_LETTERS, Axis, elided, ends_of, numbers
 from app.plots.chart_output import ChartOutput
 from core.text.sentence import numeral
 
@@ -25,7 +25,7 @@ NEAR = 0.04
 """Of the size of the axes: how close the cursor must be to a data point to be read there."""
 
 
-ROOM = 0.04
+ROOM = 0.06
 """Beside the data that `Chart.reset` shows, of the length of an axis."""
 
 
@@ -283,24 +283,13 @@ class Chart(ChartOutput):
     def reset(self) -> None:
         """Show everything, by the data themselves: an item that is clipped to the view knows only what it shows."""
         self._place_legend()
+        log = self.plot.ctrl.logXCheck.isChecked()
         for k, name in enumerate("xy"):
             show = (self.plot.setXRange, self.plot.setYRange)[k]
             if name in self.ranges:
                 show(*self.ranges[name], padding=(0.01, 0.0)[k])
-            elif (ends := self._ends([extent[k] for extent in self.extents])) is not None:
+            elif (ends := ends_of([extent[k] for extent in self.extents], log)) is not None:
                 show(*ends, padding=ROOM)
-
-    def _ends(self, values: list[np.ndarray]) -> tuple[float, float] | None:
-        """Least and largest place of an axis among these values, None where there is no number."""
-        found = np.concatenate([np.empty(0), *values])
-        if self.plot.ctrl.logXCheck.isChecked():
-            found = np.log10(found[found > 0.0])
-        found = found[np.isfinite(found)]
-        if not found.size:
-            return None
-        low, high = float(found.min()), float(found.max())
-        half = 0.0 if high > low else 0.5 * abs(low) or 0.5
-        return low - half, high + half
 
     # colours
 

@@ -60,7 +60,7 @@ def figure(chart, end: str, size: FigureSize) -> bytes:
             if not image.save(room, "PNG"):
                 raise OutputError("picture_not_made")
         elif end == ".svg":
-            drawing = QSvgGenerator()
+            drawing = QSvgGenerator(QSvgGenerator.SvgVersion.Svg11)
             drawing.setOutputDevice(room)
             drawing.setSize(page)
             drawing.setViewBox(QRect(0, 0, page.width(), page.height()))
@@ -87,7 +87,7 @@ def _in_pixels(drawing: str) -> str:
     """An SVG whose lines grow with it. Qt leaves the points of a curve in the units of its axes and asks for a stroke
     of so many pixels of the screen, whatever the size: a hair line in print."""
 
-    def moved(group: re.Match) -> str:
+    def _moved(group: re.Match) -> str:
         matrix, rest, shapes = group.groups()
         others = re.sub("|".join(_OF_POINTS), "", shapes)
         if "non-scaling-stroke" not in shapes or re.search(r"<\w", others):
@@ -101,7 +101,7 @@ def _in_pixels(drawing: str) -> str:
         shapes = _PAIR.sub(place, shapes.replace(' vector-effect="non-scaling-stroke"', ""))
         return f'transform="matrix(1,0,0,1,0,0)"{rest}{shapes}</g>'
 
-    return _GROUP.sub(moved, drawing)
+    return _GROUP.sub(_moved, drawing)
 
 
 def stale_line(chart) -> list[str]:

@@ -2,6 +2,7 @@
 
 import gc
 import os
+import re
 import weakref
 
 import numpy as np
@@ -178,6 +179,23 @@ def test_that_a_curve_is_as_wide_in_a_figure_as_on_the_screen(application, end, 
     covered = (255.0 - pixels(image)[rows, columns, 2]) / (255.0 - shade)
     thick = np.median(covered.sum(axis=0)) / dpi * 25.4
     assert thick == pytest.approx(2.0 / 96.0 * 25.4 * min(1.0, width / 120.0), abs=25.4 / dpi)
+    chart.deleteLater()
+
+
+def test_that_a_curve_of_an_svg_ends_at_the_axes(application):
+    """Of a chart that shows a part of its data; Qt's own reader of SVG does not cut, other programs do."""
+    chart = Chart("x", "y", "c")
+    chart.resize(500, 400)
+    x = np.linspace(0.0, 1.0, 200)
+    chart.curve("k", x, np.sin(30.0 * x), 1, 2.0, legend=False)
+    chart.set_range((0.3, 0.5), (-0.5, 0.5))
+    text = figure(chart, ".svg", FigureSize(160.0, 96)).decode()
+    shade = theme.LIGHT.curves[1]
+    (clip,) = set(re.findall(rf'<g clip-path="url\(#(\w+)\)"><g [^>]*stroke="{shade}"', text))
+    outline = re.search(rf'<clipPath id="{clip}">\s*<path [^>]*d="M([^"]*)"', text)[1]
+    places = np.array([[float(v) for v in pair.split(",")] for pair in re.split(" L| ", outline)])
+    (left, top), (right, bottom) = places.min(axis=0), places.max(axis=0)
+    assert 30 < left < 100 and right <= 605.0 and 0.0 <= top < bottom < 0.95 * 375.0
     chart.deleteLater()
 
 

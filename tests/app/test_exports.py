@@ -15,8 +15,12 @@ from PySide6.QtSvg import QSvgRenderer
 
 from app import language, theme
 from app.plots.chart import Chart
+from app.plots.figure_file import SHAPE, FigureSize, figure
 from app.plots.table import Table, plain_cell
 from core.errors import OutputError
+
+SIZE = FigureSize(720 / 96 * 25.4, 192, caption=False)
+"""As wide as the chart, twice the pixels of the screen."""
 
 MARKS = ((61.7, 16.3), (80.0, 5.0), (100.0, 20.0), (118.0, 9.0))
 
@@ -25,7 +29,7 @@ MARKS = ((61.7, 16.3), (80.0, 5.0), (100.0, 20.0), (118.0, 9.0))
 def chart(application):
     theme.set_theme("dark")
     made = Chart("SI [cm]", "q_eff [-]", "q against SI")
-    made.resize(720, 460)
+    made.view.setFixedSize(720, round(SHAPE * 720))
     made.points("time histories", *np.transpose(MARKS), 0, 12)
     made.curve("Eq. 15", [60.0, 120.0], [6.0, 18.0], 1, 3.0)
     made.plot.setXRange(50.0, 130.0, padding=0)
@@ -56,7 +60,7 @@ def near(image: QImage, x: float, y: float, shade: str, reach: int) -> bool:
 
 def drawn(chart, end) -> QImage:
     """The exported file as pixels, twice the size on the screen."""
-    content = chart.content(end)
+    content = figure(chart, end, SIZE)
     if end == ".png":
         return QImage.fromData(content, "PNG")
     image = QImage(2 * chart.view.size(), QImage.Format.Format_RGB32)
@@ -156,7 +160,7 @@ def test_that_an_export_leaves_the_numbers_of_small_axes_as_they_are(chart):
 
 def test_that_an_image_is_recoloured_in_the_light_file(chart):
     seen = []
-    chart.add(pg.ImageItem(np.zeros((2, 2))), seen.append)
+    chart.add(pg.ImageItem(np.zeros((2, 2))), lambda chosen, scale: seen.append(chosen))
     chart.content(".png")
     assert seen == [theme.current, theme.LIGHT, theme.current]
 

@@ -377,9 +377,10 @@ def test_that_a_long_name_is_short_in_a_chart_and_whole_in_its_data(application)
 
     name = "a_file_with_a_long_name_2016 3: 0 DEG (+)"
     assert len(elided(name)) <= LEGEND_LETTERS and elided(name).endswith("3: 0 DEG (+)")
-    chart = Chart("x", "y", "c")
+    chart = Chart("x", "y", "c", legend="beside")
     chart.bars(name, [0], [0.5])
     chart.names_below([name])
+    chart.fit()
     assert chart.legend.items[0][1].text == elided(name)
     assert name in chart.content(".csv").decode()
     chart.deleteLater()

@@ -6,7 +6,7 @@ import pytest
 from core.errors import RecordError
 from core.ground import records
 from core.ground.records.cut import refuse_cut
-from core.ground.records.grammar import Options
+from core.ground.records.grammar import Options, to_float
 from tests.core.ground.record_texts import MOTION, column, esm, peer, thousandths, two
 
 
@@ -306,3 +306,19 @@ def test_that_an_esm_header_that_contradicts_itself_is_refused(write):
     ):
         with pytest.raises(RecordError, match=word):
             records.read(write(content))
+
+
+@pytest.mark.parametrize(
+    "text", ["", "abc", "1.2.3", "1e", "nan", "-inf", "1_000", "0x10", "1,5", "D", "1.0E+999"]
+)
+def test_that_a_text_that_is_no_number_is_a_record_error(text):
+    """Whatever Python itself would take for a number, or refuse with an error of its own."""
+    with pytest.raises(RecordError):
+        to_float(text)
+
+
+@pytest.mark.parametrize(
+    ("text", "value"), [("1.5", 1.5), (" -2 ", -2.0), ("1.0D-3", 1e-3), ("3d2", 300.0), (".5", 0.5)]
+)
+def test_that_a_number_of_the_grammar_is_read(text, value):
+    assert to_float(text) == value
