@@ -7,6 +7,7 @@ from string import Formatter
 
 import pytest
 
+from core.case import wall_table
 from core.case.rules import parse_case
 from core.case.schema import (
     Analysis,
@@ -57,6 +58,7 @@ OF_NO_SENTENCE = {
 """Files with literals of three words that nobody reads, and what they are."""
 
 
+LOAD_KINDS = next(entry for entry in fields(Load) if entry.name == "kind").metadata["names"]
 SECTIONS_OF_A_CASE = (Report, Wall, Record, Generate, Analysis, Demand, Spectrum, HazardRow, Building, BuildingMode,
                       Load, ReturnWalls)  # fmt: skip
 
@@ -133,7 +135,7 @@ def test_that_every_text_of_the_catalogue_is_used():
     sides |= {f"choice_{name}" for entry in entries for name in entry.metadata.get("names", ())}
     sides |= {f"section_{entry.name}" for entry in fields(Case)}
     sides |= {f"work_{extra}" for extra in PACKAGES}
-    sides |= {f"load_{kind}" for kind in ("vertical", "thrust", "tie", "carried_mass")}
+    sides |= {f"load_{kind}" for kind in LOAD_KINDS}
     for group in (
         "window",
         "report",
@@ -228,3 +230,9 @@ def test_that_every_key_of_a_case_has_a_word():
     for part in SECTIONS_OF_A_CASE:
         for entry in fields(part):
             assert f"key_{entry.name}" in CATALOGUE["word"], entry.name
+
+
+def test_that_every_kind_of_load_has_its_words():
+    for kind in LOAD_KINDS:
+        assert {f"load_{kind}", f"choice_{kind}"} <= set(CATALOGUE["word"]), kind
+        assert kind in wall_table.LOAD_KINDS.values()
