@@ -45,15 +45,6 @@ TOOLS = {
     "package": "packaging/build.py",
 }
 """Words of a developer -> their script."""
-BENCH_GROUPS = {
-    "--work-precision": ["test", "bench", "study"],
-    "--q-error": ["test", "bench", "study"],
-    "--steps": ["test", "bench", "study"],
-    "--zeta": ["test"],
-    "--window": ["gui", "study", "accuracy"],
-    "--records": ["test", "gui", "study"],
-    "--screenshots": ["gui", "study", "report", "accuracy"],
-}
 
 
 class Failure(Exception):
@@ -313,8 +304,8 @@ def install(groups, folder, have):
         names = packages_of(groups)
         fetch, disk = platforms.megabytes(names)
         text = (
-            "installing {groups}: {fetch:.0f} MB to fetch, {disk:.0f} MB on the disk, about {minutes:.0f} minutes at 10 "
-            "Mbit/s (once)"
+            "installing {groups}: {fetch:.0f} MB to fetch, {disk:.0f} MB on the disk, about {minutes:.0f} minutes at "
+            "10 Mbit/s (once)"
         )
         minutes = max(1, fetch * 8 / 10 / 60 + disk / 600)
         say(phrase(text, groups=", ".join(groups), fetch=fetch, disk=disk, minutes=minutes))
@@ -417,13 +408,14 @@ def test_steps(arguments):
         [os.path.join(scripts, "lint-imports"), "--no-cache"],
         [python, "-m", "mypy", "--cache-dir", os.devnull],
     ]
-    return [*([] if arguments else steps), [python, "-m", "pytest", *arguments]]
+    every_core = ["-n", "auto", "--dist", "worksteal"]
+    return [*([] if arguments else steps), [python, "-m", "pytest", *(arguments or every_core)]]
 
 
 def refuse_unknown_options(script, arguments):
     """Raise Failure for an option the script does not read, before anything is installed for it."""
     with open(script, encoding="utf-8") as stream:
-        known = [*re.findall(r'"(--[a-z][a-z-]*)"', stream.read()), "--help"]
+        known = [*re.findall("--[a-z][a-z-]*", stream.read()), "--help"]
     for argument in arguments:
         option = argument.split("=")[0]
         if option.startswith("--") and option not in known:
@@ -450,11 +442,10 @@ def plan(arguments):
     if word in TOOLS:
         script = os.path.join(ROOT, *TOOLS[word].split("/"))
         refuse_unknown_options(script, arguments[1:])
-        groups = {
-            "bench": [group for key in arguments for group in BENCH_GROUPS.get(key, [])],
-            "package": ["gui", "accuracy", "study", "report", "package"],
-        }
-        groups = list(dict.fromkeys(["base", *groups.get(word, ["test"])]))
+        everything = ["gui", "accuracy", "study", "report"]
+        peers = ["bench"] if "--work-precision" in arguments else []
+        groups = {"bench": ["test", *everything, *peers], "package": [*everything, "package"]}
+        groups = ["base", *groups.get(word, ["test"])]
         return groups, [[interpreter(), "-P", script, *arguments[1:]]], False
     from app import command_line
     from core.errors import InputError
@@ -479,7 +470,7 @@ def plan(arguments):
 def main():
     refuse_without_wheels([])
     groups, commands, older_serves = plan(sys.argv[1:])
-    ensure(groups, older_serves)
+    ensure(groups, older_serves=older_serves)
     for command in commands[:-1]:
         code = subprocess.call(command, cwd=ROOT, env=environment())
         if code:

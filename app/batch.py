@@ -4,11 +4,12 @@ import contextlib
 import signal
 import sys
 import threading
+from collections.abc import Callable
 from pathlib import Path
 
 from app import export
 from app.language import current_language, terminal
-from app.progress import progress
+from app.terminal_progress import progress, tell
 from core import atomic_write
 from core.case.reader import read_case
 from core.case.schema import Case
@@ -85,18 +86,20 @@ def run_in(
                 base_dir=case_path.parent,
                 jobs=jobs,
                 journal=journal,
-                on_progress=show,
+                on_progress=show.runs,
                 cancelled=cancel.is_set,
             )
+            export.write(result, folder, stem, raise_if(cancel), note=report, tell=show.writing)
         except Cancelled:
             place = folder / f"{stem}.journal"
             tell("cancelled: finished runs are in {path}; go on with --resume", path=place)
             return CANCELLED
-        export.write(result, folder, stem, note=report)
         for book in books:
             book.remove()
     for note in case.table_notes[1:]:
         print(f"{case.table}: {note.text(current_language())}", file=sys.stderr)
+    for warning in result.demand.warnings if result.demand else ():
+        print(f"[demand]: {warning.text(current_language())}", file=sys.stderr)
     if not quiet:
         say(summary(result, folder, stem) + (f"\n{report}" if report else ""))
         if _never_explained():
@@ -126,11 +129,6 @@ def open_journal(path: Path, key: str, resume: bool, sync_seconds: float = 0.0) 
             n=book.dropped,
         )
     return book
-
-
-def tell(text: str, /, **values) -> None:
-    """A line on stderr."""
-    print(terminal(text, **values), file=sys.stderr, flush=True)
 
 
 def say(text: str) -> None:
@@ -226,6 +224,16 @@ def _coded(code: str | None) -> str:
 
 def _short(value: float | None) -> str:
     return "-" if value is None else numeral(value, ".2f", current_language())
+
+
+def raise_if(cancel: threading.Event) -> Callable[[], None]:
+    """A look whether Ctrl-C was pressed: raises Cancelled."""
+
+    def check() -> None:
+        if cancel.is_set():
+            raise Cancelled
+
+    return check
 
 
 @contextlib.contextmanager

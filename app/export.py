@@ -5,6 +5,7 @@ import gc
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from app.command_line import refuse_other_note
 from core import atomic_write
@@ -15,6 +16,13 @@ from core.ground import records
 from core.packages import require
 from core.study.governing import collapse_histories
 from core.study.results import StudyResult
+
+if TYPE_CHECKING:
+    from core.report.steps import Steps
+
+
+HISTORIES, JSON, NOTE = 2, 6, 90
+"""Hundredths of the writing that come before and after the workbook; the note as a document is beyond the hundred."""
 
 
 def refuse_overwriting(case: Case, case_path: Path, folder: Path, stem: str) -> None:
@@ -49,45 +57,49 @@ def write(
     check: Callable[[], None] = lambda: None,
     ready: Callable[[], None] = lambda: None,
     note: Path | None = None,
+    tell: Callable[[int, int], None] = lambda done, planned: None,
 ) -> None:
     """Workbook and JSON of a result, and the calculation note as a Word document where a file is named for it: all or
-    none. check : called now and then, ready when all is made and
-    nothing written yet. Raises OutputError and what these two raise."""
-    from core.report import json_report, workbook
+    none.
 
-    drawn = (collapse_histories(result, wall) for wall in result.walls)
+    check : called at every row, to cancel; ready : when all is made and nothing written yet
+    tell(done, planned) : how far it is
+    Raises OutputError and what check and ready raise.
+    """
+    from core.report import json_report, workbook
+    from core.report.steps import Steps
+
+    steps = Steps(check, tell, 100 if note is None else 100 + NOTE)
+    steps.take(HISTORIES)
     histories = []
-    for entry in drawn:
-        if entry:
+    for wall in steps.each(result.walls):
+        if len(histories) < workbook.HISTORY_WALLS and (entry := collapse_histories(result, wall)):
             histories.append(entry)
-        check()
-        if len(histories) == workbook.HISTORY_WALLS:
-            break
     # first the JSON: the cells of the workbook take the most memory
-    text = json_report.dumps(result).encode()
-    check()
+    steps.take(JSON)
+    text = json_report.dumps(result, steps).encode()
     try:
         with _no_collector():
-            book = workbook.content(result, histories, check)
+            book = workbook.content(result, histories, steps)
     except OSError as error:  # openpyxl makes the sheets in the folder of temporary files
         raise OutputError(
             "workbook_not_made", reason=error.strerror, folder=tempfile.gettempdir()
         ) from None
     files = {folder / f"{stem}.xlsx": book, folder / f"{stem}.json": text}
     if note is not None:
-        check()
-        files[note] = note_content(result)
+        steps.take(NOTE)
+        files[note] = note_content(result, steps)
     ready()
     atomic_write.write(files)
 
 
-def note_content(result: StudyResult) -> bytes:
+def note_content(result: StudyResult, steps: "Steps | None" = None) -> bytes:
     """The calculation note as a Word document. Raises OutputError."""
     from core.report.note.content import note
     from core.report.note.document import document
 
     language = result.case.report.language
-    return document(note(result, language), language)
+    return document(note(result, language), language, steps)
 
 
 @contextlib.contextmanager

@@ -114,6 +114,7 @@ class Files:
     def ask_note(self) -> None:
         """The calculation note as a Word document, to a place the user names."""
         from app import export
+        from core.report.steps import Steps
 
         if self.export_refused():
             return
@@ -131,7 +132,9 @@ class Files:
         result = self.session.result
 
         def write(job) -> None:
-            content = export.note_content(result)
+            steps = Steps(job.check, job.progress)
+            steps.take(100)
+            content = export.note_content(result, steps)
             job.commit()
             atomic_write.write({path: content})
 
@@ -197,7 +200,9 @@ class Files:
             QMessageBox.warning(self.window, tr("Nothing exported"), described(error))
             return
         self.window.start(
-            lambda job: export.write(result, path.parent, path.stem, job.check, job.commit),
+            lambda job: export.write(
+                result, path.parent, path.stem, job.check, job.commit, tell=job.progress
+            ),
             lambda _: self.window.show_word(tr("Written: {path}", path=path)),
             to_end=True,
         )

@@ -8,19 +8,25 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QMainWindow, QMessageBox
 
 from app.language import tr
-from app.progress import Pace
 from app.worker import Job
 
 BETWEEN_WORDS = 0.1
 """Least time between two states of the progress bar [s]: each paints the window at once."""
 
 
+def progress_word(done: int, planned: int, elapsed: float, left: float | None) -> str:
+    """How much is done, and the time left [s] where it is known."""
+    values: dict = {"done": done, "planned": planned, "elapsed": elapsed}
+    if left is None:
+        return tr("{done} of {planned}, {elapsed:.0f} s", **values)
+    return tr("{done} of {planned}, {elapsed:.0f} s, about {left:.0f} s left", left=left, **values)
+
+
 class RunningWindow(QMainWindow):
     """The part of the window that starts jobs, shows how far they are and takes what they bring."""
 
     job: Job | None = None
-    told = 0.0
-    pace = Pace()
+    began = told = 0.0
     closing = to_end = False
     finished_walls: list = []
     refused: tuple = (None, None)
@@ -87,7 +93,7 @@ class RunningWindow(QMainWindow):
         job.progressed.connect(unless_left(self._progressed))
         job.found.connect(unless_left(self._found))
         job.finished.connect(unless_left(self._ended))
-        self.pace = Pace()
+        self.began = time.monotonic()
         self.bar.setRange(0, 0)
         self.finished_walls = []
         self.show_word(tr("Running…"))
@@ -100,11 +106,10 @@ class RunningWindow(QMainWindow):
         self.finished_walls.append(wall)
         self.show_finished(self.finished_walls)
 
-    def _progressed(self, done: int, planned: int, stage: str) -> None:
+    def _progressed(self, done: int, planned: int, left: float | None) -> None:
         from core.jit import cache
 
         now = time.monotonic()
-        sentence = self.pace.sentence(done, planned, stage)
         if done and now - self.told < BETWEEN_WORDS:  # each paints the bar at once
             return
         self.told = now
@@ -113,7 +118,7 @@ class RunningWindow(QMainWindow):
             return
         self.bar.setRange(0, max(planned, 1))
         self.bar.setValue(done)
-        self.show_word(sentence)
+        self.show_word(progress_word(done, planned, now - self.began, left))
 
     def _ended(self) -> None:
         self.job = None

@@ -14,12 +14,12 @@ from app.batch import (
     WITHOUT_NUMBER,
     interrupts,
     open_journal,
+    raise_if,
     say,
-    tell,
 )
 from app.command_line import STUDIES, study_file
 from app.language import terminal
-from app.progress import progress
+from app.terminal_progress import progress, tell
 from core import atomic_write
 from core.case.study_file import Study, read_record_list, read_study, shortened
 from core.errors import Cancelled, InputError, place
@@ -34,6 +34,9 @@ from core.study.study_report import report_of
 
 MAX_NAMED = 20
 """Runs without a number that are named on the terminal."""
+
+FIGURES = 50
+"""Hundredths of the writing that the figures take."""
 
 FIGURE_NAME = re.compile(r"(fig\d\d|q|q_eff|eq14|law)_\w[\w.]*\.(png|svg)")
 """Names of the figures of a study."""
@@ -160,7 +163,9 @@ def run(
     cancel = threading.Event()
     with interrupts(cancel), progress(quiet) as show:
         try:
-            made = results(asked, folder, records, jobs, quick, resume, show, cancel.is_set)
+            made = results(asked, folder, records, jobs, quick, resume, show.runs, cancel.is_set)
+            report = report_of(made.result)
+            write(made.result, report, folder, made.stem, raise_if(cancel), tell=show.writing)
         except Cancelled:
             journal = folder / f"{stem_of(path, quick)}.journal"
             if journal.exists():
@@ -168,8 +173,6 @@ def run(
             else:
                 tell("stopped")
             return CANCELLED
-        report = report_of(made.result)
-        write(made.result, report, folder, made.stem)
     made.book.remove()
     if not quiet:
         say(summary(made.result, report, folder, made.stem))
@@ -194,25 +197,29 @@ def write(
     stem: str,
     check: Callable[[], None] = lambda: None,
     ready: Callable[[], None] = lambda: None,
+    tell: Callable[[int, int], None] = lambda done, planned: None,
 ) -> None:
-    """All files of a study. check : called now and then, may raise; ready : when all is made and nothing written
-    yet. Raises OutputError; what a figure raises, when the other files are written."""
+    """All files of a study. check : called at every row, to cancel; ready : when all is made and nothing written yet;
+    tell(done, planned) : how far it is. Raises OutputError; what a figure raises, when the other files are written."""
     from core.report import study_files, study_workbook
+    from core.report.steps import Steps
 
+    steps = Steps(check, tell)
+    steps.take(0)
     runs = study_files.csv_text(result).encode()
     digest = hashlib.sha256(runs).hexdigest()
     files = {
-        folder / f"{stem}.xlsx": study_workbook.content(result, report),
+        folder / f"{stem}.xlsx": study_workbook.content(result, report, steps),
         folder / f"{stem}.json": study_files.json_text(
             result, report, f"{stem}.csv", digest
         ).encode(),
         folder / f"{stem}.csv": runs,
     }
     drawn: dict[Path, bytes] = {}
+    steps.take(FIGURES)
     fault = None
     try:
-        for figure in report.figures:
-            check()
+        for figure in steps.each(report.figures):
             for name, content in study_files.figure_files(figure).items():
                 drawn[folder / f"{stem}_figures" / name] = content
     except Cancelled:

@@ -1,6 +1,7 @@
 """The window of a parametric study: what to run, its progress, the claims, tables and figures it results in."""
 
 import os
+import time
 from pathlib import Path
 
 from PySide6.QtCore import QStandardPaths
@@ -27,7 +28,7 @@ from PySide6.QtWidgets import (
 from app import study
 from app.language import tr
 from app.plots.study_tabs import claims_table, figure_chart, table_view
-from app.progress import Pace
+from app.running import progress_word
 from app.worker import Job
 from core.study import parametric
 from core.study.study_report import report_of
@@ -42,7 +43,7 @@ class StudyWindow(QDialog):
         self.setWindowTitle(tr("Parametric study"))
         self.resize(1100, 720)
         self.job: Job | None = None
-        self.pace = Pace()
+        self.began = 0.0
         self.study = QComboBox()
         for name in sorted(path.stem for path in study.STUDIES.glob("*.toml")):
             self.study.addItem(name)
@@ -147,7 +148,7 @@ class StudyWindow(QDialog):
                 job.cancelled,
             )
             report = report_of(made.result)
-            study.write(made.result, report, folder, made.stem, job.check, job.commit)
+            study.write(made.result, report, folder, made.stem, job.check, job.commit, job.progress)
             made.book.remove()
             return made.result, report, folder
 
@@ -156,7 +157,7 @@ class StudyWindow(QDialog):
         job.failed.connect(self._failed)
         job.progressed.connect(self._progressed)
         job.finished.connect(self._ended)
-        self.pace = Pace()
+        self.began = time.monotonic()
         self.bar.setRange(0, 0)
         self.word.setText(tr("Running…"))
         self._show_running(True)
@@ -166,10 +167,10 @@ class StudyWindow(QDialog):
         self.run_button.setEnabled(not on)
         self.cancel_button.setEnabled(on)
 
-    def _progressed(self, done: int, planned: int, stage: str) -> None:
+    def _progressed(self, done: int, planned: int, left: float | None) -> None:
         self.bar.setRange(0, max(planned, 1))
         self.bar.setValue(done)
-        self.word.setText(self.pace.sentence(done, planned, stage))
+        self.word.setText(progress_word(done, planned, time.monotonic() - self.began, left))
 
     def cancel(self) -> None:
         """Stop between two analyses; finished runs are kept."""

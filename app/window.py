@@ -29,9 +29,11 @@ from app.preparation import Preparation
 from app.running import RunningWindow
 from app.session import Session
 from app.worker import Collector
+from core.case.schema import Wall
 from core.errors import InputError
 from core.study.demand_input import target_of
 from core.study.journal import Memory
+from core.study.results import StudyResult, WallResult
 from core.text.sentence import LANGUAGES
 from core.text.start import system_language
 from core.version import NAME
@@ -42,9 +44,13 @@ FIRST_SIZE, FRAME = QSize(1280, 800), QSize(8, 40)
 """Of the window at first, and of what the desktop puts around it [px]."""
 
 
-def is_part_of(wall, name: str) -> bool:
-    """Whether a wall of a result is that of this name in the case, or the part of it above a hinge."""
-    return wall.name == name or wall.name.startswith(f"{name} (+")
+def row_of(result: StudyResult, wall: WallResult, walls: tuple[Wall, ...]) -> int | None:
+    """Row of the wall, among those of a case that may have changed since, that a wall of a result is of or is a part
+    of: the one that was analysed, else the one in its place; None where that is another one."""
+    asked, k = wall.part.asked, wall.part.origin
+    if asked in walls:
+        return walls.index(asked)
+    return k if k < len(walls) and walls[k] not in result.case.wall else None
 
 
 class MainWindow(RunningWindow):
@@ -272,10 +278,9 @@ class MainWindow(RunningWindow):
         """List, selector and tabs show one wall."""
         self.fresh.clear()
         if self.wall is not None:
-            names = [wall.title for wall in self.session.case.wall]
-            wanted = [k for k, name in enumerate(names) if is_part_of(self.wall, name)]
-            if wanted and self.walls.list.currentRow() not in wanted:
-                self.walls.list.setCurrentRow(wanted[0])
+            row = row_of(self.session.result, self.wall, self.session.case.wall)
+            if row is not None and self.walls.list.currentRow() != row:
+                self.walls.list.setCurrentRow(row)
         self.show_result()
 
     def _wall_listed(self, row: int) -> None:
@@ -283,10 +288,9 @@ class MainWindow(RunningWindow):
         result, walls = self.session.result, self.session.case.wall
         if result is None or not 0 <= row < len(walls) or self.walls.showing:
             return
-        name = walls[row].title
-        if self.wall is None or is_part_of(self.wall, name):
+        if self.wall is None or row_of(result, self.wall, walls) == row:
             return
-        found = [k for k, wall in enumerate(result.walls) if is_part_of(wall, name)]
+        found = [k for k, wall in enumerate(result.walls) if row_of(result, wall, walls) == row]
         if found:
             self.chosen.setCurrentIndex(found[0])
             self.fresh.clear()

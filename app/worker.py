@@ -29,13 +29,13 @@ class Job(QThread):
     taken back, as writing files, it does after `job.commit()`.
 
     done(result), failed(sentence: str, log: str; no log for wrong input) : one of them, none if it stops;
-    progressed(done, planned, stage); found(part) : a part of the result, before it is whole. A job that was cancelled
-    may be left: its thread ends by itself.
+    progressed(done, planned, left) : the time left [s], None where it is not known; found(part) : a part of the
+        result, before it is whole. A job that was cancelled may be left: its thread ends by itself.
     """
 
     done = Signal(object)
     failed = Signal(str, str)
-    progressed = Signal(int, int, str)
+    progressed = Signal(int, int, object)
     found = Signal(object)
 
     def __init__(self, work: Callable):
@@ -78,8 +78,8 @@ class Job(QThread):
         if self._flag.is_set():
             raise Cancelled
 
-    def progress(self, done: int, planned: int, stage: str) -> None:
-        self.progressed.emit(done, planned, stage)
+    def progress(self, done: int, planned: int, left: float | None = None) -> None:
+        self.progressed.emit(done, planned, left)
 
     def run(self) -> None:
         try:

@@ -2,5 +2,5 @@
 
 import os
 
-# openpyxl would read and write by lxml where that is installed, past defusedxml: one way, the safe one, everywhere
+# openpyxl would write by lxml where that is installed: one way everywhere
 os.environ["OPENPYXL_LXML"] = "False"

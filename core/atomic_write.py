@@ -2,16 +2,34 @@
 
 import contextlib
 import errno
+import functools
+import hashlib
 import json
 import os
+import platform
+import re
 import sys
 import tempfile
+import time
+from collections.abc import Iterable
 from pathlib import Path
 
 from core.errors import OutputError
 
 PREFIX, COMMIT = ".ribalta-", ".commit"
-"""Names of temporary files: prefix, number of the process, chance; and of the list of moves under way."""
+"""Names of temporary files: prefix, machine, number of the process, chance; and of the list of moves under way, or of
+what leads to it."""
+
+_NAME = re.compile(re.escape(PREFIX) + r"([0-9a-f]{8})-([0-9]+)-")
+
+OTHERS_AFTER = 86400.0
+"""Whether a process of another machine runs cannot be told: what it left is its own for this time [s]."""
+
+
+@functools.cache
+def machine() -> str:
+    """Short name of this machine, without the marks of a file's name."""
+    return hashlib.sha256(platform.node().encode()).hexdigest()[:8]
 
 
 def check_folder(folder: Path) -> list[Path]:
@@ -34,15 +52,19 @@ def check_folder(folder: Path) -> list[Path]:
 
 
 def write(files: dict[Path, bytes]) -> None:
-    """Write all files, or none: every one is on disk beside its place before any takes it, and if one
-    cannot take its place those before it are put back. A kill between two of them is finished by the next
-    `clean` of the folder, from a list that is on disk before the first.
+    """Write all files, or none, in whatever folders: every one is on disk beside its place before any takes it, and if
+    one cannot take its place those before it are put back. A kill between two of them is finished by the next `clean`
+    of any of the folders, from a list that is on disk before the first.
 
-    Links are followed, so that the file behind is replaced. Raises OutputError; old files stay.
+    Links are followed, so that the file behind is replaced. Raises OutputError: old files stay, or, where one cannot be
+    put back, it says which are new.
     """
     moves: dict[str, str] = {}
     old: dict[str, str | None] = {}
-    path = listed = None
+    taken: list[str] = []
+    leads: list[str] = []
+    path = None
+    failed: OSError | None = None
     done = False
     try:
         for path, content in files.items():
@@ -54,68 +76,147 @@ def write(files: dict[Path, bytes]) -> None:
         for target in moves.values():
             path, old[target] = target, None
             if os.path.isfile(target):
-                with open(target, "rb") as stream:
-                    old[target] = _beside(target, stream.read())
-        if len(moves) > 1 and len({os.path.dirname(target) for target in moves.values()}) == 1:
-            # bare names: of this folder, whatever it is called later
-            names = {os.path.basename(name): os.path.basename(to) for name, to in moves.items()}
-            listed = _beside(next(iter(moves.values())), json.dumps(names).encode(), COMMIT)
+                old[target] = _beside(target, _content(target))
+        if len(moves) > 1:
+            _list_moves(moves, old, leads)
         for name, target in moves.items():
             path = target
             os.replace(name, target)
-        for folder in {os.path.dirname(target) for target in moves.values()}:
+            taken.append(target)
+        for folder in _folders(moves):
             _sync_folder(folder)
         done = True
     except OSError as error:
-        raise OutputError("file_not_writable", reason=error.strerror, place=(path,)) from None
+        failed = error
     finally:
-        if not done and listed:
-            _remove(listed)  # first of all: a kill from here on must not finish what is taken back
-        for name, target in moves.items():
-            if done or os.path.exists(name) or target not in old:
-                continue
-            with contextlib.suppress(OSError):  # it took its place, and another could not
-                if old[target]:
-                    os.chmod(old[target], _mode(target))
-                    os.replace(old[target], target)
-                else:
-                    os.unlink(target)
-        for name in (listed, *old.values(), *moves):
-            if name:
-                _remove(name)
+        if not done:  # a kill from here on must not finish what is taken back
+            _remove_all(reversed(leads))
+            taken = [target for target in taken if not _put_back(target, old[target])]
+        _remove_all((*leads, *old.values(), *moves))
+    if failed and taken:
+        raise OutputError(
+            "files_mixed", reason=failed.strerror, new=", ".join(taken), place=(path,)
+        ) from None
+    if failed:
+        raise OutputError("file_not_writable", reason=failed.strerror, place=(path,)) from None
+
+
+def _folders(moves: dict[str, str]) -> list[str]:
+    return list(dict.fromkeys(os.path.dirname(target) for target in moves.values()))
+
+
+def _content(path: str | Path) -> bytes:
+    with open(path, "rb") as stream:
+        return stream.read()
+
+
+def _list_moves(moves: dict[str, str], old: dict[str, str | None], made: list[str]) -> None:
+    """Put the list of moves on disk: from then on a kill is finished, before it is undone. In the first folder lies
+    the list, in each other one the way to it. made : takes the files in the order they may be missing.
+
+    A name of the list's own folder is bare, whatever that is called later, one of another absolute. With it goes the
+    hash of the file that is replaced, so that a late start takes back nothing that was written since.
+    """
+    first, *others = _folders(moves)
+    entries = [
+        [
+            os.path.basename(part) if os.path.dirname(target) == first else part
+            for part in (name, target)
+        ]
+        + [_hash_of(target) if old[target] else None]
+        for name, target in moves.items()
+    ]
+    unnamed = _beside(os.path.join(first, "x"), json.dumps(entries).encode())
+    made.append(unnamed)
+    listed = unnamed + COMMIT
+    for folder in others:
+        made.append(_beside(os.path.join(folder, "x"), json.dumps(listed).encode(), COMMIT))
+    for folder in _folders(moves):
+        _sync_folder(folder)
+    made.append(listed)
+    os.replace(unnamed, listed)
+
+
+def _put_back(target: str, earlier: str | None) -> bool:
+    """Whether a file that took its place is as it was again."""
+    try:
+        if earlier:
+            os.chmod(earlier, _mode(target))
+            os.replace(earlier, target)
+        else:
+            os.unlink(target)
+    except OSError:
+        return False
+    return True
 
 
 def clean(folder: Path) -> None:
     """Finish or remove what a killed process left in a folder."""
     with contextlib.suppress(OSError):
         left = [path for path in folder.glob(f"{PREFIX}*-*") if not _in_use(path)]
+        waiting = {
+            _owner(path) for path in left if path.name.endswith(COMMIT) and not _finish(path)
+        }
         for path in left:
-            if path.name.endswith(COMMIT):
-                _finish(path)
-        for path in left:
-            with contextlib.suppress(OSError):
-                path.unlink()
+            if _owner(path) not in waiting:
+                with contextlib.suppress(OSError):
+                    path.unlink()
 
 
-def _finish(listed: Path) -> None:
-    """Make the moves of a list that a kill interrupted: temporary files of the same process, in this folder."""
-    own = listed.name.split("-")[1]
-    with contextlib.suppress(OSError, ValueError, AttributeError, TypeError):
-        moves = json.loads(listed.read_bytes())
-        for name, target in moves.items():
-            bare = name == os.path.basename(name) and target == os.path.basename(target)
-            source = listed.with_name(name)
-            if bare and target and name.startswith(f"{PREFIX}{own}-") and source.is_file():
-                os.replace(source, listed.with_name(target))
+def _owner(path: Path) -> str:
+    """What the names of all temporary files of a process begin with; empty of any other file."""
+    named = _NAME.match(path.name)
+    return named[0] if named else ""
+
+
+def _finish(listed: Path) -> bool:
+    """Make the moves of a list that a kill interrupted; only temporary files of the same process, each to a name of
+    its own folder. False where another folder cannot be reached now: the files wait for it."""
+    with contextlib.suppress(OSError, ValueError, TypeError, AttributeError):
+        moves = json.loads(_content(listed))
+        if isinstance(moves, str):
+            other = Path(moves)
+            if not other.is_absolute() or _owner(other) != _owner(listed):
+                return True
+            if not other.parent.is_dir():
+                return False
+            listed, moves = other, json.loads(_content(other))
+        ahead = []
+        for name, target, earlier in moves:
+            source, place = listed.parent / name, listed.parent / target
+            if not place.parent.is_dir():
+                return False
+            if (
+                _owner(source) == _owner(listed)
+                and source.parent == place.parent
+                and source.is_file()
+            ):
+                ahead.append((source, place, earlier))
+        # nothing that was written since by somebody else is replaced
+        if all(_hash_of(place) == earlier for _, place, earlier in ahead):
+            for source, place, _ in ahead:
+                os.replace(source, place)
+        listed.unlink()
+    return True
+
+
+def _hash_of(path: str | Path) -> str | None:
+    """Of what a file holds; None where there is none."""
+    try:
+        return hashlib.sha256(_content(path)).hexdigest()
+    except FileNotFoundError:
+        return None
 
 
 def _in_use(path: Path) -> bool:
     """Whether the process in the name of a temporary file still runs, as far as can be told; what is no file
     of ours is left alone."""
-    number = path.name.removeprefix(PREFIX).split("-")[0]
-    if not number.isdigit() or not path.is_file() or path.is_symlink():
+    named = _NAME.match(path.name)
+    if not named or not path.is_file() or path.is_symlink():
         return True
-    return alive(int(number))
+    if named[1] == machine():
+        return alive(int(named[2]))
+    return abs(time.time() - path.stat().st_mtime) < OTHERS_AFTER
 
 
 def alive(number: int) -> bool:
@@ -158,7 +259,7 @@ def _sync_folder(folder: str) -> None:
 def _beside(target: str, content: bytes, end: str = "") -> str:
     """A temporary file in the target's folder, on disk; deleted if it cannot be written whole."""
     handle, name = tempfile.mkstemp(
-        dir=os.path.dirname(target), prefix=f"{PREFIX}{os.getpid()}-", suffix=end
+        dir=os.path.dirname(target), prefix=f"{PREFIX}{machine()}-{os.getpid()}-", suffix=end
     )
     try:
         with os.fdopen(handle, "wb") as stream:
@@ -169,6 +270,12 @@ def _beside(target: str, content: bytes, end: str = "") -> str:
         _remove(name)
         raise
     return name
+
+
+def _remove_all(names: Iterable[str | None]) -> None:
+    for name in names:
+        if name:
+            _remove(name)
 
 
 def _remove(name: str) -> None:

@@ -28,7 +28,7 @@ def drawn() -> Image.Image:
     draw.rounded_rectangle(((0, 0), (SIZE * FINE - 1, SIZE * FINE - 1)), 48 * FINE, "#eef2f6")
     draw.rectangle(((24 * FINE, 214 * FINE), (232 * FINE, 226 * FINE)), GROUND)
     corners = ((0, 0), (WIDTH, 0), (WIDTH, HEIGHT), (0, HEIGHT))
-    draw.line([_place(*c, 0.0) for c in (*corners, corners[0])], TRACE, 4 * FINE, "curve")
+    draw.line([_place(x, y, 0.0) for x, y in (*corners, corners[0])], TRACE, 4 * FINE, "curve")
     draw.polygon([_place(*corner) for corner in corners], WALL)
     step = HEIGHT / COURSES
     for k in range(COURSES):

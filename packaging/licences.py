@@ -76,14 +76,15 @@ def _inside(name: str, version: str) -> list[tuple[str, str, str]]:
 def _of_distribution(name: str) -> Part:
     found = importlib.metadata.distribution(name)
     about = found.metadata
-    stated = about.get("License-Expression") or about.get("License") or ""
+    expressions = (about.get_all("License-Expression") or []) + (about.get_all("License") or [])
+    stated = next(filter(None, expressions), "")
     if not stated or len(stated) > 100:  # a whole text in the field of the name
         kinds = [
             line for line in about.get_all("Classifier") or () if line.startswith("License ::")
         ]
         stated = "; ".join(line.rsplit(" :: ", 1)[-1] for line in kinds)
     texts = [
-        Path(found.locate_file(file)) for file in found.files or ()
+        Path(str(found.locate_file(file))) for file in found.files or ()
         if re.search(r"\.dist-info/(licenses|sboms)/", file.as_posix())
         or (".dist-info/" in file.as_posix() and NAMES.search(file.name))
     ]  # fmt: skip
@@ -144,7 +145,7 @@ def _listed(file: Path) -> list[tuple]:
 def parts(work: Path) -> list[Part]:
     """What PyInstaller packed. work : its folder of work, with the lists it made"""
     owners = {
-        os.path.normpath(os.path.join(found.locate_file(""), row[0])): name
+        os.path.normpath(os.path.join(str(found.locate_file("")), row[0])): name
         for found in importlib.metadata.distributions() for name in [found.name]
         for row in csv.reader((found.read_text("RECORD") or "").splitlines())
     }  # fmt: skip

@@ -121,6 +121,6 @@ def debian_package() -> Path:
         control = CONTROL.format(version=VERSION, machine=machine, kilobytes=size(root) // 1024,
                                  packages=_needed_packages())  # fmt: skip
         (root / "DEBIAN/control").write_text(control, encoding="ascii")
-        command = ["dpkg-deb", "--root-owner-group", "-Zxz", "-b", root, target]
+        command = ["dpkg-deb", "--root-owner-group", "-Zxz", "-b", str(root), str(target)]
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
     return target

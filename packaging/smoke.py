@@ -7,6 +7,7 @@ path, as a user without rights and without a home, and with the network denied; 
 closes; a fault leaves a log; an older version's settings stay. What this machine cannot try is said.
 """
 
+import argparse
 import json
 import os
 import re
@@ -303,4 +304,6 @@ TRIALS = (
 
 
 if __name__ == "__main__":
-    sys.exit(main(Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "dist" / "ribalta"))
+    words = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    words.add_argument("folder", nargs="?", type=Path, default=ROOT / "dist" / "ribalta")
+    sys.exit(main(words.parse_args().folder))

@@ -6,6 +6,7 @@ Both give the program an environment of its own, so that the top-level names `ap
 meet nobody else's. The batch must give the results of the source tree.
 """
 
+import argparse
 import os
 import shutil
 import subprocess
@@ -21,6 +22,7 @@ EXTRAS = "gui,study,report"
 
 
 def main() -> int:
+    argparse.ArgumentParser(description=__doc__.split("\n")[0]).parse_args()
     shutil.rmtree(ROOT / "dist" / "wheel", ignore_errors=True)
     subprocess.run(
         ["uv", "build", "--quiet", "--wheel", "--out-dir", ROOT / "dist" / "wheel", ROOT],

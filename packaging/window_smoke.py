@@ -36,7 +36,7 @@ def drive(application, window, folder: Path, times: dict) -> None:
     window.files.export_figures(folder, FigureSize())
     (folder / "times.json").write_text(json.dumps(times), encoding="ascii")
     if "RIBALTA_SMOKE_FAULT" in os.environ:
-        faulthandler._sigsegv()
+        faulthandler._sigsegv()  # type: ignore[attr-defined]
     window.session.saved = window.session.case
     window.close()
 
@@ -65,7 +65,8 @@ def main(folder: str) -> int:
     def refused(*words) -> None:  # a dialog would wait for somebody
         raise AssertionError(words[-1])
 
-    start.QMessageBox.warning = start.QMessageBox.question = start.QMessageBox.critical = refused
+    for asked in ("warning", "question", "critical"):
+        setattr(start.QMessageBox, asked, refused)
 
     def shown(window) -> None:
         show(window)

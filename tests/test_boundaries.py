@@ -29,6 +29,7 @@ REFUSALS = "tests/core/ground/test_record_refusals.py"
 SHOWN_BY = {
     "atomic_write": "tests/core/test_atomic_write.py",
     "errors": SENTENCES,
+    "text/start": "tests/test_run.py",
     "file_names": "tests/app/test_nothing_lost.py",
     "capacity/limit_states": "tests/validation/test_circolare_by_hand.py",
     "capacity/independent_solver": "tests/validation/test_independent_solver.py",
@@ -36,7 +37,6 @@ SHOWN_BY = {
     "case/schema": "tests/core/case/test_schema.py",
     "case/site": "tests/core/case/test_schema.py",
     "case/values": "tests/core/case/test_rules.py",
-    "codes/demand": "tests/core/codes/test_target_spectrum.py",
     "ground/records/california": DIALECTS,
     "ground/records/channels": DIALECTS,
     "ground/records/container": DIALECTS,
@@ -49,6 +49,9 @@ SHOWN_BY = {
     "ground/records/peer": REFUSALS,
     "ground/records/plain": REFUSALS,
     "ground/records/plain_head": "tests/core/ground/test_plain_head.py",
+    "ground/records/head_units": "tests/core/ground/test_wordings.py",
+    "ground/records/wordings": "tests/core/ground/test_wordings.py",
+    "ground/records/samples": "tests/core/ground/test_samples.py",
     "jit/kernel": "tests/core/jit/test_decorators.py",
     "jit/numba_extensions": "tests/core/jit/test_decorators.py",
     "rocking/events": "tests/validation/test_energy.py",
@@ -73,15 +76,12 @@ SHOWN_BY = {
     "study/paper_tables": STUDY,
     "study/set_means": "tests/core/study/test_parametric.py",
     "study/study_report": STUDY,
-    "codes/capacity_curve": "tests/core/report/test_note.py",
     "study/demand_histories": "tests/core/report/test_note.py",
     "study/assessment": "tests/core/codes/test_verdict.py",
     "study/demand_input": "tests/core/codes/test_target_spectrum.py",
     "study/governing": RUN,
     "study/results": RUN,
     "study/threads": RUN,
-    "wall/loads": "tests/validation/test_loaded_walls.py",
-    "wall/rocking_model": "tests/validation/test_reference_histories.py",
     **{
         f"rocking/compared/{name}": ORDER
         for name in (

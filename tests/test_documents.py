@@ -1,7 +1,7 @@
-"""What documents say is what the program does: their commands, their figures, the names of what can be chosen."""
+"""What documents say is what the program does: options, figures, names of what can be chosen. Their commands:
+test_documented_commands.py."""
 
 import re
-import shlex
 from dataclasses import fields
 
 import pytest
@@ -19,52 +19,13 @@ from core.version import VERSION
 from core.wall.moment_rotation import LAWS
 from core.wall.restitution import MODELS
 from tests.conftest import ROOT
-from tests.test_run import load
 
-PAGES = [
-    ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "packaging" / "README.md",
-    *sorted((ROOT / "resources" / "docs").rglob("*.md")),
-]  # fmt: skip
 SECTIONS = (Report, Wall, Load, ReturnWalls, Record, Generate, Analysis, Demand, Spectrum, HazardRow, Building,
             BuildingMode)  # fmt: skip
 
 
 def text_of(name: str) -> str:
     return (ROOT / name).read_text(encoding="utf-8")
-
-
-# commands
-
-COMMAND = re.compile(r"(?:python3|py) run\.py(?=[ `\n])([^`\n#(]*)")
-
-
-def commands() -> list[tuple[str, list[str]]]:
-    """(page, words after run.py) of every command of the documents, what may be left out of it included."""
-    found = []
-    for page in PAGES:
-        for said in COMMAND.findall(page.read_text(encoding="utf-8")):
-            words = shlex.split(re.sub(r"[\[\]]|…|\.\.\.", "", said))
-            found.append((page.relative_to(ROOT).as_posix(), words))
-    return found
-
-
-@pytest.mark.parametrize("page, words", commands(), ids=str)
-def test_that_every_command_of_a_document_is_one(monkeypatch, page, words):
-    monkeypatch.setattr(command_line, "refuse_missing", lambda options: None)
-    run = load()
-    run.plan([word for word in words if word != "--version"])
-    for word in words:
-        if word.startswith(("resources/", "tests/", "packaging/", "core/", "app/")):
-            assert (ROOT / word).exists()
-    if words[:1] == ["test"] and "-k" in words:
-        asked, folder = words[words.index("-k") + 1], words[-1]
-        tests = "\n".join(path.read_text() for path in (ROOT / folder).rglob("test_*.py"))
-        assert re.search(rf"^def test_\w*{asked}", tests, re.MULTILINE), "no test of this name"
-
-
-def test_that_the_documents_have_commands_of_every_kind():
-    asked = {word for _, words in commands() for word in words}
-    assert {"--batch", "--study", "--report", "test", "bench", "fuzz", "mutate", "package"} <= asked
 
 
 def test_that_every_option_is_in_the_readme():

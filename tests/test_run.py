@@ -173,7 +173,8 @@ def test_that_each_word_installs_what_it_needs_and_no_more(run, tmp_path):
         (["--study=law"], ["study"]),
         ([EXAMPLE], ["gui", "accuracy", "study", "report"]),
         (["fuzz", "case", "--seconds", "3"], ["test"]),
-        (["bench", "--zeta"], ["test"]),
+        (["bench", "--zeta"], ["test", "gui", "accuracy", "study", "report"]),
+        (["bench", "--work-precision"], ["test", "gui", "accuracy", "study", "report", "bench"]),
     ):
         assert run.plan(words)[0] == ["base", *extras], words
 

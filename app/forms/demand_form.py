@@ -23,11 +23,12 @@ from app.forms.fields import (
 )
 from app.forms.hazard_form import HazardForm
 from app.forms.law_curve import SpectrumCurve
-from app.language import described, named, number, tr
+from app.language import current_language, described, named, number, tr
 from app.parts import Parts
 from app.session import Session
 from core.case.schema import Analysis, Report
 from core.case.site import Demand, Spectrum
+from core.codes.demand import unusual
 from core.codes.target_spectrum import NTC_TOPOGRAPHY, SOILS
 from core.errors import InputError
 from core.study.demand_input import target_of
@@ -53,7 +54,8 @@ class DemandForm(QWidget):
         self.ag = NumberField(
             Demand, "ag_g", "a_g", "g", tip=tr("On rigid ground (su suolo rigido); S apart")
         )
-        self.hint = QLabel(tr("a_g on rigid ground, S apart"))
+        self.hint = QLabel()
+        self.hint.setWordWrap(True)
         self.kind = Choice()
         self.kind.setAccessibleName(tr("Spectrum"))
         for name, shown in (
@@ -140,6 +142,7 @@ class DemandForm(QWidget):
             return
         for field in self.of_demand:
             field.show_value(getattr(demand, field.key))
+        self.hint.setText(self._asked(demand.ag_g))
         spectrum, kind = demand.spectrum, self._kind_of(demand)
         self.kind.setCurrentIndex(self.kind.findData(kind))
         for field in self.of_spectrum:
@@ -180,6 +183,13 @@ class DemandForm(QWidget):
         return (
             demand.spectrum.code if demand.spectrum else "file" if demand.spectrum_file else "none"
         )
+
+    @staticmethod
+    def _asked(ag) -> str:
+        """What a_g is, or whether it is meant."""
+        doubts = unusual(ag * G) if isinstance(ag, float | int) else []
+        words = "\n".join(doubt.text(current_language()) for doubt in doubts)
+        return words or tr("a_g on rigid ground, S apart")
 
     @staticmethod
     def _said(demand: Demand, target) -> str:

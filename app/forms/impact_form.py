@@ -1,5 +1,6 @@
 """Restitution model and moment law of a wall, with formula, value and curve."""
 
+import math
 import re
 from collections.abc import Callable
 
@@ -11,18 +12,20 @@ from app.language import current_language, described, named, number, tr
 from app.session import Session
 from core.case.schema import Wall
 from core.errors import InputError
+from core.wall.block import Block
 from core.wall.moment_rotation import LAWS
 from core.wall.restitution import MODELS
 
 FORMULAS = {
-    "housner": "e = 1 − 1.5 sin²α (Eq. 4)",
-    "sorrentino_experimental": "e = 0.95 (1 − 1.5 sin²α) (Eq. 5)",
+    "housner": "e = 1 − {k} sin²α (Eq. 4, α = {alpha}°)",
+    "sorrentino_experimental": "e = 0.95 (1 − {k} sin²α) (Eq. 5, α = {alpha}°)",
     "costa_upper": "e = 0.98 (Costa et al. 2013)",
-    "one_sided_theoretical": "e = (1 − 1.5 sin²α)² |1 − 1.5 cos²α| (Eq. 6)",
+    "one_sided_theoretical": "e = (1 − {k} sin²α)² |1 − {k} cos²α| (Eq. 6, α = {alpha}°)",
     "one_sided_experimental": "e = √r₁ₛ (1.18 − 0.473 v²) (Eq. 7)",
     "user": "e",
 }
-"""Of each model; tests/app/test_forms.py asks for all of MODELS."""
+"""k : 2 R² m/I0, 1.5 for a rectangle about its corner; alpha : of the block that turns [deg]. Of each of MODELS:
+tests/app/test_forms.py asks for all."""
 
 
 def named_models() -> dict:
@@ -62,6 +65,19 @@ def scopes() -> dict:
         ),
         "user": tr("given, 0 to 1"),
     }
+
+
+def formula_of(model: str, block: Block) -> str:
+    """The formula of a model with the factor and the angle of this block: a setback or a mass that moves with the wall
+    makes them others than those of a rectangle."""
+    factor, degrees = (
+        2.0 * block.radius**2 / block.inertia_over_mass,
+        math.degrees(block.slenderness),
+    )
+    formula = FORMULAS.get(model, MODELS[model]).format(k=f"{factor:.5g}", alpha=f"{degrees:.5g}")
+    if current_language() == "it":
+        formula = re.sub(r"(?<=\d)\.(?=\d)", ",", formula)
+    return formula
 
 
 class LawField(NumberField):
@@ -135,9 +151,7 @@ class ImpactForm(QGroupBox):
             try:
                 model_used = wall.restitution_of(mechanism)
                 word = named(mechanism)
-                formula = FORMULAS.get(model_used.model, MODELS[model_used.model])
-                if current_language() == "it":
-                    formula = re.sub(r"(?<=\d)\.(?=\d)", ",", formula)
+                formula = formula_of(model_used.model, wall.block())
                 lines.append(f"{word}: {formula} = {number(model_used.ratio_at_rest, '.4f')}")
                 if model_used.model in self.scopes:
                     lines.append(f"({self.scopes[model_used.model]})")

@@ -250,7 +250,7 @@ class WallForm(QWidget):
 
     def _show_sizes(self) -> None:
         wall = self.wall
-        self.drawing.show_wall(wall, hinge_zetas(self.session, wall) if wall else [])
+        self.drawing.show_wall(wall, hinge_zetas(self.session, self.current) if wall else [])
         if wall is not None:
             self._show_geometry(wall)
             return

@@ -1,11 +1,9 @@
 """What the form says of a wall from its case and from the last result."""
 
-from dataclasses import replace
-
 from app.language import named, tr
 from app.session import Session
 from core.capacity.scale_free_law import estimates
-from core.case.hinges import above_hinge, hinges_of
+from core.case.hinges import hinges_of
 from core.case.schema import Wall
 from core.errors import InputError
 from core.study.demand_input import demand_of
@@ -45,18 +43,19 @@ def estimate_lines(session: Session, wall: Wall) -> list[str]:
     return lines
 
 
-def hinge_zetas(session: Session, wall: Wall) -> list[tuple[float, float | None]]:
-    """Every hinge of a wall above its base [m], with the smallest zeta found there, None where none is."""
+def hinge_zetas(session: Session, k: int) -> list[tuple[float, float | None]]:
+    """Every hinge of the k-th wall above its base [m], with the smallest zeta found there, None where none is."""
     case, result = session.case, None if session.stale else session.result
     found = []
     try:
-        heights = [0.0, *hinges_of(wall, case.building)]
+        heights = [0.0, *hinges_of(case.wall[k], case.building)]
         for hinge in heights if len(heights) > 1 else ():
-            name = above_hinge(replace(wall, name=wall.title), hinge).name
             zetas = [
                 one.assessment.verdict.zeta_e
                 for one in (result.walls if result else ())
-                if one.name == name and one.assessment and one.assessment.verdict.zeta_e
+                if (one.part.origin, one.part.hinge) == (k, hinge)
+                and one.assessment
+                and one.assessment.verdict.zeta_e
             ]
             found.append((hinge, min(zetas) if zetas else None))
     except (InputError, TypeError, ZeroDivisionError):  # work in progress

@@ -212,7 +212,7 @@ def _title(wall: WallResult) -> str:
 def _peaks(result: StudyResult, wall: WallResult, run: Run) -> tuple[np.ndarray, np.ndarray]:
     """(q, largest rotation over theta_c, NaN where it overturns) at the points of the search itself, so that the first
     that overturns is the one q was bisected from."""
-    motion = result.motion_of(wall, run.record)
+    motion = result.motion_of(wall, run.motion)
     step, last = result.search.q_step, run.ida.first_index + len(run.ida.outcomes)
     q = np.array([grid_point(run.ida.q_start, step, k) for k in range(run.ida.first_index, last)])
     q = q[q <= 1.6 * (run.ida.q or 5.0)]

@@ -13,9 +13,9 @@ from PySide6.QtWidgets import QMessageBox, QWidget
 from app import theme
 from app.file_dialogs import path_to_write
 from app.language import current_language, described, tr
-from app.plots.table import plain_cell
 from core import atomic_write
 from core.errors import OutputError
+from core.report.plain_cell import plain_cell
 
 
 def written(value: float, comma: bool) -> str:

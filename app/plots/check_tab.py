@@ -66,7 +66,7 @@ class CheckTab(QWidget):
                 tr("No demand: no check. q of the wall: {q}", q=digits(wall.q_set))
             )
             self.sentence.setStyleSheet("font-size: 12pt;")
-            self.reasons.setText(self._warnings(wall))
+            self.reasons.setText(self._warnings(result, wall))
             self.table.show_rows([])
             self.peaks.say_why(tr("No demand: nothing to compare the peaks with."))
             return
@@ -86,7 +86,7 @@ class CheckTab(QWidget):
             )
         if assessment.kinematic:
             reasons.insert(0, self._mechanism(assessment))
-        lines = [f"• {reason}" for reason in reasons] + [self._warnings(wall)]
+        lines = [f"• {reason}" for reason in reasons] + [self._warnings(result, wall)]
         self.reasons.setText("\n".join(line for line in lines if line))
         for check, decides in assessment.shown:
             color = theme.current.good if check.passed else theme.current.bad
@@ -135,6 +135,9 @@ class CheckTab(QWidget):
         parts.append(
             f"e* {number(kinematic.e_star, '.3g')}, a0* {number(kinematic.a0 / G, '.3f')} g"
         )
+        if kinematic.chain.friction_height is not None:
+            height = kinematic.chain.friction_height
+            parts.append(tr("of the upper {h:.2f} m with friction", h=height))
         if dynamic:
             parts.append(word(f"confidence_{dynamic.confidence_on}", self.language))
             parts.append(f"ζ_16 {digits(dynamic.zeta_16)}")
@@ -180,8 +183,12 @@ class CheckTab(QWidget):
             )
         return parts
 
-    def _warnings(self, wall: WallResult) -> str:
-        return "\n".join(f"• {warning.text(self.language)}" for warning in wall.warnings)
+    def _warnings(self, result: StudyResult, wall: WallResult) -> str:
+        """What is said of the demand and of the wall."""
+        demand = result.demand.warnings if result.demand else ()
+        return "\n".join(
+            f"• {warning.text(self.language)}" for warning in (*demand, *wall.warnings)
+        )
 
     def _bars(self, check) -> None:
         top = 1.2

@@ -10,6 +10,7 @@ from PySide6.QtSvg import QSvgGenerator
 from app import theme
 from app.language import tr
 from core.errors import OutputError
+from core.report.xml_text import for_xml
 
 MM_PER_INCH = 25.4
 SCREEN, NARROW = 96, 120.0
@@ -66,7 +67,8 @@ def figure(chart, end: str, size: FigureSize) -> bytes:
             drawing.setViewBox(QRect(0, 0, page.width(), page.height()))
             drawing.setResolution(round(density))
             _paint(chart, drawing, whole, lines)
-            return _in_pixels(bytes(room.data()).decode()).encode()
+            # Qt writes whatever a text holds
+            return _in_pixels(for_xml(bytes(room.data())).decode()).encode()
         else:
             _paint(chart, _pdf(room, page, density), whole, lines)
     finally:

@@ -47,12 +47,12 @@ class HistoriesTab(QWidget):
         self.preset = QComboBox()
         self.preset.setAccessibleName(tr("Multiplier at once"))
         self.preset.addItems(
-            [tr("Set to…"), tr("the demand"), tr("the demand x FC"), tr("just before collapse"),
+            [tr("Set to…"), tr("the demand"), tr("the demand with FC"), tr("just before collapse"),
              tr("just after collapse"), "q = 2"]
         )  # fmt: skip
         self.preset.activated.connect(self._set_to)
         self.chosen_q: float | None = None
-        self.model = None
+        self.strength_factor = 1.0
         self.words = QLabel()
         self.words.setMinimumWidth(120)
         self.play = QPushButton(tr("Play"))
@@ -115,7 +115,7 @@ class HistoriesTab(QWidget):
         if self.shown is None or self.record.currentIndex() < 0:
             return
         result, wall = self.shown
-        self.motion = result.motion_of(wall, self.run.record)
+        self.motion = result.motion_of(wall, self.run.motion)
         self.times = np.arange(self.motion.acceleration.size) * self.motion.time_step
         self.ground_curve = self.ground.curve(
             tr("floor") if wall.floor else tr("ground"),
@@ -153,12 +153,12 @@ class HistoriesTab(QWidget):
         return self.middle * math.exp(low + (high - low) * self.slider.value() / SLIDER)
 
     def _slid(self) -> None:
-        self.chosen_q = self.model = None
+        self.chosen_q, self.strength_factor = None, 1.0
         self.integrate()
 
-    def _set_q(self, q: float, model=None) -> None:
-        """This q exactly, the slider as near to it as it goes. model : the wall with FC on its strength"""
-        self.model = model
+    def _set_q(self, q: float, strength_factor: float = 1.0) -> None:
+        """This q exactly, the slider as near to it as it goes. strength_factor : FC on the strength of the wall"""
+        self.strength_factor = strength_factor
         low, high = (math.log(end) for end in SPAN)
         at = (math.log(q / self.middle) - low) / (high - low)
         self.slider.blockSignals(True)
@@ -177,16 +177,17 @@ class HistoriesTab(QWidget):
         if (k in (1, 2) and demand is None) or (k in (3, 4) and bracket is None):
             self.words.setText(tr("Not known here: no demand, or no collapse of this record."))
             return
-        model = None
+        strength_factor = 1.0
         if k == 1:
             q = demand.scaling(self.motion) * self.motion.pga / threshold_of(wall.model)
         elif k == 2:  # as the dynamic check has it
-            model, factor = at_demand(wall.model, demand, demand.confidence_on, self.motion)
-            q = factor * self.motion.pga / threshold_of(wall.model)
+            weakened, factor = at_demand(wall.model, demand, demand.confidence_on, self.motion)
+            strength_factor = wall.model.p2 / weakened.p2
+            q = factor / strength_factor * self.motion.pga / threshold_of(wall.model)
         else:
             q = {3: bracket and bracket[0], 4: bracket and bracket[1], 5: 2.0}.get(k)
         if q:
-            self._set_q(q, model)
+            self._set_q(q, strength_factor)
 
     def integrate(self) -> None:
         """The history at the slider's multiplier: a fraction of a millisecond, then drawn."""
@@ -195,7 +196,9 @@ class HistoriesTab(QWidget):
         result, wall = self.shown
         scale = self.run.polarity * multiplier_of(self.q, self.motion.pga, threshold_of(wall.model))
         ground, dt = self.motion.acceleration, self.motion.time_step
-        self.history = history(ground, dt, scale, self.model or wall.model, result.method)
+        # strength over FC is p^2 / FC under the ground times FC (core/codes/dynamic_check.py)
+        weakened = wall.model._replace(p2=wall.model.p2 / self.strength_factor)
+        self.history = history(ground, dt, self.strength_factor * scale, weakened, result.method)
         ratio = self.history.rotation / wall.model.collapse_rotation
         self.curve.setData(self.times[: ratio.size], ratio)
         felt = scale * ground / G  # multiplier and sign in use
@@ -218,14 +221,22 @@ class HistoriesTab(QWidget):
             )
             outcome = f"{tr('stands')}   θmax/θc {peak}"
         number = partial(numeral, language=current_language())
-        self.words.setText(f"C {number(abs(scale), '.3f')}   q {number(self.q, '.3f')}   {outcome}")
+        which = self._wall_in_words()
+        words = (f"C {number(abs(scale), '.3f')}", f"q {number(self.q, '.3f')}", outcome, *which)
+        self.words.setText("   ".join(words))
         for chart in (self.ground, self.rotation):
             sign = "+" if self.run.polarity > 0 else "−"
-            chart.caption = (
-                f"{wall.name}, {named(wall.mechanism)}, {self.run.record} ({sign}), "
-                f"C {number(abs(scale), '.3f')}"
+            run = f"{self.run.record} ({sign})"
+            chart.caption = ", ".join(
+                (wall.name, named(wall.mechanism), run, f"C {number(abs(scale), '.3f')}", *which)
             )
         self.set_time(self.cursors[0].value())
+
+    def _wall_in_words(self) -> tuple[str, ...]:
+        """What is said of a wall that is not the plain one: FC on its strength."""
+        if self.strength_factor == 1.0:
+            return ()
+        return (f"{named('confidence_capacity')}: {number(self.strength_factor, '.2f')}",)
 
     def set_time(self, time: float) -> None:
         """Both cursors and the small wall at this time [s]."""

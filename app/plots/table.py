@@ -1,20 +1,12 @@
 """A table whose cells copy into Word and Excel."""
 
 import math
-import re
 
 from PySide6.QtGui import QColor, QGuiApplication, QKeySequence
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
 from app.language import tr
-
-
-def plain_cell(text: str) -> str:
-    """Text that no spreadsheet takes for a formula."""
-    if re.fullmatch(r"[+-]?[0-9]+([.,][0-9]+)?([eE][+-]?[0-9]+)?", text):
-        return text
-    return f"'{text}" if text.strip()[:1] in ("=", "+", "-", "@") else text
-
+from core.report.plain_cell import plain_cell
 
 SPARE = 24
 """What the widest column gives at last, for no scroll bar [px]."""

@@ -25,11 +25,16 @@ BRACKET = 1e-4
 ROBUST_SHARE = 0.16
 """Share of collapsing grid points around q_robust [-]."""
 
+LOWER_SHARE = 0.9
+"""Share of the rotation of SLV whose first peak is the lower end of the spread of q_slv [-]
+(resources/docs/physics.md, section 11)."""
+
 TRILINEAR_START = 0.5
 TRILINEAR_FLOOR = 0.05
 CHUNK = 128
 """Analyses between two checks of whether the search is cancelled."""
 
+LOWER_SLV = LOWER_SHARE * LIMIT_FRACTION["SLV"]
 HALVINGS = 3
 """Bisections made at once: all midpoints they may ask for run side by side."""
 
@@ -54,8 +59,9 @@ class Ida:
     """Result of the search for one wall, record and polarity; a number is None where it has none.
 
     status : collapse_found, no_collapse_found or impact_limit; q in bracket = (lo, hi), q = hi
-    q_slv, q_slc : first peak at 0.40, 0.60 alpha; q_robust, q_last_survival, survived_fraction,
-    survival_windows : of the map, they depend on q_step
+    q_slv, q_slc : first peak at 0.40, 0.60 alpha
+    q_slv_low : lower end of the spread of q_slv, the grid point below the first peak at LOWER_SHARE of 0.40 alpha
+    q_robust, q_last_survival, survived_fraction, survival_windows : of the map, they depend on q_step
     analyses : integrations made
     impact_limited : grid points of unknown outcome
     clamped : impacts of the map with Eq. 7 held at 0
@@ -68,6 +74,7 @@ class Ida:
     bracket: tuple[float, float] | None
     q_slv: float | None
     q_slc: float | None
+    q_slv_low: float | None
     q_robust: float | None
     q_last_survival: float | None
     survived_fraction: float | None
@@ -305,7 +312,7 @@ def _descend(grid: _Map, half: int) -> None:
     width = half + 1
     while grid.first > floor:
         low = slice(0, width)
-        if not grid.reaches(grid.outcomes[low], grid.peaks[low], LIMIT_FRACTION["SLV"]).any():
+        if not grid.reaches(grid.outcomes[low], grid.peaks[low], LOWER_SLV).any():
             break
         width = 2 * half + 1
         grid.grow(max(floor, grid.first - half - 1), grid.last)
@@ -338,6 +345,7 @@ def _result(grid: _Map, status: str, brackets, robust: int | None) -> Ida:
     """brackets : of q, q_slv, q_slc, each None where it has none."""
     collapses = status == "collapse_found"
     q, q_slv, q_slc = (bracket[1] if bracket else None for bracket in brackets)
+    lower = grid.first_reaching(LOWER_SLV) if q_slv is not None else None
     windows, last, fraction = [], None, None
     if collapses:
         survives = grid.outcomes == STABLE
@@ -358,6 +366,7 @@ def _result(grid: _Map, status: str, brackets, robust: int | None) -> Ida:
         bracket=brackets[0],
         q_slv=q_slv,
         q_slc=q_slc,
+        q_slv_low=grid.q_of(lower - 1) if lower is not None else None,
         q_robust=grid.q_of(robust) if robust is not None else None,
         q_last_survival=last,
         survived_fraction=fraction,

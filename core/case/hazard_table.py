@@ -1,6 +1,7 @@
 """The hazard of a site as text: T_R [years], a_g [g], F_0, T_C* [s] in each row, as tables of NTC 2018 give it."""
 
 import itertools
+import re
 from pathlib import Path
 
 from core.case.number import parse_number
@@ -11,22 +12,24 @@ from core.errors import InputError, place
 KEYS = ("return_period_years", "ag_g", "f0", "tc_star_s")
 MAX_BYTES, MAX_ROWS = 100_000, 100
 
+_NUMBER_FIRST = re.compile(r"[+-]?[.,]?[0-9]")
+"""The beginning of a row: a head does not begin with a number."""
+
 
 def parse_hazard(text: str) -> tuple[HazardRow, ...]:
-    """The rows of a text: two or four numbers each, with spaces, tabs or semicolons between them, and a head of words.
-    Raises InputError."""
+    """The rows of a text: two or four numbers each, with spaces, tabs or semicolons between them, and a head of words
+    above, no line of which begins with a number. Raises InputError."""
     rows = []
     for number, line in enumerate(text.splitlines(), start=1):
-        if "." in line:  # the comma is no decimal one
-            line = line.replace(",", " ")
-        parts = line.replace(";", " ").split()
+        separators = ";," if "." in line else ";"  # beside a point the comma is no decimal one
+        parts = line.translate(str.maketrans(separators, " " * len(separators))).split()
         if not parts:
             continue
         here = place("line", n=number)
         try:
             values = [parse_number(part) for part in parts]
         except InputError:
-            if rows:
+            if rows or _NUMBER_FIRST.match(parts[0]):
                 raise InputError("hazard_line", text=line.strip()[:60], place=(here,)) from None
             continue
         if len(values) not in (2, 4) or len(rows) == MAX_ROWS:

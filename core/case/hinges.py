@@ -1,7 +1,7 @@
 """The hinges of a wall of several storeys: one wall for each, from the hinge up."""
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from core.case.schema import Case, Wall
 from core.case.site import Building
@@ -13,6 +13,26 @@ FLOORS = "floors"
 
 LEAST_ABOVE = 0.1
 """Least height of the wall above a hinge [m], that of a wall."""
+
+
+@dataclass(frozen=True)
+class Part:
+    """A wall of the case from one of its hinges up.
+
+    origin : index of the wall in the case; asked : the wall there
+    hinge : above its base [m], 0 for the whole wall
+    wall : to be analysed, with a name for people
+    """
+
+    origin: int
+    asked: Wall
+    hinge: float
+    wall: Wall
+
+    @property
+    def own_name(self) -> str:
+        """Its name for people without the variant."""
+        return named_above(self.asked.name, self.hinge)
 
 
 def hinges_of(wall: Wall, building: Building | None) -> Sequence[float]:
@@ -50,13 +70,19 @@ def check_hinges(wall: Wall, building: Building | None) -> None:
         )
 
 
+def named_above(name: str, hinge: float) -> str:
+    """What the part of a wall above a hinge [m] is called; the whole wall keeps its name."""
+    return f"{name} (+{hinge:.4g} m)" if hinge else name
+
+
 def above_hinge(wall: Wall, hinge: float) -> Wall:
-    """The part of a wall above a hinge [m above its base], with its height in its name."""
+    """The part of a wall above a hinge [m above its base], with its variant and its height in its name."""
+    name = named_above(wall.title, hinge)
     if hinge == 0.0:
-        return replace(wall, hinge_heights=None)
+        return replace(wall, name=name, hinge_heights=None)
     return replace(
         wall,
-        name=f"{wall.name} (+{hinge:.4g} m)",
+        name=name,
         height_m=wall.height_m - hinge,
         thickness_m=wall.thickness,
         slenderness_deg=None,
@@ -72,11 +98,10 @@ def above_hinge(wall: Wall, hinge: float) -> Wall:
     )
 
 
-def parts(case: Case) -> list[tuple[str, Wall]]:
-    """(title of the wall of the case, wall to be analysed) for every hinge of every wall."""
-    walls = [replace(wall, name=wall.title) for wall in case.wall]
+def parts(case: Case) -> list[Part]:
+    """Every wall of the case from every hinge of its up."""
     return [
-        (wall.name, above_hinge(wall, hinge))
-        for wall in walls
-        for hinge in (0.0, *hinges_of(wall, case.building))
+        Part(k, asked, hinge, above_hinge(asked, hinge))
+        for k, asked in enumerate(case.wall)
+        for hinge in (0.0, *hinges_of(asked, case.building))
     ]

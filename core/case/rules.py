@@ -153,11 +153,12 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
                 wall=wall.name,
             )
     case = replace(case, wall=tuple(walls), walls=None)
-    for name, part in parts(case):
-        if part.name != name and part.name in names:
-            raise InputError("same_name", key="name", wall=part.name)
-        check_loads(part)
-    heights = {part.base_z_m for _, part in parts(case) if part.above_ground}
+    found = parts(case)
+    for part in found:
+        if part.hinge and part.wall.name in names:
+            raise InputError("same_name", key="name", wall=part.wall.name)
+        check_loads(part.wall)
+    heights = {part.wall.base_z_m for part in found if part.wall.above_ground}
     if case.building and case.building.modes and len(heights) > 1:
         raise InputError(
             "modes_at_one_height",

@@ -121,11 +121,6 @@ class Wall:
         return self.name if self.variant is None else f"{self.name} ({self.variant})"
 
     @property
-    def own_name(self) -> str:
-        """Its name without the variant that `hinges.parts` puts there."""
-        return self.name if self.variant is None else self.name.replace(f" ({self.variant})", "")
-
-    @property
     def thickness(self) -> float | None:
         """t [m] of a rectangular wall, None of a general block."""
         if self.thickness_m is not None or self.height_m is None:

@@ -3,8 +3,6 @@
 import csv
 import io
 import re
-import zipfile
-import zlib
 from pathlib import Path
 
 from core.case.hinges import FLOORS
@@ -12,6 +10,7 @@ from core.case.number import parse_number
 from core.case.rules import parse_wall
 from core.case.schema import Wall
 from core.errors import InputError, place
+from core.ooxml.sheet import MAX_NAME, Limits, hidden_notes, read_sheet, refuse_cells, spoken
 from core.text.sentence import Sentence, notice
 
 COLUMNS = {
@@ -101,6 +100,7 @@ FLAGS = {"sì": True, "si": True, "yes": True, "true": True, "vero": True, "x": 
          "no": False, "false": False, "falso": False, "0": False}  # fmt: skip
 
 MAX_ROWS, MAX_COLUMNS, MAX_BYTES = 2000, 40, 20_000_000
+MAX_CELLS = MAX_ROWS * 4 * MAX_COLUMNS
 
 
 def read_walls(path: Path, with_demand: bool = False) -> list[Wall]:
@@ -153,6 +153,8 @@ def text_rows(text: str) -> list[list[str]]:
     """Cells of a text with `;`, tab or `,` between them, as Excel saves and copies it."""
     head = text.split("\n", 1)[0]
     mark = next((mark for mark in (";", "\t", ",") if mark in head), ";")
+    if text.count(mark) + text.count("\n") > MAX_CELLS:  # before each becomes a text of its own
+        raise InputError("table_too_large", rows=MAX_ROWS, columns=4 * MAX_COLUMNS)
     try:
         return [
             [cell.strip() for cell in row] for row in csv.reader(io.StringIO(text), delimiter=mark)
@@ -162,76 +164,22 @@ def text_rows(text: str) -> list[list[str]]:
 
 
 def _xlsx_rows(content: bytes) -> tuple[list[list[str]], list[Sentence]]:
-    """Cells of the first sheet that is shown as text, hidden rows left empty, and what is to be said of it.
+    """Cells as text of the first sheet that is shown, what is hidden in it left empty, and what is to be said of it.
     Raises InputError for what a table of walls never holds."""
+    limits = Limits(MAX_ROWS, 4 * MAX_COLUMNS, MAX_CELLS, MAX_BYTES)
+    whole = read_sheet(content, limits, lambda names: 0)
+    name, sheet = whole.name[:MAX_NAME], whole.as_shown()
     try:
-        with zipfile.ZipFile(io.BytesIO(content)) as folder:
-            if sum(entry.file_size for entry in folder.infolist()) > MAX_BYTES:
-                raise InputError("table_unpacked")
-            sheets = [n for n in folder.namelist() if n.startswith("xl/worksheets/sheet")]
-            if any(b"<mergeCell " in folder.read(name) for name in sheets):
-                raise InputError("merged_cells")
-        from openpyxl import load_workbook
-
-        book = load_workbook(io.BytesIO(content), read_only=True, keep_links=False)
-        shown = [sheet for sheet in book.worksheets if sheet.sheet_state == "visible"]
-        if not shown:
-            raise InputError("sheets_hidden")
-        sheet = shown[0]
-        sheet.reset_dimensions()  # the tag that states them can lie
-        rows, hidden = [], _hidden_rows(content, book, sheet.title)
-        for number, row in enumerate(sheet.iter_rows(max_col=10 * MAX_COLUMNS), start=1):
-            if number > MAX_ROWS:
-                raise InputError("too_many_rows", rows=MAX_ROWS)
-            if number in hidden:
-                rows.append([])
-                continue
-            for cell in row:
-                if cell.data_type == "f":
-                    raise InputError(
-                        "formula_cell", cell=cell.coordinate, place=(place("row", n=number),)
-                    )
-            cells = ["" if cell.value is None else str(cell.value).strip() for cell in row]
-            while cells and not cells[-1]:
-                cells.pop()
-            rows.append(cells)
-        notes = [notice("table_sheet", sheet=sheet.title[:31])]
-        if hidden & set(range(1, len(rows) + 1)):
-            kept = ", ".join(str(k) for k in sorted(hidden)[:20])
-            notes.append(notice("hidden_rows", rows=kept))
-        others = [other.title[:31] for other in book.worksheets if other is not sheet]
-        if others:
-            notes.append(notice("other_sheets", names=", ".join(others[:10])))
-        return rows, notes
-    except InputError:
-        raise
-    except (zipfile.BadZipFile, KeyError, ValueError, TypeError, IndexError, AttributeError,
-            EOFError, NotImplementedError, SyntaxError, RuntimeError, zlib.error) as error:  # fmt: skip
-        raise InputError("not_a_workbook", reason=type(error).__name__) from None
-
-
-def _hidden_rows(content: bytes, book, title: str) -> set[int]:
-    """Numbers of the rows of a sheet that are not shown, which the reader of cells does not tell."""
-    from defusedxml.ElementTree import iterparse
-
-    with zipfile.ZipFile(io.BytesIO(content)) as folder:
-        sheet = folder.read(book[title]._worksheet_path.lstrip("/"))
-    hidden, number, all_hidden = set(), 0, False
-    for _, node in iterparse(io.BytesIO(sheet), events=("start",)):
-        name = node.tag.rpartition("}")[2]
-        if name == "sheetFormatPr":
-            all_hidden = node.get("zeroHeight") in ("1", "true")
-        if name != "row":
-            continue
-        number = int(node.get("r") or number + 1)
-        flat = node.get("ht") is not None and float(node.get("ht")) == 0.0
-        if (
-            flat
-            or node.get("hidden") in ("1", "true")
-            or (all_hidden and node.get("hidden") is None)
-        ):
-            hidden.add(number)
-    return hidden
+        found = {"formula_cells": sheet.formulas, "error_cells": sheet.errors}
+        refuse_cells({"merged_cells": sheet.merged, **found})
+    except InputError as error:
+        raise error.at(place("sheet", name=name)) from None
+    rows = [[text.strip() for text in sheet.texts(row)] for row in range(1, sheet.last_row + 1)]
+    notes = [notice("table_sheet", sheet=name), *hidden_notes(whole, are_read=False)]
+    if sheet.other_sheets:
+        names = [other[:MAX_NAME] for other in sheet.other_sheets]
+        notes.append(notice("other_sheets", names=spoken(names)))
+    return rows, notes
 
 
 def walls_of(rows: list[list[str]], with_demand: bool = False) -> list[Wall]:

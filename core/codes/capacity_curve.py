@@ -39,7 +39,7 @@ def capacity_curve(mechanism: Kinematic, demand: DemandResult) -> CapacityCurve 
     if mechanism.d_limit is None:
         return None
     # the friction of return walls is lost over a slip: none of it in the curve
-    start = mechanism.chain.alpha0 * G / (mechanism.e_star * demand.confidence_factor)
+    start = mechanism.chain.alpha0 * G / (mechanism.chain.e_star * demand.confidence_factor)
     damping = DAMPING[demand.limit_state]
     most = BEYOND * max(mechanism.d0, mechanism.s_de)
 

@@ -17,12 +17,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.capacity.ida import BRACKET, CHUNK, TRILINEAR_FLOOR, multiplier_of, threshold_of
+from core.capacity.ida import CHUNK, TRILINEAR_FLOOR, multiplier_of, threshold_of
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.demand import DemandResult
 from core.codes.kinematic import ROUNDING, Check
-from core.codes.limits import MEAN_FROM
-from core.codes.multiplier_search import STEP, search_zeta
+from core.codes.limits import set_rule
+from core.codes.multiplier_search import ROCKS, search_zeta
 from core.errors import Cancelled
 from core.ground.ground_motion import GroundMotion
 from core.ground.provenance import stations
@@ -32,17 +32,15 @@ from core.rocking.methods import Method
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.wall.rocking_model import RockingModel
 
-OTHER_STEP, BOUND_STEP = 0.005, 0.01
-"""Steps of the search for zeta [-] with FC on the other side, and should the restraint behind a wall fail."""
+OTHER_EVERY, BOUND_EVERY = 2, 4
+"""Every how many points of the grid zeta is searched with FC on the other side, and should the restraint behind a wall
+fail: by 0.5 and 1 %."""
 
 CLOSE = 0.05
-"""Distance of the former to zeta_target within which it takes the step of the check itself."""
+"""Distance of the former to zeta_target within which it takes the points of the check itself."""
 
 ONE_BY_ONE = 2
 """Records, the worst at the demand, that are analysed alone: most failures need no other."""
-
-EXPECTED = 0.9
-"""With FC on the strength no failure is expected below this share of the first one with FC on the demand."""
 
 STATUS = {STABLE: "stable", COLLAPSED: "overturned", IMPACT_LIMIT: "impact_limit"}
 
@@ -51,12 +49,14 @@ STATUS = {STABLE: "stable", COLLAPSED: "overturned", IMPACT_LIMIT: "impact_limit
 class DemandRun:
     """One record and sign at the demand.
 
+    record : its name for people; motion : its index in the study
     factor : multiplier of the record, scaling and an FC on the demand included
     peak_ratio : largest rotation over theta_c, None unless stable
     exceeded : theta_c was exceeded
     """
 
     record: str
+    motion: int
     polarity: int
     factor: float
     peak_ratio: float | None
@@ -127,10 +127,10 @@ class DemandCheck:
         )
 
     def within_spread(self, target: float) -> bool:
-        """Whether the rule holds at the target, but the spread of zeta_E contains it."""
+        """Whether the rule holds at the target, but the spread of zeta_E contains it, its lower end included."""
         if self.zeta_spread is None or not self.holds_at_target:
             return False
-        return self.zeta_spread[0] < target < self.zeta_spread[1]
+        return self.zeta_spread[0] <= target < self.zeta_spread[1]
 
 
 def at_demand(
@@ -155,7 +155,7 @@ class _Set:
         on_demand = demand.confidence_factor if confidence_on == "demand" else 1.0
         self.factors = [on_demand * demand.scaling(motion) for motion in motions]
         self.limit = LIMIT_FRACTION[demand.limit_state]
-        self.mean = len(stations(motions)) >= MEAN_FROM
+        self.mean = set_rule(stations(motions)) == "mean"
         self.in_order(range(len(motions)))
 
     def in_order(self, order) -> None:
@@ -198,7 +198,7 @@ class _Set:
             for k, record in enumerate(batch):
                 runs[record] = [
                     DemandRun(
-                        self.motions[record].name, sign, self.factors[record],
+                        self.motions[record].name, record, sign, self.factors[record],
                         float(peaks[k, n, 0]) if outcomes[k, n, 0] == STABLE else None,
                         bool(outcomes[k, n, 0] == COLLAPSED or peaks[k, n, 0] > 1.0),
                         STATUS[int(outcomes[k, n, 0])],
@@ -207,10 +207,10 @@ class _Set:
                 ]  # fmt: skip
         return tuple(run for record in sorted(runs) for run in runs[record])
 
-    def failures(self, multipliers: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Where the rule fails, and where that is for want of a number. A multiplier at which one record
-        makes it fail needs no other."""
-        fails, unknown = np.zeros((2, multipliers.size), bool)
+    def failures(self, multipliers: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Where the rule fails, where that is for want of a number, and where it fails or the peak of a run is ROCKS of
+        theta_c or more. A multiplier at which one record makes it fail needs no other."""
+        fails, unknown, rocks = np.zeros((3, multipliers.size), bool)
         total = np.zeros(multipliers.size)
         for batch, grounds in self.batches:
             here = np.nonzero(~fails | unknown)[0]
@@ -225,7 +225,8 @@ class _Set:
             failed |= value > self.limit
             unknown[here] = (unknown[here] | limited) & ~failed
             fails[here] |= failed | limited
-        return fails, unknown
+            rocks[here] |= fails[here] | (peaks >= ROCKS).any(axis=(0, 1))
+        return fails, unknown, rocks
 
     def rule_holds(self, worse: np.ndarray) -> bool:
         """The rule for peaks over theta_c, of each record its worse sign, where no run overturns."""
@@ -234,23 +235,13 @@ class _Set:
 
     @property
     def rest(self) -> float:
-        """Multiplier up to which no wall moves, or, trilinear, from which the search starts."""
+        """Multiplier up to which the wall does not move, or, trilinear, from which the search starts."""
         threshold = threshold_of(self.model)
         least = min(
             multiplier_of(1.0, factor * motion.pga, threshold)
             for motion, factor in zip(self.motions, self.ground_factors, strict=True)
         )
         return least * (1.0 if self.model.plateau_end == 0.0 else TRILINEAR_FLOOR)
-
-    def first_peak(self, reached: list[float]) -> float:
-        """Multiplier below which no run of the search had a peak at the limit; reached : as `demand_check`."""
-        threshold = threshold_of(self.model)
-        pairs = zip(reached, np.repeat(range(len(self.motions)), len(self.polarities)), strict=True)
-        least = min(
-            multiplier_of(q, self.ground_factors[k] * self.motions[k].pga, threshold)
-            for q, k in pairs
-        )
-        return least * (1.0 - 2.0 * BRACKET)
 
 
 def demand_check(
@@ -259,19 +250,14 @@ def demand_check(
     polarities: tuple[int, ...],
     demand: DemandResult,
     method: Method,
-    reached: list[float] | None = None,
-    step: float = STEP,
+    every: int = 1,
     other: bool = True,
     cancelled: Callable[[], bool] = lambda: False,
-    expected: float = 0.0,
 ) -> DemandCheck | None:
     """The dynamic check of one wall; None without records or for a limit state the clause has no limit for.
 
-    reached : by record and sign, q up to which the search of this wall found no peak at the limit, so that the rule
-        holds below the lowest of them, FC on the demand
-    step : of the grid [-]
-    other : search zeta with FC on the other side too, by OTHER_STEP
-    expected : multiplier below which no failure is expected: fewer points are looked at there
+    every : zeta is searched at every n-th point of the grid
+    other : search zeta with FC on the other side too, at every OTHER_EVERY-th
     Raises Cancelled.
     """
     if not motions or demand.limit_state not in LIMIT_FRACTION:
@@ -287,21 +273,20 @@ def demand_check(
     worse = None
     if None not in peaks:
         worse = np.array(peaks).reshape(len(motions), -1).max(axis=1)
-    worst = [max(run.peak_ratio or 2.0 for run in runs if run.record == m.name) for m in motions]
+    worst = [0.0] * len(motions)
+    for run in runs:
+        worst[run.motion] = max(worst[run.motion], run.peak_ratio or 2.0)
     judged = {}
-    # what is found with FC on the demand tells where to look with FC on the strength
     for name, there in sides.items():
         if name != side and not (other and demand.confidence_factor > 1.0):
             continue
         there.in_order(np.argsort(-np.array(worst), kind="stable").tolist())
-        rest = there.rest if reached is None or name == "capacity" else there.first_peak(reached)
-        taken = step if name == side else OTHER_STEP
-        zeta = search_zeta(there.failures, rest, target, expected, taken)
-        if taken > step and zeta.half is not None and abs(zeta.half / target - 1.0) < CLOSE:
-            zeta = search_zeta(there.failures, rest, target, expected, step)
+        taken = every if name == side else OTHER_EVERY
+        zeta = search_zeta(there.failures, there.rest, target, taken)
+        if taken > every and zeta.half is not None and abs(zeta.half / target - 1.0) < CLOSE:
+            zeta = search_zeta(there.failures, there.rest, target, every)
         reaches = zeta.half is not None and zeta.half >= target - ROUNDING
         judged[name] = zeta, zeta.holds_at_target and reaches
-        expected = EXPECTED * (zeta.first or 0.0)
     zeta_found, passed = judged.pop(side)
     second = None
     for name, (zeta, fine) in judged.items():

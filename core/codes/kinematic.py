@@ -73,15 +73,16 @@ class Kinematic:
     e_star : share of the mass that takes part (C8.7.1.5) [-]
     m_star : the mass that takes part, per metre of wall [kg/m]; None without a unit weight
     a0 : spectral acceleration that starts it, with FC (C8.7.1.3) [m/s2]
-    chain : the sums these follow from
+        these four of one body: the wall, or with the friction of return walls its upper part of `chain.friction_height`
+    chain : the sums these follow from, of the wall without the friction and of that part with it
     d0 : displacement of the centroid at which nothing holds the wall [m]
     free_element : free to vibrate, not restrained by transverse walls before it moves (clauses .3, .5, .7)
     period_0 : T_0 of a free element before it moves (C8.7.1.7) [s]; None where it is not known
     acceleration_demand : a_g S, of a free element S_e(T_0, 5 %) (clause .5); above the ground a_Z and S_eZ(T_0, 5 %)
         [m/s2]; None without T_0
     zeta_sld : a_g,SLD over a_g (C8.7.1.8, C8.7.1.9) [-]; None where acceleration_demand is
-    zeta_floor : the same without the friction of return walls, which is lost over a slip: the displacement check is not
-        below it
+    zeta_floor : the same of the wall without the friction of return walls, which is lost over a slip, where that is
+        less: the displacement check is not below it
     missing : keys of the case without which a free element has no linear check; period_0 where its T_0 is so
         long that it would be elastic up to d_SLV
     d_limit, a_limit : d_SLV = 0.40 d_0 or d_SLC = 0.60 d_0 [m], and the capacity there [m/s2]
@@ -151,10 +152,12 @@ def kinematic(
     Raises InputError where the spectrum of a file ends before T_SLV, T_SLC or T_0.
     """
     free, sums = wall.is_free(mechanism), chain(wall, mechanism == "two_sided")
-    alpha0, e_star, d0 = sums.alpha0_friction or sums.alpha0, sums.e_star, sums.d0
-    per_multiplier = G / (e_star * demand.confidence_factor)
-    a0 = alpha0 * G / ((sums.e_star_friction or e_star) * demand.confidence_factor)
-    mass = None if sums.mass is None else e_star * sums.mass
+    alpha0, e_star, mass, d0 = sums.alpha0, sums.e_star, sums.mass, sums.d0
+    if sums.alpha0_friction is not None:
+        alpha0, e_star, mass = sums.alpha0_friction, sums.e_star_friction, sums.mass_friction
+    a0 = alpha0 * G / (e_star * demand.confidence_factor)
+    without_friction = sums.alpha0 * G / (sums.e_star * demand.confidence_factor)
+    mass = None if mass is None else e_star * mass
     period_0, acceleration, missing = None, demand.pga, ()
     if floor is not None:
         acceleration = max(floor.a_z, demand.pga)
@@ -162,7 +165,11 @@ def kinematic(
         acceleration, missing = None, ("spectrum",)
     if free:
         period_0, missing = elastic_period(wall), _missing(wall, demand)
-        if not missing and a0 * (period_0 / (2.0 * math.pi)) ** 2 >= LIMIT_FRACTION["SLV"] * d0:
+        if (
+            not missing
+            and max(a0, without_friction) * (period_0 / (2.0 * math.pi)) ** 2
+            >= LIMIT_FRACTION["SLV"] * d0
+        ):
             missing = ("period_0",)  # elastic up to d_SLV: no rocking wall
         acceleration = None
         if not missing:
@@ -171,7 +178,7 @@ def kinematic(
             _covers(demand.target, period_0, "T_0", wall)
     zeta_sld = zeta_floor = None
     if acceleration is not None:
-        zeta_sld, zeta_floor = a0 / acceleration, sums.alpha0 * per_multiplier / acceleration
+        zeta_sld, zeta_floor = a0 / acceleration, min(a0, without_friction) / acceleration
     quantities = (
         alpha0, e_star, mass, a0, sums, d0, free, period_0, acceleration, zeta_sld, zeta_floor, missing,
     )  # fmt: skip
@@ -179,7 +186,7 @@ def kinematic(
         return Kinematic(*quantities, floor=floor)
     share = LIMIT_FRACTION[demand.limit_state]
     # the friction of return walls is lost over a slip: none of it in the curve
-    d_limit, a_limit = share * d0, (1.0 - share) * sums.alpha0 * per_multiplier
+    d_limit, a_limit = share * d0, (1.0 - share) * without_friction
     period = PERIOD_FACTOR[demand.limit_state] * math.sqrt(d_limit / a_limit)
     _covers(demand.target, period, f"T_{demand.limit_state}", wall)
     start = 0.0 if missing or period_0 is None else min(period_0, period)

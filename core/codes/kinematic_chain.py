@@ -27,8 +27,8 @@ class Chain:
     e_star : C8.7.1.5 [-]
     mass : sum of (P + Q) / g per metre of wall [kg/m]; None without a unit weight
     d0 : displacement of the control point at which nothing holds the wall (C8.7.1.4) [m]
-    alpha0_friction, e_star_friction : with the friction of the return walls, of the part of the wall whose alpha_0 over
-        e* is least; None without them, and of a two-sided wall [-]
+    alpha0_friction, e_star_friction, mass_friction : the same with the friction of the return walls, of the part of the
+        wall whose alpha_0 over e* is least; None without them, and of a two-sided wall
     friction_height : height of that part, from the top down [m]
     """
 
@@ -38,6 +38,7 @@ class Chain:
     d0: float
     alpha0_friction: float | None = None
     e_star_friction: float | None = None
+    mass_friction: float | None = None
     friction_height: float | None = None
 
 
@@ -53,11 +54,9 @@ def chain(wall, two_sided: bool) -> Chain:
         mass = total
     if wall.return_walls is None or two_sided:  # they hold a wall that turns outward
         return Chain(alpha0, e_star, mass, d0)
-    multipliers, shares, heights = multipliers_with_friction(wall)
-    k = int(np.argmin(multipliers / shares))
-    return Chain(
-        alpha0, e_star, mass, d0, float(multipliers[k]), float(shares[k]), float(heights[k])
-    )
+    parts = multipliers_with_friction(wall)
+    k = int(np.argmin(parts[0] / parts[1]))
+    return Chain(alpha0, e_star, mass, d0, *(float(values[k]) for values in parts))
 
 
 def _loaded(wall, bare, sides) -> tuple[float, float, float, float]:
@@ -96,9 +95,10 @@ def friction(wall, height):
     )  # fmt: skip
 
 
-def multipliers_with_friction(wall) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """(alpha_0 with the friction of the return walls at a third of its height [-], e* [-], height [m]) of every part of
-    the wall from its top down; shape (HEIGHTS,) each. The friction acts on the length of the wall."""
+def multipliers_with_friction(wall) -> tuple[np.ndarray, ...]:
+    """(alpha_0 with the friction of the return walls at a third of its height [-], e* [-], sum of (P + Q) / g [kg/m],
+    height [m]) of every part of the wall from its top down; shape (HEIGHTS,) each. The friction acts on the length of
+    the wall."""
     heights = wall.height_m * np.arange(1, HEIGHTS + 1) / HEIGHTS
     weight = wall_loads.weight_per_metre(wall) * heights / wall.height_m
     x = 0.5 * wall.thickness - wall.setback
@@ -115,7 +115,7 @@ def multipliers_with_friction(wall) -> tuple[np.ndarray, np.ndarray, np.ndarray]
             total += pushed
             pushing += pushed * lever
             second += pushed * lever**2
-    return holding / pushing, pushing**2 / (total * second), heights
+    return holding / pushing, pushing**2 / (total * second), total / G, heights
 
 
 def elastic_period_of_loads(wall) -> float:

@@ -1,12 +1,14 @@
 """The rule of a set of records, and the return period of a limit state."""
 
 import math
+from collections.abc import Callable, Iterable, Sequence
+from statistics import fmean
 
 from core.errors import InputError, section
 
 MEAN_FROM = 7
 MINIMUM_FROM = 3
-"""Records from which a set takes the mean, and from which the most unfavourable (EN 1998-1 4.3.3.4.3(3))."""
+"""Stations from which a set takes the mean, and from which the most unfavourable (EN 1998-1 4.3.3.4.3(3))."""
 
 EXCEEDANCE = {"SLO": 0.81, "SLD": 0.63, "SLV": 0.10, "SLC": 0.05}
 """P_VR, probability that a limit state's motion is exceeded in V_R (NTC 2018 Tab. 3.2.I)."""
@@ -16,6 +18,30 @@ SAME_PERIOD = 0.01
 
 USUAL_LIVES = (35.0, 50.0, 75.0, 100.0, 150.0, 200.0)
 """V_R = V_N C_U [years] of the classes of NTC 2018 2.4."""
+
+
+def set_rule(stations: set[str]) -> str:
+    """Rule of a set of records from the stations of those that give a number (EN 1998-1 4.3.3.4.3(3)): "mean" of all
+    files; below 7 stations "minimum", the most unfavourable file; below 3 "too_few", the same, flagged.
+
+    stations : of `core.ground.provenance.stations`: two components of one station are one
+    """
+    if len(stations) >= MEAN_FROM:
+        return "mean"
+    return "minimum" if len(stations) >= MINIMUM_FROM else "too_few"
+
+
+def set_value(
+    values: Iterable[float | None],
+    rule: str | None,
+    unfavourable: Callable[[Sequence[float]], float] = min,
+) -> float | None:
+    """Value of a set under its rule, files without a number left out; None where the set is incomplete or has none.
+    unfavourable : which of the files is, the smallest of capacities, the largest of demands"""
+    known = [value for value in values if value is not None]
+    if not known or rule in (None, "incomplete"):
+        return None
+    return fmean(known) if rule == "mean" else unfavourable(known)
 
 
 def return_period(reference_period: float, limit_state: str) -> float:

@@ -3,6 +3,9 @@
 A wall can survive a stronger motion than one that overturned it, so that the first failure found on a grid moves
 with the grid. zeta_E is the lowest multiplier at which half of the multipliers within +-10 % of it (in ln) fail,
 zeta_16 the lowest at which 16 % do.
+
+Every search is on points of one grid, target (1 + STEP)^k, all of them or every n-th one, and finds what all of its
+points would say: a point is left out only between two at which every run hardly rocks.
 """
 
 import math
@@ -25,11 +28,16 @@ SHARE_ERROR = 0.05
 """What the share of failing points can differ by on another grid: zeta_E on a grid 20 times finer lies between
 the multipliers at which 45 % and 55 % fail (`run.py bench --zeta`)."""
 
-AT_ONCE = 16
-"""Points of the grid analysed before the next check for a failure."""
+SPARSE = 16
+"""Points of the grid from one to the next that are analysed first. Those between are left out where the peaks at both
+ends stay below ROCKS: no zeta of 130 sets, searched point by point at 8 places of the grid, is another with ROCKS up to
+0.30."""
 
-COARSE, SPARSE = 0.02, 0.04
-"""Distance [-] of the points analysed where no failure has been found yet, and where none is expected."""
+ROCKS = 0.20
+"""Largest rotation over theta_c from which a wall may overturn at a multiplier close by."""
+
+AT_ONCE = 128
+"""Points of the grid searched before the next check for a failure."""
 
 MAX_MULTIPLIER = 100.0
 """Multiplier of the demand up to which zeta is searched."""
@@ -49,78 +57,92 @@ class Zeta:
 
 
 class _Grid:
-    """What is known of the points target (1 + step)^k: where the rule fails, and for want of a number."""
+    """What is known of the points target (1 + STEP)^(every k): where the rule fails, where that is for want of a
+    number, and where a run rocks."""
 
-    def __init__(self, failures, target: float, step: float):
-        self.failures, self.target, self.step = failures, target, step
-        self.known: dict[int, tuple[bool, bool]] = {}
+    def __init__(self, failures, target: float, every: int):
+        self.failures, self.target, self.every = failures, target, every
+        self.step = (1.0 + STEP) ** every - 1.0
+        self.known: dict[int, tuple[bool, bool, bool]] = {}
 
     def multiplier(self, k: int) -> float:
-        return self.target * (1.0 + self.step) ** k
+        return self.target * (1.0 + STEP) ** (self.every * k)
 
     def index(self, multiplier: float) -> int:
         """Largest k whose multiplier is not above this one."""
         return math.floor(math.log(multiplier / self.target) / math.log1p(self.step))
 
-    def fails_at(self, indices) -> np.ndarray:
-        """Whether the rule fails at these points."""
+    def at(self, indices) -> np.ndarray:
+        """Flags of failure, of unknown outcome and of rocking at these points, shape (3, points)."""
         new = [k for k in indices if k not in self.known]
         if new:
             flags = self.failures(np.array([self.multiplier(k) for k in new]))
             pairs = zip(*(part.tolist() for part in flags), strict=True)
             self.known |= zip(new, pairs, strict=True)
-        return np.array([self.known[k][0] for k in indices], bool)
+        return np.array([self.known[k] for k in indices], bool).reshape(-1, 3).T
+
+    def fails_at(self, indices) -> np.ndarray:
+        """Whether the rule fails at these points."""
+        return self.at(indices)[0]
+
+    def first_failure(self, start: int, top: int) -> int | None:
+        """Lowest point at which the rule fails, from start to top; None without one."""
+        sparse, together = max(1, SPARSE // self.every), max(1, AT_ONCE // self.every)
+        for low in range(start // sparse * sparse, top + 1, together):
+            ends = range(low, low + together + 1, sparse)
+            fails, _, rocks = self.at(ends)
+            asked = []
+            for k in range(len(ends) - 1):
+                asked += range(ends[k], ends[k + 1]) if rocks[k] or rocks[k + 1] else [ends[k]]
+                if fails[k + 1]:
+                    asked.append(ends[k + 1])
+                    break
+            failing = self.fails_at(asked)
+            if failing.any():
+                return asked[int(np.argmax(failing))]
+        return None
 
 
-def search_zeta(
-    failures, rest: float, target: float, expected: float = 0.0, step: float = STEP
-) -> Zeta:
-    """Where a rule fails, on the grid target (1 + step)^k.
+def search_zeta(failures, rest: float, target: float, every: int = 1) -> Zeta:
+    """Where a rule fails, on the points target (1 + STEP)^k whose k is a multiple of `every`.
 
-    failures(multipliers) : flags of failure and of unknown outcome at each
+    failures(multipliers) : flags of failure, of unknown outcome, and of a peak of ROCKS or more at each
     rest : below this multiplier the rule holds
     target : a multiplier of the grid
-    expected : failures are not expected below
-    Where the rule never fails up to MAX_MULTIPLIER, that. Until a failure is found points at COARSE distance are
-    analysed, below `expected` at SPARSE; from a window below it on all.
+    Where the rule never fails up to MAX_MULTIPLIER, that. From a whole window of points without a failure below the
+    first one on, all points are analysed.
     """
-    grid, half = _Grid(failures, target, step), round(WINDOW / math.log1p(step))
-    start, top = grid.index(rest), grid.index(MAX_MULTIPLIER)
-    coarse, sparse = (max(1, round(distance / step)) for distance in (COARSE, SPARSE))
-    at = start
-    while at <= top:
-        stride = sparse if grid.multiplier(at + AT_ONCE * sparse) < expected else coarse
-        failing = grid.fails_at(range(at, at + AT_ONCE * stride, stride))
-        if failing.any():
-            break
-        at += AT_ONCE * stride
+    grid = _Grid(failures, target, every)
+    half = round(WINDOW / math.log1p(grid.step))
+    window, top = 2 * half + 1, grid.index(MAX_MULTIPLIER)
+    edge = grid.first_failure(grid.index(rest), top)
     holds = not grid.fails_at([0])[0]
-    if at > top:
+    if edge is None or edge > top:
         most = MAX_MULTIPLIER
         return Zeta(most, most, most, (most, most), 0.0, holds)
-    # the window below the first failure found at every second point, each standing for the next as well
-    edge = at + stride * (int(np.argmax(failing)) - 1) + 1
-    low = edge - 2 * (half // 2)
-    fails, last = np.repeat(grid.fails_at(range(low, edge, 2)), 2), None
+    while (below := grid.fails_at(range(edge - window, edge))).any():
+        edge += int(np.argmax(below)) - window
+    low = edge - window
+    fails, last = below, None
     while last is None and low + fails.size <= top + half:
         first = low + fails.size
-        fails = np.append(fails, grid.fails_at(range(first, first + AT_ONCE)))
+        fails = np.append(fails, grid.fails_at(range(first, first + max(half // 2, 1))))
         last = first_with_share(fails, half, HALF_FAIL + SHARE_ERROR)
     around = grid.fails_at(range(max(-half, low), half + 1))
-    share = float(around.sum()) / (2 * half + 1)
+    share = float(around.sum()) / window
     end = fails.size if last is None else last + half + 1
-    if any(grid.known.get(low + k, (False, False))[1] for k in range(end)):
+    if grid.at(range(low, low + end))[1].any():
         return Zeta(None, None, None, None, share, holds)
     shares = (HALF_FAIL, ROBUST_SHARE, HALF_FAIL - SHARE_ERROR, HALF_FAIL + SHARE_ERROR)
-    places = [*(first_with_share(fails, half, part) for part in shares), int(np.argmax(fails))]
+    places = [*(first_with_share(fails, half, part) for part in shares), window]
     zeta, sixteen, least, most, first = (
         MAX_MULTIPLIER if k is None else min(grid.multiplier(low + k), MAX_MULTIPLIER)
         for k in places
     )
     if places[0] == places[-1]:  # a sharp limit is located
-        edges = (grid.multiplier(low + places[0] - 1), first)
-        (bracket,) = bisections([edges], lambda points: [failures(points[0])])
+        edges = (grid.multiplier(edge - 1), first)
+        (bracket,) = bisections([edges], lambda points: [failures(points[0])[:2]])
         zeta = first = bracket[1] if bracket else first
     elif places[0] is not None:  # the point stands for the step that ends in it
-        zeta /= math.sqrt(1.0 + step)
+        zeta /= math.sqrt(1.0 + grid.step)
     return Zeta(zeta, sixteen, first, (least, most), share, holds)

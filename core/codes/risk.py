@@ -50,8 +50,8 @@ class Risk:
     other_return_period: float | None
     index: float | None
     letter: str | None
-    by_hazard: bool = False
-    known_years: tuple[float, float] = (SHORTEST, LONGEST)
+    by_hazard: bool
+    known_years: tuple[float, float]
 
     @property
     def years(self) -> str | None:

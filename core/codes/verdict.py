@@ -21,7 +21,7 @@ STOCKY_DEG = 20.0
 class Circumstances:
     """What a verdict must know beside the checks.
 
-    records : files
+    stations : of the records, two components of one count once
     bundled : some are the example's
     strongest : largest PGA at the demand, FC apart [m/s2]
     both_signs : a one-sided wall was given each record with both
@@ -29,7 +29,7 @@ class Circumstances:
     exact : the integrator is not one for comparison
     """
 
-    records: int
+    stations: int
     bundled: bool = False
     strongest: float = 0.0
     both_signs: bool = True
@@ -86,12 +86,12 @@ def verdict(
     compliance: Compliance | None,
     circumstances: Circumstances,
     lower_bound: float | None,
-    floor_notes: tuple[Sentence, ...] = (),
+    own_notes: tuple[Sentence, ...] = (),
 ) -> Verdict:
     """The verdict from the checks of a wall, the most refined first.
 
     checks : those that were made
-    floor_notes : Sentences on the floor of a wall above the ground
+    own_notes : Sentences on the checks and on the floor of a wall above the ground
     kinematic : None above the ground where the building is not known
     """
     block = wall.block()
@@ -119,7 +119,7 @@ def verdict(
     elif activated and dynamic and dynamic.within_spread(target):
         low, high = dynamic.zeta_spread
         doubts.append(_reason("within_spread", zeta=zeta, target=target, low=low, high=high))
-    notes = list(floor_notes)
+    notes = list(own_notes)
     if kinematic and kinematic.chain.friction_height is not None:
         notes.append(_reason("friction_hinge", height=kinematic.chain.friction_height))
     if kinematic and kinematic.missing:
@@ -232,7 +232,7 @@ def _limits(
             reasons.append(_reason("pga_scaling"))
         if demand.weak_share is not None:
             reasons.append(_reason("weaker_records", share=demand.weak_share))
-        stations = compliance.stations if compliance else circumstances.records
+        stations = compliance.stations if compliance else circumstances.stations
         if stations < MINIMUM_FROM:
             reasons.append(_reason("few_records", n=stations))
         if circumstances.bundled:

@@ -12,9 +12,12 @@ from core.jit.decorators import kernel
 TAIL = 1e-3
 """Share of its peak below which the free motion of a mode after the record is left out."""
 
-PER_PERIOD, MAX_PARTS = 75, 4
-"""Samples of the floor motion in the shortest period, as far as a sample of the record in MAX_PARTS gives them: between
-more of them the motion of a mode is linear within 0.1 % of its peak."""
+LINEAR = 1e-3
+"""Share of its peak within which the motion of a floor is linear between its samples."""
+
+PER_PERIOD, MAX_START = 8, 64
+"""Samples in the shortest period from which on it is seen how linear the motion is, as far as MAX_START parts of a
+sample of the record give them: modes so short that they do not, shorter than a case takes, move with the ground."""
 
 
 @dataclass(frozen=True)
@@ -63,14 +66,30 @@ def floor_acceleration(
     ground: np.ndarray, dt: float, modes: Sequence[Mode]
 ) -> tuple[np.ndarray, float]:
     """(absolute acceleration of the floor [m/s2], its time step [s]): (1 - sum gamma psi) u'' + sum gamma psi A_k, what
-    the modes leave out moving with the ground (resources/docs/physics.md, section 16). The record itself where no
-    mode takes part. ground : [m/s2], shape (n,); dt [s].
+    the modes leave out moving with the ground (resources/docs/physics.md, section 16), its samples so close that it is
+    linear between them within LINEAR of its peak. The record itself where no mode takes part. ground : [m/s2],
+    shape (n,); dt [s].
     """
     modes = [mode for mode in modes if mode.participation != 0.0]
     if not modes:
         return ground, dt
-    parts = min(math.ceil(PER_PERIOD * dt / min(mode.period for mode in modes)), MAX_PARTS)
-    fine = dt / parts
+    parts = min(math.ceil(PER_PERIOD * dt / min(mode.period for mode in modes)), MAX_START)
+    floor, finer = (_sampled(ground, dt, modes, n) for n in (parts, 2 * parts))
+    while not _is_linear(floor, finer):
+        parts *= 2
+        floor, finer = finer, _sampled(ground, dt, modes, 2 * parts)
+    return floor, dt / parts
+
+
+def _is_linear(floor: np.ndarray, finer: np.ndarray) -> bool:
+    """Whether a motion is linear between its samples, seen half way between them."""
+    size = min(floor.size, (finer.size + 1) // 2)
+    middles = 0.5 * (floor[: size - 1] + floor[1:size])
+    return bool(np.abs(finer[1 : 2 * size - 1 : 2] - middles).max() <= LINEAR * np.abs(finer).max())
+
+
+def _sampled(ground: np.ndarray, dt: float, modes: Sequence[Mode], parts: int) -> np.ndarray:
+    """The acceleration of the floor [m/s2] at every sample of the record in `parts` and after it."""
     # after the record the ground is still
     tail = max(
         math.log(1.0 / TAIL) / (mode.damping * 2.0 * math.pi / mode.period) for mode in modes
@@ -81,11 +100,11 @@ def floor_acceleration(
     floor = (1.0 - sum(mode.participation for mode in modes)) * moving
     last = (ground.size - 1) * parts
     for mode in modes:
-        part = modal_acceleration(moving, fine, mode.period, mode.damping)
+        part = modal_acceleration(moving, dt / parts, mode.period, mode.damping)
         floor += mode.participation * part
         above = np.nonzero(np.abs(part) > TAIL * np.abs(part).max())[0]
         last = max(last, int(above[-1]))
-    return floor[: last + 1].copy(), fine
+    return floor[: last + 1].copy()
 
 
 def floor_motion(motion: GroundMotion, modes: Sequence[Mode]) -> GroundMotion:

@@ -8,17 +8,24 @@ from collections.abc import Callable, Sequence
 from copy import copy
 from dataclasses import dataclass, field
 from io import BytesIO
+from typing import BinaryIO
 from weakref import WeakKeyDictionary
 from xml.sax.saxutils import escape
 
 from openpyxl import Workbook
 from openpyxl.cell.cell import ILLEGAL_CHARACTERS_RE, Cell
+from openpyxl.drawing.spreadsheet_drawing import SpreadsheetDrawing
 from openpyxl.styles import Alignment, Border, Font, PatternFill, Side
 from openpyxl.utils import get_column_letter
 from openpyxl.workbook.defined_name import DefinedName
+from openpyxl.worksheet._writer import WorksheetWriter
+from openpyxl.worksheet.merge import MergedCellRange
 from openpyxl.worksheet.worksheet import Worksheet
+from openpyxl.writer.excel import ExcelWriter
 
 from core.file_names import shown
+from core.report.steps import Steps
+from core.report.xml_text import for_cell
 from core.text.sentence import localized, numeral
 
 INK = "1F2D3D"
@@ -52,9 +59,11 @@ class Book:
     """A workbook with its language and the values its formula cells carry.
 
     sums : by the name of a wall on the Check sheet the ranges of its loads
+    steps : how far it is
     """
 
     language: str
+    steps: Steps = field(default_factory=Steps)
     workbook: Workbook = field(default_factory=Workbook)
     cached: dict[tuple[str, str], object] = field(default_factory=dict)
     sums: dict[str, dict[str, str]] = field(default_factory=dict)
@@ -105,35 +114,64 @@ class Book:
         """The file. Formula cells get their value, which previewers and Protected View show."""
         self.workbook.calculation.fullCalcOnLoad = True
         plain = BytesIO()
-        self.workbook.save(plain)
-        return with_values(plain.getvalue(), self.workbook.sheetnames, self.cached)
+        with zipfile.ZipFile(plain, "w", zipfile.ZIP_DEFLATED) as archive:
+            _Writer(self, archive).save()
+        return plain.getvalue()
 
 
-def with_values(content: bytes, sheets: list[str], cached: dict) -> bytes:
-    """The same xlsx with the `<v>` of its formula cells filled."""
-    filled = BytesIO()
-    with zipfile.ZipFile(BytesIO(content)) as old, zipfile.ZipFile(filled, "w") as new:
-        for entry in old.infolist():
-            match = re.fullmatch(r"xl/worksheets/sheet(\d+)\.xml", entry.filename)
-            if not match:
-                new.writestr(entry, old.read(entry), zipfile.ZIP_DEFLATED)
-                continue
-            title = sheets[int(match[1]) - 1]
-            entry.compress_type = zipfile.ZIP_DEFLATED
-            # some rows at a time: a sheet of many walls is a long text
-            with old.open(entry) as source, new.open(entry, "w", force_zip64=True) as target:
-                rest = b""
-                while True:
-                    block = source.read(PIECE)
-                    piece, mark, rest = (
-                        (rest + block).rpartition(b"</row>") if block else (rest, b"", b"")
-                    )
-                    text = (piece + mark).decode()
-                    text = _FORMULA.sub(functools.partial(_filled_in, title, cached), text)
-                    target.write(text.encode())
-                    if not block:
-                        break
-    return filled.getvalue()
+class _Rows(WorksheetWriter):
+    """Writes the rows of a sheet, each a step."""
+
+    def __init__(self, sheet: Worksheet, steps: Steps):
+        super().__init__(sheet)
+        self.steps = steps
+
+    def rows(self):
+        return self.steps.each(super().rows())
+
+
+class _Writer(ExcelWriter):
+    """Writes a workbook, its formula cells with their values."""
+
+    def __init__(self, book: Book, archive: zipfile.ZipFile):
+        super().__init__(book.workbook, archive)
+        self.book, self.archive = book, archive
+        sizes = [len(sheet._cells) for sheet in book.workbook.worksheets]
+        self.sheets = book.steps.each(book.workbook.worksheets, sizes)
+
+    def write_worksheet(self, ws: Worksheet) -> None:
+        next(self.sheets)
+        ws._drawing = SpreadsheetDrawing()
+        ws._drawing.charts, ws._drawing.images = ws._charts, ws._images
+        writer = _Rows(ws, self.book.steps)
+        try:
+            writer.write()
+            with open(writer.out, "rb") as source:
+                self._pack(ws, source)
+        finally:
+            writer.close()
+            writer.cleanup()
+        ws._rels = writer._rels
+        self.manifest.append(ws)
+
+    def _write_charts(self) -> None:
+        self.book.steps.check()
+        super()._write_charts()
+        self.book.steps.check()
+
+    def _pack(self, ws: Worksheet, source: BinaryIO) -> None:
+        """A sheet into the file, with the `<v>` of its formula cells; some rows at a time: many walls are a long
+        text."""
+        fill_in = functools.partial(_filled_in, ws.title, self.book.cached)
+        with self.archive.open(ws.path[1:], "w", force_zip64=True) as target:
+            block, rest = b" ", b""
+            while block:
+                self.book.steps.check()
+                block = source.read(PIECE)
+                piece, mark, rest = (
+                    (rest + block).rpartition(b"</row>") if block else (rest, b"", b"")
+                )
+                target.write(_FORMULA.sub(fill_in, (piece + mark).decode()).encode())
 
 
 def _filled_in(title: str, cached: dict, match: re.Match) -> str:
@@ -145,10 +183,10 @@ def _filled(match: re.Match, value) -> str:
     attributes = re.sub(r' t="[^"]*"', "", match[2])
     if isinstance(value, str):
         attributes += ' t="str"'
-        shown = escape(value)
+        written = escape(for_cell(value))
     else:
-        shown = repr(float(value))
-    return f'<c r="{match[1]}"{attributes}><f>{match[3]}</f><v>{shown}</v></c>'
+        written = repr(float(value))
+    return f'<c r="{match[1]}"{attributes}><f>{match[3]}</f><v>{written}</v></c>'
 
 
 def cached_style(cell: Cell, key: tuple, apply: Callable[[], None]) -> Cell:
@@ -201,7 +239,7 @@ def style(cell: Cell, bold=False, color=INK, size=10, number_format=None, wrap=F
 def text(sheet: Worksheet, row: int, column: int, content, **look) -> Cell:
     """Text that can never become a formula."""
     cell = sheet.cell(row, column)
-    cell.value = shown(ILLEGAL_CHARACTERS_RE.sub(" ", str(content)))[:32000]
+    cell.value = for_cell(shown(ILLEGAL_CHARACTERS_RE.sub(" ", str(content)))[:32000])
     cell.data_type = "s"
     return style(cell, **look)
 
@@ -244,9 +282,18 @@ def heighten(sheet: Worksheet, row: int, *texts: tuple[str, float]) -> None:
         sheet.row_dimensions[row].height = 14.0 * lines
 
 
+def merge(sheet: Worksheet, row: int, column: int, last_row: int, last_column: int) -> None:
+    """One cell of several. `Worksheet.merge_cells` compares with every range before, 6000 of them in a large report;
+    the ranges of these sheets do not overlap."""
+    area = f"{get_column_letter(column)}{row}:{get_column_letter(last_column)}{last_row}"
+    merged = MergedCellRange(sheet, area)
+    sheet.merged_cells.ranges.add(merged)
+    sheet._clean_merge_range(merged)
+
+
 def paragraph(sheet: Worksheet, row: int, content: str, last: int, characters: int, **look) -> int:
     """Wrapped text over columns 1..last; its height follows from the characters a line holds."""
-    sheet.merge_cells(start_row=row, start_column=1, end_row=row, end_column=last)
+    merge(sheet, row, 1, row, last)
     text(sheet, row, 1, content, wrap=True, **look)
     lines = sum(max(1, math.ceil(len(part) / characters)) for part in content.split("\n"))
     sheet.row_dimensions[row].height = 13.5 * lines + 2

@@ -56,7 +56,7 @@ def check(book: Book, result: StudyResult) -> None:
     )
     changed_cell(book, sheet, 3, 1)
     row = _demand(book, sheet, result, 4)
-    for index, wall in enumerate(result.walls, start=1):
+    for index, wall in enumerate(book.steps.each(result.walls), start=1):
         row = _wall(book, sheet, result, wall, f"wall{index}", row + 1)
     sheet.freeze_panes = "A4"
     sheet.print_area = f"A1:M{sheet.max_row}"
@@ -199,10 +199,10 @@ def _records(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
         say("program"), "ln SI", "ln q_eff",
         *([f"q_eff, {form}", f"q, {form}", say("program")] if wall.wall.has_closed_forms else [])], 1, 32)  # fmt: skip
     first = row + 1
-    scale = {(run.record, run.polarity): run.scale for run in wall.runs}
+    scale = {(run.motion, run.polarity): run.scale for run in wall.runs}
     for entry in wall.per_record:
         row += 1
-        _record_row(book, sheet, wall, entry, scale.get((entry.record, entry.polarity)), name, row)
+        _record_row(book, sheet, wall, entry, scale.get((entry.motion, entry.polarity)), name, row)
     last = row
     row += 1
     formula = "AVERAGE" if wall.set_rule == "mean" else "MIN"

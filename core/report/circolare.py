@@ -106,12 +106,12 @@ def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: st
         row = live_row(book, sheet, row, "α0 = (W x + ΣN d + ΣF h)/(W y + ΣQ h)", "C8.7.1.1",
                        formulas["alpha0"], sums.alpha0, "–", start)  # fmt: skip
         row = live_row(book, sheet, row, "e* = (W y + ΣQ h)²/[(W + ΣQ)(W y² + ΣQ h²)]", "C8.7.1.5",
-                       formulas["e_star"], kinematic.e_star, "–", f"{name}_e_star")  # fmt: skip
+                       formulas["e_star"], sums.e_star, "–", f"{name}_e_star")  # fmt: skip
     else:
         row = live_row(book, sheet, row, "α0 = tan α", "C8.7.1.1",
                        f"=TAN(RADIANS({name}_slenderness))", sums.alpha0, "–", start)  # fmt: skip
         row = found_row(
-            book, sheet, row, "e* (C8.7.1.5)", kinematic.e_star, "–", f"{name}_e_star", RATIO
+            book, sheet, row, "e* (C8.7.1.5)", sums.e_star, "–", f"{name}_e_star", RATIO
         )
     if sums.alpha0_friction is not None:
         start = f"{name}_alpha0_friction"
@@ -119,13 +119,14 @@ def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: st
         row = found_row(book, sheet, row, label, sums.alpha0_friction, "–", start)
         share = f"{name}_e_star_friction"
         row = found_row(book, sheet, row, say("e* of that part"), sums.e_star_friction, "–", share)
+        mass = say("M* per metre of that part")
     else:
-        share = f"{name}_e_star"
+        share, mass = f"{name}_e_star", say("M* per metre")
     row = live_row(book, sheet, row, "a0* = α0 g / (e* FC)", "C8.7.1.3",
                    f"={start}/({share}*demand_fc)", kinematic.a0 / G, "g",
                    f"{name}_a0_star")  # fmt: skip
     if kinematic.m_star is not None:
-        row = found_row(book, sheet, row, say("M* per metre"), kinematic.m_star, "kg/m",
+        row = found_row(book, sheet, row, mass, kinematic.m_star, "kg/m",
                         f"{name}_m_star", "0")  # fmt: skip
     row = _sld(book, sheet, wall, name, demand, row)
     for check in found_checks(wall, "linear_q_slv", "linear_q_code"):
@@ -137,7 +138,15 @@ def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: st
         if check.name == "linear_q_code":
             row = live_row(book, sheet, row, f"q: {label}", "", "=code_q", check.q, "–", q)
         else:
-            row = found_row(book, sheet, row, f"q: {label}", check.q, "–", q)
+            row = found_row(book, sheet, row, "q SLV", wall.q_slv_set, "–")
+            row = found_row(book, sheet, row, say("lower end of the spread of q SLV"), wall.q_slv_low_set, "–",
+                            f"{name}_q_slv_low")  # fmt: skip
+            counted = f"{name}_q_slv_low*{share}"
+            if kinematic.chain.alpha0_friction is not None:
+                counted += f"*MIN(1,{name}_alpha0/{start})"
+            row = live_row(
+                book, sheet, row, f"q: {label}", "C8.7.1.5", f"={counted}", check.q, "–", q
+            )
         row = live_row(book, sheet, row, f"ζ: {label}", check.clause,
                        f"={q}*{name}_zeta_sld", check.zeta, "–", f"{q}_zeta")  # fmt: skip
         row = _outcome(book, sheet, row, f"{q}_zeta", check)
@@ -159,7 +168,7 @@ def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: st
 
 def cell_prefix(result: StudyResult, wall: WallResult) -> str:
     """What the names of the cells of a wall begin with: wall1 for the first of the result."""
-    return f"wall{next(k for k, one in enumerate(result.walls, start=1) if one is wall)}"
+    return f"wall{result.numbers[id(wall)]}"
 
 
 def zeta_cell(wall: WallResult, name: str, demand) -> str:
@@ -309,7 +318,7 @@ def _displacement(book: Book, sheet, wall, name: str, demand, check, row: int) -
         label, floor = book.say("not below a_g,SLD / a_g"), f"{name}_zeta_sld"
         if kinematic.chain.alpha0_friction is not None:  # without the friction
             share = f"({name}_alpha0/{name}_e_star)/({name}_alpha0_friction/{name}_e_star_friction)"
-            floor = f"{name}_zeta_sld*{share}"
+            floor = f"MIN({name}_zeta_sld,{name}_zeta_sld*{share})"
         row = live_row(book, sheet, row, label, "C8.7.1.2.1.8", f"={floor}",
                        kinematic.zeta_floor, "–")  # fmt: skip
         formula = f"=MAX({ratio},{floor})"

@@ -66,7 +66,7 @@ def dynamic_check(book: Book, result: StudyResult) -> None:
         105,
         color=QUIET,
     )
-    for wall in walls:
+    for wall in book.steps.each(walls):
         row = _wall(book, sheet, wall, wall.assessment.dynamic, row + 1)
 
 
@@ -77,11 +77,11 @@ def _wall(book: Book, sheet, wall: WallResult, check, row: int) -> int:
                         say("worse"), say("program"), say("Status")], 1,
            32 if len(label) > 30 else 18)  # fmt: skip
     first = row + 1
-    names = list(dict.fromkeys(run.record for run in check.runs))
     overturns = word("overturned", book.language)
-    for record in names:
+    for motion in dict.fromkeys(run.motion for run in check.runs):
         row += 1
-        runs = {run.polarity: run for run in check.runs if run.record == record}
+        runs = {run.polarity: run for run in check.runs if run.motion == motion}
+        record = next(iter(runs.values())).record
         text(sheet, row, 1, record, wrap=True)
         heighten(sheet, row, (record, 34))
         number(sheet, row, 2, next(iter(runs.values())).factor, ACCELERATION)

@@ -31,7 +31,7 @@ def inputs(book: Book, result: StudyResult) -> None:
     text(sheet, 2, 1, f"SHA-256 {case.sha256}", color=QUIET, size=8)
     row = _line(book, sheet, 3, "title", case.title, None)
     from_table = case.differing() if case.table else frozenset()
-    for section, index, heading, values in _sections(book, case):
+    for section, index, heading, values in book.steps.each(_sections(book, case)):
         header(sheet, row, [heading, "", "", ""], 1, 15)
         row += 1
         for key, value in values.items():

@@ -7,18 +7,24 @@ from dataclasses import asdict
 from core.capacity.accuracy import ROUNDING, Accuracy
 from core.codes.dynamic_check import DemandCheck
 from core.codes.eq9 import LABEL
+from core.codes.kinematic import Kinematic
 from core.codes.record_compatibility import Compliance
 from core.file_names import shown
 from core.ground.ground_motion import GroundMotion
 from core.ground.provenance import provenance
 from core.report.json_walls import limit_states, loads, tie_design, variants
+from core.report.steps import Steps
 from core.study.results import Q_SOURCES, Assessment, Run, StudyResult, WallResult
 from core.units import CM, G
 from core.version import NAME, VERSION, commit
 
+PIECES = 10_000
+"""Of a JSON text between two looks whether it is still wanted."""
 
-def results(result: StudyResult) -> dict:
+
+def results(result: StudyResult, steps: Steps | None = None) -> dict:
     """The results as a mapping of the contract's keys; numbers are exact or None."""
+    steps = steps or Steps()
     return {
         "program": {"name": NAME, "version": VERSION, "commit": commit()},
         "started_utc": result.started_utc,
@@ -28,14 +34,21 @@ def results(result: StudyResult) -> dict:
         "records": [
             _record(motion, kind) for motion, kind in zip(result.motions, result.kinds, strict=True)
         ],
-        "walls": [_wall(wall, result) for wall in result.walls],
+        "walls": [_wall(wall, result) for wall in steps.each(result.walls)],
         **variants(result),
     }
 
 
-def dumps(result: StudyResult) -> str:
+def dumps(result: StudyResult, steps: Steps | None = None) -> str:
     """The results as JSON text; raises ValueError should a number not be finite."""
-    return json.dumps(results(result), indent=1, allow_nan=False, ensure_ascii=False) + "\n"
+    steps = steps or Steps()
+    encoder = json.JSONEncoder(indent=1, allow_nan=False, ensure_ascii=False)
+    pieces = []
+    for k, piece in enumerate(encoder.iterencode(results(result, steps))):
+        if k % PIECES == 0:
+            steps.check()
+        pieces.append(piece)
+    return "".join(pieces) + "\n"
 
 
 def _demand(result: StudyResult) -> dict:
@@ -71,11 +84,28 @@ def _compliance(compliance: Compliance) -> dict:
 def _demand_check(check: DemandCheck | None) -> dict | None:
     if check is None:
         return None
-    return {**asdict(check), "runs": [asdict(run) for run in check.runs]}
+    runs = [asdict(run) for run in check.runs]
+    for run in runs:
+        del run["motion"]  # the file names its records
+    return {**asdict(check), "runs": runs}
 
 
-def _assessment(assessment: Assessment | None) -> dict:
-    """The keys demand_check, lower_bound_check, kinematic_check and verdict of a wall."""
+def _without_friction(mechanism: Kinematic, confidence: float) -> dict | None:
+    """alpha0, e*, M* and a0* of the whole wall, where those beside them are of its upper part with the friction of
+    return walls."""
+    sums = mechanism.chain
+    if sums.alpha0_friction is None:
+        return None
+    return {
+        "alpha0": sums.alpha0,
+        "e_star": sums.e_star,
+        "m_star": None if sums.mass is None else sums.e_star * sums.mass,
+        "a0_star_g": sums.alpha0 / (sums.e_star * confidence),
+    }
+
+
+def _assessment(assessment: Assessment | None, confidence: float) -> dict:
+    """The keys demand_check, lower_bound_check, kinematic_check and verdict of a wall. confidence : FC."""
     if assessment is None:
         return {"demand_check": None, "kinematic_check": None, "verdict": None}
     verdict = assessment.verdict
@@ -88,6 +118,8 @@ def _assessment(assessment: Assessment | None) -> dict:
             "e_star": mechanism.e_star,
             "m_star": mechanism.m_star,
             "a0_star_g": mechanism.a0 / G,
+            "friction_height_m": mechanism.chain.friction_height,
+            "without_friction": _without_friction(mechanism, confidence),
             "d0_m": mechanism.d0,
             "d_limit_m": mechanism.d_limit,
             "period_s": mechanism.period,
@@ -230,7 +262,7 @@ def record_measures(motion: GroundMotion) -> dict:
 
 def _run(run: Run, wall: WallResult, result: StudyResult) -> dict:
     ida = run.ida
-    method = result.method_of(wall, run.record)
+    method = result.method_of(wall, run.motion)
     return {
         "record": run.record,
         "polarity": run.polarity,
@@ -238,6 +270,7 @@ def _run(run: Run, wall: WallResult, result: StudyResult) -> dict:
         "q": ida.q,
         "bracket": list(ida.bracket) if ida.bracket else None,
         "q_slv": ida.q_slv,
+        "q_slv_low": ida.q_slv_low,
         "q_slc": ida.q_slc,
         "q_robust": ida.q_robust,
         "collapse_scale": run.scale,
@@ -276,6 +309,7 @@ def _wall(wall: WallResult, result: StudyResult) -> dict:
                 "q": entry.q,
                 "q_robust": entry.q_robust,
                 "q_slv": entry.q_slv,
+                "q_slv_low": entry.q_slv_low,
                 "q_eff": entry.q_eff,
                 "housner_intensity_cm": entry.intensity / CM,
                 "closed_form_q_eff": entry.closed_form_q_eff,
@@ -288,6 +322,7 @@ def _wall(wall: WallResult, result: StudyResult) -> dict:
         "q_min": wall.q_min,
         "q_robust_set": wall.q_robust_set,
         "q_slv_set": wall.q_slv_set,
+        "q_slv_low_set": wall.q_slv_low_set,
         "power_law": {"c1": law.c1, "c2": law.c2, "r_squared": law.r_squared, "n": law.n}
         if law
         else None,
@@ -315,7 +350,7 @@ def _wall(wall: WallResult, result: StudyResult) -> dict:
         **loads(wall),
         **tie_design(wall),
         **limit_states(wall),
-        **_assessment(wall.assessment),
+        **_assessment(wall.assessment, result.demand.confidence_factor if result.demand else 1.0),
         **_floor(wall),
         **_risk(wall),
         **_uncertainty(wall.accuracy),

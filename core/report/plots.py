@@ -29,11 +29,13 @@ from core.report.cells import (
     ROW_HEIGHT,
     Book,
     header,
+    merge,
     number,
     paragraph,
     text,
     title,
 )  # fmt: skip
+from core.report.xml_text import for_xml
 from core.study.results import CollapseHistories, StudyResult, WallResult
 from core.text.sentence import word
 from core.units import CM
@@ -58,6 +60,7 @@ DATA = 16
 
 def new_chart(heading: str, x: str, y: str, width=24.0, height=9.5) -> ScatterChart:
     """An empty scatter chart in the report's style; width, height [cm]."""
+    heading, x, y = map(for_xml, (heading, x, y))
     chart = ScatterChart()
     chart.style = 13
     font = CharacterProperties(sz=1100, b=True)
@@ -132,7 +135,7 @@ def q_against_si(book: Book, result: StudyResult) -> None:
         text(sheet, row, 1, say("No run with a number of q."))
     drawn = walls[:CHART_WALLS]
     abreast = len(drawn) >= ABREAST_FROM
-    for index, wall in enumerate(drawn):
+    for index, wall in enumerate(book.steps.each(drawn)):
         column = DATA + 8 * index
         last_point, last_curve = _si_data(book, sheet, wall, column)
         label = f"{wall.name} – {word(wall.mechanism, book.language)}"
@@ -209,7 +212,7 @@ def histories(book: Book, result: StudyResult, drawn: list[CollapseHistories]) -
     title(sheet, 1, say("Rotation at first collapse"))
     row = 3
     abreast = len(drawn) >= ABREAST_FROM
-    for index, entry in enumerate(drawn[:CHART_WALLS]):
+    for index, entry in enumerate(book.steps.each(drawn[:CHART_WALLS])):
         column = DATA + 5 * index
         last = _history_data(book, sheet, entry, column)
         sign = "+" if entry.polarity > 0 else "−"
@@ -295,12 +298,11 @@ def survival_map(book: Book, result: StudyResult) -> None:
         sheet.column_dimensions[get_column_letter(5 + k - first)].width = 0.9
     for k in range(first, last + 1, 10):
         # the label stands over its ten columns
-        sheet.merge_cells(
-            start_row=4, start_column=5 + k - first, end_row=4, end_column=14 + k - first
-        )
+        merge(sheet, 4, 5 + k - first, 4, 14 + k - first)
         label = book.digits(math.exp(MAP_BIN * k), ".2f")
         text(sheet, 4, 5 + k - first, label, size=8, color=QUIET)
-    for row, ((wall, run), share) in enumerate(zip(runs, shares, strict=False), start=5):
+    rows = book.steps.each(zip(runs, shares, strict=False))
+    for row, ((wall, run), share) in enumerate(rows, start=5):
         text(sheet, row, 1, wall.name, size=7)
         text(sheet, row, 2, word(wall.mechanism, book.language), size=7)
         text(sheet, row, 3, run.record, size=7)

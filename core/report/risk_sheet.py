@@ -57,7 +57,7 @@ def _walls(book: Book, sheet, result: StudyResult, row: int) -> int:
     header(sheet, row, [
         say("Wall"), say("Mechanism"), "ζ_E", say("by"), "PGA_C [g]", "T_R,C", "IS-V",
         *(f"ζ {state}, {say('kin.')}" for state in STATES)], 1, 30)  # fmt: skip
-    for wall in by_zeta(result.walls):
+    for wall in book.steps.each(by_zeta(result.walls)):
         row += 1
         _wall(book, sheet, wall, row)
     known = [

@@ -149,7 +149,7 @@ def results(book: Book, result: StudyResult) -> None:
         say("analyses"), say("unknown points"),
         say("Eq. 7 clamped")], 1, 44)  # fmt: skip
     row = 3
-    for wall in result.walls:
+    for wall in book.steps.each(result.walls):
         for run in wall.runs:
             row += 1
             ida = run.ida

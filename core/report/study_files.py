@@ -8,6 +8,8 @@ from dataclasses import asdict
 
 from core.report.drawing import style
 from core.report.json_report import record_measures
+from core.report.plain_cell import plain_cell
+from core.report.xml_text import for_xml
 from core.study.figures import DASHED, LINE, LINE_POINTS, POINTS, Figure, StudyReport, marker_of
 from core.study.parametric import ParametricResult
 from core.units import CM, G
@@ -48,7 +50,7 @@ MARKERS = ("o", "s", "^", "D")
 
 
 def csv_text(result: ParametricResult) -> str:
-    """One line a run, numbers exact, empty where there is none."""
+    """One line a run, numbers exact, empty where there is none; no text begins as a formula."""
     stream = io.StringIO()
     writer = csv.writer(stream, lineterminator="\n")
     writer.writerow(COLUMNS)
@@ -60,35 +62,34 @@ def csv_text(result: ParametricResult) -> str:
     for row in result.rows:
         entry, cell = result.motions[row.motion], row.cell
         pga, pgv, si = measures[row.motion]
-        writer.writerow(
-            (
-                entry.group,
-                entry.spectrum,
-                entry.motion.name,
-                "" if entry.seed is None else entry.seed,
-                pga,
-                pgv,
-                si,
-                cell.slenderness_deg,
-                cell.height_m,
-                cell.mechanism,
-                cell.restitution,
-                cell.law,
-                cell.method,
-                cell.q_step,
-                row.polarity,
-                row.status,
-                row.q,
-                row.low,
-                row.q_slv,
-                row.q_slc,
-                row.q_robust,
-                None if row.q is None else row.q / pga,
-                row.survived_fraction,
-                p2[cell] * (si * CM) / (pga * G),
-                row.analyses,
-            )
+        cells = (
+            entry.group,
+            entry.spectrum,
+            entry.motion.name,
+            "" if entry.seed is None else entry.seed,
+            pga,
+            pgv,
+            si,
+            cell.slenderness_deg,
+            cell.height_m,
+            cell.mechanism,
+            cell.restitution,
+            cell.law,
+            cell.method,
+            cell.q_step,
+            row.polarity,
+            row.status,
+            row.q,
+            row.low,
+            row.q_slv,
+            row.q_slc,
+            row.q_robust,
+            None if row.q is None else row.q / pga,
+            row.survived_fraction,
+            p2[cell] * (si * CM) / (pga * G),
+            row.analyses,
         )
+        writer.writerow([plain_cell(one) if isinstance(one, str) else one for one in cells])
     return stream.getvalue()
 
 
@@ -155,6 +156,7 @@ def figure_files(figure: Figure) -> dict[str, bytes]:
     """PNG and SVG of a figure, by the name of the file."""
     from matplotlib.figure import Figure as Canvas
 
+    figure = for_xml(figure)
     look: dict = {
         "font.size": 9,
         "font.family": "DejaVu Sans",

@@ -5,10 +5,14 @@ from openpyxl.worksheet.pagebreak import Break
 
 from core.report.cells import QUIET, Book, header, heighten, number, paragraph, rule, text, title
 from core.report.plots import add_series, new_chart
+from core.report.steps import Steps
 from core.report.study_files import PALETTE
 from core.study.figures import DASHED, LINE_POINTS, POINTS, Figure, StudyReport, Table, marker_of
 from core.study.parametric import ParametricResult
 from core.version import NAME, VERSION, commit
+
+TABLES, CHARTS, SAVING = 15, 10, 25
+"""Hundredths of the writing of a study that these take."""
 
 CHART_ROWS = 22
 CHARTS_PER_PAGE = 2
@@ -18,15 +22,18 @@ PAGE_ROWS = 40
 MARKERS = ("circle", "square", "triangle", "diamond")
 
 
-def content(result: ParametricResult, report: StudyReport) -> bytes:
+def content(result: ParametricResult, report: StudyReport, steps: Steps | None = None) -> bytes:
     """The xlsx file of a study."""
-    book = Book(result.study.language)
+    book = Book(result.study.language, steps or Steps())
     book.workbook.remove(book.workbook.active)
     _summary(book, result, report)
-    for table in report.tables:
+    book.steps.take(TABLES)
+    for table in book.steps.each(report.tables):
         if table.rows:
             _table(book, table)
+    book.steps.take(CHARTS)
     _figures(book, report.figures)
+    book.steps.take(SAVING)
     return book.content()
 
 
@@ -98,7 +105,7 @@ def _table(book: Book, table: Table) -> None:
     sheet = book.named_sheet(table.key, widths, landscape=True)
     title(sheet, 1, table.title)
     header(sheet, 3, list(table.head), height=45)
-    for k, row in enumerate(table.rows, start=4):
+    for k, row in enumerate(book.steps.each(table.rows), start=4):
         for column, value in enumerate(row, start=1):
             if value is None or isinstance(value, (int, float)):
                 number(sheet, k, column, value, _format(value))
@@ -127,7 +134,7 @@ def _figures(book: Book, figures: tuple[Figure, ...]) -> None:
     title(sheet, 1, book.say("Figures"))
     data.print_area = "A1:J40"
     row, column = 3, 1
-    for index, figure in enumerate(figures):
+    for index, figure in enumerate(book.steps.each(figures)):
         chart = new_chart(figure.title, figure.x, figure.y, 19.0, 10.2)
         text(data, 1, column, figure.title, color=QUIET)
         for index_of, series in enumerate(figure.series[:MAX_SERIES]):

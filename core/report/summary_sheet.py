@@ -18,6 +18,7 @@ from core.report.cells import (
     frame,
     header,
     heighten,
+    merge,
     number,
     paragraph,
     rule,
@@ -155,7 +156,7 @@ def _walls_table(book: Book, sheet, result: StudyResult, walls: list[WallResult]
         say("Wall"), say("Mechanism"), "H [m]", "t [m]", "u [m]", "H/t",
         "α [°]", "a_RM [g]", "W [kN]", "q", say("q robust"), "ζ",
         say("Verdict")])  # fmt: skip
-    for wall in walls:
+    for wall in book.steps.each(walls):
         row += 1
         text(sheet, row, 1, wall.name, wrap=True)
         text(sheet, row, 2, word(wall.mechanism, book.language))
@@ -288,6 +289,10 @@ def _mechanism_line(book: Book, assessment) -> str:
     ]
     if assessment.m_star is not None:
         parts.append(f"M* {book.digits(assessment.m_star, '.0f')} kg/m")
+    if assessment.chain.friction_height is not None:
+        parts.append(
+            say("of the upper {h:.2f} m with friction", h=assessment.chain.friction_height)
+        )
     if assessment.free_element:
         parts.append(say("free to vibrate"))
         if assessment.period_0 is not None:
@@ -330,6 +335,9 @@ def _method_row(
 def _warnings(book: Book, sheet, result: StudyResult, row: int, last: int, most: int = 7) -> int:
     """Each warning once, with the walls or records it belongs to."""
     owners: dict[str, list[str]] = {}
+    # first what all the walls rest on: more than most are not shown
+    for warning in result.demand.warnings if result.demand else ():
+        owners.setdefault(warning.text(book.language), []).append(book.say("demand"))
     named: list[WallResult | GroundMotion] = [*result.walls, *result.motions]
     for owner in named:
         for warning in owner.warnings:
@@ -337,8 +345,6 @@ def _warnings(book: Book, sheet, result: StudyResult, row: int, last: int, most:
             if isinstance(owner, WallResult):
                 name += f" ({word(owner.mechanism, book.language)})"
             owners.setdefault(warning.text(book.language), []).append(name)
-    for warning in result.demand.warnings if result.demand else ():
-        owners.setdefault(warning.text(book.language), []).append(book.say("demand"))
     text(sheet, row, 1, book.say("Warnings"), bold=True)
     row += 1
     if not owners:
@@ -372,7 +378,7 @@ def _signature(book: Book, sheet, row: int, walls) -> None:
         assumption = localized("assumption", code, book.language)
         text(sheet, row + n, 1, f"{'☑' if ticked else '☐'}  {assumption}")
     last = row + len(codes)
-    sheet.merge_cells(start_row=row + 1, start_column=7, end_row=last, end_column=LAST)
+    merge(sheet, row + 1, 7, last, LAST)
     for r in range(row + 1, last + 1):
         for c in range(7, LAST + 1):
             edges = {"left": c == 7, "right": c == LAST, "top": r == row + 1, "bottom": r == last}

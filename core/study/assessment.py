@@ -2,17 +2,16 @@
 
 from collections.abc import Callable
 
-from core.capacity.ida import Search
 from core.case.site import Building
 from core.codes.demand import DemandResult
-from core.codes.dynamic_check import BOUND_STEP, demand_check
+from core.codes.dynamic_check import BOUND_EVERY, demand_check
 from core.codes.kinematic import Check, Kinematic, linear, nonlinear, sld
 from core.codes.kinematic import kinematic as kinematic_of
-from core.codes.multiplier_search import STEP
 from core.codes.record_compatibility import Compliance
 from core.codes.risk import risk
 from core.codes.verdict import Circumstances, governing_check, verdict
 from core.ground.ground_motion import GroundMotion
+from core.ground.provenance import stations
 from core.rocking.methods import Method
 from core.study.floors import LOW_CODE, building_notes, floor_of, other_end
 from core.study.results import Assessment, WallResult
@@ -25,11 +24,9 @@ from core.wall.wall_loads import rocks_both_ways
 EXACT_METHODS = ("auto", "taylor", "taylor_6", "dormand_prince")
 """Methods whose result a verdict may rest on; the others are for comparison."""
 
-SENSITIVITY_STEP = 0.02
-"""Step of the search for zeta [-] for another building and another height: the digits given are two."""
-
-NEAR = 0.7
-"""No failure is expected below this share of zeta with another building or height."""
+SENSITIVITY_EVERY = 8
+"""Every how many points of the grid zeta is searched for another building and another height: by 2 %, the digits given
+are two."""
 
 BUNDLED = "# Ribalta example motion"
 """How the header of a bundled motion begins."""
@@ -40,19 +37,6 @@ def is_bundled(motion: GroundMotion) -> bool:
     return any(value.startswith(BUNDLED) for _, value in motion.details)
 
 
-def _reached(wall: WallResult, demand: DemandResult, search: Search) -> list[float] | None:
-    """q of each run at its first peak of the limit, the last q searched where it had none; None if a run
-    ended without a number."""
-    if any(run.ida.status == "impact_limit" for run in wall.runs):
-        return None
-    name = "q_slc" if demand.limit_state == "SLC" else "q_slv"
-    values = [getattr(run.ida, name) for run in wall.runs]
-    # a wall that falls has reached the limit: without that q a midpoint of its bracket is unknown
-    if any(q is None and run.ida.q is not None for q, run in zip(values, wall.runs, strict=True)):
-        return None
-    return [search.q_limit if q is None else q for q in values]
-
-
 def assess(
     wall: WallResult,
     kinematic: Kinematic | None,
@@ -61,24 +45,24 @@ def assess(
     demand: DemandResult,
     compliance: Compliance | None,
     method: Method,
-    search: Search,
     cancelled: Callable[[], bool] = lambda: False,
     building: Building | None = None,
     ground: list[GroundMotion] | None = None,
+    dynamic_check: Callable = demand_check,
 ) -> Assessment:
     """Dynamic, kinematic and simplified checks of a wall (Circolare 7/2019 C8.7.1.2.1); above the ground none where
     the motion of its floor is not known.
 
     kinematic : its mechanism, None there
     motions : of the ground, or of the floor of the wall
-    search : of the runs
     building, ground : of a wall above the ground, what carries it and the records
+    dynamic_check : `demand_check`, or one that keeps its results
     Raises Cancelled.
     """
     asked = wall.wall
     strongest = max((demand.scaling(m) * m.pga for m in motions), default=0.0)
     doubtful = Circumstances(
-        records=len(motions),
+        stations=len(stations(motions)),
         bundled=any(is_bundled(motion) for motion in motions),
         strongest=strongest,
         both_signs=wall.model.both_signs_alike or len(polarities) == 2,
@@ -90,38 +74,45 @@ def assess(
             asked, wall.mechanism, demand, (), None, None, compliance, doubtful, None
         )  # fmt: skip
         return Assessment(None, (), None, None, result)
-    reached = _reached(wall, demand, search)
-    dynamic = demand_check(
-        wall.model, motions, polarities, demand, method, reached, STEP, True, cancelled
-    )
+    dynamic = dynamic_check(wall.model, motions, polarities, demand, method, cancelled=cancelled)
     below = None
     if dynamic and asked.mechanism == "one_sided" and rocks_both_ways(asked):
         free = restitution(wall.block, "housner")
         model = rocking_model(wall.block, False, free, wall.law, asked.restoring())
         signs = (1,) if model.both_signs_alike else (1, -1)
-        below = demand_check(
-            model, motions, signs, demand, method, None, BOUND_STEP, False, cancelled
-        )
+        below = dynamic_check(model, motions, signs, demand, method, BOUND_EVERY, False, cancelled)
+    notes: list[Sentence] = []
     rows = [dynamic.as_check() if dynamic else None, nonlinear(kinematic, demand)]
     if demand.limit_state == "SLD":
         rows.append(sld(kinematic, demand))
     elif demand.limit_state == "SLV":
-        if wall.q_slv_set is not None:
-            # our q is counted from uplift at alpha_0 g: a0*, which e* raises, must not count it twice
-            own_q = wall.q_slv_set * kinematic.e_star
-            rows.append(linear("linear_q_slv", kinematic, demand, own_q))
+        if wall.q_slv_low_set is not None:
+            # our q is counted from uplift at alpha_0 g: a0*, which e* raises, must not count it twice; and of the wall
+            # without the friction of return walls, which must not raise what the histories lead to
+            counted = kinematic.e_star
+            if kinematic.alpha0 > kinematic.chain.alpha0:
+                counted *= kinematic.chain.alpha0 / kinematic.alpha0
+            own, upper = (
+                linear("linear_q_slv", kinematic, demand, q * counted)
+                for q in (wall.q_slv_low_set, wall.q_slv_set)
+            )
+            rows.append(own)
+            if own and upper.passed and not own.passed:
+                notes.append(
+                    sentence("reason", "lower_q_slv", low=wall.q_slv_low_set, q=wall.q_slv_set)
+                )
         rows.append(linear("linear_q_code", kinematic, demand, demand.q_code))
     checks = tuple(check for check in rows if check is not None)
     lower = below.zeta if below else None
-    sensitivity, ratio, notes = {}, None, ()
+    sensitivity, ratio = {}, None
     if wall.floor is not None:
         decides = governing_check(checks)
         if decides is not None and decides.zeta is not None:
             sensitivity = _sensitivity(
-                wall, decides, building, ground or [], polarities, demand, method, cancelled
-            )
+                wall, decides, building, ground or [], polarities, demand, method, cancelled, dynamic_check,
+            )  # fmt: skip
         ratio = wall.floor.code_over_records(kinematic)
-        notes = _floor_notes(wall, building, demand, ratio, sensitivity)
+        notes += _floor_notes(wall, building, demand, ratio, sensitivity)
     result = verdict(
         asked,
         wall.mechanism,
@@ -132,7 +123,7 @@ def assess(
         compliance,
         doubtful,
         lower,
-        notes,
+        tuple(notes),
     )
     unknown = result.zeta_e is None
     if (
@@ -153,12 +144,12 @@ def assess(
     ):
         decides = governing_check(checks)
 
-        def judged_with(force: float, step: float) -> tuple[float | None, bool]:
+        def judged_with(force: float, every: int) -> tuple[float | None, bool]:
             held = with_tie(asked, force)
             model = rocking_model(held.block(), True, wall.restitution, wall.law, held.restoring())
             return judged(
                 decides, held, wall.mechanism, model, kinematic.floor, motions, polarities, demand,
-                method, step, cancelled,
+                method, every, cancelled, dynamic_check,
             )  # fmt: skip
 
         sure = decides.passed and not (dynamic and decides.name == "dynamic"
@@ -168,7 +159,15 @@ def assess(
 
 
 def _sensitivity(
-    wall: WallResult, decides: Check, building, ground, polarities, demand, method, cancelled
+    wall: WallResult,
+    decides: Check,
+    building,
+    ground,
+    polarities,
+    demand,
+    method,
+    cancelled,
+    dynamic_check,
 ) -> dict[str, float | None]:
     """zeta of the check that decides with the building at the other end of what C8.7.1.2.1.4 allows, and with
     the motion at the height of the wall's centroid."""
@@ -185,22 +184,19 @@ def _sensitivity(
         floor = floor_of(wall.wall, building, demand, ground, **change)
         found[name], _ = judged(
             decides, wall.wall, wall.mechanism, wall.model, floor.spectrum, list(floor.motions),
-            polarities, demand, method, SENSITIVITY_STEP, cancelled,
+            polarities, demand, method, SENSITIVITY_EVERY, cancelled, dynamic_check,
         )  # fmt: skip
     return found
 
 
 def judged(
-    decides: Check, wall, mechanism, model, spectrum, motions, polarities, demand, method, step,
-    cancelled,
+    decides: Check, wall, mechanism, model, spectrum, motions, polarities, demand, method, every,
+    cancelled, dynamic_check,
 ) -> tuple[float | None, bool]:  # fmt: skip
     """(zeta of the check that decides for another wall, model, floor or motions, whether it is surely satisfied).
-    spectrum : of the floor, None on the ground; step : of the search of the dynamic check."""
+    spectrum : of the floor, None on the ground; every : of the search of the dynamic check."""
     if decides.name == "dynamic":
-        dynamic = demand_check(
-            model, motions, polarities, demand, method, None, step, False, cancelled,
-            NEAR * decides.zeta,
-        )  # fmt: skip
+        dynamic = dynamic_check(model, motions, polarities, demand, method, every, False, cancelled)
         return dynamic.zeta, dynamic.passed and not dynamic.within_spread(demand.zeta_target)
     moved = kinematic_of(wall, mechanism, demand, spectrum)
     if decides.name == "nonlinear":
@@ -217,7 +213,7 @@ def _centroid(wall: WallResult, building: Building) -> float:
     return min(wall.wall.base_z_m + 0.5 * wall.height, building.height_m)
 
 
-def _floor_notes(wall, building, demand, ratio: float | None, sensitivity) -> tuple[Sentence, ...]:
+def _floor_notes(wall, building, demand, ratio: float | None, sensitivity) -> list[Sentence]:
     """What is said of the floor beside the verdict. ratio : of `Floor.code_over_records`."""
     notes = building_notes(building, demand.limit_state)
 
@@ -234,4 +230,4 @@ def _floor_notes(wall, building, demand, ratio: float | None, sensitivity) -> tu
         notes.append(sentence("reason", "at_centroid", z=z, zeta=words("at_centroid")))
     if ratio is not None and ratio < LOW_CODE:
         notes.append(sentence("reason", "code_below_records", ratio=ratio))
-    return tuple(notes)
+    return notes

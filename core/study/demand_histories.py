@@ -41,7 +41,7 @@ def demand_histories(result: StudyResult, wall: WallResult) -> list[DemandHistor
     """The deciding runs of the dynamic check, integrated again; empty without that check."""
     found = []
     for run in deciding_runs(wall):
-        motion = result.motion_of(wall, run.record)
+        motion = result.motion_of(wall, run.motion)
         model, factor = at_demand(
             wall.model, result.demand, wall.assessment.dynamic.confidence_on, motion
         )

@@ -17,7 +17,7 @@ def collapse_histories(result: StudyResult, wall: WallResult) -> CollapseHistori
     lowest = lowest_run(wall)
     if lowest is None:
         return None
-    motion = result.motion_of(wall, lowest.record)
+    motion = result.motion_of(wall, lowest.motion)
     low, high = (
         lowest.polarity * multiplier_of(q, motion.pga, threshold_of(wall.model))
         for q in lowest.ida.bracket

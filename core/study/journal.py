@@ -1,20 +1,24 @@
-"""Journal of finished runs: one line each, on disk before the next, so that a killed batch resumes."""
+"""Journal of finished runs and checks: one line each, on disk before the next, so that a killed batch resumes."""
 
 import contextlib
 import errno
 import hashlib
+import itertools
 import json
 import os
 import sys
 import threading
 import time
+from dataclasses import is_dataclass
 from pathlib import Path
+from types import NoneType, UnionType
+from typing import Any, get_args, get_origin, get_type_hints
 
 from core.errors import OutputError
 
 
 class Journal:
-    """Finished runs by key. key : of case, samples and version; another key starts it anew.
+    """Finished runs and checks by key. key : of the program's sources; another key starts it anew.
 
     Each line carries a hash of itself: one that is damaged is dropped, and its run is made again.
 
@@ -27,6 +31,7 @@ class Journal:
 
     def __init__(self, path: Path, key: str, resume: bool, sync_seconds: float = 0.0):
         self.path, self.found, self.dropped = path, {}, 0
+        self._lock = threading.Lock()
         self._sync_seconds, self._synced = sync_seconds, 0.0
         self.set_aside: Path | None = None
         try:
@@ -68,8 +73,7 @@ class Journal:
             if not self.dropped:
                 kept += len(line) + 1
         if (self.found and not resume) or (lines[:-1] and not mine):
-            self.set_aside = free_name(self.path)
-            self.set_aside.write_bytes(content)
+            self.set_aside = _set_aside(self.path, content)
             self.found, self.dropped, good, mine = {}, 0, [], False
         if not mine:
             self._stream.truncate(0)
@@ -106,9 +110,12 @@ class Journal:
         return self.found.get(run)
 
     def add(self, run: str, result: dict) -> None:
+        """Several threads may add."""
         entry = {"run": run, "result": result}
+        line = json.dumps({**entry, "hash": _hash(entry)}).encode() + b"\n"
         try:
-            self._put(json.dumps({**entry, "hash": _hash(entry)}).encode() + b"\n")
+            with self._lock:
+                self._put(line)
         except OSError as error:
             raise OutputError(
                 "journal_not_writable", reason=error.strerror, place=(self.path,)
@@ -144,13 +151,20 @@ def _is_at(stream, path: Path) -> bool:
         return False
 
 
-def free_name(path: Path) -> Path:
-    """`<path>.old`, or the first `.old2`, `.old3` that is not somebody else's file."""
-    for k in range(1, 1000):
-        place = path.with_name(f"{path.name}.old{k if k > 1 else ''}")
-        if not place.exists() or (place.is_file() and ours(place.read_bytes()[:64])):
-            return place
-    raise OSError(errno.EEXIST, os.strerror(errno.EEXIST), str(path))
+def _set_aside(path: Path, content: bytes) -> Path:
+    """The file that now holds this: `<path>.old`, or the first of `.old2`, `.old3`, ... that is not there."""
+    for end in itertools.chain([""], map(str, itertools.count(2))):
+        place = path.with_name(f"{path.name}.old{end}")
+        try:
+            stream = open(place, "xb")  # noqa: SIM115
+        except FileExistsError:
+            continue
+        with stream:
+            stream.write(content)
+            stream.flush()
+            os.fsync(stream.fileno())
+        break
+    return place
 
 
 def lock(stream) -> None:
@@ -180,10 +194,39 @@ def _hash(entry: dict) -> str:
     return hashlib.sha256(content.encode()).hexdigest()[:16]
 
 
-class Memory:
-    """Finished runs of one process by key, for the studies that follow; as a Journal, but not on disk.
+def rebuilt(kind: Any, value: Any) -> Any:
+    """What a dataclass declares, from the JSON of its `asdict`: doubles are exact there, tuples are lists. None where
+    the value is None or not of this kind."""
+    try:
+        return _rebuilt(kind, value)
+    except (TypeError, ValueError, AttributeError):
+        return None
 
-    most : digits of survival maps kept, what takes the room; the oldest runs go first
+
+def _rebuilt(kind: Any, value: Any) -> Any:
+    inner = get_args(kind)
+    if value is None:
+        return None
+    if is_dataclass(kind):
+        kinds = get_type_hints(kind)
+        made: Any = kind
+        return made(**{name: _rebuilt(kinds.get(name), part) for name, part in value.items()})
+    if get_origin(kind) is UnionType:
+        return _rebuilt(next(one for one in inner if one is not NoneType), value)
+    if get_origin(kind) is tuple:
+        kinds_of = (inner[0] for _ in value) if inner[-1] is Ellipsis else inner
+        return tuple(_rebuilt(one, part) for one, part in zip(kinds_of, value, strict=True))
+    return value
+
+
+def _room(result: dict) -> int:
+    return len(result.get("outcomes") or repr(result))
+
+
+class Memory:
+    """Finished runs and checks of one process by key, for the studies that follow; as a Journal, but not on disk.
+
+    most : room, of a run the digits of its survival map, of a check the letters of all it holds; the oldest go first
     analyses : made by all runs added so far
     Several threads may add.
     """
@@ -199,11 +242,10 @@ class Memory:
     def add(self, run: str, result: dict) -> None:
         with self._lock:
             self.found[run] = result
-            self.analyses += result["analyses"]
-            self.size += len(result["outcomes"])
+            self.analyses += result.get("analyses", 0)
+            self.size += _room(result)
             while self.size > self.most:
-                oldest = self.found.pop(next(iter(self.found)))
-                self.size -= len(oldest["outcomes"])
+                self.size -= _room(self.found.pop(next(iter(self.found))))
 
     def close(self) -> None:
         """Nothing is open."""

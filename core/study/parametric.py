@@ -19,12 +19,16 @@ from core.ground.ground_motion import GroundMotion
 from core.jit import cache
 from core.rocking.methods import METHODS
 from core.study.journal import Journal
+from core.study.progress import OnProgress, Progress, run_cost
 from core.study.record_input import read_records
 from core.study.run import run_key
 from core.study.threads import Threads
 from core.units import G
 from core.version import VERSION
 from core.wall.rocking_model import RockingModel, rocking_model
+
+ROUNDED = 1e-4
+"""Largest difference of two copies of a motion that files round differently [of its peak]."""
 
 
 @dataclass(frozen=True)
@@ -67,7 +71,7 @@ class Row(NamedTuple):
 class ParametricResult:
     """A finished study.
 
-    refused : (file, error) of the records that could not be read
+    refused : (file, error) of the records that could not be read, or are vertical
     restored : runs an earlier start had finished
     elapsed : [s], of this start
     """
@@ -124,10 +128,18 @@ def folder_records(folder: Path) -> tuple[list[GroundMotion], list[tuple[str, Re
     return motions, refused
 
 
+def one_motion(first: GroundMotion, second: GroundMotion) -> bool:
+    """Whether both are the same samples but for their scale and what files round."""
+    if (first.time_step, first.acceleration.size) != (second.time_step, second.acceleration.size):
+        return False
+    apart = first.acceleration / first.pga - second.acceleration / second.pga
+    return float(np.abs(apart).max()) <= ROUNDED
+
+
 def natural_motions(
     study: Study, base_dir: Path, records_from: Path | None
 ) -> tuple[list[StudyMotion], list[tuple[str, RecordError]]]:
-    """The records of a study, of equal ones, also in another scale, the first; and files that are none.
+    """The horizontal records of a study, of those of one motion the first; and files that are none or vertical.
 
     records_from : a folder, or a TOML file of [[record]] tables. Raises InputError.
     """
@@ -142,11 +154,13 @@ def natural_motions(
         found += more
     elif records_from is not None:
         found += read_records(read_record_list(records_from), records_from.parent)[0]
-    once: dict[tuple, StudyMotion] = {}
+    kept: list[GroundMotion] = []
     for motion in found:
-        shape = np.round(motion.acceleration / motion.pga, 4)
-        once.setdefault((motion.time_step, shape.tobytes()), StudyMotion(motion))
-    return list(once.values()), refused
+        if any(warning.code == "vertical" for warning in motion.warnings):
+            refused.append((motion.name, RecordError("vertical_component")))
+        elif not any(one_motion(motion, other) for other in kept):
+            kept.append(motion)
+    return [StudyMotion(motion) for motion in kept], refused
 
 
 def model_of(cell: Cell) -> RockingModel:
@@ -167,7 +181,7 @@ def run(
     quick: bool = False,
     jobs: int = 1,
     journal: Callable[[str], Journal] | None = None,
-    on_progress: Callable[[int, int, str], None] = lambda done, planned, stage: None,
+    on_progress: OnProgress = lambda done, planned, left: None,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> ParametricResult:
     """Run a parametric study.
@@ -264,16 +278,20 @@ def _rows(study, motions, threads, book, on_progress) -> tuple[tuple[Row, ...], 
                 m.acceleration, m.time_step, m.pga, entry[2], models[entry[0]], method, search, stop
             ),
         )
-    restored, total = len(known), len(planned)
-    on_progress(restored, total, "stage_runs")
+    restored = len(known)
+    costs = {
+        entry: run_cost(motions[entry[1]].motion, Search(q_step=entry[0].q_step))
+        for entry in planned
+    }
+    progress = Progress(costs, on_progress)
+    progress.known(known)
 
     def keep(entry, row: Row) -> None:
         if book:
             book.add(keys[entry], row._asdict() | {"cell": asdict(row.cell)})
+        progress.done(entry)
 
-    known.update(
-        threads.run(tasks, keep, lambda done: on_progress(restored + done, total, "stage_runs"))
-    )
+    known.update(threads.run(tasks, keep))
     return tuple(known[entry] for entry in planned), restored
 
 

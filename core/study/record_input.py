@@ -41,10 +41,23 @@ def read_records(case: Listed, base_dir: Path) -> tuple[list[GroundMotion], list
                 kinds.append(entry.kind)
         except InputError as error:
             raise error.at(place("record", n=k)) from None
-    names = [motion.name for motion in motions]
-    if len(set(names)) < len(names):
-        motions = [replace(m, name=f"{m.file} {m.channel}".strip()) for m in motions]
-    return motions, kinds
+    return _told_apart(motions), kinds
+
+
+def joined(motions: list[GroundMotion], made: list[GroundMotion]) -> list[GroundMotion]:
+    """Records of a case and the motions generated for it. Raises InputError where a record is one of these."""
+    files = {motion.samples_sha256: motion.file for motion in motions}
+    for motion in made:
+        if (twin := files.get(motion.samples_sha256)) is not None:
+            raise InputError("record_twice", file=twin, twin=motion.file)
+    return _told_apart([*motions, *made])
+
+
+def _told_apart(motions: list[GroundMotion]) -> list[GroundMotion]:
+    """The motions, all named by file and channel where two have one name: for people, who see no index."""
+    if len({motion.name for motion in motions}) == len(motions):
+        return motions
+    return [replace(m, name=f"{m.file} {m.channel}".strip()) for m in motions]
 
 
 def _relative(path: Path, base_dir: Path) -> str:

@@ -1,12 +1,14 @@
 """What a study results in: frozen, in SI units, nothing computed later."""
 
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 from core.capacity.accuracy import Accuracy
 from core.capacity.closed_forms import PowerLaw
 from core.capacity.fragility import Fragility
 from core.capacity.ida import Ida, Search
 from core.capacity.scale_free_law import Estimate
+from core.case.hinges import Part
 from core.case.schema import Case, Wall
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandCheck
@@ -78,11 +80,13 @@ class Assessment:
 class Run:
     """One wall under one record of one sign.
 
+    record : its name for people; motion : its index in the study
     scale : multiplier of the record at q
     q_eff : Eq. 12
     """
 
     record: str
+    motion: int
     polarity: int
     ida: Ida
     scale: float | None
@@ -93,6 +97,7 @@ class Run:
 class PerRecord:
     """Governing values of one record: the lower of both signs, quantity by quantity.
 
+    record : its name for people; motion : its index in the study
     polarity : of q
     intensity : of the record [m]
     pga : of the motion under the wall [m/s2]
@@ -100,10 +105,12 @@ class PerRecord:
     """
 
     record: str
+    motion: int
     polarity: int | None
     q: float | None
     q_robust: float | None
     q_slv: float | None
+    q_slv_low: float | None
     q_eff: float | None
     intensity: float
     pga: float
@@ -115,8 +122,7 @@ class PerRecord:
 class WallResult:
     """Results of one wall and mechanism; set values are None where the set has none. floor : above the ground."""
 
-    name: str
-    wall: Wall
+    part: Part
     block: Block
     mechanism: str
     restitution: Restitution
@@ -129,6 +135,7 @@ class WallResult:
     q_min: float | None
     q_robust_set: float | None
     q_slv_set: float | None
+    q_slv_low_set: float | None
     power_law: PowerLaw | None
     fragility: Fragility | None
     closed_form_q_eff: float | None
@@ -139,6 +146,21 @@ class WallResult:
     assessment: Assessment | None = None
     accuracy: Accuracy | None = None
     floor: Floor | None = None
+
+    @property
+    def wall(self) -> Wall:
+        """What was analysed."""
+        return self.part.wall
+
+    @property
+    def name(self) -> str:
+        """For people: `part` says which it is."""
+        return self.part.wall.name
+
+    @property
+    def pair(self) -> tuple[str, float, str]:
+        """What it shares with its other variant alone: the name given, the hinge [m], the mechanism."""
+        return self.part.asked.name, self.part.hinge, self.mechanism
 
     @property
     def height(self) -> float:
@@ -170,19 +192,18 @@ class StudyResult:
     compliance: Compliance | None = None
     elapsed: float = field(compare=False, default=0.0)
 
-    def motion_of(self, wall: WallResult, record: str) -> GroundMotion:
-        """The motion under a wall: the record, or of a wall above the ground that of its floor."""
-        felt = wall.floor.motions if wall.floor else self.motions
-        return next(motion for motion in felt if motion.name == record)
+    def motion_of(self, wall: WallResult, k: int) -> GroundMotion:
+        """The motion under a wall: the k-th of the study, or of a wall above the ground that of its floor."""
+        return (wall.floor.motions if wall.floor else self.motions)[k]
 
-    def method_of(self, wall: WallResult, record: str) -> Method:
-        """The method the runs of this wall and record took."""
-        return resolve_auto(self.method, wall.model, self.motion_of(wall, record).time_step)
+    def method_of(self, wall: WallResult, k: int) -> Method:
+        """The method the runs of this wall under the k-th motion took."""
+        return resolve_auto(self.method, wall.model, self.motion_of(wall, k).time_step)
 
     @property
     def method_words(self) -> str:
         """Name of the method asked for; of auto with those it took."""
-        used = {self.method_of(wall, run.record).name for wall in self.walls for run in wall.runs}
+        used = {self.method_of(wall, run.motion).name for wall in self.walls for run in wall.runs}
         if self.method.name != AUTO.name or not used:
             return self.method.name
         return f"{self.method.name} ({', '.join(sorted(used))})"
@@ -193,6 +214,11 @@ class StudyResult:
         demand = self.demand.warnings if self.demand else ()
         records = any(motion.warnings for motion in self.motions)
         return bool(wall.warnings or reasons or demand or records)
+
+    @cached_property
+    def numbers(self) -> dict[int, int]:
+        """Place of each wall, from 1, by its id: a search for each wall would go through all others."""
+        return {id(wall): number for number, wall in enumerate(self.walls, start=1)}
 
     @property
     def without_number(self) -> list[tuple[str, str, int, str]]:

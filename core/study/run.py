@@ -5,6 +5,7 @@ import hashlib
 from collections.abc import Callable
 from dataclasses import asdict, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -24,10 +25,12 @@ from core.study.assessment import assess
 from core.study.demand_input import demand_of, generated
 from core.study.floors import floor_of
 from core.study.governing import lowest_run
-from core.study.journal import Journal, Memory
+from core.study.journal import Journal, Memory, rebuilt
+from core.study.kept_checks import KeptChecks
 from core.study.limit_states import demands_of, unsaid, zetas
-from core.study.record_input import read_records
-from core.study.results import StudyResult, WallResult
+from core.study.progress import STATEMENT, OnProgress, Progress, check_cost, run_cost
+from core.study.record_input import joined, read_records
+from core.study.results import Assessment, StudyResult, WallResult
 from core.study.threads import Threads
 from core.study.wall_result import run_result, wall_result, with_variants_alone, with_weakest_hinge
 from core.version import VERSION
@@ -40,7 +43,7 @@ def run(
     base_dir: Path,
     jobs: int = 1,
     journal: Callable[[str], Journal | Memory] | None = None,
-    on_progress: Callable[[int, int, str], None] = lambda done, planned, stage: None,
+    on_progress: OnProgress = lambda done, planned, left: None,
     cancelled: Callable[[], bool] = lambda: False,
     on_wall: Callable[[WallResult], None] = lambda wall: None,
 ) -> StudyResult:
@@ -48,9 +51,8 @@ def run(
 
     base_dir : folder record paths start from
     jobs : threads, which change no result
-    journal : makes the Journal of finished runs from the study's key; on_progress(done, planned, stage) and
-        cancelled() are called from this thread, the latter from the workers as well
-    stage : a word of core.text, "stage_runs", "stage_checks" or "stage_accuracy"; each is counted by itself
+    journal : makes the Journal of finished runs from the study's key; on_progress(done, planned, left) and cancelled()
+        are called from this thread, the latter from the workers as well
     on_wall : called from this thread with each wall that has its verdict, before what is said of several together
     Raises InputError for what the user can mend, Cancelled when cancelled() is true.
     """
@@ -59,13 +61,13 @@ def run(
     demand = demand_of(case, base_dir)
     motions, kinds = read_records(case, base_dir)
     made = generated(case, demand) if demand else []
-    motions, kinds = motions + made, kinds + ["artificial"] * len(made)
+    motions, kinds = joined(motions, made), kinds + ["artificial"] * len(made)
     method = METHODS.get(case.analysis.method, AUTO)
     chosen = case.analysis
     search = Search(chosen.q_step, chosen.q_limit, chosen.map_span, chosen.robust_window)
     hinged = parts(case)
-    walls = [(wall, mechanism) for _, wall in hinged for mechanism in wall.mechanisms()]
-    origins = [name for name, wall in hinged for _ in wall.mechanisms()]
+    entries = [(part, mechanism) for part in hinged for mechanism in part.wall.mechanisms()]
+    walls = [(part.wall, mechanism) for part, mechanism in entries]
     models = [_model(wall, mechanism) for wall, mechanism in walls]
     signs = [polarities_of(model, chosen.polarity) for model in models]
     planned = [
@@ -89,26 +91,43 @@ def run(
         period_range(kinds, longest, demand)  # refused before hours of work, not after
     _precompile(method, models, [motion for moved in felt for motion in moved])
     book = journal(f"{VERSION} {cache.source_stamp()}") if journal else None
+    costs: dict[Any, float] = {
+        entry: run_cost(felt[entry[0]][entry[1]], search) for entry in planned
+    }
+    for k, (wall, _) in enumerate(walls):
+        if demand:
+            ties = wall.tie_height_m is not None
+            costs["check", k] = check_cost(felt[k], len(signs[k]), floors[k] is not None, ties)
+        if chosen.accuracy:
+            costs["accuracy", k] = STATEMENT * max(
+                (run_cost(m, search) for m in felt[k]), default=1.0
+            )
+    progress = Progress(costs, on_progress)
     try:
         threads = Threads(jobs, cancelled)
         threads.run({k: motion.measure for k, motion in enumerate(motions)}, lambda k, _: None)
-        found = _run_all(planned, models, felt, method, search, threads, book,
-                         lambda done: on_progress(done, len(planned), "stage_runs"))  # fmt: skip
+        found = _run_all(planned, models, felt, method, search, threads, book, progress)
         if demand:
             demand = with_records(demand, motions)
         rules = compliance(motions, kinds, demand, longest) if demand else None
         by_wall: dict[int, list] = {}
         for entry in planned:
             wall, number, polarity = entry
-            one = run_result(models[wall], felt[wall][number], polarity, found[entry])
+            one = run_result(models[wall], felt[wall][number], number, polarity, found[entry])
             by_wall.setdefault(wall, []).append(one)
         results = [
             wall_result(
-                wall, mechanism, models[k], by_wall.get(k, []), motions, search, demand, floors[k]
+                part, mechanism, models[k], by_wall.get(k, []), motions, search, demand, floors[k]
             )
-            for k, (wall, mechanism) in enumerate(walls)
+            for k, (part, mechanism) in enumerate(entries)
         ]
         if demand:
+            kept = [KeptChecks(book) for _ in walls]
+
+            def checked(k: int, found: Assessment) -> None:
+                on_wall(replace(results[k], assessment=found))
+                progress.done(("check", k), kept[k].made > 0)
+
             checks = {
                 k: lambda stop, k=k: assess(
                     results[k],
@@ -118,19 +137,14 @@ def run(
                     demand,
                     rules,
                     method,
-                    search,
                     stop,
                     case.building,
                     motions,
+                    kept[k],
                 )
                 for k in range(len(walls))
             }
-            on_progress(0, len(walls), "stage_checks")
-            done = threads.run(
-                checks,
-                lambda k, found: on_wall(replace(results[k], assessment=found)),
-                lambda n: on_progress(n, len(walls), "stage_checks"),
-            )
+            done = threads.run(checks, checked)
             by_state = demands_of(case, base_dir)
             results = [
                 replace(
@@ -142,17 +156,14 @@ def run(
                 for k, wall in enumerate(results)
             ]
             demand = replace(demand, warnings=(*demand.warnings, *unsaid(demand, by_state)))
-            results = with_variants_alone(with_weakest_hinge(results, origins))
+            results = with_variants_alone(with_weakest_hinge(results))
         if chosen.accuracy:
             statements = {
                 k: lambda stop, wall=wall: accuracy_of(wall, motions, method, search, stop)
                 for k, wall in enumerate(results)
             }
-            on_progress(0, len(walls), "stage_accuracy")
             done = threads.run(
-                statements,
-                lambda k, _: None,
-                lambda n: on_progress(n, len(walls), "stage_accuracy"),
+                statements, lambda k, found: progress.done(("accuracy", k), found is not None)
             )
             results = [replace(wall, accuracy=done[k]) for k, wall in enumerate(results)]
     finally:
@@ -171,11 +182,9 @@ def accuracy_of(wall: WallResult, motions, method, search, cancelled) -> Accurac
     lowest = lowest_run(wall)
     if lowest is None:
         return None
-    if wall.floor:
-        motions = wall.floor.motions
-    motion = next(motion for motion in motions if motion.name == lowest.record)
+    motion = (wall.floor.motions if wall.floor else motions)[lowest.motion]
     other = next(
-        (r.ida.q for r in wall.runs if r.record == lowest.record and r.polarity != lowest.polarity),
+        (r.ida.q for r in wall.runs if r.motion == lowest.motion and r.polarity != lowest.polarity),
         None,
     )
     return accuracy(
@@ -221,7 +230,7 @@ def _model(wall: Wall, mechanism: str) -> RockingModel:
     )
 
 
-def _run_all(planned, models, felt, method, search, threads, book, on_progress):
+def _run_all(planned, models, felt, method, search, threads, book, progress: Progress):
     """Idas by (wall, record, polarity). felt : motions of each wall."""
     searches, todo, keys = {}, {}, {}
 
@@ -236,7 +245,7 @@ def _run_all(planned, models, felt, method, search, threads, book, on_progress):
     for entry in planned:
         wall, record, polarity = entry
         keys[entry] = run_key(models[wall], felt[wall][record], polarity, method, search)
-        known = _restored(book.get(keys[entry])) if book else None
+        known = rebuilt(Ida, book.get(keys[entry])) if book else None
         if known:
             searches[entry] = known
         else:
@@ -245,21 +254,8 @@ def _run_all(planned, models, felt, method, search, threads, book, on_progress):
     def keep(entry, ida: Ida) -> None:
         if book:
             book.add(keys[entry], asdict(ida))
+        progress.done(entry)
 
-    on_progress(len(searches))
-    restored = len(searches)
-    searches.update(threads.run(todo, keep, lambda done: on_progress(restored + done)))
+    progress.known(searches)
+    searches.update(threads.run(todo, keep))
     return searches
-
-
-def _restored(entry: dict | None) -> Ida | None:
-    """An Ida of the journal, None where there is none or its line is damaged; JSON keeps doubles
-    exactly but turns tuples into lists."""
-    if entry is None:
-        return None
-    try:
-        windows = tuple(tuple(edges) for edges in entry["survival_windows"])
-        bracket = tuple(entry["bracket"]) if entry["bracket"] else None
-        return Ida(**{**entry, "bracket": bracket, "survival_windows": windows})
-    except (TypeError, KeyError):
-        return None

@@ -43,7 +43,7 @@ def report_of(result: ParametricResult) -> StudyReport:
     if result.refused:
         notes.append(
             say(
-                "{n} files of the folder of records are no accelerograms the program reads.",
+                "{n} files are left out: no accelerograms the program reads, or vertical components.",
                 n=len(result.refused),
             )
         )

@@ -22,9 +22,8 @@ class Threads:
         self,
         tasks: Mapping[Any, Callable],
         on_result: Callable[[Any, Any], None],
-        on_count: Callable[[int], None] = lambda done: None,
     ) -> dict:
-        """Results by key of `task(stop)`; on_result(key, result), on_count(done) from the calling thread.
+        """Results by key of `task(stop)`; on_result(key, result) from the calling thread.
 
         Raises Cancelled within 0.1 s of a cancel and a task's stop, and whatever a task raises.
         """
@@ -48,7 +47,6 @@ class Threads:
                         key = waiting.pop(future)
                         results[key] = future.result()
                         on_result(key, results[key])
-                        on_count(len(results))
                     if self.cancelled():
                         raise Cancelled
             finally:

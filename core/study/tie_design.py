@@ -4,12 +4,11 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from core.case.schema import Load, Wall
-from core.codes.multiplier_search import STEP
 from core.units import G
 from core.wall import wall_loads
 
-COARSE_STEP = 0.02
-"""Step of the search for zeta of the dynamic check while the force is looked for [-]."""
+COARSE_EVERY = 8
+"""Every how many points of the grid zeta of the dynamic check is searched while the force is looked for: by 2 %."""
 
 CLOSE = 0.005
 """Width of the bracket of the force, of the force [-]."""
@@ -62,33 +61,33 @@ def tie_design(
     wall: Wall,
     bare: tuple[float, bool],
     check: str,
-    judged_with: Callable[[float, float], tuple[float | None, bool]],
+    judged_with: Callable[[float, int], tuple[float | None, bool]],
 ) -> TieDesign:
     """The least force by bisection: the moment a tie adds grows with its force, and zeta with the moment. Since whether
     the rule of the dynamic check holds is not monotone, the force found is raised until it does, and a little more.
 
     bare : zeta without the tie, and whether the check is surely satisfied
-    judged_with : the same with this force [N/m], at this step of the search
+    judged_with : the same with this force [N/m], searched at every n-th point of the grid
     """
     largest = _largest(wall)
     if bare[1]:
         return _found(wall, check, 0.0, bare[0], largest)
-    zeta, sure = judged_with(largest, COARSE_STEP) if largest > 0.0 else bare
+    zeta, sure = judged_with(largest, COARSE_EVERY) if largest > 0.0 else bare
     while (
         zeta is None and largest > 1.0
     ):  # a free element so stiff that it does not rock has no linear check
         largest *= 0.5
-        zeta, sure = judged_with(largest, COARSE_STEP)
+        zeta, sure = judged_with(largest, COARSE_EVERY)
     if not sure:
         return _found(wall, check, None, zeta, largest)
     low, high = 0.0, largest
     while high - low > CLOSE * high:
         middle = 0.5 * (low + high)
-        low, high = (low, middle) if judged_with(middle, COARSE_STEP)[1] else (middle, high)
+        low, high = (low, middle) if judged_with(middle, COARSE_EVERY)[1] else (middle, high)
     while True:
-        zeta, sure = judged_with(high, STEP)
+        zeta, sure = judged_with(high, 1)
         more = min(RAISED * high, largest)
-        if sure and (more == high or judged_with(more, STEP)[1]):
+        if sure and (more == high or judged_with(more, 1)[1]):
             return _found(wall, check, high, zeta, largest)
         if high >= largest:
             return _found(wall, check, None, zeta, largest)

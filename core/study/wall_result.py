@@ -8,10 +8,12 @@ from core.capacity import closed_forms
 from core.capacity.fragility import fragility
 from core.capacity.ida import TRILINEAR_FLOOR, Ida, multiplier_of, threshold_of
 from core.capacity.scale_free_law import estimates
+from core.case.hinges import Part
 from core.case.schema import AS_IS, DESIGNED, Wall
 from core.codes.eq9 import inequality
-from core.codes.limits import MEAN_FROM, MINIMUM_FROM
+from core.codes.limits import MEAN_FROM, MINIMUM_FROM, set_rule, set_value
 from core.ground.ground_motion import GroundMotion
+from core.ground.provenance import stations
 from core.study.results import Q_SOURCES, PerRecord, Run, WallResult
 from core.text.sentence import Sentence, notice, sentence
 from core.units import CM
@@ -38,12 +40,13 @@ NEARLY_ELASTIC = 0.99
 """Above this velocity ratio a wall rocks for a very long time: warned."""
 
 
-def run_result(model: RockingModel, motion: GroundMotion, polarity: int, ida: Ida) -> Run:
+def run_result(model: RockingModel, motion: GroundMotion, k: int, polarity: int, ida: Ida) -> Run:
+    """k : index of the motion in the study"""
     scale = q_eff = None
     if ida.q is not None:
         scale = multiplier_of(ida.q, motion.pga, threshold_of(model))
         q_eff = closed_forms.effective_q(ida.q, motion.pga)
-    return Run(motion.name, polarity, ida, scale, q_eff)
+    return Run(motion.name, k, polarity, ida, scale, q_eff)
 
 
 def _lower(values: list[float | None]) -> float | None:
@@ -51,22 +54,9 @@ def _lower(values: list[float | None]) -> float | None:
     return min(known) if known else None
 
 
-def set_rule(numbers: int) -> str:
-    """Rule of a set by its count of records with a q: mean, minimum or too_few."""
-    few = "minimum" if numbers >= MINIMUM_FROM else "too_few"
-    return "mean" if numbers >= MEAN_FROM else few
-
-
-def set_value(values: list[float | None], rule: str | None) -> float | None:
-    """Value of a set under a rule: the mean, else the minimum; None if incomplete or empty."""
-    known = [value for value in values if value is not None]
-    if not known or rule in (None, "incomplete"):
-        return None
-    return float(np.mean(known)) if rule == "mean" else min(known)
-
-
 def _per_record(
     motion: GroundMotion,
+    k: int,
     runs: list[Run],
     block: Block,
     one_sided: bool,
@@ -80,10 +70,12 @@ def _per_record(
     shape = (block.slenderness, block.height, si)
     return PerRecord(
         record=motion.name,
+        motion=k,
         polarity=lowest.polarity if lowest else None,
         q=lowest.ida.q if lowest else None,
         q_robust=_lower([run.ida.q_robust for run in runs]),
         q_slv=_lower([run.ida.q_slv for run in runs]),
+        q_slv_low=_lower([run.ida.q_slv_low for run in runs]),
         q_eff=lowest.q_eff if lowest else None,
         intensity=si,
         pga=(felt or motion).pga,
@@ -92,17 +84,21 @@ def _per_record(
     )
 
 
-def wall_result(wall, mechanism, model, runs, motions, search, demand, floor=None) -> WallResult:
+def wall_result(
+    part: Part, mechanism, model, runs, motions, search, demand, floor=None
+) -> WallResult:
     """Everything of one wall and mechanism from its runs; an incomplete set has no values.
 
     motions : of the ground; floor : Floor of a wall above it
     """
+    wall = part.wall
     block, law = wall.block(), wall.moment_law()
     one_sided = mechanism == "one_sided"
     per_record = [
         _per_record(
             motion,
-            [r for r in runs if r.record == motion.name],
+            k,
+            [r for r in runs if r.motion == k],
             block,
             one_sided,
             floor.motions[k] if floor else None,
@@ -110,18 +106,18 @@ def wall_result(wall, mechanism, model, runs, motions, search, demand, floor=Non
         )
         for k, motion in enumerate(motions)
     ]
-    numbers = [entry.q for entry in per_record if entry.q is not None]
+    with_q = [entry for entry in per_record if entry.q is not None]
+    counted = stations([motions[entry.motion] for entry in with_q])
     incomplete = [run for run in runs if run.ida.status == "impact_limit"]
     rule = None
     if incomplete:
         rule = "incomplete"
     elif runs:
-        rule = set_rule(len(numbers))
+        rule = set_rule(counted)
     sets = {
         name: set_value([getattr(entry, name) for entry in per_record], rule)
-        for name in ("q", "q_robust", "q_slv")
+        for name in ("q", "q_robust", "q_slv", "q_slv_low")
     }
-    with_q = [entry for entry in per_record if entry.q is not None]
     closed_q_eff = closed_q = None
     if demand and demand.intensity and wall.has_closed_forms:
         shape = (block.slenderness, block.height, demand.intensity)
@@ -145,8 +141,7 @@ def wall_result(wall, mechanism, model, runs, motions, search, demand, floor=Non
         )
     fragile = fragility([run.ida for run in runs], search)
     return WallResult(
-        name=wall.name,
-        wall=wall,
+        part=part,
         block=block,
         mechanism=mechanism,
         restitution=restitution,
@@ -156,9 +151,10 @@ def wall_result(wall, mechanism, model, runs, motions, search, demand, floor=Non
         per_record=tuple(per_record),
         set_rule=rule,
         q_set=sets["q"],
-        q_min=min(numbers) if numbers else None,
+        q_min=min((entry.q for entry in with_q), default=None),
         q_robust_set=sets["q_robust"],
         q_slv_set=sets["q_slv"],
+        q_slv_low_set=sets["q_slv_low"],
         power_law=law_of_si,
         fragility=fragile,
         closed_form_q_eff=closed_q_eff,
@@ -169,7 +165,7 @@ def wall_result(wall, mechanism, model, runs, motions, search, demand, floor=Non
         warnings=tuple(
             _unusual(wall)
             + _model_notices(wall, block, mechanism, model, restitution, law)
-            + _set_notices(runs, numbers, incomplete, fragile, law_of_si, search)
+            + _set_notices(runs, len(with_q), len(counted), incomplete, fragile, law_of_si, search)
             + _form_notices(wall, block, mechanism, restitution, law, per_record, demand, checks)
         ),
     )
@@ -216,12 +212,17 @@ def _model_notices(wall, block, mechanism, model, restitution, law) -> list[Sent
     return notices
 
 
-def _set_notices(runs, numbers, incomplete, fragile, power_law, search) -> list[Sentence]:
+def _set_notices(
+    runs, files: int, counted: int, incomplete, fragile, power_law, search
+) -> list[Sentence]:
+    """files : with a number; counted : stations of these"""
     notices = []
     if incomplete:
         notices.append(notice("incomplete", n=len(incomplete)))
-    elif runs and len(numbers) < MINIMUM_FROM:
-        notices.append(notice("too_few" if numbers else "no_numbers", n=len(numbers)))
+    elif runs and counted < MINIMUM_FROM:
+        notices.append(notice("too_few" if counted else "no_numbers", n=counted))
+    if runs and counted < min(files, MEAN_FROM):
+        notices.append(notice("few_stations", files=files, n=counted))
     if runs and search.half_window < 3:
         notices.append(notice("coarse_window", n=search.half_window))
     standing = sum(run.ida.status == "no_collapse_found" for run in runs)
@@ -238,7 +239,7 @@ def _set_notices(runs, numbers, incomplete, fragile, power_law, search) -> list[
         notices.append(notice("clamped", n=clamped))
     if fragile and fragile.n < MEAN_FROM:
         notices.append(notice("few_runs", n=fragile.n))
-    large = {run.record for run in runs if run.scale and abs(run.scale) > LARGE_SCALE}
+    large = {run.motion for run in runs if run.scale and abs(run.scale) > LARGE_SCALE}
     if large:
         notices.append(notice("pga_too_small", n=len(large)))
     return notices
@@ -269,15 +270,12 @@ def _form_notices(
 
 def with_variants_alone(results: list[WallResult]) -> list[WallResult]:
     """The results, a variant whose counterpart is missing with a notice."""
-    known = {(w.wall.own_name, w.mechanism, w.wall.variant) for w in results}
+    known = {(w.pair, w.wall.variant) for w in results}
     other = {AS_IS: DESIGNED, DESIGNED: AS_IS}
     said = []
     for wall in results:
-        asked = wall.wall
-        if (
-            asked.variant is not None
-            and (asked.own_name, wall.mechanism, other[asked.variant]) not in known
-        ):
+        variant = wall.wall.variant
+        if variant is not None and (wall.pair, other[variant]) not in known:
             wall = replace(wall, warnings=(notice("variant_alone"), *wall.warnings))
         said.append(wall)
     return said
@@ -294,17 +292,14 @@ def _with_governing_tie(wall: WallResult, group: list[WallResult]) -> WallResult
     return replace(wall, assessment=replace(wall.assessment, tie=tie))
 
 
-def with_weakest_hinge(results: list[WallResult], origins: list[str]) -> list[WallResult]:
-    """The results, each wall of several hinges with a notice that names the one of the lowest zeta.
-
-    origins : name of the wall of the case of each result
-    """
+def with_weakest_hinge(results: list[WallResult]) -> list[WallResult]:
+    """The results, each wall of several hinges with a notice that names the one of the lowest zeta."""
     groups: dict[tuple, list[WallResult]] = {}
-    for wall, origin in zip(results, origins, strict=True):
-        groups.setdefault((origin, wall.mechanism), []).append(wall)
+    for wall in results:
+        groups.setdefault((wall.part.origin, wall.mechanism), []).append(wall)
     said = []
-    for wall, origin in zip(results, origins, strict=True):
-        group = groups[origin, wall.mechanism]
+    for wall in results:
+        group = groups[wall.part.origin, wall.mechanism]
         wall = _with_governing_tie(wall, group)
         known = [w for w in group if w.assessment and w.assessment.verdict.zeta_e is not None]
         if len(group) > 1 and known:

@@ -62,14 +62,6 @@ CHANNEL_ERRORS = {
         "no accelerogram in this archive or workbook",
         "nessun accelerogramma in questo archivio o cartella di lavoro",
     ),
-    "sheet_too_long": (
-        "more than {rows} rows: save the sheet as .csv, which is read faster",
-        "più di {rows} righe: salvare il foglio come .csv, che si legge prima",
-    ),
-    "formula_without_value": (
-        "formulas without values: open the workbook in Excel and save it, or paste the column as values",
-        "formule senza valori: aprire la cartella di lavoro in Excel e salvarla, o incollare la colonna come valori",
-    ),
     "line_too_long": (
         "a line of {n} characters: samples stand one or a few in a line",
         "una riga di {n} caratteri: i campioni stanno uno o pochi per riga",

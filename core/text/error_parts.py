@@ -54,6 +54,13 @@ ACCEPTED = {
         "text in quotes, up to {most} characters, without control characters",
         "testo fra virgolette, fino a {most} caratteri, senza caratteri di controllo",
     ),
+    "merged_cells": ("merged cells {cells}", "celle unite {cells}"),
+    "formula_cells": ("formulas {cells}", "formule {cells}"),
+    "uncomputed_cells": (
+        "formulas without values {cells} (Excel computes them when it saves the workbook)",
+        "formule senza valore {cells} (Excel le calcola quando salva la cartella di lavoro)",
+    ),
+    "error_cells": ("errors {cells}", "errori {cells}"),
     "not_zero": ("other than 0", "diverso da 0"),
     "positive": ("above 0", "maggiore di 0"),
     "degrees": ("between 0 and 90 degrees", "fra 0 e 90 gradi"),

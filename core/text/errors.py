@@ -24,6 +24,12 @@ CASE_ERRORS = {
         "the output folder cannot be written ({reason}): name another with --output",
         "la cartella dei risultati non è scrivibile ({reason}): indicarne un'altra con --output",
     ),
+    "files_mixed": (
+        "cannot be written ({reason}), and what is new already could not be put back: {new}. Each file is whole, but "
+        "they are not of one run: write them again once the folder takes files",
+        "non si può scrivere ({reason}), e ciò che è già nuovo non si è potuto ripristinare: {new}. Ogni file è "
+        "intero, ma non sono di uno stesso calcolo: scriverli di nuovo quando la cartella accetta file",
+    ),
     "file_not_writable": (
         "cannot be written ({reason}): close it if it is open elsewhere, free some space, or take another "
         "folder; what was there is untouched",

@@ -5,6 +5,10 @@ FILE_ERRORS = {
         "this file holds response spectra: take the accelerogram (volume 1 or 2)",
         "questo file contiene spettri di risposta: usare l'accelerogramma (volume 1 o 2)",
     ),
+    "vertical_component": (
+        "a vertical component, left out of a study of horizontal motions",
+        "componente verticale, esclusa da uno studio di moti orizzontali",
+    ),
     "unreadable": ("cannot be read: {reason}", "non si può leggere: {reason}"),
     "table_rows": (
         "a table of walls has a row of heads (Parete; H; t; Meccanismo), a row of units (; m; cm;) unless the "
@@ -31,12 +35,32 @@ FILE_ERRORS = {
     ),
     "not_a_table": ("not a table: {reason}", "non è una tabella: {reason}"),
     "sheets_hidden": (
-        "every sheet is hidden: show the one with the walls",
-        "tutti i fogli sono nascosti: mostrare quello con le pareti",
+        "every sheet is hidden: show the one that is to be read",
+        "tutti i fogli sono nascosti: mostrare quello da leggere",
     ),
     "not_a_workbook": (
         "not a workbook Excel could have saved ({reason}): save it again as .xlsx",
         "non è una cartella di lavoro che Excel avrebbe salvato ({reason}): salvarla di nuovo come .xlsx",
+    ),
+    "workbook_unpacked": (
+        "unpacked it is larger than {mb:.0f} MB: copy the cells that are to be read into a new workbook",
+        "decompressa supera {mb:.0f} MB: copiare le celle da leggere in una nuova cartella di lavoro",
+    ),
+    "workbook_too_large": (
+        "it holds more parts, cells, texts or formats than can be read: copy the cells that are to be read into a new "
+        "workbook, as values",
+        "contiene più parti, celle, testi o formati di quanti se ne leggano: copiare le celle da leggere in una nuova "
+        "cartella di lavoro, come valori",
+    ),
+    "sheet_too_large": (
+        "there are values beyond row {rows} or column {columns}, or more than {cells} of them: copy what is to be read "
+        "into a sheet of its own, or save it as .csv",
+        "ci sono valori oltre la riga {rows} o la colonna {columns}, o più di {cells}: copiare ciò che va letto in un "
+        "foglio a parte, o salvarlo come .csv",
+    ),
+    "cells_without_value": (
+        "{cells}: each cell that is read holds a value of its own; unmerge, correct, or paste as values",
+        "{cells}: ogni cella che si legge contiene un valore proprio; separare, correggere o incollare come valori",
     ),
     "value_beyond_columns": (
         "there is a value beyond the last column",
@@ -67,22 +91,9 @@ FILE_ERRORS = {
         "{text!r} non è ammesso: sì, yes, x oppure no",
     ),
     "table_kind": ("a table of walls is .xlsx or .csv", "una tabella di pareti è .xlsx o .csv"),
-    "table_unpacked": (
-        "unpacked it is larger than 20 MB: no table of walls",
-        "decompressa supera 20 MB: non è una tabella di pareti",
-    ),
-    "merged_cells": (
-        "cells are merged: a table of walls has one cell for each value",
-        "ci sono celle unite: una tabella di pareti ha una cella per ogni valore",
-    ),
-    "too_many_rows": ("more than {rows} rows", "più di {rows} righe"),
     "two_units_of_column": (
         "the column {column!r} names {named}, the row of units below it {unit}: correct one of them",
         "la colonna {column!r} indica {named}, la riga delle unità sotto {unit}: correggere uno dei due",
-    ),
-    "formula_cell": (
-        "{cell} is a formula: paste it as a value",
-        "{cell} è una formula: incollarla come valore",
     ),
     "time_step": (
         "time step {step:g} s is not accepted: {low:g} to {high:g} s",
@@ -141,10 +152,6 @@ FILE_ERRORS = {
         "file = {pattern!r} is not accepted as a pattern: {reason}",
         "file = {pattern!r} non è ammesso come modello: {reason}",
     ),
-    "unit_g_tenth": (
-        "the unit is g/10: convert the file to g",
-        "l'unità è g/10: convertire il file in g",
-    ),
     "two_units": (
         "the header speaks of two units, {one} in {first} and {other} in {second}: leave the one of the "
         "samples",
@@ -161,8 +168,8 @@ FILE_ERRORS = {
         "{n} campioni, ma l'intestazione ne dichiara {declared}",
     ),
     "other_quantity": (
-        "the header speaks of {quantity}: this is not an accelerogram; take the acceleration file",
-        "l'intestazione parla di {quantity}: non è un accelerogramma; usare il file di accelerazione",
+        "the header speaks of {quantity}: this is not an accelerogram, its line is {line}; take the acceleration file",
+        "l'intestazione parla di {quantity}: non è un accelerogramma, la riga è {line}; usare il file di accelerazione",
     ),
     "binary_file": (
         "this is a binary file; SAC and miniSEED need instrument metadata: convert it to text with ObsPy "
@@ -199,8 +206,56 @@ FILE_ERRORS = {
         "l'unità {unit} non è un'accelerazione: g, m/s2, cm/s2 o mm/s2",
     ),
     "unit_not_read": (
-        "the file is in {unit}: convert it to g, m/s2, cm/s2 or mm/s2",
-        "il file è in {unit}: convertirlo in g, m/s2, cm/s2 o mm/s2",
+        "the file is in {unit}: convert it to g, m/s2, cm/s2 or mm/s2; its line is {line}",
+        "il file è in {unit}: convertirlo in g, m/s2, cm/s2 o mm/s2; la sua riga è {line}",
+    ),
+    "factor_stated": (
+        "the head states a factor of {factor:g} in {line}: give {scale} = {factor:g} if the samples have still to "
+        "be multiplied by it, or take the line out if they have been",
+        "l'intestazione indica un fattore {factor:g} in {line}: dare {scale} = {factor:g} se i campioni vanno "
+        "ancora moltiplicati, o togliere la riga se lo sono già",
+    ),
+    "two_factors_stated": (
+        "the head states two factors, in {first} and in {second}: leave the one that the samples have still to be "
+        "multiplied by",
+        "l'intestazione indica due fattori, in {first} e in {second}: lasciare quello per cui i campioni vanno ancora "
+        "moltiplicati",
+    ),
+    "two_steps_stated": (
+        "the head states a time step of {one:g} s in {first} and of {other:g} s in {second}: leave the one of the "
+        "samples",
+        "l'intestazione dà un passo di {one:g} s in {first} e di {other:g} s in {second}: lasciare quello dei campioni",
+    ),
+    "count_stated": (
+        "{n} samples, but the header declares {declared} in {line}: download the file again, or correct the line",
+        "{n} campioni, ma l'intestazione ne dichiara {declared} in {line}: scaricare di nuovo il file, o correggere "
+        "la riga",
+    ),
+    "contradicts_line": (
+        "the file states {named} {stated}, the case gives {given}: remove {named}, or correct the line {line}",
+        "il file dice {named} {stated}, il caso {given}: togliere {named}, o correggere la riga {line}",
+    ),
+    "blank_among_samples": (
+        "a blank line among the samples: leave one record in the file, without blank lines in it",
+        "una riga vuota fra i campioni: lasciare un solo accelerogramma nel file, senza righe vuote",
+    ),
+    "text_among_samples": (
+        "{text} stands among the samples: leave one record in the file, with text above it only",
+        "{text} si trova fra i campioni: lasciare un solo accelerogramma nel file, con il testo solo sopra",
+    ),
+    "head_too_long": (
+        "more than {n} lines of text above the samples: leave those of the record",
+        "più di {n} righe di testo sopra i campioni: lasciare quelle dell'accelerogramma",
+    ),
+    "marks_of_gaps": (
+        "{n} samples are {mark:g}, the first of them sample {sample}, all others within {others:.4g}: a mark of "
+        "missing samples? Fill the gaps or cut the record there",
+        "{n} campioni valgono {mark:g}, il primo è il campione {sample}, gli altri sono entro {others:.4g}: un segno "
+        "di campioni mancanti? Colmare i buchi o tagliare lì l'accelerogramma",
+    ),
+    "line_twice": (
+        "the line {text} stands there twice: download the file again, or take one out",
+        "la riga {text} c'è due volte: scaricare di nuovo il file, o toglierne una",
     ),
     "pairs_in_line": (
         "a line holds several pairs of time and acceleration: write one pair a line",
@@ -230,8 +285,10 @@ FILE_ERRORS = {
     ),
     "no_numbers": ("no numbers in this file", "nessun numero in questo file"),
     "two_time_steps": (
-        "the header states a time step of {stated:g} s, the time column {column_step:g} s",
-        "l'intestazione dà un passo di {stated:g} s, la colonna dei tempi {column_step:g} s",
+        "the header states a time step of {stated:g} s, {line}, the samples are {column_step:g} s apart: correct "
+        "the line or the times",
+        "l'intestazione dà un passo di {stated:g} s, {line}, i campioni distano {column_step:g} s: correggere la "
+        "riga o i tempi",
     ),
     "column_out_of_range": (
         "{column} = {given} is not accepted: 2 to {most} (column 1 is time)",

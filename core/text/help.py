@@ -90,8 +90,8 @@ HELP = {
     ),
     "kind": (
         "What the load is: resting on the wall, a thrust outward, a tie that pulls inward, or a mass the wall carries.",
-        "Che cos'è il carico: appoggiato sulla parete, spinta verso l'esterno, catena che tira verso l'interno, o massa "
-        "portata dalla parete.",
+        "Che cos'è il carico: appoggiato sulla parete, spinta verso l'esterno, catena che tira verso l'interno, o "
+        "massa portata dalla parete.",
     ),
     "kn_m": (
         "Intensity of the load per metre of wall [kN/m]; it keeps its size and direction.",
@@ -200,8 +200,8 @@ HELP = {
     "method": (
         "Method of integration: automatic takes the Taylor series, of order 6 or 8; a verdict rests on it or on "
         "dormand_prince, the others are for comparison.",
-        "Metodo di integrazione: quello automatico usa la serie di Taylor, di ordine 6 o 8; un esito si fonda su di esso "
-        "o su dormand_prince, gli altri servono al confronto.",
+        "Metodo di integrazione: quello automatico usa la serie di Taylor, di ordine 6 o 8; un esito si fonda su di "
+        "esso o su dormand_prince, gli altri servono al confronto.",
     ),
     "language": (
         "Language of workbook and note, whatever that of the window.",

@@ -47,16 +47,23 @@ METHOD_BODIES = {
         "Collapse is not monotone in the multiplier: a wall can survive a stronger scale of the same record. "
         "q is therefore the first collapse on a geometric grid, bisected, and is given with the grid step. "
         "q_robust is the smallest grid q whose neighbourhood of +-10 % (default) holds 16 % of collapsing "
-        "points: it hardly depends on the step, and can lie above or below q.",
+        "points: it hardly depends on the step, and can lie above or below q. Nor is the peak monotone: q SLV of two "
+        "copies of a record that differ by 1e-9 can lie 10 % apart. The linear check of the Circolare takes the lower "
+        "end of its spread, the grid point below the first peak of 0.36 θc, nine tenths of the limit.",
         "Il collasso non è monotono nel moltiplicatore: una parete può sopravvivere a una scala maggiore "
         "dello stesso accelerogramma. q è quindi il primo collasso su una griglia geometrica, con bisezione, e si dà "
         "col passo della griglia. q_robust è il minimo q di griglia il cui intorno di +-10 % (predefinito) "
-        "contiene il 16 % di punti di collasso: dipende poco dal passo e può essere maggiore o minore di q.",
+        "contiene il 16 % di punti di collasso: dipende poco dal passo e può essere maggiore o minore di q. Nemmeno il "
+        "picco è monotono: i q SLV di due copie di un accelerogramma che differiscono di 1e-9 possono distare il "
+        "10 %. La verifica lineare della Circolare usa l'estremo inferiore della sua dispersione, il punto "
+        "di griglia sotto il primo picco di 0,36 θc, nove decimi del limite.",
     ),
     "set": (
-        "7 or more records with a number: mean; 3 to 6: minimum; fewer: minimum, flagged. A one-sided wall is "
+        "Records with a number of 7 or more stations: mean; of 3 to 6: minimum; of fewer: minimum, flagged. Two "
+        "components of a station are one station. A one-sided wall is "
         "analysed with both signs of each record and the lower governs.",
-        "7 o più accelerogrammi con un valore: media; da 3 a 6: minimo; meno: minimo, segnalato. La parete su un lato "
+        "Accelerogrammi con un valore di 7 o più stazioni: media; da 3 a 6: minimo; meno: minimo, segnalato. Due "
+        "componenti di una stazione sono una stazione. La parete su un lato "
         "si analizza con entrambi i segni di ogni accelerogramma e governa il minore.",
     ),
     "outcomes": (

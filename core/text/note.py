@@ -84,6 +84,9 @@ NOTE = {
     "mean {value:.2f}, which decides": "media {value:.2f}, che decide",
     "not below a_g,SLD": "non minore di a_g,SLD",
     "of that part": "di quella parte",
+    "lower end of the spread of q SLV, {q:.2f}, times e*": (
+        "estremo inferiore della dispersione di q SLV, {q:.2f}, per e*"
+    ),
     "of the run": "dell'analisi",
     "of the wall with the masses that move with it": "della parete con le masse solidali",
     "of this mechanism, class {letter}": "di questo meccanismo, classe {letter}",

@@ -72,13 +72,35 @@ SENTENCES = {
         "Delle {n} cerniere di questa parete lo ζ minore, {zeta:.2f}, è quello di {wall}.",
     ),
     "large_ag": (
-        "a_g = {ag:.3g} g is above 0.6 g: m/s2 or % instead of g, or S counted in it?",
-        "a_g = {ag:.3g} g supera 0,6 g: m/s² o % al posto di g, oppure S già compreso?",
+        "a_g = {ag:.3g} g is above 0.6 g, beyond the hazard of Italy at 2475 years: was {ag:.3g} m/s2 meant, which is "
+        "{meant:.3f} g, or %, or is S counted in it?",
+        "a_g = {ag:.3g} g supera 0,6 g, oltre la pericolosità italiana a 2475 anni: si intendeva {ag:.3g} m/s², cioè "
+        "{meant:.3f} g, o %, oppure S è già compreso?",
     ),
     "table_sheet": ("Walls read from the sheet {sheet}.", "Pareti lette dal foglio {sheet}."),
     "hidden_rows": (
         "Hidden rows of the table of walls were not read: {rows}.",
         "Righe nascoste della tabella delle pareti non lette: {rows}.",
+    ),
+    "hidden_columns": (
+        "Hidden columns of the table of walls were not read: {columns}.",
+        "Colonne nascoste della tabella delle pareti non lette: {columns}.",
+    ),
+    "hidden_rows_read": (
+        "Hidden rows of the sheet were read like the others: {rows}. Do they belong to the record?",
+        "Righe nascoste del foglio lette come le altre: {rows}. Appartengono all'accelerogramma?",
+    ),
+    "hidden_columns_read": (
+        "Hidden columns of the sheet count like the others: {columns}. Is the column that is read the one meant?",
+        "Colonne nascoste del foglio contate come le altre: {columns}. La colonna letta è quella voluta?",
+    ),
+    "hidden_sheets": (
+        "Hidden sheets of the workbook were not read: {names}.",
+        "Fogli nascosti della cartella di lavoro non letti: {names}.",
+    ),
+    "formulas_read": (
+        "Formulas of the sheet were read by the values last computed: {cells}.",
+        "Formule del foglio lette con i valori calcolati l'ultima volta: {cells}.",
     ),
     "other_sheets": (
         "Other sheets of the table of walls were not read: {names}.",
@@ -129,6 +151,17 @@ SENTENCES = {
     "peak_differs": (
         "The peak read, {read:.4g}, differs from the {stated:.4g} stated in the file (same unit).",
         "Il picco letto, {read:.4g}, differisce da {stated:.4g} dichiarato nel file (stessa unità).",
+    ),
+    "number_not_understood": (
+        "Numbers of the head that are not understood: {lines}. Is one of them a time step, a rate, a count of samples "
+        "or a factor?",
+        "Numeri dell'intestazione non compresi: {lines}. Uno di essi è un passo, una frequenza di campionamento, un "
+        "numero di campioni o un fattore?",
+    ),
+    "jump": (
+        "Near sample {sample} the record jumps as nowhere around it: lines doubled, swapped or missing?",
+        "Presso il campione {sample} l'accelerogramma salta come in nessun punto vicino: righe doppie, scambiate o "
+        "mancanti?",
     ),
     "scaled": ("Scaled by {scale:g} as asked.", "Scalato per {scale:g} come richiesto."),
     "scaled_far": (
@@ -194,8 +227,14 @@ SENTENCES = {
         "SI della domanda {si:.1f} cm: media degli accelerogrammi scalati ad a_g S, non indipendente da essi.",
     ),
     "too_few": (
-        "{n} record(s) with a number: the minimum is taken, too few for a design value.",
-        "{n} accelerogrammi con un valore: si assume il minimo, troppo pochi per un valore di progetto.",
+        "{n} station(s) with a number: the minimum is taken, too few for a design value.",
+        "{n} stazioni con un valore: si assume il minimo, troppo poche per un valore di progetto.",
+    ),
+    "few_stations": (
+        "{files} records with a number are of {n} station(s): below 7 stations the set takes the minimum, not the "
+        "mean.",
+        "{files} accelerogrammi con un valore sono di {n} stazioni: sotto 7 stazioni l'insieme assume il minimo, "
+        "non la media.",
     ),
     "coarse_window": (
         "The step of the search is coarse for the robust window ({n} points on either side): one collapsing point "

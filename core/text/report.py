@@ -6,6 +6,7 @@ REPORT = {
     "Loads": "Carichi",
     "α0 with friction, top {h:.2f} m": "α0 con attrito, {h:.2f} m in alto",
     "e* of that part": "e* di quella parte",
+    "lower end of the spread of q SLV": "estremo inferiore della dispersione di q SLV",
     "kin.": "cin.",
     "all hinges": "tutte le cerniere",
     ("The weakest of its {n} hinges asks {force:.2f} kN/m."): (
@@ -111,6 +112,8 @@ REPORT = {
     "Circolare 7/2019, wall on the ground, {kind}": "Circolare 7/2019, parete al suolo, {kind}",
     "not below a_g,SLD / a_g": "non minore di a_g,SLD / a_g",
     "M* per metre": "M* per metro",
+    "M* per metre of that part": "M* per metro di quella parte",
+    "of the upper {h:.2f} m with friction": "dei {h:.2f} m superiori con attrito",
     "No linear check: T_0 is not known (see the verdict).": (
         "Nessuna verifica lineare: T_0 non è noto (vedere l'esito)."
     ),

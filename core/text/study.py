@@ -136,8 +136,8 @@ STUDY = {
     "wall": "parete",
     "{alpha:g}°, paper": "{alpha:g}°, articolo",
     "{name}, motions": "{name}, moti",
-    "{n} files of the folder of records are no accelerograms the program reads.": (
-        "{n} file della cartella non sono accelerogrammi che il programma legge."
+    "{n} files are left out: no accelerograms the program reads, or vertical components.": (
+        "{n} file sono esclusi: non sono accelerogrammi che il programma legge, o sono componenti verticali."
     ),
     "{n} of {of} runs have no number and are left out.": "{n} analisi su {of} non hanno un valore e sono escluse.",
     "{n} records, {share:.0%} of them within ±20 % of the equation.": (

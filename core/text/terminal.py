@@ -46,11 +46,12 @@ TERMINAL = {
     "{runs} runs, {analyses} analyses in {seconds:.1f} s": (
         "{runs} serie, {analyses} analisi in {seconds:.1f} s"
     ),
-    "{what}: {done} of {planned}": "{what}: {done} di {planned}",
-    "{what}: {done} of {planned}, about {left:.0f} s for the others": (
-        "{what}: {done} di {planned}, circa {left:.0f} s per le altre"
-    ),
     "workbook, JSON and CSV are written: {path}": "cartella di lavoro, JSON e CSV sono scritti: {path}",
+    "{done}/{planned} runs and checks": "{done}/{planned} serie e verifiche",
+    "{done}/{planned} runs and checks, about {left:.0f} s left": (
+        "{done}/{planned} serie e verifiche, restano circa {left:.0f} s"
+    ),
+    "writing the results: {share:.0f} %": "scrittura dei risultati: {share:.0f} %",
     "How strong an earthquake a masonry wall withstands before it overturns.": (
         "Quanto forte è il terremoto che una parete in muratura sopporta prima di ribaltarsi."
     ),

@@ -7,8 +7,8 @@ METHOD_WORDS = {
         "la verifica cinematica non lineare (C8.7.1.2.1.8)",
     ),
     "linear_q_slv": (
-        "the linear kinematic check with q of the time histories (C8.7.1.2.1.7)",
-        "la verifica cinematica lineare con q delle storie temporali (C8.7.1.2.1.7)",
+        "the linear kinematic check with the lower q of the time histories (C8.7.1.2.1.7)",
+        "la verifica cinematica lineare con il q inferiore delle storie temporali (C8.7.1.2.1.7)",
     ),
     "linear_q_code": (
         "the linear kinematic check with the q of the code (C8.7.1.2.1.7)",
@@ -203,6 +203,12 @@ REASONS = {
         "The restraint behind the wall is not named: one-sided rocking rests on it.",
         "Il vincolo dietro la parete non è indicato: l'oscillazione su un lato si basa su di esso.",
     ),
+    "lower_q_slv": (
+        "The linear check takes q {low:.2f}, the lower end of the spread of q SLV: with q SLV itself, {q:.2f}, it "
+        "would pass.",
+        "La verifica lineare usa q {low:.2f}, l'estremo inferiore della dispersione di q SLV: con q SLV stesso, "
+        "{q:.2f}, sarebbe soddisfatta.",
+    ),
     "more_records": (
         "{n} stations: C8.7.1.2.1.9 advises more records than the analysis of the whole building takes.",
         "{n} stazioni: il C8.7.1.2.1.9 consiglia un numero di accelerogrammi maggiore che per l'analisi "
@@ -220,7 +226,7 @@ REASONS = {
         "No target spectrum is given: the compatibility of the records is not shown.",
         "Spettro non assegnato: la compatibilità degli accelerogrammi non è dimostrata.",
     ),
-    "few_records": ("{n} record(s): fewer than 3.", "{n} accelerogrammi: meno di 3."),
+    "few_records": ("{n} station(s): fewer than 3.", "{n} stazioni: meno di 3."),
     "bundled": (
         "The records are the bundled example, for trials only.",
         "Gli accelerogrammi sono quelli di esempio, solo per prova.",

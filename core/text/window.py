@@ -44,6 +44,10 @@ WINDOW = {
     "The input has changed: press F5.": "I dati sono cambiati: premere F5.",
     "Cancelled.": "Interrotto.",
     "Running…": "In esecuzione…",
+    "{done} of {planned}, {elapsed:.0f} s": "{done} di {planned}, {elapsed:.0f} s",
+    "{done} of {planned}, {elapsed:.0f} s, about {left:.0f} s left": (
+        "{done} di {planned}, {elapsed:.0f} s, restano circa {left:.0f} s"
+    ),
     "Details are in {log}": "I dettagli sono in {log}",
     "Not done.": "Non eseguito.",
     "Not done": "Non eseguito",

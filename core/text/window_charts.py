@@ -24,10 +24,11 @@ WINDOW_CHARTS = {
     "No dynamic check: it takes records and a demand at SLV or SLC.": (
         "Nessuna verifica dinamica: richiede accelerogrammi e una domanda allo SLV o SLC."
     ),
+    "of the upper {h:.2f} m with friction": "dei {h:.2f} m superiori con attrito",
     "Multiplier at once": "Moltiplicatore diretto",
     "Set to…": "Porta a…",
     "the demand": "la domanda",
-    "the demand x FC": "la domanda x FC",
+    "the demand with FC": "la domanda con FC",
     "just before collapse": "appena prima del collasso",
     "just after collapse": "appena dopo il collasso",
     "Not known here: no demand, or no collapse of this record.": (

@@ -6,7 +6,10 @@ WORDS = {
     "both": ("both", "entrambi"),
     "dynamic": ("Dynamic, time histories", "Dinamica, storie temporali"),
     "nonlinear": ("Nonlinear kinematic", "Cinematica non lineare"),
-    "linear_q_slv": ("Linear kinematic, q of the histories", "Cinematica lineare, q delle storie"),
+    "linear_q_slv": (
+        "Linear kinematic, lower q of the histories",
+        "Cinematica lineare, q inferiore delle storie",
+    ),
     "linear_q_code": (
         "Linear kinematic, q of the code",
         "Cinematica lineare, fattore di comportamento q",
@@ -59,9 +62,6 @@ WORDS = {
     "natural": ("natural", "naturale"),
     "artificial": ("artificial", "artificiale"),
     "simulated": ("simulated", "simulato"),
-    "stage_runs": ("searches of q", "ricerche di q"),
-    "stage_checks": ("checks of walls", "verifiche delle pareti"),
-    "stage_accuracy": ("statements of accuracy", "valutazioni dell'accuratezza"),
 }
 """Key -> (English, Italian)."""
 

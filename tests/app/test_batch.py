@@ -199,10 +199,13 @@ def test_that_a_full_disk_leaves_the_old_report_and_nothing_half_written(case, c
     real, calls = os.fsync, []
 
     def full(handle):
+        journal = case.with_suffix(".journal")
+        if journal.exists() and os.path.samestat(os.fstat(handle), journal.stat()):
+            return real(handle)
         calls.append(1)
-        if len(calls) > 7:  # after the journal's lines: the second file of the results
+        if len(calls) > 2:  # after the proof of the folder: the second file of the results
             raise OSError(errno.ENOSPC, "No space left on device")
-        real(handle)
+        return real(handle)
 
     monkeypatch.setattr(os, "fsync", full)
     assert call("--batch", case, "--quiet") == 1
@@ -301,6 +304,47 @@ def test_that_ctrl_c_stops_with_130_and_keeps_the_journal_and_no_workbook(case):
     assert not case.with_suffix(".xlsx").exists()
 
 
+@pytest.mark.parametrize("module", ["check_sheet", "demand_sheets"])
+def test_that_ctrl_c_while_the_files_are_made_stops_and_resumes(case, monkeypatch, capsys, module):
+    from core.report import check_sheet, demand_sheets
+
+    sheet = {"check_sheet": check_sheet, "demand_sheets": demand_sheets}[module]
+    real = sheet._wall
+
+    def pressed(*arguments):
+        signal.raise_signal(signal.SIGINT)
+        return real(*arguments)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(sheet, "_wall", pressed)
+        assert call("--batch", case) == 130
+    assert "--resume" in capsys.readouterr().err
+    assert sorted(path.name for path in case.parent.iterdir()) == [
+        "case.journal", "case.toml", "r0.txt", "r1.txt",
+    ]  # fmt: skip
+    assert call("--batch", case, "--resume", "--quiet") == 0
+    assert case.with_suffix(".xlsx").exists() and not case.with_suffix(".journal").exists()
+
+
+def test_that_a_line_of_progress_counts_runs_and_checks_and_says_no_time_it_does_not_know(
+    monkeypatch, capsys
+):
+    from app import terminal_progress
+
+    monkeypatch.setattr(terminal_progress, "BETWEEN_LINES", 0.0)
+    with terminal_progress.progress(False) as show:
+        show.runs(0, 23, None)
+        show.runs(2, 23, None)
+        show.runs(3, 23, 41.0)
+        show.writing(50, 100)
+    lines = capsys.readouterr().err.splitlines()
+    assert lines[-3:] == [
+        "2/23 runs and checks",
+        "3/23 runs and checks, about 41 s left",
+        "writing the results: 50 %",
+    ]
+
+
 @pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
 def test_that_a_killed_batch_resumes_to_the_same_digits(case, tmp_path):
     case.write_text(LONG)
@@ -382,6 +426,30 @@ def test_that_the_terminal_names_verdict_zeta_and_deciding_check_of_each_wall(ca
     assert out.splitlines()[1].split()[0] == "w" and out.splitlines()[1].split()[-1] == "dynamic"
 
 
+def test_that_an_a_g_beyond_any_of_italy_is_asked_about_by_terminal_workbook_and_note(
+    case, tmp_path, capsys
+):
+    import docx
+    import openpyxl
+
+    walls = "".join(  # more warnings than the Summary has room for
+        f'[[wall]]\nname = "w{k}"\nheight_m = {4 + 0.1 * k}\nthickness_m = 0.0{5 + k // 2}\n'
+        f'mechanism = "two_sided"\nbase_z_m = 0.0\n'
+        for k in range(8)
+    )
+    case.write_text(case.read_text().replace("ag_g = 0.2", "ag_g = 2.55") + walls)
+    note = tmp_path / "note.docx"
+    assert call("--batch", case, "--quiet", "--report", note) == 0
+    asked = (
+        "a_g = 2.55 g is above 0.6 g, beyond the hazard of Italy at 2475 years: was 2.55 m/s2 meant"
+    )
+    assert f"[demand]: {asked}" in capsys.readouterr().err
+    summary = openpyxl.load_workbook(tmp_path / "case.xlsx")["Summary"]
+    assert any(asked in str(cell.value) for row in summary.iter_rows() for cell in row)
+    assert any(asked in paragraph.text for paragraph in docx.Document(note).paragraphs)
+    assert asked in json.loads((tmp_path / "case.json").read_text())["demand"]["warnings"][0]
+
+
 def test_that_a_second_batch_on_the_same_output_is_refused(case, tmp_path, capsys):
     from core.study.journal import Journal
 
@@ -442,3 +510,18 @@ def test_that_a_statement_of_accuracy_without_scipy_is_refused_before_the_run(
     monkeypatch.setattr(batch, "run_study", lambda *_, **__: pytest.fail("computed"))
     assert call("--batch", case) == 1
     assert "the statement of accuracy needs scipy" in capsys.readouterr().err
+
+
+def test_that_a_bar_of_a_terminal_is_one_line_and_leaves_nothing_there(capsys, monkeypatch):
+    from app import terminal_progress
+
+    monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
+    monkeypatch.setattr(terminal_progress.cache, "lacks_lanes", lambda: False)
+    with terminal_progress.progress(False) as show:
+        show.runs(3, 4, 7.0)
+        show.writing(1, 2)
+    said = capsys.readouterr().err
+    assert "\n" not in said and said.endswith("\r\x1b[K")
+    first, second = (line for line in said.split("\r")[1:3])
+    assert first.count("█") == 18 and "3/4 runs and checks, about 7 s left" in first
+    assert second.count("█") == 12 and "50 %" in second

@@ -16,7 +16,7 @@ from PySide6.QtSvg import QSvgRenderer
 from app import language, theme
 from app.plots.chart import Chart
 from app.plots.figure_file import SHAPE, FigureSize, figure
-from app.plots.table import Table, plain_cell
+from app.plots.table import Table
 from core.errors import OutputError
 
 SIZE = FigureSize(720 / 96 * 25.4, 192, caption=False)
@@ -120,7 +120,6 @@ def test_that_a_copied_cell_is_never_a_formula(application, text, copied):
     table = Table("t", ["a", "b"])
     table.show_rows([[text, "x"]])
     assert table.text().split("\n")[1].split("\t") == [copied, "x"]
-    assert plain_cell(plain_cell("wall")) == "wall"
 
 
 def test_that_a_chart_that_cannot_be_written_says_so_and_leaves_the_old_one(chart, tmp_path):
@@ -243,3 +242,14 @@ def test_that_the_ground_is_shown_at_the_multiplier_in_use(opened, application):
     _, _, felt = tab.ground.data[0]
     assert np.abs(felt).max() == pytest.approx(tab.q * wall.model.threshold / 9.80665, rel=1e-9)
     assert felt.size == motion.acceleration.size
+
+
+def test_that_an_svg_opens_whatever_a_name_holds(chart):
+    from xml.etree import ElementTree
+
+    from app.plots.figure_file import FigureSize, figure
+
+    chart.curve("a\ufffe\uffff", [60.0, 120.0], [5.0, 6.0], 2)
+    chart.caption = "wall \uffff"
+    for content in (chart.content(".svg"), figure(chart, ".svg", FigureSize())):
+        assert "\\uffff" in "".join(ElementTree.fromstring(content).itertext())

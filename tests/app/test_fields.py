@@ -1,5 +1,7 @@
 """What a user types: refused in its field, kept in sight, taken back in steps, told in the words of the forms."""
 
+import itertools
+import math
 import os
 import re
 import tomllib
@@ -15,7 +17,7 @@ from PySide6.QtTest import QTest
 
 from app.language import FORM_NAMES, described
 from core.case.rules import parse_case
-from core.case.schema import Analysis, Wall
+from core.case.schema import Analysis, Load, Wall
 from core.case.site import Building, Demand, Spectrum
 from core.case.values import check_value
 from core.errors import InputError
@@ -33,6 +35,37 @@ def test_that_a_refused_number_stays_and_keeps_the_run_back(opened, application)
     assert not opened.run_button.isEnabled()
     type_into(height, "6")
     assert not height.wrong and opened.session.case.wall[0].height_m == 6.0
+
+
+BLOCKS = (
+    {},
+    {"hinge_setback_m": 0.1},
+    {"unit_weight_kn_m3": 18.0, "load": (Load("carried_mass", 9.0, 5.0, 0.25),)},
+    {"height_m": None, "thickness_m": None, "slenderness_deg": 11.0, "radius_m": 2.0,
+     "inertia_over_mass_m2": 7.0},
+)  # fmt: skip
+"""A rectangle, one with a setback, one with a mass that moves with it, a general block."""
+
+
+def test_that_a_restitution_formula_shown_gives_the_value_beside_it(opened, monkeypatch):
+    plain = opened.session.case.wall[0]
+    for language, model, shape in itertools.product(
+        ("en", "it"), ("housner", "sorrentino_experimental", "one_sided_theoretical"), BLOCKS
+    ):
+        monkeypatch.setattr("app.language._current", [language])
+        wall = replace(plain, mechanism="one_sided", restitution=model, **shape)
+        opened.session.case = replace(opened.session.case, wall=(wall,))
+        opened.walls.impact.show_case()
+        line = opened.walls.impact.formula.text().splitlines()[0].replace(",", ".")
+        degrees = re.search(r"α = ([\d.]+)°", line).group(1)
+        expression, value = re.search(r"e = (.*) \(Eq.*= ([\d.]+)$", line).groups()
+        # the formula as one reads it, in the notation of Python
+        expression = expression.replace("−", "-").replace(")²", ")**2")
+        expression = re.sub(r"\|(.*)\|", r"abs(\1)", expression)
+        expression = re.sub(r"(sin|cos)²α", rf"\1(radians({degrees}))**2", expression)
+        expression = re.sub(r"(?<=[\d)]) (?=[a-z(])", " * ", expression)
+        assert eval(expression, vars(math).copy()) == pytest.approx(float(value), abs=1e-4)
+        assert abs(float(value) - wall.restitution_of("one_sided").ratio_at_rest) < 1e-4
 
 
 def test_that_another_case_does_not_take_over_what_was_wrong(opened, application):
@@ -269,3 +302,33 @@ def test_that_a_wall_above_the_ground_shows_its_floor(opened, application):
     assert wall.floor.motions[0].pga > opened.session.result.motions[0].pga
     histories = opened.pages["histories"].content
     assert histories.motion is wall.floor.motions[0]
+
+
+def test_that_an_a_g_beyond_any_of_italy_is_asked_about_where_it_is_typed_and_with_the_result(
+    opened, application, tmp_path
+):
+    from app.plots.check_tab import CheckTab
+    from core.case.rules import parse_case
+    from core.study.run import run as run_study
+
+    assert "S apart" in opened.demand.hint.text()
+    type_into(opened.demand.ag, "2.55")
+    application.processEvents()
+    asked = (
+        "a_g = 2.55 g is above 0.6 g, beyond the hazard of Italy at 2475 years: was 2.55 m/s2 meant"
+    )
+    assert asked in opened.demand.hint.text() and opened.session.problem() is None
+    type_into(opened.demand.ag, "0.26")
+    application.processEvents()
+    assert "S apart" in opened.demand.hint.text()
+    wall = {
+        "name": "w",
+        "height_m": 4.0,
+        "thickness_m": 0.5,
+        "base_z_m": 0.0,
+        "mechanism": "two_sided",
+    }
+    result = run_study(parse_case({"wall": [wall], "demand": {"ag_g": 2.55}}), base_dir=tmp_path)
+    tab = CheckTab("en")
+    tab.show_wall(result, result.walls[0])
+    assert asked in tab.reasons.text()

@@ -263,8 +263,13 @@ def test_that_a_preset_sets_the_multiplier(walls):
     _, wall = tab.shown
     tab._set_to(1)
     assert tab.q * wall.model.threshold == pytest.approx(tab.motion.pga)
-    tab._set_to(2)
-    assert tab.q * wall.model.threshold == pytest.approx(1.35 * tab.motion.pga)
+    plain, ground = tab.history.peak, tab.ground.data[0][2]
+    assert "FC" not in tab.words.text() and "FC" not in tab.rotation.caption
+    tab._set_to(2)  # FC on the strength: another wall under the same ground, and said to be
+    assert tab.q * wall.model.threshold == pytest.approx(tab.motion.pga)
+    assert np.array_equal(tab.ground.data[0][2], ground) and tab.history.peak != plain
+    for said in (tab.words.text(), tab.rotation.caption, tab.ground.caption):
+        assert "FC on the strength: 1.35" in said
     checked = next(r for r in wall.assessment.dynamic.runs
                    if (r.record, r.polarity) == (tab.run.record, tab.run.polarity))  # fmt: skip
     peak = tab.history.peak / wall.model.collapse_rotation
@@ -277,7 +282,10 @@ def test_that_a_preset_sets_the_multiplier(walls):
     tab._set_to(3)
     assert tab.history.outcome != 1
     tab._set_to(5)
-    assert tab.q == 2.0
+    assert tab.q == 2.0 and "FC" not in tab.words.text() and "FC" not in tab.rotation.caption
+    tab._set_to(2)
+    tab.slider.setValue(tab.slider.value() + 1)
+    assert "FC" not in tab.words.text() and "FC" not in tab.rotation.caption
     for choice in (1, 4):  # the ground is shown whole at every multiplier
         tab._set_to(choice)
         _, (low, high) = tab.ground.plot.viewRange()

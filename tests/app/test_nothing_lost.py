@@ -147,7 +147,7 @@ def test_that_a_record_changed_on_disk_makes_the_results_stale(opened, applicati
 
 NAMES = (
     "no\u00a0break.txt", "zero\u200bwidth.txt", "soft\u00adhyphen.txt", "new\U0001fae8emoji.txt", "bell\x07.txt",
-    "quote'\"percent%41.txt", "accent è.txt", "[1].txt",
+    "no\uffffcharacter_x0041_.txt", "quote'\"percent%41.txt", "accent è.txt", "[1].txt",
 )  # fmt: skip
 
 

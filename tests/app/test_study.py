@@ -95,6 +95,7 @@ def test_that_a_study_writes_files_that_open(small, tmp_path, capsys):
             assert shades.shape == (690, 1080) and 0.005 < (shades < 200).mean() < 0.3
 
 
+@pytest.mark.long
 @pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
 def test_that_a_killed_study_resumes_to_the_same_digits(small, tmp_path):
     small.write_text(STUDY.replace("q_step = [0.02]", "q_step = [0.0005]"))
@@ -128,6 +129,7 @@ def test_that_a_study_never_takes_the_place_of_a_file_it_reads(place, small, tmp
     )
 
 
+@pytest.mark.long
 def test_that_a_title_may_change_and_figures_of_an_earlier_run_go(small, tmp_path):
     small.write_text(STUDY.replace("q_step = [0.02]", "q_step = [0.0005]"))
     running = start("--study", small, "--jobs", "1", "--quiet")
@@ -223,7 +225,7 @@ def paper(tmp_path_factory):
     """The paper's study in its short form, and its files."""
     folder = tmp_path_factory.mktemp("paper")
     made = study.results(
-        "paper", folder, None, 2, True, False, lambda done, of, stage: None, lambda: False
+        "paper", folder, None, 2, True, False, lambda done, of, left: None, lambda: False
     )
     report = report_of(made.result)
     study.write(made.result, report, folder, made.stem)
@@ -231,6 +233,7 @@ def paper(tmp_path_factory):
     return folder, made.result, report
 
 
+@pytest.mark.long
 def test_that_the_claims_of_the_paper_are_counted(paper):
     _, _, report = paper
     counts = {(claim.source, claim.claim): (claim.held, claim.tried) for claim in report.claims}
@@ -309,7 +312,7 @@ def test_that_the_window_of_a_study_runs_cancels_goes_on_and_shows_it(
     assert kept > 0 and made.tabs.count() == 0
     progress = []
     made.run()
-    made.job.progressed.connect(lambda done, of, stage: progress.append(done))
+    made.job.progressed.connect(lambda done, of, left: progress.append(done))
     settle(application, lambda: made.job is None)
     assert progress[0] >= kept
     assert made.tabs.count() == 2  # no claims of the paper

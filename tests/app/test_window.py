@@ -15,7 +15,10 @@ from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
+from app.window import row_of
 from core.case.reader import read_case
+from core.case.rules import parse_case
+from core.study import run as study
 from tests.app.driving import run, settle, type_into
 from tests.conftest import ROOT
 
@@ -384,3 +387,19 @@ def test_that_a_long_name_is_short_in_a_chart_and_whole_in_its_data(application)
     assert chart.legend.items[0][1].text == elided(name)
     assert name in chart.content(".csv").decode()
     chart.deleteLater()
+
+
+def test_that_a_wall_of_a_result_is_found_by_what_it_is_and_not_by_its_name(tmp_path):
+    """Walls whose names begin alike, their parts above hinges, and a list changed since the run."""
+    wall = {"height_m": 4.0, "thickness_m": 0.4, "mechanism": "two_sided"}
+    asked = [{**wall, "name": "w", "hinge_heights": [1.0]}, {**wall, "name": "w (+2 m) beside"}]
+    result = study.run(parse_case({"wall": asked}), base_dir=tmp_path)
+    walls = result.case.wall
+
+    def rows(now):
+        return [row_of(result, one, now) for one in result.walls]
+
+    assert rows(walls) == [0, 0, 1]
+    assert rows(walls[::-1]) == [1, 1, 0]
+    assert rows(walls[1:]) == [None, None, 0]
+    assert rows((replace(walls[0], name="v", height_m=5.0), walls[1])) == [0, 0, 1]

@@ -3,6 +3,8 @@
 python3 run.py bench --memory
 """
 
+import argparse
+import json
 import os
 import random
 import subprocess
@@ -23,19 +25,23 @@ topography = "T1"
 """
 
 
-def batch(case: Path) -> tuple[float, float]:
-    """(seconds, MB) of a batch as a process of its own."""
+def batch(case: Path, walls: int) -> tuple[float, float]:
+    """(seconds, MB) of a batch of so many walls as a process of its own."""
     start = time.perf_counter()
     with subprocess.Popen(
         [sys.executable, "-P", "-m", "app", "--batch", case, "--quiet"], cwd=ROOT
     ) as run:
-        _, _, used = os.wait4(run.pid, 0)
-        run.returncode = 0
+        _, status, used = os.wait4(run.pid, 0)
+        run.returncode = os.waitstatus_to_exitcode(status)
+    assert run.returncode in (0, 3), f"the batch ended with {run.returncode}"
+    found = json.loads(case.with_suffix(".json").read_text())["walls"]
+    numbers = [run["q"] is not None for wall in found for run in wall["runs"]]
+    assert len(found) == walls and sum(numbers) > 0.9 * len(numbers), "runs without a number"
     return time.perf_counter() - start, used.ru_maxrss / 1024.0
 
 
-def walls(folder: Path, count: int) -> Path:
-    """A case of many different walls, half of them one-sided, under seven compatible motions."""
+def walls(folder: Path, count: int, motions: int) -> Path:
+    """A case of many different walls, half of them one-sided, under so many compatible motions."""
     chance = random.Random(1)
     rows = ["Parete;z;H;t;Meccanismo", ";m;m;m;"]
     for k in range(count):
@@ -43,16 +49,16 @@ def walls(folder: Path, count: int) -> Path:
         rows.append(f"w{k};0;{chance.uniform(3, 8):.2f};{chance.uniform(0.3, 0.9):.2f};{mechanism}")
     (folder / f"walls_{count}.csv").write_text("\n".join(rows))
     case = folder / f"walls_{count}.toml"
-    case.write_text(f'walls = "walls_{count}.csv"\n[generate]\ncount = 7\n{DEMAND}')
+    case.write_text(f'walls = "walls_{count}.csv"\n[generate]\ncount = {motions}\n{DEMAND}')
     return case
 
 
-def long_record(folder: Path) -> Path:
-    """A case of one wall under a record of a million samples."""
+def long_record(folder: Path, count: int) -> Path:
+    """A case of one wall under a record of so many samples."""
     from core.ground.artificial import filtered_noise
 
     one = filtered_noise(1, 2.0)
-    samples = (one[k % one.size] for k in range(1_000_000))
+    samples = (one[k % one.size] for k in range(count))
     (folder / "long.txt").write_text("\n".join(f"{value:.5f}" for value in samples))
     case = folder / "long.toml"
     case.write_text(
@@ -62,13 +68,17 @@ def long_record(folder: Path) -> Path:
     return case
 
 
-def main() -> None:
+def main(options: argparse.Namespace) -> None:
+    """Print the table."""
+    many, motions, samples = ((2,), 1, 2000) if options.small else ((500, 1000), 7, 1_000_000)
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        for label, case in (
-            ("500 walls x 7 records, all checks", walls(folder, 500)),
-            ("1000 walls x 7 records, all checks", walls(folder, 1000)),
-            ("one record of 1e6 samples", long_record(folder)),
+        for label, case, number in (
+            *(
+                (f"{n} walls x {motions} records, all checks", walls(folder, n, motions), n)
+                for n in many
+            ),
+            (f"one record of {samples} samples", long_record(folder, samples), 1),
         ):
-            seconds, megabytes = batch(case)
+            seconds, megabytes = batch(case, number)
             print(f"{label:40} {seconds:8.1f} s {megabytes:8.0f} MB", flush=True)

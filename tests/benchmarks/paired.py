@@ -7,6 +7,7 @@ in a cache of their own, compiled before the first pair. Printed: median and ran
 other's, and the ratio of the smallest times, which the machine's neighbours disturb least.
 """
 
+import argparse
 import json
 import math
 import os
@@ -15,6 +16,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from functools import partial
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -32,8 +34,8 @@ def best_seconds(call, repeats: int) -> float:
     return min(times)
 
 
-def figures() -> dict[str, float]:
-    """Name -> time [s], of the tree that is first on the path."""
+def figures(small: bool) -> dict[str, float]:
+    """Name -> time [s], of the tree that is first on the path. small : a fifth of the record, each call twice"""
     import numpy as np
 
     try:
@@ -42,13 +44,14 @@ def figures() -> dict[str, float]:
         from core.rocking.methods import METHODS
         from core.wall.rocking_model import RockingModel
     except ImportError:  # version 0.3.0
-        from core.ida import Search, incremental_dynamic_analysis
+        from core.ida import Search, incremental_dynamic_analysis  # type: ignore
 
-        from core.rocking import METHODS, RockingModel, history, scan
+        from core.rocking import METHODS, RockingModel, history, scan  # type: ignore
+    samples, most = (SAMPLES // 5, 1) if small else (SAMPLES, 40)
     random = np.random.default_rng(2)
-    walk = np.cumsum(random.normal(size=SAMPLES))
-    walk -= np.linspace(0.0, walk[-1], SAMPLES)
-    walk *= 2.5 / np.abs(walk).max() * np.sin(np.arange(SAMPLES) * np.pi / SAMPLES)
+    walk = np.cumsum(random.normal(size=samples))
+    walk -= np.linspace(0.0, walk[-1], samples)
+    walk *= 2.5 / np.abs(walk).max() * np.sin(np.arange(samples) * np.pi / samples)
     ground = np.ascontiguousarray(6.0 * np.diff(walk, append=0.0) + 0.3 * walk)
     pga, alpha, found = float(np.abs(ground).max()), math.radians(6.8), {}
     walls = {"two-sided": (0.0, 0.979, 0.0, 0.0), "one-sided": (1.0, 0.45, 0.0, 0.0),
@@ -56,53 +59,57 @@ def figures() -> dict[str, float]:
     scales = np.linspace(0.8, 1.6, MULTIPLIERS)
     outcomes, peaks = np.zeros(MULTIPLIERS, np.int64), np.zeros(MULTIPLIERS)
     taylor = METHODS["taylor"]
+
+    def searched(model, dt=TIME_STEP):
+        asked = incremental_dynamic_analysis(ground, dt, pga, 1, model, taylor, Search())
+        assert asked.q is not None, "a search without a number"
+
+    def moved(model, method=taylor):
+        assert history(ground, TIME_STEP, 1.2, model, method).rotation.any(), "a wall at rest"
+
     for name, (one_sided, ratio, first, last) in walls.items():
         model = RockingModel(alpha, 2.0866, one_sided, ratio, 0.0, first * alpha, last * alpha)
 
         def lanes(model=model):
             scan(taylor, ground, TIME_STEP, scales, model, outcomes, peaks)
 
-        def search(model=model):
-            incremental_dynamic_analysis(ground, TIME_STEP, pga, 1, model, taylor, Search())
-
-        found[f"lanes, {name}"] = best_seconds(lanes, 9)
-        found[f"search, {name}"] = best_seconds(search, 5)
-        found[f"history, {name}"] = best_seconds(
-            lambda model=model: history(ground, TIME_STEP, 1.2, model, taylor), 40
-        )
+        found[f"lanes, {name}"] = best_seconds(lanes, min(most, 9))
+        assert (peaks > 0.0).all()
+        found[f"search, {name}"] = best_seconds(partial(searched, model), min(most, 5))
+        found[f"history, {name}"] = best_seconds(partial(moved, model), most)
     # steps that are taken in parts: 0.05 s under a wall of 1 m, and a stiff elastic branch
     for name, dt, model in (
         ("long steps", 0.05, RockingModel(alpha, 14.6, 0.0, 0.979, 0.0, 0.0, 0.0)),
         ("stiff", TIME_STEP, RockingModel(alpha, 4.87, 1.0, 0.45, 0.0, 0.02 * alpha, 0.28 * alpha)),
     ):
-
-        def searched(model=model, dt=dt):
-            incremental_dynamic_analysis(ground, dt, pga, 1, model, taylor, Search())
-
-        found[f"search, {name}"] = best_seconds(searched, 3)
+        found[f"search, {name}"] = best_seconds(partial(searched, model, dt), min(most, 3))
     model = RockingModel(alpha, 2.0866, 0.0, 0.979, 0.0, 0.0, 0.0)
     for name in ("newmark_paper", "newmark_events", "rk4", "dormand_prince", "linearised"):
-        found[name] = best_seconds(
-            lambda name=name: history(ground, TIME_STEP, 1.2, model, METHODS[name]), 12
-        )
+        found[name] = best_seconds(partial(moved, model, METHODS[name]), min(most, 12))
     return found
 
 
-def measured(tree: Path, cache: str) -> dict[str, float]:
-    """`figures` of a tree in a process of its own."""
-    variables = dict(os.environ, PYTHONPATH=str(tree), RIBALTA_CACHE=cache)
-    command = [sys.executable, "-P", __file__]
+def measured(tree: Path, cache: str | None, *words: str) -> dict[str, float]:
+    """`figures` of a tree in a process of its own. cache : folder of its kernels, else that of the tests"""
+    variables = dict(os.environ, PYTHONPATH=str(tree))
+    if cache:
+        variables["RIBALTA_CACHE"] = cache
+    command = [sys.executable, "-P", __file__, str(tree), *words]
     done = subprocess.run(command, env=variables, capture_output=True, text=True, check=True)
     return json.loads(done.stdout)
 
 
-def main(other: Path, pairs: int) -> None:
+def main(options: argparse.Namespace) -> None:
     """Print the table."""
-    with tempfile.TemporaryDirectory() as folder:
-        trees = {tree: f"{folder}/{k}" for k, tree in enumerate((other.resolve(), ROOT))}
-        for tree, cache in trees.items():
-            measured(tree, cache)
-        runs = [[measured(tree, cache) for tree, cache in trees.items()] for _ in range(pairs)]
+    both = (options.paired.resolve(), ROOT)
+    if options.small:
+        runs = [[measured(tree, None, "--small") for tree in both]]
+    else:
+        with tempfile.TemporaryDirectory() as folder:
+            trees = [(tree, f"{folder}/{k}") for k, tree in enumerate(both)]
+            for tree, cache in trees:
+                measured(tree, cache)
+            runs = [[measured(*tree) for tree in trees] for _ in range(options.pairs)]
     print(
         f"{'this tree over the other':24} {'median':>7} {'range':>15} {'smallest':>9} {'time':>12}"
     )
@@ -114,4 +121,10 @@ def main(other: Path, pairs: int) -> None:
 
 
 if __name__ == "__main__":
-    print(json.dumps(figures()))
+    import core
+
+    given = core.__path__[0]
+    assert Path(given).resolve().is_relative_to(sys.argv[1]), (
+        f"{given} is measured in place of {sys.argv[1]}"
+    )
+    print(json.dumps(figures("--small" in sys.argv)))

@@ -6,6 +6,7 @@ its own event location. numbalsoda has no wheel for Linux and is left out where 
 
 import math
 import time
+from typing import Any
 
 import numpy as np
 from scipy.integrate import solve_ivp
@@ -17,6 +18,14 @@ G = 9.80665
 
 ABOVE = 1e-22
 """Rotation after an impact [rad]: where a step begins at zero, heyoka does not see it fall to zero again."""
+
+
+def uplift_thresholds(scene: Scene) -> tuple[float, float]:
+    """Ground accelerations over g that lift the wall to the positive and to the negative side; infinite where it is
+    held."""
+    model = scene.model
+    threshold = math.tan(model.slenderness) if model.plateau_end == 0.0 else 0.0
+    return threshold, math.inf if model.one_sided else threshold
 
 
 def scipy_restarted(scene: Scene) -> np.ndarray:
@@ -36,7 +45,7 @@ def scipy_naive(scene: Scene, rtol: float = 1e-8) -> np.ndarray:
     alpha = model.slenderness
     times = np.arange(scene.ground.size) * scene.dt
     kinks = None if model.plateau_end == 0.0 else (model.elastic_end, model.plateau_end)
-    threshold = math.tan(alpha) if kinks is None else 0.0
+    thresholds = uplift_thresholds(scene)
     theta = np.zeros(times.size)
     side, now, state, moving = 1.0, 0.0, [0.0, 0.0], False
     rest = 1e-6 * math.sqrt(model.p2) * alpha
@@ -49,14 +58,13 @@ def scipy_naive(scene: Scene, rtol: float = 1e-8) -> np.ndarray:
     def impact(t, y, side):
         return y[0]
 
-    impact.terminal, impact.direction = True, -1
+    vars(impact).update(terminal=True, direction=-1)
     while now < times[-1]:
         k = min(int(now / scene.dt + 1e-9), times.size - 2)
         if not moving:
             start = independent_solver.uplift(
-                scene.ground[k] / G, scene.ground[k + 1] / G, now - times[k], scene.dt, threshold,
-                model.one_sided != 0.0,
-            )  # fmt: skip
+                scene.ground[k] / G, scene.ground[k + 1] / G, now - times[k], scene.dt, thresholds
+            )
             if start is None:
                 now = times[k + 1]
                 continue
@@ -74,7 +82,7 @@ def scipy_naive(scene: Scene, rtol: float = 1e-8) -> np.ndarray:
         speed = model.ratio_at_rest * -found.y[1, -1]
         side = side if model.one_sided else -side
         ground = np.interp(now, times, scene.ground) / G
-        lifts = ground > threshold or (ground < -threshold and not model.one_sided)
+        lifts = ground > thresholds[0] or ground < -thresholds[1]
         state, moving = [0.0, speed], not (speed < rest and not lifts)
     return theta / alpha
 
@@ -93,9 +101,10 @@ class Heyoka:
         lean = hy.par[0] - phi
         beta = hy.par[2] + hy.par[3] * hy.time
         system = [(phi, speed), (speed, hy.par[1] * (beta * hy.cos(lean) - hy.sin(lean)))]
-        options = {"tol": tolerance} if tolerance else {}
-        self.lanes, self.scene = lanes, None
-        falling = {"direction": hy.event_direction.negative, "cooldown": 0.0}
+        options: dict[str, Any] = {"tol": tolerance} if tolerance else {}
+        self.lanes = lanes
+        self.scene: Scene
+        falling: dict[str, Any] = {"direction": hy.event_direction.negative, "cooldown": 0.0}
         if lanes == 1:
             event = hy.t_event(phi, callback=lambda _, sign: self.impact(0), **falling)
             self.integrator = hy.taylor_adaptive(
@@ -121,7 +130,7 @@ class Heyoka:
             self.pars[2:, k] *= -1.0
         time = self.integrator.time if self.lanes == 1 else self.integrator.time[k]
         ground = self.side[k] * (self.pars[2, k] + self.pars[3, k] * time)
-        lifts = ground > self.threshold or (ground < -self.threshold and not model.one_sided)
+        lifts = ground > self.thresholds[0] or ground < -self.thresholds[1]
         if speed < self.rest and not lifts:
             self.stop(k)
             self.times[k] = time
@@ -136,9 +145,7 @@ class Heyoka:
     def lift(self, k: int, first: float, second: float) -> None:
         """Set a resting history moving where the ground lifts it first, else to the end of the sample."""
         scene = self.scene
-        start = independent_solver.uplift(
-            first, second, self.times[k], scene.dt, self.threshold, scene.model.one_sided != 0.0
-        )
+        start = independent_solver.uplift(first, second, self.times[k], scene.dt, self.thresholds)
         self.times[k] = scene.dt
         if start is not None:
             self.times[k], self.side[k] = start
@@ -150,7 +157,7 @@ class Heyoka:
         """theta / alpha of the scene; the other histories of a batch are of smaller multipliers."""
         model, dt, lanes = scene.model, scene.dt, self.lanes
         scales = np.linspace(1.0, 0.9, lanes)
-        self.scene, self.threshold = scene, math.tan(model.slenderness)
+        self.scene, self.thresholds = scene, uplift_thresholds(scene)
         self.rest = 1e-6 * math.sqrt(model.p2) * model.slenderness
         self.side, self.moving = np.ones(lanes), np.zeros(lanes, bool)
         self.pars[0] = model.slenderness
@@ -164,7 +171,7 @@ class Heyoka:
             self.times = np.zeros(lanes)
             todo = True
             while todo:
-                for k in np.nonzero(~self.moving)[0]:
+                for k in np.nonzero(~self.moving)[0].tolist():
                     self.lift(k, ground[i, k], ground[i + 1, k])
                 if lanes == 1:
                     self.integrator.time = self.times[0]

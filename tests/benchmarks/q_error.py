@@ -9,10 +9,12 @@ the steps is the default at 0.05 %. A verdict changes where Eq. 9 with this q pa
 does not, or the other way round, at a demand of 0.2 g.
 """
 
+import argparse
 import csv
 import math
 import statistics
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -44,6 +46,7 @@ def search(motion, model: RockingModel, method: Method, step: float):
 
 def row(kind: str, name: str, found: list, truth: list, models: list) -> dict:
     known = [k for k in range(len(found)) if found[k][0] and truth[k][0]]
+    assert known, f"{name}: no search with a number"
     first = np.array([abs(found[k][0] / truth[k][0] - 1.0) for k in known])
     robust = np.array([abs(found[k][1] / truth[k][1] - 1.0) for k in known])
     thresholds = [G * np.tan(models[k].slenderness) for k in known]
@@ -89,34 +92,42 @@ def chart(rows: list[dict], path: Path) -> None:
 SLENDERNESS = (2.0, 4.0, 6.8, 10.0, 15.0, 20.0, 30.0)
 
 
-def linearised_by_slenderness() -> list[dict]:
-    """Error of q of the linearised equation against alpha, two-sided walls of 5 m, all motions."""
+def linearised_by_slenderness(records: list, slendernesses: tuple[float, ...]) -> list[dict]:
+    """Error of q of the linearised equation against alpha [deg], two-sided walls of 5 m, these motions."""
     rows = []
-    for alpha in SLENDERNESS:
+    for alpha in slendernesses:
         block = Block.rectangle(5.0, math.radians(alpha))
         model = rocking_model(block, False, restitution(block, "housner"), LAWS["rigid"])
         errors = []
-        for motion in motions():
+        for motion in records:
             true, _, _ = search(motion, model, METHODS["taylor"], 0.01)
             found, _, _ = search(motion, model, METHODS["linearised"], 0.01)
             if true and found:
                 errors.append(100.0 * abs(found / true - 1.0))
+        assert errors, f"alpha {alpha}: no search with a number"
         rows.append({"alpha_deg": alpha, "pairs": len(errors), "q_median_percent": float(np.median(errors)),
                      "q_p90_percent": float(np.quantile(errors, 0.9)), "q_max_percent": max(errors)})  # fmt: skip
         print(" ".join(f"{key} {value:.3g}" for key, value in rows[-1].items()))
     return rows
 
 
-def main(folder: Path) -> None:
-    models = [(m, wall(one, height=h)) for m in motions() for h in HEIGHTS for one in (False, True)]
+def main(options: argparse.Namespace) -> None:
+    """Print the rows; write them and their chart."""
+    folder, records, grid, fine_step = options.output, motions(), 0.005, FINEST
+    steps, heights, slendernesses = STEPS, HEIGHTS, SLENDERNESS
+    if options.small:
+        records = [replace(records[0], acceleration=records[0].acceleration[:400])]
+        grid, fine_step, steps = 0.05, 0.02, (0.05,)
+        heights, slendernesses = (3.0,), (6.8,)
+    models = [(m, wall(one, height=h)) for m in records for h in heights for one in (False, True)]
     only = [model for _, model in models]
-    truth = [search(m, w, METHODS["taylor"], 0.005) for m, w in models]
+    truth = [search(m, w, METHODS["taylor"], grid) for m, w in models]
     rows = [row("method", "taylor 8", truth, truth, only)]
     for method in (AUTO, *list(METHODS.values())[1:]):
-        found = [search(m, w, method, 0.005) for m, w in models]
+        found = [search(m, w, method, grid) for m, w in models]
         rows.append(row("method", method.name, found, truth, only))
-    fine = [search(m, w, METHODS["taylor"], FINEST) for m, w in models]
-    for step in STEPS:
+    fine = [search(m, w, METHODS["taylor"], fine_step) for m, w in models]
+    for step in steps:
         found = [search(m, w, METHODS["taylor"], step) for m, w in models]
         rows.append(row("step", f"{100 * step:g} %", found, fine, only))
     for entry in rows:
@@ -132,7 +143,7 @@ def main(folder: Path) -> None:
         writer.writeheader()
         writer.writerows(rows)
     chart(rows, folder / "q_error.png")
-    alphas = linearised_by_slenderness()
+    alphas = linearised_by_slenderness(records, slendernesses)
     with open(folder / "linearised.csv", "w", newline="") as stream:
         writer = csv.DictWriter(stream, list(alphas[0]))
         writer.writeheader()

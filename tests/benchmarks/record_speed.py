@@ -3,6 +3,7 @@
 python3 run.py bench --records
 """
 
+import argparse
 import os
 import shutil
 import tempfile
@@ -13,20 +14,20 @@ import numpy as np
 
 from core.ground import records
 from core.ground.records.grammar import Options
-from tests.conftest import shelf_folder
+from tests.conftest import ROOT, shelf_folder
 
 SAMPLES, FILES = 1_000_000, 200
 
 
-def files() -> dict[str, tuple[bytes, Options]]:
-    """name -> (content, what the user says of it)."""
-    values = np.round(np.random.default_rng(1).standard_normal(SAMPLES) * 0.05, 6)
+def files(samples: int) -> dict[str, tuple[bytes, Options]]:
+    """name -> (content, what the user says of it), of records of so many samples."""
+    values = np.round(np.random.default_rng(1).standard_normal(samples) * 0.05, 6)
     fields = [f"{value:14.7E}" for value in values]
-    peer = [f"PEER\nE,1,S,90\nACC UNITS OF G\nNPTS= {SAMPLES}, DT= .005 SEC"]
-    peer += ["".join(fields[k : k + 5]) for k in range(0, SAMPLES, 5)]
+    peer = [f"PEER\nE,1,S,90\nACC UNITS OF G\nNPTS= {samples}, DT= .005 SEC"]
+    peer += ["".join(fields[k : k + 5]) for k in range(0, samples, 5)]
     esm = [
         "SAMPLING_INTERVAL_S: 0.005",
-        f"NDATA: {SAMPLES}",
+        f"NDATA: {samples}",
         "UNITS: cm/s^2",
         "DATA_TYPE: ACCELERATION",
     ]
@@ -40,21 +41,22 @@ def files() -> dict[str, tuple[bytes, Options]]:
     }
 
 
-def longest_pause() -> float:
-    """Seconds between two turns of the event loop while the dialog previews 200 files of the shelf."""
+def longest_pause(folder_of_records: Path, count: int) -> float:
+    """Seconds between two turns of the event loop while the dialog previews so many files of this folder."""
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
     from PySide6.QtWidgets import QApplication
 
     from app.forms.import_dialog import ImportDialog
 
     application = QApplication.instance() or QApplication([])
-    there = [path for path in sorted(shelf_folder().rglob("*")) if path.is_file()]
+    there = [path for path in sorted(folder_of_records.rglob("*")) if path.is_file()]
     with tempfile.TemporaryDirectory() as folder:
-        copies = [Path(folder) / f"{k} {there[k % len(there)].name}" for k in range(FILES)]
+        copies = [Path(folder) / f"{k} {there[k % len(there)].name}" for k in range(count)]
         for k, copy in enumerate(copies):
             shutil.copyfile(there[k % len(there)], copy)
         dialog = ImportDialog(copies)
         dialog.show()
+        assert len(dialog.unmarked) == count
         longest, last = 0.0, time.perf_counter()
         while dialog.unmarked:
             application.processEvents()
@@ -64,11 +66,18 @@ def longest_pause() -> float:
     return longest
 
 
-def main() -> None:
-    print(f"{'file':14} {'MB':>6} {'s for 1e6 samples':>18}")
-    for name, (content, options) in files().items():
+def main(options: argparse.Namespace) -> None:
+    """Print the table and the pause."""
+    samples, count = (10_000, 14) if options.small else (SAMPLES, FILES)
+    print(f"{'file':14} {'MB':>6} {'s':>8}   ({samples} samples)")
+    for name, (content, said) in files(samples).items():
         start = time.perf_counter()
-        records._motion(content, Path("x.txt"), options, 1.0, "x")
-        print(f"{name:14} {len(content) / 1e6:6.1f} {time.perf_counter() - start:18.2f}")
-    if shelf_folder():
-        print(f"longest pause while {FILES} files are previewed: {longest_pause():.2f} s")
+        motion = records._motion(content, Path("x.txt"), said, 1.0, "x")
+        seconds = time.perf_counter() - start
+        assert motion.acceleration.size == samples
+        print(f"{name:14} {len(content) / 1e6:6.1f} {seconds:8.2f}")
+    folder = ROOT / "resources" / "motions" if options.small else shelf_folder()
+    if folder:
+        print(
+            f"longest pause while {count} files are previewed: {longest_pause(folder, count):.2f} s"
+        )

@@ -14,6 +14,7 @@ from core.wall.block import Block
 from core.wall.moment_rotation import LAWS
 from core.wall.restitution import restitution
 from core.wall.rocking_model import RockingModel, rocking_model
+from tests.benchmarks.small import SAMPLES
 from tests.conftest import shelf_folder
 from tests.validation import high_precision
 
@@ -45,6 +46,7 @@ def _scene(name: str, ground, dt: float, model: RockingModel) -> Scene:
     theta, impacts = high_precision.history(
         ground, dt, model.slenderness, model.p2, model.one_sided != 0.0, lambda v: ratio, kinks
     )
+    assert impacts, f"{name}: nothing to integrate"
     truth = np.array([float(value) for value in theta]) / model.slenderness
     return Scene(name, np.ascontiguousarray(ground), dt, model, truth, len(impacts))
 
@@ -62,10 +64,17 @@ def survived(ground: np.ndarray, dt: float, model: RockingModel) -> np.ndarray:
     return ground * (found.bracket[0] * threshold / pga)
 
 
-def scenes() -> list[Scene]:
-    """All scenes; the real record only where the shelf is."""
+def scenes(small: bool = False) -> list[Scene]:
+    """All scenes; the real record only where the shelf is. small : three, of fifty samples"""
     standard, hard = reference("standard"), reference("hard")
     two = wall()
+    if small:
+        few = standard[SAMPLES].copy()
+        return [
+            _scene("standard", few, 0.01, two),
+            _scene("one-sided, Eq. 6", 2.0 * standard[400:450], 0.01, wall(True)),
+            _scene("trilinear, D1 0.02", 0.6 * few, 0.01, wall(law="al_shawa")),
+        ]
     made = [
         _scene("standard", standard, 0.01, two),
         _scene("hard", hard, 0.01, two),

@@ -5,8 +5,13 @@ python3 run.py bench --screenshots [--output DIR]
 `--guide` beside it makes the pictures of resources/docs/guide and resources/docs/guida instead.
 """
 
+import argparse
 import os
+import tempfile
+import time
 from pathlib import Path
+
+from tests.benchmarks.small import small_case
 
 ROOT = Path(__file__).resolve().parents[2]
 CASES = ROOT / "resources" / "cases"
@@ -14,11 +19,11 @@ SIZES = ((1280, 800), (1920, 1080))
 
 
 def settle(application, ready, seconds: float = 120.0) -> None:
-    """Let events pass until `ready()`."""
-    import time
-
+    """Let events pass until `ready()`. Raises TimeoutError."""
     end = time.monotonic() + seconds
-    while not ready() and time.monotonic() < end:
+    while not ready():
+        if time.monotonic() > end:
+            raise TimeoutError
         application.processEvents()
         time.sleep(0.01)
     for _ in range(5):
@@ -51,24 +56,41 @@ def end(window) -> None:
     window.close()
 
 
-def main(folder: Path, case: Path = CASES / "verdict.toml") -> None:
-    folder.mkdir(parents=True, exist_ok=True)
+def picture(widget, path: Path) -> None:
+    """Save what a widget shows."""
+    shown = widget.grab().toImage()
+    points = ((x, y) for x in range(0, shown.width(), 7) for y in range(0, shown.height(), 7))
+    assert len({shown.pixel(*point) for point in points}) > 10, f"{path.name} shows nothing"
+    assert shown.save(str(path)), path
+
+
+def main(options: argparse.Namespace) -> None:
+    """Write the pictures. small : of one wall, in one language, theme and size"""
+    options.output.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory() as name:
+        small = small_case(Path(name)) if options.small else None
+        (guide if options.guide else tabs)(options.output, small)
+
+
+def tabs(folder: Path, small: Path | None) -> None:
+    """Pictures of every tab. small : a case in place of the example"""
     application, window = begin()
-    run(application, window, case)
-    window.state_accuracy()
-    settle(application, lambda: window.job is None)
-    for language in ("it", "en"):
+    run(application, window, small or CASES / "verdict.toml")
+    if not small:
+        window.state_accuracy()
+        settle(application, lambda: window.job is None)
+    for language in ("en",) if small else ("it", "en"):
         window.set_choice("language", language)
-        for theme in ("light", "dark"):
+        for theme in ("light",) if small else ("light", "dark"):
             window.set_choice("theme", theme)
             settle(application, lambda: window.records.motions)
-            for width, height in SIZES:
+            for width, height in SIZES[: 1 if small else 2]:
                 window.resize(width, height)
                 for k, name in enumerate(window.pages):
                     window.forms.setCurrentIndex(k % 3)
                     window.tabs.setCurrentIndex(k)
                     settle(application, lambda: True)
-                    window.grab().save(str(folder / f"{name}_{language}_{theme}_{width}.png"))
+                    picture(window, folder / f"{name}_{language}_{theme}_{width}.png")
     end(window)
 
 
@@ -82,16 +104,15 @@ GUIDE = (
 """(case, wall, pictures: (name, page or form, which form)) of the guides."""
 
 
-def guide(folder: Path) -> None:
-    """Pictures of the guides in both languages, light, in 32 colours."""
+def guide(folder: Path, small: Path | None) -> None:
+    """Pictures of the guides in both languages, light, in 32 colours. small : a case in place of the first example"""
     from PIL import Image
 
-    folder.mkdir(parents=True, exist_ok=True)
     application, window = begin()
     window.set_choice("theme", "light")
-    for case, wall, pictures in GUIDE:
-        run(application, window, CASES / case)
-        for language in ("it", "en"):
+    for case, wall, pictures in GUIDE[: 1 if small else 2]:
+        run(application, window, small or CASES / case)
+        for language in ("en",) if small else ("it", "en"):
             window.set_choice("language", language)
             window.resize(1280, 800)
             settle(application, lambda: window.records.motions and not window.records.pending)
@@ -102,6 +123,6 @@ def guide(folder: Path) -> None:
                 settle(application, lambda: True)
                 part = window.forms if page == "form" else window.tabs
                 path = folder / f"{name}_{language}.png"
-                part.grab().save(str(path))
+                picture(part, path)
                 Image.open(path).convert("RGB").quantize(32).save(path, optimize=True)
     end(window)

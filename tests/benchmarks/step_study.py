@@ -5,11 +5,13 @@
 One map at 0.02 % a pair; coarser grids are its every k-th point, so that nothing but the step differs.
 """
 
+import argparse
 import contextlib
 import csv
 import math
 import os
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -70,61 +72,76 @@ def motions_apart():
     return sorted(apart, key=lambda motion: -motion.pga)[:RECORDS_APART]
 
 
-def fine_map(motion, height, alpha, one_sided) -> np.ndarray | None:
-    """Collapse flags from q = 1 at the finest step; None without a collapse."""
+def fine_map(motion, height, alpha, one_sided, fine: float) -> np.ndarray | None:
+    """Collapse flags from q = 1 at this step; None without a collapse."""
     block = Block.rectangle(height, math.radians(alpha))
     model = "one_sided_theoretical" if one_sided else "housner"
     found = incremental_dynamic_analysis(
         motion.acceleration, motion.time_step, motion.pga, 1,
         rocking_model(block, one_sided, restitution(block, model), LAWS["rigid"]),
-        METHODS["taylor"], Search(q_step=FINE, map_span=1.8),
+        METHODS["taylor"], Search(q_step=fine, map_span=1.8),
     )  # fmt: skip
     if found.status != "collapse_found":
         return None
     return np.array([digit == "1" for digit in found.outcomes])
 
 
-def first_collapse(flags: np.ndarray, every: int) -> float:
+def first_collapse(flags: np.ndarray, every: int, fine: float) -> float:
     """ln q of first collapse on every k-th point, bisected down to the finest."""
     high = int(np.argmax(flags[::every])) * every
     low = high - every
     while high - low > 1:
         middle = (low + high) // 2
         low, high = (low, middle) if flags[middle] else (middle, high)
-    return high * math.log1p(FINE)
+    return high * math.log1p(fine)
 
 
-def robust(flags: np.ndarray, every: int) -> float:
+def robust(flags: np.ndarray, every: int, fine: float) -> float:
+    """ln of q_robust on every k-th point; NaN where the map ends before it."""
     coarse = flags[::every]
-    half = round(0.10 / (every * math.log1p(FINE)))
+    half = round(0.10 / (every * math.log1p(fine)))
     share = collapse_count(coarse, half)
     hits = np.nonzero(share >= ROBUST_SHARE * (2 * half + 1))[0]
-    return int(hits[0]) * every * math.log1p(FINE) if hits.size else math.nan
+    return int(hits[0]) * every * math.log1p(fine) if hits.size else math.nan
 
 
-def main(folder: Path) -> None:
-    table(folder, motions(), WALLS, "q_step")
-    table(folder, motions_apart(), WALLS_APART, "q_step_apart")
+def main(options: argparse.Namespace) -> None:
+    """Print the tables; write them and their charts."""
+    if options.small:
+        one = motions()[0]
+        few = [replace(one, acceleration=one.acceleration[:400])]
+        table(options.output, few, WALLS[:1], "q_step", 0.01, (1, 5))
+        return
+    table(options.output, motions(), WALLS, "q_step")
+    if shelf_folder():
+        table(options.output, motions_apart(), WALLS_APART, "q_step_apart")
 
 
-def table(folder: Path, records_of, walls, name: str) -> None:
-    """One table of these records and walls, as CSV and picture."""
-    pairs = [(m, *wall, one) for m in records_of for wall in walls for one in (False, True)]
+def table(folder: Path, records_of, walls, name: str, fine=FINE, multiples=EVERY) -> None:
+    """One table of these records and walls, as CSV and picture. fine : the finest step; multiples of it are tried"""
+    pairs = [
+        (motion, height, alpha, one_sided, fine)
+        for motion in records_of
+        for height, alpha in walls
+        for one_sided in (False, True)
+    ]
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         maps = [
             flags for flags in pool.map(lambda pair: fine_map(*pair), pairs) if flags is not None
         ]
+    assert maps, "no wall overturned"
     rows = []
     print(
-        f"{name}: {len(maps)} pairs; ratio to 0.02 %: median, mean, then p90 and max of the modulus of the difference"
+        f"{name}: {len(maps)} pairs; ratio to {100 * fine:g} %: "
+        "median, mean, then p90 and max of the modulus of the difference"
     )
     print(f"{'step':>7} {'first collapse':>40} {'q_robust':>40}")
-    finest = [(first_collapse(flags, 1), robust(flags, 1)) for flags in maps]
-    for every in EVERY:
-        row = {"step_percent": 100 * FINE * every, "pairs": len(maps)}
+    finest = [(first_collapse(flags, 1, fine), robust(flags, 1, fine)) for flags in maps]
+    for every in multiples:
+        row = {"step_percent": 100 * fine * every, "pairs": len(maps)}
         for k, (kind, rule) in enumerate((("first", first_collapse), ("robust", robust))):
             moved = np.array(
-                [rule(f, every) - fine[k] for f, fine in zip(maps, finest, strict=True)]
+                [rule(f, every, fine) - base[k] for f, base in zip(maps, finest, strict=True)]
             )
             ratio = np.exp(moved[np.isfinite(moved)])
             row[f"{kind}_median_percent"] = 100 * (np.median(ratio) - 1)

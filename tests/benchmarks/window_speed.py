@@ -3,16 +3,19 @@
 python3 run.py bench --window
 """
 
+import argparse
 import os
 import subprocess
 import sys
+import tempfile
 import time
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT))
+from tests.benchmarks.screenshots import settle
+from tests.benchmarks.small import small_case
+from tests.xvfb import display
 
-from tests.xvfb import display  # noqa: E402
+ROOT = Path(__file__).resolve().parents[2]
 
 START = """
 import time; start = time.perf_counter()
@@ -26,80 +29,121 @@ application, window = program.make([])
 program.show(window); application.processEvents()
 shown = time.perf_counter() - start
 window.session.open(program.EXAMPLE); application.processEvents()
+assert window.isVisible() and window.chosen is not None and window.session.case.wall
 print(shown, time.perf_counter() - start)
 window.close()
 """
 
 
-def start_times(place: str, variables: dict[str, str]) -> None:
-    """Measure the start in processes of this environment."""
+def start_times(place: str, variables: dict[str, str], times_started: int) -> None:
+    """Measure the start in processes of this environment, the first one apart."""
     times = []
-    for _ in range(6):
+    for _ in range(times_started):
         found = subprocess.run([sys.executable, "-P", "-c", START, str(ROOT)], check=True,
                                capture_output=True, text=True, env=variables)  # fmt: skip
         times.append([float(word) for word in found.stdout.split()])
-    shown, usable = (min(row[k] for row in times[1:]) for k in (0, 1))
+    shown, usable = (min(row[k] for row in times[1:] or times) for k in (0, 1))
     print(f"{place}: window visible {shown:.2f} s, on the example and usable {usable:.2f} s")
 
 
-def main() -> None:
-    with display() as variables:
-        if isinstance(variables, str):
-            print(f"Xvfb: {variables}")
-        else:
-            start_times("Xvfb", variables)
+def drag(application, window, draws: int) -> float:
+    """Drag the multiplier of the tab Histories; returns seconds for each history integrated and drawn."""
+    from PySide6.QtCore import QEvent, QObject
+
+    page = window.pages["histories"]
+    window.tabs.setCurrentWidget(page)
+    settle(application, lambda: page.isVisible() and page.made is not None)
+    tab = page.content
+    assert tab.isVisible() and tab.run is not None, "the tab Histories shows no run"
+    painted: list[int] = []
+
+    class Watch(QObject):
+        def eventFilter(self, watched, event) -> bool:
+            if event.type() == QEvent.Type.Paint:
+                painted.append(event.type())
+            return False
+
+    watch, view = Watch(), tab.rotation.plot.getViewWidget().viewport()
+    view.installEventFilter(watch)
+    integrated = []
+    start = time.perf_counter()
+    for k in range(draws):
+        tab.slider.setValue(600 + 5 * k)
+        application.processEvents()
+        integrated.append(tab.history)
+    seconds = time.perf_counter() - start
+    view.removeEventFilter(watch)
+    assert len({id(history) for history in integrated}) == draws, (
+        "not every multiplier was integrated"
+    )
+    assert len(painted) >= draws, f"{len(painted)} of {draws} were drawn"
+    return seconds / draws
+
+
+def main(options: argparse.Namespace) -> None:
+    """Print the figures."""
+    times_started = 1 if options.small else 6
+    if not options.small:
+        with display() as variables:
+            if isinstance(variables, str):
+                print(f"Xvfb: {variables}")
+            else:
+                start_times("Xvfb", variables, times_started)
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
-    start_times("offscreen", dict(os.environ))
+    start_times("offscreen", dict(os.environ, PYTHONPATH=str(ROOT)), times_started)
 
     from PySide6.QtCore import QStandardPaths, QTimer
 
     QStandardPaths.setTestModeEnabled(True)
     from app import start as program
     from core.study.journal import Memory
-    from tests.benchmarks.screenshots import settle
 
     application, window = program.make([])
     program.show(window)
-    window.session.open(program.EXAMPLE)
-    settle(application, lambda: window.records.motions)
-    gaps, last = [], [time.perf_counter()]
+    with tempfile.TemporaryDirectory() as folder:
+        window.session.open(small_case(Path(folder)) if options.small else program.EXAMPLE)
+        settle(application, lambda: window.records.motions and not window.records.pending)
+        gaps, last = [], [time.perf_counter()]
 
-    def beat() -> None:
-        now = time.perf_counter()
-        gaps.append(now - last[0])
-        last[0] = now
+        def beat() -> None:
+            now = time.perf_counter()
+            gaps.append(now - last[0])
+            last[0] = now
 
-    timer = QTimer()
-    timer.timeout.connect(beat)
-    for round_ in ("first run, kernels loaded on the way", "second run"):
-        gaps.clear()
-        last[0] = time.perf_counter()
-        timer.start(5)
-        window.session.result = None
-        window.finished_runs = Memory()
-        window.run()
+        timer = QTimer()
+        timer.timeout.connect(beat)
+
+        def run() -> None:
+            window.session.result = None
+            window.finished_runs = Memory()
+            window.run()
+            assert window.job is not None, "the study did not start"
+
+        for round_ in ("first run, kernels loaded on the way", "second run"):
+            gaps.clear()
+            last[0] = time.perf_counter()
+            timer.start(5)
+            run()
+            settle(application, lambda: window.job is None)
+            timer.stop()
+            assert window.session.result is not None and window.finished_runs.analyses > 0
+            longest = sorted(gaps)[-3:]
+            print(
+                f"{round_}: longest gaps of the event loop {', '.join(f'{1e3 * g:.0f}' for g in longest)} ms"
+            )
+        each = drag(application, window, 5 if options.small else 120)
+        print(f"dragged multiplier: {1.0 / each:.0f} histories integrated and drawn per second")
+        run()
+        job = window.job
+        settle(application, lambda: window.bar.maximum() > 0 or window.job is None)
+        assert window.job is job, "the study was finished before it could be cancelled"
+        start = time.perf_counter()
+        window.cancel()
         settle(application, lambda: window.job is None)
-        timer.stop()
-        longest = sorted(gaps)[-3:]
-        print(
-            f"{round_}: longest gaps of the event loop {', '.join(f'{1e3 * g:.0f}' for g in longest)} ms"
-        )
-    window.tabs.setCurrentIndex(1)
-    settle(application, lambda: True)
-    histories = window.pages["histories"].content
-    start, draws = time.perf_counter(), 120
-    for k in range(draws):
-        histories.slider.setValue(600 + 5 * k)
-        application.processEvents()
-    print(
-        f"dragged multiplier: {draws / (time.perf_counter() - start):.0f} histories integrated and drawn per second"
-    )
-    window.finished_runs = Memory()
-    window.run()
-    settle(application, lambda: window.bar.maximum() > 0, 20.0)
-    start = time.perf_counter()
-    window.cancel()
-    settle(application, lambda: window.job is None)
-    print(f"cancelled after {1e3 * (time.perf_counter() - start):.0f} ms")
-    window.session.saved = window.session.case
-    window.close()
+        free = time.perf_counter() - start
+        settle(application, job.isFinished)
+        ended = time.perf_counter() - start
+        assert window.session.result is None, "it was not cancelled"
+        print(f"cancelled after {1e3 * free:.0f} ms, its thread ended after {1e3 * ended:.0f} ms")
+        window.session.saved = window.session.case
+        window.close()

@@ -6,16 +6,20 @@ Truth is the 30-digit solver of tests/validation/high_precision.py, never a meth
 Failing points are drawn: an error above 1 alpha stands at the top.
 """
 
+import argparse
 import csv
 import platform
 import statistics
 import time
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 
 from core.rocking.history import history, scan
 from core.rocking.methods import METHODS, Method
+from tests.benchmarks import peers as peer_solvers
 from tests.benchmarks.scenes import Scene, scenes
 
 OWN = (
@@ -28,21 +32,28 @@ OWN = (
 
 LANES = 64
 
+EXACT = 1e-3
+"""Error / alpha above which a method that claims to be exact, ours or a peer, was not driven as it is meant to be."""
 
-def peers() -> list[tuple[str, object]]:
-    """(label, solver) of what imports; what does not is named."""
-    from tests.benchmarks import peers as others
+EXACT_SOLVERS = ("taylor", "scipy DOP853 restarted", "heyoka")
+"""How the names of those begin."""
 
-    found = [("scipy DOP853 restarted", others.scipy_restarted)]
+
+Solver = Callable[[Scene], np.ndarray]
+
+
+def peers(small: bool = False) -> list[tuple[str, Solver]]:
+    """(label, solver) of what imports; what does not is named. small : of each kind one"""
+    found: list[tuple[str, Solver]] = [("scipy DOP853 restarted", peer_solvers.scipy_restarted)]
     found += [
-        (f"scipy DOP853 naive {r:g}", lambda s, r=r: others.scipy_naive(s, r))
-        for r in (1e-6, 1e-10)
+        (f"scipy DOP853 naive {r:g}", partial(peer_solvers.scipy_naive, rtol=r))
+        for r in (1e-6, 1e-10)[: 1 if small else 2]
     ]
     try:
-        for tolerance in (0.0, 1e-9):
+        for tolerance in (0.0, 1e-9)[: 1 if small else 2]:
             name = f"{tolerance or 'eps'}"
-            found.append((f"heyoka {name}", others.Heyoka(tolerance)))
-            found.append((f"heyoka batch of 8 {name}", others.Heyoka(tolerance, 8)))
+            found.append((f"heyoka {name}", peer_solvers.Heyoka(tolerance)))
+            found.append((f"heyoka batch of 8 {name}", peer_solvers.Heyoka(tolerance, 8)))
     except ImportError:
         print("heyoka is not installed: left out")
     try:
@@ -52,11 +63,13 @@ def peers() -> list[tuple[str, object]]:
     return found
 
 
-def timed(call, least: float = 0.02, most: int = 5) -> float:
-    """Median time of a call [s], fewer repeats for slow ones."""
+def timed(call, small: bool, least: float = 0.02, most: int = 5) -> float:
+    """Median time of a call [s], fewer repeats for slow ones. small : called once"""
     start = time.perf_counter()
     call()
     once = time.perf_counter() - start
+    if small:
+        return once
     repeats = 1 if once > 1.0 else most
     inner = max(1, int(least / max(once, 1e-7)))
     times = []
@@ -75,8 +88,9 @@ def error(found: np.ndarray, scene: Scene) -> float:
     return float(np.abs(found - scene.truth).max())
 
 
-def measure(scene: Scene, others) -> list[dict]:
-    rows = []
+def measure(scene: Scene, others: list[tuple[str, Solver]], small: bool) -> list[dict]:
+    """Rows of a scene."""
+    rows: list[dict] = []
     for method in OWN:
         if method.name == "linearised" and scene.model.plateau_end > 0.0:
             continue
@@ -85,9 +99,9 @@ def measure(scene: Scene, others) -> list[dict]:
             return history(scene.ground, scene.dt, 1.0, scene.model, m)
 
         found = call().rotation / scene.model.slenderness
-        rows.append(row(scene, method.name, method.option, error(found, scene), timed(call)))
+        rows.append(row(scene, method.name, method.option, error(found, scene), timed(call, small)))
         if method.name.startswith("taylor"):
-            seconds = timed(lambda m=method: lanes(scene, m)) / LANES
+            seconds = timed(lambda m=method: lanes(scene, m), small) / LANES
             rows.append(
                 row(scene, f"{LANES} lanes", method.option, rows[-1]["error_alpha"], seconds)
             )
@@ -97,9 +111,9 @@ def measure(scene: Scene, others) -> list[dict]:
         start = time.perf_counter()
         found = solver(scene)
         once = time.perf_counter() - start
-        seconds = once if once > 0.5 else timed(lambda s=solver: s(scene))
+        seconds = once if once > 0.5 else timed(lambda s=solver: s(scene), small)
         rows.append(row(scene, label, "", error(found, scene), seconds))
-        if label.startswith("heyoka"):
+        if isinstance(solver, peer_solvers.Heyoka):
             # of its batch the first history is the scene, the others are of other multipliers
             alone = solver.compiled(scene.dt) * (scene.ground.size - 1)
             rows[-1]["seconds"] /= solver.lanes
@@ -114,6 +128,7 @@ def lanes(scene: Scene, method: Method) -> None:
     """The scene and LANES - 1 histories of other multipliers, in lanes."""
     outcomes, peaks = np.zeros(LANES, np.int64), np.zeros(LANES)
     scan(method, scene.ground, scene.dt, np.linspace(1.0, 0.9, LANES), scene.model, outcomes, peaks)
+    assert (peaks > 0.0).all(), "a wall that did not move"
 
 
 def row(scene, name, option, err, seconds) -> dict:
@@ -131,7 +146,7 @@ def chart(rows: list[dict], path: Path) -> None:
 
     names = list(dict.fromkeys(r["scene"] for r in rows))
     families = list(dict.fromkeys(family(r["method"]) for r in rows))
-    colours = dict(zip(families, plt.get_cmap("tab20").colors, strict=False))
+    colours = dict(zip(families, plt.get_cmap("tab20")(range(20)), strict=False))
     columns = 3
     lines = -(-(len(names) + 1) // columns)
     figure, axes = plt.subplots(lines, columns, figsize=(13, 3.6 * lines), squeeze=False)
@@ -172,11 +187,13 @@ def family(name: str) -> str:
     return "scipy naive" if "naive" in name else name.split(" ")[0]
 
 
-def main(folder: Path) -> None:
-    others = peers()
-    rows = []
-    for scene in scenes():
-        rows += measure(scene, others)
+def main(options: argparse.Namespace) -> None:
+    """Print the rows; write them and their chart."""
+    folder, small = options.output, options.small
+    others = peers(small)
+    rows: list[dict] = []
+    for scene in scenes(small):
+        rows += measure(scene, others, small)
         print(f"{scene.name}: {scene.ground.size} samples, {scene.impacts} impacts")
         for r in rows:
             if r["scene"] == scene.name:
@@ -189,3 +206,7 @@ def main(folder: Path) -> None:
         writer.writerows(rows)
     chart(rows, folder / "work_precision.png")
     print(f"{platform.machine()}, Python {platform.python_version()}: {folder}/work_precision.png")
+    far = [
+        r for r in rows if r["method"].startswith(EXACT_SOLVERS) and not r["error_alpha"] < EXACT
+    ]
+    assert not far, f"not driven as they are meant to be: {far}"

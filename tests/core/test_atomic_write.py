@@ -36,7 +36,7 @@ class Faults:
 
 
 @pytest.mark.parametrize("for_ever", [False, True])
-@pytest.mark.parametrize("number", range(1, 26))
+@pytest.mark.parametrize("number", range(1, 32))
 def test_that_a_fault_of_any_call_leaves_both_old_files_or_both_new(
     tmp_path, monkeypatch, number, for_ever
 ):
@@ -51,6 +51,7 @@ def test_that_a_fault_of_any_call_leaves_both_old_files_or_both_new(
         except OutputError as error:
             written = False
             assert "cannot be written (No space left on device)" in str(error)
+            said = str(error)
     atomic_write.clean(tmp_path)
     left = {
         path.name: path.read_bytes()
@@ -61,6 +62,9 @@ def test_that_a_fault_of_any_call_leaves_both_old_files_or_both_new(
     if for_ever and not written:
         # a disk on which nothing can be put back any more: whole files all the same
         assert all(content in (b"old 1", b"new 1", b"old 2", b"new 2") for content in left.values())
+        new = [name for name, content in left.items() if content.startswith(b"new")]
+        assert ("is untouched" in said) == (not new)
+        assert all(str(tmp_path / name) in said for name in new)
     else:
         assert left == both[0 if written else 1], (written, faults.count)
     if not for_ever:
@@ -101,7 +105,7 @@ atomic_write.write({{Path({one!r}): b"new 1", Path({two!r}): b"new 2"}})
 """
 
 
-@pytest.mark.parametrize("number", range(1, 22))
+@pytest.mark.parametrize("number", range(1, 30))
 def test_that_a_kill_between_any_two_calls_is_finished_or_undone_at_the_next_start(
     tmp_path, number
 ):
@@ -117,33 +121,136 @@ def test_that_a_kill_between_any_two_calls_is_finished_or_undone_at_the_next_sta
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a.json", "a.xlsx"]
 
 
+@pytest.mark.parametrize("cleaned", ["out", "notes"])
+@pytest.mark.parametrize("number", range(1, 34))
+def test_that_a_kill_leaves_all_old_or_all_new_in_two_folders_whichever_is_looked_at_first(
+    tmp_path, number, cleaned
+):
+    for name in ("out", "notes"):
+        (tmp_path / name).mkdir()
+    one, two = tmp_path / "out" / "a.xlsx", tmp_path / "notes" / "a.docx"
+    one.write_bytes(b"old 1")
+    two.write_bytes(b"old 2")
+    script = KILLED.format(root=str(ROOT), number=number, one=str(one), two=str(two))
+    assert subprocess.run([sys.executable, "-c", script]).returncode in (0, 9)
+    atomic_write.clean(tmp_path / cleaned)
+    pair = (one.read_bytes(), two.read_bytes())
+    assert pair in ((b"old 1", b"old 2"), (b"new 1", b"new 2"))
+    for name in ("out", "notes"):
+        atomic_write.clean(tmp_path / name)
+    assert pair == (one.read_bytes(), two.read_bytes())
+    assert sorted(path.name for path in tmp_path.rglob("*.*")) == ["a.docx", "a.xlsx"]
+
+
+def test_that_a_folder_out_of_reach_is_waited_for(tmp_path):
+    """The list of the moves lies on a share that is away: nothing is taken back, and all is done when it is there."""
+    for name in ("out", "notes"):
+        (tmp_path / name).mkdir()
+    one, two = tmp_path / "out" / "a.xlsx", tmp_path / "notes" / "a.docx"
+    for number in range(1, 34):
+        one.write_bytes(b"old 1")
+        two.write_bytes(b"old 2")
+        script = KILLED.format(root=str(ROOT), number=number, one=str(one), two=str(two))
+        subprocess.run([sys.executable, "-c", script])
+        for away, here in (("out", "notes"), ("notes", "out")):
+            (tmp_path / away).rename(tmp_path / "away")
+            atomic_write.clean(tmp_path / here)
+            (tmp_path / "away").rename(tmp_path / away)
+        for name in ("out", "notes"):
+            atomic_write.clean(tmp_path / name)
+        pair = (one.read_bytes(), two.read_bytes())
+        assert pair in ((b"old 1", b"old 2"), (b"new 1", b"new 2")), number
+
+
+def test_that_what_another_machine_writes_on_a_share_is_left_alone(tmp_path, monkeypatch):
+    """Its process has a number that runs nowhere here; after a day it writes no more."""
+    number = 999999
+    assert not atomic_write.alive(number)
+    monkeypatch.setattr(atomic_write, "machine", lambda: "0123abcd")
+    monkeypatch.setattr(os, "getpid", lambda: number)
+    name = atomic_write._beside(str(tmp_path / "a.xlsx"), b"being written")
+    monkeypatch.undo()
+    atomic_write.clean(tmp_path)
+    assert os.listdir(tmp_path) == [os.path.basename(name)]
+    os.utime(name, (0.0, 0.0))
+    atomic_write.clean(tmp_path)
+    assert os.listdir(tmp_path) == []
+
+
+def test_that_results_written_since_are_not_replaced_by_what_a_kill_left(tmp_path):
+    """A machine comes back whose batch was killed, and another has written the results meanwhile."""
+    one, two = tmp_path / "a.xlsx", tmp_path / "a.json"
+    for number in range(1, 30):
+        one.write_bytes(b"old 1")
+        two.write_bytes(b"old 2")
+        script = KILLED.format(root=str(ROOT), number=number, one=str(one), two=str(two))
+        subprocess.run([sys.executable, "-c", script])
+        one.write_bytes(b"since 1")
+        two.write_bytes(b"since 2")
+        atomic_write.clean(tmp_path)
+        assert (one.read_bytes(), two.read_bytes()) == (b"since 1", b"since 2"), number
+        assert len(os.listdir(tmp_path)) == 2
+
+
+def test_that_a_rename_refused_for_ever_names_the_file_that_is_new(tmp_path, monkeypatch):
+    one, two = tmp_path / "a.xlsx", tmp_path / "a.json"
+    one.write_bytes(b"old 1")
+    two.write_bytes(b"old 2")
+    real, taken = os.replace, []
+
+    def refused(source, target):
+        if str(target).endswith(atomic_write.COMMIT):
+            return real(source, target)
+        if taken:
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+        taken.append(target)
+        return real(source, target)
+
+    monkeypatch.setattr(os, "replace", refused)
+    with pytest.raises(OutputError) as caught:
+        atomic_write.write({one: b"new 1", two: b"new 2"})
+    assert "untouched" not in str(caught.value)
+    assert str(one) in str(caught.value) and str(two) in str(caught.value)
+    assert (one.read_bytes(), two.read_bytes()) == (b"new 1", b"old 2")
+    assert len(os.listdir(tmp_path)) == 2
+
+
 def test_that_what_is_not_ours_or_in_use_is_left_alone(tmp_path):
+    here = f".ribalta-{atomic_write.machine()}"
     names = (
         ".ribalta-notes",
+        ".ribalta-notes-12-mine",
         ".ribalta-12x-a",
-        f".ribalta-{os.getpid()}-used",
-        ".ribalta-x.commit",
+        f"{here}-{os.getpid()}-used",
+        f"{here}-x.commit",
     )
     for name in names:
         (tmp_path / name).write_bytes(b"x")
-    os.mkfifo(tmp_path / ".ribalta-999999-pipe")
-    (tmp_path / ".ribalta-999999-left").write_bytes(b"x")
-    (tmp_path / ".ribalta-999999-bad.commit").write_bytes(b"{no list")
+        os.utime(tmp_path / name, (0.0, 0.0))
+    os.mkfifo(tmp_path / f"{here}-999999-pipe")
+    (tmp_path / f"{here}-999999-left").write_bytes(b"x")
+    (tmp_path / f"{here}-999999-bad.commit").write_bytes(b"{no list")
     outside = tmp_path / "sub"
     outside.mkdir()
-    (tmp_path / ".ribalta-999999-far").write_bytes(b"x")
+    (tmp_path / f"{here}-999999-far").write_bytes(b"x")
     (tmp_path / "mine").write_bytes(b"mine")
+    far = f"{here}-999999-far"
     for number, moves in (
-        (999998, {str(tmp_path / ".ribalta-999999-far"): str(outside / "planted")}),
-        (999997, {".ribalta-999999-far": "planted"}),
-        (999999, {"mine": "planted", ".ribalta-999999-far": "../planted"}),
-        (999996, [1]), (999995, {"sub/x": "sub/y"}),
+        (999999, [[str(tmp_path / far), str(outside / "planted"), None]]),
+        (999999, [[far, str(outside / "planted"), None]]),
+        (999999, [[far, "../planted", None]]),
+        (999999, [["mine", "planted", None]]),
+        (999997, [[far, "planted", None]]),
+        (999996, [1]), (999995, [["sub/x", "sub/y", None]]), (999994, {"a": "b"}), (999993, 1),
+        (999992, str(tmp_path / f"{here}-999999-a.commit")),
+        (999991, "relative.commit"),
     ):  # fmt: skip
-        (tmp_path / f".ribalta-{number}-a.commit").write_text(json.dumps(moves))
+        place = tmp_path / f"{here}-{number}-{len(os.listdir(tmp_path))}.commit"
+        place.write_text(json.dumps(moves))
     atomic_write.clean(tmp_path)
     assert list(outside.iterdir()) == []
     left = {path.name for path in tmp_path.iterdir()}
-    assert left == {*names, ".ribalta-999999-pipe", "sub", "mine"}
+    assert left == {*names, f"{here}-999999-pipe", "sub", "mine"}
 
 
 @pytest.mark.parametrize("for_ever", [False, True])

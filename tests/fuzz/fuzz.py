@@ -17,7 +17,6 @@ import sys
 import tempfile
 import time
 import tomllib
-import warnings
 import zipfile
 import zlib
 from collections.abc import Callable
@@ -39,6 +38,7 @@ from core.study.demand_input import target_of
 from core.study.journal import Journal
 from tests.conftest import shelf_folder
 from tests.core.ground.dialects import DIALECTS, usc
+from tests.core.ooxml.writers import WRITERS, workbook
 
 ROOT = Path(__file__).resolve().parents[2]
 SLOWEST = 2.0
@@ -190,6 +190,15 @@ def seeds(folder: Path) -> dict[str, list[bytes]]:
         motion,
         motion.replace(b"\n", b"\r\n"),
         b"# Acceleration (g), dt=0.01s\n" + b"0.1\n-0.2\n0.05\n" * 20,
+        "\n".join(
+            [
+                "Passo temporale (ms): 10, Δt = 0,01 s, fs = 100 Hz, 100 campioni al secondo",
+                "NPTS, DT: 60, 0.01",
+                "unità di misura: 10⁻³ g; fattore di scala = 2.5 x 10^-3",
+                "Component UP, number of data points: 60",
+            ]
+        ).encode()
+        + b"\n0.1\n-0.2\n0.05" * 20,
     ]
     shelf = shelf_folder()
     if shelf:
@@ -220,7 +229,9 @@ def seeds(folder: Path) -> dict[str, list[bytes]]:
         "case": cases,
         "draft": cases,
         "table": [table.encode(), loaded.encode(), table.replace(";", "\t").encode("utf-16")],
-        "workbook": [(ROOT / "resources" / "templates" / "walls.xlsx").read_bytes()],
+        "workbook": [(ROOT / "resources" / "templates" / "walls.xlsx").read_bytes(), *(
+            workbook(writer, [line.split(";") for line in table.splitlines()], hidden_rows=(4,), hidden_columns=(6,))
+            for writer in WRITERS.values())],
         "journal": [(folder / "seed.journal").read_bytes()],
         "swap": [json.dumps({"path": None, "base_dir": ".", "case": case.decode()}).encode() for case in cases],
         "spectrum": [spectrum.encode()],
@@ -267,13 +278,11 @@ def attack(
         end = time.monotonic() + seconds
         while count < inputs and time.monotonic() < end:
             whole_zip = name in ("workbook", "zip", "sheet") and chance.random() < 0.8
-            content = inside(good[0], chance) if whole_zip else changed(chance, good)
+            content = inside(chance.choice(good), chance) if whole_zip else changed(chance, good)
             count += 1
             start = time.monotonic()
             try:
-                with warnings.catch_warnings():  # openpyxl's, of what it passes over
-                    warnings.simplefilter("ignore")
-                    _refused_in_a_sentence(TARGETS[name], content, folder)
+                _refused_in_a_sentence(TARGETS[name], content, folder)
             except BaseException as error:
                 kept = Path(tempfile.mkstemp(prefix=f"ribalta-{name}-")[1])
                 kept.write_bytes(content)

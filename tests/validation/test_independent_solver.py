@@ -48,8 +48,20 @@ def test_that_dop853_gives_the_same_history(
     assert difference.max() / model.slenderness <= 1e-9
 
 
-@pytest.mark.parametrize("law", ["al_shawa", (0.005, 0.28)])
-@pytest.mark.parametrize("one_sided", [False, True])
+@pytest.mark.parametrize(
+    "one_sided, law",
+    [
+        (False, "al_shawa"),
+        *(
+            pytest.param(one_sided, law, marks=pytest.mark.long)
+            for one_sided, law in (
+                (True, "al_shawa"),
+                (False, (0.005, 0.28)),
+                (True, (0.005, 0.28)),
+            )
+        ),
+    ],
+)
 def test_that_a_small_stiff_wall_is_as_exact(reference, make_model, one_sided, law):
     """H 1 m, D1 down to 0.005: an elastic branch 140 times as stiff as p2, steps must shorten."""
     ground = 0.9 * reference("standard")[0][:400]

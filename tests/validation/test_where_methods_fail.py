@@ -45,6 +45,7 @@ def test_uplift_taken_at_the_next_sample(reference, make_model, name, wrong, rig
     assert off(history(ground, DT, 1.0, model).rotation, truth, model) < right
 
 
+@pytest.mark.long
 def test_impact_at_the_end_of_the_step_does_not_converge_on_hard(reference, make_model):
     ground, truth, _, _ = reference("hard")
     model = make_model()
@@ -108,6 +109,7 @@ def test_the_rotation_at_the_last_sample_is_wrong_near_the_separatrix(make_model
     assert wrong == 4
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("law, wrong", [("doherty", 1e-3), ("al_shawa", 2e-3)])
 def test_trilinear_kinks_ignored(reference, make_model, law, wrong):
     """Order 4 through a kink is order 1: some 1e-3 of alpha over 20 s, growing with time."""

@@ -10,10 +10,11 @@ import numpy as np
 from core.errors import InputError, RecordError
 from core.file_names import name_of, shown
 from core.ground.ground_motion import LARGE_PGA, SMALL_PGA, GroundMotion
-from core.ground.records import california, geonet, italian, japan_taiwan, peer, plain, smc
-from core.ground.records.container import BETWEEN, is_workbook, is_zip, member_of, sheet_of
+from core.ground.records import california, geonet, italian, japan_taiwan, peer, plain, samples, smc
+from core.ground.records.container import BETWEEN, is_zip, member_of, sheet_of
 from core.ground.records.cut import refuse_cut
 from core.ground.records.grammar import UNITS, Options, decode, quoted
+from core.ooxml.package import is_workbook
 from core.text.sentence import notice
 from core.units import G
 
@@ -94,9 +95,10 @@ def _unpacked(
 ) -> GroundMotion:
     """The accelerogram of one member of a zip, or of one sheet of a workbook."""
     if is_workbook(content):
-        sheet, lines, several = sheet_of(content, options.channel)
+        sheet, lines, several, notes = sheet_of(content, options.channel)
         inside = replace(options, channel=None)
         motion = _of_lines(content, lines, path, inside, scale, name)
+        motion = replace(motion, warnings=(*motion.warnings, *notes))
         if several:
             motion = replace(motion, name=f"{name} {sheet}", channel=sheet)
         return replace(motion, format=f"xlsx, {motion.format}")
@@ -137,13 +139,17 @@ def _of_lines(
     parsed = reader(lines, options)
     if not ended and any(warning.code == "partial_last_line" for warning in parsed.warnings):
         raise RecordError("last_line_cut")
-    unit = _agreed("unit", parsed.unit, options.unit)
+    samples.refuse_marks(parsed.values)
+    samples.refuse_repeated_line(lines)
+    if parsed.factor is not None and not abs(scale / parsed.factor[0] - 1.0) <= 1e-6:
+        raise parsed.factor[1]
+    unit = _agreed("unit", parsed.unit, options.unit, parsed.lines)
     if unit not in UNITS:
         raise RecordError("unit_not_accepted", given=unit, known=", ".join(UNITS))
     if parsed.unit is None:
         parsed.warnings.append(notice("unit_as_given", unit=unit))
-    time_step = _agreed("time_step_s", parsed.time_step, options.time_step)
-    warnings = list(parsed.warnings)
+    time_step = _agreed("time_step_s", parsed.time_step, options.time_step, parsed.lines)
+    warnings = [*parsed.warnings, *samples.jumps(parsed.values)]
     peak = float(np.abs(parsed.values).max()) if parsed.values.size else 0.0
     if parsed.stated_peak and abs(peak - parsed.stated_peak) > 0.02 * parsed.stated_peak:
         warnings.append(notice("peak_differs", read=peak, stated=parsed.stated_peak))
@@ -203,7 +209,7 @@ _WORDS = bytes(32 if letter in b" \t\r\n,;" else 120 for letter in range(256))
 """Every letter as x, every mark between words as a blank."""
 
 
-def _agreed(key: str, stated, given):
+def _agreed(key: str, stated, given, lines: dict[str, str]):
     """What the file states or the user gives; an error if neither or if they contradict."""
     if stated is None and given is None:
         raise RecordError(f"no_{key}", key=key)
@@ -211,6 +217,9 @@ def _agreed(key: str, stated, given):
         return given if stated is None else stated
     same = stated == given if isinstance(stated, str) else abs(stated - given) <= 1e-6 * stated
     if not same:
+        line = lines.get(key)
+        if line:
+            raise RecordError("contradicts_line", named=key, stated=stated, given=given, line=line)
         raise RecordError("contradicts_file", named=key, stated=stated, given=given)
     return stated
 

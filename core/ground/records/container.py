@@ -5,15 +5,18 @@ import re
 import zipfile
 import zlib
 
-from core.errors import RecordError
+from core.errors import InputError, RecordError
 from core.ground.records.channels import is_vertical, refuse_unchosen
 from core.ground.records.plain import EMPTY
+from core.ooxml.package import MEMBER
+from core.ooxml.sheet import Limits, hidden_notes, read_sheet, refuse_cells, spoken
+from core.text.sentence import Sentence, notice
 
 MAX_UNPACKED = 20_000_000
 """Bytes of one member, or of a workbook, unpacked."""
 
-MAX_MEMBERS, MAX_ROWS, MAX_COLUMNS = 500, 50_000, 100
-MAX_CELLS = 150_000
+MAX_MEMBERS = 500
+SHEET_LIMITS = Limits(rows=50_000, columns=100, cells=150_000, size=2 * MAX_UNPACKED)
 
 BETWEEN = ": "
 """Between the name of a member and that of a channel in it."""
@@ -27,9 +30,6 @@ _OTHER = re.compile(
 """Members that are no accelerogram: velocities, displacements and spectra of ESM by their names, documents."""
 
 _UP = re.compile(r"[-_.](UP|DWN|VER|UD|V)\.\w+\Z", re.IGNORECASE)
-_NO_VALUE = re.compile(
-    rb"<f[ >][^<]*</f>\s*(?:<v\s*/>|<v></v>|</c>)|<f[^>]*/>\s*(?:<v\s*/>|<v></v>|</c>)"
-)
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]")
 _STREAM = re.compile(r"\.\w\w([ZENXY123])\.")
 
@@ -42,20 +42,14 @@ def is_zip(content: bytes) -> bool:
     return content[:4] == b"PK\x03\x04"
 
 
-def is_workbook(content: bytes) -> bool:
-    """Whether a zip is a workbook of Excel."""
-    try:
-        with zipfile.ZipFile(io.BytesIO(content)) as folder:
-            return "xl/workbook.xml" in folder.namelist()
-    except BAD_ZIP as error:
-        raise RecordError("bad_archive", reason=type(error).__name__) from None
-
-
 def member_of(content: bytes, asked: str | None) -> tuple[str, bytes, str | None, bool]:
     """(name, bytes, the channel asked for within it, whether there are others) of one accelerogram of a zip.
 
     asked : its name, or its number from 1, and after ": " a channel of it. Raises RecordError naming the members.
     """
+    listed = content.count(MEMBER)
+    if listed > 10 * MAX_MEMBERS:  # those of archives within it, and folders, count as well
+        raise RecordError("too_many_channels", n=listed, most=MAX_MEMBERS)
     try:
         with zipfile.ZipFile(io.BytesIO(content)) as folder:
             entries = [entry for entry in folder.infolist() if not entry.is_dir()]
@@ -68,12 +62,14 @@ def member_of(content: bytes, asked: str | None) -> tuple[str, bytes, str | None
             entries = sorted(entries, key=_order)
             if not entries:
                 raise RecordError("no_member")
-            names = [_CONTROL.sub("?", entry.filename) for entry in entries]
+            names = [_printable(entry.filename) for entry in entries]
             member, within = _split(asked, names)
             k = refuse_unchosen(names, [_is_vertical(name) for name in names], member)
             entry = entries[k]
             if entry.file_size > MAX_UNPACKED:
                 raise RecordError("unpacked_too_large", mb=entry.file_size / 1e6)
+            if entry.compress_type == zipfile.ZIP_LZMA:  # raises errors of its own
+                raise RecordError("bad_archive", reason="LZMA")
             with folder.open(entry) as stream:
                 body = stream.read(MAX_UNPACKED + 1)
     except BAD_ZIP as error:
@@ -111,49 +107,45 @@ def _is_vertical(name: str) -> bool:
     return told or is_vertical(ending.rstrip("12"))
 
 
-def sheet_of(content: bytes, asked: str | None) -> tuple[str, list[str], bool]:
-    """(name, lines of cells with tabs between them, whether there are others) of one sheet of a workbook that is shown.
-    Raises RecordError."""
-    try:
-        with zipfile.ZipFile(io.BytesIO(content)) as folder:
-            if sum(entry.file_size for entry in folder.infolist()) > 2 * MAX_UNPACKED:
-                raise RecordError("unpacked_too_large", mb=2 * MAX_UNPACKED / 1e6)
-        from openpyxl import load_workbook
+def sheet_of(content: bytes, asked: str | None) -> tuple[str, list[str], bool, list[Sentence]]:
+    """(name, lines of cells with tabs between them, whether there are others, what is to be said of it) of one sheet of
+    a workbook that is shown. Raises RecordError."""
 
-        book = load_workbook(io.BytesIO(content), read_only=True, data_only=True, keep_links=False)
-        sheets = [sheet for sheet in book.worksheets if sheet.sheet_state == "visible"]
-        if not sheets:
-            raise RecordError("no_member")
-        names = [_CONTROL.sub("?", sheet.title) for sheet in sheets]
-        sheet = sheets[refuse_unchosen(names, [False] * len(names), asked)]
-        sheet.reset_dimensions()  # the tag that states them can lie
-        _refuse_formulas(content, sheet._worksheet_path)
-        lines, cells = [], 0
-        for row in sheet.iter_rows(max_col=MAX_COLUMNS, values_only=True):
-            cells += len(row)
-            if len(lines) >= MAX_ROWS or cells > MAX_CELLS:
-                raise RecordError("sheet_too_long", rows=MAX_ROWS)
-            lines.append("\t".join(map(_cell, row)).rstrip(f"\t{EMPTY}") or EMPTY)
-        while lines and lines[-1] == EMPTY:
-            lines.pop()
-        return _CONTROL.sub("?", sheet.title), lines, len(sheets) > 1
+    def choose(names: list[str]) -> int:
+        return refuse_unchosen([_printable(name) for name in names], [False] * len(names), asked)
+
+    try:
+        sheet = read_sheet(content, SHEET_LIMITS, choose)
+        numbers = {
+            (row, column)
+            for row, cells in sheet.rows.items()
+            for column, cell in cells.items()
+            if cell.is_number
+        }
+        # a title over several columns is none of the samples
+        merged = [area for area in sheet.merged if area[0] < area[2] and area[:2] in numbers]
+        found = {"uncomputed_cells": sheet.uncomputed, "error_cells": sheet.errors}
+        refuse_cells({"merged_cells": merged, **found})
     except RecordError:
         raise
-    except BAD_ZIP as error:
-        raise RecordError("bad_archive", reason=type(error).__name__) from None
+    except InputError as error:
+        raise RecordError(error.code, **error.values) from None
+    notes = hidden_notes(sheet, are_read=True)
+    if sheet.formulas:
+        cells = spoken(sheet.formulas)
+        notes.append(notice("formulas_read", cells=cells))
+    if sheet.hidden_sheets:
+        names = [_printable(name) for name in sheet.hidden_sheets]
+        notes.append(notice("hidden_sheets", names=spoken(names)))
+    lines = [_line(sheet.texts(row, EMPTY)) for row in range(1, sheet.last_row + 1)]
+    others = len(sheet.other_sheets) > len(sheet.hidden_sheets)
+    return _printable(sheet.name), lines, others, notes
 
 
-def _refuse_formulas(content: bytes, part: str) -> None:
-    """Raise RecordError where a formula of a sheet has no value: no program has computed it."""
-    with zipfile.ZipFile(io.BytesIO(content)) as folder:
-        if _NO_VALUE.search(folder.read(part.lstrip("/"))):
-            raise RecordError("formula_without_value")
+def _printable(name: str) -> str:
+    return _CONTROL.sub("?", name)
 
 
-def _cell(value) -> str:
-    """A cell as text; a number with every digit it has."""
-    if value is None or value == "":
-        return EMPTY
-    if isinstance(value, float):
-        return repr(value)
-    return str(value)[:500].replace("\n", " ").replace("\t", " ")
+def _line(texts: list[str]) -> str:
+    """A row as a line of text."""
+    return "\t".join(text[:500].replace("\n", " ").replace("\t", " ") for text in texts) or EMPTY

@@ -19,44 +19,6 @@ _TOKEN = re.compile(NUMBER)
 _NUMBERS_ONLY = re.compile(rf"\s*+(?:{NUMBER}(?=[\s+-]|\Z)\s*+)*+")
 _NAN = re.compile(r"[+-]?nan", re.IGNORECASE)
 
-_B = r"[ \t]*+"
-_PER_S2 = rf"(?:cm|mm|m){_B}/{_B}s(?:ec)?(?:{_B}/{_B}s(?:ec)?|{_B}(?:\^|\*\*)?{_B}[2²])"
-_ACCELERATION = rf"(g(?:{_B}/{_B}10)?|gal|{_PER_S2})"
-_SAID_OF = rf"\bunits?\b{_B}(?:(?:of|are|is|in)\b|[:=])?{_B}\(?{_B}"
-_STATED = re.compile(
-    rf"[\[(]{_B}{_ACCELERATION}{_B}[\])]|{_SAID_OF}{_ACCELERATION}(?![\w/])"
-    rf"|\baccelerations?[ \t]++in[ \t]++{_ACCELERATION}(?![\w/])",
-    re.IGNORECASE,
-)
-_PER_S2_POWER = rf"(?:cm|mm|m)(?:{_B}[·.*]?{_B}s(?:ec)?{_B}(?:\^|\*\*)?{_B}(?:-2|⁻²|\(-2\))|_s2)"
-_IN_WORDS = re.compile(
-    rf"(?<![A-Za-z0-9/])({_PER_S2}|{_PER_S2_POWER}|gals?)(?![\w/])"
-    r"|^ *(?:s|sec) *[;,\t] *(g) *(?=\Z|[;,\t])", re.IGNORECASE,
-)  # fmt: skip
-"""A unit of acceleration without brackets, or a line of units `s, g`."""
-
-_VALUE = re.compile(r"[0-9]\.?[ \t]*\Z|[0-9][EeDd][+-]?[0-9]+[ \t]*\Z")
-"""The end of a text that gives a number: what follows is its unit, not that of the samples."""
-
-_LABEL = re.compile(r"\b(pga|peak|max(imum)?|min(imum)?|gravity|picco|massim[oa])\b", re.I)
-"""Words of a line that gives one value, not the samples."""
-
-_NUMBER_AFTER = re.compile(r"[ \t]*+[:=]?[ \t]*+[+-]?[.0-9]")
-
-_LENGTH_OR_SPEED = r"(?:cm|mm|m|in)(?:[ \t]*+/[ \t]*+s(?:ec)?\.?|[ \t]++s-1)?"
-_MOTION = re.compile(r"\b(veloc\w*|vel(?![a-z]{2})\w*|displ\w*|disp\b\.?|spostament\w*)", re.I)
-_MOTION_UNIT = re.compile(
-    rf"(?<![0-9] )(?<![0-9])[\[(]{_B}{_LENGTH_OR_SPEED}{_B}[\])](?!{_B}[:=]?{_B}[+-]?[0-9])", re.I
-)
-_MOTION_SAID = re.compile(rf"{_SAID_OF}{_LENGTH_OR_SPEED}(?!{_B}[\w/^*])", re.I)
-_SPECTRUM = re.compile(
-    r"\b(spectr(?:um|a|al)|spettr\w*|response(?![ \t]+spectr)|fourier|fft|psa|psv|pseudo\w*|s_?[avde]\b(?!{_B}=))"
-    r"|\b(?:periods?|periodo|frequenc(?:y|ies)|frequenza)[ \t]*+[\[(]".replace("{_B}", _B),
-    re.I,
-)
-_PERIOD = re.compile(r"\bperiod(?:s|o)?\b", re.I)
-_ACCELERATION_WORD = re.compile(r"\bacc(?:\b|el)", re.I)
-_OF_A_TARGET = re.compile(r"\b(target|match|compatib|return|ritorno|corner|filter|sampling)", re.I)
 HEAD_LINE = 500
 """Characters of a line of a header that are looked at."""
 
@@ -71,11 +33,15 @@ UNITS = {"g": G, "m/s2": 1.0, "cm/s2": 0.01, "mm/s2": 0.001}
 class Parsed:
     """What a reader found: values in the file's unit, shape (n,); time step [s] and unit, or None
     where the file does not say; details and warnings; counted : the file declares its count of samples; channel : its
-    name, "" where the file has none; vertical : its direction is; several : the file has others."""
+    name, "" where the file has none; vertical : its direction is; several : the file has others; factor : (what the
+    samples have still to be multiplied by, the error where the case does not), None where the file states none;
+    lines : key of the case -> the line of the head that states it, quoted."""
 
     values: np.ndarray
     time_step: float | None
     unit: str | None
+    factor: tuple[float, RecordError] | None = None
+    lines: dict[str, str] = field(default_factory=dict)
     details: tuple[tuple[str, str], ...] = ()
     warnings: list[Sentence] = field(default_factory=list)
     stated_peak: float | None = None
@@ -104,74 +70,11 @@ def quoted(text: str) -> str:
     return repr(text if len(text) <= SHOWN else text[:SHOWN] + "…")
 
 
-def _unit_of(word: str) -> str:
-    """A unit as written to a key of UNITS; raises RecordError for g/10."""
-    word = re.sub(r"\s", "", word).lower()
-    if word.startswith("g/"):
-        raise RecordError("unit_g_tenth")
-    if word in ("g", "gal", "gals"):
-        return "g" if word == "g" else "cm/s2"
-    return re.match("cm|mm|m", word)[0] + "/s2"
-
-
 def head_lines(head: str) -> list[str]:
     """Lines of a header, blanks folded: what is looked at of each is short, so that no line takes long."""
     return [
         re.sub(r"[ \t]{3,}", "  ", line[: 4 * HEAD_LINE])[:HEAD_LINE] for line in head.splitlines()
     ]
-
-
-def stated_unit(head: str) -> str | None:
-    """Unit of acceleration a header states, a key of UNITS. A unit after a number is that of another quantity
-    (`gravity = 9.81 [m/s2]`, `PGA 0.013 (g)`) and states nothing; where it differs from the one stated, or two
-    are stated, nobody knows which holds. Raises RecordError then, and for g/10."""
-    units: dict[str, str] = {}
-    beside: dict[str, str] = {}
-    in_words: dict[str, str] = {}
-    for line in head_lines(head):
-        for match in _STATED.finditer(line):
-            unit = _unit_of(next(group for group in match.groups() if group))
-            value = _VALUE.search(line[max(0, match.start() - 40) : match.start()])
-            of_one = value or (_LABEL.search(line) and _NUMBER_AFTER.match(line, match.end()))
-            (beside if of_one or _LABEL.search(line) else units).setdefault(unit, line)
-        if not units and not _LABEL.search(line):
-            for match in _IN_WORDS.finditer(line):
-                if not _VALUE.search(line[max(0, match.start() - 40) : match.start()]):
-                    in_words.setdefault(_unit_of(match[1] or match[2]), line)
-    units = units or in_words
-    clash = [
-        *units.items(),
-        *((unit, line) for unit, line in beside.items() if units and unit not in units),
-    ]
-    if len(clash) > 1:
-        (one, first), (other, second) = clash[:2]
-        raise RecordError(
-            "two_units", one=one, first=quoted(first), other=other, second=quoted(second)
-        )
-    return next(iter(units), None)
-
-
-def refuse_other_quantity(head: str) -> None:
-    """Raise RecordError where a header speaks of a velocity, a displacement or a spectrum, whatever else stands
-    in it. A line that names the acceleration too is the head of a table; a record matched to a spectrum is one."""
-    plain = stated_unit(head) is None
-    for line in head_lines(head):
-        other = None
-        if not _OF_A_TARGET.search(line):
-            other = _SPECTRUM.search(line) or (plain and _PERIOD.search(line))
-        fields = [field for field in re.split(r"[;,\t]| {2,}|(?<=[\])]) ", line) if field.strip()]
-        # the head of a table names the acceleration in a field of its own, without another quantity in it
-        table = len(fields) > 1 and any(
-            _ACCELERATION_WORD.search(field)
-            and not _MOTION.search(field)
-            and not _MOTION_UNIT.search(field)
-            for field in fields
-        )
-        if not other and not table:
-            patterns = (_MOTION, _MOTION_UNIT, _MOTION_SAID)
-            other = next((found for pattern in patterns if (found := pattern.search(line))), None)
-        if other:
-            raise RecordError("other_quantity", quantity=other[0].strip("[()] ").lower())
 
 
 _CONTROL = re.compile(rb"[\x00-\x08\x7f]")

@@ -10,11 +10,10 @@ from core.ground.records.grammar import (
     Parsed,
     block,
     numbers,
-    refuse_other_quantity,
-    stated_unit,
     to_count,
     to_float,
 )  # fmt: skip
+from core.ground.records.head_units import refuse_other_quantity, stated_unit, take_unit
 from core.text.sentence import notice
 
 _KEYED = re.compile(rf"NPTS\s*+=\s*+(\d++)\s*+,?\s*+DT\s*+=\s*+({NUMBER})(?![\w.])", re.IGNORECASE)
@@ -49,7 +48,7 @@ def read(lines: list[str], options: Options) -> Parsed:
         raise RecordError("second_header")
     parsed = block(lines[row + 1 :], row + 2, declared)
     parsed.time_step = time_step
-    parsed.unit = stated_unit("\n".join(head))
+    take_unit(parsed, stated_unit("\n".join(head)))
     parsed.details = tuple((f"line {k + 1}", line.strip()) for k, line in enumerate(head[:-1]))
     component = head[1].rpartition(",")[2].split() if len(head) > 1 else []
     parsed.vertical = bool(component) and is_vertical(component[0])

@@ -13,11 +13,10 @@ from core.ground.records.grammar import (
     Parsed,
     numbers,
     quoted,
-    refuse_other_quantity,
-    stated_unit,
     table_of,
     to_float,
 )  # fmt: skip
+from core.ground.records.head_units import refuse_other_quantity, stated_unit, take_unit
 
 _NO_NUMBER = re.compile(rf"(?:{NUMBER}|[+-]?nan|[+-]?inf(?:inity)?|\*++|[,;\s]++)++", re.IGNORECASE)
 _DECIMAL_COMMA = re.compile(r"[+-]?+[0-9]++(,[0-9]++)?+([EeDd][+-]?+[0-9]++)?+")
@@ -33,6 +32,9 @@ EMPTY = "∅"
 
 LONGEST_LINE = 20_000
 """Characters of a line of plain text."""
+
+MAX_HEAD = 200
+"""Lines of text above the first sample."""
 
 FIRST_ROWS = 8
 """Rows read one by one before the rest is tried at once."""
@@ -84,7 +86,7 @@ def read(lines: list[str], options: Options) -> Parsed:
     """Raises RecordError for spectra, uneven or unsorted time, several columns without a choice,
     and rows that are not numbers."""
     skip = options.skip_lines or 0
-    head, rows, places, rest, tried = list(lines[:skip]), [], [], None, False
+    head, rows, places, rest, tried, blank = list(lines[:skip]), [], [], None, False, 0
     for k, line in enumerate(lines[skip:], start=skip + 1):
         if len(rows) == FIRST_ROWS and not tried:
             tried = True
@@ -94,12 +96,22 @@ def read(lines: list[str], options: Options) -> Parsed:
                 break
         if len(line) > LONGEST_LINE:
             raise RecordError("line_too_long", n=len(line), place=(place("line", n=k),))
+        if len(head) > MAX_HEAD:
+            raise RecordError("head_too_long", n=MAX_HEAD)
         text = line.strip()
+        sampled = len(rows) > 1 or (rows and not _count_and_step(rows[0]))
         if not text:
+            blank = blank or (k if sampled else 0)
             continue
+        if blank:
+            raise RecordError("blank_among_samples", place=(place("line", n=blank),))
         if rows and _EXCEL_ERROR.search(text):
             raise RecordError("gap", text=quoted(text), place=(place("line", n=k),))
         if text.startswith(("#", "%", "//", "!")):
+            if sampled:
+                raise RecordError(
+                    "text_among_samples", text=quoted(text), place=(place("line", n=k),)
+                )
             head.append(text)
             continue
         try:
@@ -111,35 +123,24 @@ def read(lines: list[str], options: Options) -> Parsed:
         if row and not (not rows and all(map(math.isnan, row))):
             rows.append(row)
             places.append(k)
-        elif not rows or (len(rows) == 1 and len(rows[0]) <= 2):
-            # a title; a `npts dt` line above it belongs to the head as well
-            head.append(text)
-            if rows:
-                raise RecordError("not_numbers", text=quoted(text), place=(place("line", n=k),))
-        else:
+        elif rows:
             raise RecordError("not_numbers", text=quoted(text), place=(place("line", n=k),))
+        else:
+            head.append(text)
     said = "\n".join(head)
     refuse_other_quantity(said)
     if not rows:
         raise RecordError("no_numbers")
     if options.column is not None:
         plain_head.refuse_column(said, len(rows[-1]), options.column)
-    plain_head.refuse_unit_not_read(said)
-    time_step, counted = None, None
-    first, n = rows[0], len(rows) + (0 if rest is None else len(rest))
-    if (
-        len(first) == 2
-        and n > 2
-        and first[0] >= 10
-        and first[0] == int(first[0])
-        and 0 < first[1] < 1
-    ):
-        counted = int(first[0])
-        if abs(n - 1 - counted) <= 1 or len(rows[1]) == 1:
-            time_step = first[1]
-            rows, places, n = rows[1:], places[1:], n - 1
-            if n != counted:
-                raise RecordError("count_differs", n=n, declared=counted)
+    unit = stated_unit(said)
+    declared = None
+    if _count_and_step(rows[0]):
+        n, one = len(rows) - 1 + (0 if rest is None else len(rest)), len(rows) > 1 and len(rows[1])
+        if abs(n - rows[0][0]) <= 1 or one == 1:
+            declared, rows, places = rows[0], rows[1:], places[1:]
+            if n != declared[0]:
+                raise RecordError("count_differs", n=n, declared=int(declared[0]))
     width = len(rows[0])
     for row, line in zip(rows, places, strict=True):
         if len(row) != width:
@@ -152,22 +153,20 @@ def read(lines: list[str], options: Options) -> Parsed:
             raise RecordError("columns_differ", n=rest.shape[1], above=width)
         table = np.concatenate([table, rest])
         places += range(places[-1] + 1, places[-1] + 1 + len(rest))
-    if time_step is None:
-        time_step = plain_head.time_step(said)
     values, from_time, taken = _columns(table, places, options, plain_head.seconds_of_time(said))
     if taken != options.column:
         plain_head.refuse_column(said, width, taken)
-    stated = from_time if time_step is None else time_step
-    if from_time is not None and abs(from_time - stated) > 1e-3 * stated:
-        raise RecordError("two_time_steps", stated=stated, column_step=from_time)
-    return Parsed(
-        values,
-        stated,
-        stated_unit(said),
-        counted=plain_head.agrees_with_count(said, values.size) or n == counted,
-        details=tuple((f"line {k + 1}", text) for k, text in enumerate(head[:6])),
-        vertical=plain_head.vertical(said, width, taken),
-    )
+    parsed = Parsed(values, from_time, None, counted=declared is not None)
+    take_unit(parsed, unit)
+    plain_head.agree(parsed, said, declared[1] if declared else None, options.time_step)
+    parsed.details = tuple((f"line {k + 1}", text) for k, text in enumerate(head[:6]))
+    parsed.vertical = plain_head.vertical(said, width, taken)
+    return parsed
+
+
+def _count_and_step(row: list[float]) -> bool:
+    """Whether a first row is `npts dt`."""
+    return len(row) == 2 and row[0] >= 10 and row[0] == int(row[0]) and 0 < row[1] < 1
 
 
 def _columns(table, places, options: Options, seconds: float):

@@ -190,7 +190,7 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
     """One wall on at most two pages. name : begins the names of its cells on the sheet Check."""
     say, found = words.say, wall.assessment
     parts: list[Part] = [Heading(f"{wall.name} – {words.word(wall.mechanism)}", 2, new_page=True)]
-    first = [wall_figures.drawing(result, wall, words)]
+    first = [wall_figures.drawing(wall, words)]
     if found is None or found.kinematic is None:
         parts += _pair(first)
         parts += [Heading(say("The block"), 3), Derivation(wall_steps.geometry(wall, name, words))]

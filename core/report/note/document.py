@@ -21,6 +21,8 @@ from core.report.note.parts import (
     Table,
 )
 from core.report.note.words import Words
+from core.report.steps import Steps
+from core.report.xml_text import for_xml
 
 COLORS = {"ink": "#1F2D3D", "quiet": "#6B7785", "accent": "#2B5C8A", "good": "#1B6E4B", "amber": "#8A5A00",
           "bad": "#B3421B"}  # fmt: skip
@@ -33,14 +35,14 @@ BLANKS = 105
 DPI = 300
 
 
-def document(parts: list[Part], language: str) -> bytes:
+def document(parts: list[Part], language: str, steps: Steps | None = None) -> bytes:
     """The docx file. Raises OutputError where the packages of the group `report` are not installed."""
     require("report")
     import docx
 
     made = docx.Document()
-    writer = _Writer(made, Words(language))
-    for part in parts:
+    writer = _Writer(made, Words(language), steps or Steps())
+    for part in writer.steps.each(for_xml(parts)):
         writer.add(part)
     content = io.BytesIO()
     made.save(content)
@@ -50,10 +52,10 @@ def document(parts: list[Part], language: str) -> bytes:
 class _Writer:
     """Puts parts into a document, one after the other."""
 
-    def __init__(self, made, words: Words):
+    def __init__(self, made, words: Words, steps: Steps):
         from docx.shared import Cm, Pt, RGBColor
 
-        self.made, self.words = made, words
+        self.made, self.words, self.steps = made, words, steps
         self.cm, self.pt, self.rgb = Cm, Pt, RGBColor
         self.figures = 0
         section = made.sections[0]
@@ -118,10 +120,12 @@ class _Writer:
     def _cells(self, table, widths) -> None:
         table.autofit = False
         whole = sum(widths)
-        for column, width in zip(table.columns, widths, strict=True):
-            column.width = self.cm(WIDTH * width / whole)
-            for cell in column.cells:
-                cell.width = self.cm(WIDTH * width / whole)
+        sizes = [self.cm(WIDTH * width / whole) for width in widths]
+        for column, size in zip(table.columns, sizes, strict=True):
+            column.width = size
+        for row in table.rows:  # `column.cells` makes the whole table anew for each column
+            for cell, size in zip(row.cells, sizes, strict=True):
+                cell.width = size
 
     def _table(self, part: Table) -> None:
         plain = not part.heads
@@ -130,12 +134,14 @@ class _Writer:
             rows, len(part.widths), style="Normal Table" if plain else "Table Grid"
         )
         self._cells(table, part.widths)
-        for k, head in enumerate(part.heads):
-            self._run(table.rows[0].cells[k].paragraphs[0], head, "strong", 8.5)
+        lines = iter(table.rows)  # an index would count them from the first each time
         if not plain:
-            self._repeat(table.rows[0])
-        for n, row in enumerate(part.rows):
-            cells = table.rows[n + (0 if plain else 1)].cells
+            head_row = next(lines)
+            for cell, head in zip(head_row.cells, part.heads, strict=True):
+                self._run(cell.paragraphs[0], head, "strong", 8.5)
+            self._repeat(head_row)
+        for n, (line, row) in enumerate(self.steps.each(zip(lines, part.rows, strict=True))):
+            cells = line.cells
             for k, content in enumerate(row):
                 tone = part.tones.get((n, k), "quiet" if plain and k == 0 else "")
                 self._run(cells[k].paragraphs[0], content, tone, 9 if plain else 8.5)
@@ -165,7 +171,7 @@ class _Writer:
     def _figures(self, figures) -> None:
         table = self.made.add_table(2, len(figures), style="Normal Table")
         self._cells(table, [1.0] * len(figures))
-        for k, figure in enumerate(figures):
+        for k, figure in enumerate(self.steps.each(figures)):
             self.figures += 1
             run = table.cell(0, k).paragraphs[0].add_run()
             run.add_picture(io.BytesIO(picture(figure, self.words)), width=self.cm(8.0))

@@ -20,6 +20,7 @@ from core.report.cells import (
     Book,
     fill,
     frame,
+    merge,
     rule,
     style,
     text,
@@ -75,7 +76,7 @@ class _Writer:
         changed_cell(self.book, self.sheet, 1, 1)
         self._merge(1, 1, GRID)
         self.row = 2
-        for part in parts:
+        for part in self.book.steps.each(parts):
             self._add(part)
         self.sheet.print_area = f"A1:{get_column_letter(GRID)}{self.row}"
 
@@ -99,7 +100,7 @@ class _Writer:
 
     def _merge(self, row: int, first: int, last: int) -> None:
         if last > first:
-            self.sheet.merge_cells(start_row=row, start_column=first, end_row=row, end_column=last)
+            merge(self.sheet, row, first, row, last)
 
     def _wrapped(
         self, row: int, first: int, last: int, content: str, tone="", size=10, **look
@@ -223,7 +224,7 @@ class _Writer:
 
     def _box(self, lines: int) -> None:
         first, last = self.row, self.row + lines - 1
-        self.sheet.merge_cells(start_row=first, start_column=1, end_row=last, end_column=GRID)
+        merge(self.sheet, first, 1, last, GRID)
         for r in range(first, last + 1):
             for c in range(1, GRID + 1):
                 edges = {"left": c == 1, "right": c == GRID, "top": r == first, "bottom": r == last}

@@ -5,7 +5,6 @@ import math
 import numpy as np
 
 from core.capacity.limit_states import LIMIT_FRACTION
-from core.case.schema import Wall
 from core.codes.capacity_curve import capacity_curve
 from core.report.load_arrows import arrows
 from core.report.note.parts import Curve, Figure, Label, path
@@ -25,21 +24,12 @@ FULL = 1.2
 """Height of the bar of a wall that overturns, and the top of the chart of peaks."""
 
 
-def whole_wall(result: StudyResult, wall: WallResult) -> Wall | None:
-    """The wall of the case a part above a hinge belongs to; None for one about its base."""
-    for asked in result.case.wall:
-        if wall.name.startswith(f"{asked.title} (+") and asked.height_m:
-            return asked
-    return None
-
-
-def drawing(result: StudyResult, wall: WallResult, words: Words) -> Figure | None:
+def drawing(wall: WallResult, words: Words) -> Figure | None:
     """The wall to scale with its sizes, hinge, restraint, loads and the mechanism; None for a general block."""
     h, t, u = wall.height, wall.thickness, wall.wall.setback
     if not wall.wall.height_m:
         return None
-    whole = whole_wall(result, wall)
-    below = whole.height_m - h if whole else 0.0
+    below = wall.part.hinge
     curves = [
         path(_corners(h, t, u, 0.0), "accent", width=1.8),
         path(_corners(h, t, u, TURNED), "quiet", "dash", 0.9),

@@ -113,7 +113,7 @@ def start(result: StudyResult, wall: WallResult, name: str, words: Words) -> lis
                 where,
             )
         ]
-        steps.append(Step("e*", kinematic.e_star, ".3f", "–", "C8.7.1.5",
+        steps.append(Step("e*", sums.e_star, ".3f", "–", "C8.7.1.5",
                           "(W y + ΣQ h)²/[(W + ΣQ)(W y² + ΣQ h²)]", cell=share))  # fmt: skip
     else:
         values = {
@@ -131,7 +131,7 @@ def start(result: StudyResult, wall: WallResult, name: str, words: Words) -> lis
             Step("α0", sums.alpha0, ".4f", "–", "C8.7.1.1", formula, numbers, values, cell),
             Step(
                 "e*",
-                kinematic.e_star,
+                sums.e_star,
                 ".3f",
                 "–",
                 "C8.7.1.5",
@@ -139,10 +139,11 @@ def start(result: StudyResult, wall: WallResult, name: str, words: Words) -> lis
                 label=words.say("one block, no other mass pushes it"),
             ),
         ]
-    alpha0, e_star = (kinematic.alpha0, cell), (kinematic.e_star, share)
+    alpha0, e_star, mass, of = (sums.alpha0, cell), (sums.e_star, share), sums.mass, ""
     if sums.alpha0_friction is not None:
         cell, share = f"{name}_alpha0_friction", f"{name}_e_star_friction"
         alpha0, e_star = (sums.alpha0_friction, cell), (sums.e_star_friction, share)
+        mass, of = sums.mass_friction, words.say("of that part")
         where = words.say(
             "with the friction of the return walls, of the upper {h:.2f} m", h=sums.friction_height
         )
@@ -157,16 +158,16 @@ def start(result: StudyResult, wall: WallResult, name: str, words: Words) -> lis
                 "–",
                 "C8.7.1.5",
                 cell=share,
-                label=words.say("of that part"),
+                label=of,
             )
         )
     if kinematic.m_star is not None:
-        values = {"e": (kinematic.e_star, None), "m": (sums.mass, None)}
+        values = {"e": e_star, "m": (mass, None)}
         steps.append(Step("M*", kinematic.m_star, ".0f", "kg/m", "C8.7.1.4", "e* Σ(P + Q)/g", "{e:.3f} · {m:.0f}",
-                          values, f"{name}_m_star"))  # fmt: skip
+                          values, f"{name}_m_star", of))  # fmt: skip
     values = {"a": alpha0, "e": e_star, "fc": (demand.confidence_factor, "demand_fc")}
     steps.append(Step("a_0*", kinematic.a0 / G, ".4f", "g", "C8.7.1.3", "α0/(e* FC)", "{a:.4f}/({e:.3f} · {fc:.2f})",
-                      values, f"{name}_a0_star"))  # fmt: skip
+                      values, f"{name}_a0_star", of))  # fmt: skip
     if kinematic.period_0 is not None:
         asked = wall.wall
         values = {
@@ -226,6 +227,23 @@ def linear(result: StudyResult, wall: WallResult, name: str, words: Words) -> li
             "z": (kinematic.zeta_sld, f"{name}_zeta_sld"),
         }
         label = words.word(check.label)
+        if check.name == "linear_q_slv":
+            low, sums = wall.q_slv_low_set, kinematic.chain
+            bare = sums.alpha0_friction is None
+            cell = f"{name}_e_star" if bare else f"{name}_e_star_friction"
+            factors = {"l": (low, f"{name}_q_slv_low"), "e": (kinematic.e_star, cell)}
+            symbols, numbers = "q_SLV,min e*", "{l:.3f} · {e:.3f}"
+            if not bare and sums.alpha0_friction > sums.alpha0:  # no friction in the histories
+                factors |= {
+                    "a": (sums.alpha0, f"{name}_alpha0"),
+                    "f": (sums.alpha0_friction, f"{name}_alpha0_friction"),
+                }
+                symbols, numbers = symbols + " α0/α0,f", numbers + " · {a:.4f}/{f:.4f}"
+            lower = words.say(
+                "lower end of the spread of q SLV, {q:.2f}, times e*", q=wall.q_slv_set
+            )
+            steps.append(Step("q", check.q, ".3f", "–", "C8.7.1.5", symbols, numbers, factors,
+                              f"{name}_linear_q_slv", lower))  # fmt: skip
         steps.append(Step("ζ", check.zeta, ".3f", "–", check.clause, "q a_g,SLD/a_g", "{q:.2f} · {z:.3f}", values,
                           f"{name}_{check.name}_zeta", label))  # fmt: skip
     return steps

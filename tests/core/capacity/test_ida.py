@@ -63,6 +63,8 @@ def test_that_every_number_is_its_definition(ground, make_model, one_sided, law)
         assert outcome == COLLAPSED or peak >= fraction
         outcome, peak = brute(ground, model, q / (1 + 2e-4))
         assert index == 0 or (outcome == STABLE and peak < fraction) or q / 1.0002 < grid[index - 1]
+    near = [outcome == COLLAPSED or peak >= 0.36 for outcome, peak in known].index(True)
+    assert found.q_slv_low == found.q_start * 1.02 ** (found.first_index + near - 1) < found.q_slv
     half = round(0.10 / math.log(1.02))
     shares = [
         sum(collapsed[max(0, k - half) : k + half + 1]) / (2 * half + 1)
@@ -301,3 +303,27 @@ def test_that_a_failure_below_the_lowest_q_of_a_trilinear_search_is_said(make_mo
     assert TRILINEAR_FLOOR <= found.q <= 1.005 * TRILINEAR_FLOOR
     scripted(monkeypatch, lambda q: int(q > 0.06))
     assert not search_of(np.ones(5), model).below_floor
+
+
+@pytest.mark.parametrize("seed", [0, 2])
+def test_that_copies_of_a_record_as_alike_as_1e_9_share_the_lower_end_of_q_slv(
+    ground, make_model, seed
+):
+    """Between two copies q_slv jumps somewhere: bisection finds where, to 1e-9 of PGA, and q_slv_low stays."""
+    model = make_model(alpha_deg=8.0, height=4.0)
+    noise = np.random.default_rng(seed).uniform(-1.0, 1.0, ground.size) * np.abs(ground).max()
+
+    def searched(share: float):
+        return search_of(ground + share * noise, model, Search(map_span=1.0))
+
+    low, high = 0.0, 1e-3
+    first, second = searched(low), searched(high)
+    while high - low > 1e-9:
+        middle = 0.5 * (low + high)
+        between = searched(middle)
+        if abs(between.q_slv - first.q_slv) > abs(second.q_slv - between.q_slv):
+            high, second = middle, between
+        else:
+            low, first = middle, between
+    assert abs(first.q_slv / second.q_slv - 1.0) > 0.03
+    assert first.q_slv_low == second.q_slv_low < min(first.q_slv, second.q_slv)

@@ -35,7 +35,7 @@ def test_that_two_columns_are_enough():
     ("475 0.26\n30 0.08", "hazard_not_rising"),
     ("30 0.08\n475 0.26 2.4", "hazard_line"),
     ("30 0.08\nend", "hazard_line"),
-    ("30 nan\n475 0.26", "hazard_not_rising"),
+    ("30 nan\n475 0.26", "hazard_line"), ("nan 30\n475 0.26", "hazard_not_rising"),
     ("30 0.08\n475 9.9", "not_accepted"),
     ("\n".join(f"{30 + k} {0.01 + 1e-4 * k:.4f}" for k in range(101)), "hazard_line"),
 ])  # fmt: skip
@@ -44,6 +44,16 @@ def test_that_other_text_is_refused_in_one_sentence(text, code):
         parse_hazard(text)
     assert caught.value.code == code
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    "first", ["30 anni;0,052;2,4;0,27", "30;0,052 g;2,4;0,27", "+30 0,05x", ".5 anni 0,05"]
+)
+def test_that_no_row_is_taken_for_a_head(first):
+    """A head does not begin with a number: of seven rows, five written otherwise must not leave two."""
+    with pytest.raises(InputError) as caught:
+        parse_hazard(f"T_R;a_g;F0;T_C*\n{first}\n475;0,26;2,4;0,35\n975;0,3;2,4;0,36\n")
+    assert caught.value.code == "hazard_line" and first in str(caught.value)
 
 
 def test_that_a_file_is_read_and_a_missing_or_large_one_refused(tmp_path):

@@ -34,25 +34,29 @@ def case(hinges, building=BUILDING, **wall):
     )
 
 
+def walls_of(asked):
+    return [part.wall for part in parts(asked)]
+
+
 def test_that_the_floors_are_those_between_base_and_top():
-    found = [(w.name, w.base_z_m, w.height_m, w.thickness) for _, w in parts(case("floors"))]
+    found = [(w.name, w.base_z_m, w.height_m, w.thickness) for w in walls_of(case("floors"))]
     assert found == [
         ("facade", 0.0, 9.0, 0.6),
         ("facade (+3 m)", 3.0, 6.0, 0.6),
         ("facade (+6 m)", 6.0, 3.0, 0.6),
     ]
-    upper = parts(case("floors", base_z_m=3.0, height_m=7.0))
-    assert [wall.base_z_m for _, wall in upper] == [3.0, 6.0, 9.0]
+    upper = walls_of(case("floors", base_z_m=3.0, height_m=7.0))
+    assert [wall.base_z_m for wall in upper] == [3.0, 6.0, 9.0]
 
 
 def test_that_given_heights_are_taken_in_order_and_once():
-    found = parts(case([4.5, 1.0, 4.5], slenderness_deg=4.0, thickness_m=None))
-    assert [wall.height_m for _, wall in found] == [9.0, 8.0, 4.5]
-    assert len({wall.thickness for _, wall in found}) == 1
+    found = walls_of(case([4.5, 1.0, 4.5], slenderness_deg=4.0, thickness_m=None))
+    assert [wall.height_m for wall in found] == [9.0, 8.0, 4.5]
+    assert len({wall.thickness for wall in found}) == 1
 
 
 def test_that_the_part_above_a_hinge_is_the_wall_one_would_write():
-    part = parts(case([6.0]))[1][1]
+    part = walls_of(case([6.0]))[1]
     alone = case(None, name="top", base_z_m=6.0, height_m=3.0).wall[0]
     assert part.block() == alone.block()
     both = run(case([6.0]), base_dir=ROOT).walls

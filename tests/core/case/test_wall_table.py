@@ -12,6 +12,8 @@ from core.case.reader import read_case
 from core.case.schema import ReturnWalls, Wall
 from core.case.wall_table import read_table, read_walls, text_rows, walls_of
 from core.errors import InputError
+from tests.core.ooxml.writers import WRITERS, Fault, Formula, Writer, packed, unpacked
+from tests.core.ooxml.writers import workbook as written_by
 
 CSV = """Parete;Piano;z;H;t;L;Peso specifico;u;Meccanismo;Vincolo;Note
 ;;m;m;cm;m;kN/m3;cm;;;
@@ -89,10 +91,10 @@ def formula(sheet):
 
 
 def bomb() -> bytes:
-    stream = io.BytesIO()
-    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as folder:
-        folder.writestr("xl/worksheets/sheet1.xml", b"0" * 30_000_000)
-    return stream.getvalue()
+    parts = unpacked(book(ROWS))
+    sheet = "xl/worksheets/sheet1.xml"
+    spaces = (b" " * 60 + b"<a/>") * 400_000
+    return packed({**parts, sheet: parts[sheet].replace(b"</worksheet>", spaces + b"</worksheet>")})
 
 
 def lying(content: bytes) -> bytes:
@@ -118,8 +120,8 @@ def test_that_a_lying_dimension_changes_nothing(tmp_path):
 @pytest.mark.parametrize(
     ("content", "words"),
     [
-        (book(ROWS, merged), "merged"),
-        (book(ROWS, formula), "B3 is a formula"),
+        (book(ROWS, merged), "merged cells A3:B3"),
+        (book(ROWS, formula), "formulas B3"),
         (bomb(), "larger than 20 MB"),
         (b"not a zip", "not a workbook"),
         (book(ROWS)[:-300], "not a workbook"),
@@ -348,3 +350,127 @@ def test_that_a_wrong_word_is_answered_with_the_words_of_the_list(cell, words):
         wall_table.walls_of(wall_table.text_rows(f"{head}\n{row}"))
     column = "Meccanismo" if words.startswith("su") else "Carico 1"
     assert f"row 2, {column}: '{cell}' is not accepted: one of {words}" in str(caught.value)
+
+
+THRUST = [
+    [
+        "Parete",
+        "z",
+        "H",
+        "t",
+        "Meccanismo",
+        "Peso specifico",
+        "Carico 1",
+        "Carico 1 p",
+        "Carico 1 h",
+    ],
+    ["", "m", "m", "cm", "", "kN/m3", "", "kN/m", "m"],
+    ["A", 0, 4, 45, "su un lato", 18, "spinta", 2.5, 3],
+    ["B", 0, 4, 45, "su un lato", 18, None, None, None],
+    ["C", 0, 5, 45, "su un lato", 18, None, None, None],
+]
+
+
+@pytest.fixture
+def saved(tmp_path):
+    """Write bytes as a table and give its path."""
+
+    def save(content: bytes, name="w.xlsx"):
+        path = tmp_path / name
+        path.write_bytes(content)
+        return path
+
+    return save
+
+
+@pytest.mark.parametrize("writer", WRITERS.values(), ids=WRITERS)
+def test_that_a_table_is_the_same_whoever_wrote_it(writer, saved):
+    walls, notes = read_table(
+        saved(written_by(writer, THRUST, hidden_rows=(4,), others=[("Note", [["x"]])])), True
+    )
+    assert walls == walls_of(
+        [[("" if c is None else str(c)) for c in row] for row in THRUST[:3] + THRUST[4:]], True
+    )
+    assert [note.code for note in notes] == ["table_sheet", "hidden_rows", "other_sheets"]
+
+
+@pytest.mark.parametrize("writer", WRITERS.values(), ids=WRITERS)
+def test_that_a_load_merged_over_two_walls_never_reaches_the_first_alone(writer, saved):
+    path = saved(written_by(writer, THRUST, merged=("G3:G4", "H3:H4", "I3:I4")))
+    with pytest.raises(
+        InputError, match='sheet "Foglio 1": merged cells G3:G4, H3:H4, I3:I4: each cell'
+    ):
+        read_table(path)
+
+
+@pytest.mark.parametrize("writer", WRITERS.values(), ids=WRITERS)
+def test_that_all_cells_without_a_value_of_their_own_are_named_at_once(writer, saved):
+    rows = [
+        *THRUST[:3],
+        ["B", 0, Formula("C3", 4), 45, "su un lato", 18],
+        [Fault("#REF!"), 0, 4, 45, "su un lato", 18],
+    ]
+    path = saved(written_by(writer, rows, merged=("A4:B4",)))
+    with pytest.raises(InputError, match="merged cells A4:B4, formulas C4, errors A5: each cell"):
+        read_table(path)
+
+
+def test_that_hidden_columns_are_not_read_and_said(saved):
+    rows = [[*row[:2], *row[2:]] for row in THRUST]
+    walls, notes = read_table(saved(written_by(Writer(), rows, hidden_columns=(7, 8, 9))))
+    assert [wall.load for wall in walls] == [(), (), ()]
+    assert notes[1].text() == (
+        "Hidden columns of the table of walls were not read: G (Carico 1), H (Carico 1 p), I (Carico 1 h)."
+    )
+    assert "nascoste" in notes[1].text("it")
+    walls, _ = read_table(saved(written_by(Writer(), [[*row[:2], "?", *row[2:]] for row in THRUST],
+                                           hidden_columns=(3,))))  # fmt: skip
+    assert [wall.height_m for wall in walls] == [4.0, 4.0, 5.0]
+
+
+def test_that_a_merged_cell_of_another_sheet_is_no_matter(saved):
+    parts = unpacked(written_by(Writer(), THRUST, others=[("Note", [["x"]])]))
+    second = "xl/worksheets/sheet2.xml"
+    merged = b'</sheetData><mergeCells><mergeCell ref="A1:B1"/></mergeCells>'
+    parts[second] = parts[second].replace(b"</sheetData>", merged)
+    assert len(read_walls(saved(packed(parts)))) == 3
+
+
+@pytest.mark.parametrize(
+    "text", [";" * 20_000_000, ";;\n" * 6_000_000, '"";' * 6_000_000, "a\tb\n" + "\t" * 400_000]
+)
+def test_that_a_text_of_countless_cells_is_refused_before_they_are_made(text, monkeypatch):
+    monkeypatch.setattr(wall_table.csv, "reader", lambda *_, **__: pytest.fail("they were made"))
+    with pytest.raises(InputError, match="more than 2000 rows or 160 columns"):
+        text_rows(text)
+
+
+STYLES, STRINGS, SHEET = "xl/styles.xml", "xl/sharedStrings.xml", "xl/worksheets/sheet1.xml"
+
+
+@pytest.mark.parametrize(
+    ("part", "before", "unit"),
+    [(STYLES, "</styleSheet>", "<fonts><font><b/></font></fonts>"), (STYLES, "</cellXfs>", '<xf numFmtId="0"/>'),
+     (STRINGS, "</sst>", "<si><t>a</t></si>"), (SHEET, "</sheetData>", "<row/>"), (SHEET, "</row>", "<c/>"),
+     (SHEET, "</worksheet>", "<mergeCells><mergeCell ref='A1:XFD1048576'/></mergeCells>")],
+)  # fmt: skip
+def test_that_a_workbook_of_some_kilobytes_takes_no_more_than_it_is_worth(
+    part, before, unit, saved, monkeypatch
+):
+    """18 kB of styles took 22 s and 1.1 GB: what is read is counted, and what is not needed is not kept."""
+    import tracemalloc
+
+    parts = unpacked(written_by(Writer(), THRUST))
+    grown = parts[part].replace(
+        before.encode(), unit.encode() * (18_000_000 // len(unit)) + before.encode(), 1
+    )
+    path = saved(packed({**parts, part: grown}))
+    assert path.stat().st_size < 200_000
+    del grown
+    monkeypatch.setattr("core.ooxml.package.MAX_ELEMENTS", 20_000)  # tracing takes its time
+    tracemalloc.start()
+    with pytest.raises(InputError, match="more parts, cells, texts or formats than can be read"):
+        read_table(path)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 10e6

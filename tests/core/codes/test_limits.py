@@ -4,7 +4,14 @@ import pytest
 
 from core.capacity.ida import multiplier_of
 from core.capacity.limit_states import LIMIT_FRACTION
-from core.codes.limits import MEAN_FROM, MINIMUM_FROM, check_return_period, return_period
+from core.codes.limits import (
+    MEAN_FROM,
+    MINIMUM_FROM,
+    check_return_period,
+    return_period,
+    set_rule,
+    set_value,
+)
 from core.errors import InputError
 
 
@@ -19,6 +26,33 @@ def test_that_t_r_of_fifty_years_is_the_known_one(state, years):
 def test_that_the_limits_are_those_of_the_clauses():
     assert LIMIT_FRACTION == {"SLV": 0.40, "SLC": 0.60}  # C8.7.1.2.1.6
     assert (MEAN_FROM, MINIMUM_FROM) == (7, 3)  # EN 1998-1 4.3.3.4.3(3)
+
+
+@pytest.mark.parametrize(
+    ("count", "rule"),
+    [(0, "too_few"), (2, "too_few"), (3, "minimum"), (6, "minimum"), (7, "mean"), (30, "mean")],
+)
+def test_that_the_stations_decide_the_rule_of_a_set(count, rule):
+    assert set_rule({f"station {k}" for k in range(count)}) == rule
+
+
+@pytest.mark.parametrize(
+    ("values", "rule", "value"),
+    [
+        ([], "mean", None),
+        ([None, None], "too_few", None),
+        ([2.0, None], "too_few", 2.0),
+        ([3.0, 2.0, 4.0], "minimum", 2.0),
+        ([1.0, 2.0, 6.0], "mean", 3.0),
+        ([1.0, 2.0, 6.0, None], "mean", 3.0),
+        ([1.0, 2.0], "incomplete", None),
+        ([1.0, 2.0], None, None),
+    ],
+)
+def test_that_a_set_is_the_mean_or_the_most_unfavourable_of_its_numbers(values, rule, value):
+    assert set_value(values, rule) == value
+    opposite = [None if one is None else -one for one in values]
+    assert set_value(opposite, rule, max) == (None if value is None else -value)
 
 
 def test_that_q_is_c_pga_over_a_rm():

@@ -17,7 +17,7 @@ def rule(*fails):
         flags = np.zeros(multipliers.size, bool)
         for low, high in fails:
             flags |= (multipliers >= low) & (multipliers < high)
-        return flags, np.zeros(multipliers.size, bool)
+        return flags, np.zeros(multipliers.size, bool), np.ones(multipliers.size, bool)
 
     return failures, asked
 
@@ -65,7 +65,8 @@ def test_that_a_rule_that_never_fails_is_as_far_as_was_looked():
 def test_that_an_outcome_without_number_below_gives_none():
     def failures(multipliers):
         flags = multipliers >= 1.2
-        return flags | (np.abs(multipliers - 1.15) < 0.01), np.abs(multipliers - 1.15) < 0.01
+        unknown = np.abs(multipliers - 1.15) < 0.01
+        return flags | unknown, unknown, np.ones(multipliers.size, bool)
 
     found = search_zeta(failures, 0.2, 1.0)
     assert found.half is None and found.spread is None and found.holds_at_target
@@ -81,6 +82,60 @@ def test_that_the_target_is_looked_at_itself():
 def test_that_a_failure_at_the_target_itself_is_seen_beside_a_zeta_beyond():
     found = search_zeta(rule((0.995, 1.005), (1.3, math.inf))[0], 0.2, 1.0)
     assert found.half > 1.25 and not found.holds_at_target
+
+
+@pytest.mark.parametrize("every", [1, 2, 4, 8])
+def test_that_what_is_found_is_that_of_all_points_wherever_the_walk_starts(every):
+    """200 rules that fail at scattered points, against the definition on every point of the grid."""
+    half = round(WINDOW / (every * math.log1p(STEP)))
+    for seed in range(200):
+        chance = np.random.default_rng(seed)
+        share = np.clip(np.linspace(-chance.uniform(0.0, 3.0), 1.2, 1200 // every), 0.0, 1.0) ** 3
+        flags = np.append(chance.random(share.size) < share, np.ones(2000, bool))
+        flags[:50] = False
+
+        def failures(multipliers, flags=flags):
+            k = np.rint(np.log(multipliers / 0.8) / math.log1p(STEP) / every).astype(int) + 100
+            fails = np.where(k < 0, False, flags[np.clip(k, 0, flags.size - 1)])
+            return fails, np.zeros(k.size, bool), np.ones(k.size, bool)
+
+        def lowest(part, flags=flags):
+            counts = np.convolve(flags, np.ones(2 * half + 1), "same")[: 1700 - half]
+            return int(np.argmax(counts >= part * (2 * half + 1)))
+
+        def multiplier(k):
+            return 0.8 * (1.0 + STEP) ** (every * (k - 100))
+
+        first, middle = int(np.argmax(flags)), lowest(0.5)
+        rests = [
+            0.5 * multiplier(0),
+            multiplier(17),
+            multiplier(first - 1),
+            0.999 * multiplier(first),
+        ]
+        found = [search_zeta(failures, rest, 0.8, every) for rest in rests]
+        assert len(set(found)) == 1
+        assert found[0].sixteen == pytest.approx(multiplier(lowest(0.16)), rel=1e-12)
+        if first == middle:  # a sharp limit is located within its step
+            assert multiplier(first - 1) < found[0].first == found[0].half <= multiplier(first)
+            continue
+        assert found[0].first == pytest.approx(multiplier(first), rel=1e-12)
+        assert found[0].half == pytest.approx(multiplier(middle - 0.5), rel=1e-12)
+
+
+def test_that_points_are_left_out_only_where_no_run_rocks():
+    """Between points 4 % apart at which every run hardly rocks nothing is analysed; beside one that rocks all is."""
+    asked = []
+
+    def failures(multipliers):
+        asked.extend(multipliers.tolist())
+        return multipliers >= 1.0, np.zeros(multipliers.size, bool), multipliers >= 0.7
+
+    search_zeta(failures, 0.2, 1.0)
+    quiet = sorted(m for m in asked if m < 0.65)
+    assert np.diff(np.log(quiet)) == pytest.approx(16 * math.log1p(STEP), rel=1e-9)
+    rocks = sorted(m for m in asked if 0.7 <= m < 1.0)
+    assert np.diff(np.log(rocks))[:-20] == pytest.approx(math.log1p(STEP), rel=1e-9)
 
 
 def test_that_the_search_begins_where_the_wall_begins_to_move_whatever_the_target():

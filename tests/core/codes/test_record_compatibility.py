@@ -13,6 +13,7 @@ from core.ground import records
 from core.ground.provenance import stations
 from core.study import run as study
 from core.study.demand_input import demand_of, generated
+from tests.conftest import ROOT
 
 
 def case(**demand):
@@ -47,6 +48,29 @@ def test_that_a_generated_set_complies_and_half_of_it_does_not(tmp_path):
     wrong = compliance(halved, ["artificial"] * 7, demand)
     assert not wrong.compatible
     assert compliance(motions[:2], ["artificial"] * 2, demand).compatible is False
+
+
+def test_that_artificial_motions_are_as_long_as_the_code_asks(tmp_path):
+    """A strong part of 10 s, 25 s in all: the limits themselves pass."""
+    demand = demand_of(case(), tmp_path)
+    motions = generated(case(), demand)
+    size = round(25.0 / motions[0].time_step) + 1
+    for samples, passed in ((size, True), (size - 1, False)):
+        cut = [replace(motion, acceleration=motion.acceleration[:samples]) for motion in motions]
+        found = {rule.name: rule for rule in compliance(cut, ["artificial"] * 7, demand).rules}
+        assert (found["duration"].limit, found["duration"].passed) == (25.0, passed)
+        assert found["strong_part"].limit == 10.0
+
+
+def test_that_one_factor_brings_the_mean_to_the_target_over_the_periods_asked(tmp_path):
+    motions = [records.read(ROOT / "resources" / "motions" / f"noise_{k}.txt") for k in (1, 2, 3)]
+    for more in ({}, {"period_range_s": [0.3, 2.6]}):
+        demand = demand_of(case(**more), tmp_path)
+        low, high = more.get("period_range_s", (0.15, 2.0))
+        found = compliance(motions, ["artificial"] * 3, demand)
+        inside = (found.periods >= low) & (found.periods <= high)
+        by_hand = np.exp(np.log(found.target / found.mean)[inside].mean())
+        assert rules.common_factor(motions, demand) == pytest.approx(by_hand, rel=2e-3)
 
 
 def test_that_natural_records_have_an_upper_bound_too(tmp_path):

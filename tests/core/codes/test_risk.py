@@ -6,7 +6,7 @@ import pytest
 
 from core.case.rules import parse_case
 from core.codes.demand import DemandResult
-from core.codes.risk import letter_of, return_period_of, risk
+from core.codes.risk import exponent_by_ag, letter_of, return_period_of, risk
 from core.errors import InputError
 from core.units import G
 
@@ -33,6 +33,21 @@ def test_that_the_shorter_return_period_is_taken_on_either_side_of_one():
             found = risk(zeta, demand)
             assert found.return_period <= found.other_return_period
     assert risk(0.5, weak).return_period == pytest.approx(475.0 * 0.5 ** (1.0 / 0.34))
+
+
+@pytest.mark.parametrize(
+    ("ag_g", "inverse"),
+    [(0.26, 0.49), (0.25, 0.49), (0.249, 0.43), (0.15, 0.43), (0.149, 0.356), (0.05, 0.356),
+     (0.049, 0.34), (0.0, 0.34)],
+)  # fmt: skip
+def test_that_the_exponent_goes_by_a_g(ag_g, inverse):
+    assert exponent_by_ag(ag_g * G) == pytest.approx(1.0 / inverse, rel=1e-14)
+
+
+def test_that_the_letter_is_of_the_lower_end_of_what_zeta_is_known_to_be():
+    assert (risk(0.9, DEMAND).letter, risk(0.9, DEMAND, 0.7).letter) == ("A", "B")
+    assert risk(0.9, DEMAND, 0.95).letter == "A" and risk(0.9, DEMAND, 0.7).index == 0.9
+    assert not risk(0.9, DEMAND).by_hazard and risk(0.9, DEMAND).known_years == (30.0, 2475.0)
 
 
 @pytest.mark.parametrize(

@@ -1,5 +1,6 @@
 """Spectra of the codes at every branch, against values worked out by hand."""
 
+import itertools
 import math
 from pathlib import Path
 
@@ -40,6 +41,46 @@ def test_that_every_branch_of_en1998_is_its_formula(kind, soil, damping):
     found = target.acceleration(periods, damping)
     for t, value in zip(periods, found, strict=True):
         assert value == pytest.approx(by_hand(t, A_G * s, eta, 2.5, tb, tc, td), rel=1e-13)
+
+
+EN_TABLES = """
+    A 1.0  0.15 0.4 2.0   1.0  0.05 0.25 1.2
+    B 1.2  0.15 0.5 2.0   1.35 0.05 0.25 1.2
+    C 1.15 0.2  0.6 2.0   1.5  0.1  0.25 1.2
+    D 1.35 0.2  0.8 2.0   1.8  0.1  0.3  1.2
+    E 1.4  0.15 0.5 2.0   1.6  0.05 0.25 1.2
+"""
+"""EN 1998-1, Tables 3.2 and 3.3: ground, then S, T_B, T_C, T_D of type 1 and of type 2."""
+
+
+@pytest.mark.parametrize("row", EN_TABLES.strip().splitlines())
+def test_that_the_grounds_of_en1998_are_those_of_its_tables(row):
+    soil, *numbers = row.split()
+    values = [float(number) for number in numbers]
+    for kind, expected in ((1, values[:4]), (2, values[4:])):
+        found = ts.en1998(A_G, kind, soil)
+        assert [found.soil, found.t_b, found.t_c, found.t_d] == expected
+        assert found.amplification == 2.5
+
+
+@pytest.mark.parametrize(
+    ("soil", "weak", "strong"),
+    [("A", 1.0, 1.0), ("B", 1.2, 1.0), ("C", 1.5, 1.0), ("D", 1.8, 0.9), ("E", 1.6, 1.0)],
+)
+def test_that_s_of_ntc2018_keeps_within_the_limits_of_its_table(soil, weak, strong):
+    assert ts.ntc2018(0.01 * G, 2.5, 0.3, soil, "T1").soil == weak
+    assert ts.ntc2018(1.0 * G, 2.5, 0.3, soil, "T1").soil == strong
+    tops = {"T1": 1.0, "T2": 1.2, "T3": 1.2, "T4": 1.4}
+    for place, factor in tops.items():
+        found = ts.ntc2018(0.01 * G, 2.5, 0.3, soil, place).soil
+        assert found == pytest.approx(weak * factor, rel=1e-15)
+
+
+def test_that_a_displacement_is_the_acceleration_over_the_squared_frequency():
+    target = ts.en1998(A_G, 1, "B")
+    found = ts.displacement(target, [0.5, 1.0], 0.08)
+    expected = target.acceleration([0.5, 1.0], 0.08) / (2.0 * math.pi / np.array([0.5, 1.0])) ** 2
+    assert found == pytest.approx(expected, rel=1e-14)
 
 
 def test_that_the_branches_meet_at_tb_tc_and_td():
@@ -92,6 +133,100 @@ def test_that_the_intensity_of_a_spectrum_is_the_integral_of_its_velocity():
     assert ts.housner_intensity(target) == pytest.approx(fine, rel=1e-4)
     exact = target.pga * ts.shape_integral(target) / (2.0 * math.pi)
     assert exact == pytest.approx(fine, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    "target",
+    [
+        ts.en1998(A_G, 2, "A"),  # T_B below 0.1 s, T_D within
+        ts.en1998(A_G, 2, "D"),  # T_B at 0.1 s
+        ts.ntc2018(0.3 * G, 2.4, 0.33, "C", "T1"),  # T_D beyond 2.5 s
+    ],
+    ids=["early", "at 0.1 s", "late"],
+)
+def test_that_the_integral_of_a_shape_is_that_of_its_branches_within_the_periods(target):
+    corners = [0.1, target.t_b, target.t_c, target.t_d, 2.5]
+    corners = sorted({min(max(corner, 0.1), 2.5) for corner in corners})
+    total = 0.0
+    for low, high in itertools.pairwise(corners):
+        t = np.linspace(low, high, 100001)
+        total += np.trapezoid(target.acceleration(t) * t, t)
+    assert ts.shape_integral(target) == pytest.approx(total / target.pga, rel=1e-8)
+
+
+def test_that_the_ground_moves_by_the_displacement_of_the_code():
+    """d_g = 0.025 a_g S T_C T_D, NTC 3.2.12; of a file it is not known."""
+    target = ts.en1998(A_G, 1, "B")
+    assert target.ground_displacement == pytest.approx(0.025 * A_G * 1.2 * 0.5 * 2.0, rel=1e-15)
+    assert ts.given("f", 3.0, 1.0, FILE).ground_displacement is None
+
+
+FILE = [(0.0, 3.0), (0.1, 7.0), (0.5, 7.0), (1.0, 3.5), (2.5, 1.0)]
+
+
+@pytest.mark.parametrize(
+    "span", [(0.0, 3.0), (0.2, 0.4), (0.6, 1.3), (1.0, 1.0), (1.2, 2.5), (2.6, 4.0)]
+)
+def test_that_the_largest_displacement_is_that_of_a_fine_grid(span):
+    """Also within a branch of a file, where T^2 (level + slope T) turns."""
+    low, high = span
+    kinks = [period for period in np.linspace(0.0, 3.0, 61) if low <= period <= high]
+    periods = np.concatenate([np.linspace(low, high, 100001), kinks])
+    chance = np.random.default_rng(4)
+    given = list(zip(np.linspace(0.05, 3.0, 60), chance.uniform(2.0, 9.0, 60), strict=True))
+    for target in (
+        ts.en1998(A_G, 1, "C"),
+        ts.given("f", 3.0, 1.0, FILE),
+        ts.given("g", 3.0, 1.0, given),
+    ):
+        for damping in (0.05, 0.1):
+            found = ts.largest_displacement(target, low, high, damping)
+            largest = float(ts.displacement(target, periods, damping).max())
+            assert found == pytest.approx(largest, rel=1e-7) and found >= largest * (1 - 1e-12)
+
+
+def test_that_below_the_first_period_of_a_file_the_line_goes_to_the_ground():
+    target = ts.given("f", 3.0, 1.2, [(0.1, 7.0), (0.3, 7.0), (0.5, 6.0), (1.0, 3.5), (2.5, 1.0)])
+    assert target.pga == pytest.approx(3.6, rel=1e-15)
+    assert target.acceleration([0.0, 0.05, 0.1]) == pytest.approx([3.6, 5.3, 7.0], rel=1e-13)
+    eta = math.sqrt(10.0 / 15.0)
+    half = 5.3 * (1.0 + (eta - 1.0) * 0.5)
+    assert target.acceleration([0.05, 0.1, 0.2], 0.10) == pytest.approx(
+        [half, 7.0 * eta, 7.0 * eta], rel=1e-13
+    )
+    assert target.acceleration([1.0], 0.30)[0] == pytest.approx(0.55 * 3.5, rel=1e-13)
+
+
+def test_that_limits_of_a_file_are_taken_and_a_row_that_does_not_rise_is_named():
+    at_the_ends = [(0.1, 3.6), (0.2, 3.6), (0.4, 3.6), (1.0, 1.0), (2.5, 0.1)]
+    assert ts.given("f", 3.0, 1.0, at_the_ends).periods == (0.1, 0.2, 0.4, 1.0, 2.5)
+    for start in (3.14, 2.86):  # within 5 % of a_g S
+        assert ts.given("f", 3.0, 1.0, [(0.01, start), *FILE[1:]]).values[0] == start
+    for start in (3.156, 2.844):
+        with pytest.raises(InputError, match="starts at"):
+            ts.given("f", 3.0, 1.0, [(0.01, start), *FILE[1:]])
+    assert ts.given("f", 3.0, 1.0, [(0.02, 3.2), *FILE[1:]]).values[0] == 3.2
+    high = [(period, min(value, 18.0)) for period, value in [(0.1, 18.0), *FILE[2:], (3.0, 0.5)]]
+    assert max(ts.given("f", 3.0, 1.0, high).values) == 18.0  # 6 times a_g S
+    for far in (3.5, 18.5):
+        flat = [(0.05, far), (0.1, far), (0.5, far), (1.0, 2.0), (2.5, 1.0)]
+        with pytest.raises(InputError, match="is the file in g"):
+            ts.given("f", 3.0, 1.0, flat)
+    with pytest.raises(InputError, match="row 3"):
+        ts.given("f", 3.0, 1.0, [FILE[0], FILE[1], FILE[1], FILE[3], FILE[4]])
+    steep = [(0.0, 19.9 * G / 6), (0.1, 19.9 * G), (0.5, 19.9 * G), (1.0, G), (2.5, 1.0)]
+    assert ts.given("f", 19.9 * G / 6, 1.0, steep)
+    beyond = [(period, value * 20.0 / 19.9) for period, value in steep]
+    with pytest.raises(InputError, match="20 g"):
+        ts.given("f", 20.0 * G / 6, 1.0, beyond)
+
+
+def test_that_a_t_c_beyond_t_d_is_refused():
+    with pytest.raises(InputError) as caught:
+        ts.ntc2018(0.05 * G, 2.5, 2.5, "D", "T1")
+    assert caught.value.code == "t_c_above_t_d"
+    assert caught.value.values["t_d"] == pytest.approx(1.8)
+    assert caught.value.values["t_c"] == pytest.approx(1.25 * 2.5**0.5)
 
 
 def test_that_a_spectrum_of_a_file_gives_its_points_and_its_ends():

@@ -162,9 +162,9 @@ def peer(last="NPTS= 40, DT= .01000 SEC") -> bytes:
                 "ACCELERATION TIME HISTORY IN UNITS OF CM/S/S", last, rows(GAL, 5, "15.7E"))  # fmt: skip
 
 
-def zipped(**members: bytes) -> bytes:
+def zipped(compression=zipfile.ZIP_DEFLATED, /, **members: bytes) -> bytes:
     room = io.BytesIO()
-    with zipfile.ZipFile(room, "w", zipfile.ZIP_DEFLATED) as folder:
+    with zipfile.ZipFile(room, "w", compression) as folder:
         for name, content in members.items():
             folder.writestr(name, content)
     return room.getvalue()

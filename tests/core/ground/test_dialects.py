@@ -2,6 +2,7 @@
 
 import datetime
 import io
+import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +16,8 @@ from core.ground.records.grammar import Options
 from tests.core.ground import dialects
 from tests.core.ground.dialects import DIALECTS, MOTION, STEP
 from tests.core.ground.test_records import ASKED
+from tests.core.ooxml.writers import WRITERS, Fault, Formula, Writer
+from tests.core.ooxml.writers import workbook as written_by
 
 
 def read(content: bytes, **given):
@@ -120,6 +123,7 @@ def test_that_processed_horizontals_of_a_zip_come_first_and_what_is_converted_on
         (dialects.zipped(**{"a.txt": b"0.1\n" * 6_000_000}), "20 MB"),
         (dialects.zipped(**{f"{k}.txt": b"1" for k in range(600)}), "600"),
         (b"PK\x03\x04" + b"\0" * 60, "cannot be opened"),
+        (dialects.zipped(zipfile.ZIP_LZMA, **{"a.txt": b"0.1 " * 99}), "LZMA"),
         (dialects.workbook(sheets=("a", "b")), 'give channel.*"a", "b"'),
         (dialects.workbook(heads=("T [s]", "Sa [g]")), "this is"),
     ],
@@ -152,7 +156,7 @@ def test_that_a_slip_of_the_unit_is_warned_of_or_refused(shelf, index):
             try:
                 found = records.read(shelf / file, Options(unit=wrong, **given))
             except RecordError as error:
-                caught += error.code in ("contradicts_file", "peak_too_large")
+                caught += error.code in ("contradicts_file", "contradicts_line", "peak_too_large")
             else:
                 caught += bool(found.warnings)
     assert tried > 200 and caught >= 0.99 * tried
@@ -243,7 +247,7 @@ def test_that_sheets_refuse_what_is_no_number_and_keep_their_columns():
     found = read(sheet(["t [s]", None, "a [m/s2]", "b [m/s2]"], *rows), column=3)
     assert np.array_equal(found.acceleration, A)
     formulas = [[k * STEP, "=1*0.2", float(b)] for k, b in enumerate(B)]
-    with pytest.raises(RecordError, match="formulas without values"):
+    with pytest.raises(RecordError, match=r"formulas without values B1, B2, .* \(40\)"):
         read(sheet(*formulas), unit="m/s2")
     for wrong in ("#DIV/0!", "#N/A", None, datetime.date(2024, 1, 5)):
         column = [[float(a)] for a in A]
@@ -253,6 +257,63 @@ def test_that_sheets_refuse_what_is_no_number_and_keep_their_columns():
     text = "\n".join([*FIRST[:20], "#DIV/0!", *FIRST[21:]]) + "\n"
     with pytest.raises(RecordError, match="gap"):
         read(text.encode(), unit="m/s2", time_step=STEP)
+
+
+SAMPLES = [["t [s]", "a [m/s2]"], *([round(k * STEP, 2), float(a)] for k, a in enumerate(MOTION))]
+
+
+def notes(content: bytes, **given) -> list[str]:
+    """Words of the warnings of a record, but for those on its samples."""
+    return [
+        w.text()
+        for w in read(content, **given).warnings
+        if w.code not in ("ends_moving", "unit_as_given")
+    ]
+
+
+@pytest.mark.parametrize("writer", WRITERS.values(), ids=WRITERS)
+def test_that_a_sheet_is_the_same_record_whoever_wrote_it(writer):
+    found = read(written_by(writer, SAMPLES))
+    assert np.array_equal(found.acceleration, MOTION) and found.time_step == STEP
+    title = [["Stazione di prova", None], *SAMPLES]
+    assert np.array_equal(read(written_by(writer, title, merged=("A1:B1",))).acceleration, MOTION)
+
+
+@pytest.mark.parametrize("writer", WRITERS.values(), ids=WRITERS)
+def test_that_a_sheet_refuses_formulas_without_value_and_merged_samples_by_name(writer):
+    formulas = [*SAMPLES[:21], *([t, Formula("B2*2")] for t, _ in SAMPLES[21:])]
+    with pytest.raises(RecordError, match="formulas without values B22, B23, .* .20."):
+        read(written_by(writer, formulas))
+    column = [[a] for _, a in SAMPLES[1:-2]] + [[None], [None]]
+    with pytest.raises(RecordError, match="merged cells A38:A40: each cell"):
+        read(written_by(writer, column, merged=("A38:A40",)), unit="m/s2", time_step=STEP)
+    with pytest.raises(RecordError, match="errors C3: each cell"):
+        read(written_by(writer, [*SAMPLES[:2], [*SAMPLES[2], Fault("#N/A")], *SAMPLES[3:]]))
+
+
+@pytest.mark.parametrize("writer", WRITERS.values(), ids=WRITERS)
+def test_that_hidden_samples_and_formulas_of_a_sheet_are_read_and_said(writer):
+    assert notes(written_by(writer, SAMPLES)) == []
+    hidden = written_by(
+        writer, SAMPLES, hidden_rows=(5, 6), hidden_columns=(2,), others=[("Grezzi", [[1]])]
+    )
+    assert np.array_equal(read(hidden).acceleration, MOTION)
+    assert notes(hidden) == [
+        "Hidden rows of the sheet were read like the others: 5, 6. Do they belong to the record?",
+        "Hidden columns of the sheet count like the others: B (a [m/s2]). Is the column that is read the one meant?",
+        "Hidden sheets of the workbook were not read: Grezzi.",
+    ]
+    formulas = [*SAMPLES[:40], [SAMPLES[40][0], Formula("1", SAMPLES[40][1])]]
+    assert np.array_equal(read(written_by(writer, formulas)).acceleration, MOTION)
+    assert notes(written_by(writer, formulas)) == [
+        "Formulas of the sheet were read by the values last computed: B41."
+    ]
+
+
+def test_that_a_sheet_beyond_its_limits_is_refused_and_never_cut():
+    wide = [[*row, *[None] * 98, 1.0] for row in SAMPLES]
+    with pytest.raises(RecordError, match="column 100"):
+        read(written_by(Writer(), wide))
 
 
 @pytest.mark.parametrize("word", ["UP", "DWN", "VER", "V", "UD", "up"])

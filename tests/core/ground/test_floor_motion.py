@@ -80,6 +80,33 @@ def test_that_a_three_storey_shear_building_is_that_of_direct_integration(ground
         assert np.abs(floor - expected).max() < 1e-9 * np.abs(expected).max()
 
 
+@pytest.mark.parametrize("dt", [0.005, 0.01, 0.02])
+@pytest.mark.parametrize(
+    "modes",
+    [[(0.39, 1.0)], [(0.2, 1.2)], [(0.1, 0.8)], [(0.05, 1.0)], [(0.02, 1.0)],
+     [(0.3, 1.22), (0.1, -0.28), (0.06, 0.06)]],
+)  # fmt: skip
+def test_that_a_floor_motion_is_linear_between_its_samples_within_a_thousandth(dt, modes):
+    """Against samples 16 times as close, exact for a ground linear between samples: sharp noise of five seconds."""
+    rng = np.random.default_rng(7)
+    ground = rng.normal(size=round(5.0 / dt)) * np.hanning(round(5.0 / dt))
+    modes = [Mode(period, 0.05, part) for period, part in modes]
+    floor, step = floor_acceleration(ground, dt, modes)
+    parts = round(dt / step)
+    finer = 16 * parts
+    moving = np.interp(
+        np.arange((ground.size - 1) * finer + 1) / finer, np.arange(ground.size), ground
+    )
+    exact = (1.0 - sum(mode.participation for mode in modes)) * moving
+    for mode in modes:
+        exact += mode.participation * modal_acceleration(
+            moving, dt / finer, mode.period, mode.damping
+        )
+    known = np.arange(min(floor.size, (ground.size - 1) * parts + 1))
+    drawn = np.interp(np.arange(exact.size) / 16.0, known, floor[: known.size])
+    assert np.abs(drawn - exact).max() <= 1e-3 * np.abs(exact).max()
+
+
 def test_that_the_free_motion_after_the_record_is_kept_to_a_thousandth(ground):
     mode = Mode(0.5, 0.05, 1.0)
     floor, dt = floor_acceleration(ground, DT, [mode])

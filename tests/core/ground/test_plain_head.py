@@ -7,6 +7,7 @@ from core.errors import RecordError
 from core.ground import records
 from core.ground.records import plain_head
 from core.ground.records.grammar import Options
+from core.ground.records.head_units import stated_unit
 from tests.core.ground.record_texts import MOTION, column, two
 
 
@@ -37,18 +38,18 @@ def test_that_a_time_step_stated_in_words_is_used_and_not_contradicted(read, hea
     "head", ["Sampling instrument SMA-1, 200 m away", "Time  Acc (g)", "station dt01"]
 )
 def test_that_other_words_state_no_time_step(head):  # fmt: skip
-    assert plain_head.time_step(head) is None
+    assert plain_head.time_steps(plain_head.head_of(head)) == []
 
 
 def test_that_a_declared_count_must_agree(read):
     for head in (
         "NPTS 40",
         "# number of points: 40",
-        "No. of samples = 41",
+        "No. of samples = 40",
         "numero di campioni: 40",
     ):
         assert read(f"{head}\n{two()}", unit="g").acceleration.size == 40
-        other = head.replace("40", "80").replace("41", "80")
+        other = head.replace("40", "80")
         with pytest.raises(RecordError, match="40 samples, but the header declares 80"):
             read(f"{other}\n{two()}", unit="g")
 
@@ -146,9 +147,11 @@ def test_that_the_unit_of_a_value_is_not_taken(read, head):
 )
 def test_that_a_head_of_blanks_takes_linear_time(word):
     head = "\n".join([(word + " " * 19_000) + "x"] * 20)
-    (
-        plain_head.time_step(head),
-        plain_head.seconds_of_time(head),
-        plain_head.agrees_with_count(head, 40),
-    )
-    plain_head.refuse_unit_not_read(head), plain_head.vertical(head, 2, 2)
+    lines = plain_head.head_of(head)
+    plain_head.seconds_of_time(head), plain_head.vertical(head, 2, 2)
+    stated = [
+        plain_head.time_steps(lines),
+        *plain_head.counts(lines, 40),
+        *plain_head.factors(lines),
+    ]
+    assert not any(stated) and stated_unit(head) is None

@@ -13,6 +13,7 @@ from tests.conftest import ROOT
 from tests.core.jit.digest import run
 
 
+@pytest.mark.long
 def test_that_damaged_cache_files_are_dropped_and_compiled_again(tmp_path):
     digest, folder = run(RIBALTA_CACHE=str(tmp_path))
     files = sorted(os.path.join(folder, name) for name in os.listdir(folder))

@@ -5,16 +5,20 @@ import re
 import subprocess
 import sys
 
+import pytest
+
 from core.jit import decorators
 from tests.conftest import ROOT
 from tests.core.jit.digest import run
 
 
+@pytest.mark.long
 def test_that_the_kernels_without_compiler_are_bit_identical():
     compiled = run()[0]
     assert run(NUMBA_DISABLE_JIT="1")[0] == compiled
 
 
+@pytest.mark.long
 def test_that_a_processor_without_wide_registers_or_fused_products_gives_the_same_bits(tmp_path):
     orders = ("taylor", "taylor_6")
     plain = run(

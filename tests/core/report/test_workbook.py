@@ -1,9 +1,11 @@
 """The workbook: live formulas recalculated by LibreOffice, safe text, words, one-page Summary."""
 
 import math
+import os
 import re
 import shutil
 import subprocess
+import tempfile
 import zipfile
 from io import BytesIO
 
@@ -11,8 +13,10 @@ import numpy as np
 import openpyxl
 import pytest
 
+from app import export
 from core.case.reader import read_case
 from core.case.rules import parse_case
+from core.errors import Cancelled
 from core.report import workbook
 from core.report.cells import Book
 from core.report.input_sheet import inputs
@@ -341,6 +345,45 @@ def test_that_two_hundred_walls_fit_the_one_page_summary(folder, reference):
     assert summary.max_row < 60
     assert len(list(book.workbook["Overview"].iter_rows(min_row=4))) == 200
     assert "wall199_height" in book.workbook.defined_names
+
+
+def test_that_no_merged_range_is_compared_with_the_others_and_none_overlap(folder, monkeypatch):
+    """A comparison with all ranges before makes a large report quadratic."""
+    from openpyxl.worksheet.cell_range import MultiCellRange
+
+    monkeypatch.setattr(MultiCellRange, "__contains__", lambda *_: pytest.fail("compared"))
+    for sheet in made(folder)[1].workbook:
+        cells = [cell for area in sheet.merged_cells.ranges for cell in area.cells]
+        assert len(cells) == len(set(cells)), sheet.title
+
+
+@pytest.mark.long
+def test_that_the_writing_tells_how_far_it_is_and_may_be_cancelled_at_every_row(folder, tmp_path):
+    result = made(folder)[0]
+    told, asked = [], []
+    export.write(
+        result, tmp_path, "c", lambda: asked.append(1), tell=lambda *state: told.append(state)
+    )
+    done = [at for at, planned in told]
+    assert done == sorted(set(done)) and done[0] == 0 and done[-1] >= 95
+    assert {planned for _, planned in told} == {100}
+    rows = sum(sheet.max_row for sheet in openpyxl.load_workbook(tmp_path / "c.xlsx"))
+    assert len(asked) > rows
+    # wherever it is cancelled, nothing is written and no temporary file stays
+    target, temporary = tmp_path / "none", set(os.listdir(tempfile.gettempdir()))
+    target.mkdir()
+    for last in range(0, len(asked), len(asked) // 25):
+        left = iter(range(last))
+
+        def check(left=left):
+            if next(left, None) is None:
+                raise Cancelled
+
+        with pytest.raises(Cancelled):
+            export.write(result, target, "c", check)
+        assert list(target.iterdir()) == []
+    new = set(os.listdir(tempfile.gettempdir())) - temporary
+    assert [name for name in new if name.startswith("openpyxl.")] == []
 
 
 def test_that_thinning_keeps_the_peaks():

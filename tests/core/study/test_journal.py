@@ -2,6 +2,7 @@
 
 import json
 import random
+import threading
 
 import pytest
 
@@ -91,6 +92,34 @@ def test_that_what_is_set_aside_takes_no_place_of_another_file(tmp_path):
     assert book.set_aside.name == "c.journal.old2" and book.set_aside.read_bytes() == content
     assert (tmp_path / "c.journal.old").read_bytes() == b"mine"
     book.close()
+
+
+def test_that_no_journal_that_was_set_aside_is_written_over(tmp_path):
+    """Killed after fifteen runs, then after three, then after one: each of them is there still."""
+    path, kept = tmp_path / "c.journal", []
+    for runs in (15, 3, 1):
+        kept.append(filled(path, runs))
+    Journal(path, KEY, False).close()
+    names = ("c.journal.old", "c.journal.old2", "c.journal.old3")
+    assert [(tmp_path / name).read_bytes() for name in names] == kept
+
+
+def test_that_several_threads_add_whole_lines(tmp_path):
+    book = Journal(tmp_path / "c.journal", KEY, False, sync_seconds=60.0)
+
+    def add(first: int) -> None:
+        for k in range(200):
+            book.add(f"{first} {k}", {"q": "x" * 3000})
+
+    threads = [threading.Thread(target=add, args=(k,)) for k in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    book.close()
+    again = Journal(tmp_path / "c.journal", KEY, True)
+    assert len(again.found) == 800 and again.dropped == 0
+    again.close()
 
 
 def test_that_a_second_batch_on_the_same_output_is_refused(tmp_path):

@@ -93,7 +93,7 @@ def test_that_threads_and_finished_runs_change_no_digit(tmp_path):
     with pytest.raises(Cancelled):
         run(content, journal=journal, cancelled=cancelled)
     again = run(
-        content, jobs=2, journal=journal, on_progress=lambda done, of, stage: count.append(done)
+        content, jobs=2, journal=journal, on_progress=lambda done, of, left: count.append(done)
     )
     assert count[0] >= 3
     assert again.rows == once.rows
@@ -167,6 +167,49 @@ def test_that_equal_records_count_once_whatever_their_scale(tmp_path):
     content = {**table(motions="records"), "record": [{"file": str(tmp_path / "a.txt")}]}
     result = run(content, records_from=tmp_path)
     assert [entry.motion.name for entry in result.motions if entry.seed is None] == ["a"]
+
+
+def test_that_a_record_and_its_copy_that_differ_by_rounding_count_once(tmp_path):
+    """One sample half way between two steps of 1e-4 of the peak: no rounding of the samples makes both equal."""
+    samples = np.sin(np.arange(400) * 0.1) * np.hanning(400)
+    samples[100] = 0.50005 * np.abs(samples).max()
+    for name, factor in (("a", 1.0 - 1e-8), ("b", 1.0 + 1e-8), ("c", 1.001)):
+        other = samples.copy()
+        other[100] *= factor
+        lines = [f"{value:.10f}" for value in other]
+        (tmp_path / f"{name}.txt").write_text("\n".join(lines))
+    entries = [
+        {"file": str(tmp_path / f"{name}.txt"), "unit": "g", "time_step_s": 0.01} for name in "abc"
+    ]
+    result = run({**table(motions="records"), "record": entries})
+    found = [entry.motion.name for entry in result.motions if entry.seed is None]
+    assert found == ["a", "c"]
+
+
+def test_that_a_vertical_component_is_left_out_and_named(tmp_path):
+    values = "\n".join(f"{math.sin(0.1 * k):.6f}" for k in range(400))
+    for direction in ("NS", "UP"):
+        (tmp_path / f"{direction}.AT2").write_text(
+            f"PEER NGA STRONG MOTION DATABASE RECORD\nNowhere, 1/1/2000, Station, {direction}\n"
+            f"ACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 400, DT= .0100 SEC\n{values}\n"
+        )
+    (tmp_path / "UP.AT2").write_text((tmp_path / "UP.AT2").read_text().replace("0.8", "0.7"))
+    result = run({**table(motions="records"), "record": [{"file": str(tmp_path / "*.AT2")}]})
+    assert [entry.motion.name for entry in result.motions if entry.seed is None] == ["NS"]
+    ((name, error),) = result.refused
+    assert (name, error.code) == ("UP", "vertical_component")
+
+
+def test_that_the_natural_set_of_the_paper_holds_no_vertical_and_no_motion_twice(shelf, tmp_path):
+    """58 in version 0.5.0, a spectrally matched one twice; its files were those of four folders."""
+    from tests.benchmarks import bench
+
+    bench.main(["--natural", str(tmp_path / "list.toml")])
+    study = parse_study(table(motions="records"))
+    kept, _ = parametric.natural_motions(study, tmp_path, tmp_path / "list.toml")
+    assert len(kept) == 57
+    assert not any(w.code == "vertical" for entry in kept for w in entry.motion.warnings)
+    assert sum("Matched" in entry.motion.name for entry in kept) == 1
 
 
 def test_that_a_study_without_a_motion_is_refused():

@@ -7,8 +7,10 @@ import numpy as np
 import pytest
 
 from core.capacity.ida import Ida
-from core.errors import Cancelled
-from core.report import json_report
+from core.case.rules import parse_case
+from core.codes import dynamic_check
+from core.errors import Cancelled, InputError
+from core.report import json_report, workbook
 from core.study import run as study
 from core.study.governing import collapse_histories
 from core.study.journal import Journal
@@ -39,7 +41,7 @@ def test_that_a_wall_with_both_mechanisms_gives_two_entries(result):
 def test_that_q_is_c_pga_over_a_rm(result):
     for wall in result.walls:
         for run in wall.runs:
-            motion = next(m for m in result.motions if m.name == run.record)
+            motion = result.motions[run.motion]
             q = run.scale * motion.pga / wall.block.threshold_acceleration
             assert run.ida.q == pytest.approx(q, rel=1e-14)
             assert run.q_eff == pytest.approx(run.ida.q * G / motion.pga, rel=1e-14)
@@ -91,22 +93,44 @@ def test_that_a_new_title_or_demand_keeps_the_finished_runs(folder, tmp_path, re
     first = []
     study.run(
         case(title="other", demand={"ag_g": 0.1}), base_dir=folder,
-        journal=lambda key: Journal(path, key, True), on_progress=lambda d, p, stage: first.append((d, p, stage)),
+        journal=lambda key: Journal(path, key, True), on_progress=lambda d, p, left: first.append((d, p)),
     )  # fmt: skip
-    stages = [(12, 12, "stage_runs"), *((n, 3, "stage_checks") for n in range(4))]
-    assert first == stages  # three walls are assessed again
+    assert first[0] == (12, 15)  # three walls are assessed again
 
 
-def test_that_each_stage_of_a_study_is_counted_by_itself_to_its_end(folder):
-    said = []
+def test_that_a_resume_with_every_run_done_makes_no_analysis(folder, tmp_path, result, monkeypatch):
+    """Neither a run nor a check: of a wall that could rock freely, above the ground, with a tie asked for, too."""
+    wall = {"height_m": 3.0, "thickness_m": 0.3, "unit_weight_kn_m3": 18.0, "mechanism": "one_sided"}  # fmt: skip
+    spectrum = {"code": "NTC2018", "f0": 2.4, "tc_star_s": 0.33, "soil": "B", "topography": "T1"}
+    asked = case(
+        wall=[
+            {**wall, "name": "t", "base_z_m": 0.0, "tie_height_m": 2.8, "free_element": True},
+            {**wall, "name": "high", "base_z_m": 3.0},
+        ],
+        building={"height_m": 9.0, "storeys": 3, "period_s": 0.3},
+        demand={"ag_g": 0.2, "spectrum": spectrum},
+    )
+    path = tmp_path / "case.journal"
+    first = study.run(asked, base_dir=folder, journal=lambda key: Journal(path, key, False))
+    assert first.walls[0].assessment.tie and first.walls[1].assessment.sensitivity
+    monkeypatch.setattr(dynamic_check, "scan_records", lambda *_: pytest.fail("checked again"))
+    monkeypatch.setattr(study, "incremental_dynamic_analysis", lambda *_: pytest.fail("run again"))
+    told = []
+    again = study.run(
+        asked, base_dir=folder, journal=lambda key: Journal(path, key, True),
+        on_progress=lambda *state: told.append(state),
+    )  # fmt: skip
+    assert numbers(again) == numbers(first)
+    assert told[-1] == (told[0][1], told[0][1], 0.0)
+
+
+def test_that_runs_checks_and_statements_are_all_counted_from_the_beginning(folder):
+    told = []
     study.run(
         case(analysis={"q_step": 0.02, "accuracy": True}), base_dir=folder,
-        on_progress=lambda *counted: said.append(counted),
+        on_progress=lambda *state: told.append(state),
     )  # fmt: skip
-    for stage, planned in (("stage_runs", 12), ("stage_checks", 3), ("stage_accuracy", 3)):
-        assert [count for *count, of in said if of == stage] == [
-            [done, planned] for done in range(planned + 1)
-        ]
+    assert [state[:2] for state in told] == [(k, 12 + 3 + 3) for k in range(12 + 3 + 3 + 1)]
 
 
 def test_that_a_damaged_line_of_a_journal_is_run_again(folder, tmp_path, result):
@@ -131,7 +155,7 @@ def test_that_a_cancelled_run_keeps_its_journal_and_resumes_bit_identical(folder
     path = tmp_path / "case.journal"
     state = {"done": 0}
 
-    def progress(done, planned, stage):
+    def progress(done, planned, left):
         state["done"] = done
 
     with pytest.raises(Cancelled):
@@ -145,7 +169,7 @@ def test_that_a_cancelled_run_keeps_its_journal_and_resumes_bit_identical(folder
     path.write_bytes(path.read_bytes() + b'{"run": "0/0/1", "resu')
     first = []
 
-    def resumed(done, planned, stage):
+    def resumed(done, planned, left):
         first.append(done)
 
     again = study.run(
@@ -169,7 +193,7 @@ def test_that_a_journal_of_another_case_is_not_used(folder, tmp_path):
     first = []
     study.run(
         case(analysis={"q_step": 0.03}), base_dir=folder,
-        journal=lambda key: Journal(path, key, True), on_progress=lambda d, p, stage: first.append(d),
+        journal=lambda key: Journal(path, key, True), on_progress=lambda d, p, left: first.append(d),
     )  # fmt: skip
     assert first[0] == 0
 
@@ -177,3 +201,91 @@ def test_that_a_journal_of_another_case_is_not_used(folder, tmp_path):
 def test_that_a_large_a_g_is_questioned(tmp_path):
     asked = case(record=[], demand={"ag_g": 0.61, "soil_factor": 1.2})
     assert study.run(asked, base_dir=tmp_path).demand.warnings[0].code == "large_ag"
+
+
+NAMES = [
+    (("r0.txt", "r1.txt", "r2.txt"), ("w", "v")),
+    (("compatible 1.txt", "compatible 2.txt", "a.txt"), ("w", "w (+1 m) beside")),
+    # stems alike, and files alike by file and channel; a name that ends as a variant does
+    (("s/x.txt", "x.txt", "x.txt.txt"), ("w (progetto)", "w (stato di fatto)")),
+    (("generated, seed 2.txt", "generated, seed 1.txt", "compatible 2.txt"), ("v", "w")),
+]
+"""Files of three records and names of two walls."""
+
+
+def only_numbers(content):
+    """A results file without its words."""
+    if isinstance(content, dict):
+        return {key: only_numbers(value) for key, value in content.items() if "sha256" not in key}
+    if isinstance(content, list):
+        return [only_numbers(value) for value in content]
+    return "" if isinstance(content, str) else content
+
+
+@pytest.fixture(scope="module")
+def renamed(folder, tmp_path_factory):
+    """Results of one case under every set of NAMES, with motions generated beside the records."""
+    found = []
+    for files, names in NAMES:
+        place = tmp_path_factory.mktemp("renamed")
+        for k, file in enumerate(files):
+            (place / file).parent.mkdir(exist_ok=True)
+            (place / file).write_bytes((folder / f"r{k}.txt").read_bytes())
+        records = [{"file": file, "unit": "m/s2", "time_step_s": 0.01} for file in files]
+        wall = {"height_m": 4.0, "thickness_m": 0.4, "base_z_m": 0.0, "mechanism": "one_sided",
+                "back_restraint": "cross walls"}  # fmt: skip
+        first, second = ({**wall, "name": name} for name in names)
+        walls = [
+            {**first, "variant": "stato di fatto", "hinge_heights": [1.0]},
+            {**first, "variant": "progetto", "thickness_m": 0.45},
+            {**second, "mechanism": "two_sided"},
+        ]
+        table = {
+            "wall": walls,
+            "record": records,
+            "generate": {"count": 2},
+            "building": {"height_m": 6.0, "storeys": 2, "period_s": 0.2},
+            "analysis": {"q_step": 0.05, "map_span": 1.0, "polarity": "as_recorded"},
+            "demand": {"ag_g": 0.2, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}},
+        }
+        found.append(study.run(parse_case(table), base_dir=place))
+    return found
+
+
+def test_that_names_of_files_and_walls_change_no_number(renamed):
+    expected, *others = [json.loads(json_report.dumps(result)) for result in renamed]
+    for content in (expected, *others):
+        del content["started_utc"]
+    for content in others:
+        assert only_numbers(content) == only_numbers(expected)
+
+
+def test_that_names_of_files_and_walls_change_no_number_of_the_workbook(renamed):
+    """Numbers and formulas of every sheet, the note among them, one after the other."""
+    found = []
+    for result in renamed[:2]:
+        book = workbook.build(result, [collapse_histories(result, result.walls[0])])
+        cells = [cell.value for sheet in book.workbook for row in sheet for cell in row]
+        found.append([one for one in cells if not isinstance(one, str) or one.startswith("=")])
+    assert len(found[0]) > 1000 and found.count(found[0]) == len(found)
+
+
+def test_that_every_motion_of_a_study_has_a_name_of_its_own(renamed):
+    for result in renamed:
+        names = [motion.name for motion in result.motions]
+        assert len(set(names)) == len(names) == 5
+        for wall in result.walls:
+            assert [run.record for run in wall.runs] == names
+
+
+def test_that_a_file_of_a_generated_motion_is_refused_beside_it(folder, tmp_path):
+    asked = {
+        "demand": {"ag_g": 0.2, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}},
+        "generate": {"count": 1},
+    }
+    made = study.run(case(record=[], **asked), base_dir=folder).motions[0]
+    lines = [f"{value:.17e}\n" for value in made.acceleration]
+    (tmp_path / "copy.txt").write_text("".join(lines))
+    entry = {"file": "copy.txt", "unit": "m/s2", "time_step_s": 0.01}
+    with pytest.raises(InputError, match="copy.txt is in the case twice"):
+        study.run(case(record=[entry], **asked), base_dir=tmp_path)

@@ -2,12 +2,13 @@
 
 import json
 
+import numpy as np
 import pytest
 
 from core.case.rules import parse_case
 from core.report import json_report
 from core.study import run as study
-from core.study.wall_result import set_rule, set_value
+from core.units import G
 from tests.conftest import STANDING
 from tests.core.study.cases import case
 
@@ -15,33 +16,82 @@ from tests.core.study.cases import case
 def test_that_the_lower_sign_governs_quantity_by_quantity(result):
     wall = result.walls[1]
     for entry in wall.per_record:
-        runs = [run for run in wall.runs if run.record == entry.record]
+        runs = [run for run in wall.runs if run.motion == entry.motion]
         assert entry.q == min(run.ida.q for run in runs)
         assert entry.q_robust == min(run.ida.q_robust for run in runs)
         assert entry.q_slv == min(run.ida.q_slv for run in runs)
 
 
-@pytest.mark.parametrize(
-    "values, expected",
-    [
-        ([], None),
-        ([None, None], None),
-        ([2.0, None], 2.0),
-        ([3.0, 2.0, 4.0], 2.0),
-        ([3.0, 2.0, 4.0, 5.0, 6.0, 7.0], 2.0),
-        ([1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0], 4.0),
-        ([1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, None], 4.0),
-    ],
-)
-def test_that_a_set_is_its_mean_from_seven_numbers_else_its_minimum(values, expected):
-    numbers = sum(value is not None for value in values)
-    assert set_value(values, set_rule(numbers)) == expected
-    assert set_value(values, "incomplete") is None
+STATIONS = "AABBCCD"
+"""Stations of seven files: both components of three."""
 
 
-def test_that_one_rule_holds_for_every_quantity_of_a_set():
-    """Six records collapse, a seventh only reaches 0.40 alpha: q and q_slv are both minima."""
-    assert set_value([2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0], set_rule(6)) == 2.0
+def of_stations(folder, reference, names: str, **more):
+    """The study of a wall 3.0 x 0.3 m under as many short motions, written as PEER files of these stations."""
+    ground = reference("standard")[0][:900] / G
+    entries = []
+    for k, station in enumerate(names):
+        samples = np.roll(ground, 31 * k)
+        lines = ["PEER STRONG MOTION DATABASE RECORD", f"Event, 1/2/1990, Station {station}, {k:03d}",
+                 "ACCELERATION TIME HISTORY IN UNITS OF G", f"NPTS= {samples.size}, DT= .01000 SEC",
+                 *(f"{value:.7E}" for value in samples)]  # fmt: skip
+        (folder / f"{k}.AT2").write_text("\n".join(lines))
+        entries.append({"file": f"{k}.AT2"})
+    wall = {"name": "w", "height_m": 3.0, "thickness_m": 0.3, "base_z_m": 0.0, "mechanism": "two_sided",
+            "free_element": False}  # fmt: skip
+    demand = {
+        "ag_g": 0.1,
+        "spectrum": {"code": "EN1998", "type": 1, "soil": "B"},
+        "demand_scaling": "pga",
+    }
+    table = {
+        "wall": [wall],
+        "record": entries,
+        "demand": demand,
+        "analysis": {"q_step": 0.02},
+        **more,
+    }
+    return study.run(parse_case(table), base_dir=folder)
+
+
+def test_that_seven_files_of_four_stations_take_the_minimum_in_every_check(tmp_path, reference):
+    wall = of_stations(tmp_path, reference, STATIONS).walls[0]
+    check = wall.assessment.dynamic
+    assert (wall.set_rule, check.set_rule) == ("minimum", "maximum")
+    for name in ("q", "q_slv", "q_slv_low", "q_robust"):
+        values = [getattr(entry, name) for entry in wall.per_record]
+        assert len(values) == 7 and getattr(wall, f"{name}_set") == min(values) < np.mean(values)
+    assert check.peak_ratio == max(run.peak_ratio for run in check.runs)
+    (linear,) = (one for one in wall.assessment.checks if one.name == "linear_q_slv")
+    assert linear.q == wall.q_slv_low_set
+    (said,) = (one for one in wall.warnings if one.code == "few_stations")
+    assert "7 records" in said.text("en") and "4 station" in said.text("en")
+    assert "4 stazioni" in said.text("it")
+
+
+def test_that_seven_stations_take_the_mean_in_every_check(tmp_path, reference):
+    wall = of_stations(tmp_path, reference, "ABCDEFG").walls[0]
+    assert (wall.set_rule, wall.assessment.dynamic.set_rule) == ("mean", "mean")
+    assert wall.q_slv_set == pytest.approx(np.mean([entry.q_slv for entry in wall.per_record]))
+    assert not [one for one in wall.warnings if one.code == "few_stations"]
+
+
+def test_that_a_station_without_a_collapse_does_not_count(tmp_path, reference):
+    """Of seven stations some stand up to the largest q searched: fewer are left, and the minimum."""
+    free = of_stations(tmp_path, reference, "ABCDEFG").walls[0]
+    limit = {"q_step": 0.02, "q_limit": 0.97 * max(entry.q for entry in free.per_record)}
+    wall = of_stations(tmp_path, reference, "ABCDEFG", analysis=limit).walls[0]
+    assert 1 <= [run.ida.status for run in wall.runs].count("no_collapse_found") <= 4
+    assert free.set_rule == "mean" and wall.set_rule == "minimum" and wall.q_set == free.q_min
+    assert any(one.code == "no_collapse" for one in wall.warnings)
+
+
+def test_that_the_stations_are_counted_where_no_spectrum_is_given(tmp_path, reference):
+    """Three files of one station: fewer than three stations, said as such."""
+    demand = {"ag_g": 0.1, "soil_factor": 1.2}
+    wall = of_stations(tmp_path, reference, "AAA", demand=demand).walls[0]
+    (said,) = (one for one in wall.assessment.verdict.reasons if one.code == "few_records")
+    assert said.text("en").startswith("1 station")
 
 
 def test_that_three_records_take_the_minimum(result):
@@ -89,3 +139,26 @@ def test_that_input_no_engineer_means_is_questioned(wall, code, tmp_path):
     codes = {warning.code for warning in found.walls[0].warnings} & unusual
     assert codes == ({code} if code else set())
     assert not [w for w in found.demand.warnings if w.code == "large_ag"]
+
+
+def test_that_the_linear_check_takes_the_lower_end_of_q_slv_and_says_where_that_decides(
+    tmp_path, reference
+):
+    """a_g between those at which the check with either end of the spread just passes: it fails."""
+
+    def at(ag: float):
+        demand = {"ag_g": ag, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}
+        wall = of_stations(tmp_path, reference, "ABC", demand=demand).walls[0]
+        (linear,) = (one for one in wall.assessment.checks if one.name == "linear_q_slv")
+        said = [one for one in wall.assessment.verdict.reasons if one.code == "lower_q_slv"]
+        return wall, linear, said
+
+    wall, linear, _ = at(0.1)
+    ratio, limit = wall.q_slv_set / wall.q_slv_low_set, 0.1 * linear.zeta
+    assert linear.q == wall.q_slv_low_set and ratio > 1.001
+    _, linear, (words,) = at(limit * ratio**0.5)
+    assert not linear.passed and linear.zeta == pytest.approx(ratio**-0.5)
+    assert f"q {wall.q_slv_low_set:.2f}" in words.text("en")
+    assert "estremo inferiore" in words.text("it")
+    for ag in (0.999 * limit, 1.001 * limit * ratio):  # both ends decide alike: nothing is said
+        assert not at(ag)[2]

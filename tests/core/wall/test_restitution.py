@@ -31,6 +31,12 @@ def test_that_restitution_models_are_their_equations():
     assert restitution(WALL, "housner").ratio_at_rest == pytest.approx(eq4, rel=1e-15)
     assert restitution(WALL, "housner").ratio_at_rest == pytest.approx(0.9789708, abs=5e-8)
     assert restitution(WALL, "costa_upper").ratio_at_rest == 0.98
+    # Eq. 5: 0.95 times Eq. 4
+    assert restitution(WALL, "sorrentino_experimental").ratio_at_rest == pytest.approx(
+        0.95 * 0.9789708, abs=5e-8
+    )
+    for model in ("housner", "sorrentino_experimental", "costa_upper", "one_sided_theoretical"):
+        assert restitution(WALL, model).ratio_drop == 0.0
     one = restitution(WALL, "one_sided_theoretical")
     assert one.ratio_at_rest == pytest.approx(eq6, rel=1e-14)
     assert 1 - 1.5 * cosine2 < 0.0, "the bracket of Eq. 6 is the reversal"
@@ -38,6 +44,26 @@ def test_that_restitution_models_are_their_equations():
     speed = 0.7 * overturning_velocity(WALL)
     ratio = experimental.ratio_at_rest - experimental.ratio_drop * speed**2
     assert ratio == pytest.approx(eq6 * (1.18 - 0.473 * 0.7**2), rel=1e-12)
+
+
+def test_that_a_given_ratio_is_taken_up_to_its_limits():
+    for ratio in (0.0, 0.6, 1.0):
+        found = restitution(WALL, "user", ratio)
+        assert (found.model, found.ratio_at_rest, found.ratio_drop) == ("user", ratio, 0.0)
+
+
+def test_that_the_ratio_falls_with_the_square_of_the_velocity():
+    from core.wall.restitution import velocity_ratio
+
+    one = restitution(WALL, "one_sided_experimental")
+    model = rocking_model(WALL, True, one, LAWS["rigid"])
+    assert velocity_ratio(0.0, model) == (one.ratio_at_rest, 0)
+    speed = 0.5 * overturning_velocity(WALL)
+    eq6 = restitution(WALL, "one_sided_theoretical").ratio_at_rest
+    ratio, held = velocity_ratio(speed, model)
+    assert ratio == pytest.approx(eq6 * (1.18 - 0.473 * 0.25), rel=1e-13) and held == 0
+    at_zero = model._replace(ratio_at_rest=0.5, ratio_drop=0.125)
+    assert velocity_ratio(2.0, at_zero) == (0.0, 0)  # reached, not passed
 
 
 def test_that_eq_7_is_held_at_zero_and_counted():
@@ -51,7 +77,8 @@ def test_that_eq_7_is_held_at_zero_and_counted():
 
 
 @pytest.mark.parametrize(
-    "model, ratio", [("user", None), ("user", 1.5), ("user", -0.1), ("user", math.nan), ("x", None)]
+    "model, ratio",
+    [("user", None), ("user", 1.01), ("user", -0.01), ("user", math.nan), ("x", None)],
 )
 def test_that_a_restitution_outside_its_range_is_refused(model, ratio):
     with pytest.raises(InputError, match="velocity_ratio"):
@@ -59,8 +86,15 @@ def test_that_a_restitution_outside_its_range_is_refused(model, ratio):
 
 
 def test_that_a_block_too_stocky_for_eq_4_is_refused():
-    with pytest.raises(InputError, match="too stocky"):
+    with pytest.raises(InputError, match="too stocky") as caught:
         restitution(Block.rectangle(1.0, math.radians(56.0)), "housner")
+    assert caught.value.values["alpha"] == pytest.approx(56.0)
+    assert caught.value.values["ratio"] == pytest.approx(1 - 1.5 * math.sin(math.radians(56)) ** 2)
+    # I0/m = 2 R^2 sin^2(alpha): the first impact takes all
+    alpha = math.radians(60.0)
+    assert (
+        restitution(Block(alpha, 1.0, 2.0 * math.sin(alpha) ** 2), "housner").ratio_at_rest == 0.0
+    )
 
 
 def test_that_a_general_block_follows_the_general_equations():
@@ -69,12 +103,21 @@ def test_that_a_general_block_follows_the_general_equations():
     assert not block.is_rectangle
     eq4 = 1 - 2 * 4.0 / 6.0 * math.sin(block.slenderness) ** 2
     assert restitution(block, "housner").ratio_at_rest == pytest.approx(eq4)
+    eq6 = eq4**2 * abs(1 - 2 * 4.0 / 6.0 * math.cos(block.slenderness) ** 2)
+    assert restitution(block, "one_sided_theoretical").ratio_at_rest == pytest.approx(eq6)
     assert block.height == pytest.approx(2 * 0.75 * G / block.p2 * math.cos(block.slenderness))
     same = Block(WALL.slenderness, WALL.radius, 4.0 / 3.0 * WALL.radius**2)
     assert same.p2 == pytest.approx(3 * G / (4 * WALL.radius))
     assert same.height == pytest.approx(7.0)
 
 
-def test_that_eq_7_cannot_create_energy():
-    with pytest.raises(InputError, match="above 1"):
-        restitution(Block(math.radians(5.0), 1.0, 50.0), "one_sided_experimental")
+@pytest.mark.parametrize("inertia", [14.0, 50.0])
+def test_that_eq_7_cannot_create_energy(inertia):
+    block = Block(math.radians(1.0), 1.0, inertia)
+    with pytest.raises(InputError, match="above 1") as caught:
+        restitution(block, "one_sided_experimental")
+    most = restitution(block, "one_sided_theoretical").ratio_at_rest
+    assert caught.value.values["ratio"] == pytest.approx(1.18 * most, rel=1e-15)
+    # 1.18 times Eq. 6 a little below 1: taken
+    near = Block(math.radians(1.0), 1.0, 12.6)
+    assert 0.98 < restitution(near, "one_sided_experimental").ratio_at_rest <= 1.0

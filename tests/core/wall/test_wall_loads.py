@@ -1,11 +1,33 @@
 """Loads a wall cannot have or carry are refused in one sentence."""
 
+import math
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from core.case.rules import parse_case
 from core.errors import InputError
-from core.wall.wall_loads import hinge_inside, largest_tie_share
+from core.units import G
+from core.wall.loads import BARE, RestoringMoment
+from core.wall.wall_loads import (
+    as_force,
+    carries,
+    hinge_inside,
+    holds,
+    is_centred,
+    is_stable,
+    largest_tie_share,
+    loads_above,
+    masses,
+    moving_block,
+    restoring_of,
+    rocks_both_ways,
+    start_moments,
+    start_multiplier,
+    vertical_loads,
+    weight_per_metre,
+)
 from tests.validation.test_loaded_walls import PUSHING, ROOF, THRUST, TIE, WALL, case_of
 
 ACROSS = {"number": 2, "thickness_m": 0.5, "brick_height_m": 0.25, "brick_length_m": 0.2}
@@ -105,4 +127,169 @@ def test_that_the_strength_of_the_masonry_moves_hinge_and_largest_tie():
     assert wall.setback == pytest.approx(2.0 * 34.3e3 / 3e6, rel=1e-12)
     with pytest.raises(InputError) as caught:
         case_of(ROOF, {**TIE, "kn_m": 9.0}, compressive_strength_mpa=1.0)
-    assert caught.value.values["most"] < 8.69
+    most, weight = caught.value.values["most"], 24.3
+    assert most < 8.69
+    # about the hinge u inside the edge; of each section u = 2 N / (3 f) inside its own
+    u = wall.setback
+    push = (weight * (0.225 - u) + 10.0 * (0.30 - u) + most * 2.8) / (weight * 1.5)
+    worst = 0.0
+    for y in (3.0 / 400 * k for k in range(1, 400)):
+        part = weight * (1.0 - y / 3.0)
+        moment = 0.5 * push * part * (3.0 - y) - 10.0 * (0.30 - 0.225)
+        moment -= most * max(2.8 - y, 0.0)
+        worst = max(worst, abs(moment) / ((part + 10.0) * (0.225 - 2.0 * (part + 10.0) / 3e3)))
+    assert worst == pytest.approx(1.0, abs=1e-6)
+
+
+def wall_of(*loads, **changes):
+    """The wall of 3.0 x 0.45 m and 18 kN/m3, 24.3 kN/m."""
+    return case_of(*loads, **changes).wall[0]
+
+
+def test_that_weights_are_forces_and_masses_are_weights_over_g():
+    wall = wall_of(PUSHING, {**ROOF, "kn_m": 3.0}, TIE)
+    assert weight_per_metre(wall) == pytest.approx(24300.0, rel=1e-14)
+    assert vertical_loads(wall) == pytest.approx(13000.0, rel=1e-14)
+    (mass,) = masses(wall)
+    assert mass.mass * G == pytest.approx(10000.0, rel=1e-14)
+    assert (mass.distance, mass.height) == (0.30, 3.0)
+    assert masses(wall_of(PUSHING, hinge_setback_m=0.05))[0].distance == pytest.approx(0.25)
+
+
+def test_that_a_block_with_its_masses_has_their_centroid_and_inertia():
+    wall = wall_of(PUSHING)
+    bare = wall.bare_block()
+    block = moving_block(wall, bare)
+    assert block.centroid[0] == pytest.approx((24.3 * 0.225 + 10.0 * 0.30) / 34.3, rel=1e-13)
+    assert block.centroid[1] == pytest.approx((24.3 * 1.5 + 10.0 * 3.0) / 34.3, rel=1e-13)
+    inertia = 24.3 * (3.0**2 + 0.45**2) / 3.0 + 10.0 * (0.30**2 + 3.0**2)
+    assert block.inertia_over_mass == pytest.approx(inertia / 34.3, rel=1e-13)
+    other = wall_of(ROOF)
+    assert moving_block(other, bare) is bare
+
+
+def test_that_a_load_is_a_force_at_its_place_seen_from_either_hinge():
+    wall = wall_of(ROOF, TIE, THRUST, hinge_setback_m=0.05)
+    roof, tie, thrust = wall.load
+    assert tuple(vars(as_force(roof, wall, 1.0)).values()) == pytest.approx((10e3, 0.0, 0.25, 3.0))
+    assert tuple(vars(as_force(roof, wall, -1.0)).values()) == pytest.approx((10e3, 0.0, 0.10, 3.0))
+    assert tuple(vars(as_force(tie, wall, 1.0)).values()) == pytest.approx((0.0, 5e3, -0.05, 2.8))
+    assert tuple(vars(as_force(thrust, wall, 1.0)).values()) == pytest.approx(
+        (0.0, -2e3, -0.05, 2.5)
+    )
+    assert tuple(vars(as_force(thrust, wall, -1.0)).values()) == pytest.approx(
+        (0.0, 2e3, 0.40, 2.5)
+    )
+    assert holds(tie, 1.0) and not holds(tie, -1.0)
+    assert holds(thrust, 1.0) and holds(thrust, -1.0)
+
+
+def test_that_a_and_c_count_the_weight_of_the_masses_that_move():
+    """One that moves is in the block; of what is held the moment is over the weight of wall and masses, 34.3 kN/m."""
+    wall = wall_of(PUSHING, {**ROOF, "kn_m": 3.0, "d_m": 0.2})
+    block = wall.block()
+    outward, inward = restoring_of(wall, block)
+    at_rest = outward.sine * math.sin(block.slenderness) + outward.cosine * math.cos(
+        block.slenderness
+    )
+    assert 34.3 * block.radius * at_rest == pytest.approx(
+        34.3 * block.centroid[0] + 3.0 * 0.2, rel=1e-13
+    )
+    at_rest = inward.sine * math.sin(block.slenderness) + inward.cosine * math.cos(
+        block.slenderness
+    )
+    assert 34.3 * block.radius * at_rest == pytest.approx(
+        34.3 * block.centroid[0] + 3.0 * 0.25, rel=1e-13
+    )
+    assert restoring_of(wall_of(PUSHING), block) == (BARE, BARE)
+
+
+def test_that_the_start_multiplier_is_holding_over_pushing_moments():
+    wall = wall_of(PUSHING, TIE, THRUST)
+    held = (24.3e3 * 0.225, 10e3 * 0.30, 5e3 * 2.8 - 2e3 * 2.5, 24.3e3 * 1.5, 10e3 * 3.0)
+    assert start_moments(wall, 1.0) == pytest.approx(held, rel=1e-13)
+    inner = (24.3e3 * 0.225, 10e3 * 0.15, -5e3 * 2.8 + 2e3 * 2.5, 24.3e3 * 1.5, 10e3 * 3.0)
+    assert start_moments(wall, -1.0) == pytest.approx(inner, rel=1e-13)
+    forces = [as_force(load, wall, 1.0) for load in wall.load]
+    found = start_multiplier(24.3e3, 0.225, 1.5, forces, masses(wall))
+    assert found == pytest.approx(sum(held[:3]) / sum(held[3:]), rel=1e-13)
+
+
+def test_that_a_wall_is_stable_while_something_holds_it_at_rest():
+    block = wall_of().block()
+    tangent = math.tan(block.slenderness)
+    assert is_stable(block, RestoringMoment(1.0, -0.999 * tangent))
+    assert not is_stable(block, RestoringMoment(1.0, -tangent))
+    assert not is_stable(block, RestoringMoment(1.0, -1.001 * tangent))
+    assert not is_stable(block, RestoringMoment(0.0, 1.0))
+    assert not is_stable(block, RestoringMoment(-0.1, 1.0))
+
+
+def test_that_masses_in_the_middle_leave_one_block_for_both_hinges():
+    middle = {**PUSHING, "d_m": 0.225}
+    assert is_centred(wall_of(middle), wall_of(middle).block())
+    assert is_centred(wall_of(), wall_of().block())
+    for d, centred in ((0.22500005, True), (0.225005, False), (0.224995, False)):
+        wall = wall_of({**PUSHING, "d_m": d})
+        assert is_centred(wall, wall.block()) == centred, d
+
+
+@pytest.mark.parametrize(
+    ("loads", "changes", "answer"),
+    [
+        ((), {}, True),
+        ((ROOF,), {}, True),
+        ((ROOF,), {"law": "doherty"}, False),  # its sides differ
+        (({**ROOF, "d_m": 0.225},), {"law": "doherty"}, True),
+        ((PUSHING,), {}, False),  # what moves is off its middle
+        (({**PUSHING, "d_m": 0.225},), {}, True),
+        (({**TIE, "kn_m": 1.0}, {"kind": "thrust", "kn_m": 0.5, "h_m": 2.0}), {}, True),
+    ],
+)
+def test_that_a_wall_without_its_restraint_is_two_sided_only_where_the_model_has_it(
+    loads, changes, answer
+):
+    assert rocks_both_ways(wall_of(*loads, **changes)) == answer
+
+
+def test_that_loads_above_a_hinge_are_counted_from_it():
+    wall = wall_of(ROOF, TIE, THRUST)
+    assert [load.h_m for load in loads_above(wall, 0.0)] == [3.0, 2.8, 2.5]
+    assert [load.h_m for load in loads_above(wall, 2.5)] == pytest.approx([0.5, 0.3])
+    assert loads_above(wall, 3.0) == ()
+
+
+def test_that_a_wall_carries_what_check_loads_takes():
+    assert carries(wall_of(ROOF)) and carries(wall_of())
+    (strong,) = wall_of(THRUST).load
+    assert not carries(replace(wall_of(THRUST), load=(replace(strong, kn_m=6.0),)))
+
+
+def test_that_limits_of_places_are_taken():
+    """At the edge of the wall and on its top; a carried mass up to twice as high."""
+    assert wall_of({**ROOF, "d_m": 0.45, "h_m": 3.0}) and wall_of({**ROOF, "d_m": 0.0})
+    carried = {"kind": "carried_mass", "kn_m": 1.0, "d_m": 0.2, "h_m": 6.0}
+    assert wall_of(carried)
+    with pytest.raises(InputError) as caught:
+        wall_of({**carried, "h_m": 6.01})
+    assert caught.value.values["most"] == pytest.approx(6.0)
+    with pytest.raises(InputError) as caught:
+        wall_of({**ROOF, "h_m": 3.01})
+    assert caught.value.values["most"] == pytest.approx(3.0)
+    full = {**ACROSS, "number": 10}
+    assert wall_of(return_walls=full, length_m=5.0)
+    assert wall_of(tie_height_m=3.0)
+
+
+def test_that_what_is_refused_says_by_how_much():
+    with pytest.raises(InputError) as caught:
+        wall_of({**THRUST, "kn_m": 6.0})
+    # (24.3 x 0.225 - 6 x 2.5) / (24.3 x 1.5)
+    assert caught.value.values["threshold"] == pytest.approx(-0.26152, abs=1e-5)
+    with pytest.raises(InputError) as caught:
+        wall_of({**TIE, "kn_m": 40.0})
+    assert caught.value.values["most"] == pytest.approx(60.0)
+    assert 60.0 < caught.value.values["found"] < 90.0
+    with pytest.raises(InputError) as caught:
+        wall_of(return_walls={**ACROSS, "number": 11}, length_m=5.0)
+    assert caught.value.values["found"] == pytest.approx(5.5)

@@ -1,0 +1,54 @@
+"""The dynamic check of a wall, kept in the journal of its study: a resume makes none twice."""
+
+import hashlib
+from collections.abc import Callable
+from dataclasses import asdict, replace
+
+from core.codes.demand import DemandResult
+from core.codes.dynamic_check import DemandCheck, demand_check
+from core.ground.ground_motion import GroundMotion
+from core.rocking.methods import Method
+from core.study.journal import Journal, Memory, rebuilt
+from core.wall.rocking_model import RockingModel
+
+
+class KeptChecks:
+    """`demand_check` of one wall, with the same parameters.
+
+    book : of the finished checks; None keeps none
+    made : how many were not there
+    """
+
+    def __init__(self, book: Journal | Memory | None):
+        self.book, self.made = book, 0
+
+    def __call__(
+        self,
+        model: RockingModel,
+        motions: list[GroundMotion],
+        polarities: tuple[int, ...],
+        demand: DemandResult,
+        method: Method,
+        every: int = 1,
+        other: bool = True,
+        cancelled: Callable[[], bool] = lambda: False,
+    ) -> DemandCheck | None:
+        decides = (polarities, demand, method, every, other)
+        key = check_key(model, motions, *decides) if self.book else ""
+        known = rebuilt(DemandCheck, self.book.get(key)) if self.book else None
+        if known is not None:
+            return known
+        found = demand_check(model, motions, *decides, cancelled)
+        if found is not None:
+            self.made += 1
+            if self.book:
+                self.book.add(key, asdict(found))
+        return found
+
+
+def check_key(model, motions, polarities, demand, method, *numbers) -> str:
+    """Key of a check in the journal: all that decides its result, of the demand and the records also what does not."""
+    demand = replace(demand, target=None, warnings=())  # of spectrum and words it takes nothing
+    records = [(repr(motion), motion.samples_sha256) for motion in motions]
+    parts = ("check", tuple(model), records, polarities, demand, method, numbers)
+    return hashlib.sha256(repr(parts).encode()).hexdigest()

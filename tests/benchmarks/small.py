@@ -1,0 +1,40 @@
+"""The small form of a benchmark: one wall, one record of a few seconds, fifty samples of a reference record."""
+
+from pathlib import Path
+
+import numpy as np
+
+ROOT = Path(__file__).resolve().parents[2]
+
+SAMPLES = slice(150, 200)
+"""Samples of tests/reference/standard_record.csv in which walls of either kind and either law lift off and fall
+back several times."""
+
+CASE = """title = "Small"
+[[wall]]
+name = "w"
+height_m = 3.0
+thickness_m = 0.3
+base_z_m = 0.0
+mechanism = "two_sided"
+[[record]]
+file = "motion.txt"
+unit = "g"
+time_step_s = 0.01
+kind = "artificial"
+[analysis]
+q_step = 0.05
+[demand]
+ag_g = 0.1
+soil_factor = 1.2
+"""
+
+
+def small_case(folder: Path) -> Path:
+    """A case of one wall under one record of 6 s, written in this folder."""
+    data = np.loadtxt(ROOT / "tests/reference/standard_record.csv", delimiter=",", skiprows=1)
+    lines = [f"{value / 9.80665:.8f}" for value in data[:600, 1]]
+    (folder / "motion.txt").write_text("\n".join([*lines, ""]))
+    path = folder / "small.toml"
+    path.write_text(CASE)
+    return path

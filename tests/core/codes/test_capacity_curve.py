@@ -1,0 +1,72 @@
+"""The curves drawn of the nonlinear check: that of the wall, that of the demand, that of the floor."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from core.case.rules import parse_case, parse_wall
+from core.codes.capacity_curve import PERIODS, capacity_curve
+from core.codes.floor_spectrum import FloorSpectrum, first_mode
+from core.codes.kinematic import kinematic
+from core.codes.target_spectrum import en1998
+from core.study.demand_input import demand_of
+from core.units import G
+
+WALL = {"name": "w", "height_m": 1.0, "thickness_m": 0.1, "mechanism": "two_sided", "base_z_m": 0.0}
+DEMAND = {
+    "ag_g": 0.2,
+    "spectrum": {"code": "EN1998", "type": 1, "soil": "B"},
+    "confidence_factor": 1.35,
+}
+
+
+def curve_of(**changes):
+    case = parse_case({"wall": [WALL], "demand": {**DEMAND, **changes}})
+    demand = demand_of(case, Path())
+    return kinematic(case.wall[0], "two_sided", demand), demand
+
+
+def test_that_the_capacity_falls_on_a_line_from_alpha_0_to_d_0():
+    """alpha_0 = t/H = 0.1, e* = 1, FC = 1.35; d_0 = alpha_0 H / 2."""
+    found, demand = curve_of()
+    curve = capacity_curve(found, demand)
+    (d0, a0), (d1, a1) = curve.capacity
+    assert (d0, a1) == (0.0, 0.0)
+    assert a0 == pytest.approx(0.1 * G / 1.35, rel=1e-12)
+    assert d1 == found.d0
+
+
+@pytest.mark.parametrize(("limit_state", "damping"), [("SLV", 0.08), ("SLC", 0.10)])
+def test_that_the_demand_is_the_spectrum_up_to_a_quarter_more_than_the_check_needs(
+    limit_state, damping
+):
+    found, demand = curve_of(limit_state=limit_state, ag_g=0.5)
+    curve = capacity_curve(found, demand)
+    assert curve.damping == damping
+    target = en1998(0.5 * G, 1, "B")
+    acceleration = target.acceleration(PERIODS, damping)
+    moved = acceleration * (PERIODS / (2.0 * np.pi)) ** 2
+    inside = moved <= 1.25 * max(found.d0, found.s_de)
+    assert 50 < inside.sum() < PERIODS.size - 20  # it ends within the curve
+    assert curve.demand_d == pytest.approx(moved[inside], rel=1e-13)
+    assert curve.demand_a == pytest.approx(acceleration[inside], rel=1e-13)
+    assert curve.floor_d.size == curve.floor_a.size == 0
+
+
+def test_that_above_the_ground_the_floor_has_its_own_curve():
+    _, demand = curve_of()
+    wall = parse_wall({**WALL, "base_z_m": 6.0})
+    floor = FloorSpectrum(demand.target, first_mode(3, 9.0, 6.0, 0.3, 0.05))
+    found = kinematic(wall, "two_sided", demand, floor)
+    curve = capacity_curve(found, demand)
+    felt = found.floor.acceleration(PERIODS, curve.damping)
+    moved = felt * (PERIODS / (2.0 * np.pi)) ** 2
+    inside = moved <= 1.25 * max(found.d0, found.s_de)
+    assert curve.floor_a == pytest.approx(felt[inside], rel=1e-13) and curve.floor_a.size > 20
+    assert curve.floor_d == pytest.approx(moved[inside], rel=1e-13)
+
+
+def test_that_a_wall_without_the_nonlinear_check_has_no_curve():
+    found, demand = curve_of(limit_state="SLD")
+    assert found.d_limit is None and capacity_curve(found, demand) is None

@@ -1,0 +1,95 @@
+"""The demand in SI units: factors of records, the hazard at a return period, what is warned of."""
+
+import numpy as np
+import pytest
+
+from core.codes.demand import DemandResult, hazard_at, mean_intensity, with_records
+from core.ground.ground_motion import GroundMotion
+from core.units import G
+
+
+def demand(ag=0.1 * G, soil=1.2, **changes) -> DemandResult:
+    return DemandResult(
+        "SLV",
+        ag,
+        soil,
+        ag * soil,
+        changes.pop("intensity", None),
+        None,
+        2.0,
+        1.35,
+        1.0,
+        None,
+        **changes,
+    )
+
+
+def motion(pga, **changes) -> GroundMotion:
+    return GroundMotion("m", pga * np.sin(np.arange(3000) * 0.05 * np.pi), 0.01, **changes)
+
+
+def codes(found: DemandResult) -> list[str]:
+    return [warning.code for warning in found.warnings]
+
+
+def test_that_a_record_is_taken_as_given_or_scaled_to_the_pga_of_the_demand():
+    assert demand().scaling(motion(0.5)) == 1.0
+    scaled = demand(record_scaling="pga")
+    assert scaled.scaling(motion(0.5)) == pytest.approx(0.12 * G / 0.5, rel=1e-14)
+    # a floor motion by the record it comes from
+    assert scaled.scaling(motion(0.5, ground_pga=0.3)) == pytest.approx(0.12 * G / 0.3, rel=1e-14)
+
+
+HAZARD = ((50.0, 0.05 * G), (100.0, 0.08 * G), (475.0, 0.2 * G))
+
+
+def test_that_the_hazard_lies_on_straight_lines_of_the_logarithms():
+    """NTC 2018, Annex A, Eq. [2]: ln a_g between the rows by ln T_R."""
+    for years, ag in HAZARD:
+        assert hazard_at(demand(hazard=HAZARD, return_period=years)) == pytest.approx(ag, rel=1e-13)
+    between = hazard_at(demand(hazard=HAZARD, return_period=200.0))
+    assert between == pytest.approx(0.08 * G * 2.0 ** (np.log(2.5) / np.log(4.75)), rel=1e-13)
+
+
+def test_that_the_hazard_is_not_known_outside_its_rows():
+    assert hazard_at(demand()) is None
+    assert hazard_at(demand(hazard=HAZARD)) is None
+    assert hazard_at(demand(return_period=100.0)) is None
+    for years, known in ((49.6, True), (49.4, False), (479.0, True), (480.0, False)):
+        assert (hazard_at(demand(hazard=HAZARD, return_period=years)) is not None) == known
+
+
+def test_that_an_acceleration_no_site_has_and_another_than_the_hazards_are_warned_of():
+    assert codes(with_records(demand(0.6 * G), [])) == []
+    assert codes(with_records(demand(0.61 * G), [])) == ["large_ag"]
+    for ag, warned in ((0.191, False), (0.190, True), (0.210, False), (0.2106, True)):
+        asked = demand(ag * G, hazard=HAZARD, return_period=475.0)
+        found = with_records(asked, [])
+        assert codes(found) == (["hazard_disagrees"] if warned else []), ag
+        if warned:
+            told = dict(found.warnings[0].values)
+            assert told == pytest.approx({"stated": 0.2, "ag": ag, "years": 475.0}, rel=1e-12)
+
+
+def test_that_records_scaled_far_or_weaker_than_the_demand_are_warned_of():
+    """a_g S = 0.12 g."""
+    scaled = demand(record_scaling="pga", intensity=0.5)
+    assert codes(with_records(scaled, [motion(0.041 * G)])) == ["pga_scaling"]
+    found = with_records(scaled, [motion(0.039 * G), motion(0.2 * G), motion(0.01 * G)])
+    assert codes(found) == ["pga_scaling", "large_scaling"]
+    assert dict(found.warnings[1].values)["n"] == 2 and found.weak_share is None
+    given = demand(intensity=0.5)
+    assert codes(with_records(given, [motion(0.109 * G)])) == []
+    weak = with_records(given, [motion(0.10 * G), motion(0.11 * G)])
+    assert codes(weak) == ["weaker_records"]
+    assert weak.weak_share == pytest.approx(0.105 / 0.12, rel=1e-12)
+
+
+def test_that_an_intensity_that_nothing_states_is_that_of_the_scaled_records():
+    motions = [motion(0.05 * G), motion(0.2 * G)]
+    by_hand = np.mean([0.12 * G / one.pga * one.housner_intensity for one in motions])
+    assert mean_intensity(demand(), motions) == pytest.approx(by_hand, rel=1e-14)
+    found = with_records(demand(), motions)
+    assert (found.intensity, found.intensity_source) == (pytest.approx(by_hand), "records_scaled")
+    stated = with_records(demand(intensity=0.5), motions)
+    assert (stated.intensity, stated.intensity_source) == (0.5, None)

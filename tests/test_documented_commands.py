@@ -1,0 +1,213 @@
+"""Every command that the documents name runs here in a small form: one wall, one record, fifty samples, one peer."""
+
+import contextlib
+import importlib.util
+import itertools
+import os
+import re
+import shlex
+import subprocess
+import sys
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from tests.benchmarks import bench
+from tests.benchmarks.small import small_case
+from tests.conftest import ROOT, shelf_folder
+
+DOCUMENTS = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "packaging" / "README.md",
+             *sorted((ROOT / "resources" / "docs").rglob("*.md"))]  # fmt: skip
+
+FIRST_WORD = re.compile(
+    r"((python3?|py|uvx?|pipx) \S|(run\.py|ribalta|\.venv/bin/\w+|packaging[/\\]Ribalta\.\w+)(\s|$))"
+)
+"""How a command of ours begins; those of the system (apt) are not ours to try."""
+
+WINDOWED = ("window", "screenshots", "records")
+"""Benchmarks that open a window: each in a process of its own."""
+
+STUDY = """title = "Small"
+count = 1
+[quick]
+count = 1
+[[group]]
+name = "A"
+pga_g = 0.2
+[[group.spectrum]]
+name = "s"
+seed = 3
+code = "EN1998"
+type = 1
+soil = "B"
+[[grid]]
+slenderness_deg = [6.8]
+height_m = [3]
+mechanism = ["two_sided"]
+q_step = [0.05]
+motions = "all"
+"""
+
+ENTRY = "import sys; from app.__main__ import main; sys.exit(main())"
+"""What the command `ribalta` of the wheel runs (pyproject.toml, project.scripts)."""
+
+
+def commands_of(text: str) -> list[str]:
+    """The commands of a document: lines of its blocks of code, and code within its sentences."""
+    blocks = re.findall(r"^```\w*\n(.*?)^```", text, re.DOTALL | re.MULTILINE)
+    prose = re.sub(r"^```.*?^```", "", text, flags=re.DOTALL | re.MULTILINE)
+    lines = [line for block in blocks for line in block.splitlines()]
+    lines += [line for line in prose.splitlines() if line.startswith("    ")]
+    found = [re.split(r"\s+#", line)[0] for line in lines]
+    found += [" ".join(code.split()) for code in re.findall(r"`([^`]+)`", prose)]
+    return [command.strip() for command in found if FIRST_WORD.match(command.strip())]
+
+
+COMMANDS = sorted(
+    {command for path in DOCUMENTS for command in commands_of(path.read_text(encoding="utf-8"))}
+    | set(commands_of(bench.__doc__ or ""))
+)
+
+
+@pytest.fixture(scope="module")
+def place(tmp_path_factory) -> Path:
+    """A folder with a small case, a small study and a record, to which every result goes."""
+    folder = tmp_path_factory.mktemp("commands")
+    small_case(folder)
+    (folder / "study.toml").write_text(STUDY)
+    (folder / "records").mkdir()
+    motion = (ROOT / "resources" / "motions" / "noise_1.txt").read_text().splitlines()
+    (folder / "records" / "one.txt").write_text("\n".join([*motion[:602], ""]))
+    return folder
+
+
+def small_words(words: tuple[str, ...], folder: Path) -> list[str]:
+    """The words behind run.py of a documented command, made small; what they write goes to this folder."""
+    match words:
+        case ():
+            return []
+        case ("test", *rest):
+            assert selected(rest), f"run.py test {' '.join(rest)} selects no test"
+            return ["test", "--version"]
+        case ("fuzz", *_):
+            return ["fuzz", "--inputs", "20", "--seed", "1", "case"]
+        case ("mutate", *_):
+            return ["mutate", "--each", "1", "core/codes/eq9.py"]
+        case ("package", *_):
+            return ["package", "--help"]
+        case ("bench", *rest):
+            named = {"--paired": [str(ROOT)], "--natural": [str(folder / "list.toml")]}
+            flags = [
+                word for word in rest if word[:2] == "--" and word not in ("--pairs", "--output")
+            ]
+            asked = [part for flag in flags for part in (flag, *named.get(flag, []))]
+            return ["bench", *asked, "--small", "--output", str(folder / "bench")]
+        case ("--batch", _, *rest):
+            note = ["--report", str(folder / "note.docx")] if "--report" in rest else []
+            return ["--batch", str(folder / "small.toml"), *note, "--output", str(folder / "out")]
+        case ("--study", _, *rest):
+            given = ["--records", str(folder / "records")] if "--records" in rest else []
+            return ["--study", str(folder / "study.toml"), "--quick", *given,
+                    "--output", str(folder / "study")]  # fmt: skip
+        case ("--inspect", *_):
+            return ["--inspect", str(folder / "records" / "one.txt")]
+    raise AssertionError(f"no small form of run.py {' '.join(words)}: give it one here")
+
+
+def selected(words: list[str]) -> list[str]:
+    """Names of the tests that these arguments of pytest select: paths, -k WORD, -m MARKER."""
+    options = dict(itertools.pairwise(words))
+    name, marker = options.get("-k", ""), options.get("-m")
+    paths = [ROOT / word for word in words if word.startswith("tests")] or [ROOT / "tests"]
+    files = [
+        file for path in paths for file in ([path] if path.is_file() else path.rglob("test_*.py"))
+    ]
+    texts = [file.read_text(encoding="utf-8") for file in files]
+    texts = [text for text in texts if not marker or f"pytest.mark.{marker}" in text]
+    return [
+        test
+        for text in texts
+        for test in re.findall(r"^def (test_\w+)", text, re.M)
+        if name in test
+    ]
+
+
+def handed_over(words: list[str]) -> list[str]:
+    """What run.py starts for these words, with everything installed."""
+    description = importlib.util.spec_from_file_location("run", ROOT / "run.py")
+    run = importlib.util.module_from_spec(description)
+    description.loader.exec_module(run)
+    started: list[list[str]] = []
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(run, "ensure", lambda groups, **_: None)
+        patch.setattr(run, "interpreter", lambda: sys.executable)
+        patch.setattr(run, "hand_over", started.append)
+        patch.setattr(run.subprocess, "call", lambda command, **_: started.append(command))
+        patch.setattr(sys, "argv", ["run.py", *words])
+        run.main()
+    (command,) = started
+    return command
+
+
+@cache
+def tried(command: tuple[str, ...], folder: Path) -> None:
+    """Run a command once, however many documents name it."""
+    script, *words = command[command.index("-P") + 1 :] if "-P" in command else ("", *command[1:])
+    if Path(script).name == "bench.py" and not any(f"--{name}" in words for name in WINDOWED):
+        with contextlib.redirect_stdout(None):
+            bench.main(list(words))
+        return
+    variables = dict(os.environ, PYTHONPATH=str(ROOT), QT_QPA_PLATFORM="offscreen")
+    found = subprocess.run(command, cwd=folder, env=variables, capture_output=True, text=True)
+    assert found.returncode == 0, f"{shlex.join(command)}\n{found.stdout}\n{found.stderr}"
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_that_a_documented_command_runs(command, place):
+    words = shlex.split(re.sub(r"[\[\]…]", "", command).replace("\\", "/"))
+    match words:
+        case ["python3" | "python" | "py", "run.py", *rest] | ["run.py", *rest]:
+            if {"--window", "--screenshots", "--records"} & {*rest}:
+                pytest.importorskip("PySide6.QtWidgets", reason="no Qt", exc_type=ImportError)
+            if "--natural" in rest and shelf_folder() is None:
+                pytest.skip("no shelf of real records")
+            if rest and rest[-1] == "--batch":  # "py run.py --batch …": the line above it again
+                rest += ["CASE"]
+            started = handed_over(small_words(tuple(rest), place))
+            if rest:
+                tried(tuple(started), place)
+            else:  # the window: tests/app/test_smoke.py opens it
+                assert started[1:] == ["-P", "-m", "app"]
+        case ["uv", "run", "ribalta", *rest] | ["ribalta", *rest]:
+            assert 'ribalta = "app.__main__:main"' in (ROOT / "pyproject.toml").read_text()
+            assert small_words(tuple(rest), place)  # and as a command of run.py it is tried
+            tried((sys.executable, "-P", "-c", ENTRY, "--version"), place)
+        case ["uv" | "pipx" as tool, verb, *_]:  # packaging/wheel.py runs it
+            assert f'"{tool}", "{verb}"' in (ROOT / "packaging" / "wheel.py").read_text() or (
+                f'{tool} {verb}"' in (ROOT / "packaging" / "wheel.py").read_text()
+            )
+        case ["python3" | ".venv/bin/python", script, *_] if script.startswith("packaging/"):
+            tried((sys.executable, "-P", str(ROOT / script), "--help"), place)
+        case [".venv/bin/ruff", "format", *_]:
+            check = ("format", "--no-cache", "--check", str(ROOT / "tests" / "test_run.py"))
+            tried((sys.executable, "-m", "ruff", *check), place)
+        case [double_click] if double_click.startswith("packaging/"):
+            assert "run.py" in (ROOT / double_click).read_text()
+        case _:
+            raise AssertionError(f"no small form of {command!r}: give it one here")
+
+
+def test_that_every_benchmark_is_documented():
+    """So that each of them runs above."""
+    for word in bench.BENCHMARKS:
+        option = f"--{word.replace('_', '-')}"
+        assert any(f"bench {option}" in command for command in COMMANDS), option
+
+
+def test_that_a_command_without_a_small_form_is_found():
+    assert commands_of("As `python3 run.py shine` does.\n```\npython3 x.py   # so\n```\n") == [
+        "python3 x.py", "python3 run.py shine",
+    ]  # fmt: skip
+    with pytest.raises(AssertionError, match="no small form"):
+        small_words(("shine",), ROOT)
