@@ -91,8 +91,8 @@ WAYS = {
     ),
     "way_frozen": ("install the program again", "installare di nuovo il programma"),
     "way_wheel": (
-        "install it into the environment of the program (pipx inject ribalta {packages})",
-        "installarlo nell'ambiente del programma (pipx inject ribalta {packages})",
+        "install what is missing into the environment of the program (pipx inject ribalta {packages})",
+        "installare ciò che manca nell'ambiente del programma (pipx inject ribalta {packages})",
     ),
 }
 """Words of what an installation lacks: code -> (English, Italian)."""
