@@ -9,6 +9,7 @@ import pytest
 from app import command_line
 from core.case.schema import Analysis, Case, Generate, Load, Record, Report, ReturnWalls, Wall
 from core.case.site import Building, BuildingMode, Demand, HazardRow, Spectrum
+from core.codes.verdict import ORDER
 from core.ground.records import READERS
 from core.ground.records.container import is_zip
 from core.ground.records.grammar import decode
@@ -124,6 +125,14 @@ def test_that_every_format_of_records_is_fuzzed(tmp_path):
                     lines = decode(content)
                     reached.add(next(title for title, knows, _ in READERS if knows(lines)))
     assert reached == {title for title, _, _ in READERS}
+
+
+def test_that_every_check_has_its_words_and_its_clause_in_the_documents():
+    assert {*ORDER, "linear_sld"} == set(METHOD_WORDS) <= set(WORDS)
+    codes = text_of("resources/docs/codes.md")
+    for words in METHOD_WORDS.values():
+        clause = re.search(r"\((C[\d.]+)\)", words[0])[1]
+        assert clause in codes or f".{clause.rsplit('.', 1)[1]}" in codes, clause
 
 
 def test_that_every_verdict_and_every_check_is_in_the_readme():
