@@ -9,10 +9,11 @@ import platform
 import re
 import sys
 import sysconfig
+from typing import Any
 
 from core.text.start import phrase
 
-PYTHONS = {
+PYTHONS: "dict[str, dict[str, Any]]" = {
     "3.11": {"run": True},
     "3.12": {"run": True},
     "3.13": {"run": True},
@@ -22,7 +23,7 @@ PYTHONS = {
 """Python -> whether the program was run with it, else all its packages were only resolved; group of packages -> the
 package without a wheel for it."""
 
-SYSTEMS = (
+SYSTEMS: "tuple[dict[str, Any], ...]" = (
     {"system": "Linux", "processor": "x86_64", "name": "Linux x86-64", "run": True,
      "least": {"base": "glibc 2.28", "gui": "glibc 2.34"}, "tag": "manylinux_{}_{}_x86_64"},
     {"system": "Linux", "processor": "aarch64", "name": "Linux ARM64", "run": False,

@@ -1,5 +1,6 @@
 """Pythons and systems are one table: run.py, documents, launchers, project and workflow say what it says."""
 
+import ast
 import os
 import re
 import subprocess
@@ -81,6 +82,16 @@ def test_that_what_the_table_has_is_installed(here, python, row):
 def test_that_what_has_no_wheel_is_refused_in_a_sentence_with_its_reason(here, seems, groups, said):
     here(**seems)
     assert said in platforms.refusal(groups)
+
+
+@pytest.mark.parametrize(
+    "name", ["run.py", "packaging/platforms.py", "core/__init__.py", "core/text/__init__.py", "core/text/start.py"]
+)  # fmt: skip
+def test_that_a_python_of_2016_reads_what_refuses_it(name):
+    tree = ast.parse(text_of(name), feature_version=(3, 6))
+    for node in ast.walk(tree):
+        if isinstance(node, ast.AnnAssign):  # evaluated there
+            assert isinstance(node.annotation, ast.Constant)
 
 
 def test_that_a_batch_runs_where_the_window_cannot(here):
