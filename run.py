@@ -14,6 +14,7 @@ The environment is .venv beside this file, or the folder named by RIBALTA_ENV. S
 """
 
 import contextlib
+import difflib
 import hashlib
 import json
 import os
@@ -25,16 +26,45 @@ import tempfile
 import time
 
 ROOT = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [path for path in (ROOT, os.path.join(ROOT, "packaging")) if path not in sys.path]
+import platforms  # noqa: E402
+
+from core.text.start import phrase, system_language  # noqa: E402
+
 ENVIRONMENT = os.path.realpath(os.environ.get("RIBALTA_ENV") or os.path.join(ROOT, ".venv"))
 NEXT, PREVIOUS = ENVIRONMENT + ".next", ENVIRONMENT + ".previous"
 """A new environment while it is made, and the one it replaces while it is deleted."""
 STAMP, MARK = "ribalta.json", "ribalta-environment"
 LOG = ENVIRONMENT + ".log"
-MIN_PYTHON = (3, 11)
+BETWEEN_WORDS = 10.0
+"""Seconds between two lines of progress where they do not go to a terminal."""
+TOOLS = {
+    "bench": "tests/benchmarks/bench.py",
+    "fuzz": "tests/fuzz/fuzz.py",
+    "mutate": "tests/mutation/mutate.py",
+    "package": "packaging/build.py",
+}
+"""Words of a developer -> their script."""
 
 
 class Failure(Exception):
-    """The environment cannot be made: one sentence with the cause and the way out."""
+    """What is asked cannot be done: one sentence with the cause and the way out; code : of the exit."""
+
+    def __init__(self, sentence, code=1):
+        super().__init__(sentence)
+        self.code = code
+
+
+def say(sentence, end="\n"):
+    print("run.py: " + sentence, file=sys.stderr, flush=True, end=end)
+
+
+def refuse_without_wheels(groups):
+    """Raise Failure where this Python or system has no wheel of a package of these groups: pip would build it from its
+    sources, or fail halfway."""
+    sentence = platforms.refusal(groups)
+    if sentence:
+        raise Failure(sentence)
 
 
 def lock_sections():
@@ -109,10 +139,11 @@ def environment_lock():
         os.makedirs(os.path.dirname(path), exist_ok=True)
         stream = open(path, "a")  # noqa: SIM115  (held to the end of the block)
     except OSError as error:
-        raise Failure(
-            f"the environment cannot be made in {ENVIRONMENT}: {error.strerror}; "
-            "name a folder you can write in the variable RIBALTA_ENV"
-        ) from None
+        text = (
+            "the environment cannot be made in {folder}: {reason}; name a folder you can write in the variable "
+            "RIBALTA_ENV"
+        )
+        raise Failure(phrase(text, folder=ENVIRONMENT, reason=error.strerror)) from None
     announced = False
     with stream:
         while True:
@@ -128,14 +159,10 @@ def environment_lock():
                 break
             except OSError:
                 if not announced:
-                    say("another start is preparing the environment: waiting for it")
+                    say(phrase("another start is preparing the environment: waiting for it"))
                     announced = True
                 time.sleep(0.2)
         yield
-
-
-def say(sentence):
-    print("run.py: " + sentence, file=sys.stderr, flush=True)
 
 
 def ensure(groups, older_serves=False):
@@ -143,13 +170,19 @@ def ensure(groups, older_serves=False):
     where no other can be had, as after an update without a network."""
     if set(groups) <= set(installed_groups()):
         return
+    refuse_without_wheels(groups)
     try:
         with environment_lock():
             update(groups)
     except Failure as failure:
         if not (older_serves and serves(groups)):
             raise
-        say(f"{failure}; started with the packages of an earlier version instead")
+        say(
+            phrase(
+                "{failure}; started with the packages of an earlier version instead",
+                failure=failure,
+            )
+        )
 
 
 def update(groups):
@@ -164,20 +197,22 @@ def update(groups):
         else:
             replace_environment(groups)
     except OSError as error:
-        raise Failure(
-            f"the environment cannot be written in {ENVIRONMENT}: {error.strerror}; free some space, end the "
-            "programs that run from it, or name another folder in the variable RIBALTA_ENV"
-        ) from None
+        text = (
+            "the environment cannot be written in {folder}: {reason}; free some space, end the programs that run "
+            "from it, or name another folder in the variable RIBALTA_ENV"
+        )
+        raise Failure(phrase(text, folder=ENVIRONMENT, reason=error.strerror)) from None
 
 
 def refuse_if_not_ours(folder):
     """What run.py did not make, by its mark, is neither emptied nor moved."""
     ours = os.path.isfile(os.path.join(folder, MARK))
     if os.path.lexists(folder) and not (os.path.isdir(folder) and (ours or not os.listdir(folder))):
-        raise Failure(
-            f"{folder} was not made by run.py and stays as it is: move it away, or name another folder, empty or "
+        text = (
+            "{folder} was not made by run.py and stays as it is: move it away, or name another folder, empty or "
             "new, in the variable RIBALTA_ENV"
         )
+        raise Failure(phrase(text, folder=folder))
 
 
 def remove(folder):
@@ -205,10 +240,11 @@ def replace_environment(groups):
         try:
             __import__(module)
         except ImportError:
-            raise Failure(
-                f"this Python lacks the module {module}: install it (Debian and Ubuntu: apt install "
-                "python3-venv) or start with a Python from python.org"
-            ) from None
+            text = (
+                "this Python lacks the module {module}: install it (Debian and Ubuntu: apt install python3-venv) or "
+                "start with a Python from python.org"
+            )
+            raise Failure(phrase(text, module=module)) from None
     for folder in (ENVIRONMENT, NEXT, PREVIOUS):
         refuse_if_not_ours(folder)
     remove(PREVIOUS)
@@ -236,11 +272,11 @@ def make(folder, groups):
     os.makedirs(folder)
     with open(os.path.join(folder, MARK), "w", encoding="utf-8") as stream:  # first of all
         stream.write("made by run.py, which may delete it\n")
-    say(f"making the environment in {ENVIRONMENT} (once)")
+    say(phrase("making the environment in {folder} (once)", folder=ENVIRONMENT))
     prompt = os.path.basename(ENVIRONMENT)
     logged(
         [sys.executable, "-m", "venv", "--prompt", prompt, folder],
-        "the environment could not be made",
+        phrase("the environment could not be made"),
     )
     install(groups, folder, {})
 
@@ -265,11 +301,19 @@ def install(groups, folder, have):
         wanted = os.path.join(place, "requirements.txt")
         with open(wanted, "w", encoding="ascii") as stream:
             stream.write("".join(sections[group] for group in groups))
-        say("installing {} (once)".format(", ".join(groups)))
+        names = packages_of(groups)
+        fetch, disk = platforms.megabytes(names)
+        text = (
+            "installing {groups}: {fetch:.0f} MB to fetch, {disk:.0f} MB on the disk, about {minutes:.0f} minutes at "
+            "10 Mbit/s (once)"
+        )
+        minutes = max(1, fetch * 8 / 10 / 60 + disk / 600)
+        say(phrase(text, groups=", ".join(groups), fetch=fetch, disk=disk, minutes=minutes))
         logged(
             [interpreter(folder), "-m", "pip", "install", "--disable-pip-version-check", "--no-input",
-             "--require-hashes", "--no-deps", "-r", wanted],
-            "the installation failed: check the network or the proxy settings of pip",
+             "--progress-bar", "off", "--only-binary", ":all:", "--require-hashes", "--no-deps", "-r", wanted],
+            phrase("the installation failed: check the network or the proxy settings of pip"),
+            len(names),
         )  # fmt: skip
     now = dict(have, **{name: identity(sections[name]) for name in groups})
     contents = [name for name in os.listdir(site_packages(folder)) if name != "__pycache__"]
@@ -277,22 +321,65 @@ def install(groups, folder, have):
         json.dump({"groups": now, "contents": contents}, stream)
 
 
-def logged(command, trouble):
-    """Run a command with its output in the log; raises Failure naming the log and its last line."""
+def packages_of(groups):
+    """Names of the packages of groups, each once: those of this Python and system, as far as a name tells."""
+    sections = lock_sections()
+    lines = [line for group in groups for line in sections[group].split("\n") if "==" in line]
+    return {line.split("==")[0] for line in lines}
+
+
+def logged(command, trouble, total=0):
+    """Run a command with its output in the log, and say how many of a total of packages were fetched; raises Failure
+    naming the log and its last line."""
     try:
         with open(LOG, "w", encoding="utf-8", errors="replace") as log:
-            code = subprocess.call(command, stdout=log, stderr=subprocess.STDOUT)
+            running = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+            with running:
+                show = shown_progress(total)
+                for line in iter(running.stdout.readline, b""):
+                    log.write(line.decode("utf-8", "replace"))
+                    show(line.decode("utf-8", "replace"))
+            code = running.returncode
     except OSError as error:
         raise Failure(f"{trouble}: {error}") from None
     if code:
         with open(LOG, encoding="utf-8", errors="replace") as log:
             lines = [line.strip() for line in log if line.strip()]
         cause = next(
-            (line for line in reversed(lines) if "ERROR" in line), (lines or ["no word"])[-1]
+            (line for line in reversed(lines) if "ERROR" in line),
+            lines[-1] if lines else phrase("no word"),
         )
         if any("DO NOT MATCH THE HASHES" in line for line in lines):
-            trouble = "the installation was refused: a package served is not the one requirements.lock names"
-        raise Failure(f"{trouble} ({cause[:200]}); the whole output is in {LOG}")
+            trouble = phrase(
+                "the installation was refused: a package served is not the one requirements.lock names"
+            )
+        text = "{trouble} ({cause}); the whole output is in {log}"
+        raise Failure(phrase(text, trouble=trouble, cause=cause[:200], log=LOG))
+
+
+def shown_progress(total):
+    """A function of pip's lines that says what is fetched: over one line of a terminal, else now and then."""
+    state = {"count": 0, "said": time.time()}
+    terminal = sys.stderr is not None and sys.stderr.isatty()
+
+    def show(line):
+        if line.startswith("Collecting ") and total:
+            state["count"] += 1
+            name = re.split("[=<>~! ]", line[len("Collecting ") :], maxsplit=1)[0].strip()
+            text = "{n} of {total} packages: {package}"
+            sentence = phrase(text, n=min(state["count"], total), total=total, package=name)
+        elif line.startswith("Installing collected") and total:
+            sentence = phrase("unpacking")
+            state["said"] = 0.0
+        else:
+            return
+        if terminal:
+            say("\r" + sentence.ljust(60), end="\n" if state["said"] == 0.0 else "")
+        elif time.time() - state["said"] >= BETWEEN_WORDS:
+            state["said"] = time.time()
+            say(sentence)
+
+    return show
 
 
 def environment():
@@ -311,8 +398,8 @@ def hand_over(command):
     return os.execve(command[0], command, environment())
 
 
-def test(arguments):
-    """Style, import contracts, types, tests; the first failure's exit code."""
+def test_steps(arguments):
+    """Style, import contracts, types, tests; with arguments the tests alone."""
     python = interpreter()
     scripts = os.path.dirname(python)
     steps = [
@@ -321,49 +408,76 @@ def test(arguments):
         [os.path.join(scripts, "lint-imports"), "--no-cache"],
         [python, "-m", "mypy", "--cache-dir", os.devnull],
     ]
-    if arguments:
-        steps = []
     every_core = ["-n", "auto", "--dist", "worksteal"]
-    steps.append([python, "-m", "pytest", *(arguments or every_core)])
-    for step in steps:
-        code = subprocess.call(step, cwd=ROOT, env=environment())
-        if code:
-            return code
-    return 0
+    return [*([] if arguments else steps), [python, "-m", "pytest", *(arguments or every_core)]]
+
+
+def refuse_unknown_options(script, arguments):
+    """Raise Failure for an option the script does not read, before anything is installed for it."""
+    with open(script, encoding="utf-8") as stream:
+        known = [*re.findall("--[a-z][a-z-]*", stream.read()), "--help"]
+    for argument in arguments:
+        option = argument.split("=")[0]
+        if option.startswith("--") and option not in known:
+            refuse_word(option, known)
+
+
+def refuse_word(word, known):
+    """Raise Failure for a word that is not known, with the nearest that is."""
+    near = difflib.get_close_matches(word, known, 1)
+    text = "unknown word {word}: did you mean {nearest}?" if near else "unknown word {word}"
+    raise Failure(phrase(text, word=word, nearest="".join(near)), 2)
+
+
+def plan(arguments):
+    """(groups, commands, whether older packages serve) for what is asked. Raises Failure, and SystemExit where the
+    program's own command line ends: wrong usage, --help, --version."""
+    word = arguments[0] if arguments else ""
+    if word == "test":
+        return (
+            ["base", "test", "gui", "accuracy", "study", "report"],
+            test_steps(arguments[1:]),
+            False,
+        )
+    if word in TOOLS:
+        script = os.path.join(ROOT, *TOOLS[word].split("/"))
+        refuse_unknown_options(script, arguments[1:])
+        everything = ["gui", "accuracy", "study", "report"]
+        peers = ["bench"] if "--work-precision" in arguments else []
+        groups = {"bench": ["test", *everything, *peers], "package": [*everything, "package"]}
+        groups = ["base", *groups.get(word, ["test"])]
+        return groups, [[interpreter(), "-P", script, *arguments[1:]]], False
+    from app import command_line
+    from core.errors import InputError
+    from core.version import line
+
+    if word in ("-h", "--help"):
+        print(__doc__)
+    try:
+        options = command_line.parse(arguments)
+        if options.version:
+            print(line())
+            raise SystemExit(0)
+        command_line.refuse_missing(options)
+    except InputError as error:
+        if not word.startswith("-") and difflib.get_close_matches(word, ["test", *TOOLS], 1):
+            refuse_word(word, ["test", *TOOLS])
+        raise Failure(error.text(system_language())) from None
+    groups = ["base", *command_line.extras(options)]
+    return groups, [[interpreter(), "-P", "-m", "app", *arguments]], True
 
 
 def main():
-    if sys.version_info[:2] < MIN_PYTHON:
-        raise Failure(
-            "Python {}.{} is too old: Ribalta needs 3.11 or newer (python.org)".format(
-                *sys.version_info[:2]
-            )
-        )
-    arguments = sys.argv[1:]
-    word = arguments[0] if arguments else ""
-    if word == "test":
-        ensure(["base", "test", "gui", "study", "report"])
-        return test(arguments[1:])
-    if word == "bench":
-        ensure(["base", "test", "gui", "study", "report", "bench"])
-        script = os.path.join(ROOT, "tests", "benchmarks", "bench.py")
-        return hand_over([interpreter(), "-P", script, *arguments[1:]])
-    if word in ("mutate", "fuzz"):
-        ensure(["base", "test"])
-        folder = {"mutate": "mutation", "fuzz": "fuzz"}[word]
-        script = os.path.join(ROOT, "tests", folder, word + ".py")
-        return hand_over([interpreter(), "-P", script, *arguments[1:]])
-    if word == "package":
-        ensure(["base", "gui", "study", "report", "package"])
-        script = os.path.join(ROOT, "packaging", "build.py")
-        return hand_over([interpreter(), "-P", script, *arguments[1:]])
-    headless = {"--batch", "--study", "--inspect", "--version", "--help", "-h"}
-    windowed = not any(argument.split("=")[0] in headless for argument in arguments)
-    asked = {argument.split("=")[0] for argument in arguments}
-    more = [name for name in ("study", "report") if "--" + name in asked]
-    groups = ["base", "gui", "study", "report"] if windowed else ["base", *more]
-    ensure(groups, older_serves=True)
-    return hand_over([interpreter(), "-P", "-m", "app", *arguments])
+    refuse_without_wheels([])
+    groups, commands, older_serves = plan(sys.argv[1:])
+    ensure(groups, older_serves=older_serves)
+    for command in commands[:-1]:
+        code = subprocess.call(command, cwd=ROOT, env=environment())
+        if code:
+            return code
+    if len(commands) > 1 or commands[-1][2] == "pytest":
+        return subprocess.call(commands[-1], cwd=ROOT, env=environment())
+    return hand_over(commands[-1])
 
 
 if __name__ == "__main__":
@@ -371,6 +485,6 @@ if __name__ == "__main__":
         sys.exit(main())
     except Failure as failure:
         say(str(failure))
-        sys.exit(1)
+        sys.exit(failure.code)
     except KeyboardInterrupt:
         sys.exit(130)

@@ -8,10 +8,13 @@ import tempfile
 import traceback
 from pathlib import Path
 
-from app.command_line import parser
-from app.language import quoted_from_file, set_language, system_language, terminal
+from app.command_line import parse, refuse_missing
+from app.language import quoted_from_file, set_language, terminal
 from core.errors import InputError
 from core.jit import trial
+from core.packages import way_to_get
+from core.text.start import system_language
+from core.version import line
 
 
 def window(case: Path | None) -> int:
@@ -27,9 +30,8 @@ def window(case: Path | None) -> int:
         quicken()
         from app import start as qt
     except ImportError as error:
-        raise InputError("window_needs_qt", reason=str(error)) from None
-    if case is not None and not case.exists():
-        raise InputError("no_case_file", place=(case,))
+        way = way_to_get("PySide6-Essentials pyqtgraph")
+        raise InputError("window_needs_qt", reason=str(error), way=way) from None
     return qt.main(case)
 
 
@@ -58,25 +60,16 @@ def main(arguments: list[str] | None = None) -> int:
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):  # a name the terminal cannot show must not end a run
             stream.reconfigure(errors="replace")
-    options = parser().parse_args(arguments)
-    if sum(map(bool, (options.batch, options.inspect, options.study))) > 1:
-        parser().error(terminal("--batch, --study and --inspect do not go together"))
-    if not (options.batch or options.study) and (options.output or options.resume or options.jobs):
-        parser().error(terminal("--output, --jobs and --resume go with --batch or --study"))
-    if options.report and not options.batch:
-        parser().error(terminal("--report goes with --batch"))
-    if not options.study and (options.quick or options.records):
-        parser().error(terminal("--quick and --records go with --study"))
+    options = parse(arguments)
     windowless = options.batch or options.study or options.inspect  # nothing is said in a dialog
     if windowless and not (sys.stdout and sys.stderr):
         nowhere = open(os.devnull, "w")  # noqa: SIM115
         sys.stdout, sys.stderr = sys.stdout or nowhere, sys.stderr or nowhere
     try:
         if options.version:
-            from core.version import NAME, VERSION, commit
-
-            print(f"{NAME} {VERSION} {commit()[:12]}".strip())
+            print(line())
             return 0
+        refuse_missing(options)
         if options.inspect:
             from app.inspection import inspect
 
@@ -105,12 +98,18 @@ def main(arguments: list[str] | None = None) -> int:
     except KeyboardInterrupt:
         print(terminal("stopped"), file=sys.stderr)
         return 130
-    except Exception:  # an internal error: its traceback goes to a file the user can send
+    except Exception as error:  # an internal error: its traceback goes to a file the user can send
         with tempfile.NamedTemporaryFile(
             "w", prefix="ribalta-error-", suffix=".log", delete=False
         ) as log:
             traceback.print_exc(file=log)
-        tell(terminal("internal error, nothing was written; please send {path}", path=log.name))
+        for note in getattr(error, "__notes__", ()):
+            tell(note)
+        tell(
+            terminal(
+                "internal error: no file was left half written; please send {path}", path=log.name
+            )
+        )
         return 4
 
 

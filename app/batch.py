@@ -14,7 +14,12 @@ from core import atomic_write
 from core.case.reader import read_case
 from core.case.schema import Case
 from core.errors import Cancelled, InputError
+<<<<<<< HEAD
 from core.report.verdict_words import in_order
+=======
+from core.jit import cache
+from core.packages import require
+>>>>>>> main
 from core.study.journal import Journal
 from core.study.results import StudyResult
 from core.study.run import run as run_study
@@ -22,6 +27,9 @@ from core.text.sentence import numeral, word
 
 DONE, WITHOUT_NUMBER, CANCELLED = 0, 3, 130
 """Exit codes; 1 input or output error and 2 wrong usage are of __main__, 4 an internal error."""
+
+EXAMPLES = Path(__file__).resolve().parents[1] / "resources" / "cases"
+"""Cases that come with the program: their results land in the folder one stands in."""
 
 
 def run(
@@ -39,7 +47,10 @@ def run(
     """
     export.check_note_path(report, case_path)
     case = read_case(case_path)
-    folder, stem = output or case_path.parent, case_path.stem
+    if case.analysis.accuracy:
+        require("accuracy")
+    shipped = case_path.resolve().parent == EXAMPLES
+    folder, stem = output or (Path() if shipped else case_path.parent), case_path.stem
     made = []
     try:
         export.refuse_overwriting(case, case_path, folder, stem)
@@ -95,6 +106,8 @@ def run_in(
         print(f"[demand]: {warning.text(current_language())}", file=sys.stderr)
     if not quiet:
         say(summary(result, folder, stem) + (f"\n{report}" if report else ""))
+        if _never_explained():
+            say(explanation(folder / f"{stem}.xlsx", bool(result.demand)))
     for wall, record, polarity, status in result.without_number:
         tell(
             "no number: {wall}, {record} ({sign}): {status}",
@@ -172,6 +185,38 @@ def summary(result: StudyResult, folder: Path, stem: str) -> str:
     )
     lines.append(f"{folder / (stem + '.xlsx')}\n{folder / (stem + '.json')}")
     return "\n".join(lines)
+
+
+def explanation(workbook: Path, with_demand: bool) -> str:
+    """What the words of the summary mean, a line each, and which file to open."""
+    lines = [
+        terminal(
+            "q: acceleration of the motion that first overturns the wall, over that which lifts it"
+        ),
+        terminal("robust: the q around which 16 % of the motions overturn it"),
+    ]
+    if with_demand:
+        lines += [
+            terminal(
+                "zeta: share of the demand at which the wall begins to fail; 1 is what the code asks"
+            ),
+            terminal(
+                "verdict: that of the most refined check that could be made; the last column names it"
+            ),
+        ]
+    return "\n".join(
+        ["", *lines, terminal("open {path}: its first sheet sums up the walls", path=workbook)]
+    )
+
+
+def _never_explained() -> bool:
+    """Whether this user has not been told what the words mean; from now on he has."""
+    try:
+        cache.user_folder().mkdir(parents=True, exist_ok=True, mode=0o700)
+        (cache.user_folder() / "explained").touch(exist_ok=False)
+    except (OSError, RuntimeError):
+        return False
+    return True
 
 
 def _coded(code: str | None) -> str:

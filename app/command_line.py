@@ -1,10 +1,16 @@
 """The command line in the language of the terminal: what it takes, and what it says of what it does not."""
 
 import argparse
+import difflib
 import re
+import tomllib
 from pathlib import Path
 
 from app.language import terminal
+from core.errors import InputError
+
+STUDIES = Path(__file__).resolve().parents[1] / "resources" / "studies"
+"""Studies that come with the program, asked for by name."""
 
 REFUSED = (
     (re.compile(r"unrecognized arguments: (?P<words>.*)", re.DOTALL), "not known here: {words}"),
@@ -29,10 +35,18 @@ class Parser(argparse.ArgumentParser):
         for pattern, text in REFUSED:
             found = pattern.fullmatch(message)
             if found:
-                message = terminal(text, words=found["words"])
+                message = terminal(text, words=found["words"]) + self._nearest(found["words"])
                 break
         words = terminal("error: {error}", error=message.removeprefix("argument "))
         self.exit(2, f"{self.format_usage()}{words}\n")
+
+    def _nearest(self, words: str) -> str:
+        """The known options that the unknown among these words were meant to be."""
+        known = [name for action in self._actions for name in action.option_strings]
+        options = [word.split("=")[0] for word in words.split() if word.startswith("-")]
+        near = [name for word in options if word not in known
+                for name in difflib.get_close_matches(word, known, 1)]  # fmt: skip
+        return terminal("; did you mean {nearest}?", nearest=", ".join(near)) if near else ""
 
 
 def parser() -> Parser:
@@ -58,7 +72,13 @@ def parser() -> Parser:
         help=terminal("the calculation note too, as a Word document (.docx)"))  # fmt: skip
     add("--quiet", action="store_true", help=terminal("no progress, no summary"))
     add("--resume", action="store_true", help=terminal("go on from the journal"))
-    add("--inspect", nargs="+", type=Path, metavar="FILE", help=terminal("say what records hold"))
+    add(
+        "--inspect",
+        nargs="+",
+        type=Path,
+        metavar="FILE",
+        help=terminal("summarise the contents of records"),
+    )
     add("--version", action="store_true", help=terminal("version and commit"))
     add("-h", "--help", action="help", help=terminal("this help"))
     return made
@@ -70,3 +90,62 @@ def _jobs(word: str) -> int:
             terminal("{word!r} is not a number of threads from 1 to 1024", word=word)
         )
     return int(word)
+
+
+def parse(arguments: list[str] | None) -> argparse.Namespace:
+    """What is asked. Ends the program with exit code 2 where words do not go together."""
+    line = parser()
+    options = line.parse_args(arguments)
+    if sum(map(bool, (options.batch, options.inspect, options.study))) > 1:
+        line.error(terminal("--batch, --study and --inspect do not go together"))
+    if not (options.batch or options.study) and (options.output or options.resume or options.jobs):
+        line.error(terminal("--output, --jobs and --resume go with --batch or --study"))
+    if options.report and not options.batch:
+        line.error(terminal("--report goes with --batch"))
+    if not options.study and (options.quick or options.records):
+        line.error(terminal("--quick and --records go with --study"))
+    return options
+
+
+def study_file(asked: str) -> Path:
+    """The file of a study: a name of those that come with the program, or a path."""
+    shipped = STUDIES / f"{asked}.toml"
+    return shipped if asked.isidentifier() and shipped.is_file() else Path(asked)
+
+
+def refuse_missing(options: argparse.Namespace) -> None:
+    """Raise InputError for a file that is not there or a note that is no Word document: before anything is installed
+    or imported for it."""
+    for case in (options.case, options.batch):
+        if case is not None and not case.exists():
+            raise InputError("no_case_file", place=(case,))
+    if options.study and not study_file(options.study).exists():
+        raise InputError("no_study_file", place=(options.study,))
+    if options.report:
+        refuse_other_note(options.report, options.batch)
+
+
+def refuse_other_note(path: Path, case: Path) -> None:
+    """Raise InputError for a calculation note in another form than a Word document."""
+    if path.suffix.lower() != ".docx":
+        raise InputError("note_is_docx", path=path, place=(case,))
+
+
+def extras(options: argparse.Namespace) -> list[str]:
+    """Groups of packages that what is asked needs beside the base."""
+    if options.inspect:
+        return []
+    if options.study:
+        return ["study"]
+    if not options.batch:
+        return ["gui", "accuracy", "study", "report"]
+    asked = {"accuracy": _states_accuracy(options.batch), "report": options.report}
+    return [extra for extra, wanted in asked.items() if wanted]
+
+
+def _states_accuracy(case: Path) -> bool:
+    """Whether a case asks for the statement of accuracy; False also for one that cannot be read."""
+    try:
+        return tomllib.loads(case.read_text("utf-8-sig"))["analysis"]["accuracy"] is True
+    except (OSError, ValueError, LookupError, TypeError, RecursionError):
+        return False

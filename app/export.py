@@ -7,11 +7,13 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from app.command_line import refuse_other_note
 from core import atomic_write
 from core.case.schema import Case
 from core.errors import InputError, OutputError, place
 from core.file_names import name_of
 from core.ground import records
+from core.packages import require
 from core.study.governing import collapse_histories
 from core.study.results import StudyResult
 
@@ -43,13 +45,9 @@ def refuse_overwriting(case: Case, case_path: Path, folder: Path, stem: str) -> 
 def check_note_path(path: Path | None, case_path: Path) -> None:
     """Raise InputError before the run where the calculation note could not be written: another ending than .docx, or
     packages that are missing."""
-    if path is None:
-        return
-    if path.suffix.lower() != ".docx":
-        raise InputError("note_is_docx", path=path, place=(case_path,))
-    from core.report.note.document import check_packages
-
-    check_packages()
+    if path is not None:
+        refuse_other_note(path, case_path)
+        require("report")
 
 
 def write(

@@ -1,10 +1,7 @@
 """The language of what a person reads on screen, and what the forms of the window call the keys of a case."""
 
-import locale
-import os
-
 from core.errors import InputError
-from core.text.sentence import LANGUAGES, FormNames, Sentence, localized, numeral, word
+from core.text.sentence import FormNames, Sentence, localized, numeral, word
 
 FORM_NAMES = FormNames()
 """Captions and units of the forms; each field adds its own."""
@@ -25,13 +22,6 @@ def set_language(code: str) -> None:
 def current_language() -> str:
     """The language of the window, or of the terminal."""
     return _current[0]
-
-
-def system_language() -> str:
-    """The system's language where it is one of ours, else English."""
-    named = next(filter(None, map(os.environ.get, ("LC_ALL", "LC_MESSAGES", "LANG"))), None)
-    code = (named or locale.getlocale()[0] or "")[:2].lower()
-    return code if code in LANGUAGES else "en"
 
 
 def tr(text: str, /, **values) -> str:

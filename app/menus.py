@@ -7,9 +7,10 @@ from PySide6.QtCore import QSettings
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QDockWidget, QMenu, QMessageBox
 
-from app import guide, language, theme
+from app import guide, theme
 from app.files import EXAMPLE
 from app.language import tr
+from core.text.sentence import LANGUAGES
 from core.version import NAME, VERSION
 
 
@@ -68,7 +69,7 @@ def build(window) -> Actions:
     add(window, view, tr("&Reset layout"), window.reset_layout)
     choices(window, view, tr("Theme"), "theme", {"light": tr("light"), "dark": tr("dark")},
                   theme.current.name)  # fmt: skip
-    choices(window, view, tr("Language"), "language", language.LANGUAGES, window.language)
+    choices(window, view, tr("Language"), "language", LANGUAGES, window.language)
     helps = window.menuBar().addMenu(tr("&Help"))
     add(window, helps, tr("What is this field?"), lambda: guide.explain(window), QKeySequence("F1"))
     add(window, helps, tr("&Guide"), lambda: guide.show_guide(window))

@@ -26,6 +26,8 @@ from app.language import quoted_from_file, tr
 from app.window import MainWindow
 from app.worker import RUNNING, write_log
 from core.errors import InputError
+from core.text.sentence import LANGUAGES
+from core.text.start import system_language
 from core.version import NAME, VERSION
 
 ICON = Path(__file__).resolve().parents[1] / "resources" / "icons" / "ribalta.png"
@@ -139,8 +141,8 @@ def make(arguments: list[str] | None = None) -> tuple[QApplication, MainWindow]:
     settings = QSettings(str(folder / "window.ini"), QSettings.Format.IniFormat)
     translate_qt(application)
     theme.set_theme(menus.chosen(settings, "theme", theme.THEMES) or "light")
-    asked = menus.chosen(settings, "language", language.LANGUAGES)
-    language.set_language(asked or language.system_language())
+    asked = menus.chosen(settings, "language", LANGUAGES)
+    language.set_language(asked or system_language())
     return application, MainWindow(settings, folder / "autosave")
 
 

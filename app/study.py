@@ -17,12 +17,14 @@ from app.batch import (
     raise_if,
     say,
 )
+from app.command_line import STUDIES, study_file
 from app.language import terminal
 from app.terminal_progress import progress, tell
 from core import atomic_write
 from core.case.study_file import Study, read_record_list, read_study, shortened
 from core.errors import Cancelled, InputError, place
 from core.ground import records as accelerograms
+from core.packages import require
 from core.report.study_files import COLUMNS
 from core.study import parametric
 from core.study.figures import StudyReport
@@ -38,15 +40,6 @@ FIGURES = 50
 
 FIGURE_NAME = re.compile(r"(fig\d\d|q|q_eff|eq14|law)_\w[\w.]*\.(png|svg)")
 """Names of the figures of a study."""
-
-STUDIES = Path(__file__).resolve().parents[1] / "resources" / "studies"
-"""Studies that come with the program, asked for by name."""
-
-
-def find(asked: str) -> Path:
-    """The file of a study: a name of those that come with the program, or a path."""
-    shipped = STUDIES / f"{asked}.toml"
-    return shipped if asked.isidentifier() and shipped.is_file() else Path(asked)
 
 
 def stem_of(path: Path, quick: bool) -> str:
@@ -118,7 +111,8 @@ def results(
     cancelled,
 ) -> Made:
     """Run a study with its journal in this folder. Raises InputError and Cancelled, with no new folder left."""
-    path = find(asked)
+    require("study")
+    path = study_file(asked)
     study, digest = load(path, quick)
     stem = stem_of(path, quick)
     refuse_overwriting(study, path, records, folder, stem)
@@ -164,7 +158,7 @@ def run(
     records : folder of natural records, or a TOML list of them
     Raises InputError for what the user can mend; nothing is written then.
     """
-    path = find(asked)
+    path = study_file(asked)
     folder = output or (Path() if path.parent == STUDIES else path.parent)
     cancel = threading.Event()
     with interrupts(cancel), progress(quiet) as show:
@@ -206,7 +200,7 @@ def write(
     tell: Callable[[int, int], None] = lambda done, planned: None,
 ) -> None:
     """All files of a study. check : called at every row, to cancel; ready : when all is made and nothing written yet;
-    tell(done, planned) : how far it is. Raises OutputError."""
+    tell(done, planned) : how far it is. Raises OutputError; what a figure raises, when the other files are written."""
     from core.report import study_files, study_workbook
     from core.report.steps import Steps
 
@@ -223,10 +217,22 @@ def write(
     }
     drawn: dict[Path, bytes] = {}
     steps.take(FIGURES)
-    for figure in steps.each(report.figures):
-        for name, content in study_files.figure_files(figure).items():
-            drawn[folder / f"{stem}_figures" / name] = content
+    fault = None
+    try:
+        for figure in steps.each(report.figures):
+            for name, content in study_files.figure_files(figure).items():
+                drawn[folder / f"{stem}_figures" / name] = content
+    except Cancelled:
+        raise
+    except (
+        Exception
+    ) as error:  # the numbers of hours do not go with a figure: raised when they are written
+        fault = error
     ready()
+    if fault:
+        atomic_write.write(files)
+        fault.add_note(terminal("workbook, JSON and CSV are written: {path}", path=folder / stem))
+        raise fault
     figures = folder / f"{stem}_figures"
     atomic_write.check_folder(figures)
     atomic_write.write({**drawn, **files})

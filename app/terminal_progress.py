@@ -12,6 +12,9 @@ from core.jit import cache
 BETWEEN_LINES = 10.0
 """Least time between two lines [s]."""
 
+BAR, CLEAR = 24, "\x1b[K"
+"""Characters of the bar; what deletes the rest of a line."""
+
 
 def tell(text: str, /, **values) -> None:
     """A line on stderr."""
@@ -50,23 +53,26 @@ def progress(quiet: bool) -> Iterator[Shown]:
 
 @contextlib.contextmanager
 def _bars() -> Iterator[Shown]:
-    from rich.console import Console
-    from rich.progress import BarColumn, Progress, TextColumn
+    """One line of the terminal, written anew each time and gone at the end."""
 
-    columns = (TextColumn("{task.description}"), BarColumn(), TextColumn("{task.fields[words]}"))
-    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task(terminal("runs and checks"), total=None, words="")
+    def show(done: int, planned: int, words: str) -> None:
+        full = round(BAR * done / max(planned, 1))
+        bar = "█" * full + "░" * (BAR - full)
+        print(f"\r{bar} {words}{CLEAR}", file=sys.stderr, flush=True, end="")
 
-        def runs(done: int, planned: int, left: float | None) -> None:
-            bar.update(task, completed=done, total=planned, words=_counted(done, planned, left))
+    def writing(done: int, planned: int) -> None:
+        show(
+            done,
+            planned,
+            terminal("writing the results: {share:.0f} %", share=100 * done / planned),
+        )
 
-        def writing(done: int, planned: int) -> None:
-            words = terminal("{share:.0f} %", share=100 * done / planned)
-            bar.update(
-                task, description=terminal("writing"), completed=done, total=planned, words=words
-            )
-
-        yield Shown(runs, writing)
+    try:
+        yield Shown(
+            lambda done, planned, left: show(done, planned, _counted(done, planned, left)), writing
+        )
+    finally:
+        print(f"\r{CLEAR}", file=sys.stderr, flush=True, end="")
 
 
 @contextlib.contextmanager

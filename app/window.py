@@ -34,6 +34,8 @@ from core.errors import InputError
 from core.study.demand_input import target_of
 from core.study.journal import Memory
 from core.study.results import StudyResult, WallResult
+from core.text.sentence import LANGUAGES
+from core.text.start import system_language
 from core.version import NAME
 
 AUTOSAVE_MS = 4000
@@ -83,8 +85,8 @@ class MainWindow(RunningWindow):
     def build(self) -> None:
         """Everything that speaks or has a colour; again after a change of language or theme."""
         pg.setConfigOptions(antialias=True, exitCleanup=False)
-        asked = menus.chosen(self.settings, "language", language.LANGUAGES)
-        self.language = asked or language.system_language()
+        asked = menus.chosen(self.settings, "language", LANGUAGES)
+        self.language = asked or system_language()
         docks.remove(self)
         self._tabs()
         self.narrow = self.isVisible() and self.width() < docks.NARROW

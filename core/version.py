@@ -33,3 +33,8 @@ def commit() -> str:
         return next(line.split()[0] for line in packed if line.endswith(head[5:]))
     except (OSError, StopIteration):
         return ""
+
+
+def line() -> str:
+    """Name, version and the start of the commit."""
+    return f"{NAME} {VERSION} {commit()[:12]}".strip()

@@ -2,7 +2,8 @@
 
     python packaging/lock.py
 
-Each section holds what its group adds to the base; run.py installs base and the groups it needs.
+Each section holds what its group adds to the base; run.py installs base and the groups it needs. constraints.txt
+holds the pins alone, for who installs the wheel.
 """
 
 import re
@@ -11,7 +12,7 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-GROUPS = ("base", "test", "gui", "study", "report", "bench", "package")
+GROUPS = ("base", "test", "gui", "accuracy", "study", "report", "bench", "package")
 
 
 def resolved(extras: list[str], constraint: Path | None = None) -> dict[str, str]:
@@ -38,7 +39,15 @@ def main() -> None:
             own = base if group == "base" else resolved([group], pins)
             kept = [block for pin, block in own.items() if group == "base" or pin not in base]
             lines += [f"# [{group}]", *kept]
-    (ROOT / "requirements.lock").write_text("\n".join(lines) + "\n")
+    text = "\n".join(lines) + "\n"
+    (ROOT / "requirements.lock").write_text(text)
+    (ROOT / "packaging" / "constraints.txt").write_text(constraints(text))
+
+
+def constraints(lock: str) -> str:
+    """The pins of a lock, each once, without hashes."""
+    pins = {line.rstrip(" \\") for line in lock.split("\n") if "==" in line}
+    return "".join(f"{pin}\n" for pin in sorted(pins))
 
 
 if __name__ == "__main__":

@@ -29,6 +29,7 @@ def main() -> int:
         check=True,
     )
     wheel = next((ROOT / "dist" / "wheel").glob("*.whl"))
+    pins = ROOT / "packaging" / "constraints.txt"
     pipx = ["pipx"] if shutil.which("pipx") else ["uvx", "--quiet", "pipx"]
     case = next(case for case in smoke.CASES if case.stem == "verdict")
     with tempfile.TemporaryDirectory(prefix="ribalta-wheel-") as name:
@@ -37,9 +38,10 @@ def main() -> int:
         source = [sys.executable, ROOT / "run.py"]
         right = smoke.batch(source, case, folder / "source", theirs)[0]
         for kind, command, places in (
-            ("uv tool install", ["uv", "tool", "install", "--quiet", "--python", sys.executable],
+            ("uv tool install", ["uv", "tool", "install", "--quiet", "--python", sys.executable, "--constraints", pins],
              {"UV_TOOL_DIR": "tools", "UV_TOOL_BIN_DIR": "bin"}),
-            ("pipx install", [*pipx, "install", "--quiet", "--python", sys.executable],
+            ("pipx install",
+             [*pipx, "install", "--quiet", "--python", sys.executable, f"--pip-args=--constraint {pins}"],
              {"PIPX_HOME": "tools", "PIPX_BIN_DIR": "bin"}),
         ):  # fmt: skip
             place = folder / kind.split()[0]

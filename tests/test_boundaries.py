@@ -30,6 +30,7 @@ SHOWN_BY = {
     "codes/verdict_sentence": "tests/core/codes/test_verdict.py",
     "atomic_write": "tests/core/test_atomic_write.py",
     "errors": SENTENCES,
+    "text/start": "tests/test_run.py",
     "file_names": "tests/app/test_nothing_lost.py",
     "capacity/limit_states": "tests/validation/test_circolare_by_hand.py",
     "capacity/independent_solver": "tests/validation/test_independent_solver.py",

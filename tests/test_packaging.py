@@ -5,6 +5,8 @@ import json
 import re
 import subprocess
 import sys
+import tomllib
+import types
 from pathlib import Path
 
 import numpy
@@ -151,3 +153,33 @@ def test_that_the_own_extension_is_the_same_everywhere():
     assert f"Classes\\{own}" in (PACKAGING / "windows" / "ribalta.iss").read_text(encoding="utf-8")
     spec = (PACKAGING / "ribalta.spec").read_text(encoding="utf-8")
     assert f'"CFBundleTypeExtensions": ["{own[1:]}"]' in spec
+
+
+def test_that_every_link_of_the_description_leads_somewhere(monkeypatch):
+    """README links files of the sources, which a page of the wheel has not beside it."""
+    interface = types.ModuleType("hatchling.metadata.plugin.interface")
+    interface.MetadataHookInterface = object
+    monkeypatch.setitem(sys.modules, interface.__name__, interface)
+    metadata = of_packaging("metadata", monkeypatch)
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    linked = re.findall(r"\]\(([^)]+)\)", text)
+    assert all((ROOT / name).is_file() for name in linked) and len(linked) > 15
+    bare = metadata.description(text, "")
+    assert "](" not in bare and "codes.md" in bare and "physics.md" in bare
+    there = metadata.description(text, "https://example.org/ribalta")
+    assert re.findall(r"\]\(([^)]+)\)", there) == [
+        f"https://example.org/ribalta/{name}" for name in linked
+    ]
+    assert there.count("![") == text.count("![")
+
+
+def test_that_the_classifiers_are_those_of_the_table():
+    from tests.test_platforms import platforms
+
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    named = [word.split(" :: ")[-1] for word in project["classifiers"] if ":: Python :: 3" in word]
+    assert named == list(platforms.PYTHONS)
+    systems = " ".join(word for word in project["classifiers"] if word.startswith("Operating"))
+    for row in platforms.SYSTEMS:
+        assert row["system"].lower() in systems.lower()
+    assert project["authors"] and project["keywords"]

@@ -9,7 +9,11 @@ from pathlib import Path
 
 import pytest
 
+from core.text.sentence import LANGUAGES
+from core.text.start import CODES
 from tests.conftest import ROOT
+
+EXAMPLE = str(ROOT / "resources" / "cases" / "example.toml")
 
 
 def load():
@@ -28,7 +32,7 @@ def run(tmp_path, monkeypatch):
     module = load()
     module.calls, module.offline, module.version = [], False, "1.0"
 
-    def logged(command, trouble):
+    def logged(command, trouble, total=0):
         module.calls.append(command)
         if "venv" in command:
             folder = command[-1]
@@ -106,7 +110,7 @@ def test_that_an_environment_is_made_beside_and_the_old_one_untouched_until_it_i
     of_another_lock(run, monkeypatch)
     real = run.logged
 
-    def watched(command, trouble):
+    def watched(command, trouble, total=0):
         assert contents(run.ENVIRONMENT) == before and run.ENVIRONMENT + os.sep not in command[0]
         real(command, trouble)
 
@@ -118,7 +122,7 @@ def test_that_an_environment_is_made_beside_and_the_old_one_untouched_until_it_i
     for trouble in (run.Failure("no network"), KeyboardInterrupt(), OSError(28, "No space left")):
         for step in ("venv", "pip"):
 
-            def fails(command, sentence, trouble=trouble, step=step):
+            def fails(command, sentence, total=0, trouble=trouble, step=step):
                 if step in command:
                     raise trouble
                 watched(command, sentence)
@@ -151,17 +155,91 @@ def test_that_without_a_network_after_an_update_the_packages_there_are_start_the
     assert set(run.installed_groups()) == {"base", "gui"}
 
 
-def test_that_only_the_program_starts_with_packages_of_another_lock(run, monkeypatch):
-    asked = []
-    monkeypatch.setattr(
-        run, "ensure", lambda groups, older_serves=False: asked.append(older_serves)
+def test_that_only_the_program_starts_with_packages_of_another_lock(run):
+    for words in ([], ["--batch", EXAMPLE], ["--study", "paper"]):
+        assert run.plan(words)[2]
+    for words in (["test"], ["bench"], ["mutate"], ["fuzz"], ["package"]):
+        assert not run.plan(words)[2]
+
+
+def test_that_each_word_installs_what_it_needs_and_no_more(run, tmp_path):
+    stated = tmp_path / "stated.toml"
+    stated.write_text("[analysis]\naccuracy = true\n")
+    for words, extras in (
+        (["--batch", EXAMPLE], []),
+        (["--inspect", "a.txt"], []),
+        (["--batch", EXAMPLE, "--report", "a.docx"], ["report"]),
+        (["--batch", str(stated)], ["accuracy"]),
+        (["--study=law"], ["study"]),
+        ([EXAMPLE], ["gui", "accuracy", "study", "report"]),
+        (["fuzz", "case", "--seconds", "3"], ["test"]),
+        (["bench", "--zeta"], ["test", "gui", "accuracy", "study", "report"]),
+        (["bench", "--work-precision"], ["test", "gui", "accuracy", "study", "report", "bench"]),
+    ):
+        assert run.plan(words)[0] == ["base", *extras], words
+
+
+@pytest.mark.parametrize(
+    "words, code, said",
+    [
+        (["--bacth", EXAMPLE], 2, "not known here: --bacth; did you mean --batch?"),
+        (["tset"], 2, "unknown word tset: did you mean test?"),
+        (["bench", "--work-precison"], 2, "did you mean --work-precision?"),
+        (["fuzz", "--second=3"], 2, "did you mean --seconds?"),
+        (["--batch", "nowhere.toml"], 1, "nowhere.toml: there is no such case file"),
+        (["nowhere.toml"], 1, "nowhere.toml: there is no such case file"),
+        (["--study", "papr"], 1, "papr: there is no such study: paper, law"),
+        (["--batch", EXAMPLE, "--report", "a.pdf"], 1, "a.pdf is no Word document"),
+        (["--batch", EXAMPLE, "--quick"], 2, "--quick and --records go with --study"),
+        (["--batch"], 2, "--batch takes a value"),
+        (["--version"], 0, "Ribalta 0."),
+        (["--help"], 0, "python3 run.py fuzz"),
+    ],
+)
+def test_that_a_typo_costs_nothing(tmp_path, words, code, said):
+    """Words, options and files are looked at before anything is made or fetched."""
+    environment = tmp_path / "env"
+    found = subprocess.run(
+        [sys.executable, ROOT / "run.py", *words], capture_output=True, text=True, cwd=tmp_path,
+        env=dict(os.environ, RIBALTA_ENV=str(environment)),
+    )  # fmt: skip
+    assert (found.returncode, list(tmp_path.iterdir())) == (code, [])
+    assert said in found.stdout + found.stderr and "Traceback" not in found.stderr
+
+
+def test_that_run_py_speaks_the_language_of_the_system(tmp_path):
+    found = subprocess.run(
+        [sys.executable, ROOT / "run.py", "tset"], capture_output=True, text=True,
+        env=dict(os.environ, RIBALTA_ENV=str(tmp_path / "env"), LC_ALL="it_IT.UTF-8"),
+    )  # fmt: skip
+    assert found.stderr == "run.py: parola sconosciuta tset: si intendeva test?\n"
+    assert set(LANGUAGES) == set(CODES)
+
+
+def test_that_only_wheels_are_installed_and_the_size_is_said_before(run, capsys):
+    run.ensure(["base", "gui"])
+    pip = run.calls[-1]
+    assert pip[pip.index("--only-binary") + 1] == ":all:" and "--require-hashes" in pip
+    said = capsys.readouterr().err
+    assert re.search(
+        r"installing base, gui: 1\d\d MB to fetch, 5\d\d MB on the disk, about 3 min", said
     )
-    monkeypatch.setattr(run, "hand_over", lambda command: 0)
-    monkeypatch.setattr(run, "test", lambda arguments: 0)
-    for words in ([], ["--batch", "x.toml"], ["test"], ["bench"], ["mutate"], ["package"]):
-        monkeypatch.setattr(sys, "argv", ["run.py", *words])
-        run.main()
-    assert asked == [True, True, False, False, False, False]
+
+
+@pytest.mark.parametrize("terminal", [True, False])
+def test_that_packages_are_counted_while_pip_fetches_them(run, monkeypatch, capsys, terminal):
+    fresh = load()
+    os.makedirs(os.path.dirname(fresh.LOG), exist_ok=True)
+    lines = "Collecting numpy==2.4.6 (from -r x)\nDownloading\nCollecting numba==0.68.1\nInstalling collected packages"
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: terminal, raising=False)
+    monkeypatch.setattr(fresh, "BETWEEN_WORDS", 0.0)
+    fresh.logged([sys.executable, "-c", f"print({lines!r})"], "no", total=2)
+    said = [
+        line.strip() for line in re.split(r"run\.py: ", capsys.readouterr().err) if line.strip()
+    ]
+    assert said == ["1 of 2 packages: numpy", "2 of 2 packages: numba", "unpacking"]
+    with open(fresh.LOG) as stream:
+        assert stream.read() == lines + "\n"
 
 
 def test_that_a_kill_between_the_two_moves_loses_no_environment(run, monkeypatch):
@@ -291,7 +369,7 @@ def test_that_a_place_that_cannot_be_written_is_one_sentence(tmp_path):
     blocked = tmp_path / "file"
     blocked.write_text("")
     found = subprocess.run(
-        [sys.executable, ROOT / "run.py", "--version"], capture_output=True, text=True,
+        [sys.executable, ROOT / "run.py", "--batch", EXAMPLE], capture_output=True, text=True,
         env=dict(os.environ, RIBALTA_ENV=str(blocked / "env")),
     )  # fmt: skip
     assert found.returncode == 1

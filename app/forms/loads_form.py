@@ -15,6 +15,7 @@ from core.case.number import parse_number
 from core.case.schema import AS_IS, DESIGNED, Load, ReturnWalls, Wall
 from core.case.values import field_of
 from core.errors import InputError
+from core.text.catalogue import CATALOGUE
 
 KINDS = field_of(Load, "kind").metadata["names"]
 
@@ -69,6 +70,12 @@ class HingesField(Field):
         self.show_error("")
 
 
+def named_kinds() -> dict[str, str]:
+    """Kinds of load as menu and list show them, one without words by its name."""
+    words = CATALOGUE["word"]
+    return {kind: named(f"load_{kind}") if f"load_{kind}" in words else kind for kind in KINDS}
+
+
 class LoadsForm(QGroupBox):
     """Edits the loads of the wall at `index()`, one at a time, and what else holds it."""
 
@@ -80,9 +87,7 @@ class LoadsForm(QGroupBox):
         self.list.setMaximumHeight(64)
         self.list.setAccessibleName(tr("Loads"))
         self.list.currentRowChanged.connect(lambda _: self._show_load())
-        self.kind = ChoiceField(
-            Load, "kind", tr("Load"), {kind: named(f"load_{kind}") for kind in KINDS}
-        )
+        self.kind = ChoiceField(Load, "kind", tr("Load"), named_kinds())
         self.mass = ChoiceField(
             Load, "mass", tr("Its mass"),
             {None: tr("to be chosen"), "none": tr("held elsewhere"), "horizontal": tr("pushes the wall"),
@@ -116,8 +121,8 @@ class LoadsForm(QGroupBox):
         self.add_button.setText(tr("Add a load"))
         self.add_button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         menu = QMenu(self.add_button)
-        for kind in KINDS:
-            menu.addAction(named(f"load_{kind}"), lambda kind=kind: self.add(kind))
+        for kind, shown in named_kinds().items():
+            menu.addAction(shown, lambda kind=kind: self.add(kind))
         self.add_button.setMenu(menu)
         self.delete_button.setText(tr("Delete this load"))
         self.delete_button.clicked.connect(self.delete)

@@ -109,7 +109,7 @@ class WallForm(QWidget):
         )  # fmt: skip
         self.strength = NumberField(
             Wall, "compressive_strength_mpa", tr("Strength f"), "MPa", optional=True,
-            tip=tr("Gives the setback u = 2 W / (3 f L); takes the unit weight and no u"),
+            tip=tr("Gives the setback u = 2 N / (3 f L), N with the loads: give the unit weight and omit the setback"),
         )  # fmt: skip
         self.weight = NumberField(
             Wall, "unit_weight_kn_m3", tr("Unit weight"), "kN/m³", optional=True

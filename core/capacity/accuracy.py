@@ -10,6 +10,7 @@ from core.capacity import independent_solver
 from core.capacity.ida import Ida, Search, incremental_dynamic_analysis, multiplier_of, threshold_of
 from core.errors import Cancelled
 from core.ground.ground_motion import GroundMotion
+from core.packages import require
 from core.rocking.history import history
 from core.rocking.methods import METHODS, Method, resolve_auto
 from core.wall.restitution import velocity_ratio
@@ -123,9 +124,9 @@ def accuracy(
 ) -> Accuracy:
     """The statement for one run with a q. other_sign : q of the same record reversed, if searched.
 
-    Some seconds: a history of the independent solver, 14 searches. Raises Cancelled.
+    Some seconds: a history of the independent solver, 14 searches. Raises Cancelled, and OutputError without scipy.
     """
-
+    require("accuracy")
     method = resolve_auto(method, model, motion.time_step)
 
     def searched(ground, asked: Search, by: Method) -> Ida:

@@ -11,6 +11,7 @@ from core.text.method import METHOD_BODIES, METHOD_LABELS
 from core.text.note import NOTE
 from core.text.notices import SENTENCES as NOTICES
 from core.text.report import REPORT
+from core.text.start import START, WAYS
 from core.text.study import STUDY
 from core.text.terminal import TERMINAL
 from core.text.verdicts import ADDED, MISSING_WORDS, REASONS, SHORT
@@ -32,7 +33,7 @@ CATALOGUE: dict[str, dict[str, tuple[str, str]]] = {
     "place": PLACES,
     "accepted": ACCEPTED,
     "notice": NOTICES,
-    "word": {**WORDS, **LOADS, **KEYS, **SECTIONS, **CHOICES},
+    "word": {**WORDS, **LOADS, **KEYS, **SECTIONS, **CHOICES, **WAYS},
     "assumption": ASSUMPTIONS,
     "verdict": VERDICTS,
     "added": ADDED,
@@ -43,5 +44,5 @@ CATALOGUE: dict[str, dict[str, tuple[str, str]]] = {
     "method_body": METHOD_BODIES,
     "report": _by_english({**STUDY, **REPORT, **NOTE}),
     "window": _by_english({**WINDOW, **WINDOW_FORMS, **WINDOW_CHARTS, **WINDOW_HELP}),
-    "terminal": _by_english(TERMINAL),
+    "terminal": _by_english({**TERMINAL, **START}),
 }

@@ -52,9 +52,9 @@ CASE_ERRORS = {
         "{key} = {value}: scrivere il numero senza virgolette e con il punto decimale, {key} = {plain}",
     ),
     "strength_gives_setback": (
-        "{compressive_strength_mpa} gives the setback of the hinge: it takes {unit_weight_kn_m3} and no "
+        "{compressive_strength_mpa} gives the setback of the hinge: give {unit_weight_kn_m3} and omit "
         "{hinge_setback_m}",
-        "{compressive_strength_mpa} dà l'arretramento della cerniera: richiede {unit_weight_kn_m3} e nessun "
+        "{compressive_strength_mpa} dà l'arretramento della cerniera: indicare {unit_weight_kn_m3} e omettere "
         "{hinge_setback_m}",
     ),
     "setback_too_large": (
@@ -352,9 +352,9 @@ CASE_ERRORS = {
     ),
     "window_needs_qt": (
         "the window needs PySide6 and pyqtgraph, and on Linux libgl1, libegl1 and libxkbcommon0 ({reason}); "
-        "start it with python3 run.py, or run a case with --batch",
+        "{way}, or run a case with --batch",
         "la finestra richiede PySide6 e pyqtgraph, e in Linux libgl1, libegl1 e libxkbcommon0 ({reason}); "
-        "avviarla con python3 run.py, o calcolare un caso con --batch",
+        "{way}, o calcolare un caso con --batch",
     ),
     "no_display": (
         "there is no display for the window: start it in a desktop session (or with ssh -X), or run a case with "
@@ -366,11 +366,9 @@ CASE_ERRORS = {
         "{path} is no Word document: name a file that ends in .docx",
         "{path} non è un documento Word: indicare un file che termina in .docx",
     ),
-    "report_needs_packages": (
-        "the calculation note needs python-docx and matplotlib ({reason}); start the program with python3 run.py, "
-        "which installs them",
-        "la relazione richiede python-docx e matplotlib ({reason}); avviare il programma con python3 run.py, che li "
-        "installa",
+    "packages_missing": (
+        "{work} needs {packages} ({reason}): {way}",
+        "{work} richiede {packages} ({reason}): {way}",
     ),
     "picture_not_made": ("The picture cannot be made.", "Non è possibile creare l'immagine."),
 }

@@ -27,6 +27,12 @@ HELP = {
         "Resistenza a compressione f della muratura [MPa]: u = 2 N/(3 f L), diagramma triangolare alla "
         "cerniera (C8.7.1.2.1). Con essa FC può scendere sotto 1,35.",
     ),
+    "restitution": (
+        "Model of the ratio e of the velocities after and before an impact (Eq. 4 to 7 of the paper); without one "
+        "Eq. 4 for a two-sided wall, Eq. 6 for a one-sided one.",
+        "Modello del rapporto e fra le velocità dopo e prima di un urto (Eq. 4-7 dell'articolo); se non scelto, Eq. 4 "
+        "per una parete su due lati, Eq. 6 per una su un lato.",
+    ),
     "velocity_ratio": (
         "Ratio e of the velocities after and before an impact: 1 loses nothing. Eq. 4 to 7 of the paper "
         "give it from alpha; a value of your own takes their place.",
@@ -81,6 +87,11 @@ HELP = {
     "tie_height_m": (
         "Height of a tie whose force is looked for, so that ζ reaches the one required.",
         "Quota di una catena di cui si cerca la forza, perché ζ raggiunga quello richiesto.",
+    ),
+    "kind": (
+        "What the load is: resting on the wall, a thrust outward, a tie that pulls inward, or a mass the wall carries.",
+        "Che cos'è il carico: appoggiato sulla parete, spinta verso l'esterno, catena che tira verso l'interno, o "
+        "massa portata dalla parete.",
     ),
     "kn_m": (
         "Intensity of the load per metre of wall [kN/m]; it keeps its size and direction.",
@@ -191,6 +202,22 @@ HELP = {
     "return_period_years": (
         "Return period T_R [years]; else from V_N and C_U (NTC 2018 3.2.0).",
         "Periodo di ritorno T_R [anni]; altrimenti da V_N e C_U (NTC 2018 3.2.0).",
+    ),
+    "type": (
+        "Type of the spectrum of EN 1998-1 3.2.2.2: 1 where strong earthquakes govern the hazard, 2 where those of a "
+        "magnitude up to 5.5 do.",
+        "Tipo dello spettro della EN 1998-1 3.2.2.2: 1 dove la pericolosità viene da terremoti forti, 2 dove da quelli "
+        "di magnitudo fino a 5,5.",
+    ),
+    "method": (
+        "Method of integration: automatic takes the Taylor series, of order 6 or 8; a verdict rests on it or on "
+        "dormand_prince, the others are for comparison.",
+        "Metodo di integrazione: quello automatico usa la serie di Taylor, di ordine 6 o 8; un esito si fonda su di "
+        "esso o su dormand_prince, gli altri servono al confronto.",
+    ),
+    "language": (
+        "Language of workbook and note, whatever that of the window.",
+        "Lingua di cartella di lavoro e relazione, qualunque sia quella della finestra.",
     ),
     "q_step": (
         "Step of the geometric grid of q: a smaller one finds an earlier first collapse. q robust hardly "

@@ -46,13 +46,11 @@ TERMINAL = {
     "{runs} runs, {analyses} analyses in {seconds:.1f} s": (
         "{runs} serie, {analyses} analisi in {seconds:.1f} s"
     ),
+    "workbook, JSON and CSV are written: {path}": "cartella di lavoro, JSON e CSV sono scritti: {path}",
     "{done}/{planned} runs and checks": "{done}/{planned} serie e verifiche",
     "{done}/{planned} runs and checks, about {left:.0f} s left": (
         "{done}/{planned} serie e verifiche, restano circa {left:.0f} s"
     ),
-    "runs and checks": "serie e verifiche",
-    "writing": "scrittura",
-    "{share:.0f} %": "{share:.0f} %",
     "writing the results: {share:.0f} %": "scrittura dei risultati: {share:.0f} %",
     "How strong an earthquake a masonry wall withstands before it overturns.": (
         "Quanto forte è il terremoto che una parete in muratura sopporta prima di ribaltarsi."
@@ -63,7 +61,7 @@ TERMINAL = {
     "threads (default: all cores)": "thread (predefinito: tutti i processori)",
     "no progress, no summary": "senza avanzamento né riepilogo",
     "go on from the journal": "proseguire dal registro",
-    "say what records hold": "dire che cosa contengono gli accelerogrammi",
+    "summarise the contents of records": "riassumere il contenuto degli accelerogrammi",
     "version and commit": "versione e commit",
     "{word!r} is not a number of threads from 1 to 1024": "{word!r} non è un numero di thread da 1 a 1024",
     "--batch, --study and --inspect do not go together": "--batch, --study e --inspect non vanno insieme",
@@ -75,11 +73,25 @@ TERMINAL = {
     "and {n} more, in the CSV": "e altre {n}, nel CSV",
     "a short form of the study": "una forma breve dello studio",
     "natural records of the study": "accelerogrammi naturali dello studio",
+    "q: acceleration of the motion that first overturns the wall, over that which lifts it": (
+        "q: accelerazione del moto che per prima ribalta la parete, rispetto a quella che la solleva"
+    ),
+    "robust: the q around which 16 % of the motions overturn it": (
+        "robusto: il q attorno al quale il 16 % dei moti la ribalta"
+    ),
+    "zeta: share of the demand at which the wall begins to fail; 1 is what the code asks": (
+        "zeta: quota della domanda a cui la parete comincia a non resistere; la norma chiede 1"
+    ),
+    "verdict: that of the most refined check that could be made; the last column names it": (
+        "esito: quello della verifica più raffinata fra quelle possibili; l'ultima colonna la nomina"
+    ),
+    "open {path}: its first sheet sums up the walls": "aprire {path}: il primo foglio riassume le pareti",
     "error: {error}": "errore: {error}",
     "stopped": "interrotto",
-    "internal error, nothing was written; please send {path}": (
-        "errore interno, non è stato scritto nulla; inviare {path}"
+    "internal error: no file was left half written; please send {path}": (
+        "errore interno: nessun file è rimasto scritto a metà; inviare {path}"
     ),
+    "; did you mean {nearest}?": "; si intendeva {nearest}?",
     "usage: ": "uso: ",
     "arguments": "argomenti",
     "this help": "questo aiuto",

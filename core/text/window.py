@@ -177,8 +177,8 @@ WINDOW = {
         "La parete ruota attorno a una cerniera arretrata dal bordo: tan α = (t − 2u)/H"
     ),
     "Strength f": "Resistenza f",
-    "Gives the setback u = 2 W / (3 f L); takes the unit weight and no u": (
-        "Dà l'arretramento u = 2 W / (3 f L); richiede il peso specifico e nessun u"
+    "Gives the setback u = 2 N / (3 f L), N with the loads: give the unit weight and omit the setback": (
+        "Dà l'arretramento u = 2 N / (3 f L), N con i carichi: indicare il peso specifico e omettere l'arretramento"
     ),
     "Unit weight": "Peso specifico",
     "Length L": "Lunghezza L",

@@ -468,3 +468,60 @@ def test_that_a_batch_without_any_stream_says_nothing_and_opens_no_dialog(tmp_pa
     assert call("--batch", tmp_path / "missing.toml") == 1
     sys.stderr.close()
     assert (tmp_path / "verdict.xlsx").exists()
+
+
+def test_that_the_results_of_an_example_land_where_one_stands(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    before = sorted((ROOT / "resources" / "cases").iterdir())
+    assert call("--batch", ROOT / "resources" / "cases" / "verdict.toml") == 0
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["verdict.json", "verdict.xlsx"]
+    assert sorted((ROOT / "resources" / "cases").iterdir()) == before
+    assert "\nverdict.xlsx\nverdict.json\n" in capsys.readouterr().out
+
+
+def test_that_the_first_batch_says_what_its_words_mean_and_the_next_does_not(
+    case, tmp_path, monkeypatch, capsys
+):
+    monkeypatch.setattr("core.jit.cache.user_folder", lambda: tmp_path / "user")
+    assert call("--batch", case, "--quiet") == 0 and capsys.readouterr().out == ""
+    assert call("--batch", case) == 0
+    said = capsys.readouterr().out
+    table, words = said.split("\n\n")
+    assert (
+        words.splitlines()[-1]
+        == f"open {case.with_suffix('.xlsx')}: its first sheet sums up the walls"
+    )
+    explained = [line.split(":")[0] for line in words.splitlines()[:-1]]
+    assert explained == ["q", "robust", "zeta", "verdict"]
+    assert set(explained) <= set(table.splitlines()[0].split())
+    assert call("--batch", case) == 0
+    assert capsys.readouterr().out.splitlines()[:2] == table.splitlines()[:2]
+    case.write_text(CASE.replace("[demand]\nag_g = 0.2\n", ""))
+    (tmp_path / "user" / "explained").unlink()
+    assert call("--batch", case) == 0
+    assert "zeta" not in capsys.readouterr().out
+
+
+def test_that_a_statement_of_accuracy_without_scipy_is_refused_before_the_run(
+    case, monkeypatch, capsys
+):
+    case.write_text(CASE.replace("q_step = 0.02", "q_step = 0.02\naccuracy = true"))
+    monkeypatch.setitem(sys.modules, "scipy", None)
+    monkeypatch.setattr(batch, "run_study", lambda *_, **__: pytest.fail("computed"))
+    assert call("--batch", case) == 1
+    assert "the statement of accuracy needs scipy" in capsys.readouterr().err
+
+
+def test_that_a_bar_of_a_terminal_is_one_line_and_leaves_nothing_there(capsys, monkeypatch):
+    from app import terminal_progress
+
+    monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
+    monkeypatch.setattr(terminal_progress.cache, "lacks_lanes", lambda: False)
+    with terminal_progress.progress(False) as show:
+        show.runs(3, 4, 7.0)
+        show.writing(1, 2)
+    said = capsys.readouterr().err
+    assert "\n" not in said and said.endswith("\r\x1b[K")
+    first, second = (line for line in said.split("\r")[1:3])
+    assert first.count("█") == 18 and "3/4 runs and checks, about 7 s left" in first
+    assert second.count("█") == 12 and "50 %" in second

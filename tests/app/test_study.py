@@ -8,6 +8,7 @@ import os
 import re
 import shutil
 import signal
+import sys
 import xml.etree.ElementTree as ElementTree
 
 import numpy as np
@@ -323,3 +324,34 @@ def test_that_the_window_of_a_study_runs_cancels_goes_on_and_shows_it(
     assert not journal.exists() and (tmp_path / "results" / "small.xlsx").exists()
     made.close()
     made.deleteLater()
+
+
+def test_that_a_study_without_its_packages_is_refused_before_it_computes(
+    small, tmp_path, monkeypatch, capsys
+):
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    before = sorted(tmp_path.iterdir())
+    assert call("--study", small, "--output", tmp_path / "out") == 1
+    said = capsys.readouterr().err
+    assert "a parametric study needs matplotlib, scipy" in said and said.count("\n") == 1
+    assert sorted(tmp_path.iterdir()) == before
+
+
+def test_that_a_figure_that_fails_takes_no_number_along(small, tmp_path, monkeypatch, capsys):
+    assert call("--study", small, "--output", tmp_path / "right", "--quiet") == 0
+
+    def fails(figure):
+        raise RuntimeError("no font")
+
+    monkeypatch.setattr("core.report.study_files.figure_files", fails)
+    assert call("--study", small, "--output", tmp_path / "out", "--quiet") == 4
+    said = capsys.readouterr().err
+    assert f"workbook, JSON and CSV are written: {tmp_path / 'out' / 'small'}" in said
+    assert content(tmp_path / "out") == content(tmp_path / "right")
+    load_workbook(tmp_path / "out" / "small.xlsx")
+    monkeypatch.undo()  # finished runs are used again, so that the figures cost no second run
+    monkeypatch.setattr(
+        "core.study.parametric.incremental_dynamic_analysis", lambda *_: pytest.fail("run again")
+    )
+    assert call("--study", small, "--output", tmp_path / "out", "--resume", "--quiet") == 0
+    assert len(list((tmp_path / "out" / "small_figures").iterdir())) == 8

@@ -87,6 +87,7 @@ def changed(chance: random.Random, seeds: list[bytes]) -> bytes:
 DIALECT_TARGETS = {
     "knet": ("K-NET",), "cwa": ("CWA",), "geonet": ("GeoNet V1A", "GeoNet V2A"),
     "smc": ("SMC, 8 fields", "SMC, 5 fields"), "california": ("CSMIP V2", "CSMIP V1", "COSMOS"),
+    "peer": ("PEER", "PEER, values first", "tab matrix"), "sigma": ("SIGMA",),
     "itaca": ("ESM", "AFAD", "ITACA before 2014", "DYNA 1.0"), "zip": ("zip of ESM",), "sheet": ("xlsx",),
 }  # fmt: skip
 """target -> the dialects of tests/core/ground/dialects.py whose files are changed; usc beside them."""

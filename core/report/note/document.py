@@ -5,7 +5,7 @@ python-docx, because a docx is what an office edits; matplotlib draws the figure
 
 import io
 
-from core.errors import OutputError
+from core.packages import require
 from core.report.drawing import style
 from core.report.note.parts import (
     Blanks,
@@ -37,7 +37,7 @@ DPI = 300
 
 def document(parts: list[Part], language: str, steps: Steps | None = None) -> bytes:
     """The docx file. Raises OutputError where the packages of the group `report` are not installed."""
-    check_packages()
+    require("report")
     import docx
 
     made = docx.Document()
@@ -47,15 +47,6 @@ def document(parts: list[Part], language: str, steps: Steps | None = None) -> by
     content = io.BytesIO()
     made.save(content)
     return content.getvalue()
-
-
-def check_packages() -> None:
-    """Raise OutputError where python-docx or matplotlib is missing."""
-    try:
-        import docx  # noqa: F401
-        import matplotlib  # noqa: F401
-    except ImportError as error:
-        raise OutputError("report_needs_packages", reason=str(error)) from None
 
 
 class _Writer:

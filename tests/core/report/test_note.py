@@ -179,7 +179,7 @@ def test_that_the_batch_writes_the_document_or_refuses_before_the_run(
 
 def test_that_without_its_packages_the_note_is_refused_in_one_sentence(monkeypatch, tmp_path):
     monkeypatch.setitem(__import__("sys").modules, "docx", None)
-    with pytest.raises(OutputError, match="python-docx and matplotlib"):
+    with pytest.raises(OutputError, match="python-docx, matplotlib"):
         export.check_note_path(tmp_path / "a.docx", tmp_path / "a.toml")
     with pytest.raises(InputError, match="ends in .docx"):
         export.check_note_path(tmp_path / "a.doc", tmp_path / "a.toml")

@@ -1,0 +1,37 @@
+"""Packages that not every installation has: asked for before the work that needs them, not after."""
+
+import importlib
+from pathlib import Path
+
+from core.errors import OutputError
+from core.text.sentence import Sentence, sentence
+from core.version import build
+
+PACKAGES = {
+    "report": {"docx": "python-docx", "matplotlib": "matplotlib"},
+    "study": {"matplotlib": "matplotlib", "scipy": "scipy"},
+    "accuracy": {"scipy": "scipy"},
+}
+"""Extra -> module asked for and the package it is of."""
+
+
+def require(extra: str) -> None:
+    """Raise OutputError where a package of this extra cannot be imported."""
+    for module in PACKAGES[extra]:
+        try:
+            importlib.import_module(module)
+        except ImportError as error:
+            names = tuple(PACKAGES[extra].values())
+            raise OutputError(
+                "packages_missing", work=sentence("word", f"work_{extra}"), packages=names,
+                reason=str(error), way=way_to_get(" ".join(names)),
+            ) from None  # fmt: skip
+
+
+def way_to_get(packages: str) -> Sentence:
+    """How this installation gets packages: a folder of sources, a program of packaging/build.py, a wheel."""
+    if build():
+        return sentence("word", "way_frozen")
+    if (Path(__file__).resolve().parents[1] / "run.py").is_file():
+        return sentence("word", "way_sources")
+    return sentence("word", "way_wheel", packages=packages)

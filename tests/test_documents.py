@@ -1,0 +1,145 @@
+"""What documents say is what the program does: options, figures, names of what can be chosen. Their commands:
+test_documented_commands.py."""
+
+import re
+from dataclasses import fields
+
+import pytest
+
+from app import command_line
+from core.case.schema import Analysis, Case, Generate, Load, Record, Report, ReturnWalls, Wall
+from core.case.site import Building, BuildingMode, Demand, HazardRow, Spectrum
+from core.codes.verdict import ORDER
+from core.ground.records import READERS
+from core.ground.records.container import is_zip
+from core.ground.records.grammar import decode
+from core.rocking.methods import METHODS
+from core.text.verdicts import METHOD_WORDS, SENTENCES
+from core.text.words import WORDS
+from core.version import VERSION
+from core.wall.moment_rotation import LAWS
+from core.wall.restitution import MODELS
+from tests.conftest import ROOT
+
+SECTIONS = (Report, Wall, Load, ReturnWalls, Record, Generate, Analysis, Demand, Spectrum, HazardRow, Building,
+            BuildingMode)  # fmt: skip
+
+
+def text_of(name: str) -> str:
+    return (ROOT / name).read_text(encoding="utf-8")
+
+
+def test_that_every_option_is_in_the_readme():
+    known = [name for action in command_line.parser()._actions for name in action.option_strings]
+    for name in known:
+        assert name in ("-h", "--help") or name in text_of("README.md"), name
+
+
+def test_that_seconds_of_the_fuzzer_are_said_as_they_are_meant():
+    """Of each target: an hour of all is not `--seconds 3600`."""
+    from tests.fuzz import fuzz
+
+    line = next(line for line in text_of("CONTRIBUTING.md").split("\n") if "fuzz --seconds" in line)
+    assert "for each target" in line and "for each target" in (ROOT / fuzz.__file__).read_text()
+
+
+# figures
+
+
+def test_that_the_documents_name_this_version():
+    for name in ("README.md", "packaging/README.md"):
+        assert set(re.findall(r"ribalta-(\d+\.\d+\.\d+)-py3", text_of(name))) <= {VERSION}
+    assert f"ribalta-{VERSION}-py3" in text_of("README.md")
+
+
+def test_that_the_limit_of_a_module_is_the_one_that_is_tested():
+    limit = re.search(r"splitlines\(\)\) <= (\d+)", text_of("tests/test_boundaries.py"))[1]
+    assert f"limited to {limit} lines (a test enforces it)" in " ".join(
+        text_of("CONTRIBUTING.md").split()
+    )
+
+
+@pytest.fixture(scope="module")
+def first_trial():
+    """The result of the case the first trial of the guide is about."""
+    from core.case.reader import read_case
+    from core.study import run
+
+    path = ROOT / "resources" / "cases" / "verdict.toml"
+    return run.run(read_case(path), base_dir=path.parent, jobs=2)
+
+
+@pytest.mark.parametrize("name", ["guide/2_facade.md", "guida/2_facciata.md"])
+def test_that_the_numbers_of_the_first_trial_come_out(first_trial, name):
+    text = text_of(f"resources/docs/{name}")
+    facade, gable = first_trial.walls
+    check = {one.name: one for one in facade.assessment.checks}
+    numbers = [
+        facade.assessment.verdict.zeta_e, gable.assessment.verdict.zeta_e, check["nonlinear"].zeta,
+        check["linear_q_code"].zeta, facade.q_set, facade.q_robust_set, gable.q_set,
+        facade.assessment.verdict.lower_bound,
+    ]  # fmt: skip
+    for number in numbers:
+        said = f"{number:.2f}"
+        assert (said.replace(".", ",") if "guida" in name else said) in text, said
+    assert str(sum(run.ida.analyses for wall in first_trial.walls for run in wall.runs)) in text
+
+
+# names of what can be chosen
+
+
+def names_in(page: str) -> set[str]:
+    return set(re.findall(r"[a-zA-Z][\w]*", text_of(page)))
+
+
+@pytest.mark.parametrize("part", SECTIONS, ids=lambda part: part.__name__)
+def test_that_every_key_and_every_choice_of_a_case_is_in_its_page(part):
+    known, page = names_in("resources/docs/case.md"), text_of("resources/docs/case.md")
+    for entry in fields(part):
+        assert entry.name in known, entry.name
+        for name in entry.metadata.get("names", ()):
+            assert name in (known if name.isidentifier() else page), (entry.name, name)
+    assert {entry.name for entry in fields(Case) if entry.name in ("title", "walls")} <= known
+
+
+def test_that_every_model_law_and_method_is_in_the_page_of_the_case():
+    assert {*MODELS, *LAWS, *METHODS} <= names_in("resources/docs/case.md")
+    assert {"newmark_paper_reset"} <= names_in("resources/docs/study.md")
+
+
+@pytest.mark.parametrize("title", [title for title, _, _ in READERS])
+def test_that_every_format_of_records_is_in_the_documents(title):
+    name = title.split(" / ")[0].removesuffix(" AT2").removesuffix(" ASCII").removesuffix(" acc")
+    for page in ("README.md", "resources/docs/case.md"):
+        assert name in text_of(page), page
+
+
+def test_that_every_format_of_records_is_fuzzed(tmp_path):
+    from tests.fuzz.fuzz import TARGETS, _record, seeds
+
+    reached = set()
+    for name, contents in seeds(tmp_path).items():
+        if TARGETS[name] is _record:
+            for content in contents:
+                if not is_zip(content):
+                    lines = decode(content)
+                    reached.add(next(title for title, knows, _ in READERS if knows(lines)))
+    assert reached == {title for title, _, _ in READERS}
+
+
+def test_that_every_check_has_its_words_and_its_clause_in_the_documents():
+    assert {*ORDER, "linear_sld"} == set(METHOD_WORDS) <= set(WORDS)
+    codes = text_of("resources/docs/codes.md")
+    for words in METHOD_WORDS.values():
+        clause = re.search(r"\((C[\d.]+)\)", words[0])[1]
+        assert clause in codes or f".{clause.rsplit('.', 1)[1]}" in codes, clause
+
+
+def test_that_every_verdict_and_every_check_is_in_the_readme():
+    text = text_of("README.md")
+    for code in set(SENTENCES) & set(WORDS):
+        assert f"`{code}`" in text, code
+    clauses = {re.search(r"\((C[\d.]+)\)", words[0])[1] for words in METHOD_WORDS.values()}
+    for clause in clauses:
+        last = clause.removeprefix("C8.7.1.2.1")
+        assert clause in text or f", {last} |" in text, clause
