@@ -14,12 +14,9 @@ from core import atomic_write
 from core.case.reader import read_case
 from core.case.schema import Case
 from core.errors import Cancelled, InputError
-<<<<<<< HEAD
-from core.report.verdict_words import in_order
-=======
 from core.jit import cache
 from core.packages import require
->>>>>>> main
+from core.report.verdict_words import in_order
 from core.study.journal import Journal
 from core.study.results import StudyResult
 from core.study.run import run as run_study

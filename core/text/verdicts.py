@@ -30,21 +30,8 @@ SENTENCES = {
         "verificata allo {state}{unloaded}, ζ {zeta}{where}, secondo {by}.{tail}",
     ),
     "verified_refined": (
-<<<<<<< HEAD
         "verified at {state}{unloaded} only by {by}, ζ {zeta}{where}.{tail}",
         "verificata allo {state}{unloaded} solo secondo {by}, ζ {zeta}{where}.{tail}",
-=======
-        "Verified at {state} by {method} only: ζ {zeta}. With q = {q:g} it is not: the designer must "
-        "justify the refined method.",
-        "Verificata allo {state} solo secondo {method}: ζ {zeta}. Con q = {q:g} non lo è: il progettista "
-        "deve motivare il metodo raffinato.",
-    ),
-    "verified_alone": (
-        "Verified at {state} by {method} only: ζ {zeta}. The check with q = {q:g} could not be evaluated: "
-        "the designer must justify the refined method.",
-        "Verificata allo {state} solo secondo {method}: ζ {zeta}. La verifica con q = {q:g} non si è "
-        "potuta valutare: il progettista deve motivare il metodo raffinato.",
->>>>>>> main
     ),
     "q2_unsafe": (
         "not verified at {state}, ζ {zeta}{where}, by {by}.{tail}",
@@ -62,13 +49,8 @@ SENTENCES = {
         "verificata, secondo {by}.{tail}",
     ),
     "indicative": (
-<<<<<<< HEAD
-        "only indicative at {state}{unloaded}, not a verification: ζ {zeta}{where} by {by}.{tail}",
-        "solo indicativa allo {state}{unloaded}, non è una verifica: ζ {zeta}{where} secondo {by}.{tail}",
-=======
-        "Indicative only: ζ {zeta} at {state} by {method}; this is not a code verification.",
-        "Solo indicativo: ζ {zeta} allo {state} secondo {method}; non è una verifica di norma.",
->>>>>>> main
+        "only indicative at {state}{unloaded}, this is not a code verification: ζ {zeta}{where} by {by}.{tail}",
+        "solo indicativa allo {state}{unloaded}, non è una verifica di norma: ζ {zeta}{where} secondo {by}.{tail}",
     ),
     "undetermined": (
         "not determined at {state}{where}: {missing}",
@@ -79,25 +61,6 @@ SENTENCES = {
 
 ADDED = {
     "with_pga": ("{where} {pga:.3f} g", "{where} {pga:.3f} g"),
-<<<<<<< HEAD
-=======
-    "share_of_target": (
-        " Of the multipliers within 10 % of {target:g} of the demand {share:.0%} fail.",
-        " Dei moltiplicatori entro il 10 % dal {target:g} della domanda il {share:.0%} non soddisfa la regola.",
-    ),
-    "share": (
-        " Of the multipliers within 10 % of the demand {share:.0%} fail.",
-        " Dei moltiplicatori entro il 10 % dalla domanda il {share:.0%} non soddisfa la regola.",
-    ),
-    "confidence_demand": (
-        " With FC on the demand instead of the strength it is {negation}verified: ζ {zeta}.",
-        " Con FC sulla domanda anziché sulla resistenza {negation}è verificata: ζ {zeta}.",
-    ),
-    "confidence_capacity": (
-        " With FC on the strength, as required by C8.7.1.2.1.3, it is {negation}verified: ζ {zeta}.",
-        " Con FC sulla resistenza, come richiede il C8.7.1.2.1.3, {negation}è verificata: ζ {zeta}.",
-    ),
->>>>>>> main
     "required": ("{zeta} (required {target:g})", "{zeta} (richiesto {target:g})"),
     "at_hinge": (" at the hinge of +{height:.4g} m", " alla cerniera a +{height:.4g} m"),
     "at_base": (" at the base, {z:.4g} m above the ground", " alla base, a {z:.4g} m dal suolo"),
@@ -143,8 +106,8 @@ ADDED = {
         "{tail} La sola verifica con q = {q:g} sarebbe soddisfatta: qui non è cautelativa.",
     ),
     "no_q_check": (
-        "{tail} The check with q = {q:g} could not be made.",
-        "{tail} La verifica con q = {q:g} non è stata possibile.",
+        "{tail} The check with q = {q:g} could not be evaluated.",
+        "{tail} La verifica con q = {q:g} non si è potuta valutare.",
     ),
     "fails_at_demand": (
         "{zeta}, but the rule fails at the demand itself",
