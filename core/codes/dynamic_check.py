@@ -42,6 +42,8 @@ CLOSE = 0.05
 ONE_BY_ONE = 2
 """Records, the worst at the demand, that are analysed alone: most failures need no other."""
 
+CLAUSE = "C8.7.1.2.1.9"
+
 STATUS = {STABLE: "stable", COLLAPSED: "overturned", IMPACT_LIMIT: "impact_limit"}
 
 
@@ -122,9 +124,7 @@ class DemandCheck:
     def as_check(self) -> Check:
         """This check as a row of the table of methods."""
         passed = self.passed if self.zeta is not None else None
-        return Check(
-            "dynamic", "C8.7.1.2.1.9", "-", self.limit_ratio, self.peak_ratio, self.zeta, passed
-        )
+        return Check("dynamic", CLAUSE, "-", self.limit_ratio, self.peak_ratio, self.zeta, passed)
 
     def within_spread(self, target: float) -> bool:
         """Whether the rule holds at the target, but the spread of zeta_E contains it, its lower end included."""
