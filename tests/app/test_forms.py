@@ -37,7 +37,7 @@ LOADS = [
 
 
 @pytest.mark.parametrize("mechanism", ["", *choices(Wall, "mechanism")])
-@pytest.mark.parametrize("weight", [None, 18.0])
+@pytest.mark.parametrize("weight", [None, pytest.param(18.0, marks=pytest.mark.long)])
 def test_that_a_load_in_the_making_is_shown_by_every_form(opened, faults, mechanism, weight):
     before = opened.session.case
     for load in LOADS:

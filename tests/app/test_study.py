@@ -155,7 +155,7 @@ def test_that_a_title_may_change_and_figures_of_an_earlier_run_go(small, tmp_pat
         'restitution = ["default"]',
         "velocity_ratio = [0.9]",
         'motions = "records"',
-        'method = ["rk4"]',
+        pytest.param('method = ["rk4"]', marks=pytest.mark.long),
     ],
 )
 def test_that_every_report_is_made_of_any_grid(report, grid, tmp_path):

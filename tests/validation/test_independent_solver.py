@@ -96,7 +96,10 @@ def test_that_strong_motion_of_a_small_wall_shortens_the_steps(reference, make_m
     assert difference.max() / model.slenderness <= 1e-10
 
 
-@pytest.mark.parametrize("one_sided, law", [(True, "rigid"), (False, "al_shawa")])
+@pytest.mark.parametrize(
+    "one_sided, law",
+    [(True, "rigid"), pytest.param(False, "al_shawa", marks=pytest.mark.long)],
+)
 def test_that_thirty_digits_give_the_same_history(reference, make_model, one_sided, law):
     ground = reference("standard")[0][:450]
     model = make_model(one_sided=one_sided, law=law)

@@ -242,7 +242,7 @@ def test_a_decimated_record_is_another_record(reference, make_model):
     assert difference.max() / model.slenderness > 2e-3
 
 
-@pytest.mark.parametrize("ratio", [0.0, 1.0])
+@pytest.mark.parametrize("ratio", [0.0, pytest.param(1.0, marks=pytest.mark.long)])
 @pytest.mark.parametrize("one_sided", [False, True])
 def test_plastic_and_elastic_impacts(reference, make_model, ratio, one_sided):
     ground = reference("standard")[0][:600]

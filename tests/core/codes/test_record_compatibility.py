@@ -146,6 +146,7 @@ def test_that_a_range_beyond_the_spectrum_of_a_file_is_refused(tmp_path):
         study.run(parse_case(table), base_dir=tmp_path)
 
 
+@pytest.mark.long
 def test_that_looks_ten_times_as_close_move_no_extreme_by_half_a_percent(shelf, monkeypatch):
     """Sets of seven of the shelf against a code spectrum: the rule of -10 % cannot flip between two looks."""
     asked = case(demand_scaling="pga")
