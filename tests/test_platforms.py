@@ -277,6 +277,7 @@ def pins(group: str, python: str, row: dict) -> list[str]:
     return kept
 
 
+@pytest.mark.network
 @pytest.mark.long
 def test_that_the_lock_has_a_wheel_for_every_row_of_the_table():
     wheels = wheels_of_the_lock()
@@ -298,6 +299,7 @@ def test_that_the_lock_has_a_wheel_for_every_row_of_the_table():
                     assert bool(lacking) == known, (python, row["name"], group, lacking)
 
 
+@pytest.mark.network
 @pytest.mark.long
 @pytest.mark.parametrize("python", platforms.PYTHONS)
 def test_that_qt_of_the_lock_serves_the_pythons_with_a_window_alone(python, tmp_path):
@@ -309,6 +311,7 @@ def test_that_qt_of_the_lock_serves_the_pythons_with_a_window_alone(python, tmp_
     assert (subprocess.run(command, capture_output=True).returncode == 0) == (python in WINDOWED)
 
 
+@pytest.mark.network
 @pytest.mark.long
 def test_that_the_megabytes_said_are_those_of_the_index():
     wheels, row = wheels_of_the_lock(), platforms.SYSTEMS[0]
