@@ -184,7 +184,10 @@ def verdict(
         limits.append(_reason("no_period", missing=keys))
     if lower_bound is not None:
         limits.append(_reason("restraint_fails", zeta=Number(lower_bound)))
-    notes = []
+    weaker = _weaker(dynamic) if code != "undetermined" else None
+    if weaker and dynamic.zeta_first < target:
+        limits.append(weaker)
+    notes = [weaker] if weaker and dynamic.zeta_first >= target else []
     if kinematic and kinematic.chain.friction_height is not None:
         notes.append(_reason("friction_hinge", height=kinematic.chain.friction_height))
     if dynamic and compliance and code != "not_activated":
@@ -247,6 +250,15 @@ def _alone(made: dict[str, Check], dynamic: DemandCheck) -> bool:
     return refuted and other is not None and not other.passed
 
 
+def _weaker(dynamic: DemandCheck | None) -> Sentence | None:
+    """A motion weaker than zeta_E that fails the rule: said whenever one does, also above what is required."""
+    if dynamic is None or dynamic.zeta is None or dynamic.zeta_first is None:
+        return None
+    if dynamic.zeta_first >= dynamic.zeta * (1.0 - BRACKET):
+        return None
+    return _reason("weaker_fails", first=dynamic.zeta_first, zeta_16=Number(dynamic.zeta_16))
+
+
 def _of_the_histories(dynamic, kinematic, wall, zeta, target) -> list[Sentence]:
     """What else the histories say of the demand and of weaker motions."""
     if dynamic is None or zeta is None:
@@ -255,9 +267,6 @@ def _of_the_histories(dynamic, kinematic, wall, zeta, target) -> list[Sentence]:
     at = sentence("added", "at_demand")
     if target != 1.0:
         at = sentence("added", "at_share", target=target)
-    first = dynamic.zeta_first
-    if first is not None and dynamic.zeta is not None and first < dynamic.zeta * (1.0 - BRACKET):
-        said.append(_reason("weaker_fails", first=first, zeta_16=Number(dynamic.zeta_16)))
     if zeta >= target and not dynamic.holds_at_target:
         said.append(_reason("demand_fails", at=at))
     if dynamic.passed and target < 1.0 <= zeta and not dynamic.holds:
