@@ -27,7 +27,7 @@ from app.language import current_language, described, named, number, tr
 from app.parts import Parts
 from app.session import Session
 from core.case.schema import Analysis, Report
-from core.case.site import Demand, Spectrum
+from core.case.site import KNOWLEDGE, Demand, Spectrum
 from core.codes.demand import unusual
 from core.codes.target_spectrum import NTC_TOPOGRAPHY, SOILS
 from core.errors import InputError
@@ -79,8 +79,13 @@ class DemandForm(QWidget):
         self.file.clicked.connect(self._choose_file)
         self.factor = NumberField(
             Demand, "confidence_factor", "FC", "",
-            tip=tr("1.35 where the compressive strength is not in α; lower with a hinge setback"),
+            tip=tr("Less than 1.35: with LC2 or LC3, what was investigated and the strength f of each wall"),
         )  # fmt: skip
+        self.level = ChoiceField(
+            Demand, "knowledge_level", tr("Level of knowledge"),
+            {None: "–"} | {name: name for name in ("LC1", *KNOWLEDGE)},
+        )
+        self.investigations = TextField(Demand, "investigations", tr("Investigations"))
         self.confidence = ChoiceField(
             Demand, "confidence_on", tr("FC acts"),
             {"capacity": tr("on the strength"), "demand": tr("on the demand")},
@@ -106,7 +111,7 @@ class DemandForm(QWidget):
         self.curve: SpectrumCurve | None = None
         self.curve_place = QVBoxLayout()
         self.of_demand = [self.state, self.ag, self.soil_factor, self.intensity, self.factor,
-                          self.confidence, self.scaling, self.range, self.zeta, self.q_code,
+                          self.level, self.investigations, self.confidence, self.scaling, self.range, self.zeta, self.q_code,
                           self.site, self.coordinates, self.life, self.use, self.period]  # fmt: skip
         self.of_spectrum = [self.f0, self.tc, self.soil, self.topography, self.type]
         connect(self.of_demand, self._changed)
@@ -116,7 +121,7 @@ class DemandForm(QWidget):
                        *self.of_spectrum, self.file, self.summary):  # fmt: skip
             inside.addWidget(widget)
         inside.addLayout(self.curve_place)
-        for widget in (self.factor, self.confidence, self.scaling, self.range, self.zeta, self.q_code,
+        for widget in (self.factor, self.level, self.investigations, self.confidence, self.scaling, self.range, self.zeta, self.q_code,
                        self.site, self.coordinates, self.life, self.use, self.period):  # fmt: skip
             inside.addWidget(widget)
         self.hazard = HazardForm(session)

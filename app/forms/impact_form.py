@@ -12,20 +12,21 @@ from app.language import current_language, described, named, number, tr
 from app.session import Session
 from core.case.schema import Wall
 from core.errors import InputError
+from core.wall import wall_loads
 from core.wall.block import Block
 from core.wall.moment_rotation import LAWS
-from core.wall.restitution import MODELS
+from core.wall.restitution import MODELS, Contact, impact_ratio
 
 FORMULAS = {
-    "housner": "e = 1 − {k} sin²α (Eq. 4, α = {alpha}°)",
-    "sorrentino_experimental": "e = 0.95 (1 − {k} sin²α) (Eq. 5, α = {alpha}°)",
+    "housner": "e = 1 − {inner} (Eq. 4, α = {alpha}°)",
+    "sorrentino_experimental": "e = 0.95 (1 − {inner}) (Eq. 5, α = {alpha}°)",
     "costa_upper": "e = 0.98 (Costa et al. 2013)",
-    "one_sided_theoretical": "e = (1 − {k} sin²α)² |1 − {k} cos²α| (Eq. 6, α = {alpha}°)",
+    "one_sided_theoretical": "e = (1 − {inner})² |1 − {top}| (Eq. 6, α = {alpha}°)",
     "one_sided_experimental": "e = √r₁ₛ (1.18 − 0.473 v²) (Eq. 7)",
     "user": "e",
 }
-"""k : 2 R² m/I0, 1.5 for a rectangle about its corner; alpha : of the block that turns [deg]. Of each of MODELS:
-tests/app/test_forms.py asks for all."""
+"""inner, top : what the impacts of the inner hinge and of the top of its face take of the velocity; alpha : of the block
+that turns [deg]. Of each of MODELS: tests/app/test_forms.py asks for all."""
 
 
 def named_models() -> dict:
@@ -67,14 +68,19 @@ def scopes() -> dict:
     }
 
 
-def formula_of(model: str, block: Block) -> str:
-    """The formula of a model with the factor and the angle of this block: a setback or a mass that moves with the wall
-    makes them others than those of a rectangle."""
-    factor, degrees = (
-        2.0 * block.radius**2 / block.inertia_over_mass,
-        math.degrees(block.slenderness),
-    )
-    formula = FORMULAS.get(model, MODELS[model]).format(k=f"{factor:.5g}", alpha=f"{degrees:.5g}")
+def formula_of(model: str, block: Block, contact: Contact | None = None) -> str:
+    """The formula of a model with the factors and the angle of this block: a setback or a mass that moves with the wall
+    makes them others than those of a rectangle. contact : of a block with masses that move with it"""
+    factor = f"{2.0 * block.radius**2 / block.inertia_over_mass:.5g}"
+    losses = {"inner": f"{factor} sin²α", "top": f"{factor} cos²α"}
+    if contact is not None:
+        corner, top = (contact.width, 0.0), (contact.width, contact.height)
+        losses = {
+            "inner": f"{1.0 - impact_ratio(block, (0.0, 0.0), corner):.5g}",
+            "top": f"{1.0 - impact_ratio(block, corner, top):.5g}",
+        }
+    degrees = math.degrees(block.slenderness)
+    formula = FORMULAS.get(model, MODELS[model]).format(alpha=f"{degrees:.5g}", **losses)
     if current_language() == "it":
         formula = re.sub(r"(?<=\d)\.(?=\d)", ",", formula)
     return formula
@@ -151,7 +157,7 @@ class ImpactForm(QGroupBox):
             try:
                 model_used = wall.restitution_of(mechanism)
                 word = named(mechanism)
-                formula = formula_of(model_used.model, wall.block())
+                formula = formula_of(model_used.model, wall.block(), wall_loads.contact_of(wall))
                 lines.append(f"{word}: {formula} = {number(model_used.ratio_at_rest, '.4f')}")
                 if model_used.model in self.scopes:
                     lines.append(f"({self.scopes[model_used.model]})")

@@ -97,9 +97,11 @@ WINDOW = {
     "Topography": "Categoria topografica",
     "Type": "Tipo",
     "Choose file…": "Scegli file…",
-    "1.35 where the compressive strength is not in α; lower with a hinge setback": (
-        "1,35 se la resistenza a compressione non entra in α; minore con cerniera arretrata"
+    "Less than 1.35: with LC2 or LC3, what was investigated and the strength f of each wall": (
+        "Meno di 1,35: con LC2 o LC3, le indagini svolte e la resistenza f di ogni parete"
     ),
+    "Level of knowledge": "Livello di conoscenza",
+    "Investigations": "Indagini svolte",
     "Records at the demand": "Accelerogrammi alla domanda",
     "as given": "come dati",
     "scaled to PGA = a_g S": "scalati a PGA = a_g S",

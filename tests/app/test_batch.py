@@ -96,7 +96,7 @@ def test_that_a_case_gives_workbook_and_json_beside_it(case, capsys):
     assert shown.err == ""
     content = json.loads((case.parent / "case.json").read_text())
     assert list(content) == [
-        "program", "started_utc", "case", "case_sha256", "demand", "records", "walls",
+        "program", "started_utc", "case", "case_sha256", "demand", "records", "verdicts", "walls",
     ]  # fmt: skip
     run = content["walls"][0]["runs"][0]
     for key in ("record", "polarity", "status", "q", "bracket", "q_slv", "q_slc", "q_robust",

@@ -19,7 +19,7 @@ from core.errors import InputError, OutputError
 from core.report import workbook
 from core.report.note.content import note
 from core.report.note.parts import Derivation, Figures, Paragraph, Step, Table
-from core.report.verdict_words import names_in
+from core.report.verdict_words import lines_of, sentence_of
 from core.study.demand_histories import deciding_runs, demand_histories
 from core.study.run import run
 from core.units import G
@@ -87,9 +87,9 @@ def test_that_every_wall_has_its_verdict_with_all_reasons_and_its_figures(buildi
     parts = note(building, "en")
     words = [part.text for part in parts if isinstance(part, Paragraph)]
     for wall in building.walls:
-        assert wall.assessment.verdict.text("en") in words
-        for reason in wall.assessment.verdict.reasons:
-            assert f"• {reason.text('en', names_in('en'))}" in words
+        assert sentence_of(building, wall, "en") in words
+        for line in lines_of(building, wall, "en"):
+            assert f"• {line}" in words
         for warning in wall.warnings:
             assert f"• {warning.text('en')}" in words
     figures = [figure for part in parts if isinstance(part, Figures) for figure in part.figures]
@@ -271,4 +271,4 @@ def test_that_many_walls_keep_their_reasons_and_the_lowest_their_figures(buildin
     assert sum(isinstance(part, Figures) for part in parts) == 4
     words = [part.text for part in parts if isinstance(part, Paragraph)]
     for wall in building.walls:
-        assert wall.assessment.verdict.text("en") in words
+        assert sentence_of(building, wall, "en") in words
