@@ -86,7 +86,8 @@ wall = st.fixed_dictionaries(
     },
     optional={
         "law": st.sampled_from(["rigid", "doherty", "al_shawa"]), "notes": words, "floor": words,
-        "free_element": st.booleans(), "unloaded_confirmed": st.booleans(), "back_restraint": words,
+        "free_element": st.booleans(), "unloaded_confirmed": st.booleans(),
+        "back_restraint": st.one_of(st.just(""), words.map(lambda text: text + "abc")),
         "unit_weight_kn_m3": st.floats(5.0, 40.0), "elastic_modulus_mpa": st.floats(10.0, 1e5),
     },
 )  # fmt: skip
