@@ -82,7 +82,9 @@ class DemandForm(QWidget):
             tip=tr("Less than 1.35: with LC2 or LC3, what was investigated and the strength f of each wall"),
         )  # fmt: skip
         self.level = ChoiceField(
-            Demand, "knowledge_level", tr("Level of knowledge"),
+            Demand,
+            "knowledge_level",
+            tr("Level of knowledge"),
             {None: "–"} | {name: name for name in ("LC1", *KNOWLEDGE)},
         )
         self.investigations = TextField(Demand, "investigations", tr("Investigations"))
@@ -111,8 +113,9 @@ class DemandForm(QWidget):
         self.curve: SpectrumCurve | None = None
         self.curve_place = QVBoxLayout()
         self.of_demand = [self.state, self.ag, self.soil_factor, self.intensity, self.factor,
-                          self.level, self.investigations, self.confidence, self.scaling, self.range, self.zeta, self.q_code,
-                          self.site, self.coordinates, self.life, self.use, self.period]  # fmt: skip
+                          self.level, self.investigations, self.confidence, self.scaling, self.range,
+                          self.zeta, self.q_code, self.site, self.coordinates,
+                          self.life, self.use, self.period]  # fmt: skip
         self.of_spectrum = [self.f0, self.tc, self.soil, self.topography, self.type]
         connect(self.of_demand, self._changed)
         connect(self.of_spectrum, self._spectrum_changed)
@@ -121,8 +124,9 @@ class DemandForm(QWidget):
                        *self.of_spectrum, self.file, self.summary):  # fmt: skip
             inside.addWidget(widget)
         inside.addLayout(self.curve_place)
-        for widget in (self.factor, self.level, self.investigations, self.confidence, self.scaling, self.range, self.zeta, self.q_code,
-                       self.site, self.coordinates, self.life, self.use, self.period):  # fmt: skip
+        for widget in (self.factor, self.level, self.investigations, self.confidence, self.scaling,
+                       self.range, self.zeta, self.q_code, self.site, self.coordinates,
+                       self.life, self.use, self.period):  # fmt: skip
             inside.addWidget(widget)
         self.hazard = HazardForm(session)
         inside.addWidget(self.hazard)

@@ -25,8 +25,8 @@ FORMULAS = {
     "one_sided_experimental": "e = √r₁ₛ (1.18 − 0.473 v²) (Eq. 7)",
     "user": "e",
 }
-"""inner, top : what the impacts of the inner hinge and of the top of its face take of the velocity; alpha : of the block
-that turns [deg]. Of each of MODELS: tests/app/test_forms.py asks for all."""
+"""inner, top : what the impacts of the inner hinge and of the top of its face take of the velocity; alpha : of the
+block that turns [deg]. Of each of MODELS: tests/app/test_forms.py asks for all."""
 
 
 def named_models() -> dict:

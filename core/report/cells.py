@@ -256,6 +256,7 @@ def number(sheet: Worksheet, row: int, column: int, value, number_format: str, *
 
 def title(sheet: Worksheet, row: int, content: str, size: int = 14) -> None:
     text(sheet, row, 1, content, bold=True, color=ACCENT, size=size)
+    sheet.row_dimensions[row].height = 1.35 * size
 
 
 def header(

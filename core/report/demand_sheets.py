@@ -207,7 +207,7 @@ def spectral_compatibility(book: Book, result: StudyResult) -> None:
     )
     chart = _spectra(book, sheet, result)
     sheet.add_chart(chart, f"A{row + 1}")
-    sheet.print_area = f"A1:I{row + 1 + rows_below(chart)}"
+    sheet.print_area = f"A1:I{row + 1 + rows_below(chart.height)}"
 
 
 def _spectra(book: Book, sheet, result: StudyResult) -> ScatterChart:

@@ -90,4 +90,4 @@ def _floor(book: Book, sheet, floor: Floor, z: float, index: int, row: int) -> i
         add_series(chart, sheet, (first, first + k), (2, 2 + CHART_PERIODS.size), color)
     chart.x_axis.scaling.min = chart.y_axis.scaling.min = 0
     sheet.add_chart(chart, f"A{row + 1}")
-    return row + 1 + rows_below(chart)
+    return row + 1 + rows_below(chart.height)

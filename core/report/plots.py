@@ -79,23 +79,23 @@ def new_chart(heading: str, x: str, y: str, width=24.0, height=9.5) -> ScatterCh
     return chart
 
 
-def rows_below(chart) -> int:
-    """Rows a chart covers, and one of air."""
-    return math.ceil(chart.height / (ROW_HEIGHT * CM_PER_POINT)) + 1
+def rows_below(height: float) -> int:
+    """Rows that a chart of this height [cm] covers, and one of air."""
+    return math.ceil(height / (ROW_HEIGHT * CM_PER_POINT)) + 1
 
 
 def _placed(sheet, chart, index: int, count: int, row: int) -> int:
     """Put the chart of this index, of so many, onto the sheet; returns the row of the next."""
     if count < ABREAST_FROM:
         sheet.add_chart(chart, f"A{row}")
-        row += rows_below(chart)
+        row += rows_below(chart.height)
         if index % 3 == 2:
             sheet.row_breaks.append(Break(id=row - 1))
         return row
     sheet.add_chart(chart, f"{'AF'[index % 2]}{row}")
     if index % 2 == 0 and index < count - 1:
         return row
-    row += rows_below(chart)
+    row += rows_below(chart.height)
     if index % 6 == 5:
         sheet.row_breaks.append(Break(id=row - 1))
     return row

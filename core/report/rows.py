@@ -1,6 +1,11 @@
 """Rows of the vertical lists of the Check sheet: label, equation, live value, program's value, unit."""
 
 import math
+from copy import copy
+
+from openpyxl.formatting.rule import FormulaRule
+from openpyxl.styles import Font
+from openpyxl.utils import get_column_letter
 
 from core.report.cells import (
     BAD,
@@ -20,6 +25,9 @@ LIVE, ENGINE = 3, 4
 
 CHANGED = 15
 """Hidden column of the sheet Check: 1 in the row of an input that differs from that of the run."""
+
+OLD = "A9B2BB"
+"""Colour of what is of the run and not of a changed input."""
 
 INPUT_FILL = "FFF6D5"
 """Colour of the cells a person may change."""
@@ -56,8 +64,13 @@ def mark_changed(book: Book, sheet, row: int, now: str, then: str) -> None:
 
 
 def close_inputs(book: Book, sheet) -> None:
-    """After the last row: the cell `inputs_changed` counts the inputs that differ from those of the run."""
+    """After the last row: the cell `inputs_changed` counts the inputs that differ from those of the run; what does not
+    follow turns grey."""
     letter = sheet.cell(1, CHANGED).column_letter
+    last = sheet.max_row
+    _when_changed(sheet, f"C4:C{last}", f'$B4="{book.say("of the run")}"', OLD)
+    own = "AND(NOT(_xlfn.ISFORMULA(D4)),ISNUMBER(D4),NOT(ISNUMBER($P4)))"
+    _when_changed(sheet, f"D4:M{last}", own, OLD)  # P holds what loads were: theirs are inputs
     cell = sheet.cell(1, CHANGED)
     book.formula(cell, f"=SUM({letter}2:{letter}{sheet.max_row})", 0.0, "0")
     book.name("inputs_changed", cell)
@@ -74,6 +87,28 @@ def changed_cell(book: Book, sheet, row: int, column: int) -> None:
     cell = sheet.cell(row, column)
     book.formula(cell, f'=IF(inputs_changed>0,"{words}","")', "")
     style(cell, bold=True, color=BAD, size=11)
+
+
+def follow_changes(book: Book, sheet) -> None:
+    """A sheet of the run: once an input is changed its title says so in red, and what does not follow turns grey."""
+    head = sheet.cell(1, 1)
+    if head.data_type == "s":
+        old = book.say(
+            "Input changed since the run, grey is of the old wall: {title}", title=head.value
+        )
+        texts = ('"' + words.replace('"', '""') + '"' for words in (old, head.value))
+        look = copy(head._style)
+        book.formula(head, "=IF(inputs_changed>0,{},{})".format(*texts), head.value, "General")
+        head._style = look
+        _when_changed(sheet, "A1", "TRUE", BAD)
+    last = f"{get_column_letter(sheet.max_column)}{max(sheet.max_row, 2)}"
+    _when_changed(sheet, f"A2:{last}", "NOT(_xlfn.ISFORMULA(A2))", OLD)
+
+
+def _when_changed(sheet, cells: str, condition: str, color: str) -> None:
+    """The colour of cells once an input is changed. condition : of the first of them"""
+    formula = f"AND(inputs_changed>0,{condition})"
+    sheet.conditional_formatting.add(cells, FormulaRule([formula], font=Font(color=color)))
 
 
 def live_row(

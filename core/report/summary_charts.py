@@ -19,8 +19,8 @@ DATA = 20
 """First column of the data behind the charts, right of what is printed."""
 
 
-def sketch(book: Book, sheet, wall: WallResult, anchor: str) -> None:
-    """The wall to scale, its hinge and its ground, as a native chart."""
+def sketch(book: Book, sheet, wall: WallResult, anchor: str, size: tuple[float, float]) -> None:
+    """The wall to scale, its hinge and its ground, as a native chart. size : width and height [cm]"""
     h, t, u = wall.height, wall.thickness, wall.wall.setback
     outlines = (
         [(0.0, 0.0), (t, 0.0), (t, h), (0.0, h), (0.0, 0.0)],
@@ -29,7 +29,7 @@ def sketch(book: Book, sheet, wall: WallResult, anchor: str) -> None:
     )
     chart = ScatterChart()
     chart.style, chart.legend = 13, None
-    chart.width, chart.height = 3.6, 6.2
+    chart.width, chart.height = size
     chart.title = None
     drawn = [*zip(outlines, (ACCENT, BAD, QUIET), strict=True)]
     drawn += [(points, AMBER) for points in arrows(wall.wall, h, t)]

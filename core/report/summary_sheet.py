@@ -27,6 +27,7 @@ from core.report.cells import (
     title,
 )  # fmt: skip
 from core.report.circolare import cell_prefix, zeta_cell
+from core.report.plots import rows_below
 from core.report.rows import changed_cell
 from core.report.summary_charts import peaks, sketch
 from core.report.tie_words import tie_words
@@ -41,6 +42,8 @@ SUMMARY_WALLS = 8
 
 WIDTHS = [30, 12, 8, 9, 9, 7, 8, 14, 9, 8, 9, 9, 26]
 LAST = len(WIDTHS)
+PICTURES_CM = 6.2
+"""Height of the drawing and of the chart of the peaks, which stand beside the table of methods."""
 TONE_COLORS = {"": INK, "good": GOOD, "amber": AMBER, "bad": BAD}
 
 
@@ -90,6 +93,11 @@ def summary(book: Book, result: StudyResult) -> None:
     row = _warnings(book, sheet, result, row + 1, LAST)
     _signature(book, sheet, row + 1, [wall.wall for wall in result.walls])
     sheet.print_area = f"A1:M{sheet.max_row}"
+
+
+def lists_all(result: StudyResult) -> bool:
+    """Whether the Summary has every hinge and mechanism: of each wall it has the one that decides."""
+    return len(result.walls) <= SUMMARY_WALLS and all(decides for _, decides in in_order(result))
 
 
 def overview(book: Book, result: StudyResult) -> None:
@@ -242,10 +250,10 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
             values = (check.q, check.capacity / G, check.demand / G, "g", check.ratio, check.passed)
             _method_row(book, sheet, row, word(source, book.language), LABEL, values, False)
     if wall.wall.height_m:
-        sketch(book, sheet, wall, f"I{top}")
+        sketch(book, sheet, wall, f"I{top}", (3.3, PICTURES_CM))
     if assessment.dynamic:
-        peaks(book, sheet, assessment.dynamic, f"K{top}", 10.4, 6.2)
-    row = max(row, top + 11) + 1
+        peaks(book, sheet, assessment.dynamic, f"K{top}", 8.4, PICTURES_CM)
+    row = max(row + 1, top + rows_below(PICTURES_CM))
     row = paragraph(sheet, row, sentence_of(result, wall, book.language), LAST, 120, bold=True, size=12,
                     color=verdict_color(result, wall))  # fmt: skip
     for line in lines_of(result, wall, book.language):

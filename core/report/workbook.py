@@ -12,6 +12,7 @@ from core.report import (
 )
 from core.report.cells import ACCENT, QUIET, Book
 from core.report.note.sheet import note_sheet
+from core.report.rows import follow_changes
 from core.report.steps import Steps
 from core.study.results import CollapseHistories, StudyResult
 
@@ -54,8 +55,8 @@ def build(
         lambda book, result: plots.histories(book, result, histories), plots.survival_map, sheets.method,
     )  # fmt: skip
     for sheet in book.steps.each(sheets_in_order, SHARES):
-        if sheet is summary_sheet.overview and len(result.walls) <= summary_sheet.SUMMARY_WALLS:
-            continue  # the Summary lists them all
+        if sheet is summary_sheet.overview and summary_sheet.lists_all(result):
+            continue
         if sheet is risk_sheet.risk and not risk_sheet.has_risk(result):
             continue
         if sheet is floor_sheet.floors and not floor_sheet.floors_of(result):
@@ -65,6 +66,10 @@ def build(
     place = book.workbook.sheetnames.index(book.say("Results"))
     book.workbook.move_sheet(book.say("Check"), place)
     _mark_parts(book)
+    unmoved = {book.say(name) for name in ("Check", "Input", "Records", "Method")}
+    for sheet in book.workbook:
+        if sheet.title not in unmoved:
+            follow_changes(book, sheet)
     return book
 
 

@@ -38,6 +38,9 @@ NOTE = {
         "Dati modificati dopo l'analisi: q e ζ delle storie temporali, e ciò che è indicato «dell'analisi», sono "
         "della vecchia parete. Ripetere l'analisi."
     ),
+    "Input changed since the run, grey is of the old wall: {title}": (
+        "Dati modificati dopo l'analisi, in grigio la vecchia parete: {title}"
+    ),
     "Kinematic chain": "Catena cinematica",
     "Largest rotation of each record at the demand over θc": (
         "Rotazione massima di ogni accelerogramma alla domanda, rispetto a θc"

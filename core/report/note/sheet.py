@@ -17,6 +17,7 @@ from core.report.cells import (
     GOOD,
     INK,
     QUIET,
+    ROW_HEIGHT,
     Book,
     fill,
     frame,
@@ -38,7 +39,7 @@ from core.report.note.parts import (
     Step,
     Table,
 )
-from core.report.plots import new_chart
+from core.report.plots import new_chart, rows_below
 from core.report.rows import changed_cell
 from core.study.results import StudyResult
 
@@ -48,8 +49,11 @@ GRID, COLUMN = 12, 7.9
 LINE = 13.5
 """Height of a line [points]."""
 
-FIGURE_LINES, FIGURE_CM = 15, (9.0, 6.9)
-"""Rows a figure takes, and its size."""
+FIGURE_CM = (9.0, 6.9)
+"""Size of a figure."""
+
+PAGE = 740.0
+"""Height of the rows of a page, A4 within its margins and fitted to its width [points]."""
 
 DATA = GRID + 4
 """First column of the data behind the charts, right of what is printed."""
@@ -243,18 +247,32 @@ class _Writer:
     # figures
 
     def _figures(self, figures) -> None:
-        half = GRID // 2
+        half, lines = GRID // 2, rows_below(FIGURE_CM[1])
+        if self._filled() + lines * ROW_HEIGHT + 2.0 * LINE > PAGE:  # no page ends within a figure
+            self.sheet.row_breaks.append(Break(id=self.row - 1))
         for k, figure in enumerate(figures):
             self.figures += 1
             chart = self._drawing(figure) if figure.is_drawing else self._chart(figure)
             self.sheet.add_chart(chart, f"{get_column_letter(1 + k * half)}{self.row}")
-        below = self.row + FIGURE_LINES
+        below = self.row + lines
         for k, figure in enumerate(figures):
             number = self.figures - len(figures) + k + 1
             self._wrapped(
                 below, 1 + k * half, (k + 1) * half, f"Fig. {number}. {figure.caption}", "quiet", 8
             )
         self.row = below + 1
+
+    def _filled(self) -> float:
+        """Height of the rows of this page so far [points]."""
+        first = self.sheet.row_breaks.brk[-1].id + 1 if self.sheet.row_breaks.brk else 1
+        heights = self.sheet.row_dimensions
+        return (
+            sum(
+                (heights[row].height if row in heights else None) or ROW_HEIGHT
+                for row in range(first, self.row)
+            )
+            % PAGE
+        )
 
     def _columns(self, xs, ys, head: str) -> tuple[Reference, Reference]:
         """Data of a curve in two new columns, its name above them."""

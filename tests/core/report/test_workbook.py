@@ -88,11 +88,11 @@ def test_that_every_formula_carries_its_value_and_nothing_else_is_a_formula(book
 def test_that_formulas_stand_on_the_check_sheet_with_named_cells(book):
     found = formulas(book)
     assert {sheet for sheet, _ in found} == {
-        "Summary",
-        "Calculation note",
-        "Check",
-        "Dynamic check",
-    }
+        "Summary", "Overview", "Calculation note", "Check", "Dynamic check", "Results",
+        "Spectral compatibility", "q against SI", "Histories", "Survival map",
+    }  # fmt: skip
+    beside = {place for place in found if place[0] in ("Results", "Histories", "Survival map")}
+    assert {cell for _, cell in beside} == {"A1"}  # titles, which say when an input is changed
     names = set(book.workbook.defined_names)
     assert {"wall1_height", "wall1_a_rm", "demand_pga", "wall3_q_set"} <= names
     for formula in found.values():
@@ -211,7 +211,10 @@ def test_that_walls_above_the_ground_have_a_sheet_of_their_floors(height, book):
     assert "Floors" in height.workbook.sheetnames and "Floors" not in book.workbook.sheetnames
     sheet = height.workbook["Floors"]
     floors = [cell.value for cell in sheet["A"] if str(cell.value).startswith("z = ")]
-    assert len(sheet._charts) == 2 and floors == ["z = 3 m", "z = 6 m"]  # "a" turns at the first storey's end as well
+    assert len(sheet._charts) == 2 and floors == [
+        "z = 3 m",
+        "z = 6 m",
+    ]  # "a" turns at the first storey's end as well
     shown = [cell.value for row in height.workbook["Check"].iter_rows() for cell in row]
     assert "PFA [g]" in shown and any("wall at 6 m" in str(value) for value in shown)
 
@@ -264,13 +267,13 @@ def test_that_user_text_never_becomes_a_formula(book):
 
 def test_that_the_sheets_are_those_of_the_contract(folder, book):
     assert book.workbook.sheetnames == [
-        "Summary", "Calculation note", "Input", "Records", "Results", "Check", "Dynamic check",
-        "Spectral compatibility",
+        "Summary", "Overview", "Calculation note", "Input", "Records", "Results", "Check",
+        "Dynamic check", "Spectral compatibility",
         "q against SI", "Histories", "Survival map", "Method",
     ]  # fmt: skip
     italian = made(folder, "it")[1]
-    assert italian.workbook.sheetnames[:5] == [
-        "Sintesi", "Relazione", "Dati", "Accelerogrammi", "Risultati",
+    assert italian.workbook.sheetnames[:6] == [
+        "Sintesi", "Riepilogo", "Relazione", "Dati", "Accelerogrammi", "Risultati",
     ]  # fmt: skip
     text = " ".join(
         str(cell.value) for sheet in italian.workbook for row in sheet.iter_rows() for cell in row
@@ -325,7 +328,7 @@ def test_that_a_case_without_records_or_demand_still_makes_every_sheet(folder):
         if "demand" not in more:
             table["demand"] = {"ag_g": 0.1, "housner_intensity_cm": 60.0}
         _, book = made(folder, **table)
-        assert len(book.workbook.sheetnames) == 12
+        assert len(book.workbook.sheetnames) == 13
         openpyxl.load_workbook(BytesIO(book.content()))
 
 

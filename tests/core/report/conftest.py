@@ -1,0 +1,26 @@
+"""Results that several tests of the report look at."""
+
+from dataclasses import replace
+
+import pytest
+
+from core.case.reader import read_case
+from core.study.run import run
+from tests.conftest import ROOT
+
+BUILDING = ROOT / "resources" / "cases" / "building.toml"
+
+
+@pytest.fixture(scope="session")
+def building():
+    """A facade, a gable and a parapet above the ground, all with loads."""
+    case = read_case(BUILDING)
+    facade = replace(case.wall[0], hinge_heights=None, tie_height_m=None)
+    return run(replace(case, wall=(facade, *case.wall[2:])), base_dir=BUILDING.parent)
+
+
+@pytest.fixture(scope="session")
+def verdict():
+    """Walls of a table without loads, NTC 2018, Italian."""
+    path = ROOT / "resources" / "cases" / "verdict.toml"
+    return run(read_case(path), base_dir=path.parent)
