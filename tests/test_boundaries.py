@@ -124,6 +124,7 @@ SHOWN_BY = {
         f"text/{name}": SENTENCES
         for name in (
             "study",
+            "demand_errors",
             "error_parts",
             "channel_errors",
             "keys",

@@ -23,11 +23,12 @@ from app.forms.fields import (
 )
 from app.forms.hazard_form import HazardForm
 from app.forms.law_curve import SpectrumCurve
+from app.forms.reasons_form import reasons_of_demand
 from app.language import current_language, described, named, number, tr
 from app.parts import Parts
 from app.session import Session
 from core.case.schema import Analysis, Report
-from core.case.site import Demand, Spectrum
+from core.case.site import KNOWLEDGE, Demand, Spectrum
 from core.codes.demand import unusual
 from core.codes.target_spectrum import NTC_TOPOGRAPHY, SOILS
 from core.errors import InputError
@@ -79,8 +80,13 @@ class DemandForm(QWidget):
         self.file.clicked.connect(self._choose_file)
         self.factor = NumberField(
             Demand, "confidence_factor", "FC", "",
-            tip=tr("1.35 where the compressive strength is not in α; lower with a hinge setback"),
+            tip=tr("1.35; less with LC2 or LC3, what was investigated, and the strength of every wall"),
         )  # fmt: skip
+        self.level = ChoiceField(
+            Demand, "knowledge_level", tr("Level of knowledge"),
+            {None: tr("not given"), **{level: level for level in ("LC1", *KNOWLEDGE)}},
+        )  # fmt: skip
+        self.investigations = TextField(Demand, "investigations", tr("Investigations"))
         self.confidence = ChoiceField(
             Demand, "confidence_on", tr("FC acts"),
             {"capacity": tr("on the strength"), "demand": tr("on the demand")},
@@ -106,6 +112,7 @@ class DemandForm(QWidget):
         self.curve: SpectrumCurve | None = None
         self.curve_place = QVBoxLayout()
         self.of_demand = [self.state, self.ag, self.soil_factor, self.intensity, self.factor,
+                          self.level, self.investigations,
                           self.confidence, self.scaling, self.range, self.zeta, self.q_code,
                           self.site, self.coordinates, self.life, self.use, self.period]  # fmt: skip
         self.of_spectrum = [self.f0, self.tc, self.soil, self.topography, self.type]
@@ -116,8 +123,9 @@ class DemandForm(QWidget):
                        *self.of_spectrum, self.file, self.summary):  # fmt: skip
             inside.addWidget(widget)
         inside.addLayout(self.curve_place)
-        for widget in (self.factor, self.confidence, self.scaling, self.range, self.zeta, self.q_code,
-                       self.site, self.coordinates, self.life, self.use, self.period):  # fmt: skip
+        for widget in (self.factor, self.level, self.investigations, self.confidence, self.scaling,
+                       self.range, self.zeta, self.q_code, self.site, self.coordinates, self.life,
+                       self.use, self.period):  # fmt: skip
             inside.addWidget(widget)
         self.hazard = HazardForm(session)
         inside.addWidget(self.hazard)
@@ -126,8 +134,16 @@ class DemandForm(QWidget):
         layout.addWidget(self.given)
         self.building = BuildingForm(session)
         layout.addWidget(self.building)
+        self.reasons = reasons_of_demand(session)
+        layout.addWidget(self.reasons)
         layout.addStretch(1)
-        self.parts = Parts(self, self._show_demand, self.building.show_case, self.hazard.show_case)
+        self.parts = Parts(
+            self,
+            self._show_demand,
+            self.building.show_case,
+            self.hazard.show_case,
+            self.reasons.show_case,
+        )
 
     def show_case(self) -> None:
         """Fill the form from the session."""

@@ -14,17 +14,18 @@ from core.case.schema import Wall
 from core.errors import InputError
 from core.wall.block import Block
 from core.wall.moment_rotation import LAWS
-from core.wall.restitution import MODELS
+from core.wall.restitution import MODELS, Contact
+from core.wall.wall_loads import contact_of
 
 FORMULAS = {
-    "housner": "e = 1 − {k} sin²α (Eq. 4, α = {alpha}°)",
-    "sorrentino_experimental": "e = 0.95 (1 − {k} sin²α) (Eq. 5, α = {alpha}°)",
+    "housner": "e = ({base}) (Eq. 4{block})",
+    "sorrentino_experimental": "e = 0.95 ({base}) (Eq. 5{block})",
     "costa_upper": "e = 0.98 (Costa et al. 2013)",
-    "one_sided_theoretical": "e = (1 − {k} sin²α)² |1 − {k} cos²α| (Eq. 6, α = {alpha}°)",
+    "one_sided_theoretical": "e = ({base})² |{top}| (Eq. 6{block})",
     "one_sided_experimental": "e = √r₁ₛ (1.18 − 0.473 v²) (Eq. 7)",
     "user": "e",
 }
-"""k : 2 R² m/I0, 1.5 for a rectangle about its corner; alpha : of the block that turns [deg]. Of each of MODELS:
+"""base, top : the ratio of an impact of the base and of the one above it; block : what they are of. Of each of MODELS:
 tests/app/test_forms.py asks for all."""
 
 
@@ -67,14 +68,22 @@ def scopes() -> dict:
     }
 
 
-def formula_of(model: str, block: Block) -> str:
-    """The formula of a model with the factor and the angle of this block: a setback or a mass that moves with the wall
-    makes them others than those of a rectangle."""
-    factor, degrees = (
-        2.0 * block.radius**2 / block.inertia_over_mass,
-        math.degrees(block.slenderness),
-    )
-    formula = FORMULAS.get(model, MODELS[model]).format(k=f"{factor:.5g}", alpha=f"{degrees:.5g}")
+def formula_of(model: str, block: Block, contact: Contact | None = None) -> str:
+    """The formula of a model with the numbers of this block: 1 - k sin^2(alpha) with k = 2 R^2 m/I0, which a setback
+    makes another than the 1.5 of a rectangle; with masses that move with it, contact, the impacts of `impact_ratio`."""
+    if contact is None:
+        factor = f"{2.0 * block.radius**2 / block.inertia_over_mass:.5g}"
+        of_block = f", α = {math.degrees(block.slenderness):.5g}°"
+        base, top = f"1 − {factor} sin²α", f"1 − {factor} cos²α"
+    else:
+        x, y = block.centroid
+        inward, above = contact.width - x, contact.height - y
+        own = block.inertia_over_mass - block.radius**2
+        of_block = tr(", with its masses")
+        base = f"1 − {contact.width:.5g} {inward:.5g}/{own + inward**2 + y**2:.6g}"
+        top = f"1 − {contact.height:.5g} {above:.5g}/{own + inward**2 + above**2:.6g}"
+        base, top = (re.sub(r"(?<=\d) (?=\d)", " · ", words) for words in (base, top))
+    formula = FORMULAS.get(model, MODELS[model]).format(base=base, top=top, block=of_block)
     if current_language() == "it":
         formula = re.sub(r"(?<=\d)\.(?=\d)", ",", formula)
     return formula
@@ -151,7 +160,7 @@ class ImpactForm(QGroupBox):
             try:
                 model_used = wall.restitution_of(mechanism)
                 word = named(mechanism)
-                formula = formula_of(model_used.model, wall.block())
+                formula = formula_of(model_used.model, wall.block(), contact_of(wall))
                 lines.append(f"{word}: {formula} = {number(model_used.ratio_at_rest, '.4f')}")
                 if model_used.model in self.scopes:
                     lines.append(f"({self.scopes[model_used.model]})")

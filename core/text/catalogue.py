@@ -1,6 +1,7 @@
 """The wording of every text a person reads, by group and code: (English, Italian)."""
 
 from core.text.channel_errors import CHANNEL_ERRORS
+from core.text.demand_errors import DEMAND_ERRORS
 from core.text.error_parts import ACCEPTED, PLACES
 from core.text.errors import CASE_ERRORS
 from core.text.file_errors import FILE_ERRORS
@@ -27,7 +28,7 @@ def _by_english(texts: dict[str, str]) -> dict[str, tuple[str, str]]:
 
 
 CATALOGUE: dict[str, dict[str, tuple[str, str]]] = {
-    "error": {**CASE_ERRORS, **FILE_ERRORS, **CHANNEL_ERRORS, **LOAD_ERRORS},
+    "error": {**CASE_ERRORS, **DEMAND_ERRORS, **FILE_ERRORS, **CHANNEL_ERRORS, **LOAD_ERRORS},
     "place": PLACES,
     "accepted": ACCEPTED,
     "notice": NOTICES,

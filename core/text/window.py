@@ -97,8 +97,8 @@ WINDOW = {
     "Topography": "Categoria topografica",
     "Type": "Tipo",
     "Choose file…": "Scegli file…",
-    "1.35 where the compressive strength is not in α; lower with a hinge setback": (
-        "1,35 se la resistenza a compressione non entra in α; minore con cerniera arretrata"
+    "1.35; less with LC2 or LC3, what was investigated, and the strength of every wall": (
+        "1,35; meno con LC2 o LC3, le indagini svolte e la resistenza di ogni parete"
     ),
     "Records at the demand": "Accelerogrammi alla domanda",
     "as given": "come dati",

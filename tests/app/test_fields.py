@@ -57,10 +57,10 @@ def test_that_a_restitution_formula_shown_gives_the_value_beside_it(opened, monk
         opened.session.case = replace(opened.session.case, wall=(wall,))
         opened.walls.impact.show_case()
         line = opened.walls.impact.formula.text().splitlines()[0].replace(",", ".")
-        degrees = re.search(r"α = ([\d.]+)°", line).group(1)
+        degrees = re.search(r"α = ([\d.]+)°|$", line).group(1)
         expression, value = re.search(r"e = (.*) \(Eq.*= ([\d.]+)$", line).groups()
         # the formula as one reads it, in the notation of Python
-        expression = expression.replace("−", "-").replace(")²", ")**2")
+        expression = expression.replace("−", "-").replace(")²", ")**2").replace("·", "*")
         expression = re.sub(r"\|(.*)\|", r"abs(\1)", expression)
         expression = re.sub(r"(sin|cos)²α", rf"\1(radians({degrees}))**2", expression)
         expression = re.sub(r"(?<=[\d)]) (?=[a-z(])", " * ", expression)
@@ -104,9 +104,16 @@ def test_that_rules_between_fields_stand_at_the_fields(opened, application):
     application.processEvents()
     assert "same name" in walls.name.message.text()
     type_into(walls.name, "v")
-    type_into(opened.demand.factor, "1")
+    demand = opened.demand
+    type_into(demand.factor, "1.2")
     application.processEvents()
-    assert "compressive strength" in opened.demand.factor.message.text()
+    for field in (demand.factor, demand.level, demand.investigations):
+        assert "LC2" in field.message.text() and "{" not in field.message.text()
+    demand.level.offer("LC2")
+    walls.list.setCurrentRow(0)
+    type_into(demand.investigations, "flat jacks")
+    application.processEvents()
+    assert "Strength f" in walls.strength.message.text()
 
 
 def test_that_undo_in_a_field_is_that_of_the_case_and_takes_refused_text_back_first(

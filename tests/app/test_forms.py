@@ -152,8 +152,8 @@ def test_that_a_model_whose_words_are_still_missing_is_shown_with_its_source(
     monkeypatch.setitem(MODELS, "mine", "Eq. 1 of mine")
     real = of_restitution.restitution
 
-    def with_mine(block, model, ratio=None):
-        return Restitution("mine", 0.7531) if model == "mine" else real(block, model, ratio)
+    def with_mine(block, model, *given):
+        return Restitution("mine", 0.7531) if model == "mine" else real(block, model, *given)
 
     monkeypatch.setattr("core.case.schema.restitution", with_mine)
     opened.set_choice("theme", "light")

@@ -17,8 +17,9 @@ from core.case.schema import (
     Report,
     ReturnWalls,
     Wall,
+    WallJustification,
 )
-from core.case.site import Building, BuildingMode, Demand, HazardRow, Spectrum
+from core.case.site import Building, BuildingMode, Demand, DemandJustification, HazardRow, Spectrum
 from core.errors import InputError, place, section
 from core.text.catalogue import CATALOGUE
 from core.text.sentence import FormNames, Key, Quantity, localized, sentence
@@ -55,7 +56,7 @@ OF_NO_SENTENCE = {
 
 
 SECTIONS_OF_A_CASE = (Report, Wall, Record, Generate, Analysis, Demand, Spectrum, HazardRow, Building, BuildingMode,
-                      Load, ReturnWalls)  # fmt: skip
+                      Load, ReturnWalls, WallJustification, DemandJustification)  # fmt: skip
 
 
 def calls(tree):
