@@ -1,13 +1,18 @@
 """What errors and verdicts advise never lifts zeta without saying what it takes."""
 
 import re
+from dataclasses import fields
 
 import pytest
 
 from core.case.rules import parse_case
+from core.case.schema import WallJustification
+from core.case.site import DemandJustification
 from core.errors import InputError
 from core.text.catalogue import CATALOGUE
+from core.text.help import HELP
 from core.text.window import WINDOW
+from tests.conftest import ROOT
 
 LIFTING = re.compile(
     r"one[- _]sided|velocity[ _]ratio|restitution|free_element|free to vibrate|q_code|confidence_factor|\bFC\b"
@@ -100,3 +105,24 @@ def test_that_the_wall_advised_for_a_mass_off_its_middle_is_a_lower_bound(distan
         real = of("one_sided", side)
         assert advised.uplift_multiplier("two_sided") <= real.uplift_multiplier("one_sided")
         assert advised.block().slenderness <= real.block().slenderness
+
+
+REASONED = [
+    entry.name for part in (WallJustification, DemandJustification) for entry in fields(part)
+]
+
+
+@pytest.mark.parametrize(
+    "key", [*REASONED, "period_factor", "damping", "number", "knowledge_level"]
+)
+def test_that_help_says_what_a_key_that_lifts_zeta_does_to_the_verdict(key):
+    assert all("ζ" in words for words in HELP[key])
+
+
+def test_that_the_documents_name_every_reason_and_every_code_of_a_verdict():
+    page = (ROOT / "resources" / "docs" / "case.md").read_text(encoding="utf-8")
+    written = page[page.index("[wall.justification]") :]
+    assert all(key in written for key in [*REASONED, "knowledge_level", "investigations"])
+    table = (ROOT / "README.md").read_text(encoding="utf-8")
+    codes = set(CATALOGUE["verdict"]) - {"not_activated_floor"}
+    assert {code for code in codes if f"`{code}`" not in table} == set()
