@@ -126,6 +126,7 @@ SHOWN_BY = {
         f"text/{name}": SENTENCES
         for name in (
             "study",
+            "demand_errors",
             "error_parts",
             "channel_errors",
             "keys",

@@ -23,6 +23,7 @@ from app.forms.fields import (
 )
 from app.forms.hazard_form import HazardForm
 from app.forms.law_curve import SpectrumCurve
+from app.forms.reasons_form import reasons_of_demand
 from app.language import current_language, described, named, number, tr
 from app.parts import Parts
 from app.session import Session
@@ -135,8 +136,16 @@ class DemandForm(QWidget):
         layout.addWidget(self.given)
         self.building = BuildingForm(session)
         layout.addWidget(self.building)
+        self.reasons = reasons_of_demand(session)
+        layout.addWidget(self.reasons)
         layout.addStretch(1)
-        self.parts = Parts(self, self._show_demand, self.building.show_case, self.hazard.show_case)
+        self.parts = Parts(
+            self,
+            self._show_demand,
+            self.building.show_case,
+            self.hazard.show_case,
+            self.reasons.show_case,
+        )
 
     def show_case(self) -> None:
         """Fill the form from the session."""

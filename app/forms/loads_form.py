@@ -104,8 +104,8 @@ class LoadsForm(QGroupBox):
         self.wall_fields = [
             NumberField(Wall, "tie_height_m", tr("Find the tie at"), "m", optional=True,
                         tip=tr("The force of a tie at this height that brings ζ to the one required")),
-            HingesField(Wall, "hinge_heights", tr("Further hinges"),
-                        tip=tr("Heights above the base in m, or: floors. The weakest is named")),
+            HingesField(Wall, "hinge_heights", tr("Hinges"),
+                        tip=tr("Heights above the base in m; floors; or base alone. Empty: base, loads and floors")),
             ChoiceField(Wall, "variant", tr("Variant"), {None: tr("none"), AS_IS: tr("as it is"),
                                                          DESIGNED: tr("as designed")},
                         tip=tr("Two walls of one name, one of each variant, are compared")),

@@ -30,6 +30,7 @@ from app.forms.fields import (
 )
 from app.forms.impact_form import ImpactForm
 from app.forms.loads_form import LoadsForm
+from app.forms.reasons_form import reasons_of_wall
 from app.forms.wall_words import estimate_lines, hinge_zetas
 from app.language import (
     FORM_NAMES,
@@ -67,6 +68,7 @@ class WallForm(QWidget):
         self.problem = QLabel()
         self.impact = ImpactForm(session, lambda: self.current)
         self.loads = LoadsForm(session, lambda: self.current)
+        self.reasons = reasons_of_wall(session, lambda: self.current)
         self._make_fields()
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)
@@ -77,6 +79,7 @@ class WallForm(QWidget):
         layout.addWidget(self.impact)
         layout.addWidget(self.loads)
         layout.addWidget(self._more())
+        layout.addWidget(self.reasons)
         layout.addStretch(1)
         self.parts = Parts(
             self,
@@ -85,6 +88,7 @@ class WallForm(QWidget):
             self._show_fields,
             self.impact.show_case,
             self.loads.show_case,
+            self.reasons.show_case,
         )
 
     # building

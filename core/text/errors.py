@@ -64,10 +64,10 @@ CASE_ERRORS = {
         "{share:.0f} % dello spessore",
     ),
     "restitution_one_sided": (
-        "restitution {model} is for {one_sided} walls; for mechanism {asked} take {housner}, "
-        "{sorrentino_experimental}, {costa_upper} or user, or write two walls",
-        "la restituzione {model} è per pareti {one_sided}; per il meccanismo {asked} usare {housner}, "
-        "{sorrentino_experimental}, {costa_upper} o user, oppure scrivere due pareti",
+        "restitution {model} is for {one_sided} walls: for mechanism {asked} leave it out, which takes {housner} "
+        "for both sides, or write two walls",
+        "la restituzione {model} è per pareti {one_sided}: per il meccanismo {asked} toglierla, e vale {housner} su "
+        "due lati, oppure scrivere due pareti",
     ),
     "velocity_ratio_user": (
         '{velocity_ratio} goes with restitution "user" (or with none), and restitution user needs it',
@@ -96,10 +96,10 @@ CASE_ERRORS = {
         "spettro fino a quel periodo",
     ),
     "period_range_beyond": (
-        "{period_range_s} goes to {high:.2f} s, but {name} ends at {end:.2f} s: shorten it or give the "
-        "spectrum up to there",
-        "{period_range_s} arriva a {high:.2f} s, ma {name} finisce a {end:.2f} s: accorciarlo o indicare lo "
-        "spettro fino a quel periodo",
+        "{period_range_s} goes to {high:.2f} s, but {name} ends at {end:.2f} s: give the spectrum up to there (a "
+        "range that leaves out periods that matter makes the verdict indicative)",
+        "{period_range_s} arriva a {high:.2f} s, ma {name} finisce a {end:.2f} s: indicare lo spettro fino a quel "
+        "periodo (un intervallo che esclude periodi che contano rende l'esito indicativo)",
     ),
     "t_c_above_t_d": (
         "{tc_star_s} = {stated:g} s on soil {soil} gives T_C = {t_c:.2f} s, not below T_D = {t_d:.2f} s: "
@@ -194,16 +194,20 @@ CASE_ERRORS = {
         "{velocity_ratio} fra 0 e 1",
     ),
     "eq4_negative": (
-        "Eq. 4 gives a negative velocity ratio ({ratio:.3g}) for slenderness {alpha:.2f} deg: the block is "
-        "too stocky to rock; give {velocity_ratio} instead",
-        "l'Eq. 4 dà un coefficiente di restituzione negativo ({ratio:.3g}) per una snellezza di {alpha:.2f} gradi: il "
-        "blocco è troppo tozzo per oscillare; indicare {velocity_ratio}",
+        "Eq. 4 gives a negative velocity ratio ({ratio:.3g}) for slenderness {alpha:.2f} deg: the block is too "
+        "stocky to rock, and no rule says what it withstands; check its sizes. A {velocity_ratio} given in its "
+        "place must come from tests of such a block",
+        "l'Eq. 4 dà un coefficiente di restituzione negativo ({ratio:.3g}) per una snellezza di {alpha:.2f} gradi: "
+        "il blocco è troppo tozzo per oscillare, e nessuna regola dice che cosa sopporta; controllarne le misure. "
+        "Un {velocity_ratio} dato al suo posto deve venire da prove su un tale blocco",
     ),
     "eq7_above_one": (
-        "Eq. 7 gives a velocity ratio of {ratio:.3g} at vanishing speed, above 1: it was fitted on "
-        "rectangular walls; take {one_sided_theoretical} or give {velocity_ratio}",
+        "Eq. 7 gives a velocity ratio of {ratio:.3g} at vanishing speed, above 1: it was fitted on rectangular "
+        "walls; give {velocity_ratio} 1, the limit without loss ({one_sided_theoretical} loses more than Eq. 7 "
+        "found)",
         "l'Eq. 7 dà un coefficiente di restituzione di {ratio:.3g} a velocità nulla, oltre 1: è tarata su pareti "
-        "rettangolari; usare {one_sided_theoretical} o indicare {velocity_ratio}",
+        "rettangolari; indicare {velocity_ratio} 1, il limite senza perdite ({one_sided_theoretical} dissipa più di "
+        "quanto trovato con l'Eq. 7)",
     ),
     "not_accepted": (
         "{key} = {value} is not accepted: {accepted}",
@@ -231,19 +235,20 @@ CASE_ERRORS = {
         "delle cerniere",
     ),
     "hinges_need_rectangle": (
-        "hinges above the base need a wall by its {height_m}: give it, or leave them out",
-        "cerniere sopra la base richiedono una parete data con {height_m}: indicarla, o toglierle",
+        "hinges above the base need a wall by its {height_m}: give it; a wall without it is checked at its base "
+        "alone",
+        "cerniere sopra la base richiedono una parete data con {height_m}: indicarla; senza, la parete è verificata "
+        "solo alla base",
     ),
     "hinge_above_wall": (
         "a hinge at {hinge:g} m leaves no wall above it: give heights above its base of at most {most:g} m",
         "una cerniera a {hinge:g} m non lascia parete sopra di sé: indicare quote dalla base di al più {most:g} m",
     ),
     "base_above_building": (
-        "the base of the wall is {base:g} m above the ground, the building is {height:g} m high: give the height of "
-        "the hinge, at most that of the building",
-        "la base della parete è a {base:g} m dal suolo, l'edificio è alto {height:g} m: indicare la quota della "
-        "cerniera, "
-        "al più quella dell'edificio",
+        "the base of the wall is {base:g} m above the ground, the building is {height:g} m high: correct the one "
+        "that is wrong; the building reaches up to what carries the wall",
+        "la base della parete è a {base:g} m dal suolo, l'edificio è alto {height:g} m: correggere il dato errato; "
+        "l'edificio arriva fino a ciò che porta la parete",
     ),
     "hazard_not_rising": (
         "a hazard needs two rows or more, return periods and a_g rising: give them in this order",

@@ -249,9 +249,9 @@ FILE_ERRORS = {
     ),
     "marks_of_gaps": (
         "{n} samples are {mark:g}, the first of them sample {sample}, all others within {others:.4g}: a mark of "
-        "missing samples? Fill the gaps or cut the record there",
-        "{n} campioni valgono {mark:g}, il primo è il campione {sample}, gli altri sono entro {others:.4g}: un segno "
-        "di campioni mancanti? Colmare i buchi o tagliare lì l'accelerogramma",
+        "missing samples? Download the file again, or take a record without gaps",
+        "{n} campioni valgono {mark:g}, il primo è il campione {sample}, gli altri sono entro {others:.4g}: un "
+        "segno di campioni mancanti? Scaricare di nuovo il file, o usare un accelerogramma senza buchi",
     ),
     "line_twice": (
         "the line {text} stands there twice: download the file again, or take one out",

@@ -23,33 +23,41 @@ HELP = {
     ),
     "compressive_strength_mpa": (
         "Compressive strength f of the masonry [MPa]: u = 2 N/(3 f L), the triangle of stress at the hinge "
-        "(C8.7.1.2.1). With it FC may be below 1.35.",
-        "Resistenza a compressione f della muratura [MPa]: u = 2 N/(3 f L), diagramma triangolare alla "
-        "cerniera (C8.7.1.2.1). Con essa FC può scendere sotto 1,35.",
-    ),
-    "restitution": (
-        "Model of the ratio e of the velocities after and before an impact (Eq. 4 to 7 of the paper); without one "
-        "Eq. 4 for a two-sided wall, Eq. 6 for a one-sided one.",
-        "Modello del rapporto e fra le velocità dopo e prima di un urto (Eq. 4-7 dell'articolo); se non scelto, Eq. 4 "
-        "per una parete su due lati, Eq. 6 per una su un lato.",
+        "(C8.7.1.2.1). It lowers ζ; an FC below 1.35 takes it of every wall, from 0.5 to 10 MPa.",
+        "Resistenza a compressione f della muratura [MPa]: u = 2 N/(3 f L), diagramma triangolare alla cerniera "
+        "(C8.7.1.2.1). Abbassa ζ; un FC sotto 1,35 la richiede per ogni parete, da 0,5 a 10 MPa.",
     ),
     "velocity_ratio": (
-        "Ratio e of the velocities after and before an impact: 1 loses nothing. Eq. 4 to 7 of the paper "
-        "give it from alpha; a value of your own takes their place.",
-        "Rapporto e fra le velocità dopo e prima di un urto: 1 non dissipa nulla. Le Eq. 4-7 dell'articolo "
-        "lo danno da alpha; un valore proprio le sostituisce.",
+        "Ratio e of the velocities after and before an impact: 1 loses nothing. Eq. 4 to 7 of the paper give it; a "
+        "smaller one lifts ζ. Of a value of your own the verdict gives ζ with e + 0.1 and with Eq. 4 or 6, and asks "
+        "for a reason where one of them turns it.",
+        "Rapporto e fra le velocità dopo e prima di un urto: 1 non dissipa nulla. Le Eq. 4-7 dell'articolo lo "
+        "danno; uno minore alza ζ. Di un valore proprio l'esito dà ζ con e + 0,1 e con l'Eq. 4 o 6, e chiede un "
+        "motivo se uno di questi lo capovolge.",
+    ),
+    "restitution": (
+        "Rule of the velocity ratio of an impact; empty, Eq. 4 two-sided and Eq. 6 one-sided, also of a wall with "
+        "masses that move with it. Of a model of experiments the verdict gives ζ with e + 0.1 and by Eq. 4 or 6, "
+        "and asks for a reason where one of them turns it.",
+        "Regola del coefficiente di restituzione di un urto; vuota, Eq. 4 su due lati ed Eq. 6 su un lato, anche di "
+        "una parete con masse che si muovono con essa. Di un modello da prove l'esito dà ζ con e + 0,1 e con l'Eq. "
+        "4 o 6, e chiede un motivo se uno di questi lo capovolge.",
     ),
     "base_z_m": (
-        "Height z of the hinge above the ground [m]: 0 on the ground. Above it the motion is that of the "
-        "floor (C7.2.3), which takes the building.",
-        "Quota z della cerniera dal suolo [m]: 0 a terra. Sopra, il moto è quello del piano (C7.2.3), che "
-        "richiede i dati dell'edificio.",
+        "Height z of the hinge above the ground [m]: 0 on the ground. Above it the motion is that of the floor at "
+        "the hinge (C7.2.3), which takes the building; the verdict gives ζ for the motion at the centroid beside "
+        "it, and asks for a reason where that turns it.",
+        "Quota z della cerniera dal suolo [m]: 0 a terra. Sopra, il moto è quello del piano alla cerniera (C7.2.3), "
+        "che richiede i dati dell'edificio; l'esito dà accanto ζ per il moto al baricentro, e chiede un motivo se "
+        "questo lo capovolge.",
     ),
     "free_element": (
-        "Free to vibrate before it moves: parapet, gable top, free wall. Its demand is S_e(T_0) (C8.7.1.9),"
-        " that of a wall held by transverse walls a_g S (C8.7.1.8).",
-        "Libero di vibrare prima di muoversi: parapetto, timpano, muro isolato. La domanda è S_e(T_0) "
-        "(C8.7.1.9); per la parete vincolata da muri trasversali a_g S (C8.7.1.8).",
+        "Free to vibrate before it moves: parapet, gable top, free wall. Its demand is S_e(T_0) (C8.7.1.9), that of "
+        "a wall held by transverse walls a_g S (C8.7.1.8). Of a two-sided wall said not to be free the verdict "
+        "gives ζ as a free one, and asks by what it is held.",
+        "Libero di vibrare prima di muoversi: parapetto, timpano, muro isolato. La domanda è S_e(T_0) (C8.7.1.9); "
+        "per la parete vincolata da muri trasversali a_g S (C8.7.1.8). Di una parete su due lati dichiarata non "
+        "libera l'esito dà ζ come libera, e chiede da che cosa è trattenuta.",
     ),
     "elastic_modulus_mpa": (
         "Elastic modulus E [MPa]: with the unit weight it gives T_0 = 6.2 (H/t) H sqrt(w/(E g)) of an "
@@ -70,19 +78,22 @@ HELP = {
         "ortogonali.",
     ),
     "back_restraint": (
-        "What stands behind a one-sided wall and holds it: transverse walls, floors. Without it the verdict"
-        " is only indicative.",
-        "Che cosa sta dietro una parete su un lato e la trattiene: muri trasversali, solai. Senza, l'esito "
-        "è solo indicativo.",
+        "What stands behind a one-sided wall and holds it: transverse walls, floors; three letters or more. Without "
+        "it the verdict is only indicative; with it ζ without the restraint stands among the limits.",
+        "Che cosa sta dietro una parete su un lato e la trattiene: muri trasversali, solai; almeno tre lettere. "
+        "Senza, l'esito è solo indicativo; con esso lo ζ senza vincolo sta fra i limiti.",
     ),
     "unloaded_confirmed": (
         'Tick where nothing rests on the wall; else the verdict says "if the wall carries no load".',
         "Spuntare se nulla grava sulla parete; altrimenti l'esito dice «se la parete non porta carichi».",
     ),
     "hinge_heights": (
-        "Other hinges above the base: each makes a wall of the part above it, and the lowest ζ governs.",
-        "Altre cerniere sopra la base: ognuna dà una parete della parte sovrastante, e governa lo ζ "
-        "minore.",
+        "Hinges above the base: each makes a wall of the part above it, and the worst gives the verdict of the "
+        "wall. Empty: the base and, with the building, loads and storey ends with H/t of 3 above them; base: it "
+        "alone, and the verdict names the heights left out.",
+        "Cerniere sopra la base: ognuna dà una parete della parte sovrastante, e la peggiore dà l'esito della "
+        "parete. Vuoto: la base e, con l'edificio, i carichi e i piani che hanno sopra H/t di 3; base: solo questa, "
+        "e l'esito nomina le quote escluse.",
     ),
     "tie_height_m": (
         "Height of a tie whose force is looked for, so that ζ reaches the one required.",
@@ -110,8 +121,10 @@ HELP = {
         "Se la massa del carico spinge la parete durante il sisma: Q di C8.7.1.1, e parte di e*.",
     ),
     "limit_state": (
-        "SLV: d_SLV = 0.40 d_0; SLC: 0.60 d_0; SLD: the wall does not uplift (C8.7.1.2.1.5, .6).",
-        "SLV: d_SLV = 0,40 d_0; SLC: 0,60 d_0; SLD: la parete non si solleva (C8.7.1.2.1.5, .6).",
+        "SLV: d_SLV = 0.40 d_0; SLC: 0.60 d_0; SLD: the wall does not uplift (C8.7.1.2.1.5, .6). The verdict is of "
+        "this state; another at which the wall fails is among its limits.",
+        "SLV: d_SLV = 0,40 d_0; SLC: 0,60 d_0; SLD: la parete non si solleva (C8.7.1.2.1.5, .6). L'esito è di "
+        "questo stato; un altro in cui la parete non è verificata sta fra i limiti.",
     ),
     "ag_g": (
         "a_g on rigid ground, in g, without S; of the site and the return period of the limit state (NTC "
@@ -149,9 +162,12 @@ HELP = {
         "per 2,4.",
     ),
     "confidence_factor": (
-        "Confidence factor FC: 1.35 where the compressive strength is not in the hinge (C8.7.1.2.1).",
-        "Fattore di confidenza FC: 1,35 se la resistenza a compressione non entra nella cerniera "
-        "(C8.7.1.2.1).",
+        "Confidence factor FC: 1.35 where the compressive strength is not in the hinge (C8.7.1.2.1). A lower one "
+        "lifts ζ: it takes LC2 or LC3, the investigations and the strength of every wall; the verdict gives ζ with "
+        "1.35, and asks for a reason where that turns it.",
+        "Fattore di confidenza FC: 1,35 se la resistenza a compressione non entra nella cerniera (C8.7.1.2.1). Uno "
+        "minore alza ζ: richiede LC2 o LC3, le indagini e la resistenza di ogni parete; l'esito dà ζ con 1,35, e "
+        "chiede un motivo se questo lo capovolge.",
     ),
     "knowledge_level": (
         "Level of knowledge of the building: LC1 has FC 1.35, LC2 1.20, LC3 1.00 (Tab. C8.5.IV). An FC below 1.35 "
@@ -162,14 +178,18 @@ HELP = {
         "ζ: richiede LC2 o LC3, le indagini svolte e la resistenza a compressione della muratura.",
     ),
     "investigations": (
-        "What was surveyed and tested, on which the level of knowledge rests; printed in the note.",
-        "Che cosa è stato rilevato e provato, su cui si basa il livello di conoscenza; stampato nella relazione.",
+        "What was surveyed and tested, on which the level of knowledge rests: needed for an FC below 1.35, and "
+        "named in the verdict.",
+        "Che cosa è stato rilevato e provato, su cui si basa il livello di conoscenza: necessario per un FC sotto "
+        "1,35, e nominato nell'esito.",
     ),
     "confidence_on": (
-        "FC divides the strength of the capacity curve (C8.7.1.2.1.3), or multiplies the demand, which is "
-        "more cautious.",
-        "FC divide la resistenza della curva di capacità (C8.7.1.2.1.3), o moltiplica la domanda, più "
-        "cautelativo.",
+        "FC divides the strength of the capacity curve (C8.7.1.2.1.3), or multiplies the demand, which is more "
+        "cautious. ζ of the other side is in the verdict where it fails; where the displacement check fails too, "
+        "the verdict is only indicative.",
+        "FC divide la resistenza della curva di capacità (C8.7.1.2.1.3), o moltiplica la domanda, più cautelativo. "
+        "Lo ζ dell'altro lato sta nell'esito se non è soddisfatto; se non lo è nemmeno la verifica in spostamento, "
+        "l'esito è solo indicativo.",
     ),
     "demand_scaling": (
         "Records as they are, or each scaled to PGA = a_g S: then the verdict is only indicative, for the "
@@ -178,18 +198,20 @@ HELP = {
         "perché l'insieme non segue più lo spettro.",
     ),
     "period_range_s": (
-        "Periods at which the mean spectrum is compared with the target (NTC 2018 3.2.3.6). A rigid block "
-        "has no period of its own.",
-        "Periodi in cui lo spettro medio si confronta con quello di riferimento (NTC 2018 3.2.3.6). Un "
-        "blocco rigido non ha periodo proprio.",
+        "Periods at which the mean spectrum is compared with the target (NTC 2018 3.2.3.6). A range that leaves out "
+        "periods that matter makes the verdict indicative. A rigid block has no period of its own.",
+        "Periodi in cui lo spettro medio si confronta con quello di riferimento (NTC 2018 3.2.3.6). Un intervallo "
+        "che esclude periodi che contano rende l'esito solo indicativo. Un blocco rigido non ha periodo proprio.",
     ),
     "zeta_target": (
         "ζ_E required: 1 for adaptation, less for improvement (NTC 2018 8.4).",
         "ζ_E richiesto: 1 per l'adeguamento, meno per il miglioramento (NTC 2018 8.4).",
     ),
     "q_code": (
-        "Behaviour factor of the linear check: q = 2 (C8.7.1.2.1.7).",
-        "Fattore di comportamento della verifica lineare: q = 2 (C8.7.1.2.1.7).",
+        "Behaviour factor of the linear check: q = 2 (C8.7.1.2.1.7). A larger one lifts ζ: the verdict gives that "
+        "with q = 2, and asks for a reason where it turns it.",
+        "Fattore di comportamento della verifica lineare: q = 2 (C8.7.1.2.1.7). Uno maggiore alza ζ: l'esito dà "
+        "quello con q = 2, e chiede un motivo se questo lo capovolge.",
     ),
     "nominal_life_years": (
         "Nominal life V_N [years] (NTC 2018 2.4.1).",
@@ -243,9 +265,10 @@ HELP = {
         "Segno degli accelerogrammi: la parete su un lato li prende entrambi, e governa il q minore.",
     ),
     "period_s": (
-        "Elastic period T_1 of the building [s]; at the ultimate limit states 1.5 T_1 is taken "
-        "(C8.7.1.2.1.4).",
-        "Periodo elastico T_1 dell'edificio [s]; agli stati limite ultimi si assume 1,5 T_1 (C8.7.1.2.1.4).",
+        "Elastic period T_1 of the building [s]; at the ultimate limit states 1.5 T_1 is taken (C8.7.1.2.1.4). "
+        "Empty it is an estimate, 0.05 H^0.75, and the verdict only indicative.",
+        "Periodo elastico T_1 dell'edificio [s]; agli stati limite ultimi si assume 1,5 T_1 (C8.7.1.2.1.4). Vuoto è "
+        "una stima, 0,05 H^0,75, e l'esito solo indicativo.",
     ),
     "height_over_thickness": (
         "H/t: the slenderness as a ratio; alpha = arctan(t/H).",
@@ -266,17 +289,40 @@ HELP = {
     ),
     "period_factor": (
         "Period of the damaged building over the elastic one: 1.5 to 2.0 at the ultimate limit states "
-        "(C8.7.1.2.1.4).",
+        "(C8.7.1.2.1.4). The verdict gives ζ at the other end, and asks for a reason where a value given here "
+        "decides.",
         "Periodo dell'edificio danneggiato su quello elastico: da 1,5 a 2,0 agli stati limite ultimi "
-        "(C8.7.1.2.1.4).",
+        "(C8.7.1.2.1.4). L'esito dà ζ all'altro estremo, e chiede un motivo se decide un valore dato qui.",
     ),
     "damping": (
-        "Damping of the building: 10 to 20 % at the ultimate limit states (C8.7.1.2.1.4).",
-        "Smorzamento dell'edificio: dal 10 al 20 % agli stati limite ultimi (C8.7.1.2.1.4).",
+        "Damping of the building: 10 to 20 % at the ultimate limit states (C8.7.1.2.1.4). The verdict gives ζ at "
+        "the other end, and asks for a reason where a value given here decides.",
+        "Smorzamento dell'edificio: dal 10 al 20 % agli stati limite ultimi (C8.7.1.2.1.4). L'esito dà ζ all'altro "
+        "estremo, e chiede un motivo se decide un valore dato qui.",
     ),
     "number": (
-        "Return walls along the wall, whose courses it drags out as it turns (C8.7.1.2.1.1).",
-        "Muri ortogonali lungo la parete, i cui corsi essa trascina ruotando (C8.7.1.2.1.1).",
+        "Return walls along the wall, whose courses it drags out as it turns (C8.7.1.2.1.1). Their friction lifts ζ "
+        "of the linear checks only: the verdict gives it without, and asks for a reason where that turns it.",
+        "Muri ortogonali lungo la parete, i cui corsi essa trascina ruotando (C8.7.1.2.1.1). Il loro attrito alza ζ "
+        "delle sole verifiche lineari: l'esito lo dà senza, e chiede un motivo se questo lo capovolge.",
+    ),
+    "return_walls": (
+        "Friction of the return walls lifts ζ of the linear checks. Why it may be counted: bond of the corners, "
+        "state of the masonry.",
+        "L'attrito dei muri ortogonali alza ζ delle verifiche lineari. Perché si può contare: ammorsamento degli "
+        "angoli, stato della muratura.",
+    ),
+    "building": (
+        "Why the period and the damping of the damaged building hold, where ζ at the other end of C8.7.1.2.1.4 "
+        "turns the verdict.",
+        "Perché periodo e smorzamento dell'edificio danneggiato sono validi, dove ζ all'altro estremo del "
+        "C8.7.1.2.1.4 capovolge l'esito.",
+    ),
+    "participation": (
+        "γψ of the first mode at the walls. Below that of C7.2.10 it lifts ζ: the verdict gives it with that one, "
+        "and asks for a reason where that turns it.",
+        "γψ del primo modo alle pareti. Sotto quella del C7.2.10 alza ζ: l'esito lo dà con questa, e chiede un "
+        "motivo se questa lo capovolge.",
     ),
     "brick_height_m": (
         "Height h_b of a course of the return walls [m]: how many are dragged out.",

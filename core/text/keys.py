@@ -82,6 +82,7 @@ KEYS = {
     "key_tc_star_s": ("T_C*", "T_C*"),
     "key_topography": ("topographic category", "categoria topografica"),
     "key_type": ("type", "tipo"),
+    "key_building": ("building", "edificio"),
     "key_storeys": ("storeys", "piani"),
     "key_period_s": ("period", "periodo"),
     "key_modes": ("modes", "modi"),

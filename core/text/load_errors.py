@@ -8,8 +8,10 @@ LOAD_ERRORS = {
         "{unit_weight_kn_m3}",
     ),
     "loads_contradict": (
-        "{key} says that the wall carries nothing, and it has loads: leave one of them out",
-        "{key} dichiara che la parete non porta nulla, ma ci sono carichi: togliere l'uno o gli altri",
+        "{key} says that the wall carries nothing, and it has loads: leave {key} out, or the loads if they are not "
+        "there",
+        "{key} dichiara che la parete non porta nulla, ma ci sono carichi: togliere {key}, o i carichi se non "
+        "esistono",
     ),
     "load_mass_missing": (
         "a vertical load needs {key}: none where the mass is held elsewhere, horizontal where it pushes the wall, "
@@ -18,8 +20,8 @@ LOAD_ERRORS = {
         "moving se si muove con la parete",
     ),
     "load_mass_refused": (
-        "{key} does not go with {kind}: leave it out",
-        "{key} non si accorda con {kind}: toglierlo",
+        "{key} does not go with {kind}: leave it out; a mass that moves is a load of its own, vertical or carried",
+        "{key} non si accorda con {kind}: toglierlo; una massa che si muove è un carico a sé, verticale o portato",
     ),
     "load_distance_missing": (
         "give {key}, the distance of the load from the outer face of the wall",
@@ -31,9 +33,9 @@ LOAD_ERRORS = {
     ),
     "unstable_under_loads": (
         "unstable under its own loads: it would turn without any earthquake (at {threshold:.3f} g); check sizes, "
-        "distances and heights of the loads, or add what holds the wall",
+        "distances and heights of the loads, and whether all that really holds the wall is given",
         "instabile sotto i propri carichi: si ribalterebbe senza alcun sisma (a {threshold:.3f} g); controllare "
-        "entità, distanze e quote dei carichi, oppure aggiungere ciò che trattiene la parete",
+        "entità, distanze e quote dei carichi, e che sia indicato tutto ciò che trattiene davvero la parete",
     ),
     "collapse_too_far": (
         "with its loads the wall would stand up to a rotation of {found:.0f} degrees, more than the {most:.0f} a rigid "
@@ -42,17 +44,21 @@ LOAD_ERRORS = {
         "ammessi qui per un blocco rigido: ridurre i carichi che la trattengono",
     ),
     "moving_mass_off_centre": (
-        "a mass that moves with a two-sided wall must be at half its thickness; else study each direction as a "
-        "one-sided wall",
-        "una massa che si muove con una parete su due lati deve stare a metà spessore; altrimenti studiare ogni "
-        "direzione come parete su un lato",
+        "a mass that moves with a two-sided wall must be at half its thickness: as a lower bound give the wall "
+        "twice the distance of the mass from the nearer face as its thickness; the one-sided mechanism would assume "
+        "a restraint behind and gives more than the wall has",
+        "una massa che si muove con una parete su due lati deve stare a metà spessore: come limite inferiore dare "
+        "alla parete uno spessore doppio della distanza della massa dalla faccia più vicina; il meccanismo su un "
+        "lato supporrebbe un vincolo posteriore e darebbe più di quanto la parete ha",
     ),
     "two_sided_loads_rigid": (
-        "a two-sided wall whose loads differ for its two sides takes the rigid law: give {key} rigid, or study each "
-        "direction as a one-sided wall",
-        "una parete su due lati con carichi diversi per i due lati richiede la legge rigida: indicare {key} "
-        "rigid, oppure "
-        "studiare ogni direzione come parete su un lato",
+        "a two-sided wall whose loads differ for its two sides takes the rigid law: give {key} rigid, which may "
+        "overturn later than a trilinear law, or loads alike for both sides, no more than the weaker side has; the "
+        "one-sided mechanism would assume a restraint behind and gives more than the wall has",
+        "una parete su due lati con carichi diversi per i due lati richiede la legge rigida: indicare {key} rigid, "
+        "che può ribaltare più tardi di una legge trilineare, oppure carichi uguali per i due lati, non maggiori di "
+        "quelli del lato più debole; il meccanismo su un lato supporrebbe un vincolo posteriore e darebbe più di "
+        "quanto la parete ha",
     ),
     "return_walls_need_length": (
         "the friction of return walls is shared out over the wall: give {key}",
@@ -64,8 +70,10 @@ LOAD_ERRORS = {
         "i muri ortogonali, {found:g} m in tutto, superano i {length:g} m della parete: controllarne numero e spessore",
     ),
     "holds_one_side": (
-        "{key} holds a wall that turns outward only: give the one-sided mechanism",
-        "{key} trattiene solo una parete che ruota verso l'esterno: indicare il meccanismo su un lato",
+        "{key} holds a wall that turns outward only: leave it out; the one-sided mechanism is for a wall that "
+        "something behind it stops ({back_restraint})",
+        "{key} trattiene solo una parete che ruota verso l'esterno: toglierlo; il meccanismo su un lato è per una "
+        "parete che qualcosa dietro di essa arresta ({back_restraint})",
     ),
     "tie_too_strong": (
         "with ties of {found:g} kN/m the wall opens a hinge at {hinge:.2f} m before it turns about its base, so that "

@@ -140,9 +140,10 @@ REASONS = {
         "{modulus} e {weight}.",
     ),
     "no_number": (
-        "a time history ended without a number (impact limit); leave that record out, or give another restitution.",
-        "una storia temporale è terminata senza un valore (limite di urti); escludere quell'accelerogramma, o indicare "
-        "un'altra restituzione.",
+        "a time history ended without a number (impact limit); put another record in its place, so that there are "
+        "no fewer.",
+        "una storia temporale è terminata senza un valore (limite di urti); mettere al suo posto un altro "
+        "accelerogramma, così che non siano di meno.",
     ),
     "other_state": (
         "At {state} it is {outcome}: ζ {zeta} by {check}.",
@@ -174,12 +175,12 @@ REASONS = {
     ),
     "to_no_spectrum": ("Give the spectrum of the demand.", "Indicare lo spettro della domanda."),
     "to_not_compatible": (
-        "Choose records compatible with the spectrum (tab Spectra), or generate them.",
-        "Scegliere accelerogrammi compatibili con lo spettro (scheda Spettri), o generarli.",
+        "Choose natural records compatible with the spectrum, no fewer than now (tab Spectra).",
+        "Scegliere accelerogrammi naturali compatibili con lo spettro, non meno di ora (scheda Spettri).",
     ),
     "to_few_records": (
-        "Give records of seven stations or more.",
-        "Indicare accelerogrammi di almeno sette stazioni.",
+        "Give records of seven stations or more, compatible with the spectrum.",
+        "Indicare accelerogrammi di almeno sette stazioni, compatibili con lo spettro.",
     ),
     "to_bundled": (
         "Replace the bundled motions by records of the site.",
@@ -191,8 +192,8 @@ REASONS = {
     ),
     "to_no_soil_factor": ("Give the soil factor S.", "Indicare il coefficiente S."),
     "to_period_estimated": (
-        "Give the period of the building (period_s).",
-        "Indicare il periodo dell'edificio (period_s).",
+        "Give the period of the building, from a model of it or measured (period_s).",
+        "Indicare il periodo dell'edificio, da un suo modello o misurato (period_s).",
     ),
     "lift_velocity_ratio": (
         "The velocity ratio {e:.3f} is given: with {more:.3f} ζ is {zeta_more}, with the theoretical {theory:.3f} it "
@@ -367,8 +368,8 @@ MISSING_WORDS = {
     "height_m": ("a rectangular wall", "una parete rettangolare"),
     "spectrum": ("the spectrum of the demand", "lo spettro della domanda"),
     "period_0": (
-        "a shorter T_0 (E, unit weight and H/t as given make the wall elastic up to d_SLV)",
-        "un T_0 più breve (con E, peso specifico e H/t dati la parete è elastica fino a d_SLV)",
+        "a T_0 at which the wall does not stay elastic up to d_SLV (are E, unit weight and H/t right?)",
+        "un T_0 al quale la parete non resti elastica fino a d_SLV (E, peso specifico e H/t sono giusti?)",
     ),
 }
 """What T_0 and the spectrum there take -> (English, Italian)."""

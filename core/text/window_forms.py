@@ -1,4 +1,4 @@
-"""The words of the forms of loads, hinges, variants and hazard."""
+"""The words of the forms of loads, hinges, variants, hazard and reasons."""
 
 WINDOW_FORMS = {
     "floors": "piani",
@@ -22,9 +22,15 @@ WINDOW_FORMS = {
     "The force of a tie at this height that brings ζ to the one required": (
         "La forza di una catena a questa quota che porta ζ a quello richiesto"
     ),
-    "Further hinges": "Altre cerniere",
-    "Heights above the base in m, or: floors. The weakest is named": (
-        "Quote dalla base in m, oppure: piani. La più debole viene indicata"
+    "Hinges": "Cerniere",
+    "Heights above the base in m; floors; or base alone. Empty: base, loads and floors": (
+        "Quote dalla base in m; piani; o solo base. Vuoto: base, carichi e piani"
+    ),
+    "Level of knowledge": "Livello di conoscenza",
+    "Investigations": "Indagini svolte",
+    "Reasons of the engineer": "Motivazioni del progettista",
+    "Why each of these values holds; without a reason it may leave the verdict indicative.": (
+        "Perché ciascuno di questi valori è valido; senza motivo può rendere l'esito solo indicativo."
     ),
     "Variant": "Variante",
     "as it is": "stato di fatto",

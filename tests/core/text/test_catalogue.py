@@ -18,8 +18,9 @@ from core.case.schema import (
     Report,
     ReturnWalls,
     Wall,
+    WallJustification,
 )
-from core.case.site import Building, BuildingMode, Demand, HazardRow, Spectrum
+from core.case.site import Building, BuildingMode, Demand, DemandJustification, HazardRow, Spectrum
 from core.errors import InputError, place, section
 from core.packages import PACKAGES
 from core.text.catalogue import CATALOGUE
@@ -60,7 +61,7 @@ OF_NO_SENTENCE = {
 
 LOAD_KINDS = next(entry for entry in fields(Load) if entry.name == "kind").metadata["names"]
 SECTIONS_OF_A_CASE = (Report, Wall, Record, Generate, Analysis, Demand, Spectrum, HazardRow, Building, BuildingMode,
-                      Load, ReturnWalls)  # fmt: skip
+                      Load, ReturnWalls, WallJustification, DemandJustification)  # fmt: skip
 
 
 def calls(tree):

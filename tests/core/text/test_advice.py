@@ -1,0 +1,128 @@
+"""What errors and verdicts advise never lifts zeta without saying what it takes."""
+
+import re
+from dataclasses import fields
+
+import pytest
+
+from core.case.rules import parse_case
+from core.case.schema import WallJustification
+from core.case.site import DemandJustification
+from core.errors import InputError
+from core.text.catalogue import CATALOGUE
+from core.text.help import HELP
+from core.text.window import WINDOW
+from tests.conftest import ROOT
+
+LIFTING = re.compile(
+    r"one[- _]sided|velocity[ _]ratio|restitution|free_element|free to vibrate|q_code|confidence_factor|\bFC\b"
+    r"|participation|generat|return[ _]walls|\btie\b|leave .*out|left out|fewer|restraint|behind"
+)
+"""Inputs that lift zeta, and what is left out, in the English of a sentence; the Italian says the same."""
+
+STATES = {
+    "alone", "few_records", "friction_hinge", "generated_motions",
+    "lift_confidence_factor", "lift_free_element", "lift_participation", "lift_return_walls", "lift_velocity_ratio",
+    "no_period", "no_restraint", "one_sign", "restitution_not_accepted",
+    "restraint_fails", "return_walls_too_many", "rigid_free",
+    "velocity_ratio_user", "vertical_component", "demand_fails", "return_walls_need_length",
+}  # fmt: skip
+"""They say what is the case, or what is accepted, and advise nothing that lifts zeta."""
+
+LOWERS = {
+    "blank_among_samples",
+    "column_of_plain_text", "confidence_below_level", "eq7_above_one", "generate_needs_spectrum",
+    "holds_one_side", "intensity_follows", "moving_mass_off_centre", "modes_at_one_height", "no_number", "one_channel",
+    "record_twice", "skip_lines_of_plain_text", "soil_factor_follows", "to_no_restraint", "to_not_compatible",
+    "two_hazards", "load_mass_refused",
+}  # fmt: skip
+"""What they advise lowers zeta or leaves it: less is counted, the file decides, the spectrum does."""
+
+CONDITION = {
+    "confidence_needs_strength": "in alpha",
+    "eq4_negative": "must come from tests",
+    "loads_contradict": "if they are not there",
+    "low_confidence_factor": "investigated",
+    "modes_or_period": "state their period",
+    "no_check": "of an element free to vibrate",
+    "restitution_one_sided": "is for",
+    "restraint_unnamed": "what stands behind the wall",
+    "strengthen": "check it again",
+    "two_sided_loads_rigid": "more than the wall has",
+}
+"""They name such an input together with what it takes: code -> words of it."""
+
+
+def test_that_every_sentence_that_names_what_lifts_zeta_was_read():
+    """A new one is read for advice to the unsafe side, and put where it belongs."""
+    found = {
+        code
+        for group in ("error", "reason", "missing")
+        for code, (english, _) in CATALOGUE[group].items()
+        if LIFTING.search(english)
+    }
+    assert found == STATES | LOWERS | set(CONDITION)
+    for code, words in CONDITION.items():
+        assert any(words in CATALOGUE[group].get(code, ("",))[0] for group in ("error", "reason"))
+
+
+def test_that_no_wall_is_sent_to_the_one_sided_mechanism_without_what_is_behind_it():
+    """A free pillar: zeta 0.64 two-sided, 1.04 one-sided."""
+    for group in ("error", "reason", "notice", "missing"):
+        for code, (english, italian) in CATALOGUE[group].items():
+            if "one-sided mechanism" in english or "as a one-sided" in english:
+                assert "behind" in english, code
+                assert "dietro" in italian or "posteriore" in italian, code
+            assert "come parete su un lato" not in italian, code
+
+
+def test_that_no_lower_fc_and_no_other_restitution_is_offered_for_nothing():
+    for english, italian in WINDOW.items():
+        assert "lower with a hinge setback" not in english, italian
+    for group in ("error", "reason", "notice"):
+        for english, _ in CATALOGUE[group].values():
+            assert not re.search(r"another restitution|leave that record|or generate them", english)
+
+
+WALL = {"name": "pillar", "height_m": 3.0, "thickness_m": 0.5, "unit_weight_kn_m3": 18.0}
+
+
+@pytest.mark.parametrize("distance", [0.05, 0.12, 0.2, 0.3, 0.45])
+@pytest.mark.parametrize("weight", [0.5, 5.0, 20.0])
+def test_that_the_wall_advised_for_a_mass_off_its_middle_is_a_lower_bound(distance, weight):
+    """Half as thick as the mass is near: it uplifts and overturns before either side of the wall itself."""
+
+    def of(mechanism, at, thickness=0.5):
+        load = {"kind": "carried_mass", "kn_m": weight, "h_m": 3.0, "d_m": at}
+        table = {**WALL, "thickness_m": thickness, "mechanism": mechanism, "load": [load]}
+        return parse_case({"wall": [table]}).wall[0]
+
+    with pytest.raises(InputError, match="twice the distance"):
+        of("two_sided", distance)
+    near = min(distance, 0.5 - distance)
+    advised = of("two_sided", near, 2.0 * near)
+    for side in (distance, 0.5 - distance):
+        real = of("one_sided", side)
+        assert advised.uplift_multiplier("two_sided") <= real.uplift_multiplier("one_sided")
+        assert advised.block().slenderness <= real.block().slenderness
+
+
+REASONED = [
+    entry.name for part in (WallJustification, DemandJustification) for entry in fields(part)
+]
+
+
+@pytest.mark.parametrize(
+    "key", [*REASONED, "period_factor", "damping", "number", "knowledge_level"]
+)
+def test_that_help_says_what_a_key_that_lifts_zeta_does_to_the_verdict(key):
+    assert all("ζ" in words for words in HELP[key])
+
+
+def test_that_the_documents_name_every_reason_and_every_code_of_a_verdict():
+    page = (ROOT / "resources" / "docs" / "case.md").read_text(encoding="utf-8")
+    written = page[page.index("[wall.justification]") :]
+    assert all(key in written for key in [*REASONED, "knowledge_level", "investigations"])
+    table = (ROOT / "README.md").read_text(encoding="utf-8")
+    codes = set(CATALOGUE["verdict"]) - {"not_activated_floor"}
+    assert {code for code in codes if f"`{code}`" not in table} == set()
