@@ -93,6 +93,7 @@ def main(options: argparse.Namespace) -> None:
     start_times("offscreen", dict(os.environ, PYTHONPATH=str(ROOT)), times_started)
 
     from PySide6.QtCore import QStandardPaths, QTimer
+    from shiboken6 import isValid
 
     QStandardPaths.setTestModeEnabled(True)
     from app import start as program
@@ -141,7 +142,7 @@ def main(options: argparse.Namespace) -> None:
         window.cancel()
         settle(application, lambda: window.job is None)
         free = time.perf_counter() - start
-        settle(application, job.isFinished)
+        settle(application, lambda: not isValid(job) or job.isFinished())
         ended = time.perf_counter() - start
         assert window.session.result is None, "it was not cancelled"
         print(f"cancelled after {1e3 * free:.0f} ms, its thread ended after {1e3 * ended:.0f} ms")

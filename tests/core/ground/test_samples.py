@@ -64,7 +64,7 @@ def test_that_marks_of_missing_samples_are_asked_about_wherever_they_stand(shape
     assert caught.value.code == "marks_of_gaps"
     said = dict(caught.value.values)
     assert (said["mark"], said["n"], said["sample"]) == (mark, len(where), where[0] + 1)
-    for language, word in (("en", "Fill the gaps"), ("it", "Colmare i buchi")):
+    for language, word in (("en", "without gaps"), ("it", "senza buchi")):
         text = caught.value.text(language)
         assert word in text and "\n" not in text
 
