@@ -1,6 +1,7 @@
 """Order and tone of the verdicts, for workbook, note and window."""
 
 import functools
+from dataclasses import fields
 
 from core.study.results import StudyResult, WallResult
 from core.study.wall_verdict import by_severity, where
@@ -45,11 +46,19 @@ def lines_of(result: StudyResult, wall: WallResult, language: str) -> list[str]:
         ("limits", (*verdict.limits, *(extra[0] if extra else ()))),
         ("note", verdict.notes),
     )
-    return [
+    lines = [
         f"{word(kind, language)}: {one.text(language, names_in(language))}"
         for kind, sentences in kinds
         for one in sentences
     ]
+    demand = result.case.demand
+    given = [wall.wall.justification, demand.justification if demand else None]
+    for reasons in filter(None, given):
+        for entry in fields(reasons):
+            if words := getattr(reasons, entry.name):
+                key = word(f"key_{entry.name}", language)
+                lines.append(f"{word('reason_given', language)}, {key}: {words}")
+    return lines
 
 
 def tone_of(result: StudyResult, wall: WallResult) -> str:

@@ -42,6 +42,7 @@ WORDS = {
     "at_limit": ("at the limit, not verified", "al limite, non verificata"),
     "undetermined": ("not determined", "non determinata"),
     "no_hazard": ("no hazard given", "pericolosità non assegnata"),
+    "reason_given": ("Reason of the engineer", "Motivo del progettista"),
     "to_do": ("To do", "Da fare"),
     "limits": ("Limits", "Limiti"),
     "note": ("Note", "Nota"),

@@ -12,6 +12,7 @@ import pytest
 
 from app import __main__ as program
 from app import export
+from core.case.rules import parse_case
 from core.codes.capacity_curve import capacity_curve
 from core.codes.target_spectrum import displacement
 from core.errors import InputError, OutputError
@@ -255,3 +256,13 @@ def test_that_many_walls_keep_their_reasons_and_the_lowest_their_figures(buildin
     words = [part.text for part in parts if isinstance(part, Paragraph)]
     for wall in building.walls:
         assert sentence_of(building, wall, "en") in words
+
+
+def test_that_the_reasons_of_the_engineer_are_printed():
+    wall = {"name": "w", "height_m": 6.0, "thickness_m": 0.6, "mechanism": "one_sided", "base_z_m": 0.0,
+            "justification": {"free_element": "held by two floors"}}  # fmt: skip
+    demand = {"ag_g": 0.2, "soil_factor": 1.2, "justification": {"q_code": "tests on this masonry"}}
+    result = run(parse_case({"wall": [wall], "demand": demand}), base_dir=ROOT)
+    for language in ("en", "it"):
+        said = "\n".join(lines_of(result, result.walls[0], language))
+        assert "held by two floors" in said and "tests on this masonry" in said
