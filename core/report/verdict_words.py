@@ -3,6 +3,8 @@
 import functools
 from dataclasses import fields
 
+from core.case.schema import WallJustification
+from core.case.site import DemandJustification
 from core.study.results import StudyResult, WallResult
 from core.study.wall_verdict import by_severity, where
 from core.text.keys import KEYS, SECTIONS
@@ -52,8 +54,13 @@ def lines_of(result: StudyResult, wall: WallResult, language: str) -> list[str]:
         for one in sentences
     ]
     demand = result.case.demand
-    given = [wall.wall.justification, demand.justification if demand else None]
-    for reasons in filter(None, given):
+    given: tuple[WallJustification | DemandJustification | None, ...] = (
+        wall.wall.justification,
+        demand.justification if demand else None,
+    )
+    for reasons in given:
+        if reasons is None:
+            continue
         for entry in fields(reasons):
             if words := getattr(reasons, entry.name):
                 key = word(f"key_{entry.name}", language)
