@@ -157,6 +157,7 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
             raise InputError("base_missing", place=(place("wall", name=wall.name),), key="base_z_m")
         if case.demand:
             check_confidence(case.demand, wall)
+        check_reasons(wall.justification, place("wall", name=wall.name))
         if wall.back_restraint and sum(map(str.isalpha, wall.back_restraint)) < MIN_LETTERS:
             raise InputError(
                 "restraint_unnamed",
@@ -181,6 +182,14 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
         )
     digest = hashlib.sha256(json.dumps(case.as_dict(), sort_keys=True).encode()).hexdigest()
     return replace(case, sha256=digest)
+
+
+def check_reasons(reasons, here) -> None:
+    """Refuse a reason of the engineer that says nothing. reasons : of a wall or of the demand, None without any"""
+    for entry in fields(reasons) if reasons else ():
+        value = getattr(reasons, entry.name)
+        if value and sum(map(str.isalpha, value)) < MIN_LETTERS:
+            raise InputError("reason_says_nothing", place=(here,), key=entry.name, value=value)
 
 
 def check_confidence(demand: Demand, wall: Wall) -> None:
@@ -236,6 +245,7 @@ def _demand(table) -> Demand:
         raise InputError("soil_factor_follows", place=(here,))
     if asked:
         check_code_keys(asked, section("[demand.spectrum]"))
+    check_reasons(demand.justification, here)
     if demand.return_period_years is not None:
         own = replace(demand, return_period_years=None).return_period
         check_return_period(demand.limit_state, demand.return_period_years, own)

@@ -60,6 +60,7 @@ class Lift:
     turns : the other end turns what is satisfied into what is not
     justified : the engineer's reason stands in the case
     zeta : at the other end, None where it has none
+    turns_q : the other end turns the check with q of the code alone
     """
 
     key: str
@@ -67,6 +68,7 @@ class Lift:
     turns: bool = False
     justified: bool = False
     zeta: float | None = None
+    turns_q: bool = False
 
 
 @dataclass(frozen=True)
@@ -162,6 +164,7 @@ def verdict(
     if dynamic and dynamic.passed and _alone(made, dynamic):
         blocking.append(_reason("alone"))
     agrees = passes_with_q2(q_code, target)
+    agrees = agrees and not any(lift.turns_q and not lift.justified for lift in lifts)
     if missing is not None:
         code = "undetermined"
     elif not activated:

@@ -106,8 +106,9 @@ def lifts(
     wall, demand = scene.wall, scene.demand
     of_wall = wall.justification
     of_demand = asked.justification
+    q_check = next((check for check in checks if check.name == "linear_q_code"), None)
 
-    def add(key: str, code: str, others: list[bool], reasons, zeta=None, **values) -> None:
+    def add(key: str, code: str, others: list[bool], reasons, zeta=None, of_q=(), **values) -> None:
         values = {"zeta": Number(zeta), **values}
         found.append(
             Lift(
@@ -116,6 +117,7 @@ def lifts(
                 turns=passed and not all(others),
                 justified=bool(reasons and getattr(reasons, key)),
                 zeta=zeta,
+                turns_q=bool(q_check and q_check.passed) and not all(of_q),
             )
         )
 
@@ -137,19 +139,22 @@ def lifts(
         full = zeta(demand=replace(demand, confidence_factor=FULL_FACTOR))
         add("confidence_factor", "lift_confidence_factor", [full[1]], of_demand, fc=demand.confidence_factor,
             level=asked.knowledge_level or "", investigations=asked.investigations, zeta=full[0])  # fmt: skip
-    q_check = next((check for check in checks if check.name == "linear_q_code"), None)
-    if demand.q_code > CODE_Q and q_check is not None:
-        lower = q_check.zeta * CODE_Q / demand.q_code
+    if q_check is not None and q_check.q > CODE_Q:
+        lower = q_check.zeta * CODE_Q / q_check.q
         fine = lower >= demand.zeta_target - ROUNDING
         others = [fine] if scene.decides is q_check else []
         add("q_code", "lift_q_code", others, of_demand, q=demand.q_code, zeta=lower)
-    if wall.return_walls is not None and scene.decides.name.startswith("linear"):
-        bare = zeta(wall=replace(wall, return_walls=None))
-        add("return_walls", "lift_return_walls", [bare[1]], of_wall, zeta=bare[0])
+    if wall.return_walls is not None and q_check is not None:
+        linear_one = scene.decides if scene.decides.name.startswith("linear") else q_check
+        bare = zeta_with(replace(scene, decides=linear_one), wall=replace(wall, return_walls=None))
+        others = [bare[1]] if linear_one is scene.decides else []
+        add("return_walls", "lift_return_walls", others, of_wall, zeta=bare[0], of_q=[bare[1]])
     if wall.free_element is False and scene.mechanism == "two_sided" and q_check is not None:
         as_free = zeta_with(replace(scene, decides=q_check), wall=replace(wall, free_element=True))
         others = [as_free[1]] if scene.decides is q_check else []
-        add("free_element", "lift_free_element", others, of_wall, zeta=as_free[0])
+        add(
+            "free_element", "lift_free_element", others, of_wall, zeta=as_free[0], of_q=[as_free[1]]
+        )
     if wall.above_ground and scene.building is not None:
         _of_the_building(scene, demand, add, zeta, of_wall, of_demand)
     return tuple(found)

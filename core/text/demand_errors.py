@@ -55,6 +55,10 @@ DEMAND_ERRORS = {
         "oppure FC "
         "1.35",
     ),
+    "reason_says_nothing": (
+        "the reason {value!r} for {key} says nothing: write in words why its value holds, or leave it out",
+        "il motivo {value!r} per {key} non dice nulla: scrivere a parole perché il valore è valido, oppure ometterlo",
+    ),
     "restraint_unnamed": (
         "{key} {value!r} names nothing: say what stands behind the wall and holds it, or leave the key out",
         "{key} {value!r} non indica nulla: dire che cosa sta dietro la parete e la trattiene, oppure omettere la "

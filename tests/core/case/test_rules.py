@@ -92,6 +92,11 @@ STRENGTH = {"compressive_strength_mpa": 2.0, "unit_weight_kn_m3": 18.0}
         (case({**STRENGTH, "compressive_strength_mpa": 50.0}, demand=TESTED), ["0.5 to 10", "50"]),
         (case(STRENGTH, demand={**TESTED, "confidence_factor": 1.0}), ["LC2", "1.20"]),
         (case({"back_restraint": "x."}), ["back_restraint", "names nothing"]),
+        (case({"justification": {"restitution": "x."}}), ["restitution", "says nothing"]),
+        (
+            case(demand={"ag_g": 0.2, "justification": {"q_code": "12"}}),
+            ["[demand]", "q_code", "says nothing"],
+        ),
         (case({"justification": {"thickness_m": "so"}}), ["thickness_m", "velocity_ratio"]),
         (case(demand={"ag_g": 0.2, "spectrum": {"code": "NTC2018", "soil": "B"}}), ["needs f0"]),
         (

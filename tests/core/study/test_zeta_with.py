@@ -118,3 +118,27 @@ def test_that_generated_motions_are_named_and_natural_ones_are_not():
     assert lift(made(), "generated_motions") == {}
     natural = {"record": [{"file": "resources/motions/noise_*.txt"}]}
     assert lift(made(records=False, **natural), "generated_motions") is None
+
+
+def test_that_the_friction_of_return_walls_does_not_make_q_2_agree_with_the_histories():
+    """The histories know no friction: where q = 2 passes by it alone, they stand alone until it is justified."""
+    across = {"number": 4, "thickness_m": 0.6, "brick_height_m": 0.25, "brick_length_m": 0.2}
+    wall = {"return_walls": across, "length_m": 4.0, "thickness_m": 0.75}
+    demand = {"ag_g": 0.17}
+    found = made(wall, demand)
+    checks = {check.name: check for check in found.checks}
+    without = {check.name: check for check in made({"thickness_m": 0.75}, demand).checks}
+    assert checks["linear_q_code"].passed and not without["linear_q_code"].passed
+    assert checks["dynamic"].passed and checks["dynamic"].zeta == without["dynamic"].zeta
+    assert found.verdict.code == "verified_refined"
+    other = lift(found, "lift_return_walls")["zeta"].value
+    assert other == pytest.approx(without["linear_q_code"].zeta)
+    reason = {"justification": {"return_walls": "toothed, seen on site"}}
+    assert made({**wall, **reason}, demand).verdict.code == "verified"
+
+
+def test_that_a_larger_q_is_not_said_of_a_check_that_takes_none():
+    """At SLD the linear check takes no q."""
+    demand = {"ag_g": 0.05, "soil_factor": 1.2, "q_code": 5.0, "limit_state": "SLD"}
+    found = run(parse_case({"wall": [WALL], "demand": demand}), base_dir=ROOT).walls[0].assessment
+    assert lift(found, "lift_q_code") is None

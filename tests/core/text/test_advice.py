@@ -46,6 +46,7 @@ CONDITION = {
     "modes_or_period": "state their period",
     "no_check": "of an element free to vibrate",
     "restitution_one_sided": "is for",
+    "reason_says_nothing": "why its value holds",
     "restraint_unnamed": "what stands behind the wall",
     "strengthen": "check it again",
     "two_sided_loads_rigid": "more than the wall has",
