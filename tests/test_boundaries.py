@@ -120,7 +120,16 @@ SHOWN_BY = {
     },
     **{
         f"report/note/{name}": "tests/core/report/test_note.py"
-        for name in ("content", "document", "parts", "sheet", "wall_figures", "wall_steps", "words")
+        for name in (
+            "content",
+            "document",
+            "parts",
+            "sheet",
+            "site",
+            "wall_figures",
+            "wall_steps",
+            "words",
+        )
     },
     **{
         f"text/{name}": SENTENCES

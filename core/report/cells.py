@@ -60,6 +60,7 @@ class Book:
 
     sums : by the name of a wall on the Check sheet the ranges of its loads
     steps : how far it is
+    of_run : names of cells that hold what no changed input moves
     """
 
     language: str
@@ -67,6 +68,7 @@ class Book:
     workbook: Workbook = field(default_factory=Workbook)
     cached: dict[tuple[str, str], object] = field(default_factory=dict)
     sums: dict[str, dict[str, str]] = field(default_factory=dict)
+    of_run: set[str] = field(default_factory=set)
 
     def say(self, english: str, /, **values) -> str:
         """A text of the group "report" in the workbook's language."""

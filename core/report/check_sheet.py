@@ -213,6 +213,7 @@ def _records(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
     label = f"q ({rule_word(book, wall.set_rule)})"
     row = live_row(book, sheet, row, label, "", f"={formula}(E{first}:E{last})", wall.q_set, "–",
                 f"{name}_q_set")  # fmt: skip
+    book.of_run.add(f"{name}_q_set")
     law = wall.power_law
     if law and all(entry.q is not None for entry in wall.per_record):
         xs, ys = f"I{first}:I{last}", f"J{first}:J{last}"

@@ -53,6 +53,8 @@ def found_row(
     text(sheet, row, 5, unit, color=QUIET, align="center")
     if name and value is not None:
         book.name(name, sheet.cell(row, LIVE))
+        if source is None:
+            book.of_run.add(name)
     rule(sheet, row, 1, 5)
     return row + 1
 
@@ -89,10 +91,11 @@ def changed_cell(book: Book, sheet, row: int, column: int) -> None:
     style(cell, bold=True, color=BAD, size=11)
 
 
-def follow_changes(book: Book, sheet) -> None:
-    """A sheet of the run: once an input is changed its title says so in red, and what does not follow turns grey."""
+def follow_changes(book: Book, sheet, titled: bool) -> None:
+    """A sheet of the run: once an input is changed its title says so in red, and what does not follow turns grey.
+    titled : by a text of the program, which a formula can hold; else the sheet has its own line"""
     head = sheet.cell(1, 1)
-    if head.data_type == "s":
+    if titled and head.data_type == "s":
         old = book.say(
             "Input changed since the run, grey is of the old wall: {title}", title=head.value
         )
@@ -103,6 +106,10 @@ def follow_changes(book: Book, sheet) -> None:
         _when_changed(sheet, "A1", "TRUE", BAD)
     last = f"{get_column_letter(sheet.max_column)}{max(sheet.max_row, 2)}"
     _when_changed(sheet, f"A2:{last}", "NOT(_xlfn.ISFORMULA(A2))", OLD)
+    old = {f"={name}" for name in book.of_run}
+    cells = [cell.coordinate for cell in sheet._cells.values() if cell.value in old]
+    if cells:
+        _when_changed(sheet, " ".join(cells), "TRUE", OLD)
 
 
 def _when_changed(sheet, cells: str, condition: str, color: str) -> None:

@@ -69,7 +69,7 @@ def build(
     unmoved = {book.say(name) for name in ("Check", "Input", "Records", "Method")}
     for sheet in book.workbook:
         if sheet.title not in unmoved:
-            follow_changes(book, sheet)
+            follow_changes(book, sheet, titled=sheet.title != book.say("Summary"))
     return book
 
 

@@ -38,6 +38,9 @@ NOTE = {
         "Dati modificati dopo l'analisi: q e ζ delle storie temporali, e ciò che è indicato «dell'analisi», sono "
         "della vecchia parete. Ripetere l'analisi."
     ),
+    "Hazard of the site": "Pericolosità del sito",
+    "storeys": "piani",
+    "of the damaged building": "dell'edificio danneggiato",
     "Input changed since the run, grey is of the old wall: {title}": (
         "Dati modificati dopo l'analisi, in grigio la vecchia parete: {title}"
     ),

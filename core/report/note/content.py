@@ -4,7 +4,7 @@ from core.codes.target_spectrum import CodeSpectrum
 from core.ground.provenance import provenance
 from core.report.assumptions import assumptions_of
 from core.report.circolare import cell_prefix, follows_spectrum
-from core.report.note import wall_figures, wall_steps
+from core.report.note import site, wall_figures, wall_steps
 from core.report.note.parts import (
     Blanks,
     Box,
@@ -45,7 +45,8 @@ def note(result: StudyResult, language: str) -> list[Part]:
     ]
     parts += _title(result, words)
     parts += _demand(result, words)
-    parts += _verdicts(result, words)
+    parts += site.hazard(result, words) + site.building(result, words)
+    parts += _verdicts(result, words) + site.before_and_after(result, words)
     parts += _records(result, words)
     ordered = [wall for wall, _ in in_order(result)]
     for wall in ordered[:FULL_WALLS]:
@@ -192,7 +193,7 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
     parts: list[Part] = [Heading(f"{wall.name} – {words.word(wall.mechanism)}", 2, new_page=True)]
     first = [wall_figures.drawing(wall, words)]
     if found is None or found.kinematic is None:
-        parts += _pair(first)
+        parts += _pair(first) + site.loads(wall, words)
         parts += [Heading(say("The block"), 3), Derivation(wall_steps.geometry(wall, name, words))]
         q = Step(
             "q", wall.q_set, ".2f", "–", "Eq. 10", cell=f"{name}_q_set", label=say("at collapse")
@@ -204,7 +205,7 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
     if kinematic.floor:
         held = say("wall at {z:g} m, {kind}", z=float(wall.wall.base_z_m), kind=held)
     parts.append(Paragraph(held, "quiet"))
-    parts += _pair([*first, wall_figures.capacity(result, wall, words)])
+    parts += _pair([*first, wall_figures.capacity(result, wall, words)]) + site.loads(wall, words)
     for heading, steps in (
         (say("The block"), wall_steps.geometry(wall, name, words)),
         (say("Kinematic chain"), wall_steps.start(result, wall, name, words)),

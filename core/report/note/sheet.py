@@ -78,7 +78,9 @@ class _Writer:
 
     def write(self, parts: list[Part]) -> None:
         changed_cell(self.book, self.sheet, 1, 1)
+        style(self.sheet.cell(1, 1), bold=True, color=BAD, wrap=True)
         self._merge(1, 1, GRID)
+        self.sheet.row_dimensions[1].height = 2.0 * LINE
         self.row = 2
         for part in self.book.steps.each(parts):
             self._add(part)
@@ -263,16 +265,11 @@ class _Writer:
         self.row = below + 1
 
     def _filled(self) -> float:
-        """Height of the rows of this page so far [points]."""
+        """Height of the rows since the last page that was begun [points]."""
         first = self.sheet.row_breaks.brk[-1].id + 1 if self.sheet.row_breaks.brk else 1
-        heights = self.sheet.row_dimensions
-        return (
-            sum(
-                (heights[row].height if row in heights else None) or ROW_HEIGHT
-                for row in range(first, self.row)
-            )
-            % PAGE
-        )
+        known = self.sheet.row_dimensions
+        heights = (known[row].height if row in known else None for row in range(first, self.row))
+        return sum(height or ROW_HEIGHT for height in heights)
 
     def _columns(self, xs, ys, head: str) -> tuple[Reference, Reference]:
         """Data of a curve in two new columns, its name above them."""

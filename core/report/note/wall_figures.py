@@ -75,16 +75,29 @@ def drawing(wall: WallResult, words: Words) -> Figure | None:
         Label(f"t {words.number(t, '.2f')} m" + (f", u {words.number(u, '.3f')} m" if u else ""),
               0.5 * t, -below - 0.07 * (h + below)),
     ]  # fmt: skip
+    labels += _sizes_of_loads(wall, words)
     caption = words.say("{wall}: sizes, hinge (red point) and mechanism (dashed)", wall=wall.name)
     if wall.wall.back_restraint and wall.mechanism == "one_sided":
         caption += words.say("; behind it: {restraint}", restraint=wall.wall.back_restraint)
     if wall.wall.load:
         caption += words.say("; loads as arrows")
     low, high = -below - 0.14 * (h + below), top
-    for points in arrows(wall.wall, h, t):
-        high = max(high, 1.04 * max(y for _, y in points))
+    for label in labels:
+        high = max(high, label.y + 0.04 * h)
     return Figure(caption, curves, y_range=(low, high), labels=labels,
                   x_range=(-0.5 * (h + below), t + 0.5 * (h + below)))  # fmt: skip
+
+
+def _sizes_of_loads(wall: WallResult, words: Words) -> list[Label]:
+    """The size of each load at the tail of its arrow, or above that of a load at the same place."""
+    h, labels = wall.height, list[Label]()
+    for load, points in zip(wall.wall.load, arrows(wall.wall, h, wall.thickness), strict=True):
+        x, y = min(points) if not load.is_weight else points[0]
+        x, y = (x, y + 0.05 * h) if load.is_weight else (x - 0.15 * h, y)
+        while any(abs(x - one.x) < 0.3 * h and abs(y - one.y) < 0.055 * h for one in labels):
+            y += 0.03 * h
+        labels.append(Label(f"{words.number(load.kn_m, '.2f')} kN/m", x, y))
+    return labels
 
 
 def _turned(x: float, y: float, hinge: float, angle: float) -> tuple[float, float]:

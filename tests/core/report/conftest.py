@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 
 from core.case.reader import read_case
+from core.case.site import HazardRow
 from core.study.run import run
 from tests.conftest import ROOT
 
@@ -17,6 +18,15 @@ def building():
     case = read_case(BUILDING)
     facade = replace(case.wall[0], hinge_heights=None, tie_height_m=None)
     return run(replace(case, wall=(facade, *case.wall[2:])), base_dir=BUILDING.parent)
+
+
+@pytest.fixture(scope="session")
+def whole_building():
+    """The same as it is and as it is designed, with the hazard of its site."""
+    case = read_case(BUILDING)
+    rows = ((30.0, 0.08), (50.0, 0.1), (475.0, case.demand.ag_g), (975.0, 0.34))
+    hazard = tuple(HazardRow(years, ag, 2.4, 0.3) for years, ag in rows)
+    return run(replace(case, demand=replace(case.demand, hazard=hazard)), base_dir=BUILDING.parent)
 
 
 @pytest.fixture(scope="session")

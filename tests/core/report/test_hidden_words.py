@@ -45,7 +45,7 @@ def one_wall(verdict):
     return run(case, base_dir=ROOT / "resources" / "cases")
 
 
-@pytest.mark.parametrize("which", ["one_wall", "verdict", "building"])
+@pytest.mark.parametrize("which", ["one_wall", "verdict", "whole_building"])
 def test_that_no_word_of_the_workbook_is_hidden(which, request, tmp_path):
     result = request.getfixturevalue(which)
     drawn = [found for wall in result.walls if (found := collapse_histories(result, wall))]
@@ -54,8 +54,8 @@ def test_that_no_word_of_the_workbook_is_hidden(which, request, tmp_path):
     assert_seen(printed(path, tmp_path), result)
 
 
-def test_that_no_word_of_the_document_is_hidden(building, tmp_path):
+def test_that_no_word_of_the_document_is_hidden(whole_building, tmp_path):
     pytest.importorskip("docx")
     path = tmp_path / "note.docx"
-    path.write_bytes(export.note_content(building))
-    assert_seen(printed(path, tmp_path), building)
+    path.write_bytes(export.note_content(whole_building))
+    assert_seen(printed(path, tmp_path), whole_building)

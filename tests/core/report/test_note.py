@@ -81,6 +81,32 @@ def test_that_every_wall_has_its_verdict_with_all_reasons_and_its_figures(buildi
     assert table.rows[0][0] == "gable" and len(table.rows) == len(building.walls)
 
 
+def test_that_the_note_gives_hazard_building_loads_and_what_is_changed(whole_building):
+    parts = note(whole_building, "en")
+    tables = {tuple(part.heads): part.rows for part in parts if isinstance(part, Table)}
+    hazard = next(rows for heads, rows in tables.items() if "T_R [years]" in heads)
+    assert [row[:2] for row in hazard][-1] == ["975", "0.340"]
+    assert {row[0] for heads, rows in tables.items() if "γψ [-]" in heads for row in rows} >= {
+        "9.00"
+    }
+    symbols = {step.symbol for step in steps_of(parts)}
+    assert {"H_b", "n", "T_1", "T/T_1", "ξ"} <= symbols
+    changed = next(rows for heads, rows in tables.items() if "ζ before" in heads)
+    assert changed and all(row[2] != row[4] and row[-1] != "nothing" for row in changed)
+    figures = [figure for part in parts if isinstance(part, Figures) for figure in part.figures]
+    drawn = {label.text for figure in figures for label in figure.labels}
+    listed = [
+        row
+        for part in parts
+        if isinstance(part, Table) and "[kN/m]" in part.heads
+        for row in part.rows
+    ]
+    for wall in whole_building.walls:
+        for load in wall.wall.load:
+            assert f"{load.kn_m:.2f} kN/m" in drawn
+            assert f"{load.kn_m:.2f}" in {row[1] for row in listed}
+
+
 def test_that_the_histories_at_the_demand_are_those_of_the_check(building):
     for wall in building.walls:
         runs = deciding_runs(wall)
@@ -202,6 +228,15 @@ def test_that_a_changed_input_is_stated_and_moves_what_follows_from_it(building,
         assert any("Input changed since the run" in word for word in words), name
         rules = [rule for one in made[name].conditional_formatting for rule in one.rules]
         assert any("inputs_changed>0" in str(rule.formula) for rule in rules), name
+    old = {
+        place
+        for one in made["Summary"].conditional_formatting
+        for rule in one.rules
+        if rule.formula == ["AND(inputs_changed>0,TRUE)"]
+        for place in str(one.sqref).split()
+    }
+    histories = {c.coordinate for c in made["Summary"]["L"] if "_dynamic_zeta" in str(c.value)}
+    assert histories and histories <= old  # a link to what the histories found is no less old
     sheet, place = cell_of(made, "demand_pga")
     assert shown[sheet][place].value == pytest.approx(1.1 * building.demand.pga / G)
     note_words = " ".join(

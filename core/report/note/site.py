@@ -1,0 +1,106 @@
+"""What a note says of the site beside its demand: the hazard, the building, the loads of a wall, before and after."""
+
+from core.codes.floor_spectrum import estimated_period
+from core.report.note.parts import Derivation, Heading, Part, Step, Table
+from core.report.note.words import Words
+from core.study.floors import damaged
+from core.study.results import StudyResult, WallResult
+from core.study.variants import comparisons
+from core.units import G
+
+
+def hazard(result: StudyResult, words: Words) -> list[Part]:
+    """The rows of the hazard of the site; of a file those that decide, T_R and a_g."""
+    demand = result.demand
+    if demand is None or not demand.hazard:
+        return []
+    shapes = {row.return_period_years: row for row in result.case.demand.hazard}
+    rows = []
+    for years, ag in demand.hazard:
+        row = shapes.get(years)
+        rows.append([
+            words.number(years, ".0f"), words.number(ag / G, ".3f"),
+            words.number(row.f0 if row else None, ".3f"), words.number(row.tc_star_s if row else None, ".3f"),
+        ])  # fmt: skip
+    heads = [f"T_R [{words.say('years')}]", "a_g [g]", "F0", "T_C* [s]"]
+    return [Heading(words.say("Hazard of the site"), 3), Table(heads, rows, (1, 1, 1, 1))]
+
+
+def building(result: StudyResult, words: Words) -> list[Part]:
+    """The building, and its modes at the walls above the ground; nothing where no wall is above it."""
+    say, asked = words.say, result.case.building
+    floors = {wall.floor.z: wall.floor for wall in result.walls if wall.floor is not None}
+    if asked is None or not floors:
+        return []
+    factor, damping = damaged(asked, result.demand.limit_state if result.demand else "SLV")
+    period = asked.period_s or estimated_period(asked.height_m)
+    steps = [
+        Step("H_b", asked.height_m, ".2f", "m"),
+        Step("n", asked.storeys, ".0f", "–", label=say("storeys")),
+    ]
+    if not asked.modes:
+        source = words.word("choice_user") if asked.period_s else say("estimate")
+        steps += [
+            Step("T_1", period, ".3f", "s", label=source),
+            Step("T/T_1", factor, ".2f", "–", "C8.7.1.2.1.4", label=say("of the damaged building")),
+            Step("ξ", damping, ".2f", "–", "C8.7.1.2.1.4", label=say("of the damaged building")),
+        ]
+    rows = [
+        [words.number(z, ".2f"), str(k), words.number(mode.period, ".3f"), words.number(mode.damping, ".3f"),
+         words.number(mode.participation, ".3f")]
+        for z, floor in sorted(floors.items())
+        for k, mode in enumerate(floor.modes, start=1)
+    ]  # fmt: skip
+    heads = ["z [m]", say("Mode"), "T [s]", "ξ [-]", "γψ [-]"]
+    return [
+        Heading(words.word("section_building"), 3),
+        Derivation(steps),
+        Table(heads, rows, (1, 1, 1, 1, 1)),
+    ]
+
+
+def loads(wall: WallResult, words: Words) -> list[Part]:
+    """The loads above the hinge of a wall, as its arrows show them."""
+    asked = wall.wall
+    if not asked.load:
+        return []
+    heads = [words.say("Loads"), "[kN/m]", "h [m]", "d [m]", words.word("key_mass")]
+    rows = [
+        [words.word(f"load_{load.kind}"), words.number(load.kn_m, ".2f"), words.number(load.h_m, ".2f"),
+         words.number(load.d_m, ".3f"), words.word(f"choice_{load.mass}") if load.mass else "–"]
+        for load in asked.load
+    ]  # fmt: skip
+    return [Table(heads, rows, (2, 1, 1, 1, 2))]
+
+
+def before_and_after(result: StudyResult, words: Words) -> list[Part]:
+    """The walls as they are beside the walls as they are designed."""
+    say, rows = words.say, []
+    for one in comparisons(result.walls):
+        row = [one.name, words.word(one.before.mechanism)]
+        for wall in (one.before, one.after):
+            found = wall.assessment
+            verdict = found.verdict if found else None
+            label = (
+                next((c.label for c in found.checks if c.name == verdict.governing), None)
+                if found
+                else None
+            )
+            row += [
+                words.number(verdict.zeta_e if verdict else None, ".2f"),
+                words.word(label) if label else "–",
+            ]
+        row.append(", ".join(words.word(f"key_{key}") for key in one.changed) or say("nothing"))
+        rows.append(row)
+    if not rows:
+        return []
+    heads = [
+        say("Wall"),
+        say("Mechanism"),
+        say("ζ before"),
+        say("by"),
+        say("ζ after"),
+        say("by"),
+        say("changed"),
+    ]
+    return [Heading(say("Before and after"), 3), Table(heads, rows, (2, 1.5, 1, 2, 1, 2, 2.5))]
