@@ -3,6 +3,7 @@
 import csv
 import math
 import os
+import random
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +20,19 @@ STANDING = {
     "name": "w", "height_m": 30.0, "slenderness_deg": 11.0, "base_z_m": 0.0, "mechanism": "two_sided",
 }  # fmt: skip
 """A wall that motions of the example do not overturn."""
+
+
+def pytest_addoption(parser):
+    parser.addoption("--shuffle", type=int, help="seed of a random order of the tests")
+
+
+def pytest_collection_modifyitems(config, items):
+    """With --shuffle the files in random order, and the tests of each: none may need another before it."""
+    if (seed := config.getoption("--shuffle")) is None:
+        return
+    order = random.Random(seed)
+    place = {path: order.random() for path in sorted({item.path for item in items})}
+    items.sort(key=lambda item: (place[item.path], order.random()))
 
 
 def shelf_folder() -> Path | None:

@@ -20,7 +20,7 @@ from core.study.variants import comparisons
 from core.text.sentence import word
 from core.units import G
 
-LAST = 10
+LAST = 11
 
 
 def has_risk(result: StudyResult) -> bool:
@@ -33,7 +33,7 @@ def has_risk(result: StudyResult) -> bool:
 def risk(book: Book, result: StudyResult) -> None:
     """The tables, one below the other."""
     say = book.say
-    sheet = book.sheet("Risk", [26, 12, 9, 30, 10, 10, 10, 10, 10, 10], landscape=True)
+    sheet = book.sheet("Risk", [26, 12, 9, 9, 30, 10, 10, 10, 10, 10, 10], landscape=True)
     title(sheet, 1, say("What each mechanism withstands"))
     row = paragraph(
         sheet,
@@ -49,13 +49,13 @@ def risk(book: Book, result: StudyResult) -> None:
     row = _ties(book, sheet, result, row + 1)
     row = _variants(book, sheet, result, row + 1)
     sheet.freeze_panes = "B4"
-    sheet.print_area = f"A1:J{row}"
+    sheet.print_area = f"A1:K{row}"
 
 
 def _walls(book: Book, sheet, result: StudyResult, row: int) -> int:
     say = book.say
     header(sheet, row, [
-        say("Wall"), say("Mechanism"), "ζ_E", say("by"), "PGA_C [g]", "T_R,C", "IS-V",
+        say("Wall"), say("Mechanism"), "ζ_E", "ζ_16", say("by"), "PGA_C [g]", "T_R,C", "IS-V",
         *(f"ζ {state}, {say('kin.')}" for state in STATES)], 1, 30)  # fmt: skip
     for wall, _ in book.steps.each(in_order(result)):
         row += 1
@@ -66,7 +66,7 @@ def _walls(book: Book, sheet, result: StudyResult, row: int) -> int:
     row += 1
     text(sheet, row, 1, say("smallest"), bold=True)
     number(sheet, row, 3, min(known), RATIO)
-    for column, state in enumerate(STATES, start=8):
+    for column, state in enumerate(STATES, start=9):
         values = [
             one.zeta
             for wall in result.walls
@@ -89,20 +89,22 @@ def _wall(book: Book, sheet, wall: WallResult, row: int) -> None:
         return
     verdict = found.verdict
     number(sheet, row, 3, verdict.zeta_e, RATIO)
+    if verdict.governing == "dynamic":
+        number(sheet, row, 4, found.dynamic.zeta_16, RATIO)
     label = next((c.label for c in found.checks if c.name == verdict.governing), None)
-    text(sheet, row, 4, word(label, language) if label else "–", wrap=True)
+    text(sheet, row, 5, word(label, language) if label else "–", wrap=True)
     if found.risk:
-        number(sheet, row, 5, found.risk.pga / G, ACCELERATION)
-        text(sheet, row, 6, found.risk.years or "–", align="right")
+        number(sheet, row, 6, found.risk.pga / G, ACCELERATION)
+        text(sheet, row, 7, found.risk.years or "–", align="right")
         letter = found.risk.letter
         text(
             sheet,
             row,
-            7,
+            8,
             f"{book.digits(found.risk.index, '.2f')}  {letter}" if letter else "–",
             align="right",
         )
-    for column, one in enumerate(found.states, start=8):
+    for column, one in enumerate(found.states, start=9):
         number(sheet, row, column, one.zeta, RATIO)
 
 
@@ -114,7 +116,7 @@ def _ties(book: Book, sheet, result: StudyResult, row: int) -> int:
         return row
     title(sheet, row, say("Tie for the ζ required"), 12)
     header(sheet, row + 1, [
-        say("Wall"), "h [m]", "ζ", say("by"), say("Force [kN/m]"), say("Largest [kN/m]"), "α0",
+        say("Wall"), "h [m]", "ζ", say("Force [kN/m]"), say("by"), say("Largest [kN/m]"), "α0",
         say("all hinges")], 1, 30)  # fmt: skip
     row += 1
     for wall in designed:
@@ -123,11 +125,11 @@ def _ties(book: Book, sheet, result: StudyResult, row: int) -> int:
         text(sheet, row, 1, wall.name, wrap=True)
         number(sheet, row, 2, tie.height, RATIO)
         number(sheet, row, 3, tie.zeta, RATIO)
-        text(sheet, row, 4, word(tie.check, book.language), wrap=True)
+        text(sheet, row, 5, word(tie.check, book.language), wrap=True)
         if tie.force is None:
-            text(sheet, row, 5, say("none reaches it"))
+            text(sheet, row, 4, say("none reaches it"))
         else:
-            number(sheet, row, 5, 1e-3 * tie.force, RATIO)
+            number(sheet, row, 4, 1e-3 * tie.force, RATIO)
         number(sheet, row, 6, 1e-3 * tie.largest, RATIO)
         number(sheet, row, 7, tie.alpha0, ACCELERATION)
         number(
@@ -151,25 +153,20 @@ def _variants(book: Book, sheet, result: StudyResult, row: int) -> int:
         return row
     title(sheet, row, say("Before and after"), 12)
     header(sheet, row + 1, [
-        say("Wall"), say("Mechanism"), say("ζ before"), say("by"), say("ζ after"), "", say("by"), "", say("changed")],
+        say("Wall"), say("Mechanism"), say("ζ before"), "", say("by"), say("ζ after"), say("by"), "", say("changed")],
         1, 30)  # fmt: skip
     row += 1
     for one in found:
         row += 1
         text(sheet, row, 1, one.name, wrap=True)
         text(sheet, row, 2, word(one.before.mechanism, book.language))
-        for column, wall in ((3, one.before), (5, one.after)):
+        for column, beside, wall in ((3, 5, one.before), (6, 7, one.after)):
             verdict = wall.assessment.verdict if wall.assessment else None
             number(sheet, row, column, verdict.zeta_e if verdict else None, RATIO)
             label = next(
                 (c.label for c in wall.assessment.checks if c.name == verdict.governing), None
             ) if verdict else None  # fmt: skip
-            text(
-                sheet,
-                row,
-                column + (1 if column == 3 else 2),
-                word(label, book.language) if label else "–",
-            )
+            text(sheet, row, beside, word(label, book.language) if label else "–")
         keys = ", ".join(word(f"key_{key}", book.language) for key in one.changed) or say("nothing")
         text(sheet, row, 9, keys)
         heighten(sheet, row, (one.name, 26))

@@ -50,6 +50,8 @@ def walls(shared_walls):
     theme.set_theme("light")
     language.set_language("en")
     shared_walls.refresh()
+    shared_walls.pick(0)
+    shared_walls.tabs.setCurrentIndex(0)
     return shared_walls
 
 
@@ -176,7 +178,9 @@ def test_that_the_common_factor_brings_the_mean_to_the_target(walls):
     assert np.log(ratio).mean() == pytest.approx(0.0, abs=2e-3)
 
 
-@pytest.mark.parametrize(("width", "dpi"), [(80.0, 300), (160.0, 300), (160.0, 600)])
+@pytest.mark.parametrize(
+    ("width", "dpi"), [(80.0, 300), (160.0, 300), pytest.param(160.0, 600, marks=pytest.mark.long)]
+)
 def test_that_a_figure_is_as_wide_as_asked_light_and_has_its_caption(walls, width, dpi):
     walls.set_choice("theme", "dark")
     walls.tabs.setCurrentWidget(walls.pages["capacity"])
@@ -208,6 +212,7 @@ def test_that_a_figure_is_as_wide_as_asked_light_and_has_its_caption(walls, widt
 def test_that_stale_results_say_so_where_they_leave_and_live_ones_do_not(walls):
     chart, table = walls.pages["check"].content.peaks, walls.pages["check"].content.table
     live = walls.pages["spectra"].content.chart
+    walls.tabs.setCurrentWidget(walls.pages["check"])
     fresh = figure(chart, ".png", FigureSize())
     walls.session.edit_wall(0, height_m=6.5)
     assert ChartOutput.stale and Table.stale and chart.is_stale and not live.is_stale

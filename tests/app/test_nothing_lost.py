@@ -151,7 +151,14 @@ NAMES = (
 )  # fmt: skip
 
 
-@pytest.mark.parametrize("name", [*NAMES, b"latin-\xe8.txt".decode("utf-8", "surrogateescape")])
+@pytest.mark.parametrize(
+    "name",
+    [
+        *(pytest.param(name, marks=pytest.mark.long) for name in NAMES[:6]),
+        *NAMES[6:],
+        b"latin-\xe8.txt".decode("utf-8", "surrogateescape"),
+    ],
+)
 def test_that_every_name_the_system_gives_can_be_saved_read_run_and_reported(
     opened, application, tmp_path, name
 ):

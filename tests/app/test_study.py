@@ -254,6 +254,7 @@ def test_that_the_claims_of_the_paper_are_counted(paper):
     assert share("within 20 % of Eq. 16")[0] > 0.7 > 0.4 > share("within 20 % of Eq. 15")[0]
 
 
+@pytest.mark.long
 def test_that_every_figure_of_the_paper_is_there_but_those_of_records(paper):
     folder, result, report = paper
     numbers = {figure.key[3:5] for figure in report.figures if figure.key.startswith("fig")}
@@ -265,6 +266,7 @@ def test_that_every_figure_of_the_paper_is_there_but_those_of_records(paper):
     assert [table.key for table in report.tables] == ["table1", "eq13", "eq14", "distance"]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "mechanism, quantity", [(m, q) for m in ("two_sided", "one_sided") for q in ("q", "q_slv")]
 )
@@ -297,7 +299,7 @@ def test_that_the_window_of_a_study_runs_cancels_goes_on_and_shows_it(
     from app.study_window import StudyWindow
 
     monkeypatch.setattr(QMessageBox, "warning", lambda *a: pytest.fail(f"unexpected: {a[-1]}"))
-    small.write_text(STUDY.replace("q_step = [0.02]", "q_step = [0.001]"))
+    small.write_text(STUDY.replace("q_step = [0.02]", "q_step = [0.004]"))
     made = StudyWindow(None)
     made.quick.setChecked(False)
     made.study.setCurrentText(str(small))

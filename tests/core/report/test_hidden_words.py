@@ -45,7 +45,9 @@ def one_wall(verdict):
     return run(case, base_dir=ROOT / "resources" / "cases")
 
 
-@pytest.mark.parametrize("which", ["one_wall", "verdict", "whole_building"])
+@pytest.mark.parametrize(
+    "which", ["one_wall", "verdict", pytest.param("whole_building", marks=pytest.mark.long)]
+)
 def test_that_no_word_of_the_workbook_is_hidden(which, request, tmp_path):
     result = request.getfixturevalue(which)
     drawn = [found for wall in result.walls if (found := collapse_histories(result, wall))]
@@ -54,8 +56,12 @@ def test_that_no_word_of_the_workbook_is_hidden(which, request, tmp_path):
     assert_seen(printed(path, tmp_path), result)
 
 
-def test_that_no_word_of_the_document_is_hidden(whole_building, tmp_path):
+@pytest.mark.parametrize(
+    "which", ["verdict", pytest.param("whole_building", marks=pytest.mark.long)]
+)
+def test_that_no_word_of_the_document_is_hidden(which, request, tmp_path):
     pytest.importorskip("docx")
+    result = request.getfixturevalue(which)
     path = tmp_path / "note.docx"
-    path.write_bytes(export.note_content(whole_building))
-    assert_seen(printed(path, tmp_path), whole_building)
+    path.write_bytes(export.note_content(result))
+    assert_seen(printed(path, tmp_path), result)

@@ -178,7 +178,12 @@ def test_that_loads_are_on_every_sheet_that_a_reader_needs(loads):
     assert any("loads" in text and "return walls" in text for text in risk)
     assert any("θc" in text for text in words("Method"))
     zetas = [w.assessment.verdict.zeta_e for w in result.walls]
-    assert min(zetas) in [cell.value for row in book.workbook["Risk"].iter_rows() for cell in row]
+    sheet = book.workbook["Risk"]
+    assert min(zetas) in [cell.value for row in sheet.iter_rows() for cell in row]
+    beside = [cell.value for cell in next(zip(*sheet["D4:D9"], strict=True))]
+    found = [w.assessment for w in result.walls]
+    sixteen = {a.dynamic.zeta_16 for a in found if a.verdict.governing == "dynamic"}
+    assert beside[0] == "ζ_16" and sixteen and sixteen <= set(beside)
 
 
 def test_that_no_closed_form_is_drawn_for_a_wall_with_loads(loads):
