@@ -177,12 +177,7 @@ def ensure(groups, older_serves=False):
     except Failure as failure:
         if not (older_serves and serves(groups)):
             raise
-        say(
-            phrase(
-                "{failure}; started with the packages of an earlier version instead",
-                failure=failure,
-            )
-        )
+        say(phrase("{failure}; started with the packages of an earlier version instead", failure=failure))
 
 
 def update(groups):
@@ -274,10 +269,7 @@ def make(folder, groups):
         stream.write("made by run.py, which may delete it\n")
     say(phrase("making the environment in {folder} (once)", folder=ENVIRONMENT))
     prompt = os.path.basename(ENVIRONMENT)
-    logged(
-        [sys.executable, "-m", "venv", "--prompt", prompt, folder],
-        phrase("the environment could not be made"),
-    )
+    logged([sys.executable, "-m", "venv", "--prompt", prompt, folder], phrase("the environment could not be made"))
     install(groups, folder, {})
 
 
@@ -310,11 +302,25 @@ def install(groups, folder, have):
         minutes = max(1, fetch * 8 / 10 / 60 + disk / 600)
         say(phrase(text, groups=", ".join(groups), fetch=fetch, disk=disk, minutes=minutes))
         logged(
-            [interpreter(folder), "-m", "pip", "install", "--disable-pip-version-check", "--no-input",
-             "--progress-bar", "off", "--only-binary", ":all:", "--require-hashes", "--no-deps", "-r", wanted],
+            [
+                interpreter(folder),
+                "-m",
+                "pip",
+                "install",
+                "--disable-pip-version-check",
+                "--no-input",
+                "--progress-bar",
+                "off",
+                "--only-binary",
+                ":all:",
+                "--require-hashes",
+                "--no-deps",
+                "-r",
+                wanted,
+            ],
             phrase("the installation failed: check the network or the proxy settings of pip"),
             len(names),
-        )  # fmt: skip
+        )
     now = dict(have, **{name: identity(sections[name]) for name in groups})
     contents = [name for name in os.listdir(site_packages(folder)) if name != "__pycache__"]
     with open(os.path.join(folder, STAMP), "w", encoding="utf-8") as stream:
@@ -345,14 +351,9 @@ def logged(command, trouble, total=0):
     if code:
         with open(LOG, encoding="utf-8", errors="replace") as log:
             lines = [line.strip() for line in log if line.strip()]
-        cause = next(
-            (line for line in reversed(lines) if "ERROR" in line),
-            lines[-1] if lines else phrase("no word"),
-        )
+        cause = next((line for line in reversed(lines) if "ERROR" in line), lines[-1] if lines else phrase("no word"))
         if any("DO NOT MATCH THE HASHES" in line for line in lines):
-            trouble = phrase(
-                "the installation was refused: a package served is not the one requirements.lock names"
-            )
+            trouble = phrase("the installation was refused: a package served is not the one requirements.lock names")
         text = "{trouble} ({cause}); the whole output is in {log}"
         raise Failure(phrase(text, trouble=trouble, cause=cause[:200], log=LOG))
 
@@ -434,11 +435,7 @@ def plan(arguments):
     program's own command line ends: wrong usage, --help, --version."""
     word = arguments[0] if arguments else ""
     if word == "test":
-        return (
-            ["base", "test", "gui", "accuracy", "study", "report"],
-            test_steps(arguments[1:]),
-            False,
-        )
+        return (["base", "test", "gui", "accuracy", "study", "report"], test_steps(arguments[1:]), False)
     if word in TOOLS:
         script = os.path.join(ROOT, *TOOLS[word].split("/"))
         refuse_unknown_options(script, arguments[1:])

@@ -79,15 +79,12 @@ def main(arguments: list[str] | None = None) -> int:
             from app import study
 
             return study.run(
-                options.study, options.output, options.records, jobs, options.quiet, options.quick,
-                options.resume,
-            )  # fmt: skip
+                options.study, options.output, options.records, jobs, options.quiet, options.quick, options.resume
+            )
         if options.batch:
             from app import batch
 
-            return batch.run(
-                options.batch, options.output, jobs, options.quiet, options.resume, options.report
-            )
+            return batch.run(options.batch, options.output, jobs, options.quiet, options.resume, options.report)
         return window(options.case)
     except InputError as error:
         tell(terminal("error: {error}", error=quoted_from_file(error)))
@@ -99,17 +96,11 @@ def main(arguments: list[str] | None = None) -> int:
         print(terminal("stopped"), file=sys.stderr)
         return 130
     except Exception as error:  # an internal error: its traceback goes to a file the user can send
-        with tempfile.NamedTemporaryFile(
-            "w", prefix="ribalta-error-", suffix=".log", delete=False
-        ) as log:
+        with tempfile.NamedTemporaryFile("w", prefix="ribalta-error-", suffix=".log", delete=False) as log:
             traceback.print_exc(file=log)
         for note in getattr(error, "__notes__", ()):
             tell(note)
-        tell(
-            terminal(
-                "internal error: no file was left half written; please send {path}", path=log.name
-            )
-        )
+        tell(terminal("internal error: no file was left half written; please send {path}", path=log.name))
         return 4
 
 

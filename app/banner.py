@@ -69,11 +69,7 @@ class Banner(QLabel):
         return rows[0] if rows else None
 
     def _leads(self, error: InputError | None, row: int | None) -> bool:
-        return (
-            self._field() is not None
-            or row is not None
-            or self._wall_in_question(error) is not None
-        )
+        return self._field() is not None or row is not None or self._wall_in_question(error) is not None
 
     def lead(self) -> None:
         """Show the dock, the tab and the field or the record in question, and put the cursor there."""

@@ -29,14 +29,7 @@ EXAMPLES = Path(__file__).resolve().parents[1] / "resources" / "cases"
 """Cases that come with the program: their results land in the folder one stands in."""
 
 
-def run(
-    case_path: Path,
-    output: Path | None,
-    jobs: int,
-    quiet: bool,
-    resume: bool,
-    report: Path | None = None,
-) -> int:
+def run(case_path: Path, output: Path | None, jobs: int, quiet: bool, resume: bool, report: Path | None = None) -> int:
     """Read a case, run it, write `<stem>.xlsx` and `<stem>.json`; returns the exit code. report : of the calculation
     note as a Word document, where one is asked for.
 
@@ -125,10 +118,7 @@ def open_journal(path: Path, key: str, resume: bool, sync_seconds: float = 0.0) 
             path=book.set_aside,
         )
     if book.dropped:
-        tell(
-            "{n} damaged line(s) of the journal were dropped: these runs are made again",
-            n=book.dropped,
-        )
+        tell("{n} damaged line(s) of the journal were dropped: these runs are made again", n=book.dropped)
     return book
 
 
@@ -152,8 +142,12 @@ def summary(result: StudyResult, folder: Path, stem: str) -> str:
         columns += ["zeta", "verdict", "by"]
     table = [[terminal(head) for head in columns]]
     for wall in (wall for wall, decides in in_order(result) if decides):
-        row = [wall.name[:48], *map(_coded, (wall.mechanism, wall.set_rule)), _short(wall.q_set),
-               _short(wall.q_robust_set)]  # fmt: skip
+        row = [
+            wall.name[:48],
+            *map(_coded, (wall.mechanism, wall.set_rule)),
+            _short(wall.q_set),
+            _short(wall.q_robust_set),
+        ]
         if wall.assessment:
             verdict = wall.assessment.verdict
             row += [_short(verdict.zeta_e), _coded(verdict.code), _coded(verdict.governing)]
@@ -187,23 +181,15 @@ def summary(result: StudyResult, folder: Path, stem: str) -> str:
 def explanation(workbook: Path, with_demand: bool) -> str:
     """What the words of the summary mean, a line each, and which file to open."""
     lines = [
-        terminal(
-            "q: acceleration of the motion that first overturns the wall, over that which lifts it"
-        ),
+        terminal("q: acceleration of the motion that first overturns the wall, over that which lifts it"),
         terminal("robust: the q around which 16 % of the motions overturn it"),
     ]
     if with_demand:
         lines += [
-            terminal(
-                "zeta: share of the demand at which the wall begins to fail; 1 is what the code asks"
-            ),
-            terminal(
-                "verdict: that of the most refined check that could be made; the last column names it"
-            ),
+            terminal("zeta: share of the demand at which the wall begins to fail; 1 is what the code asks"),
+            terminal("verdict: that of the most refined check that could be made; the last column names it"),
         ]
-    return "\n".join(
-        ["", *lines, terminal("open {path}: its first sheet sums up the walls", path=workbook)]
-    )
+    return "\n".join(["", *lines, terminal("open {path}: its first sheet sums up the walls", path=workbook)])
 
 
 def _never_explained() -> bool:

@@ -17,7 +17,7 @@ REFUSED = (
     (re.compile(r"argument (?P<words>\S+): expected .*"), "{words} takes a value"),
     (re.compile(r"argument (?P<words>\S+): ignored explicit argument .*"), "{words} takes no value"),
     (re.compile(r"ambiguous option: (?P<words>\S+) .*"), "{words} may mean several options: write it out"),
-)  # fmt: skip
+)
 """(what argparse says, the text of the terminal for it)."""
 
 
@@ -44,8 +44,7 @@ class Parser(argparse.ArgumentParser):
         """The known options that the unknown among these words were meant to be."""
         known = [name for action in self._actions for name in action.option_strings]
         options = [word.split("=")[0] for word in words.split() if word.startswith("-")]
-        near = [name for word in options if word not in known
-                for name in difflib.get_close_matches(word, known, 1)]  # fmt: skip
+        near = [name for word in options if word not in known for name in difflib.get_close_matches(word, known, 1)]
         return terminal("; did you mean {nearest}?", nearest=", ".join(near)) if near else ""
 
 
@@ -53,9 +52,7 @@ def parser() -> Parser:
     """The command line."""
     made = Parser(
         prog="ribalta",
-        description=terminal(
-            "How strong an earthquake a masonry wall withstands before it overturns."
-        ),
+        description=terminal("How strong an earthquake a masonry wall withstands before it overturns."),
         formatter_class=Formatter,
         add_help=False,
     )
@@ -68,17 +65,10 @@ def parser() -> Parser:
     add("--records", type=Path, metavar="DIR", help=terminal("natural records of the study"))
     add("--output", type=Path, metavar="DIR", help=terminal("folder of the results"))
     add("--jobs", type=_jobs, metavar="N", help=terminal("threads (default: all cores)"))
-    add("--report", type=Path, metavar="FILE",
-        help=terminal("the calculation note too, as a Word document (.docx)"))  # fmt: skip
+    add("--report", type=Path, metavar="FILE", help=terminal("the calculation note too, as a Word document (.docx)"))
     add("--quiet", action="store_true", help=terminal("no progress, no summary"))
     add("--resume", action="store_true", help=terminal("go on from the journal"))
-    add(
-        "--inspect",
-        nargs="+",
-        type=Path,
-        metavar="FILE",
-        help=terminal("summarise the contents of records"),
-    )
+    add("--inspect", nargs="+", type=Path, metavar="FILE", help=terminal("summarise the contents of records"))
     add("--version", action="store_true", help=terminal("version and commit"))
     add("-h", "--help", action="help", help=terminal("this help"))
     return made
@@ -86,9 +76,7 @@ def parser() -> Parser:
 
 def _jobs(word: str) -> int:
     if not word.isascii() or not word.isdigit() or not 1 <= int(word) <= 1024:
-        raise argparse.ArgumentTypeError(
-            terminal("{word!r} is not a number of threads from 1 to 1024", word=word)
-        )
+        raise argparse.ArgumentTypeError(terminal("{word!r} is not a number of threads from 1 to 1024", word=word))
     return int(word)
 
 

@@ -55,13 +55,21 @@ def build(window, session: Session, state, narrow: bool) -> Sides:
         area.setMinimumWidth(366)
         area.setWidget(form)
         forms.addTab(area, label)
-    FORM_NAMES.captions.update({
-        "[demand]": tr("Demand"), "[demand.spectrum]": tr("Spectrum"), "spectrum": tr("Spectrum"),
-        "spectrum_file": tr("spectrum of a file"), "[generate]": tr("Generate…"),
-        "time_step_s": tr("Time step"), "skip_lines": tr("Lines to skip"),
-        "[analysis]": tr("Analysis"), "[report]": tr("Report"), "[record]": tr("Records"),
-        "[building]": tr("Building of the walls above the ground"),
-    })  # fmt: skip
+    FORM_NAMES.captions.update(
+        {
+            "[demand]": tr("Demand"),
+            "[demand.spectrum]": tr("Spectrum"),
+            "spectrum": tr("Spectrum"),
+            "spectrum_file": tr("spectrum of a file"),
+            "[generate]": tr("Generate…"),
+            "time_step_s": tr("Time step"),
+            "skip_lines": tr("Lines to skip"),
+            "[analysis]": tr("Analysis"),
+            "[report]": tr("Report"),
+            "[record]": tr("Records"),
+            "[building]": tr("Building of the walls above the ground"),
+        }
+    )
     left = QDockWidget(tr("Input"), objectName="input")
     left.setWidget(forms)
     window.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, left)
@@ -106,9 +114,7 @@ def arrange(window, narrow: bool) -> None:
 
 
 def _place(window, narrow: bool) -> None:
-    left, right, below = (
-        window.findChild(QDockWidget, name) for name in ("input", "records", "verdict")
-    )
+    left, right, below = (window.findChild(QDockWidget, name) for name in ("input", "records", "verdict"))
     if narrow:
         window.tabifyDockWidget(left, right)
         window.tabifyDockWidget(right, below)

@@ -37,9 +37,7 @@ class WallDrawing(QWidget):
         self.rotation = 0.0
         self.setMinimumSize(QSize(90, 120))
 
-    def show_wall(
-        self, wall: Wall | None, hinges: Sequence[tuple[float, float | None]] = ()
-    ) -> None:
+    def show_wall(self, wall: Wall | None, hinges: Sequence[tuple[float, float | None]] = ()) -> None:
         """Draw this wall; what is not complete leaves the place empty. hinges : height [m] and zeta of each, where
         it has more than the one at its base."""
         self.size_of, self.arrows, self.hinges = None, [], list(hinges)
@@ -136,13 +134,9 @@ class WallDrawing(QWidget):
         painter.drawText(QPointF(0.0, 0.0), words)
         painter.restore()
         left = place(QPointF(-0.5 * thickness, 0.0))
-        words = f"t {number(100 * thickness, '.1f')} cm" + (
-            f", u {number(100 * setback, '.1f')} cm" if setback else ""
-        )
+        words = f"t {number(100 * thickness, '.1f')} cm" + (f", u {number(100 * setback, '.1f')} cm" if setback else "")
         width = painter.fontMetrics().horizontalAdvance(words)
-        painter.drawText(
-            QPointF(max(2.0, 0.5 * (left.x() + low.x()) - 0.5 * width), left.y() + 16), words
-        )
+        painter.drawText(QPointF(max(2.0, 0.5 * (left.x() + low.x()) - 0.5 * width), left.y() + 16), words)
 
 
 def mechanism_icon(name: str, size: int = 52) -> QIcon:

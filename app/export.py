@@ -82,9 +82,7 @@ def write(
         with _no_collector():
             book = workbook.content(result, histories, steps)
     except OSError as error:  # openpyxl makes the sheets in the folder of temporary files
-        raise OutputError(
-            "workbook_not_made", reason=error.strerror, folder=tempfile.gettempdir()
-        ) from None
+        raise OutputError("workbook_not_made", reason=error.strerror, folder=tempfile.gettempdir()) from None
     files = {folder / f"{stem}.xlsx": book, folder / f"{stem}.json": text}
     if note is not None:
         steps.take(NOTE)

@@ -13,9 +13,7 @@ def plain_name(text: str) -> str:
     return re.sub(r"[^\w.+ -]+", "_", text).strip(" .") or "_"
 
 
-def path_to_write(
-    parent, title: str, proposal: str, kinds: str, ends: tuple[str, ...]
-) -> Path | None:
+def path_to_write(parent, title: str, proposal: str, kinds: str, ends: tuple[str, ...]) -> Path | None:
     """The file to write that the user names, None if none. The ending of the kind chosen is added where it lacks, and
     where that makes it another file that is there, asked again."""
     name, kind = QFileDialog.getSaveFileName(parent, title, proposal, kinds)

@@ -77,9 +77,7 @@ class Files:
     def _save(self, path: Path | None) -> bool:
         here = path is None or path.resolve() == self.session.path
         if here and self.session.changed_elsewhere:
-            question = tr(
-                "Another program has changed {path}. Overwrite it?", path=self.session.path
-            )
+            question = tr("Another program has changed {path}. Overwrite it?", path=self.session.path)
             if not self._agreed(tr("Save the case"), question):
                 return False
         try:
@@ -138,9 +136,7 @@ class Files:
             job.commit()
             atomic_write.write({path: content})
 
-        self.window.start(
-            write, lambda _: self.window.show_word(tr("Written: {path}", path=path)), to_end=True
-        )
+        self.window.start(write, lambda _: self.window.show_word(tr("Written: {path}", path=path)), to_end=True)
 
     def ask_figures(self) -> None:
         """Every figure of the wall shown, to a folder the user names."""
@@ -150,9 +146,7 @@ class Files:
             return
         size = ask_size(self.window)
         title = tr("Export all figures")
-        name = size and QFileDialog.getExistingDirectory(
-            self.window, title, str(self.session.base_dir)
-        )
+        name = size and QFileDialog.getExistingDirectory(self.window, title, str(self.session.base_dir))
         if name:
             self.export_figures(Path(name), size)
 
@@ -200,9 +194,7 @@ class Files:
             QMessageBox.warning(self.window, tr("Nothing exported"), described(error))
             return
         self.window.start(
-            lambda job: export.write(
-                result, path.parent, path.stem, job.check, job.commit, tell=job.progress
-            ),
+            lambda job: export.write(result, path.parent, path.stem, job.check, job.commit, tell=job.progress),
             lambda _: self.window.show_word(tr("Written: {path}", path=path)),
             to_end=True,
         )
@@ -212,7 +204,10 @@ class Files:
         if not self.session.dirty:
             return True
         button = QMessageBox.StandardButton
-        answer = QMessageBox.question(self.window, tr("Unsaved changes"), tr("Save the changes of this case?"),
+        answer = QMessageBox.question(
+            self.window,
+            tr("Unsaved changes"),
+            tr("Save the changes of this case?"),
             button.Save | button.Discard | button.Cancel,
-        )  # fmt: skip
+        )
         return self.save() if answer == button.Save else answer == button.Discard

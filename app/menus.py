@@ -37,22 +37,14 @@ def build(window) -> Actions:
     add(window, file, tr("Save &as…"), window.files.save_as, QKeySequence("Ctrl+Shift+S"))
     file.addSeparator()
     add(window, file, tr("&Export workbook…"), window.files.ask_export, QKeySequence("Ctrl+E"))
-    add(
-        window,
-        file,
-        tr("Export calculation &note…"),
-        window.files.ask_note,
-        QKeySequence("Ctrl+Shift+E"),
-    )
+    add(window, file, tr("Export calculation &note…"), window.files.ask_note, QKeySequence("Ctrl+Shift+E"))
     add(window, file, tr("Export all &figures…"), window.files.ask_figures)
     file.addSeparator()
     add(window, file, tr("&Quit"), window.close, key.Quit)
     edit = window.menuBar().addMenu(tr("&Edit"))
     undo = add(window, edit, tr("&Undo"), window.session.undo, key.Undo)
     redo = add(window, edit, tr("&Redo"), window.session.redo, QKeySequence("Ctrl+Y"))
-    add(
-        window, edit, tr("&Paste walls"), lambda: window.walls.paste(), QKeySequence("Ctrl+Shift+V")
-    )
+    add(window, edit, tr("&Paste walls"), lambda: window.walls.paste(), QKeySequence("Ctrl+Shift+V"))
     runs = window.menuBar().addMenu(tr("&Run"))
     run = add(window, runs, tr("&Run"), window.run, QKeySequence("F5"))
     cancel = add(window, runs, tr("&Cancel"), window.cancel, QKeySequence("Esc"))
@@ -63,12 +55,10 @@ def build(window) -> Actions:
         view.addAction(dock.toggleViewAction())
     view.addSeparator()
     for k, label in enumerate(window.tab_labels):
-        add(window, view, label, lambda k=k: window.tabs.setCurrentIndex(k),
-                     QKeySequence(f"Ctrl+{k + 1}"))  # fmt: skip
+        add(window, view, label, lambda k=k: window.tabs.setCurrentIndex(k), QKeySequence(f"Ctrl+{k + 1}"))
     view.addSeparator()
     add(window, view, tr("&Reset layout"), window.reset_layout)
-    choices(window, view, tr("Theme"), "theme", {"light": tr("light"), "dark": tr("dark")},
-                  theme.current.name)  # fmt: skip
+    choices(window, view, tr("Theme"), "theme", {"light": tr("light"), "dark": tr("dark")}, theme.current.name)
     choices(window, view, tr("Language"), "language", LANGUAGES, window.language)
     helps = window.menuBar().addMenu(tr("&Help"))
     add(window, helps, tr("What is this field?"), lambda: guide.explain(window), QKeySequence("F1"))

@@ -43,8 +43,6 @@ def quicken() -> None:
             name = source.__name__.replace("PySide6", "pyqtgraph.Qt")
             sys.modules[name] = Mirror(name, source)
             own = source.__dict__.get("__dir__")
-            after.callback(
-                *((setattr, source, "__dir__", own) if own else (delattr, source, "__dir__"))
-            )
+            after.callback(*((setattr, source, "__dir__", own) if own else (delattr, source, "__dir__")))
             source.__dir__ = list  # of nothing: what pyqtgraph is to copy
         import pyqtgraph  # noqa: F401

@@ -59,11 +59,7 @@ class RunningWindow(QMainWindow):
                     result = self.session.moved_result(result, base)
                 self.result_arrived(result)
                 self.show_word(
-                    tr(
-                        "{n} analyses in {seconds:.1f} s",
-                        n=self.finished_runs.analyses - made,
-                        seconds=result.elapsed,
-                    )
+                    tr("{n} analyses in {seconds:.1f} s", n=self.finished_runs.analyses - made, seconds=result.elapsed)
                 )
 
         from core.study.run import run
@@ -71,11 +67,16 @@ class RunningWindow(QMainWindow):
         self.records.read_again()
         self.start(
             lambda job: run(
-                case, base_dir=base, jobs=os.cpu_count() or 1, journal=lambda _: self.finished_runs,
-                on_progress=job.progress, cancelled=job.cancelled, on_wall=job.found.emit,
+                case,
+                base_dir=base,
+                jobs=os.cpu_count() or 1,
+                journal=lambda _: self.finished_runs,
+                on_progress=job.progress,
+                cancelled=job.cancelled,
+                on_wall=job.found.emit,
             ),
             arrived,
-        )  # fmt: skip
+        )
 
     def start(self, work, arrived, to_end: bool = False) -> None:
         """Work off this thread, one at a time; `arrived(result)` unless it is cancelled before. to_end : the
@@ -122,9 +123,7 @@ class RunningWindow(QMainWindow):
 
     def _ended(self) -> None:
         self.job = None
-        if (
-            self.finished_walls
-        ):  # cancelled, failed or of an earlier input: the last result again, or none
+        if self.finished_walls:  # cancelled, failed or of an earlier input: the last result again, or none
             self.fresh.discard(self.pages["walls"])
             if self.session.result is None:
                 self.pages["walls"].empty()
@@ -169,9 +168,4 @@ class RunningWindow(QMainWindow):
                     self.pages["validation"].content.show_accuracy(accuracy)
 
         wall = result.walls[k]
-        self.start(
-            lambda job: accuracy_of(
-                wall, result.motions, result.method, result.search, job.cancelled
-            ),
-            arrived,
-        )
+        self.start(lambda job: accuracy_of(wall, result.motions, result.method, result.search, job.cancelled), arrived)

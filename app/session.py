@@ -131,9 +131,7 @@ class Session:
                 case = parse_case(table_of(self.case))
                 if self.saved.sha256 and not self.dirty:  # what the batch says of the file
                     given = self.saved.given or case.given
-                    case = replace(
-                        case, sha256=self.saved.sha256, given=given, table=self.saved.table
-                    )
+                    case = replace(case, sha256=self.saved.sha256, given=given, table=self.saved.table)
                 judged = (case, None)
             except InputError as error:
                 judged = (None, error)
@@ -372,18 +370,8 @@ class Session:
             if path and path.exists():
                 with contextlib.suppress(InputError):
                     saved = read_case(path)
-        except (
-            OSError,
-            ValueError,
-            KeyError,
-            TypeError,
-            AttributeError,
-            RecursionError,
-            OverflowError,
-        ) as error:
-            raise InputError(
-                "autosave_unreadable", reason=str(error)[:200], place=(file,)
-            ) from None
+        except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError, OverflowError) as error:
+            raise InputError("autosave_unreadable", reason=str(error)[:200], place=(file,)) from None
         self._start(case)
         self.saved, self.path, self.base_dir = saved, path, base
         self.autosave()  # before the other goes: a kill in between loses nothing

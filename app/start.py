@@ -9,14 +9,7 @@ import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import (
-    QEvent,
-    QLibraryInfo,
-    QSettings,
-    QStandardPaths,
-    QTimer,
-    QTranslator,
-)
+from PySide6.QtCore import QEvent, QLibraryInfo, QSettings, QStandardPaths, QTimer, QTranslator
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication, QMessageBox
 
@@ -38,10 +31,12 @@ def offer_recovery(window: MainWindow) -> None:
     for file in window.session.recoverable():
         button = QMessageBox.StandardButton
         answer = QMessageBox.question(
-            window, tr("Autosaved case found"),
+            window,
+            tr("Autosaved case found"),
             tr("The program ended without saving. Bring back the unsaved case?") + f"\n{window.session.describe(file)}",
-            button.Yes | button.Discard | button.Cancel, button.Yes,
-        )  # fmt: skip
+            button.Yes | button.Discard | button.Cancel,
+            button.Yes,
+        )
         if answer == button.Yes:
             try:
                 window.session.recover(file)
@@ -110,9 +105,7 @@ def logged_crash(folder: Path):
         for file in sorted(folder.glob("crash-*.log")):
             if file.stat().st_size:
                 found.append(file.replace(file.with_suffix(".txt")))
-    with tempfile.NamedTemporaryFile(
-        "w", dir=folder, prefix=f"crash-{VERSION}-", suffix=".log", delete=False
-    ) as log:
+    with tempfile.NamedTemporaryFile("w", dir=folder, prefix=f"crash-{VERSION}-", suffix=".log", delete=False) as log:
         faulthandler.enable(log)
         yield found
         faulthandler.disable()
@@ -173,9 +166,7 @@ def main(path: Path | None) -> int:
     window.preparation.begin()
     with logged_crash(Path(window.settings.fileName()).parent) as crashes:
         if crashes:
-            word = tr(
-                "The program ended by a fault the last time; please send {path}", path=crashes[-1]
-            )
+            word = tr("The program ended by a fault the last time; please send {path}", path=crashes[-1])
             window.show_word(word)
         code = application.exec()
     if any(not job.isFinished() for job in RUNNING):

@@ -8,15 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
-from app.batch import (
-    CANCELLED,
-    DONE,
-    WITHOUT_NUMBER,
-    interrupts,
-    open_journal,
-    raise_if,
-    say,
-)
+from app.batch import CANCELLED, DONE, WITHOUT_NUMBER, interrupts, open_journal, raise_if, say
 from app.command_line import STUDIES, study_file
 from app.language import terminal
 from app.terminal_progress import progress, tell
@@ -53,9 +45,7 @@ def load(path: Path, quick: bool) -> tuple[Study, str]:
     return (shortened(study) if quick else study), digest
 
 
-def refuse_overwriting(
-    study: Study, path: Path, records: Path | None, folder: Path, stem: str
-) -> None:
+def refuse_overwriting(study: Study, path: Path, records: Path | None, folder: Path, stem: str) -> None:
     """Raise InputError where a result would take the place of a file the study reads, or of a folder."""
     figures = folder / f"{stem}_figures"
     if figures.exists() and not figures.is_dir():
@@ -101,14 +91,7 @@ class Made(NamedTuple):
 
 
 def results(
-    asked: str,
-    folder: Path,
-    records: Path | None,
-    jobs: int,
-    quick: bool,
-    resume: bool,
-    on_progress,
-    cancelled,
+    asked: str, folder: Path, records: Path | None, jobs: int, quick: bool, resume: bool, on_progress, cancelled
 ) -> Made:
     """Run a study with its journal in this folder. Raises InputError and Cancelled, with no new folder left."""
     require("study")
@@ -144,13 +127,7 @@ def results(
 
 
 def run(
-    asked: str,
-    output: Path | None,
-    records: Path | None,
-    jobs: int,
-    quiet: bool,
-    quick: bool,
-    resume: bool,
+    asked: str, output: Path | None, records: Path | None, jobs: int, quiet: bool, quick: bool, resume: bool
 ) -> int:
     """Run a study and write `<stem>.xlsx`, `.json`, `.csv` and a folder of figures; returns the exit code.
 
@@ -210,9 +187,7 @@ def write(
     digest = hashlib.sha256(runs).hexdigest()
     files = {
         folder / f"{stem}.xlsx": study_workbook.content(result, report, steps),
-        folder / f"{stem}.json": study_files.json_text(
-            result, report, f"{stem}.csv", digest
-        ).encode(),
+        folder / f"{stem}.json": study_files.json_text(result, report, f"{stem}.csv", digest).encode(),
         folder / f"{stem}.csv": runs,
     }
     drawn: dict[Path, bytes] = {}
@@ -224,9 +199,7 @@ def write(
                 drawn[folder / f"{stem}_figures" / name] = content
     except Cancelled:
         raise
-    except (
-        Exception
-    ) as error:  # the numbers of hours do not go with a figure: raised when they are written
+    except Exception as error:  # the numbers of hours do not go with a figure: raised when they are written
         fault = error
     ready()
     if fault:
@@ -245,8 +218,7 @@ def summary(result: ParametricResult, report: StudyReport, folder: Path, stem: s
     """What a terminal shows of a study: notes, claims as counts, and where the files are."""
     lines = [report.title, *report.notes]
     lines += [
-        f"{claim.held:5d} / {claim.tried:<5d} {claim.claim}"
-        + (f" ({claim.found})" if claim.found else "")
+        f"{claim.held:5d} / {claim.tried:<5d} {claim.claim}" + (f" ({claim.found})" if claim.found else "")
         for claim in report.claims
     ]
     analyses = sum(row.analyses for row in result.rows)

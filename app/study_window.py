@@ -52,9 +52,7 @@ class StudyWindow(QDialog):
         self.study.setAccessibleName(tr("Study"))
         self.quick = QCheckBox(tr("Short form"))
         self.quick.setChecked(True)
-        documents = QStandardPaths.writableLocation(
-            QStandardPaths.StandardLocation.DocumentsLocation
-        )
+        documents = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.DocumentsLocation)
         self.folder = QLineEdit(str(Path(documents) / "Ribalta"))
         self.folder.setAccessibleName(tr("Folder of the results"))
         self.records = QLineEdit()
@@ -77,14 +75,8 @@ class StudyWindow(QDialog):
     def _form(self) -> QHBoxLayout:
         left = QFormLayout()
         left.addRow(tr("Study"), self._with_button(self.study, tr("File…"), self._choose_study))
-        left.addRow(
-            tr("Natural records"),
-            self._with_button(self.records, tr("Folder…"), self._choose_records),
-        )
-        left.addRow(
-            tr("Folder of the results"),
-            self._with_button(self.folder, tr("Folder…"), self._choose_folder),
-        )
+        left.addRow(tr("Natural records"), self._with_button(self.records, tr("Folder…"), self._choose_records))
+        left.addRow(tr("Folder of the results"), self._with_button(self.folder, tr("Folder…"), self._choose_folder))
         right = QVBoxLayout()
         right.addWidget(self.quick)
         buttons = QHBoxLayout()
@@ -112,9 +104,7 @@ class StudyWindow(QDialog):
             self.study.setCurrentText(name)
 
     def _choose_folder(self) -> None:
-        name = QFileDialog.getExistingDirectory(
-            self, tr("Folder of the results"), self.folder.text()
-        )
+        name = QFileDialog.getExistingDirectory(self, tr("Folder of the results"), self.folder.text())
         if name:
             self.folder.setText(name)
 
@@ -137,16 +127,7 @@ class StudyWindow(QDialog):
         records = Path(self.records.text()) if self.records.text().strip() else None
 
         def work(job: Job):
-            made = study.results(
-                asked,
-                folder,
-                records,
-                os.cpu_count() or 1,
-                quick,
-                True,
-                job.progress,
-                job.cancelled,
-            )
+            made = study.results(asked, folder, records, os.cpu_count() or 1, quick, True, job.progress, job.cancelled)
             report = report_of(made.result)
             study.write(made.result, report, folder, made.stem, job.check, job.commit, job.progress)
             made.book.remove()
@@ -200,23 +181,15 @@ class StudyWindow(QDialog):
     # what is shown
 
     def _arrived(self, result: parametric.ParametricResult, report, folder: Path) -> None:
-        self.word.setText(
-            "\n".join((report.title, *report.notes, tr("Written to {folder}", folder=folder)))
-        )
+        self.word.setText("\n".join((report.title, *report.notes, tr("Written to {folder}", folder=folder))))
         while self.tabs.count():
             page = self.tabs.widget(0)
             self.tabs.removeTab(0)
             page.deleteLater()
         if report.claims:
             self.tabs.addTab(claims_table(report.claims), tr("Claims"))
-        self.tabs.addTab(
-            self._chooser([(t.title, lambda t=t: table_view(t)) for t in report.tables]),
-            tr("Tables"),
-        )
-        self.tabs.addTab(
-            self._chooser([(f.title, lambda f=f: figure_chart(f)) for f in report.figures]),
-            tr("Figures"),
-        )
+        self.tabs.addTab(self._chooser([(t.title, lambda t=t: table_view(t)) for t in report.tables]), tr("Tables"))
+        self.tabs.addTab(self._chooser([(f.title, lambda f=f: figure_chart(f)) for f in report.figures]), tr("Figures"))
 
     def _chooser(self, entries: list) -> QWidget:
         """A list of titles and the page of the chosen one, made when it is first looked at."""

@@ -61,16 +61,10 @@ def _bars() -> Iterator[Shown]:
         print(f"\r{bar} {words}{CLEAR}", file=sys.stderr, flush=True, end="")
 
     def writing(done: int, planned: int) -> None:
-        show(
-            done,
-            planned,
-            terminal("writing the results: {share:.0f} %", share=100 * done / planned),
-        )
+        show(done, planned, terminal("writing the results: {share:.0f} %", share=100 * done / planned))
 
     try:
-        yield Shown(
-            lambda done, planned, left: show(done, planned, _counted(done, planned, left)), writing
-        )
+        yield Shown(lambda done, planned, left: show(done, planned, _counted(done, planned, left)), writing)
     finally:
         print(f"\r{CLEAR}", file=sys.stderr, flush=True, end="")
 
@@ -102,9 +96,4 @@ def _counted(done: int, planned: int, left: float | None) -> str:
     """How many runs and checks are done, and the time left where it is known."""
     if left is None:
         return terminal("{done}/{planned} runs and checks", done=done, planned=planned)
-    return terminal(
-        "{done}/{planned} runs and checks, about {left:.0f} s left",
-        done=done,
-        planned=planned,
-        left=left,
-    )
+    return terminal("{done}/{planned} runs and checks, about {left:.0f} s left", done=done, planned=planned, left=left)

@@ -29,12 +29,32 @@ class Theme:
     bad: str
 
 
-LIGHT = Theme("light", "#ffffff", "#f3f5f7", "#1f2d3d", "#d9dfe5", "#7f8b96", "#5b6875",
-              ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#7f7f7f"),
-              "#00704e", "#8a5a00", "#b3421b")  # fmt: skip
-DARK = Theme("dark", "#1b2026", "#242a31", "#e6eaee", "#3a434d", "#7d8894", "#9aa7b4",
-             ("#56b4e9", "#ff9a4d", "#3ddbaa", "#e3a1c6", "#f5c24c", "#a6d8f5", "#b0b0b0"),
-             "#3ddbaa", "#f5c24c", "#ff9a4d")  # fmt: skip
+LIGHT = Theme(
+    "light",
+    "#ffffff",
+    "#f3f5f7",
+    "#1f2d3d",
+    "#d9dfe5",
+    "#7f8b96",
+    "#5b6875",
+    ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#7f7f7f"),
+    "#00704e",
+    "#8a5a00",
+    "#b3421b",
+)
+DARK = Theme(
+    "dark",
+    "#1b2026",
+    "#242a31",
+    "#e6eaee",
+    "#3a434d",
+    "#7d8894",
+    "#9aa7b4",
+    ("#56b4e9", "#ff9a4d", "#3ddbaa", "#e3a1c6", "#f5c24c", "#a6d8f5", "#b0b0b0"),
+    "#3ddbaa",
+    "#f5c24c",
+    "#ff9a4d",
+)
 THEMES = {theme.name: theme for theme in (LIGHT, DARK)}
 
 current = LIGHT
@@ -48,21 +68,22 @@ def set_theme(name: str) -> None:
     application.setStyle("Fusion")
     palette = QPalette()
     shades = {
-        QPalette.ColorRole.Window: current.window, QPalette.ColorRole.Base: current.back,
-        QPalette.ColorRole.AlternateBase: current.window, QPalette.ColorRole.Button: current.window,
-        QPalette.ColorRole.WindowText: current.ink, QPalette.ColorRole.Text: current.ink,
-        QPalette.ColorRole.ButtonText: current.ink, QPalette.ColorRole.ToolTipBase: current.back,
-        QPalette.ColorRole.ToolTipText: current.ink, QPalette.ColorRole.Highlight: current.curves[0],
+        QPalette.ColorRole.Window: current.window,
+        QPalette.ColorRole.Base: current.back,
+        QPalette.ColorRole.AlternateBase: current.window,
+        QPalette.ColorRole.Button: current.window,
+        QPalette.ColorRole.WindowText: current.ink,
+        QPalette.ColorRole.Text: current.ink,
+        QPalette.ColorRole.ButtonText: current.ink,
+        QPalette.ColorRole.ToolTipBase: current.back,
+        QPalette.ColorRole.ToolTipText: current.ink,
+        QPalette.ColorRole.Highlight: current.curves[0],
         QPalette.ColorRole.HighlightedText: current.back,
         QPalette.ColorRole.PlaceholderText: current.quiet,
-    }  # fmt: skip
+    }
     for role, shade in shades.items():
         palette.setColor(role, QColor(shade))
-    for role in (
-        QPalette.ColorRole.Text,
-        QPalette.ColorRole.ButtonText,
-        QPalette.ColorRole.WindowText,
-    ):
+    for role in (QPalette.ColorRole.Text, QPalette.ColorRole.ButtonText, QPalette.ColorRole.WindowText):
         palette.setColor(QPalette.ColorGroup.Disabled, role, QColor(current.quiet))
     application.setPalette(palette)
     # Fusion draws the edge of a field 1.4 times darker than its window: this gives it 3 : 1 against its base

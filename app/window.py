@@ -4,15 +4,7 @@ from pathlib import Path
 
 import pyqtgraph as pg
 from PySide6.QtCore import QByteArray, QEvent, QSettings, QSize, QTimer
-from PySide6.QtWidgets import (
-    QComboBox,
-    QDockWidget,
-    QHBoxLayout,
-    QPushButton,
-    QTabWidget,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QComboBox, QDockWidget, QHBoxLayout, QPushButton, QTabWidget, QVBoxLayout, QWidget
 
 from app import docks, language, menus, tabs, theme
 from app.banner import Banner
@@ -312,9 +304,7 @@ class MainWindow(RunningWindow):
     def _cover_tabs(self) -> None:
         """Grey the tab in front where its result is of an earlier input; Spectra shows the input as it is."""
         front = self.tabs.currentWidget()
-        live = front is self.pages["spectra"] or (
-            front is self.pages["walls"] and self.finished_walls
-        )
+        live = front is self.pages["spectra"] or (front is self.pages["walls"] and self.finished_walls)
         self.veil.cover(self.session.stale and not live)
 
     def show_finished(self, walls: list) -> None:

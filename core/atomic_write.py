@@ -94,9 +94,7 @@ def write(files: dict[Path, bytes]) -> None:
             taken = [target for target in taken if not _put_back(target, old[target])]
         _remove_all((*leads, *old.values(), *moves))
     if failed and taken:
-        raise OutputError(
-            "files_mixed", reason=failed.strerror, new=", ".join(taken), place=(path,)
-        ) from None
+        raise OutputError("files_mixed", reason=failed.strerror, new=", ".join(taken), place=(path,)) from None
     if failed:
         raise OutputError("file_not_writable", reason=failed.strerror, place=(path,)) from None
 
@@ -119,10 +117,7 @@ def _list_moves(moves: dict[str, str], old: dict[str, str | None], made: list[st
     """
     first, *others = _folders(moves)
     entries = [
-        [
-            os.path.basename(part) if os.path.dirname(target) == first else part
-            for part in (name, target)
-        ]
+        [os.path.basename(part) if os.path.dirname(target) == first else part for part in (name, target)]
         + [_hash_of(target) if old[target] else None]
         for name, target in moves.items()
     ]
@@ -154,9 +149,7 @@ def clean(folder: Path) -> None:
     """Finish or remove what a killed process left in a folder."""
     with contextlib.suppress(OSError):
         left = [path for path in folder.glob(f"{PREFIX}*-*") if not _in_use(path)]
-        waiting = {
-            _owner(path) for path in left if path.name.endswith(COMMIT) and not _finish(path)
-        }
+        waiting = {_owner(path) for path in left if path.name.endswith(COMMIT) and not _finish(path)}
         for path in left:
             if _owner(path) not in waiting:
                 with contextlib.suppress(OSError):
@@ -186,11 +179,7 @@ def _finish(listed: Path) -> bool:
             source, place = listed.parent / name, listed.parent / target
             if not place.parent.is_dir():
                 return False
-            if (
-                _owner(source) == _owner(listed)
-                and source.parent == place.parent
-                and source.is_file()
-            ):
+            if _owner(source) == _owner(listed) and source.parent == place.parent and source.is_file():
                 ahead.append((source, place, earlier))
         # nothing that was written since by somebody else is replaced
         if all(_hash_of(place) == earlier for _, place, earlier in ahead):

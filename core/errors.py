@@ -49,9 +49,7 @@ class InputError(ValueError):
         if isinstance(self.accepted, Sentence) and self.accepted.code in RANGES:
             ends: dict[str, Any] = dict(self.accepted.values)
             ends |= {end: factor * ends[end] for end in ("low", "high")}
-            shown["accepted"] = sentence(
-                "accepted", self.accepted.code, **(ends | {"unit": f" {unit}"})
-            )
+            shown["accepted"] = sentence("accepted", self.accepted.code, **(ends | {"unit": f" {unit}"}))
         return shown
 
     def accepted_text(self, language: str = "en", form: FormNames = FILE_NAMES) -> str:
@@ -65,9 +63,7 @@ class InputError(ValueError):
     @property
     def keys(self) -> set[str]:
         """Keys of the case this error speaks of."""
-        names = {
-            name for _, name, _, _ in Formatter().parse(CATALOGUE["error"][self.code][0]) if name
-        }
+        names = {name for _, name, _, _ in Formatter().parse(CATALOGUE["error"][self.code][0]) if name}
         named = {part for value in self.values.values() for part in _keys(value)}
         return {*(names - set(self.values)), *named, *([self.key] if self.key else [])}
 
@@ -76,21 +72,13 @@ class InputError(ValueError):
         """Name of the wall it is about."""
         if "wall" in self.values:
             return str(self.values["wall"])
-        walls = (
-            dict(p.values)["name"]
-            for p in self.place
-            if isinstance(p, Sentence) and p.code == "wall"
-        )
+        walls = (dict(p.values)["name"] for p in self.place if isinstance(p, Sentence) and p.code == "wall")
         return next((str(name) for name in walls), None)
 
     @property
     def section(self) -> str | None:
         """Section of the case it is about, "[demand]"."""
-        sections = (
-            dict(p.values)["name"]
-            for p in self.place
-            if isinstance(p, Sentence) and p.code == "section"
-        )
+        sections = (dict(p.values)["name"] for p in self.place if isinstance(p, Sentence) and p.code == "section")
         return next((str(name) for name in sections), None)
 
     def __str__(self) -> str:

@@ -23,9 +23,12 @@ def require(extra: str) -> None:
         except ImportError as error:
             names = tuple(PACKAGES[extra].values())
             raise OutputError(
-                "packages_missing", work=sentence("word", f"work_{extra}"), packages=names,
-                reason=str(error), way=way_to_get(" ".join(names)),
-            ) from None  # fmt: skip
+                "packages_missing",
+                work=sentence("word", f"work_{extra}"),
+                packages=names,
+                reason=str(error),
+                way=way_to_get(" ".join(names)),
+            ) from None
 
 
 def way_to_get(packages: str) -> Sentence:

@@ -73,10 +73,22 @@ def make_parts() -> None:
 def freeze() -> None:
     shutil.rmtree(DIST, ignore_errors=True)
     subprocess.run(
-        [sys.executable, "-m", "PyInstaller", "--noconfirm", "--log-level", "WARN", "--distpath", DIST,
-         "--workpath", WORK, ROOT / "packaging" / "ribalta.spec"],
-        check=True, cwd=ROOT,
-    )  # fmt: skip
+        [
+            sys.executable,
+            "-m",
+            "PyInstaller",
+            "--noconfirm",
+            "--log-level",
+            "WARN",
+            "--distpath",
+            DIST,
+            "--workpath",
+            WORK,
+            ROOT / "packaging" / "ribalta.spec",
+        ],
+        check=True,
+        cwd=ROOT,
+    )
 
 
 def ship_machine_code(program: Path) -> None:
@@ -99,9 +111,7 @@ def ship_machine_code(program: Path) -> None:
             target.mkdir(parents=True)
             for file in made.glob("*.nb[ci]"):
                 shutil.copy2(file, target)
-        hashes = {
-            file.name: hashlib.sha256(file.read_bytes()).hexdigest() for file in target.iterdir()
-        }
+        hashes = {file.name: hashlib.sha256(file.read_bytes()).hexdigest() for file in target.iterdir()}
         (target / shipped.MANIFEST).write_text(json.dumps(hashes, indent=0), encoding="ascii")
 
 

@@ -14,7 +14,7 @@ LINUX = sys.platform.startswith("linux")
 TOOLS = {
     "linux": {"objdump": "binutils", "strip": "binutils", "ldd": "libc-bin", "tar": "tar", "patchelf": "patchelf"},
     "darwin": {"codesign": "the command line tools of Xcode", "ditto": "the command line tools of Xcode"},
-}  # fmt: skip
+}
 """Programs the build calls -> the package that has them, of Debian and Ubuntu on Linux."""
 
 
@@ -52,13 +52,12 @@ def without_unneeded(entries: list[tuple]) -> list[tuple]:
     if not LINUX:
         return entries
     while True:
-        wanted = {
-            name for _, source, kind in entries if kind != "SYMLINK" for name in needed(source)
-        }
+        wanted = {name for _, source, kind in entries if kind != "SYMLINK" for name in needed(source)}
         kept = [
-            entry for entry in entries
+            entry
+            for entry in entries
             if "/" in entry[0] or entry[2] != "BINARY" or entry[0] in wanted or entry[0].startswith("libpython")
-        ]  # fmt: skip
+        ]
         if len(kept) == len(entries):
             return kept
         entries = kept
@@ -78,9 +77,7 @@ def _loaded(files: list[Path], folder: Path) -> set[str]:
     """Those libraries that the dynamic linker loads."""
     variables = {**os.environ, "LD_LIBRARY_PATH": str(folder)}
     command = [sys.executable, "-c", LOADS, *map(str, files)]
-    return set(
-        subprocess.run(command, capture_output=True, text=True, env=variables).stdout.split("\n")
-    )
+    return set(subprocess.run(command, capture_output=True, text=True, env=variables).stdout.split("\n"))
 
 
 def strip(folder: Path) -> None:
@@ -88,9 +85,10 @@ def strip(folder: Path) -> None:
     if not LINUX:
         return
     libraries = [
-        file for file in folder.rglob("*.so*")
+        file
+        for file in folder.rglob("*.so*")
         if file.is_file() and not file.is_symlink() and not {"PySide6", "shiboken6"} & set(file.parts)
-    ]  # fmt: skip
+    ]
     before = _loaded(libraries, folder)
     with tempfile.TemporaryDirectory() as name:
         kept = {file: Path(name) / str(k) for k, file in enumerate(libraries)}

@@ -79,15 +79,14 @@ def _of_distribution(name: str) -> Part:
     expressions = (about.get_all("License-Expression") or []) + (about.get_all("License") or [])
     stated = next(filter(None, expressions), "")
     if not stated or len(stated) > 100:  # a whole text in the field of the name
-        kinds = [
-            line for line in about.get_all("Classifier") or () if line.startswith("License ::")
-        ]
+        kinds = [line for line in about.get_all("Classifier") or () if line.startswith("License ::")]
         stated = "; ".join(line.rsplit(" :: ", 1)[-1] for line in kinds)
     texts = [
-        Path(str(found.locate_file(file))) for file in found.files or ()
+        Path(str(found.locate_file(file)))
+        for file in found.files or ()
         if re.search(r"\.dist-info/(licenses|sboms)/", file.as_posix())
         or (".dist-info/" in file.as_posix() and NAMES.search(file.name))
-    ]  # fmt: skip
+    ]
     name = about["Name"]
     if re.match("(?i)pyside6|shiboken6", name):
         texts += sorted(TEXTS.glob("*.txt"))
@@ -111,13 +110,13 @@ def of_system(file: Path) -> Part:
     """The Debian package of a library; the bare file where there is no such package."""
     for place in (file, file.resolve()):
         owner = (
-            shutil.which("dpkg")
-            and subprocess.run(["dpkg", "-S", str(place)], capture_output=True, text=True).stdout
+            shutil.which("dpkg") and subprocess.run(["dpkg", "-S", str(place)], capture_output=True, text=True).stdout
         )
         if owner:
             name = owner.split(":")[0]
-            version = subprocess.run(["dpkg-query", "-W", "-f", "${Version}", name],
-                                     check=True, capture_output=True, text=True).stdout  # fmt: skip
+            version = subprocess.run(
+                ["dpkg-query", "-W", "-f", "${Version}", name], check=True, capture_output=True, text=True
+            ).stdout
             text = Path("/usr/share/doc") / name / "copyright"
             purl = f"pkg:deb/debian/{name}@{version}"
             if not text.exists():
@@ -135,20 +134,17 @@ def _of_python() -> Part:
 
 def _listed(file: Path) -> list[tuple]:
     """Entries (name, source, kind) of a list that PyInstaller made."""
-    return next(
-        part
-        for part in ast.literal_eval(file.read_text(encoding="utf-8"))
-        if isinstance(part, list)
-    )
+    return next(part for part in ast.literal_eval(file.read_text(encoding="utf-8")) if isinstance(part, list))
 
 
 def parts(work: Path) -> list[Part]:
     """What PyInstaller packed. work : its folder of work, with the lists it made"""
     owners = {
         os.path.normpath(os.path.join(str(found.locate_file("")), row[0])): name
-        for found in importlib.metadata.distributions() for name in [found.name]
+        for found in importlib.metadata.distributions()
+        for name in [found.name]
         for row in csv.reader((found.read_text("RECORD") or "").splitlines())
-    }  # fmt: skip
+    }
     python = Path(sys.base_prefix).resolve()
     distributions, system = {"pyinstaller"}, {}  # its starter is the program's first code
     for name in ("PYZ-00.toc", "COLLECT-00.toc"):
@@ -165,8 +161,12 @@ def parts(work: Path) -> list[Part]:
 
 def _component(part: Part) -> dict:
     def about(name: str, version: str, licence: str) -> dict:
-        return {"type": "library", "name": name, "version": version,
-                "licenses": [{"license": {"name": licence or "see its text"}}]}  # fmt: skip
+        return {
+            "type": "library",
+            "name": name,
+            "version": version,
+            "licenses": [{"license": {"name": licence or "see its text"}}],
+        }
 
     inside = [about(*other) for other in part.inside]
     component = about(part.name, part.version, part.licence) | {"purl": part.purl}
@@ -204,10 +204,19 @@ def gather(work: Path, target: Path, version: str, qt_place: str) -> list[Part]:
     qt = importlib.metadata.version("PySide6-Essentials")
     (target / "QT.txt").write_text(QT.format(qt=qt, place=qt_place), encoding="utf-8")
     listing = {
-        "bomFormat": "CycloneDX", "specVersion": "1.5", "serialNumber": f"urn:uuid:{uuid.uuid4()}", "version": 1,
-        "metadata": {"component": {"type": "application", "name": "Ribalta", "version": version,
-                                   "licenses": [{"license": {"id": "BSD-3-Clause"}}]}},
+        "bomFormat": "CycloneDX",
+        "specVersion": "1.5",
+        "serialNumber": f"urn:uuid:{uuid.uuid4()}",
+        "version": 1,
+        "metadata": {
+            "component": {
+                "type": "application",
+                "name": "Ribalta",
+                "version": version,
+                "licenses": [{"license": {"id": "BSD-3-Clause"}}],
+            }
+        },
         "components": [_component(part) for part in found],
-    }  # fmt: skip
+    }
     (target / "sbom.cdx.json").write_text(json.dumps(listing, indent=1), encoding="utf-8")
     return found

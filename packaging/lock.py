@@ -17,8 +17,19 @@ GROUPS = ("base", "test", "gui", "accuracy", "study", "report", "bench", "packag
 
 def resolved(extras: list[str], constraint: Path | None = None) -> dict[str, str]:
     """Package -> its block of the lock, for all platforms and interpreters at once."""
-    command = ["uv", "pip", "compile", "--quiet", "--universal", "--generate-hashes", "--no-header",
-               "--no-annotate", "--no-emit-index-url", "--no-emit-find-links", "pyproject.toml"]  # fmt: skip
+    command = [
+        "uv",
+        "pip",
+        "compile",
+        "--quiet",
+        "--universal",
+        "--generate-hashes",
+        "--no-header",
+        "--no-annotate",
+        "--no-emit-index-url",
+        "--no-emit-find-links",
+        "pyproject.toml",
+    ]
     for extra in extras:
         command += ["--extra", extra]
     if constraint:

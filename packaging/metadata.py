@@ -33,5 +33,8 @@ class Metadata(MetadataHookInterface):
         metadata["readme"] = {"content-type": "text/markdown", "text": description(text, address)}
         metadata["urls"] = {}
         if address:
-            metadata["urls"] = {"Source": address, "Changelog": f"{address}/CHANGELOG.md",
-                                "Documentation": f"{address}/resources/docs/guide/1_install.md"}  # fmt: skip
+            metadata["urls"] = {
+                "Source": address,
+                "Changelog": f"{address}/CHANGELOG.md",
+                "Documentation": f"{address}/resources/docs/guide/1_install.md",
+            }

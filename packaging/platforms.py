@@ -24,24 +24,56 @@ PYTHONS: "dict[str, dict[str, Any]]" = {
 package without a wheel for it."""
 
 SYSTEMS: "tuple[dict[str, Any], ...]" = (
-    {"system": "Linux", "processor": "x86_64", "name": "Linux x86-64", "run": True,
-     "least": {"base": "glibc 2.28", "gui": "glibc 2.34"}, "tag": "manylinux_{}_{}_x86_64"},
-    {"system": "Linux", "processor": "aarch64", "name": "Linux ARM64", "run": False,
-     "least": {"base": "glibc 2.28", "gui": "glibc 2.39"}, "tag": "manylinux_{}_{}_aarch64"},
-    {"system": "Windows", "processor": "amd64", "name": "Windows x86-64", "run": False,
-     "without": {"bench": "heyoka"}, "tag": "win_amd64"},
-    {"system": "Windows", "processor": "arm64", "name": "Windows ARM64 (Python 3.12 to 3.14)", "run": False,
-     "pythons": ("3.12", "3.13", "3.14"), "without": {"bench": "heyoka"}, "tag": "win_arm64"},
-    {"system": "macOS", "processor": "arm64", "name": "macOS ARM64", "run": False,
-     "least": {"base": "macOS 12.0", "gui": "macOS 13.0"}, "without": {"bench": "heyoka"}, "tag": "macosx_{}_{}_arm64"},
-)  # fmt: skip
+    {
+        "system": "Linux",
+        "processor": "x86_64",
+        "name": "Linux x86-64",
+        "run": True,
+        "least": {"base": "glibc 2.28", "gui": "glibc 2.34"},
+        "tag": "manylinux_{}_{}_x86_64",
+    },
+    {
+        "system": "Linux",
+        "processor": "aarch64",
+        "name": "Linux ARM64",
+        "run": False,
+        "least": {"base": "glibc 2.28", "gui": "glibc 2.39"},
+        "tag": "manylinux_{}_{}_aarch64",
+    },
+    {
+        "system": "Windows",
+        "processor": "amd64",
+        "name": "Windows x86-64",
+        "run": False,
+        "without": {"bench": "heyoka"},
+        "tag": "win_amd64",
+    },
+    {
+        "system": "Windows",
+        "processor": "arm64",
+        "name": "Windows ARM64 (Python 3.12 to 3.14)",
+        "run": False,
+        "pythons": ("3.12", "3.13", "3.14"),
+        "without": {"bench": "heyoka"},
+        "tag": "win_arm64",
+    },
+    {
+        "system": "macOS",
+        "processor": "arm64",
+        "name": "macOS ARM64",
+        "run": False,
+        "least": {"base": "macOS 12.0", "gui": "macOS 13.0"},
+        "without": {"bench": "heyoka"},
+        "tag": "macosx_{}_{}_arm64",
+    },
+)
 """What was run, or only resolved: the Pythons if not all, least version for the groups, tag of the wheels."""
 
 WITHOUT_WHEELS = (
     {"system": "macOS", "processor": "x86_64", "name": "macOS with an Intel processor", "tag": "macosx_15_0_x86_64"},
     {"system": "Windows", "processor": "x86", "name": "a Python of 32 bits", "tag": "win32"},
     {"system": "Linux", "processor": "x86_64", "name": "a Linux without glibc", "tag": "musllinux_1_2_x86_64"},
-)  # fmt: skip
+)
 """What cannot be, for want of a wheel of llvmlite."""
 
 ASKED = {"gui": "the window", "bench": "the benchmark of peers"}
@@ -49,12 +81,27 @@ NEWEST = {"gui": "PySide6"}
 """Group -> the words of who asks for it; and the package that asks for the newest system, else llvmlite."""
 
 MEGABYTES = {
-    "llvmlite": (57, 176), "numba": (4, 36), "numpy": (17, 73), "scipy": (35, 143), "openpyxl": (1, 3),
-    "pyside6-essentials": (77, 225), "pyqtgraph": (2, 10), "matplotlib": (9, 35), "fonttools": (5, 30),
-    "pillow": (7, 23), "kiwisolver": (2, 6), "lxml": (5, 12), "heyoka": (103, 240), "mypy": (14, 55),
-    "ruff": (11, 32), "hypothesis": (1, 7), "mpmath": (1, 6), "grimp": (2, 6), "pip": (0, 28),
+    "llvmlite": (57, 176),
+    "numba": (4, 36),
+    "numpy": (17, 73),
+    "scipy": (35, 143),
+    "openpyxl": (1, 3),
+    "pyside6-essentials": (77, 225),
+    "pyqtgraph": (2, 10),
+    "matplotlib": (9, 35),
+    "fonttools": (5, 30),
+    "pillow": (7, 23),
+    "kiwisolver": (2, 6),
+    "lxml": (5, 12),
+    "heyoka": (103, 240),
+    "mypy": (14, 55),
+    "ruff": (11, 32),
+    "hypothesis": (1, 7),
+    "mpmath": (1, 6),
+    "grimp": (2, 6),
+    "pip": (0, 28),
     "another": (0.3, 1),
-}  # fmt: skip
+}
 """Package -> what is fetched for it, and what it takes on the disk with its machine code of Python (Linux x86-64)."""
 
 

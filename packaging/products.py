@@ -16,9 +16,7 @@ ROOT = Path(__file__).resolve().parents[1]
 DIST = ROOT / "dist"
 FOLDER = DIST / "ribalta"
 INTERNAL = FOLDER / "_internal"
-MACHINE = {"AMD64": "x86_64", "x86_64": "x86_64", "arm64": "arm64", "aarch64": "arm64"}[
-    platform.machine()
-]
+MACHINE = {"AMD64": "x86_64", "x86_64": "x86_64", "arm64": "arm64", "aarch64": "arm64"}[platform.machine()]
 SYSTEM = f"{ {'win32': 'windows', 'darwin': 'macos'}.get(sys.platform, 'linux') }-{MACHINE}"
 
 
@@ -52,14 +50,8 @@ def archive() -> Path:
     if not shutil.which("zstd"):
         return Path(shutil.make_archive(str(name), "xztar", DIST, "ribalta"))
     whole, packed = Path(f"{name}.tar"), Path(f"{name}.tar.zst")
-    subprocess.run(
-        ["tar", "-C", DIST, "--sort=name", "--owner=0", "--group=0", "-cf", whole, "ribalta"],
-        check=True,
-    )
-    subprocess.run(
-        ["zstd", "-q", "--ultra", "-22", "--long=27", "-T0", "--rm", "-f", whole, "-o", packed],
-        check=True,
-    )
+    subprocess.run(["tar", "-C", DIST, "--sort=name", "--owner=0", "--group=0", "-cf", whole, "ribalta"], check=True)
+    subprocess.run(["zstd", "-q", "--ultra", "-22", "--long=27", "-T0", "--rm", "-f", whole, "-o", packed], check=True)
     return packed
 
 
@@ -118,8 +110,9 @@ def debian_package() -> Path:
         about.write_text(f"{own}\nParts of others and their licences: /opt/ribalta/licences\n")
         (root / "DEBIAN").mkdir()
         machine = "amd64" if MACHINE == "x86_64" else MACHINE
-        control = CONTROL.format(version=VERSION, machine=machine, kilobytes=size(root) // 1024,
-                                 packages=_needed_packages())  # fmt: skip
+        control = CONTROL.format(
+            version=VERSION, machine=machine, kilobytes=size(root) // 1024, packages=_needed_packages()
+        )
         (root / "DEBIAN/control").write_text(control, encoding="ascii")
         command = ["dpkg-deb", "--root-owner-group", "-Zxz", "-b", str(root), str(target)]
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL)

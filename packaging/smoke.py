@@ -34,26 +34,30 @@ def program_of(folder: Path) -> Path:
 
 def variables(folder: Path, **more: str) -> dict[str, str]:
     """The environment of a user of his own below a folder."""
-    kept = {
-        key: value
-        for key, value in os.environ.items()
-        if not key.startswith(("PYTHON", "RIBALTA", "XDG"))
+    kept = {key: value for key, value in os.environ.items() if not key.startswith(("PYTHON", "RIBALTA", "XDG"))}
+    homes = {
+        "HOME": folder / "home",
+        "USERPROFILE": folder / "home",
+        "LOCALAPPDATA": folder / "home",
+        "APPDATA": folder / "home",
+        "RIBALTA_CACHE": folder / "cache",
     }
-    homes = {"HOME": folder / "home", "USERPROFILE": folder / "home", "LOCALAPPDATA": folder / "home",
-             "APPDATA": folder / "home", "RIBALTA_CACHE": folder / "cache"}  # fmt: skip
     (folder / "home").mkdir(exist_ok=True)
     return kept | {key: str(place) for key, place in homes.items()} | {"LC_ALL": "C.UTF-8"} | more
 
 
-def batch(
-    program, case: Path, output: Path, environment: dict, before: tuple = ()
-) -> tuple[dict, float]:
+def batch(program, case: Path, output: Path, environment: dict, before: tuple = ()) -> tuple[dict, float]:
     """Results without what names the moment and the build, and the seconds it took."""
     words = program if isinstance(program, list) else [program]
     output.mkdir(parents=True, exist_ok=True)
     start = time.perf_counter()
-    subprocess.run([*before, *words, "--batch", case, "--output", output, "--quiet"], check=True, cwd=output,
-                   env=environment, stdin=subprocess.DEVNULL)  # fmt: skip
+    subprocess.run(
+        [*before, *words, "--batch", case, "--output", output, "--quiet"],
+        check=True,
+        cwd=output,
+        env=environment,
+        stdin=subprocess.DEVNULL,
+    )
     seconds = time.perf_counter() - start
     content = json.loads((output / f"{case.stem}.json").read_text(encoding="utf-8"))
     for key in ("started_utc", "program"):
@@ -68,9 +72,7 @@ def screen(shown: dict | str) -> dict[str, str]:
     return {key: shown[key] for key in ("DISPLAY", "QT_QPA_PLATFORM")}
 
 
-def window(
-    program: Path, folder: Path, environment: dict, before: tuple = (), code: int = 0, **more: str
-) -> dict:
+def window(program: Path, folder: Path, environment: dict, before: tuple = (), code: int = 0, **more: str) -> dict:
     """Drive the window by packaging/window_smoke.py; the seconds it noted."""
     left = folder / "left"
     shutil.rmtree(left, ignore_errors=True)
@@ -81,17 +83,8 @@ def window(
     text = case.read_text(encoding="utf-8").replace('"../', f'"{(ROOT / "resources").as_posix()}/')
     case.write_text(text, encoding="utf-8")
     with display() as shown:
-        asked = {
-            "RIBALTA_SMOKE": str(left),
-            "RIBALTA_SMOKE_CASE": str(case),
-            "RIBALTA_SMOKE_START": str(time.time()),
-        }
-        done = subprocess.run(
-            [*before, program],
-            cwd=left,
-            env=environment | screen(shown) | asked | more,
-            timeout=300,
-        )
+        asked = {"RIBALTA_SMOKE": str(left), "RIBALTA_SMOKE_CASE": str(case), "RIBALTA_SMOKE_START": str(time.time())}
+        done = subprocess.run([*before, program], cwd=left, env=environment | screen(shown) | asked | more, timeout=300)
     assert done.returncode == code, f"the window ended with code {done.returncode}"
     assert (left / "window.xlsx").stat().st_size > 10_000 and (left / "window.json").exists()
     assert any(left.glob("*.png"))
@@ -106,12 +99,8 @@ def same_as_the_source(program: Path, folder: Path) -> None:
     for case in CASES:
         frozen, first = batch(program, case, folder / "frozen", mine)
         again = batch(program, case, folder / "frozen", mine)[1]
-        assert frozen == batch(source, case, folder / "of_source", theirs)[0], (
-            f"{case.name}: other numbers"
-        )
-        print(
-            f"{case.name}: equal to the source tree's; {first:.2f} s the first time, then {again:.2f} s"
-        )
+        assert frozen == batch(source, case, folder / "of_source", theirs)[0], f"{case.name}: other numbers"
+        print(f"{case.name}: equal to the source tree's; {first:.2f} s the first time, then {again:.2f} s")
 
 
 def main(folder: Path) -> int:
@@ -119,9 +108,7 @@ def main(folder: Path) -> int:
     with tempfile.TemporaryDirectory(prefix="ribalta-smoke-") as name:
         place = Path(name)
         place.chmod(0o755)
-        words = subprocess.run(
-            [program, "--version"], check=True, capture_output=True, text=True, cwd=place
-        )
+        words = subprocess.run([program, "--version"], check=True, capture_output=True, text=True, cwd=place)
         print(words.stdout.strip())
         for trial in TRIALS:
             below = place / trial.__name__
@@ -142,8 +129,14 @@ def first_start(program: Path, folder: Path) -> None:
 
 def inspection(program: Path, folder: Path) -> None:
     record = ROOT / "resources" / "motions" / "noise_1.txt"
-    words = subprocess.run([program, "--inspect", record], capture_output=True, text=True, encoding="utf-8",
-                           env=variables(folder), check=True)  # fmt: skip
+    words = subprocess.run(
+        [program, "--inspect", record],
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        env=variables(folder),
+        check=True,
+    )
     assert "noise_1" in words.stdout
     print("--inspect reads a record")
 
@@ -156,34 +149,41 @@ def other_products(program: Path, folder: Path) -> None:
     said = []
     for words, mine in (([program], variables(folder)), (source, theirs)):
         note = folder / f"{len(said)}.docx"
-        subprocess.run([*words, "--batch", case, "--output", folder / str(len(said)), "--quiet", "--report", note],
-                       check=True, env=mine, cwd=folder)  # fmt: skip
+        subprocess.run(
+            [*words, "--batch", case, "--output", folder / str(len(said)), "--quiet", "--report", note],
+            check=True,
+            env=mine,
+            cwd=folder,
+        )
         with zipfile.ZipFile(note) as parts:
             text = parts.read("word/document.xml").decode("utf-8")
             pictures = [parts.read(name) for name in parts.namelist() if "media/" in name]
-        version = subprocess.run(
-            [*words, "--version"], check=True, capture_output=True, text=True, env=mine
-        )
+        version = subprocess.run([*words, "--version"], check=True, capture_output=True, text=True, env=mine)
         built = version.stdout.split()[-1]  # the commit, or the version where there is none
         said.append((re.sub(rf"<[^>]*>|20\d\d-\d\d-\d\d[T ][\d:]+|{built}\w*", "", text), pictures))
     assert said[0] == said[1], "another note than the source tree's"
-    subprocess.run([program, "--study", "paper", "--quick", "--output", folder / "study", "--quiet"], check=True,
-                   env=variables(folder))  # fmt: skip
+    subprocess.run(
+        [program, "--study", "paper", "--quick", "--output", folder / "study", "--quiet"],
+        check=True,
+        env=variables(folder),
+    )
     kinds = {file.suffix for file in (folder / "study").rglob("*")}
     assert {".xlsx", ".json", ".csv", ".png", ".svg"} <= kinds, kinds
     if shutil.which("script"):
         command = shlex.join(map(str, [program, "--batch", case, "--output", folder / "terminal"]))
-        subprocess.run(["script", "-qec", command, folder / "typescript"], check=True, env=variables(folder),
-                       stdout=subprocess.DEVNULL)  # fmt: skip
+        subprocess.run(
+            ["script", "-qec", command, folder / "typescript"],
+            check=True,
+            env=variables(folder),
+            stdout=subprocess.DEVNULL,
+        )
     print("calculation note as the source tree's, a short study, the bar of a terminal")
 
 
 def the_window(program: Path, folder: Path) -> None:
     for kind in ("a new user", "the next time"):
         times = window(program, folder, variables(folder))
-        print(
-            f"window of {kind}: shown after {times['window']:.2f} s, first result after {times['result']:.2f} s"
-        )
+        print(f"window of {kind}: shown after {times['window']:.2f} s, first result after {times['result']:.2f} s")
 
 
 def crash_log(program: Path, folder: Path) -> None:
@@ -217,9 +217,7 @@ def upgrade(program: Path, folder: Path) -> None:
 def elsewhere(program: Path, folder: Path) -> None:
     """Moved to a read-only folder with spaces and accents in its path; as nobody, without a home."""
     if os.name == "nt" or not shutil.which("setpriv") or os.getuid() != 0:
-        print(
-            "not tried here: another user, a read-only folder (they need Linux, root and setpriv)"
-        )
+        print("not tried here: another user, a read-only folder (they need Linux, root and setpriv)")
         return
     place = folder / "Strumenti dell'ingegnère Müller — 1"
     shutil.copytree(program.parent, place / "ribalta", symlinks=True)
@@ -231,15 +229,7 @@ def elsewhere(program: Path, folder: Path) -> None:
     open_to_all.chmod(0o777)
     case = next(case for case in CASES if case.stem == "verdict")
     right = batch(moved, case, folder / "root", variables(folder))[0]
-    personal = (
-        "HOME",
-        "USERPROFILE",
-        "APPDATA",
-        "LOCALAPPDATA",
-        "RIBALTA_CACHE",
-        "USER",
-        "LOGNAME",
-    )
+    personal = ("HOME", "USERPROFILE", "APPDATA", "LOCALAPPDATA", "RIBALTA_CACHE", "USER", "LOGNAME")
     homeless = {key: value for key, value in variables(folder).items() if key not in personal}
     subprocess.run(["chmod", "a+rwX", folder], check=True)
     with tempfile.TemporaryDirectory(dir=open_to_all) as temporary:
@@ -248,17 +238,16 @@ def elsewhere(program: Path, folder: Path) -> None:
         found, seconds = batch(moved, case, open_to_all, homeless, nobody)
         assert found == right, "other numbers elsewhere"
         times = window(moved, open_to_all, homeless, nobody)
-    print("read-only folder, spaces and accents, nobody without a home: "
-          f"batch {seconds:.2f} s, window {times['window']:.2f} s")  # fmt: skip
+    print(
+        "read-only folder, spaces and accents, nobody without a home: "
+        f"batch {seconds:.2f} s, window {times['window']:.2f} s"
+    )
 
 
 def no_network(program: Path, folder: Path) -> None:
     """In a network of its own without an interface."""
     before = ("unshare", "--net")
-    if (
-        not shutil.which("unshare")
-        or subprocess.run([*before, "true"], capture_output=True).returncode
-    ):
+    if not shutil.which("unshare") or subprocess.run([*before, "true"], capture_output=True).returncode:
         print("not tried here: without a network (needs Linux, unshare and the right to use it)")
         return
     case = next(case for case in CASES if case.stem == "verdict")
@@ -298,9 +287,18 @@ def full_cache(program: Path, folder: Path) -> None:
 
 
 TRIALS = (
-    first_start, same_as_the_source, inspection, other_products, the_window, crash_log, upgrade, elsewhere, no_network,
-    closed_streams, full_cache,
-)  # fmt: skip
+    first_start,
+    same_as_the_source,
+    inspection,
+    other_products,
+    the_window,
+    crash_log,
+    upgrade,
+    elsewhere,
+    no_network,
+    closed_streams,
+    full_cache,
+)
 
 
 if __name__ == "__main__":

@@ -24,10 +24,7 @@ EXTRAS = "gui,study,report"
 def main() -> int:
     argparse.ArgumentParser(description=__doc__.split("\n")[0]).parse_args()
     shutil.rmtree(ROOT / "dist" / "wheel", ignore_errors=True)
-    subprocess.run(
-        ["uv", "build", "--quiet", "--wheel", "--out-dir", ROOT / "dist" / "wheel", ROOT],
-        check=True,
-    )
+    subprocess.run(["uv", "build", "--quiet", "--wheel", "--out-dir", ROOT / "dist" / "wheel", ROOT], check=True)
     wheel = next((ROOT / "dist" / "wheel").glob("*.whl"))
     pins = ROOT / "packaging" / "constraints.txt"
     pipx = ["pipx"] if shutil.which("pipx") else ["uvx", "--quiet", "pipx"]
@@ -38,12 +35,17 @@ def main() -> int:
         source = [sys.executable, ROOT / "run.py"]
         right = smoke.batch(source, case, folder / "source", theirs)[0]
         for kind, command, places in (
-            ("uv tool install", ["uv", "tool", "install", "--quiet", "--python", sys.executable, "--constraints", pins],
-             {"UV_TOOL_DIR": "tools", "UV_TOOL_BIN_DIR": "bin"}),
-            ("pipx install",
-             [*pipx, "install", "--quiet", "--python", sys.executable, f"--pip-args=--constraint {pins}"],
-             {"PIPX_HOME": "tools", "PIPX_BIN_DIR": "bin"}),
-        ):  # fmt: skip
+            (
+                "uv tool install",
+                ["uv", "tool", "install", "--quiet", "--python", sys.executable, "--constraints", pins],
+                {"UV_TOOL_DIR": "tools", "UV_TOOL_BIN_DIR": "bin"},
+            ),
+            (
+                "pipx install",
+                [*pipx, "install", "--quiet", "--python", sys.executable, f"--pip-args=--constraint {pins}"],
+                {"PIPX_HOME": "tools", "PIPX_BIN_DIR": "bin"},
+            ),
+        ):
             place = folder / kind.split()[0]
             places = {key: str(place / value) for key, value in places.items()}
             subprocess.run([*command, f"{wheel}[{EXTRAS}]"], check=True, env=os.environ | places)
@@ -59,9 +61,7 @@ def main() -> int:
                 except subprocess.TimeoutExpired:
                     started.kill()
                     started.wait()
-            print(
-                f"{kind}: the command ribalta gives the results of the source tree, its window opens"
-            )
+            print(f"{kind}: the command ribalta gives the results of the source tree, its window opens")
     return 0
 
 

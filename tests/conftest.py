@@ -16,9 +16,7 @@ for name in ("LC_ALL", "LC_MESSAGES", "LANG"):
 
 ROOT = Path(__file__).resolve().parents[1]
 
-STANDING = {
-    "name": "w", "height_m": 30.0, "slenderness_deg": 11.0, "base_z_m": 0.0, "mechanism": "two_sided",
-}  # fmt: skip
+STANDING = {"name": "w", "height_m": 30.0, "slenderness_deg": 11.0, "base_z_m": 0.0, "mechanism": "two_sided"}
 """A wall that motions of the example do not overturn."""
 
 

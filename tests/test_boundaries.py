@@ -114,22 +114,14 @@ SHOWN_BY = {
             "plots",
             "rows",
             "sheets",
+            "spectrum_rows",
             "summary_sheet",
             "summary_charts",
         )
     },
     **{
         f"report/note/{name}": "tests/core/report/test_note.py"
-        for name in (
-            "content",
-            "document",
-            "parts",
-            "sheet",
-            "site",
-            "wall_figures",
-            "wall_steps",
-            "words",
-        )
+        for name in ("content", "document", "parts", "sheet", "site", "wall_figures", "wall_steps", "words")
     },
     **{
         f"text/{name}": SENTENCES
@@ -172,10 +164,7 @@ def test_that_the_test_of_each_module_is_found_by_its_name():
         mirrored = mirrored.with_name(f"test_{mirrored.name}")
         assert mirrored.exists() or (ROOT / SHOWN_BY[module]).exists(), module
     assert {path.rsplit("/", 1)[-1] for path in SHOWN_BY.values()} <= facts
-    modules = {
-        path.relative_to(ROOT / "core").with_suffix("").as_posix()
-        for path in (ROOT / "core").rglob("*.py")
-    }
+    modules = {path.relative_to(ROOT / "core").with_suffix("").as_posix() for path in (ROOT / "core").rglob("*.py")}
     assert set(SHOWN_BY) <= modules
     for module in SHOWN_BY:
         folder, _, name = module.rpartition("/")
@@ -205,8 +194,9 @@ def test_that_importing_a_module_does_no_work(tmp_path):
         "print(os.listdir(sys.argv[1]))"
     )
     variables = {**os.environ, "RIBALTA_CACHE": str(tmp_path), "PYTHONPATH": str(ROOT)}
-    done = subprocess.run([sys.executable, "-P", "-c", script, str(tmp_path)], env=variables, cwd=ROOT,
-                          capture_output=True, text=True)  # fmt: skip
+    done = subprocess.run(
+        [sys.executable, "-P", "-c", script, str(tmp_path)], env=variables, cwd=ROOT, capture_output=True, text=True
+    )
     assert done.stdout == "[]\n", done.stderr
 
 
@@ -262,8 +252,13 @@ def test_that_every_function_the_page_of_the_architecture_names_is_where_it_says
 
 @pytest.mark.parametrize(
     "subject",
-    ["(NaN) is refused", "a cut file is found out", "a lane falls back to single steps", "exponents of the law",
-     "cell formula of zeta"],
-)  # fmt: skip
+    [
+        "(NaN) is refused",
+        "a cut file is found out",
+        "a lane falls back to single steps",
+        "exponents of the law",
+        "cell formula of zeta",
+    ],
+)
 def test_that_the_page_of_the_architecture_says_where(subject):
     assert re.search(rf"^\| [^|]*{re.escape(subject)}[^|]* \| core/", PAGE, re.MULTILINE)

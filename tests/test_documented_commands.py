@@ -17,8 +17,12 @@ from tests.benchmarks import bench
 from tests.benchmarks.small import small_case
 from tests.conftest import ROOT, shelf_folder
 
-DOCUMENTS = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "packaging" / "README.md",
-             *sorted((ROOT / "resources" / "docs").rglob("*.md"))]  # fmt: skip
+DOCUMENTS = [
+    ROOT / "README.md",
+    ROOT / "CONTRIBUTING.md",
+    ROOT / "packaging" / "README.md",
+    *sorted((ROOT / "resources" / "docs").rglob("*.md")),
+]
 
 FIRST_WORD = re.compile(
     r"((python3?|py|uvx?|pipx) \S|(run\.py|ribalta|\.venv/bin/\w+|packaging[/\\]Ribalta\.\w+)(\s|$))"
@@ -98,9 +102,7 @@ def small_words(words: tuple[str, ...], folder: Path) -> list[str]:
             return ["package", "--help"]
         case ("bench", *rest):
             named = {"--paired": [str(ROOT)], "--natural": [str(folder / "list.toml")]}
-            flags = [
-                word for word in rest if word[:2] == "--" and word not in ("--pairs", "--output")
-            ]
+            flags = [word for word in rest if word[:2] == "--" and word not in ("--pairs", "--output")]
             asked = [part for flag in flags for part in (flag, *named.get(flag, []))]
             return ["bench", *asked, "--small", "--output", str(folder / "bench")]
         case ("--batch", _, *rest):
@@ -108,8 +110,7 @@ def small_words(words: tuple[str, ...], folder: Path) -> list[str]:
             return ["--batch", str(folder / "small.toml"), *note, "--output", str(folder / "out")]
         case ("--study", _, *rest):
             given = ["--records", str(folder / "records")] if "--records" in rest else []
-            return ["--study", str(folder / "study.toml"), "--quick", *given,
-                    "--output", str(folder / "study")]  # fmt: skip
+            return ["--study", str(folder / "study.toml"), "--quick", *given, "--output", str(folder / "study")]
         case ("--inspect", *_):
             return ["--inspect", str(folder / "records" / "one.txt")]
     raise AssertionError(f"no small form of run.py {' '.join(words)}: give it one here")
@@ -120,17 +121,10 @@ def selected(words: list[str]) -> list[str]:
     options = dict(itertools.pairwise(words))
     name, marker = options.get("-k", ""), options.get("-m")
     paths = [ROOT / word for word in words if word.startswith("tests")] or [ROOT / "tests"]
-    files = [
-        file for path in paths for file in ([path] if path.is_file() else path.rglob("test_*.py"))
-    ]
+    files = [file for path in paths for file in ([path] if path.is_file() else path.rglob("test_*.py"))]
     texts = [file.read_text(encoding="utf-8") for file in files]
     texts = [text for text in texts if not marker or f"pytest.mark.{marker}" in text]
-    return [
-        test
-        for text in texts
-        for test in re.findall(r"^def (test_\w+)", text, re.M)
-        if name in test
-    ]
+    return [test for text in texts for test in re.findall(r"^def (test_\w+)", text, re.M) if name in test]
 
 
 def handed_over(words: list[str]) -> list[str]:
@@ -207,7 +201,8 @@ def test_that_every_benchmark_is_documented():
 
 def test_that_a_command_without_a_small_form_is_found():
     assert commands_of("As `python3 run.py shine` does.\n```\npython3 x.py   # so\n```\n") == [
-        "python3 x.py", "python3 run.py shine",
-    ]  # fmt: skip
+        "python3 x.py",
+        "python3 run.py shine",
+    ]
     with pytest.raises(AssertionError, match="no small form"):
         small_words(("shine",), ROOT)

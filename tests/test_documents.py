@@ -24,8 +24,20 @@ from core.wall.moment_rotation import LAWS
 from core.wall.restitution import MODELS
 from tests.conftest import ROOT
 
-SECTIONS = (Report, Wall, Load, ReturnWalls, Record, Generate, Analysis, Demand, Spectrum, HazardRow, Building,
-            BuildingMode)  # fmt: skip
+SECTIONS = (
+    Report,
+    Wall,
+    Load,
+    ReturnWalls,
+    Record,
+    Generate,
+    Analysis,
+    Demand,
+    Spectrum,
+    HazardRow,
+    Building,
+    BuildingMode,
+)
 
 
 def text_of(name: str) -> str:
@@ -57,9 +69,7 @@ def test_that_the_documents_name_this_version():
 
 def test_that_the_limit_of_a_module_is_the_one_that_is_tested():
     limit = re.search(r"splitlines\(\)\) <= (\d+)", text_of("tests/test_boundaries.py"))[1]
-    assert f"limited to {limit} lines (a test enforces it)" in " ".join(
-        text_of("CONTRIBUTING.md").split()
-    )
+    assert f"limited to {limit} lines (a test enforces it)" in " ".join(text_of("CONTRIBUTING.md").split())
 
 
 @pytest.fixture(scope="module")
@@ -78,10 +88,15 @@ def test_that_the_numbers_of_the_first_trial_come_out(first_trial, name):
     facade, gable = first_trial.walls
     check = {one.name: one for one in facade.assessment.checks}
     numbers = [
-        facade.assessment.verdict.zeta_e, gable.assessment.verdict.zeta_e, check["nonlinear"].zeta,
-        check["linear_q_code"].zeta, facade.q_set, facade.q_robust_set, gable.q_set,
+        facade.assessment.verdict.zeta_e,
+        gable.assessment.verdict.zeta_e,
+        check["nonlinear"].zeta,
+        check["linear_q_code"].zeta,
+        facade.q_set,
+        facade.q_robust_set,
+        gable.q_set,
         facade.assessment.verdict.lower_bound,
-    ]  # fmt: skip
+    ]
     for number in numbers:
         said = f"{number:.2f}"
         assert (said.replace(".", ",") if "guida" in name else said) in text, said

@@ -43,9 +43,7 @@ def without_starter(licences, monkeypatch) -> None:
     """PyInstaller, which a machine of tests has not."""
     real = licences._of_distribution
     own = licences.Part("pyinstaller", "0", "pkg:pypi/pyinstaller@0", "GPL-2.0")
-    monkeypatch.setattr(
-        licences, "_of_distribution", lambda name: own if name == "pyinstaller" else real(name)
-    )
+    monkeypatch.setattr(licences, "_of_distribution", lambda name: own if name == "pyinstaller" else real(name))
 
 
 def test_that_every_part_has_its_licence_and_is_in_the_parts_list(licences, tmp_path, monkeypatch):
@@ -109,10 +107,14 @@ def test_that_a_library_that_nothing_packed_needs_is_left_out(monkeypatch):
     links = {"qt": {"libx.so"}, "libx.so": {"liby.so"}, "libgtk.so": {"libcairo.so"}}
     monkeypatch.setattr(libraries, "needed", lambda source: links.get(source, set()))
     entries = [
-        ("PySide6/qt.so", "qt", "EXTENSION"), ("libx.so", "libx.so", "BINARY"), ("liby.so", "liby.so", "BINARY"),
-        ("libgtk.so", "libgtk.so", "BINARY"), ("libcairo.so", "libcairo.so", "BINARY"),
-        ("libpython3.11.so.1.0", "python", "BINARY"), ("libz.so", "numpy.libs/libz.so", "SYMLINK"),
-    ]  # fmt: skip
+        ("PySide6/qt.so", "qt", "EXTENSION"),
+        ("libx.so", "libx.so", "BINARY"),
+        ("liby.so", "liby.so", "BINARY"),
+        ("libgtk.so", "libgtk.so", "BINARY"),
+        ("libcairo.so", "libcairo.so", "BINARY"),
+        ("libpython3.11.so.1.0", "python", "BINARY"),
+        ("libz.so", "numpy.libs/libz.so", "SYMLINK"),
+    ]
     kept = [name for name, *_ in libraries.without_unneeded(entries)]
     assert kept == ["PySide6/qt.so", "libx.so", "liby.so", "libpython3.11.so.1.0", "libz.so"]
 
@@ -121,10 +123,7 @@ def test_that_a_library_that_nothing_packed_needs_is_left_out(monkeypatch):
 def test_that_a_missing_tool_ends_the_build_with_one_sentence_before_anything_is_made(tmp_path):
     before = sorted(ROOT.iterdir())
     found = subprocess.run(
-        [sys.executable, "-P", PACKAGING / "build.py"],
-        capture_output=True,
-        text=True,
-        env={"PATH": str(tmp_path)},
+        [sys.executable, "-P", PACKAGING / "build.py"], capture_output=True, text=True, env={"PATH": str(tmp_path)}
     )
     assert found.returncode == 1 and found.stderr.count("\n") == 1
     assert re.match(r"the build needs objdump, strip, ldd.*: install binutils, ", found.stderr)
@@ -167,9 +166,7 @@ def test_that_every_link_of_the_description_leads_somewhere(monkeypatch):
     bare = metadata.description(text, "")
     assert "](" not in bare and "codes.md" in bare and "physics.md" in bare
     there = metadata.description(text, "https://example.org/ribalta")
-    assert re.findall(r"\]\(([^)]+)\)", there) == [
-        f"https://example.org/ribalta/{name}" for name in linked
-    ]
+    assert re.findall(r"\]\(([^)]+)\)", there) == [f"https://example.org/ribalta/{name}" for name in linked]
     assert there.count("![") == text.count("![")
 
 

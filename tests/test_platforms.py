@@ -18,7 +18,7 @@ from tests.conftest import ROOT
 from tests.test_run import load
 
 platforms = load().platforms
-WINDOWED = [name for name in platforms.PYTHONS if not platforms.without(platforms.PYTHONS[name], "gui")]  # fmt: skip
+WINDOWED = [name for name in platforms.PYTHONS if not platforms.without(platforms.PYTHONS[name], "gui")]
 FIRST, *_, LAST = platforms.PYTHONS
 GROUPS = ("base", "gui", "accuracy", "study", "report", "bench")
 
@@ -73,12 +73,15 @@ def test_that_what_the_table_has_is_installed(here, python, row):
         ({"system": ("Linux", "x86_64", "no glibc")}, ["base"], "(Linux x86_64, no glibc): llvmlite has no wheel"),
         ({"system": ("Linux", "x86_64", "glibc 2.27")}, ["base"], "glibc 2.27): llvmlite has no wheel for it; take"),
         ({"system": ("Linux", "x86_64", "glibc 2.31")}, ["base", "gui"], "the window cannot be installed here (Linux"),
-        ({"python": (3, 11), "system": ("Windows", "arm64", "")}, ["base"],
-         "(Windows arm64, Python 3.11): llvmlite has no wheel for it; take Python 3.12 to 3.14"),
+        (
+            {"python": (3, 11), "system": ("Windows", "arm64", "")},
+            ["base"],
+            "(Windows arm64, Python 3.11): llvmlite has no wheel for it; take Python 3.12 to 3.14",
+        ),
         ({"system": ("Windows", "x86", "")}, ["base"], "(Windows x86): llvmlite has no wheel"),
         ({"system": ("Linux", "riscv64", "glibc 2.39")}, ["base"], "(Linux riscv64, glibc 2.39): llvmlite"),
     ],
-)  # fmt: skip
+)
 def test_that_what_has_no_wheel_is_refused_in_a_sentence_with_its_reason(here, seems, groups, said):
     here(**seems)
     assert said in platforms.refusal(groups)
@@ -86,7 +89,7 @@ def test_that_what_has_no_wheel_is_refused_in_a_sentence_with_its_reason(here, s
 
 @pytest.mark.parametrize(
     "name", ["run.py", "packaging/platforms.py", "core/__init__.py", "core/text/__init__.py", "core/text/start.py"]
-)  # fmt: skip
+)
 def test_that_a_python_of_2016_reads_what_refuses_it(name):
     tree = ast.parse(text_of(name), feature_version=(3, 6))
     for node in ast.walk(tree):
@@ -120,9 +123,7 @@ def test_that_this_system_is_read_from_the_interpreter(monkeypatch):
 def test_that_nothing_is_fetched_before_the_refusal(monkeypatch, tmp_path, here):
     monkeypatch.setenv("RIBALTA_ENV", str(tmp_path / "env"))
     run = load()
-    monkeypatch.setattr(
-        run.platforms, "refusal", lambda groups: "no wheel" if "gui" in groups else None
-    )
+    monkeypatch.setattr(run.platforms, "refusal", lambda groups: "no wheel" if "gui" in groups else None)
     with pytest.raises(run.Failure, match="no wheel"):
         run.ensure(["base", "gui"])
     assert list(tmp_path.iterdir()) == []
@@ -134,14 +135,14 @@ def test_that_a_double_click_takes_a_python_with_a_window(tmp_path, there):
     for name in ["", *platforms.PYTHONS]:
         missing = name in platforms.PYTHONS and name not in there
         script = tmp_path / f"python{name or 3}"
-        script.write_text(
-            f'#!/bin/sh\n[ "$1" = -c ] && exit {int(missing)}\necho {name or 3} "$@"\n'
-        )
+        script.write_text(f'#!/bin/sh\n[ "$1" = -c ] && exit {int(missing)}\necho {name or 3} "$@"\n')
         script.chmod(0o755)
     found = subprocess.run(
-        [ROOT / "packaging" / "Ribalta.command", "a.toml"], capture_output=True, text=True,
+        [ROOT / "packaging" / "Ribalta.command", "a.toml"],
+        capture_output=True,
+        text=True,
         env={"PATH": f"{tmp_path}:{os.environ['PATH']}"},
-    )  # fmt: skip
+    )
     taken = next((name for name in there if name in WINDOWED), 3)
     assert found.stdout == f"{taken} run.py a.toml\n", found
 
@@ -156,16 +157,12 @@ def text_of(name: str) -> str:
 def test_that_project_launchers_and_workflow_name_the_pythons_of_the_table():
     allowed = SpecifierSet(tomllib.loads(text_of("pyproject.toml"))["project"]["requires-python"])
     beyond = [f"3.{int(LAST[2:]) + 1}", f"3.{int(FIRST[2:]) - 1}"]
-    assert [name for name in [*platforms.PYTHONS, *beyond] if name in allowed] == [
-        *platforms.PYTHONS
-    ]
+    assert [name for name in [*platforms.PYTHONS, *beyond] if name in allowed] == [*platforms.PYTHONS]
     newest_first = " ".join(reversed(WINDOWED))
     assert f"({newest_first})" in text_of("packaging/Ribalta.bat")
     assert f"Python {FIRST} to {WINDOWED[-1]} is missing" in text_of("packaging/Ribalta.bat")
     assert f"in {newest_first};" in text_of("packaging/Ribalta.command")
-    for version in re.findall(
-        r'python-version: "([\d.]+)"', text_of(".github/workflows/package.yml")
-    ):
+    for version in re.findall(r'python-version: "([\d.]+)"', text_of(".github/workflows/package.yml")):
         assert version in WINDOWED and platforms.PYTHONS[version]["run"]
 
 
@@ -182,9 +179,7 @@ def test_that_the_documents_name_the_pythons_of_the_table(name):
     text = text_of(name)
     ranges = set(re.findall(r"(3\.\d+) (?:to|a) (3\.\d+)", text))
     known = {(FIRST, WINDOWED[-1]), (FIRST, LAST)}
-    known |= {
-        (row["pythons"][0], row["pythons"][-1]) for row in platforms.SYSTEMS if "pythons" in row
-    }
+    known |= {(row["pythons"][0], row["pythons"][-1]) for row in platforms.SYSTEMS if "pythons" in row}
     assert (FIRST, WINDOWED[-1]) in ranges <= known
     assert set(re.findall(r"Python (3\.\d+)", text)) <= set(platforms.PYTHONS)
     assert LAST in text  # that it has no window is said
@@ -194,8 +189,7 @@ def test_that_the_readme_says_what_was_run_what_was_resolved_and_what_cannot_be(
     text = " ".join(text_of("README.md").split())
     run = [name for name, row in platforms.PYTHONS.items() if row["run"]]
     said = re.search(
-        r"Run with ([\d., and]+) on (.+?); for ([\d., ]+), (.+?) the packages were resolved, not run",
-        text,
+        r"Run with ([\d., and]+) on (.+?); for ([\d., ]+), (.+?) the packages were resolved, not run", text
     )
     assert re.findall(r"3\.\d+", said[1]) == run
     assert re.findall(r"3\.\d+", said[3]) == [name for name in platforms.PYTHONS if name not in run]
@@ -229,8 +223,19 @@ def run_groups():
 
 def wheels_of_the_lock() -> dict[str, list[dict]]:
     """Package and version -> its wheels, as the index has them now: name of the file, sha256, size."""
-    command = ["uv", "pip", "compile", "--quiet", "--universal", "--format", "pylock.toml", "pyproject.toml",
-               "--constraint", "packaging/constraints.txt", "--all-extras"]  # fmt: skip
+    command = [
+        "uv",
+        "pip",
+        "compile",
+        "--quiet",
+        "--universal",
+        "--format",
+        "pylock.toml",
+        "pyproject.toml",
+        "--constraint",
+        "packaging/constraints.txt",
+        "--all-extras",
+    ]
     text = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout
     found = tomllib.loads(text)["packages"]
     return {
@@ -239,7 +244,7 @@ def wheels_of_the_lock() -> dict[str, list[dict]]:
             for wheel in package["wheels"]
         ]
         for package in found
-    }  # fmt: skip
+    }
 
 
 def tags_of(python: str, row: dict, group: str) -> list:
@@ -255,20 +260,13 @@ def tags_of(python: str, row: dict, group: str) -> list:
         kinds = ("arm64", "universal2")
         places = [f"macosx_{major}_0_{kind}" for major in range(level[0], 10, -1) for kind in kinds]
         places += [f"macosx_10_{minor}_universal2" for minor in range(16, 8, -1)]
-    return [
-        *cpython_tags(version, platforms=places),
-        *compatible_tags(version, f"cp{version[0]}{version[1]}", places),
-    ]
+    return [*cpython_tags(version, platforms=places), *compatible_tags(version, f"cp{version[0]}{version[1]}", places)]
 
 
 def pins(group: str, python: str, row: dict) -> list[str]:
     """Pins of a group that apply there."""
     names = {"Linux": "linux", "Windows": "win32", "macOS": "darwin"}
-    asked = {
-        "python_version": python,
-        "python_full_version": f"{python}.0",
-        "sys_platform": names[row["system"]],
-    }
+    asked = {"python_version": python, "python_full_version": f"{python}.0", "sys_platform": names[row["system"]]}
     kept = []
     for line in load().lock_sections()[group].split("\n"):
         pin, _, marker = line.rstrip(" \\").partition(" ; ")
@@ -303,11 +301,23 @@ def test_that_the_lock_has_a_wheel_for_every_row_of_the_table():
 @pytest.mark.long
 @pytest.mark.parametrize("python", platforms.PYTHONS)
 def test_that_qt_of_the_lock_serves_the_pythons_with_a_window_alone(python, tmp_path):
-    pin = next(
-        pin for pin in pins("gui", python, platforms.SYSTEMS[0]) if pin.startswith("shiboken6")
-    )
-    command = [sys.executable, "-m", "pip", "download", "--quiet", "--only-binary=:all:", "--no-deps", "--dest",
-               tmp_path, "--python-version", python, "--platform", "manylinux_2_34_x86_64", pin]  # fmt: skip
+    pin = next(pin for pin in pins("gui", python, platforms.SYSTEMS[0]) if pin.startswith("shiboken6"))
+    command = [
+        sys.executable,
+        "-m",
+        "pip",
+        "download",
+        "--quiet",
+        "--only-binary=:all:",
+        "--no-deps",
+        "--dest",
+        tmp_path,
+        "--python-version",
+        python,
+        "--platform",
+        "manylinux_2_34_x86_64",
+        pin,
+    ]
     assert (subprocess.run(command, capture_output=True).returncode == 0) == (python in WINDOWED)
 
 

@@ -102,9 +102,7 @@ def test_that_an_outdated_environment_is_replaced(run, monkeypatch):
     assert not os.path.exists(run.NEXT) and not os.path.exists(run.PREVIOUS)
 
 
-def test_that_an_environment_is_made_beside_and_the_old_one_untouched_until_it_is_whole(
-    run, monkeypatch
-):
+def test_that_an_environment_is_made_beside_and_the_old_one_untouched_until_it_is_whole(run, monkeypatch):
     run.ensure(["base", "gui"])
     before = contents(run.ENVIRONMENT)
     of_another_lock(run, monkeypatch)
@@ -133,9 +131,7 @@ def test_that_an_environment_is_made_beside_and_the_old_one_untouched_until_it_i
             assert contents(run.ENVIRONMENT) == before and not os.path.exists(run.NEXT)
 
 
-def test_that_without_a_network_after_an_update_the_packages_there_are_start_the_program(
-    run, monkeypatch, capsys
-):
+def test_that_without_a_network_after_an_update_the_packages_there_are_start_the_program(run, monkeypatch, capsys):
     run.ensure(["base", "gui"])
     before = contents(run.ENVIRONMENT)
     of_another_lock(run, monkeypatch)
@@ -200,18 +196,23 @@ def test_that_a_typo_costs_nothing(tmp_path, words, code, said):
     """Words, options and files are looked at before anything is made or fetched."""
     environment = tmp_path / "env"
     found = subprocess.run(
-        [sys.executable, ROOT / "run.py", *words], capture_output=True, text=True, cwd=tmp_path,
+        [sys.executable, ROOT / "run.py", *words],
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
         env=dict(os.environ, RIBALTA_ENV=str(environment)),
-    )  # fmt: skip
+    )
     assert (found.returncode, list(tmp_path.iterdir())) == (code, [])
     assert said in found.stdout + found.stderr and "Traceback" not in found.stderr
 
 
 def test_that_run_py_speaks_the_language_of_the_system(tmp_path):
     found = subprocess.run(
-        [sys.executable, ROOT / "run.py", "tset"], capture_output=True, text=True,
+        [sys.executable, ROOT / "run.py", "tset"],
+        capture_output=True,
+        text=True,
         env=dict(os.environ, RIBALTA_ENV=str(tmp_path / "env"), LC_ALL="it_IT.UTF-8"),
-    )  # fmt: skip
+    )
     assert found.stderr == "run.py: parola sconosciuta tset: si intendeva test?\n"
     assert set(LANGUAGES) == set(CODES)
 
@@ -221,9 +222,7 @@ def test_that_only_wheels_are_installed_and_the_size_is_said_before(run, capsys)
     pip = run.calls[-1]
     assert pip[pip.index("--only-binary") + 1] == ":all:" and "--require-hashes" in pip
     said = capsys.readouterr().err
-    assert re.search(
-        r"installing base, gui: 1\d\d MB to fetch, 5\d\d MB on the disk, about 3 min", said
-    )
+    assert re.search(r"installing base, gui: 1\d\d MB to fetch, 5\d\d MB on the disk, about 3 min", said)
 
 
 @pytest.mark.parametrize("terminal", [True, False])
@@ -234,9 +233,7 @@ def test_that_packages_are_counted_while_pip_fetches_them(run, monkeypatch, caps
     monkeypatch.setattr(sys.stderr, "isatty", lambda: terminal, raising=False)
     monkeypatch.setattr(fresh, "BETWEEN_WORDS", 0.0)
     fresh.logged([sys.executable, "-c", f"print({lines!r})"], "no", total=2)
-    said = [
-        line.strip() for line in re.split(r"run\.py: ", capsys.readouterr().err) if line.strip()
-    ]
+    said = [line.strip() for line in re.split(r"run\.py: ", capsys.readouterr().err) if line.strip()]
     assert said == ["1 of 2 packages: numpy", "2 of 2 packages: numba", "unpacking"]
     with open(fresh.LOG) as stream:
         assert stream.read() == lines + "\n"
@@ -298,9 +295,7 @@ def test_that_no_environment_of_another_tool_is_emptied(run, monkeypatch, place)
         with open(os.path.join(folder, name), "w") as stream:
             stream.write("mine")
     before = contents(folder)
-    with pytest.raises(
-        run.Failure, match="was not made by run.py and stays as it is: move it away"
-    ):
+    with pytest.raises(run.Failure, match="was not made by run.py and stays as it is: move it away"):
         run.ensure(["base"], older_serves=True)
     assert contents(folder) == before and not run.calls
 
@@ -369,9 +364,11 @@ def test_that_a_place_that_cannot_be_written_is_one_sentence(tmp_path):
     blocked = tmp_path / "file"
     blocked.write_text("")
     found = subprocess.run(
-        [sys.executable, ROOT / "run.py", "--batch", EXAMPLE], capture_output=True, text=True,
+        [sys.executable, ROOT / "run.py", "--batch", EXAMPLE],
+        capture_output=True,
+        text=True,
         env=dict(os.environ, RIBALTA_ENV=str(blocked / "env")),
-    )  # fmt: skip
+    )
     assert found.returncode == 1
     assert found.stderr.count("\n") == 1
     assert "RIBALTA_ENV" in found.stderr
@@ -402,9 +399,12 @@ def test_that_two_starts_take_turns(run, tmp_path):
     )
     with run.environment_lock():
         other = subprocess.Popen(
-            [sys.executable, "-c", script], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-            text=True, env=dict(os.environ, RIBALTA_ENV=run.ENVIRONMENT),
-        )  # fmt: skip
+            [sys.executable, "-c", script],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            env=dict(os.environ, RIBALTA_ENV=run.ENVIRONMENT),
+        )
         assert "waiting" in other.stderr.readline()
         assert other.poll() is None
     out, _ = other.communicate(timeout=30)

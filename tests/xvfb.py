@@ -17,8 +17,9 @@ def display(**variables):
     read, write = os.pipe()
     with subprocess.Popen(
         [server, "-displayfd", str(write), "-screen", "0", "1400x900x24", "-nolisten", "tcp"],
-        pass_fds=[write], stderr=subprocess.DEVNULL,
-    ) as process:  # fmt: skip
+        pass_fds=[write],
+        stderr=subprocess.DEVNULL,
+    ) as process:
         os.close(write)
         try:
             with os.fdopen(read) as answer:

@@ -25,13 +25,32 @@ class BuildingForm(QWidget):
         self.fields = [
             NumberField(Building, "height_m", tr("Height H"), "m"),
             NumberField(Building, "storeys", tr("Storeys"), "", whole=True),
-            NumberField(Building, "period_s", tr("Elastic period T_1"), "s", optional=True,
-                        tip=tr("Empty: 0.05 H^0.75, an estimate")),
-            NumberField(Building, "period_factor", tr("Damaged over elastic period"), "", optional=True,
-                        tip=tr("C8.7.1.2.1.4: 1.5 to 2.0 at SLV and SLC; empty: 1.5, at SLD 1.0")),
-            NumberField(Building, "damping", tr("Damping of the building"), "%", 100.0, optional=True,
-                        tip=tr("C8.7.1.2.1.4: 10 to 20 % at SLV and SLC; empty: 10 %, at SLD 5 %")),
-        ]  # fmt: skip
+            NumberField(
+                Building,
+                "period_s",
+                tr("Elastic period T_1"),
+                "s",
+                optional=True,
+                tip=tr("Empty: 0.05 H^0.75, an estimate"),
+            ),
+            NumberField(
+                Building,
+                "period_factor",
+                tr("Damaged over elastic period"),
+                "",
+                optional=True,
+                tip=tr("C8.7.1.2.1.4: 1.5 to 2.0 at SLV and SLC; empty: 1.5, at SLD 1.0"),
+            ),
+            NumberField(
+                Building,
+                "damping",
+                tr("Damping of the building"),
+                "%",
+                100.0,
+                optional=True,
+                tip=tr("C8.7.1.2.1.4: 10 to 20 % at SLV and SLC; empty: 10 %, at SLD 5 %"),
+            ),
+        ]
         connect(self.fields, self._changed)
         self.summary = QLabel()
         self.summary.setWordWrap(True)
@@ -56,9 +75,7 @@ class BuildingForm(QWidget):
         for field in self.fields:
             field.show_value(getattr(building, field.key))
             field.setVisible(not building.modes or field.key not in ("period_s", "damping"))
-        self.summary.setText(
-            self._said(building, case.demand.limit_state if case.demand else "SLV")
-        )
+        self.summary.setText(self._said(building, case.demand.limit_state if case.demand else "SLV"))
 
     @staticmethod
     def _said(building: Building, limit_state: str) -> str:
@@ -68,10 +85,14 @@ class BuildingForm(QWidget):
         except (TypeError, ValueError, ZeroDivisionError):  # work in progress
             return ""
         words = [
-            tr("At the top: T {period:.3f} s, ξ {damping:.0f} %, γψ {part:.3f}", period=mode.period,
-               damping=100.0 * mode.damping, part=mode.participation)
+            tr(
+                "At the top: T {period:.3f} s, ξ {damping:.0f} %, γψ {part:.3f}",
+                period=mode.period,
+                damping=100.0 * mode.damping,
+                part=mode.participation,
+            )
             for mode in modes
-        ]  # fmt: skip
+        ]
         if building.period_s is None and not building.modes:
             estimate = estimated_period(building.height_m)
             words.append(tr("T_1 {period:.3f} s is an estimate.", period=estimate))

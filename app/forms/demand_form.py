@@ -2,25 +2,10 @@
 
 from dataclasses import fields, replace
 
-from PySide6.QtWidgets import (
-    QFileDialog,
-    QGroupBox,
-    QLabel,
-    QPushButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QFileDialog, QGroupBox, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from app.forms.building_form import BuildingForm
-from app.forms.fields import (
-    Choice,
-    ChoiceField,
-    FlagField,
-    NumberField,
-    RangeField,
-    TextField,
-    connect,
-)
+from app.forms.fields import Choice, ChoiceField, FlagField, NumberField, RangeField, TextField, connect
 from app.forms.hazard_form import HazardForm
 from app.forms.law_curve import SpectrumCurve
 from app.forms.reasons_form import reasons_of_demand
@@ -50,38 +35,38 @@ class DemandForm(QWidget):
         self.given = QGroupBox(tr("Check against a demand"))
         self.given.setCheckable(True)
         self.given.toggled.connect(self._toggled)
-        self.state = ChoiceField(Demand, "limit_state", tr("Limit state"),
-                                 {name: name for name in ("SLV", "SLC", "SLD")})  # fmt: skip
-        self.ag = NumberField(
-            Demand, "ag_g", "a_g", "g", tip=tr("On rigid ground (su suolo rigido); S apart")
+        self.state = ChoiceField(
+            Demand, "limit_state", tr("Limit state"), {name: name for name in ("SLV", "SLC", "SLD")}
         )
+        self.ag = NumberField(Demand, "ag_g", "a_g", "g", tip=tr("On rigid ground (su suolo rigido); S apart"))
         self.hint = QLabel()
         self.hint.setWordWrap(True)
         self.kind = Choice()
         self.kind.setAccessibleName(tr("Spectrum"))
         for name, shown in (
-            ("none", tr("no spectrum, S given")), ("NTC2018", "NTC 2018"), ("EN1998", "EN 1998-1"),
+            ("none", tr("no spectrum, S given")),
+            ("NTC2018", "NTC 2018"),
+            ("EN1998", "EN 1998-1"),
             ("file", tr("spectrum of a file")),
-        ):  # fmt: skip
+        ):
             self.kind.addItem(shown, name)
         self.kind.activated.connect(self._kind_chosen)
         self.soil_factor = NumberField(Demand, "soil_factor", "S", "", optional=True)
-        self.intensity = NumberField(
-            Demand, "housner_intensity_cm", tr("Intensity SI"), "cm", optional=True
-        )
+        self.intensity = NumberField(Demand, "housner_intensity_cm", tr("Intensity SI"), "cm", optional=True)
         self.f0 = NumberField(Spectrum, "f0", "F0")
         self.tc = NumberField(Spectrum, "tc_star_s", "T_C*", "s")
         self.soil = ChoiceField(Spectrum, "soil", tr("Soil"), {name: name for name in SOILS})
-        self.topography = ChoiceField(
-            Spectrum, "topography", tr("Topography"), {name: name for name in NTC_TOPOGRAPHY}
-        )
+        self.topography = ChoiceField(Spectrum, "topography", tr("Topography"), {name: name for name in NTC_TOPOGRAPHY})
         self.type = ChoiceField(Spectrum, "type", tr("Type"), {1: "1", 2: "2"})
         self.file = QPushButton(tr("Choose file…"))
         self.file.clicked.connect(self._choose_file)
         self.factor = NumberField(
-            Demand, "confidence_factor", "FC", "",
+            Demand,
+            "confidence_factor",
+            "FC",
+            "",
             tip=tr("Less than 1.35: with LC2 or LC3, what was investigated and the strength f of each wall"),
-        )  # fmt: skip
+        )
         self.level = ChoiceField(
             Demand,
             "knowledge_level",
@@ -90,18 +75,25 @@ class DemandForm(QWidget):
         )
         self.investigations = TextField(Demand, "investigations", tr("Investigations"))
         self.confidence = ChoiceField(
-            Demand, "confidence_on", tr("FC acts"),
+            Demand,
+            "confidence_on",
+            tr("FC acts"),
             {"capacity": tr("on the strength"), "demand": tr("on the demand")},
             tip=tr("C8.7.1.2.1.3: on the strength of the capacity curve; on the demand is more cautious"),
-        )  # fmt: skip
+        )
         self.range = RangeField(
-            Demand, "period_range_s", tr("Periods compared"), "s",
+            Demand,
+            "period_range_s",
+            tr("Periods compared"),
+            "s",
             tip=tr("Compatibility of the records; empty: 0.15 to 2.0 s, natural records to T_SLV"),
-        )  # fmt: skip
+        )
         self.scaling = ChoiceField(
-            Demand, "demand_scaling", tr("Records at the demand"),
+            Demand,
+            "demand_scaling",
+            tr("Records at the demand"),
             {"as_given": tr("as given"), "pga": tr("scaled to PGA = a_g S")},
-        )  # fmt: skip
+        )
         self.zeta = NumberField(Demand, "zeta_target", tr("ζ required"))
         self.q_code = NumberField(Demand, "q_code", tr("q of the code"))
         self.site = TextField(Demand, "site", tr("Site"))
@@ -113,21 +105,57 @@ class DemandForm(QWidget):
         self.summary.setWordWrap(True)
         self.curve: SpectrumCurve | None = None
         self.curve_place = QVBoxLayout()
-        self.of_demand = [self.state, self.ag, self.soil_factor, self.intensity, self.factor,
-                          self.level, self.investigations, self.confidence, self.scaling, self.range,
-                          self.zeta, self.q_code, self.site, self.coordinates,
-                          self.life, self.use, self.period]  # fmt: skip
+        self.of_demand = [
+            self.state,
+            self.ag,
+            self.soil_factor,
+            self.intensity,
+            self.factor,
+            self.level,
+            self.investigations,
+            self.confidence,
+            self.scaling,
+            self.range,
+            self.zeta,
+            self.q_code,
+            self.site,
+            self.coordinates,
+            self.life,
+            self.use,
+            self.period,
+        ]
         self.of_spectrum = [self.f0, self.tc, self.soil, self.topography, self.type]
         connect(self.of_demand, self._changed)
         connect(self.of_spectrum, self._spectrum_changed)
         inside = QVBoxLayout(self.given)
-        for widget in (self.state, self.ag, self.hint, self.kind, self.soil_factor, self.intensity,
-                       *self.of_spectrum, self.file, self.summary):  # fmt: skip
+        for widget in (
+            self.state,
+            self.ag,
+            self.hint,
+            self.kind,
+            self.soil_factor,
+            self.intensity,
+            *self.of_spectrum,
+            self.file,
+            self.summary,
+        ):
             inside.addWidget(widget)
         inside.addLayout(self.curve_place)
-        for widget in (self.factor, self.level, self.investigations, self.confidence, self.scaling,
-                       self.range, self.zeta, self.q_code, self.site, self.coordinates,
-                       self.life, self.use, self.period):  # fmt: skip
+        for widget in (
+            self.factor,
+            self.level,
+            self.investigations,
+            self.confidence,
+            self.scaling,
+            self.range,
+            self.zeta,
+            self.q_code,
+            self.site,
+            self.coordinates,
+            self.life,
+            self.use,
+            self.period,
+        ):
             inside.addWidget(widget)
         self.hazard = HazardForm(session)
         inside.addWidget(self.hazard)
@@ -140,11 +168,7 @@ class DemandForm(QWidget):
         layout.addWidget(self.reasons)
         layout.addStretch(1)
         self.parts = Parts(
-            self,
-            self._show_demand,
-            self.building.show_case,
-            self.hazard.show_case,
-            self.reasons.show_case,
+            self, self._show_demand, self.building.show_case, self.hazard.show_case, self.reasons.show_case
         )
 
     def show_case(self) -> None:
@@ -198,9 +222,7 @@ class DemandForm(QWidget):
     @staticmethod
     def _kind_of(demand: Demand) -> str:
         """Where the spectrum is from."""
-        return (
-            demand.spectrum.code if demand.spectrum else "file" if demand.spectrum_file else "none"
-        )
+        return demand.spectrum.code if demand.spectrum else "file" if demand.spectrum_file else "none"
 
     @staticmethod
     def _asked(ag) -> str:
@@ -259,13 +281,11 @@ class DemandForm(QWidget):
     def _choose_file(self) -> None:
         from pathlib import Path
 
-        name, _ = QFileDialog.getOpenFileName(self, tr("Spectrum: two columns, s and g"),
-                                              str(self.session.base_dir))  # fmt: skip
+        name, _ = QFileDialog.getOpenFileName(self, tr("Spectrum: two columns, s and g"), str(self.session.base_dir))
         if name:
             self.session.edit_section(
-                "demand", spectrum=None, spectrum_file=self.session.relative(Path(name)),
-                housner_intensity_cm=None,
-            )  # fmt: skip
+                "demand", spectrum=None, spectrum_file=self.session.relative(Path(name)), housner_intensity_cm=None
+            )
         else:
             self.show_case()
 
@@ -280,38 +300,54 @@ class AnalysisForm(QWidget):
         super().__init__()
         self.session = session
         self.of_analysis = [
-            ChoiceField(Analysis, "method", tr("Method"), {
-                name: tr("automatic") if name == "auto" else name for name in METHOD_NAMES}),
+            ChoiceField(
+                Analysis,
+                "method",
+                tr("Method"),
+                {name: tr("automatic") if name == "auto" else name for name in METHOD_NAMES},
+            ),
             NumberField(Analysis, "q_step", tr("Step of the search"), "%", 100.0),
             NumberField(Analysis, "q_limit", tr("Largest q")),
             NumberField(Analysis, "map_span", tr("Map up to times q")),
             NumberField(Analysis, "robust_window", tr("Robust window"), "%", 100.0),
-            ChoiceField(Analysis, "polarity", tr("Sign of the records"), {
-                "both": named("both"), "as_recorded": tr("as recorded"), "reversed": tr("reversed")}),
-            FlagField(Analysis, "accuracy", tr("State the accuracy"),
-                      tip=tr("Seconds a wall: error of the solver and spread of q in the report")),
-        ]  # fmt: skip
+            ChoiceField(
+                Analysis,
+                "polarity",
+                tr("Sign of the records"),
+                {"both": named("both"), "as_recorded": tr("as recorded"), "reversed": tr("reversed")},
+            ),
+            FlagField(
+                Analysis,
+                "accuracy",
+                tr("State the accuracy"),
+                tip=tr("Seconds a wall: error of the solver and spread of q in the report"),
+            ),
+        ]
         self.of_report = [
             TextField(Report, key, label)
             for key, label in (
-                ("client", tr("Client")), ("site", tr("Place")), ("project", tr("Project")),
-                ("author", tr("Author")), ("revision", tr("Revision")), ("date", tr("Date")))
-        ]  # fmt: skip
-        self.of_report.append(
-            ChoiceField(Report, "language", tr("Report in"), {"en": "English", "it": "Italiano"})
+                ("client", tr("Client")),
+                ("site", tr("Place")),
+                ("project", tr("Project")),
+                ("author", tr("Author")),
+                ("revision", tr("Revision")),
+                ("date", tr("Date")),
+            )
+        ]
+        self.of_report.append(ChoiceField(Report, "language", tr("Report in"), {"en": "English", "it": "Italiano"}))
+        connect(
+            self.of_analysis,
+            lambda field, value: session.edit_section("analysis", ("analysis", field.key), **{field.key: value}),
         )
-        connect(self.of_analysis, lambda field, value: session.edit_section(
-            "analysis", ("analysis", field.key), **{field.key: value}))  # fmt: skip
-        connect(self.of_report, lambda field, value: session.edit_section(
-            "report", ("report", field.key), **{field.key: value}))  # fmt: skip
+        connect(
+            self.of_report,
+            lambda field, value: session.edit_section("report", ("report", field.key), **{field.key: value}),
+        )
         self.title_field = TextField(type(session.case), "title", tr("Title"))
-        self.title_field.edited.connect(
-            lambda value: session.edit(replace(session.case, title=value), "title")
-        )
+        self.title_field.edited.connect(lambda value: session.edit(replace(session.case, title=value), "title"))
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)
-        for label, chosen in ((tr("Report"), [self.title_field, *self.of_report]),
-                              (tr("Analysis"), self.of_analysis)):  # fmt: skip
+        for label, chosen in ((tr("Report"), [self.title_field, *self.of_report]), (tr("Analysis"), self.of_analysis)):
             group = QGroupBox(label)
             inside = QVBoxLayout(group)
             for field in chosen:

@@ -5,16 +5,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QKeySequence
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QComboBox,
-    QDialog,
-    QGridLayout,
-    QLabel,
-    QLineEdit,
-    QSizePolicy,
-    QWidget,
-)
+from PySide6.QtWidgets import QCheckBox, QComboBox, QDialog, QGridLayout, QLabel, QLineEdit, QSizePolicy, QWidget
 
 from app import theme
 from app.language import FORM_NAMES, current_language, number, tr
@@ -26,12 +17,7 @@ from core.errors import InputError
 
 FIGURES = 12
 
-SECTIONS = {
-    Demand: "[demand]",
-    Spectrum: "[demand.spectrum]",
-    Analysis: "[analysis]",
-    Report: "[report]",
-}
+SECTIONS = {Demand: "[demand]", Spectrum: "[demand.spectrum]", Analysis: "[analysis]", Report: "[report]"}
 """Sections of a case; errors of a wall name the wall."""
 
 
@@ -217,9 +203,7 @@ class Line(QLineEdit):
 class NumberField(Field):
     """A number, comma or point. factor : office unit over the unit of the case (100 for cm from m)."""
 
-    def __init__(
-        self, section, key, label, unit="", factor=1.0, optional=False, whole=False, tip=""
-    ):
+    def __init__(self, section, key, label, unit="", factor=1.0, optional=False, whole=False, tip=""):
         self.factor, self.optional, self.whole = factor, optional, whole
         self.unit = unit
         if factor != 1.0:
@@ -301,9 +285,7 @@ class RangeField(Field):
             self.value_before = value
         self.value = value
         if not (self.editor.hasFocus() and value is not None):
-            self.editor.setText(
-                "" if value is None else " – ".join(f"{number(end, 'g')}" for end in value)
-            )
+            self.editor.setText("" if value is None else " – ".join(f"{number(end, 'g')}" for end in value))
         self.show_error("")
 
 

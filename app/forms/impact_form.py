@@ -47,10 +47,7 @@ def named_models() -> dict:
 def named_laws() -> dict:
     """Moment-rotation laws as the list shows them, with their ends over alpha; "own" is one of two numbers."""
     words = {"rigid": tr("rigid"), "doherty": "Doherty", "al_shawa": "Al Shawa"}
-    ends = {
-        name: "" if law.is_rigid else f" {law.elastic_limit:g}, {law.plateau_end:g}"
-        for name, law in LAWS.items()
-    }
+    ends = {name: "" if law.is_rigid else f" {law.elastic_limit:g}, {law.plateau_end:g}" for name, law in LAWS.items()}
     return {name: words.get(name, name) + ends[name] for name in LAWS} | {"own": tr("own D1, D2")}
 
 
@@ -117,9 +114,7 @@ class ImpactForm(QGroupBox):
         self.first.edited.connect(lambda value: self._law_end("elastic_limit", value))
         self.last.edited.connect(lambda value: self._law_end("plateau_end", value))
         self.model.edited.connect(self._model_chosen)
-        self.velocity_ratio.edited.connect(
-            lambda value: self._edit(("velocity_ratio",), velocity_ratio=value)
-        )
+        self.velocity_ratio.edited.connect(lambda value: self._edit(("velocity_ratio",), velocity_ratio=value))
         self.formula = QLabel()
         self.formula.setWordWrap(True)
         for widget in (self.model, self.velocity_ratio, self.formula):

@@ -41,14 +41,9 @@ Row = Path | tuple[Path, str]
 
 def read(record: Record, base_dir: Path) -> list:
     """Motions of one entry, or the sentence why there are none."""
-    options = Options(
-        record.unit, record.time_step_s, record.column, record.skip_lines, record.channel or None
-    )
+    options = Options(record.unit, record.time_step_s, record.column, record.skip_lines, record.channel or None)
     try:
-        return [
-            records.read(path, options, record.scale)
-            for path in records.expand(record.file, base_dir)
-        ]
+        return [records.read(path, options, record.scale) for path in records.expand(record.file, base_dir)]
     except InputError as error:
         return [described(error)]
 
@@ -88,12 +83,7 @@ class ImportDialog(QDialog):
     """What was recognised in each file; the choices apply to the files selected. A file of several channels becomes a
     row for each, to be ticked: none is taken by itself. entries : of records that are there already, by their row."""
 
-    def __init__(
-        self,
-        paths: Sequence[Row],
-        parent: QWidget | None = None,
-        entries: dict[Row, Record] | None = None,
-    ):
+    def __init__(self, paths: Sequence[Row], parent: QWidget | None = None, entries: dict[Row, Record] | None = None):
         super().__init__(parent)
         self.setWindowTitle(tr("Records found"))
         self.paths: list[Row] = list(dict.fromkeys(paths))[:MAX_FILES]
@@ -112,25 +102,34 @@ class ImportDialog(QDialog):
         self.chart = Chart("t [s]", "u'' [g]", tr("Preview"), live=True)
         stated = tr("as the file says")
         units = {None: stated} | {unit: unit for unit in ("g", "m/s2", "cm/s2", "mm/s2")}
-        kinds = {"natural": named("natural"), "artificial": named("artificial"),
-                 "simulated": named("simulated")}  # fmt: skip
+        kinds = {"natural": named("natural"), "artificial": named("artificial"), "simulated": named("simulated")}
         self.fields = [
             ChoiceField(Record, "unit", tr("Unit"), units),
             NumberField(Record, "time_step_s", tr("Time step"), "s", optional=True),
-            NumberField(Record, "column", tr("Column"), optional=True, whole=True,
-                        tip=tr("Of plain text: the column of the acceleration, 1 is the first")),
-            NumberField(Record, "skip_lines", tr("Lines to skip"), optional=True, whole=True,
-                        tip=tr("Of plain text: lines of the head before the numbers")),
+            NumberField(
+                Record,
+                "column",
+                tr("Column"),
+                optional=True,
+                whole=True,
+                tip=tr("Of plain text: the column of the acceleration, 1 is the first"),
+            ),
+            NumberField(
+                Record,
+                "skip_lines",
+                tr("Lines to skip"),
+                optional=True,
+                whole=True,
+                tip=tr("Of plain text: lines of the head before the numbers"),
+            ),
             ChoiceField(Record, "kind", tr("Kind"), kinds),
             NumberField(Record, "scale", tr("Scale"), tip=tr("Factor of the record; negative reverses it")),
-        ]  # fmt: skip
+        ]
         connect(self.fields, lambda field, value: self.change(**{field.key: value}))
         for field in self.fields[1:4]:
             field.editor.setPlaceholderText(stated)
             field.judged.connect(self._judge)
-        self.buttons = QDialogButtonBox(
-            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
-        )
+        self.buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel)
         self.buttons.accepted.connect(self.accept)
         self.buttons.rejected.connect(self.reject)
         right = QVBoxLayout()
@@ -141,9 +140,7 @@ class ImportDialog(QDialog):
         row = QHBoxLayout()
         row.addWidget(self.list, 2)
         row.addLayout(right, 3)
-        hint = tr(
-            "Choices apply to the files selected; those not readable are left out. Tick the channels to take."
-        )
+        hint = tr("Choices apply to the files selected; those not readable are left out. Tick the channels to take.")
         if len(paths) > MAX_FILES:
             left = tr("{n} more files are not shown: add them in parts.", n=len(paths) - MAX_FILES)
             hint += " " + left
@@ -265,6 +262,7 @@ class ImportDialog(QDialog):
         for row in range(len(self.paths) - 1, -1, -1):
             self._split(row)
         return [
-            self.entries[path] for row, path in enumerate(self.paths)
+            self.entries[path]
+            for row, path in enumerate(self.paths)
             if self._ticked(row) and not isinstance(self._read(path)[0], str)
-        ]  # fmt: skip
+        ]

@@ -44,9 +44,7 @@ class HingesField(Field):
             self.show_error("")
             self.value = None
             self.edited.emit(None)
-        elif text.lower() in (
-            codes := {word: code for code, word in hinge_words().items()} | CODES
-        ):
+        elif text.lower() in (codes := {word: code for code, word in hinge_words().items()} | CODES):
             self.offer(codes[text.lower()])
         else:
             try:
@@ -61,11 +59,7 @@ class HingesField(Field):
         self.value = value
         if not self.editor.hasFocus():
             heights = () if isinstance(value, str) else value or ()
-            words = (
-                hinge_words()[value]
-                if isinstance(value, str)
-                else "; ".join(number(h, "g") for h in heights)
-            )
+            words = hinge_words()[value] if isinstance(value, str) else "; ".join(number(h, "g") for h in heights)
             self.editor.setText(words)
         self.show_error("")
 
@@ -89,11 +83,17 @@ class LoadsForm(QGroupBox):
         self.list.currentRowChanged.connect(lambda _: self._show_load())
         self.kind = ChoiceField(Load, "kind", tr("Load"), named_kinds())
         self.mass = ChoiceField(
-            Load, "mass", tr("Its mass"),
-            {None: tr("to be chosen"), "none": tr("held elsewhere"), "horizontal": tr("pushes the wall"),
-             "moving": tr("moves with the wall")},
+            Load,
+            "mass",
+            tr("Its mass"),
+            {
+                None: tr("to be chosen"),
+                "none": tr("held elsewhere"),
+                "horizontal": tr("pushes the wall"),
+                "moving": tr("moves with the wall"),
+            },
             tip=tr("C8.7.1.2.1.1: Q is what pushes the wall; a floor held by other walls does not"),
-        )  # fmt: skip
+        )
         self.load_fields = [
             self.kind,
             NumberField(Load, "kn_m", tr("Size"), "kN/m"),
@@ -102,14 +102,28 @@ class LoadsForm(QGroupBox):
             self.mass,
         ]
         self.wall_fields = [
-            NumberField(Wall, "tie_height_m", tr("Find the tie at"), "m", optional=True,
-                        tip=tr("The force of a tie at this height that brings ζ to the one required")),
-            HingesField(Wall, "hinge_heights", tr("Hinges"),
-                        tip=tr("Heights above the base in m; floors; or base alone. Empty: base, loads and floors")),
-            ChoiceField(Wall, "variant", tr("Variant"), {None: tr("none"), AS_IS: tr("as it is"),
-                                                         DESIGNED: tr("as designed")},
-                        tip=tr("Two walls of one name, one of each variant, are compared")),
-        ]  # fmt: skip
+            NumberField(
+                Wall,
+                "tie_height_m",
+                tr("Find the tie at"),
+                "m",
+                optional=True,
+                tip=tr("The force of a tie at this height that brings ζ to the one required"),
+            ),
+            HingesField(
+                Wall,
+                "hinge_heights",
+                tr("Hinges"),
+                tip=tr("Heights above the base in m; floors; or base alone. Empty: base, loads and floors"),
+            ),
+            ChoiceField(
+                Wall,
+                "variant",
+                tr("Variant"),
+                {None: tr("none"), AS_IS: tr("as it is"), DESIGNED: tr("as designed")},
+                tip=tr("Two walls of one name, one of each variant, are compared"),
+            ),
+        ]
         connect(self.load_fields, self._load_changed)
         connect(self.wall_fields, self._wall_changed)
         self._lay_out()

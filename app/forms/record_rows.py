@@ -16,8 +16,19 @@ Row = tuple[int | None, GroundMotion | str]
 
 def heads() -> list[str]:
     """Heads of the columns."""
-    return [tr("Use"), tr("Record"), "PGA [g]", "SI [cm]", tr("Scale"), tr("Kind"), tr("Unit"), "Δt [s]",
-            "PGV [cm/s]", tr("D5-95 [s]"), tr("Format")]  # fmt: skip
+    return [
+        tr("Use"),
+        tr("Record"),
+        "PGA [g]",
+        "SI [cm]",
+        tr("Scale"),
+        tr("Kind"),
+        tr("Unit"),
+        "Δt [s]",
+        "PGV [cm/s]",
+        tr("D5-95 [s]"),
+        tr("Format"),
+    ]
 
 
 def state_of(name: str) -> tuple | None:
@@ -31,9 +42,7 @@ def state_of(name: str) -> tuple | None:
 
 def read_rows(case: Case, base: Path) -> tuple[list[Row], dict[str, tuple | None]]:
     """(rows of a case whose files are relative to `base`, state of each file that was read)."""
-    rows: list[Row] = [
-        (k, motion) for k, entry in enumerate(case.record) for motion in read(entry, base)
-    ]
+    rows: list[Row] = [(k, motion) for k, entry in enumerate(case.record) for motion in read(entry, base)]
     if case.generate:
         try:
             asked = demand_of(case, base)
@@ -55,8 +64,15 @@ def cells(motion: GroundMotion | str, entry: Record | None) -> list[str]:
     if isinstance(motion, str):
         return ["", motion, *[""] * (len(heads()) - 2)]
     return [
-        "", motion.name, number(motion.pga / G, ".3f"), number(motion.housner_intensity / CM, ".1f"),
+        "",
+        motion.name,
+        number(motion.pga / G, ".3f"),
+        number(motion.housner_intensity / CM, ".1f"),
         number(entry.scale if entry else 1.0, "g").replace("-", "−"),
-        named(entry.kind if entry else "artificial"), motion.unit, number(motion.time_step, "g"),
-        number(motion.pgv / CM, ".1f"), number(motion.duration_5_95, ".1f"), motion.format,
-    ]  # fmt: skip
+        named(entry.kind if entry else "artificial"),
+        motion.unit,
+        number(motion.time_step, "g"),
+        number(motion.pgv / CM, ".1f"),
+        number(motion.duration_5_95, ".1f"),
+        motion.format,
+    ]

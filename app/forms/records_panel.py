@@ -51,17 +51,13 @@ class RecordsPanel(QWidget):
         self.key: object = None
         self.pending = False
         self.table = Table(tr("Records"), heads(), wraps=False)
-        self.table.setToolTip(
-            tr("Double-click a record to change its scale, unit, time step or kind.")
-        )
+        self.table.setToolTip(tr("Double-click a record to change its scale, unit, time step or kind."))
         self.table.cellDoubleClicked.connect(lambda row, column: self.edit() if column else None)
         self.table.live = True
         self.table.itemChanged.connect(self._ticked)
         self.table.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.table.customContextMenuRequested.connect(self._menu)
-        self.one_set = tr(
-            "Generated motions are one set: Remove takes them all, Generate… makes others."
-        )
+        self.one_set = tr("Generated motions are one set: Remove takes them all, Generate… makes others.")
         self.words = QLabel(tr("Drop accelerograms or folders here."))
         self.words.setWordWrap(True)
         bar = QHBoxLayout()
@@ -126,9 +122,10 @@ class RecordsPanel(QWidget):
         self.rows, self.pending = motions_read, False
         case = self.session.case
         self.motions = [
-            motion for k, motion in motions_read
+            motion
+            for k, motion in motions_read
             if not isinstance(motion, str) and (k is None or case.record[k].include)
-        ]  # fmt: skip
+        ]
         self.session.samples = {motion.samples_sha256 for motion in self.motions}
         self.table.blockSignals(True)
         rows, colors, twins = [], [], self._twins()
@@ -163,9 +160,10 @@ class RecordsPanel(QWidget):
         """The first row in use that cannot be read; None while they are being read."""
         records = self.session.case.record
         bad = [
-            row for row, (k, motion) in enumerate(self.rows)
+            row
+            for row, (k, motion) in enumerate(self.rows)
             if isinstance(motion, str) and (k is None or (k < len(records) and records[k].include))
-        ]  # fmt: skip
+        ]
         return bad[0] if bad and not self.pending else None
 
     def point_at(self, row: int) -> None:
@@ -179,9 +177,7 @@ class RecordsPanel(QWidget):
         """What to say of the rows in use whose samples an earlier one has: no study takes both."""
         seen, sentences = {}, {}
         for row, (k, motion) in enumerate(self.rows):
-            used = not isinstance(motion, str) and (
-                k is None or self.session.case.record[k].include
-            )
+            used = not isinstance(motion, str) and (k is None or self.session.case.record[k].include)
             if used:
                 here = (motion.file, motion.channel)
                 first = seen.get(motion.samples_sha256, seen.get(here, row))
@@ -202,18 +198,14 @@ class RecordsPanel(QWidget):
         """Change the records of these rows, None to drop them."""
         self._change_each(rows, lambda record, row: change(record), False)
 
-    def _change_each(
-        self, rows: set[int], change: Callable[[Record, int], Record | None], apart: bool = True
-    ) -> None:
+    def _change_each(self, rows: set[int], change: Callable[[Record, int], Record | None], apart: bool = True) -> None:
         """`change(record, row)` of these rows. An entry of many files is written file by file where only some of them
         are meant; apart : always."""
         case = self.session.case
         records: list[Record | None] = []
         for k, record in enumerate(case.record):
             mine = [row for row, (entry, _) in enumerate(self.rows) if entry == k]
-            alike = rows.isdisjoint(mine) or (
-                rows.issuperset(mine) and not (apart and len(mine) > 1)
-            )
+            alike = rows.isdisjoint(mine) or (rows.issuperset(mine) and not (apart and len(mine) > 1))
             if alike:
                 records.append(change(record, mine[0]) if mine and mine[0] in rows else record)
                 continue
@@ -268,9 +260,7 @@ class RecordsPanel(QWidget):
         """Whether generated records take the place of those there, or come beside them; None for neither."""
         box = QMessageBox(self)
         box.setWindowTitle(tr("Generate…"))
-        box.setText(
-            tr("There are records already. Put seven generated ones in their place, or add them?")
-        )
+        box.setText(tr("There are records already. Put seven generated ones in their place, or add them?"))
         instead = box.addButton(tr("Replace"), QMessageBox.ButtonRole.AcceptRole)
         beside = box.addButton(tr("Add to them"), QMessageBox.ButtonRole.AcceptRole)
         box.addButton(tr("Cancel"), QMessageBox.ButtonRole.RejectRole)
@@ -297,9 +287,7 @@ class RecordsPanel(QWidget):
         try:
             if dialog.exec() != QDialog.DialogCode.Accepted:
                 return
-            found = (
-                dialog.entries
-            )  # two rows may be of one file, and the dialog shows not all of very many
+            found = dialog.entries  # two rows may be of one file, and the dialog shows not all of very many
             changed = {row: found[path] for row, path in path_of.items() if path in found}
         finally:
             dialog.deleteLater()
@@ -318,9 +306,10 @@ class RecordsPanel(QWidget):
         except (InputError, TypeError, KeyError):
             asked = None
         rows = {
-            row for row, (k, motion) in enumerate(self.rows)
+            row
+            for row, (k, motion) in enumerate(self.rows)
             if k is not None and not isinstance(motion, str) and case.record[k].include
-        }  # fmt: skip
+        }
         if asked is None or asked.target is None or not rows or self.pending:
             self.words.setText(tr("It takes records of files and a spectrum on the sheet Demand."))
             return
@@ -335,17 +324,11 @@ class RecordsPanel(QWidget):
         if not 0.0 < factor < math.inf:
             self.words.setText(tr("It takes records of files and a spectrum on the sheet Demand."))
             return
-        self._change(
-            rows, lambda record: replace(record, scale=float(f"{record.scale * factor:.4g}"))
-        )
-        self.left_out = tr(
-            "Scaled by {factor:.3f}, the factor nearest to the spectrum.", factor=factor
-        )
+        self._change(rows, lambda record: replace(record, scale=float(f"{record.scale * factor:.4g}")))
+        self.left_out = tr("Scaled by {factor:.3f}, the factor nearest to the spectrum.", factor=factor)
 
     def add(self) -> None:
-        names, _ = QFileDialog.getOpenFileNames(
-            self, tr("Add accelerograms"), str(self.session.base_dir)
-        )
+        names, _ = QFileDialog.getOpenFileNames(self, tr("Add accelerograms"), str(self.session.base_dir))
         if names:
             self.take([Path(name) for name in names])
 
@@ -362,10 +345,7 @@ class RecordsPanel(QWidget):
         finally:
             dialog.deleteLater()
         self.session.add_records(
-            [
-                replace(entry, file=self.session.relative(Path(name_of(entry.file))))
-                for entry in chosen
-            ]
+            [replace(entry, file=self.session.relative(Path(name_of(entry.file)))) for entry in chosen]
         )
         left = len({file_of(row) for row in dialog.paths} - {Path(entry.file) for entry in chosen})
         if taken and left:

@@ -19,28 +19,12 @@ from PySide6.QtWidgets import (
 )
 
 from app.drawing import WallDrawing, mechanism_icon
-from app.forms.fields import (
-    Choice,
-    ChoiceField,
-    Field,
-    FlagField,
-    NumberField,
-    TextField,
-    connect,
-)
+from app.forms.fields import Choice, ChoiceField, Field, FlagField, NumberField, TextField, connect
 from app.forms.impact_form import ImpactForm
 from app.forms.loads_form import LoadsForm
 from app.forms.reasons_form import reasons_of_wall
-from app.forms.wall_words import estimate_lines, hinge_zetas
-from app.language import (
-    FORM_NAMES,
-    current_language,
-    described,
-    named,
-    number,
-    quoted_from_file,
-    tr,
-)
+from app.forms.wall_words import estimate_lines, hinge_zetas, shape_of, written_as
+from app.language import FORM_NAMES, current_language, described, named, number, quoted_from_file, tr
 from app.parts import Parts
 from app.session import Session
 from core.case.schema import AS_IS, DESIGNED, Wall
@@ -98,49 +82,76 @@ class WallForm(QWidget):
         self.height = NumberField(Wall, "height_m", tr("Height H"), "m")
         self.thickness = NumberField(Wall, "thickness_m", tr("Thickness t"), "cm", 100.0)
         self.slenderness = NumberField(
-            Wall,
-            "slenderness_deg",
-            tr("Slenderness α"),
-            "°",
-            tip=tr("arctan(t/H): larger is stockier"),
+            Wall, "slenderness_deg", tr("Slenderness α"), "°", tip=tr("arctan(t/H): larger is stockier")
         )
         self.ratio = NumberField(Wall, "height_over_thickness", "H/t")
         self.radius = NumberField(Wall, "radius_m", tr("Radius R"), "m")
         self.inertia = NumberField(Wall, "inertia_over_mass_m2", "I0/m", "m²")
         self.setback = NumberField(
-            Wall, "hinge_setback_m", tr("Hinge setback u"), "cm", 100.0,
+            Wall,
+            "hinge_setback_m",
+            tr("Hinge setback u"),
+            "cm",
+            100.0,
             tip=tr("The wall turns about a hinge inside its edge: tan α = (t − 2u)/H"),
-        )  # fmt: skip
-        self.strength = NumberField(
-            Wall, "compressive_strength_mpa", tr("Strength f"), "MPa", optional=True,
-            tip=tr("Gives the setback u = 2 N / (3 f L), N with the loads: give the unit weight and omit the setback"),
-        )  # fmt: skip
-        self.weight = NumberField(
-            Wall, "unit_weight_kn_m3", tr("Unit weight"), "kN/m³", optional=True
         )
+        self.strength = NumberField(
+            Wall,
+            "compressive_strength_mpa",
+            tr("Strength f"),
+            "MPa",
+            optional=True,
+            tip=tr("Gives the setback u = 2 N / (3 f L), N with the loads: give the unit weight and omit the setback"),
+        )
+        self.weight = NumberField(Wall, "unit_weight_kn_m3", tr("Unit weight"), "kN/m³", optional=True)
         self.length = NumberField(Wall, "length_m", tr("Length L"), "m", optional=True)
         self.base = NumberField(
-            Wall, "base_z_m", tr("Base above ground z"), "m", optional=True,
+            Wall,
+            "base_z_m",
+            tr("Base above ground z"),
+            "m",
+            optional=True,
             tip=tr("Needed with a demand: 0 on the ground; above it the building is needed too (sheet Demand)"),
-        )  # fmt: skip
+        )
         self.free = ChoiceField(
-            Wall, "free_element", tr("Free to vibrate"),
+            Wall,
+            "free_element",
+            tr("Free to vibrate"),
             {None: tr("two-sided yes, one-sided no"), True: tr("yes"), False: tr("no")},
             tip=tr("Parapet, gable top, pinnacle, free wall: no transverse wall holds it before it moves"),
-        )  # fmt: skip
+        )
         self.modulus = NumberField(
-            Wall, "elastic_modulus_mpa", tr("Elastic modulus E"), "MPa", optional=True,
+            Wall,
+            "elastic_modulus_mpa",
+            tr("Elastic modulus E"),
+            "MPa",
+            optional=True,
             tip=tr("With the unit weight gives T_0 of an element free to vibrate (C8.7.1.7)"),
-        )  # fmt: skip
+        )
         self.floor = TextField(Wall, "floor", tr("Floor"))
         self.restraint = TextField(Wall, "back_restraint", tr("Restraint behind"))
         self.notes = TextField(Wall, "notes", tr("Notes"))
         self.unloaded = FlagField(Wall, "unloaded_confirmed", tr("No load from floors or roof"))
         self.fields = [
-            self.name, self.height, self.thickness, self.slenderness, self.ratio, self.radius,
-            self.inertia, self.setback, self.strength, self.weight, self.length, self.base,
-            self.free, self.modulus, self.floor, self.restraint, self.notes, self.unloaded,
-        ]  # fmt: skip
+            self.name,
+            self.height,
+            self.thickness,
+            self.slenderness,
+            self.ratio,
+            self.radius,
+            self.inertia,
+            self.setback,
+            self.strength,
+            self.weight,
+            self.length,
+            self.base,
+            self.free,
+            self.modulus,
+            self.floor,
+            self.restraint,
+            self.notes,
+            self.unloaded,
+        ]
         connect(self.fields, self._changed)
 
     def _buttons(self) -> QHBoxLayout:
@@ -168,15 +179,24 @@ class WallForm(QWidget):
         self.shape = Choice()
         self.shape.setAccessibleName(tr("Geometry given by"))
         for name, shown in (
-            ("thickness_m", tr("height and thickness")), ("slenderness_deg", tr("height and slenderness")),
-            ("height_over_thickness", tr("height and H/t")), ("general", tr("general block")),
-        ):  # fmt: skip
+            ("thickness_m", tr("height and thickness")),
+            ("slenderness_deg", tr("height and slenderness")),
+            ("height_over_thickness", tr("height and H/t")),
+            ("general", tr("general block")),
+        ):
             self.shape.addItem(shown, name)
         self.shape.activated.connect(self._shape_chosen)
         column.addWidget(self.name)
         column.addWidget(self.shape)
-        for field in (self.height, self.thickness, self.slenderness, self.ratio, self.radius,
-                      self.inertia, self.setback):  # fmt: skip
+        for field in (
+            self.height,
+            self.thickness,
+            self.slenderness,
+            self.ratio,
+            self.radius,
+            self.inertia,
+            self.setback,
+        ):
             column.addWidget(field)
         column.addWidget(self.summary)
         column.addStretch(1)
@@ -211,8 +231,18 @@ class WallForm(QWidget):
     def _more(self) -> QGroupBox:
         group = QGroupBox(tr("For checks and report"))
         column = QVBoxLayout(group)
-        for field in (self.base, self.free, self.modulus, self.weight, self.length, self.strength,
-                      self.restraint, self.unloaded, self.floor, self.notes):  # fmt: skip
+        for field in (
+            self.base,
+            self.free,
+            self.modulus,
+            self.weight,
+            self.length,
+            self.strength,
+            self.restraint,
+            self.unloaded,
+            self.floor,
+            self.notes,
+        ):
             column.addWidget(field)
         return group
 
@@ -270,16 +300,8 @@ class WallForm(QWidget):
         for field in self.fields:
             field.show_value(getattr(wall, field.key))
 
-    def _shape_of(self, wall: Wall) -> str:
-        if wall.radius_m is not None or wall.inertia_over_mass_m2 is not None:
-            return "general"
-        for key in ("slenderness_deg", "height_over_thickness"):
-            if getattr(wall, key) is not None:
-                return key
-        return "thickness_m"
-
     def _show_geometry(self, wall: Wall) -> None:
-        shape = self._shape_of(wall)
+        shape = shape_of(wall)
         self.shape.setCurrentIndex(self.shape.findData(shape))
         self._show_shape(shape, wall.compressive_strength_mpa is not None)
         try:
@@ -297,9 +319,7 @@ class WallForm(QWidget):
         if wall.height_m and wall.setback:
             lines.append(f"u {number(100 * wall.setback, '.1f')} cm")
         lines.append(f"a_RM {number(a / G, '.3f')} g = {number(a, '.2f')} m/s²")
-        lines.append(
-            f"R {number(block.radius, '.3f')} m, p {number(block.frequency_parameter, '.3f')} rad/s"
-        )
+        lines.append(f"R {number(block.radius, '.3f')} m, p {number(block.frequency_parameter, '.3f')} rad/s")
         lines += estimate_lines(self.session, wall)
         self.summary.setText("\n".join(lines))
 
@@ -326,7 +346,7 @@ class WallForm(QWidget):
     def _shape_chosen(self, index: int) -> None:
         """Write the same block in another way."""
         wall, shape = self.wall, self.shape.itemData(index)
-        if wall is None or shape == self._shape_of(wall):
+        if wall is None or shape == shape_of(wall):
             return
         before, after = self.former
         if wall == after:
@@ -336,26 +356,7 @@ class WallForm(QWidget):
         except (InputError, TypeError):
             self.show_case()
             return
-        blank = {"height_m": None, "thickness_m": None, "slenderness_deg": None,
-                 "height_over_thickness": None, "radius_m": None, "inertia_over_mass_m2": None,
-                 "hinge_setback_m": wall.hinge_setback_m}  # fmt: skip
-        height = wall.height_m or block.height
-        thickness = wall.thickness or block.thickness
-        if shape == "general":
-            blank |= {"radius_m": block.radius, "inertia_over_mass_m2": block.inertia_over_mass,
-                      "slenderness_deg": math.degrees(block.slenderness),
-                      "hinge_setback_m": 0.0}  # fmt: skip
-        else:
-            blank["height_m"] = height
-            blank[shape] = (
-                getattr(wall, shape)
-                or {
-                    "thickness_m": thickness,
-                    "slenderness_deg": math.degrees(math.atan2(thickness, height)),
-                    "height_over_thickness": height / thickness,
-                }[shape]
-            )
-        self.session.edit_wall(self.current, **blank)
+        self.session.edit_wall(self.current, **written_as(shape, wall, block))
         self.former = (wall, self.wall) if shape == "general" else (None, None)
 
     def _mechanism_chosen(self, name: str) -> None:

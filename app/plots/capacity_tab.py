@@ -61,9 +61,7 @@ class CapacityTab(QWidget):
         self.other.clear()
         self.other.addItem(tr("compare with no other wall"))
         for other in result.walls:
-            self.other.addItem(
-                tr("compare with {wall}", wall=f"{other.name}, {named(other.mechanism)}")
-            )
+            self.other.addItem(tr("compare with {wall}", wall=f"{other.name}, {named(other.mechanism)}"))
         self._show_peaks()
         self._show_strips(wall)
         self._show_fragility()
@@ -118,9 +116,7 @@ class CapacityTab(QWidget):
             self.peaks.curve(_name(run), q, ratio, 0)
             fell = q[np.isnan(ratio)]
             none = np.full(fell.size, np.nan)
-            self.peaks.points(
-                named("overturned"), fell, np.full(fell.size, EDGE), 1, 4, values=none
-            )
+            self.peaks.points(named("overturned"), fell, np.full(fell.size, EDGE), 1, 4, values=none)
             if run.ida.q:
                 self.peaks.level(run.ida.q, "q", "bad", vertical=True, place=0.75)
             self.peaks.caption = f"{_title(wall)}, {_name(run)}"
@@ -134,9 +130,7 @@ class CapacityTab(QWidget):
         found = [_peaks(result, wall, run) for run in wall.runs]
         for run, (q, ratio) in zip(wall.runs, found, strict=True):
             self.peaks.curve(_name(run), q, ratio, 6, 0.8, legend=False)
-        first = min(
-            (q[np.isnan(ratio)][0] if np.isnan(ratio).any() else q[-1]) for q, ratio in found
-        )
+        first = min((q[np.isnan(ratio)][0] if np.isnan(ratio).any() else q[-1]) for q, ratio in found)
         low = max(q[0] for q, _ in found)
         if first > low:
             grid = np.geomspace(low, 0.999 * first, 200)

@@ -6,14 +6,7 @@ from collections.abc import Callable
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import (
-    QHBoxLayout,
-    QLabel,
-    QMenu,
-    QSizePolicy,
-    QToolButton,
-    QVBoxLayout,
-)
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QSizePolicy, QToolButton, QVBoxLayout
 
 from app import theme
 from app.language import current_language, tr
@@ -74,19 +67,18 @@ class Chart(ChartOutput):
         layout.setSpacing(0)
         layout.addWidget(self.view, 1)
         layout.addLayout(self._bar())
-        self._proxy = pg.SignalProxy(
-            self.plot.scene().sigMouseMoved, rateLimit=30, slot=self._moved
-        )
+        self._proxy = pg.SignalProxy(self.plot.scene().sigMouseMoved, rateLimit=30, slot=self._moved)
         self._apply_theme(theme.current)
 
     def _bar(self) -> QHBoxLayout:
         bar = QHBoxLayout()
         bar.addWidget(self.read, 1)
         for label, tip, slot in (
-            (tr("Reset"), tr("Show everything"), self.reset), (tr("Copy"), tr("Copy the picture"), self.copy),
+            (tr("Reset"), tr("Show everything"), self.reset),
+            (tr("Copy"), tr("Copy the picture"), self.copy),
             (tr("Figure…"), tr("Save as a figure for a report: PNG, SVG or PDF"), self._save_figure),
             ("CSV", tr("Save the data as CSV"), self._save_data),
-        ):  # fmt: skip
+        ):
             button = QToolButton()
             button.setText(label)
             button.setToolTip(tip)
@@ -127,9 +119,7 @@ class Chart(ChartOutput):
         self.data.append((name, x, y))
         return item
 
-    def points(
-        self, name: str, x, y, color=0, size=8, legend=True, symbol="o", values=None
-    ) -> pg.PlotDataItem:
+    def points(self, name: str, x, y, color=0, size=8, legend=True, symbol="o", values=None) -> pg.PlotDataItem:
         """Marks without a line. values : what the CSV holds in the place of y, no number where there is none."""
         x, y = numbers(x), numbers(y)
         label = self._entry(name) if legend else None
@@ -155,16 +145,9 @@ class Chart(ChartOutput):
         shade = pg.mkColor(theme.current.back)
         shade.setAlpha(210)  # legible where it meets a bar or a curve
         options = {"position": place or (0.92 if vertical else 0.01), "fill": shade}
-        if (
-            not vertical and place is None
-        ):  # it begins right of the axis, however narrow the chart is
+        if not vertical and place is None:  # it begins right of the axis, however narrow the chart is
             options["anchors"] = [(0, 0), (0, 1)]
-        line = pg.InfiniteLine(
-            value,
-            90 if vertical else 0,
-            label=label or None,
-            labelOpts=options,
-        )
+        line = pg.InfiniteLine(value, 90 if vertical else 0, label=label or None, labelOpts=options)
         self.plot.addItem(line, ignoreBounds=True)
         self._keep(line, color, 1.2, True, False)
         return line
@@ -182,9 +165,7 @@ class Chart(ChartOutput):
         self.plot.addItem(area)
         self.items.append((area, None, 0, False, False))
 
-    def add(
-        self, item, recolor: Callable[[theme.Theme, float], None] = lambda chosen, scale: None
-    ) -> None:
+    def add(self, item, recolor: Callable[[theme.Theme, float], None] = lambda chosen, scale: None) -> None:
         """Any other item. recolor(theme, scale) : gives it its colours, and lines so many times as wide."""
         self.plot.addItem(item)
         self.recolors.append(recolor)
@@ -204,9 +185,7 @@ class Chart(ChartOutput):
         axis = self.plot.getAxis(side)
         axis.setTicks([places])
         if side == "left":  # else as wide as the numbers that were there before
-            widest = max(
-                (self.fontMetrics().horizontalAdvance(name) for _, name in places), default=0
-            )
+            widest = max((self.fontMetrics().horizontalAdvance(name) for _, name in places), default=0)
             axis.setWidth(widest + 34)
 
     def names_below(self, names: list[str]) -> None:
@@ -271,9 +250,7 @@ class Chart(ChartOutput):
         for side in ("bottom", "left"):  # the labels of the decades alone, apart from each other
             self.plot.getAxis(side).setStyle(maxTextLevel=0 if on else 2)
 
-    def set_range(
-        self, x: tuple[float, float] | None = None, y: tuple[float, float] | None = None
-    ) -> None:
+    def set_range(self, x: tuple[float, float] | None = None, y: tuple[float, float] | None = None) -> None:
         """Ends of the axes, to which `reset` comes back."""
         for name, ends in (("x", x), ("y", y)):
             if ends is not None:
@@ -295,11 +272,7 @@ class Chart(ChartOutput):
 
     @staticmethod
     def _shade(chosen: theme.Theme, color) -> str:
-        return (
-            chosen.curves[color % len(chosen.curves)]
-            if isinstance(color, int)
-            else getattr(chosen, color)
-        )
+        return chosen.curves[color % len(chosen.curves)] if isinstance(color, int) else getattr(chosen, color)
 
     def _keep(self, item, color, width, dash, filled) -> None:
         self.items.append((item, color, width, dash, filled))
@@ -309,11 +282,7 @@ class Chart(ChartOutput):
         if color is None:
             return
         shade = self._shade(chosen, color)
-        pen = pg.mkPen(
-            shade,
-            width=width * scale,
-            style=Qt.PenStyle.DashLine if dash else Qt.PenStyle.SolidLine,
-        )
+        pen = pg.mkPen(shade, width=width * scale, style=Qt.PenStyle.DashLine if dash else Qt.PenStyle.SolidLine)
         if isinstance(item, pg.BarGraphItem):
             item.setOpts(brush=shade, pen=shade)
         elif filled:
@@ -364,12 +333,7 @@ class Chart(ChartOutput):
         if log:
             x, y = 10.0**x, 10.0**y
         language = current_language()
-        words = (
-            self.labels[0],
-            numeral(x, ".4g", language),
-            self.labels[1],
-            numeral(y, ".4g", language),
-        )
+        words = (self.labels[0], numeral(x, ".4g", language), self.labels[1], numeral(y, ".4g", language))
         self.read.setText("  " + name + "{} {}   {} {}".format(*words))
 
     def _nearest(self, x: float, y: float, log: bool) -> tuple[str, float, float] | None:
@@ -395,9 +359,12 @@ class Chart(ChartOutput):
     def _menu(self, place) -> None:
         menu = QMenu(self)
         for label, slot in (
-            (tr("Show everything"), self.reset), (tr("Axis limits…"), self._ask_limits), (tr("Copy"), self.copy),
-            (tr("Figure…"), self._save_figure), (tr("Save the data as CSV"), self._save_data),
-        ):  # fmt: skip
+            (tr("Show everything"), self.reset),
+            (tr("Axis limits…"), self._ask_limits),
+            (tr("Copy"), self.copy),
+            (tr("Figure…"), self._save_figure),
+            (tr("Save the data as CSV"), self._save_data),
+        ):
             menu.addAction(label, slot)
         menu.exec(self.view.mapToGlobal(place))
 

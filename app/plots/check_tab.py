@@ -2,12 +2,7 @@
 
 import numpy as np
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import (
-    QLabel,
-    QSplitter,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QLabel, QSplitter, QVBoxLayout, QWidget
 
 from app import theme
 from app.language import number, tr
@@ -45,8 +40,10 @@ class CheckTab(QWidget):
         self.reasons = QLabel()
         self.reasons.setWordWrap(True)
         self.reasons.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self.table = Table(tr("Checks"), [
-            tr("Method"), "ζ", tr("Outcome"), tr("Clause"), "q", tr("Capacity"), tr("Demand"), tr("Unit")])  # fmt: skip
+        self.table = Table(
+            tr("Checks"),
+            [tr("Method"), "ζ", tr("Outcome"), tr("Clause"), "q", tr("Capacity"), tr("Demand"), tr("Unit")],
+        )
         self.peaks = Chart(tr("record"), "θmax/θc [-]", tr("Peaks at the demand"))
         split = QSplitter(Qt.Orientation.Vertical)
         split.addWidget(self.table)
@@ -62,18 +59,14 @@ class CheckTab(QWidget):
         self.peaks.clear()
         rows, colors = [], []
         if assessment is None:
-            self.sentence.setText(
-                tr("No demand: no check. q of the wall: {q}", q=digits(wall.q_set))
-            )
+            self.sentence.setText(tr("No demand: no check. q of the wall: {q}", q=digits(wall.q_set)))
             self.sentence.setStyleSheet("font-size: 12pt;")
             self.reasons.setText(self._warnings(result, wall))
             self.table.show_rows([])
             self.peaks.say_why(tr("No demand: nothing to compare the peaks with."))
             return
         self.sentence.setText(sentence_of(result, wall, self.language))
-        self.sentence.setStyleSheet(
-            f"font-size: 12pt; font-weight: 600; color: {verdict_color(result, wall)};"
-        )
+        self.sentence.setStyleSheet(f"font-size: 12pt; font-weight: 600; color: {verdict_color(result, wall)};")
         reasons = lines_of(result, wall, self.language)
         if assessment.tie is not None:
             reasons.append(self._tie(assessment.tie))
@@ -83,23 +76,37 @@ class CheckTab(QWidget):
         self.reasons.setText("\n".join(line for line in lines if line))
         for check, decides in assessment.shown:
             color = theme.current.good if check.passed else theme.current.bad
-            outcome = (
-                "no_number" if check.passed is None else "passed" if check.passed else "not_passed"
-            )
+            outcome = "no_number" if check.passed is None else "passed" if check.passed else "not_passed"
             if check.name == "floor_sld":
                 outcome = "shown"
-            rows.append([word(check.label, self.language), digits(check.zeta), word(outcome, self.language),
-                         check.clause, digits(check.q), digits(check.capacity, 3), digits(check.demand, 3),
-                         check.unit])  # fmt: skip
-            colors.append(
-                [None, color, color] + [None] * 5 if decides else [theme.current.quiet] * 8
+            rows.append(
+                [
+                    word(check.label, self.language),
+                    digits(check.zeta),
+                    word(outcome, self.language),
+                    check.clause,
+                    digits(check.q),
+                    digits(check.capacity, 3),
+                    digits(check.demand, 3),
+                    check.unit,
+                ]
             )
+            colors.append([None, color, color] + [None] * 5 if decides else [theme.current.quiet] * 8)
         for source, check in zip(Q_SOURCES, wall.code_check, strict=False):
             if check:
                 outcome = word("passed" if check.passed else "not_passed", self.language)
-                rows.append([word(source, self.language), digits(check.ratio),
-                             f"{outcome} ({word('comparison', self.language)})", LABEL, digits(check.q),
-                             digits(check.capacity / G, 3), digits(check.demand / G, 3), "g"])  # fmt: skip
+                rows.append(
+                    [
+                        word(source, self.language),
+                        digits(check.ratio),
+                        f"{outcome} ({word('comparison', self.language)})",
+                        LABEL,
+                        digits(check.q),
+                        digits(check.capacity / G, 3),
+                        digits(check.demand / G, 3),
+                        "g",
+                    ]
+                )
                 colors.append([theme.current.quiet] * 8)
         for estimate in wall.estimates:
             capacity = wall.model.threshold / G
@@ -107,8 +114,18 @@ class CheckTab(QWidget):
             between = f"q {number(estimate.low, '.2f')} – {number(estimate.high, '.2f')}"
             if not estimate.within:
                 between += ", " + tr("outside its range")
-            rows.append([word(LAW_WORDS[estimate.quantity], self.language), digits(capacity / wanted), between, LABEL,
-                         digits(estimate.q), digits(capacity, 3), digits(wanted, 3), "g"])  # fmt: skip
+            rows.append(
+                [
+                    word(LAW_WORDS[estimate.quantity], self.language),
+                    digits(capacity / wanted),
+                    between,
+                    LABEL,
+                    digits(estimate.q),
+                    digits(capacity, 3),
+                    digits(wanted, 3),
+                    "g",
+                ]
+            )
             colors.append([theme.current.quiet] * 8)
         self.table.show_rows(rows, colors)
         self.peaks.caption = f"{wall.name}, {word(wall.mechanism, self.language)}"
@@ -120,14 +137,10 @@ class CheckTab(QWidget):
     def _mechanism(self, assessment) -> str:
         """Free to vibrate or restrained, T_0, and what the dynamic check says beside zeta_E."""
         kinematic, dynamic = assessment.kinematic, assessment.dynamic
-        parts = [
-            tr("Element free to vibrate") if kinematic.free_element else tr("Not free to vibrate")
-        ]
+        parts = [tr("Element free to vibrate") if kinematic.free_element else tr("Not free to vibrate")]
         if kinematic.period_0 is not None:
             parts.append(f"T_0 {number(kinematic.period_0, '.3f')} s")
-        parts.append(
-            f"e* {number(kinematic.e_star, '.3g')}, a0* {number(kinematic.a0 / G, '.3f')} g"
-        )
+        parts.append(f"e* {number(kinematic.e_star, '.3g')}, a0* {number(kinematic.a0 / G, '.3f')} g")
         if kinematic.chain.friction_height is not None:
             height = kinematic.chain.friction_height
             parts.append(tr("of the upper {h:.2f} m with friction", h=height))
@@ -145,10 +158,7 @@ class CheckTab(QWidget):
         """What a tie at the height asked for must hold, and its moments."""
         values = {"h": tie.height, "zeta": digits(tie.zeta), "largest": 1e-3 * tie.largest}
         if tie.force is None:
-            return tr(
-                "No tie at {h:.2f} m reaches the ζ required: {largest:.2f} kN/m gives {zeta}",
-                **values,
-            )
+            return tr("No tie at {h:.2f} m reaches the ζ required: {largest:.2f} kN/m gives {zeta}", **values)
         if tie.force == 0.0:
             return tr("No tie at {h:.2f} m is needed: ζ {zeta}", **values)
         own, loads, force = (1e-3 * moment for moment in tie.holding)
@@ -157,8 +167,12 @@ class CheckTab(QWidget):
         hand = f"α0 = ({moments}) / {pushing} = {alpha0}"
         if tie.hinges > 1 and tie.governing is not None:
             hand += "; " + tr("the weakest hinge asks {force:.2f} kN/m", force=1e-3 * tie.governing)
-        return tr("A tie of {force:.2f} kN/m at {h:.2f} m gives ζ {zeta}; by hand {hand}",
-                  force=1e-3 * tie.force, hand=hand, **values)  # fmt: skip
+        return tr(
+            "A tie of {force:.2f} kN/m at {h:.2f} m gives ζ {zeta}; by hand {hand}",
+            force=1e-3 * tie.force,
+            hand=hand,
+            **values,
+        )
 
     @staticmethod
     def _risk(risk) -> list[str]:
@@ -167,35 +181,20 @@ class CheckTab(QWidget):
         if risk.years is not None:
             parts.append(tr("T_R,C {years} years", years=risk.years))
         if risk.index is not None:
-            parts.append(
-                tr(
-                    "IS-V of this mechanism {index:.2f}, class {letter}",
-                    index=risk.index,
-                    letter=risk.letter,
-                )
-            )
+            parts.append(tr("IS-V of this mechanism {index:.2f}, class {letter}", index=risk.index, letter=risk.letter))
         return parts
 
     def _warnings(self, result: StudyResult, wall: WallResult) -> str:
         """What is said of the demand and of the wall."""
         demand = result.demand.warnings if result.demand else ()
-        return "\n".join(
-            f"• {warning.text(self.language)}" for warning in (*demand, *wall.warnings)
-        )
+        return "\n".join(f"• {warning.text(self.language)}" for warning in (*demand, *wall.warnings))
 
     def _bars(self, check) -> None:
         top = 1.2
-        values = np.array(
-            [np.nan if run.peak_ratio is None else run.peak_ratio for run in check.runs]
-        )
+        values = np.array([np.nan if run.peak_ratio is None else run.peak_ratio for run in check.runs])
         drawn = np.minimum(np.nan_to_num(values, nan=top), top)  # to the edge: no number of its own
-        places, exceeds = (
-            np.arange(values.size, dtype=float),
-            np.array([run.exceeded for run in check.runs]),
-        )
-        for chosen, name, color in (
-            (~exceeds, tr("within θc"), 0), (exceeds, tr("exceeds θc or overturns"), 1),
-        ):  # fmt: skip
+        places, exceeds = (np.arange(values.size, dtype=float), np.array([run.exceeded for run in check.runs]))
+        for chosen, name, color in ((~exceeds, tr("within θc"), 0), (exceeds, tr("exceeds θc or overturns"), 1)):
             self.peaks.bars(name, places[chosen], drawn[chosen], color, values=values[chosen])
         ends = np.array([-0.6, values.size - 0.4])
         if check.set_rule == "mean" and check.mean_peak_ratio is not None:
@@ -205,14 +204,9 @@ class CheckTab(QWidget):
         for fraction, label in ((0.40, "SLV"), (0.60, "SLC"), (1.00, "θc")):
             wanted = LIMIT_FRACTION.get(check.limit_state) == fraction
             self.peaks.level(
-                fraction,
-                f"{number(fraction, '.2f')} {label}",
-                "bad" if wanted or fraction == 1.0 else "quiet",
+                fraction, f"{number(fraction, '.2f')} {label}", "bad" if wanted or fraction == 1.0 else "quiet"
             )
         signs = {run.polarity for run in check.runs}
-        names = [
-            run.record + ("" if len(signs) == 1 else " +" if run.polarity > 0 else " −")
-            for run in check.runs
-        ]
+        names = [run.record + ("" if len(signs) == 1 else " +" if run.polarity > 0 else " −") for run in check.runs]
         self.peaks.names_below(names)
         self.peaks.set_range((-0.6, len(names) - 0.4), (0.0, top))

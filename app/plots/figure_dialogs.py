@@ -1,13 +1,6 @@
 """What is asked before a figure is saved, and the ends of the axes."""
 
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QComboBox,
-    QDialog,
-    QDialogButtonBox,
-    QFormLayout,
-    QLineEdit,
-)
+from PySide6.QtWidgets import QCheckBox, QComboBox, QDialog, QDialogButtonBox, QFormLayout, QLineEdit
 
 from app.language import current_language, tr
 from app.plots.figure_file import FigureSize
@@ -40,9 +33,7 @@ def ask_size(parent) -> FigureSize | None:
     form.addRow("", caption)
     if not _accepted(dialog, form):
         return None
-    _last[0] = FigureSize(
-        WIDTHS[width.currentIndex()], RESOLUTIONS[dpi.currentIndex()], caption.isChecked()
-    )
+    _last[0] = FigureSize(WIDTHS[width.currentIndex()], RESOLUTIONS[dpi.currentIndex()], caption.isChecked())
     return _last[0]
 
 

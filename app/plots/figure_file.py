@@ -46,9 +46,7 @@ def figure(chart, end: str, size: FigureSize) -> bytes:
     room.open(QIODevice.OpenModeFlag.WriteOnly)
     old, ranges, box = chart.view.size(), chart.plot.viewRange(), chart.plot.vb
     box.blockLink(True)  # a linked chart of another width would move the axis
-    chart.layout().setEnabled(
-        False
-    )  # behind another tab, painting would give the view its old size
+    chart.layout().setEnabled(False)  # behind another tab, painting would give the view its old size
     try:
         chart.view.resize(whole)
         chart.fit()
@@ -133,9 +131,7 @@ def _pdf(room: QBuffer, page: QSize, density: float) -> QPdfWriter:
     writer = QPdfWriter(room)
     points = QSizeF(page.width() * 72.0 / density, page.height() * 72.0 / density)
     writer.setPageLayout(
-        QPageLayout(
-            QPageSize(points, QPageSize.Unit.Point), QPageLayout.Orientation.Portrait, QMarginsF()
-        )
+        QPageLayout(QPageSize(points, QPageSize.Unit.Point), QPageLayout.Orientation.Portrait, QMarginsF())
     )
     writer.setResolution(round(density))
     return writer

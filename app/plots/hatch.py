@@ -39,8 +39,7 @@ class Hatch(pg.GraphicsObject):
         painter.drawLines(
             [
                 QLineF(
-                    place(max(0.0, at - high), max(0.0, high - at)),
-                    place(min(wide, at), min(high, high - at + wide)),
+                    place(max(0.0, at - high), max(0.0, high - at)), place(min(wide, at), min(high, high - at + wide))
                 )
                 for at in np.arange(SPACING, wide + high, SPACING).tolist()
             ]

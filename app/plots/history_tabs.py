@@ -5,16 +5,7 @@ from functools import partial
 
 import numpy as np
 from PySide6.QtCore import QElapsedTimer, Qt, QTimer, Signal
-from PySide6.QtWidgets import (
-    QComboBox,
-    QHBoxLayout,
-    QLabel,
-    QPushButton,
-    QSlider,
-    QSplitter,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QPushButton, QSlider, QSplitter, QVBoxLayout, QWidget
 
 from app.drawing import WallDrawing
 from app.language import current_language, named, number, tr
@@ -47,9 +38,15 @@ class HistoriesTab(QWidget):
         self.preset = QComboBox()
         self.preset.setAccessibleName(tr("Multiplier at once"))
         self.preset.addItems(
-            [tr("Set to…"), tr("the demand"), tr("the demand with FC"), tr("just before collapse"),
-             tr("just after collapse"), "q = 2"]
-        )  # fmt: skip
+            [
+                tr("Set to…"),
+                tr("the demand"),
+                tr("the demand with FC"),
+                tr("just before collapse"),
+                tr("just after collapse"),
+                "q = 2",
+            ]
+        )
         self.preset.activated.connect(self._set_to)
         self.chosen_q: float | None = None
         self.strength_factor = 1.0
@@ -118,11 +115,7 @@ class HistoriesTab(QWidget):
         self.motion = result.motion_of(wall, self.run.motion)
         self.times = np.arange(self.motion.acceleration.size) * self.motion.time_step
         self.ground_curve = self.ground.curve(
-            tr("floor") if wall.floor else tr("ground"),
-            self.times,
-            self.motion.acceleration / G,
-            6,
-            1.0,
+            tr("floor") if wall.floor else tr("ground"), self.times, self.motion.acceleration / G, 6, 1.0
         )
         self.ground.level(0.0)
         self.curve = self.rotation.curve("θ/θc", [0.0, 1.0], [0.0, 0.0], 0, 1.8)
@@ -130,9 +123,7 @@ class HistoriesTab(QWidget):
         both_ways = wall.model.one_sided == 0.0
         for level in (-1.0, 1.0) if both_ways else (1.0,):
             self.rotation.level(level, "θc" if level > 0 else "−θc", "bad")
-        self.cursors = [
-            chart.level(0.0, "", "ink", vertical=True) for chart in (self.ground, self.rotation)
-        ]
+        self.cursors = [chart.level(0.0, "", "ink", vertical=True) for chart in (self.ground, self.rotation)]
         for line in self.cursors:
             line.setMovable(True)
             line.sigDragged.connect(lambda line: self.set_time(line.value()))
@@ -216,9 +207,7 @@ class HistoriesTab(QWidget):
         if self.history.outcome == COLLAPSED:  # its largest rotation is where the analysis ended
             outcome = named("overturned")
         else:
-            peak = numeral(
-                self.history.peak / wall.model.collapse_rotation, ".2f", current_language()
-            )
+            peak = numeral(self.history.peak / wall.model.collapse_rotation, ".2f", current_language())
             outcome = f"{tr('stands')}   θmax/θc {peak}"
         number = partial(numeral, language=current_language())
         which = self._wall_in_words()
@@ -227,9 +216,7 @@ class HistoriesTab(QWidget):
         for chart in (self.ground, self.rotation):
             sign = "+" if self.run.polarity > 0 else "−"
             run = f"{self.run.record} ({sign})"
-            chart.caption = ", ".join(
-                (wall.name, named(wall.mechanism), run, f"C {number(abs(scale), '.3f')}", *which)
-            )
+            chart.caption = ", ".join((wall.name, named(wall.mechanism), run, f"C {number(abs(scale), '.3f')}", *which))
         self.set_time(self.cursors[0].value())
 
     def _wall_in_words(self) -> tuple[str, ...]:
@@ -275,17 +262,12 @@ class ValidationTab(QWidget):
         self.button = QPushButton(tr("State the accuracy for this wall (some seconds)"))
         self.button.clicked.connect(self.asked)
         self.words = QLabel(
-            tr(
-                "Error of the solver and spread of q by definition, for this wall and its governing record."
-            )
+            tr("Error of the solver and spread of q by definition, for this wall and its governing record.")
         )
         self.words.setWordWrap(True)
         self.words.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.chart = Chart(
-            tr("time per history [ms]"),
-            tr("error / α [-]"),
-            tr("Accuracy against speed"),
-            legend="beside",
+            tr("time per history [ms]"), tr("error / α [-]"), tr("Accuracy against speed"), legend="beside"
         )
         self.chart.set_log(True)
         self.phase = Chart("θ/θc [-]", "θ'/(p θc) [-]", tr("Phase portrait"))
@@ -320,18 +302,9 @@ class ValidationTab(QWidget):
             self.phase.say_why(tr("No record with a q."))
             return
         speed = wall.block.frequency_parameter * alpha
-        for one, name, color in zip(
-            pair.histories, (tr("survives"), named("overturned")), (0, 1), strict=True
-        ):
+        for one, name, color in zip(pair.histories, (tr("survives"), named("overturned")), (0, 1), strict=True):
             inside = np.abs(one.rotation) < 1.5 * alpha
-            self.phase.curve(
-                name,
-                one.rotation[inside] / alpha,
-                one.velocity[inside] / speed,
-                color,
-                1.0,
-                path=True,
-            )
+            self.phase.curve(name, one.rotation[inside] / alpha, one.velocity[inside] / speed, color, 1.0, path=True)
         self.phase.reset()
 
     def show_accuracy(self, accuracy) -> None:
@@ -344,9 +317,7 @@ class ValidationTab(QWidget):
             if point.error is not None:
                 name = f"{point.name}: {point.error:.0e}"
                 mark = "ost"[k // 7]  # colours come again after seven
-                self.chart.points(
-                    name, [1e3 * point.seconds], [max(point.error, 1e-16)], k, 11, symbol=mark
-                )
+                self.chart.points(name, [1e3 * point.seconds], [max(point.error, 1e-16)], k, 11, symbol=mark)
         self.chart.reset()
 
         def share(value: float | None) -> str:
@@ -359,9 +330,7 @@ class ValidationTab(QWidget):
                         "Solver ({method}): error of q {q}, of the history {history} α ({record}).",
                         method=accuracy.method,
                         q=share(accuracy.solver_q_error),
-                        history="–"
-                        if accuracy.history_error is None
-                        else f"{accuracy.history_error:.0e}",
+                        history="–" if accuracy.history_error is None else f"{accuracy.history_error:.0e}",
                         record=accuracy.record,
                     ),
                     tr(

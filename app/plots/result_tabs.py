@@ -3,14 +3,7 @@
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QHBoxLayout,
-    QLabel,
-    QSplitter,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QSplitter, QVBoxLayout, QWidget
 
 from app import theme
 from app.language import named, number, tr
@@ -71,16 +64,12 @@ class IntensityTab(QWidget):
         x = np.geomspace(0.7 * si.min(), 1.4 * si.max(), 60)
         one_sided = wall.mechanism == "one_sided"
         form = "Eq. 16" if one_sided else "Eq. 15"
-        y = np.array(
-            [closed_form_q_eff(wall.block.slenderness, wall.block.height, v, one_sided) for v in x]
-        )
+        y = np.array([closed_form_q_eff(wall.block.slenderness, wall.block.height, v, one_sided) for v in x])
         if not self.log.isChecked():
             self.chart.band(x / CM, 0.8 * y, 1.2 * y, 1)
         self.chart.curve(form, x / CM, y, 1, 2.0)
         law = wall.power_law
-        text = tr(
-            "set: q {q}, q robust {robust}", q=digits(wall.q_set), robust=digits(wall.q_robust_set)
-        )
+        text = tr("set: q {q}, q robust {robust}", q=digits(wall.q_set), robust=digits(wall.q_robust_set))
         if law:
             inside = np.geomspace(si.min(), si.max(), 60)  # where the records are, no further
             fit = [law.q_eff(v) for v in inside]
@@ -95,9 +84,7 @@ class IntensityTab(QWidget):
         self.scale_free.clear()
         self.scale_free.set_log(self.log.isChecked())
         block = wall.block
-        pi = np.array(
-            [dimensionless_intensity(block.p2, entry.intensity, entry.pga) for entry in known]
-        )
+        pi = np.array([dimensionless_intensity(block.p2, entry.intensity, entry.pga) for entry in known])
         self.scale_free.points(tr("time histories"), pi, [entry.q for entry in known], 0, 9)
         law = law_of(wall.mechanism == "one_sided", wall.law, "q")
         if law is not None:
@@ -123,9 +110,7 @@ class SpectraTab(QWidget):
         super().__init__()
         self.language = language
         self.chart = Chart("T [s]", "S_a [g]", tr("Spectra"), live=True)
-        self.table = Table(
-            tr("Compatibility"), [tr("Rule"), tr("Clause"), tr("Value"), tr("Limit"), tr("Outcome")]
-        )
+        self.table = Table(tr("Compatibility"), [tr("Rule"), tr("Clause"), tr("Value"), tr("Limit"), tr("Outcome")])
         self.words = QLabel()
         self.floor = Chart("T [s]", "S_a [g]", tr("Floor spectra"))
         charts = QSplitter(Qt.Orientation.Horizontal)
@@ -147,13 +132,10 @@ class SpectraTab(QWidget):
         if floor is None:
             return
         if floor.spectrum is not None:
-            name = tr("code, z {z:g} m, ξ {damping:.0f} %", z=floor.z,
-                      damping=100.0 * floor.damping)  # fmt: skip
+            name = tr("code, z {z:g} m, ξ {damping:.0f} %", z=floor.z, damping=100.0 * floor.damping)
             self.floor.curve(name, CHART_PERIODS, floor.code_spectrum / G, 1, 2.4)
         if floor.motions:
-            self.floor.curve(
-                tr("mean of the floors"), CHART_PERIODS, floor.mean_spectrum / G, 0, 2.4
-            )
+            self.floor.curve(tr("mean of the floors"), CHART_PERIODS, floor.mean_spectrum / G, 0, 2.4)
         self.floor.reset()
 
     def show_records(self, motions, target, rules, floor=None) -> None:
@@ -168,46 +150,26 @@ class SpectraTab(QWidget):
         for motion in motions:
             key = motion.samples_sha256
             if key not in self.known:
-                self.known[key] = pseudo_acceleration_spectrum(
-                    motion.acceleration, motion.time_step, HOUSNER_PERIODS
-                )
+                self.known[key] = pseudo_acceleration_spectrum(motion.acceleration, motion.time_step, HOUSNER_PERIODS)
             spectra.append(self.known[key] / G)
         region = pg.LinearRegionItem((0.1, 2.5), movable=False, brush=pg.mkBrush(128, 128, 128, 18))
         self.chart.add(region)
         for motion, values in zip(motions, spectra, strict=True):
             self.chart.curve(motion.name, HOUSNER_PERIODS, values, 6, 0.8, legend=False)
         if spectra:
-            self.chart.curve(
-                tr("mean of the records"), HOUSNER_PERIODS, np.mean(spectra, axis=0), 0, 2.4
-            )
+            self.chart.curve(tr("mean of the records"), HOUSNER_PERIODS, np.mean(spectra, axis=0), 0, 2.4)
         if target is not None:
             periods = np.linspace(0.0, 4.0, 401)
-            self.chart.curve(
-                tr("target: {name}", name=target.name),
-                periods,
-                target.acceleration(periods) / G,
-                1,
-                2.4,
-            )
-        self.words.setText(
-            tr("SI is the area under the pseudo-velocity from 0.1 to 2.5 s (shaded).")
-        )
+            self.chart.curve(tr("target: {name}", name=target.name), periods, target.acceleration(periods) / G, 1, 2.4)
+        self.words.setText(tr("SI is the area under the pseudo-velocity from 0.1 to 2.5 s (shaded)."))
         self.chart.reset()
         rows, colors = [], []
         for rule in rules.rules if rules else ():
             percent = 100.0 if rule.unit == "%" else 1.0
             outcome = "shown" if rule.passed is None else "passed" if rule.passed else "not_passed"
-            color = (
-                None
-                if rule.passed is None
-                else theme.current.good
-                if rule.passed
-                else theme.current.bad
-            )
+            color = None if rule.passed is None else theme.current.good if rule.passed else theme.current.bad
             value = f"{number(percent * rule.value, '.3g')} {rule.unit}"
-            limit = (
-                "–" if rule.limit is None else f"{number(percent * rule.limit, '.3g')} {rule.unit}"
-            )
+            limit = "–" if rule.limit is None else f"{number(percent * rule.limit, '.3g')} {rule.unit}"
             name, found = word(rule.name, self.language), word(outcome, self.language)
             rows.append([name, rule.clause, value, limit, found])
             colors.append([None] * 4 + [color])

@@ -33,9 +33,7 @@ def figure_chart(figure: Figure) -> QWidget:
             )
         if series.look in (POINTS, LINE_POINTS):
             symbol = SYMBOLS[marker_of(figure, k) % len(SYMBOLS)]
-            chart.points(
-                series.name, series.x, series.y, series.color, 7, legend=named, symbol=symbol
-            )
+            chart.points(series.name, series.x, series.y, series.color, 7, legend=named, symbol=symbol)
     chart.reset()
     return _with_note(chart, figure.note)
 
@@ -63,10 +61,7 @@ def claims_table(claims: tuple[Claim, ...]) -> Table:
     view = Table(tr("Claims"), heads)
     view.live = True
     view.show_rows(
-        [
-            [claim.source, claim.claim, shown(claim.held), shown(claim.tried), claim.found]
-            for claim in claims
-        ]
+        [[claim.source, claim.claim, shown(claim.held), shown(claim.tried), claim.found] for claim in claims]
     )
     return view
 

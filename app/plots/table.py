@@ -60,9 +60,7 @@ class Table(QTableWidget):
         self.fitted = self.width()
         head = self.horizontalHeader()
         # rows that wrap may bring the vertical scroll bar
-        room = (
-            self.width() - 2 * self.frameWidth() - self.verticalScrollBar().sizeHint().width() - 2
-        )
+        room = self.width() - 2 * self.frameWidth() - self.verticalScrollBar().sizeHint().width() - 2
         columns = [c for c in range(self.columnCount()) if not self.isColumnHidden(c)]
         wanted = {c: max(self.sizeHintForColumn(c), head.sectionSizeHint(c)) + 4 for c in columns}
         over = sum(wanted.values()) - room + 2
@@ -86,8 +84,7 @@ class Table(QTableWidget):
         metrics, bold = self.fontMetrics(), self.horizontalHeader().fontMetrics()
         widths = [metrics.horizontalAdvance(word) for word in words]
         widths += [  # a head does not wrap: its unit stands in its line
-            bold.horizontalAdvance(line) + 4
-            for line in self.horizontalHeaderItem(column).text().split("\n")
+            bold.horizontalAdvance(line) + 4 for line in self.horizontalHeaderItem(column).text().split("\n")
         ]
         return max(widths) + 10
 
@@ -100,9 +97,7 @@ class Table(QTableWidget):
         if Table.stale and not self.live:
             lines.append(tr("The input has changed since these results."))
         if len(chosen) != 1:
-            lines.append(
-                "\t".join(self.horizontalHeaderItem(c).text().replace("\n", " ") for c in columns)
-            )
+            lines.append("\t".join(self.horizontalHeaderItem(c).text().replace("\n", " ") for c in columns))
         for r in rows:
             cells = (self.item(r, c) for c in columns)
             words = (" ".join(cell.text().split()) if cell else "" for cell in cells)

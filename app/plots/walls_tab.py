@@ -52,18 +52,30 @@ class WallsTab(QWidget):
         self.by, self.falling = ZETA, False
         self.words = QLabel(tr("No result yet: press F5.") + "\n\n" + "\n".join(steps()))
         self.words.setWordWrap(True)
-        self.table = Table(tr("Walls of the study"), [
-            tr("Wall"), tr("Mechanism"), "ζ", tr("Outcome"), tr("by"), "q", "PGA_C [g]", "T_R,C", "IS-V",
-            *(f"ζ {state}" for state in STATES)])  # fmt: skip
-        self.table.cellDoubleClicked.connect(lambda row, _: self._picked(row))
-        self.table.cellClicked.connect(
-            lambda row, column: self._picked(row) if column == 0 else None
+        self.table = Table(
+            tr("Walls of the study"),
+            [
+                tr("Wall"),
+                tr("Mechanism"),
+                "ζ",
+                tr("Outcome"),
+                tr("by"),
+                "q",
+                "PGA_C [g]",
+                "T_R,C",
+                "IS-V",
+                *(f"ζ {state}" for state in STATES),
+            ],
         )
+        self.table.cellDoubleClicked.connect(lambda row, _: self._picked(row))
+        self.table.cellClicked.connect(lambda row, column: self._picked(row) if column == 0 else None)
         self.table.setToolTip(tr("Click the name of a wall to open it, a head to sort by it."))
         self.table.horizontalHeader().setSectionsClickable(True)
         self.table.horizontalHeader().sectionClicked.connect(self._sort)
-        self.pairs = Table(tr("Before and after"), [
-            tr("Wall"), tr("Mechanism"), tr("ζ before"), tr("by"), tr("ζ after"), tr("by"), tr("changed")])  # fmt: skip
+        self.pairs = Table(
+            tr("Before and after"),
+            [tr("Wall"), tr("Mechanism"), tr("ζ before"), tr("by"), tr("ζ after"), tr("by"), tr("changed")],
+        )
         self.pairs_title = QLabel(tr("Before and after"))
         below = QWidget()
         inside = QVBoxLayout(below)
@@ -88,11 +100,7 @@ class WallsTab(QWidget):
         self.words.setText(tr("Lowest ζ first. Click the name of a wall to open it."))
         rows, colors = [], []
         deciding = [one.governing for one in result.verdicts] or range(len(result.walls))
-        self.order = sorted(
-            deciding,
-            key=lambda k: self._rank(result.walls[k]),
-            reverse=self.falling,
-        )
+        self.order = sorted(deciding, key=lambda k: self._rank(result.walls[k]), reverse=self.falling)
         for k in self.order:
             rows.append(self._row(result.walls[k]))
             shade = verdict_color(result, result.walls[k]) if result.walls[k].assessment else None
@@ -100,9 +108,7 @@ class WallsTab(QWidget):
         for column in range(RISK, self.table.columnCount()):  # what no wall has takes no room
             self.table.setColumnHidden(column, all(row[column] == "–" for row in rows))
         self.table.show_rows(rows, colors)
-        shown = next(
-            (k for k in self.order if result.walls[k].part.origin == wall.part.origin), None
-        )
+        shown = next((k for k in self.order if result.walls[k].part.origin == wall.part.origin), None)
         if shown is not None:
             self.table.selectRow(self.order.index(shown))
         found = comparisons(result.walls)
@@ -114,22 +120,30 @@ class WallsTab(QWidget):
         risk = found.risk if found else None
         states = {one.state: one.zeta for one in found.states} if found else {}
         return [
-            wall.name, word(wall.mechanism, language), digits(zeta_of(wall)),
-            word(found.verdict.code, language) if found else "–", method_of(wall, language), digits(wall.q_set),
+            wall.name,
+            word(wall.mechanism, language),
+            digits(zeta_of(wall)),
+            word(found.verdict.code, language) if found else "–",
+            method_of(wall, language),
+            digits(wall.q_set),
             digits(risk.pga / G, 3) if risk else "–",
             (risk.years if risk else None) or "–",
             f"{number(risk.index, '.2f')} {risk.letter}" if risk and risk.index is not None else "–",
             *(digits(states.get(state)) for state in STATES),
-        ]  # fmt: skip
+        ]
 
     def _pair(self, one: Comparison) -> list[str]:
         language = self.language
         changed = ", ".join(word(f"key_{key}", language) for key in one.changed) or tr("nothing")
         return [
-            one.name, word(one.before.mechanism, language), digits(zeta_of(one.before)),
+            one.name,
+            word(one.before.mechanism, language),
+            digits(zeta_of(one.before)),
             method_of(one.before, language),
-            digits(zeta_of(one.after)), method_of(one.after, language), changed,
-        ]  # fmt: skip
+            digits(zeta_of(one.after)),
+            method_of(one.after, language),
+            changed,
+        ]
 
     def _rank(self, wall: WallResult) -> tuple:
         """By the column chosen: numbers by their size, what has none last."""

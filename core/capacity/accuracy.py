@@ -87,10 +87,16 @@ def truth(motion: GroundMotion, scale: float, model: RockingModel, cancelled) ->
     """theta [rad] of one history by the independent solver, up to its stop. Raises Cancelled."""
     kinks = None if model.plateau_end == 0.0 else (model.elastic_end, model.plateau_end)
     theta, _ = independent_solver.history(
-        scale * motion.acceleration, motion.time_step, model.slenderness, model.p2,
-        model.one_sided != 0.0, lambda speed: velocity_ratio(speed, model)[0], kinks, cancelled,
+        scale * motion.acceleration,
+        motion.time_step,
+        model.slenderness,
+        model.p2,
+        model.one_sided != 0.0,
+        lambda speed: velocity_ratio(speed, model)[0],
+        kinks,
+        cancelled,
         tuple((s.sine, s.cosine) for s in (model.restoring, model.mirrored)),
-    )  # fmt: skip
+    )
     return theta
 
 
@@ -130,9 +136,7 @@ def accuracy(
     method = resolve_auto(method, model, motion.time_step)
 
     def searched(ground, asked: Search, by: Method) -> Ida:
-        return incremental_dynamic_analysis(
-            ground, motion.time_step, motion.pga, polarity, model, by, asked, cancelled
-        )
+        return incremental_dynamic_analysis(ground, motion.time_step, motion.pga, polarity, model, by, asked, cancelled)
 
     scale = polarity * multiplier_of(ida.bracket[0], motion.pga, threshold_of(model))
     theta = truth(motion, scale, model, cancelled)
@@ -156,8 +160,14 @@ def accuracy(
         rounded.append((result.q, result.q_robust))
     pair = (ida.q, other_sign) if polarity > 0 else (other_sign, ida.q)
     return Accuracy(
-        record=motion.name, polarity=polarity, scale=float(scale), method=method.name, q=ida.q,
-        q_reference=searched(ground, search, METHODS["dormand_prince"]).q, points=tuple(points),
-        steps=tuple(sorted(steps)), rounded=tuple(rounded),
+        record=motion.name,
+        polarity=polarity,
+        scale=float(scale),
+        method=method.name,
+        q=ida.q,
+        q_reference=searched(ground, search, METHODS["dormand_prince"]).q,
+        points=tuple(points),
+        steps=tuple(sorted(steps)),
+        rounded=tuple(rounded),
         polarities=None if model.both_signs_alike else pair,
-    )  # fmt: skip
+    )

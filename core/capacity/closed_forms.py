@@ -22,9 +22,7 @@ def effective_q(q: float, pga: float) -> float:
     return q * G / pga
 
 
-def closed_form_q_eff(
-    slenderness: float, height: float, intensity: float, one_sided: bool
-) -> float:
+def closed_form_q_eff(slenderness: float, height: float, intensity: float, one_sided: bool) -> float:
     """q_eff of Eq. 15 (two-sided) or Eq. 16 (one-sided) [-].
 
     slenderness [rad]; height [m]; intensity : SI [m]. The print sets these equal to q: the factor
@@ -39,9 +37,7 @@ def closed_form_q(slenderness, height, intensity, pga, one_sided) -> float:
     return closed_form_q_eff(slenderness, height, intensity, one_sided) * pga / G
 
 
-def range_notices(
-    slenderness: float, height: float, pgas: list[tuple[str | Sentence, float]]
-) -> list[Sentence]:
+def range_notices(slenderness: float, height: float, pgas: list[tuple[str | Sentence, float]]) -> list[Sentence]:
     """Where a wall and its motions lie outside what Eq. 15/16 were fitted on.
 
     pgas : (where, a name or a Sentence, PGA [m/s2]) of each motion the forms are used with.

@@ -134,9 +134,7 @@ class _Map:
         codes, reached = np.empty(int(moves.sum()), np.int64), np.empty(int(moves.sum()))
         scales = self.sign * multiplier_of(q_values[moves], self.pga, threshold_of(self.model))
         which = np.zeros(scales.size, np.int64)
-        clamped[moves] = scan_records(
-            self.method, self.grounds, which, scales, self.model, codes, reached
-        )
+        clamped[moves] = scan_records(self.method, self.grounds, which, scales, self.model, codes, reached)
         self.analyses += scales.size
         outcomes[moves], peaks[moves] = codes, reached
         return outcomes, peaks, clamped
@@ -160,9 +158,7 @@ class _Map:
     def cut(self, last: int) -> None:
         """Forget what was analysed beyond this grid point, so that no map depends on the chunks."""
         keep = slice(0, last - self.first + 1)
-        self.outcomes, self.peaks, self.clamped = (
-            self.outcomes[keep], self.peaks[keep], self.clamped[keep]
-        )  # fmt: skip
+        self.outcomes, self.peaks, self.clamped = (self.outcomes[keep], self.peaks[keep], self.clamped[keep])
 
     def first_reaching(self, fraction: float) -> int | None:
         """First grid index that collapses or whose peak reaches this fraction of theta_c."""
@@ -184,9 +180,7 @@ class _Map:
             cuts = np.cumsum([part.size for part in middles])[:-1]
             return [
                 (self.reaches(outcome, peak, fractions[wanted[k]]), outcome == IMPACT_LIMIT)
-                for k, (outcome, peak) in enumerate(
-                    zip(np.split(outcomes, cuts), np.split(peaks, cuts), strict=True)
-                )
+                for k, (outcome, peak) in enumerate(zip(np.split(outcomes, cuts), np.split(peaks, cuts), strict=True))
             ]
 
         edges = [(self.q_of(firsts[k] - 1), self.q_of(firsts[k])) for k in wanted]
@@ -205,10 +199,7 @@ def bisections(brackets: list[tuple[float, float]], failures) -> list[tuple[floa
     """
     narrowed = list(brackets)
     while any(wide := [bracket is not None and not _narrow(*bracket) for bracket in narrowed]):
-        edges = [
-            _halved(*bracket) if k else np.zeros(2)
-            for k, bracket in zip(wide, narrowed, strict=True)
-        ]
+        edges = [_halved(*bracket) if k else np.zeros(2) for k, bracket in zip(wide, narrowed, strict=True)]
         for k, (fails, unknown) in enumerate(failures([points[1:-1] for points in edges])):
             if wide[k]:
                 narrowed[k] = _narrowed(edges[k], fails, unknown)
@@ -355,11 +346,7 @@ def _result(grid: _Map, status: str, brackets, robust: int | None) -> Ida:
         known = grid.outcomes[start : (last_index or 0) + 1]
         known = known[known != IMPACT_LIMIT]
         fraction = float((known == STABLE).mean()) if known.size else 0.0
-        windows = [
-            (grid.q_of(grid.first + a), grid.q_of(grid.first + b))
-            for a, b in _runs(survives)
-            if a > start
-        ]
+        windows = [(grid.q_of(grid.first + a), grid.q_of(grid.first + b)) for a, b in _runs(survives) if a > start]
     return Ida(
         status=status,
         q=q,

@@ -22,9 +22,7 @@ def law(phi, alpha, kinks, a=1.0, c=0.0):
     return plateau * min(phi / kinks[0], 1.0)
 
 
-def history(
-    ground, dt, alpha, p2, one_sided, ratio_of, kinks=None, cancelled=lambda: False, loads=BARE
-):
+def history(ground, dt, alpha, p2, one_sided, ratio_of, kinks=None, cancelled=lambda: False, loads=BARE):
     """Rocking history (Coccia et al. 2016, Eq. 1); returns theta at the samples [rad], impact count.
 
     ground : [m/s2], shape (n,); dt [s]; alpha [rad]; p2 [1/s2]; ratio_of(speed [rad/s]) : velocity ratio
@@ -63,8 +61,9 @@ def history(
                 return [y[1], -p2 * (restoring - beta * math.cos(alpha - y[0]))]
 
             events = [_event(0.0, -1)] + [_event(level, 0) for level in levels if level != phi]
-            solution = solve_ivp(motion, (t, dt), [phi, speed], "DOP853", rtol=3e-14, atol=1e-18,
-                              max_step=dt / 4, events=events)  # fmt: skip
+            solution = solve_ivp(
+                motion, (t, dt), [phi, speed], "DOP853", rtol=3e-14, atol=1e-18, max_step=dt / 4, events=events
+            )
             t = solution.t[-1]
             phi, speed = solution.y[:, -1]
             if solution.status != 1:

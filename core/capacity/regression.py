@@ -75,9 +75,4 @@ def agreement(law, truth) -> Agreement:
     ratio = np.asarray(law, float) / np.asarray(truth, float)
     log = np.log(ratio)
     within = float((np.abs(1.0 / ratio - 1.0) <= BAND).mean())
-    return Agreement(
-        math.expm1(float(log.mean())),
-        float(log.std(ddof=1)) if log.size > 1 else 0.0,
-        within,
-        log.size,
-    )
+    return Agreement(math.expm1(float(log.mean())), float(log.std(ddof=1)) if log.size > 1 else 0.0, within, log.size)

@@ -35,9 +35,7 @@ class ScaleFreeLaw:
 
     def q(self, pi, velocity_ratio):
         """q [-] at Pi and e [-], numbers or arrays."""
-        return law_value(
-            self.coefficients, self.limit, pi, np.sqrt(1.0 - np.asarray(velocity_ratio))
-        )
+        return law_value(self.coefficients, self.limit, pi, np.sqrt(1.0 - np.asarray(velocity_ratio)))
 
     def interval(self, pi: float, velocity_ratio: float) -> tuple[float, float]:
         """Range of q that holds the mean of a set of compatible motions in nine cases of ten; in three of four below
@@ -68,12 +66,7 @@ class Estimate:
 
 
 def estimates(
-    block: Block,
-    restitution: Restitution,
-    law: MomentLaw,
-    one_sided: bool,
-    intensity: float,
-    pga: float,
+    block: Block, restitution: Restitution, law: MomentLaw, one_sided: bool, intensity: float, pga: float
 ) -> tuple[Estimate, ...]:
     """q and q_slv of the law; none for a moment law it was not fitted on. intensity : SI [m]; pga [m/s2]."""
     pi, ratio = dimensionless_intensity(block.p2, intensity, pga), loss_ratio(block, restitution)
@@ -144,39 +137,21 @@ TWO_TRI, ONE_TRI = (0.042, 0.419), (0.709, 0.883)
 plateau."""
 
 FITTED: dict[tuple[str, str, str], ScaleFreeLaw] = {
-    ("two_sided", "rigid", "q"): ScaleFreeLaw(
-        (-0.092, 3.777, 1.589, -1.087), 1.0, 0.131, 0.194, PI_RANGE, TWO
-    ),
-    ("two_sided", "rigid", "q_slv"): ScaleFreeLaw(
-        (-1.105, 4.629, 1.679, -1.513), 1.0, 0.155, 0.192, PI_RANGE, TWO
-    ),
-    ("two_sided", "doherty", "q"): ScaleFreeLaw(
-        (0.147, 3.599, 1.747, -1.297), 0.72, 0.237, 0.318, PI_TRI, TWO_TRI
-    ),
-    ("two_sided", "doherty", "q_slv"): ScaleFreeLaw(
-        (-0.875, 4.242, 1.935, -1.974), 0.72, 0.299, 0.36, PI_TRI, TWO_TRI
-    ),
-    ("two_sided", "al_shawa", "q"): ScaleFreeLaw(
-        (0.087, 3.719, 1.733, -1.31), 0.72, 0.225, 0.298, PI_TRI, TWO_TRI
-    ),
+    ("two_sided", "rigid", "q"): ScaleFreeLaw((-0.092, 3.777, 1.589, -1.087), 1.0, 0.131, 0.194, PI_RANGE, TWO),
+    ("two_sided", "rigid", "q_slv"): ScaleFreeLaw((-1.105, 4.629, 1.679, -1.513), 1.0, 0.155, 0.192, PI_RANGE, TWO),
+    ("two_sided", "doherty", "q"): ScaleFreeLaw((0.147, 3.599, 1.747, -1.297), 0.72, 0.237, 0.318, PI_TRI, TWO_TRI),
+    ("two_sided", "doherty", "q_slv"): ScaleFreeLaw((-0.875, 4.242, 1.935, -1.974), 0.72, 0.299, 0.36, PI_TRI, TWO_TRI),
+    ("two_sided", "al_shawa", "q"): ScaleFreeLaw((0.087, 3.719, 1.733, -1.31), 0.72, 0.225, 0.298, PI_TRI, TWO_TRI),
     ("two_sided", "al_shawa", "q_slv"): ScaleFreeLaw(
         (-1.018, 4.647, 1.953, -2.107), 0.72, 0.286, 0.335, PI_TRI, TWO_TRI
     ),
-    ("one_sided", "rigid", "q"): ScaleFreeLaw(
-        (-0.659, 2.826, 0.651, -0.197), 1.0, 0.138, 0.154, PI_RANGE, ONE
-    ),
-    ("one_sided", "rigid", "q_slv"): ScaleFreeLaw(
-        (-0.832, 2.691, 0.463, 0.018), 1.0, 0.147, 0.16, PI_RANGE, ONE
-    ),
-    ("one_sided", "doherty", "q"): ScaleFreeLaw(
-        (-0.385, 2.253, 0.277, 0.319), 0.72, 0.15, 0.166, PI_RANGE, ONE_TRI
-    ),
+    ("one_sided", "rigid", "q"): ScaleFreeLaw((-0.659, 2.826, 0.651, -0.197), 1.0, 0.138, 0.154, PI_RANGE, ONE),
+    ("one_sided", "rigid", "q_slv"): ScaleFreeLaw((-0.832, 2.691, 0.463, 0.018), 1.0, 0.147, 0.16, PI_RANGE, ONE),
+    ("one_sided", "doherty", "q"): ScaleFreeLaw((-0.385, 2.253, 0.277, 0.319), 0.72, 0.15, 0.166, PI_RANGE, ONE_TRI),
     ("one_sided", "doherty", "q_slv"): ScaleFreeLaw(
         (-0.336, 1.782, 0.179, 0.475), 0.72, 0.154, 0.171, PI_RANGE, ONE_TRI
     ),
-    ("one_sided", "al_shawa", "q"): ScaleFreeLaw(
-        (-0.323, 2.249, 0.224, 0.356), 0.72, 0.149, 0.164, PI_RANGE, ONE_TRI
-    ),
+    ("one_sided", "al_shawa", "q"): ScaleFreeLaw((-0.323, 2.249, 0.224, 0.356), 0.72, 0.149, 0.164, PI_RANGE, ONE_TRI),
     ("one_sided", "al_shawa", "q_slv"): ScaleFreeLaw(
         (-0.262, 1.806, 0.075, 0.557), 0.72, 0.15, 0.165, PI_RANGE, ONE_TRI
     ),

@@ -35,9 +35,7 @@ def parse_hazard(text: str) -> tuple[HazardRow, ...]:
         if len(values) not in (2, 4) or len(rows) == MAX_ROWS:
             raise InputError("hazard_line", text=line.strip()[:60], place=(here,))
         try:
-            checked = [
-                check_value(HazardRow, key, value) for key, value in zip(KEYS, values, strict=False)
-            ]
+            checked = [check_value(HazardRow, key, value) for key, value in zip(KEYS, values, strict=False)]
         except InputError as error:
             raise error.at(here) from None
         rows.append(HazardRow(*checked))
@@ -50,10 +48,7 @@ def parse_hazard(text: str) -> tuple[HazardRow, ...]:
 def check_rising(rows) -> None:
     """Refuse a hazard of one row, or one that does not rise from row to row."""
     pairs = list(itertools.pairwise(rows))
-    rising = all(
-        low.return_period_years < high.return_period_years and low.ag_g < high.ag_g
-        for low, high in pairs
-    )
+    rising = all(low.return_period_years < high.return_period_years and low.ag_g < high.ag_g for low, high in pairs)
     if not pairs or not rising:
         raise InputError("hazard_not_rising", key="hazard")
 

@@ -74,9 +74,7 @@ def usual_hinges(wall: Wall, building: Building | None) -> tuple[float, ...]:
     highest = wall.height_m - max(SLENDER_ABOVE * wall.thickness, LEAST_ABOVE)
     found: list[float] = []
     for height in heights:
-        if LEAST_ABOVE <= height <= highest + 1e-9 and (
-            not found or height - found[-1] > SAME_HINGE
-        ):
+        if LEAST_ABOVE <= height <= highest + 1e-9 and (not found or height - found[-1] > SAME_HINGE):
             found.append(height)
     return tuple(found)
 
@@ -97,11 +95,7 @@ def check_hinges(wall: Wall, building: Building | None) -> None:
     highest = max(wall.hinge_heights)
     if highest > wall.height_m - LEAST_ABOVE:
         raise InputError(
-            "hinge_above_wall",
-            place=here,
-            key="hinge_heights",
-            hinge=highest,
-            most=wall.height_m - LEAST_ABOVE,
+            "hinge_above_wall", place=here, key="hinge_heights", hinge=highest, most=wall.height_m - LEAST_ABOVE
         )
 
 
@@ -125,8 +119,7 @@ def above_hinge(wall: Wall, hinge: float) -> Wall:
         base_z_m=None if wall.base_z_m is None else wall.base_z_m + hinge,
         hinge_heights=None,
         load=loads_above(wall, hinge),
-        unloaded_confirmed=wall.unloaded_confirmed
-        or (bool(wall.load) and not loads_above(wall, hinge)),
+        unloaded_confirmed=wall.unloaded_confirmed or (bool(wall.load) and not loads_above(wall, hinge)),
         tie_height_m=None
         if wall.tie_height_m is None or wall.tie_height_m < hinge + LEAST_ABOVE
         else wall.tie_height_m - hinge,

@@ -14,9 +14,7 @@ from core.errors import InputError
 from core.file_names import name_of
 
 MAX_DOTS = 50
-_DOTTED = re.compile(
-    rf"^[ \t]*+\[*+(?:[ \t]*+[A-Za-z0-9_\"'-]++[ \t]*+\.){{{MAX_DOTS}}}", re.MULTILINE
-)
+_DOTTED = re.compile(rf"^[ \t]*+\[*+(?:[ \t]*+[A-Za-z0-9_\"'-]++[ \t]*+\.){{{MAX_DOTS}}}", re.MULTILINE)
 """Keys of many parts, which take tomllib the square of their number."""
 
 MAX_BYTES = 2_000_000
@@ -66,9 +64,7 @@ def read_case(path: Path) -> Case:
             source = path.parent / name_of(case.walls)
             walls, notes = read_table(source, case.demand is not None)
             digest.update(source.read_bytes())
-            case = replace(
-                with_walls(case, [*case.wall, *walls]), table=case.walls, table_notes=tuple(notes)
-            )
+            case = replace(with_walls(case, [*case.wall, *walls]), table=case.walls, table_notes=tuple(notes))
         if case.demand and case.demand.hazard_file:
             source = path.parent / name_of(case.demand.hazard_file)
             read_hazard(source)

@@ -9,15 +9,7 @@ from core.case.hazard_table import check_rising
 from core.case.hinges import check_hinges, parts
 from core.case.schema import Analysis, Case, Generate, Record, Report, Wall
 from core.case.site import FULL_FACTOR, KNOWLEDGE, Building, Demand, Spectrum
-from core.case.values import (
-    SHOWN,
-    are_ends,
-    field_of,
-    refuse_unknown,
-    repeated,
-    section_of,
-    value_of,
-)
+from core.case.values import SHOWN, are_ends, field_of, refuse_unknown, repeated, section_of, value_of
 from core.codes.limits import check_return_period
 from core.errors import InputError, place, section
 from core.text.sentence import Quantity, sentence
@@ -58,9 +50,7 @@ def parse_case(table: dict) -> Case:
         report=section_of(Report, table.get("report", {}), "report", section("[report]")),
         record=tuple(records),
         walls=value_of(field_of(Case, "walls"), table["walls"]) if "walls" in table else None,
-        generate=section_of(Generate, generate, "generate", section("[generate]"))
-        if generate is not None
-        else None,
+        generate=section_of(Generate, generate, "generate", section("[generate]")) if generate is not None else None,
         analysis=analysis,
         demand=_demand(demand) if demand is not None else None,
         building=_building(table["building"]) if "building" in table else None,
@@ -70,9 +60,7 @@ def parse_case(table: dict) -> Case:
         for k, record in enumerate(records, start=1):
             if record.scale not in (1.0, -1.0):
                 here = place("record", n=k)
-                raise InputError(
-                    "scale_and_pga_scaling", place=(here,), key="scale", found=record.scale
-                )
+                raise InputError("scale_and_pga_scaling", place=(here,), key="scale", found=record.scale)
     if case.generate and not (case.demand and (case.demand.spectrum or case.demand.spectrum_file)):
         raise InputError("generate_needs_spectrum")
     walls = [
@@ -141,9 +129,7 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
         except InputError as error:
             raise error.at(place("wall", name=wall.name)) from None
         if case.analysis.method == "linearised" and not wall.moment_law().is_rigid:
-            raise InputError(
-                "linearised_is_rigid", place=(section("[analysis]"),), key="method", wall=wall.name
-            )
+            raise InputError("linearised_is_rigid", place=(section("[analysis]"),), key="method", wall=wall.name)
         if case.building and (wall.base_z_m or 0.0) > case.building.height_m:
             raise InputError(
                 "base_above_building",
@@ -174,11 +160,7 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
     heights = {part.wall.base_z_m for part in found if part.wall.above_ground}
     if case.building and case.building.modes and len(heights) > 1:
         raise InputError(
-            "modes_at_one_height",
-            place=(section("[building]"),),
-            key="modes",
-            low=min(heights),
-            high=max(heights),
+            "modes_at_one_height", place=(section("[building]"),), key="modes", low=min(heights), high=max(heights)
         )
     digest = hashlib.sha256(json.dumps(case.as_dict(), sort_keys=True).encode()).hexdigest()
     return replace(case, sha256=digest)
@@ -203,11 +185,7 @@ def check_confidence(demand: Demand, wall: Wall) -> None:
         raise InputError("low_confidence_factor", place=(here,), stated=stated)
     if stated < least:
         raise InputError(
-            "confidence_below_level",
-            place=(here,),
-            stated=stated,
-            level=demand.knowledge_level,
-            least=least,
+            "confidence_below_level", place=(here,), stated=stated, level=demand.knowledge_level, least=least
         )
     low, high = TESTED_STRENGTH
     if wall.compressive_strength_mpa is None or not low <= wall.compressive_strength_mpa <= high:

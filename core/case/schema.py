@@ -120,13 +120,9 @@ class Wall:
     floor: str = text_key()
     notes: str = text_key()
     load: tuple[Load, ...] = field(default=(), metadata={"kind": "tables", "of": Load})
-    return_walls: ReturnWalls | None = field(
-        default=None, metadata={"kind": "section", "of": ReturnWalls}
-    )
+    return_walls: ReturnWalls | None = field(default=None, metadata={"kind": "section", "of": ReturnWalls})
     tie_height_m: float | None = number_key(0.1, 60.0, unit="m")
-    justification: WallJustification | None = field(
-        default=None, metadata={"kind": "section", "of": WallJustification}
-    )
+    justification: WallJustification | None = field(default=None, metadata={"kind": "section", "of": WallJustification})
     variant: str | None = choice_key(AS_IS, DESIGNED, default=None)
 
     @property
@@ -187,9 +183,7 @@ class Wall:
                 raise InputError("general_keys", place=(place("wall", name=self.name),))
             if self.radius_m is None or self.inertia_over_mass_m2 is None:
                 raise InputError("general_needs", place=(place("wall", name=self.name),))
-            return Block(
-                math.radians(self.slenderness_deg), self.radius_m, self.inertia_over_mass_m2
-            )
+            return Block(math.radians(self.slenderness_deg), self.radius_m, self.inertia_over_mass_m2)
         if self.height_m is None or len(given) != 1:
             stated = sentence("accepted", "given" if self.height_m else "missing")
             raise InputError(
@@ -199,9 +193,7 @@ class Wall:
                 height=stated,
                 found=tuple(map(Key, given)) or sentence("accepted", "none"),
             )
-        if self.compressive_strength_mpa is not None and (
-            self.hinge_setback_m or self.unit_weight_kn_m3 is None
-        ):
+        if self.compressive_strength_mpa is not None and (self.hinge_setback_m or self.unit_weight_kn_m3 is None):
             raise InputError("strength_gives_setback", place=(place("wall", name=self.name),))
         thickness, setback = self.thickness, self.setback
         if not setback < MAX_SETBACK * thickness:
@@ -246,10 +238,7 @@ class Wall:
         model = self.restitution_model(mechanism)
         if model.startswith("one_sided") and mechanism == "two_sided":
             raise InputError(
-                "restitution_one_sided",
-                model=model,
-                asked=self.mechanism,
-                place=(place("wall", name=self.name),),
+                "restitution_one_sided", model=model, asked=self.mechanism, place=(place("wall", name=self.name),)
             )
         if (model == "user") != (self.velocity_ratio is not None):
             raise InputError("velocity_ratio_user", place=(place("wall", name=self.name),))
@@ -336,11 +325,15 @@ class Case:
     def differing(self) -> set[tuple]:
         """Places (section, index, key) whose value differs from the default."""
         places = set()
-        sections: tuple[tuple[str, Sequence], ...] = (("wall", self.wall), ("record", self.record),
-                    ("report", [self.report]), ("analysis", [self.analysis]),
-                    ("demand", [self.demand] if self.demand else []),
-                    ("generate", [self.generate] if self.generate else []),
-                    ("building", [self.building] if self.building else []))  # fmt: skip
+        sections: tuple[tuple[str, Sequence], ...] = (
+            ("wall", self.wall),
+            ("record", self.record),
+            ("report", [self.report]),
+            ("analysis", [self.analysis]),
+            ("demand", [self.demand] if self.demand else []),
+            ("generate", [self.generate] if self.generate else []),
+            ("building", [self.building] if self.building else []),
+        )
         for section, items in sections:
             for index, item in enumerate(items):
                 for entry in fields(item):

@@ -72,9 +72,7 @@ class Demand:
     return_period_years: float | None = number_key(1.0, 100000.0, unit="years")
     hazard: tuple[HazardRow, ...] = field(default=(), metadata={"kind": "tables", "of": HazardRow})
     hazard_file: str | None = path_key(None)
-    limit_states: tuple[str, ...] = field(
-        default=(), metadata={"kind": "list", "of": choice_key("SLD", "SLV", "SLC")}
-    )
+    limit_states: tuple[str, ...] = field(default=(), metadata={"kind": "list", "of": choice_key("SLD", "SLV", "SLC")})
     justification: DemandJustification | None = field(
         default=None, metadata={"kind": "section", "of": DemandJustification, "in": "demand"}
     )
@@ -109,8 +107,6 @@ class Building:
     height_m: float = number_key(2.0, 300.0, MISSING, unit="m")
     storeys: int = number_key(1, 60, MISSING, whole=True)
     period_s: float | None = number_key(0.02, 5.0, unit="s")
-    modes: tuple[BuildingMode, ...] = field(
-        default=(), metadata={"kind": "tables", "of": BuildingMode}
-    )
+    modes: tuple[BuildingMode, ...] = field(default=(), metadata={"kind": "tables", "of": BuildingMode})
     period_factor: float | None = number_key(1.0, 2.5)
     damping: float | None = number_key(0.01, 0.3)

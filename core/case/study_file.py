@@ -138,9 +138,7 @@ def cells_of(study: Study) -> dict[Cell, frozenset[str]]:
         for alpha, height, mechanism, model, law, method in product(*lists):
             if model == DEFAULT:
                 model = "one_sided_theoretical" if mechanism == "one_sided" else "housner"
-            named = [
-                Cell(alpha, height, mechanism, model, law, method, step) for step in grid.q_step
-            ]
+            named = [Cell(alpha, height, mechanism, model, law, method, step) for step in grid.q_step]
             try:
                 named[0].wall.restitution_of(mechanism)
             except InputError as error:
@@ -157,9 +155,7 @@ def parse_study(table: dict) -> Study:
     """The study of a mapping with the keys of the file; every rule is checked here. Raises InputError."""
     refuse_unknown(Study, table, "study", "study")
     quick = table.get("quick")
-    study = section_of(
-        Study, {key: table[key] for key in table if key != "quick"}, "study", "study"
-    )
+    study = section_of(Study, {key: table[key] for key in table if key != "quick"}, "study", "study")
     if quick is not None:
         study = replace(study, quick=section_of(Quick, quick, "quick", "[quick]"))
     if not study.grid:
@@ -176,10 +172,7 @@ def parse_study(table: dict) -> Study:
         here = place("group", name=group.name)
         if not group.spectrum:
             raise InputError("study_without", place=(here,), key="spectrum")
-        for entry in [
-            ("group", group.name),
-            *(("spectrum", shape.name) for shape in group.spectrum),
-        ]:
+        for entry in [("group", group.name), *(("spectrum", shape.name) for shape in group.spectrum)]:
             if entry in names:
                 raise InputError("study_same_name", place=(here,), kind=entry[0], name=entry[1])
             names.add(entry)
@@ -187,9 +180,7 @@ def parse_study(table: dict) -> Study:
             check_code_keys(shape, here)
             own = set(range(shape.seed, shape.seed + study.count))
             if own & seeds:
-                raise InputError(
-                    "study_same_seed", place=(here,), name=shape.name, seed=min(own & seeds)
-                )
+                raise InputError("study_same_seed", place=(here,), name=shape.name, seed=min(own & seeds))
             seeds |= own
     cells_of(study)
     return study

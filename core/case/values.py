@@ -44,9 +44,7 @@ def refuse_unknown(cls, table: dict, name: str, here) -> None:
         if key not in keys:
             near = difflib.get_close_matches(key, keys, 1)
             if near:
-                raise InputError(
-                    "unknown_key_near", place=(here,), value=repeated(key), near=near[0]
-                )
+                raise InputError("unknown_key_near", place=(here,), value=repeated(key), near=near[0])
             raise InputError("unknown_key", place=(here,), value=repeated(key), known=tuple(keys))
 
 
@@ -155,17 +153,13 @@ def value_of(entry, value, *here):
             parts = []
             for k, part in enumerate(value, start=1):
                 try:
-                    parts.append(
-                        section_of(rule["of"], part, entry.name, section(f"[[{entry.name}]] {k}"))
-                    )
+                    parts.append(section_of(rule["of"], part, entry.name, section(f"[[{entry.name}]] {k}")))
                 except InputError as error:
                     raise (error.at(above[0]) if above else error) from None
             return tuple(parts)
     elif kind == "section":
         try:
-            return section_of(
-                rule["of"], value, entry.name, section(f"[{rule.get('in', 'wall')}.{entry.name}]")
-            )
+            return section_of(rule["of"], value, entry.name, section(f"[{rule.get('in', 'wall')}.{entry.name}]"))
         except InputError as error:
             above = [part for part in here if isinstance(part, Sentence)]
             raise (error.at(above[0]) if above else error) from None
@@ -196,9 +190,7 @@ def value_of(entry, value, *here):
     if kind in ("float", "int") and isinstance(value, str) and _QUOTED.fullmatch(value.strip()):
         plain = value.strip().replace(",", ".")
         raise InputError("number_in_quotes", place=here, key=entry.name, value=shown, plain=plain)
-    raise InputError(
-        "not_accepted", place=here, key=entry.name, value=shown, accepted=accepted, found=value
-    )
+    raise InputError("not_accepted", place=here, key=entry.name, value=shown, accepted=accepted, found=value)
 
 
 def repeated(value) -> str:

@@ -64,17 +64,36 @@ COLUMNS |= {
 }
 
 LOAD_KINDS = {
-    "verticale": "vertical", "spinta": "thrust", "catena": "tie", "tirante": "tie", "massa portata": "carried_mass",
-    "vertical": "vertical", "thrust": "thrust", "tie": "tie", "carried mass": "carried_mass",
+    "verticale": "vertical",
+    "spinta": "thrust",
+    "catena": "tie",
+    "tirante": "tie",
+    "massa portata": "carried_mass",
+    "vertical": "vertical",
+    "thrust": "thrust",
+    "tie": "tie",
+    "carried mass": "carried_mass",
     "carried_mass": "carried_mass",
-}  # fmt: skip
-LOAD_MASSES = {"nessuna": "none", "orizzontale": "horizontal", "solidale": "moving", "none": "none",
-               "horizontal": "horizontal", "moving": "moving"}  # fmt: skip
+}
+LOAD_MASSES = {
+    "nessuna": "none",
+    "orizzontale": "horizontal",
+    "solidale": "moving",
+    "none": "none",
+    "horizontal": "horizontal",
+    "moving": "moving",
+}
 
 MECHANISMS = {
-    "su due lati": "two_sided", "due lati": "two_sided", "su un lato": "one_sided", "un lato": "one_sided",
-    "entrambi": "both", "two-sided": "two_sided", "one-sided": "one_sided", "both": "both",
-}  # fmt: skip
+    "su due lati": "two_sided",
+    "due lati": "two_sided",
+    "su un lato": "one_sided",
+    "un lato": "one_sided",
+    "entrambi": "both",
+    "two-sided": "two_sided",
+    "one-sided": "one_sided",
+    "both": "both",
+}
 NO_UNIT = {"": 1.0, "-": 1.0, "–": 1.0}
 UNITS = {
     "_kn_m3": {"kn/m3": 1.0, "kn/m³": 1.0, **NO_UNIT},
@@ -88,16 +107,57 @@ UNITS = {
 
 OTHER_UNITS = frozenset(
     (
-        "m", "cm", "mm", "dm", "km", "in", "ft", "foot", "feet", "inch", "yd", "deg", "°", "rad", "grad", "kpa", "mpa",
-        "gpa", "pa", "n/mm2", "n/mm²", "kg/cm2", "psi", "kn/m3", "kn/m³", "kg/m3", "kg/m³", "t/m3", "t/m³", "g/cm3",
-        "n/m3", "%", "g",
+        "m",
+        "cm",
+        "mm",
+        "dm",
+        "km",
+        "in",
+        "ft",
+        "foot",
+        "feet",
+        "inch",
+        "yd",
+        "deg",
+        "°",
+        "rad",
+        "grad",
+        "kpa",
+        "mpa",
+        "gpa",
+        "pa",
+        "n/mm2",
+        "n/mm²",
+        "kg/cm2",
+        "psi",
+        "kn/m3",
+        "kn/m³",
+        "kg/m3",
+        "kg/m³",
+        "t/m3",
+        "t/m³",
+        "g/cm3",
+        "n/m3",
+        "%",
+        "g",
     )
-)  # fmt: skip
+)
 """Units a head may name; another word in brackets is no unit."""
 
 WORDS = ("name", "floor", "mechanism", "back_restraint", "notes", "restitution", "law", "variant")
-FLAGS = {"sì": True, "si": True, "yes": True, "true": True, "vero": True, "x": True, "1": True,
-         "no": False, "false": False, "falso": False, "0": False}  # fmt: skip
+FLAGS = {
+    "sì": True,
+    "si": True,
+    "yes": True,
+    "true": True,
+    "vero": True,
+    "x": True,
+    "1": True,
+    "no": False,
+    "false": False,
+    "falso": False,
+    "0": False,
+}
 
 MAX_ROWS, MAX_COLUMNS, MAX_BYTES = 2000, 40, 20_000_000
 MAX_CELLS = MAX_ROWS * 4 * MAX_COLUMNS
@@ -156,9 +216,7 @@ def text_rows(text: str) -> list[list[str]]:
     if text.count(mark) + text.count("\n") > MAX_CELLS:  # before each becomes a text of its own
         raise InputError("table_too_large", rows=MAX_ROWS, columns=4 * MAX_COLUMNS)
     try:
-        return [
-            [cell.strip() for cell in row] for row in csv.reader(io.StringIO(text), delimiter=mark)
-        ]
+        return [[cell.strip() for cell in row] for row in csv.reader(io.StringIO(text), delimiter=mark)]
     except csv.Error as error:
         raise InputError("not_a_table", reason=error) from None
 
@@ -240,11 +298,7 @@ def _gather_loads(table: dict) -> None:
         loads.setdefault(number, {})[own] = table.pop(key)
     if loads:
         table["load"] = [loads[number] for number in sorted(loads)]
-    across = {
-        key.removeprefix("across_"): table.pop(key)
-        for key in list(table)
-        if key.startswith("across_")
-    }
+    across = {key.removeprefix("across_"): table.pop(key) for key in list(table) if key.startswith("across_")}
     if across:
         table["return_walls"] = across
 
@@ -275,26 +329,16 @@ def _factors(keys: list, cells: list[str], heads: list[str]) -> list[float]:
         unit = (cells[k] if k < len(cells) else "").strip("[]() ").lower()
         units = next((units for end, units in UNITS.items() if key.endswith(end)), NO_UNIT)
         if not unit:  # the unit of the head, where it names one
-            words = [
-                re.sub(r"[. ]", "", name.strip().lower()) for name in _HEAD_UNIT.findall(heads[k])
-            ]
+            words = [re.sub(r"[. ]", "", name.strip().lower()) for name in _HEAD_UNIT.findall(heads[k])]
             unit = next((word for word in words if word in units), "")
         if unit not in units:
             raise InputError(
-                "unknown_unit",
-                unit=unit[:40],
-                column=heads[k][:60],
-                known=", ".join(name or "empty" for name in units),
+                "unknown_unit", unit=unit[:40], column=heads[k][:60], known=", ".join(name or "empty" for name in units)
             )
         for named in _HEAD_UNIT.findall(heads[k]):
             word = re.sub(r"^(in|unit|unità)\b|[. ]", "", named.strip().lower())
             if units.get(word, None if word in OTHER_UNITS else units[unit]) != units[unit]:
-                raise InputError(
-                    "two_units_of_column",
-                    column=heads[k][:60],
-                    named=named[:20],
-                    unit=unit or "none",
-                )
+                raise InputError("two_units_of_column", column=heads[k][:60], named=named[:20], unit=unit or "none")
         factors.append(units[unit])
     return factors
 

@@ -22,11 +22,7 @@ def table_of(case: Case) -> dict:
         items = content[section]
         items = items if isinstance(items, tuple) else [items] if items is not None else []
         tables = [
-            {
-                key: _bare(value)
-                for key, value in item.items()
-                if (section, k, key) in given and value not in (None, "")
-            }
+            {key: _bare(value) for key, value in item.items() if (section, k, key) in given and value not in (None, "")}
             for k, item in enumerate(items)
         ]
         if section in ("wall", "record"):

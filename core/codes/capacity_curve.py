@@ -47,9 +47,7 @@ def capacity_curve(mechanism: Kinematic, demand: DemandResult) -> CapacityCurve 
         inside = d <= most
         return d[inside], a[inside]
 
-    ground = shown(
-        displacement(demand.target, PERIODS, damping), demand.target.acceleration(PERIODS, damping)
-    )
+    ground = shown(displacement(demand.target, PERIODS, damping), demand.target.acceleration(PERIODS, damping))
     floor = np.zeros(0), np.zeros(0)
     if mechanism.floor is not None:
         felt = mechanism.floor.acceleration(PERIODS, damping)

@@ -91,6 +91,4 @@ def with_records(demand: DemandResult, motions: list[GroundMotion]) -> DemandRes
 
 def mean_intensity(demand: DemandResult, motions: list[GroundMotion]) -> float:
     """Mean SI [m] of the records, each scaled to PGA = a_g S: not independent of them."""
-    return float(
-        np.mean([motion.housner_intensity * demand.pga / motion.pga for motion in motions])
-    )
+    return float(np.mean([motion.housner_intensity * demand.pga / motion.pga for motion in motions]))

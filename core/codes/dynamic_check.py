@@ -166,12 +166,7 @@ class _Set:
         batches = [[k] for k in order[:ONE_BY_ONE]]
         batches += [[k for k in rest if self.motions[k].time_step == dt] for dt in steps]
         self.batches = [
-            (
-                batch,
-                Grounds.of(
-                    [self.motions[k].acceleration for k in batch], self.motions[batch[0]].time_step
-                ),
-            )
+            (batch, Grounds.of([self.motions[k].acceleration for k in batch], self.motions[batch[0]].time_step))
             for batch in batches
         ]
 
@@ -185,8 +180,7 @@ class _Set:
             if self.cancelled():
                 raise Cancelled
             part = slice(start, start + CHUNK)
-            scan_records(self.method, grounds, which[part], scales[part], self.model,
-                         codes[part], reached[part])  # fmt: skip
+            scan_records(self.method, grounds, which[part], scales[part], self.model, codes[part], reached[part])
         shape = (len(batch), len(self.polarities), multipliers.size)
         return codes.reshape(shape), reached.reshape(shape) / self.model.collapse_rotation
 
@@ -198,13 +192,16 @@ class _Set:
             for k, record in enumerate(batch):
                 runs[record] = [
                     DemandRun(
-                        self.motions[record].name, record, sign, self.factors[record],
+                        self.motions[record].name,
+                        record,
+                        sign,
+                        self.factors[record],
                         float(peaks[k, n, 0]) if outcomes[k, n, 0] == STABLE else None,
                         bool(outcomes[k, n, 0] == COLLAPSED or peaks[k, n, 0] > 1.0),
                         STATUS[int(outcomes[k, n, 0])],
                     )
                     for n, sign in enumerate(self.polarities)
-                ]  # fmt: skip
+                ]
         return tuple(run for record in sorted(runs) for run in runs[record])
 
     def failures(self, multipliers: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -263,10 +260,7 @@ def demand_check(
     if not motions or demand.limit_state not in LIMIT_FRACTION:
         return None
     side, target = demand.confidence_on, demand.zeta_target
-    sides = {
-        name: _Set(model, motions, polarities, demand, name, method, cancelled)
-        for name in ("demand", "capacity")
-    }
+    sides = {name: _Set(model, motions, polarities, demand, name, method, cancelled) for name in ("demand", "capacity")}
     work = sides[side]
     runs = work.runs()
     peaks = [run.peak_ratio for run in runs]

@@ -53,9 +53,7 @@ class FloorSpectrum:
         t = np.asarray(periods, dtype=float)
         squares = sum(self._of_mode(mode, t, damping) ** 2 for mode in self.modes)
         ground = self.ground.acceleration(t, damping)
-        return np.where(
-            t > self.first_period, np.maximum(np.sqrt(squares), ground), np.sqrt(squares)
-        )
+        return np.where(t > self.first_period, np.maximum(np.sqrt(squares), ground), np.sqrt(squares))
 
     def _of_mode(self, mode: Mode, t: np.ndarray, damping: float) -> np.ndarray:
         """S_eZ,k [m/s2], C7.2.6, A = 1.1 xi_k^-0.5 eta(xi)."""
@@ -76,8 +74,6 @@ class FloorSpectrum:
         return float(value)
 
 
-def first_mode(
-    storeys: int, height: float, z: float, period: float, damping: float
-) -> tuple[Mode, ...]:
+def first_mode(storeys: int, height: float, z: float, period: float, damping: float) -> tuple[Mode, ...]:
     """The one mode of C7.2.10: psi_1 = z / H. height, z [m]; period : of the damaged building [s]; damping [-]."""
     return (Mode(period, damping, first_participation(storeys) * z / height),)

@@ -143,9 +143,7 @@ def _covers(target, period: float, name: str, wall) -> None:
         )
 
 
-def kinematic(
-    wall, mechanism: str, demand: DemandResult, floor: FloorSpectrum | None = None
-) -> Kinematic:
+def kinematic(wall, mechanism: str, demand: DemandResult, floor: FloorSpectrum | None = None) -> Kinematic:
     """The mechanism of a wall.
 
     floor : above the ground the spectrum of its floor; None there means that the demand has none
@@ -165,11 +163,7 @@ def kinematic(
         acceleration, missing = None, ("spectrum",)
     if free:
         period_0, missing = elastic_period(wall), _missing(wall, demand)
-        if (
-            not missing
-            and max(a0, without_friction) * (period_0 / (2.0 * math.pi)) ** 2
-            >= LIMIT_FRACTION["SLV"] * d0
-        ):
+        if not missing and max(a0, without_friction) * (period_0 / (2.0 * math.pi)) ** 2 >= LIMIT_FRACTION["SLV"] * d0:
             missing = ("period_0",)  # elastic up to d_SLV: no rocking wall
         acceleration = None
         if not missing:
@@ -179,9 +173,7 @@ def kinematic(
     zeta_sld = zeta_floor = None
     if acceleration is not None:
         zeta_sld, zeta_floor = a0 / acceleration, min(a0, without_friction) / acceleration
-    quantities = (
-        alpha0, e_star, mass, a0, sums, d0, free, period_0, acceleration, zeta_sld, zeta_floor, missing,
-    )  # fmt: skip
+    quantities = (alpha0, e_star, mass, a0, sums, d0, free, period_0, acceleration, zeta_sld, zeta_floor, missing)
     if demand.target is None or demand.limit_state not in LIMIT_FRACTION:
         return Kinematic(*quantities, floor=floor)
     share = LIMIT_FRACTION[demand.limit_state]
@@ -206,8 +198,16 @@ def sld(mechanism: Kinematic, demand: DemandResult) -> Check | None:
     to vibrate against S_e(T_0, 5 %) (C8.7.1.9). None where T_0 of a free element is not known."""
     if mechanism.zeta_sld is None:
         return None
-    return Check("linear_q_code", SLD_CLAUSE, "g", mechanism.a0 / G, mechanism.acceleration_demand / G,
-                 mechanism.zeta_sld, _passed(mechanism.zeta_sld, demand), 1.0)  # fmt: skip
+    return Check(
+        "linear_q_code",
+        SLD_CLAUSE,
+        "g",
+        mechanism.a0 / G,
+        mechanism.acceleration_demand / G,
+        mechanism.zeta_sld,
+        _passed(mechanism.zeta_sld, demand),
+        1.0,
+    )
 
 
 def linear(name: str, mechanism: Kinematic, demand: DemandResult, q: float) -> Check | None:
@@ -216,8 +216,7 @@ def linear(name: str, mechanism: Kinematic, demand: DemandResult, q: float) -> C
     if mechanism.zeta_sld is None:
         return None
     zeta = q * mechanism.zeta_sld
-    return Check(name, Q_CLAUSE, "g", zeta * demand.ag / G, demand.ag / G, zeta,
-                 _passed(zeta, demand), q)  # fmt: skip
+    return Check(name, Q_CLAUSE, "g", zeta * demand.ag / G, demand.ag / G, zeta, _passed(zeta, demand), q)
 
 
 def nonlinear(mechanism: Kinematic, demand: DemandResult) -> Check | None:
@@ -229,5 +228,4 @@ def nonlinear(mechanism: Kinematic, demand: DemandResult) -> Check | None:
     zeta = mechanism.d_limit / mechanism.s_de
     if demand.limit_state == "SLV" and mechanism.zeta_floor is not None:
         zeta = max(zeta, mechanism.zeta_floor)
-    return Check("nonlinear", DISPLACEMENT_CLAUSE, "m", mechanism.d_limit, mechanism.s_de, zeta,
-                 _passed(zeta, demand))  # fmt: skip
+    return Check("nonlinear", DISPLACEMENT_CLAUSE, "m", mechanism.d_limit, mechanism.s_de, zeta, _passed(zeta, demand))

@@ -72,9 +72,7 @@ def _loaded(wall, bare, sides) -> tuple[float, float, float, float]:
         forces = [wall_loads.as_force(load, wall, side) for load in wall.load]
         alpha0 = min(alpha0, wall_loads.start_multiplier(weight, x, y, forces, pushed))
         collapse = block.slenderness + restoring[0 if side > 0.0 else 1].lean
-        centroid = bare.radius * (
-            math.sin(bare.slenderness) - math.sin(bare.slenderness - collapse)
-        )
+        centroid = bare.radius * (math.sin(bare.slenderness) - math.sin(bare.slenderness - collapse))
         d0 = min(d0, centroid * second / (y * first))
     return alpha0, first**2 / (total * second), total / G, d0
 
@@ -89,10 +87,7 @@ def friction(wall, height):
     n = height / across.brick_height_m
     shape = across.brick_height_m / across.brick_length_m
     weight = 1e3 * wall.unit_weight_kn_m3
-    return (
-        DRAGGED * n * (n + 1.0) * shape * across.friction
-        * across.brick_length_m**2 * across.thickness_m * weight
-    )  # fmt: skip
+    return DRAGGED * n * (n + 1.0) * shape * across.friction * across.brick_length_m**2 * across.thickness_m * weight
 
 
 def multipliers_with_friction(wall) -> tuple[np.ndarray, ...]:
@@ -122,7 +117,4 @@ def elastic_period_of_loads(wall) -> float:
     """Sum of T_i^2 = 4 pi^2 m_i h_i^3 / (3 E I) [s2] of the masses that move with a cantilever wall, I = t^3 / 12 per
     metre: Dunkerley's rule adds it to the square of the period of the wall alone."""
     stiffness = 1e6 * wall.elastic_modulus_mpa * wall.thickness**3 / 12.0
-    return sum(
-        4.0 * math.pi**2 * mass.mass * mass.height**3 / (3.0 * stiffness)
-        for mass in wall_loads.masses(wall)
-    )
+    return sum(4.0 * math.pi**2 * mass.mass * mass.height**3 / (3.0 * stiffness) for mass in wall_loads.masses(wall))

@@ -32,9 +32,7 @@ def set_rule(stations: set[str]) -> str:
 
 
 def set_value(
-    values: Iterable[float | None],
-    rule: str | None,
-    unfavourable: Callable[[Sequence[float]], float] = min,
+    values: Iterable[float | None], rule: str | None, unfavourable: Callable[[Sequence[float]], float] = min
 ) -> float | None:
     """Value of a set under its rule, files without a number left out; None where the set is incomplete or has none.
     unfavourable : which of the files is, the smallest of capacities, the largest of demands"""
@@ -54,16 +52,9 @@ def check_return_period(state: str, stated: float, own: float | None) -> None:
     are given, else not the one that a weaker limit state has in the usual V_R. Raises InputError."""
     if own is not None:
         # the hazard is given from 30 to 2475 years
-        if not any(
-            math.isclose(stated, years, rel_tol=SAME_PERIOD)
-            for years in (own, min(max(own, 30.0), 2475.0))
-        ):
+        if not any(math.isclose(stated, years, rel_tol=SAME_PERIOD) for years in (own, min(max(own, 30.0), 2475.0))):
             raise InputError(
-                "return_period_contradicts",
-                stated=stated,
-                own=own,
-                state=state,
-                place=(section("[demand]"),),
+                "return_period_contradicts", stated=stated, own=own, state=state, place=(section("[demand]"),)
             )
         return
     shortest = return_period(USUAL_LIVES[0], state)

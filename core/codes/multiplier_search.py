@@ -136,8 +136,7 @@ def search_zeta(failures, rest: float, target: float, every: int = 1) -> Zeta:
     shares = (HALF_FAIL, ROBUST_SHARE, HALF_FAIL - SHARE_ERROR, HALF_FAIL + SHARE_ERROR)
     places = [*(first_with_share(fails, half, part) for part in shares), window]
     zeta, sixteen, least, most, first = (
-        MAX_MULTIPLIER if k is None else min(grid.multiplier(low + k), MAX_MULTIPLIER)
-        for k in places
+        MAX_MULTIPLIER if k is None else min(grid.multiplier(low + k), MAX_MULTIPLIER) for k in places
     )
     if places[0] == places[-1]:  # a sharp limit is located
         edges = (grid.multiplier(edge - 1), first)

@@ -96,11 +96,7 @@ def period_range(kinds: list[str], longest: float, demand: DemandResult) -> tupl
     target = demand.target
     if isinstance(target, GivenSpectrum) and high > target.periods[-1]:
         raise InputError(
-            "period_range_beyond",
-            high=high,
-            name=target.name,
-            end=target.periods[-1],
-            place=(section("[demand]"),),
+            "period_range_beyond", high=high, name=target.name, end=target.periods[-1], place=(section("[demand]"),)
         )
     return low, high
 
@@ -111,10 +107,7 @@ def common_factor(motions: list[GroundMotion], demand: DemandResult) -> float:
     low, high = demand.period_range or RANGE
     count = math.ceil(math.log(high / low) / math.log1p(PERIOD_STEP)) + 1
     periods = np.geomspace(low, high, count)
-    spectra = [
-        demand.scaling(m) * pseudo_acceleration_spectrum(m.acceleration, m.time_step, periods)
-        for m in motions
-    ]
+    spectra = [demand.scaling(m) * pseudo_acceleration_spectrum(m.acceleration, m.time_step, periods) for m in motions]
     ratio = demand.target.acceleration(periods) / np.mean(spectra, axis=0)
     return float(np.exp(np.log(ratio).mean()))
 
@@ -158,19 +151,17 @@ def compliance(
         Rule("NTC", ntc, "mean_lower", low, lower, "%", low >= lower),
         Rule("NTC", ntc, "mean_upper", high, upper, "%", None if upper is None else high <= upper),
         Rule("EN", en + "(4)a", "records", count, MINIMUM_FROM, "", count >= MINIMUM_FROM),
-        Rule("EN", en + "(4)b", "mean_pga", pga / G, demand.pga / G, "g",
-             pga >= demand.pga * (1.0 - 1e-6)),
+        Rule("EN", en + "(4)b", "mean_pga", pga / G, demand.pga / G, "g", pga >= demand.pga * (1.0 - 1e-6)),
         Rule("EN", en + "(4)c", "mean_lower", low, -0.10, "%", low >= -0.10),
-    ]  # fmt: skip
+    ]
     made = [m for m, kind in zip(motions, kinds, strict=True) if kind == "artificial"]
     if made:
         strong = min(strong_duration(motion) for motion in made)
         whole = min(motion.duration for motion in made)
         rules += [
-            Rule("both", f"{ntc}, {en}(3)", "strong_part", strong, STRONG_PART, "s",
-                 strong >= STRONG_PART - 1e-6),
+            Rule("both", f"{ntc}, {en}(3)", "strong_part", strong, STRONG_PART, "s", strong >= STRONG_PART - 1e-6),
             Rule("NTC", ntc, "duration", whole, WHOLE_LENGTH, "s", whole >= WHOLE_LENGTH - 1e-6),
-        ]  # fmt: skip
+        ]
     least, most = extremes(shown)
     rules += [
         Rule("shown", f"{shown[0]:.1f}-{shown[1]:.1f} s", name, value, None, "%", None)
@@ -180,7 +171,14 @@ def compliance(
     codes = {demand.spectrum_code[:-4]} if demand.spectrum_code else {"EN", "NTC"}
     decides = [rule.passed for rule in rules if rule.code in (*codes, "both")]
     return Compliance(
-        periods, spectra, mean, target, tuple(rules), int(count),
-        all(passed is not False for passed in decides), asked_range, unnamed(motions),
+        periods,
+        spectra,
+        mean,
+        target,
+        tuple(rules),
+        int(count),
+        all(passed is not False for passed in decides),
+        asked_range,
+        unnamed(motions),
         full_range(kinds, longest),
-    )  # fmt: skip
+    )

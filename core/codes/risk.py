@@ -15,20 +15,13 @@ from core.units import G
 EXPONENT = 1.0 / 0.41
 """Exponent of T_R,C = T_R,D (PGA_C / PGA_D)^eta for all of Italy."""
 
-EXPONENT_BY_AG = (
-    (0.25 * G, 1.0 / 0.49),
-    (0.15 * G, 1.0 / 0.43),
-    (0.05 * G, 1.0 / 0.356),
-    (0.0, 1.0 / 0.34),
-)
+EXPONENT_BY_AG = ((0.25 * G, 1.0 / 0.49), (0.15 * G, 1.0 / 0.43), (0.05 * G, 1.0 / 0.356), (0.0, 1.0 / 0.34))
 """The same by a_g [m/s2]: from this one on."""
 
 SHORTEST, LONGEST = 30.0, 2475.0
 """Return periods of the hazard of NTC [years]: beyond them the formula is not read."""
 
-CLASSES = (
-    (1.00, "A+"), (0.80, "A"), (0.60, "B"), (0.45, "C"), (0.30, "D"), (0.15, "E"), (0.0, "F"),
-)  # fmt: skip
+CLASSES = ((1.00, "A+"), (0.80, "A"), (0.60, "B"), (0.45, "C"), (0.30, "D"), (0.15, "E"), (0.0, "F"))
 """IS-V from which on a letter holds; A+ above 1.00."""
 
 

@@ -24,11 +24,21 @@ NTC_TOPOGRAPHY = {"T1": 1.0, "T2": 1.2, "T3": 1.2, "T4": 1.4}
 
 EN_SOIL = {
     # type -> soil -> S, T_B, T_C, T_D (EN 1998-1 Tables 3.2 and 3.3)
-    1: {"A": (1.00, 0.15, 0.40, 2.0), "B": (1.20, 0.15, 0.50, 2.0), "C": (1.15, 0.20, 0.60, 2.0),
-        "D": (1.35, 0.20, 0.80, 2.0), "E": (1.40, 0.15, 0.50, 2.0)},
-    2: {"A": (1.00, 0.05, 0.25, 1.2), "B": (1.35, 0.05, 0.25, 1.2), "C": (1.50, 0.10, 0.25, 1.2),
-        "D": (1.80, 0.10, 0.30, 1.2), "E": (1.60, 0.05, 0.25, 1.2)},
-}  # fmt: skip
+    1: {
+        "A": (1.00, 0.15, 0.40, 2.0),
+        "B": (1.20, 0.15, 0.50, 2.0),
+        "C": (1.15, 0.20, 0.60, 2.0),
+        "D": (1.35, 0.20, 0.80, 2.0),
+        "E": (1.40, 0.15, 0.50, 2.0),
+    },
+    2: {
+        "A": (1.00, 0.05, 0.25, 1.2),
+        "B": (1.35, 0.05, 0.25, 1.2),
+        "C": (1.50, 0.10, 0.25, 1.2),
+        "D": (1.80, 0.10, 0.30, 1.2),
+        "E": (1.60, 0.05, 0.25, 1.2),
+    },
+}
 EN_AMPLIFICATION = 2.5
 
 SI_FROM, SI_TO = float(HOUSNER_PERIODS[0]), float(HOUSNER_PERIODS[-1])
@@ -64,11 +74,7 @@ class CodeSpectrum:
         plateau = eta * self.amplification
         shape = np.select(
             [t < self.t_b, t < self.t_c, t < self.t_d],
-            [
-                t / self.t_b * plateau + (1.0 - t / self.t_b),
-                plateau,
-                plateau * self.t_c / np.maximum(t, self.t_c),
-            ],
+            [t / self.t_b * plateau + (1.0 - t / self.t_b), plateau, plateau * self.t_c / np.maximum(t, self.t_c)],
             plateau * self.t_c * self.t_d / np.maximum(t, self.t_d) ** 2,
         )
         return self.pga * shape
@@ -187,14 +193,7 @@ def given(name: str, ag: float, soil: float, rows: list[tuple[float, float]]) ->
         raise InputError("spectrum_too_short", rows=len(rows), place=(name,))
     for k in range(1, len(rows)):
         if not periods[k] > periods[k - 1]:
-            raise InputError(
-                "spectrum_not_rising",
-                period=periods[k],
-                place=(
-                    name,
-                    place("row", n=k + 1),
-                ),
-            )
+            raise InputError("spectrum_not_rising", period=periods[k], place=(name, place("row", n=k + 1)))
     if not (periods[0] >= 0.0 and all(0.0 < value < 20.0 * G for value in values)):
         raise InputError("spectrum_values", place=(name,))
     if periods[0] > 0.1 or periods[-1] < 2.5:
@@ -203,10 +202,5 @@ def given(name: str, ag: float, soil: float, rows: list[tuple[float, float]]) ->
     if periods[0] <= 0.01 and abs(values[0] / spectrum.pga - 1.0) > 0.05:
         raise InputError("spectrum_start", start=values[0] / G, pga=spectrum.pga / G, place=(name,))
     if not 1.2 <= max(values) / spectrum.pga <= 6.0:
-        raise InputError(
-            "spectrum_largest",
-            largest=max(values) / G,
-            ratio=max(values) / spectrum.pga,
-            place=(name,),
-        )
+        raise InputError("spectrum_largest", largest=max(values) / G, ratio=max(values) / spectrum.pga, place=(name,))
     return spectrum

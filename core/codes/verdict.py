@@ -102,13 +102,7 @@ class Verdict:
         """What follows the sentence, in the order it is read."""
         return (*self.to_do, *self.limits, *self.notes)
 
-    def text(
-        self,
-        language: str,
-        subject: str = "",
-        where: Sentence | str = "",
-        form: FormNames = FILE_NAMES,
-    ) -> str:
+    def text(self, language: str, subject: str = "", where: Sentence | str = "", form: FormNames = FILE_NAMES) -> str:
         """The sentence in "en" or "it". subject : name of the wall; where : of `at_hinge`; form : words of the keys"""
         words = sentence("verdict", self.way, where=where, **dict(self.values)).text(language, form)
         return f"{subject}: {words}" if subject else words[:1].upper() + words[1:]
@@ -204,9 +198,7 @@ def verdict(
     largest = demand.pga
     if wall.above_ground and code == "not_activated":
         largest = _strongest(demand, kinematic, circumstances)
-    way, values = outcome(
-        code, missing, threshold, demand, governing, checks, dynamic, by, largest, wall
-    )
+    way, values = outcome(code, missing, threshold, demand, governing, checks, dynamic, by, largest, wall)
     decides = missing
     if missing is None and governing:
         decides = sentence("added", "decides", by=by, clause=governing.clause)
@@ -228,20 +220,11 @@ def verdict(
 def _missing(wall, governing, kinematic) -> Sentence | None:
     """What is missing where no verdict can be given, with the keys that give it."""
     if wall.above_ground and kinematic is None:
-        keys = {
-            "height": "height_m",
-            "storeys": "storeys",
-            "period": "period_s",
-            "building": "[building]",
-        }
+        keys = {"height": "height_m", "storeys": "storeys", "period": "period_s", "building": "[building]"}
         keys = {name: Key(key) for name, key in keys.items()}
         return _reason("upper_floor", z=wall.base_z_m, **keys)
     if governing is None:
-        keys = {
-            "spectrum": "spectrum",
-            "modulus": "elastic_modulus_mpa",
-            "weight": "unit_weight_kn_m3",
-        }
+        keys = {"spectrum": "spectrum", "modulus": "elastic_modulus_mpa", "weight": "unit_weight_kn_m3"}
         return _reason("no_check", **{name: Key(key) for name, key in keys.items()})
     return _reason("no_number") if governing.zeta is None else None
 
@@ -299,17 +282,11 @@ def _to_do(code: str, blocking: list[Sentence], lifts: tuple[Lift, ...]) -> list
     return found
 
 
-def _activated(
-    wall, threshold: float, demand: DemandResult, checks, kinematic, circumstances
-) -> bool:
+def _activated(wall, threshold: float, demand: DemandResult, checks, kinematic, circumstances) -> bool:
     """Whether the motion can lift the wall at all, or a check fails all the same. An element free to vibrate is
     lifted by S_e(T_0) (C8.7.1.9): where T_0 is not known, neither is that it stays at rest."""
     lifted = None if kinematic is None else kinematic.zeta_sld
-    if (
-        kinematic
-        and kinematic.free_element
-        and (lifted is None or lifted < max(1.0, demand.zeta_target))
-    ):
+    if kinematic and kinematic.free_element and (lifted is None or lifted < max(1.0, demand.zeta_target)):
         return True
     strongest = _strongest(demand, kinematic, circumstances) * max(1.0, demand.zeta_target)
     at_rest = demand.confidence_factor * strongest <= threshold
@@ -325,9 +302,7 @@ def _strongest(demand: DemandResult, kinematic, circumstances) -> float:
     return max(demand.pga, first, circumstances.strongest)
 
 
-def _limits(
-    wall, mechanism: str, block, demand, dynamic, compliance, circumstances: Circumstances
-) -> list[Sentence]:
+def _limits(wall, mechanism: str, block, demand, dynamic, compliance, circumstances: Circumstances) -> list[Sentence]:
     """Reasons for which the checks are indicative only."""
     reasons = []
     if dynamic:

@@ -32,27 +32,33 @@ def measured(check: Check, dynamic: DemandCheck | None, demand: DemandResult) ->
     """A check with what it compares: demand and capacity."""
     if check.name != "dynamic" or dynamic is None:
         return sentence(
-            "added", BY[check.label], q=Number(check.q, "g"), state=demand.limit_state,
-            capacity=Number(check.capacity, ".3f"), demand=Number(check.demand, ".3f"),
-        )  # fmt: skip
+            "added",
+            BY[check.label],
+            q=Number(check.q, "g"),
+            state=demand.limit_state,
+            capacity=Number(check.capacity, ".3f"),
+            demand=Number(check.demand, ".3f"),
+        )
     falls = sum(run.status != "stable" for run in dynamic.runs)
     if dynamic.peak_ratio is None and falls:
         return sentence("added", "by_dynamic_falls", n=falls, m=len(dynamic.runs))
     rule = "by_dynamic_mean" if dynamic.set_rule == "mean" else "by_dynamic_maximum"
-    return sentence(
-        "added", rule, peak=Number(dynamic.peak_ratio), limit=Number(dynamic.limit_ratio)
-    )
+    return sentence("added", rule, peak=Number(dynamic.peak_ratio), limit=Number(dynamic.limit_ratio))
 
 
 def _failing(checks, governing, dynamic, demand) -> tuple[Sentence, ...]:
     """Checks beside the one that decides that are not satisfied, with zeta."""
     target = demand.zeta_target
     found = [
-        sentence("added", "check_zeta", check=sentence("short", check.label, q=Number(check.q, "g")),
-                 zeta=apart(check.zeta, target))
+        sentence(
+            "added",
+            "check_zeta",
+            check=sentence("short", check.label, q=Number(check.q, "g")),
+            zeta=apart(check.zeta, target),
+        )
         for check in checks
         if check is not governing and check.passed is False
-    ]  # fmt: skip
+    ]
     other = dynamic.zeta_other if dynamic else None
     if other and not other.passed:
         zeta = Number(None) if other.zeta is None else apart(other.zeta, target)
@@ -64,16 +70,7 @@ def _failing(checks, governing, dynamic, demand) -> tuple[Sentence, ...]:
 
 
 def outcome(
-    code: str,
-    missing,
-    threshold: float,
-    demand,
-    governing,
-    checks,
-    dynamic,
-    by,
-    largest: float,
-    wall,
+    code: str, missing, threshold: float, demand, governing, checks, dynamic, by, largest: float, wall
 ) -> tuple[str, dict]:
     """Way and values of the sentence. threshold : a_RM; largest : acceleration under the wall, FC apart [m/s2]."""
     target, way = demand.zeta_target, code

@@ -62,9 +62,7 @@ def modal_acceleration(ground: np.ndarray, dt: float, period: float, damping: fl
     return moved + ground[0] * (1.0 - decay * swing)
 
 
-def floor_acceleration(
-    ground: np.ndarray, dt: float, modes: Sequence[Mode]
-) -> tuple[np.ndarray, float]:
+def floor_acceleration(ground: np.ndarray, dt: float, modes: Sequence[Mode]) -> tuple[np.ndarray, float]:
     """(absolute acceleration of the floor [m/s2], its time step [s]): (1 - sum gamma psi) u'' + sum gamma psi A_k, what
     the modes leave out moving with the ground (resources/docs/physics.md, section 16), its samples so close that it is
     linear between them within LINEAR of its peak. The record itself where no mode takes part. ground : [m/s2],
@@ -91,9 +89,7 @@ def _is_linear(floor: np.ndarray, finer: np.ndarray) -> bool:
 def _sampled(ground: np.ndarray, dt: float, modes: Sequence[Mode], parts: int) -> np.ndarray:
     """The acceleration of the floor [m/s2] at every sample of the record in `parts` and after it."""
     # after the record the ground is still
-    tail = max(
-        math.log(1.0 / TAIL) / (mode.damping * 2.0 * math.pi / mode.period) for mode in modes
-    )
+    tail = max(math.log(1.0 / TAIL) / (mode.damping * 2.0 * math.pi / mode.period) for mode in modes)
     still = np.append(ground, np.zeros(math.ceil(tail / dt) + 1))
     samples = np.arange((still.size - 1) * parts + 1) / parts
     moving = np.interp(samples, np.arange(still.size), still)

@@ -87,9 +87,7 @@ def pseudo_velocity_spectrum(ground, dt, periods, damping=DAMPING):
     return 2.0 * math.pi / periods * displacement_spectrum(ground, dt, periods, damping, 0)
 
 
-def pseudo_acceleration_spectrum(
-    ground, dt, periods, damping=DAMPING, per_period=SAMPLES_PER_PERIOD
-):
+def pseudo_acceleration_spectrum(ground, dt, periods, damping=DAMPING, per_period=SAMPLES_PER_PERIOD):
     """Pseudo-acceleration spectrum omega^2 Sd [m/s2]; ground [m/s2], dt, periods [s].
 
     Peaks between the samples are seen (within 0.3 %), unlike in SI, whose custom is the samples.

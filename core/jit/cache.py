@@ -48,9 +48,7 @@ def _once_for_all(function):
 
 
 WITHOUT_KERNELS = ("core.text", "core.errors", "core.atomic_write")
-_IMPORT = re.compile(
-    r"^[ \t]*from[ \t]+(core[\w.]*)[ \t]+import[ \t]+(\([^)]*\)|[^\n]*)", re.MULTILINE
-)
+_IMPORT = re.compile(r"^[ \t]*from[ \t]+(core[\w.]*)[ \t]+import[ \t]+(\([^)]*\)|[^\n]*)", re.MULTILINE)
 
 
 def kernel_sources(core: Path) -> list[Path]:
@@ -62,9 +60,7 @@ def kernel_sources(core: Path) -> list[Path]:
     known = {file: file.read_text(encoding="utf-8") for file in core.rglob("*.py")}
     found: set[Path] = set()
     new = {
-        file
-        for file, text in known.items()
-        if file.parent.name == "jit" or "from core.jit.decorators import" in text
+        file for file, text in known.items() if file.parent.name == "jit" or "from core.jit.decorators import" in text
     }
     while new:
         found |= new
@@ -76,9 +72,7 @@ def kernel_sources(core: Path) -> list[Path]:
             for name in (package, *(f"{package}.{one}" for one in re.findall(r"\w+", listed)))
         }
         places = [core.parent.joinpath(*name.split(".")) for name in names]
-        files = {
-            file for place in places for file in (place.with_suffix(".py"), place / "__init__.py")
-        }
+        files = {file for place in places for file in (place.with_suffix(".py"), place / "__init__.py")}
         new = (files & set(known)) - found
     return sorted(found)
 
@@ -138,8 +132,7 @@ def _left_by_this_program(folder: Path) -> bool:
     named = re.fullmatch(r"kernels-[0-9a-f]{16}(-x86-64(-v[34])?)?(-own)?", folder.name)
     unused = time.time() - folder.lstat().st_mtime > KEEP_SECONDS
     return bool(named and unused and private(folder)) and all(
-        file.suffix in (".nbi", ".nbc") or file.name in (MANIFEST, trial.TRIAL)
-        for file in folder.iterdir()
+        file.suffix in (".nbi", ".nbc") or file.name in (MANIFEST, trial.TRIAL) for file in folder.iterdir()
     )
 
 

@@ -49,7 +49,5 @@ def whole_files(name: str) -> dict[str, bytes]:
         files = {file: (folder / file).read_bytes() for file in manifest}
     except (OSError, ValueError, TypeError, RecursionError):
         return {}
-    same = all(
-        hashlib.sha256(files[file]).hexdigest() == digest for file, digest in manifest.items()
-    )
+    same = all(hashlib.sha256(files[file]).hexdigest() == digest for file, digest in manifest.items())
     return files if same else {}

@@ -38,8 +38,19 @@ MAX_RELATIONS = 2_000_000
 COMPRESSED = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
 """What members of a package may be (ECMA-376-2, C.3.3); of the others each raises errors of its own."""
 
-DAMAGED = (zipfile.BadZipFile, zlib.error, expat.ExpatError, EOFError, NotImplementedError, RuntimeError, OSError,
-           ValueError, LookupError, OverflowError, TypeError)  # fmt: skip
+DAMAGED = (
+    zipfile.BadZipFile,
+    zlib.error,
+    expat.ExpatError,
+    EOFError,
+    NotImplementedError,
+    RuntimeError,
+    OSError,
+    ValueError,
+    LookupError,
+    OverflowError,
+    TypeError,
+)
 """What a damaged or hostile package raises."""
 
 # callbacks of `Package.parse`

@@ -126,9 +126,7 @@ def read_sheet(content: bytes, limits: Limits, choose: Callable[[list[str]], int
         related = package.related(book)
         listed, since_1904 = _listed(package, book)
         sheets = [
-            (name, related[key][1], shown)
-            for name, key, shown in listed
-            if related.get(key, ("",))[0] == "worksheet"
+            (name, related[key][1], shown) for name, key, shown in listed if related.get(key, ("",))[0] == "worksheet"
         ]
         shown = [(name, part) for name, part, is_shown in sheets if is_shown]
         if not shown:
@@ -210,19 +208,10 @@ def _date_formats(package: Package, part: str) -> list[bool]:
 class _Reader:
     """Takes the elements of a sheet as they come."""
 
-    def __init__(
-        self,
-        package: Package,
-        limits: Limits,
-        texts: list[str],
-        formats: list[bool],
-        since_1904: bool,
-    ):
+    def __init__(self, package: Package, limits: Limits, texts: list[str], formats: list[bool], since_1904: bool):
         self.package, self.limits = package, limits
         self.shared, self.formats = texts, formats
-        self.epoch = (
-            datetime.datetime(1904, 1, 1) if since_1904 else datetime.datetime(1899, 12, 30)
-        )
+        self.epoch = datetime.datetime(1904, 1, 1) if since_1904 else datetime.datetime(1899, 12, 30)
         self.row = self.column = self.count = 0
         self.rows_hidden, self.all_hidden = set(), False
         self.columns_hidden: list[range] = []
@@ -236,9 +225,7 @@ class _Reader:
         self.package.parse(part, self.start, self.end)
         sheet = self.sheet
         columns = range(1, sheet.last_column + 1)
-        sheet.hidden_columns = [
-            k for k in columns if any(k in span for span in self.columns_hidden)
-        ]
+        sheet.hidden_columns = [k for k in columns if any(k in span for span in self.columns_hidden)]
         sheet.hidden_rows = sorted(row for row in self.rows_hidden if row <= sheet.last_row)
         return sheet
 
@@ -383,9 +370,7 @@ def spoken(found: Sequence) -> str:
 def refuse_cells(found: dict[str, Sequence]) -> None:
     """Raise InputError that names all cells which hold no value of their own, if there are any. found : by their kind,
     a code of what is accepted"""
-    kinds = tuple(
-        sentence("accepted", kind, cells=spoken(cells)) for kind, cells in found.items() if cells
-    )
+    kinds = tuple(sentence("accepted", kind, cells=spoken(cells)) for kind, cells in found.items() if cells)
     if kinds:
         raise InputError("cells_without_value", cells=kinds)
 

@@ -170,9 +170,7 @@ class _Writer(ExcelWriter):
             while block:
                 self.book.steps.check()
                 block = source.read(PIECE)
-                piece, mark, rest = (
-                    (rest + block).rpartition(b"</row>") if block else (rest, b"", b"")
-                )
+                piece, mark, rest = (rest + block).rpartition(b"</row>") if block else (rest, b"", b"")
                 target.write(_FORMULA.sub(fill_in, (piece + mark).decode()).encode())
 
 
@@ -223,8 +221,9 @@ def frame(cell: Cell, color: str, *sides: str) -> Cell:
     return cached_style(cell, ("frame", color, sides), apply)
 
 
-def style(cell: Cell, bold=False, color=INK, size=10, number_format=None, wrap=False, align=None,
-          italic=False, vertical=None) -> Cell:  # fmt: skip
+def style(
+    cell: Cell, bold=False, color=INK, size=10, number_format=None, wrap=False, align=None, italic=False, vertical=None
+) -> Cell:
     vertical = vertical or ("top" if wrap else "center")
 
     def apply() -> None:
@@ -233,9 +232,7 @@ def style(cell: Cell, bold=False, color=INK, size=10, number_format=None, wrap=F
         if number_format:
             cell.number_format = number_format
 
-    return cached_style(
-        cell, (bold, color, size, number_format, wrap, align, italic, vertical), apply
-    )
+    return cached_style(cell, (bold, color, size, number_format, wrap, align, italic, vertical), apply)
 
 
 def text(sheet: Worksheet, row: int, column: int, content, **look) -> Cell:
@@ -261,13 +258,12 @@ def title(sheet: Worksheet, row: int, content: str, size: int = 14) -> None:
     sheet.row_dimensions[row].height = 1.35 * size
 
 
-def header(
-    sheet: Worksheet, row: int, labels: list[str], column: int = 1, height: int = 30
-) -> None:
+def header(sheet: Worksheet, row: int, labels: list[str], column: int = 1, height: int = 30) -> None:
     """A header row of a table."""
     for k, label in enumerate(labels):
-        cell = text(sheet, row, column + k, label, bold=True, color="FFFFFF", wrap=True,
-                    align="center", vertical="center")  # fmt: skip
+        cell = text(
+            sheet, row, column + k, label, bold=True, color="FFFFFF", wrap=True, align="center", vertical="center"
+        )
         fill(cell, ACCENT)
     sheet.row_dimensions[row].height = height
 

@@ -19,18 +19,12 @@ from core.report.cells import (
     style,
     text,
     title,
-)  # fmt: skip
-from core.report.circolare import follows_spectrum, intensity_row, spectrum_rows, wall_rows
-from core.report.load_rows import geometry_rows, impact_formulas
-from core.report.rows import (
-    changed_cell,
-    close_inputs,
-    found_row,
-    heads,
-    input_row,
-    live_row,
 )
+from core.report.circolare import wall_rows
+from core.report.load_rows import geometry_rows, impact_formulas
+from core.report.rows import changed_cell, close_inputs, found_row, heads, input_row, live_row
 from core.report.sheets import rule_word
+from core.report.spectrum_rows import follows_spectrum, intensity_row, spectrum_rows
 from core.study.results import Q_SOURCES, PerRecord, StudyResult, WallResult
 from core.text.sentence import word
 from core.units import CM, G
@@ -71,25 +65,24 @@ def _demand(book: Book, sheet, result: StudyResult, row: int) -> int:
     if demand is None:
         text(sheet, row, 1, say("No demand given: no check."))
         return row + 1
-    row = input_row(book, sheet, row, say("a_g on rock"), demand.ag / G, "g",
-                 "demand_ag", ACCELERATION)  # fmt: skip
+    row = input_row(book, sheet, row, say("a_g on rock"), demand.ag / G, "g", "demand_ag", ACCELERATION)
     if follows_spectrum(result):
-        row = live_row(
-            book,
-            sheet,
-            row,
-            "S",
-            "3.2.3",
-            "=spectrum_s",
-            demand.soil_factor,
-            "–",
-            "demand_s",
-            RATIO,
-        )
+        row = live_row(book, sheet, row, "S", "3.2.3", "=spectrum_s", demand.soil_factor, "–", "demand_s", RATIO)
     else:
         row = input_row(book, sheet, row, "S", demand.soil_factor, "–", "demand_s", RATIO)
-    row = live_row(book, sheet, row, "S a_g", "", "=demand_ag*demand_s", demand.pga / G, "g", "demand_pga",
-                ACCELERATION, "demand_pga_run")  # fmt: skip
+    row = live_row(
+        book,
+        sheet,
+        row,
+        "S a_g",
+        "",
+        "=demand_ag*demand_s",
+        demand.pga / G,
+        "g",
+        "demand_pga",
+        ACCELERATION,
+        "demand_pga_run",
+    )
     si = demand.intensity / CM if demand.intensity else None
     row = spectrum_rows(book, sheet, result, row)
     row = intensity_row(book, sheet, row, demand, si)
@@ -125,31 +118,68 @@ def _geometry(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
     if setback:
         row = input_row(book, sheet, row, "t", wall.thickness, "m", f"{name}_thickness", "0.000")
         setback_row = found_row if wall.wall.compressive_strength_mpa else input_row
-        row = setback_row(book, sheet, row, say("hinge setback u"), setback,
-                        "m", f"{name}_setback")  # fmt: skip
-        row = live_row(book, sheet, row, "α = arctan((t − 2u)/H)", "Fig. 1",
-                       f"=DEGREES(ATAN(({name}_thickness-2*{name}_setback)/{name}_height))", degrees,
-                       "°", f"{name}_slenderness")  # fmt: skip
-        row = live_row(book, sheet, row, "R", "Fig. 1",
-                       f"=SQRT({name}_height^2+({name}_thickness-2*{name}_setback)^2)/2", block.radius,
-                       "m", f"{name}_radius")  # fmt: skip
-        row = live_row(book, sheet, row, "I0/m", "Fig. 1",
-                       f"=({name}_height^2+{name}_thickness^2)/12+{name}_radius^2",
-                       block.inertia_over_mass, "m²", f"{name}_inertia")  # fmt: skip
+        row = setback_row(book, sheet, row, say("hinge setback u"), setback, "m", f"{name}_setback")
+        row = live_row(
+            book,
+            sheet,
+            row,
+            "α = arctan((t − 2u)/H)",
+            "Fig. 1",
+            f"=DEGREES(ATAN(({name}_thickness-2*{name}_setback)/{name}_height))",
+            degrees,
+            "°",
+            f"{name}_slenderness",
+        )
+        row = live_row(
+            book,
+            sheet,
+            row,
+            "R",
+            "Fig. 1",
+            f"=SQRT({name}_height^2+({name}_thickness-2*{name}_setback)^2)/2",
+            block.radius,
+            "m",
+            f"{name}_radius",
+        )
+        row = live_row(
+            book,
+            sheet,
+            row,
+            "I0/m",
+            "Fig. 1",
+            f"=({name}_height^2+{name}_thickness^2)/12+{name}_radius^2",
+            block.inertia_over_mass,
+            "m²",
+            f"{name}_inertia",
+        )
         p = f"=SQRT(gravity*{name}_radius/{name}_inertia)"
     elif rectangle:
         if wall.wall.slenderness_deg is None:
-            row = input_row(
-                book, sheet, row, "t", wall.thickness, "m", f"{name}_thickness", "0.000"
+            row = input_row(book, sheet, row, "t", wall.thickness, "m", f"{name}_thickness", "0.000")
+            row = live_row(
+                book,
+                sheet,
+                row,
+                "α = arctan(t/H)",
+                "Fig. 1",
+                f"=DEGREES(ATAN({name}_thickness/{name}_height))",
+                degrees,
+                "°",
+                f"{name}_slenderness",
             )
-            row = live_row(book, sheet, row, "α = arctan(t/H)", "Fig. 1",
-                           f"=DEGREES(ATAN({name}_thickness/{name}_height))", degrees, "°",
-                           f"{name}_slenderness")  # fmt: skip
         else:
             row = input_row(book, sheet, row, "α", degrees, "°", f"{name}_slenderness")
-        row = live_row(book, sheet, row, "R = H / (2 cos α)", "Fig. 1",
-                       f"={name}_height/(2*COS(RADIANS({name}_slenderness)))", block.radius, "m",
-                       f"{name}_radius")  # fmt: skip
+        row = live_row(
+            book,
+            sheet,
+            row,
+            "R = H / (2 cos α)",
+            "Fig. 1",
+            f"={name}_height/(2*COS(RADIANS({name}_slenderness)))",
+            block.radius,
+            "m",
+            f"{name}_radius",
+        )
         p = f"=SQRT(3*gravity/(4*{name}_radius))"
     else:
         row = input_row(book, sheet, row, "α", degrees, "°", f"{name}_slenderness")
@@ -157,15 +187,31 @@ def _geometry(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
         row = input_row(book, sheet, row, "I0/m", block.inertia_over_mass, "m²", f"{name}_inertia")
         p = f"=SQRT(gravity*{name}_radius/{name}_inertia)"
     if not rectangle:
-        row = live_row(book, sheet, row, equivalent, "Eq. 15, 16",
-                       f"=1.5*{name}_inertia/{name}_radius*COS(RADIANS({name}_slenderness))",
-                       block.height, "m", f"{name}_equivalent_height")  # fmt: skip
+        row = live_row(
+            book,
+            sheet,
+            row,
+            equivalent,
+            "Eq. 15, 16",
+            f"=1.5*{name}_inertia/{name}_radius*COS(RADIANS({name}_slenderness))",
+            block.height,
+            "m",
+            f"{name}_equivalent_height",
+        )
+    row = live_row(book, sheet, row, "p", "Eq. 1", p, block.frequency_parameter, "rad/s", f"{name}_p")
     row = live_row(
-        book, sheet, row, "p", "Eq. 1", p, block.frequency_parameter, "rad/s", f"{name}_p"
+        book,
+        sheet,
+        row,
+        "a_RM / g = tan α",
+        "Eq. 2",
+        f"=TAN(RADIANS({name}_slenderness))",
+        block.threshold_acceleration / G,
+        "g",
+        f"{name}_a_rm",
+        ACCELERATION,
+        f"{name}_a_rm_run",
     )
-    row = live_row(book, sheet, row, "a_RM / g = tan α", "Eq. 2",
-                f"=TAN(RADIANS({name}_slenderness))", block.threshold_acceleration / G, "g",
-                f"{name}_a_rm", ACCELERATION, f"{name}_a_rm_run")  # fmt: skip
     return _ratio_row(book, sheet, wall, name, row)
 
 
@@ -187,8 +233,9 @@ def _ratio_row(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
     }
     if ratio.model in formulas:
         equation, formula = formulas[ratio.model]
-        return live_row(book, sheet, row, label, equation, f"={formula}", ratio.ratio_at_rest, "–",
-                     f"{name}_velocity_ratio")  # fmt: skip
+        return live_row(
+            book, sheet, row, label, equation, f"={formula}", ratio.ratio_at_rest, "–", f"{name}_velocity_ratio"
+        )
     ratio_row = input_row if ratio.model == "user" else found_row
     return ratio_row(book, sheet, row, label, ratio.ratio_at_rest, "–", f"{name}_velocity_ratio")
 
@@ -197,11 +244,25 @@ def _records(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
     """The governing run of each record: Eq. 10, 12 and 15/16, live and of the program."""
     say = book.say
     form = "Eq. 16" if wall.mechanism == "one_sided" else "Eq. 15"
-    header(sheet, row, [
-        say("Record (governing sign)"), "SI [cm]", "PFA [g]" if wall.floor else "PGA [g]",
-        say("Scale C"), "q, Eq. 10", say("program"), "q_eff, Eq. 12",
-        say("program"), "ln SI", "ln q_eff",
-        *([f"q_eff, {form}", f"q, {form}", say("program")] if wall.wall.has_closed_forms else [])], 1, 32)  # fmt: skip
+    header(
+        sheet,
+        row,
+        [
+            say("Record (governing sign)"),
+            "SI [cm]",
+            "PFA [g]" if wall.floor else "PGA [g]",
+            say("Scale C"),
+            "q, Eq. 10",
+            say("program"),
+            "q_eff, Eq. 12",
+            say("program"),
+            "ln SI",
+            "ln q_eff",
+            *([f"q_eff, {form}", f"q, {form}", say("program")] if wall.wall.has_closed_forms else []),
+        ],
+        1,
+        32,
+    )
     first = row + 1
     scale = {(run.motion, run.polarity): run.scale for run in wall.runs}
     for entry in wall.per_record:
@@ -211,17 +272,15 @@ def _records(book: Book, sheet, wall: WallResult, name: str, row: int) -> int:
     row += 1
     formula = "AVERAGE" if wall.set_rule == "mean" else "MIN"
     label = f"q ({rule_word(book, wall.set_rule)})"
-    row = live_row(book, sheet, row, label, "", f"={formula}(E{first}:E{last})", wall.q_set, "–",
-                f"{name}_q_set")  # fmt: skip
+    row = live_row(book, sheet, row, label, "", f"={formula}(E{first}:E{last})", wall.q_set, "–", f"{name}_q_set")
     book.of_run.add(f"{name}_q_set")
     law = wall.power_law
     if law and all(entry.q is not None for entry in wall.per_record):
         xs, ys = f"I{first}:I{last}", f"J{first}:J{last}"
+        row = live_row(book, sheet, row, "C2", "Eq. 13", f"=SLOPE({ys},{xs})", law.c2, "–", f"{name}_c2")
         row = live_row(
-            book, sheet, row, "C2", "Eq. 13", f"=SLOPE({ys},{xs})", law.c2, "–", f"{name}_c2"
+            book, sheet, row, "C1", "Eq. 13", f"=EXP(INTERCEPT({ys},{xs}))", law.c1, "–", f"{name}_c1", "0.000E+00"
         )
-        row = live_row(book, sheet, row, "C1", "Eq. 13", f"=EXP(INTERCEPT({ys},{xs}))", law.c1, "–",
-                    f"{name}_c1", "0.000E+00")  # fmt: skip
         row = live_row(book, sheet, row, "R²", "Eq. 13", f"=RSQ({ys},{xs})", law.r_squared, "–")
     return row
 
@@ -264,32 +323,50 @@ def _closed(book: Book, sheet, result: StudyResult, wall: WallResult, name: str,
     form = "Eq. 16" if wall.mechanism == "one_sided" else "Eq. 15"
     formula = _closed_formula(wall, name, "demand_si")
     label = book.say("of the demand")
-    row = live_row(book, sheet, row, f"q_eff {label}", form, f"={formula}", wall.closed_form_q_eff, "–",
-                f"{name}_q_eff_closed", RATIO)  # fmt: skip
-    return live_row(book, sheet, row, f"q = q_eff S a_g / g {label}", form,
-                 f"={name}_q_eff_closed*demand_pga", wall.closed_form_q, "–",
-                 f"{name}_q_closed", RATIO)  # fmt: skip
+    row = live_row(
+        book,
+        sheet,
+        row,
+        f"q_eff {label}",
+        form,
+        f"={formula}",
+        wall.closed_form_q_eff,
+        "–",
+        f"{name}_q_eff_closed",
+        RATIO,
+    )
+    return live_row(
+        book,
+        sheet,
+        row,
+        f"q = q_eff S a_g / g {label}",
+        form,
+        f"={name}_q_eff_closed*demand_pga",
+        wall.closed_form_q,
+        "–",
+        f"{name}_q_closed",
+        RATIO,
+    )
 
 
-def _inequality(
-    book: Book, sheet, result: StudyResult, wall: WallResult, name: str, row: int
-) -> int:
+def _inequality(book: Book, sheet, result: StudyResult, wall: WallResult, name: str, row: int) -> int:
     """Eq. 9 with the q of every source."""
     say = book.say
     words = {
         "code": (say("q of the code"), "code_q"),
         "closed_form": (say("q of Eq. 15/16"), f"{name}_q_closed"),
-        "time_histories": (say("q of the time histories, collapse"),
-                           f"{name}_q_set"),
+        "time_histories": (say("q of the time histories, collapse"), f"{name}_q_set"),
         "time_histories_slv": (say("q of the time histories, SLV"), None),
-        "time_histories_robust": (say("q of the time histories, robust"),
-                                  None),
-    }  # fmt: skip
+        "time_histories_robust": (say("q of the time histories, robust"), None),
+    }
     label = say(TITLE)
-    header(sheet, row, [
-        label, "q", "a_RM [g]", "S a_g / q [g]", say("program"),
-        say("ratio"), say("program"), say("outcome")],
-        1, 32)  # fmt: skip
+    header(
+        sheet,
+        row,
+        [label, "q", "a_RM [g]", "S a_g / q [g]", say("program"), say("ratio"), say("program"), say("outcome")],
+        1,
+        32,
+    )
     for source, inequality in zip(Q_SOURCES, wall.code_check, strict=True):
         row += 1
         label, reference = words[source]
@@ -309,9 +386,7 @@ def _inequality(
             number(sheet, row, 7, inequality.ratio, RATIO, color=QUIET)
             yes, no = say("passed"), say("not passed")
             formula = f'IF(F{row}>=1-1E-12,"{yes}","{no}")'
-            if source.startswith(
-                "time_histories"
-            ):  # that q is of the wall and the demand of the run
+            if source.startswith("time_histories"):  # that q is of the wall and the demand of the run
                 formula = f'IF(inputs_changed>0,"{say("run again")}",{formula})'
             cell = book.formula(sheet.cell(row, 8), f"={formula}", yes if inequality.passed else no)
             color = GOOD if inequality.passed else BAD
@@ -327,17 +402,10 @@ def _inequality(
             color=QUIET,
         )
         number(sheet, row, 2, estimate.q, RATIO, color=QUIET)
-        book.formula(
-            sheet.cell(row, 3), f"={name}_a_rm", wall.block.threshold_acceleration / G, ACCELERATION
-        )
+        book.formula(sheet.cell(row, 3), f"={name}_a_rm", wall.block.threshold_acceleration / G, ACCELERATION)
         demand = result.demand.pga / G / estimate.q
         book.formula(sheet.cell(row, 4), f"=demand_pga/B{row}", demand, ACCELERATION)
-        book.formula(
-            sheet.cell(row, 6),
-            f"=C{row}/D{row}",
-            wall.block.threshold_acceleration / G / demand,
-            RATIO,
-        )
+        book.formula(sheet.cell(row, 6), f"=C{row}/D{row}", wall.block.threshold_acceleration / G / demand, RATIO)
         words = f"{book.digits(estimate.low, '.2f')} – {book.digits(estimate.high, '.2f')}"
         if not estimate.within:
             words += " " + say("outside its range")

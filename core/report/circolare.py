@@ -3,88 +3,14 @@
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.kinematic import CANTILEVER, DAMPING, PERIOD_FACTOR
 from core.codes.risk import EXPONENT, exponent_by_ag
-from core.codes.target_spectrum import (
-    EN_AMPLIFICATION,
-    NTC_SOIL,
-    NTC_TOPOGRAPHY,
-    SI_FROM,
-    SI_TO,
-    CodeSpectrum,
-    shape_integral,
-)
-from core.report.cells import ACCELERATION, BAD, EXACT, GOOD, QUIET, RATIO, Book, style, text
+from core.codes.target_spectrum import CodeSpectrum
+from core.report.cells import BAD, EXACT, GOOD, QUIET, RATIO, Book, style, text
 from core.report.load_rows import MOMENTS, chain_formulas, moments, sides_agree
 from core.report.rows import found_row, heads, input_row, live_row
+from core.report.spectrum_rows import spectrum_shape
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import word
 from core.units import G
-
-
-def follows_spectrum(result: StudyResult) -> bool:
-    """Whether S is that of the spectrum of NTC 2018, which the sheet has as a formula."""
-    asked = result.case.demand
-    spectrum = asked.spectrum
-    return (
-        asked.soil_factor is None
-        and spectrum is not None
-        and spectrum.code == "NTC2018"
-        and isinstance(result.demand.target, CodeSpectrum)
-    )
-
-
-def spectrum_rows(book: Book, sheet, result: StudyResult, row: int) -> int:
-    """FC and the branches of the spectrum as named cells; for NTC 2018 S and the periods are live."""
-    say, demand = book.say, result.demand
-    row = input_row(book, sheet, row, "FC", demand.confidence_factor, "–", "demand_fc", RATIO)
-    row = input_row(book, sheet, row, say("ζ required"), demand.zeta_target, "–",
-                    "zeta_target", RATIO)  # fmt: skip
-    target, asked = demand.target, result.case.demand.spectrum
-    if not isinstance(target, CodeSpectrum):
-        return row
-    if asked.code == "EN1998":
-        for label, value, name in (("F0", EN_AMPLIFICATION, "f0"), ("T_B", target.t_b, "tb"),
-                                   ("T_C", target.t_c, "tc"), ("T_D", target.t_d, "td")):  # fmt: skip
-            unit = "–" if name == "f0" else "s"
-            row = found_row(book, sheet, row, label, value, unit, f"spectrum_{name}", ACCELERATION)
-        return row
-    a, b, low, high, c, d = NTC_SOIL[asked.soil]
-    st = NTC_TOPOGRAPHY[asked.topography]
-    row = input_row(book, sheet, row, "F0", asked.f0, "–", "spectrum_f0", ACCELERATION)
-    row = input_row(
-        book, sheet, row, "T_C*", asked.tc_star_s, "s", "spectrum_tc_star", ACCELERATION
-    )
-    row = live_row(book, sheet, row, f"S = S_S S_T ({asked.soil}, {asked.topography})", "3.2.3",
-                   f"=MIN(MAX({a}-{b}*spectrum_f0*demand_ag,{low}),{high})*{st}",
-                   demand.soil_factor, "–", "spectrum_s")  # fmt: skip
-    row = live_row(book, sheet, row, "T_C = C_C T_C*", "3.2.5",
-                   f"={c}*spectrum_tc_star^({d})*spectrum_tc_star", target.t_c, "s", "spectrum_tc")  # fmt: skip
-    row = live_row(
-        book, sheet, row, "T_B", "3.2.6", "=spectrum_tc/3", target.t_b, "s", "spectrum_tb"
-    )
-    return live_row(
-        book, sheet, row, "T_D", "3.2.7", "=4*demand_ag+1.6", target.t_d, "s", "spectrum_td"
-    )
-
-
-def intensity_row(book: Book, sheet, row: int, demand, intensity: float | None) -> int:
-    """SI of the demand [cm], which follows the other cells where it is of a spectrum or of records scaled to a_g S."""
-    label = book.say("SI of the demand")
-    if demand.intensity_source == "given":
-        return input_row(book, sheet, row, label, intensity, "cm", "demand_si", RATIO)
-    follows = "demand_pga/demand_pga_run"
-    if isinstance(demand.target, CodeSpectrum) and demand.intensity_source == "spectrum":
-        then = shape_integral(demand.target)
-        tb, tc, td, f0 = (f"spectrum_{key}" for key in ("tb", "tc", "td", "f0"))
-        first, last = f"MIN({SI_FROM},{tb})", f"MIN({td},{SI_TO})"
-        now = (
-            f"(({tb}^2-{first}^2)/2+({f0}-1)*({tb}^3-{first}^3)/(3*{tb})+{f0}*({tc}^2-MAX({tb},{SI_FROM})^2)/2"
-            f"+{f0}*{tc}*({last}-{tc})+{f0}*{tc}*{td}*LN({SI_TO}/{last}))"
-        )
-        follows += f"*{now}/{then!r}"
-    elif demand.intensity_source != "records_scaled":
-        return found_row(book, sheet, row, label, intensity, "cm", "demand_si", RATIO)
-    formula = f"={intensity!r}*{follows}"
-    return live_row(book, sheet, row, label, "Eq. 11", formula, intensity, "cm", "demand_si", RATIO)
 
 
 def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: str, row: int) -> int:
@@ -101,18 +27,36 @@ def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: st
     if wall.wall.load:
         formulas = chain_formulas(book, name)
         for key, value in moments(wall).items():
-            row = live_row(book, sheet, row, MOMENTS[key], "C8.7.1.1", formulas[key], 1e-3 * value, "kN",
-                           f"{name}_{key}", "0.00")  # fmt: skip
-        row = live_row(book, sheet, row, "α0 = (W x + ΣN d + ΣF h)/(W y + ΣQ h)", "C8.7.1.1",
-                       formulas["alpha0"], sums.alpha0, "–", start)  # fmt: skip
-        row = live_row(book, sheet, row, "e* = (W y + ΣQ h)²/[(W + ΣQ)(W y² + ΣQ h²)]", "C8.7.1.5",
-                       formulas["e_star"], sums.e_star, "–", f"{name}_e_star")  # fmt: skip
-    else:
-        row = live_row(book, sheet, row, "α0 = tan α", "C8.7.1.1",
-                       f"=TAN(RADIANS({name}_slenderness))", sums.alpha0, "–", start)  # fmt: skip
-        row = found_row(
-            book, sheet, row, "e* (C8.7.1.5)", sums.e_star, "–", f"{name}_e_star", RATIO
+            row = live_row(
+                book, sheet, row, MOMENTS[key], "C8.7.1.1", formulas[key], 1e-3 * value, "kN", f"{name}_{key}", "0.00"
+            )
+        row = live_row(
+            book,
+            sheet,
+            row,
+            "α0 = (W x + ΣN d + ΣF h)/(W y + ΣQ h)",
+            "C8.7.1.1",
+            formulas["alpha0"],
+            sums.alpha0,
+            "–",
+            start,
         )
+        row = live_row(
+            book,
+            sheet,
+            row,
+            "e* = (W y + ΣQ h)²/[(W + ΣQ)(W y² + ΣQ h²)]",
+            "C8.7.1.5",
+            formulas["e_star"],
+            sums.e_star,
+            "–",
+            f"{name}_e_star",
+        )
+    else:
+        row = live_row(
+            book, sheet, row, "α0 = tan α", "C8.7.1.1", f"=TAN(RADIANS({name}_slenderness))", sums.alpha0, "–", start
+        )
+        row = found_row(book, sheet, row, "e* (C8.7.1.5)", sums.e_star, "–", f"{name}_e_star", RATIO)
     if sums.alpha0_friction is not None:
         start = f"{name}_alpha0_friction"
         label = say("α0 with friction, top {h:.2f} m", h=sums.friction_height)
@@ -122,12 +66,19 @@ def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: st
         mass = say("M* per metre of that part")
     else:
         share, mass = f"{name}_e_star", say("M* per metre")
-    row = live_row(book, sheet, row, "a0* = α0 g / (e* FC)", "C8.7.1.3",
-                   f"={start}/({share}*demand_fc)", kinematic.a0 / G, "g",
-                   f"{name}_a0_star")  # fmt: skip
+    row = live_row(
+        book,
+        sheet,
+        row,
+        "a0* = α0 g / (e* FC)",
+        "C8.7.1.3",
+        f"={start}/({share}*demand_fc)",
+        kinematic.a0 / G,
+        "g",
+        f"{name}_a0_star",
+    )
     if kinematic.m_star is not None:
-        row = found_row(book, sheet, row, mass, kinematic.m_star, "kg/m",
-                        f"{name}_m_star", "0")  # fmt: skip
+        row = found_row(book, sheet, row, mass, kinematic.m_star, "kg/m", f"{name}_m_star", "0")
     row = _sld(book, sheet, wall, name, demand, row)
     for check in found_checks(wall, "linear_q_slv", "linear_q_code"):
         if check.label == "linear_sld":
@@ -139,30 +90,32 @@ def wall_rows(book: Book, sheet, result: StudyResult, wall: WallResult, name: st
             row = live_row(book, sheet, row, f"q: {label}", "", "=code_q", check.q, "–", q)
         else:
             row = found_row(book, sheet, row, "q SLV", wall.q_slv_set, "–")
-            row = found_row(book, sheet, row, say("lower end of the spread of q SLV"), wall.q_slv_low_set, "–",
-                            f"{name}_q_slv_low")  # fmt: skip
+            row = found_row(
+                book, sheet, row, say("lower end of the spread of q SLV"), wall.q_slv_low_set, "–", f"{name}_q_slv_low"
+            )
             counted = f"{name}_q_slv_low*{share}"
             if kinematic.chain.alpha0_friction is not None:
                 counted += f"*MIN(1,{name}_alpha0/{start})"
-            row = live_row(
-                book, sheet, row, f"q: {label}", "C8.7.1.5", f"={counted}", check.q, "–", q
-            )
-        row = live_row(book, sheet, row, f"ζ: {label}", check.clause,
-                       f"={q}*{name}_zeta_sld", check.zeta, "–", f"{q}_zeta")  # fmt: skip
+            row = live_row(book, sheet, row, f"q: {label}", "C8.7.1.5", f"={counted}", check.q, "–", q)
+        row = live_row(
+            book, sheet, row, f"ζ: {label}", check.clause, f"={q}*{name}_zeta_sld", check.zeta, "–", f"{q}_zeta"
+        )
         row = _outcome(book, sheet, row, f"{q}_zeta", check)
     for check in found_checks(wall, "nonlinear"):
         row = _displacement(book, sheet, wall, name, demand, check, row)
     for check in found_checks(wall, "dynamic"):
         if check.demand is not None:
-            row = found_row(book, sheet, row, say("θmax/θc of the set (Dynamic check)"), check.demand, "–",
-                            f"{name}_peak", EXACT)  # fmt: skip
-        row = found_row(book, sheet, row, f"ζ_E: {word('dynamic', book.language)}", check.zeta, "–",
-                        f"{name}_dynamic_zeta", EXACT)  # fmt: skip
+            row = found_row(
+                book, sheet, row, say("θmax/θc of the set (Dynamic check)"), check.demand, "–", f"{name}_peak", EXACT
+            )
+        row = found_row(
+            book, sheet, row, f"ζ_E: {word('dynamic', book.language)}", check.zeta, "–", f"{name}_dynamic_zeta", EXACT
+        )
         dynamic = wall.assessment.dynamic
         row = found_row(book, sheet, row, "ζ_16", dynamic.zeta_16, "–", None, EXACT)
         if dynamic.zeta_other:
             on = word(f"confidence_{dynamic.zeta_other.confidence_on}", book.language)
-            row = found_row(book, sheet, row, f"ζ_E, {on}", dynamic.zeta_other.zeta, "–", None, EXACT)  # fmt: skip
+            row = found_row(book, sheet, row, f"ζ_E, {on}", dynamic.zeta_other.zeta, "–", None, EXACT)
     return _risk(book, sheet, wall, name, demand, row)
 
 
@@ -186,11 +139,8 @@ def _risk(book: Book, sheet, wall, name: str, demand, row: int) -> int:
         return row
     zeta = zeta_cell(wall, name, demand)
     of_histories = wall.assessment.verdict.governing == "dynamic"
-    pga = (
-        "demand_pga_run" if of_histories else "demand_pga"
-    )  # zeta of the histories is of the demand of the run
-    row = live_row(book, sheet, row, "PGA_C = ζ S a_g", "", f"={zeta}*{pga}", found.pga / G, "g",
-                   f"{name}_pga_c")  # fmt: skip
+    pga = "demand_pga_run" if of_histories else "demand_pga"  # zeta of the histories is of the demand of the run
+    row = live_row(book, sheet, row, "PGA_C = ζ S a_g", "", f"={zeta}*{pga}", found.pga / G, "g", f"{name}_pga_c")
     if found.by_hazard:
         text(sheet, row, 1, say("T_R,C by the hazard of the site"))
         text(sheet, row, 3, found.years, align="right")
@@ -198,22 +148,36 @@ def _risk(book: Book, sheet, wall, name: str, demand, row: int) -> int:
         row += 1
     elif found.return_period is not None:
         tr_row = found_row if of_histories else input_row
-        row = tr_row(
-            book, sheet, row, "T_R,D", demand.return_period, say("years"), f"{name}_tr_d", RATIO
-        )
-        both = [
-            f"{name}_tr_d*{zeta}^(1/{1.0 / eta:.3g})"
-            for eta in (EXPONENT, exponent_by_ag(demand.ag))
-        ]
+        row = tr_row(book, sheet, row, "T_R,D", demand.return_period, say("years"), f"{name}_tr_d", RATIO)
+        both = [f"{name}_tr_d*{zeta}^(1/{1.0 / eta:.3g})" for eta in (EXPONENT, exponent_by_ag(demand.ag))]
         label = "T_R,C = T_R,D ζ^η, min"
-        row = live_row(book, sheet, row, label, "", f"=MIN({','.join(both)})", found.return_period,
-                       say("years"), f"{name}_tr_c", RATIO)  # fmt: skip
-        row = live_row(book, sheet, row, "T_R,C, max", "", f"=MAX({','.join(both)})",
-                       found.other_return_period, say("years"), None, RATIO)  # fmt: skip
+        row = live_row(
+            book,
+            sheet,
+            row,
+            label,
+            "",
+            f"=MIN({','.join(both)})",
+            found.return_period,
+            say("years"),
+            f"{name}_tr_c",
+            RATIO,
+        )
+        row = live_row(
+            book,
+            sheet,
+            row,
+            "T_R,C, max",
+            "",
+            f"=MAX({','.join(both)})",
+            found.other_return_period,
+            say("years"),
+            None,
+            RATIO,
+        )
     if found.index is not None:
         label = say("IS-V of this mechanism, class {letter}", letter=found.letter)
-        row = live_row(book, sheet, row, label, "D.M. 65/2017", f"={name}_pga_c/{pga}", found.index,
-                       "–", None, RATIO)  # fmt: skip
+        row = live_row(book, sheet, row, label, "D.M. 65/2017", f"={name}_pga_c/{pga}", found.index, "–", None, RATIO)
     return row
 
 
@@ -221,8 +185,7 @@ def _sld(book: Book, sheet, wall, name: str, demand, row: int) -> int:
     """a_g,SLD over a_g: against a_g S, of an element free to vibrate against S_e(T_0)."""
     kinematic, say = wall.assessment.kinematic, book.say
     if kinematic.zeta_sld is None:
-        text(sheet, row, 1, say("No linear check: T_0 is not known (see the verdict)."),
-             color=QUIET, italic=True)  # fmt: skip
+        text(sheet, row, 1, say("No linear check: T_0 is not known (see the verdict)."), color=QUIET, italic=True)
         return row + 1
     against, clause = "demand_pga", "C8.7.1.8"
     if kinematic.floor:
@@ -238,23 +201,29 @@ def _sld(book: Book, sheet, wall, name: str, demand, row: int) -> int:
             label = "T_0 = √(κ² (H/t)² H² w/(E g) + Σ 4π² m h³/(3 E I))"
             formula = f"=SQRT(({alone})^2+{chain_formulas(book, name)['period']})"
         else:
-            row = input_row(book, sheet, row, say("unit weight"),
-                            asked.unit_weight_kn_m3, "kN/m³", f"{name}_weight")  # fmt: skip
+            row = input_row(book, sheet, row, say("unit weight"), asked.unit_weight_kn_m3, "kN/m³", f"{name}_weight")
             label, formula = "T_0 = κ (H/t) H √(w/(E g))", f"={alone}"
-        row = live_row(book, sheet, row, label, "C8.7.1.7", formula, kinematic.period_0, "s",
-                       f"{name}_period_0")  # fmt: skip
+        row = live_row(book, sheet, row, label, "C8.7.1.7", formula, kinematic.period_0, "s", f"{name}_period_0")
         if kinematic.floor:
-            row = found_row(book, sheet, row, "S_eZ(T_0, 5 %)", kinematic.acceleration_demand / G, "g",
-                            against)  # fmt: skip
+            row = found_row(book, sheet, row, "S_eZ(T_0, 5 %)", kinematic.acceleration_demand / G, "g", against)
         elif isinstance(demand.target, CodeSpectrum):
             formula = f"=demand_pga*{spectrum_shape(f'{name}_period_0', 5.0)}"
-            row = live_row(book, sheet, row, "S_e(T_0, 5 %)", clause, formula,
-                           kinematic.acceleration_demand / G, "g", against)  # fmt: skip
+            row = live_row(
+                book, sheet, row, "S_e(T_0, 5 %)", clause, formula, kinematic.acceleration_demand / G, "g", against
+            )
         else:
-            row = found_row(book, sheet, row, "S_e(T_0, 5 %)", kinematic.acceleration_demand / G, "g",
-                            against)  # fmt: skip
-    return live_row(book, sheet, row, "a_g,SLD / a_g", clause, f"={name}_a0_star/{against}",
-                    kinematic.zeta_sld, "–", f"{name}_zeta_sld")  # fmt: skip
+            row = found_row(book, sheet, row, "S_e(T_0, 5 %)", kinematic.acceleration_demand / G, "g", against)
+    return live_row(
+        book,
+        sheet,
+        row,
+        "a_g,SLD / a_g",
+        clause,
+        f"={name}_a0_star/{against}",
+        kinematic.zeta_sld,
+        "–",
+        f"{name}_zeta_sld",
+    )
 
 
 def _floor(book: Book, sheet, kinematic, name: str, row: int) -> int:
@@ -265,12 +234,11 @@ def _floor(book: Book, sheet, kinematic, name: str, row: int) -> int:
         row = found_row(book, sheet, row, f"ξ_{k}", mode.damping, "–", f"{name}_xi_{k}")
         row = found_row(book, sheet, row, f"γψ_{k}", mode.participation, "–", f"{name}_part_{k}")
         elastic = kinematic.floor.ground.acceleration([mode.period], mode.damping)[0] / G
-        row = found_row(
-            book, sheet, row, f"S_e(T_{k}, ξ_{k})", float(elastic), "g", f"{name}_se_{k}"
-        )
+        row = found_row(book, sheet, row, f"S_e(T_{k}, ξ_{k})", float(elastic), "g", f"{name}_se_{k}")
         squares.append(f"({name}_se_{k}*{name}_part_{k})^2*(1+4*{name}_xi_{k}^2)")
-    return live_row(book, sheet, row, "a_Z", "C7.2.8", f"=SQRT({'+'.join(squares)})",
-                    kinematic.floor.a_z / G, "g", f"{name}_a_z")  # fmt: skip
+    return live_row(
+        book, sheet, row, "a_Z", "C7.2.8", f"=SQRT({'+'.join(squares)})", kinematic.floor.a_z / G, "g", f"{name}_a_z"
+    )
 
 
 def found_checks(wall: WallResult, *names: str):
@@ -283,64 +251,117 @@ def _displacement(book: Book, sheet, wall, name: str, demand, check, row: int) -
     if wall.wall.load and not sides_agree(wall):
         row = found_row(book, sheet, row, "d0 (C8.7.1.4)", kinematic.d0, "m", f"{name}_d0")
     elif wall.wall.load:
-        row = live_row(book, sheet, row, "d0 = d_C(θ_c) (W y² + ΣQ h²)/[y (W y + ΣQ h)]", "C8.7.1.4",
-                       chain_formulas(book, name)["d0"], kinematic.d0, "m", f"{name}_d0")  # fmt: skip
+        row = live_row(
+            book,
+            sheet,
+            row,
+            "d0 = d_C(θ_c) (W y² + ΣQ h²)/[y (W y + ΣQ h)]",
+            "C8.7.1.4",
+            chain_formulas(book, name)["d0"],
+            kinematic.d0,
+            "m",
+            f"{name}_d0",
+        )
     else:
-        row = live_row(book, sheet, row, "d0 = R sin α", "C8.7.1.2.1.6",
-                       f"={name}_radius*SIN(RADIANS({name}_slenderness))", kinematic.d0, "m",
-                       f"{name}_d0")  # fmt: skip
-    row = live_row(book, sheet, row, f"d_{state} = {book.digits(share, '.2f')} d0", "C8.7.1.2.1.6",
-                   f"={share}*{name}_d0", kinematic.d_limit, "m", f"{name}_d_limit")  # fmt: skip
-    row = live_row(book, sheet, row, f"a(d_{state})", "C8.7.1.3",
-                   f"=(1-{share})*{name}_alpha0/({name}_e_star*demand_fc)*gravity", kinematic.a_limit, "m/s²",
-                   f"{name}_a_limit")  # fmt: skip
+        row = live_row(
+            book,
+            sheet,
+            row,
+            "d0 = R sin α",
+            "C8.7.1.2.1.6",
+            f"={name}_radius*SIN(RADIANS({name}_slenderness))",
+            kinematic.d0,
+            "m",
+            f"{name}_d0",
+        )
+    row = live_row(
+        book,
+        sheet,
+        row,
+        f"d_{state} = {book.digits(share, '.2f')} d0",
+        "C8.7.1.2.1.6",
+        f"={share}*{name}_d0",
+        kinematic.d_limit,
+        "m",
+        f"{name}_d_limit",
+    )
+    row = live_row(
+        book,
+        sheet,
+        row,
+        f"a(d_{state})",
+        "C8.7.1.3",
+        f"=(1-{share})*{name}_alpha0/({name}_e_star*demand_fc)*gravity",
+        kinematic.a_limit,
+        "m/s²",
+        f"{name}_a_limit",
+    )
     equation = "C8.7.1.10" if state == "SLV" else "C8.7.1.11"
     factor = PERIOD_FACTOR[state] / 3.141592653589793
-    row = live_row(book, sheet, row, f"T_{state}", equation,
-                   f"={factor:.2f}*PI()*SQRT({name}_d_limit/{name}_a_limit)", kinematic.period, "s",
-                   f"{name}_period")  # fmt: skip
+    row = live_row(
+        book,
+        sheet,
+        row,
+        f"T_{state}",
+        equation,
+        f"={factor:.2f}*PI()*SQRT({name}_d_limit/{name}_a_limit)",
+        kinematic.period,
+        "s",
+        f"{name}_period",
+    )
     damping = 100.0 * DAMPING[state]
     if kinematic.floor:
-        row = found_row(book, sheet, row, f"S_DeZ(T_{state}, {damping:g} %), C8.7.1.12", kinematic.s_de, "m",
-                        f"{name}_s_de")  # fmt: skip
+        row = found_row(
+            book, sheet, row, f"S_DeZ(T_{state}, {damping:g} %), C8.7.1.12", kinematic.s_de, "m", f"{name}_s_de"
+        )
     elif isinstance(demand.target, CodeSpectrum):
         t = f"{name}_period"
         formula = f"=demand_pga*gravity*{spectrum_shape(t, damping)}*({t}/(2*PI()))^2"
-        row = live_row(book, sheet, row, f"S_De(T_{state}, {damping:g} %)", "C8.7.1.12", formula,
-                       kinematic.s_de, "m", f"{name}_s_de")  # fmt: skip
+        row = live_row(
+            book,
+            sheet,
+            row,
+            f"S_De(T_{state}, {damping:g} %)",
+            "C8.7.1.12",
+            formula,
+            kinematic.s_de,
+            "m",
+            f"{name}_s_de",
+        )
     else:
-        row = found_row(book, sheet, row, f"S_De max, [T_0, T_{state}], {damping:g} %", kinematic.s_de, "m",
-                        f"{name}_s_de")  # fmt: skip
+        row = found_row(
+            book, sheet, row, f"S_De max, [T_0, T_{state}], {damping:g} %", kinematic.s_de, "m", f"{name}_s_de"
+        )
     ratio, formula = f"{name}_d_limit/{name}_s_de", f"={name}_d_limit/{name}_s_de"
     if state == "SLV" and kinematic.zeta_floor is not None:
-        row = live_row(book, sheet, row, f"d_{state} / S_De", "C8.7.1.12", formula,
-                       kinematic.d_limit / kinematic.s_de, "–")  # fmt: skip
+        row = live_row(
+            book, sheet, row, f"d_{state} / S_De", "C8.7.1.12", formula, kinematic.d_limit / kinematic.s_de, "–"
+        )
         label, floor = book.say("not below a_g,SLD / a_g"), f"{name}_zeta_sld"
         if kinematic.chain.alpha0_friction is not None:  # without the friction
             share = f"({name}_alpha0/{name}_e_star)/({name}_alpha0_friction/{name}_e_star_friction)"
             floor = f"MIN({name}_zeta_sld,{name}_zeta_sld*{share})"
-        row = live_row(book, sheet, row, label, "C8.7.1.2.1.8", f"={floor}",
-                       kinematic.zeta_floor, "–")  # fmt: skip
+        row = live_row(book, sheet, row, label, "C8.7.1.2.1.8", f"={floor}", kinematic.zeta_floor, "–")
         formula = f"=MAX({ratio},{floor})"
-    row = live_row(book, sheet, row, f"ζ: {word('nonlinear', book.language)}", "C8.7.1.2.1.8",
-                   formula, check.zeta, "–", f"{name}_nonlinear_zeta")  # fmt: skip
-    return _outcome(book, sheet, row, f"{name}_nonlinear_zeta", check)
-
-
-def spectrum_shape(t: str, damping: float) -> str:
-    """S_e(t) / (a_g S) of a code's spectrum as a formula; t : a named cell; damping [%]."""
-    plateau = f"MAX(SQRT(10/(5+{damping:g})),0.55)*spectrum_f0"
-    return (
-        f"IF({t}<spectrum_tb,{t}/spectrum_tb*{plateau}+1-{t}/spectrum_tb,"
-        f"IF({t}<spectrum_tc,{plateau},IF({t}<spectrum_td,{plateau}*spectrum_tc/{t},"
-        f"{plateau}*spectrum_tc*spectrum_td/{t}^2)))"
+    row = live_row(
+        book,
+        sheet,
+        row,
+        f"ζ: {word('nonlinear', book.language)}",
+        "C8.7.1.2.1.8",
+        formula,
+        check.zeta,
+        "–",
+        f"{name}_nonlinear_zeta",
     )
+    return _outcome(book, sheet, row, f"{name}_nonlinear_zeta", check)
 
 
 def _outcome(book: Book, sheet, row: int, zeta: str, check) -> int:
     """A live word in the row of zeta: passed from the zeta required."""
     yes, no = word("passed", book.language), word("not_passed", book.language)
-    cell = book.formula(sheet.cell(row - 1, 6), f'=IF({zeta}>=zeta_target-1E-12,"{yes}","{no}")',
-                        yes if check.passed else no)  # fmt: skip
+    cell = book.formula(
+        sheet.cell(row - 1, 6), f'=IF({zeta}>=zeta_target-1E-12,"{yes}","{no}")', yes if check.passed else no
+    )
     style(cell, bold=True, color=GOOD if check.passed else BAD)
     return row

@@ -24,7 +24,7 @@ from core.report.cells import (
     style,
     text,
     title,
-)  # fmt: skip
+)
 from core.report.plots import add_series, new_chart, rows_below
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import word
@@ -39,15 +39,10 @@ def dynamic_check(book: Book, result: StudyResult) -> None:
     say = book.say
     widths = [34, 12, 12, 12, 13, 13, 14]
     sheet = book.sheet("Dynamic check", widths)
-    title(sheet, 1, say("Dynamic check, Circolare 7/2019 C8.7.1.2.1.9"))  # fmt: skip
+    title(sheet, 1, say("Dynamic check, Circolare 7/2019 C8.7.1.2.1.9"))
     walls = [wall for wall in result.walls if wall.assessment and wall.assessment.dynamic]
     if not walls:
-        text(
-            sheet,
-            3,
-            1,
-            say("Not made: it takes records, a demand at SLV or SLC, and a wall on the ground."),
-        )
+        text(sheet, 3, 1, say("Not made: it takes records, a demand at SLV or SLC, and a wall on the ground."))
         return
     row = paragraph(
         sheet,
@@ -73,9 +68,13 @@ def dynamic_check(book: Book, result: StudyResult) -> None:
 def _wall(book: Book, sheet, wall: WallResult, check, row: int) -> int:
     say = book.say
     label = f"{wall.name} – {word(wall.mechanism, book.language)}"
-    header(sheet, row, [label, say("Factor"), "θmax/θc (+)", "θmax/θc (−)",
-                        say("worse"), say("program"), say("Status")], 1,
-           32 if len(label) > 30 else 18)  # fmt: skip
+    header(
+        sheet,
+        row,
+        [label, say("Factor"), "θmax/θc (+)", "θmax/θc (−)", say("worse"), say("program"), say("Status")],
+        1,
+        32 if len(label) > 30 else 18,
+    )
     first = row + 1
     overturns = word("overturned", book.language)
     for motion in dict.fromkeys(run.motion for run in check.runs):
@@ -92,30 +91,27 @@ def _wall(book: Book, sheet, wall: WallResult, check, row: int) -> int:
                     shown = word(run.status, book.language)
                     text(sheet, row, column, shown, color=BAD, align="right")
                 else:
-                    number(sheet, row, column, run.peak_ratio, ACCELERATION,
-                           color=BAD if run.exceeded else INK)  # fmt: skip
+                    number(sheet, row, column, run.peak_ratio, ACCELERATION, color=BAD if run.exceeded else INK)
         peaks = [run.peak_ratio for run in runs.values()]
         if None not in peaks:
             book.formula(sheet.cell(row, 5), f"=MAX(C{row}:D{row})", max(peaks), ACCELERATION)
             number(sheet, row, 6, max(peaks), ACCELERATION, color=QUIET)
         status = next((run.status for run in runs.values() if run.status != "stable"), "stable")
-        text(sheet, row, 7, word(status, book.language), color=INK if status == "stable" else BAD,
-             align="center")  # fmt: skip
+        text(sheet, row, 7, word(status, book.language), color=INK if status == "stable" else BAD, align="center")
         rule(sheet, row, 1, 7)
     last = row
     row += 1
     text(sheet, row, 1, say("runs in which θc is exceeded"))
     area = f"C{first}:D{last}"
-    book.formula(sheet.cell(row, 5), f'=COUNTIF({area},">1")+COUNTIF({area},"{overturns}")',
-                 float(check.n_exceeded), "0")  # fmt: skip
+    book.formula(
+        sheet.cell(row, 5), f'=COUNTIF({area},">1")+COUNTIF({area},"{overturns}")', float(check.n_exceeded), "0"
+    )
     number(sheet, row, 6, check.n_exceeded, "0", color=QUIET)
     row += 1
     text(sheet, row, 1, f"{word(check.set_rule, book.language)} θmax/θc")
     if check.peak_ratio is not None:
         formula = "AVERAGE" if check.set_rule == "mean" else "MAX"
-        book.formula(
-            sheet.cell(row, 5), f"={formula}(E{first}:E{last})", check.peak_ratio, ACCELERATION
-        )
+        book.formula(sheet.cell(row, 5), f"={formula}(E{first}:E{last})", check.peak_ratio, ACCELERATION)
         number(sheet, row, 6, check.peak_ratio, ACCELERATION, color=QUIET)
     else:
         text(sheet, row, 5, overturns, color=BAD, align="right")
@@ -133,13 +129,14 @@ def _wall(book: Book, sheet, wall: WallResult, check, row: int) -> int:
     style(cell, bold=True, color=GOOD if check.holds else BAD, align="right")
     on = word(f"confidence_{check.confidence_on}", book.language)
     low, high = check.zeta_spread or (None, None)
-    rows = [(f"ζ_E, {on}", check.zeta, EXACT),
-            (say("spread of ζ_E, from"), low, EXACT),
-            (say("spread of ζ_E, to"), high, EXACT), ("ζ_16", check.zeta_16, EXACT),
-            (say("ζ of the first failure on the grid"),
-             check.zeta_first, EXACT),
-            (say("share failing within ±10 % of the demand"),
-             check.share_failing_at_demand, "0%")]  # fmt: skip
+    rows = [
+        (f"ζ_E, {on}", check.zeta, EXACT),
+        (say("spread of ζ_E, from"), low, EXACT),
+        (say("spread of ζ_E, to"), high, EXACT),
+        ("ζ_16", check.zeta_16, EXACT),
+        (say("ζ of the first failure on the grid"), check.zeta_first, EXACT),
+        (say("share failing within ±10 % of the demand"), check.share_failing_at_demand, "0%"),
+    ]
     if check.zeta_other:
         on = word(f"confidence_{check.zeta_other.confidence_on}", book.language)
         rows.insert(1, (f"ζ_E, {on}", check.zeta_other.zeta, EXACT))
@@ -156,22 +153,15 @@ def spectral_compatibility(book: Book, result: StudyResult) -> None:
     say, compliance = book.say, result.compliance
     widths = [40, 30, 13, 13, 8, 15, 12, 12, 12]
     sheet = book.sheet("Spectral compatibility", widths, landscape=True)
-    title(sheet, 1, say("Compatibility of the records with the target spectrum"))  # fmt: skip
+    title(sheet, 1, say("Compatibility of the records with the target spectrum"))
     if compliance is None:
-        text(
-            sheet,
-            3,
-            1,
-            say("Not shown: it takes records and a target spectrum, of a code or of a file."),
-        )
+        text(sheet, 3, 1, say("Not shown: it takes records and a target spectrum, of a code or of a file."))
         return
-    verdict = (
-        say("The set is compatible") if compliance.compatible else say("The set is not compatible")
+    verdict = say("The set is compatible") if compliance.compatible else say("The set is not compatible")
+    text(
+        sheet, 2, 1, f"{verdict}: {result.demand.target.name}", bold=True, color=GOOD if compliance.compatible else BAD
     )
-    text(sheet, 2, 1, f"{verdict}: {result.demand.target.name}", bold=True,
-         color=GOOD if compliance.compatible else BAD)  # fmt: skip
-    header(sheet, 4, [say("Rule"), say("Clause"), say("Value"),
-                      say("Limit"), say("Unit"), say("Outcome")], 1, 18)  # fmt: skip
+    header(sheet, 4, [say("Rule"), say("Clause"), say("Value"), say("Limit"), say("Unit"), say("Outcome")], 1, 18)
     row = 4
     for item in compliance.rules:
         row += 1
@@ -213,8 +203,7 @@ def spectral_compatibility(book: Book, result: StudyResult) -> None:
 def _spectra(book: Book, sheet, result: StudyResult) -> ScatterChart:
     compliance, say = result.compliance, book.say
     text(sheet, 2, DATA, "T [s]", size=8)
-    names = [say("target"), say("mean"),
-             *(motion.name for motion in result.motions[:DRAWN_SPECTRA])]  # fmt: skip
+    names = [say("target"), say("mean"), *(motion.name for motion in result.motions[:DRAWN_SPECTRA])]
     curves = [compliance.target, compliance.mean, *compliance.spectra[:DRAWN_SPECTRA]]
     for k, label in enumerate(names):
         text(sheet, 2, DATA + 1 + k, label, size=8)
@@ -222,16 +211,12 @@ def _spectra(book: Book, sheet, result: StudyResult) -> ScatterChart:
         sheet.cell(3 + n, DATA, float(period))
         for k, curve in enumerate(curves):
             sheet.cell(3 + n, DATA + 1 + k, float(curve[n]) / G)
-    chart = new_chart(say("5 % acceleration spectra"), "T [s]",
-                      "S_a [g]", 24.0, 10.0)  # fmt: skip
+    chart = new_chart(say("5 % acceleration spectra"), "T [s]", "S_a [g]", 24.0, 10.0)
     last = 2 + compliance.periods.size
     for k in range(len(curves) - 1, -1, -1):
         color, width = ((BAD, 25000), (ACCENT, 25000))[k] if k < 2 else ("B8C2CC", 6000)
         add_series(chart, sheet, (DATA, DATA + 1 + k), (2, last), color, width=width)
-    chart.x_axis.scaling.min, chart.x_axis.scaling.max = (
-        0,
-        math.ceil(2.0 * compliance.periods[-1]) / 2.0,
-    )
+    chart.x_axis.scaling.min, chart.x_axis.scaling.max = (0, math.ceil(2.0 * compliance.periods[-1]) / 2.0)
     chart.y_axis.scaling.min = 0
     records = range(len(curves) - 2)  # drawn first, alike in grey: the legend names mean and target
     chart.legend.legendEntry = [LegendEntry(idx=k, delete=True) for k in records]

@@ -2,19 +2,7 @@
 
 from openpyxl.worksheet.pagebreak import Break
 
-from core.report.cells import (
-    ACCELERATION,
-    ACCENT,
-    BAD,
-    QUIET,
-    RATIO,
-    Book,
-    header,
-    number,
-    paragraph,
-    text,
-    title,
-)
+from core.report.cells import ACCELERATION, ACCENT, BAD, QUIET, RATIO, Book, header, number, paragraph, text, title
 from core.report.plots import DATA, add_series, new_chart, rows_below
 from core.study.floors import CHART_PERIODS, Floor
 from core.study.results import StudyResult
@@ -78,9 +66,7 @@ def _floor(book: Book, sheet, floor: Floor, z: float, index: int, row: int) -> i
         return row
     first = DATA + 4 * index
     text(sheet, 2, first, "T [s]", size=8)
-    label = say(
-        "Floor spectra, z = {z:g} m, ξ = {damping:.0f} %", z=z, damping=100.0 * floor.damping
-    )
+    label = say("Floor spectra, z = {z:g} m, ξ = {damping:.0f} %", z=z, damping=100.0 * floor.damping)
     chart = new_chart(label, "T [s]", "S_a [g]", 17.5, 8.5)
     for k, (name, values, color) in enumerate(curves, start=1):
         text(sheet, 2, first + k, name, size=8)

@@ -12,12 +12,22 @@ from core.text.sentence import word
 UNITS = {
     entry.name: entry.metadata.get("unit", "")
     for section in (
-        Report, Wall, Record, Generate, Analysis, Demand, Building, BuildingMode, Load, ReturnWalls, HazardRow,
+        Report,
+        Wall,
+        Record,
+        Generate,
+        Analysis,
+        Demand,
+        Building,
+        BuildingMode,
+        Load,
+        ReturnWalls,
+        HazardRow,
         Spectrum,
     )
     for entry in fields(section)
     if entry.metadata.get("unit")
-}  # fmt: skip
+}
 """Key -> its unit."""
 
 PRETTY = {"m2": "m²", "kN/m3": "kN/m³", "deg": "°"}
@@ -73,11 +83,7 @@ def spelled(value, book: Book) -> str:
     if isinstance(value, bool):
         return book.say("yes") if value else book.say("no")
     if isinstance(value, dict):
-        parts = (
-            (word(f"key_{name}", book.language), end)
-            for name, end in value.items()
-            if end not in (None, "")
-        )
+        parts = ((word(f"key_{name}", book.language), end) for name, end in value.items() if end not in (None, ""))
         return ", ".join(f"{name} {spelled(end, book)}" for name, end in parts)
     if isinstance(value, tuple):
         return "; ".join(spelled(part, book) for part in value)

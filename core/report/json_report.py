@@ -31,9 +31,7 @@ def results(result: StudyResult, steps: Steps | None = None) -> dict:
         "case": result.case.as_dict(),
         "case_sha256": result.case.sha256,
         "demand": _demand(result) if result.demand else None,
-        "records": [
-            _record(motion, kind) for motion, kind in zip(result.motions, result.kinds, strict=True)
-        ],
+        "records": [_record(motion, kind) for motion, kind in zip(result.motions, result.kinds, strict=True)],
         **verdicts(result),
         "walls": [_wall(wall, result) for wall in steps.each(result.walls)],
         **variants(result),
@@ -195,10 +193,7 @@ def _floor(wall: WallResult) -> dict:
             "period_estimated": floor.estimated,
             "damping": [mode.damping for mode in floor.modes],
             "participation": [mode.participation for mode in floor.modes],
-            "motions": [
-                {"record": m.name, "pfa_g": m.pga / G, "time_step_s": m.time_step}
-                for m in floor.motions
-            ],
+            "motions": [{"record": m.name, "pfa_g": m.pga / G, "time_step_s": m.time_step} for m in floor.motions],
             "code_over_records_min": found.code_over_records if found else None,
             "sensitivity": found.sensitivity if found else {},
         }
@@ -328,9 +323,7 @@ def _wall(wall: WallResult, result: StudyResult) -> dict:
         "q_robust_set": wall.q_robust_set,
         "q_slv_set": wall.q_slv_set,
         "q_slv_low_set": wall.q_slv_low_set,
-        "power_law": {"c1": law.c1, "c2": law.c2, "r_squared": law.r_squared, "n": law.n}
-        if law
-        else None,
+        "power_law": {"c1": law.c1, "c2": law.c2, "r_squared": law.r_squared, "n": law.n} if law else None,
         "fragility": {
             "q_05": wall.fragility.q_05,
             "q_16": wall.fragility.q_16,

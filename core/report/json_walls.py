@@ -70,9 +70,7 @@ def verdicts(result: StudyResult) -> dict:
 
 
 def _said(sentences: tuple[Sentence, ...]) -> list[dict]:
-    return [
-        {"key": one.code, "text_it": one.text("it"), "text_en": one.text("en")} for one in sentences
-    ]
+    return [{"key": one.code, "text_it": one.text("it"), "text_en": one.text("en")} for one in sentences]
 
 
 def _verdict(one: WallVerdict, result: StudyResult) -> dict:
@@ -113,11 +111,14 @@ def _verdict(one: WallVerdict, result: StudyResult) -> dict:
 
 
 def _comparison(one: Comparison) -> dict:
-    before, after = ({
-        "zeta_e": wall.assessment.verdict.zeta_e if wall.assessment else None,
-        "governing": wall.assessment.verdict.governing if wall.assessment else None,
-        "q_set": wall.q_set,
-    } for wall in (one.before, one.after))  # fmt: skip
+    before, after = (
+        {
+            "zeta_e": wall.assessment.verdict.zeta_e if wall.assessment else None,
+            "governing": wall.assessment.verdict.governing if wall.assessment else None,
+            "q_set": wall.q_set,
+        }
+        for wall in (one.before, one.after)
+    )
     return {
         "name": one.name,
         "mechanism": one.before.mechanism,

@@ -18,7 +18,7 @@ def arrows(wall: Wall, height: float, thickness: float) -> list[list[tuple[float
         size = height * (SHORTEST + (LONGEST - SHORTEST) * load.kn_m / strongest)
         x, y, head = thickness - (load.d_m or 0.0), load.h_m, HEAD * size
         if load.is_weight:
-            found.append([(x, y + size), (x, y), (x - head, y + head), (x, y), (x + head, y + head)])  # fmt: skip
+            found.append([(x, y + size), (x, y), (x - head, y + head), (x, y), (x + head, y + head)])
             continue
         # a thrust ends where it pushes outward, a tie begins where it pulls inward
         outward = load.kind == "thrust"

@@ -18,17 +18,13 @@ MOMENTS = {"wx": "W x", "nd": "ΣN d", "fh": "ΣF h", "wy": "W y", "qh": "ΣQ h"
 
 def moments(wall: WallResult) -> dict[str, float]:
     """The same with their values [N], about the governing hinge."""
-    return dict(
-        zip(MOMENTS, wall_loads.start_moments(wall.wall, governing_side(wall)), strict=True)
-    )
+    return dict(zip(MOMENTS, wall_loads.start_moments(wall.wall, governing_side(wall)), strict=True))
 
 
 def governing_side(wall: WallResult) -> float:
     """The hinge the formulas are written about: 1.0 the outer one, -1.0 the inner one where that is the weaker."""
     tangent = math.tan(wall.block.slenderness)
-    outer, inner = (
-        s.sine * tangent + s.cosine for s in (wall.model.restoring, wall.model.mirrored)
-    )
+    outer, inner = (s.sine * tangent + s.cosine for s in (wall.model.restoring, wall.model.mirrored))
     return -1.0 if not wall.model.one_sided and inner < outer else 1.0
 
 
@@ -46,23 +42,37 @@ def geometry_rows(book: Book, sheet, wall: WallResult, name: str, row: int) -> i
     row = input_row(book, sheet, row, "H", wall.height, "m", f"{name}_height", RATIO)
     row = input_row(book, sheet, row, "t", wall.thickness, "m", f"{name}_thickness", SIZE)
     setback_row = found_row if asked.compressive_strength_mpa else input_row
-    row = setback_row(
-        book, sheet, row, say("hinge setback u"), asked.setback, "m", f"{name}_setback"
-    )
-    row = input_row(book, sheet, row, say("unit weight"), asked.unit_weight_kn_m3, "kN/m³", f"{name}_weight",
-                    RATIO)  # fmt: skip
+    row = setback_row(book, sheet, row, say("hinge setback u"), asked.setback, "m", f"{name}_setback")
+    row = input_row(book, sheet, row, say("unit weight"), asked.unit_weight_kn_m3, "kN/m³", f"{name}_weight", RATIO)
     weight = wall_loads.weight_per_metre(asked) / 1e3
-    row = live_row(book, sheet, row, "W = w t H", "", f"={name}_weight*{name}_thickness*{name}_height", weight,
-                   "kN/m", f"{name}_w", SIZE)  # fmt: skip
-    bare = asked.bare_block()
-    row = live_row(book, sheet, row, "x = t/2 − u", "", f"={name}_thickness/2-{name}_setback", bare.centroid[0],
-                   "m", f"{name}_x", SIZE)  # fmt: skip
     row = live_row(
-        book, sheet, row, "y = H/2", "", f"={name}_height/2", bare.centroid[1], "m", f"{name}_y", SIZE
-    )  # fmt: skip
+        book,
+        sheet,
+        row,
+        "W = w t H",
+        "",
+        f"={name}_weight*{name}_thickness*{name}_height",
+        weight,
+        "kN/m",
+        f"{name}_w",
+        SIZE,
+    )
+    bare = asked.bare_block()
+    row = live_row(
+        book,
+        sheet,
+        row,
+        "x = t/2 − u",
+        "",
+        f"={name}_thickness/2-{name}_setback",
+        bare.centroid[0],
+        "m",
+        f"{name}_x",
+        SIZE,
+    )
+    row = live_row(book, sheet, row, "y = H/2", "", f"={name}_height/2", bare.centroid[1], "m", f"{name}_y", SIZE)
     where = say("about the outer hinge") if side > 0.0 else say("about the inner hinge")
-    header(sheet, row, [f"{say('Loads')}, {where}", "N [kN/m]", "F [kN/m]", "d [m]", "h [m]", "Q [kN/m]"],
-           1, 18)  # fmt: skip
+    header(sheet, row, [f"{say('Loads')}, {where}", "N [kN/m]", "F [kN/m]", "d [m]", "h [m]", "Q [kN/m]"], 1, 18)
     first = row + 1
     for load in asked.load:
         row += 1
@@ -70,22 +80,13 @@ def geometry_rows(book: Book, sheet, wall: WallResult, name: str, row: int) -> i
         text(sheet, row, 1, word(f"load_{load.kind}", book.language))
         pushed = load.kn_m if load.pushes else 0.0
         # d is entered from the face of this hinge: the formulas take off u
-        values = (
-            1e-3 * force.vertical,
-            1e-3 * force.horizontal,
-            force.distance + asked.setback,
-            force.height,
-            pushed,
-        )
+        values = (1e-3 * force.vertical, 1e-3 * force.horizontal, force.distance + asked.setback, force.height, pushed)
         for column, value in enumerate(values, start=2):
             fill(number(sheet, row, column, value, SIZE), INPUT_FILL)
             number(sheet, row, CHANGED + column - 1, value, SIZE)
         mark_changed(book, sheet, row, f"B{row}:F{row}", f"P{row}:T{row}")
         rule(sheet, row, 1, 6)
-    ranges = {
-        key: f"${column}${first}:${column}${row}"
-        for key, column in zip("NFdhQ", "BCDEF", strict=True)
-    }
+    ranges = {key: f"${column}${first}:${column}${row}" for key, column in zip("NFdhQ", "BCDEF", strict=True)}
     ranges["d"] = f"({ranges['d']}-{name}_setback)"
     model = wall.model
     restoring = model.restoring if side > 0.0 else model.mirrored
@@ -98,30 +99,80 @@ def _block_rows(book: Book, sheet, name, r, row, block, model, restoring) -> int
     x, y = f"({name}_w*{name}_x+SUMPRODUCT({q},{d}))", f"({name}_w*{name}_y+SUMPRODUCT({q},{h}))"
     total = f"({name}_w+SUM({q}))"
     degrees = math.degrees(block.slenderness)
-    row = live_row(book, sheet, row, "α", "Fig. 1", f"=DEGREES(ATAN({x}/{y}))", degrees, "°",
-                   f"{name}_slenderness")  # fmt: skip
-    row = live_row(book, sheet, row, "R", "Fig. 1", f"=SQRT({x}^2+{y}^2)/{total}", block.radius, "m",
-                   f"{name}_radius")  # fmt: skip
+    row = live_row(book, sheet, row, "α", "Fig. 1", f"=DEGREES(ATAN({x}/{y}))", degrees, "°", f"{name}_slenderness")
+    row = live_row(book, sheet, row, "R", "Fig. 1", f"=SQRT({x}^2+{y}^2)/{total}", block.radius, "m", f"{name}_radius")
     own = f"{name}_w*(({name}_height^2+{name}_thickness^2)/12+{name}_x^2+{name}_y^2)"
-    row = live_row(book, sheet, row, "I0/m", "Fig. 1", f"=({own}+SUMPRODUCT({q},{d}^2+{h}^2))/{total}",
-                   block.inertia_over_mass, "m²", f"{name}_inertia")  # fmt: skip
-    row = live_row(book, sheet, row, "p", "Eq. 1", f"=SQRT(gravity*{name}_radius/{name}_inertia)",
-                   block.frequency_parameter, "rad/s", f"{name}_p")  # fmt: skip
+    row = live_row(
+        book,
+        sheet,
+        row,
+        "I0/m",
+        "Fig. 1",
+        f"=({own}+SUMPRODUCT({q},{d}^2+{h}^2))/{total}",
+        block.inertia_over_mass,
+        "m²",
+        f"{name}_inertia",
+    )
+    row = live_row(
+        book,
+        sheet,
+        row,
+        "p",
+        "Eq. 1",
+        f"=SQRT(gravity*{name}_radius/{name}_inertia)",
+        block.frequency_parameter,
+        "rad/s",
+        f"{name}_p",
+    )
     sine, cosine = (f"{way}(RADIANS({name}_slenderness))" for way in ("SIN", "COS"))
     along, across = f"({h}*{cosine}+{d}*{sine})", f"({d}*{cosine}-{h}*{sine})"
     held, force, scale = f"({r['N']}-{q})", r["F"], f"({total}*{name}_radius)"
-    row = live_row(book, sheet, row, "a", "Eq. 1",
-                   f"=1+(SUMPRODUCT({held},{along})-SUMPRODUCT({force},{across}))/{scale}", restoring.sine, "–",
-                   f"{name}_a")  # fmt: skip
-    row = live_row(book, sheet, row, "c", "Eq. 1",
-                   f"=(SUMPRODUCT({held},{across})+SUMPRODUCT({force},{along}))/{scale}", restoring.cosine, "–",
-                   f"{name}_c")  # fmt: skip
-    row = live_row(book, sheet, row, "θ_c = α + arctan(c/a)", "Eq. 1",
-                   f"=RADIANS({name}_slenderness)+ATAN({name}_c/{name}_a)", block.slenderness + restoring.lean, "rad",
-                   f"{name}_theta_c")  # fmt: skip
-    row = live_row(book, sheet, row, "a_RM / g = a tan α + c", "Eq. 2",
-                   f"={name}_a*TAN(RADIANS({name}_slenderness))+{name}_c", model.threshold / G, "g",
-                   f"{name}_a_rm", "0.000", f"{name}_a_rm_run")  # fmt: skip
+    row = live_row(
+        book,
+        sheet,
+        row,
+        "a",
+        "Eq. 1",
+        f"=1+(SUMPRODUCT({held},{along})-SUMPRODUCT({force},{across}))/{scale}",
+        restoring.sine,
+        "–",
+        f"{name}_a",
+    )
+    row = live_row(
+        book,
+        sheet,
+        row,
+        "c",
+        "Eq. 1",
+        f"=(SUMPRODUCT({held},{across})+SUMPRODUCT({force},{along}))/{scale}",
+        restoring.cosine,
+        "–",
+        f"{name}_c",
+    )
+    row = live_row(
+        book,
+        sheet,
+        row,
+        "θ_c = α + arctan(c/a)",
+        "Eq. 1",
+        f"=RADIANS({name}_slenderness)+ATAN({name}_c/{name}_a)",
+        block.slenderness + restoring.lean,
+        "rad",
+        f"{name}_theta_c",
+    )
+    row = live_row(
+        book,
+        sheet,
+        row,
+        "a_RM / g = a tan α + c",
+        "Eq. 2",
+        f"={name}_a*TAN(RADIANS({name}_slenderness))+{name}_c",
+        model.threshold / G,
+        "g",
+        f"{name}_a_rm",
+        "0.000",
+        f"{name}_a_rm_run",
+    )
     book.sums[name] = r
     return row
 

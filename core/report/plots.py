@@ -8,12 +8,7 @@ from openpyxl.chart.shapes import GraphicalProperties
 from openpyxl.chart.text import RichText, Text
 from openpyxl.chart.title import Title
 from openpyxl.drawing.line import LineProperties
-from openpyxl.drawing.text import (
-    CharacterProperties,
-    Paragraph,
-    ParagraphProperties,
-    RegularTextRun,
-)
+from openpyxl.drawing.text import CharacterProperties, Paragraph, ParagraphProperties, RegularTextRun
 from openpyxl.formatting.rule import ColorScaleRule
 from openpyxl.utils import get_column_letter
 from openpyxl.worksheet.pagebreak import Break
@@ -34,7 +29,7 @@ from core.report.cells import (
     paragraph,
     text,
     title,
-)  # fmt: skip
+)
 from core.report.xml_text import for_xml
 from core.study.results import CollapseHistories, StudyResult, WallResult
 from core.text.sentence import word
@@ -65,10 +60,11 @@ def new_chart(heading: str, x: str, y: str, width=24.0, height=9.5) -> ScatterCh
     chart.style = 13
     font = CharacterProperties(sz=1100, b=True)
     chart.title = Title(
-        tx=Text(rich=RichText(p=[Paragraph(
-            pPr=ParagraphProperties(defRPr=font), r=[RegularTextRun(rPr=font, t=heading)])])),
+        tx=Text(
+            rich=RichText(p=[Paragraph(pPr=ParagraphProperties(defRPr=font), r=[RegularTextRun(rPr=font, t=heading)])])
+        ),
         overlay=False,
-    )  # fmt: skip
+    )
     chart.x_axis.title, chart.y_axis.title = x, y
     chart.x_axis.delete = chart.y_axis.delete = False
     chart.x_axis.majorGridlines = None
@@ -148,15 +144,7 @@ def q_against_si(book: Book, result: StudyResult) -> None:
             add_series(chart, sheet, (column, column + 7), (2, last_point), GOOD, points=True)
             chart.series[-1].marker.symbol = "diamond"
         for k in (5, 6):
-            add_series(
-                chart,
-                sheet,
-                (column + 2, column + k),
-                (2, last_curve),
-                BAD,
-                dash="dash",
-                width=9500,
-            )
+            add_series(chart, sheet, (column + 2, column + k), (2, last_curve), BAD, dash="dash", width=9500)
         known = [entry.q_eff for entry in wall.per_record if entry.q_eff]
         for axis in (chart.x_axis, chart.y_axis):
             if max(known) > WIDE_SPREAD * min(known):
@@ -176,8 +164,22 @@ def _si_data(book: Book, sheet, wall: WallResult, column: int) -> tuple[int, int
     law = wall.power_law
     fit = f"C1 SI^C2 (R² {book.digits(law.r_squared, '.2f')})" if law else "–"
     text(sheet, 1, column, f"{wall.name} {word(wall.mechanism, book.language)}", color=QUIET)
-    header(sheet, 2, ["SI [cm]", book.say("time histories"), "SI [cm]", fit, form,
-                      f"{form} +20 %", f"{form} −20 %", book.say("Ribalta's law")], column, 30)  # fmt: skip
+    header(
+        sheet,
+        2,
+        [
+            "SI [cm]",
+            book.say("time histories"),
+            "SI [cm]",
+            fit,
+            form,
+            f"{form} +20 %",
+            f"{form} −20 %",
+            book.say("Ribalta's law"),
+        ],
+        column,
+        30,
+    )
     scale_free = law_of(wall.mechanism == "one_sided", wall.law, "q")
     row = 2
     points = [entry for entry in wall.per_record if entry.q is not None]
@@ -194,9 +196,7 @@ def _si_data(book: Book, sheet, wall: WallResult, column: int) -> tuple[int, int
     last = max(entry.intensity for entry in points)
     places = np.geomspace(0.8 * first, 1.25 * last, CURVE_POINTS - 2)
     for k, si in enumerate(np.sort([*places, first, last])):
-        q_eff = closed_form_q_eff(
-            wall.block.slenderness, wall.block.height, float(si), wall.mechanism == "one_sided"
-        )
+        q_eff = closed_form_q_eff(wall.block.slenderness, wall.block.height, float(si), wall.mechanism == "one_sided")
         number(sheet, 3 + k, column + 2, float(si) / CM, RATIO)
         if law and first <= si <= last:
             number(sheet, 3 + k, column + 3, law.q_eff(float(si)), RATIO)
@@ -216,10 +216,7 @@ def histories(book: Book, result: StudyResult, drawn: list[CollapseHistories]) -
         column = DATA + 5 * index
         last = _history_data(book, sheet, entry, column)
         sign = "+" if entry.polarity > 0 else "−"
-        label = (
-            f"{entry.wall.name} – {word(entry.wall.mechanism, book.language)}: "
-            f"{entry.motion.name} ({sign})"
-        )
+        label = f"{entry.wall.name} – {word(entry.wall.mechanism, book.language)}: {entry.motion.name} ({sign})"
         chart = new_chart(label, "t [s]", "θ/θc [-]", *(SMALL if abreast else WIDE))
         add_series(chart, sheet, (column, column + 1), (2, last[0]), GOOD, width=12000)
         add_series(chart, sheet, (column + 2, column + 3), (2, last[1]), BAD, width=12000)
@@ -244,13 +241,7 @@ def _history_data(book: Book, sheet, entry: CollapseHistories, column: int) -> t
     text(sheet, 1, column, entry.wall.name, color=QUIET)
     last = []
     for k, (history, scale) in enumerate(zip(entry.histories, entry.scales, strict=True)):
-        header(
-            sheet,
-            2,
-            ["t [s]", f"C = {book.digits(abs(scale), '.4f')} {words[k]}"],
-            column + 2 * k,
-            30,
-        )
+        header(sheet, 2, ["t [s]", f"C = {book.digits(abs(scale), '.4f')} {words[k]}"], column + 2 * k, 30)
         ratio = history.rotation / entry.wall.model.collapse_rotation
         row = 2
         for sample in thinned(ratio, HISTORY_POINTS):
@@ -292,8 +283,7 @@ def survival_map(book: Book, result: StudyResult) -> None:
     shares = [_binned(run.ida, result.search.q_step) for _, run in runs[:MAP_ROWS]]
     first = min(min(share) for share in shares)
     last = max(max(share) for share in shares)
-    header(sheet, 4, [say("Wall"), say("Mechanism"),
-                      say("Record"), ""], 1, 18)  # fmt: skip
+    header(sheet, 4, [say("Wall"), say("Mechanism"), say("Record"), ""], 1, 18)
     for k in range(first, last + 1):
         sheet.column_dimensions[get_column_letter(5 + k - first)].width = 0.9
     for k in range(first, last + 1, 10):
@@ -311,11 +301,22 @@ def survival_map(book: Book, result: StudyResult) -> None:
         for k in range(first, last + 1):
             number(sheet, row, 5 + k - first, share.get(k, -1.0), ";;;")
     area = f"E5:{get_column_letter(5 + last - first)}{4 + len(shares)}"
-    sheet.conditional_formatting.add(area, ColorScaleRule(
-        start_type="num", start_value=-1, start_color="C9D1D9", mid_type="num", mid_value=0,
-        mid_color="FFFFFF", end_type="num", end_value=1, end_color=BAD))  # fmt: skip
+    sheet.conditional_formatting.add(
+        area,
+        ColorScaleRule(
+            start_type="num",
+            start_value=-1,
+            start_color="C9D1D9",
+            mid_type="num",
+            mid_value=0,
+            mid_color="FFFFFF",
+            end_type="num",
+            end_value=1,
+            end_color=BAD,
+        ),
+    )
     if len(runs) > MAP_ROWS:
-        text(sheet, 6 + len(shares), 1, say("{n} more runs are in the JSON.", n=len(runs) - MAP_ROWS))  # fmt: skip
+        text(sheet, 6 + len(shares), 1, say("{n} more runs are in the JSON.", n=len(runs) - MAP_ROWS))
     sheet.freeze_panes = "E5"
     sheet.print_title_rows = "4:4"
 

@@ -1,18 +1,6 @@
 """The sheet Risk: every wall with what it withstands, the lowest first; limit states, ties, variants."""
 
-from core.report.cells import (
-    ACCELERATION,
-    QUIET,
-    RATIO,
-    Book,
-    header,
-    heighten,
-    number,
-    paragraph,
-    rule,
-    text,
-    title,
-)
+from core.report.cells import ACCELERATION, QUIET, RATIO, Book, header, heighten, number, paragraph, rule, text, title
 from core.report.verdict_words import in_order
 from core.study.limit_states import STATES
 from core.study.results import StudyResult, WallResult
@@ -43,8 +31,10 @@ def risk(book: Book, result: StudyResult) -> None:
             "building asks for a global analysis (D.M. 65/2017, Annex A). Limit states by the hazard of the site and "
             "the kinematic check."
         ),
-        LAST, 150, color=QUIET,
-    )  # fmt: skip
+        LAST,
+        150,
+        color=QUIET,
+    )
     row = _walls(book, sheet, result, row + 1)
     row = _ties(book, sheet, result, row + 1)
     row = _variants(book, sheet, result, row + 1)
@@ -54,15 +44,27 @@ def risk(book: Book, result: StudyResult) -> None:
 
 def _walls(book: Book, sheet, result: StudyResult, row: int) -> int:
     say = book.say
-    header(sheet, row, [
-        say("Wall"), say("Mechanism"), "ζ_E", "ζ_16", say("by"), "PGA_C [g]", "T_R,C", "IS-V",
-        *(f"ζ {state}, {say('kin.')}" for state in STATES)], 1, 30)  # fmt: skip
+    header(
+        sheet,
+        row,
+        [
+            say("Wall"),
+            say("Mechanism"),
+            "ζ_E",
+            "ζ_16",
+            say("by"),
+            "PGA_C [g]",
+            "T_R,C",
+            "IS-V",
+            *(f"ζ {state}, {say('kin.')}" for state in STATES),
+        ],
+        1,
+        30,
+    )
     for wall, _ in book.steps.each(in_order(result)):
         row += 1
         _wall(book, sheet, wall, row)
-    known = [
-        w.assessment.verdict.zeta_e for w in result.walls if w.assessment and w.assessment.risk
-    ]
+    known = [w.assessment.verdict.zeta_e for w in result.walls if w.assessment and w.assessment.risk]
     row += 1
     text(sheet, row, 1, say("smallest"), bold=True)
     number(sheet, row, 3, min(known), RATIO)
@@ -97,13 +99,7 @@ def _wall(book: Book, sheet, wall: WallResult, row: int) -> None:
         number(sheet, row, 6, found.risk.pga / G, ACCELERATION)
         text(sheet, row, 7, found.risk.years or "–", align="right")
         letter = found.risk.letter
-        text(
-            sheet,
-            row,
-            8,
-            f"{book.digits(found.risk.index, '.2f')}  {letter}" if letter else "–",
-            align="right",
-        )
+        text(sheet, row, 8, f"{book.digits(found.risk.index, '.2f')}  {letter}" if letter else "–", align="right")
     for column, one in enumerate(found.states, start=9):
         number(sheet, row, column, one.zeta, RATIO)
 
@@ -115,9 +111,13 @@ def _ties(book: Book, sheet, result: StudyResult, row: int) -> int:
     if not designed:
         return row
     title(sheet, row, say("Tie for the ζ required"), 12)
-    header(sheet, row + 1, [
-        say("Wall"), "h [m]", "ζ", say("Force [kN/m]"), say("by"), say("Largest [kN/m]"), "α0",
-        say("all hinges")], 1, 30)  # fmt: skip
+    header(
+        sheet,
+        row + 1,
+        [say("Wall"), "h [m]", "ζ", say("Force [kN/m]"), say("by"), say("Largest [kN/m]"), "α0", say("all hinges")],
+        1,
+        30,
+    )
     row += 1
     for wall in designed:
         tie = wall.assessment.tie
@@ -132,16 +132,18 @@ def _ties(book: Book, sheet, result: StudyResult, row: int) -> int:
             number(sheet, row, 4, 1e-3 * tie.force, RATIO)
         number(sheet, row, 6, 1e-3 * tie.largest, RATIO)
         number(sheet, row, 7, tie.alpha0, ACCELERATION)
-        number(
-            sheet, row, 8, None if tie.governing is None else 1e-3 * tie.governing, RATIO, bold=True
-        )
+        number(sheet, row, 8, None if tie.governing is None else 1e-3 * tie.governing, RATIO, bold=True)
         rule(sheet, row, 1, 8)
         own, loads, force = (1e-3 * moment for moment in tie.holding)
         words = say(
             "By hand, no friction: α0 = (W·x {own:.2f} + loads {loads:.2f} + F·h {force:.2f}) / {pushing:.2f} = "
             "{alpha0:.4f}",
-            own=own, loads=loads, force=force, pushing=1e-3 * tie.pushing, alpha0=tie.alpha0,
-        )  # fmt: skip
+            own=own,
+            loads=loads,
+            force=force,
+            pushing=1e-3 * tie.pushing,
+            alpha0=tie.alpha0,
+        )
         row = paragraph(sheet, row + 1, words, LAST, 150, color=QUIET) - 1
     return row + 1
 
@@ -152,9 +154,13 @@ def _variants(book: Book, sheet, result: StudyResult, row: int) -> int:
     if not found:
         return row
     title(sheet, row, say("Before and after"), 12)
-    header(sheet, row + 1, [
-        say("Wall"), say("Mechanism"), say("ζ before"), "", say("by"), say("ζ after"), say("by"), "", say("changed")],
-        1, 30)  # fmt: skip
+    header(
+        sheet,
+        row + 1,
+        [say("Wall"), say("Mechanism"), say("ζ before"), "", say("by"), say("ζ after"), say("by"), "", say("changed")],
+        1,
+        30,
+    )
     row += 1
     for one in found:
         row += 1
@@ -163,9 +169,11 @@ def _variants(book: Book, sheet, result: StudyResult, row: int) -> int:
         for column, beside, wall in ((3, 5, one.before), (6, 7, one.after)):
             verdict = wall.assessment.verdict if wall.assessment else None
             number(sheet, row, column, verdict.zeta_e if verdict else None, RATIO)
-            label = next(
-                (c.label for c in wall.assessment.checks if c.name == verdict.governing), None
-            ) if verdict else None  # fmt: skip
+            label = (
+                next((c.label for c in wall.assessment.checks if c.name == verdict.governing), None)
+                if verdict
+                else None
+            )
             text(sheet, row, beside, word(label, book.language) if label else "–")
         keys = ", ".join(word(f"key_{key}", book.language) for key in one.changed) or say("nothing")
         text(sheet, row, 9, keys)

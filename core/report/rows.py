@@ -7,18 +7,7 @@ from openpyxl.formatting.rule import FormulaRule
 from openpyxl.styles import Font
 from openpyxl.utils import get_column_letter
 
-from core.report.cells import (
-    BAD,
-    EXACT,
-    QUIET,
-    Book,
-    fill,
-    header,
-    number,
-    rule,
-    style,
-    text,
-)
+from core.report.cells import BAD, EXACT, QUIET, Book, fill, header, number, rule, style, text
 
 LIVE, ENGINE = 3, 4
 """Columns of the live value and of the program's value."""
@@ -43,9 +32,7 @@ def input_row(book: Book, sheet, row, label, value, unit, name=None, shape=EXACT
     return row
 
 
-def found_row(
-    book: Book, sheet, row, label, value, unit, name=None, shape=EXACT, source=None
-) -> int:
+def found_row(book: Book, sheet, row, label, value, unit, name=None, shape=EXACT, source=None) -> int:
     """A number of the run that no formula of the sheet gives. source : word of column B, "of the run" by default."""
     text(sheet, row, 1, label)
     text(sheet, row, 2, source or book.say("of the run"), color=QUIET)
@@ -96,9 +83,7 @@ def follow_changes(book: Book, sheet, titled: bool) -> None:
     titled : by a text of the program, which a formula can hold; else the sheet has its own line"""
     head = sheet.cell(1, 1)
     if titled and head.data_type == "s":
-        old = book.say(
-            "Input changed since the run, grey is of the old wall: {title}", title=head.value
-        )
+        old = book.say("Input changed since the run, grey is of the old wall: {title}", title=head.value)
         texts = ('"' + words.replace('"', '""') + '"' for words in (old, head.value))
         look = copy(head._style)
         book.formula(head, "=IF(inputs_changed>0,{},{})".format(*texts), head.value, "General")
@@ -118,9 +103,7 @@ def _when_changed(sheet, cells: str, condition: str, color: str) -> None:
     sheet.conditional_formatting.add(cells, FormulaRule([formula], font=Font(color=color)))
 
 
-def live_row(
-    book: Book, sheet, row, label, equation, formula, value, unit, name=None, shape=EXACT, run=None
-) -> int:
+def live_row(book: Book, sheet, row, label, equation, formula, value, unit, name=None, shape=EXACT, run=None) -> int:
     """A live formula and the program's value beside it; returns the next row. run : name of the program's value, for
     what the histories found and no changed input moves."""
     text(sheet, row, 1, label)
@@ -143,6 +126,5 @@ def heads(book: Book, sheet, row: int, label: str) -> int:
     """The header of a vertical list; returns the next row."""
     say = book.say
     height = 18 * math.ceil(len(label) / 30)
-    header(sheet, row, [label, say("Equation"), say("Sheet"),
-                        say("Program"), say("Unit")], 1, height)  # fmt: skip
+    header(sheet, row, [label, say("Equation"), say("Sheet"), say("Program"), say("Unit")], 1, height)
     return row + 1

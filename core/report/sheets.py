@@ -20,7 +20,7 @@ from core.report.cells import (
     rule,
     text,
     title,
-)  # fmt: skip
+)
 from core.study.results import StudyResult
 from core.text.method import METHOD_BODIES
 from core.text.sentence import localized, word
@@ -53,10 +53,27 @@ def records(book: Book, result: StudyResult) -> None:
     widths = [24, 34, 12, 9, 9, 8, 9, 9, 9, 9, 9, 9, 20]
     sheet = book.sheet("Records", widths, landscape=True)
     title(sheet, 1, say("Ground motions"))
-    header(sheet, 3, [
-        say("Record"), "File", say("Format"), "Δt [s]",
-        say("Samples"), say("Unit"), "PGA [g]", "PGV [cm/s]", "PGD [cm]",
-        "Arias [m/s]", "D5-95 [s]", "SI [cm]", "SHA-256"], 1, 32)  # fmt: skip
+    header(
+        sheet,
+        3,
+        [
+            say("Record"),
+            "File",
+            say("Format"),
+            "Δt [s]",
+            say("Samples"),
+            say("Unit"),
+            "PGA [g]",
+            "PGV [cm/s]",
+            "PGD [cm]",
+            "Arias [m/s]",
+            "D5-95 [s]",
+            "SI [cm]",
+            "SHA-256",
+        ],
+        1,
+        32,
+    )
     row = 4
     for motion in result.motions:
         text(sheet, row, 1, motion.name, wrap=True)
@@ -64,11 +81,15 @@ def records(book: Book, result: StudyResult) -> None:
         heighten(sheet, row, (motion.name, 24), (motion.file, 34))
         text(sheet, row, 3, motion.format)
         for column, value, shape in (
-            (4, motion.time_step, "0.00000"), (5, motion.acceleration.size, WHOLE),
-            (7, motion.pga / G, ACCELERATION), (8, motion.pgv / CM, RATIO),
-            (9, motion.pgd / CM, RATIO), (10, motion.arias, ACCELERATION),
-            (11, motion.duration_5_95, RATIO), (12, motion.housner_intensity / CM, RATIO),
-        ):  # fmt: skip
+            (4, motion.time_step, "0.00000"),
+            (5, motion.acceleration.size, WHOLE),
+            (7, motion.pga / G, ACCELERATION),
+            (8, motion.pgv / CM, RATIO),
+            (9, motion.pgd / CM, RATIO),
+            (10, motion.arias, ACCELERATION),
+            (11, motion.duration_5_95, RATIO),
+            (12, motion.housner_intensity / CM, RATIO),
+        ):
             number(sheet, row, column, value, shape)
         text(sheet, row, 6, motion.unit, align="center")
         text(sheet, row, 13, motion.file_sha256[:16], size=8, color=QUIET)
@@ -99,10 +120,27 @@ def records(book: Book, result: StudyResult) -> None:
 def _provenance(book: Book, sheet, result: StudyResult, row: int) -> None:
     """What the files say of event and station; what they leave open is blank for the engineer."""
     say = book.say
-    header(sheet, row, [
-        say("Record"), say("Event and station"),
-        say("Kind"), say("Factor"), say("Date"), "", say("Magnitude"),
-        "", say("Distance"), "", say("Soil"), "", say("Filter")], 1, 18)  # fmt: skip
+    header(
+        sheet,
+        row,
+        [
+            say("Record"),
+            say("Event and station"),
+            say("Kind"),
+            say("Factor"),
+            say("Date"),
+            "",
+            say("Magnitude"),
+            "",
+            say("Distance"),
+            "",
+            say("Soil"),
+            "",
+            say("Filter"),
+        ],
+        1,
+        18,
+    )
     for motion, kind in zip(result.motions, result.kinds, strict=True):
         row += 1
         where = provenance(motion)
@@ -113,13 +151,7 @@ def _provenance(book: Book, sheet, result: StudyResult, row: int) -> None:
         text(sheet, row, 3, word(kind, book.language))
         if result.demand:
             number(sheet, row, 4, result.demand.scaling(motion), ACCELERATION)
-        cells = (
-            where.date,
-            where.magnitude,
-            where.distance_km,
-            where.site_class,
-            where.filter_and_processing,
-        )
+        cells = (where.date, where.magnitude, where.distance_km, where.site_class, where.filter_and_processing)
         for column, value in zip((5, 7, 9, 11, 13), cells, strict=True):
             text(sheet, row, column, value, size=8)
         rule(sheet, row, 1, 13)
@@ -140,14 +172,33 @@ def results(book: Book, result: StudyResult) -> None:
             method_words=result.method_words,
         ),
     )
-    header(sheet, 3, [
-        say("Wall"), say("Mechanism"), say("Record"),
-        say("Sign"), say("Status"), "q", say("bracket low"),
-        say("bracket high"), "q SLV", "q SLC", say("q robust"),
-        say("Scale C"), "q_eff", say("last survival"),
-        say("survived share"), say("windows"),
-        say("analyses"), say("unknown points"),
-        say("Eq. 7 clamped")], 1, 44)  # fmt: skip
+    header(
+        sheet,
+        3,
+        [
+            say("Wall"),
+            say("Mechanism"),
+            say("Record"),
+            say("Sign"),
+            say("Status"),
+            "q",
+            say("bracket low"),
+            say("bracket high"),
+            "q SLV",
+            "q SLC",
+            say("q robust"),
+            say("Scale C"),
+            "q_eff",
+            say("last survival"),
+            say("survived share"),
+            say("windows"),
+            say("analyses"),
+            say("unknown points"),
+            say("Eq. 7 clamped"),
+        ],
+        1,
+        44,
+    )
     row = 3
     for wall in book.steps.each(result.walls):
         for run in wall.runs:
@@ -161,12 +212,21 @@ def results(book: Book, result: StudyResult) -> None:
             text(sheet, row, 5, status_word(book, ida.status), color=INK if ida.q else BAD)
             low, high = ida.bracket or (None, None)
             for column, value, shape in (
-                (6, ida.q, RATIO), (7, low, "0.0000"), (8, high, "0.0000"), (9, ida.q_slv, RATIO),
-                (10, ida.q_slc, RATIO), (11, ida.q_robust, RATIO), (12, run.scale, ACCELERATION),
-                (13, run.q_eff, RATIO), (14, ida.q_last_survival, RATIO),
-                (15, ida.survived_fraction, RATIO), (16, len(ida.survival_windows), WHOLE),
-                (17, ida.analyses, WHOLE), (18, ida.impact_limited, WHOLE), (19, ida.clamped, WHOLE),
-            ):  # fmt: skip
+                (6, ida.q, RATIO),
+                (7, low, "0.0000"),
+                (8, high, "0.0000"),
+                (9, ida.q_slv, RATIO),
+                (10, ida.q_slc, RATIO),
+                (11, ida.q_robust, RATIO),
+                (12, run.scale, ACCELERATION),
+                (13, run.q_eff, RATIO),
+                (14, ida.q_last_survival, RATIO),
+                (15, ida.survived_fraction, RATIO),
+                (16, len(ida.survival_windows), WHOLE),
+                (17, ida.analyses, WHOLE),
+                (18, ida.impact_limited, WHOLE),
+                (19, ida.clamped, WHOLE),
+            ):
                 number(sheet, row, column, value, shape, bold=column == 6 and value is not None)
             rule(sheet, row, 1, len(widths))
     if row > 3:
@@ -200,13 +260,20 @@ def method(book: Book, result: StudyResult) -> None:
         ("Python", f"{platform.python_version()}, {platform.system()} {platform.machine()}"),
         (say("Case SHA-256"), result.case.sha256),
         (say("Method"), result.method_words),
-        (say("Search"), ", ".join(
-            f"{word(f'key_{key}', book.language)} {book.digits(getattr(settings, key), 'g')}"
-            for key in ("q_step", "q_limit", "map_span", "robust_window"))),
-        (say("Sign of the records"), {
-            "both": word("both", book.language), "as_recorded": say("as recorded"),
-            "reversed": say("reversed")}[result.case.analysis.polarity]),
-    ]  # fmt: skip
+        (
+            say("Search"),
+            ", ".join(
+                f"{word(f'key_{key}', book.language)} {book.digits(getattr(settings, key), 'g')}"
+                for key in ("q_step", "q_limit", "map_span", "robust_window")
+            ),
+        ),
+        (
+            say("Sign of the records"),
+            {"both": word("both", book.language), "as_recorded": say("as recorded"), "reversed": say("reversed")}[
+                result.case.analysis.polarity
+            ],
+        ),
+    ]
     for wall in result.walls:
         ratio = MODELS[wall.restitution.model]
         label = f"{wall.name}, {word(wall.mechanism, book.language)}"
@@ -214,9 +281,7 @@ def method(book: Book, result: StudyResult) -> None:
         if not wall.law.is_rigid:
             ends = f"D1 {wall.law.elastic_limit:g}, D2 {wall.law.plateau_end:g}"
             law = f"{say('trilinear')} {ends}"
-        facts.append(
-            (label, f"{ratio}, e = {book.digits(wall.restitution.ratio_at_rest, '.4f')}; {law}")
-        )
+        facts.append((label, f"{ratio}, e = {book.digits(wall.restitution.ratio_at_rest, '.4f')}; {law}"))
     if len(facts) > 46:
         facts = facts[:46] + [("…", say("see Input and the JSON"))]
     for label, value in facts:
@@ -246,8 +311,9 @@ def _uncertainty(book: Book, sheet, result: StudyResult, row: int) -> int:
         accuracy = wall.accuracy
         if accuracy is None:
             continue
-        title(sheet, row, f"{say('How sure')}: {wall.name}, "
-              f"{word(wall.mechanism, book.language)}, {accuracy.record}", 11)  # fmt: skip
+        title(
+            sheet, row, f"{say('How sure')}: {wall.name}, {word(wall.mechanism, book.language)}, {accuracy.record}", 11
+        )
         rows = [
             (
                 say("Error of the solver"),
@@ -277,10 +343,7 @@ def _uncertainty(book: Book, sheet, result: StudyResult, row: int) -> int:
                     else ""
                 ),
             ),
-            (
-                say("Methods on this history"),
-                "; ".join(f"{p.name}: {_power(book, p.error)}" for p in accuracy.points),
-            ),
+            (say("Methods on this history"), "; ".join(f"{p.name}: {_power(book, p.error)}" for p in accuracy.points)),
         ]
         for label, body in rows:
             row += 1

@@ -54,10 +54,7 @@ def csv_text(result: ParametricResult) -> str:
     stream = io.StringIO()
     writer = csv.writer(stream, lineterminator="\n")
     writer.writerow(COLUMNS)
-    measures = [
-        (e.motion.pga / G, e.motion.pgv / CM, e.motion.housner_intensity / CM)
-        for e in result.motions
-    ]
+    measures = [(e.motion.pga / G, e.motion.pgv / CM, e.motion.housner_intensity / CM) for e in result.motions]
     p2 = {cell: cell.wall.block().p2 for cell in dict.fromkeys(row.cell for row in result.rows)}
     for row in result.rows:
         entry, cell = result.motions[row.motion], row.cell
@@ -133,13 +130,7 @@ def json_text(result: ParametricResult, report: StudyReport, runs: str, runs_sha
         },
         "notes": report.notes,
         "tables": [
-            {
-                "key": t.key,
-                "title": t.title,
-                "note": t.note,
-                "head": t.head,
-                "rows": [_finite(row) for row in t.rows],
-            }
+            {"key": t.key, "title": t.title, "note": t.note, "head": t.head, "rows": [_finite(row) for row in t.rows]}
             for t in report.tables
         ],
         "claims": [asdict(claim) for claim in report.claims],
@@ -181,9 +172,7 @@ def figure_files(figure: Figure) -> dict[str, bytes]:
                 DASHED: {"linewidth": 1.1, "linestyle": "--"},
                 LINE_POINTS: {"linewidth": 1.1, "marker": marker, "markersize": 4},
             }
-            axes.plot(
-                series.x, series.y, color=color, label=series.name or "_", **looks[series.look]
-            )
+            axes.plot(series.x, series.y, color=color, label=series.name or "_", **looks[series.look])
         axes.set_title(figure.title, loc="left", fontsize=10, fontweight="bold")
         axes.set_xlabel(figure.x)
         axes.set_ylabel(figure.y)
@@ -193,20 +182,12 @@ def figure_files(figure: Figure) -> dict[str, bytes]:
                 _plain_labels(axis)
         if any(series.name for series in figure.series):
             columns = 1 + sum(bool(series.name) for series in figure.series) // 13
-            axes.legend(
-                fontsize=7,
-                frameon=False,
-                ncols=columns,
-                loc="center left",
-                bbox_to_anchor=(1.0, 0.5),
-            )
+            axes.legend(fontsize=7, frameon=False, ncols=columns, loc="center left", bbox_to_anchor=(1.0, 0.5))
         if figure.note:
             drawn.supxlabel(figure.note, fontsize=7.5, x=0.01, ha="left")
         for end in ("png", "svg"):
             stream = io.BytesIO()
-            drawn.savefig(
-                stream, format=end, dpi=DPI, metadata={"Date": None} if end == "svg" else None
-            )
+            drawn.savefig(stream, format=end, dpi=DPI, metadata={"Date": None} if end == "svg" else None)
             files[f"{figure.key}.{end}"] = stream.getvalue()
     return files
 

@@ -53,29 +53,9 @@ def _summary(book: Book, result: ParametricResult, report: StudyReport) -> None:
         seconds=result.elapsed,
     )
     row = paragraph(sheet, row, counted, 5, 130, color=QUIET)
-    row = (
-        paragraph(
-            sheet,
-            row,
-            f"{NAME} {VERSION} {commit()[:12]}  sha256 {result.sha256}",
-            5,
-            130,
-            color=QUIET,
-        )
-        + 1
-    )
+    row = paragraph(sheet, row, f"{NAME} {VERSION} {commit()[:12]}  sha256 {result.sha256}", 5, 130, color=QUIET) + 1
     if report.claims:
-        header(
-            sheet,
-            row,
-            [
-                say("Source"),
-                say("Claim of the paper"),
-                say("holds in"),
-                say("of"),
-                say("What is found"),
-            ],
-        )
+        header(sheet, row, [say("Source"), say("Claim of the paper"), say("holds in"), say("of"), say("What is found")])
         for claim in report.claims:
             row += 1
             text(sheet, row, 1, claim.source, wrap=True)
@@ -94,10 +74,7 @@ def _table(book: Book, table: Table) -> None:
         max(
             9.0,
             min(
-                40.0,
-                1.15 * max(len(str(row[k])) for row in table.rows)
-                if isinstance(table.rows[0][k], str)
-                else 11.0,
+                40.0, 1.15 * max(len(str(row[k])) for row in table.rows) if isinstance(table.rows[0][k], str) else 11.0
             ),
         )
         for k in range(len(table.head))

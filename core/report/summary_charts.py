@@ -3,15 +3,7 @@
 from openpyxl.chart import BarChart, LineChart, Reference, ScatterChart, Series
 from openpyxl.chart.layout import Layout, ManualLayout
 
-from core.report.cells import (
-    ACCENT,
-    AMBER,
-    BAD,
-    GOOD,
-    QUIET,
-    Book,
-    text,
-)  # fmt: skip
+from core.report.cells import ACCENT, AMBER, BAD, GOOD, QUIET, Book, text
 from core.report.load_arrows import arrows
 from core.study.results import WallResult
 
@@ -45,8 +37,7 @@ def sketch(book: Book, sheet, wall: WallResult, anchor: str, size: tuple[float, 
         series.graphicalProperties.line.solidFill = color
         series.graphicalProperties.line.width = 15000
         chart.series.append(series)
-    chart.layout = Layout(ManualLayout(layoutTarget="inner", xMode="edge", yMode="edge",
-                                       x=0.05, y=0.05, w=0.9, h=0.9))  # fmt: skip
+    chart.layout = Layout(ManualLayout(layoutTarget="inner", xMode="edge", yMode="edge", x=0.05, y=0.05, w=0.9, h=0.9))
     tall = 1.06 * max([h, *(y for points in arrows(wall.wall, h, t) for _, y in points)])
     wide = tall * (0.9 * chart.width) / (0.9 * chart.height)
     wide = max(wide, 1.2 * t)
@@ -69,9 +60,7 @@ def peaks(book: Book, sheet, check, anchor: str, width: float, height: float) ->
     for k, head in enumerate(heads):
         text(sheet, 1, column + k, head, size=8, color=QUIET)
     for n, run in enumerate(check.runs, start=2):
-        sign = (
-            "" if len({r.polarity for r in check.runs}) == 1 else " +" if run.polarity > 0 else " −"
-        )
+        sign = "" if len({r.polarity for r in check.runs}) == 1 else " +" if run.polarity > 0 else " −"
         text(sheet, n, column, f"{run.record[-14:]}{sign}", size=8, color=QUIET)
         # a wall that overturns has no peak: the mark of its own series fills the chart
         exceeded = run.peak_ratio is None or run.exceeded

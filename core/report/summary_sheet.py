@@ -25,7 +25,7 @@ from core.report.cells import (
     style,
     text,
     title,
-)  # fmt: skip
+)
 from core.report.circolare import cell_prefix, zeta_cell
 from core.report.plots import rows_below
 from core.report.rows import changed_cell
@@ -115,17 +115,24 @@ def _title_block(book: Book, sheet, result: StudyResult, report, row: int) -> in
     say, asked = book.say, result.case.demand
     started = result.started_utc[:16].replace("T", " ")
     block = [
-        (say("Client"), report.client), (say("Site"), report.site),
-        (say("Project"), report.project), (say("Author"), report.author),
-        (say("Revision"), report.revision), (say("Date"), report.date),
+        (say("Client"), report.client),
+        (say("Site"), report.site),
+        (say("Project"), report.project),
+        (say("Author"), report.author),
+        (say("Revision"), report.revision),
+        (say("Date"), report.date),
         (say("Program"), f"{NAME} {VERSION}, {started} UTC"),
-    ]  # fmt: skip
+    ]
     if asked:
         life = [
-            f"{label} {book.digits(value, 'g')}" for label, value in (
-                ("V_N", asked.nominal_life_years), ("C_U", asked.use_class_factor),
-                ("T_R", asked.return_period and round(asked.return_period))) if value is not None
-        ]  # fmt: skip
+            f"{label} {book.digits(value, 'g')}"
+            for label, value in (
+                ("V_N", asked.nominal_life_years),
+                ("C_U", asked.use_class_factor),
+                ("T_R", asked.return_period and round(asked.return_period)),
+            )
+            if value is not None
+        ]
         place = ", ".join(part for part in (asked.site, asked.coordinates, *life) if part)
         block.append((say("Seismic site"), place))
     block = [(label, value) for label, value in block if value]
@@ -150,20 +157,34 @@ def _demand_lines(book: Book, sheet, result: StudyResult, row: int, last: int) -
     if demand.target:
         line += f", {demand.target.name}"
     if demand.intensity:
-        source = {
-            "given": say("given"), "spectrum": say("of the spectrum"),
-            "records_scaled": say("from the records"),
-        }[demand.intensity_source]  # fmt: skip
+        source = {"given": say("given"), "spectrum": say("of the spectrum"), "records_scaled": say("from the records")}[
+            demand.intensity_source
+        ]
         line += f", SI {book.digits(demand.intensity / CM, '.1f')} cm ({source})"
     return paragraph(sheet, row, line, last, 150, bold=True)
 
 
 def _walls_table(book: Book, sheet, result: StudyResult, walls: list[WallResult], row: int) -> int:
     say = book.say
-    header(sheet, row, [
-        say("Wall"), say("Mechanism"), "H [m]", "t [m]", "u [m]", "H/t",
-        "α [°]", "a_RM [g]", "W [kN]", "q", say("q robust"), "ζ",
-        say("Verdict")])  # fmt: skip
+    header(
+        sheet,
+        row,
+        [
+            say("Wall"),
+            say("Mechanism"),
+            "H [m]",
+            "t [m]",
+            "u [m]",
+            "H/t",
+            "α [°]",
+            "a_RM [g]",
+            "W [kN]",
+            "q",
+            say("q robust"),
+            "ζ",
+            say("Verdict"),
+        ],
+    )
     for wall in book.steps.each(walls):
         row += 1
         text(sheet, row, 1, wall.name, wrap=True)
@@ -174,13 +195,16 @@ def _walls_table(book: Book, sheet, result: StudyResult, walls: list[WallResult]
         weight = wall.wall.weight
         setback = wall.wall.setback if wall.wall.height_m else None
         for column, value, shape in (
-            (3, wall.height, RATIO), (4, wall.thickness, RATIO), (5, setback, ACCELERATION),
+            (3, wall.height, RATIO),
+            (4, wall.thickness, RATIO),
+            (5, setback, ACCELERATION),
             (6, wall.height / wall.thickness, "0.0"),
             (7, math.degrees(wall.block.slenderness), RATIO),
             (8, wall.model.threshold / G, ACCELERATION),
-            (9, weight / 1000.0 if weight else None, "0.0"), (10, wall.q_set, RATIO),
+            (9, weight / 1000.0 if weight else None, "0.0"),
+            (10, wall.q_set, RATIO),
             (11, wall.q_robust_set, RATIO),
-        ):  # fmt: skip
+        ):
             number(sheet, row, column, value, shape)
         color = verdict_color(result, wall)
         number(sheet, row, 12, verdict.zeta_e if verdict else None, RATIO, bold=True, color=color)
@@ -194,8 +218,13 @@ def _link(book: Book, sheet, result: StudyResult, wall: WallResult, row: int) ->
     """alpha, a_RM, q and zeta as those of the sheet Check, live."""
     name = cell_prefix(result, wall)
     names = book.workbook.defined_names
-    links = {3: f"{name}_height", 4: f"{name}_thickness", 7: f"{name}_slenderness", 8: f"{name}_a_rm",
-             10: f"{name}_q_set"}  # fmt: skip
+    links = {
+        3: f"{name}_height",
+        4: f"{name}_thickness",
+        7: f"{name}_slenderness",
+        8: f"{name}_a_rm",
+        10: f"{name}_q_set",
+    }
     if links[3] in names and links[4] in names:
         size = f"{links[3]}*{links[4]}"
         links[6] = f"{links[3]}/{links[4]}"
@@ -222,28 +251,22 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
             line += ", " + _risk_line(book, assessment.risk)
         row = paragraph(sheet, row + 1, line, LAST, 150, color=QUIET) - 1
     top = row + 1
-    header(sheet, top, [
-        say("Method"), say("Clause"), "q", say("Capacity"),
-        say("Demand"), say("Unit"), "ζ", say("Outcome")], 1, 18)  # fmt: skip
+    header(
+        sheet,
+        top,
+        [say("Method"), say("Clause"), "q", say("Capacity"), say("Demand"), say("Unit"), "ζ", say("Outcome")],
+        1,
+        18,
+    )
     row = top
     for check, decides in assessment.shown:
         row += 1
         values = (check.q, check.capacity, check.demand, check.unit, check.zeta, check.passed)
         label = word(check.label, book.language)
-        _method_row(
-            book, sheet, row, label, check.clause, values, decides, check.name == "floor_sld"
-        )
+        _method_row(book, sheet, row, label, check.clause, values, decides, check.name == "floor_sld")
     if any(wall.code_check):
         row += 1
-        text(
-            sheet,
-            row,
-            1,
-            say("For comparison only: Eq. 9 of the paper"),
-            color=QUIET,
-            italic=True,
-            size=9,
-        )
+        text(sheet, row, 1, say("For comparison only: Eq. 9 of the paper"), color=QUIET, italic=True, size=9)
     for source, check in zip(Q_SOURCES, wall.code_check, strict=False):
         if check:
             row += 1
@@ -254,8 +277,16 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
     if assessment.dynamic:
         peaks(book, sheet, assessment.dynamic, f"K{top}", 8.4, PICTURES_CM)
     row = max(row + 1, top + rows_below(PICTURES_CM))
-    row = paragraph(sheet, row, sentence_of(result, wall, book.language), LAST, 120, bold=True, size=12,
-                    color=verdict_color(result, wall))  # fmt: skip
+    row = paragraph(
+        sheet,
+        row,
+        sentence_of(result, wall, book.language),
+        LAST,
+        120,
+        bold=True,
+        size=12,
+        color=verdict_color(result, wall),
+    )
     for line in lines_of(result, wall, book.language):
         row = paragraph(sheet, row, f"• {line}", LAST, 150)
     if assessment.tie is not None:
@@ -284,9 +315,7 @@ def _mechanism_line(book: Book, assessment) -> str:
     if assessment.m_star is not None:
         parts.append(f"M* {book.digits(assessment.m_star, '.0f')} kg/m")
     if assessment.chain.friction_height is not None:
-        parts.append(
-            say("of the upper {h:.2f} m with friction", h=assessment.chain.friction_height)
-        )
+        parts.append(say("of the upper {h:.2f} m with friction", h=assessment.chain.friction_height))
     if assessment.free_element:
         parts.append(say("free to vibrate"))
         if assessment.period_0 is not None:
@@ -298,31 +327,24 @@ def _mechanism_line(book: Book, assessment) -> str:
     return ", ".join(parts)
 
 
-def _method_row(
-    book: Book, sheet, row: int, label: str, clause: str, values, decides: bool, no_outcome=False
-) -> None:
+def _method_row(book: Book, sheet, row: int, label: str, clause: str, values, decides: bool, no_outcome=False) -> None:
     q, capacity, demand, unit, zeta, passed = values
     color = INK if decides else QUIET
     text(sheet, row, 1, label, color=color)
     text(sheet, row, 2, clause, color=QUIET, size=8)
-    for column, value, shape in ((3, q, RATIO), (4, capacity, ACCELERATION), (5, demand, ACCELERATION),
-                                 (7, zeta, RATIO)):  # fmt: skip
+    for column, value, shape in (
+        (3, q, RATIO),
+        (4, capacity, ACCELERATION),
+        (5, demand, ACCELERATION),
+        (7, zeta, RATIO),
+    ):
         number(sheet, row, column, value, shape, color=color, bold=decides and column == 7)
     text(sheet, row, 6, unit, color=QUIET, align="center")
     outcome = "no_number" if passed is None else "passed" if passed else "not_passed"
     if no_outcome:
         outcome = "shown"
     shade = QUIET if passed is None or not decides else GOOD if passed else BAD
-    text(
-        sheet,
-        row,
-        8,
-        word(outcome, book.language),
-        color=shade,
-        bold=decides,
-        size=9,
-        align="center",
-    )
+    text(sheet, row, 8, word(outcome, book.language), color=shade, bold=decides, size=9, align="center")
     rule(sheet, row, 1, 8)
 
 
@@ -349,11 +371,7 @@ def _warnings(book: Book, sheet, result: StudyResult, row: int, last: int, most:
         row = paragraph(sheet, row, f"• {line}  [{who}]", last, 165)
     if len(owners) > most:
         row = paragraph(
-            sheet,
-            row,
-            book.say("{n} more on the sheets Records and Check.", n=len(owners) - most),
-            last,
-            140,
+            sheet, row, book.say("{n} more on the sheets Records and Check.", n=len(owners) - most), last, 140
         )
     return row
 
@@ -362,10 +380,8 @@ def _signature(book: Book, sheet, row: int, walls) -> None:
     """Assumptions to tick, the judgement the engineer writes (NTC 2018 10.2), place for a signature.
     Where loads are given, they are what is confirmed, and so are ties."""
     say = book.say
-    text(sheet, row, 1, say("Assumptions confirmed by the engineer"),
-         bold=True)  # fmt: skip
-    text(sheet, row, 7, say("Reasoned judgement on the results (NTC 2018 10.2)"),
-         bold=True)  # fmt: skip
+    text(sheet, row, 1, say("Assumptions confirmed by the engineer"), bold=True)
+    text(sheet, row, 7, say("Reasoned judgement on the results (NTC 2018 10.2)"), bold=True)
     codes = assumptions_of(walls)
     for n, code in enumerate(codes, start=1):
         ticked = code == "no_load" and all(wall.unloaded_confirmed for wall in walls)

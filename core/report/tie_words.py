@@ -25,14 +25,15 @@ def _own_tie(say: Callable[..., str], tie: TieDesign) -> str:
             "No tie {h:.2f} m above this hinge reaches the ζ required: the largest, {largest:.2f} kN/m, "
             "gives {zeta:.2f}.",
             **values,
-        )  # fmt: skip
+        )
     if tie.force == 0.0:
         return say("No tie {h:.2f} m above this hinge is needed: ζ {zeta:.2f}.", **values)
     force = 1e-3 * tie.force
     found = say(
         "A tie {h:.2f} m above this hinge that holds {force:.2f} kN/m up to collapse gives ζ {zeta:.2f}.",
-        force=force, **values,
-    )  # fmt: skip
+        force=force,
+        **values,
+    )
     caution = say(
         "Not for sizing a tie: a bar yields and is slack when the wall comes back, and other checks ask more."
     )

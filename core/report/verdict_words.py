@@ -10,8 +10,16 @@ from core.study.wall_verdict import by_severity, where
 from core.text.keys import KEYS, SECTIONS
 from core.text.sentence import FormNames, word
 
-TONES = {"verified": "good", "not_activated": "good", "verified_refined": "amber", "indicative": "amber",
-         "undetermined": "amber", "at_limit": "bad", "q2_unsafe": "bad", "not_verified": "bad"}  # fmt: skip
+TONES = {
+    "verified": "good",
+    "not_activated": "good",
+    "verified_refined": "amber",
+    "indicative": "amber",
+    "undetermined": "amber",
+    "at_limit": "bad",
+    "q2_unsafe": "bad",
+    "not_verified": "bad",
+}
 
 
 @functools.cache
@@ -34,9 +42,7 @@ def in_order(result: StudyResult) -> list[tuple[WallResult, bool]]:
 
 def sentence_of(result: StudyResult, wall: WallResult, language: str) -> str:
     """The verdict of a result in words: of its wall where it decides about it, else of its hinge."""
-    return wall.assessment.verdict.text(
-        language, wall.part.asked.title, where(wall), names_in(language)
-    )
+    return wall.assessment.verdict.text(language, wall.part.asked.title, where(wall), names_in(language))
 
 
 def lines_of(result: StudyResult, wall: WallResult, language: str) -> list[str]:

@@ -1,15 +1,6 @@
 """StudyResult -> workbook: the sheets in order."""
 
-from core.report import (
-    check_sheet,
-    demand_sheets,
-    floor_sheet,
-    input_sheet,
-    plots,
-    risk_sheet,
-    sheets,
-    summary_sheet,
-)
+from core.report import check_sheet, demand_sheets, floor_sheet, input_sheet, plots, risk_sheet, sheets, summary_sheet
 from core.report.cells import ACCENT, QUIET, Book
 from core.report.note.sheet import note_sheet
 from core.report.rows import follow_changes
@@ -24,11 +15,7 @@ SAVING = 46
 """Hundredths of the writing that each sheet in its order, and the file, take with 400 walls."""
 
 
-def content(
-    result: StudyResult,
-    histories: list[CollapseHistories],
-    steps: Steps | None = None,
-) -> bytes:
+def content(result: StudyResult, histories: list[CollapseHistories], steps: Steps | None = None) -> bytes:
     """The xlsx file of a study.
 
     histories : of the first HISTORY_WALLS walls with a collapse
@@ -39,21 +26,28 @@ def content(
     return book.content()
 
 
-def build(
-    result: StudyResult,
-    histories: list[CollapseHistories],
-    steps: Steps | None = None,
-) -> Book:
+def build(result: StudyResult, histories: list[CollapseHistories], steps: Steps | None = None) -> Book:
     """The workbook before it is saved, and the values of its formulas."""
     book = Book(result.case.report.language, steps or Steps())
     book.steps.take(sum(SHARES))
     book.workbook.remove(book.workbook.active)
     sheets_in_order = (
-        check_sheet.check, summary_sheet.summary, summary_sheet.overview, note_sheet, risk_sheet.risk,
-        input_sheet.inputs, sheets.records, sheets.results, demand_sheets.dynamic_check,
-        demand_sheets.spectral_compatibility, floor_sheet.floors, plots.q_against_si,
-        lambda book, result: plots.histories(book, result, histories), plots.survival_map, sheets.method,
-    )  # fmt: skip
+        check_sheet.check,
+        summary_sheet.summary,
+        summary_sheet.overview,
+        note_sheet,
+        risk_sheet.risk,
+        input_sheet.inputs,
+        sheets.records,
+        sheets.results,
+        demand_sheets.dynamic_check,
+        demand_sheets.spectral_compatibility,
+        floor_sheet.floors,
+        plots.q_against_si,
+        lambda book, result: plots.histories(book, result, histories),
+        plots.survival_map,
+        sheets.method,
+    )
     for sheet in book.steps.each(sheets_in_order, SHARES):
         if sheet is summary_sheet.overview and summary_sheet.lists_all(result):
             continue

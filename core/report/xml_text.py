@@ -20,10 +20,7 @@ def for_xml(value: Any) -> Any:
     if isinstance(value, (tuple, list)):
         return type(value)(map(for_xml, value))
     if is_dataclass(value) and not isinstance(value, type):
-        return replace(
-            value,
-            **{entry.name: for_xml(getattr(value, entry.name)) for entry in fields(value)},
-        )
+        return replace(value, **{entry.name: for_xml(getattr(value, entry.name)) for entry in fields(value)})
     return value
 
 

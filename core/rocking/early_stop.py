@@ -71,9 +71,7 @@ def lookahead_bounds(ground: np.ndarray, dt: float) -> np.ndarray:
         shift //= 2
     size = np.abs(longer)
     push = np.cumsum((0.5 * dt * (size[1:] + size[:-1]))[::-1])[::-1]
-    return np.vstack([windows[0], -windows[1], windows[2], np.append(push, 0.0)])[
-        :, : ground.size
-    ].copy()
+    return np.vstack([windows[0], -windows[1], windows[2], np.append(push, 0.0)])[:, : ground.size].copy()
 
 
 @inner_kernel

@@ -26,9 +26,7 @@ def scan(method: Method, ground, dt, scales, model, outcomes, peaks) -> np.ndarr
     return scan_records(method, Grounds.of([ground], dt), which, scales, model, outcomes, peaks)
 
 
-def scan_records(
-    method: Method, grounds: Grounds, which, scales, model, outcomes, peaks
-) -> np.ndarray:
+def scan_records(method: Method, grounds: Grounds, which, scales, model, outcomes, peaks) -> np.ndarray:
     """`scan` of several records of one time step. which : record of each multiplier, int64, shape (m,).
 
     Analyses of a ground that is no number or beyond MAX_GROUND end at once with BAD_INPUT.
@@ -39,9 +37,7 @@ def scan_records(
         clamped = np.zeros(scales.size, np.int64)
         if sound.any():
             codes, reached = np.zeros(int(sound.sum()), np.int64), np.zeros(int(sound.sum()))
-            clamped[sound] = scan_records(
-                method, grounds, which[sound], scales[sound], model, codes, reached
-            )
+            clamped[sound] = scan_records(method, grounds, which[sound], scales[sound], model, codes, reached)
             outcomes[sound], peaks[sound] = codes, reached
         return clamped
     method = resolve_auto(method, model, grounds.dt)
@@ -52,9 +48,18 @@ def scan_records(
         here = np.nonzero(which == k)[0]
         codes, reached, clamps = outcomes[here], peaks[here], clamped[here]
         scan_comparison(
-            method.code, method.option, grounds.ground[first : last + 1], grounds.dt, scales[here],
-            model, codes, reached, clamps, NO_TABLE, method.table,
-        )  # fmt: skip
+            method.code,
+            method.option,
+            grounds.ground[first : last + 1],
+            grounds.dt,
+            scales[here],
+            model,
+            codes,
+            reached,
+            clamps,
+            NO_TABLE,
+            method.table,
+        )
         outcomes[here], peaks[here], clamped[here] = codes, reached, clamps
     return clamped
 
@@ -112,7 +117,4 @@ def history(
         if impacts <= times.size:
             break
         times = np.zeros(impacts)
-    return History(
-        rotation[:done], velocity[:done], times[:impacts], velocities[:impacts],
-        outcome, peak, clamped,
-    )  # fmt: skip
+    return History(rotation[:done], velocity[:done], times[:impacts], velocities[:impacts], outcome, peak, clamped)

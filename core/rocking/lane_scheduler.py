@@ -48,7 +48,7 @@ from core.rocking.lane_state import (
     VECTOR,
     WIDTH,
     set_lane,
-)  # fmt: skip
+)
 from core.rocking.lanes import (
     gather_falling,
     lane_initial_terms,
@@ -150,9 +150,8 @@ def lane_chatter_ends(k, i, fastest, dt, model, constants, ahead, state):
         return False
     time = (LOOKAHEAD - 1 - state[TIME + k]) * dt
     return chatter_ends(
-        speed, state[SCALE + k], ahead, i, dt, time, state[IMPACTS + k], state[PEAK + k], model,
-        constants,
-    )  # fmt: skip
+        speed, state[SCALE + k], ahead, i, dt, time, state[IMPACTS + k], state[PEAK + k], model, constants
+    )
 
 
 @inner_kernel
@@ -204,9 +203,8 @@ def make_lane_kernel(order):
 
     @kernel
     def one_pass(
-        ground, ahead, dt, firsts, lasts, strongest, which, scales, model, numbers, state, outcomes,
-        peaks, clamped,
-    ):  # fmt: skip
+        ground, ahead, dt, firsts, lasts, strongest, which, scales, model, numbers, state, outcomes, peaks, clamped
+    ):
         """These analyses, up to WIDTH at a time.
 
         ground to strongest : of `Grounds`
@@ -221,14 +219,7 @@ def make_lane_kernel(order):
         lane, end, busy = numbers[:WIDTH], numbers[WIDTH : 2 * WIDTH], numbers[2 * WIDTH :]
         rest_below = REST_FRACTION * math.sqrt(model.p2) * model.slenderness
         loss = 1.0 - model.ratio_at_rest if thresholds[0] > 0.0 else 0.0
-        fastest = (
-            0.5
-            * model.p2
-            * (model.slenderness + (constants.strength - 1.0))
-            * loss
-            * (LOOKAHEAD - 1)
-            * dt
-        )
+        fastest = 0.5 * model.p2 * (model.slenderness + (constants.strength - 1.0)) * loss * (LOOKAHEAD - 1) * dt
         waiting = zero
         lanes = zero
         long = zero + 1  # steps to be shortened; 1 at first, which sets the rows of whole steps
@@ -239,17 +230,7 @@ def make_lane_kernel(order):
                 state[SCALE + lanes] = scales[waiting]
                 state[STRONGEST + lanes] = abs(scales[waiting]) * strongest[record] * PER_G
                 state[PEAK + lanes] = 0.0
-                skip_to_uplift(
-                    lanes,
-                    firsts[record],
-                    lasts[record],
-                    dt,
-                    model,
-                    thresholds,
-                    ground,
-                    ahead,
-                    state,
-                )
+                skip_to_uplift(lanes, firsts[record], lasts[record], dt, model, thresholds, ground, ahead, state)
                 waiting += 1
                 if state[SAMPLE + lanes] < lasts[record]:
                     schedule_check(lanes, end[lanes], state)
@@ -292,9 +273,7 @@ def make_lane_kernel(order):
                     elif state[TIME + k] < 1.0:
                         continue
                     if state[MOVING + k] == 0.0:
-                        skip_to_uplift(
-                            k, i + 1, end[k], dt, model, thresholds, ground, ahead, state
-                        )
+                        skip_to_uplift(k, i + 1, end[k], dt, model, thresholds, ground, ahead, state)
                     else:
                         start_sample(k, i + 1, dt, ground, state)
                 over, peak = True, state[PEAK + k]
@@ -323,7 +302,19 @@ def scan(order, grounds, which, scales, model, outcomes, peaks):
     start = -room.ctypes.data // room.itemsize % VECTOR
     state = room[start : start + ROWS * ROW]
     LANE_KERNEL[order](
-        grounds.ground, grounds.ahead, grounds.dt, grounds.first, grounds.last, grounds.strongest,
-        which, scales, model, numbers, state, outcomes, peaks, clamped,
-    )  # fmt: skip
+        grounds.ground,
+        grounds.ahead,
+        grounds.dt,
+        grounds.first,
+        grounds.last,
+        grounds.strongest,
+        which,
+        scales,
+        model,
+        numbers,
+        state,
+        outcomes,
+        peaks,
+        clamped,
+    )
     return clamped

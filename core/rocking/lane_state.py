@@ -69,19 +69,9 @@ LANE_ROWS = 23
 """Rows that move with a lane to another place: all before SERIES."""
 FALL_ROWS = 15
 """Rows from PHI to v8."""
-(
-    NET,
-    SINE,
-    COSINE,
-    BETA,
-    RISE,
-    STEP_P2,
-    FORCING,
-    GROWTH,
-    END_TIME,
-    START,
-    BEFORE,
-) = (SERIES + ROW * row for row in range(9, 20))
+(NET, SINE, COSINE, BETA, RISE, STEP_P2, FORCING, GROWTH, END_TIME, START, BEFORE) = (
+    SERIES + ROW * row for row in range(9, 20)
+)
 FALL = BEFORE + ROW
 PLAIN = FALL + ROW * FALL_ROWS
 ROWS = PLAIN // ROW + 1

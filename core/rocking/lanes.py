@@ -58,7 +58,7 @@ from core.rocking.lane_state import (
     VECTOR,
     ZONE,
     set_lane,
-)  # fmt: skip
+)
 from core.rocking.taylor import peak_may_grow, through_sample
 from core.rocking.taylor_bounds import (
     MAX_GROWTH,
@@ -93,9 +93,19 @@ def lane_initial_terms(lanes, dt, model, constants, state):
         s, c = sine_and_cosine_short(x)
         branch = state[FACTOR + k], state[SLOPE + k], state[CONSTANT + k], state[HELD + k]
         start = initial_terms(
-            x, state[SPEED + k], s, c, state[SIDE + k], state[FIRST + k], second, state[TIME + k], dt,
-            branch, model, constants,
-        )  # fmt: skip
+            x,
+            state[SPEED + k],
+            s,
+            c,
+            state[SIDE + k],
+            state[FIRST + k],
+            second,
+            state[TIME + k],
+            dt,
+            branch,
+            model,
+            constants,
+        )
         state[SERIES + k] = start.speed
         state[NET + k] = start.net
         state[SINE + k] = start.sine
@@ -126,9 +136,15 @@ def lane_taylor_coefficients(lanes, constants, order, state):
     widest_vectors()
     for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
         start = InitialTerms(
-            state[SERIES + k], state[NET + k], state[SINE + k], state[COSINE + k], state[BETA + k],
-            state[RISE + k], state[STEP_P2 + k], state[FORCING + k],
-        )  # fmt: skip
+            state[SERIES + k],
+            state[NET + k],
+            state[SINE + k],
+            state[COSINE + k],
+            state[BETA + k],
+            state[RISE + k],
+            state[STEP_P2 + k],
+            state[FORCING + k],
+        )
         v, growth = taylor_coefficients(
             state[PHI + k], start, state[FACTOR + k], state[SLOPE + k], constants.strength, order
         )
@@ -140,12 +156,16 @@ def lane_taylor_coefficients(lanes, constants, order, state):
 def series_of(k, order, state):
     """v0 to v8 of the k-th lane, or of the k-th of those that fall."""
     return (
-        state[SERIES + k], state[SERIES + ROW + k], state[SERIES + 2 * ROW + k],
-        state[SERIES + 3 * ROW + k], state[SERIES + 4 * ROW + k], state[SERIES + 5 * ROW + k],
+        state[SERIES + k],
+        state[SERIES + ROW + k],
+        state[SERIES + 2 * ROW + k],
+        state[SERIES + 3 * ROW + k],
+        state[SERIES + 4 * ROW + k],
+        state[SERIES + 5 * ROW + k],
         state[SERIES + 6 * ROW + k],
         state[SERIES + 7 * ROW + k] if order == 8 else 0.0,
         state[SERIES + 8 * ROW + k] if order == 8 else 0.0,
-    )  # fmt: skip
+    )
 
 
 @subkernel
@@ -231,9 +251,7 @@ def vector_step(lanes, dt, constants, order, state):
         upper = max(x, y)
         push = largest_push(upper, forcing, p2, constants, *branch[:3])
         reach = 0.125 * push
-        margin = turning_margin(
-            v[0], dv, rise, forcing + state[SLOPE + k], p2, constants.strength, push
-        )
+        margin = turning_margin(v[0], dv, rise, forcing + state[SLOPE + k], p2, constants.strength, push)
         after = v[0] + dv
         bend, bulges, stays = shape(v, x - low, dphi, dv, 1.0)
         near = (min(x, y) - low <= reach) & (min(v[0], after) <= margin)
@@ -249,11 +267,7 @@ def vector_step(lanes, dt, constants, order, state):
         )
         stays = scalar | falls
         check = (y > constants.collapse) | (left <= 0.0)
-        state[NEXT + k] = (
-            (LONG if long else SCALAR)
-            if scalar
-            else (FALLS if falls else (CHECK if check else STEPPED))
-        )
+        state[NEXT + k] = (LONG if long else SCALAR) if scalar else (FALLS if falls else (CHECK if check else STEPPED))
         state[SAMPLE + k] += 0.0 if stays else 1.0
         state[LEFT + k] = left + 1.0 if stays else left
         state[FIRST + k] = first if stays else second
@@ -327,13 +341,26 @@ def scalar_step(k, dt, model, constants, order, zero, state):
     """Carry lane k to its next impact or through its sample. zero : of int64. Returns (outcome so far,
     clamped ratios)."""
     block = BlockState(
-        state[SIDE + k], state[PHI + k], state[SPEED + k], state[MOVING + k] != 0.0,
-        int(state[ZONE + k]), state[PEAK + k], zero, zero,
-    )  # fmt: skip
+        state[SIDE + k],
+        state[PHI + k],
+        state[SPEED + k],
+        state[MOVING + k] != 0.0,
+        int(state[ZONE + k]),
+        state[PEAK + k],
+        zero,
+        zero,
+    )
     outcome, time, _, block = through_sample(
-        state[FIRST + k], state[SCALE + k] * state[SECOND + k], dt, model, constants, order,
-        state[STRONGEST + k], block, state[TIME + k],
-    )  # fmt: skip
+        state[FIRST + k],
+        state[SCALE + k] * state[SECOND + k],
+        dt,
+        model,
+        constants,
+        order,
+        state[STRONGEST + k],
+        block,
+        state[TIME + k],
+    )
     side, phi, speed, moving, zone, peak, impacts, clamped = block
     set_lane(k, side, phi, speed, zone, model, state)
     state[MOVING + k] = 1.0 if moving else 0.0

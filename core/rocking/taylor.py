@@ -11,13 +11,7 @@ import numpy as np
 from core.jit.decorators import inner_kernel, kernel, subkernel
 from core.jit.fma import fma
 from core.rocking.early_stop import cannot_recover
-from core.rocking.events import (
-    IMPACTS_PER_SAMPLE,
-    BlockState,
-    end_of_record,
-    leave_impact,
-    next_uplift,
-)
+from core.rocking.events import IMPACTS_PER_SAMPLE, BlockState, end_of_record, leave_impact, next_uplift
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.rocking.taylor_bounds import (
     converged_part,
@@ -74,9 +68,7 @@ def peak_may_grow(phi, dphi, speed, bend, reach, peak):
     reach : how far the step strays from its chord [rad]
     (1.998 is 2 less a margin for rounding.)
     """
-    return (max(phi, phi + dphi) + reach > peak) & (
-        fma(speed, speed, 1.998 * bend * (peak - phi)) >= 0.0
-    )
+    return (max(phi, phi + dphi) + reach > peak) & (fma(speed, speed, 1.998 * bend * (peak - phi)) >= 0.0)
 
 
 @inner_kernel
@@ -86,9 +78,19 @@ def converged_step(state, ground0, ground1, t, dt, branch, model, constants, ord
     _, _, factor, slope, constant, held = branch
     s, c = sine_and_cosine(state.phi)
     start = initial_terms(
-        state.phi, state.speed, s, c, state.side, ground0, ground1, t, dt, (factor, slope, constant, held), model,
+        state.phi,
+        state.speed,
+        s,
+        c,
+        state.side,
+        ground0,
+        ground1,
+        t,
+        dt,
+        (factor, slope, constant, held),
+        model,
         constants,
-    )  # fmt: skip
+    )
     v, growth = taylor_coefficients(state.phi, start, factor, slope, constants.strength, order)
     relative = relative_tolerance(
         state.phi, start.speed, start.forcing, start.p2, (factor, slope, constant, held), constants
@@ -97,9 +99,7 @@ def converged_step(state, ground0, ground1, t, dt, branch, model, constants, ord
     part = converged_part(tail, growth, order, constants.tolerance, relative)
     if part < 1.0:
         v, p2, rise = shortened(v, start.p2, start.rise, part)
-        start = InitialTerms(
-            v[0], start.net, start.sine, start.cosine, start.beta, rise, p2, start.forcing
-        )
+        start = InitialTerms(v[0], start.net, start.sine, start.cosine, start.beta, rise, p2, start.forcing)
     return v, start, part
 
 
@@ -113,13 +113,9 @@ def first_event(v, start, phi, branch, constants):
     part = 1.0
     dphi = increment(v, part)
     dv = change(v, part)
-    push = largest_push(
-        max(phi, phi + dphi), start.forcing, start.p2, constants, factor, slope, constant
-    )
+    push = largest_push(max(phi, phi + dphi), start.forcing, start.p2, constants, factor, slope, constant)
     reach = 0.125 * push
-    margin = turning_margin(
-        v[0], dv, start.rise, start.forcing + slope, start.p2, constants.strength, push
-    )
+    margin = turning_margin(v[0], dv, start.rise, start.forcing + slope, start.p2, constants.strength, push)
     falls = min(phi, phi + dphi) - low <= reach and min(v[0], v[0] + dv) <= margin
     rises = high - max(phi, phi + dphi) <= reach and max(v[0], v[0] + dv) >= -margin
     crossing = -1.0
@@ -152,9 +148,7 @@ def advance(state, v, shortened_to, event, t, dt):
     phi, peak, part = state.phi, state.peak, event.part
     dphi = increment(v, part)
     dv = change(v, part)
-    if min(v[0], -(v[0] + dv)) > -2.0 * event.margin and peak_may_grow(
-        phi, dphi, v[0], event.bend, event.reach, peak
-    ):
+    if min(v[0], -(v[0] + dv)) > -2.0 * event.margin and peak_may_grow(phi, dphi, v[0], event.bend, event.reach, peak):
         peak = max(peak, phi + interior_maximum(v, part))
     speed = fma(dv, 1.0 / (dt * (1.0 - t)) * (1.0 / shortened_to), state.speed)
     part *= shortened_to
@@ -162,9 +156,7 @@ def advance(state, v, shortened_to, event, t, dt):
     if event.crossing < 0.0:
         phi += dphi
         peak = max(peak, phi)
-    return BlockState(
-        state.side, phi, speed, state.moving, state.zone, peak, state.impacts, state.clamped
-    ), t
+    return BlockState(state.side, phi, speed, state.moving, state.zone, peak, state.impacts, state.clamped), t
 
 
 @inner_kernel
@@ -175,9 +167,8 @@ def impact(state, ground, model, constants):
     )
     hit = after * speed
     return BlockState(
-        side, 0.0, speed if moving else 0.0, moving, state.zone, state.peak, state.impacts + 1,
-        state.clamped + clamp,
-    ), hit  # fmt: skip
+        side, 0.0, speed if moving else 0.0, moving, state.zone, state.peak, state.impacts + 1, state.clamped + clamp
+    ), hit
 
 
 @inner_kernel
@@ -186,15 +177,19 @@ def cross_kink(state, event, branch):
     low, high, _, _, _, _ = branch
     phi = low if event.falls else high
     return BlockState(
-        state.side, phi, state.speed, True, state.zone + (-1 if event.falls else 1), max(state.peak, phi),
-        state.impacts, state.clamped,
-    )  # fmt: skip
+        state.side,
+        phi,
+        state.speed,
+        True,
+        state.zone + (-1 if event.falls else 1),
+        max(state.peak, phi),
+        state.impacts,
+        state.clamped,
+    )
 
 
 @inner_kernel
-def through_sample(
-    ground0, ground1, dt, model, constants, order, strongest, state, start
-):  # fmt: skip
+def through_sample(ground0, ground1, dt, model, constants, order, strongest, state, start):
     """Carry the block to its next impact or through the sample; rest, uplift and kinks included.
 
     ground0, ground1 : ground acceleration at both ends [m/s2]
@@ -213,14 +208,10 @@ def through_sample(
             t, side = next_uplift(ground0, jump, t, 1.0, constants.thresholds)
             if t >= 1.0:
                 break
-            state = BlockState(
-                side, 0.0, 0.0, True, zone_of(0.0, model), state.peak, state.impacts, state.clamped
-            )
+            state = BlockState(side, 0.0, 0.0, True, zone_of(0.0, model), state.peak, state.impacts, state.clamped)
         seen = seen_from(model, state.side)
         branch = moment_branch(state.zone, seen)
-        v, begun, part = converged_step(
-            state, ground0, ground1, t, dt, branch, model, constants, order
-        )
+        v, begun, part = converged_step(state, ground0, ground1, t, dt, branch, model, constants, order)
         event = first_event(v, begun, state.phi, branch, constants)
         state, t = advance(state, v, part, event, t, dt)
         if event.crossing < 0.0:
@@ -243,9 +234,7 @@ def make_integrator(order):
     """The kernel `integrate` specialised at compile time for order 6 or 8."""
 
     @kernel
-    def integrate(
-        ground, dt, scale, model, start, rotation, velocity, impact_time, impact_velocity
-    ):
+    def integrate(ground, dt, scale, model, start, rotation, velocity, impact_time, impact_velocity):
         """Rocking history of one wall under one scaled record (Eq. 1), rest, uplift and impacts included.
 
         ground : ground acceleration [m/s2], shape (n,)
@@ -271,9 +260,8 @@ def make_integrator(order):
             while t < 1.0:
                 impacts = state.impacts
                 outcome, t, hit, state = through_sample(
-                    scale * ground[i], scale * ground[i + 1], dt, model, constants, order, FAR,
-                    state, t,
-                )  # fmt: skip
+                    scale * ground[i], scale * ground[i + 1], dt, model, constants, order, FAR, state, t
+                )
                 if impacts < state.impacts and impacts < impact_time.size:
                     impact_time[impacts] = i * dt + t * dt
                     impact_velocity[impacts] = hit

@@ -79,10 +79,16 @@ def shortened(v, p2, rise, part):
     second = part * part
     third, fourth = part * second, second * second
     v = (
-        part * v[0], second * v[1], third * v[2], fourth * v[3], (part * fourth) * v[4],
-        (second * fourth) * v[5], (third * fourth) * v[6], (fourth * fourth) * v[7],
+        part * v[0],
+        second * v[1],
+        third * v[2],
+        fourth * v[3],
+        (part * fourth) * v[4],
+        (second * fourth) * v[5],
+        (third * fourth) * v[6],
+        (fourth * fourth) * v[7],
         (part * (fourth * fourth)) * v[8],
-    )  # fmt: skip
+    )
     return v, second * p2, part * rise
 
 

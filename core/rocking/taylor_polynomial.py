@@ -134,13 +134,7 @@ def landing(v, gap, h):
     time, _, _, _ = third_order_step(v, gap, min(time, h))
     time, _, _, _ = third_order_step(v, gap, time)
     time, step, more, slope = third_order_step(v, gap, time)
-    near = (
-        (abs(step) <= 1e-6 * time)
-        & (abs(more) <= 1e-6)
-        & (time > 0.0)
-        & (time <= h)
-        & (slope < 0.0)
-    )
+    near = (abs(step) <= 1e-6 * time) & (abs(more) <= 1e-6) & (time > 0.0) & (time <= h) & (slope < 0.0)
     strays = third_derivative_variation(v, time)
     bend = fma(time, fma(0.5, strays, 2.0 * abs(v[2])), v[1])
     steady = 2.0 * abs(v[2]) >= strays

@@ -70,10 +70,15 @@ def wall_constants(model, dt):
     tolerance = SERIES_TOLERANCE * alpha * min(1.0, 10.0 * dt * math.sqrt(model.p2))
     one, other = model.restoring, model.mirrored
     return WallConstants(
-        uplift_thresholds(model), math.tan(alpha), math.sin(alpha), math.cos(alpha), tolerance,
+        uplift_thresholds(model),
+        math.tan(alpha),
+        math.sin(alpha),
+        math.cos(alpha),
+        tolerance,
         max(largest_strength(one), largest_strength(other)),
-        math.sin(alpha) + max(abs(one.cosine) / one.sine, abs(other.cosine) / other.sine), alpha + model.lean,
-    )  # fmt: skip
+        math.sin(alpha) + max(abs(one.cosine) / one.sine, abs(other.cosine) / other.sine),
+        alpha + model.lean,
+    )
 
 
 @subkernel
@@ -170,9 +175,7 @@ def taylor_coefficients(x, start, factor, slope, strength, order):
     factor, slope : of the branch of the moment law [-]
     strength : of WallConstants
     """
-    v = series(
-        start.speed, start.net, start.sine, start.cosine, start.beta, start.rise, start.p2, factor, slope, order
-    )  # fmt: skip
+    v = series(start.speed, start.net, start.sine, start.cosine, start.beta, start.rise, start.p2, factor, slope, order)
     # at uplift phi'' is zero or outward; its rounding must not push the block down
     v1 = max(v[1], 0.0) if (x == 0.0) & (start.speed == 0.0) else v[1]
     v = (v[0], v1, v[2], v[3], v[4], v[5], v[6], v[7], v[8])

@@ -95,22 +95,27 @@ def assess(
             if kinematic.alpha0 > kinematic.chain.alpha0:
                 counted *= kinematic.chain.alpha0 / kinematic.alpha0
             lower, upper = (
-                linear("linear_q_slv", kinematic, demand, q * counted)
-                for q in (wall.q_slv_low_set, wall.q_slv_set)
+                linear("linear_q_slv", kinematic, demand, q * counted) for q in (wall.q_slv_low_set, wall.q_slv_set)
             )
             rows.append(lower)
             if lower and upper.passed and not lower.passed:
-                limits.append(
-                    sentence("reason", "lower_q_slv", low=wall.q_slv_low_set, q=wall.q_slv_set)
-                )
+                limits.append(sentence("reason", "lower_q_slv", low=wall.q_slv_low_set, q=wall.q_slv_set))
         rows.append(linear("linear_q_code", kinematic, demand, demand.q_code))
     checks = tuple(check for check in rows if check is not None)
     decides = governing_check(checks)
     known = decides is not None and decides.zeta is not None
     scene = Scene(
-        own, wall.mechanism, demand, building, tuple(ground or motions), polarities, method, decides, wall.floor,
+        own,
+        wall.mechanism,
+        demand,
+        building,
+        tuple(ground or motions),
+        polarities,
+        method,
+        decides,
+        wall.floor,
         dynamic_check,
-    )  # fmt: skip
+    )
     raised = lifts(scene, asked, checks, cancelled) if known and asked else ()
     ratio = None
     if wall.floor is not None:
@@ -134,15 +139,9 @@ def assess(
         raised,
     )
     unknown = result.zeta_e is None
-    if (
-        dynamic and result.governing == "dynamic"
-    ):  # records weaker than the demand tell nothing of a PGA
+    if dynamic and result.governing == "dynamic":  # records weaker than the demand tell nothing of a PGA
         unknown = unknown or demand.weak_share is not None
-    least = (
-        dynamic.zeta_spread[0]
-        if dynamic and result.governing == "dynamic" and dynamic.zeta_spread
-        else None
-    )
+    least = dynamic.zeta_spread[0] if dynamic and result.governing == "dynamic" and dynamic.zeta_spread else None
     capacity = None if unknown else risk(result.zeta_e, demand, least)
     tie = None
     if own.tie_height_m is not None and wall.mechanism == "one_sided" and known:
@@ -150,8 +149,9 @@ def assess(
         def judged_with(force: float, every: int) -> tuple[float | None, bool]:
             return zeta_with(scene, every, cancelled, wall=with_tie(own, force))
 
-        sure = decides.passed and not (dynamic and decides.name == "dynamic"
-                                       and dynamic.within_spread(demand.zeta_target))  # fmt: skip
+        sure = decides.passed and not (
+            dynamic and decides.name == "dynamic" and dynamic.within_spread(demand.zeta_target)
+        )
         tie = tie_design(own, (result.zeta_e, bool(sure)), decides.label, judged_with)
     sensitivity = {lift.words.code: lift.zeta for lift in raised if lift.words.code in OF_THE_FLOOR}
     return Assessment(kinematic, checks, dynamic, below, result, sensitivity, ratio, capacity, tie)

@@ -42,12 +42,8 @@ def demand_histories(result: StudyResult, wall: WallResult) -> list[DemandHistor
     found = []
     for run in deciding_runs(wall):
         motion = result.motion_of(wall, run.motion)
-        model, factor = at_demand(
-            wall.model, result.demand, wall.assessment.dynamic.confidence_on, motion
-        )
-        one = history(
-            motion.acceleration, motion.time_step, run.polarity * factor, model, result.method
-        )
+        model, factor = at_demand(wall.model, result.demand, wall.assessment.dynamic.confidence_on, motion)
+        one = history(motion.acceleration, motion.time_step, run.polarity * factor, model, result.method)
         found.append(DemandHistory(run, motion, one, control_displacement(wall, one.rotation)))
     return found
 

@@ -58,23 +58,9 @@ def _rows(path: Path) -> list[tuple[float, float]]:
         except (InputError, ValueError):
             wrong = OTHER_UNITS.search(line)
             if wrong and not rows:
-                raise InputError(
-                    "spectrum_units",
-                    unit=wrong[0],
-                    place=(
-                        path,
-                        place("line", n=k),
-                    ),
-                ) from None
+                raise InputError("spectrum_units", unit=wrong[0], place=(path, place("line", n=k))) from None
             if rows and parts:
-                raise InputError(
-                    "spectrum_line",
-                    text=line.strip()[:60],
-                    place=(
-                        path,
-                        place("line", n=k),
-                    ),
-                ) from None
+                raise InputError("spectrum_line", text=line.strip()[:60], place=(path, place("line", n=k))) from None
             continue
         rows.append((period, ordinate * G))
     return rows
@@ -157,8 +143,15 @@ def check_hazard(asked: Demand, hazard: tuple[HazardRow, ...]) -> None:
         rows = max(_decimals(getattr(row, key)) for row in hazard)
         within = 0.5 * 10.0 ** -_decimals(given) + 0.5 * 10.0**-rows + SAME_PERIOD * stated / 2.0
         if abs(given - stated) > within:
-            raise InputError("hazard_disagrees", place=(section("[demand]"),), key=key, given=given,
-                             stated=stated, years=years, state=asked.limit_state)  # fmt: skip
+            raise InputError(
+                "hazard_disagrees",
+                place=(section("[demand]"),),
+                key=key,
+                given=given,
+                stated=stated,
+                years=years,
+                state=asked.limit_state,
+            )
 
 
 def _decimals(value: float) -> int:

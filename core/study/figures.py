@@ -34,11 +34,7 @@ def marker_of(figure: Figure, index: int) -> int:
     """Which marker a series takes: as many series with points of its colour stand before it."""
     looks = (POINTS, LINE_POINTS)
     own = figure.series[index]
-    return sum(
-        other.color == own.color and other.look in looks
-        for other in figure.series[:index]
-        if other.name
-    )
+    return sum(other.color == own.color and other.look in looks for other in figure.series[:index] if other.name)
 
 
 @dataclass(frozen=True)

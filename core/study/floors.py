@@ -59,8 +59,7 @@ class Floor:
         """Mean pseudo-acceleration spectrum of the floor motions at the demand, FC apart, at CHART_PERIODS [m/s2];
         zeros without records."""
         spectra = [
-            factor
-            * pseudo_acceleration_spectrum(m.acceleration, m.time_step, CHART_PERIODS, self.damping)
+            factor * pseudo_acceleration_spectrum(m.acceleration, m.time_step, CHART_PERIODS, self.damping)
             for m, factor in zip(self.motions, self.factors, strict=True)
         ]
         return np.mean(spectra, axis=0) if spectra else np.zeros(CHART_PERIODS.size)
@@ -88,10 +87,7 @@ def modes_at(building: Building, z: float, limit_state: str) -> tuple[Mode, ...]
     """Modes of the building as damaged at this height [m]."""
     factor, damping = damaged(building, limit_state)
     if building.modes:
-        return tuple(
-            Mode(factor * mode.period_s, mode.damping, mode.participation)
-            for mode in building.modes
-        )
+        return tuple(Mode(factor * mode.period_s, mode.damping, mode.participation) for mode in building.modes)
     period = building.period_s or estimated_period(building.height_m)
     return first_mode(building.storeys, building.height_m, z, factor * period, damping)
 
@@ -128,10 +124,7 @@ def building_notes(building: Building, limit_state: str) -> list[Sentence]:
 
 
 def floor_of(
-    wall: Wall,
-    building: Building | None,
-    demand: DemandResult | None,
-    motions: Sequence[GroundMotion],
+    wall: Wall, building: Building | None, demand: DemandResult | None, motions: Sequence[GroundMotion]
 ) -> Floor | None:
     """The floor of a wall above the ground; None on it or without [building]. Without a demand the building is that of
     SLV."""

@@ -18,12 +18,8 @@ def collapse_histories(result: StudyResult, wall: WallResult) -> CollapseHistori
     if lowest is None:
         return None
     motion = result.motion_of(wall, lowest.motion)
-    low, high = (
-        lowest.polarity * multiplier_of(q, motion.pga, threshold_of(wall.model))
-        for q in lowest.ida.bracket
-    )
+    low, high = (lowest.polarity * multiplier_of(q, motion.pga, threshold_of(wall.model)) for q in lowest.ida.bracket)
     survived, collapsed = (
-        history(motion.acceleration, motion.time_step, scale, wall.model, result.method)
-        for scale in (low, high)
+        history(motion.acceleration, motion.time_step, scale, wall.model, result.method) for scale in (low, high)
     )
     return CollapseHistories(wall, motion, lowest.polarity, (low, high), (survived, collapsed))

@@ -42,9 +42,7 @@ class Journal:
                 self._stream.close()
                 raise
         except OSError as error:
-            raise OutputError(
-                "journal_not_writable", reason=error.strerror, place=(path,)
-            ) from None
+            raise OutputError("journal_not_writable", reason=error.strerror, place=(path,)) from None
 
     def _begin(self, key: str, resume: bool) -> None:
         try:
@@ -117,9 +115,7 @@ class Journal:
             with self._lock:
                 self._put(line)
         except OSError as error:
-            raise OutputError(
-                "journal_not_writable", reason=error.strerror, place=(self.path,)
-            ) from None
+            raise OutputError("journal_not_writable", reason=error.strerror, place=(self.path,)) from None
 
     def close(self) -> None:
         self._stream.close()

@@ -6,14 +6,7 @@ from itertools import product
 import numpy as np
 
 from core.capacity.regression import Agreement, agreement
-from core.capacity.scale_free_law import (
-    ScaleFreeLaw,
-    dimensionless_intensity,
-    fit_law,
-    law_value,
-    limit_of,
-    loss_ratio,
-)
+from core.capacity.scale_free_law import ScaleFreeLaw, dimensionless_intensity, fit_law, law_value, limit_of, loss_ratio
 from core.study.paper_sets import MECHANISM
 from core.study.set_means import QUANTITIES, MotionValue, exact
 from core.wall.moment_rotation import LAWS
@@ -41,9 +34,7 @@ class Columns:
         return Columns(*(values[keep] for values in vars(self).values()))
 
 
-def columns(
-    values: list[MotionValue], mechanism: str, law: str, quantity: str, natural: bool
-) -> Columns:
+def columns(values: list[MotionValue], mechanism: str, law: str, quantity: str, natural: bool) -> Columns:
     """Runs of a mechanism, law and quantity that have a number.
 
     velocity : p PGV / PGA [-]
@@ -92,9 +83,7 @@ def set_columns(runs: Columns) -> Columns:
     keys = np.column_stack([runs.alpha, runs.height, runs.loss]).round(9)
     _, wall = np.unique(keys, axis=0, return_inverse=True)
     _, shape = np.unique(runs.spectrum, return_inverse=True)
-    _, first, group = np.unique(
-        wall * (shape.max() + 1) + shape, return_index=True, return_inverse=True
-    )
+    _, first, group = np.unique(wall * (shape.max() + 1) + shape, return_index=True, return_inverse=True)
     count = np.bincount(group)
     means = {
         name: np.bincount(group, weights=getattr(runs, name)) / count
@@ -148,9 +137,7 @@ def fitted(values: list[MotionValue], mechanism: str, law: str, quantity: str) -
     natural = natural_velocity = None
     if other.q.size:
         natural = agreement(law_value(coefficients, limit, other.pi, other.loss), other.q)
-        natural_velocity = agreement(
-            law_value(by_velocity, limit, other.velocity, other.loss), other.q
-        )
+        natural_velocity = agreement(law_value(by_velocity, limit, other.velocity, other.loss), other.q)
     a0, a1, b0, b1 = coefficients
     made = ScaleFreeLaw(
         (round(a0, 3), round(a1, 3), round(b0, 3), round(b1, 3)),

@@ -76,17 +76,7 @@ def _rival_table(values: list[MotionValue], fits: dict, say: Say) -> Table:
     rows = []
 
     def add(mechanism: str, quantity: str, name: str, found: Agreement) -> None:
-        rows.append(
-            (
-                say(MECHANISM[mechanism]),
-                quantity,
-                name,
-                found.bias,
-                found.scatter,
-                found.within,
-                found.n,
-            )
-        )
+        rows.append((say(MECHANISM[mechanism]), quantity, name, found.bias, found.scatter, found.within, found.n))
 
     for (mechanism, law, quantity), fit in fits.items():
         if law != "rigid":
@@ -102,45 +92,19 @@ def _rival_table(values: list[MotionValue], fits: dict, say: Say) -> Table:
         sets = sets[sets.default]
         form = _closed_forms(sets, mechanism)
         (low, high), (short, tall) = PAPER_RANGE
-        near = (
-            (sets.alpha >= low)
-            & (sets.alpha <= high)
-            & (sets.height >= short)
-            & (sets.height <= tall)
-        )
+        near = (sets.alpha >= low) & (sets.alpha <= high) & (sets.height >= short) & (sets.height <= tall)
         number = 15 + (mechanism == "one_sided")
         own = law_value(fit.law.coefficients, fit.law.limit, sets.pi, sets.loss)
-        for words, which in (
-            (say("all walls"), np.ones(near.size, bool)),
-            (say("walls near the paper's"), near),
-        ):
+        for words, which in ((say("all walls"), np.ones(near.size, bool)), (say("walls near the paper's"), near)):
             if which.any():
-                add(
-                    mechanism,
-                    quantity,
-                    f"Eq. {number}, {words}",
-                    agreement(form[which], sets.q[which]),
-                )
+                add(mechanism, quantity, f"Eq. {number}, {words}", agreement(form[which], sets.q[which]))
                 add(mechanism, quantity, f"Π, {words}", agreement(own[which], sets.q[which]))
         if np.unique(sets.spectrum).size >= MIN_SHAPES:
             refit = say("Eq. {number} refitted on these walls, shape left out", number=number)
             add(mechanism, quantity, refit, agreement(_refit(sets), sets.q))
             _, predicted = left_out(sets, sets.pi, fit.law.limit)
-            add(
-                mechanism,
-                quantity,
-                say("Π on these walls, shape left out"),
-                agreement(predicted, sets.q),
-            )
-    head = (
-        say("mechanism"),
-        say("quantity"),
-        say("law of q"),
-        say("mean - 1"),
-        say("scatter"),
-        "±20 %",
-        "n",
-    )
+            add(mechanism, quantity, say("Π on these walls, shape left out"), agreement(predicted, sets.q))
+    head = (say("mechanism"), say("quantity"), say("law of q"), say("mean - 1"), say("scatter"), "±20 %", "n")
     return Table("rivals", say("Laws of q side by side"), head, tuple(rows))
 
 
@@ -167,9 +131,7 @@ def _refit(sets: Columns) -> np.ndarray:
     predicted = np.empty(sets.q.size)
     for shape in dict.fromkeys(sets.spectrum):
         own = sets.spectrum == shape
-        found = least_squares(
-            lambda c, rest=~own: value(c, rest) - np.log(sets.q[rest]), (30.0, 78.0, 90.0, -1.0)
-        )
+        found = least_squares(lambda c, rest=~own: value(c, rest) - np.log(sets.q[rest]), (30.0, 78.0, 90.0, -1.0))
         predicted[own] = np.exp(value(found.x, own))
     return predicted
 
@@ -190,9 +152,7 @@ def _code_figure(values: list[MotionValue], say: Say) -> tuple[Figure, Table, li
         shares[mechanism] = (sets, low)
         for color, alpha in enumerate(np.unique(sets.alpha)):
             own = sets.alpha == alpha
-            points = [
-                (h, 100.0 * low[own & (sets.height == h)].mean()) for h in np.unique(sets.height)
-            ]
+            points = [(h, 100.0 * low[own & (sets.height == h)].mean()) for h in np.unique(sets.height)]
             name = f"{say(MECHANISM[mechanism])}, {alpha:g}°"
             look = LINE_POINTS if mechanism == "two_sided" else DASHED
             series.append(curve(name, points, look, color))
@@ -245,9 +205,7 @@ def _code_figure(values: list[MotionValue], say: Say) -> tuple[Figure, Table, li
                     tall=two[1][tall].mean(),
                 )
             )
-        sentences.append(
-            say("These shares are of the walls and spectra of this study, not of buildings.")
-        )
+        sentences.append(say("These shares are of the walls and spectra of this study, not of buildings."))
     figure = Figure("q_code", title, "H [m]", "%", tuple(series), log_x=True)
     return figure, Table("q_code", title, head, tuple(rows)), sentences
 
@@ -264,48 +222,29 @@ def _law_figures(values: list[MotionValue], fits: dict, say: Say) -> list[Figure
         edges = np.quantile(sets.loss, (0.0, 0.25, 0.5, 0.75, 1.0))
         series: list[Series] = []
         if natural.q.size:
-            series.append(
-                scatter(say("natural records"), list(zip(natural.pi, natural.q, strict=True)), 7)
-            )
+            series.append(scatter(say("natural records"), list(zip(natural.pi, natural.q, strict=True)), 7))
         x = np.geomspace(fit.law.pi_range[0], fit.law.pi_range[1], 30)
         for k in range(4):
             own = (sets.loss >= edges[k]) & ((sets.loss < edges[k + 1]) | (k == 3))
             if not own.any():
                 continue
             ratio = 1.0 - float(np.median(sets.loss[own])) ** 2
-            series.append(
-                scatter(f"e ≈ {ratio:.2f}", list(zip(sets.pi[own], sets.q[own], strict=True)), k)
-            )
+            series.append(scatter(f"e ≈ {ratio:.2f}", list(zip(sets.pi[own], sets.q[own], strict=True)), k))
             series.append(curve("", list(zip(x, fit.law.q(x, ratio), strict=True)), LINE, k))
         title = say(
-            "{quantity} against Π = p² SI/PGA, {mechanism}",
-            quantity=quantity,
-            mechanism=say(MECHANISM[mechanism]),
+            "{quantity} against Π = p² SI/PGA, {mechanism}", quantity=quantity, mechanism=say(MECHANISM[mechanism])
         )
         figures.append(
-            Figure(
-                f"law_{mechanism}_{quantity}",
-                title,
-                "Π [-]",
-                f"{quantity} [-]",
-                tuple(series),
-                True,
-                True,
-            )
+            Figure(f"law_{mechanism}_{quantity}", title, "Π [-]", f"{quantity} [-]", tuple(series), True, True)
         )
     return figures
 
 
-def report(
-    result: ParametricResult, values: list[MotionValue], notes: list[str], say: Say
-) -> StudyReport:
+def report(result: ParametricResult, values: list[MotionValue], notes: list[str], say: Say) -> StudyReport:
     """Everything the study of the law shows; `fits` of the report hold what the program takes over."""
     fits = fits_of(values)
     if not fits:
-        notes = [
-            *notes,
-            say("No fit: it takes four shapes and the restitution that follows the mechanism."),
-        ]
+        notes = [*notes, say("No fit: it takes four shapes and the restitution that follows the mechanism.")]
     figure, table, sentences = _code_figure(values, say)
     stored = {
         " ".join(key): {
@@ -318,11 +257,7 @@ def report(
         }
         for key, fit in fits.items()
     }
-    tables = [
-        entry
-        for entry in (_law_table(fits, say), _rival_table(values, fits, say), table)
-        if entry.rows
-    ]
+    tables = [entry for entry in (_law_table(fits, say), _rival_table(values, fits, say), table) if entry.rows]
     return StudyReport(
         result.study.title,
         (*notes, *sentences),

@@ -67,9 +67,7 @@ def demands_of(case: Case, base_dir: Path) -> dict[str, DemandResult]:
             if row.f0 is None or row.tc_star_s is None:
                 return {}
             spectrum = replace(spectrum, f0=row.f0, tc_star_s=row.tc_star_s)
-        demand = replace(
-            asked, limit_state=state, ag_g=row.ag_g, spectrum=spectrum, return_period_years=years
-        )
+        demand = replace(asked, limit_state=state, ag_g=row.ag_g, spectrum=spectrum, return_period_years=years)
         found[state] = demand_of(replace(case, demand=demand), base_dir)
     return found
 
@@ -106,12 +104,8 @@ class StateHistories:
         if demand.limit_state == self.demand.limit_state or not self.motions:
             return None
         factor = demand.pga / self.demand.pga if demand.record_scaling == "as_given" else 1.0
-        scaled = [
-            replace(motion, acceleration=factor * motion.acceleration) for motion in self.motions
-        ]
-        found = self.check(
-            self.model, scaled, self.polarities, demand, self.method, EVERY, False, self.cancelled
-        )
+        scaled = [replace(motion, acceleration=factor * motion.acceleration) for motion in self.motions]
+        found = self.check(self.model, scaled, self.polarities, demand, self.method, EVERY, False, self.cancelled)
         return found.as_check() if found else None
 
 

@@ -31,9 +31,7 @@ def _growth(sets: list[SetMean], key: str, other: str) -> tuple[int, int]:
     """In how many neighbouring pairs q grows with the cell's `key`, `other` and the spectrum equal; of how many."""
     lines: dict[tuple, list[SetMean]] = {}
     for entry in sets:
-        lines.setdefault(
-            (entry.spectrum.name, getattr(entry.cell, other), entry.cell.restitution), []
-        ).append(entry)
+        lines.setdefault((entry.spectrum.name, getattr(entry.cell, other), entry.cell.restitution), []).append(entry)
     held = tried = 0
     for members in lines.values():
         members.sort(key=lambda entry: getattr(entry.cell, key))
@@ -65,11 +63,7 @@ def claims(sets: list[SetMean], values: list[MotionValue], say: Say) -> list[Cla
             for model in models
             for entry in chosen(exact(sets), mechanism=mechanism, restitution=model, law="rigid")
         ]
-        add(
-            f"Fig. {figures}",
-            say("q grows with H, {name}", name=name),
-            _growth(rigid, "height_m", "slenderness_deg"),
-        )
+        add(f"Fig. {figures}", say("q grows with H, {name}", name=name), _growth(rigid, "height_m", "slenderness_deg"))
         add(
             f"Fig. {figures}",
             say("q grows with alpha, {name}", name=name),
@@ -96,14 +90,9 @@ def claims(sets: list[SetMean], values: list[MotionValue], say: Say) -> list[Cla
         spread = _group_spread(theoretical(sets, mechanism))
         add(
             "4.1",
-            say(
-                "PGA alone does not decide (ours: q differs by more than 10 % inside a group), {name}",
-                name=name,
-            ),
+            say("PGA alone does not decide (ours: q differs by more than 10 % inside a group), {name}", name=name),
             _count(ratio > 1.1 for ratio in spread),
-            say(
-                "largest over smallest q of a group: up to {most:.1f}", most=max(spread, default=1)
-            ),
+            say("largest over smallest q of a group: up to {most:.1f}", most=max(spread, default=1)),
         )
         laws = power_laws(sets, mechanism)
         low, high = C2_RANGE[mechanism]
@@ -123,11 +112,7 @@ def claims(sets: list[SetMean], values: list[MotionValue], say: Say) -> list[Cla
             "4.1, 4.2",
             say("a clear power law (ours: R² of at least 0.9), {name}", name=name),
             _count(square >= 0.9 for square in squares),
-            say(
-                "R² {low:.2f} to {high:.2f}",
-                low=min(squares, default=0),
-                high=max(squares, default=0),
-            ),
+            say("R² {low:.2f} to {high:.2f}", low=min(squares, default=0), high=max(squares, default=0)),
         )
         for law in ("doherty", "al_shawa"):
             both = law_pairs(sets, mechanism, law)
@@ -148,10 +133,7 @@ def claims(sets: list[SetMean], values: list[MotionValue], say: Say) -> list[Cla
         ratios = [
             v.q_eff
             / closed_form_q_eff(
-                v.cell.wall.block().slenderness,
-                v.cell.wall.block().height,
-                v.entry.motion.housner_intensity,
-                one_sided,
+                v.cell.wall.block().slenderness, v.cell.wall.block().height, v.entry.motion.housner_intensity, one_sided
             )
             for v in natural
         ]
@@ -180,9 +162,7 @@ def _records_of(values: list[MotionValue], mechanism: str) -> list[tuple[float, 
 
     others = {key(value): value.q for value in second}
     return [
-        (value.q, other)
-        for value in first
-        if value.q is not None and (other := others.get(key(value))) is not None
+        (value.q, other) for value in first if value.q is not None and (other := others.get(key(value))) is not None
     ]
 
 

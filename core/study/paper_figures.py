@@ -68,14 +68,7 @@ def free_rocking(say: Say) -> Figure:
         rocking = rocking_model(block, False, restitution(block, model), LAWS["rigid"])
         moved = history(still, dt, 1.0, rocking, start=(TUFF_START * block.slenderness, 0.0))
         ratio = moved.rotation / block.slenderness
-        series.append(
-            curve(
-                f"Eq. {4 + color}",
-                list(zip(dt * np.arange(ratio.size), ratio, strict=True)),
-                LINE,
-                color,
-            )
-        )
+        series.append(curve(f"Eq. {4 + color}", list(zip(dt * np.arange(ratio.size), ratio, strict=True)), LINE, color))
     title = say("Fig. 4: free rocking of the tuff block, 0.800 x 0.123 m")
     note = say("First rotation {share:g} alpha: assumed, the figure is lost.", share=TUFF_START)
     return Figure("fig04_decay", title, "t [s]", "θ/α [-]", tuple(series), note=note)
@@ -87,26 +80,15 @@ def spectra(result: ParametricResult, say: Say) -> list[Figure]:
     for group in dict.fromkeys(spectrum.group for spectrum in result.spectra):
         series = []
         for color, spectrum in enumerate(entry for entry in result.spectra if entry.group == group):
-            for k, entry in enumerate(
-                entry for entry in result.motions if entry.spectrum == spectrum.name
-            ):
+            for k, entry in enumerate(entry for entry in result.motions if entry.spectrum == spectrum.name):
                 motion = entry.motion
-                values = (
-                    pseudo_acceleration_spectrum(
-                        motion.acceleration, motion.time_step, PERIODS, per_period=0
-                    )
-                    / G
-                )
+                values = pseudo_acceleration_spectrum(motion.acceleration, motion.time_step, PERIODS, per_period=0) / G
                 name = say("{name}, motions", name=spectrum.name) if k == 0 else ""
                 series.append(curve(name, list(zip(PERIODS, values, strict=True)), POINTS, color))
             target = spectrum.target.acceleration(PERIODS) / G
-            series.append(
-                curve(spectrum.name, list(zip(PERIODS, target, strict=True)), LINE, color)
-            )
+            series.append(curve(spectrum.name, list(zip(PERIODS, target, strict=True)), LINE, color))
         title = say("Fig. 5: target spectra and motions, group {group}", group=group)
-        figures.append(
-            Figure(f"fig05_{slug(group)}", title, "T [s]", "S_e [g]", tuple(series), log_x=True)
-        )
+        figures.append(Figure(f"fig05_{slug(group)}", title, "T [s]", "S_e [g]", tuple(series), log_x=True))
     return figures
 
 
@@ -117,9 +99,7 @@ def q_against_height(sets: list[SetMean], mechanism: str, say: Say) -> list[Figu
     for number, models in ((theory, THEORETICAL), (experiment, EXPERIMENTAL)):
         ours = [
             entry
-            for entry in chosen(
-                exact(sets), mechanism=mechanism, restitution=models[mechanism], law="rigid"
-            )
+            for entry in chosen(exact(sets), mechanism=mechanism, restitution=models[mechanism], law="rigid")
             if entry.spectrum.group == SHOWN_GROUP
         ]
         series = []
@@ -132,18 +112,12 @@ def q_against_height(sets: list[SetMean], mechanism: str, say: Say) -> list[Figu
                 ]
                 series.append(curve(f"{alpha:g}°, {name}", points, LINE_POINTS, color))
         title = say(
-            "Fig. {number}: q against H, {restitution}, group B",
-            number=int(number),
-            restitution=models[mechanism],
+            "Fig. {number}: q against H, {restitution}, group B", number=int(number), restitution=models[mechanism]
         )
         figures.append(Figure(f"fig{number}_q_height", title, "H [m]", "q [-]", tuple(series)))
     if everything:
         ours = chosen(
-            exact(sets),
-            mechanism=mechanism,
-            restitution=THEORETICAL[mechanism],
-            law="rigid",
-            slenderness_deg=6.8,
+            exact(sets), mechanism=mechanism, restitution=THEORETICAL[mechanism], law="rigid", slenderness_deg=6.8
         )
         series = [
             curve(
@@ -199,9 +173,7 @@ def q_eff_against_si(sets: list[SetMean], mechanism: str, say: Say) -> list[Figu
         series = []
         of_alpha = chosen(ours, slenderness_deg=alpha)
         for color, height in enumerate(sorted({entry.cell.height_m for entry in of_alpha})):
-            points = [
-                (entry.intensity / CM, entry.q_eff) for entry in chosen(of_alpha, height_m=height)
-            ]
+            points = [(entry.intensity / CM, entry.q_eff) for entry in chosen(of_alpha, height_m=height)]
             law = fit_power_law([x * CM for x, _ in points], [y for _, y in points])
             name = f"H {height:g} m"
             if law:
@@ -211,9 +183,7 @@ def q_eff_against_si(sets: list[SetMean], mechanism: str, say: Say) -> list[Figu
                 name += f", C2 {law.c2:.2f}, R² {law.r_squared:.2f}"
             series.append(scatter(name, points, color))
         title = say(
-            "q_eff against SI, {mechanism}, {alpha:g} degrees",
-            mechanism=say(MECHANISM[mechanism]),
-            alpha=alpha,
+            "q_eff against SI, {mechanism}, {alpha:g} degrees", mechanism=say(MECHANISM[mechanism]), alpha=alpha
         )
         key = f"fig{number}_q_eff_si" if number else f"q_eff_si_{mechanism}_{alpha:g}"
         label = f"Fig. {number}: {title}" if number else title
@@ -227,15 +197,10 @@ def q_against_ratio(sets: list[SetMean], mechanism: str, say: Say) -> Figure:
     ours = chosen(theoretical(sets, mechanism), slenderness_deg=6.8)
     series = []
     for color, height in enumerate(sorted({entry.cell.height_m for entry in ours})):
-        points = [
-            (entry.intensity / CM / (entry.pga / G), entry.q)
-            for entry in chosen(ours, height_m=height)
-        ]
+        points = [(entry.intensity / CM / (entry.pga / G), entry.q) for entry in chosen(ours, height_m=height)]
         series.append(curve(f"H {height:g} m", points, LINE_POINTS, color))
     title = say("q against SI/PGA, {mechanism}, 6.8 degrees", mechanism=say(MECHANISM[mechanism]))
-    return Figure(
-        f"q_si_pga_{mechanism}", title, "SI/PGA [cm/g]", "q [-]", tuple(series), True, True
-    )
+    return Figure(f"q_si_pga_{mechanism}", title, "SI/PGA [cm/g]", "q [-]", tuple(series), True, True)
 
 
 def rigid_against_trilinear(sets: list[SetMean], say: Say) -> Figure:
@@ -248,11 +213,7 @@ def rigid_against_trilinear(sets: list[SetMean], say: Say) -> Figure:
         series.append(scatter(f"{say(MECHANISM[mechanism])}, {law}", points, color))
     title = say("Fig. 19: rigid and trilinear law, 6.8 degrees, 7 m")
     return Figure(
-        "fig19_trilinear",
-        title,
-        say("q [-], rigid"),
-        say("q [-], trilinear"),
-        (*series, diagonal(everything)),
+        "fig19_trilinear", title, say("q [-], rigid"), say("q [-], trilinear"), (*series, diagonal(everything))
     )
 
 
@@ -313,13 +274,9 @@ def natural_records(values: list[MotionValue], mechanism: str, say: Say) -> Figu
         [value.q_eff for value in ours],
     ).within
     title = say(
-        "Fig. {number}: q_eff of natural records, {mechanism}",
-        number=int(number),
-        mechanism=say(MECHANISM[mechanism]),
+        "Fig. {number}: q_eff of natural records, {mechanism}", number=int(number), mechanism=say(MECHANISM[mechanism])
     )
-    note = say(
-        "{n} records, {share:.0%} of them within ±20 % of the equation.", n=len(ours), share=share
-    )
+    note = say("{n} records, {share:.0%} of them within ±20 % of the equation.", n=len(ours), share=share)
     return Figure(
         f"fig{number}_natural",
         title,
@@ -332,9 +289,7 @@ def natural_records(values: list[MotionValue], mechanism: str, say: Say) -> Figu
     )
 
 
-def figures(
-    result: ParametricResult, values: list[MotionValue], sets: list[SetMean], say: Say
-) -> list[Figure]:
+def figures(result: ParametricResult, values: list[MotionValue], sets: list[SetMean], say: Say) -> list[Figure]:
     """All of them, in the paper's order."""
     made: list[Figure | None] = [free_rocking(say), *spectra(result, say)]
     for mechanism in THEORETICAL:
@@ -347,8 +302,4 @@ def figures(
         ]
     made += [rigid_against_trilinear(sets, say), numerical_against_analytical(sets, say)]
     made += [natural_records(values, mechanism, say) for mechanism in THEORETICAL]
-    return [
-        figure
-        for figure in made
-        if figure is not None and any(series.x for series in figure.series)
-    ]
+    return [figure for figure in made if figure is not None and any(series.x for series in figure.series)]

@@ -22,10 +22,7 @@ def pairs(sets: list, first: dict, second: dict, same: tuple[str, ...]) -> list[
     """(entry, entry) of equal spectrum, alpha, H and `same`, the cells of which have these values."""
 
     def key(entry):
-        return (
-            entry.spectrum.name,
-            *(getattr(entry.cell, name) for name in ("slenderness_deg", "height_m", *same)),
-        )
+        return (entry.spectrum.name, *(getattr(entry.cell, name) for name in ("slenderness_deg", "height_m", *same)))
 
     others = {key(entry): entry for entry in chosen(sets, **second)}
     return [(one, others[key(one)]) for one in chosen(sets, **first) if key(one) in others]

@@ -8,14 +8,7 @@ import numpy as np
 from core.capacity.closed_forms import COEFFICIENTS, PowerLaw, closed_form_q_eff, fit_power_law
 from core.capacity.regression import agreement, linear_c1, power_coefficient
 from core.study.figures import Table
-from core.study.paper_sets import (
-    MECHANISM,
-    THEORETICAL,
-    c1_points,
-    closed_form_of,
-    natural_values,
-    theoretical,
-)
+from core.study.paper_sets import MECHANISM, THEORETICAL, c1_points, closed_form_of, natural_values, theoretical
 from core.study.parametric import ParametricResult
 from core.study.set_means import MotionValue, SetMean, chosen
 from core.units import CM, G
@@ -74,9 +67,7 @@ def power_law_table(sets: list[SetMean], say: Say) -> Table:
         c2 = COEFFICIENTS[mechanism == "one_sided"][3]
         for alpha, height, law in power_laws(sets, mechanism):
             members = chosen(theoretical(sets, mechanism), slenderness_deg=alpha, height_m=height)
-            given = power_coefficient(
-                [e.intensity / CM for e in members], [e.q_eff for e in members], c2
-            )
+            given = power_coefficient([e.intensity / CM for e in members], [e.q_eff for e in members], c2)
             by_shape = fit_power_law([e.intensity / e.pga for e in members], [e.q for e in members])
             rows.append(
                 (
@@ -147,43 +138,21 @@ def distance_table(sets: list[SetMean], say: Say) -> Table:
     def add(name: str, mechanism: str, members: list[SetMean], truth=lambda entry: entry.q) -> None:
         if members:
             found = agreement([closed_form_of(e) for e in members], [truth(e) for e in members])
-            rows.append(
-                (say(MECHANISM[mechanism]), name, found.bias, found.scatter, found.within, found.n)
-            )
+            rows.append((say(MECHANISM[mechanism]), name, found.bias, found.scatter, found.within, found.n))
 
     for mechanism, model in THEORETICAL.items():
         base = chosen(sets, mechanism=mechanism, restitution=model, law="rigid")
         add(say("exact, step 0.5 %"), mechanism, theoretical(sets, mechanism))
         for step in sorted({e.cell.q_step for e in base} - {0.005}):
-            add(
-                say("exact, step {step:g} %", step=100 * step),
-                mechanism,
-                chosen(base, method="taylor", q_step=step),
-            )
+            add(say("exact, step {step:g} %", step=100 * step), mechanism, chosen(base, method="taylor", q_step=step))
         for method in sorted({e.cell.method for e in base} - {"taylor"}):
             add(method, mechanism, chosen(base, method=method))
         if mechanism == "one_sided":
-            add(
-                say("exact, as recorded"),
-                mechanism,
-                theoretical(sets, mechanism),
-                lambda entry: entry.q_recorded,
-            )
+            add(say("exact, as recorded"), mechanism, theoretical(sets, mechanism), lambda entry: entry.q_recorded)
         ours = theoretical(sets, mechanism)
         for name in dict.fromkeys(e.spectrum.name for e in ours):
-            add(
-                say("exact, spectrum {name}", name=name),
-                mechanism,
-                [e for e in ours if e.spectrum.name == name],
-            )
-    head = (
-        say("mechanism"),
-        say("q of the time histories"),
-        say("Eq. over q, mean - 1"),
-        say("scatter"),
-        "±20 %",
-        "n",
-    )
+            add(say("exact, spectrum {name}", name=name), mechanism, [e for e in ours if e.spectrum.name == name])
+    head = (say("mechanism"), say("q of the time histories"), say("Eq. over q, mean - 1"), say("scatter"), "±20 %", "n")
     note = say(
         "What goes with the integrator, the step of the search and the shape of the spectra; no cause is claimed."
     )
@@ -222,23 +191,14 @@ def natural_table(values: list[MotionValue], say: Say) -> Table | None:
                 logs.append(math.log(value.q_eff / form))
                 measures.append((motion.pgv, motion.pgv / motion.pga, motion.duration_5_95))
         rows.append(
-            (
-                name,
-                motion.pga / G,
-                motion.pgv / CM,
-                motion.housner_intensity / CM,
-                motion.duration_5_95,
-                *cells,
-            )
+            (name, motion.pga / G, motion.pgv / CM, motion.housner_intensity / CM, motion.duration_5_95, *cells)
         )
     note = say(
         "The print gives PGA to 0.01 g: its rows of 0.02 and 0.03 g are uncertain by 17 to 25 % and cannot test ±20 %."
     )
     if len(logs) > 3:
         goes = [spearman(column, logs) for column in zip(*measures, strict=True)]
-        words = ", ".join(
-            f"{name} {value:+.2f}" for name, value in zip(OUTLIER_MEASURES, goes, strict=True)
-        )
+        words = ", ".join(f"{name} {value:+.2f}" for name, value in zip(OUTLIER_MEASURES, goes, strict=True))
         note += " " + say("Rank correlation of q_eff over Eq. 15 with {words}.", words=words)
     head = (
         say("record"),
@@ -251,14 +211,10 @@ def natural_table(values: list[MotionValue], say: Say) -> Table | None:
         say("q one-sided"),
         say("q_eff over Eq. 16"),
     )
-    return Table(
-        "table2", say("Table 2: natural records, 6.8 degrees, 7 m"), head, tuple(rows), note
-    )
+    return Table("table2", say("Table 2: natural records, 6.8 degrees, 7 m"), head, tuple(rows), note)
 
 
-def tables(
-    result: ParametricResult, values: list[MotionValue], sets: list[SetMean], say: Say
-) -> list[Table]:
+def tables(result: ParametricResult, values: list[MotionValue], sets: list[SetMean], say: Say) -> list[Table]:
     """All of them."""
     made = [
         spectra_table(result, say),

@@ -109,9 +109,7 @@ def spectra_of(study: Study) -> list[tuple[StudySpectrum, Shape]]:
 
     def one(group: Group, shape: Shape) -> StudySpectrum:
         target = target_of(shape, group.pga_g * G)
-        return StudySpectrum(
-            shape.name, group.name, target, target_spectrum.housner_intensity(target)
-        )
+        return StudySpectrum(shape.name, group.name, target, target_spectrum.housner_intensity(target))
 
     return [(one(group, shape), shape) for group in study.group for shape in group.spectrum]
 
@@ -167,9 +165,7 @@ def model_of(cell: Cell) -> RockingModel:
     """The numbers of a cell's wall for the kernels."""
     wall = cell.wall
     restitution = wall.restitution_of(cell.mechanism)
-    return rocking_model(
-        wall.block(), cell.mechanism == "one_sided", restitution, wall.moment_law()
-    )
+    return rocking_model(wall.block(), cell.mechanism == "one_sided", restitution, wall.moment_law())
 
 
 def run(
@@ -224,11 +220,7 @@ def run(
 
 def _generated(study: Study, spectra, threads: Threads) -> list[StudyMotion]:
     """The motions of every spectrum, in order."""
-    wanted = [
-        (spectrum, seed)
-        for spectrum, shape in spectra
-        for seed in range(shape.seed, shape.seed + study.count)
-    ]
+    wanted = [(spectrum, seed) for spectrum, shape in spectra for seed in range(shape.seed, shape.seed + study.count)]
     tasks = {
         k: lambda stop, target=spectrum.target, seed=seed: compatible_motion(target, seed)
         for k, (spectrum, seed) in enumerate(wanted)
@@ -279,10 +271,7 @@ def _rows(study, motions, threads, book, on_progress) -> tuple[tuple[Row, ...], 
             ),
         )
     restored = len(known)
-    costs = {
-        entry: run_cost(motions[entry[1]].motion, Search(q_step=entry[0].q_step))
-        for entry in planned
-    }
+    costs = {entry: run_cost(motions[entry[1]].motion, Search(q_step=entry[0].q_step)) for entry in planned}
     progress = Progress(costs, on_progress)
     progress.known(known)
 

@@ -39,13 +39,7 @@ def start(names: set[str]) -> None:
     """Begin to compile the histories by the one of these methods that is of the Taylor series, where none was
     ever compiled. Of two, each process would wait for the wrong one."""
     names = names & {"taylor", "taylor_6"}
-    if (
-        cores() < 2
-        or len(names) != 1
-        or _second
-        or any(folder().glob(STEP_FILE))
-        or not sys.executable
-    ):
+    if cores() < 2 or len(names) != 1 or _second or any(folder().glob(STEP_FILE)) or not sys.executable:
         return
     # the frozen program knows by its environment that it is the second one (packaging/entry.py)
     module = [] if getattr(sys, "frozen", False) else ["-m", __name__]
@@ -57,11 +51,7 @@ def start(names: set[str]) -> None:
         process = subprocess.Popen(
             [sys.executable, *module, *sorted(names)],
             cwd=root,
-            env={
-                **os.environ,
-                SECOND_PROCESS: str(folder().absolute()),
-                "PYTHONPATH": os.pathsep.join(path),
-            },
+            env={**os.environ, SECOND_PROCESS: str(folder().absolute()), "PYTHONPATH": os.pathsep.join(path)},
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
@@ -83,19 +73,13 @@ def wait() -> None:
     """Until the step of a history is compiled by the second process, if there is one, or that has ended."""
     latest = time.monotonic() + MAX_WAIT
     for process in _second:
-        while (
-            process.poll() is None
-            and time.monotonic() < latest
-            and not any(folder().glob(STEP_FILE))
-        ):
+        while process.poll() is None and time.monotonic() < latest and not any(folder().glob(STEP_FILE)):
             time.sleep(0.01)
 
 
 def main() -> None:
     """The second process: histories by the methods its arguments name."""
-    if not folder().name.startswith(f"kernels-{name()}") and not folder().name.startswith(
-        TEMPORARY
-    ):
+    if not folder().name.startswith(f"kernels-{name()}") and not folder().name.startswith(TEMPORARY):
         return  # other sources than those of the process that waits
 
     gc.disable()  # the process ends soon

@@ -41,10 +41,7 @@ class Progress:
     """
 
     def __init__(
-        self,
-        costs: Mapping[Any, float],
-        on_progress: OnProgress,
-        clock: Callable[[], float] = time.monotonic,
+        self, costs: Mapping[Any, float], on_progress: OnProgress, clock: Callable[[], float] = time.monotonic
     ):
         self._left, self._planned = dict(costs), len(costs)
         self._ahead = math.fsum(costs.values())

@@ -25,9 +25,7 @@ def read_records(case: Listed, base_dir: Path) -> tuple[list[GroundMotion], list
     for k, entry in enumerate(case.record, start=1):
         if not entry.include:
             continue
-        options = Options(
-            entry.unit, entry.time_step_s, entry.column, entry.skip_lines, entry.channel or None
-        )
+        options = Options(entry.unit, entry.time_step_s, entry.column, entry.skip_lines, entry.channel or None)
         try:
             for path in records.expand(entry.file, base_dir):
                 file = _relative(path, base_dir)

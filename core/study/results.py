@@ -67,12 +67,30 @@ class Assessment:
             other = self.dynamic.zeta_other if self.dynamic else None
             if check.name == "dynamic" and other:
                 passed = other.passed if other.zeta is not None else None
-                rows.append((replace(check, name=f"dynamic_{other.confidence_on}", demand=None, zeta=other.zeta,
-                                     passed=passed), False))  # fmt: skip
+                rows.append(
+                    (
+                        replace(
+                            check, name=f"dynamic_{other.confidence_on}", demand=None, zeta=other.zeta, passed=passed
+                        ),
+                        False,
+                    )
+                )
             if check.name == "nonlinear" and self.kinematic.zeta_sld is not None:
                 kinematic = self.kinematic
-                rows.append((Check("floor_sld", SLD_CLAUSE, "g", kinematic.a0 / G, kinematic.acceleration_demand / G,
-                                   kinematic.zeta_sld, None), False))  # fmt: skip
+                rows.append(
+                    (
+                        Check(
+                            "floor_sld",
+                            SLD_CLAUSE,
+                            "g",
+                            kinematic.a0 / G,
+                            kinematic.acceleration_demand / G,
+                            kinematic.zeta_sld,
+                            None,
+                        ),
+                        False,
+                    )
+                )
         return tuple(rows)
 
 
@@ -264,13 +282,7 @@ class StudyResult:
         ]
 
 
-Q_SOURCES = (
-    "code",
-    "closed_form",
-    "time_histories",
-    "time_histories_slv",
-    "time_histories_robust",
-)
+Q_SOURCES = ("code", "closed_form", "time_histories", "time_histories_slv", "time_histories_robust")
 """Sources of q in the checks of Eq. 9, in the order of WallResult.code_check."""
 
 

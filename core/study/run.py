@@ -92,17 +92,13 @@ def run(
         period_range(kinds, longest, demand)  # refused before hours of work, not after
     _precompile(method, models, [motion for moved in felt for motion in moved])
     book = journal(f"{VERSION} {cache.source_stamp()}") if journal else None
-    costs: dict[Any, float] = {
-        entry: run_cost(felt[entry[0]][entry[1]], search) for entry in planned
-    }
+    costs: dict[Any, float] = {entry: run_cost(felt[entry[0]][entry[1]], search) for entry in planned}
     for k, (wall, _) in enumerate(walls):
         if demand:
             ties = wall.tie_height_m is not None
             costs["check", k] = check_cost(felt[k], len(signs[k]), floors[k] is not None, ties)
         if chosen.accuracy:
-            costs["accuracy", k] = STATEMENT * max(
-                (run_cost(m, search) for m in felt[k]), default=1.0
-            )
+            costs["accuracy", k] = STATEMENT * max((run_cost(m, search) for m in felt[k]), default=1.0)
     progress = Progress(costs, on_progress)
     try:
         threads = Threads(jobs, cancelled)
@@ -117,9 +113,7 @@ def run(
             one = run_result(models[wall], felt[wall][number], number, polarity, found[entry])
             by_wall.setdefault(wall, []).append(one)
         results = [
-            wall_result(
-                part, mechanism, models[k], by_wall.get(k, []), motions, search, demand, floors[k]
-            )
+            wall_result(part, mechanism, models[k], by_wall.get(k, []), motions, search, demand, floors[k])
             for k, (part, mechanism) in enumerate(entries)
         ]
         if demand:
@@ -160,10 +154,7 @@ def run(
                 for k, wall in enumerate(results)
             }
             outcomes = threads.run(states, lambda k, _: None)
-            results = [
-                replace(wall, assessment=replace(done[k], states=outcomes[k]))
-                for k, wall in enumerate(results)
-            ]
+            results = [replace(wall, assessment=replace(done[k], states=outcomes[k])) for k, wall in enumerate(results)]
             demand = replace(demand, warnings=(*demand.warnings, *unsaid(demand, by_state)))
             results = with_variants_alone(with_governing_tie(results))
         if chosen.accuracy:
@@ -171,9 +162,7 @@ def run(
                 k: lambda stop, wall=wall: accuracy_of(wall, motions, method, search, stop)
                 for k, wall in enumerate(results)
             }
-            done = threads.run(
-                statements, lambda k, found: progress.done(("accuracy", k), found is not None)
-            )
+            done = threads.run(statements, lambda k, found: progress.done(("accuracy", k), found is not None))
             results = [replace(wall, accuracy=done[k]) for k, wall in enumerate(results)]
     finally:
         cache.record(cache.folder())
@@ -181,10 +170,18 @@ def run(
             book.close()
     elapsed = (datetime.datetime.now(datetime.UTC) - started).total_seconds()
     return StudyResult(
-        case, started.isoformat(timespec="seconds"), method, search, demand,
-        tuple(motions), tuple(kinds), tuple(results), rules, elapsed,
+        case,
+        started.isoformat(timespec="seconds"),
+        method,
+        search,
+        demand,
+        tuple(motions),
+        tuple(kinds),
+        tuple(results),
+        rules,
+        elapsed,
         wall_verdicts(case, tuple(results)),
-    )  # fmt: skip
+    )
 
 
 def accuracy_of(wall: WallResult, motions, method, search, cancelled) -> Accuracy | None:
@@ -193,13 +190,8 @@ def accuracy_of(wall: WallResult, motions, method, search, cancelled) -> Accurac
     if lowest is None:
         return None
     motion = (wall.floor.motions if wall.floor else motions)[lowest.motion]
-    other = next(
-        (r.ida.q for r in wall.runs if r.motion == lowest.motion and r.polarity != lowest.polarity),
-        None,
-    )
-    return accuracy(
-        motion, lowest.polarity, lowest.ida, other, wall.model, method, search, cancelled
-    )
+    other = next((r.ida.q for r in wall.runs if r.motion == lowest.motion and r.polarity != lowest.polarity), None)
+    return accuracy(motion, lowest.polarity, lowest.ida, other, wall.model, method, search, cancelled)
 
 
 def warm(case: Case, motion: GroundMotion) -> None:
@@ -235,9 +227,7 @@ def polarities_of(model: RockingModel, asked: str) -> tuple[int, ...]:
 
 def _model(wall: Wall, mechanism: str) -> RockingModel:
     one_sided = mechanism == "one_sided"
-    return rocking_model(
-        wall.block(), one_sided, wall.restitution_of(mechanism), wall.moment_law(), wall.restoring()
-    )
+    return rocking_model(wall.block(), one_sided, wall.restitution_of(mechanism), wall.moment_law(), wall.restoring())
 
 
 def _run_all(planned, models, felt, method, search, threads, book, progress: Progress):
@@ -248,9 +238,8 @@ def _run_all(planned, models, felt, method, search, threads, book, progress: Pro
         wall, record, polarity = entry
         motion = felt[wall][record]
         return lambda stop: incremental_dynamic_analysis(
-            motion.acceleration, motion.time_step, motion.pga, polarity, models[wall], method, search,
-            stop,
-        )  # fmt: skip
+            motion.acceleration, motion.time_step, motion.pga, polarity, models[wall], method, search, stop
+        )
 
     for entry in planned:
         wall, record, polarity = entry

@@ -27,9 +27,7 @@ def numbers() -> list[str]:
     for one_sided, law in ((False, "rigid"), (True, "doherty")):
         model = rocking_model(block, one_sided, restitution(block, "housner"), LAWS[law])
         ground, pga, method = motion.acceleration, motion.pga, METHODS["taylor"]
-        run = incremental_dynamic_analysis(
-            ground, 0.01, pga, 1, model, method, Search(q_limit=20.0)
-        )
+        run = incremental_dynamic_analysis(ground, 0.01, pga, 1, model, method, Search(q_limit=20.0))
         found += [value if value is not None else math.nan for value in (run.q, run.q_slv)]
         scale = float(multiplier_of(1.2, pga, threshold_of(model)))
         found += list(history(ground, 0.01, scale, model, method).rotation[::40])

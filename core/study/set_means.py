@@ -33,9 +33,7 @@ class MotionValue:
     def pi(self) -> float:
         """Pi = p^2 SI / PGA [-]."""
         motion = self.entry.motion
-        return dimensionless_intensity(
-            self.cell.wall.block().p2, motion.housner_intensity, motion.pga
-        )
+        return dimensionless_intensity(self.cell.wall.block().p2, motion.housner_intensity, motion.pga)
 
     @property
     def q_eff(self) -> float:
@@ -87,9 +85,7 @@ def motion_values(result: ParametricResult) -> list[MotionValue]:
         runs.setdefault((row.cell, row.motion), []).append(row)
 
     def lower(rows: list[Row], name: str) -> float | None:
-        return min(
-            (value for row in rows if (value := getattr(row, name)) is not None), default=None
-        )
+        return min((value for row in rows if (value := getattr(row, name)) is not None), default=None)
 
     return [
         MotionValue(
@@ -122,15 +118,7 @@ def set_means(result: ParametricResult, values: Iterable[MotionValue]) -> list[S
         if known and all(entry.complete for entry in members):
             quantities = {name: mean(members, name) for name in (*QUANTITIES, "q_recorded")}
             scatter = stdev(known) / fmean(known) if len(known) > 1 else 0.0
-            means.append(
-                SetMean(
-                    cell,
-                    spectra[spectrum],
-                    scatter=scatter,
-                    numbers=len(known),
-                    **quantities,
-                )
-            )
+            means.append(SetMean(cell, spectra[spectrum], scatter=scatter, numbers=len(known), **quantities))
     return means
 
 
@@ -144,6 +132,5 @@ def chosen(entries: Iterable, keep: Callable[[Cell], bool] = lambda cell: True, 
     return [
         entry
         for entry in entries
-        if keep(entry.cell)
-        and all(getattr(entry.cell, key) == value for key, value in wanted.items())
+        if keep(entry.cell) and all(getattr(entry.cell, key) == value for key, value in wanted.items())
     ]

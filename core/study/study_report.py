@@ -17,29 +17,16 @@ def report_of(result: ParametricResult) -> StudyReport:
 
     values = motion_values(result)
     sets = set_means(result, values)
-    notes = (
-        [say("Short run: fewer motions and heights, and without what takes long.")]
-        if result.quick
-        else []
-    )
+    notes = [say("Short run: fewer motions and heights, and without what takes long.")] if result.quick else []
     if result.restored:
         notes.append(
-            say(
-                "{n} runs were finished by an earlier start; the time is that of this one.",
-                n=result.restored,
-            )
+            say("{n} runs were finished by an earlier start; the time is that of this one.", n=result.restored)
         )
     if any(row.cell.mechanism == "one_sided" for row in result.rows):
-        notes.append(
-            say(
-                "One-sided walls: the lower q of both signs of each motion, unless it says as recorded."
-            )
-        )
+        notes.append(say("One-sided walls: the lower q of both signs of each motion, unless it says as recorded."))
     without = sum(row.q is None for row in result.rows)
     if without:
-        notes.append(
-            say("{n} of {of} runs have no number and are left out.", n=without, of=len(result.rows))
-        )
+        notes.append(say("{n} of {of} runs have no number and are left out.", n=without, of=len(result.rows)))
     if result.refused:
         notes.append(
             say(
@@ -68,9 +55,7 @@ def report_of(result: ParametricResult) -> StudyReport:
         result.study.title,
         tuple(notes),
         tuple(_grid_figures(values, sets, say)),
-        tuple(
-            table for table in (_grid_table(sets, say), _motion_table(values, say)) if table.rows
-        ),
+        tuple(table for table in (_grid_table(sets, say), _motion_table(values, say)) if table.rows),
     )
 
 
@@ -94,32 +79,14 @@ def _grid_figures(values: list[MotionValue], sets: list[SetMean], say) -> list[F
                 ]
                 series.append(curve(f"{alpha:g}°, {spectrum}", points, LINE_POINTS, color))
         if series:
-            figures.append(
-                Figure(
-                    f"q_height_{k}",
-                    say("q against H") + f": {kind}",
-                    "H [m]",
-                    "q [-]",
-                    tuple(series),
-                )
-            )
-        single = [
-            (entry.pi, entry.q) for entry in values if _name(entry) == kind and entry.q is not None
-        ]
+            figures.append(Figure(f"q_height_{k}", say("q against H") + f": {kind}", "H [m]", "q [-]", tuple(series)))
+        single = [(entry.pi, entry.q) for entry in values if _name(entry) == kind and entry.q is not None]
         if single:
             chart = (scatter(say("single motions"), single, 7),)
             if ours:
                 chart += (scatter(say("means of sets"), [(entry.pi, entry.q) for entry in ours]),)
             figures.append(
-                Figure(
-                    f"q_pi_{k}",
-                    say("q against Π = p² SI/PGA") + f": {kind}",
-                    "Π [-]",
-                    "q [-]",
-                    chart,
-                    True,
-                    True,
-                )
+                Figure(f"q_pi_{k}", say("q against Π = p² SI/PGA") + f": {kind}", "Π [-]", "q [-]", chart, True, True)
             )
     return figures
 
@@ -180,16 +147,5 @@ def _motion_table(values: list[MotionValue], say) -> Table:
         for e in values
         if e.entry.seed is None
     )
-    head = (
-        "α [°]",
-        "H [m]",
-        say("wall"),
-        say("motion"),
-        "PGA [g]",
-        "SI [cm]",
-        "Π",
-        "q",
-        "q SLV",
-        say("q robust"),
-    )
+    head = ("α [°]", "H [m]", say("wall"), say("motion"), "PGA [g]", "SI [cm]", "Π", "q", "q SLV", say("q robust"))
     return Table("motions", say("Single motions"), head, rows)

@@ -18,11 +18,7 @@ class Threads:
     def __init__(self, jobs: int, cancelled: Callable[[], bool]):
         self.jobs, self.cancelled = max(1, jobs), cancelled
 
-    def run(
-        self,
-        tasks: Mapping[Any, Callable],
-        on_result: Callable[[Any, Any], None],
-    ) -> dict:
+    def run(self, tasks: Mapping[Any, Callable], on_result: Callable[[Any, Any], None]) -> dict:
         """Results by key of `task(stop)`; on_result(key, result) from the calling thread.
 
         Raises Cancelled within 0.1 s of a cancel and a task's stop, and whatever a task raises.

@@ -58,10 +58,7 @@ def with_tie(wall: Wall, force: float) -> Wall:
 
 
 def tie_design(
-    wall: Wall,
-    bare: tuple[float, bool],
-    check: str,
-    judged_with: Callable[[float, int], tuple[float | None, bool]],
+    wall: Wall, bare: tuple[float, bool], check: str, judged_with: Callable[[float, int], tuple[float | None, bool]]
 ) -> TieDesign:
     """The least force by bisection: the moment a tie adds grows with its force, and zeta with the moment. Since whether
     the rule of the dynamic check holds is not monotone, the force found is raised until it does, and a little more.
@@ -73,9 +70,7 @@ def tie_design(
     if bare[1]:
         return _found(wall, check, 0.0, bare[0], largest)
     zeta, sure = judged_with(largest, COARSE_EVERY) if largest > 0.0 else bare
-    while (
-        zeta is None and largest > 1.0
-    ):  # a free element so stiff that it does not rock has no linear check
+    while zeta is None and largest > 1.0:  # a free element so stiff that it does not rock has no linear check
         largest *= 0.5
         zeta, sure = judged_with(largest, COARSE_EVERY)
     if not sure:
@@ -114,12 +109,4 @@ def _found(wall, check, force, zeta, largest) -> TieDesign:
     tie = (largest if force is None else force) * wall.tie_height_m
     pushing = weight * bare.centroid[1]
     pushing += sum(mass.mass * G * mass.height for mass in wall_loads.masses(wall))
-    return TieDesign(
-        wall.tie_height_m,
-        check,
-        force,
-        zeta,
-        largest,
-        (weight * bare.centroid[0], loads, tie),
-        pushing,
-    )
+    return TieDesign(wall.tie_height_m, check, force, zeta, largest, (weight * bare.centroid[0], loads, tie), pushing)

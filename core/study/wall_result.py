@@ -84,9 +84,7 @@ def _per_record(
     )
 
 
-def wall_result(
-    part: Part, mechanism, model, runs, motions, search, demand, floor=None
-) -> WallResult:
+def wall_result(part: Part, mechanism, model, runs, motions, search, demand, floor=None) -> WallResult:
     """Everything of one wall and mechanism from its runs; an incomplete set has no values.
 
     motions : of the ground; floor : Floor of a wall above it
@@ -136,9 +134,7 @@ def wall_result(
         estimated = estimates(block, restitution, law, one_sided, demand.intensity, demand.pga)
     law_of_si = None
     if not wall.above_ground:
-        law_of_si = closed_forms.fit_power_law(
-            [entry.intensity for entry in with_q], [entry.q_eff for entry in with_q]
-        )
+        law_of_si = closed_forms.fit_power_law([entry.intensity for entry in with_q], [entry.q_eff for entry in with_q])
     fragile = fragility([run.ida for run in runs], search)
     return WallResult(
         part=part,
@@ -251,9 +247,7 @@ def _power_law_notices(wall, with_q, power_law) -> list[Sentence]:
     return [notice("narrow_si", low=low, high=high)] if high < NARROW_SI * low else []
 
 
-def _form_notices(
-    wall, block, mechanism, restitution, law, per_record, demand, checks
-) -> list[Sentence]:
+def _form_notices(wall, block, mechanism, restitution, law, per_record, demand, checks) -> list[Sentence]:
     """On the closed forms, which are not shown above the ground or with loads."""
     if not wall.has_closed_forms:
         return [notice("no_closed_forms")] if wall.load and not wall.above_ground else []

@@ -52,11 +52,7 @@ class Scene:
 def model_of(wall: Wall, mechanism: str) -> RockingModel:
     """The rocking model of a wall."""
     return rocking_model(
-        wall.block(),
-        mechanism == "one_sided",
-        wall.restitution_of(mechanism),
-        wall.moment_law(),
-        wall.restoring(),
+        wall.block(), mechanism == "one_sided", wall.restitution_of(mechanism), wall.moment_law(), wall.restoring()
     )
 
 
@@ -71,18 +67,20 @@ def zeta_with(
     changed = replace(scene, **changes)
     wall, demand, decides = changed.wall, changed.demand, changed.decides
     floor = scene.floor
-    if (changed.building, wall.base_z_m, demand) != (
-        scene.building,
-        scene.wall.base_z_m,
-        scene.demand,
-    ):
+    if (changed.building, wall.base_z_m, demand) != (scene.building, scene.wall.base_z_m, scene.demand):
         floor = floor_of(wall, changed.building, demand, changed.ground)
     if decides.name == "dynamic":
         motions = list(floor.motions if floor else changed.ground)
         dynamic = changed.dynamic_check(
-            model_of(wall, changed.mechanism), motions, changed.polarities, demand, changed.method,
-            every, False, cancelled,
-        )  # fmt: skip
+            model_of(wall, changed.mechanism),
+            motions,
+            changed.polarities,
+            demand,
+            changed.method,
+            every,
+            False,
+            cancelled,
+        )
         return dynamic.zeta, dynamic.passed and not dynamic.within_spread(demand.zeta_target)
     moved = kinematic_of(wall, changed.mechanism, demand, floor.spectrum if floor else None)
     if decides.name == "nonlinear":
@@ -95,10 +93,7 @@ def zeta_with(
 
 
 def lifts(
-    scene: Scene,
-    asked: Demand,
-    checks: tuple[Check, ...],
-    cancelled: Callable[[], bool] = lambda: False,
+    scene: Scene, asked: Demand, checks: tuple[Check, ...], cancelled: Callable[[], bool] = lambda: False
 ) -> tuple[Lift, ...]:
     """The inputs of a wall that raise zeta, each with zeta at the other end of its range. asked : of the case."""
     found: list[Lift] = []
@@ -133,12 +128,29 @@ def lifts(
         high = zeta(wall=replace(wall, restitution=None, velocity_ratio=more))
         by_theory = zeta(wall=theory)
         key = "velocity_ratio" if model == "user" else "restitution"
-        add(key, "lift_velocity_ratio", [high[1], by_theory[1]], of_wall, e=given, more=more,
-            zeta_more=Number(high[0]), theory=ratio, zeta_theory=Number(by_theory[0]))  # fmt: skip
+        add(
+            key,
+            "lift_velocity_ratio",
+            [high[1], by_theory[1]],
+            of_wall,
+            e=given,
+            more=more,
+            zeta_more=Number(high[0]),
+            theory=ratio,
+            zeta_theory=Number(by_theory[0]),
+        )
     if demand.confidence_factor < FULL_FACTOR:
         full = zeta(demand=replace(demand, confidence_factor=FULL_FACTOR))
-        add("confidence_factor", "lift_confidence_factor", [full[1]], of_demand, fc=demand.confidence_factor,
-            level=asked.knowledge_level or "", investigations=asked.investigations, zeta=full[0])  # fmt: skip
+        add(
+            "confidence_factor",
+            "lift_confidence_factor",
+            [full[1]],
+            of_demand,
+            fc=demand.confidence_factor,
+            level=asked.knowledge_level or "",
+            investigations=asked.investigations,
+            zeta=full[0],
+        )
     if q_check is not None and q_check.q > CODE_Q:
         lower = q_check.zeta * CODE_Q / q_check.q
         fine = lower >= demand.zeta_target - ROUNDING
@@ -152,9 +164,7 @@ def lifts(
     if wall.free_element is False and scene.mechanism == "two_sided" and q_check is not None:
         as_free = zeta_with(replace(scene, decides=q_check), wall=replace(wall, free_element=True))
         others = [as_free[1]] if scene.decides is q_check else []
-        add(
-            "free_element", "lift_free_element", others, of_wall, zeta=as_free[0], of_q=[as_free[1]]
-        )
+        add("free_element", "lift_free_element", others, of_wall, zeta=as_free[0], of_q=[as_free[1]])
     if wall.above_ground and scene.building is not None:
         _of_the_building(scene, demand, add, zeta, of_wall, of_demand)
     return tuple(found)
@@ -170,8 +180,7 @@ def _of_the_building(scene: Scene, demand, add, zeta, of_wall, of_demand) -> Non
         found = zeta(building=replace(building, period_factor=factor, **change))
         given = building.modes or (building.period_factor, building.damping) != (None, None)
         others = [found[1]] if given else []
-        add("building", "other_building", others, of_demand, factor=factor, damping=damping,
-            zeta=found[0])  # fmt: skip
+        add("building", "other_building", others, of_demand, factor=factor, damping=damping, zeta=found[0])
     centroid = min(wall.base_z_m + 0.5 * (wall.height_m or wall.block().height), building.height_m)
     if not building.modes and centroid > wall.base_z_m:
         found = zeta(wall=replace(wall, base_z_m=centroid))
@@ -183,10 +192,14 @@ def _of_the_building(scene: Scene, demand, add, zeta, of_wall, of_demand) -> Non
         )
         given = building.modes[0].participation
         if abs(given) < abs(expected.participation):
-            modes = (
-                replace(building.modes[0], participation=expected.participation),
-                *building.modes[1:],
-            )
+            modes = (replace(building.modes[0], participation=expected.participation), *building.modes[1:])
             found = zeta(building=replace(building, modes=modes))
-            add("participation", "lift_participation", [found[1]], of_demand, given=given,
-                expected=expected.participation, zeta=found[0])  # fmt: skip
+            add(
+                "participation",
+                "lift_participation",
+                [found[1]],
+                of_demand,
+                given=given,
+                expected=expected.participation,
+                zeta=found[0],
+            )

@@ -1,14 +1,8 @@
 """Errors of files of several channels, of archives and of the dialects of the world's networks."""
 
 CHANNEL_ERRORS = {
-    "which_channel": (
-        "{n} channels here, give {key}: {channels}",
-        "{n} canali qui, indicare {key}: {channels}",
-    ),
-    "no_such_channel": (
-        "no channel {given} here: {channels}",
-        "nessun canale {given} qui: {channels}",
-    ),
+    "which_channel": ("{n} channels here, give {key}: {channels}", "{n} canali qui, indicare {key}: {channels}"),
+    "no_such_channel": ("no channel {given} here: {channels}", "nessun canale {given} qui: {channels}"),
     "one_channel": (
         "this {format} file has one channel, not {given}: leave {channel} out",
         "questo file {format} ha un solo canale, non {given}: togliere {channel}",
@@ -21,10 +15,7 @@ CHANNEL_ERRORS = {
         "the head does not give {label} as this format does: download the file again",
         "l'intestazione non dà {label} come vuole questo formato: scaricare di nuovo il file",
     ),
-    "not_one_number": (
-        "{label} is {text}, not one number",
-        "{label} è {text}, non un numero",
-    ),
+    "not_one_number": ("{label} is {text}, not one number", "{label} è {text}, non un numero"),
     "not_whole": (
         "{n} samples, not as many as the head declares: the file is cut or something was added",
         "{n} campioni, non quanti ne dichiara l'intestazione: il file è troncato o vi è stato aggiunto qualcosa",

@@ -17,14 +17,8 @@ PLACES = {
 ACCEPTED = {
     "from": ("from {low:g} to {high:g}{unit}", "da {low:g} a {high:g}{unit}"),
     "above": ("above {low:g} to {high:g}{unit}", "sopra {low:g} fino a {high:g}{unit}"),
-    "whole": (
-        "a whole number from {low:g} to {high:g}{unit}",
-        "un numero intero da {low:g} a {high:g}{unit}",
-    ),
-    "channel_key": (
-        "the name of a channel, or its number from 1",
-        "il nome di un canale, o il suo numero da 1",
-    ),
+    "whole": ("a whole number from {low:g} to {high:g}{unit}", "un numero intero da {low:g} a {high:g}{unit}"),
+    "channel_key": ("the name of a channel, or its number from 1", "il nome di un canale, o il suo numero da 1"),
     "channel": ('"{name}"', '"{name}"'),
     "more_channels": ("{n} more", "altri {n}"),
     "vertical_channel": ('"{name}" (vertical)', '"{name}" (verticale)'),
@@ -33,10 +27,7 @@ ACCEPTED = {
         "one of {names}, or {{ elastic_limit = ..., plateau_end = ... }}",
         "uno fra {names}, oppure {{ elastic_limit = ..., plateau_end = ... }}",
     ),
-    "list": (
-        "a list in brackets, each {items}",
-        "un elenco fra parentesi quadre, ciascuno {items}",
-    ),
+    "list": ("a list in brackets, each {items}", "un elenco fra parentesi quadre, ciascuno {items}"),
     "tables": ("one or more tables [[{name}]]", "una o più tabelle [[{name}]]"),
     "section": ("a table [{of}.{name}]", "una tabella [{of}.{name}]"),
     "hinges": (
@@ -73,9 +64,6 @@ ACCEPTED = {
     "without_line_end": ("without a line end", "senza fine riga"),
     "shorter_than_above": ("not as long as the numbers above it", "meno lungo dei numeri sopra"),
     "write_all_digits": ("write it with as many digits", "scriverlo con altrettante cifre"),
-    "end_last_line": (
-        "end the last line with a line break",
-        "terminare l'ultima riga con un a capo",
-    ),
+    "end_last_line": ("end the last line with a line break", "terminare l'ultima riga con un a capo"),
 }
 """What is accepted instead, and other parts: code -> (English, Italian)."""

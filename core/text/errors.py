@@ -38,8 +38,7 @@ CASE_ERRORS = {
     ),
     "two_decimal_marks": (
         "{text!r} has both a point and a comma: write it with one decimal mark and no thousands mark",
-        "{text!r} ha punto e virgola insieme: scriverlo con un solo segno decimale e senza separatore delle "
-        "migliaia",
+        "{text!r} ha punto e virgola insieme: scriverlo con un solo segno decimale e senza separatore delle migliaia",
     ),
     "not_a_number": ("{text!r} is not a number", "{text!r} non è un numero"),
     "number_too_large": ("{text!r} is too large a number", "{text!r} è un numero troppo grande"),
@@ -58,8 +57,7 @@ CASE_ERRORS = {
         "{hinge_setback_m}",
     ),
     "setback_too_large": (
-        "{key}: the hinge setback {setback:.3f} m is not accepted: up to {most:.3f} m, {share:.0f} % of the "
-        "thickness",
+        "{key}: the hinge setback {setback:.3f} m is not accepted: up to {most:.3f} m, {share:.0f} % of the thickness",
         "{key}: l'arretramento della cerniera di {setback:.3f} m non è ammesso: fino a {most:.3f} m, il "
         "{share:.0f} % dello spessore",
     ),
@@ -117,8 +115,7 @@ CASE_ERRORS = {
     ),
     "spectrum_range": (
         "covers {low:g} to {high:g} s: the range 0.1 to 2.5 s of the Housner intensity must be inside",
-        "copre da {low:g} a {high:g} s: l'intervallo da 0.1 a 2.5 s dell'intensità di Housner deve starci "
-        "dentro",
+        "copre da {low:g} a {high:g} s: l'intervallo da 0.1 a 2.5 s dell'intensità di Housner deve starci dentro",
     ),
     "spectrum_start": (
         "it starts at {start:.3f} g, but a_g S of the demand is {pga:.3f} g: give {ag_g} and {soil_factor} of "
@@ -179,10 +176,7 @@ CASE_ERRORS = {
         "this file is no journal of Ribalta and stays as it is: rename it, or give another --output",
         "questo file non è un registro di Ribalta e resta com'è: rinominarlo, o indicare un altro --output",
     ),
-    "journal_not_writable": (
-        "the journal cannot be written: {reason}",
-        "il registro non si può scrivere: {reason}",
-    ),
+    "journal_not_writable": ("the journal cannot be written: {reason}", "il registro non si può scrivere: {reason}"),
     "batch_running": (
         "another batch is writing these results: wait for it, or give another --output",
         "un altro calcolo sta scrivendo questi risultati: attenderlo, o indicare un altro --output",
@@ -209,14 +203,8 @@ CASE_ERRORS = {
         "rettangolari; indicare {velocity_ratio} 1, il limite senza perdite ({one_sided_theoretical} dissipa più di "
         "quanto trovato con l'Eq. 7)",
     ),
-    "not_accepted": (
-        "{key} = {value} is not accepted: {accepted}",
-        "{key} = {value} non è ammesso: {accepted}",
-    ),
-    "missing": (
-        "{key} is missing: it is required ({accepted})",
-        "manca {key}: è richiesto ({accepted})",
-    ),
+    "not_accepted": ("{key} = {value} is not accepted: {accepted}", "{key} = {value} non è ammesso: {accepted}"),
+    "missing": ("{key} is missing: it is required ({accepted})", "manca {key}: è richiesto ({accepted})"),
     "ends_not_accepted": (
         "{elastic_limit} = {first}, {plateau_end} = {last} are not accepted: {least:g} <= {elastic_limit} <= "
         "{plateau_end} < 1",
@@ -235,8 +223,7 @@ CASE_ERRORS = {
         "delle cerniere",
     ),
     "hinges_need_rectangle": (
-        "hinges above the base need a wall by its {height_m}: give it; a wall without it is checked at its base "
-        "alone",
+        "hinges above the base need a wall by its {height_m}: give it; a wall without it is checked at its base alone",
         "cerniere sopra la base richiedono una parete data con {height_m}: indicarla; senza, la parete è verificata "
         "solo alla base",
     ),
@@ -270,10 +257,7 @@ CASE_ERRORS = {
         "{section_generate} genera moti compatibili con lo spettro della domanda: indicare "
         "{section_demand_spectrum} o {spectrum_file}",
     ),
-    "no_wall": (
-        "no [[wall]]: a case needs at least one wall",
-        "nessuna [[wall]]: un caso richiede almeno una parete",
-    ),
+    "no_wall": ("no [[wall]]: a case needs at least one wall", "nessuna [[wall]]: un caso richiede almeno una parete"),
     "two_spectra": (
         "give {spectrum} or {spectrum_file}, not both",
         "indicare {spectrum} o {spectrum_file}, non entrambi",
@@ -337,10 +321,7 @@ CASE_ERRORS = {
         'method linearised is for the rigid law; wall "{wall}" is trilinear: take method auto',
         'il metodo linearised è per la legge rigida; la parete "{wall}" è trilineare: usare il metodo auto',
     ),
-    "unknown_key": (
-        "unknown key {value}; known: {known}",
-        "chiave sconosciuta {value}; note: {known}",
-    ),
+    "unknown_key": ("unknown key {value}; known: {known}", "chiave sconosciuta {value}; note: {known}"),
     "unknown_key_near": (
         "unknown key {value}; did you mean {near}?",
         "chiave sconosciuta {value}; si intendeva {near}?",
@@ -371,10 +352,7 @@ CASE_ERRORS = {
         "{path} is no Word document: name a file that ends in .docx",
         "{path} non è un documento Word: indicare un file che termina in .docx",
     ),
-    "packages_missing": (
-        "{work} needs {packages} ({reason}): {way}",
-        "{work} richiede {packages} ({reason}): {way}",
-    ),
+    "packages_missing": ("{work} needs {packages} ({reason}): {way}", "{work} richiede {packages} ({reason}): {way}"),
     "picture_not_made": ("The picture cannot be made.", "Non è possibile creare l'immagine."),
 }
 """Of cases, settings, spectra and results: code -> (English, Italian). A placeholder without a value is a key of the

@@ -16,10 +16,7 @@ FILE_ERRORS = {
         "una tabella di pareti ha una riga di intestazioni (Parete; H; t; Meccanismo), una di unità (; m; "
         "cm;) salvo che le intestazioni le indichino, come H (m), e una per parete",
     ),
-    "table_too_large": (
-        "more than {rows} rows or {columns} columns",
-        "più di {rows} righe o {columns} colonne",
-    ),
+    "table_too_large": ("more than {rows} rows or {columns} columns", "più di {rows} righe o {columns} colonne"),
     "table_not_a_file": (
         "this is not a file: name a table of walls",
         "questo non è un file: indicare una tabella di pareti",
@@ -62,34 +59,22 @@ FILE_ERRORS = {
         "{cells}: each cell that is read holds a value of its own; unmerge, correct, or paste as values",
         "{cells}: ogni cella che si legge contiene un valore proprio; separare, correggere o incollare come valori",
     ),
-    "value_beyond_columns": (
-        "there is a value beyond the last column",
-        "c'è un valore oltre l'ultima colonna",
-    ),
+    "value_beyond_columns": ("there is a value beyond the last column", "c'è un valore oltre l'ultima colonna"),
     "unknown_column": (
         "the column {column!r} is not known: Parete, Piano, z, H, t, L, peso specifico, u, meccanismo, "
         "vincolo, note, or a key of [[wall]] ({known})",
         "la colonna {column!r} non è nota: Parete, Piano, z, H, t, L, peso specifico, u, meccanismo, vincolo, "
         "note, o una chiave di [[wall]] ({known})",
     ),
-    "column_twice": (
-        "the column {column!r} stands there twice",
-        "la colonna {column!r} c'è due volte",
-    ),
+    "column_twice": ("the column {column!r} stands there twice", "la colonna {column!r} c'è due volte"),
     "unknown_unit": (
         "the unit {unit!r} of the column {column} is not accepted: one of {known} in the row below "
         "the heads, or in brackets in the head",
         "l'unità {unit!r} della colonna {column} non è ammessa: una fra {known} nella riga sotto le "
         "intestazioni, o fra parentesi nell'intestazione",
     ),
-    "table_word": (
-        "{text!r} is not accepted: one of {known}",
-        "{text!r} non è ammesso: una fra {known}",
-    ),
-    "not_yes_or_no": (
-        "{text!r} is not accepted: sì, yes, x or no",
-        "{text!r} non è ammesso: sì, yes, x oppure no",
-    ),
+    "table_word": ("{text!r} is not accepted: one of {known}", "{text!r} non è ammesso: una fra {known}"),
+    "not_yes_or_no": ("{text!r} is not accepted: sì, yes, x or no", "{text!r} non è ammesso: sì, yes, x oppure no"),
     "table_kind": ("a table of walls is .xlsx or .csv", "una tabella di pareti è .xlsx o .csv"),
     "two_units_of_column": (
         "the column {column!r} names {named}, the row of units below it {unit}: correct one of them",
@@ -109,18 +94,12 @@ FILE_ERRORS = {
         "tutti i campioni sono zero: questo accelerogramma non muove nulla",
     ),
     "empty_file": ("the file is empty", "il file è vuoto"),
-    "too_many_numbers": (
-        "more than {n} numbers are no accelerogram",
-        "più di {n} numeri non sono un accelerogramma",
-    ),
+    "too_many_numbers": ("more than {n} numbers are no accelerogram", "più di {n} numeri non sono un accelerogramma"),
     "last_line_cut": (
         "samples of the last line are missing and it has no line end: the file is cut",
         "mancano campioni nell'ultima riga, che non ha fine riga: il file è troncato",
     ),
-    "unit_not_accepted": (
-        "{unit} = {given!r} is not accepted: {known}",
-        "{unit} = {given!r} non ammessa: {known}",
-    ),
+    "unit_not_accepted": ("{unit} = {given!r} is not accepted: {known}", "{unit} = {given!r} non ammessa: {known}"),
     "peak_too_large": (
         "the peak would be {pga:.3g} g, beyond any earthquake (20 g): velocity, a count of samples on top, or "
         "another unit?",
@@ -153,16 +132,11 @@ FILE_ERRORS = {
         "file = {pattern!r} non è ammesso come modello: {reason}",
     ),
     "two_units": (
-        "the header speaks of two units, {one} in {first} and {other} in {second}: leave the one of the "
-        "samples",
-        "l'intestazione parla di due unità, {one} in {first} e {other} in {second}: lasciare quella dei "
-        "campioni",
+        "the header speaks of two units, {one} in {first} and {other} in {second}: leave the one of the samples",
+        "l'intestazione parla di due unità, {one} in {first} e {other} in {second}: lasciare quella dei campioni",
     ),
     "token_too_large": ("{text} is too large for a number", "{text} è troppo grande per un numero"),
-    "sample_nan": (
-        "sample {n} is NaN: a gap in the record",
-        "il campione {n} è NaN: un buco nell'accelerogramma",
-    ),
+    "sample_nan": ("sample {n} is NaN: a gap in the record", "il campione {n} è NaN: un buco nell'accelerogramma"),
     "count_differs": (
         "{n} samples, but the header declares {declared}",
         "{n} campioni, ma l'intestazione ne dichiara {declared}",
@@ -188,8 +162,7 @@ FILE_ERRORS = {
     ),
     "esm_peak": (
         "UNITS {unit} gives a peak of {read:.4g} cm/s2, PGA_CM/S^2 states {stated:.4g}: one of them is wrong",
-        "UNITS {unit} dà un picco di {read:.4g} cm/s2, PGA_CM/S^2 dichiara {stated:.4g}: uno dei due è "
-        "sbagliato",
+        "UNITS {unit} dà un picco di {read:.4g} cm/s2, PGA_CM/S^2 dichiara {stated:.4g}: uno dei due è sbagliato",
     ),
     "esm_duration": (
         "DURATION_S is {duration:g} s, but {n} samples of SAMPLING_INTERVAL_S = {step:g} s are {covered:g} s: "
@@ -261,14 +234,8 @@ FILE_ERRORS = {
         "a line holds several pairs of time and acceleration: write one pair a line",
         "una riga contiene più coppie di tempo e accelerazione: scrivere una coppia per riga",
     ),
-    "not_a_count": (
-        "{label} is {text}, not a count of samples",
-        "{label} è {text}, non un numero di campioni",
-    ),
-    "not_a_time_step": (
-        "{label} is {text}, not a time step in seconds",
-        "{label} è {text}, non un passo in secondi",
-    ),
+    "not_a_count": ("{label} is {text}, not a count of samples", "{label} è {text}, non un numero di campioni"),
+    "not_a_time_step": ("{label} is {text}, not a time step in seconds", "{label} è {text}, non un passo in secondi"),
     "peer_quantity": (
         "this file holds {quantity}: take the acceleration file (.AT2)",
         "questo file contiene {quantity}: usare il file di accelerazione (.AT2)",
@@ -306,10 +273,7 @@ FILE_ERRORS = {
         "la colonna 1 non cresce: non è il tempo; una colonna sola si legge con {time_step_s}, e la virgola "
         "decimale richiede ; o tabulazione fra le colonne",
     ),
-    "gap": (
-        "{text} is not numbers: a gap in the record?",
-        "{text} non sono numeri: un buco nell'accelerogramma?",
-    ),
+    "gap": ("{text} is not numbers: a gap in the record?", "{text} non sono numeri: un buco nell'accelerogramma?"),
     "columns_differ": (
         "{n} columns, {above} above it; text lines on top can be passed over with {skip_lines}",
         "{n} colonne, {above} in quella sopra; le righe di testo in testa si saltano con {skip_lines}",
@@ -329,8 +293,7 @@ FILE_ERRORS = {
     "base_missing": (
         "{key} is missing: with a demand the height of the hinge above the ground is required, 0 m for a wall "
         "on the ground",
-        "manca {key}: con una domanda è richiesta la quota della cerniera dal suolo, 0 m per una parete al "
-        "suolo",
+        "manca {key}: con una domanda è richiesta la quota della cerniera dal suolo, 0 m per una parete al suolo",
     ),
     "no_unit": (
         "the file does not state its unit of acceleration: give {key} (g, m/s2, cm/s2 or mm/s2)",
@@ -340,10 +303,7 @@ FILE_ERRORS = {
         "the file does not state its time step: give {key} (in seconds)",
         "il file non dice il passo temporale: indicare {key} (in secondi)",
     ),
-    "no_match": (
-        "file = {pattern!r}: no file matches",
-        "file = {pattern!r}: nessun file corrisponde",
-    ),
+    "no_match": ("file = {pattern!r}: no file matches", "file = {pattern!r}: nessun file corrisponde"),
     "no_match_in": (
         "file = {pattern!r}: no file matches in {folder}",
         "file = {pattern!r}: nessun file corrisponde in {folder}",
@@ -361,10 +321,7 @@ FILE_ERRORS = {
         "{mb:.0f} MB is no case file (up to 2 MB)",
         "{mb:.0f} MB non sono un file di caso (fino a 2 MB)",
     ),
-    "toml_dotted": (
-        "not TOML: a key of more than {parts} parts",
-        "non è TOML: una chiave di oltre {parts} parti",
-    ),
+    "toml_dotted": ("not TOML: a key of more than {parts} parts", "non è TOML: una chiave di oltre {parts} parti"),
     "case_not_utf8": (
         "not UTF-8 text: a case file is TOML, see the examples",
         "non è testo UTF-8: un caso è TOML, vedere gli esempi",

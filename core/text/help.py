@@ -68,14 +68,11 @@ HELP = {
     "unit_weight_kn_m3": (
         "Unit weight of the masonry [kN/m3]. Weight of the wall, M*, T_0 and loads need it; q of a wall "
         "alone does not.",
-        "Peso specifico della muratura [kN/m3]. Serve per peso, M*, T_0 e carichi; non per il q di una "
-        "parete sola.",
+        "Peso specifico della muratura [kN/m3]. Serve per peso, M*, T_0 e carichi; non per il q di una parete sola.",
     ),
     "length_m": (
-        "Length L of the wall [m]: it gives the weight W for the report and spreads the friction of the "
-        "return walls.",
-        "Lunghezza L della parete [m]: dà il peso W per la relazione e ripartisce l'attrito dei muri "
-        "ortogonali.",
+        "Length L of the wall [m]: it gives the weight W for the report and spreads the friction of the return walls.",
+        "Lunghezza L della parete [m]: dà il peso W per la relazione e ripartisce l'attrito dei muri ortogonali.",
     ),
     "back_restraint": (
         "What stands behind a one-sided wall and holds it: transverse walls, floors; three letters or more. Without "
@@ -127,24 +124,20 @@ HELP = {
         "questo stato; un altro in cui la parete non è verificata sta fra i limiti.",
     ),
     "ag_g": (
-        "a_g on rigid ground, in g, without S; of the site and the return period of the limit state (NTC "
-        "2018 3.2).",
-        "a_g su suolo rigido, in g, senza S; del sito e del periodo di ritorno dello stato limite (NTC 2018"
-        " 3.2).",
+        "a_g on rigid ground, in g, without S; of the site and the return period of the limit state (NTC 2018 3.2).",
+        "a_g su suolo rigido, in g, senza S; del sito e del periodo di ritorno dello stato limite (NTC 2018 3.2).",
     ),
     "soil_factor": (
         "S = S_S S_T, ground and topography (NTC 2018 3.2.3). With the spectrum of a code it follows from "
         "the categories.",
-        "S = S_S S_T, sottosuolo e topografia (NTC 2018 3.2.3). Con lo spettro di norma segue dalle "
-        "categorie.",
+        "S = S_S S_T, sottosuolo e topografia (NTC 2018 3.2.3). Con lo spettro di norma segue dalle categorie.",
     ),
     "f0": (
         "F0: largest spectral amplification on rigid ground, of the site (NTC 2018, Annex B).",
         "F0: massima amplificazione spettrale su suolo rigido, del sito (NTC 2018, Allegato B).",
     ),
     "tc_star_s": (
-        "T_C*: start of the branch of constant velocity on rigid ground [s], of the site (NTC 2018, Annex "
-        "B).",
+        "T_C*: start of the branch of constant velocity on rigid ground [s], of the site (NTC 2018, Annex B).",
         "T_C*: inizio del tratto a velocità costante su suolo rigido [s], del sito (NTC 2018, Allegato B).",
     ),
     "soil": (
@@ -156,10 +149,8 @@ HELP = {
         "Categoria topografica da T1 a T4 (NTC 2018 Tab. 3.2.III): ne segue S_T.",
     ),
     "housner_intensity_cm": (
-        "Housner intensity SI: area under the 5 % pseudo-velocity from 0.1 to 2.5 s (Eq. 11), not divided "
-        "by 2.4.",
-        "Intensità di Housner SI: area sotto la pseudo-velocità al 5 % da 0,1 a 2,5 s (Eq. 11), non divisa "
-        "per 2,4.",
+        "Housner intensity SI: area under the 5 % pseudo-velocity from 0.1 to 2.5 s (Eq. 11), not divided by 2.4.",
+        "Intensità di Housner SI: area sotto la pseudo-velocità al 5 % da 0,1 a 2,5 s (Eq. 11), non divisa per 2,4.",
     ),
     "confidence_factor": (
         "Confidence factor FC: 1.35 where the compressive strength is not in the hinge (C8.7.1.2.1). A lower one "
@@ -213,10 +204,7 @@ HELP = {
         "Fattore di comportamento della verifica lineare: q = 2 (C8.7.1.2.1.7). Uno maggiore alza ζ: l'esito dà "
         "quello con q = 2, e chiede un motivo se questo lo capovolge.",
     ),
-    "nominal_life_years": (
-        "Nominal life V_N [years] (NTC 2018 2.4.1).",
-        "Vita nominale V_N [anni] (NTC 2018 2.4.1).",
-    ),
+    "nominal_life_years": ("Nominal life V_N [years] (NTC 2018 2.4.1).", "Vita nominale V_N [anni] (NTC 2018 2.4.1)."),
     "use_class_factor": (
         "Coefficient C_U of the class of use (NTC 2018 2.4.3).",
         "Coefficiente d'uso C_U della classe d'uso (NTC 2018 2.4.3).",
@@ -247,17 +235,10 @@ HELP = {
         "Passo della griglia geometrica di q: uno minore trova un primo collasso anticipato. q robusto ne "
         "dipende poco.",
     ),
-    "q_limit": (
-        "Largest q searched for a collapse.",
-        "Massimo q a cui si cerca un collasso.",
-    ),
-    "map_span": (
-        "How far beyond q the survival map goes on.",
-        "Di quanto la mappa di sopravvivenza prosegue oltre q.",
-    ),
+    "q_limit": ("Largest q searched for a collapse.", "Massimo q a cui si cerca un collasso."),
+    "map_span": ("How far beyond q the survival map goes on.", "Di quanto la mappa di sopravvivenza prosegue oltre q."),
     "robust_window": (
-        "Half-width of the neighbourhood of q robust: the smallest q around which 16 % of the points "
-        "collapse.",
+        "Half-width of the neighbourhood of q robust: the smallest q around which 16 % of the points collapse.",
         "Semiampiezza dell'intorno di q robusto: il minimo q attorno al quale collassa il 16 % dei punti.",
     ),
     "polarity": (
@@ -280,8 +261,7 @@ HELP = {
     ),
     "inertia_over_mass_m2": (
         "I_0/m: moment of inertia about the hinge over the mass [m2]; 4 R^2/3 of a rectangle (Eq. 1).",
-        "I_0/m: momento d'inerzia rispetto alla cerniera sulla massa [m2]; 4 R^2/3 di un rettangolo (Eq. "
-        "1).",
+        "I_0/m: momento d'inerzia rispetto alla cerniera sulla massa [m2]; 4 R^2/3 di un rettangolo (Eq. 1).",
     ),
     "storeys": (
         "Storeys of the building: the participation gamma of its first mode follows from them (C7.2.3).",

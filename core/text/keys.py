@@ -86,10 +86,7 @@ KEYS = {
     "key_storeys": ("storeys", "piani"),
     "key_period_s": ("period", "periodo"),
     "key_modes": ("modes", "modi"),
-    "key_period_factor": (
-        "period of the damaged building over the elastic one",
-        "periodo danneggiato su elastico",
-    ),
+    "key_period_factor": ("period of the damaged building over the elastic one", "periodo danneggiato su elastico"),
     "key_damping": ("damping", "smorzamento"),
     "key_participation": ("participation", "partecipazione"),
     "key_kn_m": ("intensity", "intensità"),

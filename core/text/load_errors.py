@@ -10,8 +10,7 @@ LOAD_ERRORS = {
     "loads_contradict": (
         "{key} says that the wall carries nothing, and it has loads: leave {key} out, or the loads if they are not "
         "there",
-        "{key} dichiara che la parete non porta nulla, ma ci sono carichi: togliere {key}, o i carichi se non "
-        "esistono",
+        "{key} dichiara che la parete non porta nulla, ma ci sono carichi: togliere {key}, o i carichi se non esistono",
     ),
     "load_mass_missing": (
         "a vertical load needs {key}: none where the mass is held elsewhere, horizontal where it pushes the wall, "

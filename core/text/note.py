@@ -4,9 +4,7 @@ NOTE = {
     "PGA used [g]": "PGA usata [g]",
     "Other walls: the derivations are on the sheet Check": "Altre pareti: le derivazioni sono nel foglio Verifica",
     "Annexes": "Allegati",
-    ", and the record nearest to the mean of the peaks": (
-        ", e l'accelerogramma più vicino alla media dei massimi"
-    ),
+    ", and the record nearest to the mean of the peaks": (", e l'accelerogramma più vicino alla media dei massimi"),
     "; behind it: {restraint}": "; a tergo: {restraint}",
     "; loads as arrows": "; carichi come frecce",
     "Calculation note: out-of-plane overturning of masonry walls (Circolare 7/2019, C8.7.1.2.1)": (

@@ -120,8 +120,7 @@ SENTENCES = {
     ),
     "ends_moving": (
         "The file declares no count and ends at {share:.0%} of its peak, not at rest: is its end cut off?",
-        "Il file non dichiara il numero di campioni e termina al {share:.0%} del picco, non in quiete: è "
-        "troncato?",
+        "Il file non dichiara il numero di campioni e termina al {share:.0%} del picco, non in quiete: è troncato?",
     ),
     "surplus_dropped": (
         "{count} surplus zeros or NaN at the end were dropped.",
@@ -182,8 +181,7 @@ SENTENCES = {
     ),
     "narrow_si": (
         "The power law of q_eff rests on SI from {low:.0f} to {high:.0f} cm only: no meaning outside.",
-        "La legge di potenza di q_eff si basa solo su SI da {low:.0f} a {high:.0f} cm: senza significato "
-        "fuori.",
+        "La legge di potenza di q_eff si basa solo su SI da {low:.0f} a {high:.0f} cm: senza significato fuori.",
     ),
     "trilinear_threshold": (
         "Trilinear law: q keeps a_RM = g tan(alpha), although the wall starts to move at once and its plateau "

@@ -146,9 +146,7 @@ REPORT = {
     "runs in which θc is exceeded": "analisi in cui θc è superato",
     "limit {limit_state}": "limite {limit_state}",
     "rule at the demand": "regola alla domanda",
-    "Compatibility of the records with the target spectrum": (
-        "Compatibilità degli accelerogrammi con lo spettro"
-    ),
+    "Compatibility of the records with the target spectrum": ("Compatibilità degli accelerogrammi con lo spettro"),
     "The set is compatible": "L'insieme è compatibile",
     "The set is not compatible": "L'insieme non è compatibile",
     (

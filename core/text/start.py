@@ -74,9 +74,7 @@ START = {
     "the installation was refused: a package served is not the one requirements.lock names": (
         "installazione rifiutata: un pacchetto ricevuto non è quello indicato da requirements.lock"
     ),
-    "{trouble} ({cause}); the whole output is in {log}": (
-        "{trouble} ({cause}); tutto il dettaglio è in {log}"
-    ),
+    "{trouble} ({cause}); the whole output is in {log}": ("{trouble} ({cause}); tutto il dettaglio è in {log}"),
     "no word": "nessun messaggio",
 }
 """English -> Italian."""

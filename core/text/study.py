@@ -63,10 +63,7 @@ STUDY = {
     "Study": "Studio",
     "Table 1: the spectra, our reconstruction": "Tabella 1: gli spettri, ricostruiti da noi",
     "Table 2: natural records, 6.8 degrees, 7 m": "Tabella 2: accelerogrammi naturali, 6,8 gradi, 7 m",
-    (
-        "The print gives PGA to 0.01 g: its rows of 0.02 and 0.03 g are uncertain by 17 to 25 % and cannot test "
-        "±20 %."
-    ): (
+    ("The print gives PGA to 0.01 g: its rows of 0.02 and 0.03 g are uncertain by 17 to 25 % and cannot test ±20 %."): (
         "La stampa dà la PGA a 0,01 g: le sue righe da 0,02 e 0,03 g sono incerte del 17-25 % e non possono provare "
         "il ±20 %."
     ),

@@ -18,12 +18,10 @@ TERMINAL = {
         "{path}: {format}, {samples} samples every {step:g} s, peak {peak:.5g}; the unit is not stated: give it "
         "in the case"
     ): (
-        "{path}: {format}, {samples} campioni ogni {step:g} s, picco {peak:.5g}; l'unità non è indicata: "
-        "darla nel caso"
+        "{path}: {format}, {samples} campioni ogni {step:g} s, picco {peak:.5g}; l'unità non è indicata: darla nel caso"
     ),
     "finished runs of an earlier start are in {path}: to go on with them, rename it and add --resume": (
-        "le analisi finite di un avvio precedente sono in {path}: per proseguirle, rinominarlo e aggiungere "
-        "--resume"
+        "le analisi finite di un avvio precedente sono in {path}: per proseguirle, rinominarlo e aggiungere --resume"
     ),
     "the solver is being compiled, once for each version: it takes some seconds": (
         "il risolutore viene compilato, una volta per versione: servono alcuni secondi"
@@ -43,9 +41,7 @@ TERMINAL = {
     "zeta": "zeta",
     "verdict": "esito",
     "by": "verifica",
-    "{runs} runs, {analyses} analyses in {seconds:.1f} s": (
-        "{runs} serie, {analyses} analisi in {seconds:.1f} s"
-    ),
+    "{runs} runs, {analyses} analyses in {seconds:.1f} s": ("{runs} serie, {analyses} analisi in {seconds:.1f} s"),
     "workbook, JSON and CSV are written: {path}": "cartella di lavoro, JSON e CSV sono scritti: {path}",
     "{done}/{planned} runs and checks": "{done}/{planned} serie e verifiche",
     "{done}/{planned} runs and checks, about {left:.0f} s left": (

@@ -52,10 +52,7 @@ SENTENCES = {
         "only indicative at {state}{unloaded}, this is not a code verification: ζ {zeta}{where} by {by}.{tail}",
         "solo indicativa allo {state}{unloaded}, non è una verifica di norma: ζ {zeta}{where} secondo {by}.{tail}",
     ),
-    "undetermined": (
-        "not determined at {state}{where}: {missing}",
-        "non determinata allo {state}{where}: {missing}",
-    ),
+    "undetermined": ("not determined at {state}{where}: {missing}", "non determinata allo {state}{where}: {missing}"),
 }
 """Code of a verdict -> (English, Italian); the name of the wall stands before it."""
 
@@ -76,10 +73,7 @@ ADDED = {
         "time histories (largest peak {peak} θ_c, limit {limit})",
         "storie temporali (massimo {peak} θ_c, limite {limit})",
     ),
-    "by_dynamic_falls": (
-        "time histories ({n} of {m} overturn)",
-        "storie temporali ({n} su {m} ribaltano)",
-    ),
+    "by_dynamic_falls": ("time histories ({n} of {m} overturn)", "storie temporali ({n} su {m} ribaltano)"),
     "by_nonlinear": (
         "the displacement check (d {demand} m, limit {capacity} m)",
         "la verifica in spostamento (d {demand} m, limite {capacity} m)",
@@ -320,8 +314,7 @@ REASONS = {
     ),
     "more_records": (
         "{n} stations: C8.7.1.2.1.9 advises more records than the analysis of the whole building takes.",
-        "{n} stazioni: il C8.7.1.2.1.9 consiglia un numero di accelerogrammi maggiore che per l'analisi "
-        "globale.",
+        "{n} stazioni: il C8.7.1.2.1.9 consiglia un numero di accelerogrammi maggiore che per l'analisi globale.",
     ),
     "no_station": (
         "{n} file(s) name no station: each was counted as a station of its own.",
@@ -356,10 +349,7 @@ REASONS = {
         "The integrator chosen is for comparison only.",
         "L'integratore scelto serve solo per confronto.",
     ),
-    "no_soil_factor": (
-        "S is not given and taken as 1, rock.",
-        "S non è assegnato ed è posto pari a 1, roccia.",
-    ),
+    "no_soil_factor": ("S is not given and taken as 1, rock.", "S non è assegnato ed è posto pari a 1, roccia."),
 }
 
 MISSING_WORDS = {

@@ -245,9 +245,7 @@ WINDOW = {
     "C8.7.1.2.1.4: 10 to 20 % at SLV and SLC; empty: 10 %, at SLD 5 %": (
         "C8.7.1.2.1.4: dal 10 al 20 % a SLV e SLC; vuoto: 10 %, a SLD 5 %"
     ),
-    "Needed where a wall has its base above the ground.": (
-        "Serve dove una parete ha la base sopra il suolo."
-    ),
+    "Needed where a wall has its base above the ground.": ("Serve dove una parete ha la base sopra il suolo."),
     "At the top: T {period:.3f} s, ξ {damping:.0f} %, γψ {part:.3f}": (
         "In sommità: T {period:.3f} s, ξ {damping:.0f} %, γψ {part:.3f}"
     ),
@@ -255,17 +253,13 @@ WINDOW = {
     "Floor spectra": "Spettri di piano",
     "code, z {z:g} m, ξ {damping:.0f} %": "norma, z {z:g} m, ξ {damping:.0f} %",
     "T_R,C {years} years": "T_R,C {years} anni",
-    "IS-V of this mechanism {index:.2f}, class {letter}": (
-        "IS-V di questo meccanismo {index:.2f}, classe {letter}"
-    ),
+    "IS-V of this mechanism {index:.2f}, class {letter}": ("IS-V di questo meccanismo {index:.2f}, classe {letter}"),
     "mean of the floors": "media dei piani",
     "floor": "piano",
     "ground": "suolo",
     "impacts": "urti",
     "stands": "resiste",
-    "State the accuracy for this wall (some seconds)": (
-        "Valuta l'accuratezza per questa parete (alcuni secondi)"
-    ),
+    "State the accuracy for this wall (some seconds)": ("Valuta l'accuratezza per questa parete (alcuni secondi)"),
     "Error of the solver and spread of q by definition, for this wall and its governing record.": (
         "Errore del risolutore e dispersione di q per definizione, per questa parete e il suo "
         "accelerogramma più gravoso."
@@ -324,12 +318,8 @@ WINDOW = {
     "Of plain text: the column of the acceleration, 1 is the first": (
         "Di testo semplice: la colonna dell'accelerazione, 1 è la prima"
     ),
-    "Of plain text: lines of the head before the numbers": (
-        "Di testo semplice: righe d'intestazione prima dei numeri"
-    ),
-    "{n} more files are not shown: add them in parts.": (
-        "Altri {n} file non sono mostrati: aggiungerli a parti."
-    ),
+    "Of plain text: lines of the head before the numbers": ("Di testo semplice: righe d'intestazione prima dei numeri"),
+    "{n} more files are not shown: add them in parts.": ("Altri {n} file non sono mostrati: aggiungerli a parti."),
     "Generated motions are one set: Remove takes them all, Generate… makes others.": (
         "I moti generati sono un solo gruppo: Togli li toglie tutti, Genera… ne fa altri."
     ),
@@ -341,9 +331,7 @@ WINDOW = {
     "tests on sack stone masonry; above Eq. 4 for α > 6.63°": (
         "prove su muratura a sacco; sopra l'Eq. 4 per α > 6,63°"
     ),
-    "theory: impacts of base, upper corner and base again": (
-        "teoria: urti di base, spigolo superiore e di nuovo base"
-    ),
+    "theory: impacts of base, upper corner and base again": ("teoria: urti di base, spigolo superiore e di nuovo base"),
     "tests; v over the overturning velocity, beyond v = 1.58 held at e = 0; value for v = 0": (
         "prove; v sulla velocità di ribaltamento, oltre v = 1,58 tenuto a e = 0; valore per v = 0"
     ),
@@ -353,9 +341,7 @@ WINDOW = {
         "{n} file sono stati lasciati fuori: così come sono non si leggono."
     ),
     "Saved without what stands in the red field.": "Salvato senza quanto sta nel campo rosso.",
-    "Another program has changed {path}. Overwrite it?": (
-        "Un altro programma ha cambiato {path}. Sovrascriverlo?"
-    ),
+    "Another program has changed {path}. Overwrite it?": ("Un altro programma ha cambiato {path}. Sovrascriverlo?"),
     "Needed with a demand: 0 on the ground; above it the building is needed too (sheet Demand)": (
         "Richiesta con una domanda: 0 al suolo; più in alto serve anche l'edificio (scheda Domanda)"
     ),
@@ -364,8 +350,7 @@ WINDOW = {
     "yes": "sì",
     "no": "no",
     "Parapet, gable top, pinnacle, free wall: no transverse wall holds it before it moves": (
-        "Parapetto, sommità di timpano, pinnacolo, muro isolato: nessun muro trasversale la trattiene prima "
-        "del moto"
+        "Parapetto, sommità di timpano, pinnacolo, muro isolato: nessun muro trasversale la trattiene prima del moto"
     ),
     "Elastic modulus E": "Modulo elastico E",
     "With the unit weight gives T_0 of an element free to vibrate (C8.7.1.7)": (

@@ -6,14 +6,8 @@ WORDS = {
     "both": ("both", "entrambi"),
     "dynamic": ("Dynamic, time histories", "Dinamica, storie temporali"),
     "nonlinear": ("Nonlinear kinematic", "Cinematica non lineare"),
-    "linear_q_slv": (
-        "Linear kinematic, lower q of the histories",
-        "Cinematica lineare, q inferiore delle storie",
-    ),
-    "linear_q_code": (
-        "Linear kinematic, q of the code",
-        "Cinematica lineare, fattore di comportamento q",
-    ),
+    "linear_q_slv": ("Linear kinematic, lower q of the histories", "Cinematica lineare, q inferiore delle storie"),
+    "linear_q_code": ("Linear kinematic, q of the code", "Cinematica lineare, fattore di comportamento q"),
     "linear_sld": ("Linear kinematic", "Cinematica lineare"),
     "floor_sld": ("a_g,SLD / a_g", "a_g,SLD / a_g"),
     "dynamic_capacity": ("Dynamic, FC on the strength", "Dinamica, FC sulla resistenza"),
@@ -26,17 +20,11 @@ WORDS = {
     "time_histories_slv": ("Eq. 9, q at SLV", "Eq. 9, q allo SLV"),
     "time_histories_robust": ("Eq. 9, q robust", "Eq. 9, q robusto"),
     "law_q": ("Eq. 9, Ribalta's law of q (research)", "Eq. 9, legge di Ribalta per q (ricerca)"),
-    "law_q_slv": (
-        "Eq. 9, Ribalta's law of q at SLV (research)",
-        "Eq. 9, legge di Ribalta per q allo SLV (ricerca)",
-    ),
+    "law_q_slv": ("Eq. 9, Ribalta's law of q at SLV (research)", "Eq. 9, legge di Ribalta per q allo SLV (ricerca)"),
     "not_activated": ("mechanism not activated", "meccanismo non attivato"),
     "verified": ("verified", "verificata"),
     "verified_refined": ("verified, refined method only", "verificata, solo metodo raffinato"),
-    "q2_unsafe": (
-        "not verified, q of the code would pass",
-        "non verificata, con q di norma risulterebbe verificata",
-    ),
+    "q2_unsafe": ("not verified, q of the code would pass", "non verificata, con q di norma risulterebbe verificata"),
     "not_verified": ("not verified", "non verificata"),
     "indicative": ("indicative only", "solo indicativa"),
     "at_limit": ("at the limit, not verified", "al limite, non verificata"),
@@ -52,10 +40,7 @@ WORDS = {
     "no_number": ("no number", "nessun valore"),
     "comparison": ("comparison", "confronto"),
     "mean_lower": ("mean spectrum, lowest below target", "spettro medio, minimo sotto lo spettro"),
-    "mean_upper": (
-        "mean spectrum, highest above target",
-        "spettro medio, massimo sopra lo spettro",
-    ),
+    "mean_upper": ("mean spectrum, highest above target", "spettro medio, massimo sopra lo spettro"),
     "records": ("records, a station once", "accelerogrammi, una stazione una volta"),
     "mean_pga": ("mean PGA against a_g S", "PGA media rispetto ad a_g S"),
     "strong_part": ("pseudo-stationary part", "parte pseudo-stazionaria"),
@@ -80,14 +65,8 @@ LOADS = {
 """Kinds of loads: code -> (English, Italian)."""
 
 ASSUMPTIONS = {
-    "monolithic": (
-        "monolithic wall, no leaves that part",
-        "parete monolitica, senza paramenti che si separano",
-    ),
-    "no_load": (
-        "no load or thrust of floors and roof",
-        "nessun carico o spinta di solai e copertura",
-    ),
+    "monolithic": ("monolithic wall, no leaves that part", "parete monolitica, senza paramenti che si separano"),
+    "no_load": ("no load or thrust of floors and roof", "nessun carico o spinta di solai e copertura"),
     "no_ties": (
         "no ties, no other restraint than the one named",
         "nessuna catena, nessun altro vincolo oltre a quello indicato",

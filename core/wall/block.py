@@ -25,9 +25,7 @@ class Block:
     def __post_init__(self):
         degrees = math.degrees(self.slenderness)
         require(0.0 < degrees < 90.0, "slenderness_deg", degrees, sentence("accepted", "degrees"))
-        require(
-            0.0 < self.radius < math.inf, "radius_m", self.radius, sentence("accepted", "positive")
-        )
+        require(0.0 < self.radius < math.inf, "radius_m", self.radius, sentence("accepted", "positive"))
         require(
             self.radius**2 < self.inertia_over_mass < math.inf,
             "inertia_over_mass_m2",
@@ -39,12 +37,7 @@ class Block:
     def rectangle(cls, height: float, slenderness: float) -> "Block":
         """Rectangular block of this height [m] and slenderness alpha = atan(t/H) [rad]."""
         require(0.0 < height < math.inf, "height_m", height, sentence("accepted", "positive"))
-        require(
-            0.0 < slenderness < 0.5 * math.pi,
-            "slenderness",
-            slenderness,
-            sentence("accepted", "radians"),
-        )
+        require(0.0 < slenderness < 0.5 * math.pi, "slenderness", slenderness, sentence("accepted", "radians"))
         radius = height / (2.0 * math.cos(slenderness))
         return cls(slenderness, radius, 4.0 / 3.0 * radius * radius)
 

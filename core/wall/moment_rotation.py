@@ -26,23 +26,14 @@ class MomentLaw:
         if self.is_rigid:
             return
         require(0.0 < self.elastic_limit < 1.0, "elastic_limit", self.elastic_limit, "0 < D1 < 1")
-        require(
-            self.elastic_limit <= self.plateau_end < 1.0,
-            "plateau_end",
-            self.plateau_end,
-            "D1 <= D2 < 1",
-        )
+        require(self.elastic_limit <= self.plateau_end < 1.0, "plateau_end", self.plateau_end, "D1 <= D2 < 1")
 
     @property
     def is_rigid(self) -> bool:
         return self.elastic_limit == 0.0 and self.plateau_end == 0.0
 
 
-LAWS = {
-    "rigid": MomentLaw(),
-    "doherty": MomentLaw(0.06, 0.28),
-    "al_shawa": MomentLaw(0.02, 0.28),
-}
+LAWS = {"rigid": MomentLaw(), "doherty": MomentLaw(0.06, 0.28), "al_shawa": MomentLaw(0.02, 0.28)}
 """Named laws: Doherty et al. (2002), Al Shawa et al. (2015), as quoted by the paper, sect. 4.3."""
 
 
@@ -93,9 +84,7 @@ def potential(phi, model):
         return 0.5 * k * phi * phi / phi1
     if phi <= phi2:
         return k * (phi - 0.5 * phi1)
-    return (
-        k * (phi2 - 0.5 * phi1) + amplitude * math.cos(top - phi) - amplitude * math.cos(top - phi2)
-    )
+    return k * (phi2 - 0.5 * phi1) + amplitude * math.cos(top - phi) - amplitude * math.cos(top - phi2)
 
 
 @subkernel

@@ -98,10 +98,7 @@ def overturning_velocity(block: Block) -> float:
 
 
 def restitution(
-    block: Block,
-    model: str,
-    velocity_ratio: float | None = None,
-    contact: Contact | None = None,
+    block: Block, model: str, velocity_ratio: float | None = None, contact: Contact | None = None
 ) -> Restitution:
     """Restitution of a named model for this block; velocity_ratio only with model "user", contact only of a block
     with masses that move with it."""
@@ -122,9 +119,7 @@ def restitution(
         return Restitution(model, 1.18 * ratio, drop)
     if model == "user" and velocity_ratio is not None and 0.0 <= velocity_ratio <= 1.0:
         return Restitution(model, velocity_ratio)
-    raise InputError(
-        "restitution_not_accepted", model=model, ratio=velocity_ratio, known=", ".join(MODELS)
-    )
+    raise InputError("restitution_not_accepted", model=model, ratio=velocity_ratio, known=", ".join(MODELS))
 
 
 @subkernel

@@ -62,21 +62,24 @@ class RockingModel(NamedTuple):
 def seen_from(model, side):
     """The model as the pivot of this side, 1.0 or -1.0, sees it: `restoring` is that of its rotations."""
     return RockingModel(
-        model.slenderness, model.p2, model.one_sided, model.ratio_at_rest, model.ratio_drop, model.elastic_end,
+        model.slenderness,
+        model.p2,
+        model.one_sided,
+        model.ratio_at_rest,
+        model.ratio_drop,
+        model.elastic_end,
         model.plateau_end,
         model.restoring if side > 0.0 else model.mirrored,
         model.mirrored if side > 0.0 else model.restoring,
-        model.lean, model.amplitude,
-    )  # fmt: skip
+        model.lean,
+        model.amplitude,
+    )
 
 
 @subkernel
 def sides_differ(model):
     """Whether loads make it another wall for negative rotations."""
-    return (
-        model.restoring.sine != model.mirrored.sine
-        or model.restoring.cosine != model.mirrored.cosine
-    )
+    return model.restoring.sine != model.mirrored.sine or model.restoring.cosine != model.mirrored.cosine
 
 
 def rocking_model(

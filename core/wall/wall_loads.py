@@ -8,14 +8,7 @@ import numpy as np
 from core.errors import InputError, place
 from core.units import G
 from core.wall.block import Block
-from core.wall.loads import (
-    BARE,
-    Force,
-    PointMass,
-    RestoringMoment,
-    composite,
-    restoring_moment,
-)
+from core.wall.loads import BARE, Force, PointMass, RestoringMoment, composite, restoring_moment
 from core.wall.restitution import Contact
 
 MOST_COLLAPSE = math.radians(60.0)
@@ -52,11 +45,7 @@ def as_force(load, wall, side: float) -> Force:
 
 def masses(wall) -> list[PointMass]:
     """Q over g: the masses that move with the wall or push it [kg/m], about its outer hinge."""
-    return [
-        PointMass(1e3 * load.kn_m / G, load.d_m - wall.setback, load.h_m)
-        for load in wall.load
-        if load.pushes
-    ]
+    return [PointMass(1e3 * load.kn_m / G, load.d_m - wall.setback, load.h_m) for load in wall.load if load.pushes]
 
 
 def moving_block(wall, bare: Block) -> Block:
@@ -82,9 +71,7 @@ def restoring_of(wall, block: Block) -> tuple[RestoringMoment, RestoringMoment]:
         return BARE, BARE
     weight = weight_per_metre(wall) + sum(1e3 * load.kn_m for load in wall.load if load.pushes)
     outward, inward = (
-        restoring_moment(
-            block, weight, [as_force(load, wall, side) for load in held if holds(load, side)]
-        )
+        restoring_moment(block, weight, [as_force(load, wall, side) for load in held if holds(load, side)])
         for side in (1.0, -1.0)
     )
     # alike but for rounding: alike
@@ -140,10 +127,7 @@ def check_given(wall) -> None:
         raise InputError("return_walls_need_length", place=here, key="length_m")
     if across is not None and across.number * across.thickness_m > wall.length_m:
         raise InputError(
-            "return_walls_too_many",
-            place=here,
-            found=across.number * across.thickness_m,
-            length=wall.length_m,
+            "return_walls_too_many", place=here, found=across.number * across.thickness_m, length=wall.length_m
         )
     if "two_sided" in wall.mechanisms() and any(load.kind == "tie" for load in wall.load):
         raise InputError("holds_one_side", place=here, key="tie")
@@ -151,9 +135,7 @@ def check_given(wall) -> None:
         if given is not None and wall.mechanism == "two_sided":
             raise InputError("holds_one_side", place=here, key=key)
     if tie is not None and tie > wall.height_m:
-        raise InputError(
-            "load_outside", place=here, key="tie_height_m", found=tie, most=wall.height_m
-        )
+        raise InputError("load_outside", place=here, key="tie_height_m", found=tie, most=wall.height_m)
     if not wall.load:
         return
     if wall.unloaded_confirmed:
@@ -239,8 +221,7 @@ def hinge_inside(wall, share: float = 1.0) -> float | None:
     """
     forces = [as_force(load, wall, 1.0) for load in wall.load]
     forces = [
-        replace(force, horizontal=share * force.horizontal) if force.horizontal > 0.0 else force
-        for force in forces
+        replace(force, horizontal=share * force.horizontal) if force.horizontal > 0.0 else force for force in forces
     ]
     weight, height, thickness = weight_per_metre(wall), wall.height_m, wall.thickness
     x, pushed = 0.5 * thickness - wall.setback, masses(wall)
@@ -273,13 +254,9 @@ def _check_ties(wall, here) -> None:
     ties = sum(load.kn_m for load in wall.load if load.kind == "tie")
     if not ties or (hinge := hinge_inside(wall)) is None:
         return
-    raise InputError(
-        "tie_too_strong", place=here, found=ties, hinge=hinge, most=ties * largest_tie_share(wall)
-    )
+    raise InputError("tie_too_strong", place=here, found=ties, hinge=hinge, most=ties * largest_tie_share(wall))
 
 
 def loads_above(wall, hinge: float) -> tuple:
     """The loads of the part of a wall above a hinge [m above its base]."""
-    return tuple(
-        replace(load, h_m=load.h_m - hinge) for load in wall.load if load.h_m > hinge + 1e-9
-    )
+    return tuple(replace(load, h_m=load.h_m - hinge) for load in wall.load if load.h_m > hinge + 1e-9)

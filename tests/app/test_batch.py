@@ -53,12 +53,7 @@ def start(*arguments, **keywords):
     variables = dict(os.environ, PYTHONPATH=str(ROOT))
     command = [sys.executable, "-P", "-m", "app", *map(str, arguments)]
     return subprocess.Popen(
-        command,
-        env=variables,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        **keywords,
+        command, env=variables, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **keywords
     )
 
 
@@ -67,20 +62,14 @@ def test_that_an_italian_terminal_is_spoken_to_in_italian(case):
     command = [sys.executable, "-P", "-m", "app"]
 
     def said(*arguments):
-        done = subprocess.run([*command, *map(str, arguments)], env=words, capture_output=True, text=True)  # fmt: skip
+        done = subprocess.run([*command, *map(str, arguments)], env=words, capture_output=True, text=True)
         return done.returncode, done.stdout, done.stderr
 
     assert said("--help")[0] == 0
     missing = case.parent / "none.toml"
-    assert said("--batch", missing) == (
-        1,
-        "",
-        f"errore: {missing}: questo file di caso non esiste\n",
-    )
+    assert said("--batch", missing) == (1, "", f"errore: {missing}: questo file di caso non esiste\n")
     case.write_text(CASE.replace("5.0", "500.0"))
-    assert said("--batch", case)[2] == (
-        f'errore: {case}: parete "w": height_m = 500.0 non ? ammesso: da 0.1 a 60 m\n'
-    )
+    assert said("--batch", case)[2] == (f'errore: {case}: parete "w": height_m = 500.0 non ? ammesso: da 0.1 a 60 m\n')
     case.write_text(CASE)
     code, out, err = said("--batch", case, "--output", case.parent / "out")
     assert code == 0 and "parete" in out and "serie" in out and "Traceback" not in err
@@ -89,25 +78,47 @@ def test_that_an_italian_terminal_is_spoken_to_in_italian(case):
 def test_that_a_case_gives_workbook_and_json_beside_it(case, capsys):
     assert call("--batch", case) == 0
     assert sorted(path.name for path in case.parent.iterdir()) == [
-        "case.json", "case.toml", "case.xlsx", "r0.txt", "r1.txt",
-    ]  # fmt: skip
+        "case.json",
+        "case.toml",
+        "case.xlsx",
+        "r0.txt",
+        "r1.txt",
+    ]
     shown = capsys.readouterr()
     assert "case.xlsx" in shown.out
     assert shown.err == ""
     content = json.loads((case.parent / "case.json").read_text())
-    assert list(content) == [
-        "program", "started_utc", "case", "case_sha256", "demand", "records", "verdicts", "walls",
-    ]  # fmt: skip
+    assert list(content) == ["program", "started_utc", "case", "case_sha256", "demand", "records", "verdicts", "walls"]
     run = content["walls"][0]["runs"][0]
-    for key in ("record", "polarity", "status", "q", "bracket", "q_slv", "q_slc", "q_robust",
-                "collapse_scale", "q_eff", "q_last_survival", "survived_fraction",
-                "survival_windows", "q_step", "analyses", "impact_limited", "clamped",
-                "method"):  # fmt: skip
+    for key in (
+        "record",
+        "polarity",
+        "status",
+        "q",
+        "bracket",
+        "q_slv",
+        "q_slc",
+        "q_robust",
+        "collapse_scale",
+        "q_eff",
+        "q_last_survival",
+        "survived_fraction",
+        "survival_windows",
+        "q_step",
+        "analyses",
+        "impact_limited",
+        "clamped",
+        "method",
+    ):
         assert key in run
     check = content["walls"][0]["code_check"]
     assert [entry["q_source"] for entry in check] == [
-        "code", "closed_form", "time_histories", "time_histories_slv", "time_histories_robust",
-    ]  # fmt: skip
+        "code",
+        "closed_form",
+        "time_histories",
+        "time_histories_slv",
+        "time_histories_robust",
+    ]
     assert content["case"]["analysis"]["q_limit"] == 100.0
 
 
@@ -215,10 +226,7 @@ def test_that_a_full_disk_leaves_the_old_report_and_nothing_half_written(case, c
     assert after == before
 
 
-@pytest.mark.parametrize(
-    "arguments",
-    [["--nonsense"], ["--batch"], ["--batch", "x", "--jobs", "0"], ["--output", "x"]],
-)
+@pytest.mark.parametrize("arguments", [["--nonsense"], ["--batch"], ["--batch", "x", "--jobs", "0"], ["--output", "x"]])
 def test_that_wrong_usage_is_code_2(arguments, capsys):
     with pytest.raises(SystemExit) as caught:
         call(*arguments)
@@ -243,15 +251,11 @@ def test_that_inspect_tells_what_a_record_holds(case, capsys):
     assert "2501 samples every 0.01 s" in capsys.readouterr().out
     assert call("--inspect", case.parent / "r0.txt") == 1
     assert "refused" in capsys.readouterr().err
-    (case.parent / "two.txt").write_text(
-        "\n".join(f"{k * 0.01:.2f} {k % 7 - 3}" for k in range(99)) + "\n"
-    )
+    (case.parent / "two.txt").write_text("\n".join(f"{k * 0.01:.2f} {k % 7 - 3}" for k in range(99)) + "\n")
     assert call("--inspect", case.parent / "two.txt") == 0
     assert "99 samples every 0.01 s, peak 3; the unit is not stated" in capsys.readouterr().out
     assert call("--inspect", ROOT / "resources" / "motions") == 0
-    assert capsys.readouterr().out.count("samples every") == len(
-        list((ROOT / "resources" / "motions").iterdir())
-    )
+    assert capsys.readouterr().out.count("samples every") == len(list((ROOT / "resources" / "motions").iterdir()))
 
 
 def test_that_inspect_names_the_channel_that_is_refused(tmp_path, capsys):
@@ -279,9 +283,7 @@ def finished(*arguments) -> int:
     return running.returncode
 
 
-LONG = CASE.replace("q_step = 0.02", "q_step = 0.0004").replace(
-    "thickness_m = 0.5", "thickness_m = 0.9"
-)
+LONG = CASE.replace("q_step = 0.02", "q_step = 0.0004").replace("thickness_m = 0.5", "thickness_m = 0.9")
 
 
 def waited(path, lines, limit=60.0):
@@ -319,16 +321,12 @@ def test_that_ctrl_c_while_the_files_are_made_stops_and_resumes(case, monkeypatc
         patch.setattr(sheet, "_wall", pressed)
         assert call("--batch", case) == 130
     assert "--resume" in capsys.readouterr().err
-    assert sorted(path.name for path in case.parent.iterdir()) == [
-        "case.journal", "case.toml", "r0.txt", "r1.txt",
-    ]  # fmt: skip
+    assert sorted(path.name for path in case.parent.iterdir()) == ["case.journal", "case.toml", "r0.txt", "r1.txt"]
     assert call("--batch", case, "--resume", "--quiet") == 0
     assert case.with_suffix(".xlsx").exists() and not case.with_suffix(".journal").exists()
 
 
-def test_that_a_line_of_progress_counts_runs_and_checks_and_says_no_time_it_does_not_know(
-    monkeypatch, capsys
-):
+def test_that_a_line_of_progress_counts_runs_and_checks_and_says_no_time_it_does_not_know(monkeypatch, capsys):
     from app import terminal_progress
 
     monkeypatch.setattr(terminal_progress, "BETWEEN_LINES", 0.0)
@@ -338,11 +336,7 @@ def test_that_a_line_of_progress_counts_runs_and_checks_and_says_no_time_it_does
         show.runs(3, 23, 41.0)
         show.writing(50, 100)
     lines = capsys.readouterr().err.splitlines()
-    assert lines[-3:] == [
-        "2/23 runs and checks",
-        "3/23 runs and checks, about 41 s left",
-        "writing the results: 50 %",
-    ]
+    assert lines[-3:] == ["2/23 runs and checks", "3/23 runs and checks, about 41 s left", "writing the results: 50 %"]
 
 
 @pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
@@ -367,8 +361,7 @@ CASES = sorted(path.stem for path in (ROOT / "resources" / "cases").glob("*.toml
 
 
 @pytest.mark.parametrize(
-    "name",
-    [pytest.param(name, marks=[pytest.mark.long] if name == "building" else []) for name in CASES],
+    "name", [pytest.param(name, marks=[pytest.mark.long] if name == "building" else []) for name in CASES]
 )
 def test_that_every_shipped_case_runs(name, tmp_path, capsys):
     shutil.copytree(ROOT / "resources", tmp_path / "resources")
@@ -433,9 +426,7 @@ def test_that_the_terminal_names_verdict_zeta_and_deciding_check_of_each_wall(ca
     assert out.splitlines()[1].split()[0] == "w" and out.splitlines()[1].split()[-1] == "dynamic"
 
 
-def test_that_an_a_g_beyond_any_of_italy_is_asked_about_by_terminal_workbook_and_note(
-    case, tmp_path, capsys
-):
+def test_that_an_a_g_beyond_any_of_italy_is_asked_about_by_terminal_workbook_and_note(case, tmp_path, capsys):
     import docx
     import openpyxl
 
@@ -447,9 +438,7 @@ def test_that_an_a_g_beyond_any_of_italy_is_asked_about_by_terminal_workbook_and
     case.write_text(case.read_text().replace("ag_g = 0.2", "ag_g = 2.55") + walls)
     note = tmp_path / "note.docx"
     assert call("--batch", case, "--quiet", "--report", note) == 0
-    asked = (
-        "a_g = 2.55 g is above 0.6 g, beyond the hazard of Italy at 2475 years: was 2.55 m/s2 meant"
-    )
+    asked = "a_g = 2.55 g is above 0.6 g, beyond the hazard of Italy at 2475 years: was 2.55 m/s2 meant"
     assert f"[demand]: {asked}" in capsys.readouterr().err
     summary = openpyxl.load_workbook(tmp_path / "case.xlsx")["Summary"]
     assert any(asked in str(cell.value) for row in summary.iter_rows() for cell in row)
@@ -486,18 +475,13 @@ def test_that_the_results_of_an_example_land_where_one_stands(tmp_path, monkeypa
     assert "\nverdict.xlsx\nverdict.json\n" in capsys.readouterr().out
 
 
-def test_that_the_first_batch_says_what_its_words_mean_and_the_next_does_not(
-    case, tmp_path, monkeypatch, capsys
-):
+def test_that_the_first_batch_says_what_its_words_mean_and_the_next_does_not(case, tmp_path, monkeypatch, capsys):
     monkeypatch.setattr("core.jit.cache.user_folder", lambda: tmp_path / "user")
     assert call("--batch", case, "--quiet") == 0 and capsys.readouterr().out == ""
     assert call("--batch", case) == 0
     said = capsys.readouterr().out
     table, words = said.split("\n\n")
-    assert (
-        words.splitlines()[-1]
-        == f"open {case.with_suffix('.xlsx')}: its first sheet sums up the walls"
-    )
+    assert words.splitlines()[-1] == f"open {case.with_suffix('.xlsx')}: its first sheet sums up the walls"
     explained = [line.split(":")[0] for line in words.splitlines()[:-1]]
     assert explained == ["q", "robust", "zeta", "verdict"]
     assert set(explained) <= set(table.splitlines()[0].split())
@@ -509,9 +493,7 @@ def test_that_the_first_batch_says_what_its_words_mean_and_the_next_does_not(
     assert "zeta" not in capsys.readouterr().out
 
 
-def test_that_a_statement_of_accuracy_without_scipy_is_refused_before_the_run(
-    case, monkeypatch, capsys
-):
+def test_that_a_statement_of_accuracy_without_scipy_is_refused_before_the_run(case, monkeypatch, capsys):
     case.write_text(CASE.replace("q_step = 0.02", "q_step = 0.02\naccuracy = true"))
     monkeypatch.setitem(sys.modules, "scipy", None)
     monkeypatch.setattr(batch, "run_study", lambda *_, **__: pytest.fail("computed"))

@@ -267,12 +267,7 @@ def test_that_nothing_of_an_earlier_theme_or_language_is_kept(opened, applicatio
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(Chart, "__init__", init)
         counts = []
-        for choice in (
-            ("theme", "dark"),
-            ("language", "it"),
-            ("theme", "light"),
-            ("language", "en"),
-        ):
+        for choice in (("theme", "dark"), ("language", "it"), ("theme", "light"), ("language", "en")):
             opened.set_choice(*choice)
             for page in opened.pages.values():
                 opened.tabs.setCurrentWidget(page)

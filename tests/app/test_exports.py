@@ -52,8 +52,14 @@ def near(image: QImage, x: float, y: float, shade: str, reach: int) -> bool:
     for dx in range(-reach, reach + 1):
         for dy in range(-reach, reach + 1):
             found = image.pixelColor(round(x) + dx, round(y) + dy)
-            if max(abs(found.red() - wanted.red()), abs(found.green() - wanted.green()),
-                   abs(found.blue() - wanted.blue())) < 40:  # fmt: skip
+            if (
+                max(
+                    abs(found.red() - wanted.red()),
+                    abs(found.green() - wanted.green()),
+                    abs(found.blue() - wanted.blue()),
+                )
+                < 40
+            ):
                 return True
     return False
 
@@ -112,10 +118,22 @@ def test_that_the_data_of_a_chart_can_be_read_back_and_run_no_formula(chart):
 
 @pytest.mark.parametrize(
     ("text", "copied"),
-    [("=1+1", "'=1+1"), ("@x", "'@x"), ("-A1", "'-A1"), ("+cmd", "'+cmd"), ("-0,5", "-0,5"), ("−1.2", "−1.2"),
-     ("wall", "wall"), ("–", "–"), ("a\tb\nc", "a b c"), ("-inf", "'-inf"), ("-1_0", "'-1_0"),
-     ("1e-3", "1e-3"), ("-3.2", "-3.2")],
-)  # fmt: skip
+    [
+        ("=1+1", "'=1+1"),
+        ("@x", "'@x"),
+        ("-A1", "'-A1"),
+        ("+cmd", "'+cmd"),
+        ("-0,5", "-0,5"),
+        ("−1.2", "−1.2"),
+        ("wall", "wall"),
+        ("–", "–"),
+        ("a\tb\nc", "a b c"),
+        ("-inf", "'-inf"),
+        ("-1_0", "'-1_0"),
+        ("1e-3", "1e-3"),
+        ("-3.2", "-3.2"),
+    ],
+)
 def test_that_a_copied_cell_is_never_a_formula(application, text, copied):
     table = Table("t", ["a", "b"])
     table.show_rows([[text, "x"]])
@@ -173,9 +191,7 @@ def test_that_the_csv_of_bars_has_the_names_of_the_records_and_no_number_for_wha
     chart.bars("stands", [0.0, 2.0], [0.31, 1.2], values=[0.31, 1.74])
     chart.bars("overturned", [1.0], [1.2], 1, values=[np.nan])
     chart.names_below(["a", "=b", "c"])
-    assert rows_of(chart)[1:] == [
-        ["stands", "a", "0.31"], ["stands", "c", "1.74"], ["overturned", "'=b", ""],
-    ]  # fmt: skip
+    assert rows_of(chart)[1:] == [["stands", "a", "0.31"], ["stands", "c", "1.74"], ["overturned", "'=b", ""]]
     chart.clear()
     chart.curve("x", [1.0], [2.0])
     assert rows_of(chart)[1:] == [["x", "1.0", "2.0"]]

@@ -41,9 +41,8 @@ BLOCKS = (
     {},
     {"hinge_setback_m": 0.1},
     {"unit_weight_kn_m3": 18.0, "load": (Load("carried_mass", 9.0, 5.0, 0.25),)},
-    {"height_m": None, "thickness_m": None, "slenderness_deg": 11.0, "radius_m": 2.0,
-     "inertia_over_mass_m2": 7.0},
-)  # fmt: skip
+    {"height_m": None, "thickness_m": None, "slenderness_deg": 11.0, "radius_m": 2.0, "inertia_over_mass_m2": 7.0},
+)
 """A rectangle, one with a setback, one with a mass that moves with it, a general block."""
 
 
@@ -111,9 +110,7 @@ def test_that_rules_between_fields_stand_at_the_fields(opened, application):
     assert "Level of knowledge" in said and "Strength f" in said
 
 
-def test_that_undo_in_a_field_is_that_of_the_case_and_takes_refused_text_back_first(
-    opened, application
-):
+def test_that_undo_in_a_field_is_that_of_the_case_and_takes_refused_text_back_first(opened, application):
     field = opened.walls.thickness
     before = opened.session.case.wall[0].thickness_m
     opened.activateWindow()
@@ -134,9 +131,7 @@ def test_that_undo_in_a_field_is_that_of_the_case_and_takes_refused_text_back_fi
     assert opened.session.case.wall[0].thickness_m != before
 
 
-def test_that_a_refused_choice_in_the_import_dialog_keeps_no_run_back(
-    opened, application, tmp_path, monkeypatch
-):
+def test_that_a_refused_choice_in_the_import_dialog_keeps_no_run_back(opened, application, tmp_path, monkeypatch):
     from app.forms.import_dialog import ImportDialog
 
     def refused(dialog):
@@ -194,9 +189,15 @@ def test_that_the_wheel_over_a_list_without_the_focus_changes_nothing(opened, ap
     for choice in lists:
         place = QPointF(5, 5)
         turned = QWheelEvent(
-            place, QPointF(choice.mapToGlobal(place.toPoint())), QPoint(), QPoint(0, -120),
-            Qt.MouseButton.NoButton, Qt.KeyboardModifier.NoModifier, Qt.ScrollPhase.NoScrollPhase, False,
-        )  # fmt: skip
+            place,
+            QPointF(choice.mapToGlobal(place.toPoint())),
+            QPoint(),
+            QPoint(0, -120),
+            Qt.MouseButton.NoButton,
+            Qt.KeyboardModifier.NoModifier,
+            Qt.ScrollPhase.NoScrollPhase,
+            False,
+        )
         application.sendEvent(choice, turned)
     assert opened.session.case == before
 
@@ -251,16 +252,16 @@ def test_that_sentences_of_the_window_keep_paths_and_show_values_as_the_fields_d
     assert described(caught.value).startswith(
         "Analysis: Robust window = 1 % is narrower than one step of Step of the search = 5 %: widen"
     )
-    for key, value, words in (("thickness_m", 83.0, "Thickness t = 8300 cm is"),
-                              ("height_m", 83.0, "Height H = 83.0 is")):  # fmt: skip
+    for key, value, words in (
+        ("thickness_m", 83.0, "Thickness t = 8300 cm is"),
+        ("height_m", 83.0, "Height H = 83.0 is"),
+    ):
         with pytest.raises(InputError) as caught:
             check_value(Wall, key, value)
         assert described(caught.value).startswith(words)
 
 
-def test_that_the_building_of_walls_above_the_ground_is_edited_saved_and_taken_back(
-    opened, application
-):
+def test_that_the_building_of_walls_above_the_ground_is_edited_saved_and_taken_back(opened, application):
     form = opened.demand.building
     assert opened.session.case.building is None and "above the ground" in form.summary.text()
     form.given.setChecked(True)
@@ -290,9 +291,7 @@ def test_that_a_wall_above_the_ground_shows_its_floor(opened, application):
     opened.session.edit_wall(0, base_z_m=6.0)
     table = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
     opened.session.edit(replace(opened.session.case, building=Building(**table)))
-    opened.session.edit_section(
-        "demand", soil_factor=None, spectrum=Spectrum("EN1998", "B", type=1)
-    )
+    opened.session.edit_section("demand", soil_factor=None, spectrum=Spectrum("EN1998", "B", type=1))
     opened.run()
     settle(application, lambda: opened.session.result is not None and opened.job is None)
     for k, name in enumerate(opened.pages):
@@ -316,20 +315,12 @@ def test_that_an_a_g_beyond_any_of_italy_is_asked_about_where_it_is_typed_and_wi
     assert "S apart" in opened.demand.hint.text()
     type_into(opened.demand.ag, "2.55")
     application.processEvents()
-    asked = (
-        "a_g = 2.55 g is above 0.6 g, beyond the hazard of Italy at 2475 years: was 2.55 m/s2 meant"
-    )
+    asked = "a_g = 2.55 g is above 0.6 g, beyond the hazard of Italy at 2475 years: was 2.55 m/s2 meant"
     assert asked in opened.demand.hint.text() and opened.session.problem() is None
     type_into(opened.demand.ag, "0.26")
     application.processEvents()
     assert "S apart" in opened.demand.hint.text()
-    wall = {
-        "name": "w",
-        "height_m": 4.0,
-        "thickness_m": 0.5,
-        "base_z_m": 0.0,
-        "mechanism": "two_sided",
-    }
+    wall = {"name": "w", "height_m": 4.0, "thickness_m": 0.5, "base_z_m": 0.0, "mechanism": "two_sided"}
     result = run_study(parse_case({"wall": [wall], "demand": {"ag_g": 2.55}}), base_dir=tmp_path)
     tab = CheckTab("en")
     tab.show_wall(result, result.walls[0])

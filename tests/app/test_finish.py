@@ -128,8 +128,14 @@ def test_that_a_record_that_cannot_be_read_leads_to_its_row(opened, application)
 
 def test_that_what_a_run_refuses_leads_to_its_field(opened, application, monkeypatch):
     def refuse(*arguments, **options):
-        raise InputError("setback_too_large", key="hinge_setback_m", setback=0.3, most=0.2, share=40.0,
-                         place=(place("wall", name=opened.walls.wall.name),))  # fmt: skip
+        raise InputError(
+            "setback_too_large",
+            key="hinge_setback_m",
+            setback=0.3,
+            most=0.2,
+            share=40.0,
+            place=(place("wall", name=opened.walls.wall.name),),
+        )
 
     monkeypatch.setattr("core.study.run.run", refuse)
     said = []
@@ -190,18 +196,10 @@ def test_that_a_figure_is_as_wide_as_asked_light_and_has_its_caption(walls, widt
     assert image.width() == pytest.approx(width / 25.4 * dpi, abs=3)
     assert image.dotsPerMeterX() == round(dpi / 25.4 * 1000)
     assert image.pixelColor(2, 2).lightness() > 240
-    colors = {
-        image.pixelColor(x, y).name()
-        for x in range(0, image.width(), 3)
-        for y in range(0, image.height(), 3)
-    }
+    colors = {image.pixelColor(x, y).name() for x in range(0, image.width(), 3) for y in range(0, image.height(), 3)}
     assert theme.LIGHT.curves[0] in colors  # the curve itself
     below = range(int(0.92 * image.height()), image.height())
-    assert any(
-        image.pixelColor(x, y).lightness() < 140
-        for y in below
-        for x in range(0, image.width() // 2, 2)
-    )
+    assert any(image.pixelColor(x, y).lightness() < 140 for y in below for x in range(0, image.width() // 2, 2))
     assert (chart.view.size(), chart.plot.viewRange()) == (size, ranges)
     for end in (".svg", ".pdf"):
         content = figure(chart, end, FigureSize(width, dpi))
@@ -217,10 +215,7 @@ def test_that_stale_results_say_so_where_they_leave_and_live_ones_do_not(walls):
     walls.session.edit_wall(0, height_m=6.5)
     assert ChartOutput.stale and Table.stale and chart.is_stale and not live.is_stale
     assert "input has changed" in chart.content(".csv").decode()
-    assert (
-        "input has changed" in table.text()
-        and "input has changed" not in live.content(".csv").decode()
-    )
+    assert "input has changed" in table.text() and "input has changed" not in live.content(".csv").decode()
     marked = QImage.fromData(figure(chart, ".png", FigureSize()), "PNG")
     assert marked.height() > QImage.fromData(fresh, "PNG").height()
     walls.tabs.setCurrentWidget(walls.pages["spectra"])
@@ -275,8 +270,9 @@ def test_that_a_preset_sets_the_multiplier(walls):
     assert np.array_equal(tab.ground.data[0][2], ground) and tab.history.peak != plain
     for said in (tab.words.text(), tab.rotation.caption, tab.ground.caption):
         assert "FC on the strength: 1.35" in said
-    checked = next(r for r in wall.assessment.dynamic.runs
-                   if (r.record, r.polarity) == (tab.run.record, tab.run.polarity))  # fmt: skip
+    checked = next(
+        r for r in wall.assessment.dynamic.runs if (r.record, r.polarity) == (tab.run.record, tab.run.polarity)
+    )
     peak = tab.history.peak / wall.model.collapse_rotation
     if checked.peak_ratio is None:
         assert tab.history.outcome == 1

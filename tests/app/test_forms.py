@@ -41,9 +41,7 @@ LOADS = [
 def test_that_a_load_in_the_making_is_shown_by_every_form(opened, faults, mechanism, weight):
     before = opened.session.case
     for load in LOADS:
-        opened.session.edit_wall(
-            0, load=(load,), unit_weight_kn_m3=weight, mechanism=mechanism, length_m=4.0
-        )
+        opened.session.edit_wall(0, load=(load,), unit_weight_kn_m3=weight, mechanism=mechanism, length_m=4.0)
         assert opened.walls.loads.list.count() == 1 and faults == [], load
         opened.session.undo()
         assert opened.session.case == before
@@ -61,9 +59,7 @@ def test_that_a_carried_mass_to_be_sized_leaves_undo_alive(opened, faults):
 @pytest.mark.parametrize("form", [ImpactForm, LoadsForm, "walls", "demand", "analysis", "records"])
 def test_that_a_form_that_fails_stops_no_other(opened, faults, monkeypatch, form):
     kind = type(getattr(opened, form)) if isinstance(form, str) else form
-    broken = next(
-        name for name in ("_show_sizes", "_show_demand", "show_case") if name in vars(kind)
-    )
+    broken = next(name for name in ("_show_sizes", "_show_demand", "show_case") if name in vars(kind))
 
     failing = [True]
 
@@ -117,9 +113,7 @@ def test_that_one_fault_is_one_dialog_until_it_is_closed(opened, faults, monkeyp
 
 @pytest.mark.parametrize("language", ["en", "it"])
 @pytest.mark.parametrize("model", MODELS)
-def test_that_every_restitution_model_has_its_words_in_the_form(
-    application, tmp_path, model, language
-):
+def test_that_every_restitution_model_has_its_words_in_the_form(application, tmp_path, model, language):
     set_language(language)
     try:
         assert named_models()[model] and scopes()[model] and FORMULAS[model].startswith("e")
@@ -145,9 +139,7 @@ def test_that_the_form_has_words_for_no_model_that_is_not_there():
     assert set(named_models()) - {None} == set(scopes()) == set(FORMULAS) == set(MODELS)
 
 
-def test_that_a_model_whose_words_are_still_missing_is_shown_with_its_source(
-    opened, faults, monkeypatch
-):
+def test_that_a_model_whose_words_are_still_missing_is_shown_with_its_source(opened, faults, monkeypatch):
     """The first step of "Add a restitution model": in MODELS and in `restitution`, nowhere else."""
     monkeypatch.setitem(MODELS, "mine", "Eq. 1 of mine")
     real = of_restitution.restitution

@@ -64,6 +64,4 @@ def test_that_the_guide_opens_in_its_language(opened, tongue):
 
 def test_that_the_pages_of_both_guides_are_the_same():
     english, italian = (guide.pages_of(tongue) for tongue in ("en", "it"))
-    assert (
-        [path.name[0] for path in english] == [path.name[0] for path in italian] == list("1234567")
-    )
+    assert [path.name[0] for path in english] == [path.name[0] for path in italian] == list("1234567")

@@ -19,10 +19,7 @@ ELSEWHERE = {
     (Wall, "law"): "a list and two ends (app/forms/impact_form.py)",
     (Spectrum, "code"): "a list of codes (app/forms/demand_form.py)",
     (Demand, "spectrum_file"): "the same list",
-    (
-        Demand,
-        "limit_states",
-    ): "written in the case file; the outcome at each limit state is shown without it",
+    (Demand, "limit_states"): "written in the case file; the outcome at each limit state is shown without it",
     (Demand, "hazard_file"): "the table takes the rows of such a file",
     **{(Generate, key): "the button Generate…, which makes seven" for key in ("count", "seed")},
     **{(Record, entry.name): "the panel of records and its dialog" for entry in fields(Record)},
@@ -54,7 +51,7 @@ def test_that_every_field_but_a_text_has_help(opened, language):
         (field.section.__name__, field.key)
         for field in opened.findChildren(Field)
         if field.section in SECTIONS and not isinstance(field, TextField) and not guide.help_of(field)
-    }  # fmt: skip
+    }
     opened.set_choice("language", "en")
     set_language("en")
     assert without == set()

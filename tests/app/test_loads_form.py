@@ -15,9 +15,7 @@ from tests.app.driving import run, type_into
 
 
 def field(form, key):
-    return next(
-        one for one in form.load_fields + form.wall_fields + form.across_fields if one.key == key
-    )
+    return next(one for one in form.load_fields + form.wall_fields + form.across_fields if one.key == key)
 
 
 def loaded(opened):
@@ -50,11 +48,7 @@ def test_that_what_is_missing_of_a_load_is_said_and_blocks_the_run(opened):
     opened.session.edit_wall(0, mechanism="one_sided")
     type_into(opened.walls.weight, "18")
     form.add("tie")
-    assert (
-        "load" in opened.banner.text()
-        or "kN/m" in opened.banner.text()
-        or "Size" in opened.banner.text()
-    )
+    assert "load" in opened.banner.text() or "kN/m" in opened.banner.text() or "Size" in opened.banner.text()
     assert not opened.run_button.isEnabled()
     type_into(field(form, "kn_m"), "2")
     assert opened.run_button.isEnabled()
@@ -82,12 +76,7 @@ def test_that_hinges_and_return_walls_are_edited(opened):
     type_into(field(form, "hinge_heights"), "")
     form.across.setChecked(True)
     assert opened.session.problem() is not None
-    for key, text in (
-        ("number", "2"),
-        ("thickness_m", "40"),
-        ("brick_height_m", "20"),
-        ("brick_length_m", "30"),
-    ):
+    for key, text in (("number", "2"), ("thickness_m", "40"), ("brick_height_m", "20"), ("brick_length_m", "30")):
         type_into(field(form, key), text)
     assert opened.session.problem() is None
     assert opened.session.case.wall[0].return_walls.brick_length_m == pytest.approx(0.30)
@@ -109,9 +98,7 @@ def test_that_a_hazard_is_pasted_and_nonsense_is_refused(opened, monkeypatch):
     assert said and len(opened.session.case.demand.hazard) == 2
 
 
-def test_that_all_walls_are_on_one_tab_the_lowest_first_and_variants_are_compared(
-    opened, application
-):
+def test_that_all_walls_are_on_one_tab_the_lowest_first_and_variants_are_compared(opened, application):
     loaded(opened)
     opened.session.edit_wall(0, variant=AS_IS)
     opened.walls.duplicate()

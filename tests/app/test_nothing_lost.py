@@ -28,19 +28,11 @@ def own_record(opened, application, tmp_path) -> Path:
 
 
 @pytest.mark.parametrize("answer, written", [("Yes", True), ("No", False)])
-def test_that_an_ending_added_to_a_name_overwrites_nothing_unasked(
-    opened,
-    tmp_path,
-    monkeypatch,
-    answer,
-    written,
-):
+def test_that_an_ending_added_to_a_name_overwrites_nothing_unasked(opened, tmp_path, monkeypatch, answer, written):
     (tmp_path / "v1.2.toml").write_text("another")
     (tmp_path / "v1.toml").write_text("a third")
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "v1.2"), ""))
-    monkeypatch.setattr(
-        QMessageBox, "question", lambda *_: getattr(QMessageBox.StandardButton, answer)
-    )
+    monkeypatch.setattr(QMessageBox, "question", lambda *_: getattr(QMessageBox.StandardButton, answer))
     assert opened.files.save_as() is written
     assert ((tmp_path / "v1.2.toml").read_text() == "another") is not written
     assert (tmp_path / "v1.toml").read_text() == "a third"
@@ -57,12 +49,8 @@ def test_that_a_chart_not_written_says_so(opened, monkeypatch):
     assert said[0].startswith(f"{target}: cannot be written (No such file or directory)")
 
 
-@pytest.mark.parametrize(
-    "line", ['height_m = "7,0"', "name = 3", "law = {a = 1}", "notes = 2", "height_m = 1e9"]
-)
-def test_that_a_case_with_a_value_of_another_kind_leaves_what_is_open(
-    opened, tmp_path, monkeypatch, line
-):
+@pytest.mark.parametrize("line", ['height_m = "7,0"', "name = 3", "law = {a = 1}", "notes = 2", "height_m = 1e9"])
+def test_that_a_case_with_a_value_of_another_kind_leaves_what_is_open(opened, tmp_path, monkeypatch, line):
     said = []
     monkeypatch.setattr(QMessageBox, "warning", lambda *a: said.append(a[-1]))
     bad = tmp_path / "bad.toml"
@@ -87,16 +75,12 @@ def test_that_a_case_changed_by_another_program_is_not_overwritten_unasked(opene
     path.write_text(path.read_text() + "# a note\n")
     opened.session.edit_section("analysis", q_step=0.03)
     asked = []
-    monkeypatch.setattr(
-        QMessageBox, "question", lambda *a: asked.append(a[2]) or QMessageBox.StandardButton.No
-    )
+    monkeypatch.setattr(QMessageBox, "question", lambda *a: asked.append(a[2]) or QMessageBox.StandardButton.No)
     assert not opened.files.save() and "another program" in asked[0].lower()
     assert path.read_text().endswith("# a note\n")
 
 
-def test_that_a_file_beside_the_workbook_is_not_overwritten_unasked(
-    opened, application, tmp_path, monkeypatch
-):
+def test_that_a_file_beside_the_workbook_is_not_overwritten_unasked(opened, application, tmp_path, monkeypatch):
     run(application, opened)
     own = tmp_path / "own.json"
     own.write_text("mine")
@@ -146,9 +130,16 @@ def test_that_a_record_changed_on_disk_makes_the_results_stale(opened, applicati
 
 
 NAMES = (
-    "no\u00a0break.txt", "zero\u200bwidth.txt", "soft\u00adhyphen.txt", "new\U0001fae8emoji.txt", "bell\x07.txt",
-    "no\uffffcharacter_x0041_.txt", "quote'\"percent%41.txt", "accent è.txt", "[1].txt",
-)  # fmt: skip
+    "no\u00a0break.txt",
+    "zero\u200bwidth.txt",
+    "soft\u00adhyphen.txt",
+    "new\U0001fae8emoji.txt",
+    "bell\x07.txt",
+    "no\uffffcharacter_x0041_.txt",
+    "quote'\"percent%41.txt",
+    "accent è.txt",
+    "[1].txt",
+)
 
 
 @pytest.mark.parametrize(
@@ -159,9 +150,7 @@ NAMES = (
         b"latin-\xe8.txt".decode("utf-8", "surrogateescape"),
     ],
 )
-def test_that_every_name_the_system_gives_can_be_saved_read_run_and_reported(
-    opened, application, tmp_path, name
-):
+def test_that_every_name_the_system_gives_can_be_saved_read_run_and_reported(opened, application, tmp_path, name):
     """Dropped, saved, opened again, autosaved and recovered, run by the batch, read by a spreadsheet."""
     import openpyxl
 
@@ -211,11 +200,19 @@ def test_that_only_the_word_discard_deletes_an_autosave(opened, monkeypatch, tmp
 
 @pytest.mark.parametrize(
     "content",
-    ["[]", "5", "null", '{"case": 5, "base_dir": ".", "path": null}', '{"case": "", "base_dir": 5, "path": null}',
-     '{"case": "", "base_dir": ".", "path": "a\\u0000b"}', '{"case": "wall = 3", "base_dir": ".", "path": null}',
-     '{"case": "", "base_dir": ".", "path": ["x"]}', "[" * 100000,
-     '{"case": "x = [[[[", "base_dir": ".", "path": null}'],
-)  # fmt: skip
+    [
+        "[]",
+        "5",
+        "null",
+        '{"case": 5, "base_dir": ".", "path": null}',
+        '{"case": "", "base_dir": 5, "path": null}',
+        '{"case": "", "base_dir": ".", "path": "a\\u0000b"}',
+        '{"case": "wall = 3", "base_dir": ".", "path": null}',
+        '{"case": "", "base_dir": ".", "path": ["x"]}',
+        "[" * 100000,
+        '{"case": "x = [[[[", "base_dir": ".", "path": null}',
+    ],
+)
 def test_that_no_content_of_a_swap_file_ends_the_program(opened, content):
     swap = opened.session.recovery_folder / "z-cc.swap"
     swap.parent.mkdir(exist_ok=True)
@@ -249,17 +246,13 @@ def test_that_dropped_files_are_copied_never_moved(opened, tmp_path):
     data = QMimeData()
     data.setUrls([QUrl("http://not.a/file")])
     both = Qt.DropAction.MoveAction | Qt.DropAction.CopyAction
-    event = QDropEvent(
-        QPointF(5, 5), both, data, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.ShiftModifier
-    )
+    event = QDropEvent(QPointF(5, 5), both, data, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.ShiftModifier)
     event.setDropAction(Qt.DropAction.MoveAction)
     opened.records.dropEvent(event)
     assert event.dropAction() == Qt.DropAction.CopyAction
 
 
-def test_that_a_spectrum_file_changed_on_disk_makes_the_results_stale(
-    opened, application, tmp_path
-):
+def test_that_a_spectrum_file_changed_on_disk_makes_the_results_stale(opened, application, tmp_path):
     rows = [(0.05 * k, 0.24 * min(1.0 + k, 2.5, 25.0 / max(k, 1))) for k in range(100)]
     place = tmp_path / "s.txt"
     place.write_text("\n".join(f"{t:.2f} {s:.5f}" for t, s in rows) + "\n")

@@ -31,8 +31,14 @@ def test_that_reasons_are_asked_where_a_value_raises_zeta_and_nowhere_else(opene
     session.edit(replace(session.case, building=Building(9.0, 3, modes=(mode,))))
     session.edit_section("demand", q_code=4.0, confidence_factor=1.2)
     assert rows(demand.reasons) == {entry.name for entry in fields(DemandJustification)}
-    session.edit_wall(0, restitution="costa_upper", velocity_ratio=0.9, free_element=False,
-                      mechanism="both", return_walls=ReturnWalls(2, 0.4, 0.2, 0.3))  # fmt: skip
+    session.edit_wall(
+        0,
+        restitution="costa_upper",
+        velocity_ratio=0.9,
+        free_element=False,
+        mechanism="both",
+        return_walls=ReturnWalls(2, 0.4, 0.2, 0.3),
+    )
     assert rows(walls.reasons) == {entry.name for entry in fields(WallJustification)} - {"base_z_m"}
     session.edit(replace(session.case, building=Building(9.0, 3)))
     session.edit_wall(0, base_z_m=6.0)
@@ -62,9 +68,7 @@ def test_that_a_reason_is_typed_saved_read_and_taken_back(opened, application):
     assert session.case.demand.justification.q_code == "tests of this masonry"
 
 
-@pytest.mark.parametrize(
-    "text, value", [("base", "base"), ("floors", "floors"), ("", None), ("3 6", (3.0, 6.0))]
-)
+@pytest.mark.parametrize("text, value", [("base", "base"), ("floors", "floors"), ("", None), ("3 6", (3.0, 6.0))])
 def test_that_the_field_of_hinges_takes_words_and_heights(opened, text, value):
     (field,) = (one for one in opened.walls.loads.wall_fields if one.key == "hinge_heights")
     type_into(field, "4.5")
@@ -79,8 +83,16 @@ def test_that_the_field_of_hinges_takes_words_and_heights(opened, text, value):
     assert field.editor.text().replace(";", "") == text
 
 
-WALL = {"name": "w", "height_m": 6.0, "thickness_m": 0.6, "mechanism": "one_sided", "base_z_m": 0.0,
-        "unit_weight_kn_m3": 18.0, "back_restraint": "cross walls", "unloaded_confirmed": True}  # fmt: skip
+WALL = {
+    "name": "w",
+    "height_m": 6.0,
+    "thickness_m": 0.6,
+    "mechanism": "one_sided",
+    "base_z_m": 0.0,
+    "unit_weight_kn_m3": 18.0,
+    "back_restraint": "cross walls",
+    "unloaded_confirmed": True,
+}
 ACROSS = {"number": 4, "thickness_m": 0.5, "brick_height_m": 0.2, "brick_length_m": 0.4}
 
 
@@ -89,17 +101,16 @@ ACROSS = {"number": 4, "thickness_m": 0.5, "brick_height_m": 0.2, "brick_length_
     [
         ({}, {"q_code": 5.0}, "q_code"),
         ({"return_walls": ACROSS, "length_m": 4.0}, {"ag_g": 0.125}, "return_walls"),
-        ({"velocity_ratio": 0.0}, {"ag_g": 0.32, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}},
-         "velocity_ratio"),
+        (
+            {"velocity_ratio": 0.0},
+            {"ag_g": 0.32, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}},
+            "velocity_ratio",
+        ),
     ],
-)  # fmt: skip
+)
 def test_that_every_reason_the_verdict_asks_for_has_its_row(wall, demand, asked):
     spectral = "spectrum" in demand
-    table = {
-        "wall": [{**WALL, **wall}],
-        "demand": {"ag_g": 0.2, **demand},
-        "analysis": {"q_step": 0.05},
-    }
+    table = {"wall": [{**WALL, **wall}], "demand": {"ag_g": 0.2, **demand}, "analysis": {"q_step": 0.05}}
     if spectral:
         table["generate"] = {"count": 3, "seed": 1}
     else:

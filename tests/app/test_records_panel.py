@@ -38,9 +38,7 @@ def test_that_one_motion_of_many_is_left_out_alone(bundled, application):
     assert files(bundled) == ["noise_*.txt"]
 
 
-def test_that_one_motion_of_many_is_turned_or_removed_alone_and_all_of_them_as_one(
-    bundled, application
-):
+def test_that_one_motion_of_many_is_turned_or_removed_alone_and_all_of_them_as_one(bundled, application):
     bundled.records.table.selectAll()
     bundled.records.reverse()
     assert [entry.scale for entry in bundled.session.case.record] == [-1.0]
@@ -85,9 +83,7 @@ def test_that_generated_motions_are_ticked_and_stay_one_set(bundled, application
     assert bundled.session.case.generate is None and files(bundled) == ["noise_*.txt"]
 
 
-def test_that_the_dialog_takes_only_choices_the_case_accepts_and_shows_those_of_each_file(
-    application, tmp_path
-):
+def test_that_the_dialog_takes_only_choices_the_case_accepts_and_shows_those_of_each_file(application, tmp_path):
     from PySide6.QtWidgets import QDialogButtonBox
 
     from app.forms.import_dialog import ImportDialog
@@ -144,9 +140,7 @@ def test_that_the_dialog_marks_what_cannot_be_read(application, tmp_path):
     dialog.deleteLater()
 
 
-def test_that_a_file_of_several_channels_is_a_row_for_each_and_none_is_taken_unticked(
-    application, tmp_path
-):
+def test_that_a_file_of_several_channels_is_a_row_for_each_and_none_is_taken_unticked(application, tmp_path):
     from PySide6.QtCore import Qt
 
     from app.forms.import_dialog import ImportDialog
@@ -159,8 +153,11 @@ def test_that_a_file_of_several_channels_is_a_row_for_each_and_none_is_taken_unt
     settle(application, lambda: not dialog.unmarked)
     shown = [dialog.list.item(k).text() for k in range(dialog.list.count())]
     assert [name.rstrip(" ✕") for name in shown] == [
-        "three.V2: 1: 360 Deg", "three.V2: 2: Up (vertical)", "three.V2: 3: 90 Deg", "one.AT2",
-    ]  # fmt: skip
+        "three.V2: 1: 360 Deg",
+        "three.V2: 2: Up (vertical)",
+        "three.V2: 3: 90 Deg",
+        "one.AT2",
+    ]
     assert [entry.file for entry in dialog.chosen()] == [str(other)]
     for k in (0, 2):
         dialog.list.setCurrentRow(k)  # each has its preview

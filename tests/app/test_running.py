@@ -37,9 +37,7 @@ def test_that_finished_runs_are_used_again(opened, application, monkeypatch):
     assert opened.session.result.walls == first.walls
 
 
-def test_that_an_export_cancelled_before_it_writes_leaves_no_file(
-    opened, application, tmp_path, monkeypatch
-):
+def test_that_an_export_cancelled_before_it_writes_leaves_no_file(opened, application, tmp_path, monkeypatch):
     from app.worker import RUNNING
     from core.report import workbook
 
@@ -54,9 +52,7 @@ def test_that_an_export_cancelled_before_it_writes_leaves_no_file(
     assert list((tmp_path / "out").iterdir()) == []
 
 
-def test_that_an_export_that_writes_is_not_said_to_be_cancelled(
-    opened, application, tmp_path, monkeypatch
-):
+def test_that_an_export_that_writes_is_not_said_to_be_cancelled(opened, application, tmp_path, monkeypatch):
     from core import atomic_write
 
     run(application, opened)
@@ -70,9 +66,7 @@ def test_that_an_export_that_writes_is_not_said_to_be_cancelled(
     assert (tmp_path / "small.xlsx").exists() and (tmp_path / "small.json").exists()
 
 
-def test_that_kernels_of_a_method_chosen_later_are_made_ready_and_a_failure_is_said(
-    opened, application, monkeypatch
-):
+def test_that_kernels_of_a_method_chosen_later_are_made_ready_and_a_failure_is_said(opened, application, monkeypatch):
     from core.study import run as study
 
     asked = []
@@ -115,9 +109,7 @@ def test_that_a_window_closed_while_files_are_written_goes_when_they_are_there(
     assert (tmp_path / "small.xlsx").exists()
 
 
-def test_that_a_failed_export_keeps_a_closing_window_open_to_say_so(
-    opened, application, tmp_path, monkeypatch
-):
+def test_that_a_failed_export_keeps_a_closing_window_open_to_say_so(opened, application, tmp_path, monkeypatch):
     from core import atomic_write
     from core.errors import OutputError
 

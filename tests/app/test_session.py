@@ -50,11 +50,7 @@ def test_that_undo_and_redo_walk_over_every_edit(session):
 
 
 @settings(max_examples=50, deadline=None)
-@given(
-    st.lists(
-        st.tuples(st.sampled_from(["height_m", "thickness_m"]), st.floats(0.2, 9.0)), max_size=12
-    )
-)
+@given(st.lists(st.tuples(st.sampled_from(["height_m", "thickness_m"]), st.floats(0.2, 9.0)), max_size=12))
 def test_that_undoing_everything_gives_the_first_case(edits):
     import tempfile
     from pathlib import Path
@@ -96,9 +92,7 @@ def test_that_a_case_in_the_making_can_be_saved_and_opened_again(session, tmp_pa
 DRAFTS = {
     "a load without size": {"load": (Load("vertical", "", 5.0),)},
     "a load of a wall without height": {"height_m": None, "load": (Load("tie", "", ""),)},
-    "one load of two without size": {
-        "load": (Load("thrust", 2.0, 3.0), Load("carried_mass", "", 4.0, 0.2))
-    },
+    "one load of two without size": {"load": (Load("thrust", 2.0, 3.0), Load("carried_mass", "", 4.0, 0.2))},
     "return walls ticked": {"return_walls": ReturnWalls("", "", "", "")},
     "some of the return walls": {"return_walls": ReturnWalls(2, "", 0.2, "")},
     "a law whose ends are the wrong way round": {"law": {"elastic_limit": 0.5, "plateau_end": 0.2}},
@@ -246,11 +240,7 @@ def test_that_a_killed_program_leaves_its_unsaved_case(tmp_path):
 
 def test_that_a_damaged_swap_is_refused(tmp_path):
     session = Session(tmp_path)
-    for content in (
-        "{",
-        json.dumps({"case": "x ="}),
-        json.dumps({"path": None, "base_dir": ".", "case": "bad = 1"}),
-    ):
+    for content in ("{", json.dumps({"case": "x ="}), json.dumps({"path": None, "base_dir": ".", "case": "bad = 1"})):
         path = tmp_path / "0123-999999999.swap"
         path.write_text(content)
         with pytest.raises(InputError):

@@ -51,8 +51,9 @@ def test_that_pyqtgraph_has_all_of_qt_where_its_import_is_quickened():
         "all(getattr(a, n) is getattr(b, n) for a, b in pairs for n in dir(b) if n[0] != '_' and '.' not in n))"
     )
     pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
-    found = subprocess.run([sys.executable, "-P", "-c", script], capture_output=True, text=True,
-                           env=dict(os.environ, PYTHONPATH=str(ROOT)))  # fmt: skip
+    found = subprocess.run(
+        [sys.executable, "-P", "-c", script], capture_output=True, text=True, env=dict(os.environ, PYTHONPATH=str(ROOT))
+    )
     assert found.stdout.split() == ["True", "True"], found.stderr
 
 

@@ -24,9 +24,11 @@ with start.logged_crash(Path(sys.argv[1])) as earlier:
 
 def start(folder, kind):
     return subprocess.run(
-        [sys.executable, "-P", "-c", FAULT, folder, kind], capture_output=True, text=True,
+        [sys.executable, "-P", "-c", FAULT, folder, kind],
+        capture_output=True,
+        text=True,
         env=dict(os.environ, PYTHONPATH=str(ROOT), QT_QPA_PLATFORM="offscreen"),
-    )  # fmt: skip
+    )
 
 
 def test_that_a_fault_leaves_a_log_that_the_next_start_names_once(tmp_path):
@@ -35,18 +37,14 @@ def test_that_a_fault_leaves_a_log_that_the_next_start_names_once(tmp_path):
     assert log.name.startswith("crash-") and "reading_a_record" in log.read_text()
     named = log.with_suffix(".txt").name
     assert start(tmp_path, "none").stdout == f"['{named}']\n"
-    assert [file.name for file in tmp_path.iterdir()] == [
-        named
-    ]  # its own log is gone, the other not named again
+    assert [file.name for file in tmp_path.iterdir()] == [named]  # its own log is gone, the other not named again
 
 
 def test_that_a_user_without_a_writable_home_has_a_folder_of_data(tmp_path, monkeypatch):
     from app import start
 
     (tmp_path / "file").touch()
-    monkeypatch.setattr(
-        start.QStandardPaths, "writableLocation", lambda _: str(tmp_path / "file" / "data")
-    )
+    monkeypatch.setattr(start.QStandardPaths, "writableLocation", lambda _: str(tmp_path / "file" / "data"))
     monkeypatch.setattr(start.tempfile, "tempdir", str(tmp_path))
     folder = start.data_folder()
     assert folder.parent == tmp_path and folder.name.startswith("ribalta-data-") and folder.is_dir()
@@ -71,15 +69,11 @@ def test_that_an_arrangement_of_another_version_is_left_aside(opened, monkeypatc
     assert not opened.restoreState(state, docks.LAYOUT + 1)
 
 
-def test_that_a_case_of_the_own_extension_opens_saves_and_runs_as_batch(
-    opened, tmp_path, monkeypatch
-):
+def test_that_a_case_of_the_own_extension_opens_saves_and_runs_as_batch(opened, tmp_path, monkeypatch):
     from app import files
 
     path = tmp_path / "parete.ribalta"
-    monkeypatch.setattr(
-        files, "path_to_write", lambda *given: path if given[-1] == files.CASE_ENDS else None
-    )
+    monkeypatch.setattr(files, "path_to_write", lambda *given: path if given[-1] == files.CASE_ENDS else None)
     assert opened.files.save_as() and path.exists()
     assert opened.files.open(path) and opened.session.path == path
     from app.__main__ import main
@@ -103,9 +97,11 @@ def test_that_a_file_the_system_asks_to_open_opens(tmp_path):
     example = (ROOT / "resources" / "cases" / "example.toml").read_text(encoding="utf-8")
     path.write_text(example.replace('"../', f'"{ROOT.as_posix()}/resources/'), encoding="utf-8")
     words = subprocess.run(
-        [sys.executable, "-P", "-c", OPENED, path], capture_output=True, text=True,
+        [sys.executable, "-P", "-c", OPENED, path],
+        capture_output=True,
+        text=True,
         env=dict(os.environ, PYTHONPATH=str(ROOT), QT_QPA_PLATFORM="offscreen", HOME=str(tmp_path)),
-    )  # fmt: skip
+    )
     assert words.stdout.strip() == str(path), words.stderr
 
 
@@ -115,9 +111,11 @@ def test_that_no_display_is_said_in_a_sentence(platform, displays):
     screens = ("DISPLAY", "WAYLAND_DISPLAY")
     none = {key: value for key, value in os.environ.items() if key not in screens}
     words = subprocess.run(
-        [sys.executable, "-P", "-m", "app"], capture_output=True, text=True,
+        [sys.executable, "-P", "-m", "app"],
+        capture_output=True,
+        text=True,
         env=none | displays | {"PYTHONPATH": str(ROOT), "QT_QPA_PLATFORM": platform, "LC_ALL": "C"},
-    )  # fmt: skip
+    )
     assert words.returncode == 1
     assert words.stderr.startswith("error: there is no display for the window")
     assert words.stderr.count("\n") == 1

@@ -78,9 +78,7 @@ def test_that_a_study_writes_files_that_open(small, tmp_path, capsys):
     assert whole["runs"]["sha256"] == hashlib.sha256(runs).hexdigest()
     for row in rows:
         assert row["status"] == "collapse_found" and float(row["q_low"]) < float(row["q"])
-        assert float(row["q_eff"]) == pytest.approx(
-            float(row["q"]) / float(row["pga_g"]), rel=1e-12
-        )
+        assert float(row["q_eff"]) == pytest.approx(float(row["q"]) / float(row["pga_g"]), rel=1e-12)
     book = load_workbook(tmp_path / "small.xlsx")
     assert book["Study"]["A1"].value == "=1+1" and book["Study"]["A1"].data_type == "s"
     assert len(book["Figures"]._charts) == 4
@@ -124,9 +122,7 @@ def test_that_a_study_never_takes_the_place_of_a_file_it_reads(place, small, tmp
     own = tmp_path / "own.json"
     own.write_text(STUDY)
     assert call("--study", own) == 1 and own.read_text() == STUDY
-    assert sorted(path.name for path in tmp_path.iterdir()) == sorted(
-        ["small.toml", "own.json", place]
-    )
+    assert sorted(path.name for path in tmp_path.iterdir()) == sorted(["small.toml", "own.json", place])
 
 
 @pytest.mark.long
@@ -142,9 +138,7 @@ def test_that_a_title_may_change_and_figures_of_an_earlier_run_go(small, tmp_pat
     for name in ("fig21_natural.png", "mine.png"):
         (old / name).write_bytes(b"x")
     assert call("--study", small, "--resume", "--quiet") == 0
-    assert "finished by an earlier start" in " ".join(
-        json.loads((tmp_path / "small.json").read_text())["notes"]
-    )
+    assert "finished by an earlier start" in " ".join(json.loads((tmp_path / "small.json").read_text())["notes"])
     assert (old / "mine.png").exists() and not (old / "fig21_natural.png").exists()
 
 
@@ -162,13 +156,9 @@ def test_that_every_report_is_made_of_any_grid(report, grid, tmp_path):
     """Few walls, other restitutions, records alone: less is shown, nothing fails."""
     path = tmp_path / "any.toml"
     names = STUDY.replace('"s1"', '"s $^$ / x"').replace('name = "A"', 'name = "../A"')
-    path.write_text(
-        f'report = "{report}"\n' + names.replace('mechanism = ["two_sided", "one_sided"]', grid)
-    )
+    path.write_text(f'report = "{report}"\n' + names.replace('mechanism = ["two_sided", "one_sided"]', grid))
     shutil.copy(ROOT / "resources" / "motions" / "noise_1.txt", tmp_path)
-    assert (
-        call("--study", path, "--records", tmp_path, "--output", tmp_path / "out", "--quiet") == 0
-    )
+    assert call("--study", path, "--records", tmp_path, "--output", tmp_path / "out", "--quiet") == 0
     whole = json.loads((tmp_path / "out" / "any.json").read_text())
     assert not re.search(r"\bnan\b", " ".join(whole["notes"]))
     assert not any(table["rows"] == [] for table in whole["tables"])
@@ -197,9 +187,7 @@ def test_that_a_short_run_has_its_own_files(small, tmp_path):
         (["--study", "{broken}"], "did you mean height_m"),
     ],
 )
-def test_that_wrong_input_is_one_sentence_and_nothing_is_written(
-    arguments, words, small, tmp_path, capsys
-):
+def test_that_wrong_input_is_one_sentence_and_nothing_is_written(arguments, words, small, tmp_path, capsys):
     broken = tmp_path / "broken.toml"
     broken.write_text(STUDY.replace("height_m", "heigth_m"))
     before = sorted(tmp_path.iterdir())
@@ -210,9 +198,7 @@ def test_that_wrong_input_is_one_sentence_and_nothing_is_written(
     assert sorted(tmp_path.iterdir()) == before
 
 
-@pytest.mark.parametrize(
-    "arguments", [["--quick"], ["--records", "x"], ["--study", "paper", "--batch", "x"]]
-)
+@pytest.mark.parametrize("arguments", [["--quick"], ["--records", "x"], ["--study", "paper", "--batch", "x"]])
 def test_that_options_that_do_not_go_together_are_wrong_usage(arguments, capsys):
     with pytest.raises(SystemExit) as ended:
         call(*arguments)
@@ -224,9 +210,7 @@ def test_that_options_that_do_not_go_together_are_wrong_usage(arguments, capsys)
 def paper(tmp_path_factory):
     """The paper's study in its short form, and its files."""
     folder = tmp_path_factory.mktemp("paper")
-    made = study.results(
-        "paper", folder, None, 2, True, False, lambda done, of, left: None, lambda: False
-    )
+    made = study.results("paper", folder, None, 2, True, False, lambda done, of, left: None, lambda: False)
     report = report_of(made.result)
     study.write(made.result, report, folder, made.stem)
     made.book.remove()
@@ -248,9 +232,7 @@ def test_that_the_claims_of_the_paper_are_counted(paper):
     assert min(share("safe side, two-sided, sets") + share("safe side, one-sided, sets")) == 1.0
     assert min(share("PGA alone does not decide")) == 1.0
     assert min(share("more conservative, one-sided")) == 1.0
-    assert (
-        max(share("more conservative, two-sided")) < 0.5
-    )  # not so for walls that rock to both sides
+    assert max(share("more conservative, two-sided")) < 0.5  # not so for walls that rock to both sides
     assert share("within 20 % of Eq. 16")[0] > 0.7 > 0.4 > share("within 20 % of Eq. 15")[0]
 
 
@@ -259,20 +241,14 @@ def test_that_every_figure_of_the_paper_is_there_but_those_of_records(paper):
     folder, result, report = paper
     numbers = {figure.key[3:5] for figure in report.figures if figure.key.startswith("fig")}
     assert numbers == {f"{k:02}" for k in range(4, 21)}
-    assert {path.stem for path in (folder / "paper_quick_figures").glob("*.png")} == {
-        f.key for f in report.figures
-    }
+    assert {path.stem for path in (folder / "paper_quick_figures").glob("*.png")} == {f.key for f in report.figures}
     assert all(row.q is not None for row in result.rows)
     assert [table.key for table in report.tables] == ["table1", "eq13", "eq14", "distance"]
 
 
 @pytest.mark.long
-@pytest.mark.parametrize(
-    "mechanism, quantity", [(m, q) for m in ("two_sided", "one_sided") for q in ("q", "q_slv")]
-)
-def test_that_the_stored_law_holds_for_shapes_and_seeds_it_has_never_seen(
-    paper, mechanism, quantity
-):
+@pytest.mark.parametrize("mechanism, quantity", [(m, q) for m in ("two_sided", "one_sided") for q in ("q", "q_slv")])
+def test_that_the_stored_law_holds_for_shapes_and_seeds_it_has_never_seen(paper, mechanism, quantity):
     """Nine shapes of the paper's study, two motions each; the law was fitted on others."""
     _, result, _ = paper
     fitted = FITTED[mechanism, "rigid", quantity]
@@ -291,9 +267,7 @@ def test_that_the_italian_study_has_the_same_numbers(small, tmp_path):
     assert load_workbook(tmp_path / "small.xlsx").sheetnames[0] == "Studio"
 
 
-def test_that_the_window_of_a_study_runs_cancels_goes_on_and_shows_it(
-    application, small, tmp_path, monkeypatch
-):
+def test_that_the_window_of_a_study_runs_cancels_goes_on_and_shows_it(application, small, tmp_path, monkeypatch):
     from PySide6.QtWidgets import QMessageBox
 
     from app.study_window import StudyWindow
@@ -328,9 +302,7 @@ def test_that_the_window_of_a_study_runs_cancels_goes_on_and_shows_it(
     made.deleteLater()
 
 
-def test_that_a_study_without_its_packages_is_refused_before_it_computes(
-    small, tmp_path, monkeypatch, capsys
-):
+def test_that_a_study_without_its_packages_is_refused_before_it_computes(small, tmp_path, monkeypatch, capsys):
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     before = sorted(tmp_path.iterdir())
     assert call("--study", small, "--output", tmp_path / "out") == 1
@@ -352,8 +324,6 @@ def test_that_a_figure_that_fails_takes_no_number_along(small, tmp_path, monkeyp
     assert content(tmp_path / "out") == content(tmp_path / "right")
     load_workbook(tmp_path / "out" / "small.xlsx")
     monkeypatch.undo()  # finished runs are used again, so that the figures cost no second run
-    monkeypatch.setattr(
-        "core.study.parametric.incremental_dynamic_analysis", lambda *_: pytest.fail("run again")
-    )
+    monkeypatch.setattr("core.study.parametric.incremental_dynamic_analysis", lambda *_: pytest.fail("run again"))
     assert call("--study", small, "--output", tmp_path / "out", "--resume", "--quiet") == 0
     assert len(list((tmp_path / "out" / "small_figures").iterdir())) == 8

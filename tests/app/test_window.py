@@ -91,9 +91,7 @@ def test_that_a_new_wall_has_no_mechanism_until_one_is_chosen(opened):
 
 
 def test_that_rows_copied_from_excel_become_walls(opened):
-    QApplication.clipboard().setText(
-        "Parete\tz\tH\tt\tMeccanismo\n\tm\tm\tcm\t\nnord\t0\t4,5\t45\tun lato\n"
-    )
+    QApplication.clipboard().setText("Parete\tz\tH\tt\tMeccanismo\n\tm\tm\tcm\t\nnord\t0\t4,5\t45\tun lato\n")
     opened.walls.paste()
     wall = opened.session.case.wall[-1]
     assert (wall.name, wall.height_m, wall.mechanism) == ("nord", 4.5, "one_sided")
@@ -124,9 +122,7 @@ def test_the_whole_job(opened, application, tmp_path):
     opened.session.undo()
     assert not opened.session.stale  # the finished result is kept
     opened.files.save()
-    opened.files.export(tmp_path / "out" / "small.xlsx") if (
-        tmp_path / "out"
-    ).mkdir() is None else None
+    opened.files.export(tmp_path / "out" / "small.xlsx") if (tmp_path / "out").mkdir() is None else None
     settle(application, lambda: opened.job is None)
     assert (tmp_path / "out" / "small.xlsx").exists()
     assert read_case(opened.session.path) == opened.session.case
@@ -171,19 +167,12 @@ def test_that_files_and_folders_dropped_with_the_mouse_are_taken(opened, applica
     from app.forms.import_dialog import ImportDialog
 
     seen = []
-    monkeypatch.setattr(
-        ImportDialog, "exec", lambda dialog: seen.append(dialog) or dialog.DialogCode.Accepted
-    )
+    monkeypatch.setattr(ImportDialog, "exec", lambda dialog: seen.append(dialog) or dialog.DialogCode.Accepted)
     folder = ROOT / "resources" / "motions"
     payload = QMimeData()
     payload.setUrls([QUrl.fromLocalFile(str(folder)), QUrl("https://example.org/a.txt")])
     place = QPointF(opened.records.rect().center())
-    keys = (
-        Qt.DropAction.CopyAction,
-        payload,
-        Qt.MouseButton.LeftButton,
-        Qt.KeyboardModifier.NoModifier,
-    )
+    keys = (Qt.DropAction.CopyAction, payload, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier)
     enter = QDragEnterEvent(place.toPoint(), *keys)
     application.sendEvent(opened.records, enter)
     assert enter.isAccepted()
@@ -221,12 +210,7 @@ def test_that_the_slider_integrates_what_the_core_says(opened, application):
     tab.slider.setValue(700)
     motion = opened.session.result.motions[0]
     wall = opened.session.result.walls[0]
-    truth = history(
-        motion.acceleration,
-        motion.time_step,
-        tab.q * threshold_of(wall.model) / motion.pga,
-        wall.model,
-    )
+    truth = history(motion.acceleration, motion.time_step, tab.q * threshold_of(wall.model) / motion.pga, wall.model)
     assert np.array_equal(tab.history.rotation, truth.rotation)
 
 
@@ -266,10 +250,13 @@ def test_that_every_editor_has_a_name_for_a_screen_reader(opened):
     from PySide6.QtWidgets import QComboBox, QLineEdit
 
     nameless = [
-        widget for kind in (QLineEdit, QComboBox) for widget in opened.findChildren(kind)
-        if not widget.accessibleName() and not widget.objectName().startswith("qt_")
+        widget
+        for kind in (QLineEdit, QComboBox)
+        for widget in opened.findChildren(kind)
+        if not widget.accessibleName()
+        and not widget.objectName().startswith("qt_")
         and not isinstance(widget.parent(), QComboBox)
-    ]  # fmt: skip
+    ]
     assert [type(widget.parent()).__name__ for widget in nameless] == []
 
 
@@ -367,9 +354,7 @@ def test_that_a_copied_picture_lets_the_program_end(tmp_path):
         "from app.plots.chart import Chart; c = Chart('x', 'y', 'n'); c.curve('k', [0, 1], [0, 1]); c.copy()"
     )
     found = subprocess.run(
-        [sys.executable, "-P", "-c", script],
-        env={**os.environ, "PYTHONPATH": str(ROOT)},
-        timeout=60,
+        [sys.executable, "-P", "-c", script], env={**os.environ, "PYTHONPATH": str(ROOT)}, timeout=60
     )
     assert found.returncode == 0
 

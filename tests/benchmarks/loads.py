@@ -63,26 +63,24 @@ def main(options: argparse.Namespace) -> None:
         assert lifted.mean() > 0.5 and other < 1e-6, "not the same motion"
 
         def lanes(model, by, scales=scales):
-            return best_seconds(lambda: scan(taylor, ground / by, dt, scales, model, outcomes, peaks),
-                                repeats[0])  # fmt: skip
+            return best_seconds(lambda: scan(taylor, ground / by, dt, scales, model, outcomes, peaks), repeats[0])
 
         def search(model, by):
             pga = float(np.abs(ground).max()) / by
-            return best_seconds(lambda: incremental_dynamic_analysis(
-                ground / by, dt, pga, 1, model, taylor, Search()), repeats[1])  # fmt: skip
+            return best_seconds(
+                lambda: incremental_dynamic_analysis(ground / by, dt, pga, 1, model, taylor, Search()), repeats[1]
+            )
 
         def single(model, by, least=least):
-            return best_seconds(
-                lambda: history(ground / by, dt, 2.0 * least, model, taylor), repeats[2]
-            )
+            return best_seconds(lambda: history(ground / by, dt, 2.0 * least, model, taylor), repeats[2])
 
         side = "one-sided" if one_sided else "two-sided"
         for name, call in (("lanes", lanes), ("search", search), ("history", single)):
             ratios = sorted(call(loaded, 1.0) / call(bare, factor) for _ in range(pairs))
-            print(
-                f"{f'{name}, {side}':32} {statistics.median(ratios):7.3f}   {ratios[0]:.3f}-{ratios[-1]:.3f}"
-            )
+            print(f"{f'{name}, {side}':32} {statistics.median(ratios):7.3f}   {ratios[0]:.3f}-{ratios[-1]:.3f}")
         if not one_sided:
             ratios = sorted(lanes(unlike, 1.0) / lanes(loaded, 1.0) for _ in range(pairs))
-            print(f"{'lanes, sides unlike over alike':32} {statistics.median(ratios):7.3f}   "
-                  f"{ratios[0]:.3f}-{ratios[-1]:.3f}")  # fmt: skip
+            print(
+                f"{'lanes, sides unlike over alike':32} {statistics.median(ratios):7.3f}   "
+                f"{ratios[0]:.3f}-{ratios[-1]:.3f}"
+            )

@@ -28,9 +28,7 @@ topography = "T1"
 def batch(case: Path, walls: int) -> tuple[float, float]:
     """(seconds, MB) of a batch of so many walls as a process of its own."""
     start = time.perf_counter()
-    with subprocess.Popen(
-        [sys.executable, "-P", "-m", "app", "--batch", case, "--quiet"], cwd=ROOT
-    ) as run:
+    with subprocess.Popen([sys.executable, "-P", "-m", "app", "--batch", case, "--quiet"], cwd=ROOT) as run:
         _, status, used = os.wait4(run.pid, 0)
         run.returncode = os.waitstatus_to_exitcode(status)
     assert run.returncode in (0, 3), f"the batch ended with {run.returncode}"
@@ -74,10 +72,7 @@ def main(options: argparse.Namespace) -> None:
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         for label, case, number in (
-            *(
-                (f"{n} walls x {motions} records, all checks", walls(folder, n, motions), n)
-                for n in many
-            ),
+            *((f"{n} walls x {motions} records, all checks", walls(folder, n, motions), n) for n in many),
             (f"one record of {samples} samples", long_record(folder, samples), 1),
         ):
             seconds, megabytes = batch(case, number)

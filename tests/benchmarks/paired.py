@@ -54,8 +54,11 @@ def figures(small: bool) -> dict[str, float]:
     walk *= 2.5 / np.abs(walk).max() * np.sin(np.arange(samples) * np.pi / samples)
     ground = np.ascontiguousarray(6.0 * np.diff(walk, append=0.0) + 0.3 * walk)
     pga, alpha, found = float(np.abs(ground).max()), math.radians(6.8), {}
-    walls = {"two-sided": (0.0, 0.979, 0.0, 0.0), "one-sided": (1.0, 0.45, 0.0, 0.0),
-             "trilinear": (0.0, 0.979, 0.06, 0.28)}  # fmt: skip
+    walls = {
+        "two-sided": (0.0, 0.979, 0.0, 0.0),
+        "one-sided": (1.0, 0.45, 0.0, 0.0),
+        "trilinear": (0.0, 0.979, 0.06, 0.28),
+    }
     scales = np.linspace(0.8, 1.6, MULTIPLIERS)
     outcomes, peaks = np.zeros(MULTIPLIERS, np.int64), np.zeros(MULTIPLIERS)
     taylor = METHODS["taylor"]
@@ -110,21 +113,19 @@ def main(options: argparse.Namespace) -> None:
             for tree, cache in trees:
                 measured(tree, cache)
             runs = [[measured(*tree) for tree in trees] for _ in range(options.pairs)]
-    print(
-        f"{'this tree over the other':24} {'median':>7} {'range':>15} {'smallest':>9} {'time':>12}"
-    )
+    print(f"{'this tree over the other':24} {'median':>7} {'range':>15} {'smallest':>9} {'time':>12}")
     for name in runs[0][0]:
         ratios = sorted(mine[name] / theirs[name] for theirs, mine in runs)
         best = [min(run[k][name] for run in runs) for k in (0, 1)]
-        print(f"{name:24} {statistics.median(ratios):7.3f} {ratios[0]:7.3f}-{ratios[-1]:.3f} "
-              f"{best[1] / best[0]:9.3f} {1e3 * best[1]:9.3f} ms")  # fmt: skip
+        print(
+            f"{name:24} {statistics.median(ratios):7.3f} {ratios[0]:7.3f}-{ratios[-1]:.3f} "
+            f"{best[1] / best[0]:9.3f} {1e3 * best[1]:9.3f} ms"
+        )
 
 
 if __name__ == "__main__":
     import core
 
     given = core.__path__[0]
-    assert Path(given).resolve().is_relative_to(sys.argv[1]), (
-        f"{given} is measured in place of {sys.argv[1]}"
-    )
+    assert Path(given).resolve().is_relative_to(sys.argv[1]), f"{given} is measured in place of {sys.argv[1]}"
     print(json.dumps(figures("--small" in sys.argv)))

@@ -33,9 +33,14 @@ def scipy_restarted(scene: Scene) -> np.ndarray:
     model = scene.model
     kinks = None if model.plateau_end == 0.0 else (model.elastic_end, model.plateau_end)
     theta, _ = independent_solver.history(
-        scene.ground, scene.dt, model.slenderness, model.p2, model.one_sided != 0.0,
-        lambda v: model.ratio_at_rest, kinks,
-    )  # fmt: skip
+        scene.ground,
+        scene.dt,
+        model.slenderness,
+        model.p2,
+        model.one_sided != 0.0,
+        lambda v: model.ratio_at_rest,
+        kinks,
+    )
     return theta / model.slenderness
 
 
@@ -70,9 +75,16 @@ def scipy_naive(scene: Scene, rtol: float = 1e-8) -> np.ndarray:
                 continue
             now, side, state, moving = times[k] + start[0], start[1], [0.0, 0.0], True
         found = solve_ivp(
-            motion, (now, times[-1]), state, "DOP853", rtol=rtol, atol=1e-3 * rtol, events=impact,
-            args=(side,), dense_output=True,
-        )  # fmt: skip
+            motion,
+            (now, times[-1]),
+            state,
+            "DOP853",
+            rtol=rtol,
+            atol=1e-3 * rtol,
+            events=impact,
+            args=(side,),
+            dense_output=True,
+        )
         inside = (times >= now) & (times <= found.t[-1])
         if inside.any():
             theta[inside] = side * found.sol(times[inside])[0]
@@ -107,9 +119,7 @@ class Heyoka:
         falling: dict[str, Any] = {"direction": hy.event_direction.negative, "cooldown": 0.0}
         if lanes == 1:
             event = hy.t_event(phi, callback=lambda _, sign: self.impact(0), **falling)
-            self.integrator = hy.taylor_adaptive(
-                system, [0.0, 0.0], pars=[0.0] * 4, t_events=[event], **options
-            )
+            self.integrator = hy.taylor_adaptive(system, [0.0, 0.0], pars=[0.0] * 4, t_events=[event], **options)
         else:
             event = hy.t_event_batch(phi, callback=lambda _, sign, k: self.impact(k), **falling)
             self.integrator = hy.taylor_adaptive_batch(

@@ -51,17 +51,19 @@ def row(kind: str, name: str, found: list, truth: list, models: list) -> dict:
     robust = np.array([abs(found[k][1] / truth[k][1] - 1.0) for k in known])
     thresholds = [G * np.tan(models[k].slenderness) for k in known]
     changed = [
-        (found[k][0] * a >= DEMAND) != (truth[k][0] * a >= DEMAND)
-        for k, a in zip(known, thresholds, strict=True)
+        (found[k][0] * a >= DEMAND) != (truth[k][0] * a >= DEMAND) for k, a in zip(known, thresholds, strict=True)
     ]
     return {
-        "kind": kind, "name": name, "pairs": len(known),
+        "kind": kind,
+        "name": name,
+        "pairs": len(known),
         "median_ms": 1e3 * statistics.median(entry[2] for entry in found),
-        "q_median_percent": 100 * np.median(first), "q_p90_percent": 100 * np.quantile(first, 0.9),
+        "q_median_percent": 100 * np.median(first),
+        "q_p90_percent": 100 * np.quantile(first, 0.9),
         "robust_median_percent": 100 * np.median(robust),
         "robust_p90_percent": 100 * np.quantile(robust, 0.9),
         "verdicts_changed_percent": 100 * np.mean(changed),
-    }  # fmt: skip
+    }
 
 
 def chart(rows: list[dict], path: Path) -> None:
@@ -77,9 +79,7 @@ def chart(rows: list[dict], path: Path) -> None:
             low, high = (max(entry[k], 1e-3) for k in ("q_median_percent", "q_p90_percent"))
             axis.plot([x, x], [low, high], color="0.6")
             axis.loglog([x], [low], "o", color="#2B5C8A")
-            axis.annotate(
-                entry["name"], (x, low), fontsize=7, xytext=(4, 3), textcoords="offset points"
-            )
+            axis.annotate(entry["name"], (x, low), fontsize=7, xytext=(4, 3), textcoords="offset points")
         axis.set_xlabel("time per search [ms]")
         axis.grid(True, color="0.92")
     axes[0].set_ylabel("error of q [%], median to 90 %")
@@ -105,8 +105,15 @@ def linearised_by_slenderness(records: list, slendernesses: tuple[float, ...]) -
             if true and found:
                 errors.append(100.0 * abs(found / true - 1.0))
         assert errors, f"alpha {alpha}: no search with a number"
-        rows.append({"alpha_deg": alpha, "pairs": len(errors), "q_median_percent": float(np.median(errors)),
-                     "q_p90_percent": float(np.quantile(errors, 0.9)), "q_max_percent": max(errors)})  # fmt: skip
+        rows.append(
+            {
+                "alpha_deg": alpha,
+                "pairs": len(errors),
+                "q_median_percent": float(np.median(errors)),
+                "q_p90_percent": float(np.quantile(errors, 0.9)),
+                "q_max_percent": max(errors),
+            }
+        )
         print(" ".join(f"{key} {value:.3g}" for key, value in rows[-1].items()))
     return rows
 

@@ -25,12 +25,7 @@ def files(samples: int) -> dict[str, tuple[bytes, Options]]:
     fields = [f"{value:14.7E}" for value in values]
     peer = [f"PEER\nE,1,S,90\nACC UNITS OF G\nNPTS= {samples}, DT= .005 SEC"]
     peer += ["".join(fields[k : k + 5]) for k in range(0, samples, 5)]
-    esm = [
-        "SAMPLING_INTERVAL_S: 0.005",
-        f"NDATA: {samples}",
-        "UNITS: cm/s^2",
-        "DATA_TYPE: ACCELERATION",
-    ]
+    esm = ["SAMPLING_INTERVAL_S: 0.005", f"NDATA: {samples}", "UNITS: cm/s^2", "DATA_TYPE: ACCELERATION"]
     one = [f"{value:.6f}" for value in values]
     two = [f"{0.005 * k:.3f} {value:.6f}" for k, value in enumerate(values)]
     return {
@@ -78,6 +73,4 @@ def main(options: argparse.Namespace) -> None:
         print(f"{name:14} {len(content) / 1e6:6.1f} {seconds:8.2f}")
     folder = ROOT / "resources" / "motions" if options.small else shelf_folder()
     if folder:
-        print(
-            f"longest pause while {count} files are previewed: {longest_pause(folder, count):.2f} s"
-        )
+        print(f"longest pause while {count} files are previewed: {longest_pause(folder, count):.2f} s")

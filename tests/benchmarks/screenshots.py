@@ -95,12 +95,24 @@ def tabs(folder: Path, small: Path | None) -> None:
 
 
 GUIDE = (
-    ("verdict.toml", 0, (("facade_wall", "form", 0), ("facade_demand", "form", 1), ("facade_overview", "walls", 0),
-                         ("facade_check", "check", 0), ("facade_histories", "histories", 0),
-                         ("facade_capacity", "capacity", 0))),
-    ("building.toml", -1, (("parapet_wall", "form", 0), ("parapet_check", "check", 0),
-                           ("parapet_spectra", "spectra", 0))),
-)  # fmt: skip
+    (
+        "verdict.toml",
+        0,
+        (
+            ("facade_wall", "form", 0),
+            ("facade_demand", "form", 1),
+            ("facade_overview", "walls", 0),
+            ("facade_check", "check", 0),
+            ("facade_histories", "histories", 0),
+            ("facade_capacity", "capacity", 0),
+        ),
+    ),
+    (
+        "building.toml",
+        -1,
+        (("parapet_wall", "form", 0), ("parapet_check", "check", 0), ("parapet_spectra", "spectra", 0)),
+    ),
+)
 """(case, wall, pictures: (name, page or form, which form)) of the guides."""
 
 

@@ -110,8 +110,7 @@ def main(options: argparse.Namespace) -> None:
     small = options.small
     repeats, turns = (1, 1000) if small else (7, LOOP)
     yardstick = median_seconds(lambda: sine_cosine_loop(turns), repeats) / turns
-    print(f"{platform.processor() or platform.machine()}, {os.cpu_count()} cores, "
-          f"Python {platform.python_version()}")  # fmt: skip
+    print(f"{platform.processor() or platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}")
     print(f"{'measured':58} {'value':>12} {'unit':22} {'in loops':>10}")
     line("loop of sin and cos", yardstick * 1e9, "ns per turn", 1.0)
     data = np.loadtxt(ROOT / "tests/reference/standard_record.csv", delimiter=",", skiprows=1)
@@ -126,18 +125,13 @@ def main(options: argparse.Namespace) -> None:
                 continue
             peaks[:] = 0.0
             seconds = median_seconds(
-                lambda m=method, w=model: scan_records(
-                    m, grounds, which, scales, w, outcomes, peaks
-                ),
-                repeats,
+                lambda m=method, w=model: scan_records(m, grounds, which, scales, w, outcomes, peaks), repeats
             )
             assert (peaks > 0.0).all(), f"{label}: a wall that did not move"
             each = seconds / (scales.size * (ground.size - 1))
             line(f"{label}, standard, {law}", each * 1e9, "ns per sample", each / yardstick)
             if label in ("taylor", "taylor_6"):
-                seconds = median_seconds(
-                    lambda m=method, w=model: history(ground, 0.01, 1.0, w, m), repeats
-                )
+                seconds = median_seconds(lambda m=method, w=model: history(ground, 0.01, 1.0, w, m), repeats)
                 assert history(ground, 0.01, 1.0, model, method).impact_time.size > 0
                 each = seconds / (ground.size - 1)
                 name = f"{label}, one history at a time, standard, {law}"
@@ -152,8 +146,7 @@ def main(options: argparse.Namespace) -> None:
 
         seconds = median_seconds(search, min(repeats, 5))
         analyses = search().analyses
-        line(f"search, {label}: analyses per second", analyses / seconds, "1/s",
-             seconds / analyses / yardstick)  # fmt: skip
+        line(f"search, {label}: analyses per second", analyses / seconds, "1/s", seconds / analyses / yardstick)
         line(f"search, {label}, {analyses} analyses", seconds * 1e3, "ms", seconds / yardstick)
 
     def searches(jobs: int) -> float:
@@ -168,12 +161,7 @@ def main(options: argparse.Namespace) -> None:
     # in turn: the machine's pace changes
     pairs = [(searches(1), searches(2)) for _ in range(1 if small else 15)]
     ratio = statistics.median(one / two for one, two in pairs)
-    line(
-        "16 searches: time of one thread over that of two",
-        ratio,
-        "times",
-        min(pairs)[0] / yardstick,
-    )
+    line("16 searches: time of one thread over that of two", ratio, "times", min(pairs)[0] / yardstick)
     with tempfile.TemporaryDirectory() as folder:
         case, cache = (small_case(Path(folder)), None) if small else (EXAMPLE, folder)
         if cache:

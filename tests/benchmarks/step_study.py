@@ -33,9 +33,19 @@ EVERY = (1, 2, 5, 10, 25, 50, 100)
 """Steps 0.02, 0.04, 0.1, 0.2, 0.5, 1 and 2 %."""
 
 WALLS = ((3.0, 6.8), (5.0, 11.3), (7.0, 6.8))
-REAL = ("IELC180", "A-ELC180", "NIS090", "CPM000", "ARL360", "RSN175_IMPVALL.H_H-E12140",
-        "RSN763_LOMAP_GIL067", "RSN57_SFERN_ORR021", "RSN1633_MANJIL_ABBAR--L",
-        "RSN164_IMPVALL.H_H-CPE147", "RSN4843_CHUETSU_65006NS")  # fmt: skip
+REAL = (
+    "IELC180",
+    "A-ELC180",
+    "NIS090",
+    "CPM000",
+    "ARL360",
+    "RSN175_IMPVALL.H_H-E12140",
+    "RSN763_LOMAP_GIL067",
+    "RSN57_SFERN_ORR021",
+    "RSN1633_MANJIL_ABBAR--L",
+    "RSN164_IMPVALL.H_H-CPE147",
+    "RSN4843_CHUETSU_65006NS",
+)
 
 
 def motions():
@@ -77,10 +87,14 @@ def fine_map(motion, height, alpha, one_sided, fine: float) -> np.ndarray | None
     block = Block.rectangle(height, math.radians(alpha))
     model = "one_sided_theoretical" if one_sided else "housner"
     found = incremental_dynamic_analysis(
-        motion.acceleration, motion.time_step, motion.pga, 1,
+        motion.acceleration,
+        motion.time_step,
+        motion.pga,
+        1,
         rocking_model(block, one_sided, restitution(block, model), LAWS["rigid"]),
-        METHODS["taylor"], Search(q_step=fine, map_span=1.8),
-    )  # fmt: skip
+        METHODS["taylor"],
+        Search(q_step=fine, map_span=1.8),
+    )
     if found.status != "collapse_found":
         return None
     return np.array([digit == "1" for digit in found.outcomes])
@@ -126,9 +140,7 @@ def table(folder: Path, records_of, walls, name: str, fine=FINE, multiples=EVERY
         for one_sided in (False, True)
     ]
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        maps = [
-            flags for flags in pool.map(lambda pair: fine_map(*pair), pairs) if flags is not None
-        ]
+        maps = [flags for flags in pool.map(lambda pair: fine_map(*pair), pairs) if flags is not None]
     assert maps, "no wall overturned"
     rows = []
     print(
@@ -140,18 +152,21 @@ def table(folder: Path, records_of, walls, name: str, fine=FINE, multiples=EVERY
     for every in multiples:
         row = {"step_percent": 100 * fine * every, "pairs": len(maps)}
         for k, (kind, rule) in enumerate((("first", first_collapse), ("robust", robust))):
-            moved = np.array(
-                [rule(f, every, fine) - base[k] for f, base in zip(maps, finest, strict=True)]
-            )
+            moved = np.array([rule(f, every, fine) - base[k] for f, base in zip(maps, finest, strict=True)])
             ratio = np.exp(moved[np.isfinite(moved)])
             row[f"{kind}_median_percent"] = 100 * (np.median(ratio) - 1)
             row[f"{kind}_mean_percent"] = 100 * (ratio.mean() - 1)
             row[f"{kind}_p90_percent"] = 100 * np.quantile(np.abs(ratio - 1), 0.9)
             row[f"{kind}_max_percent"] = 100 * np.abs(ratio - 1).max()
         rows.append(row)
-        print(f"{row['step_percent']:6.2f}% " + " ".join(
-            f"{row[f'{n}_median_percent']:+9.2f} {row[f'{n}_mean_percent']:+9.2f} "
-            f"{row[f'{n}_p90_percent']:9.2f} {row[f'{n}_max_percent']:9.2f}" for n in ("first", "robust")))  # fmt: skip
+        print(
+            f"{row['step_percent']:6.2f}% "
+            + " ".join(
+                f"{row[f'{n}_median_percent']:+9.2f} {row[f'{n}_mean_percent']:+9.2f} "
+                f"{row[f'{n}_p90_percent']:9.2f} {row[f'{n}_max_percent']:9.2f}"
+                for n in ("first", "robust")
+            )
+        )
     folder.mkdir(parents=True, exist_ok=True)
     with open(folder / f"{name}.csv", "w", newline="") as stream:
         writer = csv.DictWriter(stream, list(rows[0]))
@@ -169,12 +184,8 @@ def chart(rows: list[dict], path: Path) -> None:
 
     steps = [row["step_percent"] for row in rows[1:]]
     figure, axes = plt.subplots(1, 2, figsize=(9, 3.4), sharex=True)
-    for name, label, color in (
-        ("first", "first collapse", "#B3421B"),
-        ("robust", "q_robust", "#2B5C8A"),
-    ):
-        axes[0].semilogx(steps, [row[f"{name}_median_percent"] for row in rows[1:]], "o-", color=color,
-                         label=label)  # fmt: skip
+    for name, label, color in (("first", "first collapse", "#B3421B"), ("robust", "q_robust", "#2B5C8A")):
+        axes[0].semilogx(steps, [row[f"{name}_median_percent"] for row in rows[1:]], "o-", color=color, label=label)
         axes[1].semilogx(steps, [row[f"{name}_p90_percent"] for row in rows[1:]], "o-", color=color)
     axes[0].set_ylabel("median against 0.02 % [%]")
     axes[1].set_ylabel("90 % of pairs within [%]")

@@ -39,8 +39,9 @@ def start_times(place: str, variables: dict[str, str], times_started: int) -> No
     """Measure the start in processes of this environment, the first one apart."""
     times = []
     for _ in range(times_started):
-        found = subprocess.run([sys.executable, "-P", "-c", START, str(ROOT)], check=True,
-                               capture_output=True, text=True, env=variables)  # fmt: skip
+        found = subprocess.run(
+            [sys.executable, "-P", "-c", START, str(ROOT)], check=True, capture_output=True, text=True, env=variables
+        )
         times.append([float(word) for word in found.stdout.split()])
     shown, usable = (min(row[k] for row in times[1:] or times) for k in (0, 1))
     print(f"{place}: window visible {shown:.2f} s, on the example and usable {usable:.2f} s")
@@ -73,9 +74,7 @@ def drag(application, window, draws: int) -> float:
         integrated.append(tab.history)
     seconds = time.perf_counter() - start
     view.removeEventFilter(watch)
-    assert len({id(history) for history in integrated}) == draws, (
-        "not every multiplier was integrated"
-    )
+    assert len({id(history) for history in integrated}) == draws, "not every multiplier was integrated"
     assert len(painted) >= draws, f"{len(painted)} of {draws} were drawn"
     return seconds / draws
 
@@ -129,9 +128,7 @@ def main(options: argparse.Namespace) -> None:
             timer.stop()
             assert window.session.result is not None and window.finished_runs.analyses > 0
             longest = sorted(gaps)[-3:]
-            print(
-                f"{round_}: longest gaps of the event loop {', '.join(f'{1e3 * g:.0f}' for g in longest)} ms"
-            )
+            print(f"{round_}: longest gaps of the event loop {', '.join(f'{1e3 * g:.0f}' for g in longest)} ms")
         each = drag(application, window, 5 if options.small else 120)
         print(f"dragged multiplier: {1.0 / each:.0f} histories integrated and drawn per second")
         run()

@@ -102,9 +102,7 @@ def measure(scene: Scene, others: list[tuple[str, Solver]], small: bool) -> list
         rows.append(row(scene, method.name, method.option, error(found, scene), timed(call, small)))
         if method.name.startswith("taylor"):
             seconds = timed(lambda m=method: lanes(scene, m), small) / LANES
-            rows.append(
-                row(scene, f"{LANES} lanes", method.option, rows[-1]["error_alpha"], seconds)
-            )
+            rows.append(row(scene, f"{LANES} lanes", method.option, rows[-1]["error_alpha"], seconds))
     for label, solver in others:
         if label.startswith("heyoka") and scene.model.plateau_end > 0.0:
             continue
@@ -118,9 +116,7 @@ def measure(scene: Scene, others: list[tuple[str, Solver]], small: bool) -> list
             alone = solver.compiled(scene.dt) * (scene.ground.size - 1)
             rows[-1]["seconds"] /= solver.lanes
             rows[-1]["ns_per_sample"] /= solver.lanes
-            rows.append(
-                row(scene, f"{label}, its compiled steps alone", "", error(found, scene), alone)
-            )
+            rows.append(row(scene, f"{label}, its compiled steps alone", "", error(found, scene), alone))
     return rows
 
 
@@ -132,9 +128,16 @@ def lanes(scene: Scene, method: Method) -> None:
 
 
 def row(scene, name, option, err, seconds) -> dict:
-    return {"scene": scene.name, "impacts": scene.impacts, "samples": scene.ground.size,
-            "method": name, "option": option, "error_alpha": err, "seconds": seconds,
-            "ns_per_sample": 1e9 * seconds / (scene.ground.size - 1)}  # fmt: skip
+    return {
+        "scene": scene.name,
+        "impacts": scene.impacts,
+        "samples": scene.ground.size,
+        "method": name,
+        "option": option,
+        "error_alpha": err,
+        "seconds": seconds,
+        "ns_per_sample": 1e9 * seconds / (scene.ground.size - 1),
+    }
 
 
 def chart(rows: list[dict], path: Path) -> None:
@@ -159,8 +162,9 @@ def chart(rows: list[dict], path: Path) -> None:
             y = [min(max(r["error_alpha"], 1e-16), 3.0) for r in points]
             line = "-" if family_name in ("rk4", "newmark_events", "taylor") else "none"
             marker = "o" if family_name in (*METHODS, f"{LANES} lanes") else "s"
-            axis.loglog(x, y, marker=marker, linestyle=line, color=colours[family_name],
-                        label=family_name, markersize=5)  # fmt: skip
+            axis.loglog(
+                x, y, marker=marker, linestyle=line, color=colours[family_name], label=family_name, markersize=5
+            )
         impacts = next(r["impacts"] for r in rows if r["scene"] == name)
         axis.set_title(f"{name}  ({impacts} impacts)", fontsize=10)
         axis.axhspan(1.0, 5.0, color="0.9")
@@ -197,8 +201,9 @@ def main(options: argparse.Namespace) -> None:
         print(f"{scene.name}: {scene.ground.size} samples, {scene.impacts} impacts")
         for r in rows:
             if r["scene"] == scene.name:
-                print(f"  {r['method']:46} {r['option']!s:3} {r['error_alpha']:10.2e} alpha "
-                      f"{1e6 * r['seconds']:12.1f} us")  # fmt: skip
+                print(
+                    f"  {r['method']:46} {r['option']!s:3} {r['error_alpha']:10.2e} alpha {1e6 * r['seconds']:12.1f} us"
+                )
     folder.mkdir(parents=True, exist_ok=True)
     with open(folder / "work_precision.csv", "w", newline="") as stream:
         writer = csv.DictWriter(stream, list(rows[0]))
@@ -206,7 +211,5 @@ def main(options: argparse.Namespace) -> None:
         writer.writerows(rows)
     chart(rows, folder / "work_precision.png")
     print(f"{platform.machine()}, Python {platform.python_version()}: {folder}/work_precision.png")
-    far = [
-        r for r in rows if r["method"].startswith(EXACT_SOLVERS) and not r["error_alpha"] < EXACT
-    ]
+    far = [r for r in rows if r["method"].startswith(EXACT_SOLVERS) and not r["error_alpha"] < EXACT]
     assert not far, f"not driven as they are meant to be: {far}"

@@ -67,14 +67,16 @@ def draw(k: int, shelf: list[GroundMotion], small: bool = False):
     height = chance.uniform(2.5, 12.0)
     mechanism = chance.choice(("two_sided", "one_sided"))
     wall: dict[str, object] = {
-        "name": "w", "height_m": height, "thickness_m": height * chance.uniform(0.05, 0.2),
-        "mechanism": mechanism, "base_z_m": 0.0,
+        "name": "w",
+        "height_m": height,
+        "thickness_m": height * chance.uniform(0.05, 0.2),
+        "mechanism": mechanism,
+        "base_z_m": 0.0,
         "law": chance.choice(("rigid", "rigid", "rigid", "doherty")),
-    }  # fmt: skip
+    }
     real = shelf and k < SETS
     spectrum = {"code": "EN1998", "type": 1, "soil": chance.choice("ABCDE")}
-    demand = {"ag_g": 0.25, "spectrum": spectrum,
-              "demand_scaling": "pga" if real else "as_given"}  # fmt: skip
+    demand = {"ag_g": 0.25, "spectrum": spectrum, "demand_scaling": "pga" if real else "as_given"}
     case = parse_case({"wall": [wall], "demand": demand})
     if real:
         motions = chance.sample(shelf, 7)
@@ -85,8 +87,7 @@ def draw(k: int, shelf: list[GroundMotion], small: bool = False):
     else:
         target = target_spectrum.en1998(0.25 * G, 1, str(spectrum["soil"]))
         motions = [
-            GroundMotion(f"{n}", compatible_motion(target, 7 * k + n), 0.01, format="generated")
-            for n in range(7)
+            GroundMotion(f"{n}", compatible_motion(target, 7 * k + n), 0.01, format="generated") for n in range(7)
         ]
     signs = (1,) if mechanism == "two_sided" else (1, -1)
     return _model(case.wall[0], mechanism), motions, signs, demand_of(case, None)
@@ -104,10 +105,7 @@ def spread(k: int, shelf, small: bool = False) -> dict[int, list[tuple]]:
     low = math.floor(math.log(0.85 * min(rough.first, rough.sixteen)) / math.log1p(fine))
     high = math.ceil(math.log(1.5 * rough.half) / math.log1p(fine))
     flags = np.concatenate(
-        [
-            work.failures((1.0 + fine) ** np.arange(start, min(start + 256, high)))[0]
-            for start in range(low, high, 256)
-        ]
+        [work.failures((1.0 + fine) ** np.arange(start, min(start + 256, high)))[0] for start in range(low, high, 256)]
     )
 
     def looked_up(multipliers):
@@ -120,20 +118,23 @@ def spread(k: int, shelf, small: bool = False) -> dict[int, list[tuple]]:
 
     half = round(WINDOW / math.log1p(fine))
     places = (
-        first_with_share(flags, half, HALF_FAIL), first_with_share(flags, half, ROBUST_SHARE),
+        first_with_share(flags, half, HALF_FAIL),
+        first_with_share(flags, half, ROBUST_SHARE),
         int(np.argmax(flags)),
-    )  # fmt: skip
+    )
     truth = np.array([(1.0 + fine) ** (low + place) for place in places])
     found = {}
     for factor in STEPS:
         step = (1.0 + STEP) ** factor - 1.0
         tries = [searched(factor, (1.0 + fine) ** (factor * start)) for start in STARTS]
         found[factor] = [
-            (*(np.array([one.half, one.sixteen, one.first]) / truth - 1.0),
-             one.spread[0] * (1.0 - step) <= truth[0] <= one.spread[1] * (1.0 + step),
-             math.log(one.spread[1] / one.spread[0]))
+            (
+                *(np.array([one.half, one.sixteen, one.first]) / truth - 1.0),
+                one.spread[0] * (1.0 - step) <= truth[0] <= one.spread[1] * (1.0 + step),
+                math.log(one.spread[1] / one.spread[0]),
+            )
             for one in tries
-        ]  # fmt: skip
+        ]
     return found
 
 
@@ -146,18 +147,14 @@ def main(options: argparse.Namespace) -> None:
         sets = pool.map(lambda k: spread(k, shelf, small), range(1 if small else 2 * SETS))
         found = [part for part in sets if part]
     assert found, "no set with a zeta"
-    print(
-        f"{len(found)} sets, {len(STARTS)} starts each; |error| against a grid {FINER} times finer"
-    )
+    print(f"{len(found)} sets, {len(STARTS)} starts each; |error| against a grid {FINER} times finer")
     print(f"{'step':8} {'':10} {'median':>8} {'90 %':>8} {'worst':>8} {'mean':>8}")
     for factor, label in STEPS.items():
         rows = np.array([row for part in found for row in part[factor]])
         for column, name in enumerate(("zeta_E", "zeta_16", "zeta_first")):
             size = np.abs(rows[:, column])
             numbers = (np.median(size), np.quantile(size, 0.9), size.max(), rows[:, column].mean())
-            print(
-                f"{label:8} {name:10} " + " ".join(f"{100 * x:7.2f}%" for x in numbers), flush=True
-            )
+            print(f"{label:8} {name:10} " + " ".join(f"{100 * x:7.2f}%" for x in numbers), flush=True)
         width = rows[:, 4]
         print(
             f"{label:8} spread     holds it {rows[:, 3].mean():.1%}, width {np.median(width):.1%} (median), "

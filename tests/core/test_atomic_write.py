@@ -37,9 +37,7 @@ class Faults:
 
 @pytest.mark.parametrize("for_ever", [False, True])
 @pytest.mark.parametrize("number", range(1, 32))
-def test_that_a_fault_of_any_call_leaves_both_old_files_or_both_new(
-    tmp_path, monkeypatch, number, for_ever
-):
+def test_that_a_fault_of_any_call_leaves_both_old_files_or_both_new(tmp_path, monkeypatch, number, for_ever):
     one, two = tmp_path / "a.xlsx", tmp_path / "a.json"
     one.write_bytes(b"old 1")
     two.write_bytes(b"old 2")
@@ -53,11 +51,7 @@ def test_that_a_fault_of_any_call_leaves_both_old_files_or_both_new(
             assert "cannot be written (No space left on device)" in str(error)
             said = str(error)
     atomic_write.clean(tmp_path)
-    left = {
-        path.name: path.read_bytes()
-        for path in tmp_path.iterdir()
-        if atomic_write.PREFIX not in path.name
-    }
+    left = {path.name: path.read_bytes() for path in tmp_path.iterdir() if atomic_write.PREFIX not in path.name}
     both = ({"a.xlsx": b"new 1", "a.json": b"new 2"}, {"a.xlsx": b"old 1", "a.json": b"old 2"})
     if for_ever and not written:
         # a disk on which nothing can be put back any more: whole files all the same
@@ -106,9 +100,7 @@ atomic_write.write({{Path({one!r}): b"new 1", Path({two!r}): b"new 2"}})
 
 
 @pytest.mark.parametrize("number", range(1, 30))
-def test_that_a_kill_between_any_two_calls_is_finished_or_undone_at_the_next_start(
-    tmp_path, number
-):
+def test_that_a_kill_between_any_two_calls_is_finished_or_undone_at_the_next_start(tmp_path, number):
     one, two = tmp_path / "a.xlsx", tmp_path / "a.json"
     one.write_bytes(b"old 1")
     two.write_bytes(b"old 2")
@@ -123,9 +115,7 @@ def test_that_a_kill_between_any_two_calls_is_finished_or_undone_at_the_next_sta
 
 @pytest.mark.parametrize("cleaned", ["out", "notes"])
 @pytest.mark.parametrize("number", range(1, 34))
-def test_that_a_kill_leaves_all_old_or_all_new_in_two_folders_whichever_is_looked_at_first(
-    tmp_path, number, cleaned
-):
+def test_that_a_kill_leaves_all_old_or_all_new_in_two_folders_whichever_is_looked_at_first(tmp_path, number, cleaned):
     for name in ("out", "notes"):
         (tmp_path / name).mkdir()
     one, two = tmp_path / "out" / "a.xlsx", tmp_path / "notes" / "a.docx"
@@ -241,10 +231,13 @@ def test_that_what_is_not_ours_or_in_use_is_left_alone(tmp_path):
         (999999, [[far, "../planted", None]]),
         (999999, [["mine", "planted", None]]),
         (999997, [[far, "planted", None]]),
-        (999996, [1]), (999995, [["sub/x", "sub/y", None]]), (999994, {"a": "b"}), (999993, 1),
+        (999996, [1]),
+        (999995, [["sub/x", "sub/y", None]]),
+        (999994, {"a": "b"}),
+        (999993, 1),
         (999992, str(tmp_path / f"{here}-999999-a.commit")),
         (999991, "relative.commit"),
-    ):  # fmt: skip
+    ):
         place = tmp_path / f"{here}-{number}-{len(os.listdir(tmp_path))}.commit"
         place.write_text(json.dumps(moves))
     atomic_write.clean(tmp_path)
@@ -304,9 +297,7 @@ for write in (lambda: atomic_write.write({{folder / "a.xlsx": b"x" * 100_000, fo
     assert found.returncode == 0, found.stderr
     assert (tmp_path / "a.xlsx").read_bytes() == b"old" and not (tmp_path / "a.json").exists()
     again = Journal(tmp_path / "d.journal", "key", True)
-    assert len(again.found) >= 9 and all(
-        result == {"x": "z" * 900} for result in again.found.values()
-    )
+    assert len(again.found) >= 9 and all(result == {"x": "z" * 900} for result in again.found.values())
     again.close()
 
 

@@ -43,7 +43,5 @@ def test_that_the_way_out_fits_the_installation(monkeypatch, tmp_path):
 def test_that_no_other_sentence_sends_to_run_py():
     from core.text.catalogue import CATALOGUE
 
-    sending = [
-        code for texts in CATALOGUE.values() for code, words in texts.items() if "python3 run.py" in words[0]
-    ]  # fmt: skip
+    sending = [code for texts in CATALOGUE.values() for code, words in texts.items() if "python3 run.py" in words[0]]
     assert sending == ["way_sources"]

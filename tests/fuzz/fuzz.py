@@ -48,10 +48,33 @@ LONGEST = 2000
 """Characters of a message, two paths of the system among them."""
 
 WORDS = [
-    b"1e400", b"-", b"nan", b"inf", b"0x1F", b"9" * 400, b"\xff\xfe", b"\x00", b"\r", b"\n\n", b"=cmd()",
-    b"NPTS= 1000000000", b"[g] (cm/s2)", b"wall", b"[[wall]]\n", b"*" * 300, b"1.5.2", b";", b",", b"\t", b"{",
-    b"]", b'"', b"true", b"1_000", b"\xe2\x80\x8b",
-]  # fmt: skip
+    b"1e400",
+    b"-",
+    b"nan",
+    b"inf",
+    b"0x1F",
+    b"9" * 400,
+    b"\xff\xfe",
+    b"\x00",
+    b"\r",
+    b"\n\n",
+    b"=cmd()",
+    b"NPTS= 1000000000",
+    b"[g] (cm/s2)",
+    b"wall",
+    b"[[wall]]\n",
+    b"*" * 300,
+    b"1.5.2",
+    b";",
+    b",",
+    b"\t",
+    b"{",
+    b"]",
+    b'"',
+    b"true",
+    b"1_000",
+    b"\xe2\x80\x8b",
+]
 
 
 def changed(chance: random.Random, seeds: list[bytes]) -> bytes:
@@ -85,11 +108,17 @@ def changed(chance: random.Random, seeds: list[bytes]) -> bytes:
 
 
 DIALECT_TARGETS = {
-    "knet": ("K-NET",), "cwa": ("CWA",), "geonet": ("GeoNet V1A", "GeoNet V2A"),
-    "smc": ("SMC, 8 fields", "SMC, 5 fields"), "california": ("CSMIP V2", "CSMIP V1", "COSMOS"),
-    "peer": ("PEER", "PEER, values first", "tab matrix"), "sigma": ("SIGMA",),
-    "itaca": ("ESM", "AFAD", "ITACA before 2014", "DYNA 1.0"), "zip": ("zip of ESM",), "sheet": ("xlsx",),
-}  # fmt: skip
+    "knet": ("K-NET",),
+    "cwa": ("CWA",),
+    "geonet": ("GeoNet V1A", "GeoNet V2A"),
+    "smc": ("SMC, 8 fields", "SMC, 5 fields"),
+    "california": ("CSMIP V2", "CSMIP V1", "COSMOS"),
+    "peer": ("PEER", "PEER, values first", "tab matrix"),
+    "sigma": ("SIGMA",),
+    "itaca": ("ESM", "AFAD", "ITACA before 2014", "DYNA 1.0"),
+    "zip": ("zip of ESM",),
+    "sheet": ("xlsx",),
+}
 """target -> the dialects of tests/core/ground/dialects.py whose files are changed; usc beside them."""
 
 
@@ -203,10 +232,14 @@ def seeds(folder: Path) -> dict[str, list[bytes]]:
     shelf = shelf_folder()
     if shelf:
         for name in (
-            "PEER_AT2/ARL360.at2", "PEER_AT2/AND270.AT2", "ESM_ASCII/HI.ARS1..HNE.D.20190728.160908.C.ACC.ASC",
-            "SIGMA_ITACA_acc/16839_H1.cor.acc", "plain_txt/Hollister.dat",
-            "plain_txt/eqsig_test_motion_dt0p01.txt", "plain_txt/OpenSees_Northridge.dat",
-        ):  # fmt: skip
+            "PEER_AT2/ARL360.at2",
+            "PEER_AT2/AND270.AT2",
+            "ESM_ASCII/HI.ARS1..HNE.D.20190728.160908.C.ACC.ASC",
+            "SIGMA_ITACA_acc/16839_H1.cor.acc",
+            "plain_txt/Hollister.dat",
+            "plain_txt/eqsig_test_motion_dt0p01.txt",
+            "plain_txt/OpenSees_Northridge.dat",
+        ):
             motions.append((shelf / name).read_bytes()[:12000])
     table = (
         "Parete;z;H;t;Meccanismo;E;peso specifico\n;m;m;cm;;MPa;kN/m3\n"
@@ -221,30 +254,44 @@ def seeds(folder: Path) -> dict[str, list[bytes]]:
         book.add(f"run{k}", {"q": float(k)})
     book.close()
     spectrum = "\n".join(
-        f"{t:.2f} {0.312 * min(1 + 10 * t, 2.5, 1.25 / max(t, 0.1)):.4f}"
-        for t in np.linspace(0, 4, 80)
+        f"{t:.2f} {0.312 * min(1 + 10 * t, 2.5, 1.25 / max(t, 0.1)):.4f}" for t in np.linspace(0, 4, 80)
     )
     return {
         "record": motions,
         "case": cases,
         "draft": cases,
         "table": [table.encode(), loaded.encode(), table.replace(";", "\t").encode("utf-16")],
-        "workbook": [(ROOT / "resources" / "templates" / "walls.xlsx").read_bytes(), *(
-            workbook(writer, [line.split(";") for line in table.splitlines()], hidden_rows=(4,), hidden_columns=(6,))
-            for writer in WRITERS.values())],
+        "workbook": [
+            (ROOT / "resources" / "templates" / "walls.xlsx").read_bytes(),
+            *(
+                workbook(
+                    writer, [line.split(";") for line in table.splitlines()], hidden_rows=(4,), hidden_columns=(6,)
+                )
+                for writer in WRITERS.values()
+            ),
+        ],
         "journal": [(folder / "seed.journal").read_bytes()],
         "swap": [json.dumps({"path": None, "base_dir": ".", "case": case.decode()}).encode() for case in cases],
         "spectrum": [spectrum.encode()],
         "usc": [usc()],
         **{name: [DIALECTS[one][0] for one in names] for name, names in DIALECT_TARGETS.items()},
         "hazard": [b"T_R\ta_g\tF0\tTC*\n30\t0,08\t2,4\t0,28\n475\t0,26\t2,4\t0,35\n", b"30 0.08\n2475 0.4\n"],
-    }  # fmt: skip
+    }
 
 
 TARGETS: dict[str, Callable[[bytes, Path], None]] = {
-    "record": _record, "case": _case, "draft": _draft, "table": _table, "workbook": _workbook, "journal": _journal,
-    "swap": _swap, "spectrum": _spectrum, "hazard": _hazard, "usc": _record, **dict.fromkeys(DIALECT_TARGETS, _record),
-}  # fmt: skip
+    "record": _record,
+    "case": _case,
+    "draft": _draft,
+    "table": _table,
+    "workbook": _workbook,
+    "journal": _journal,
+    "swap": _swap,
+    "spectrum": _spectrum,
+    "hazard": _hazard,
+    "usc": _record,
+    **dict.fromkeys(DIALECT_TARGETS, _record),
+}
 
 
 def inside(content: bytes, chance: random.Random) -> bytes:
@@ -267,9 +314,7 @@ def _refused_in_a_sentence(target, content: bytes, folder: Path) -> None:
         assert "\n" not in text and len(text) < LONGEST, f"a message of {len(text)} characters"
 
 
-def attack(
-    name: str, seconds: float, seed: int, inputs: float = math.inf
-) -> tuple[int, str | None]:
+def attack(name: str, seconds: float, seed: int, inputs: float = math.inf) -> tuple[int, str | None]:
     """(inputs tried, what was found or None), for so long or of so many."""
     chance, count = random.Random(f"{name} {seed}"), 0
     with tempfile.TemporaryDirectory() as place:
@@ -298,19 +343,14 @@ def main() -> int:
     words = argparse.ArgumentParser()
     words.add_argument("targets", nargs="*", default=list(TARGETS))
     words.add_argument("--seconds", type=float, default=60.0, help="for each target")
-    words.add_argument(
-        "--inputs", type=float, default=math.inf, help="for each target, however long it takes"
-    )
+    words.add_argument("--inputs", type=float, default=math.inf, help="for each target, however long it takes")
     words.add_argument("--seed", type=int, default=random.randrange(10**6))
     options = words.parse_args()
     found, seconds = 0, options.seconds if options.inputs == math.inf else math.inf
     for name in options.targets:
         count, trouble = attack(name, seconds, options.seed, options.inputs)
         found += trouble is not None
-        print(
-            f"{name:10} {count:9} inputs, seed {options.seed}: {trouble or 'nothing found'}",
-            flush=True,
-        )
+        print(f"{name:10} {count:9} inputs, seed {options.seed}: {trouble or 'nothing found'}", flush=True)
     return 1 if found else 0
 
 

@@ -17,30 +17,42 @@ from core.study.journal import Journal
 
 SLOWLY = settings(deadline=None, max_examples=60, suppress_health_check=list(HealthCheck))
 
-samples = st.lists(st.integers(-99999, 99999), min_size=12, max_size=60).filter(
-    lambda values: any(values)
-)
+samples = st.lists(st.integers(-99999, 99999), min_size=12, max_size=60).filter(lambda values: any(values))
 steps = st.sampled_from([0.002, 0.005, 0.01, 0.02])
 ends = st.sampled_from(["\n", "\r\n", "\r"])
 
 
 def at2(values, dt, end, shape):
     rows = ["".join(shape(v) for v in values[k : k + 5]) for k in range(0, len(values), 5)]
-    head = ["PEER STRONG MOTION DATABASE RECORD", "EVENT 01/01/80, STATION, 090",
-            "ACCELERATION TIME HISTORY IN UNITS OF G", f"NPTS= {len(values)}, DT= {dt:.5f} SEC"]  # fmt: skip
+    head = [
+        "PEER STRONG MOTION DATABASE RECORD",
+        "EVENT 01/01/80, STATION, 090",
+        "ACCELERATION TIME HISTORY IN UNITS OF G",
+        f"NPTS= {len(values)}, DT= {dt:.5f} SEC",
+    ]
     return end.join([*head, *rows]) + end
 
 
 def esm(values, dt, end, shape):
-    head = ["EVENT_ID: X", "STATION_CODE: ABC", f"SAMPLING_INTERVAL_S: {dt}", f"NDATA: {len(values)}", "UNITS: cm/s^2",
-            "DATA_TYPE: ACCELERATION"]  # fmt: skip
+    head = [
+        "EVENT_ID: X",
+        "STATION_CODE: ABC",
+        f"SAMPLING_INTERVAL_S: {dt}",
+        f"NDATA: {len(values)}",
+        "UNITS: cm/s^2",
+        "DATA_TYPE: ACCELERATION",
+    ]
     return end.join([*head, *(shape(v) for v in values)]) + end
 
 
 def sigma(values, dt, end, shape):
     rows = ["".join(f"{v:14.7E}" for v in values[k : k + 5]) for k in range(0, len(values), 5)]
-    head = ["Station Code / Name : 1 / X", f"Time Increment (s) : {dt}", f"Number of Data : {len(values)}",
-            "Accelaration time series in m/s/s"]  # fmt: skip
+    head = [
+        "Station Code / Name : 1 / X",
+        f"Time Increment (s) : {dt}",
+        f"Number of Data : {len(values)}",
+        "Accelaration time series in m/s/s",
+    ]
     return end.join([*head, *rows]) + end
 
 
@@ -48,21 +60,14 @@ def columns(values, dt, end, shape):
     return end.join(f"{k * dt:.4f} {shape(v).strip()}" for k, v in enumerate(values)) + end
 
 
-DIALECTS = {
-    "at2": (at2, 9.80665),
-    "esm": (esm, 0.01),
-    "sigma": (sigma, 1.0),
-    "columns": (columns, 1.0),
-}
+DIALECTS = {"at2": (at2, 9.80665), "esm": (esm, 0.01), "sigma": (sigma, 1.0), "columns": (columns, 1.0)}
 SHAPES = {"e": lambda v: f"{v:15.7E}", "f": lambda v: f"{v:12.5f}"}
 
 
 @pytest.mark.parametrize("dialect", DIALECTS)
 @SLOWLY
 @given(numbers=samples, dt=steps, end=ends, shape=st.sampled_from(list(SHAPES)))
-def test_that_a_record_of_each_dialect_is_the_motion_that_was_written(
-    dialect, tmp_path, numbers, dt, end, shape
-):
+def test_that_a_record_of_each_dialect_is_the_motion_that_was_written(dialect, tmp_path, numbers, dt, end, shape):
     write, unit = DIALECTS[dialect]
     values = [number / 100_000 for number in numbers]
     path = tmp_path / "r.txt"
@@ -75,40 +80,43 @@ def test_that_a_record_of_each_dialect_is_the_motion_that_was_written(
 
 TURNS = "\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069"  # refused: they change the reading order
 words = st.text(
-    st.characters(exclude_categories=("Cc", "Cs", "Zl", "Zp"), exclude_characters=TURNS),
-    min_size=1,
-    max_size=40,
+    st.characters(exclude_categories=("Cc", "Cs", "Zl", "Zp"), exclude_characters=TURNS), min_size=1, max_size=40
 )
 wall = st.fixed_dictionaries(
     {
-        "height_m": st.floats(1.0, 20.0), "thickness_m": st.floats(0.1, 0.9),
-        "mechanism": st.sampled_from(["one_sided", "two_sided", "both"]), "base_z_m": st.floats(0.0, 30.0),
+        "height_m": st.floats(1.0, 20.0),
+        "thickness_m": st.floats(0.1, 0.9),
+        "mechanism": st.sampled_from(["one_sided", "two_sided", "both"]),
+        "base_z_m": st.floats(0.0, 30.0),
     },
     optional={
-        "law": st.sampled_from(["rigid", "doherty", "al_shawa"]), "notes": words, "floor": words,
-        "free_element": st.booleans(), "unloaded_confirmed": st.booleans(),
+        "law": st.sampled_from(["rigid", "doherty", "al_shawa"]),
+        "notes": words,
+        "floor": words,
+        "free_element": st.booleans(),
+        "unloaded_confirmed": st.booleans(),
         "back_restraint": st.one_of(st.just(""), words.map(lambda text: text + "abc")),
-        "unit_weight_kn_m3": st.floats(5.0, 40.0), "elastic_modulus_mpa": st.floats(10.0, 1e5),
+        "unit_weight_kn_m3": st.floats(5.0, 40.0),
+        "elastic_modulus_mpa": st.floats(10.0, 1e5),
     },
-)  # fmt: skip
+)
 demand = st.fixed_dictionaries(
     {"ag_g": st.floats(0.01, 1.0)},
     optional={
-        "soil_factor": st.floats(0.5, 3.0), "confidence_on": st.sampled_from(["capacity", "demand"]), "site": words,
-        "zeta_target": st.floats(0.1, 2.0), "period_range_s": st.just([0.15, 3.0]),
+        "soil_factor": st.floats(0.5, 3.0),
+        "confidence_on": st.sampled_from(["capacity", "demand"]),
+        "site": words,
+        "zeta_target": st.floats(0.1, 2.0),
+        "period_range_s": st.just([0.15, 3.0]),
         "limit_state": st.sampled_from(["SLV", "SLC", "SLD"]),
     },
-)  # fmt: skip
+)
 
 
 @SLOWLY
 @given(walls=st.lists(wall, min_size=1, max_size=4), asked=demand, title=words)
 def test_that_a_case_is_itself_after_it_was_saved(walls, asked, title):
-    table = {
-        "title": title,
-        "demand": asked,
-        "wall": [{"name": f"w{k}", **w} for k, w in enumerate(walls)],
-    }
+    table = {"title": title, "demand": asked, "wall": [{"name": f"w{k}", **w} for k, w in enumerate(walls)]}
     first = parse_case(table)
     text = dumps(first)
     assert parse_case(tomllib.loads(text)) == first
@@ -120,8 +128,9 @@ def test_that_a_case_is_itself_after_it_was_saved(walls, asked, title):
 @SLOWLY
 @given(
     rows=st.lists(st.tuples(st.integers(100, 2000), st.integers(10, 99), st.booleans()), min_size=1, max_size=20),
-    comma=st.booleans(), unit=st.sampled_from([("m", 0.01), ("cm", 1.0), ("mm", 10.0)]),
-)  # fmt: skip
+    comma=st.booleans(),
+    unit=st.sampled_from([("m", 0.01), ("cm", 1.0), ("mm", 10.0)]),
+)
 def test_that_a_table_of_walls_is_the_walls_that_were_written(rows, comma, unit):
     name, factor = unit
     cells = [["Parete", "z", "H", "t", "Meccanismo"], ["", "m", name, name, ""]]
@@ -135,9 +144,7 @@ def test_that_a_table_of_walls_is_the_walls_that_were_written(rows, comma, unit)
         assert found.mechanism == ("two_sided" if free else "one_sided")
 
 
-results = st.dictionaries(
-    st.text(max_size=8), st.one_of(st.none(), st.floats(allow_nan=False), words), max_size=5
-)
+results = st.dictionaries(st.text(max_size=8), st.one_of(st.none(), st.floats(allow_nan=False), words), max_size=5)
 
 
 @SLOWLY

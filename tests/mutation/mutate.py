@@ -24,12 +24,22 @@ HAND = "tests/validation/test_circolare_by_hand.py"
 DISPLACEMENT = "tests/validation/test_displacement_demand.py"
 READERS = ["tests/core/ground/test_records.py", "tests/core/ground/test_record_refusals.py"]
 OWN = (
-    "core/wall/block.py", "core/wall/loads.py", "core/wall/moment_rotation.py", "core/wall/restitution.py",
-    "core/wall/rocking_model.py", "core/wall/wall_loads.py", "core/codes/capacity_curve.py", "core/codes/demand.py",
-    "core/codes/eq9.py", "core/codes/floor_spectrum.py", "core/codes/kinematic_chain.py",
-    "core/codes/multiplier_search.py", "core/codes/record_compatibility.py", "core/codes/risk.py",
+    "core/wall/block.py",
+    "core/wall/loads.py",
+    "core/wall/moment_rotation.py",
+    "core/wall/restitution.py",
+    "core/wall/rocking_model.py",
+    "core/wall/wall_loads.py",
+    "core/codes/capacity_curve.py",
+    "core/codes/demand.py",
+    "core/codes/eq9.py",
+    "core/codes/floor_spectrum.py",
+    "core/codes/kinematic_chain.py",
+    "core/codes/multiplier_search.py",
+    "core/codes/record_compatibility.py",
+    "core/codes/risk.py",
     "core/codes/target_spectrum.py",
-)  # fmt: skip
+)
 """Modules whose own tests, in the file of their name, hold their facts."""
 
 TESTS = {
@@ -56,15 +66,29 @@ TESTS = {
     "core/ooxml/package.py": ["tests/core/ooxml/test_package.py"],
     "core/ooxml/sheet.py": ["tests/core/ooxml/test_sheet.py"],
 }
-COMPARED = {ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt, ast.Eq: ast.NotEq,
-            ast.NotEq: ast.Eq, ast.Is: ast.IsNot, ast.IsNot: ast.Is, ast.In: ast.NotIn}  # fmt: skip
-REPLACED = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.And: ast.Or,
-            ast.Or: ast.And, ast.BitAnd: ast.BitOr, ast.BitOr: ast.BitAnd}  # fmt: skip
+COMPARED = {
+    ast.Lt: ast.LtE,
+    ast.LtE: ast.Lt,
+    ast.Gt: ast.GtE,
+    ast.GtE: ast.Gt,
+    ast.Eq: ast.NotEq,
+    ast.NotEq: ast.Eq,
+    ast.Is: ast.IsNot,
+    ast.IsNot: ast.Is,
+    ast.In: ast.NotIn,
+}
+REPLACED = {
+    ast.Add: ast.Sub,
+    ast.Sub: ast.Add,
+    ast.Mult: ast.Div,
+    ast.Div: ast.Mult,
+    ast.And: ast.Or,
+    ast.Or: ast.And,
+    ast.BitAnd: ast.BitOr,
+    ast.BitOr: ast.BitAnd,
+}
 SECONDS = 240
-FIXED_STAMP = (
-    'return build().get("kernels") or',
-    'return "mutants" or',
-)
+FIXED_STAMP = ('return build().get("kernels") or', 'return "mutants" or')
 """Replaced in core/jit/cache.py: the kernels are of no module that changes, and compiled once for all."""
 
 
@@ -92,8 +116,7 @@ def faults(tree: ast.Module) -> list[tuple[Any, str]]:
             found.append((node, "ops"))
         elif isinstance(node, (ast.BinOp, ast.BoolOp)) and type(node.op) in REPLACED:
             texts = isinstance(node, ast.BinOp) and any(
-                isinstance(side, (ast.JoinedStr, ast.List))
-                or isinstance(getattr(side, "value", 0), str)
+                isinstance(side, (ast.JoinedStr, ast.List)) or isinstance(getattr(side, "value", 0), str)
                 for side in (node.left, node.right)
             )
             if not texts:
@@ -124,9 +147,7 @@ def tested(tree: Path, tests: list[str], environment: dict) -> bool:
     """Whether the tests of a module pass in this tree."""
     command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", *tests]
     try:
-        found = subprocess.run(
-            command, cwd=tree, env=environment, capture_output=True, timeout=SECONDS
-        )
+        found = subprocess.run(command, cwd=tree, env=environment, capture_output=True, timeout=SECONDS)
     except subprocess.TimeoutExpired:
         return False
     return found.returncode == 0
@@ -141,24 +162,22 @@ def main() -> int:
     killed = survived = excused = 0
     with tempfile.TemporaryDirectory() as name:
         tree = Path(name) / "tree"
-        shutil.copytree(
-            ROOT, tree, ignore=shutil.ignore_patterns(".git", ".venv*", "dist", "build")
-        )
+        shutil.copytree(ROOT, tree, ignore=shutil.ignore_patterns(".git", ".venv*", "dist", "build"))
         cache = tree / "core" / "jit" / "cache.py"
         cache.write_text(cache.read_text().replace(*FIXED_STAMP))
         environment = dict(
-            os.environ, PYTHONPATH=str(tree), RIBALTA_CACHE=str(Path(name) / "cache"),
+            os.environ,
+            PYTHONPATH=str(tree),
+            RIBALTA_CACHE=str(Path(name) / "cache"),
             RIBALTA_RECORDS=os.environ.get("RIBALTA_RECORDS", str(ROOT.parent / "shared" / "records")),
-        )  # fmt: skip
+        )
         for module in options.modules:
             source = (ROOT / module).read_text(encoding="utf-8")
             if not tested(tree, TESTS[module], environment):
                 print(f"{module}: its tests fail without a fault")
                 return 1
             places = range(len(faults(ast.parse(source))))
-            chosen = random.Random(module).sample(
-                places, min(options.each or len(places), len(places))
-            )
+            chosen = random.Random(module).sample(places, min(options.each or len(places), len(places)))
             for place in sorted(chosen):
                 changed = ast.parse(source)
                 node, attribute = faults(changed)[place]
@@ -175,9 +194,7 @@ def main() -> int:
                     print(words, flush=True)
             (tree / module).write_text(source)
     total = killed + survived
-    print(
-        f"{killed} of {total} faults found ({killed / max(total, 1):.0%}); {excused} change nothing, as stated"
-    )
+    print(f"{killed} of {total} faults found ({killed / max(total, 1):.0%}); {excused} change nothing, as stated")
     return 0 if killed >= 0.9 * total else 1
 
 

@@ -11,13 +11,21 @@ NTC_C = {"code": "NTC2018", "f0": 2.364, "tc_star_s": 0.347, "soil": "C", "topog
 def case(wall=None, demand=None, **more):
     return parse_case(
         {
-            "wall": [{"name": "w", "height_m": 7.0, "thickness_m": 0.83, "base_z_m": 0.0,
-                      "mechanism": "two_sided", **(wall or {})}],
+            "wall": [
+                {
+                    "name": "w",
+                    "height_m": 7.0,
+                    "thickness_m": 0.83,
+                    "base_z_m": 0.0,
+                    "mechanism": "two_sided",
+                    **(wall or {}),
+                }
+            ],
             "demand": {"ag_g": 0.26, "spectrum": EN_B, **(demand or {})},
             "analysis": {"q_step": 0.01},
             **more,
         }
-    )  # fmt: skip
+    )
 
 
 def mechanism_of(asked):

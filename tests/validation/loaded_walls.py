@@ -63,8 +63,16 @@ def history(ground, dt, wall, loads, one_sided, ratio, rest, start=0.0):
                 return y[0]
 
             vars(hits).update(terminal=True, direction=-1)
-            piece = solve_ivp(lambda s, y, way=side: [y[1], net(y[0], s, way)], (t, dt), [phi, speed], "DOP853",
-                              rtol=1e-13, atol=1e-16, max_step=longest, events=[hits])  # fmt: skip
+            piece = solve_ivp(
+                lambda s, y, way=side: [y[1], net(y[0], s, way)],
+                (t, dt),
+                [phi, speed],
+                "DOP853",
+                rtol=1e-13,
+                atol=1e-16,
+                max_step=longest,
+                events=[hits],
+            )
             t, (phi, speed) = piece.t[-1], piece.y[:, -1]
             if piece.status != 1:
                 break

@@ -39,12 +39,7 @@ def test_that_the_linear_check_is_the_hand_calculation(result):
 def test_that_the_verdict_names_every_check_that_fails(result):
     (entry,) = json_report.results(result)["verdicts"]
     assert entry["code"] == "not_verified" and entry["zeta_e"] < 1.0
-    for words in (
-        "displacement 0.62",
-        "q = 2 0.28",
-        "FC on the demand",
-        "lower q of the histories",
-    ):
+    for words in ("displacement 0.62", "q = 2 0.28", "FC on the demand", "lower q of the histories"):
         assert words in entry["text_en"]
     assert "spostamento 0,62" in entry["text_it"]
     assert {"weaker_fails", "generated_motions"} <= {one["key"] for one in entry["limits"]}

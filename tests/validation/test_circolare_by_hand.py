@@ -24,8 +24,7 @@ BY_HAND = [
 
 
 @pytest.mark.parametrize(
-    ("height", "thickness", "kind", "a0", "zeta_linear", "period", "s_de", "raw", "counted"),
-    BY_HAND,
+    ("height", "thickness", "kind", "a0", "zeta_linear", "period", "s_de", "raw", "counted"), BY_HAND
 )
 def test_that_a_wall_on_the_ground_is_the_hand_calculation(
     height, thickness, kind, a0, zeta_linear, period, s_de, raw, counted
@@ -106,9 +105,7 @@ def test_that_the_wall_of_the_design_shows_its_disagreement(designed):
 def test_that_q_and_its_multiplier_are_one_formula(designed):
     """The multiplier of a q is that of its search, to the last bit: the wall falls at it, not below."""
     wall, motion = designed.walls[0], designed.motions[0]
-    ida = incremental_dynamic_analysis(
-        motion.acceleration, 0.01, motion.pga, 1, wall.model, AUTO, designed.search
-    )
+    ida = incremental_dynamic_analysis(motion.acceleration, 0.01, motion.pga, 1, wall.model, AUTO, designed.search)
     threshold = wall.block.threshold_acceleration
     low, high = (multiplier_of(q, motion.pga, threshold) for q in ida.bracket)
     assert wall.runs[0].scale == high
@@ -135,12 +132,7 @@ def test_that_the_strength_of_the_masonry_gives_the_setback():
 
 def test_that_a_free_element_is_not_called_at_rest_by_the_pga(tmp_path):
     """FC S a_g is below a_RM, but FC S_e(T_0) is not (C8.7.1.9)."""
-    wall = {
-        "height_m": 1.2,
-        "thickness_m": 0.35,
-        "elastic_modulus_mpa": 200.0,
-        "unit_weight_kn_m3": 18.0,
-    }
+    wall = {"height_m": 1.2, "thickness_m": 0.35, "elastic_modulus_mpa": 200.0, "unit_weight_kn_m3": 18.0}
     for kind in (wall, {k: v for k, v in wall.items() if k[0] != "e"}):
         found = study.run(case(kind, {"ag_g": 0.16}), base_dir=tmp_path).walls[0].assessment
         assert found.verdict.code != "not_activated"
@@ -150,10 +142,7 @@ def test_that_a_free_element_is_not_called_at_rest_by_the_pga(tmp_path):
 
 def test_that_a_target_below_one_is_what_decides(tmp_path):
     found = (
-        study.run(
-            case(demand={"ag_g": 0.25, "zeta_target": 0.4}, generate={"count": 7}),
-            base_dir=tmp_path,
-        )
+        study.run(case(demand={"ag_g": 0.25, "zeta_target": 0.4}, generate={"count": 7}), base_dir=tmp_path)
         .walls[0]
         .assessment
     )

@@ -17,10 +17,7 @@ from core.wall.rocking_model import RockingModel, rocking_model
 LOOKAHEAD = np.zeros(4001)
 
 
-@pytest.mark.parametrize(
-    "fraction, quarter",
-    [(0.1, 0.323710), (0.5, 0.912068), (0.9, 2.072341), (0.99, 3.668056)],
-)
+@pytest.mark.parametrize("fraction, quarter", [(0.1, 0.323710), (0.5, 0.912068), (0.9, 2.072341), (0.99, 3.668056)])
 def test_that_the_quarter_period_is_that_of_the_exact_equation(make_model, fraction, quarter):
     model = make_model()
     found = history(LOOKAHEAD, 0.01, 1.0, model, start=(fraction * model.slenderness, 0.0))
@@ -67,10 +64,7 @@ def test_that_the_tuff_wall_of_figure_4_has_its_parameters():
 
 @pytest.mark.parametrize(
     "ratio, peaks",
-    [
-        (0.9654, (0.4513, 0.4095, 0.3731, 0.3410, 0.3124)),
-        (0.95 * 0.9654, (0.3924, 0.3148, 0.2558, 0.2096, 0.1727)),
-    ],
+    [(0.9654, (0.4513, 0.4095, 0.3731, 0.3410, 0.3124)), (0.95 * 0.9654, (0.3924, 0.3148, 0.2558, 0.2096, 0.1727))],
 )
 def test_that_the_tuff_wall_decays_as_housners_linear_form(ratio, peaks):
     """Exact and linear peaks differ in the fourth digit at this slenderness: 2e-3 suffices."""
@@ -136,8 +130,7 @@ def test_that_a_safe_band_lies_above_the_first_overturning():
     step = 2.0 * math.pi / (5.0 * p) / samples
     shape = np.sin(5.0 * p * np.arange(samples + 1) * step)
     outcome = {
-        a: history(a * alpha * G * shape, step, 1.0, model).outcome
-        for a in (2.5, 2.8, 3.3, 4.0, 5.5, 6.8, 7.8, 9.0)
+        a: history(a * alpha * G * shape, step, 1.0, model).outcome for a in (2.5, 2.8, 3.3, 4.0, 5.5, 6.8, 7.8, 9.0)
     }
     assert [outcome[a] for a in (2.5, 2.8)] == [STABLE, STABLE]
     assert [outcome[a] for a in (3.3, 4.0, 5.5)] == [COLLAPSED] * 3

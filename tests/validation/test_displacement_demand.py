@@ -16,11 +16,18 @@ from tests.validation.circolare import FREE, case, mechanism_of
 
 def site_spectrum(tmp_path, end=5.0):
     """A site's spectrum with a hump at 1.2 s, beyond which S_De falls: (file, S_e [g] at a period)."""
-    rows = [(0.0, 0.312), (0.15, 0.78), (0.5, 0.78), (1.0, 0.39), (1.2, 0.70), (1.5, 0.25),
-            (2.0, 0.10), (3.0, 0.04), (5.0, 0.01)]  # fmt: skip
-    rows = [row for row in rows if row[0] < end] + [
-        (end, float(np.interp(end, *np.transpose(rows))))
+    rows = [
+        (0.0, 0.312),
+        (0.15, 0.78),
+        (0.5, 0.78),
+        (1.0, 0.39),
+        (1.2, 0.70),
+        (1.5, 0.25),
+        (2.0, 0.10),
+        (3.0, 0.04),
+        (5.0, 0.01),
     ]
+    rows = [row for row in rows if row[0] < end] + [(end, float(np.interp(end, *np.transpose(rows))))]
     (tmp_path / "site.txt").write_text("\n".join(f"{t} {s}" for t, s in rows))
     return {"spectrum": None, "spectrum_file": "site.txt", "soil_factor": 1.2}
 
@@ -31,8 +38,10 @@ def without(demand):
 
 def test_that_the_displacement_demand_of_a_site_is_its_largest_up_to_t_slv(tmp_path):
     wall = {"height_m": 5.0, "thickness_m": 0.5, "free_element": False}
-    table = {"wall": [{"name": "w", "base_z_m": 0.0, "mechanism": "two_sided", **wall}],
-             "demand": {"ag_g": 0.26, **without(site_spectrum(tmp_path))}}  # fmt: skip
+    table = {
+        "wall": [{"name": "w", "base_z_m": 0.0, "mechanism": "two_sided", **wall}],
+        "demand": {"ag_g": 0.26, **without(site_spectrum(tmp_path))},
+    }
     demand = demand_of(parse_case(table), tmp_path)
     found = kinematic(parse_case(table).wall[0], "two_sided", demand)
     # by brute force over [0, T_SLV]: the hump decides, not S_De(T_SLV)
@@ -43,8 +52,9 @@ def test_that_the_displacement_demand_of_a_site_is_its_largest_up_to_t_slv(tmp_p
     # free, T_0 beyond the hump: only what lies between T_0 and T_SLV counts
     slow = kinematic(
         parse_case({**table, "wall": [{**table["wall"][0], **FREE, "elastic_modulus_mpa": 40.0}]}).wall[0],
-        "two_sided", demand,
-    )  # fmt: skip
+        "two_sided",
+        demand,
+    )
     inside = periods >= slow.period_0
     assert 1.5 < slow.period_0 < slow.period
     assert slow.s_de == pytest.approx(values[inside].max(), rel=1e-5)
@@ -61,10 +71,14 @@ def test_that_the_largest_s_de_is_found_inside_a_branch():
 
 def test_that_a_spectrum_that_ends_before_t_slv_is_refused(tmp_path):
     demand = demand_of(
-        parse_case({"wall": [{"name": "w", "height_m": 9.0, "thickness_m": 0.9, "base_z_m": 0.0,
-                              "mechanism": "two_sided"}],
-                    "demand": {"ag_g": 0.26, **without(site_spectrum(tmp_path, 3.0))}}), tmp_path
-    )  # fmt: skip
+        parse_case(
+            {
+                "wall": [{"name": "w", "height_m": 9.0, "thickness_m": 0.9, "base_z_m": 0.0, "mechanism": "two_sided"}],
+                "demand": {"ag_g": 0.26, **without(site_spectrum(tmp_path, 3.0))},
+            }
+        ),
+        tmp_path,
+    )
     wall = case({"height_m": 9.0, "thickness_m": 0.9}).wall[0]
     with pytest.raises(InputError, match=r'wall "w".*ends at 3.00 s, before T_SLV = 3.39 s'):
         kinematic(wall, "two_sided", demand)
@@ -73,12 +87,7 @@ def test_that_a_spectrum_that_ends_before_t_slv_is_refused(tmp_path):
 def test_that_a_wall_elastic_up_to_d_slv_has_no_linear_check():
     """12 x 0.40 m, E 200 MPa: T_0 = 6.9 s beyond T_SLV, where S_e(T_0) is next to nothing and would let a wall of
     d_SLV / S_De = 0.47 pass."""
-    wall = {
-        "height_m": 12.0,
-        "thickness_m": 0.40,
-        "elastic_modulus_mpa": 200.0,
-        "unit_weight_kn_m3": 19.0,
-    }
+    wall = {"height_m": 12.0, "thickness_m": 0.40, "elastic_modulus_mpa": 200.0, "unit_weight_kn_m3": 19.0}
     found, demand = mechanism_of(case({**wall, "free_element": True}))
     assert found.period_0 > found.period and found.missing == ("period_0",)
     assert linear("linear_q_code", found, demand, 2.0) is None

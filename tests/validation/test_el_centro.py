@@ -18,10 +18,14 @@ def q_of(record, alpha, height, one_sided=False, sign=1, q_step=0.005):
     block = Block.rectangle(height, math.radians(alpha))
     model = "one_sided_theoretical" if one_sided else "housner"
     found = incremental_dynamic_analysis(
-        record.acceleration, record.time_step, record.pga, sign,
+        record.acceleration,
+        record.time_step,
+        record.pga,
+        sign,
         rocking_model(block, one_sided, restitution(block, model), LAWS["rigid"]),
-        METHODS["taylor"], Search(q_step=q_step),
-    )  # fmt: skip
+        METHODS["taylor"],
+        Search(q_step=q_step),
+    )
     assert found.status == "collapse_found"
     return found.q
 
@@ -40,16 +44,13 @@ def test_that_two_sided_walls_collapse_at_the_known_q(el_centro, alpha, known):
 
 
 @pytest.mark.parametrize(
-    "sign, known",
-    [(1, (3.150, 4.646, 4.924, 5.052, 5.167)), (-1, (4.984, 5.263, 5.777, 6.425, 6.744))],
+    "sign, known", [(1, (3.150, 4.646, 4.924, 5.052, 5.167)), (-1, (4.984, 5.263, 5.777, 6.425, 6.744))]
 )
 def test_that_one_sided_walls_collapse_at_the_known_q(el_centro, sign, known):
     for height, q in zip(HEIGHTS, known, strict=True):
         assert q_of(el_centro, 6.8, height, True, sign) == pytest.approx(q, abs=1e-3)
 
 
-@pytest.mark.parametrize(
-    "alpha, height, q_step, q", [(6.8, 11.0, 0.001, 3.754), (11.3, 7.0, 0.01, 4.00)]
-)
+@pytest.mark.parametrize("alpha, height, q_step, q", [(6.8, 11.0, 0.001, 3.754), (11.3, 7.0, 0.01, 4.00)])
 def test_that_first_collapse_depends_on_the_step_as_known(el_centro, alpha, height, q_step, q):
     assert q_of(el_centro, alpha, height, q_step=q_step) == pytest.approx(q, abs=2e-3)

@@ -26,9 +26,7 @@ def energy(rotation, velocity, model):
 
 @pytest.mark.parametrize("law", ["rigid", "doherty", "al_shawa"])
 @pytest.mark.parametrize("one_sided", [False, True])
-def test_that_free_motion_keeps_its_energy_and_an_impact_takes_its_share(
-    make_model, law, one_sided
-):
+def test_that_free_motion_keeps_its_energy_and_an_impact_takes_its_share(make_model, law, one_sided):
     model = make_model(one_sided=one_sided, law=law, ratio=0.93)
     start = (0.9 * model.slenderness, 0.0)
     found = history(np.zeros(3001), 0.01, 1.0, model, start=start)
@@ -50,12 +48,10 @@ def test_that_free_motion_keeps_its_energy_and_an_impact_takes_its_share(
 
 
 @pytest.mark.parametrize("law", ["rigid", "doherty", "al_shawa"])
-@pytest.mark.parametrize("one_sided, restitution", [
-    (False, "housner"), (True, "housner"), (True, "one_sided_experimental"),
-])  # fmt: skip
-def test_that_the_energy_decision_is_what_integrating_on_gives(
-    make_model, law, one_sided, restitution
-):
+@pytest.mark.parametrize(
+    "one_sided, restitution", [(False, "housner"), (True, "housner"), (True, "one_sided_experimental")]
+)
+def test_that_the_energy_decision_is_what_integrating_on_gives(make_model, law, one_sided, restitution):
     model = make_model(one_sided=one_sided, model=restitution, law=law)
     p = math.sqrt(model.p2)
     seen = set()
@@ -92,9 +88,7 @@ def test_that_an_outcome_is_decided_just_below_and_above_the_separatrix(make_mod
 def test_that_every_velocity_ratio_ends_with_an_outcome(reference, ratio, one_sided, kinks):
     ground = reference("standard")[0]
     alpha = math.radians(6.8)
-    model = RockingModel(
-        alpha, 2.0866, float(one_sided), ratio, 0.0, kinks[0] * alpha, kinks[1] * alpha
-    )
+    model = RockingModel(alpha, 2.0866, float(one_sided), ratio, 0.0, kinks[0] * alpha, kinks[1] * alpha)
     for scale in (0.5, 1.0, 3.0):
         found = history(ground, 0.01, scale, model)
         assert found.outcome in (0, 1)

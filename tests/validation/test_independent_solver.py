@@ -27,9 +27,7 @@ SAMPLES = 800
         (False, "sorrentino_experimental", "rigid"),
     ],
 )
-def test_that_dop853_gives_the_same_history(
-    reference, make_model, one_sided, restitution, law, scale
-):
+def test_that_dop853_gives_the_same_history(reference, make_model, one_sided, restitution, law, scale):
     ground = scale * reference("standard")[0][:SAMPLES]
     model = make_model(one_sided=one_sided, model=restitution, law=law)
     kinks = None if law == "rigid" else (model.elastic_end, model.plateau_end)
@@ -37,9 +35,7 @@ def test_that_dop853_gives_the_same_history(
     def ratio_of(speed):
         return max(0.0, model.ratio_at_rest - model.ratio_drop * speed**2)
 
-    truth, impacts = independent_solver.history(
-        ground, 0.01, model.slenderness, model.p2, one_sided, ratio_of, kinks
-    )
+    truth, impacts = independent_solver.history(ground, 0.01, model.slenderness, model.p2, one_sided, ratio_of, kinks)
     found = history(ground, 0.01, 1.0, model)
     assert found.impact_time.size == impacts
     size = min(found.rotation.size, truth.size)
@@ -54,11 +50,7 @@ def test_that_dop853_gives_the_same_history(
         (False, "al_shawa"),
         *(
             pytest.param(one_sided, law, marks=pytest.mark.long)
-            for one_sided, law in (
-                (True, "al_shawa"),
-                (False, (0.005, 0.28)),
-                (True, (0.005, 0.28)),
-            )
+            for one_sided, law in ((True, "al_shawa"), (False, (0.005, 0.28)), (True, (0.005, 0.28)))
         ),
     ],
 )
@@ -67,15 +59,17 @@ def test_that_a_small_stiff_wall_is_as_exact(reference, make_model, one_sided, l
     ground = 0.9 * reference("standard")[0][:400]
     model = make_model(height=1.0, one_sided=one_sided, law="al_shawa")
     if isinstance(law, tuple):
-        ends = {
-            "elastic_end": law[0] * model.slenderness,
-            "plateau_end": law[1] * model.slenderness,
-        }
+        ends = {"elastic_end": law[0] * model.slenderness, "plateau_end": law[1] * model.slenderness}
         model = model._replace(**ends)
     truth, impacts = high_precision.history(
-        ground, 0.01, model.slenderness, model.p2, one_sided,
-        lambda v: mp.mpf(model.ratio_at_rest), (model.elastic_end, model.plateau_end),
-    )  # fmt: skip
+        ground,
+        0.01,
+        model.slenderness,
+        model.p2,
+        one_sided,
+        lambda v: mp.mpf(model.ratio_at_rest),
+        (model.elastic_end, model.plateau_end),
+    )
     found = history(ground, 0.01, 1.0, model)
     difference = np.abs(found.rotation - np.array([float(value) for value in truth]))
     assert difference.max() / model.slenderness <= 1e-11
@@ -96,18 +90,14 @@ def test_that_strong_motion_of_a_small_wall_shortens_the_steps(reference, make_m
     assert difference.max() / model.slenderness <= 1e-10
 
 
-@pytest.mark.parametrize(
-    "one_sided, law",
-    [(True, "rigid"), pytest.param(False, "al_shawa", marks=pytest.mark.long)],
-)
+@pytest.mark.parametrize("one_sided, law", [(True, "rigid"), pytest.param(False, "al_shawa", marks=pytest.mark.long)])
 def test_that_thirty_digits_give_the_same_history(reference, make_model, one_sided, law):
     ground = reference("standard")[0][:450]
     model = make_model(one_sided=one_sided, law=law)
     kinks = None if law == "rigid" else (model.elastic_end, model.plateau_end)
     truth, impacts = high_precision.history(
-        ground, 0.01, model.slenderness, model.p2, one_sided,
-        lambda v: mp.mpf(model.ratio_at_rest), kinks,
-    )  # fmt: skip
+        ground, 0.01, model.slenderness, model.p2, one_sided, lambda v: mp.mpf(model.ratio_at_rest), kinks
+    )
     found = history(ground, 0.01, 1.0, model)
     assert found.impact_time.size == len(impacts)
     difference = np.abs(found.rotation - np.array([float(value) for value in truth]))

@@ -14,10 +14,7 @@ def test_that_a_mirrored_ground_moves_the_block_mirrored(reference, make_model, 
     ground = reference("standard")[0]
     model = make_model(law=law)
     there = history(ground, 0.01, 1.0, model, method)
-    for mirrored in (
-        history(-ground, 0.01, 1.0, model, method),
-        history(ground, 0.01, -1.0, model, method),
-    ):
+    for mirrored in (history(-ground, 0.01, 1.0, model, method), history(ground, 0.01, -1.0, model, method)):
         assert np.array_equal(mirrored.rotation, -there.rotation)
         assert np.array_equal(mirrored.velocity, -there.velocity)
         assert mirrored.peak == there.peak

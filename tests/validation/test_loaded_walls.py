@@ -26,9 +26,14 @@ from tests.core.rocking.lanes_and_histories import assert_lanes_are_histories
 from tests.validation import loaded_walls
 
 WALL = {
-    "name": "w", "mechanism": "one_sided", "height_m": 3.0, "thickness_m": 0.45, "unit_weight_kn_m3": 18.0,
-    "base_z_m": 0.0, "velocity_ratio": 0.6,
-}  # fmt: skip
+    "name": "w",
+    "mechanism": "one_sided",
+    "height_m": 3.0,
+    "thickness_m": 0.45,
+    "unit_weight_kn_m3": 18.0,
+    "base_z_m": 0.0,
+    "velocity_ratio": 0.6,
+}
 PARTS = (3.0, 0.45, 18000.0)
 ROOF = {"kind": "vertical", "kn_m": 10.0, "d_m": 0.30, "h_m": 3.0, "mass": "none"}
 PUSHING = {**ROOF, "mass": "horizontal"}
@@ -54,7 +59,7 @@ WORKED = [
     ((PUSHING,), 1.0, 0.0, 0.12743, 0.126744, 0.12743, 0.88982, 0.27783, 0.6800, 0.6540),
     ((ROOF, TIE), 1.873354, 0.335389, 0.61639, 0.326045, 0.61639, 1.0, 0.49230, 2.9268, 1.6219),
     ((ROOF, THRUST), 1.796885, -0.174402, 0.09513, 0.052135, 0.09513, 1.0, 0.07847, 0.4517, 0.2544),
-]  # fmt: skip
+]
 
 
 @pytest.mark.parametrize("row", WORKED, ids=["none", "roof", "pushing", "tie", "thrust"])
@@ -147,9 +152,8 @@ SETS = [
     ((ROOF, THRUST), True, [(1e4, 0.0, 0.30, 3.0, 0.0), (0.0, -2e3, 0.0, 2.5, 0.0)]),
     ((PUSHING,), True, [(1e4, 0.0, 0.30, 3.0, 1e4 / G)]),
     ((ROOF,), False, [(1e4, 0.0, 0.30, 3.0, 0.0)]),
-    ((ROOF, {**THRUST, "kn_m": 0.5, "d_m": 0.4}), False,
-     [(1e4, 0.0, 0.30, 3.0, 0.0), (0.0, -5e2, 0.4, 2.5, 0.0)]),
-]  # fmt: skip
+    ((ROOF, {**THRUST, "kn_m": 0.5, "d_m": 0.4}), False, [(1e4, 0.0, 0.30, 3.0, 0.0), (0.0, -5e2, 0.4, 2.5, 0.0)]),
+]
 
 
 def two_or_one(one_sided: bool) -> dict:
@@ -158,9 +162,7 @@ def two_or_one(one_sided: bool) -> dict:
 
 @pytest.mark.parametrize(("loads", "one_sided", "forces"), SETS)
 @pytest.mark.parametrize("times", [2.2, 2.6])
-def test_that_histories_with_loads_are_those_of_the_loads_own_moment(
-    reference, loads, one_sided, forces, times
-):
+def test_that_histories_with_loads_are_those_of_the_loads_own_moment(reference, loads, one_sided, forces, times):
     model = wall_model(*loads, **two_or_one(one_sided))
     ground = reference("standard")[0][:700]
     scale = times * model.threshold / np.abs(ground).max()
@@ -194,9 +196,7 @@ def test_that_q_with_loads_is_that_of_multipliers_one_after_another(reference, l
     model = wall_model(*loads, **two_or_one(one_sided))
     ground = reference("standard")[0]
     pga = float(np.abs(ground).max())
-    found = incremental_dynamic_analysis(
-        ground, 0.01, pga, 1, model, METHODS["taylor"], Search(q_step=0.02)
-    )
+    found = incremental_dynamic_analysis(ground, 0.01, pga, 1, model, METHODS["taylor"], Search(q_step=0.02))
     q = 1.0
     while True:
         q_next = q * 1.02
@@ -211,20 +211,13 @@ def test_that_q_with_loads_is_that_of_multipliers_one_after_another(reference, l
         assert history(ground, 0.01, scale, model).outcome == outcome
 
 
-def test_that_a_two_sided_wall_of_unlike_sides_takes_both_signs_and_does_not_care_from_where_it_is_drawn(
-    tmp_path,
-):
+def test_that_a_two_sided_wall_of_unlike_sides_takes_both_signs_and_does_not_care_from_where_it_is_drawn(tmp_path):
     """d measured from the other face mirrors the wall: the record reversed does the same to it."""
     walls = [
         {**WALL, "name": name, "mechanism": "two_sided", "load": [{**ROOF, "kn_m": 30.0, "d_m": d}]}
         for name, d in (("one", 0.42), ("other", 0.45 - 0.42))
     ]
-    table = {
-        "wall": walls,
-        "demand": DEMAND,
-        "generate": {"count": 2},
-        "analysis": {"q_step": 0.02},
-    }
+    table = {"wall": walls, "demand": DEMAND, "generate": {"count": 2}, "analysis": {"q_step": 0.02}}
     one, other = study.run(parse_case(table), base_dir=tmp_path).walls
     assert [run.polarity for run in one.runs] == [1, -1, 1, -1]
     found = {(run.record, run.polarity): run.ida.q for run in one.runs}
@@ -240,8 +233,12 @@ def test_that_a_two_sided_wall_of_unlike_sides_takes_both_signs_and_does_not_car
 
 def test_that_q_of_the_histories_is_not_raised_by_e_star_twice(tmp_path):
     """a_g,SLV = q a_g,SLD with q from uplift at alpha_0 g: q e* a0* FC = q alpha_0 g."""
-    table = {"wall": [{**WALL, "load": [PUSHING]}], "demand": DEMAND, "generate": {"count": 3},
-             "analysis": {"q_step": 0.02}}  # fmt: skip
+    table = {
+        "wall": [{**WALL, "load": [PUSHING]}],
+        "demand": DEMAND,
+        "generate": {"count": 3},
+        "analysis": {"q_step": 0.02},
+    }
     wall = study.run(parse_case(table), base_dir=tmp_path).walls[0]
     row = next(check for check in wall.assessment.checks if check.name == "linear_q_slv")
     assert wall.assessment.kinematic.e_star < 0.9
@@ -250,9 +247,9 @@ def test_that_q_of_the_histories_is_not_raised_by_e_star_twice(tmp_path):
 
 
 @pytest.mark.parametrize(("loads", "one_sided"), [entry[:2] for entry in SETS])
-@pytest.mark.parametrize(("name", "error"), [
-    ("dormand_prince", 1e-9), ("rk4", 2e-3), ("newmark_events", 0.3), ("newmark_paper_reset", 1.0),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("name", "error"), [("dormand_prince", 1e-9), ("rk4", 2e-3), ("newmark_events", 0.3), ("newmark_paper_reset", 1.0)]
+)
 def test_that_the_compared_methods_take_loads(reference, loads, one_sided, name, error):
     model = wall_model(*loads, **two_or_one(one_sided))
     ground = reference("standard")[0][:700]

@@ -20,9 +20,8 @@ MODEL = RockingModel(ALPHA, P2, 0.0, 0.9, 0.0, 0.0, 0.0)
 def truth(h: float) -> tuple[float, float]:
     with mp.workdps(30):
         c = high_precision._coefficients(
-            mp.mpf(PHI), mp.mpf(SPEED), mp.mpf(BETA), mp.mpf(SLOPE), mp.mpf(P2), mp.mpf(ALPHA),
-            (1, 0, 0),
-        )  # fmt: skip
+            mp.mpf(PHI), mp.mpf(SPEED), mp.mpf(BETA), mp.mpf(SLOPE), mp.mpf(P2), mp.mpf(ALPHA), (1, 0, 0)
+        )
         return high_precision._value(c, mp.mpf(h)), high_precision._rate(c, mp.mpf(h))
 
 
@@ -37,16 +36,7 @@ def taylor_step(order):
         lean = ALPHA - PHI
         net = math.sin(lean) - BETA * math.cos(lean)
         v = taylor_series.series(
-            SPEED * h,
-            net,
-            math.sin(lean),
-            math.cos(lean),
-            BETA,
-            SLOPE * h,
-            P2 * h * h,
-            1.0,
-            0.0,
-            order,
+            SPEED * h, net, math.sin(lean), math.cos(lean), BETA, SLOPE * h, P2 * h * h, 1.0, 0.0, order
         )
         return PHI + taylor.increment(v, 1.0), SPEED + taylor.change(v, 1.0) / h
 
@@ -57,9 +47,7 @@ def stepped_step(code):
     def step(h):
         table, one, two = dormand_prince.tableau(), np.zeros(12), np.zeros(12)
         if code == stepped.DORMAND_PRINCE:
-            return dormand_prince.single_step(
-                PHI, SPEED, BETA, SLOPE, h, MODEL, 2, table, one, two
-            )[:2]
+            return dormand_prince.single_step(PHI, SPEED, BETA, SLOPE, h, MODEL, 2, table, one, two)[:2]
         return stepped.advance(code, PHI, SPEED, BETA, SLOPE, h, MODEL, 2, 0.0, table, one, two)
 
     return step
@@ -88,9 +76,18 @@ def test_that_the_linearised_form_converges_to_its_own_equation_only():
     half = step(0.05)
     whole = step(0.1)
     again = stepped.advance(
-        stepped.LINEARISED, *half, BETA + 0.05 * SLOPE, SLOPE, 0.05, MODEL, 2, 0.0,
-        dormand_prince.tableau(), np.zeros(12), np.zeros(12),
-    )  # fmt: skip
+        stepped.LINEARISED,
+        *half,
+        BETA + 0.05 * SLOPE,
+        SLOPE,
+        0.05,
+        MODEL,
+        2,
+        0.0,
+        dormand_prince.tableau(),
+        np.zeros(12),
+        np.zeros(12),
+    )
     assert again == pytest.approx(whole, rel=1e-13)
     assert local_error(step, 0.1) > 1e-5
     assert METHODS["linearised"].order == 0

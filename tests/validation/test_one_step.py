@@ -59,19 +59,14 @@ def test_that_a_peak_next_to_a_turn_is_found(alpha, p2, dt, first, second, phi, 
 @pytest.mark.parametrize("one_sided", [0.0, 1.0])
 @pytest.mark.parametrize("dt", [0.005, 0.02, 0.1])
 @pytest.mark.parametrize(
-    "first, second, share",
-    [(2.0, -6.0, 0.0), (1.2, -0.9, 0.0), (1.01, -50.0, 0.0), (1.5, -8.0, 0.2)],
+    "first, second, share", [(2.0, -6.0, 0.0), (1.2, -0.9, 0.0), (1.01, -50.0, 0.0), (1.5, -8.0, 0.2)]
 )
-def test_that_a_peak_of_the_first_step_from_a_standing_start_is_found(
-    first, second, share, dt, one_sided, order
-):
+def test_that_a_peak_of_the_first_step_from_a_standing_start_is_found(first, second, share, dt, one_sided, order):
     """Lifted by the ground at its beginning, or let go leaning, and down again within the sample."""
     alpha = 0.12
     model = RockingModel(alpha, 2.1, one_sided, 0.9, 0.0, 0.0, 0.0)
     lift = 9.80665 * math.tan(alpha)
-    whole, cut = whole_and_cut(
-        model, first * lift, second * lift, dt, order, share * alpha, 0.0, share * alpha
-    )
+    whole, cut = whole_and_cut(model, first * lift, second * lift, dt, order, share * alpha, 0.0, share * alpha)
     assert whole[2] > 0.0
     assert whole[2] == pytest.approx(cut[2], rel=1e-9)
 
@@ -90,9 +85,8 @@ def test_that_chatter_is_that_of_the_sample_cut(make_model):
     rng = np.random.default_rng(8)
     for _ in range(300):
         model = make_model(
-            alpha_deg=rng.uniform(1.0, 12.0), one_sided=bool(rng.integers(2)),
-            ratio=rng.uniform(0.3, 0.97),
-        )  # fmt: skip
+            alpha_deg=rng.uniform(1.0, 12.0), one_sided=bool(rng.integers(2)), ratio=rng.uniform(0.3, 0.97)
+        )
         threshold = 9.80665 * math.tan(model.slenderness)
         first = threshold * rng.uniform(0.5, 0.999)
         second = threshold * rng.uniform(-0.5, 0.999)

@@ -32,13 +32,7 @@ def drawn(rng, grounds):
     law = rng.choice([*LAWS.values(), MomentLaw(*sorted(rng.uniform(0.005, 0.6, 2)))])
     drop = 0.4 * ratio / (2.0 * block.p2 * (1.0 - math.cos(alpha))) * (rng.uniform() < 0.2)
     model = RockingModel(
-        alpha,
-        block.p2,
-        float(rng.integers(2)),
-        ratio,
-        drop,
-        law.elastic_limit * alpha,
-        law.plateau_end * alpha,
+        alpha, block.p2, float(rng.integers(2)), ratio, drop, law.elastic_limit * alpha, law.plateau_end * alpha
     )
     dt = 10.0 ** rng.uniform(-3.0, math.log10(0.05))
     kind = rng.integers(3)

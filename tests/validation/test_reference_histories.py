@@ -39,9 +39,7 @@ def test_that_auto_takes_order_eight_where_a_sample_is_long_for_the_wall(make_mo
 
 
 @pytest.mark.parametrize("name, tolerance", [("standard", 1e-12), ("hard", 1e-11)])
-def test_that_impacts_come_at_the_reference_times_and_speeds(
-    reference, make_model, name, tolerance
-):
+def test_that_impacts_come_at_the_reference_times_and_speeds(reference, make_model, name, tolerance):
     ground, _, times, before = reference(name)
     model = make_model()
     found = history(ground, DT, 1.0, model)

@@ -66,9 +66,7 @@ def test_an_interior_double_crossing_within_a_sample(make_model):
     threshold = G * math.tan(model.slenderness)
     ground = threshold * np.array([0.0, -3.9, -3.3, 3.3, -1.8, 1.8, 4.6, -2.9])
     dt = 0.1
-    truth, impacts = high_precision.history(
-        ground, dt, model.slenderness, model.p2, True, lambda v: mp.mpf(0.5)
-    )
+    truth, impacts = high_precision.history(ground, dt, model.slenderness, model.p2, True, lambda v: mp.mpf(0.5))
     truth = np.array([float(value) for value in truth])
     found = history(ground, dt, 1.0, model)
     assert found.impact_time.size == len(impacts)
@@ -121,9 +119,15 @@ def test_trilinear_kinks_ignored(reference, make_model, law, wrong):
     located = history(ground, DT, 1.0, model, Method("rk4", stepped.RK4, 4, 4)).rotation
     assert off(located, found, model) < 1e-3 * wrong
     truth, _ = high_precision.history(
-        ground[:700], DT, model.slenderness, model.p2, False,
-        lambda v: mp.mpf(model.ratio_at_rest), (model.elastic_end, model.plateau_end), digits=25,
-    )  # fmt: skip
+        ground[:700],
+        DT,
+        model.slenderness,
+        model.p2,
+        False,
+        lambda v: mp.mpf(model.ratio_at_rest),
+        (model.elastic_end, model.plateau_end),
+        digits=25,
+    )
     assert off(found, np.array([float(value) for value in truth]), model) < 1e-11
 
 
@@ -145,9 +149,7 @@ def test_energy_ratio_taken_for_the_velocity_ratio_is_unsafe(reference, make_mod
     pga = float(np.abs(ground).max())
 
     def q(model):
-        return incremental_dynamic_analysis(
-            ground, DT, pga, 1, model, METHODS["taylor"], Search(q_step=0.02)
-        ).q_robust
+        return incremental_dynamic_analysis(ground, DT, pga, 1, model, METHODS["taylor"], Search(q_step=0.02)).q_robust
 
     # q_robust rises by 2 % two-sided (0.979 squared) and by 8 % one-sided (0.454 squared)
     for one_sided, unsafe in ((False, 1.01), (True, 1.05)):
@@ -235,8 +237,7 @@ def test_a_decimated_record_is_another_record(reference, make_model):
     ground = reference("standard")[0]
     model = make_model()
     difference = np.abs(
-        history(ground[::2], 2 * DT, 1.0, model).rotation
-        - history(ground, DT, 1.0, model).rotation[::2]
+        history(ground[::2], 2 * DT, 1.0, model).rotation - history(ground, DT, 1.0, model).rotation[::2]
     )
     # 5e-3 of alpha on this smooth motion of 20 s, 1e9 times the error of the method
     assert difference.max() / model.slenderness > 2e-3
@@ -269,15 +270,18 @@ def test_a_million_samples(make_model):
 
 @settings(max_examples=150, deadline=None, derandomize=True)
 @given(
-    alpha=st.floats(0.1, 45.0), height=st.floats(0.1, 50.0), ratio=st.floats(0.0, 1.0),
-    one_sided=st.booleans(), law=st.sampled_from(sorted(LAWS)), dt=st.floats(1e-4, 0.05),
-    scale=st.floats(0.3, 30.0), seed=st.integers(0, 10_000),
+    alpha=st.floats(0.1, 45.0),
+    height=st.floats(0.1, 50.0),
+    ratio=st.floats(0.0, 1.0),
+    one_sided=st.booleans(),
+    law=st.sampled_from(sorted(LAWS)),
+    dt=st.floats(1e-4, 0.05),
+    scale=st.floats(0.3, 30.0),
+    seed=st.integers(0, 10_000),
     shape=st.sampled_from(["noise", "square", "spike", "still", "ramp"]),
     method=st.sampled_from(sorted(METHODS)),
-)  # fmt: skip
-def test_no_wall_and_no_record_hangs_or_gives_nan(
-    alpha, height, ratio, one_sided, law, dt, scale, seed, shape, method
-):
+)
+def test_no_wall_and_no_record_hangs_or_gives_nan(alpha, height, ratio, one_sided, law, dt, scale, seed, shape, method):
     rng = np.random.default_rng(seed)
     size = 300
     ground = {

@@ -21,27 +21,34 @@ def variant(kernel, **replacements):
     """The kernel's Python function with some of its globals replaced."""
     source = getattr(kernel, "py_func", kernel)
     known = {**source.__globals__, **replacements}
-    return types.FunctionType(
-        source.__code__, known, source.__name__, source.__defaults__, source.__closure__
-    )
+    return types.FunctionType(source.__code__, known, source.__name__, source.__defaults__, source.__closure__)
 
 
 def taylor_history(integrate, ground, dt, model):
     """theta at the samples, and (outcome, peak, impacts, clamped, samples done)."""
     rotation, none = np.zeros(len(ground)), np.empty(0)
     result = integrate(
-        np.asarray(ground, float), dt, 1.0, model, (0.0, 0.0), rotation, np.zeros(len(ground)), none,
-        none,
-    )  # fmt: skip
+        np.asarray(ground, float), dt, 1.0, model, (0.0, 0.0), rotation, np.zeros(len(ground)), none, none
+    )
     return rotation, result
 
 
 def stepped_history(integrate, code, ground, dt, model, option=1):
     rotation, none = np.zeros(len(ground)), np.empty(0)
     result = integrate(
-        code, np.asarray(ground, float), dt, 1.0, model, option, (0.0, 0.0), rotation,
-        np.zeros(len(ground)), none, none, NO_TABLE,
-    )  # fmt: skip
+        code,
+        np.asarray(ground, float),
+        dt,
+        1.0,
+        model,
+        option,
+        (0.0, 0.0),
+        rotation,
+        np.zeros(len(ground)),
+        none,
+        none,
+        NO_TABLE,
+    )
     return rotation, result
 
 
@@ -96,8 +103,7 @@ def _rk4_through_kinks(code, phi, speed, beta, slope, h, model, zone, *rest):
 def taylor_variant(**replacements):
     """`integrate` of order 8 with names replaced in the sample it repeats, its parts, and its end."""
     parts = {
-        name: variant(getattr(taylor, name), **replacements)
-        for name in ("converged_step", "first_event", "impact")
+        name: variant(getattr(taylor, name), **replacements) for name in ("converged_step", "first_event", "impact")
     }
     return variant(
         taylor.INTEGRATE[8],
@@ -113,9 +119,7 @@ def _whole_step(tail, growth, order, tolerance, relative):
 
 uplift_at_next_sample = taylor_variant(next_uplift=_uplift_at_sample)
 impact_at_end_of_step = taylor_variant(first_crossing=_crossing_at_end, landing=_landing_at_end)
-double_crossing_missed = taylor_variant(
-    first_crossing=_crossing_by_sign_change, converged_part=_whole_step
-)
+double_crossing_missed = taylor_variant(first_crossing=_crossing_by_sign_change, converged_part=_whole_step)
 rotation_decides_at_the_end = taylor_variant(end_of_record=_rotation_decides)
 no_rest = variant(
     taylor_variant(leave_impact=variant(leave_impact, stops_rocking=_never_rests)),
@@ -124,8 +128,6 @@ no_rest = variant(
 kinks_ignored = variant(
     comparison.COMPARISON[False][0],
     stepped=types.SimpleNamespace(
-        through_sample=variant(
-            stepped.through_sample, advance=_rk4_through_kinks, moment_branch=_one_branch
-        )
+        through_sample=variant(stepped.through_sample, advance=_rk4_through_kinks, moment_branch=_one_branch)
     ),
 )

@@ -54,9 +54,7 @@ MAX_PGA = 20.0 * G
 """Above this peak [m/s2] a file is not what it is said to be."""
 
 
-def read(
-    path: Path, options: Options = Options(), scale: float = 1.0, name: str = ""
-) -> GroundMotion:
+def read(path: Path, options: Options = Options(), scale: float = 1.0, name: str = "") -> GroundMotion:
     """The accelerogram of one file, in SI units.
 
     scale : multiplier asked by the user [-]. Raises RecordError naming file, place and way out.
@@ -65,9 +63,7 @@ def read(
         if path.exists() and not path.is_file():
             raise RecordError("record_not_a_file")
         if path.stat().st_size > MAX_BYTES:
-            raise RecordError(
-                "record_too_large", mb=path.stat().st_size / 1e6, most=MAX_BYTES // 1_000_000
-            )
+            raise RecordError("record_too_large", mb=path.stat().st_size / 1e6, most=MAX_BYTES // 1_000_000)
         content = path.read_bytes()
         return _motion(content, path, options, scale, name or shown(path.stem))
     except FileNotFoundError:
@@ -90,9 +86,7 @@ def _motion(content: bytes, path: Path, options: Options, scale: float, name: st
     return _of_lines(content, decode(content), path, options, scale, name)
 
 
-def _unpacked(
-    content: bytes, path: Path, options: Options, scale: float, name: str
-) -> GroundMotion:
+def _unpacked(content: bytes, path: Path, options: Options, scale: float, name: str) -> GroundMotion:
     """The accelerogram of one member of a zip, or of one sheet of a workbook."""
     if is_workbook(content):
         sheet, lines, several, notes = sheet_of(content, options.channel)
@@ -109,23 +103,17 @@ def _unpacked(
     except RecordError as error:
         if error.code == "which_channel" and several:  # say them as they are asked for
             names = [f"{member}{BETWEEN}{one}" for one in error.values["names"]]
-            raise RecordError("which_channel", **{**error.values, "names": names}, key="channel",
-                              place=(member,)) from None  # fmt: skip
+            raise RecordError(
+                "which_channel", **{**error.values, "names": names}, key="channel", place=(member,)
+            ) from None
         raise error.at(member) from None
-    channel = (
-        BETWEEN.join(part for part in (member, motion.channel) if part)
-        if several
-        else motion.channel
-    )
+    channel = BETWEEN.join(part for part in (member, motion.channel) if part) if several else motion.channel
     return replace(
-        motion, file_sha256=hashlib.sha256(content).hexdigest(), channel=channel,
-        format=f"zip, {motion.format}",
-    )  # fmt: skip
+        motion, file_sha256=hashlib.sha256(content).hexdigest(), channel=channel, format=f"zip, {motion.format}"
+    )
 
 
-def _of_lines(
-    content: bytes, lines: list[str], path: Path, options: Options, scale: float, name: str
-) -> GroundMotion:
+def _of_lines(content: bytes, lines: list[str], path: Path, options: Options, scale: float, name: str) -> GroundMotion:
     cells = is_zip(content)  # a workbook is whole or cannot be opened
     ended = cells or content.rstrip(b"\x00\x1a")[-1:] in (b"\n", b"\r")
     ended = ended or content[-2:] in (b"\n\0", b"\0\n")
@@ -170,11 +158,7 @@ def _of_lines(
     left = abs(mean) * motion.size * time_step
     if abs(mean) > OFFSET_SHARE * pga and left > OFFSET_VELOCITY:
         warnings.append(notice("offset", mean=mean / G, velocity=left))
-    if (
-        options.channel
-        and not parsed.several
-        and options.channel.casefold() not in (parsed.channel.casefold(), "1")
-    ):
+    if options.channel and not parsed.several and options.channel.casefold() not in (parsed.channel.casefold(), "1"):
         raise RecordError("one_channel", given=quoted(options.channel), format=title)
     if parsed.vertical:
         warnings.append(notice("vertical"))

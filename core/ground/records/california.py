@@ -29,10 +29,10 @@ _V2 = re.compile(
 )
 _V1 = re.compile(
     rf"\s*(\d{{1,9}}) (accel)erogram points at\s+({NUMBER})\s+pts/sec in units of ([a-z/0-9]+)", re.IGNORECASE
-)  # fmt: skip
+)
 _COSMOS = re.compile(
     rf"\s*(\d{{1,9}})\s+(accel|veloc|displ)\w* pts, approx\s+({NUMBER})\s+secs, *units= *([a-z/0-9]+)", re.IGNORECASE
-)  # fmt: skip
+)
 _OF_DATA = re.compile(r"[a-df-z&]", re.IGNORECASE)
 """A letter that no number has: the samples of a channel end there."""
 
@@ -42,25 +42,18 @@ _STATION_CHANNEL = re.compile(r"sta cha: *(\d{1,3}): *(.*?) *(?:\(|$)", re.IGNOR
 _TITLE = re.compile(r"\s*(?:un)?corrected accel|\s*raw accel", re.IGNORECASE)
 _PEAK = re.compile(
     rf"(?:peak acceleration|(?<!uncor )\bmax)\s*=\s*({NUMBER})\s*(cm/sec/sec|cm/sec2|g)\b", re.IGNORECASE
-)  # fmt: skip
+)
 _INTERVALS = re.compile(rf"equally-spaced intervals of\s+({NUMBER})\s+sec", re.IGNORECASE)
 _LENGTH = re.compile(rf"record length\s*=\s*({NUMBER})\s*sec", re.IGNORECASE)
 _RAW = re.compile(r"^\s*(?:raw|uncorrected) acceleration", re.IGNORECASE | re.MULTILINE)
 _DATE = re.compile(
-    r"^(?:Record of|Rcrd of|Origin:) ([A-Z]?[a-z]{0,3} ?[0-9A-Z][^\n(]{5,40}?)(?: {2}|\(|$)",
-    re.MULTILINE,
+    r"^(?:Record of|Rcrd of|Origin:) ([A-Z]?[a-z]{0,3} ?[0-9A-Z][^\n(]{5,40}?)(?: {2}|\(|$)", re.MULTILINE
 )
 _MAGNITUDE = re.compile(rf"\b(Mw|ML|Ms) ?= ?({NUMBER})")
 _PAIRS_DATE = re.compile(r"[A-Z]{3,9} [0-9]{1,2}, [0-9]{4}[^\n]{0,10}GMT", re.IGNORECASE)
 _FILTER = re.compile(r"(?:filtered (?:with )?)(.*)", re.IGNORECASE)
 _STATION = re.compile(r"(?:station|statn)\s+no[.:]\s*(\S+)", re.IGNORECASE)
-UNITS_OF = {
-    "cm/sec2": "cm/s2",
-    "cm/sec/sec": "cm/s2",
-    "g": "g",
-    "mm/sec2": "mm/s2",
-    "m/sec2": "m/s2",
-}
+UNITS_OF = {"cm/sec2": "cm/s2", "cm/sec/sec": "cm/s2", "g": "g", "mm/sec2": "mm/s2", "m/sec2": "m/s2"}
 """Units as these files write them."""
 
 HEAD = 1000
@@ -70,9 +63,7 @@ STEP_REAL = 61
 """Place from 0 of the time step [ms] among the real headers of COSMOS."""
 
 _PAIRS = re.compile(r"FILE\s+\d+ OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I:", re.IGNORECASE)
-_POINTS = re.compile(
-    r"NO\. OF POINTS =\s*(\d{1,7})\s+DURATION =\s*([0-9]{1,6}\.[0-9]{0,6}) SEC", re.IGNORECASE
-)
+_POINTS = re.compile(r"NO\. OF POINTS =\s*(\d{1,7})\s+DURATION =\s*([0-9]{1,6}\.[0-9]{0,6}) SEC", re.IGNORECASE)
 _COMPONENT = re.compile(r"COMP\s+(\S+)", re.IGNORECASE)
 PAIRS_A_LINE, GRID = 5, 0.001
 """Of volume 1: pairs in a line; steps [s] that all its printed times stand on."""
@@ -91,25 +82,17 @@ def recognises(lines: list[str]) -> bool:
 
 def read(lines: list[str], options: Options) -> Parsed:
     """The acceleration of one channel. Raises RecordError."""
-    places = [
-        k
-        for k, line in enumerate(lines)
-        if (match := _data_line(line)) and match[2].lower() == "accel"
-    ]
+    places = [k for k, line in enumerate(lines) if (match := _data_line(line)) and match[2].lower() == "accel"]
     if not places:
         quantity = next(match[2] for line in lines[:HEAD] if (match := _data_line(line)))
-        raise RecordError(
-            "peer_quantity", quantity={"v": "velocity"}.get(quantity[0].lower(), "displacement")
-        )
+        raise RecordError("peer_quantity", quantity={"v": "velocity"}.get(quantity[0].lower(), "displacement"))
     ends = [_end(lines, k + 1) for k in places]
     channels = []
     for k, place in enumerate(places):
         head = [line[:300] for line in lines[ends[k - 1] if k else 0 : place + 1]]
         head = _own(head)
         name = _name(head, k + 1)
-        channels.append(
-            Channel(name, is_vertical(name), partial(_channel, lines, place, ends[k], head))
-        )
+        channels.append(Channel(name, is_vertical(name), partial(_channel, lines, place, ends[k], head)))
     return chosen(channels, options)
 
 
@@ -145,9 +128,7 @@ def _channel(lines: list[str], place: int, end: int, head: list[str]) -> Parsed:
     if written not in UNITS_OF:
         raise RecordError("unit_not_acceleration", unit=quoted(match[4]))
     width = _WIDTH.search(lines[place])
-    parsed = whole(
-        block(lines[place + 1 : end], place + 2, declared, int(width[1]) if width else 10)
-    )
+    parsed = whole(block(lines[place + 1 : end], place + 2, declared, int(width[1]) if width else 10))
     parsed.unit = UNITS_OF[written]
     if _COSMOS.match(lines[place]):
         parsed.time_step = _cosmos_step(head)
@@ -173,18 +154,21 @@ def _channel(lines: list[str], place: int, end: int, head: list[str]) -> Parsed:
         parsed.warnings.append(notice("unprocessed"))
     station, filtered, date = _STATION.search(text), _FILTER.search(text), _DATE.search(text)
     magnitude = max(_MAGNITUDE.findall(text), key=lambda one: one[0] == "Mw", default=None)
-    titled = [
-        line.strip() for line in head if line.strip() and not (_TITLE.match(line) or numbers(line))
-    ]
+    titled = [line.strip() for line in head if line.strip() and not (_TITLE.match(line) or numbers(line))]
     parsed.details = (
-        ("event", next((line for line in titled if re.match(r"(?:rcrd|record) of|.*earthquake", line, re.I)),
-                       titled[0] if titled else "")),
+        (
+            "event",
+            next(
+                (line for line in titled if re.match(r"(?:rcrd|record) of|.*earthquake", line, re.I)),
+                titled[0] if titled else "",
+            ),
+        ),
         ("station", station[1] if station else ""),
         ("date", date[1].strip() if date else ""),
         ("magnitude", " ".join(magnitude) if magnitude else ""),
         ("filter", filtered[1].strip() if filtered else ""),
         ("processing", "none" if raw else "corrected"),
-    )  # fmt: skip
+    )
     return parsed
 
 

@@ -62,17 +62,13 @@ def refuse_unchosen(names: list[str], verticals: list[bool], asked: str | None) 
     if len(names) > MOST_LISTED:
         listed += (sentence("accepted", "more_channels", n=len(names) - MOST_LISTED),)
     if asked is None:
-        raise RecordError(
-            "which_channel", key="channel", n=len(names), channels=listed, names=names
-        )
+        raise RecordError("which_channel", key="channel", n=len(names), channels=listed, names=names)
     raise RecordError("no_such_channel", given=quoted(asked), channels=listed, names=names)
 
 
 def chosen(channels: list[Channel], options: Options) -> Parsed:
     """The samples of the channel asked for. Raises RecordError."""
-    k = refuse_unchosen(
-        [channel.name for channel in channels], [c.vertical for c in channels], options.channel
-    )
+    k = refuse_unchosen([channel.name for channel in channels], [c.vertical for c in channels], options.channel)
     parsed = channels[k].read()
     parsed.channel, parsed.vertical = channels[k].name, channels[k].vertical
     parsed.several = len(channels) > 1

@@ -33,8 +33,20 @@ _UP = re.compile(r"[-_.](UP|DWN|VER|UD|V)\.\w+\Z", re.IGNORECASE)
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]")
 _STREAM = re.compile(r"\.\w\w([ZENXY123])\.")
 
-BAD_ZIP = (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, RuntimeError, OSError,
-           ValueError, KeyError, IndexError, AttributeError, TypeError, SyntaxError)  # fmt: skip
+BAD_ZIP = (
+    zipfile.BadZipFile,
+    zlib.error,
+    EOFError,
+    NotImplementedError,
+    RuntimeError,
+    OSError,
+    ValueError,
+    KeyError,
+    IndexError,
+    AttributeError,
+    TypeError,
+    SyntaxError,
+)
 """What a hostile archive or workbook raises."""
 
 
@@ -56,9 +68,10 @@ def member_of(content: bytes, asked: str | None) -> tuple[str, bytes, str | None
             if len(entries) > MAX_MEMBERS:
                 raise RecordError("too_many_channels", n=len(entries), most=MAX_MEMBERS)
             entries = [
-                entry for entry in entries
+                entry
+                for entry in entries
                 if not _OTHER.search(entry.filename) and not entry.filename.startswith("__MACOSX")
-            ]  # fmt: skip
+            ]
             entries = sorted(entries, key=_order)
             if not entries:
                 raise RecordError("no_member")
@@ -117,10 +130,7 @@ def sheet_of(content: bytes, asked: str | None) -> tuple[str, list[str], bool, l
     try:
         sheet = read_sheet(content, SHEET_LIMITS, choose)
         numbers = {
-            (row, column)
-            for row, cells in sheet.rows.items()
-            for column, cell in cells.items()
-            if cell.is_number
+            (row, column) for row, cells in sheet.rows.items() for column, cell in cells.items() if cell.is_number
         }
         # a title over several columns is none of the samples
         merged = [area for area in sheet.merged if area[0] < area[2] and area[:2] in numbers]

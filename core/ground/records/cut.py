@@ -12,9 +12,7 @@ NEIGHBOURS = 20
 MIN_ROWS, MIN_DIGITS = 4, 3
 """Numbers of one shape, and digits, that make it the shape of a file."""
 
-_TOKEN = re.compile(
-    r"[+-]?(?P<whole>[0-9]*)(?:[.,](?P<decimals>[0-9]*))?(?:[EeDd][+-]?(?P<exponent>[0-9]*))?"
-)
+_TOKEN = re.compile(r"[+-]?(?P<whole>[0-9]*)(?:[.,](?P<decimals>[0-9]*))?(?:[EeDd][+-]?(?P<exponent>[0-9]*))?")
 
 
 def _shapes(token: str) -> tuple[tuple[int, int], tuple[int, int]]:
@@ -57,10 +55,15 @@ def refuse_cut(lines: list[str], ended: bool) -> None:
     shapes = [_shapes(token) for token in above if token != "0"]
     # of decimals or of significant digits, whichever is the same throughout
     shape = next(
-        (kind for kind in (0, 1)
-         if len(above) >= MIN_ROWS and len({pair[kind] for pair in shapes}) == 1
-         and max(shapes[0][kind]) >= (1, MIN_DIGITS)[kind]), None,
-    )  # fmt: skip
+        (
+            kind
+            for kind in (0, 1)
+            if len(above) >= MIN_ROWS
+            and len({pair[kind] for pair in shapes}) == 1
+            and max(shapes[0][kind]) >= (1, MIN_DIGITS)[kind]
+        ),
+        None,
+    )
     lengths = {len(other.rstrip()) for other, _ in rows[:-1]}
     one_row = all(len(row) == place + 1 for _, row in rows)
     even = one_row and len(lengths) == 1 and len(rows) > MIN_ROWS

@@ -6,15 +6,7 @@ from functools import partial
 
 from core.errors import RecordError
 from core.ground.records.channels import Channel, chosen, is_vertical
-from core.ground.records.grammar import (
-    NUMBER,
-    Options,
-    Parsed,
-    agree_with_peak,
-    block,
-    to_float,
-    whole,
-)
+from core.ground.records.grammar import NUMBER, Options, Parsed, agree_with_peak, block, to_float, whole
 from core.text.sentence import notice
 
 _BEGIN = re.compile(r"(Unc|C)orrected accelerogram ")
@@ -46,9 +38,7 @@ def read(lines: list[str], options: Options) -> Parsed:
         component = re.search(r"^Component +(\S+)", head, re.MULTILINE)
         name = component[1] if component else str(k + 1)
         end = places[k + 1] if k + 1 < len(places) else len(lines)
-        channels.append(
-            Channel(name, is_vertical(name), partial(_component, lines, place, end, head))
-        )
+        channels.append(Channel(name, is_vertical(name), partial(_component, lines, place, end, head)))
     return chosen(channels, options)
 
 
@@ -78,11 +68,7 @@ def _component(lines: list[str], place: int, end: int, head: str) -> Parsed:
         parsed.warnings.append(notice("unprocessed"))
     titles = head.splitlines()
     site = titles[1].split() if len(titles) > 1 else []
-    magnitude, distance, filtered = (
-        _MAGNITUDE.search(head),
-        _DISTANCE.search(head),
-        _FILTER.search(head),
-    )
+    magnitude, distance, filtered = (_MAGNITUDE.search(head), _DISTANCE.search(head), _FILTER.search(head))
     parsed.details = (
         ("event", titles[7].strip() if len(titles) > 7 else ""),
         ("station", site[1] if len(site) > 1 else ""),

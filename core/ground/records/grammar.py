@@ -72,9 +72,7 @@ def quoted(text: str) -> str:
 
 def head_lines(head: str) -> list[str]:
     """Lines of a header, blanks folded: what is looked at of each is short, so that no line takes long."""
-    return [
-        re.sub(r"[ \t]{3,}", "  ", line[: 4 * HEAD_LINE])[:HEAD_LINE] for line in head.splitlines()
-    ]
+    return [re.sub(r"[ \t]{3,}", "  ", line[: 4 * HEAD_LINE])[:HEAD_LINE] for line in head.splitlines()]
 
 
 _CONTROL = re.compile(rb"[\x00-\x08\x7f]")
@@ -96,9 +94,7 @@ def decode(content: bytes) -> list[str]:
         except UnicodeDecodeError:
             text = body.decode("latin-1")
     if "\r" in text:
-        text = re.sub(
-            r"\r+\n?", lambda run: "\n" * (1 if run[0][-1] == "\n" else len(run[0])), text
-        )
+        text = re.sub(r"\r+\n?", lambda run: "\n" * (1 if run[0][-1] == "\n" else len(run[0])), text)
     return text.rstrip("\n").split("\n")
 
 

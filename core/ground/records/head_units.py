@@ -9,9 +9,7 @@ from core.ground.records import wordings
 from core.ground.records.grammar import UNITS, Parsed, head_lines, quoted
 from core.ground.records.wordings import any_of, folded
 
-_LABEL = re.compile(
-    r"\b(pga|peak|max(?:imum)?|min(?:imum)?|gravity|picco|massim[oa]|gravita)\b|^\W*g *="
-)
+_LABEL = re.compile(r"\b(pga|peak|max(?:imum)?|min(?:imum)?|gravity|picco|massim[oa]|gravita)\b|^\W*g *=")
 """Words of a line that gives one value, not the samples."""
 
 _VALUE = re.compile(r"[0-9]\.?[ \t]*\Z|[0-9][ed][+-]?[0-9]+[ \t]*\Z")
@@ -169,23 +167,13 @@ def _in_words(line: str) -> Iterator[re.Match]:
             yield match
     for word in _BESIDE_WORD.finditer(line):
         match = wordings.UNIT.match(line, word.end())
-        if (
-            match
-            and not _bare(match)
-            and not _of_a_value(match)
-            and _FIELD_END.match(line, match.end())
-        ):
+        if match and not _bare(match) and not _of_a_value(match) and _FIELD_END.match(line, match.end()):
             yield match
     for match in wordings.UNIT.finditer(line):
         at = match.start("named") if match["named"] else match.start("length")
         alone = not at or line[at - 1] not in _LETTERS
         only = _power(match) > 1 if match["length"] else re.search("gal|kine", match["named"])
-        if (
-            only
-            and alone
-            and not _of_a_value(match)
-            and not _VALUE.search(line[max(0, at - 40) : at])
-        ):
+        if only and alone and not _of_a_value(match) and not _VALUE.search(line[max(0, at - 40) : at]):
             yield match
 
 
@@ -200,9 +188,7 @@ def _units(head: str) -> Iterator[tuple[Unit, str]]:
         line = folded(raw)
         label = _LABEL.search(line)
         for match, of_one, _ in _said(line):
-            yield from (
-                (unit, "beside" if of_one or label else "said") for unit in _unit(match, raw)
-            )
+            yield from ((unit, "beside" if of_one or label else "said") for unit in _unit(match, raw))
         if not label:
             for match in _in_words(line):
                 yield from ((unit, "words") for unit in _unit(match, raw))
@@ -222,9 +208,7 @@ def stated_unit(head: str) -> Unit | None:
     for other in [*units[1:], *found["beside"]] if units else ():
         one = units[0]
         if abs(other.si / one.si - 1.0) > 1e-9:
-            raise RecordError(
-                "two_units", one=one.name, first=one.line, other=other.name, second=other.line
-            )
+            raise RecordError("two_units", one=one.name, first=one.line, other=other.name, second=other.line)
     return units[0] if units else None
 
 
@@ -247,9 +231,7 @@ def _other_of(line: str) -> str | None:
     """What a line that is no head of a table with an acceleration names instead of one."""
     fields = [field for field in re.split(r"[;,\t]| {2,}|(?<=[\])]) ", line) if field.strip()]
     if len(fields) > 1 and any(
-        _ACCELERATION_WORD.search(field)
-        and not _words_of_other(field)
-        and not _units_of_other(field)
+        _ACCELERATION_WORD.search(field) and not _words_of_other(field) and not _units_of_other(field)
         for field in fields
     ):
         return None
@@ -272,9 +254,7 @@ def _units_of_other(line: str) -> str | None:
     for match in [*said, *words]:
         for unit in _unit(match, line):
             if unit.quantity not in ("acceleration", "counts", "voltage") and not (
-                match["length"]
-                and not _power(match)
-                and match["length"] not in wordings.BARE_LENGTHS
+                match["length"] and not _power(match) and match["length"] not in wordings.BARE_LENGTHS
             ):
                 return unit.text
     return None

@@ -25,11 +25,23 @@ RAW = "UNPROCESSED ACCELERATION"
 _KEY = re.compile(r"^([A-Z][A-Z0-9_/^]*):\s?(.*)$")
 _SIGMA_DATA = re.compile(r"^\s*accel\w* time series", re.IGNORECASE)
 _ESM_DETAILS = (
-    "EVENT_NAME", "EVENT_ID", "EVENT_DATE_YYYYMMDD", "EVENT_TIME_HHMMSS", "MAGNITUDE_W",
-    "MAGNITUDE_L", "NETWORK", "STATION_CODE", "STREAM", "COMPONENT", "EPICENTRAL_DISTANCE_KM",
-    "SITE_CLASSIFICATION_EC8", "LOW_CUT_FREQUENCY_HZ",
-    "HIGH_CUT_FREQUENCY_HZ", "PROCESSING", "DATA_LICENSE",
-)  # fmt: skip
+    "EVENT_NAME",
+    "EVENT_ID",
+    "EVENT_DATE_YYYYMMDD",
+    "EVENT_TIME_HHMMSS",
+    "MAGNITUDE_W",
+    "MAGNITUDE_L",
+    "NETWORK",
+    "STATION_CODE",
+    "STREAM",
+    "COMPONENT",
+    "EPICENTRAL_DISTANCE_KM",
+    "SITE_CLASSIFICATION_EC8",
+    "LOW_CUT_FREQUENCY_HZ",
+    "HIGH_CUT_FREQUENCY_HZ",
+    "PROCESSING",
+    "DATA_LICENSE",
+)
 
 
 def recognises_esm(lines: list[str]) -> bool:
@@ -71,17 +83,10 @@ def _agree(parsed: Parsed, header: dict[str, str]) -> None:
     if stated and peak and not 1.0 / CONTRADICTION < read / stated < CONTRADICTION:
         raise RecordError("esm_peak", unit=header.get("UNITS", "")[:20], read=read, stated=stated)
     parsed.stated_peak = stated and stated * UNITS["cm/s2"] / UNITS[parsed.unit]
-    duration, covered = (
-        _optional(header.get("DURATION_S", "")),
-        parsed.values.size * parsed.time_step,
-    )
+    duration, covered = (_optional(header.get("DURATION_S", "")), parsed.values.size * parsed.time_step)
     if duration and abs(duration - covered) > max(0.02 * covered, 2.0 * parsed.time_step):
         raise RecordError(
-            "esm_duration",
-            duration=duration,
-            n=parsed.values.size,
-            step=parsed.time_step,
-            covered=covered,
+            "esm_duration", duration=duration, n=parsed.values.size, step=parsed.time_step, covered=covered
         )
 
 

@@ -4,15 +4,7 @@ import re
 
 from core.errors import RecordError
 from core.ground.records.channels import is_vertical
-from core.ground.records.grammar import (
-    NUMBER,
-    Options,
-    Parsed,
-    block,
-    numbers,
-    to_count,
-    to_float,
-)  # fmt: skip
+from core.ground.records.grammar import NUMBER, Options, Parsed, block, numbers, to_count, to_float
 from core.ground.records.head_units import refuse_other_quantity, stated_unit, take_unit
 from core.text.sentence import notice
 
@@ -41,9 +33,7 @@ def read(lines: list[str], options: Options) -> Parsed:
     other = _OTHER.search(" ".join(head))
     if other:
         raise RecordError("peer_quantity", quantity=other[1].lower())
-    refuse_other_quantity(
-        "\n".join(line for line in head[2:] if re.search(r"\bunits?\b", line, re.I))
-    )
+    refuse_other_quantity("\n".join(line for line in head[2:] if re.search(r"\bunits?\b", line, re.I)))
     if any(_KEYED.search(line) or _TRAILING.search(line) for line in lines[row + 1 :]):
         raise RecordError("second_header")
     parsed = block(lines[row + 1 :], row + 2, declared)

@@ -7,24 +7,14 @@ import numpy as np
 
 from core.errors import RecordError, place
 from core.ground.records import plain_head
-from core.ground.records.grammar import (
-    NUMBER,
-    Options,
-    Parsed,
-    numbers,
-    quoted,
-    table_of,
-    to_float,
-)  # fmt: skip
+from core.ground.records.grammar import NUMBER, Options, Parsed, numbers, quoted, table_of, to_float
 from core.ground.records.head_units import refuse_other_quantity, stated_unit, take_unit
 
 _NO_NUMBER = re.compile(rf"(?:{NUMBER}|[+-]?nan|[+-]?inf(?:inity)?|\*++|[,;\s]++)++", re.IGNORECASE)
 _DECIMAL_COMMA = re.compile(r"[+-]?+[0-9]++(,[0-9]++)?+([EeDd][+-]?+[0-9]++)?+")
 _ONE = re.compile(NUMBER)
 _EMPTY_FIELD = re.compile(r"\t[ ]*\t|^[ ]*\t")
-_EXCEL_ERROR = re.compile(
-    r"#(?:N/?[AD]|DIV/0!|VAL\w+!|R[EI]F!|NUM!|N[AO]ME\?|NULL\w*!)", re.IGNORECASE
-)
+_EXCEL_ERROR = re.compile(r"#(?:N/?[AD]|DIV/0!|VAL\w+!|R[EI]F!|NUM!|N[AO]ME\?|NULL\w*!)", re.IGNORECASE)
 
 
 EMPTY = "∅"
@@ -56,12 +46,7 @@ def _row(line: str) -> list[float] | None:
         line = line.replace('","', "\t").replace('"', "")
     if EMPTY in line or ";" in line or "\t" in line:
         fields = [entry.strip() for entry in re.split(r"[;\t]", line)]
-        row = _fields(
-            [
-                entry.replace(",", ".") if _DECIMAL_COMMA.fullmatch(entry) else entry
-                for entry in fields
-            ]
-        )
+        row = _fields([entry.replace(",", ".") if _DECIMAL_COMMA.fullmatch(entry) else entry for entry in fields])
         if row is not None or "," in line or "" in fields:
             return row
         return numbers(re.sub(r"[;\t]", " ", line))
@@ -109,9 +94,7 @@ def read(lines: list[str], options: Options) -> Parsed:
             raise RecordError("gap", text=quoted(text), place=(place("line", n=k),))
         if text.startswith(("#", "%", "//", "!")):
             if sampled:
-                raise RecordError(
-                    "text_among_samples", text=quoted(text), place=(place("line", n=k),)
-                )
+                raise RecordError("text_among_samples", text=quoted(text), place=(place("line", n=k),))
             head.append(text)
             continue
         try:
@@ -144,9 +127,7 @@ def read(lines: list[str], options: Options) -> Parsed:
     width = len(rows[0])
     for row, line in zip(rows, places, strict=True):
         if len(row) != width:
-            raise RecordError(
-                "columns_differ", n=len(row), above=width, place=(place("line", n=line),)
-            )
+            raise RecordError("columns_differ", n=len(row), above=width, place=(place("line", n=line),))
     table = np.array(rows)
     if rest is not None:
         if rest.shape[1] != width:
@@ -221,9 +202,7 @@ def _even_step(times, places, given: float | None) -> float:
     if (steps <= 0.0).all() or not np.median(steps) > 0.0:
         raise RecordError("no_time_column")
     mean = float((times[-1] - times[0]) / (times.size - 1))
-    decimals = next(
-        (d for d in range(1, 12) if np.allclose(times, times.round(d), rtol=0, atol=1e-13)), 12
-    )
+    decimals = next((d for d in range(1, 12) if np.allclose(times, times.round(d), rtol=0, atol=1e-13)), 12)
     rounding = max(min(0.51 * 10.0**-decimals, 0.25 * abs(mean)), 1e-3 * abs(mean))
     index = np.arange(times.size)
     usual = float(np.median(steps))
@@ -242,9 +221,5 @@ def _even_step(times, places, given: float | None) -> float:
     elif gap:
         k = int(np.argmax(broken))
     raise RecordError(
-        "uneven_times",
-        start=times[k],
-        end=times[k + 1],
-        usual=usual,
-        place=(place("line", n=places[k + 1]),),
+        "uneven_times", start=times[k], end=times[k + 1], usual=usual, place=(place("line", n=places[k + 1]),)
     )

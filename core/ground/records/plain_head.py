@@ -31,18 +31,19 @@ _LINK = rf"(?:[ :=~_'\"]|\.(?![0-9])|-(?=[> ])|>|{_WORDS}){{0,16}}+"
 
 _TIME_UNIT = any_of(wordings.TIME_UNITS)
 _RATE_UNIT = f"(?:{wordings.RATE_PHRASE}|{any_of(wordings.RATE_UNITS)})"
-_UNIT_BEFORE, _UNIT_AFTER = (
-    rf"(?:(?P<{side}r>{_RATE_UNIT})|(?P<{side}t>{_TIME_UNIT}))(?![a-z0-9/])" for side in "ab"
-)
+_UNIT_BEFORE, _UNIT_AFTER = (rf"(?:(?P<{side}r>{_RATE_UNIT})|(?P<{side}t>{_TIME_UNIT}))(?![a-z0-9/])" for side in "ab")
 _START, _END = r"(?<![a-z0-9])", r"(?![a-z0-9])"
 _TIMED = [
-    (kind, re.compile(
-        rf"{_START}(?:{any_of(words)}{'|' + wordings.RATE_PHRASE if kind == 'rate' else ''}){_END}"
-        rf"(?:[ _]*+{_WORDS})*+(?:[ _]*+[(\[,]?[ ]*+{_UNIT_BEFORE}[ ]*+[)\]]?)?+{_LINK}"
-        rf"(?<![0-9])(?P<n>{N}(?: *+/ *+{N})?+)(?![0-9]|\.[0-9])[ \-]*+[(\[]?[ ]*+(?:{_UNIT_AFTER})?+"
-    ))
+    (
+        kind,
+        re.compile(
+            rf"{_START}(?:{any_of(words)}{'|' + wordings.RATE_PHRASE if kind == 'rate' else ''}){_END}"
+            rf"(?:[ _]*+{_WORDS})*+(?:[ _]*+[(\[,]?[ ]*+{_UNIT_BEFORE}[ ]*+[)\]]?)?+{_LINK}"
+            rf"(?<![0-9])(?P<n>{N}(?: *+/ *+{N})?+)(?![0-9]|\.[0-9])[ \-]*+[(\[]?[ ]*+(?:{_UNIT_AFTER})?+"
+        ),
+    )
     for kind, words in TIMING.items()
-]  # fmt: skip
+]
 _VAGUE = re.compile(any_of(wordings.VAGUE_TIMING) + _END)
 _OF_RATE = re.compile(rf"(?<![a-z0-9.,])(?P<n>{N}) *+(?:{wordings.RATE_PHRASE}|sps{_END})")
 _ALONE = re.compile(rf"(?P<n>{N}) *+{_UNIT_AFTER}")
@@ -61,9 +62,7 @@ _COUNTED = [
         rf"{_START}{_NUMBER_OF}{_KIND}(?:{_NOUN}|{any_of(wordings.NUMBERED)}|{_GAP}){_END}"
         rf"(?! *+(?:/|per\b|al\b))[ ()a-z]{{0,8}}?[ :=]*+{_WHOLE}"
     ),
-    re.compile(
-        rf"{_START}(?:{any_of(wordings.COUNT)}|{_KIND}(?:{_NOUN}|{_GAP})(?= *+[:=])){_END}[ :=]*+{_WHOLE}"
-    ),
+    re.compile(rf"{_START}(?:{any_of(wordings.COUNT)}|{_KIND}(?:{_NOUN}|{_GAP})(?= *+[:=])){_END}[ :=]*+{_WHOLE}"),
     re.compile(
         r"(?<![a-z0-9.,/:-])(?<!first )(?<!last )(?<!primi )(?<!ultimi )(?<!every )(?<!ogni )"
         rf"{_WHOLE} *+{_KIND}{_NOUN}{_END}"
@@ -91,9 +90,7 @@ _APPLIED = re.compile(
 _TIMES = re.compile(rf"(?:\A|[:=(]) *+x *+(?P<n>{FACTOR}) *+(?:\Z|\))")
 
 _TIME_OF_COLUMN = re.compile(rf"\b(?:time|tempo|t) *+[(\[_,] *+({_TIME_UNIT}) *+(?:[)\],;]|\Z)")
-_LONE = re.compile(
-    rf"(?<![a-z0-9.,/:_^*+-])({N})(?![a-z0-9/:_^*-]|[.,][0-9])(?! *+(?:m|km|cm|mm|deg|%|g|gal)\b)"
-)
+_LONE = re.compile(rf"(?<![a-z0-9.,/:_^*+-])({N})(?![a-z0-9/:_^*-]|[.,][0-9])(?! *+(?:m|km|cm|mm|deg|%|g|gal)\b)")
 _MARKS = " \t#%!/*;,'\"<>|:-"
 
 
@@ -153,8 +150,7 @@ def _seconds(kind: str, match: re.Match, line: str) -> float | None:
         step = 1.0 / value if kind == "rate" else value
     vague = _VAGUE.match(match[0]) or kind == "either"
     if vague and (
-        not 1e-5 <= step <= (0.2 if time or rate else 0.1)
-        or (wordings.OTHER_NUMBERS.search(line) and not time)
+        not 1e-5 <= step <= (0.2 if time or rate else 0.1) or (wordings.OTHER_NUMBERS.search(line) and not time)
     ):
         return None
     return step
@@ -181,11 +177,7 @@ def time_steps(head: Head) -> list[Statement]:
     for one in stated[1:]:
         if abs(one.value - stated[0].value) > SAME * stated[0].value:
             raise RecordError(
-                "two_steps_stated",
-                one=stated[0].value,
-                first=stated[0].line,
-                other=one.value,
-                second=one.line,
+                "two_steps_stated", one=stated[0].value, first=stated[0].line, other=one.value, second=one.line
             )
     return stated
 
@@ -194,10 +186,13 @@ def _widest(statements: list[Statement], others: list[Statement] | tuple = ()) -
     """Those that are no part of another one."""
     spans = _by_line([*statements, *others])
     return [
-        one for one in statements
-        if not any(first <= one.span[1] and one.span[2] <= last and (first, last) != one.span[1:]
-                   for first, last in spans[one.span[0]])
-    ]  # fmt: skip
+        one
+        for one in statements
+        if not any(
+            first <= one.span[1] and one.span[2] <= last and (first, last) != one.span[1:]
+            for first, last in spans[one.span[0]]
+        )
+    ]
 
 
 def _by_line(statements: Iterable[Statement]) -> dict[int, list[tuple[int, int]]]:
@@ -215,10 +210,7 @@ def counts(head: Head, n: int) -> tuple[list[Statement], list[Statement]]:
     for pattern in (*_COUNTED, _MAYBE_COUNTED):
         for match, k in _found(head, pattern):
             digits = match["n"]
-            accepted = {
-                int(re.sub(r"[^0-9]", "", digits)[:18]),
-                int(re.match("[0-9]+", digits)[0][:18]),
-            }
+            accepted = {int(re.sub(r"[^0-9]", "", digits)[:18]), int(re.match("[0-9]+", digits)[0][:18])}
             gap = "gap" in match.groupdict() and match["gap"]
             statement = _statement(head, match, k, max(accepted))
             if _OF_RATE.match(head.lines[k], match.start("n")):
@@ -238,9 +230,7 @@ def factors(head: Head) -> tuple[list[Statement], list[Statement]]:
     """(factors that the samples have still to be multiplied by, those that are in them). Raises RecordError where two
     differ."""
     applied = [
-        _statement(head, match, k, value)
-        for match, k in _found(head, _APPLIED)
-        if (value := factor_of(match["n"]))
+        _statement(head, match, k, value) for match, k in _found(head, _APPLIED) if (value := factor_of(match["n"]))
     ]
     stated = []
     for sign, pattern in [*_MULTIPLIED, (1, _TIMES)]:
@@ -272,19 +262,11 @@ def agree(parsed: Parsed, said: str, declared: float | None, given: float | None
     of the case [s]. Raises RecordError where one contradicts another, or the count of samples."""
     head, n = head_of(said), parsed.values.size
     steps = time_steps(head)
-    stated, line = (
-        (declared, "npts dt")
-        if declared
-        else (steps[0].value, steps[0].line)
-        if steps
-        else (None, "")
-    )
+    stated, line = (declared, "npts dt") if declared else (steps[0].value, steps[0].line) if steps else (None, "")
     if stated and parsed.time_step and abs(parsed.time_step - stated) > SAME * stated:
         raise RecordError("two_time_steps", stated=stated, column_step=parsed.time_step, line=line)
     if declared and steps and abs(steps[0].value - declared) > SAME * declared:
-        raise RecordError(
-            "two_steps_stated", one=declared, first=line, other=steps[0].value, second=steps[0].line
-        )
+        raise RecordError("two_steps_stated", one=declared, first=line, other=steps[0].value, second=steps[0].line)
     parsed.time_step = stated or parsed.time_step
     parsed.lines["time_step_s"] = line
     agreed, unsure = counts(head, n)
@@ -333,8 +315,11 @@ def _plausible(value: float, n: int) -> bool:
 def _named(head: str, width: int, column: int) -> Iterator[str]:
     """What lines of a head write above a column of the table (counted from 1)."""
     for line in head_lines(head):
-        for fields, apart in ((re.split(r"[;,\t]", line), True), (re.split(r" {2,}", line.strip()), False),
-                              (line.split(), False)):  # fmt: skip
+        for fields, apart in (
+            (re.split(r"[;,\t]", line), True),
+            (re.split(r" {2,}", line.strip()), False),
+            (line.split(), False),
+        ):
             named = len(fields) >= column if apart else len(fields) == width
             if len(fields) > 1 and named and 1 <= column <= len(fields):
                 yield fields[column - 1]

@@ -18,11 +18,7 @@ ENOUGH = 50
 _MARK = re.compile(r"9+(\.9+)?|9+0+|32768|32767|8388608|8388607|2147483648|12345|7777|8888|1e\+\d+")
 """How a mark of a missing sample is usually written; of these one alone is enough."""
 
-_MARKS_INSIDE = (
-    -1,
-    -9,
-    *(sign * x for sign in (1, -1) for x in (99, 999, 9999, 99.99, 999.9, 999.99)),
-)
+_MARKS_INSIDE = (-1, -9, *(sign * x for sign in (1, -1) for x in (99, 999, 9999, 99.99, 999.9, 999.99)))
 RUN, JUMP = 3, 0.05
 """Equal samples in a row that are a mark within the range of the others, and share of the peak by which the record
 jumps to them or back."""
@@ -60,23 +56,22 @@ def refuse_marks(values: np.ndarray) -> None:
 def _refuse(values: np.ndarray, marks: np.ndarray) -> None:
     k = int(np.argmax(marks))
     others = float(np.abs(values[~marks]).max())
-    raise RecordError(
-        "marks_of_gaps", mark=float(values[k]), n=int(marks.sum()), sample=k + 1, others=others
-    )
+    raise RecordError("marks_of_gaps", mark=float(values[k]), n=int(marks.sum()), sample=k + 1, others=others)
 
 
 def refuse_repeated_line(lines: list[str]) -> None:
     """Raise RecordError where a line of several different numbers stands twice, one below the other: not where the
     motion itself repeats from line to line."""
     twice = [
-        k for k in range(1, len(lines))
-        if lines[k] == lines[k - 1] and not lines[k].translate(NUMBER_LETTERS)
-        and len(words := lines[k].split()) > 3 and len(set(words)) == len(words)
-    ]  # fmt: skip
+        k
+        for k in range(1, len(lines))
+        if lines[k] == lines[k - 1]
+        and not lines[k].translate(NUMBER_LETTERS)
+        and len(words := lines[k].split()) > 3
+        and len(set(words)) == len(words)
+    ]
     if twice and len(twice) <= max(1, len(lines) // 20):
-        raise RecordError(
-            "line_twice", text=quoted(lines[twice[0]]), place=(place("line", n=twice[0] + 1),)
-        )
+        raise RecordError("line_twice", text=quoted(lines[twice[0]]), place=(place("line", n=twice[0] + 1),))
 
 
 def jumps(values: np.ndarray) -> list[Sentence]:

@@ -4,16 +4,7 @@ import re
 
 from core.errors import RecordError
 from core.ground.records.channels import is_vertical
-from core.ground.records.grammar import (
-    NUMBER,
-    Options,
-    Parsed,
-    agree_with_peak,
-    block,
-    fixed_width,
-    numbers,
-    to_float,
-)
+from core.ground.records.grammar import NUMBER, Options, Parsed, agree_with_peak, block, fixed_width, numbers, to_float
 from core.text.sentence import notice
 
 _KIND = re.compile(r"\s?([0-9]) ([A-Z]+)")

@@ -10,19 +10,36 @@ from core.units import G
 
 _DIGITS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
 _POWER = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺]++")
-_LETTERS = str.maketrans({
-    "Δ": "d", "δ": "d", "∆": "d", "Τ": "t", "τ": "t", "µ": "u", "μ": "u", "ε": "e", "×": "x", "·": "*", "⋅": "*",
-    "−": "-", "–": "-", "÷": "/", "∕": "/", "⁄": "/", "’": "'", "°": "", "º": "",
-})  # fmt: skip
+_LETTERS = str.maketrans(
+    {
+        "Δ": "d",
+        "δ": "d",
+        "∆": "d",
+        "Τ": "t",
+        "τ": "t",
+        "µ": "u",
+        "μ": "u",
+        "ε": "e",
+        "×": "x",
+        "·": "*",
+        "⋅": "*",
+        "−": "-",
+        "–": "-",
+        "÷": "/",
+        "∕": "/",
+        "⁄": "/",
+        "’": "'",
+        "°": "",
+        "º": "",
+    }
+)
 
 
 def folded(line: str) -> str:
     """A line of a head as the tables write it."""
     if not line.isascii():
         line = _POWER.sub(lambda run: "^" + run[0].translate(_DIGITS), line).translate(_LETTERS)
-        line = "".join(
-            x for x in unicodedata.normalize("NFKD", line) if not unicodedata.combining(x)
-        )
+        line = "".join(x for x in unicodedata.normalize("NFKD", line) if not unicodedata.combining(x))
     return line.lower()[:HEAD_LINE]
 
 
@@ -49,11 +66,28 @@ FACTOR = rf"(?:{N}{_TEN}?+)"
 _SECOND = r"(?:s(?:ec(?:ond[oi]?s?|s)?)?)\.?(?![a-z])"
 
 TIME_UNITS = {
-    "s": 1.0, "sec": 1.0, "secs": 1.0, "sec.": 1.0, "second": 1.0, "seconds": 1.0, "secondo": 1.0, "secondi": 1.0,
-    "ms": 1e-3, "msec": 1e-3, "millisecond": 1e-3, "milliseconds": 1e-3, "millisecondi": 1e-3, "millisecondo": 1e-3,
-    "us": 1e-6, "usec": 1e-6, "microseconds": 1e-6, "microsecondi": 1e-6,
-    "min": 60.0, "minutes": 60.0, "minuti": 60.0,
-}  # fmt: skip
+    "s": 1.0,
+    "sec": 1.0,
+    "secs": 1.0,
+    "sec.": 1.0,
+    "second": 1.0,
+    "seconds": 1.0,
+    "secondo": 1.0,
+    "secondi": 1.0,
+    "ms": 1e-3,
+    "msec": 1e-3,
+    "millisecond": 1e-3,
+    "milliseconds": 1e-3,
+    "millisecondi": 1e-3,
+    "millisecondo": 1e-3,
+    "us": 1e-6,
+    "usec": 1e-6,
+    "microseconds": 1e-6,
+    "microsecondi": 1e-6,
+    "min": 60.0,
+    "minutes": 60.0,
+    "minuti": 60.0,
+}
 """Seconds of one unit."""
 
 RATE_UNITS = {"hz": 1.0, "hertz": 1.0, "khz": 1e3, "sps": 1.0, "cps": 1.0, "c/s": 1.0, "s/s": 1.0}
@@ -160,13 +194,39 @@ NO_FACTOR = re.compile(rf"\b{any_of(_OTHER_FACTORS)}\b")
 """Words of a line whose factor or scale is not that of the samples."""
 
 LENGTHS = {
-    "m": 1.0, "metre": 1.0, "metres": 1.0, "meter": 1.0, "meters": 1.0, "metro": 1.0, "metri": 1.0, "cm": 0.01,
-    "centimetre": 0.01, "centimetres": 0.01, "centimeter": 0.01, "centimeters": 0.01, "centimetri": 0.01,
-    "centimetro": 0.01, "mm": 1e-3, "millimetre": 1e-3, "millimetres": 1e-3, "millimeter": 1e-3, "millimeters": 1e-3,
+    "m": 1.0,
+    "metre": 1.0,
+    "metres": 1.0,
+    "meter": 1.0,
+    "meters": 1.0,
+    "metro": 1.0,
+    "metri": 1.0,
+    "cm": 0.01,
+    "centimetre": 0.01,
+    "centimetres": 0.01,
+    "centimeter": 0.01,
+    "centimeters": 0.01,
+    "centimetri": 0.01,
+    "centimetro": 0.01,
+    "mm": 1e-3,
+    "millimetre": 1e-3,
+    "millimetres": 1e-3,
+    "millimeter": 1e-3,
+    "millimeters": 1e-3,
     "millimetri": 1e-3,
-    "dm": 0.1, "um": 1e-6, "nm": 1e-9, "km": 1e3, "in": 0.0254, "inch": 0.0254, "inches": 0.0254, "pollici": 0.0254,
-    "ft": 0.3048, "foot": 0.3048, "feet": 0.3048, "piedi": 0.3048,
-}  # fmt: skip
+    "dm": 0.1,
+    "um": 1e-6,
+    "nm": 1e-9,
+    "km": 1e3,
+    "in": 0.0254,
+    "inch": 0.0254,
+    "inches": 0.0254,
+    "pollici": 0.0254,
+    "ft": 0.3048,
+    "foot": 0.3048,
+    "feet": 0.3048,
+    "piedi": 0.3048,
+}
 BARE_LENGTHS = words("m | cm | mm | in | inch | inches")
 """Lengths that alone are the unit of a displacement."""
 
@@ -197,18 +257,14 @@ _OF_OTHERS = {
         counts | count | cts | raw counts | raw count | digital counts | adc counts | adc units |
         digital units | digits | lsb | conteggi | bit | bits
     """),
-    "voltage": words(
-        "v | volt | volts | mv | millivolt | millivolts | uv | microvolt | microvolts"
-    ),
+    "voltage": words("v | volt | volts | mv | millivolt | millivolts | uv | microvolt | microvolts"),
     "velocity": words("kine | kines | mkine | millikine | knots | km/h | kmh | mph"),
     "jerk": words("g/s | g/sec | gal/s | gal/sec"),
     "rotation": words("""
         rad | rads | mrad | urad | radians | radian | radianti | rad/s | rad/sec | rad/s2 | rad/s^2 |
         mrad/s | deg/s | deg/sec | degrees/s | gradi/s | rad/sec2
     """),
-    "strain": words(
-        "strain | microstrain | micro strain | nanostrain | ustrain | ue | mm/mm | m/m"
-    ),
+    "strain": words("strain | microstrain | micro strain | nanostrain | ustrain | ue | mm/mm | m/m"),
     "pressure": words("""
         pa | kpa | mpa | hpa | gpa | bar | mbar | psi | ksi | n/mm2 | n/mm^2 | n/m2 | n/m^2 | kn/m2 |
         kg/cm2 | kg/cm^2
@@ -307,8 +363,6 @@ _RATES = """
     20 25 40 50 60 64 75 80 100 120 125 128 150 160 200 204.8 240 250 256 300 320 400 409.6 500 512 600 800 1000 1024
     1200 2000 2048 4000 4096
 """
-_GRAVITY = (
-    "9.8 9.81 9.807 9.80665 980 981 980.7 980.665 9806.65 9810 386.1 386.09 386.4 32.2 32.174"
-)
+_GRAVITY = "9.8 9.81 9.807 9.80665 980 981 980.7 980.665 9806.65 9810 386.1 386.09 386.4 32.2 32.174"
 RATES, GRAVITY = (tuple(map(float, table.split())) for table in (_RATES, _GRAVITY))
 """Numbers that are likely a rate [Hz], its inverse a step; a factor from g."""

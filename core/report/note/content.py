@@ -3,20 +3,11 @@
 from core.codes.target_spectrum import CodeSpectrum
 from core.ground.provenance import provenance
 from core.report.assumptions import assumptions_of
-from core.report.circolare import cell_prefix, follows_spectrum
+from core.report.circolare import cell_prefix
 from core.report.note import site, wall_figures, wall_steps
-from core.report.note.parts import (
-    Blanks,
-    Box,
-    Derivation,
-    Figures,
-    Heading,
-    Paragraph,
-    Part,
-    Step,
-    Table,
-)
+from core.report.note.parts import Blanks, Box, Derivation, Figures, Heading, Paragraph, Part, Step, Table
 from core.report.note.words import Words
+from core.report.spectrum_rows import follows_spectrum
 from core.report.tie_words import tie_words
 from core.report.verdict_words import in_order, lines_of, sentence_of, tone_of
 from core.study.results import StudyResult, WallResult
@@ -37,10 +28,7 @@ def note(result: StudyResult, language: str) -> list[Part]:
     parts: list[Part] = [
         Heading(result.case.title, 1),
         Paragraph(
-            say(
-                "Calculation note: out-of-plane overturning of masonry walls (Circolare 7/2019, C8.7.1.2.1)"
-            ),
-            "quiet",
+            say("Calculation note: out-of-plane overturning of masonry walls (Circolare 7/2019, C8.7.1.2.1)"), "quiet"
         ),
     ]
     parts += _title(result, words)
@@ -64,9 +52,13 @@ def note(result: StudyResult, language: str) -> list[Part]:
 def _title(result: StudyResult, words: Words) -> list[Part]:
     say, report, asked = words.say, result.case.report, result.case.demand
     rows = [
-        (say("Client"), report.client), (say("Site"), report.site), (say("Project"), report.project),
-        (say("Author"), report.author), (say("Revision"), report.revision), (say("Date"), report.date),
-    ]  # fmt: skip
+        (say("Client"), report.client),
+        (say("Site"), report.site),
+        (say("Project"), report.project),
+        (say("Author"), report.author),
+        (say("Revision"), report.revision),
+        (say("Date"), report.date),
+    ]
     if asked:
         rows.append((say("Seismic site"), ", ".join(filter(None, (asked.site, asked.coordinates)))))
     rows = [row for row in rows if row[1]]
@@ -79,10 +71,7 @@ def _demand(result: StudyResult, words: Words) -> list[Part]:
     if demand is None:
         return [*parts, Paragraph(say("No demand given: no check."), "strong")]
     steps = []
-    for symbol, value, unit in (
-        ("V_N", asked.nominal_life_years, say("years")),
-        ("C_U", asked.use_class_factor, "–"),
-    ):
+    for symbol, value, unit in (("V_N", asked.nominal_life_years, say("years")), ("C_U", asked.use_class_factor, "–")):
         if value is not None:
             steps.append(Step(symbol, value, "g", unit))
     if demand.return_period is not None:
@@ -91,25 +80,27 @@ def _demand(result: StudyResult, words: Words) -> list[Part]:
     clause = "3.2.3" if follows_spectrum(result) else ""
     steps.append(Step("S", demand.soil_factor, ".3f", "–", clause, cell="demand_s"))
     values = {"s": (demand.soil_factor, "demand_s"), "a": (demand.ag / G, "demand_ag")}
-    steps.append(
-        Step("S a_g", demand.pga / G, ".3f", "g", "", "", "{s:.3f} · {a:.3f}", values, "demand_pga")
-    )
+    steps.append(Step("S a_g", demand.pga / G, ".3f", "g", "", "", "{s:.3f} · {a:.3f}", values, "demand_pga"))
     target = demand.target
     if isinstance(target, CodeSpectrum):
         steps.append(Step("F0", target.amplification, ".3f", "–", cell="spectrum_f0"))
-        for symbol, value, name in (
-            ("T_B", target.t_b, "tb"),
-            ("T_C", target.t_c, "tc"),
-            ("T_D", target.t_d, "td"),
-        ):
+        for symbol, value, name in (("T_B", target.t_b, "tb"), ("T_C", target.t_c, "tc"), ("T_D", target.t_d, "td")):
             steps.append(Step(symbol, value, ".3f", "s", cell=f"spectrum_{name}"))
     if demand.intensity:
-        source = {
-            "given": say("given"), "spectrum": say("of the spectrum"), "records_scaled": say("from the records"),
-        }[demand.intensity_source]  # fmt: skip
+        source = {"given": say("given"), "spectrum": say("of the spectrum"), "records_scaled": say("from the records")}[
+            demand.intensity_source
+        ]
         steps.append(Step("SI", demand.intensity / CM, ".1f", "cm", cell="demand_si", label=source))
-    steps.append(Step("FC", demand.confidence_factor, ".2f", "–", cell="demand_fc",
-                      label=words.word(f"confidence_{demand.confidence_on}")))  # fmt: skip
+    steps.append(
+        Step(
+            "FC",
+            demand.confidence_factor,
+            ".2f",
+            "–",
+            cell="demand_fc",
+            label=words.word(f"confidence_{demand.confidence_on}"),
+        )
+    )
     steps.append(Step(say("ζ required"), demand.zeta_target, ".2f", "–", cell="zeta_target"))
     name = say("Limit state {state}", state=demand.limit_state)
     if target is not None:
@@ -120,30 +111,26 @@ def _demand(result: StudyResult, words: Words) -> list[Part]:
 def _verdicts(result: StudyResult, words: Words) -> list[Part]:
     """Every wall, the lowest zeta first."""
     say = words.say
-    heads = [
-        say("Wall"), say("Mechanism"), "H [m]", "t [m]", "q", "ζ_E", say("Deciding check"), say("Verdict"),
-    ]  # fmt: skip
+    heads = [say("Wall"), say("Mechanism"), "H [m]", "t [m]", "q", "ζ_E", say("Deciding check"), say("Verdict")]
     rows, tones = [], {}
     for n, (wall, decides) in enumerate(in_order(result)):
         found = wall.assessment
-        row = [wall.name if decides else f"– {wall.name}", words.word(wall.mechanism), words.number(wall.height, ".2f"),
-               words.number(wall.thickness, ".3f"), words.number(wall.q_set, ".2f")]  # fmt: skip
+        row = [
+            wall.name if decides else f"– {wall.name}",
+            words.word(wall.mechanism),
+            words.number(wall.height, ".2f"),
+            words.number(wall.thickness, ".3f"),
+            words.number(wall.q_set, ".2f"),
+        ]
         if found:
             verdict = found.verdict
             label = next((c.label for c in found.checks if c.name == verdict.governing), None)
-            row += [
-                words.number(verdict.zeta_e, ".2f"),
-                words.word(label) if label else "–",
-                words.word(verdict.code),
-            ]
+            row += [words.number(verdict.zeta_e, ".2f"), words.word(label) if label else "–", words.word(verdict.code)]
             tones[n, 5] = tones[n, 7] = tone_of(result, wall)
         else:
             row += ["–", "–", "–"]
         rows.append(row)
-    return [
-        Heading(say("Verdicts of all walls")),
-        Table(heads, rows, (2.4, 1.3, 0.8, 0.8, 0.8, 0.8, 2.0, 2.1), tones),
-    ]
+    return [Heading(say("Verdicts of all walls")), Table(heads, rows, (2.4, 1.3, 0.8, 0.8, 0.8, 0.8, 2.0, 2.1), tones)]
 
 
 def _records(result: StudyResult, words: Words) -> list[Part]:
@@ -152,9 +139,16 @@ def _records(result: StudyResult, words: Words) -> list[Part]:
         return []
     say = words.say
     heads = [
-        say("Record"), say("Event and station"), say("Date"), "M", say("Distance [km]"), say("Filter [Hz], processing"),
-        say("PGA used [g]"), say("Scale used"), say("Kind"),
-    ]  # fmt: skip
+        say("Record"),
+        say("Event and station"),
+        say("Date"),
+        "M",
+        say("Distance [km]"),
+        say("Filter [Hz], processing"),
+        say("PGA used [g]"),
+        say("Scale used"),
+        say("Kind"),
+    ]
     rows = []
     for motion, kind in zip(result.motions, result.kinds, strict=True):
         where = provenance(motion)
@@ -168,20 +162,22 @@ def _records(result: StudyResult, words: Words) -> list[Part]:
             where.distance_km,
             where.filter_and_processing,
         ]
-        rows.append([motion.name, *(cell or "–" for cell in cells), words.number(at_demand * motion.pga / G, ".3f"),
-                     words.number(scale, ".3f"), words.word(kind)])  # fmt: skip
-    parts: list[Part] = [
-        Heading(say("Records")),
-        Table(heads, rows, (1.9, 1.9, 1.0, 0.7, 0.9, 1.9, 0.7, 0.8, 1.0)),
-    ]
+        rows.append(
+            [
+                motion.name,
+                *(cell or "–" for cell in cells),
+                words.number(at_demand * motion.pga / G, ".3f"),
+                words.number(scale, ".3f"),
+                words.word(kind),
+            ]
+        )
+    parts: list[Part] = [Heading(say("Records")), Table(heads, rows, (1.9, 1.9, 1.0, 0.7, 0.9, 1.9, 0.7, 0.8, 1.0))]
     rules = result.compliance
     if rules is not None:
         line = (
             say("The set is compatible with the spectrum (workbook, sheet Spectral compatibility).")
             if rules.compatible
-            else say(
-                "The set is not compatible with the spectrum (workbook, sheet Spectral compatibility)."
-            )
+            else say("The set is not compatible with the spectrum (workbook, sheet Spectral compatibility).")
         )
         parts.append(Paragraph(line))
     return parts
@@ -195,9 +191,7 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
     if found is None or found.kinematic is None:
         parts += _pair(first) + site.loads(wall, words)
         parts += [Heading(say("The block"), 3), Derivation(wall_steps.geometry(wall, name, words))]
-        q = Step(
-            "q", wall.q_set, ".2f", "–", "Eq. 10", cell=f"{name}_q_set", label=say("at collapse")
-        )
+        q = Step("q", wall.q_set, ".2f", "–", "Eq. 10", cell=f"{name}_q_set", label=say("at collapse"))
         parts.append(Derivation([q]))
         return [*parts, *_verdict(result, wall, words)]
     kinematic = found.kinematic
@@ -231,10 +225,7 @@ def _verdict(result: StudyResult, wall: WallResult, words: Words) -> list[Part]:
     say, found, language = words.say, wall.assessment, words.language
     parts: list[Part] = []
     if found is not None:
-        parts = [
-            Heading(say("Verdict"), 3),
-            Paragraph(sentence_of(result, wall, language), tone_of(result, wall)),
-        ]
+        parts = [Heading(say("Verdict"), 3), Paragraph(sentence_of(result, wall, language), tone_of(result, wall))]
         lines = lines_of(result, wall, language)
         if found.tie is not None:
             lines.append(tie_words(say, found.tie))
@@ -250,18 +241,10 @@ def _closing(result: StudyResult, words: Words) -> list[Part]:
     ticks = []
     for code in assumptions_of(walls):
         ticked = code == "no_load" and all(wall.unloaded_confirmed for wall in walls)
-        ticks.append(
-            Paragraph(f"{'☑' if ticked else '☐'}  {localized('assumption', code, words.language)}")
-        )
-    shared = [
-        (motion.name, warning.text(words.language))
-        for motion in result.motions
-        for warning in motion.warnings
-    ]
+        ticks.append(Paragraph(f"{'☑' if ticked else '☐'}  {localized('assumption', code, words.language)}"))
+    shared = [(motion.name, warning.text(words.language)) for motion in result.motions for warning in motion.warnings]
     if result.demand:
-        shared += [
-            (say("demand"), warning.text(words.language)) for warning in result.demand.warnings
-        ]
+        shared += [(say("demand"), warning.text(words.language)) for warning in result.demand.warnings]
     parts: list[Part] = []
     if shared:
         parts = [
@@ -273,14 +256,23 @@ def _closing(result: StudyResult, words: Words) -> list[Part]:
         (say("Author"), say("the Ribalta authors")),
         (say("Version"), f"{VERSION} {commit()[:12]}".strip()),
         (say("Licence"), "BSD-3-Clause"),
-        (say("Range of use"), say(
-            "Rigid block, simple overturning about a hinge, loads of constant size and direction, no sliding, no "
-            "vertical motion; equations and limits in the sheet Method of the workbook.")),
-        (say("Validation"), say(
-            "Histories against 40-digit solutions and closed forms, checks against hand calculations, both repeated by "
-            "the tests that come with the program; method of this analysis: {method}.", method=result.method_words)),
+        (
+            say("Range of use"),
+            say(
+                "Rigid block, simple overturning about a hinge, loads of constant size and direction, no sliding, no "
+                "vertical motion; equations and limits in the sheet Method of the workbook."
+            ),
+        ),
+        (
+            say("Validation"),
+            say(
+                "Histories against 40-digit solutions and closed forms, checks against hand calculations, both "
+                "repeated by the tests that come with the program; method of this analysis: {method}.",
+                method=result.method_words,
+            ),
+        ),
         (say("Input"), f"SHA-256 {result.case.sha256[:16]}…, {result.started_utc[:16].replace('T', ' ')} UTC"),
-    ]  # fmt: skip
+    ]
     return [
         *parts,
         Heading(say("Assumptions confirmed by the engineer"), new_page=not parts),

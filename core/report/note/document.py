@@ -24,8 +24,14 @@ from core.report.note.words import Words
 from core.report.steps import Steps
 from core.report.xml_text import for_xml
 
-COLORS = {"ink": "#1F2D3D", "quiet": "#6B7785", "accent": "#2B5C8A", "good": "#1B6E4B", "amber": "#8A5A00",
-          "bad": "#B3421B"}  # fmt: skip
+COLORS = {
+    "ink": "#1F2D3D",
+    "quiet": "#6B7785",
+    "accent": "#2B5C8A",
+    "good": "#1B6E4B",
+    "amber": "#8A5A00",
+    "bad": "#B3421B",
+}
 WIDTH = 17.0
 """Width of the text of an A4 page [cm]."""
 
@@ -130,9 +136,7 @@ class _Writer:
     def _table(self, part: Table) -> None:
         plain = not part.heads
         rows = len(part.rows) + (0 if plain else 1)
-        table = self.made.add_table(
-            rows, len(part.widths), style="Normal Table" if plain else "Table Grid"
-        )
+        table = self.made.add_table(rows, len(part.widths), style="Normal Table" if plain else "Table Grid")
         self._cells(table, part.widths)
         lines = iter(table.rows)  # an index would count them from the first each time
         if not plain:

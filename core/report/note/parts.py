@@ -71,9 +71,7 @@ class Step:
 
     def written(self, language: str) -> str:
         """The whole line but the result and its unit."""
-        return " = ".join(
-            part for part in (self.symbol, self.formula, self.in_numbers(language)) if part
-        )
+        return " = ".join(part for part in (self.symbol, self.formula, self.in_numbers(language)) if part)
 
     def result_written(self, language: str) -> str:
         """The result."""

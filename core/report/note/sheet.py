@@ -27,18 +27,7 @@ from core.report.cells import (
     text,
 )
 from core.report.note.content import note
-from core.report.note.parts import (
-    Blanks,
-    Box,
-    Derivation,
-    Figure,
-    Figures,
-    Heading,
-    Paragraph,
-    Part,
-    Step,
-    Table,
-)
+from core.report.note.parts import Blanks, Box, Derivation, Figure, Figures, Heading, Paragraph, Part, Step, Table
 from core.report.plots import new_chart, rows_below
 from core.report.rows import changed_cell
 from core.study.results import StudyResult
@@ -58,8 +47,16 @@ PAGE = 740.0
 DATA = GRID + 4
 """First column of the data behind the charts, right of what is printed."""
 
-COLORS = {"": INK, "ink": INK, "quiet": QUIET, "strong": INK, "accent": ACCENT, "good": GOOD, "amber": AMBER,
-          "bad": BAD}  # fmt: skip
+COLORS = {
+    "": INK,
+    "ink": INK,
+    "quiet": QUIET,
+    "strong": INK,
+    "accent": ACCENT,
+    "good": GOOD,
+    "amber": AMBER,
+    "bad": BAD,
+}
 BOLD = ("strong", "good", "amber", "bad")
 
 
@@ -108,22 +105,10 @@ class _Writer:
         if last > first:
             merge(self.sheet, row, first, row, last)
 
-    def _wrapped(
-        self, row: int, first: int, last: int, content: str, tone="", size=10, **look
-    ) -> None:
+    def _wrapped(self, row: int, first: int, last: int, content: str, tone="", size=10, **look) -> None:
         """Text over several columns, the row as high as it needs."""
         self._merge(row, first, last)
-        text(
-            self.sheet,
-            row,
-            first,
-            content,
-            wrap=True,
-            color=COLORS[tone],
-            bold=tone in BOLD,
-            size=size,
-            **look,
-        )
+        text(self.sheet, row, first, content, wrap=True, color=COLORS[tone], bold=tone in BOLD, size=size, **look)
         room = COLUMN * (last - first + 1) * 10.0 / size
         lines = max(1, math.ceil(0.94 * len(content) / room))
         known = self.sheet.row_dimensions[row].height or LINE
@@ -161,17 +146,7 @@ class _Writer:
                 self._wrapped(self.row, first, last, head, size=9, vertical="center")
                 for column in range(first, last + 1):
                     fill(self.sheet.cell(self.row, column), ACCENT)
-                text(
-                    self.sheet,
-                    self.row,
-                    first,
-                    head,
-                    bold=True,
-                    color="FFFFFF",
-                    size=9,
-                    wrap=True,
-                    vertical="center",
-                )
+                text(self.sheet, self.row, first, head, bold=True, color="FFFFFF", size=9, wrap=True, vertical="center")
             self.row += 1
         for n, row in enumerate(part.rows):
             for k, ((first, last), content) in enumerate(zip(spans, row, strict=True)):
@@ -259,9 +234,7 @@ class _Writer:
         below = self.row + lines
         for k, figure in enumerate(figures):
             number = self.figures - len(figures) + k + 1
-            self._wrapped(
-                below, 1 + k * half, (k + 1) * half, f"Fig. {number}. {figure.caption}", "quiet", 8
-            )
+            self._wrapped(below, 1 + k * half, (k + 1) * half, f"Fig. {number}. {figure.caption}", "quiet", 8)
         self.row = below + 1
 
     def _filled(self) -> float:
@@ -324,9 +297,7 @@ class _Writer:
         from openpyxl.chart.legend import LegendEntry
 
         chart.legend.position = "t"
-        chart.legend.legendEntry = [
-            LegendEntry(idx=k, delete=True) for k, curve in enumerate(curves) if not curve.name
-        ]
+        chart.legend.legendEntry = [LegendEntry(idx=k, delete=True) for k, curve in enumerate(curves) if not curve.name]
 
     def _bars(self, figure: Figure):
         """Bars by name, with the lines across them."""
@@ -380,18 +351,16 @@ class _Writer:
             series.dLbls.showSerName, series.dLbls.position = True, "ctr"
             series.dLbls.showVal = series.dLbls.showCatName = series.dLbls.showLegendKey = False
             chart.series.append(series)
-        chart.layout = Layout(ManualLayout(layoutTarget="inner", xMode="edge", yMode="edge", x=0.02, y=0.02, w=0.96,
-                                           h=0.96))  # fmt: skip
+        chart.layout = Layout(
+            ManualLayout(layoutTarget="inner", xMode="edge", yMode="edge", x=0.02, y=0.02, w=0.96, h=0.96)
+        )
         (low, high), (left, right) = figure.y_range, figure.x_range
         per_cm = max((high - low) / FIGURE_CM[1], (right - left) / FIGURE_CM[0])
         for axis, middle, size in (
             (chart.x_axis, 0.5 * (left + right), FIGURE_CM[0]),
             (chart.y_axis, 0.5 * (low + high), FIGURE_CM[1]),
         ):
-            axis.scaling.min, axis.scaling.max = (
-                middle - 0.5 * per_cm * size,
-                middle + 0.5 * per_cm * size,
-            )
+            axis.scaling.min, axis.scaling.max = (middle - 0.5 * per_cm * size, middle + 0.5 * per_cm * size)
             axis.delete, axis.majorGridlines = True, None
         return chart
 

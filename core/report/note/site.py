@@ -18,10 +18,14 @@ def hazard(result: StudyResult, words: Words) -> list[Part]:
     rows = []
     for years, ag in demand.hazard:
         row = shapes.get(years)
-        rows.append([
-            words.number(years, ".0f"), words.number(ag / G, ".3f"),
-            words.number(row.f0 if row else None, ".3f"), words.number(row.tc_star_s if row else None, ".3f"),
-        ])  # fmt: skip
+        rows.append(
+            [
+                words.number(years, ".0f"),
+                words.number(ag / G, ".3f"),
+                words.number(row.f0 if row else None, ".3f"),
+                words.number(row.tc_star_s if row else None, ".3f"),
+            ]
+        )
     heads = [f"T_R [{words.say('years')}]", "a_g [g]", "F0", "T_C* [s]"]
     return [Heading(words.say("Hazard of the site"), 3), Table(heads, rows, (1, 1, 1, 1))]
 
@@ -34,10 +38,7 @@ def building(result: StudyResult, words: Words) -> list[Part]:
         return []
     factor, damping = damaged(asked, result.demand.limit_state if result.demand else "SLV")
     period = asked.period_s or estimated_period(asked.height_m)
-    steps = [
-        Step("H_b", asked.height_m, ".2f", "m"),
-        Step("n", asked.storeys, ".0f", "–", label=say("storeys")),
-    ]
+    steps = [Step("H_b", asked.height_m, ".2f", "m"), Step("n", asked.storeys, ".0f", "–", label=say("storeys"))]
     if not asked.modes:
         source = words.word("choice_user") if asked.period_s else say("estimate")
         steps += [
@@ -46,17 +47,18 @@ def building(result: StudyResult, words: Words) -> list[Part]:
             Step("ξ", damping, ".2f", "–", "C8.7.1.2.1.4", label=say("of the damaged building")),
         ]
     rows = [
-        [words.number(z, ".2f"), str(k), words.number(mode.period, ".3f"), words.number(mode.damping, ".3f"),
-         words.number(mode.participation, ".3f")]
+        [
+            words.number(z, ".2f"),
+            str(k),
+            words.number(mode.period, ".3f"),
+            words.number(mode.damping, ".3f"),
+            words.number(mode.participation, ".3f"),
+        ]
         for z, floor in sorted(floors.items())
         for k, mode in enumerate(floor.modes, start=1)
-    ]  # fmt: skip
-    heads = ["z [m]", say("Mode"), "T [s]", "ξ [-]", "γψ [-]"]
-    return [
-        Heading(words.word("section_building"), 3),
-        Derivation(steps),
-        Table(heads, rows, (1, 1, 1, 1, 1)),
     ]
+    heads = ["z [m]", say("Mode"), "T [s]", "ξ [-]", "γψ [-]"]
+    return [Heading(words.word("section_building"), 3), Derivation(steps), Table(heads, rows, (1, 1, 1, 1, 1))]
 
 
 def loads(wall: WallResult, words: Words) -> list[Part]:
@@ -66,10 +68,15 @@ def loads(wall: WallResult, words: Words) -> list[Part]:
         return []
     heads = [words.say("Loads"), "[kN/m]", "h [m]", "d [m]", words.word("key_mass")]
     rows = [
-        [words.word(f"load_{load.kind}"), words.number(load.kn_m, ".2f"), words.number(load.h_m, ".2f"),
-         words.number(load.d_m, ".3f"), words.word(f"choice_{load.mass}") if load.mass else "–"]
+        [
+            words.word(f"load_{load.kind}"),
+            words.number(load.kn_m, ".2f"),
+            words.number(load.h_m, ".2f"),
+            words.number(load.d_m, ".3f"),
+            words.word(f"choice_{load.mass}") if load.mass else "–",
+        ]
         for load in asked.load
-    ]  # fmt: skip
+    ]
     return [Table(heads, rows, (2, 1, 1, 1, 2))]
 
 
@@ -81,26 +88,11 @@ def before_and_after(result: StudyResult, words: Words) -> list[Part]:
         for wall in (one.before, one.after):
             found = wall.assessment
             verdict = found.verdict if found else None
-            label = (
-                next((c.label for c in found.checks if c.name == verdict.governing), None)
-                if found
-                else None
-            )
-            row += [
-                words.number(verdict.zeta_e if verdict else None, ".2f"),
-                words.word(label) if label else "–",
-            ]
+            label = next((c.label for c in found.checks if c.name == verdict.governing), None) if found else None
+            row += [words.number(verdict.zeta_e if verdict else None, ".2f"), words.word(label) if label else "–"]
         row.append(", ".join(words.word(f"key_{key}") for key in one.changed) or say("nothing"))
         rows.append(row)
     if not rows:
         return []
-    heads = [
-        say("Wall"),
-        say("Mechanism"),
-        say("ζ before"),
-        say("by"),
-        say("ζ after"),
-        say("by"),
-        say("changed"),
-    ]
+    heads = [say("Wall"), say("Mechanism"), say("ζ before"), say("by"), say("ζ after"), say("by"), say("changed")]
     return [Heading(say("Before and after"), 3), Table(heads, rows, (2, 1.5, 1, 2, 1, 2, 2.5))]

@@ -44,9 +44,7 @@ def drawing(wall: WallResult, words: Words) -> Figure | None:
         rise, wide = 0.06 * h, 0.05 * h
         for k in range(1, 15):
             y = k * h / 15.0
-            curves.append(
-                Curve("", (-0.3 * wide, -0.3 * wide - wide), (y, y - rise), "quiet", width=0.7)
-            )
+            curves.append(Curve("", (-0.3 * wide, -0.3 * wide - wide), (y, y - rise), "quiet", width=0.7))
     for points in arrows(wall.wall, h, t):
         curves.append(path(points, "amber", width=1.3))
     top = h * (1.0 + 0.1) + 0.04 * h
@@ -54,9 +52,7 @@ def drawing(wall: WallResult, words: Words) -> Figure | None:
     arc = [_turned(0.5 * t, 1.06 * h, t - u, angle) for angle in sweep]
     (x0, y0), (x1, y1) = arc[-2:]
     size, way = 0.05 * h, math.atan2(y1 - y0, x1 - x0)
-    barbs = [
-        (x1 - size * math.cos(way + s), y1 - size * math.sin(way + s)) for s in (0.45, 0.0, -0.45)
-    ]
+    barbs = [(x1 - size * math.cos(way + s), y1 - size * math.sin(way + s)) for s in (0.45, 0.0, -0.45)]
     arrow = [*arc, barbs[0], (x1, y1), barbs[2]]
     curves.append(path(arrow, "bad", width=1.3))
     beside = t + math.sin(TURNED) * h + 0.10 * h
@@ -72,9 +68,12 @@ def drawing(wall: WallResult, words: Words) -> Figure | None:
     curves.append(path(sizes, "ink", width=0.7))
     labels = [
         Label(f"H {words.number(h, '.2f')} m", beside + 0.16 * h, 0.5 * h),
-        Label(f"t {words.number(t, '.2f')} m" + (f", u {words.number(u, '.3f')} m" if u else ""),
-              0.5 * t, -below - 0.07 * (h + below)),
-    ]  # fmt: skip
+        Label(
+            f"t {words.number(t, '.2f')} m" + (f", u {words.number(u, '.3f')} m" if u else ""),
+            0.5 * t,
+            -below - 0.07 * (h + below),
+        ),
+    ]
     labels += _sizes_of_loads(wall, words)
     caption = words.say("{wall}: sizes, hinge (red point) and mechanism (dashed)", wall=wall.name)
     if wall.wall.back_restraint and wall.mechanism == "one_sided":
@@ -84,8 +83,9 @@ def drawing(wall: WallResult, words: Words) -> Figure | None:
     low, high = -below - 0.14 * (h + below), top
     for label in labels:
         high = max(high, label.y + 0.04 * h)
-    return Figure(caption, curves, y_range=(low, high), labels=labels,
-                  x_range=(-0.5 * (h + below), t + 0.5 * (h + below)))  # fmt: skip
+    return Figure(
+        caption, curves, y_range=(low, high), labels=labels, x_range=(-0.5 * (h + below), t + 0.5 * (h + below))
+    )
 
 
 def _sizes_of_loads(wall: WallResult, words: Words) -> list[Label]:
@@ -124,10 +124,11 @@ def capacity(result: StudyResult, wall: WallResult, words: Words) -> Figure | No
     curves = [
         Curve(words.say("demand {percent} %", percent=percent), curve.demand_d / CM, curve.demand_a / G, "bad"),
         Curve(words.say("capacity"), (0.0, d0 / CM), (a0 / G, 0.0), "accent", width=1.8),
-    ]  # fmt: skip
+    ]
     if curve.floor_d.size:
-        curves.insert(1, Curve(words.say("floor {percent} %", percent=percent),
-                               curve.floor_d / CM, curve.floor_a / G, "amber"))  # fmt: skip
+        curves.insert(
+            1, Curve(words.say("floor {percent} %", percent=percent), curve.floor_d / CM, curve.floor_a / G, "amber")
+        )
     high = 1.1 * max(a0, *curve.demand_a, *curve.floor_a) / G
     slope = (2.0 * math.pi / mechanism.period) ** 2
     end = max(1.15 * d, s_de)
@@ -136,9 +137,7 @@ def capacity(result: StudyResult, wall: WallResult, words: Words) -> Figure | No
         Curve(f"d_{state}", (d / CM,), (a / G,), "accent", "points"),
         Curve("S_De", (s_de / CM,), (slope * s_de / G,), "bad", "points"),
     ]
-    caption = words.say(
-        "Capacity curve (C8.7.1.3) over the demand, spectral displacement and acceleration"
-    )
+    caption = words.say("Capacity curve (C8.7.1.3) over the demand, spectral displacement and acceleration")
     return Figure(caption, curves, "d [cm]", "a [g]", (0.0, 1.05 * max(d0, s_de) / CM), (0.0, high))
 
 
@@ -158,11 +157,7 @@ def histories(result: StudyResult, wall: WallResult, words: Words) -> Figure | N
         chosen = thinned(moved, POINTS)
         sign = "+" if one.run.polarity > 0 else "−"
         times = [k * one.motion.time_step for k in chosen]
-        curves.append(
-            Curve(
-                f"{one.run.record} ({sign})", times, (moved[chosen] / CM).tolist(), color, width=0.9
-            )
-        )
+        curves.append(Curve(f"{one.run.record} ({sign})", times, (moved[chosen] / CM).tolist(), color, width=0.9))
         last = max(last, times[-1])
     state = result.demand.limit_state
     limit = LIMIT_FRACTION[state] * d0
@@ -174,14 +169,7 @@ def histories(result: StudyResult, wall: WallResult, words: Words) -> Figure | N
     caption = words.say("Displacement of the control point at the demand: the largest peak")
     if len(deciding) > 1:
         caption += words.say(", and the record nearest to the mean of the peaks")
-    return Figure(
-        caption,
-        curves,
-        "t [s]",
-        "d [cm]",
-        (0.0, last),
-        (-1.3 * d0 if both_ways else -0.2 * d0, 1.3 * d0),
-    )
+    return Figure(caption, curves, "t [s]", "d [cm]", (0.0, last), (-1.3 * d0 if both_ways else -0.2 * d0, 1.3 * d0))
 
 
 def peaks(wall: WallResult, words: Words) -> Figure | None:
@@ -190,10 +178,7 @@ def peaks(wall: WallResult, words: Words) -> Figure | None:
     if check is None:
         return None
     both = len({run.polarity for run in check.runs}) > 1
-    names = [
-        run.record[-14:] + ("" if not both else " +" if run.polarity > 0 else " −")
-        for run in check.runs
-    ]
+    names = [run.record[-14:] + ("" if not both else " +" if run.polarity > 0 else " −") for run in check.runs]
     stands = [(k, run.peak_ratio) for k, run in enumerate(check.runs) if not run.exceeded]
     falls = [k for k, run in enumerate(check.runs) if run.exceeded]
     curves = []

@@ -21,20 +21,13 @@ def geometry(wall: WallResult, name: str, words: Words) -> list[Step]:
     """The block: slenderness, radius, frequency parameter, velocity ratio, uplift."""
     block, asked = wall.block, wall.wall
     degrees, h, t, u = math.degrees(block.slenderness), wall.height, wall.thickness, asked.setback
-    sizes = {
-        "t": (t, f"{name}_thickness"),
-        "h": (h, f"{name}_height"),
-        "u": (u, f"{name}_setback"),
-    }
-    alpha = partial(
-        Step, "α", degrees, ".2f", "°", words.say("paper, Fig. 1"), cell=f"{name}_slenderness"
-    )
+    sizes = {"t": (t, f"{name}_thickness"), "h": (h, f"{name}_height"), "u": (u, f"{name}_setback")}
+    alpha = partial(Step, "α", degrees, ".2f", "°", words.say("paper, Fig. 1"), cell=f"{name}_slenderness")
     steps = []
     if asked.load:
         weight = 1e-3 * wall_loads.weight_per_metre(asked)
         values = {**sizes, "w": (asked.unit_weight_kn_m3, f"{name}_weight")}
-        steps.append(Step("W", weight, ".2f", "kN/m", "", "w t H", "{w:.1f} · {t:.3f} · {h:.2f}", values,
-                          f"{name}_w"))  # fmt: skip
+        steps.append(Step("W", weight, ".2f", "kN/m", "", "w t H", "{w:.1f} · {t:.3f} · {h:.2f}", values, f"{name}_w"))
         steps.append(alpha(label=words.say("of the wall with the masses that move with it")))
     elif asked.height_m and u:
         numbers = "arctan[({t:.3f} − 2 · {u:.4f})/{h:.2f}]"
@@ -44,18 +37,25 @@ def geometry(wall: WallResult, name: str, words: Words) -> list[Step]:
         steps.append(alpha(formula="arctan(t/H)", numbers=numbers, values=sizes))
     else:
         steps.append(alpha(label=words.say("as given")))
-    steps.append(
-        Step("R", block.radius, ".3f", "m", words.say("paper, Fig. 1"), cell=f"{name}_radius")
-    )
+    steps.append(Step("R", block.radius, ".3f", "m", words.say("paper, Fig. 1"), cell=f"{name}_radius"))
     p = f"{name}_p"
     if block.is_rectangle:
         values = {"g": (G, "gravity"), "r": (block.radius, f"{name}_radius")}
-        steps.append(Step("p", block.frequency_parameter, ".3f", "rad/s", "Eq. 1", "√(3 g/(4 R))",
-                          "√(3 · {g:.2f}/(4 · {r:.3f}))", values, p))  # fmt: skip
-    else:
         steps.append(
-            Step("p", block.frequency_parameter, ".3f", "rad/s", "Eq. 1", "√(m g R/I_0)", cell=p)
+            Step(
+                "p",
+                block.frequency_parameter,
+                ".3f",
+                "rad/s",
+                "Eq. 1",
+                "√(3 g/(4 R))",
+                "√(3 · {g:.2f}/(4 · {r:.3f}))",
+                values,
+                p,
+            )
         )
+    else:
+        steps.append(Step("p", block.frequency_parameter, ".3f", "rad/s", "Eq. 1", "√(m g R/I_0)", cell=p))
     steps.append(
         Step(
             "e",
@@ -87,9 +87,7 @@ def _source(wall: WallResult, words: Words) -> str:
     if model == "user":
         return words.say("given")
     if wall_loads.contact_of(wall.wall):
-        return words.say(
-            "{equation}, impacts of the wall with what moves with it", equation=MODELS[model]
-        )
+        return words.say("{equation}, impacts of the wall with what moves with it", equation=MODELS[model])
     return MODELS[model]
 
 
@@ -100,11 +98,7 @@ def start(result: StudyResult, wall: WallResult, name: str, words: Words) -> lis
     cell, share = f"{name}_alpha0", f"{name}_e_star"
     if wall.wall.load:
         values = {key: (1e-3 * value, f"{name}_{key}") for key, value in moments(wall).items()}
-        where = (
-            words.say("about the outer hinge")
-            if governing_side(wall) > 0.0
-            else words.say("about the inner hinge")
-        )
+        where = words.say("about the outer hinge") if governing_side(wall) > 0.0 else words.say("about the inner hinge")
         steps = [
             Step(
                 "α0",
@@ -119,8 +113,9 @@ def start(result: StudyResult, wall: WallResult, name: str, words: Words) -> lis
                 where,
             )
         ]
-        steps.append(Step("e*", sums.e_star, ".3f", "–", "C8.7.1.5",
-                          "(W y + ΣQ h)²/[(W + ΣQ)(W y² + ΣQ h²)]", cell=share))  # fmt: skip
+        steps.append(
+            Step("e*", sums.e_star, ".3f", "–", "C8.7.1.5", "(W y + ΣQ h)²/[(W + ΣQ)(W y² + ΣQ h²)]", cell=share)
+        )
     else:
         values = {
             "t": (wall.thickness, f"{name}_thickness"),
@@ -150,30 +145,40 @@ def start(result: StudyResult, wall: WallResult, name: str, words: Words) -> lis
         cell, share = f"{name}_alpha0_friction", f"{name}_e_star_friction"
         alpha0, e_star = (sums.alpha0_friction, cell), (sums.e_star_friction, share)
         mass, of = sums.mass_friction, words.say("of that part")
-        where = words.say(
-            "with the friction of the return walls, of the upper {h:.2f} m", h=sums.friction_height
-        )
-        steps.append(
-            Step("α0", sums.alpha0_friction, ".4f", "–", "C8.7.1.1", cell=cell, label=where)
-        )
-        steps.append(
-            Step(
-                "e*",
-                sums.e_star_friction,
-                ".3f",
-                "–",
-                "C8.7.1.5",
-                cell=share,
-                label=of,
-            )
-        )
+        where = words.say("with the friction of the return walls, of the upper {h:.2f} m", h=sums.friction_height)
+        steps.append(Step("α0", sums.alpha0_friction, ".4f", "–", "C8.7.1.1", cell=cell, label=where))
+        steps.append(Step("e*", sums.e_star_friction, ".3f", "–", "C8.7.1.5", cell=share, label=of))
     if kinematic.m_star is not None:
         values = {"e": e_star, "m": (mass, None)}
-        steps.append(Step("M*", kinematic.m_star, ".0f", "kg/m", "C8.7.1.4", "e* Σ(P + Q)/g", "{e:.3f} · {m:.0f}",
-                          values, f"{name}_m_star", of))  # fmt: skip
+        steps.append(
+            Step(
+                "M*",
+                kinematic.m_star,
+                ".0f",
+                "kg/m",
+                "C8.7.1.4",
+                "e* Σ(P + Q)/g",
+                "{e:.3f} · {m:.0f}",
+                values,
+                f"{name}_m_star",
+                of,
+            )
+        )
     values = {"a": alpha0, "e": e_star, "fc": (demand.confidence_factor, "demand_fc")}
-    steps.append(Step("a_0*", kinematic.a0 / G, ".4f", "g", "C8.7.1.3", "α0/(e* FC)", "{a:.4f}/({e:.3f} · {fc:.2f})",
-                      values, f"{name}_a0_star", of))  # fmt: skip
+    steps.append(
+        Step(
+            "a_0*",
+            kinematic.a0 / G,
+            ".4f",
+            "g",
+            "C8.7.1.3",
+            "α0/(e* FC)",
+            "{a:.4f}/({e:.3f} · {fc:.2f})",
+            values,
+            f"{name}_a0_star",
+            of,
+        )
+    )
     if kinematic.period_0 is not None:
         asked = wall.wall
         values = {
@@ -188,8 +193,9 @@ def start(result: StudyResult, wall: WallResult, name: str, words: Words) -> lis
         numbers = "{k:.1f} · ({h:.2f}/{t:.3f}) · {h:.2f} · √({w:.1f}/({e:.0f} · 10³ · {g:.2f}))"
         if asked.load:
             formula, numbers = "√(κ² (H/t)² H² w/(E g) + Σ 4π² m h³/(3 E I))", ""
-        steps.append(Step("T_0", kinematic.period_0, ".3f", "s", "C8.7.1.7", formula, numbers, values,
-                          f"{name}_period_0"))  # fmt: skip
+        steps.append(
+            Step("T_0", kinematic.period_0, ".3f", "s", "C8.7.1.7", formula, numbers, values, f"{name}_period_0")
+        )
     return steps
 
 
@@ -228,10 +234,7 @@ def linear(result: StudyResult, wall: WallResult, name: str, words: Words) -> li
     for check in wall.assessment.checks:
         if not check.name.startswith("linear") or check.label == "linear_sld" or check.zeta is None:
             continue
-        values = {
-            "q": (check.q, f"{name}_{check.name}"),
-            "z": (kinematic.zeta_sld, f"{name}_zeta_sld"),
-        }
+        values = {"q": (check.q, f"{name}_{check.name}"), "z": (kinematic.zeta_sld, f"{name}_zeta_sld")}
         label = words.word(check.label)
         if check.name == "linear_q_slv":
             low, sums = wall.q_slv_low_set, kinematic.chain
@@ -245,13 +248,24 @@ def linear(result: StudyResult, wall: WallResult, name: str, words: Words) -> li
                     "f": (sums.alpha0_friction, f"{name}_alpha0_friction"),
                 }
                 symbols, numbers = symbols + " α0/α0,f", numbers + " · {a:.4f}/{f:.4f}"
-            lower = words.say(
-                "lower end of the spread of q SLV, {q:.2f}, times e*", q=wall.q_slv_set
+            lower = words.say("lower end of the spread of q SLV, {q:.2f}, times e*", q=wall.q_slv_set)
+            steps.append(
+                Step("q", check.q, ".3f", "–", "C8.7.1.5", symbols, numbers, factors, f"{name}_linear_q_slv", lower)
             )
-            steps.append(Step("q", check.q, ".3f", "–", "C8.7.1.5", symbols, numbers, factors,
-                              f"{name}_linear_q_slv", lower))  # fmt: skip
-        steps.append(Step("ζ", check.zeta, ".3f", "–", check.clause, "q a_g,SLD/a_g", "{q:.2f} · {z:.3f}", values,
-                          f"{name}_{check.name}_zeta", label))  # fmt: skip
+        steps.append(
+            Step(
+                "ζ",
+                check.zeta,
+                ".3f",
+                "–",
+                check.clause,
+                "q a_g,SLD/a_g",
+                "{q:.2f} · {z:.3f}",
+                values,
+                f"{name}_{check.name}_zeta",
+                label,
+            )
+        )
     return steps
 
 
@@ -275,15 +289,39 @@ def nonlinear(result: StudyResult, wall: WallResult, name: str, words: Words) ->
     numbers = "{r:.3f} · sin {a:.2f}°" if own else ""
     steps = [
         Step("d_0", kinematic.d0, ".4f", "m", "C8.7.1.4", own, numbers, values, d0[1]),
-        Step(f"d_{state}", kinematic.d_limit, ".4f", "m", "C8.7.1.2.1.6", f"{part} d_0",
-             part + " · {d:.4f}", {"d": d0}, d[1]),
+        Step(
+            f"d_{state}",
+            kinematic.d_limit,
+            ".4f",
+            "m",
+            "C8.7.1.2.1.6",
+            f"{part} d_0",
+            part + " · {d:.4f}",
+            {"d": d0},
+            d[1],
+        ),
         Step(f"a(d_{state})", kinematic.a_limit, ".3f", "m/s²", "C8.7.1.3", cell=a[1]),
-        Step(f"T_{state}", kinematic.period, ".3f", "s", "C8.7.1.10" if state == "SLV" else "C8.7.1.11",
-             f"{times} π √(d_{state}/a)", times + " π √({d:.4f}/{a:.3f})", {"d": d, "a": a},
-             f"{name}_period"),
-        Step(f"S_De({damping} %)", kinematic.s_de, ".4f", "m", "C8.7.1.12", cell=s[1],
-             label=words.say("largest between T_0 and T_{state}", state=state)),
-    ]  # fmt: skip
+        Step(
+            f"T_{state}",
+            kinematic.period,
+            ".3f",
+            "s",
+            "C8.7.1.10" if state == "SLV" else "C8.7.1.11",
+            f"{times} π √(d_{state}/a)",
+            times + " π √({d:.4f}/{a:.3f})",
+            {"d": d, "a": a},
+            f"{name}_period",
+        ),
+        Step(
+            f"S_De({damping} %)",
+            kinematic.s_de,
+            ".4f",
+            "m",
+            "C8.7.1.12",
+            cell=s[1],
+            label=words.say("largest between T_0 and T_{state}", state=state),
+        ),
+    ]
     by_floor = kinematic.zeta_floor is not None and check.zeta > kinematic.d_limit / kinematic.s_de
     if state == "SLV" and by_floor:
         steps.append(
@@ -299,8 +337,19 @@ def nonlinear(result: StudyResult, wall: WallResult, name: str, words: Words) ->
             )
         )
     else:
-        steps.append(Step("ζ", check.zeta, ".3f", "–", "C8.7.1.2.1.8", f"d_{state}/S_De", "{d:.4f}/{s:.4f}",
-                          {"d": d, "s": s}, f"{name}_nonlinear_zeta"))  # fmt: skip
+        steps.append(
+            Step(
+                "ζ",
+                check.zeta,
+                ".3f",
+                "–",
+                "C8.7.1.2.1.8",
+                f"d_{state}/S_De",
+                "{d:.4f}/{s:.4f}",
+                {"d": d, "s": s},
+                f"{name}_nonlinear_zeta",
+            )
+        )
     return steps
 
 
@@ -315,16 +364,19 @@ def dynamic(wall: WallResult, name: str, words: Words) -> list[Step]:
         Step("θmax/θc", peak, ".3f", "–", "C8.7.1.2.1.9", cell=f"{name}_peak", label=rule),
         Step(words.say("limit"), check.limit_ratio, ".2f", "–", "C8.7.1.2.1.9"),
         Step(words.say("runs beyond θc"), f"{check.n_exceeded} / {len(check.runs)}", "", "–"),
-        Step("ζ_E", check.zeta, ".3f", "–", "C8.7.1.2.1.9", cell=f"{name}_dynamic_zeta",
-             label=words.word(f"confidence_{check.confidence_on}")),
-    ]  # fmt: skip
+        Step(
+            "ζ_E",
+            check.zeta,
+            ".3f",
+            "–",
+            "C8.7.1.2.1.9",
+            cell=f"{name}_dynamic_zeta",
+            label=words.word(f"confidence_{check.confidence_on}"),
+        ),
+    ]
     if check.zeta_other is not None:
         other = check.zeta_other
-        steps.append(
-            Step(
-                "ζ_E", other.zeta, ".3f", "–", label=words.word(f"confidence_{other.confidence_on}")
-            )
-        )
+        steps.append(Step("ζ_E", other.zeta, ".3f", "–", label=words.word(f"confidence_{other.confidence_on}")))
     return steps
 
 

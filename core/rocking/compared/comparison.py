@@ -20,9 +20,8 @@ def make_comparison(paper):
 
     @kernel
     def integrate(
-        code, ground, dt, scale, model, option, start, rotation, velocity, impact_time,
-        impact_velocity, table,
-    ):  # fmt: skip
+        code, ground, dt, scale, model, option, start, rotation, velocity, impact_time, impact_velocity, table
+    ):
         """`taylor.integrate` of any other method.
 
         code, option : of its `Method`
@@ -47,14 +46,35 @@ def make_comparison(paper):
             ground0, ground1 = scale * ground[i], scale * ground[i + 1]
             if paper:
                 outcome, push, state = newmark_paper.through_sample(
-                    ground0, ground1, (i + 1) * dt, dt, model, thresholds, option, push, state, impact_time,
+                    ground0,
+                    ground1,
+                    (i + 1) * dt,
+                    dt,
+                    model,
+                    thresholds,
+                    option,
+                    push,
+                    state,
+                    impact_time,
                     impact_velocity,
-                )  # fmt: skip
+                )
             else:
                 outcome, state = stepped.through_sample(
-                    code, ground0, ground1, i * dt, dt, model, thresholds, option, state, impact_time,
-                    impact_velocity, table, rates, pushes,
-                )  # fmt: skip
+                    code,
+                    ground0,
+                    ground1,
+                    i * dt,
+                    dt,
+                    model,
+                    thresholds,
+                    option,
+                    state,
+                    impact_time,
+                    impact_velocity,
+                    table,
+                    rates,
+                    pushes,
+                )
             if outcome != STABLE:
                 return outcome, state.peak, state.impacts, state.clamped, i + 1
             if keep:
@@ -62,9 +82,7 @@ def make_comparison(paper):
                 velocity[i + 1] = state.side * state.speed if state.moving else 0.0
         outcome, peak = STABLE, state.peak
         if state.moving:
-            outcome, peak = end_of_record(
-                state.phi, state.speed, state.peak, seen_from(model, state.side)
-            )
+            outcome, peak = end_of_record(state.phi, state.speed, state.peak, seen_from(model, state.side))
         return outcome, peak, state.impacts, state.clamped, ground.size
 
     @kernel
@@ -72,18 +90,7 @@ def make_comparison(paper):
         """`history.scan` by the other methods. none : of no element."""
         for j in range(scales.size):
             outcomes[j], peaks[j], _, clamped[j], _ = integrate(
-                code,
-                ground,
-                dt,
-                scales[j],
-                model,
-                option,
-                (0.0, 0.0),
-                none,
-                none,
-                none,
-                none,
-                table,
+                code, ground, dt, scales[j], model, option, (0.0, 0.0), none, none, none, none, table
             )
 
     return integrate, scan

@@ -32,7 +32,4 @@ def advance(phi, speed, beta, slope, h, model, zone):
         sine = 0.5 * (grown - 1.0 / grown)
     away = phi - rest
     relative = speed - drift
-    return (
-        rest + drift * h + away * cosine + relative / p * sine,
-        drift + p * away * sine + relative * cosine,
-    )
+    return (rest + drift * h + away * cosine + relative / p * sine, drift + p * away * sine + relative * cosine)

@@ -48,9 +48,7 @@ def trapezoidal_step(phi, speed, push, beta_end, h, model, zone, across):
 
 
 @inner_kernel
-def through_sample(
-    ground0, ground1, time, dt, model, thresholds, reset, push, state, impact_time, impact_velocity
-):  # fmt: skip
+def through_sample(ground0, ground1, time, dt, model, thresholds, reset, push, state, impact_time, impact_velocity):
     """Carry the block over one sample; see `comparison.integrate_comparison`.
 
     ground0, ground1 : ground acceleration at both ends [m/s2]
@@ -65,16 +63,11 @@ def through_sample(
         if lifted != 0.0:
             moving = True
             side = lifted
-            push = max(
-                acceleration(0.0, side * ground0 / G, seen_from(model, side), zone_of(0.0, model)),
-                0.0,
-            )
+            push = max(acceleration(0.0, side * ground0 / G, seen_from(model, side), zone_of(0.0, model)), 0.0)
     outcome = STABLE
     if moving:
         beta1 = side * ground1 / G
-        phi, speed, push = trapezoidal_step(
-            phi, speed, push, beta1, dt, seen_from(model, side), zone, True
-        )
+        phi, speed, push = trapezoidal_step(phi, speed, push, beta1, dt, seen_from(model, side), zone, True)
         if phi < 0.0:
             arriving = max(-speed, 0.0)
             ratio, clamp = velocity_ratio(arriving, model)

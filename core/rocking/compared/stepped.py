@@ -5,13 +5,7 @@ A crossing is seen at the end of a step; a dip and return within one step is mis
 
 from core.jit.decorators import inner_kernel, subkernel
 from core.rocking.compared import dormand_prince, linearised, newmark_events, rk4
-from core.rocking.events import (
-    IMPACTS_PER_SAMPLE,
-    LAST_ROTATION,
-    BlockState,
-    leave_impact,
-    next_uplift,
-)
+from core.rocking.events import IMPACTS_PER_SAMPLE, LAST_ROTATION, BlockState, leave_impact, next_uplift
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.units import G
 from core.wall.moment_rotation import moment_branch, zone_of
@@ -32,15 +26,11 @@ def advance(code, phi, speed, beta, slope, h, model, zone, tolerance, table, rat
         return rk4.advance(phi, speed, beta, slope, h, model, zone)
     if code == LINEARISED:
         return linearised.advance(phi, speed, beta, slope, h, model, zone)
-    return dormand_prince.advance(
-        phi, speed, beta, slope, h, model, zone, tolerance, table, rates, pushes
-    )
+    return dormand_prince.advance(phi, speed, beta, slope, h, model, zone, tolerance, table, rates, pushes)
 
 
 @subkernel
-def locate(
-    code, phi, speed, beta, slope, h, model, zone, tolerance, table, rates, pushes, level, sign
-):
+def locate(code, phi, speed, beta, slope, h, model, zone, tolerance, table, rates, pushes, level, sign):
     """Length of the step at which sign * (phi - level) falls to zero, between 0 and h: Newton inside
     a bracket on the method's own step. 0.0 for a start on the level that only falls."""
     low = 0.0
@@ -49,9 +39,7 @@ def locate(
         low = h
         for _ in range(60):
             low *= 0.5
-            x, _ = advance(
-                code, phi, speed, beta, slope, low, model, zone, tolerance, table, rates, pushes
-            )
+            x, _ = advance(code, phi, speed, beta, slope, low, model, zone, tolerance, table, rates, pushes)
             if sign * (x - level) > 0.0:
                 break
             high = low
@@ -59,9 +47,7 @@ def locate(
             return 0.0
     time = 0.5 * (low + high)
     for _ in range(100):
-        x, v = advance(
-            code, phi, speed, beta, slope, time, model, zone, tolerance, table, rates, pushes
-        )
+        x, v = advance(code, phi, speed, beta, slope, time, model, zone, tolerance, table, rates, pushes)
         if x == level:
             return time
         if sign * (x - level) > 0.0:
@@ -79,9 +65,21 @@ def locate(
 
 @inner_kernel
 def through_sample(
-    code, ground0, ground1, start, dt, model, thresholds, option, state, impact_time, impact_velocity, table,
-    rates, pushes,
-):  # fmt: skip
+    code,
+    ground0,
+    ground1,
+    start,
+    dt,
+    model,
+    thresholds,
+    option,
+    state,
+    impact_time,
+    impact_velocity,
+    table,
+    rates,
+    pushes,
+):
     """Carry the block over one sample; see `comparison.integrate_comparison`.
 
     code : one of this module
@@ -119,12 +117,22 @@ def through_sample(
         if crossed:
             level = low if falling else high
             h = locate(
-                code, phi, speed, beta, rate, h, seen, zone, tolerance, table, rates, pushes,
-                level, 1.0 if falling else -1.0,
-            )  # fmt: skip
-            x, v = advance(
-                code, phi, speed, beta, rate, h, seen, zone, tolerance, table, rates, pushes
+                code,
+                phi,
+                speed,
+                beta,
+                rate,
+                h,
+                seen,
+                zone,
+                tolerance,
+                table,
+                rates,
+                pushes,
+                level,
+                1.0 if falling else -1.0,
             )
+            x, v = advance(code, phi, speed, beta, rate, h, seen, zone, tolerance, table, rates, pushes)
             x = level
         t = t + h if h < dt - t else dt
         phi = x
@@ -143,9 +151,7 @@ def through_sample(
             zone += -1 if falling else 1
             continue
         arriving = max(-speed, 0.0)
-        speed, after, side, moving, clamp = leave_impact(
-            arriving, side, ground0 + slope * t, model, thresholds
-        )
+        speed, after, side, moving, clamp = leave_impact(arriving, side, ground0 + slope * t, model, thresholds)
         clamped += clamp
         if impacts < impact_time.size:
             impact_time[impacts] = start + t

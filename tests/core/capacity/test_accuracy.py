@@ -17,9 +17,7 @@ def said(make_model, reference):
     motion = GroundMotion("short", ground, 0.01)
     model = make_model(height=4.0)
     search = Search(q_step=0.02)
-    ida = incremental_dynamic_analysis(
-        ground, 0.01, motion.pga, 1, model, METHODS["taylor"], search
-    )
+    ida = incremental_dynamic_analysis(ground, 0.01, motion.pga, 1, model, METHODS["taylor"], search)
     return ida, accuracy(motion, 1, ida, None, model, METHODS["taylor"], search)
 
 

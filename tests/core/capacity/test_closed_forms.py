@@ -63,8 +63,5 @@ def test_that_leaving_the_fitted_range_is_said():
     for edge in ((3.1, 3.0, 0.106), (11.3, 11.0, 0.312)):
         alpha, height, pga = edge
         assert not closed_forms.range_notices(math.radians(alpha), height, [("a", pga * G)])
-    codes = [
-        entry.code
-        for entry in closed_forms.range_notices(math.radians(15), 2.0, [("a", G), ("b", 0.2 * G)])
-    ]
+    codes = [entry.code for entry in closed_forms.range_notices(math.radians(15), 2.0, [("a", G), ("b", 0.2 * G)])]
     assert codes == ["eq15_slenderness", "eq15_height", "eq15_pga"]

@@ -6,9 +6,7 @@ import numpy as np
 import pytest
 
 from core.capacity.fragility import fragility
-from core.capacity.ida import (
-    Search,
-)  # fmt: skip
+from core.capacity.ida import Search
 from tests.core.capacity.searches import scripted, search_of
 
 

@@ -15,7 +15,7 @@ from core.capacity.ida import (
     collapse_count,
     first_with_share,
     incremental_dynamic_analysis,
-)  # fmt: skip
+)
 from core.errors import Cancelled
 from core.rocking.history import history
 from core.rocking.methods import METHODS
@@ -66,10 +66,7 @@ def test_that_every_number_is_its_definition(ground, make_model, one_sided, law)
     near = [outcome == COLLAPSED or peak >= 0.36 for outcome, peak in known].index(True)
     assert found.q_slv_low == found.q_start * 1.02 ** (found.first_index + near - 1) < found.q_slv
     half = round(0.10 / math.log(1.02))
-    shares = [
-        sum(collapsed[max(0, k - half) : k + half + 1]) / (2 * half + 1)
-        for k in range(len(grid) - half)
-    ]
+    shares = [sum(collapsed[max(0, k - half) : k + half + 1]) / (2 * half + 1) for k in range(len(grid) - half)]
     index = next(k for k, share in enumerate(shares) if share >= 0.16)
     assert found.q_robust == grid[index]
     survivors = np.nonzero(~collapsed)[0]
@@ -81,9 +78,7 @@ def test_that_every_number_is_its_definition(ground, make_model, one_sided, law)
     assert inside == sum(survivors > first)
 
 
-def test_that_the_map_does_not_depend_on_how_many_points_run_at_once(
-    ground, make_model, monkeypatch
-):
+def test_that_the_map_does_not_depend_on_how_many_points_run_at_once(ground, make_model, monkeypatch):
     for search in (Search(), Search(q_step=0.05), Search(q_step=0.02, map_span=1.0)):
         whole = search_of(ground, make_model(), search)
         with monkeypatch.context() as patched:
@@ -113,8 +108,7 @@ def test_that_midpoints_at_once_give_the_bracket_of_one_after_the_other():
 
     def flags(points):
         return [
-            (np.array([f(x) for x in q], bool), np.zeros(q.size, bool))
-            for f, q in zip(functions, points, strict=True)
+            (np.array([f(x) for x in q], bool), np.zeros(q.size, bool)) for f, q in zip(functions, points, strict=True)
         ]
 
     assert ida.bisections(brackets, flags) == expected
@@ -122,9 +116,7 @@ def test_that_midpoints_at_once_give_the_bracket_of_one_after_the_other():
 
 def test_that_an_unknown_midpoint_ends_its_own_bisection_only():
     def flags(points):
-        return [
-            (q > 1.02, unknown(q)) for q, unknown in zip(points, (np.isnan, any_of), strict=True)
-        ]
+        return [(q > 1.02, unknown(q)) for q, unknown in zip(points, (np.isnan, any_of), strict=True)]
 
     def any_of(q):
         return q > 0.0
@@ -172,9 +164,7 @@ def test_that_a_search_can_be_cancelled_between_chunks(ground, make_model):
         return len(calls) > 3
 
     with pytest.raises(Cancelled):
-        incremental_dynamic_analysis(
-            ground, 0.01, 1.0, 1, make_model(), TAYLOR, Search(), cancelled
-        )
+        incremental_dynamic_analysis(ground, 0.01, 1.0, 1, make_model(), TAYLOR, Search(), cancelled)
     assert len(calls) == 4
 
 
@@ -206,10 +196,7 @@ def test_that_an_unknown_outcome_before_collapse_leaves_no_number(make_model, mo
 
 def test_that_an_unknown_midpoint_of_the_bisection_leaves_no_number(make_model, monkeypatch):
     edge = 1.005**140
-    scripted(
-        monkeypatch,
-        lambda q: IMPACT_LIMIT if edge * 1.001 < q < edge * 1.004 else int(q > edge * 1.0001),
-    )
+    scripted(monkeypatch, lambda q: IMPACT_LIMIT if edge * 1.001 < q < edge * 1.004 else int(q > edge * 1.0001))
     assert search_of(np.ones(5), make_model()).status == "impact_limit"
 
 
@@ -252,9 +239,7 @@ def test_that_a_share_met_exactly_is_met():
     """16 % of 25 points are 4: `q_robust` and zeta_16 are where the share is reached, not passed."""
     flags = np.zeros(60, bool)
     flags[40:44] = True
-    assert (
-        first_with_share(flags, 12, 0.16) == 31
-    )  # 31 + 12 = 43: the fourth point comes into the window
+    assert first_with_share(flags, 12, 0.16) == 31  # 31 + 12 = 43: the fourth point comes into the window
     assert first_with_share(flags[:43], 12, 0.16) is None  # only whole windows count
 
 
@@ -306,9 +291,7 @@ def test_that_a_failure_below_the_lowest_q_of_a_trilinear_search_is_said(make_mo
 
 
 @pytest.mark.parametrize("seed", [0, 2])
-def test_that_copies_of_a_record_as_alike_as_1e_9_share_the_lower_end_of_q_slv(
-    ground, make_model, seed
-):
+def test_that_copies_of_a_record_as_alike_as_1e_9_share_the_lower_end_of_q_slv(ground, make_model, seed):
     """Between two copies q_slv jumps somewhere: bisection finds where, to 1e-9 of PGA, and q_slv_low stays."""
     model = make_model(alpha_deg=8.0, height=4.0)
     noise = np.random.default_rng(seed).uniform(-1.0, 1.0, ground.size) * np.abs(ground).max()

@@ -9,9 +9,7 @@ RNG = np.random.default_rng(7)
 
 
 def test_that_planted_coefficients_of_eq14_come_back():
-    alpha, height = (
-        axis.ravel() for axis in np.meshgrid([3.1, 6.8, 11.3], [3.0, 5.0, 7.0, 9.0, 11.0])
-    )
+    alpha, height = (axis.ravel() for axis in np.meshgrid([3.1, 6.8, 11.3], [3.0, 5.0, 7.0, 9.0, 11.0]))
     fit = regression.linear_c1(alpha, height, 30.0 * alpha + 78.0 * height + 90.0)
     assert fit.coefficients == pytest.approx((30.0, 78.0, 90.0), rel=1e-10)
     assert fit.r_squared == pytest.approx(1.0, abs=1e-12) and fit.n == 15

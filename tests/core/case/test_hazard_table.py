@@ -14,8 +14,10 @@ PASTED = (
 def test_that_rows_pasted_with_their_heads_and_commas_are_read():
     rows = parse_hazard(PASTED)
     assert [(r.return_period_years, r.ag_g, r.f0, r.tc_star_s) for r in rows] == [
-        (30.0, 0.08, 2.4, 0.28), (475.0, 0.26, 2.36, 0.35), (2475.0, 0.45, 2.4, 0.37),
-    ]  # fmt: skip
+        (30.0, 0.08, 2.4, 0.28),
+        (475.0, 0.26, 2.36, 0.35),
+        (2475.0, 0.45, 2.4, 0.37),
+    ]
 
 
 def test_that_commas_separate_where_the_point_is_the_decimal():
@@ -28,17 +30,21 @@ def test_that_two_columns_are_enough():
     assert [(r.ag_g, r.f0) for r in rows] == [(0.08, None), (0.26, None)]
 
 
-@pytest.mark.parametrize(("text", "code"), [
-    ("", "no_hazard_rows"),
-    ("words only", "no_hazard_rows"),
-    ("30 0.08", "hazard_not_rising"),
-    ("475 0.26\n30 0.08", "hazard_not_rising"),
-    ("30 0.08\n475 0.26 2.4", "hazard_line"),
-    ("30 0.08\nend", "hazard_line"),
-    ("30 nan\n475 0.26", "hazard_line"), ("nan 30\n475 0.26", "hazard_not_rising"),
-    ("30 0.08\n475 9.9", "not_accepted"),
-    ("\n".join(f"{30 + k} {0.01 + 1e-4 * k:.4f}" for k in range(101)), "hazard_line"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        ("", "no_hazard_rows"),
+        ("words only", "no_hazard_rows"),
+        ("30 0.08", "hazard_not_rising"),
+        ("475 0.26\n30 0.08", "hazard_not_rising"),
+        ("30 0.08\n475 0.26 2.4", "hazard_line"),
+        ("30 0.08\nend", "hazard_line"),
+        ("30 nan\n475 0.26", "hazard_line"),
+        ("nan 30\n475 0.26", "hazard_not_rising"),
+        ("30 0.08\n475 9.9", "not_accepted"),
+        ("\n".join(f"{30 + k} {0.01 + 1e-4 * k:.4f}" for k in range(101)), "hazard_line"),
+    ],
+)
 def test_that_other_text_is_refused_in_one_sentence(text, code):
     with pytest.raises(InputError) as caught:
         parse_hazard(text)
@@ -46,9 +52,7 @@ def test_that_other_text_is_refused_in_one_sentence(text, code):
     assert "\n" not in str(caught.value)
 
 
-@pytest.mark.parametrize(
-    "first", ["30 anni;0,052;2,4;0,27", "30;0,052 g;2,4;0,27", "+30 0,05x", ".5 anni 0,05"]
-)
+@pytest.mark.parametrize("first", ["30 anni;0,052;2,4;0,27", "30;0,052 g;2,4;0,27", "+30 0,05x", ".5 anni 0,05"])
 def test_that_no_row_is_taken_for_a_head(first):
     """A head does not begin with a number: of seven rows, five written otherwise must not leave two."""
     with pytest.raises(InputError) as caught:
@@ -60,10 +64,7 @@ def test_that_a_file_is_read_and_a_missing_or_large_one_refused(tmp_path):
     path = tmp_path / "hazard.txt"
     path.write_text(PASTED, encoding="utf-8")
     assert len(read_hazard(path)) == 3
-    for name, content, code in (
-        ("none.txt", None, "no_hazard_file"),
-        ("large.txt", "x" * 200_000, "hazard_too_large"),
-    ):
+    for name, content, code in (("none.txt", None, "no_hazard_file"), ("large.txt", "x" * 200_000, "hazard_too_large")):
         if content:
             (tmp_path / name).write_text(content)
         with pytest.raises(InputError) as caught:

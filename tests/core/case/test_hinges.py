@@ -8,28 +8,25 @@ from core.errors import InputError
 from core.study.run import run
 from tests.conftest import ROOT
 
-WALL = {"name": "facade", "height_m": 9.0, "thickness_m": 0.6, "mechanism": "one_sided",
-        "base_z_m": 0.0, "back_restraint": "cross walls"}  # fmt: skip
+WALL = {
+    "name": "facade",
+    "height_m": 9.0,
+    "thickness_m": 0.6,
+    "mechanism": "one_sided",
+    "base_z_m": 0.0,
+    "back_restraint": "cross walls",
+}
 BUILDING = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
 
 
 def case(hinges, building=BUILDING, **wall):
     return parse_case(
         {
-            "wall": [
-                {
-                    k: v
-                    for k, v in {**WALL, "hinge_heights": hinges, **wall}.items()
-                    if v is not None
-                }
-            ],
+            "wall": [{k: v for k, v in {**WALL, "hinge_heights": hinges, **wall}.items() if v is not None}],
             **({"building": building} if building else {}),
             "record": [{"file": "resources/motions/noise_1.txt"}],
             "analysis": {"q_step": 0.02},
-            "demand": {
-                "ag_g": 0.2,
-                "spectrum": {"code": "EN1998", "type": 1, "soil": "B"},
-            },
+            "demand": {"ag_g": 0.2, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}},
         }
     )
 
@@ -40,11 +37,7 @@ def walls_of(asked):
 
 def test_that_the_floors_are_those_between_base_and_top():
     found = [(w.name, w.base_z_m, w.height_m, w.thickness) for w in walls_of(case("floors"))]
-    assert found == [
-        ("facade", 0.0, 9.0, 0.6),
-        ("facade (+3 m)", 3.0, 6.0, 0.6),
-        ("facade (+6 m)", 6.0, 3.0, 0.6),
-    ]
+    assert found == [("facade", 0.0, 9.0, 0.6), ("facade (+3 m)", 3.0, 6.0, 0.6), ("facade (+6 m)", 6.0, 3.0, 0.6)]
     upper = walls_of(case("floors", base_z_m=3.0, height_m=7.0))
     assert [wall.base_z_m for wall in upper] == [3.0, 6.0, 9.0]
 
@@ -75,9 +68,7 @@ def test_that_without_a_word_a_hinge_is_where_a_load_or_a_storey_is_and_three_ti
     assert found == pytest.approx([0.0, 3.0, 4.5, 6.0, 7.19])
     assert [part.hinge for part in parts(case("base", BUILDING, **changes))] == [0.0]
     assert [part.hinge for part in parts(case(None, None, **changes))] == [0.0]
-    assert [part.hinge for part in parts(case("floors", BUILDING, **changes))] == pytest.approx(
-        [0, 3, 6]
-    )
+    assert [part.hinge for part in parts(case("floors", BUILDING, **changes))] == pytest.approx([0, 3, 6])
 
 
 @pytest.mark.parametrize(
@@ -90,17 +81,24 @@ def test_that_without_a_word_a_hinge_is_where_a_load_or_a_storey_is_and_three_ti
         ([], BUILDING, {}, "not_accepted"),
         ("storeys", BUILDING, {}, "not_accepted"),
         ([True], BUILDING, {}, "not_accepted"),
-        ([1.0], BUILDING, {"height_m": None, "thickness_m": None, "radius_m": 4.0,
-         "slenderness_deg": 5.0, "inertia_over_mass_m2": 21.0}, "hinges_need_rectangle"),
+        (
+            [1.0],
+            BUILDING,
+            {
+                "height_m": None,
+                "thickness_m": None,
+                "radius_m": 4.0,
+                "slenderness_deg": 5.0,
+                "inertia_over_mass_m2": 21.0,
+            },
+            "hinges_need_rectangle",
+        ),
     ],
-)  # fmt: skip
+)
 def test_that_wrong_hinges_are_refused(hinges, building, wall, code):
     wall = {key: value for key, value in {**WALL, **wall}.items() if value is not None}
     with pytest.raises(InputError) as caught:
-        parse_case(
-            {"wall": [{**wall, "hinge_heights": hinges}]}
-            | ({"building": building} if building else {})
-        )
+        parse_case({"wall": [{**wall, "hinge_heights": hinges}]} | ({"building": building} if building else {}))
     assert caught.value.code == code
 
 

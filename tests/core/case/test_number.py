@@ -13,9 +13,7 @@ def test_that_comma_and_point_mean_the_same(text):
     assert parse_number(text) == 0.312
 
 
-@pytest.mark.parametrize(
-    "text", ["1.000,5", "1,000.5", "1.2.3", "1_000", "nan", "inf", "1e400", "", "٣", "0x1"]
-)
+@pytest.mark.parametrize("text", ["1.000,5", "1,000.5", "1.2.3", "1_000", "nan", "inf", "1e400", "", "٣", "0x1"])
 def test_that_anything_else_is_refused(text):
     with pytest.raises(InputError):
         parse_number(text)

@@ -24,8 +24,7 @@ def test_that_files_that_are_no_case_are_one_sentence(tmp_path):
     with pytest.raises(InputError, match="not a file"):
         read_case(tmp_path)
     (tmp_path / "date.toml").write_text(
-        '[report]\ndate = 2026-01-05\n[[wall]]\nname = "w"\nheight_m = 3.0\nthickness_m = 0.3\n'
-        'mechanism = "both"\n'
+        '[report]\ndate = 2026-01-05\n[[wall]]\nname = "w"\nheight_m = 3.0\nthickness_m = 0.3\nmechanism = "both"\n'
     )
     assert read_case(tmp_path / "date.toml").report.date == "2026-01-05"
 
@@ -49,13 +48,14 @@ def test_that_a_key_of_thousands_of_parts_is_refused_at_once(tmp_path):
 
 @pytest.mark.parametrize(
     ("written", "words"),
-    [("0,83  # m", "line 3: 0,83 has a comma"), ("'0,83'", "without quotes .* thickness_m = 0.83"),
-     ("'0.83'", "without quotes")],
-)  # fmt: skip
+    [
+        ("0,83  # m", "line 3: 0,83 has a comma"),
+        ("'0,83'", "without quotes .* thickness_m = 0.83"),
+        ("'0.83'", "without quotes"),
+    ],
+)
 def test_that_a_decimal_comma_and_a_quoted_number_are_named(tmp_path, written, words):
     path = tmp_path / "c.toml"
-    path.write_text(
-        f"[[wall]]\nname = 'a, 0,5'\nthickness_m = {written}\nheight_m = 7.0\nmechanism = 'one_sided'\n"
-    )
+    path.write_text(f"[[wall]]\nname = 'a, 0,5'\nthickness_m = {written}\nheight_m = 7.0\nmechanism = 'one_sided'\n")
     with pytest.raises(InputError, match=words):
         read_case(path)

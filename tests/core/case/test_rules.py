@@ -7,8 +7,7 @@ from core.case.rules import parse_case
 from core.errors import InputError
 from tests.core.case.tables import WALL, case, without
 
-TESTED = {"ag_g": 0.2, "confidence_factor": 1.2, "knowledge_level": "LC2",
-          "investigations": "cores, double flat jacks"}  # fmt: skip
+TESTED = {"ag_g": 0.2, "confidence_factor": 1.2, "knowledge_level": "LC2", "investigations": "cores, double flat jacks"}
 STRENGTH = {"compressive_strength_mpa": 2.0, "unit_weight_kn_m3": 18.0}
 
 
@@ -65,10 +64,7 @@ STRENGTH = {"compressive_strength_mpa": 2.0, "unit_weight_kn_m3": 18.0}
             },
             ["general block takes no"],
         ),
-        (
-            case(record=[{"file": "a.txt", "channel": 0}]),
-            ["channel", "name of a channel, or its number"],
-        ),
+        (case(record=[{"file": "a.txt", "channel": 0}]), ["channel", "name of a channel, or its number"]),
         (case(generate={"count": 7}), ["generate", "spectrum"]),
         (case({"law": "doherty"}, analysis={"method": "linearised"}), ["rigid law", "trilinear"]),
         (case(analysis={"method": "magic"}), ["magic", "taylor"]),
@@ -81,41 +77,21 @@ STRENGTH = {"compressive_strength_mpa": 2.0, "unit_weight_kn_m3": 18.0}
             case(demand={"ag_g": 0.2, "confidence_factor": 1.2}),
             ["confidence_factor", "knowledge_level", "investigations", "1.35"],
         ),
-        (
-            case({"hinge_setback_m": 0.000001}, demand={**TESTED, "investigations": "x"}),
-            ["investigations"],
-        ),
-        (
-            case({"hinge_setback_m": 0.000001}, demand=TESTED),
-            ["compressive_strength_mpa", "0.5 to 10"],
-        ),
+        (case({"hinge_setback_m": 0.000001}, demand={**TESTED, "investigations": "x"}), ["investigations"]),
+        (case({"hinge_setback_m": 0.000001}, demand=TESTED), ["compressive_strength_mpa", "0.5 to 10"]),
         (case({**STRENGTH, "compressive_strength_mpa": 50.0}, demand=TESTED), ["0.5 to 10", "50"]),
         (case(STRENGTH, demand={**TESTED, "confidence_factor": 1.0}), ["LC2", "1.20"]),
         (case({"back_restraint": "x."}), ["back_restraint", "names nothing"]),
         (case({"justification": {"restitution": "x."}}), ["restitution", "says nothing"]),
-        (
-            case(demand={"ag_g": 0.2, "justification": {"q_code": "12"}}),
-            ["[demand]", "q_code", "says nothing"],
-        ),
+        (case(demand={"ag_g": 0.2, "justification": {"q_code": "12"}}), ["[demand]", "q_code", "says nothing"]),
         (case({"justification": {"thickness_m": "so"}}), ["thickness_m", "velocity_ratio"]),
         (case(demand={"ag_g": 0.2, "spectrum": {"code": "NTC2018", "soil": "B"}}), ["needs f0"]),
         (
-            case(
-                demand={
-                    "ag_g": 0.2,
-                    "spectrum": {"code": "EN1998", "soil": "B", "type": 1, "f0": 2.5},
-                }
-            ),
+            case(demand={"ag_g": 0.2, "spectrum": {"code": "EN1998", "soil": "B", "type": 1, "f0": 2.5}}),
             ["does not take f0"],
         ),
         (
-            case(
-                demand={
-                    "ag_g": 0.2,
-                    "soil_factor": 1.2,
-                    "spectrum": {"code": "EN1998", "soil": "B", "type": 1},
-                }
-            ),
+            case(demand={"ag_g": 0.2, "soil_factor": 1.2, "spectrum": {"code": "EN1998", "soil": "B", "type": 1}}),
             ["soil_factor follows"],
         ),
         (case(analysis={"accuracy": 1}), ["accuracy", "true or false"]),
@@ -140,13 +116,9 @@ def test_that_a_wrong_case_is_refused_in_one_sentence(table, words):
 def test_that_the_height_of_the_base_is_never_guessed(tmp_path):
     bare = {k: v for k, v in WALL.items() if k != "base_z_m"}
     assert parse_case({"wall": [bare]}).wall[0].base_z_m is None
-    with pytest.raises(
-        InputError, match=r'wall "w": base_z_m is missing.*0 m for a wall on the ground'
-    ):
+    with pytest.raises(InputError, match=r'wall "w": base_z_m is missing.*0 m for a wall on the ground'):
         parse_case({"wall": [bare], "demand": {"ag_g": 0.2}})
-    (tmp_path / "walls.csv").write_text(
-        "Parete;z;H;t;Meccanismo\n;m;m;m;\na;0;4;0.5;entrambi\nb;;4;0.5;entrambi\n"
-    )
+    (tmp_path / "walls.csv").write_text("Parete;z;H;t;Meccanismo\n;m;m;m;\na;0;4;0.5;entrambi\nb;;4;0.5;entrambi\n")
     path = tmp_path / "case.toml"
     path.write_text('walls = "walls.csv"\n[demand]\nag_g = 0.2\n')
     with pytest.raises(InputError, match="walls.csv: row 4, z: base_z_m is missing"):
@@ -159,8 +131,7 @@ def test_that_the_height_of_the_base_is_never_guessed(tmp_path):
     ("demand", "words"),
     [
         # V_R = 50 years: SLV 474.6, SLC 974.8 (NTC 2018 3.2.0)
-        ({"nominal_life_years": 50, "use_class_factor": 1.0, "return_period_years": 975},
-         "give 475 years at SLV"),
+        ({"nominal_life_years": 50, "use_class_factor": 1.0, "return_period_years": 975}, "give 475 years at SLV"),
         ({"limit_state": "SLC", "return_period_years": 475}, "below the 682 years of SLC"),
         ({"limit_state": "SLC", "return_period_years": 500}, "below the 682 years of SLC"),
         ({"limit_state": "SLC", "return_period_years": 712}, "is that of SLV for V_R = 75 years"),
@@ -169,7 +140,7 @@ def test_that_the_height_of_the_base_is_never_guessed(tmp_path):
         ({"period_range_s": [0.15]}, "two periods"),
         ({"confidence_on": "strength"}, "one of capacity, demand"),
     ],
-)  # fmt: skip
+)
 def test_that_a_demand_that_contradicts_itself_is_refused(demand, words):
     with pytest.raises(InputError, match=words):
         parse_case(case(demand={"ag_g": 0.2, **demand}))

@@ -23,10 +23,7 @@ def test_that_three_ways_to_write_a_wall_are_one_block():
         {"slenderness_deg": math.degrees(math.atan2(0.83, 7.0))},
         {"height_over_thickness": 7.0 / 0.83},
     ]
-    blocks = [
-        parse_case({"wall": [{**without("thickness_m")["wall"][0], **way}]}).wall[0].block()
-        for way in ways
-    ]
+    blocks = [parse_case({"wall": [{**without("thickness_m")["wall"][0], **way}]}).wall[0].block() for way in ways]
     for block in blocks[1:]:
         assert block.slenderness == pytest.approx(blocks[0].slenderness, rel=1e-14)
         assert block.radius == pytest.approx(blocks[0].radius, rel=1e-14)
@@ -40,13 +37,17 @@ def test_that_three_ways_to_write_a_wall_are_one_block():
         ({"nominal_life_years": 50, "use_class_factor": 1.0, "limit_state": "SLD"}, 50.29),
         ({"nominal_life_years": 50, "use_class_factor": 1.0, "return_period_years": 475}, 475.0),
         ({"limit_state": "SLC", "return_period_years": 975}, 975.0),
-        ({"limit_state": "SLC", "nominal_life_years": 100, "use_class_factor": 1.5,
-          "return_period_years": 2475}, 2475.0),
-        ({"limit_state": "SLC", "nominal_life_years": 75, "use_class_factor": 1.3,
-          "return_period_years": 1901}, 1901.0),
+        (
+            {"limit_state": "SLC", "nominal_life_years": 100, "use_class_factor": 1.5, "return_period_years": 2475},
+            2475.0,
+        ),
+        (
+            {"limit_state": "SLC", "nominal_life_years": 75, "use_class_factor": 1.3, "return_period_years": 1901},
+            1901.0,
+        ),
         ({}, None),
     ],
-)  # fmt: skip
+)
 def test_that_t_r_follows_from_v_n_and_c_u(demand, years):
     found = parse_case(case(demand={"ag_g": 0.2, **demand})).demand.return_period
     assert found == (None if years is None else pytest.approx(years, rel=1e-4))

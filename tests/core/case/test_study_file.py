@@ -37,8 +37,13 @@ def test_that_no_two_motions_of_the_shipped_studies_share_a_seed():
 
 
 def test_that_every_combination_is_a_cell_once():
-    grid = {**GRID, "height_m": [3.0, 7.0], "mechanism": ["two_sided", "one_sided"], "law": ["rigid", "doherty"],
-            "velocity_ratio": [0.9]}  # fmt: skip
+    grid = {
+        **GRID,
+        "height_m": [3.0, 7.0],
+        "mechanism": ["two_sided", "one_sided"],
+        "law": ["rigid", "doherty"],
+        "velocity_ratio": [0.9],
+    }
     cells = cells_of(parse_study({"grid": [grid, GRID]}))
     assert len(cells) == 9
     assert {cell.restitution for cell in cells} == {"0.9", "housner"}
@@ -62,8 +67,12 @@ def test_that_every_combination_is_a_cell_once():
         ({"grid": [GRID], "group": [{"name": "A", "pga_g": 0.1}]}, "spectrum is missing"),
         ({"grid": [GRID], "group": [{"name": "A", "spectrum": []}]}, "pga_g"),
         (
-            {"grid": [GRID], "group": [{"name": "A", "pga_g": 0.1, "spectrum": [
-                {"name": "s", "code": "NTC2018", "soil": "A", "seed": 1}]}]},
+            {
+                "grid": [GRID],
+                "group": [
+                    {"name": "A", "pga_g": 0.1, "spectrum": [{"name": "s", "code": "NTC2018", "soil": "A", "seed": 1}]}
+                ],
+            },
             "f0",
         ),
         ({"grid": 3}, "one or more tables [[grid]]"),
@@ -72,7 +81,7 @@ def test_that_every_combination_is_a_cell_once():
         ({"grid": [GRID], "group": [group("A", "s", 1), group("B", "t", 7)]}, "seed 7 again"),
         ({"grid": [GRID], "colour": 1}, "colour"),
     ],
-)  # fmt: skip
+)
 def test_that_what_is_wrong_is_said_with_its_place(table, words):
     with pytest.raises(InputError) as caught:
         parse_study(table)

@@ -41,11 +41,7 @@ def test_that_an_italian_csv_gives_its_walls(tmp_path):
     for encoding in ("utf-8-sig", "cp1252"):
         path.write_bytes(CSV.encode(encoding))
         first, second = read_walls(path)
-        assert (first.name, first.mechanism, first.back_restraint) == (
-            "Facciata",
-            "one_sided",
-            "muri di spina",
-        )
+        assert (first.name, first.mechanism, first.back_restraint) == ("Facciata", "one_sided", "muri di spina")
         assert first.height_m == 7.0
         assert first.thickness_m == pytest.approx(0.83, rel=1e-15)
         assert first.hinge_setback_m == pytest.approx(0.05, rel=1e-15)
@@ -215,9 +211,7 @@ def workbook(tmp_path, hide=(), sheets=()):
 
 
 def test_that_hidden_rows_and_sheets_are_not_read_and_said(tmp_path):
-    walls, notes = read_table(
-        workbook(tmp_path, hide=(4,), sheets=[("Old", True), ("Note", False)])
-    )
+    walls, notes = read_table(workbook(tmp_path, hide=(4,), sheets=[("Old", True), ("Note", False)]))
     assert [wall.name for wall in walls] == ["a", "c"]
     assert [note.text() for note in notes] == [
         "Walls read from the sheet Pareti.",
@@ -241,11 +235,7 @@ def test_that_unicode_text_of_a_spreadsheet_is_read_or_refused_by_name(tmp_path)
 
 def test_that_a_slenderness_in_degrees_is_taken_as_it_is():
     for unit in ("deg", "°", "-", ""):
-        rows = [
-            ["Parete", "H", "alpha", "Meccanismo"],
-            ["", "m", unit, ""],
-            ["a", "4", "7.5", "entrambi"],
-        ]
+        rows = [["Parete", "H", "alpha", "Meccanismo"], ["", "m", unit, ""], ["a", "4", "7.5", "entrambi"]]
         assert walls_of(rows)[0].slenderness_deg == 7.5
 
 
@@ -282,18 +272,10 @@ B;0;3;45;18;un lato;;;;;;;;;;
 
 
 def test_that_loads_stand_in_columns_of_their_own():
-    rows = text_rows(
-        LOADED.replace("e;Carico", "velocity_ratio;Carico").replace("un lato;;v", "un lato;0,5;v")
-    )
+    rows = text_rows(LOADED.replace("e;Carico", "velocity_ratio;Carico").replace("un lato;;v", "un lato;0,5;v"))
     loaded, bare = walls_of(rows)
     first, second = loaded.load
-    assert (first.kind, first.kn_m, first.d_m, first.h_m, first.mass) == (
-        "vertical",
-        10.0,
-        0.3,
-        3.0,
-        "horizontal",
-    )
+    assert (first.kind, first.kn_m, first.d_m, first.h_m, first.mass) == ("vertical", 10.0, 0.3, 3.0, "horizontal")
     assert (second.kind, second.kn_m, second.h_m, second.mass) == ("tie", 2.5, 2.8, None)
     assert loaded.variant == "progetto" and bare.load == ()
 
@@ -305,9 +287,7 @@ def test_that_a_load_that_lacks_its_size_names_row_and_key():
     assert "row 3" in str(caught.value) and "kn_m" in str(caught.value)
 
 
-@pytest.mark.parametrize(
-    ("cell", "heights"), [("piani", "floors"), ("1,5 3", (1.5, 3.0)), ("2", (2.0,))]
-)
+@pytest.mark.parametrize(("cell", "heights"), [("piani", "floors"), ("1,5 3", (1.5, 3.0)), ("2", (2.0,))])
 def test_that_hinges_stand_in_a_column(cell, heights):
     text = f"name\th\tt\tmechanism\tcerniere\n\tm\tm\nA\t6\t0,6\tone_sided\t{cell}\n"
     (wall,) = walls_of(text_rows(text))
@@ -319,31 +299,35 @@ def test_that_hinges_stand_in_a_column(cell, heights):
 def test_that_a_table_takes_every_key_of_a_wall():
     known = set(wall_table.COLUMNS)
     for entry in fields(Wall):
-        assert entry.name in known or entry.name in ("load", "return_walls", "justification"), (
-            entry.name
-        )
+        assert entry.name in known or entry.name in ("load", "return_walls", "justification"), entry.name
     for entry in fields(ReturnWalls):
         assert f"across_{entry.name}" in known, entry.name
-    heads = ["Parete", "H [m]", "t [cm]", "Meccanismo", "z [m]", "L [m]", "Peso specifico", "Muri ortogonali",
-             "Muri ortogonali t [cm]", "Muri ortogonali hb [cm]", "Muri ortogonali l [cm]", "f [MPa]"]  # fmt: skip
+    heads = [
+        "Parete",
+        "H [m]",
+        "t [cm]",
+        "Meccanismo",
+        "z [m]",
+        "L [m]",
+        "Peso specifico",
+        "Muri ortogonali",
+        "Muri ortogonali t [cm]",
+        "Muri ortogonali hb [cm]",
+        "Muri ortogonali l [cm]",
+        "f [MPa]",
+    ]
     text = ";".join(heads) + "\na;6,5;45;su un lato;0;4;18;2;40;12;25;2,5"
     (wall,) = wall_table.walls_of(wall_table.text_rows(text))
     assert (wall.height_m, wall.thickness_m, wall.compressive_strength_mpa) == (6.5, 0.45, 2.5)
     assert wall.return_walls == ReturnWalls(2, 0.4, 0.12, 0.25, 0.577)
     (block,) = wall_table.walls_of(
-        wall_table.text_rows(
-            "Parete;R [m];alpha [deg];I0/m [m2];Meccanismo\nb;3;8;12,5;su due lati"
-        )
+        wall_table.text_rows("Parete;R [m];alpha [deg];I0/m [m2];Meccanismo\nb;3;8;12,5;su due lati")
     )
     assert (block.radius_m, block.inertia_over_mass_m2) == (3.0, 12.5)
 
 
 @pytest.mark.parametrize(
-    ("cell", "words"),
-    [
-        ("oscillante", "su due lati, due lati, su un lato"),
-        ("spingente", "verticale, spinta, catena"),
-    ],
+    ("cell", "words"), [("oscillante", "su due lati, due lati, su un lato"), ("spingente", "verticale, spinta, catena")]
 )
 def test_that_a_wrong_word_is_answered_with_the_words_of_the_list(cell, words):
     head = "Parete;H [m];t [m];Meccanismo;Peso specifico;Carico 1"
@@ -355,17 +339,7 @@ def test_that_a_wrong_word_is_answered_with_the_words_of_the_list(cell, words):
 
 
 THRUST = [
-    [
-        "Parete",
-        "z",
-        "H",
-        "t",
-        "Meccanismo",
-        "Peso specifico",
-        "Carico 1",
-        "Carico 1 p",
-        "Carico 1 h",
-    ],
+    ["Parete", "z", "H", "t", "Meccanismo", "Peso specifico", "Carico 1", "Carico 1 p", "Carico 1 h"],
     ["", "m", "m", "cm", "", "kN/m3", "", "kN/m", "m"],
     ["A", 0, 4, 45, "su un lato", 18, "spinta", 2.5, 3],
     ["B", 0, 4, 45, "su un lato", 18, None, None, None],
@@ -387,31 +361,21 @@ def saved(tmp_path):
 
 @pytest.mark.parametrize("writer", WRITERS.values(), ids=WRITERS)
 def test_that_a_table_is_the_same_whoever_wrote_it(writer, saved):
-    walls, notes = read_table(
-        saved(written_by(writer, THRUST, hidden_rows=(4,), others=[("Note", [["x"]])])), True
-    )
-    assert walls == walls_of(
-        [[("" if c is None else str(c)) for c in row] for row in THRUST[:3] + THRUST[4:]], True
-    )
+    walls, notes = read_table(saved(written_by(writer, THRUST, hidden_rows=(4,), others=[("Note", [["x"]])])), True)
+    assert walls == walls_of([[("" if c is None else str(c)) for c in row] for row in THRUST[:3] + THRUST[4:]], True)
     assert [note.code for note in notes] == ["table_sheet", "hidden_rows", "other_sheets"]
 
 
 @pytest.mark.parametrize("writer", WRITERS.values(), ids=WRITERS)
 def test_that_a_load_merged_over_two_walls_never_reaches_the_first_alone(writer, saved):
     path = saved(written_by(writer, THRUST, merged=("G3:G4", "H3:H4", "I3:I4")))
-    with pytest.raises(
-        InputError, match='sheet "Foglio 1": merged cells G3:G4, H3:H4, I3:I4: each cell'
-    ):
+    with pytest.raises(InputError, match='sheet "Foglio 1": merged cells G3:G4, H3:H4, I3:I4: each cell'):
         read_table(path)
 
 
 @pytest.mark.parametrize("writer", WRITERS.values(), ids=WRITERS)
 def test_that_all_cells_without_a_value_of_their_own_are_named_at_once(writer, saved):
-    rows = [
-        *THRUST[:3],
-        ["B", 0, Formula("C3", 4), 45, "su un lato", 18],
-        [Fault("#REF!"), 0, 4, 45, "su un lato", 18],
-    ]
+    rows = [*THRUST[:3], ["B", 0, Formula("C3", 4), 45, "su un lato", 18], [Fault("#REF!"), 0, 4, 45, "su un lato", 18]]
     path = saved(written_by(writer, rows, merged=("A4:B4",)))
     with pytest.raises(InputError, match="merged cells A4:B4, formulas C4, errors A5: each cell"):
         read_table(path)
@@ -425,8 +389,9 @@ def test_that_hidden_columns_are_not_read_and_said(saved):
         "Hidden columns of the table of walls were not read: G (Carico 1), H (Carico 1 p), I (Carico 1 h)."
     )
     assert "nascoste" in notes[1].text("it")
-    walls, _ = read_table(saved(written_by(Writer(), [[*row[:2], "?", *row[2:]] for row in THRUST],
-                                           hidden_columns=(3,))))  # fmt: skip
+    walls, _ = read_table(
+        saved(written_by(Writer(), [[*row[:2], "?", *row[2:]] for row in THRUST], hidden_columns=(3,)))
+    )
     assert [wall.height_m for wall in walls] == [4.0, 4.0, 5.0]
 
 
@@ -438,9 +403,7 @@ def test_that_a_merged_cell_of_another_sheet_is_no_matter(saved):
     assert len(read_walls(saved(packed(parts)))) == 3
 
 
-@pytest.mark.parametrize(
-    "text", [";" * 20_000_000, ";;\n" * 6_000_000, '"";' * 6_000_000, "a\tb\n" + "\t" * 400_000]
-)
+@pytest.mark.parametrize("text", [";" * 20_000_000, ";;\n" * 6_000_000, '"";' * 6_000_000, "a\tb\n" + "\t" * 400_000])
 def test_that_a_text_of_countless_cells_is_refused_before_they_are_made(text, monkeypatch):
     monkeypatch.setattr(wall_table.csv, "reader", lambda *_, **__: pytest.fail("they were made"))
     with pytest.raises(InputError, match="more than 2000 rows or 160 columns"):
@@ -452,20 +415,21 @@ STYLES, STRINGS, SHEET = "xl/styles.xml", "xl/sharedStrings.xml", "xl/worksheets
 
 @pytest.mark.parametrize(
     ("part", "before", "unit"),
-    [(STYLES, "</styleSheet>", "<fonts><font><b/></font></fonts>"), (STYLES, "</cellXfs>", '<xf numFmtId="0"/>'),
-     (STRINGS, "</sst>", "<si><t>a</t></si>"), (SHEET, "</sheetData>", "<row/>"), (SHEET, "</row>", "<c/>"),
-     (SHEET, "</worksheet>", "<mergeCells><mergeCell ref='A1:XFD1048576'/></mergeCells>")],
-)  # fmt: skip
-def test_that_a_workbook_of_some_kilobytes_takes_no_more_than_it_is_worth(
-    part, before, unit, saved, monkeypatch
-):
+    [
+        (STYLES, "</styleSheet>", "<fonts><font><b/></font></fonts>"),
+        (STYLES, "</cellXfs>", '<xf numFmtId="0"/>'),
+        (STRINGS, "</sst>", "<si><t>a</t></si>"),
+        (SHEET, "</sheetData>", "<row/>"),
+        (SHEET, "</row>", "<c/>"),
+        (SHEET, "</worksheet>", "<mergeCells><mergeCell ref='A1:XFD1048576'/></mergeCells>"),
+    ],
+)
+def test_that_a_workbook_of_some_kilobytes_takes_no_more_than_it_is_worth(part, before, unit, saved, monkeypatch):
     """18 kB of styles took 22 s and 1.1 GB: what is read is counted, and what is not needed is not kept."""
     import tracemalloc
 
     parts = unpacked(written_by(Writer(), THRUST))
-    grown = parts[part].replace(
-        before.encode(), unit.encode() * (18_000_000 // len(unit)) + before.encode(), 1
-    )
+    grown = parts[part].replace(before.encode(), unit.encode() * (18_000_000 // len(unit)) + before.encode(), 1)
     path = saved(packed({**parts, part: grown}))
     assert path.stat().st_size < 200_000
     del grown

@@ -10,22 +10,23 @@ from core.errors import InputError
 @pytest.mark.parametrize(
     ("head", "unit", "cell", "key", "value"),
     [
-        ("H", "cm", "400", "height_m", 4.0), ("t", "mm", "450", "thickness_m", 0.45),
-        ("t", "m", "0.45", "thickness_m", 0.45), ("L", "cm", "500", "length_m", 5.0),
-        ("u", "mm", "30", "hinge_setback_m", 0.03), ("z", "cm", "350", "base_z_m", 3.5),
-        ("E", "MPa", "900", "elastic_modulus_mpa", 900.0), ("E", "GPa", "0.9", "elastic_modulus_mpa", 900.0),
-        ("E", "N/mm2", "900", "elastic_modulus_mpa", 900.0), ("γ", "kn/m³", "18", "unit_weight_kn_m3", 18.0),
-        ("γ", "-", "18", "unit_weight_kn_m3", 18.0), ("H", "mm", "4000", "height_m", 4.0),
+        ("H", "cm", "400", "height_m", 4.0),
+        ("t", "mm", "450", "thickness_m", 0.45),
+        ("t", "m", "0.45", "thickness_m", 0.45),
+        ("L", "cm", "500", "length_m", 5.0),
+        ("u", "mm", "30", "hinge_setback_m", 0.03),
+        ("z", "cm", "350", "base_z_m", 3.5),
+        ("E", "MPa", "900", "elastic_modulus_mpa", 900.0),
+        ("E", "GPa", "0.9", "elastic_modulus_mpa", 900.0),
+        ("E", "N/mm2", "900", "elastic_modulus_mpa", 900.0),
+        ("γ", "kn/m³", "18", "unit_weight_kn_m3", 18.0),
+        ("γ", "-", "18", "unit_weight_kn_m3", 18.0),
+        ("H", "mm", "4000", "height_m", 4.0),
         ("γ", "kN/m3", "18", "unit_weight_kn_m3", 18.0),
     ],
-)  # fmt: skip
+)
 def test_that_each_unit_of_a_table_has_its_factor(head, unit, cell, key, value):
-    cells = {
-        "Parete": ("", "a"),
-        "H": ("m", "4"),
-        "t": ("m", "0.5"),
-        "Meccanismo": ("", "entrambi"),
-    }
+    cells = {"Parete": ("", "a"), "H": ("m", "4"), "t": ("m", "0.5"), "Meccanismo": ("", "entrambi")}
     cells[head] = (unit, cell)
     rows = [list(cells), [pair[0] for pair in cells.values()], [pair[1] for pair in cells.values()]]
     (wall,) = walls_of(rows)
@@ -33,16 +34,10 @@ def test_that_each_unit_of_a_table_has_its_factor(head, unit, cell, key, value):
 
 
 @pytest.mark.parametrize(
-    ("head", "unit"),
-    [("E", "kN/m3"), ("E", ""), ("γ", "MPa"), ("H", "kN/m3"), ("H", ""), ("Meccanismo", "m")],
+    ("head", "unit"), [("E", "kN/m3"), ("E", ""), ("γ", "MPa"), ("H", "kN/m3"), ("H", ""), ("Meccanismo", "m")]
 )
 def test_that_a_unit_of_another_quantity_is_refused(head, unit):
-    cells = {
-        "Parete": ("", "a"),
-        "H": ("m", "4"),
-        "t": ("m", "0.5"),
-        "Meccanismo": ("", "entrambi"),
-    }
+    cells = {"Parete": ("", "a"), "H": ("m", "4"), "t": ("m", "0.5"), "Meccanismo": ("", "entrambi")}
     cells[head] = (unit, cells.get(head, ("", "900"))[1])
     rows = [list(cells), [pair[0] for pair in cells.values()], [pair[1] for pair in cells.values()]]
     with pytest.raises(InputError, match="the unit"):
@@ -51,24 +46,27 @@ def test_that_a_unit_of_another_quantity_is_refused(head, unit):
 
 def test_that_the_units_a_column_takes_are_listed():
     rows = "Parete;z;H;t;Meccanismo;notes\n;m;m;ft;;\na;0;4;45;su un lato;\n"
-    with pytest.raises(
-        InputError, match="the unit 'ft' of the column t .*: one of (m, cm|cm, m), "
-    ):
+    with pytest.raises(InputError, match="the unit 'ft' of the column t .*: one of (m, cm|cm, m), "):
         walls_of(text_rows(rows))
     rows = rows.replace("ft;;", "m;;m").replace(";45;", ";0.45;")
-    with pytest.raises(
-        InputError, match="the unit 'm' of the column notes is not accepted: one of empty, -"
-    ):
+    with pytest.raises(InputError, match="the unit 'm' of the column notes is not accepted: one of empty, -"):
         walls_of(text_rows(rows))
 
 
 @pytest.mark.parametrize(
     ("head", "unit", "word"),
-    [("t (mm)", "cm", "names mm, the row of units below it cm"), ("H [cm]", "m", "names cm"),
-     ("E [GPa]", "MPa", "names GPa"), ("t (mm.)", "cm", "names mm."), ("t (in mm)", "cm", "names in mm"),
-     ("t (dm)", "cm", "names dm"), ("t (muro) (mm)", "cm", "names mm"), ("H (ft)", "m", "names ft"),
-     ("E [kPa]", "MPa", "names kPa")],
-)  # fmt: skip
+    [
+        ("t (mm)", "cm", "names mm, the row of units below it cm"),
+        ("H [cm]", "m", "names cm"),
+        ("E [GPa]", "MPa", "names GPa"),
+        ("t (mm.)", "cm", "names mm."),
+        ("t (in mm)", "cm", "names in mm"),
+        ("t (dm)", "cm", "names dm"),
+        ("t (muro) (mm)", "cm", "names mm"),
+        ("H (ft)", "m", "names ft"),
+        ("E [kPa]", "MPa", "names kPa"),
+    ],
+)
 def test_that_a_unit_in_the_head_that_contradicts_the_row_of_units_is_refused(head, unit, word):
     heads = ["Parete", "H", "t", "Meccanismo", "E"]
     units = ["", "m", "m", "", "MPa"]

@@ -32,14 +32,16 @@ def test_that_loads_return_walls_and_hazard_are_written_and_read_again():
         {"kind": "tie", "kn_m": 2.0, "h_m": 6.5},
     ]
     wall = {
-        "load": loads, "unit_weight_kn_m3": 18.0, "length_m": 5.0, "variant": "progetto", "tie_height_m": 6.0,
-        "mechanism": "one_sided", "hinge_heights": [2.0],
+        "load": loads,
+        "unit_weight_kn_m3": 18.0,
+        "length_m": 5.0,
+        "variant": "progetto",
+        "tie_height_m": 6.0,
+        "mechanism": "one_sided",
+        "hinge_heights": [2.0],
         "return_walls": {"number": 2, "thickness_m": 0.4, "brick_height_m": 0.2, "brick_length_m": 0.3},
-    }  # fmt: skip
-    hazard = [
-        {"return_period_years": 30.0, "ag_g": 0.08},
-        {"return_period_years": 475.0, "ag_g": 0.2},
-    ]
+    }
+    hazard = [{"return_period_years": 30.0, "ag_g": 0.08}, {"return_period_years": 475.0, "ag_g": 0.2}]
     first = parse_case(case(wall, demand={"ag_g": 0.1, "hazard": hazard}))
     assert parse_case(tomllib.loads(dumps(first))) == first
     assert draft_case(tomllib.loads(dumps(first))).wall == first.wall
@@ -99,9 +101,7 @@ def test_that_no_comment_comes_to_another_wall():
             changed = replace(case, wall=walls)
             found = dumps(changed, text)
             assert "#" not in found
-            assert tomllib.loads(found).get("wall", []) == tomllib.loads(dumps(changed)).get(
-                "wall", []
-            )
+            assert tomllib.loads(found).get("wall", []) == tomllib.loads(dumps(changed)).get("wall", [])
         assert "#" not in dumps(replace(case, demand=None), text)
 
 
@@ -113,13 +113,7 @@ def test_that_walls_of_one_name_keep_their_comments():
 
 def test_that_a_file_of_any_kind_before_changes_no_case():
     case = parse_case(tomllib.loads(COMMENTED))
-    for before in (
-        "",
-        "not toml [",
-        "x = 1\n",
-        'wall = [{name = "facade"}]\n',
-        "[wall]\n[demand.x]\n",
-    ):
+    for before in ("", "not toml [", "x = 1\n", 'wall = [{name = "facade"}]\n', "[wall]\n[demand.x]\n"):
         assert parse_case(tomllib.loads(dumps(case, before))) == case
 
 

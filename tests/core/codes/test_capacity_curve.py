@@ -14,11 +14,7 @@ from core.study.demand_input import demand_of
 from core.units import G
 
 WALL = {"name": "w", "height_m": 1.0, "thickness_m": 0.1, "mechanism": "two_sided", "base_z_m": 0.0}
-DEMAND = {
-    "ag_g": 0.2,
-    "spectrum": {"code": "EN1998", "type": 1, "soil": "B"},
-    "confidence_factor": 1.35,
-}
+DEMAND = {"ag_g": 0.2, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}, "confidence_factor": 1.35}
 
 
 def curve_of(**changes):
@@ -38,9 +34,7 @@ def test_that_the_capacity_falls_on_a_line_from_alpha_0_to_d_0():
 
 
 @pytest.mark.parametrize(("limit_state", "damping"), [("SLV", 0.08), ("SLC", 0.10)])
-def test_that_the_demand_is_the_spectrum_up_to_a_quarter_more_than_the_check_needs(
-    limit_state, damping
-):
+def test_that_the_demand_is_the_spectrum_up_to_a_quarter_more_than_the_check_needs(limit_state, damping):
     found, demand = curve_of(limit_state=limit_state, ag_g=0.5)
     curve = capacity_curve(found, demand)
     assert curve.damping == damping

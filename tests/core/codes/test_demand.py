@@ -10,17 +10,7 @@ from core.units import G
 
 def demand(ag=0.1 * G, soil=1.2, **changes) -> DemandResult:
     return DemandResult(
-        "SLV",
-        ag,
-        soil,
-        ag * soil,
-        changes.pop("intensity", None),
-        None,
-        2.0,
-        1.35,
-        1.0,
-        None,
-        **changes,
+        "SLV", ag, soil, ag * soil, changes.pop("intensity", None), None, 2.0, 1.35, 1.0, None, **changes
     )
 
 

@@ -74,8 +74,9 @@ def solved(ground, dt, alpha, p2, one_sided, ratio, strength):
                 push = side * (b0 + slope * s) * math.cos(alpha - y[0])
                 return [y[1], -p2 * (math.sin(alpha - y[0]) / strength - push)]
 
-            found = solve_ivp(motion, (t, dt), [phi, speed], "DOP853", rtol=1e-13, atol=1e-17,
-                              max_step=dt / 4, events=[touches])  # fmt: skip
+            found = solve_ivp(
+                motion, (t, dt), [phi, speed], "DOP853", rtol=1e-13, atol=1e-17, max_step=dt / 4, events=[touches]
+            )
             t, (phi, speed) = found.t[-1], found.y[:, -1]
             if found.status == 1:
                 speed, phi = -ratio * speed, 0.0
@@ -114,17 +115,13 @@ def test_that_records_scaled_to_the_pga_are_the_records_at_the_demand(designed, 
         scaled = demand_of(case(HELD, {**asked, "demand_scaling": "pga"}), tmp_path)
         first = demand_check(wall.model, list(designed.motions), (1,), plain, AUTO)
         second = demand_check(wall.model, weak, (1,), scaled, AUTO)
-        factor = (
-            2.0 * (1.35 if confidence_on == "demand" else 1.0) * demand.pga / (2.0 * weak[0].pga)
-        )
+        factor = 2.0 * (1.35 if confidence_on == "demand" else 1.0) * demand.pga / (2.0 * weak[0].pga)
         assert second.runs[0].factor == pytest.approx(factor, rel=1e-12)
         assert second.zeta == pytest.approx(first.zeta, rel=0.01)
         assert second.n_exceeded == first.n_exceeded
         for one, other in zip(first.runs, second.runs, strict=True):
             assert other.status == one.status
-            assert one.peak_ratio is None or other.peak_ratio == pytest.approx(
-                one.peak_ratio, rel=1e-6
-            )
+            assert one.peak_ratio is None or other.peak_ratio == pytest.approx(one.peak_ratio, rel=1e-6)
     assert demand_check(wall.model, [], (1,), plain, AUTO) is None
 
 
@@ -178,9 +175,7 @@ def wall_of(k: int):
     model = rocking_model(block, one_sided, restitution(block, named), law)
     motions = []
     for n in range((7, 3)[k // 2 % 2]):
-        noise = (
-            np.convolve(chance.normal(size=350), np.hanning(25), "same") * np.hanning(350) ** 0.3
-        )
+        noise = np.convolve(chance.normal(size=350), np.hanning(25), "same") * np.hanning(350) ** 0.3
         noise *= 3.0 * chance.uniform(0.5, 1.0) / np.abs(noise).max()
         motions.append(GroundMotion(f"{n}", noise, 0.02))
     side = ("capacity", "demand")[k // 4 % 2]
@@ -188,9 +183,7 @@ def wall_of(k: int):
     return model, motions, (1, -1) if one_sided else (1,), demand_of(case(**table), None)
 
 
-@pytest.mark.parametrize(
-    "walls", [range(0, 100, 7), pytest.param(range(100), marks=pytest.mark.long)]
-)
+@pytest.mark.parametrize("walls", [range(0, 100, 7), pytest.param(range(100), marks=pytest.mark.long)])
 def test_that_zeta_of_a_hundred_walls_is_that_of_every_point_of_the_grid(walls):
     """From below the multiplier at which the wall begins to move on, no point left out. What is found is at a point of
     the grid, or, of a sharp limit, within the step that ends there."""
@@ -206,8 +199,10 @@ def test_that_zeta_of_a_hundred_walls_is_that_of_every_point_of_the_grid(walls):
             fails = np.append(fails, work.failures(part)[0])
         counts = np.convolve(fails, np.ones(81), "valid")
         first, half, sixteen = (
-            int(np.argmax(fails)), 40 + int(np.argmax(counts >= 40.5)), 40 + int(np.argmax(counts >= 12.96)),
-        )  # fmt: skip
+            int(np.argmax(fails)),
+            40 + int(np.argmax(counts >= 40.5)),
+            40 + int(np.argmax(counts >= 12.96)),
+        )
         point = (1.0 + STEP) ** (low + np.array([first, half, sixteen]))
         assert found.zeta_16 == pytest.approx(point[2], rel=1e-12)
         assert found.zeta_first == pytest.approx(point[0], rel=1e-12) or first == half

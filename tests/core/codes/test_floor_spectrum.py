@@ -6,12 +6,7 @@ import pytest
 
 from core.case.rules import parse_wall
 from core.codes.demand import DemandResult
-from core.codes.floor_spectrum import (
-    FloorSpectrum,
-    estimated_period,
-    first_mode,
-    first_participation,
-)
+from core.codes.floor_spectrum import FloorSpectrum, estimated_period, first_mode, first_participation
 from core.codes.kinematic import kinematic, linear, nonlinear
 from core.codes.target_spectrum import en1998
 from core.ground.floor_motion import Mode
@@ -81,9 +76,17 @@ def test_the_checks_of_the_worked_walls(name):
         }
     )
     demand = DemandResult(
-        limit_state="SLV", ag=0.26 * G, soil_factor=1.2, pga=0.312 * G, intensity=None,
-        intensity_source=None, q_code=2.0, confidence_factor=1.35, zeta_target=1.0, target=TARGET,
-    )  # fmt: skip
+        limit_state="SLV",
+        ag=0.26 * G,
+        soil_factor=1.2,
+        pga=0.312 * G,
+        intensity=None,
+        intensity_source=None,
+        q_code=2.0,
+        confidence_factor=1.35,
+        zeta_target=1.0,
+        target=TARGET,
+    )
     found = kinematic(wall, "one_sided", demand, floor(z) if z else None)
     assert linear("linear_q_code", found, demand, 2.0).zeta == pytest.approx(zeta, abs=6e-5)
     assert found.period == pytest.approx(period, abs=6e-6)

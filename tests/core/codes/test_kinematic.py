@@ -22,8 +22,12 @@ def test_that_a_free_element_without_its_period_has_no_linear_check():
     assert found.missing == ("elastic_modulus_mpa",) and found.zeta_sld is None
     assert linear("linear_q_code", found, demand, 2.0) is None and sld(found, demand) is None
     assert nonlinear(found, demand).zeta == pytest.approx(0.9768, abs=5e-5)
-    bare = {"wall": [{"name": "w", "height_m": 7.0, "thickness_m": 0.83, "base_z_m": 0.0,
-                      "mechanism": "two_sided", **FREE}], "demand": {"ag_g": 0.26, "soil_factor": 1.2}}  # fmt: skip
+    bare = {
+        "wall": [
+            {"name": "w", "height_m": 7.0, "thickness_m": 0.83, "base_z_m": 0.0, "mechanism": "two_sided", **FREE}
+        ],
+        "demand": {"ag_g": 0.26, "soil_factor": 1.2},
+    }
     assert mechanism_of(parse_case(bare))[0].missing == ("spectrum",)
 
 
@@ -40,9 +44,7 @@ def test_that_the_check_at_sld_is_against_the_ground_or_the_spectrum_at_t_0():
 def test_that_slc_has_its_own_fraction_period_and_damping():
     found, _ = mechanism_of(case(HELD, {"limit_state": "SLC"}))
     assert found.d_limit == pytest.approx(0.6 * 0.415, rel=1e-12)
-    assert found.period == pytest.approx(
-        1.56 * math.pi * math.sqrt(0.249 / (0.4 * found.a0)), rel=1e-12
-    )
+    assert found.period == pytest.approx(1.56 * math.pi * math.sqrt(0.249 / (0.4 * found.a0)), rel=1e-12)
     eta = math.sqrt(10.0 / 15.0)
     by_hand = 0.312 * G * eta * 2.5 * 0.5 * 2.0 / (4.0 * math.pi**2)
     assert found.period > 2.0 and found.s_de == pytest.approx(by_hand, rel=1e-12)

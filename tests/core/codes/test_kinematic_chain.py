@@ -15,15 +15,7 @@ from core.study import run as study
 from core.study.demand_input import demand_of
 from core.units import G
 from tests.core.wall.test_wall_loads import ACROSS
-from tests.validation.test_loaded_walls import (
-    DEMAND,
-    PUSHING,
-    ROOF,
-    THRUST,
-    TIE,
-    WALL,
-    case_of,
-)
+from tests.validation.test_loaded_walls import DEMAND, PUSHING, ROOF, THRUST, TIE, WALL, case_of
 
 
 def across(**changes):
@@ -55,9 +47,7 @@ def test_that_friction_counts_in_alpha0_alone_and_at_its_least():
 
 def test_that_friction_takes_the_part_whose_a0_is_least_with_its_own_e_star():
     """a0* = alpha_0 g / (e* FC), both of the upper part of height h."""
-    wall = case_of(
-        {**PUSHING, "kn_m": 50.0}, return_walls={**ACROSS, "number": 4}, length_m=5.0
-    ).wall[0]
+    wall = case_of({**PUSHING, "kn_m": 50.0}, return_walls={**ACROSS, "number": 4}, length_m=5.0).wall[0]
     found = chain(wall, False)
     least = math.inf
     for h in np.linspace(0.01, 3.0, 3000):
@@ -95,9 +85,7 @@ def test_that_the_numbers_of_a_mechanism_are_of_one_body(loads):
     whole = kinematic(bare, "one_sided", demand_of(case, Path()))
     check = results(study.run(case, base_dir=Path()))["walls"][0]["kinematic_check"]
     for numbers, body in ((check, found), (check["without_friction"], whole)):
-        assert numbers["a0_star_g"] == pytest.approx(
-            numbers["alpha0"] / (numbers["e_star"] * 1.35), rel=1e-12
-        )
+        assert numbers["a0_star_g"] == pytest.approx(numbers["alpha0"] / (numbers["e_star"] * 1.35), rel=1e-12)
         assert numbers["a0_star_g"] == pytest.approx(body.a0 / G, rel=1e-12)
         assert numbers["m_star"] == pytest.approx(body.m_star, rel=1e-12)
     assert check["friction_height_m"] == part
@@ -107,8 +95,12 @@ def test_that_the_numbers_of_a_mechanism_are_of_one_body(loads):
 
 def test_that_the_friction_does_not_raise_what_the_histories_lead_to(tmp_path):
     """The histories know no friction: q_slv alpha_0 g over a_g S, alpha_0 without it."""
-    table = {"wall": [{**WALL, "return_walls": ACROSS, "length_m": 5.0}], "demand": DEMAND,
-             "generate": {"count": 3}, "analysis": {"q_step": 0.02}}  # fmt: skip
+    table = {
+        "wall": [{**WALL, "return_walls": ACROSS, "length_m": 5.0}],
+        "demand": DEMAND,
+        "generate": {"count": 3},
+        "analysis": {"q_step": 0.02},
+    }
     (wall,) = study.run(parse_case(table), base_dir=tmp_path).walls
     row = next(check for check in wall.assessment.checks if check.name == "linear_q_slv")
     assert wall.assessment.kinematic.alpha0 > 1.2 * wall.assessment.kinematic.chain.alpha0

@@ -4,20 +4,11 @@ import pytest
 
 from core.capacity.ida import multiplier_of
 from core.capacity.limit_states import LIMIT_FRACTION
-from core.codes.limits import (
-    MEAN_FROM,
-    MINIMUM_FROM,
-    check_return_period,
-    return_period,
-    set_rule,
-    set_value,
-)
+from core.codes.limits import MEAN_FROM, MINIMUM_FROM, check_return_period, return_period, set_rule, set_value
 from core.errors import InputError
 
 
-@pytest.mark.parametrize(
-    ("state", "years"), [("SLO", 30.11), ("SLD", 50.29), ("SLV", 474.56), ("SLC", 974.79)]
-)
+@pytest.mark.parametrize(("state", "years"), [("SLO", 30.11), ("SLD", 50.29), ("SLV", 474.56), ("SLC", 974.79)])
 def test_that_t_r_of_fifty_years_is_the_known_one(state, years):
     # NTC 2018 3.2.0: -50 / ln(1 - P_VR), P_VR 81, 63, 10, 5 %
     assert return_period(50.0, state) == pytest.approx(years, abs=0.005)
@@ -29,8 +20,7 @@ def test_that_the_limits_are_those_of_the_clauses():
 
 
 @pytest.mark.parametrize(
-    ("count", "rule"),
-    [(0, "too_few"), (2, "too_few"), (3, "minimum"), (6, "minimum"), (7, "mean"), (30, "mean")],
+    ("count", "rule"), [(0, "too_few"), (2, "too_few"), (3, "minimum"), (6, "minimum"), (7, "mean"), (30, "mean")]
 )
 def test_that_the_stations_decide_the_rule_of_a_set(count, rule):
     assert set_rule({f"station {k}" for k in range(count)}) == rule

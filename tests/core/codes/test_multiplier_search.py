@@ -107,12 +107,7 @@ def test_that_what_is_found_is_that_of_all_points_wherever_the_walk_starts(every
             return 0.8 * (1.0 + STEP) ** (every * (k - 100))
 
         first, middle = int(np.argmax(flags)), lowest(0.5)
-        rests = [
-            0.5 * multiplier(0),
-            multiplier(17),
-            multiplier(first - 1),
-            0.999 * multiplier(first),
-        ]
+        rests = [0.5 * multiplier(0), multiplier(17), multiplier(first - 1), 0.999 * multiplier(first)]
         found = [search_zeta(failures, rest, 0.8, every) for rest in rests]
         assert len(set(found)) == 1
         assert found[0].sixteen == pytest.approx(multiplier(lowest(0.16)), rel=1e-12)
@@ -140,6 +135,4 @@ def test_that_points_are_left_out_only_where_no_run_rocks():
 
 def test_that_the_search_begins_where_the_wall_begins_to_move_whatever_the_target():
     for target in (0.5, 1.0, 1.3, 1.9):
-        assert search_zeta(rule((0.55, math.inf))[0], 0.5, target).half == pytest.approx(
-            0.55, rel=1e-4
-        )
+        assert search_zeta(rule((0.55, math.inf))[0], 0.5, target).half == pytest.approx(0.55, rel=1e-4)

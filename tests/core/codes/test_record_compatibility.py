@@ -20,15 +20,7 @@ def case(**demand):
     spectrum = {"code": "EN1998", "soil": "B", "type": 1}
     return parse_case(
         {
-            "wall": [
-                {
-                    "name": "w",
-                    "height_m": 5.0,
-                    "thickness_m": 0.5,
-                    "base_z_m": 0.0,
-                    "mechanism": "two_sided",
-                }
-            ],
+            "wall": [{"name": "w", "height_m": 5.0, "thickness_m": 0.5, "base_z_m": 0.0, "mechanism": "two_sided"}],
             "generate": {"count": 7},
             "demand": {"ag_g": 0.26, "spectrum": spectrum, **demand},
         }
@@ -42,8 +34,12 @@ def test_that_a_generated_set_complies_and_half_of_it_does_not(tmp_path):
     found = compliance(motions, ["artificial"] * 7, demand)
     assert found.compatible
     assert {rule.name for rule in found.rules if rule.passed} >= {
-        "mean_lower", "records", "mean_pga", "strong_part", "duration",
-    }  # fmt: skip
+        "mean_lower",
+        "records",
+        "mean_pga",
+        "strong_part",
+        "duration",
+    }
     halved = [replace(motion, acceleration=0.5 * motion.acceleration) for motion in motions]
     wrong = compliance(halved, ["artificial"] * 7, demand)
     assert not wrong.compatible
@@ -99,10 +95,7 @@ def test_that_two_components_of_a_station_count_once(tmp_path):
 
 def test_that_scaling_to_pga_scales_the_spectra(tmp_path):
     plain, scaled = (demand_of(case(**more), tmp_path) for more in ({}, {"demand_scaling": "pga"}))
-    motions = [
-        replace(motion, acceleration=0.5 * motion.acceleration)
-        for motion in generated(case(), plain)
-    ]
+    motions = [replace(motion, acceleration=0.5 * motion.acceleration) for motion in generated(case(), plain)]
     assert scaled.scaling(motions[0]) == pytest.approx(2.0, rel=1e-6)
     assert compliance(motions, ["artificial"] * 7, scaled).compatible
     assert not compliance(motions, ["artificial"] * 7, plain).compatible
@@ -113,21 +106,13 @@ def test_that_natural_records_are_compared_up_to_the_longest_period_of_the_walls
     asked = case()
     demand = demand_of(asked, tmp_path)
     motions = generated(asked, demand)
-    for kind, longest, high in (
-        ("natural", 3.4, 3.4),
-        ("natural", 1.2, 2.0),
-        ("artificial", 3.4, 2.0),
-    ):
+    for kind, longest, high in (("natural", 3.4, 3.4), ("natural", 1.2, 2.0), ("artificial", 3.4, 2.0)):
         found = compliance(motions, [kind] * 7, demand, longest)
         assert found.period_range == (0.15, high)
         inside = (found.periods >= 0.15 - 1e-9) & (found.periods <= high + 1e-9)
         assert found.periods[inside][[0, -1]] == pytest.approx([0.15, high])
-        lower = next(
-            rule for rule in found.rules if rule.code == "NTC" and rule.name == "mean_lower"
-        )
-        assert lower.value == pytest.approx(
-            (found.mean / found.target - 1.0)[inside].min(), rel=1e-12
-        )
+        lower = next(rule for rule in found.rules if rule.code == "NTC" and rule.name == "mean_lower")
+        assert lower.value == pytest.approx((found.mean / found.target - 1.0)[inside].min(), rel=1e-12)
     chosen = demand_of(case(period_range_s=[0.3, 2.6]), tmp_path)
     assert compliance(motions, ["natural"] * 7, chosen, 3.4).period_range == (0.3, 2.6)
 
@@ -139,10 +124,8 @@ def test_that_a_range_beyond_the_spectrum_of_a_file_is_refused(tmp_path):
         "wall": [{"name": "w", "height_m": 3.0, "thickness_m": 0.4, "base_z_m": 0.0, "mechanism": "two_sided"}],
         "demand": {"ag_g": 0.26, "soil_factor": 1.2, "spectrum_file": "s.txt", "period_range_s": [0.15, 4.0]},
         "generate": {"count": 1},
-    }  # fmt: skip
-    with pytest.raises(
-        InputError, match=r"period_range_s goes to 4.00 s, but s.txt ends at 3.00 s"
-    ):
+    }
+    with pytest.raises(InputError, match=r"period_range_s goes to 4.00 s, but s.txt ends at 3.00 s"):
         study.run(parse_case(table), base_dir=tmp_path)
 
 

@@ -11,10 +11,18 @@ from core.errors import InputError
 from core.units import G
 
 DEMAND = DemandResult(
-    limit_state="SLV", ag=0.26 * G, soil_factor=1.2, pga=0.312 * G, intensity=None,
-    intensity_source=None, q_code=2.0, confidence_factor=1.35, zeta_target=1.0, target=None,
+    limit_state="SLV",
+    ag=0.26 * G,
+    soil_factor=1.2,
+    pga=0.312 * G,
+    intensity=None,
+    intensity_source=None,
+    q_code=2.0,
+    confidence_factor=1.35,
+    zeta_target=1.0,
+    target=None,
     return_period=475.0,
-)  # fmt: skip
+)
 
 
 def test_the_worked_return_periods():
@@ -37,9 +45,17 @@ def test_that_the_shorter_return_period_is_taken_on_either_side_of_one():
 
 @pytest.mark.parametrize(
     ("ag_g", "inverse"),
-    [(0.26, 0.49), (0.25, 0.49), (0.249, 0.43), (0.15, 0.43), (0.149, 0.356), (0.05, 0.356),
-     (0.049, 0.34), (0.0, 0.34)],
-)  # fmt: skip
+    [
+        (0.26, 0.49),
+        (0.25, 0.49),
+        (0.249, 0.43),
+        (0.15, 0.43),
+        (0.149, 0.356),
+        (0.05, 0.356),
+        (0.049, 0.34),
+        (0.0, 0.34),
+    ],
+)
 def test_that_the_exponent_goes_by_a_g(ag_g, inverse):
     assert exponent_by_ag(ag_g * G) == pytest.approx(1.0 / inverse, rel=1e-14)
 
@@ -53,10 +69,20 @@ def test_that_the_letter_is_of_the_lower_end_of_what_zeta_is_known_to_be():
 @pytest.mark.parametrize(
     "index, letter",
     [
-        (1.2, "A+"), (1.0001, "A+"), (1.0, "A"), (0.8, "A"), (0.7999, "B"), (0.6, "B"),
-        (0.5999, "C"), (0.45, "C"), (0.3, "D"), (0.15, "E"), (0.1499, "F"), (0.0, "F"),
+        (1.2, "A+"),
+        (1.0001, "A+"),
+        (1.0, "A"),
+        (0.8, "A"),
+        (0.7999, "B"),
+        (0.6, "B"),
+        (0.5999, "C"),
+        (0.45, "C"),
+        (0.3, "D"),
+        (0.15, "E"),
+        (0.1499, "F"),
+        (0.0, "F"),
     ],
-)  # fmt: skip
+)
 def test_the_letters(index, letter):
     assert letter_of(index) == letter
 

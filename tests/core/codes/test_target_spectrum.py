@@ -64,8 +64,7 @@ def test_that_the_grounds_of_en1998_are_those_of_its_tables(row):
 
 
 @pytest.mark.parametrize(
-    ("soil", "weak", "strong"),
-    [("A", 1.0, 1.0), ("B", 1.2, 1.0), ("C", 1.5, 1.0), ("D", 1.8, 0.9), ("E", 1.6, 1.0)],
+    ("soil", "weak", "strong"), [("A", 1.0, 1.0), ("B", 1.2, 1.0), ("C", 1.5, 1.0), ("D", 1.8, 0.9), ("E", 1.6, 1.0)]
 )
 def test_that_s_of_ntc2018_keeps_within_the_limits_of_its_table(soil, weak, strong):
     assert ts.ntc2018(0.01 * G, 2.5, 0.3, soil, "T1").soil == weak
@@ -164,9 +163,7 @@ def test_that_the_ground_moves_by_the_displacement_of_the_code():
 FILE = [(0.0, 3.0), (0.1, 7.0), (0.5, 7.0), (1.0, 3.5), (2.5, 1.0)]
 
 
-@pytest.mark.parametrize(
-    "span", [(0.0, 3.0), (0.2, 0.4), (0.6, 1.3), (1.0, 1.0), (1.2, 2.5), (2.6, 4.0)]
-)
+@pytest.mark.parametrize("span", [(0.0, 3.0), (0.2, 0.4), (0.6, 1.3), (1.0, 1.0), (1.2, 2.5), (2.6, 4.0)])
 def test_that_the_largest_displacement_is_that_of_a_fine_grid(span):
     """Also within a branch of a file, where T^2 (level + slope T) turns."""
     low, high = span
@@ -174,11 +171,7 @@ def test_that_the_largest_displacement_is_that_of_a_fine_grid(span):
     periods = np.concatenate([np.linspace(low, high, 100001), kinks])
     chance = np.random.default_rng(4)
     given = list(zip(np.linspace(0.05, 3.0, 60), chance.uniform(2.0, 9.0, 60), strict=True))
-    for target in (
-        ts.en1998(A_G, 1, "C"),
-        ts.given("f", 3.0, 1.0, FILE),
-        ts.given("g", 3.0, 1.0, given),
-    ):
+    for target in (ts.en1998(A_G, 1, "C"), ts.given("f", 3.0, 1.0, FILE), ts.given("g", 3.0, 1.0, given)):
         for damping in (0.05, 0.1):
             found = ts.largest_displacement(target, low, high, damping)
             largest = float(ts.displacement(target, periods, damping).max())
@@ -191,9 +184,7 @@ def test_that_below_the_first_period_of_a_file_the_line_goes_to_the_ground():
     assert target.acceleration([0.0, 0.05, 0.1]) == pytest.approx([3.6, 5.3, 7.0], rel=1e-13)
     eta = math.sqrt(10.0 / 15.0)
     half = 5.3 * (1.0 + (eta - 1.0) * 0.5)
-    assert target.acceleration([0.05, 0.1, 0.2], 0.10) == pytest.approx(
-        [half, 7.0 * eta, 7.0 * eta], rel=1e-13
-    )
+    assert target.acceleration([0.05, 0.1, 0.2], 0.10) == pytest.approx([half, 7.0 * eta, 7.0 * eta], rel=1e-13)
     assert target.acceleration([1.0], 0.30)[0] == pytest.approx(0.55 * 3.5, rel=1e-13)
 
 
@@ -255,9 +246,7 @@ def test_that_a_wrong_file_of_a_spectrum_is_refused(rows, words):
         ts.given("f", 3.0, 1.0, rows)
 
 
-@pytest.mark.parametrize(
-    "head", ["T[ms] Se[g]", "T (s); Se (m/s2)", "period [s] Se [cm/s2]", "f [Hz] Se"]
-)
+@pytest.mark.parametrize("head", ["T[ms] Se[g]", "T (s); Se (m/s2)", "period [s] Se [cm/s2]", "f [Hz] Se"])
 def test_that_a_spectrum_file_headed_by_other_units_is_refused(tmp_path, head):
     (tmp_path / "s.txt").write_text(f"{head}\n0 0.2\n0.5 0.5\n2 0.1\n4 0.05\n")
     with pytest.raises(InputError, match="the head names"):

@@ -10,11 +10,7 @@ from core.ground.response_spectrum import displacement_spectrum, pseudo_accelera
 from core.units import G
 
 PERIODS = np.arange(0.1, 2.501, 0.02)
-TARGETS = [
-    ts.en1998(0.26 * G, 1, "B"),
-    ts.en1998(0.10 * G, 2, "D"),
-    ts.ntc2018(0.26 * G, 2.4, 0.35, "C", "T1"),
-]
+TARGETS = [ts.en1998(0.26 * G, 1, "B"), ts.en1998(0.10 * G, 2, "D"), ts.ntc2018(0.26 * G, 2.4, 0.35, "C", "T1")]
 
 
 @pytest.mark.parametrize("target", TARGETS, ids=lambda target: target.name)

@@ -66,7 +66,7 @@ def test_that_a_dialect_cut_at_any_byte_is_refused_or_gives_the_same_samples(nam
         ("CSMIP V2", ["1: 360 Deg", "2: Up", "3: 90 Deg"], "2: Up"),
         ("zip of ESM", sorted(k for k in dialects.ESM_ZIP if ".ACC." in k), "IT.AMT..HGZ.D.EMSC-1.ACC.MP.ASC"),
     ],
-)  # fmt: skip
+)
 def test_that_a_file_of_several_channels_asks_which(tmp_path, name, names, vertical):
     path = tmp_path / "several.v2"
     path.write_bytes(DIALECTS[name][0])
@@ -127,7 +127,7 @@ def test_that_processed_horizontals_of_a_zip_come_first_and_what_is_converted_on
         (dialects.workbook(sheets=("a", "b")), 'give channel.*"a", "b"'),
         (dialects.workbook(heads=("T [s]", "Sa [g]")), "this is"),
     ],
-)  # fmt: skip
+)
 def test_that_what_lies_or_is_damaged_is_refused_in_one_sentence(content, word):
     given = {"channel": "1"} if content[:9] in (b"Corrected", b"Uncorrect", b"#Earthqua") else {}
     if b"v01.20" in content[:90]:
@@ -140,8 +140,12 @@ def test_that_what_lies_or_is_damaged_is_refused_in_one_sentence(content, word):
 def test_that_a_slip_of_the_unit_is_warned_of_or_refused(shelf, index):
     """Each acceleration of the shelf, read with its unit off by 9.81, 981 and 1000: refused where the file states its
     own, else warned of."""
-    slips = {"g": ("m/s2", "cm/s2", "mm/s2"), "m/s2": ("g", "cm/s2", "mm/s2"), "cm/s2": ("g", "m/s2", "mm/s2"),
-             "mm/s2": ("g", "m/s2", "cm/s2")}  # fmt: skip
+    slips = {
+        "g": ("m/s2", "cm/s2", "mm/s2"),
+        "m/s2": ("g", "cm/s2", "mm/s2"),
+        "cm/s2": ("g", "m/s2", "mm/s2"),
+        "mm/s2": ("g", "m/s2", "cm/s2"),
+    }
     tried = caught = 0
     for file, row in index.items():
         if not row["pga_g"] or file.startswith("SAC"):
@@ -150,8 +154,14 @@ def test_that_a_slip_of_the_unit_is_warned_of_or_refused(shelf, index):
         if "CHAN24" in file:
             given = {}
         given.pop("unit", None)
-        for wrong in slips[row["units_in_file"].replace("^", "").replace("sec", "s").split("(")[0].split()[0]
-                           .replace("counts", "cm/s2")]:  # fmt: skip
+        for wrong in slips[
+            row["units_in_file"]
+            .replace("^", "")
+            .replace("sec", "s")
+            .split("(")[0]
+            .split()[0]
+            .replace("counts", "cm/s2")
+        ]:
             tried += 1
             try:
                 found = records.read(shelf / file, Options(unit=wrong, **given))
@@ -165,11 +175,16 @@ def test_that_a_slip_of_the_unit_is_warned_of_or_refused(shelf, index):
 @pytest.mark.parametrize(
     ("name", "event", "station"),
     [
-        ("K-NET", "2018/01/24", "AOM001"), ("CWA", "2018/02/06", "EGF"), ("GeoNet V2A", "2016 November 13", "HSES"),
-        ("SMC, 8 fields", "Loma Prieta", "San Francisco"), ("CSMIP V2", "COALINGA", "58667"),
-        ("COSMOS", "Los Angeles", "01-23075"), ("ITACA before 2014", "EMSC-1", "IT AMT"), ("PEER", "EVENT", "STATION"),
+        ("K-NET", "2018/01/24", "AOM001"),
+        ("CWA", "2018/02/06", "EGF"),
+        ("GeoNet V2A", "2016 November 13", "HSES"),
+        ("SMC, 8 fields", "Loma Prieta", "San Francisco"),
+        ("CSMIP V2", "COALINGA", "58667"),
+        ("COSMOS", "Los Angeles", "01-23075"),
+        ("ITACA before 2014", "EMSC-1", "IT AMT"),
+        ("PEER", "EVENT", "STATION"),
     ],
-)  # fmt: skip
+)
 def test_that_event_and_station_are_kept(name, event, station):
     content, given = DIALECTS[name]
     where = provenance(read(content, **given))
@@ -185,9 +200,14 @@ def test_that_channels_are_for_files_that_have_them():
 
 @pytest.mark.parametrize(
     ("direction", "codes"),
-    [("U-D", {"unprocessed", "vertical"}), ("1", {"unprocessed", "borehole"}), ("4", {"unprocessed"}),
-     ("6", {"unprocessed", "vertical"}), ("N-S", {"unprocessed"})],
-)  # fmt: skip
+    [
+        ("U-D", {"unprocessed", "vertical"}),
+        ("1", {"unprocessed", "borehole"}),
+        ("4", {"unprocessed"}),
+        ("6", {"unprocessed", "vertical"}),
+        ("N-S", {"unprocessed"}),
+    ],
+)
 def test_that_verticals_and_boreholes_of_japan_are_named(direction, codes):
     assert {w.code for w in read(dialects.knet(direction=direction)).warnings} == codes
 
@@ -224,9 +244,7 @@ def test_that_an_empty_column_keeps_its_place(mark):
             read(content, unit="m/s2", **wrong)
     spare = lines(mark, TIMES, NONE, FIRST)
     assert np.array_equal(read(spare, unit="m/s2").acceleration, A)
-    velocity = lines(
-        mark, TIMES, NONE, FIRST, SECOND, head=("t [s]", "", "acc [m/s2]", "vel [cm/s]")
-    )
+    velocity = lines(mark, TIMES, NONE, FIRST, SECOND, head=("t [s]", "", "acc [m/s2]", "vel [cm/s]"))
     with pytest.raises(RecordError, match="this is"):
         read(velocity, column=4)
     gap = FIRST[:9] + [""] + FIRST[10:]
@@ -264,11 +282,7 @@ SAMPLES = [["t [s]", "a [m/s2]"], *([round(k * STEP, 2), float(a)] for k, a in e
 
 def notes(content: bytes, **given) -> list[str]:
     """Words of the warnings of a record, but for those on its samples."""
-    return [
-        w.text()
-        for w in read(content, **given).warnings
-        if w.code not in ("ends_moving", "unit_as_given")
-    ]
+    return [w.text() for w in read(content, **given).warnings if w.code not in ("ends_moving", "unit_as_given")]
 
 
 @pytest.mark.parametrize("writer", WRITERS.values(), ids=WRITERS)
@@ -294,9 +308,7 @@ def test_that_a_sheet_refuses_formulas_without_value_and_merged_samples_by_name(
 @pytest.mark.parametrize("writer", WRITERS.values(), ids=WRITERS)
 def test_that_hidden_samples_and_formulas_of_a_sheet_are_read_and_said(writer):
     assert notes(written_by(writer, SAMPLES)) == []
-    hidden = written_by(
-        writer, SAMPLES, hidden_rows=(5, 6), hidden_columns=(2,), others=[("Grezzi", [[1]])]
-    )
+    hidden = written_by(writer, SAMPLES, hidden_rows=(5, 6), hidden_columns=(2,), others=[("Grezzi", [[1]])])
     assert np.array_equal(read(hidden).acceleration, MOTION)
     assert notes(hidden) == [
         "Hidden rows of the sheet were read like the others: 5, 6. Do they belong to the record?",
@@ -305,9 +317,7 @@ def test_that_hidden_samples_and_formulas_of_a_sheet_are_read_and_said(writer):
     ]
     formulas = [*SAMPLES[:40], [SAMPLES[40][0], Formula("1", SAMPLES[40][1])]]
     assert np.array_equal(read(written_by(writer, formulas)).acceleration, MOTION)
-    assert notes(written_by(writer, formulas)) == [
-        "Formulas of the sheet were read by the values last computed: B41."
-    ]
+    assert notes(written_by(writer, formulas)) == ["Formulas of the sheet were read by the values last computed: B41."]
 
 
 def test_that_a_sheet_beyond_its_limits_is_refused_and_never_cut():
@@ -329,19 +339,13 @@ def test_that_a_number_is_that_of_the_channel_where_the_file_numbers_them():
     content = dialects.volume2()
     first = content.index(b"/&  ----------  End of data for channel  1")
     rest = content[content.index(b"\n", first) + 1 :]
-    assert (
-        read(rest, channel="2").channel == "2: Up"
-        and read(rest, channel="3").channel == "3: 90 Deg"
-    )
+    assert read(rest, channel="2").channel == "2: Up" and read(rest, channel="3").channel == "3: 90 Deg"
     with pytest.raises(RecordError, match="no channel"):
         read(rest, channel="1")
 
 
 def test_that_every_name_that_is_offered_reads_also_within_zips(tmp_path):
-    one, two = (
-        {"a.V2": dialects.volume2()},
-        {"a.V2": dialects.volume2(), "b/b.V2": dialects.volume2()},
-    )
+    one, two = ({"a.V2": dialects.volume2()}, {"a.V2": dialects.volume2(), "b/b.V2": dialects.volume2()})
     for members, count in ((one, 3), (two, 6), (dialects.ESM_ZIP, 4)):
         path = tmp_path / "x.zip"
         path.write_bytes(dialects.zipped(**members))
@@ -359,7 +363,7 @@ def test_that_every_name_that_is_offered_reads_also_within_zips(tmp_path):
         (dialects.volume2(), b"accel data equally spaced at  .010 sec", b"accel data equally spaced at  .020 sec"),
         (dialects.geonet(False), b"Duration 0.40 s", b"Duration 9.00 s"),
     ],
-)  # fmt: skip
+)
 def test_that_a_data_line_that_contradicts_its_head_is_refused(content, old, new):
     assert old in content
     with pytest.raises(RecordError):
@@ -371,9 +375,7 @@ def test_that_all_channels_of_a_file_are_of_one_station(shelf):
         path = shelf / "COSMOS_CSMIP" / file
         found = [records.read(path, Options(channel=name)) for name in records.channels(path)]
         assert len(found) == 3 and len(stations(found)) == 1, file
-    pair = {
-        name: dialects.peer().replace(b"90", name[:3].encode()) for name in ("090.AT2", "180.AT2")
-    }
+    pair = {name: dialects.peer().replace(b"90", name[:3].encode()) for name in ("090.AT2", "180.AT2")}
     content = dialects.zipped(**pair)
     assert len(stations([read(content, channel=k) for k in ("1", "2")])) == 1
 

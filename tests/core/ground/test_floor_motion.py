@@ -68,8 +68,7 @@ def test_that_a_three_storey_shear_building_is_that_of_direct_integration(ground
     for storey in range(3):
         output = np.concatenate([-scale * stiffness[storey], -damping[storey]])[None, :]
         modes = [
-            Mode(2.0 * math.pi / omega, 0.08, part)
-            for omega, part in zip(omegas, participations[storey], strict=True)
+            Mode(2.0 * math.pi / omega, 0.08, part) for omega, part in zip(omegas, participations[storey], strict=True)
         ]
         floor, dt = floor_acceleration(ground, DT, modes)
         times = dt * np.arange(floor.size)
@@ -83,9 +82,15 @@ def test_that_a_three_storey_shear_building_is_that_of_direct_integration(ground
 @pytest.mark.parametrize("dt", [0.005, 0.01, 0.02])
 @pytest.mark.parametrize(
     "modes",
-    [[(0.39, 1.0)], [(0.2, 1.2)], [(0.1, 0.8)], [(0.05, 1.0)], [(0.02, 1.0)],
-     [(0.3, 1.22), (0.1, -0.28), (0.06, 0.06)]],
-)  # fmt: skip
+    [
+        [(0.39, 1.0)],
+        [(0.2, 1.2)],
+        [(0.1, 0.8)],
+        [(0.05, 1.0)],
+        [(0.02, 1.0)],
+        [(0.3, 1.22), (0.1, -0.28), (0.06, 0.06)],
+    ],
+)
 def test_that_a_floor_motion_is_linear_between_its_samples_within_a_thousandth(dt, modes):
     """Against samples 16 times as close, exact for a ground linear between samples: sharp noise of five seconds."""
     rng = np.random.default_rng(7)
@@ -94,14 +99,10 @@ def test_that_a_floor_motion_is_linear_between_its_samples_within_a_thousandth(d
     floor, step = floor_acceleration(ground, dt, modes)
     parts = round(dt / step)
     finer = 16 * parts
-    moving = np.interp(
-        np.arange((ground.size - 1) * finer + 1) / finer, np.arange(ground.size), ground
-    )
+    moving = np.interp(np.arange((ground.size - 1) * finer + 1) / finer, np.arange(ground.size), ground)
     exact = (1.0 - sum(mode.participation for mode in modes)) * moving
     for mode in modes:
-        exact += mode.participation * modal_acceleration(
-            moving, dt / finer, mode.period, mode.damping
-        )
+        exact += mode.participation * modal_acceleration(moving, dt / finer, mode.period, mode.damping)
     known = np.arange(min(floor.size, (ground.size - 1) * parts + 1))
     drawn = np.interp(np.arange(exact.size) / 16.0, known, floor[: known.size])
     assert np.abs(drawn - exact).max() <= 1e-3 * np.abs(exact).max()

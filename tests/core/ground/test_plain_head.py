@@ -23,10 +23,19 @@ def read(tmp_path):
 
 @pytest.mark.parametrize(
     "head",
-    ["# dt=0.005", "# DT 0.005", "Time step: 0.005 s", "Time step (ms) = 5", "dt = 5 ms",
-     "passo di campionamento 0,005 s", "Sampling rate: 200 Hz", "sampling frequency (Hz): 200 Hz",
-     "frequenza di campionamento 200 Hz", "# sampled at a sample rate of 200 sps"],
-)  # fmt: skip
+    [
+        "# dt=0.005",
+        "# DT 0.005",
+        "Time step: 0.005 s",
+        "Time step (ms) = 5",
+        "dt = 5 ms",
+        "passo di campionamento 0,005 s",
+        "Sampling rate: 200 Hz",
+        "sampling frequency (Hz): 200 Hz",
+        "frequenza di campionamento 200 Hz",
+        "# sampled at a sample rate of 200 sps",
+    ],
+)
 def test_that_a_time_step_stated_in_words_is_used_and_not_contradicted(read, head):
     text = f"{head}\n{column()}\n"
     assert read(text, unit="g").time_step == pytest.approx(0.005, rel=1e-12)
@@ -34,20 +43,13 @@ def test_that_a_time_step_stated_in_words_is_used_and_not_contradicted(read, hea
         read(text, unit="g", time_step=0.01)
 
 
-@pytest.mark.parametrize(
-    "head", ["Sampling instrument SMA-1, 200 m away", "Time  Acc (g)", "station dt01"]
-)
-def test_that_other_words_state_no_time_step(head):  # fmt: skip
+@pytest.mark.parametrize("head", ["Sampling instrument SMA-1, 200 m away", "Time  Acc (g)", "station dt01"])
+def test_that_other_words_state_no_time_step(head):
     assert plain_head.time_steps(plain_head.head_of(head)) == []
 
 
 def test_that_a_declared_count_must_agree(read):
-    for head in (
-        "NPTS 40",
-        "# number of points: 40",
-        "No. of samples = 40",
-        "numero di campioni: 40",
-    ):
+    for head in ("NPTS 40", "# number of points: 40", "No. of samples = 40", "numero di campioni: 40"):
         assert read(f"{head}\n{two()}", unit="g").acceleration.size == 40
         other = head.replace("40", "80")
         with pytest.raises(RecordError, match="40 samples, but the header declares 80"):
@@ -66,10 +68,15 @@ def test_that_a_time_column_in_milliseconds_or_minutes_is_taken_as_such(read):
 
 @pytest.mark.parametrize(
     ("head", "unit"),
-    [("Time (s) Acc (ft/s2)", "ft/s2"), ("Time (s) Acc (mg)", "mg"), ("t [s]  a [%g]", "%g"),
-     ("units: counts", "counts"),
-     ("# raw counts", "raw counts"), ("t  a [counts]", "counts")],
-)  # fmt: skip
+    [
+        ("Time (s) Acc (ft/s2)", "ft/s2"),
+        ("Time (s) Acc (mg)", "mg"),
+        ("t [s]  a [%g]", "%g"),
+        ("units: counts", "counts"),
+        ("# raw counts", "raw counts"),
+        ("t  a [counts]", "counts"),
+    ],
+)
 def test_that_a_unit_no_option_names_is_refused_whatever_is_given(read, head, unit):
     for given in ({}, {"unit": "cm/s2"}):
         with pytest.raises(RecordError, match=f"the file is in {unit}: convert it"):
@@ -85,12 +92,8 @@ def test_that_pairs_side_by_side_are_not_read_as_one_in_two_samples(read):
 
 
 def test_that_tables_with_a_time_of_each_channel_are_read(read):
-    text = "".join(
-        f"{0.01 * k:.2f} {a:.5f} {0.01 * k:.2f} {a / 2:.5f}\n" for k, a in enumerate(MOTION)
-    )
-    assert read(text, unit="g", column=4).pga == pytest.approx(
-        read(two(), unit="g").pga / 2, rel=1e-4
-    )
+    text = "".join(f"{0.01 * k:.2f} {a:.5f} {0.01 * k:.2f} {a / 2:.5f}\n" for k, a in enumerate(MOTION))
+    assert read(text, unit="g", column=4).pga == pytest.approx(read(two(), unit="g").pga / 2, rel=1e-4)
 
 
 def test_that_a_count_on_the_second_line_is_no_sample(read):
@@ -99,12 +102,14 @@ def test_that_a_count_on_the_second_line_is_no_sample(read):
 
 
 def test_that_a_vertical_column_or_file_is_named(read):
-    table = "Time (s),EW (g),UD (g)\n" + "".join(
-        f"{0.01 * k:.2f},{a:.5f},{a:.5f}\n" for k, a in enumerate(MOTION)
-    )
+    table = "Time (s),EW (g),UD (g)\n" + "".join(f"{0.01 * k:.2f},{a:.5f},{a:.5f}\n" for k, a in enumerate(MOTION))
     alone = f"# Component: UP\n{two()}"
-    for text, given, said in ((table, {"column": 3}, True), (table, {"column": 2}, False), (alone, {"unit": "g"}, True),
-                              (f"# Component: N21E\n{two()}", {"unit": "g"}, False)):  # fmt: skip
+    for text, given, said in (
+        (table, {"column": 3}, True),
+        (table, {"column": 2}, False),
+        (alone, {"unit": "g"}, True),
+        (f"# Component: N21E\n{two()}", {"unit": "g"}, False),
+    ):
         codes = [warning.code for warning in read(text, **given).warnings]
         assert ("vertical" in codes) == said
 
@@ -122,11 +127,19 @@ def test_that_fields_in_double_quotes_are_read_and_a_cut_one_is_not(read):
 
 @pytest.mark.parametrize(
     ("head", "unit"),
-    [("Time s,Acc m/s2", "m/s2"), ("Time_s,Acc_cm/s2", "cm/s2"), ("time;acc_cm_s2", "cm/s2"),
-     ("time;acc [m s-2]", "m/s2"), ("t  a m·s⁻²", "m/s2"), ("acceleration, mm/s²", "mm/s2"),
-     ("values in m/s^2", "m/s2"), ("Acc. gal", "cm/s2"),
-     ("Time,Acc\ns,g", "g"), ("Time;Acc\ns;m/s2", "m/s2")],
-)  # fmt: skip
+    [
+        ("Time s,Acc m/s2", "m/s2"),
+        ("Time_s,Acc_cm/s2", "cm/s2"),
+        ("time;acc_cm_s2", "cm/s2"),
+        ("time;acc [m s-2]", "m/s2"),
+        ("t  a m·s⁻²", "m/s2"),
+        ("acceleration, mm/s²", "mm/s2"),
+        ("values in m/s^2", "m/s2"),
+        ("Acc. gal", "cm/s2"),
+        ("Time,Acc\ns,g", "g"),
+        ("Time;Acc\ns;m/s2", "m/s2"),
+    ],
+)
 def test_that_a_unit_in_words_is_that_of_the_samples(read, head, unit):
     other = "g" if unit != "g" else "cm/s2"
     assert read(f"{head}\n{two()}").unit == unit
@@ -134,9 +147,7 @@ def test_that_a_unit_in_words_is_that_of_the_samples(read, head, unit):
         read(f"{head}\n{two()}", unit=other)
 
 
-@pytest.mark.parametrize(
-    "head", ["g = 9.81 m/s2", "PGA 3.2 m/s2", "peak acceleration, cm/s2: 310", "Galileo station"]
-)
+@pytest.mark.parametrize("head", ["g = 9.81 m/s2", "PGA 3.2 m/s2", "peak acceleration, cm/s2: 310", "Galileo station"])
 def test_that_the_unit_of_a_value_is_not_taken(read, head):
     with pytest.raises(RecordError, match="does not state its unit"):
         read(f"{head}\n{two()}")
@@ -149,9 +160,5 @@ def test_that_a_head_of_blanks_takes_linear_time(word):
     head = "\n".join([(word + " " * 19_000) + "x"] * 20)
     lines = plain_head.head_of(head)
     plain_head.seconds_of_time(head), plain_head.vertical(head, 2, 2)
-    stated = [
-        plain_head.time_steps(lines),
-        *plain_head.counts(lines, 40),
-        *plain_head.factors(lines),
-    ]
+    stated = [plain_head.time_steps(lines), *plain_head.counts(lines, 40), *plain_head.factors(lines)]
     assert not any(stated) and stated_unit(head) is None

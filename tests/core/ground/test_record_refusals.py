@@ -20,10 +20,7 @@ def test_that_what_is_no_acceleration_is_refused(shelf):
         ("SAC_MSEED/20190706031952.CJ.T001230.HNE.sac", "binary"),
         ("SAC_MSEED/TA.M04C..HNE_20140824.mseed", "binary"),
         ("SMC/A-CAT090.AT2.smc", "give unit"),
-        (
-            "GEONET/20180212_211557_WPWS_20.V2A",
-            '3 channels here, give channel: "S16W", "S74E", "Up" \\(vertical\\)',
-        ),
+        ("GEONET/20180212_211557_WPWS_20.V2A", '3 channels here, give channel: "S16W", "S74E", "Up" \\(vertical\\)'),
         ("COSMOS_CSMIP/imperialvalley79_ce01336p_CHAN24_FF270.V3", "spectra"),
     ):
         with pytest.raises(RecordError, match=word):
@@ -113,12 +110,17 @@ def test_that_gaps_inside_a_record_are_refused_and_nan_tails_dropped(write):
 
 
 CUT = {
-    "PEER_AT2/ARL360.at2": {}, "PEER_AT2/IELC180.AT2": {}, "PEER_AT2/elCentro_variant_noheader4.AT2": {},
-    "PEER_AT2/AND270.AT2": {"unit": "g"}, "SIGMA_ITACA_acc/16839_H1.cor.acc": {},
+    "PEER_AT2/ARL360.at2": {},
+    "PEER_AT2/IELC180.AT2": {},
+    "PEER_AT2/elCentro_variant_noheader4.AT2": {},
+    "PEER_AT2/AND270.AT2": {"unit": "g"},
+    "SIGMA_ITACA_acc/16839_H1.cor.acc": {},
     "plain_txt/RSN175_IMPVALL.H_H-E12140_ASCE7_Matched_1col.txt": {},
-    "plain_txt/Hollister.dat": {"unit": "m/s2"}, "plain_txt/OpenSees_Northridge.dat": {},
-    "plain_txt/eqsig_test_motion_dt0p01.txt": {"unit": "m/s2"}, "plain_txt/P695_SortedEQFile_121221.txt": {"unit": "g"},
-}  # fmt: skip
+    "plain_txt/Hollister.dat": {"unit": "m/s2"},
+    "plain_txt/OpenSees_Northridge.dat": {},
+    "plain_txt/eqsig_test_motion_dt0p01.txt": {"unit": "m/s2"},
+    "plain_txt/P695_SortedEQFile_121221.txt": {"unit": "g"},
+}
 COUNTED = ("PEER_AT2", "SIGMA", "plain_txt/eqsig")
 
 
@@ -129,9 +131,7 @@ def test_that_a_file_cut_at_any_byte_of_its_end_gives_no_other_sample(shelf, fil
     whole = records._motion(content, shelf / file, options, 1.0, "x").acceleration
     for missing in range(1, 90):
         try:
-            found = records._motion(
-                content[:-missing], shelf / file, options, 1.0, "x"
-            ).acceleration
+            found = records._motion(content[:-missing], shelf / file, options, 1.0, "x").acceleration
         except RecordError:
             continue
         assert np.array_equal(found, whole[: found.size]), missing
@@ -141,10 +141,14 @@ def test_that_a_file_cut_at_any_byte_of_its_end_gives_no_other_sample(shelf, fil
 @pytest.mark.parametrize(
     "text, last",
     [
-        ("1.822073E-03", "1.822073E-0"), ("-.1822073E-03", "-.1822073E-"), ("0.01234", "0.0123"),
-        ("12.5", "12."), ("1.5e-05", "1.5e-0"), ("0.0123", "0.01"),
+        ("1.822073E-03", "1.822073E-0"),
+        ("-.1822073E-03", "-.1822073E-"),
+        ("0.01234", "0.0123"),
+        ("12.5", "12."),
+        ("1.5e-05", "1.5e-0"),
+        ("0.0123", "0.01"),
     ],
-)  # fmt: skip
+)
 @pytest.mark.parametrize("end", ["", "\n"])
 def test_that_a_last_number_shorter_than_those_above_is_refused(write, text, last, end):
     content = "\n".join([text] * 30)
@@ -200,14 +204,7 @@ def test_that_two_units_or_another_quantity_are_refused_whatever_is_given(write,
 
 @pytest.mark.parametrize(
     "head",
-    [
-        "PGA 0.013 (g)",
-        "PGA (g): 0.9",
-        "PGA [g]: 0.31",
-        "PGA (g) 0.31",
-        "Max acc (g): 0.3",
-        "gravity 9.81 (m/s2)",
-    ],
+    ["PGA 0.013 (g)", "PGA (g): 0.9", "PGA [g]: 0.31", "PGA (g) 0.31", "Max acc (g): 0.3", "gravity 9.81 (m/s2)"],
 )
 def test_that_the_unit_of_one_value_is_not_that_of_the_samples(write, head):
     with pytest.raises(RecordError, match="give unit"):
@@ -216,11 +213,7 @@ def test_that_the_unit_of_one_value_is_not_that_of_the_samples(write, head):
 
 def test_that_a_column_of_another_quantity_is_refused(write):
     rows = "\n".join(f"{0.01 * k:.2f} {a:.5f} {3 * a:.5f}" for k, a in enumerate(MOTION)) + "\n"
-    for head in (
-        "Time[s] Acc[g] Vel[cm/s]\n",
-        "Time[s];Acc[g];Vel[cm/s]\n",
-        "t  acc  displacement\n",
-    ):
+    for head in ("Time[s] Acc[g] Vel[cm/s]\n", "Time[s];Acc[g];Vel[cm/s]\n", "t  acc  displacement\n"):
         content = head + (rows.replace(" ", ";") if ";" in head else rows)
         assert records.read(write(content), Options("g", column=2)).pga < 20.0
         with pytest.raises(RecordError, match=r"vel|displacement|cm/s"):
@@ -267,19 +260,29 @@ def test_that_a_record_without_count_that_ends_moving_is_warned_of(write):
 
 @pytest.mark.parametrize(
     "line",
-    ["1" * 4000 + " nan", "*" * 4000, "1.5" * 2000, "1 " * 2000 + "x", "1.5e" * 2000, "-" * 4000,
-     "(" * 4000, "[g" * 2000, "9" * 4000 + " (g", "units " * 1000, "1,2" * 1500 + "x", " " * 4000 + "x",
-     "unit" + " " * 8000 + "x", "(cm/s" + " " * 20000, "units of" + " " * 20000, "npts=1" + " " * 20000, "vel" * 5000],
-)  # fmt: skip
+    [
+        "1" * 4000 + " nan",
+        "*" * 4000,
+        "1.5" * 2000,
+        "1 " * 2000 + "x",
+        "1.5e" * 2000,
+        "-" * 4000,
+        "(" * 4000,
+        "[g" * 2000,
+        "9" * 4000 + " (g",
+        "units " * 1000,
+        "1,2" * 1500 + "x",
+        " " * 4000 + "x",
+        "unit" + " " * 8000 + "x",
+        "(cm/s" + " " * 20000,
+        "units of" + " " * 20000,
+        "npts=1" + " " * 20000,
+        "vel" * 5000,
+    ],
+)
 def test_that_no_line_takes_more_than_linear_time(write, line):
     """Twice the line, about twice the steps: a backtracking grammar would need minutes at this length."""
-    for content in (
-        line,
-        f"{line}\n{two()}",
-        f"{two()}{line}\n",
-        "\r" * 4000 + line,
-        f"#{line}\n{two()}",
-    ):
+    for content in (line, f"{line}\n{two()}", f"{two()}{line}\n", "\r" * 4000 + line, f"#{line}\n{two()}"):
         for options in (Options("g"), Options("g", 0.01)):
             try:
                 records.read(write(content), options)
@@ -308,9 +311,7 @@ def test_that_an_esm_header_that_contradicts_itself_is_refused(write):
             records.read(write(content))
 
 
-@pytest.mark.parametrize(
-    "text", ["", "abc", "1.2.3", "1e", "nan", "-inf", "1_000", "0x10", "1,5", "D", "1.0E+999"]
-)
+@pytest.mark.parametrize("text", ["", "abc", "1.2.3", "1e", "nan", "-inf", "1_000", "0x10", "1,5", "D", "1.0E+999"])
 def test_that_a_text_that_is_no_number_is_a_record_error(text):
     """Whatever Python itself would take for a number, or refuse with an error of its own."""
     with pytest.raises(RecordError):

@@ -9,16 +9,7 @@ from core.ground.records.grammar import Options
 from core.units import CM, G
 from tests.core.ground.record_texts import MOTION, column, peer, two
 
-READ = (
-    "PEER_AT2",
-    "ESM_ASCII",
-    "SIGMA_ITACA_acc",
-    "plain_txt",
-    "COSMOS_CSMIP",
-    "KNET_KIKNET",
-    "SMC",
-    "GEONET",
-)
+READ = ("PEER_AT2", "ESM_ASCII", "SIGMA_ITACA_acc", "plain_txt", "COSMOS_CSMIP", "KNET_KIKNET", "SMC", "GEONET")
 
 ASKED = {
     "PEER_AT2/AND270.AT2": {"unit": "g"},
@@ -203,9 +194,7 @@ def test_that_an_offset_of_the_baseline_is_warned_of(tmp_path):
     samples -= samples.mean()
     for offset, codes in ((0.0, []), (0.1, ["offset"])):
         path = tmp_path / f"{offset}.txt"
-        path.write_text(
-            "\n".join(f"{0.01 * k:.2f} {u + offset:.6f}" for k, u in enumerate(samples))
-        )
+        path.write_text("\n".join(f"{0.01 * k:.2f} {u + offset:.6f}" for k, u in enumerate(samples)))
         motion = records.read(path, Options("m/s2"))
         assert [w.code for w in motion.warnings if w.code in ("offset",)] == codes
 

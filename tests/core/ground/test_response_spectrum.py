@@ -48,9 +48,7 @@ def test_that_zero_padding_changes_no_spectrum(reference):
     padded = response_spectrum.displacement_spectrum(behind, 0.01, periods, 0.05, 0)
     assert np.all(padded <= bare * (1 + 1e-12))
     assert np.allclose(padded, bare, rtol=3e-3)
-    assert np.array_equal(
-        response_spectrum.displacement_spectrum(before, 0.01, periods, 0.05, 0), bare
-    )
+    assert np.array_equal(response_spectrum.displacement_spectrum(before, 0.01, periods, 0.05, 0), bare)
 
 
 def test_that_spectra_and_arias_agree_with_scipy(reference):
@@ -66,9 +64,7 @@ def test_that_spectra_and_arias_agree_with_scipy(reference):
         ours = response_spectrum.displacement_spectrum(ground, 0.01, np.array([period]), 0.05, 0)[0]
         # the free motion after the record counts in ours
         assert ours == pytest.approx(np.abs(response).max(), rel=1e-9)
-    assert motion(ground).arias == pytest.approx(
-        math.pi / (2 * G) * np.trapezoid(ground**2, dx=0.01), rel=1e-12
-    )
+    assert motion(ground).arias == pytest.approx(math.pi / (2 * G) * np.trapezoid(ground**2, dx=0.01), rel=1e-12)
 
 
 @pytest.mark.parametrize(

@@ -23,8 +23,12 @@ def noise(n=2000, peak=0.3, seed=5):
 def peer(values, digits=7) -> str:
     fields = [f"{value:15.{digits}E}" for value in values]
     rows = ["".join(fields[k : k + 5]) for k in range(0, len(fields), 5)]
-    head = ["PEER NGA STRONG MOTION DATABASE RECORD", "EVENT, 1, STATION, 90", "ACCELERATION TIME SERIES IN UNITS OF G",
-            f"NPTS= {len(values)}, DT= .01000 SEC"]  # fmt: skip
+    head = [
+        "PEER NGA STRONG MOTION DATABASE RECORD",
+        "EVENT, 1, STATION, 90",
+        "ACCELERATION TIME SERIES IN UNITS OF G",
+        f"NPTS= {len(values)}, DT= .01000 SEC",
+    ]
     return "\n".join([*head, *rows, ""])
 
 
@@ -49,9 +53,7 @@ SHAPES = {
 
 
 @pytest.mark.parametrize("shape", SHAPES)
-@pytest.mark.parametrize(
-    "where", [[0], [1999], [0, 1, 2], [1997, 1998, 1999], [700, 701, 702, 703], [100, 800, 1500]]
-)
+@pytest.mark.parametrize("where", [[0], [1999], [0, 1, 2], [1997, 1998, 1999], [700, 701, 702, 703], [100, 800, 1500]])
 @pytest.mark.parametrize("mark", [-999.0, 9999.0, 99.99, -32768.0, 999.9, -1.0, -9.0, 10.0])
 def test_that_marks_of_missing_samples_are_asked_about_wherever_they_stand(shape, where, mark):
     if len(where) == 1 and mark in (-1.0, 10.0):
@@ -162,9 +164,7 @@ def test_that_a_count_one_off_is_refused():
             read(text, unit="g")
 
 
-@pytest.mark.parametrize(
-    "between", ["", "\n", " \t \n", "% EW\n", "\n% EW\n", "# EW\n", "// EW\n", "! EW\n", "EW\n"]
-)
+@pytest.mark.parametrize("between", ["", "\n", " \t \n", "% EW\n", "\n% EW\n", "# EW\n", "// EW\n", "! EW\n", "EW\n"])
 @pytest.mark.parametrize("sep", [" ", ";", ", "])
 def test_that_two_channels_one_below_the_other_are_not_one_record(between, sep):
     first, second = two(sep), two(sep)

@@ -184,9 +184,7 @@ def test_that_a_unit_no_option_names_is_refused_until_unit_and_scale_say_the_sam
         refused(f"{head}\n{TIMES}", head, **given)
     if si is not None:
         letters = folded(head)
-        unit, one = (
-            ("cm/s2", 0.01) if "gal" in letters else ("g", G) if "g" in letters else ("m/s2", 1.0)
-        )
+        unit, one = ("cm/s2", 0.01) if "gal" in letters else ("g", G) if "g" in letters else ("m/s2", 1.0)
         found = read(f"{head}\n{TIMES}", si / one, unit=unit)
         assert found.pga == pytest.approx(si / G * read(TIMES, unit="g").pga, rel=1e-9)
 
@@ -236,10 +234,7 @@ Tilt (mrad)|g/s|power spectral density|PSD
 @pytest.mark.parametrize("head", wordings(QUANTITIES))
 def test_that_another_quantity_is_refused_whatever_is_given(head):
     for given in ("g", "cm/s2"):
-        assert refused(f"{head}\n{TIMES}", head, unit=given).code in (
-            "other_quantity",
-            "unit_not_read",
-        )
+        assert refused(f"{head}\n{TIMES}", head, unit=given).code in ("other_quantity", "unit_not_read")
 
 
 VERTICALS = """
@@ -247,8 +242,21 @@ Vertical|VERTICAL|vertical component|Component: UP|Component UP|HNZ|hnz|UP|UD|U-
 channel HNZ|Direction: Z|direction vertical|Orientation: Up|Componente verticale|componente: Z|Comp. UP|COMP V
 Direzione: verticale|verticale|Canale: HNZ|Stream: HGZ|IT.AMT..HNZ|Up-down|asse Z|Verticale
 """
-HORIZONTALS = ["NS", "EW", "N21E", "HNE", "Component: 090", "Channel: HNN", "direzione N-S", "L", "T", "comp. WE",
-               "horizontal component", "componente orizzontale", "Vertical array, borehole"]  # fmt: skip
+HORIZONTALS = [
+    "NS",
+    "EW",
+    "N21E",
+    "HNE",
+    "Component: 090",
+    "Channel: HNN",
+    "direzione N-S",
+    "L",
+    "T",
+    "comp. WE",
+    "horizontal component",
+    "componente orizzontale",
+    "Vertical array, borehole",
+]
 
 
 @pytest.mark.parametrize("head", wordings(VERTICALS) + HORIZONTALS)

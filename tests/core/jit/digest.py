@@ -37,8 +37,11 @@ def run(*scanned, **variables):
     """(digest of histories by all methods and of scans by these, the cache's folder) of a process."""
     known = ROOT / "tests" / "reference" / "standard_record.csv"
     found = subprocess.run(
-        [sys.executable, "-P", "-c", SCRIPT, known, *scanned], capture_output=True, text=True, check=True,
+        [sys.executable, "-P", "-c", SCRIPT, known, *scanned],
+        capture_output=True,
+        text=True,
+        check=True,
         env=dict(os.environ, PYTHONPATH=str(ROOT), **variables),
-    )  # fmt: skip
+    )
     digest, folder = found.stdout.split()
     return digest, folder

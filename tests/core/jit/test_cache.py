@@ -104,9 +104,7 @@ def test_that_every_function_machine_code_comes_from_is_in_the_stamp():
             for name in function.__code__.co_names:
                 used = function.__globals__.get(name)
                 home = used.__wrapped__ if isinstance(used, Kernel) else used
-                if isinstance(home, (types.FunctionType, type)) and home.__module__.startswith(
-                    "core"
-                ):
+                if isinstance(home, (types.FunctionType, type)) and home.__module__.startswith("core"):
                     assert sys.modules[home.__module__].__file__ in sources, name
     assert kernels > 100
 
@@ -152,9 +150,12 @@ def test_that_threads_of_a_cold_start_share_one_folder(tmp_path):
         "[t.start() for t in threads]; [t.join() for t in threads]; print(len(seen))"
     )
     done = subprocess.run(
-        [sys.executable, "-P", "-c", script], capture_output=True, text=True, check=True,
+        [sys.executable, "-P", "-c", script],
+        capture_output=True,
+        text=True,
+        check=True,
         env=dict(os.environ, PYTHONPATH=str(ROOT), RIBALTA_CACHE=str(blocked / "below")),
-    )  # fmt: skip
+    )
     assert done.stdout == "1\n"
 
 
@@ -163,8 +164,11 @@ def test_that_kernels_are_kept_in_the_cache_whoever_imported_numba_first(tmp_pat
         "import numba, numpy as np; from core.ground.response_spectrum import housner_intensity;"
         "housner_intensity(np.ones(50), 0.01)"
     )
-    subprocess.run([sys.executable, "-P", "-c", script], check=True, env=dict(
-        os.environ, PYTHONPATH=str(ROOT), RIBALTA_CACHE=str(tmp_path)))  # fmt: skip
+    subprocess.run(
+        [sys.executable, "-P", "-c", script],
+        check=True,
+        env=dict(os.environ, PYTHONPATH=str(ROOT), RIBALTA_CACHE=str(tmp_path)),
+    )
     assert list(tmp_path.glob("kernels-*/*.nbc"))
 
 

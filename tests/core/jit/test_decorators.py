@@ -21,9 +21,7 @@ def test_that_the_kernels_without_compiler_are_bit_identical():
 @pytest.mark.long
 def test_that_a_processor_without_wide_registers_or_fused_products_gives_the_same_bits(tmp_path):
     orders = ("taylor", "taylor_6")
-    plain = run(
-        *orders, RIBALTA_CACHE=str(tmp_path), NUMBA_CPU_NAME="generic", NUMBA_CPU_FEATURES=""
-    )
+    plain = run(*orders, RIBALTA_CACHE=str(tmp_path), NUMBA_CPU_NAME="generic", NUMBA_CPU_FEATURES="")
     assert plain[0] == run(*orders)[0]
 
 
@@ -40,9 +38,12 @@ def test_that_numba_waits_for_the_first_call_of_a_kernel():
         "housner_intensity(np.ones(50), 0.01); print(early, 'numba' in sys.modules)"
     )
     found = subprocess.run(
-        [sys.executable, "-P", "-c", script], capture_output=True, text=True, check=True,
+        [sys.executable, "-P", "-c", script],
+        capture_output=True,
+        text=True,
+        check=True,
         env=dict(os.environ, PYTHONPATH=str(ROOT)),
-    )  # fmt: skip
+    )
     assert found.stdout.split() == ["False", "True"]
 
 

@@ -75,9 +75,7 @@ def test_that_wrong_numbers_refuse_every_kernel_and_are_not_used_again(start):
         cache.proven()
 
 
-def test_that_one_process_that_ended_in_its_trial_does_not_condemn_it_and_two_do(
-    start, monkeypatch
-):
+def test_that_one_process_that_ended_in_its_trial_does_not_condemn_it_and_two_do(start, monkeypatch):
     folder = start()
     (folder / trial.TRIAL).write_text(f"{process_that_ended()}\n")  # killed
     second = start()
@@ -121,9 +119,7 @@ def test_that_a_trial_begun_by_one_thread_is_waited_for_by_the_others(start):
         return True
 
     trial.self_test.append(slow)
-    threads = [
-        threading.Thread(target=lambda: (cache.proven(), passed.append(1))) for _ in range(4)
-    ]
+    threads = [threading.Thread(target=lambda: (cache.proven(), passed.append(1))) for _ in range(4)]
     for thread in threads:
         thread.start()
     assert inside.wait(20) and not passed

@@ -35,15 +35,18 @@ def test_that_an_archive_of_files_is_no_workbook():
 @pytest.mark.parametrize(
     ("target", "part"),
     [
-        ("/x/a.xml", "x/a.xml"), ("a.xml", "xl/a.xml"), ("../x/a.xml", "x/a.xml"), ("./a.xml", "xl/a.xml"),
-        ("..\\x\\a.xml", "x/a.xml"), ("A%20b.XML", "xl/a b.xml"), ("../../../a.xml", "a.xml"),
+        ("/x/a.xml", "x/a.xml"),
+        ("a.xml", "xl/a.xml"),
+        ("../x/a.xml", "x/a.xml"),
+        ("./a.xml", "xl/a.xml"),
+        ("..\\x\\a.xml", "x/a.xml"),
+        ("A%20b.XML", "xl/a b.xml"),
+        ("../../../a.xml", "a.xml"),
     ],
-)  # fmt: skip
+)
 def test_that_a_target_is_absolute_or_relative_to_its_source(target, part):
     relation = f'<r:Relationship Id="k" Type="urn:x/worksheet" Target="{target}"/>'
-    outside = (
-        '<r:Relationship Id="e" Type="urn:x/worksheet" Target="http://x" TargetMode="External"/>'
-    )
+    outside = '<r:Relationship Id="e" Type="urn:x/worksheet" Target="http://x" TargetMode="External"/>'
     relations = f'<r:Relationships xmlns:r="{RELATIONS}">{relation}{outside}</r:Relationships>'
     package = Package(packed({"XL\\_rels\\Book.xml.rels": relations}), SIZE)
     assert package.related("xl/book.xml") == {"k": ("worksheet", part)}
@@ -106,9 +109,7 @@ def test_that_a_zip_of_countless_members_is_not_listed(monkeypatch):
         Package(content, SIZE)
 
 
-@pytest.mark.parametrize(
-    "xml", ['<!DOCTYPE a [<!ENTITY b "c">]><a/>', '<!DOCTYPE a SYSTEM "file:///etc/passwd"><a/>']
-)
+@pytest.mark.parametrize("xml", ['<!DOCTYPE a [<!ENTITY b "c">]><a/>', '<!DOCTYPE a SYSTEM "file:///etc/passwd"><a/>'])
 def test_that_a_part_declares_no_entities(xml):
     with pytest.raises(ValueError, match="DOCTYPE"):
         Package(with_sheet(xml), SIZE).parse(SHEET, lambda *_: None)

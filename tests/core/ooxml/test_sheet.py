@@ -8,25 +8,8 @@ import openpyxl
 import pytest
 
 from core.errors import InputError
-from core.ooxml.sheet import (
-    MAX_AREAS,
-    Limits,
-    hidden_notes,
-    letters,
-    read_sheet,
-    refuse_cells,
-    spoken,
-)
-from tests.core.ooxml.writers import (
-    WRITERS,
-    Day,
-    Fault,
-    Formula,
-    Writer,
-    packed,
-    unpacked,
-    workbook,
-)
+from core.ooxml.sheet import MAX_AREAS, Limits, hidden_notes, letters, read_sheet, refuse_cells, spoken
+from tests.core.ooxml.writers import WRITERS, Day, Fault, Formula, Writer, packed, unpacked, workbook
 
 LIMITS = Limits(rows=100, columns=30, cells=500, size=5_000_000)
 ROWS = [
@@ -52,9 +35,13 @@ def with_part(part: str, old: str, new: str, content=None) -> bytes:
 @pytest.mark.parametrize("writer", WRITERS.values(), ids=WRITERS)
 def test_that_every_writer_gives_the_same_cells_and_findings(writer):
     content = workbook(
-        writer, ROWS, merged=("A1:B1", "C2:C4"), hidden_rows=(2, 3), hidden_columns=(1, 2),
+        writer,
+        ROWS,
+        merged=("A1:B1", "C2:C4"),
+        hidden_rows=(2, 3),
+        hidden_columns=(1, 2),
         others=[("Vecchio", [["x"]])],
-    )  # fmt: skip
+    )
     sheet = read(content)
     assert sheet.name == "Foglio 1"
     assert [sheet.texts(row, "-") for row in range(1, 5)] == [
@@ -74,9 +61,13 @@ def test_that_every_writer_gives_the_same_cells_and_findings(writer):
 def test_that_what_openpyxl_writes_and_reads_is_read_alike():
     chance, made = random.Random(3), openpyxl.Workbook()
     kinds = (
-        lambda: chance.uniform(-1, 1), lambda: chance.randrange(10**6), lambda: f"è & <{chance.random()}>",
-        lambda: None, lambda: chance.uniform(-1, 1) * 10.0 ** chance.randrange(-300, 300), lambda: True,
-    )  # fmt: skip
+        lambda: chance.uniform(-1, 1),
+        lambda: chance.randrange(10**6),
+        lambda: f"è & <{chance.random()}>",
+        lambda: None,
+        lambda: chance.uniform(-1, 1) * 10.0 ** chance.randrange(-300, 300),
+        lambda: True,
+    )
     for _ in range(60):
         made.active.append([chance.choice(kinds)() for _ in range(7)])
     room = io.BytesIO()
@@ -92,13 +83,25 @@ def test_that_what_openpyxl_writes_and_reads_is_read_alike():
 @pytest.mark.parametrize(
     ("code", "is_date"),
     [
-        ("General", False), ("0.00", False), ('0.00" days"', False), (r"0.0\s", False), ("[Red]0.0;[<1]0", False),
-        ("[$-410]#,##0.00", False), ("yyyy", True), ("mm:ss.000", True), ("[h]:mm", True), ("d/m/yy", True),
+        ("General", False),
+        ("0.00", False),
+        ('0.00" days"', False),
+        (r"0.0\s", False),
+        ("[Red]0.0;[<1]0", False),
+        ("[$-410]#,##0.00", False),
+        ("yyyy", True),
+        ("mm:ss.000", True),
+        ("[h]:mm", True),
+        ("d/m/yy", True),
     ],
-)  # fmt: skip
+)
 def test_that_a_number_shown_as_a_date_is_no_number(code, is_date):
-    content = with_part("xl/styles.xml", "[$-410]dd/mm/yyyy", code.replace('"', "&quot;").replace("<", "&lt;"),
-                        workbook(Writer(), [[Day(2.5)]]))  # fmt: skip
+    content = with_part(
+        "xl/styles.xml",
+        "[$-410]dd/mm/yyyy",
+        code.replace('"', "&quot;").replace("<", "&lt;"),
+        workbook(Writer(), [[Day(2.5)]]),
+    )
     cell = read(content).rows[1][1]
     assert cell.is_number is not is_date
     assert cell.text == (str(datetime.datetime(1900, 1, 1, 12)) if is_date else "2.5")
@@ -106,9 +109,7 @@ def test_that_a_number_shown_as_a_date_is_no_number(code, is_date):
 
 def test_that_dates_count_from_1904_where_the_workbook_says_so():
     content = workbook(Writer(), [[Day(1.0)]])
-    content = with_part(
-        "xl/workbook.xml", "<sheets>", '<workbookPr date1904="1"/><sheets>', content
-    )
+    content = with_part("xl/workbook.xml", "<sheets>", '<workbookPr date1904="1"/><sheets>', content)
     assert read(content).texts(1) == ["1904-01-02 00:00:00"]
     assert read(workbook(Writer(), [[Day(1e300)]])).texts(1) == ["1e+300 d"]
 
@@ -121,12 +122,7 @@ def test_that_letters_written_as_codes_are_read_as_letters(writer):
 
 def test_that_rich_texts_are_joined_without_the_readings_of_their_signs():
     parts = "<r><rPr><b/></rPr><t>Muri</t></r><r><t xml:space='preserve'> di spina</t></r><rPh><t>x</t></rPh>"
-    rich = with_part(
-        "xl/sharedStrings.xml",
-        "<t xml:space='preserve'>a</t>",
-        parts,
-        workbook(Writer(), [["a", "b"]]),
-    )
+    rich = with_part("xl/sharedStrings.xml", "<t xml:space='preserve'>a</t>", parts, workbook(Writer(), [["a", "b"]]))
     assert read(rich).texts(1) == ["Muri di spina", "b"]
 
 
@@ -141,12 +137,7 @@ def test_that_the_sheet_that_is_asked_for_is_read():
 
 
 def test_that_what_is_shown_is_left_without_hidden_rows_and_columns():
-    rows = [
-        ["Parete", "B", "H"],
-        ["a", Formula("1", 1), 3],
-        ["b", Fault("#N/A"), 4],
-        ["c", None, 5],
-    ]
+    rows = [["Parete", "B", "H"], ["a", Formula("1", 1), 3], ["b", Fault("#N/A"), 4], ["c", None, 5]]
     whole = read(workbook(Writer(), rows, hidden_rows=(3, 9), hidden_columns=(2, 4)))
     seen = whole.as_shown()
     assert [seen.texts(row) for row in range(1, 5)] == [["Parete", "H"], ["a", "3"], [], ["c", "5"]]
@@ -156,20 +147,18 @@ def test_that_what_is_shown_is_left_without_hidden_rows_and_columns():
         "Hidden rows of the table of walls were not read: 3.",
         "Hidden columns of the table of walls were not read: B (B).",
     ]
-    assert [note.code for note in hidden_notes(whole, True)] == [
-        "hidden_rows_read",
-        "hidden_columns_read",
-    ]
+    assert [note.code for note in hidden_notes(whole, True)] == ["hidden_rows_read", "hidden_columns_read"]
     assert hidden_notes(read(workbook(Writer(), [[1], [], [2]], hidden_rows=(2,))), True) == []
 
 
 @pytest.mark.parametrize(
     ("old", "new"),
     [
-        ('hidden="1"', "hidden='true'"), ('width="9" hidden="1"', 'width="0" customWidth="1"'),
+        ('hidden="1"', "hidden='true'"),
+        ('width="9" hidden="1"', 'width="0" customWidth="1"'),
         ('min="2" max="2"', 'min="2" max="16384"'),
     ],
-)  # fmt: skip
+)
 def test_that_a_column_is_hidden_however_a_workbook_says_it(old, new):
     content = workbook(Writer(), [["a", "b"]], hidden_columns=(2,))
     assert read(with_part(SHEET, old, new, content)).hidden_columns == [2]
@@ -178,10 +167,14 @@ def test_that_a_column_is_hidden_however_a_workbook_says_it(old, new):
 @pytest.mark.parametrize(
     ("rows", "words"),
     [
-        ([[1.0]] * 101, "beyond row 100"), ([[None] * 30 + [1.0]], "column 30"), ([[1.0] * 26] * 20, "more than 500"),
-        ([[1.0]] * 100, None), ([[None] * 29 + [1.0]], None), ([[1.0] * 25] * 20, None),
+        ([[1.0]] * 101, "beyond row 100"),
+        ([[None] * 30 + [1.0]], "column 30"),
+        ([[1.0] * 26] * 20, "more than 500"),
+        ([[1.0]] * 100, None),
+        ([[None] * 29 + [1.0]], None),
+        ([[1.0] * 25] * 20, None),
     ],
-)  # fmt: skip
+)
 def test_that_a_value_beyond_the_limits_is_refused_and_never_left_out(rows, words):
     content = workbook(Writer(), rows)
     if words is None:
@@ -211,30 +204,33 @@ def test_that_areas_are_bounded():
 @pytest.mark.parametrize(
     ("part", "old", "new"),
     [
-        (SHEET, 'r="A2"', 'r="A3"'), (SHEET, 'r="B2"', 'r="A2"'), (SHEET, 'r="A1"', 'r="A0"'),
+        (SHEET, 'r="A2"', 'r="A3"'),
+        (SHEET, 'r="B2"', 'r="A2"'),
+        (SHEET, 'r="A1"', 'r="A0"'),
         (SHEET, 'r="A1"', 'r="1A"'),
-        (SHEET, 'r="A1"', 'r="ZZZ1"'), (SHEET, '<row r="4"', '<row r="2"'), (SHEET, '<row r="4"', '<row r="-4"'),
-        (SHEET, "<v>0.1</v>", "<v>0,1</v>"), (SHEET, "<v>0.1</v>", "<v>1E999</v>"), (SHEET, "<v>0.1</v>", "<v>NaN</v>"),
-        (SHEET, "<v>0</v>", "<v>-1</v>"), (SHEET, "<v>0</v>", "<v>99</v>"), (SHEET, "</row>", ""),
-        (SHEET, "<worksheet ", "<w:worksheet "), ("xl/workbook.xml", "<sheets>", "<sheets"),
-        (SHEET, 'encoding="utf-8"', 'encoding="utf-1e8"'), ("xl/styles.xml", 'numFmtId="0"', 'numFmtId="x"'),
+        (SHEET, 'r="A1"', 'r="ZZZ1"'),
+        (SHEET, '<row r="4"', '<row r="2"'),
+        (SHEET, '<row r="4"', '<row r="-4"'),
+        (SHEET, "<v>0.1</v>", "<v>0,1</v>"),
+        (SHEET, "<v>0.1</v>", "<v>1E999</v>"),
+        (SHEET, "<v>0.1</v>", "<v>NaN</v>"),
+        (SHEET, "<v>0</v>", "<v>-1</v>"),
+        (SHEET, "<v>0</v>", "<v>99</v>"),
+        (SHEET, "</row>", ""),
+        (SHEET, "<worksheet ", "<w:worksheet "),
+        ("xl/workbook.xml", "<sheets>", "<sheets"),
+        (SHEET, 'encoding="utf-8"', 'encoding="utf-1e8"'),
+        ("xl/styles.xml", 'numFmtId="0"', 'numFmtId="x"'),
         ("_rels/.rels", 'officeDocument"', 'thumbnail"'),
     ],
-)  # fmt: skip
+)
 def test_that_a_damaged_workbook_is_refused_in_one_sentence(part, old, new):
     with pytest.raises(InputError, match="not a workbook Excel could have saved"):
         read(with_part(part, old, new))
 
 
 def test_that_cells_are_named_up_to_a_dozen():
-    assert [letters(k) for k in (1, 26, 27, 702, 703, 16384)] == [
-        "A",
-        "Z",
-        "AA",
-        "ZZ",
-        "AAA",
-        "XFD",
-    ]
+    assert [letters(k) for k in (1, 26, 27, 702, 703, 16384)] == ["A", "Z", "AA", "ZZ", "AAA", "XFD"]
     assert spoken([(3, 2), (1, 1, 4, 28), 7, "x"]) == "B3, A1:AB4, 7, x"
     assert spoken(range(1, 30)).endswith("11, 12, … (29)")
     refuse_cells({"merged_cells": [], "error_cells": []})

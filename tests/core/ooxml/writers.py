@@ -66,7 +66,7 @@ WRITERS = {
     "Google": Writer(spoken=' ht="15.75" customHeight="1"'),
     "a stream writer": Writer(texts="inline", places=False),
     "a bank": Writer("s:", "Book/Main.xml", "Book/Tabellen/Blatt {n}.bin.xml", texts="inline"),
-}  # fmt: skip
+}
 
 
 def letters(column: int) -> str:
@@ -77,15 +77,7 @@ def letters(column: int) -> str:
     return name
 
 
-def workbook(
-    writer: Writer,
-    rows,
-    merged=(),
-    hidden_rows=(),
-    hidden_columns=(),
-    others=(),
-    state="visible",
-) -> bytes:
+def workbook(writer: Writer, rows, merged=(), hidden_rows=(), hidden_columns=(), others=(), state="visible") -> bytes:
     """The file of a sheet with these rows, after the hidden ones of others: pairs of name and rows.
 
     merged : areas, "A1:B1"; hidden_rows, hidden_columns : numbers from 1
@@ -117,11 +109,13 @@ def workbook(
         f'<Relationship Target="{target(part)}" Type="{office}/{kind}" Id="{key}"/>'
         for key, (kind, part) in reversed(related.items())
     )
-    texts = "".join(
-        f"<{p}si><{p}t xml:space='preserve'>{escape(one)}</{p}t></{p}si>" for one in shared
-    )
-    kinds = {writer.book: "sheet.main", **dict.fromkeys(names, "worksheet"), f"{folder}/styles.xml": "styles",
-             f"{folder}/sharedStrings.xml": "sharedStrings"}  # fmt: skip
+    texts = "".join(f"<{p}si><{p}t xml:space='preserve'>{escape(one)}</{p}t></{p}si>" for one in shared)
+    kinds = {
+        writer.book: "sheet.main",
+        **dict.fromkeys(names, "worksheet"),
+        f"{folder}/styles.xml": "styles",
+        f"{folder}/sharedStrings.xml": "sharedStrings",
+    }
     types = "".join(
         f'<Override PartName="/{part}" ContentType="application/vnd.openxmlformats-officedocument.spreadsheetml.'
         f'{kind}+xml"/>'
@@ -133,17 +127,15 @@ def workbook(
         "_rels/.rels": f'{head}<Relationships xmlns="{RELATIONS}"><Relationship Id="b" Type="{office}/officeDocument" '
         f'Target="{"/" if writer.absolute else ""}{writer.book}"/></Relationships>',
         writer.book: f"{head}<{p}workbook {space}><{p}sheets>{listed}</{p}sheets></{p}workbook>",
-        f"{folder}/_rels/{writer.book.rpartition('/')[2]}.rels":
-            f'{head}<Relationships xmlns="{RELATIONS}">{relations}</Relationships>',
+        f"{folder}/_rels/{writer.book.rpartition('/')[2]}.rels": f'{head}<Relationships xmlns="{RELATIONS}">'
+        f"{relations}</Relationships>",
         f"{folder}/sharedStrings.xml": f"{head}<{p}sst {space}>{texts}</{p}sst>",
         f"{folder}/styles.xml": f'{head}<{p}styleSheet {space}><{p}numFmts><{p}numFmt numFmtId="164" '
         f'formatCode="0.00&quot; m/s&quot;"/><{p}numFmt numFmtId="165" formatCode="[$-410]dd/mm/yyyy"/></{p}numFmts>'
         f'<{p}cellXfs><{p}xf numFmtId="0"/><{p}xf numFmtId="164"/><{p}xf numFmtId="165"/><{p}xf numFmtId="14"/>'
         f"</{p}cellXfs></{p}styleSheet>",
-    }  # fmt: skip
-    parts |= dict(
-        zip(names, (f"{head}<{p}worksheet {space}>{b}</{p}worksheet>" for b in bodies), strict=True)
-    )
+    }
+    parts |= dict(zip(names, (f"{head}<{p}worksheet {space}>{b}</{p}worksheet>" for b in bodies), strict=True))
     return packed(parts)
 
 
@@ -165,9 +157,7 @@ def unpacked(content: bytes) -> dict[str, bytes]:
 def _sheet(writer: Writer, rows, shared: list[str], merged, hidden_rows, hidden_columns) -> str:
     p = writer.prefix
     hidden = "true" if "false" in writer.spoken else "1"
-    columns = "".join(
-        f'<{p}col min="{k}" max="{k}" width="9" hidden="{hidden}"/>' for k in hidden_columns
-    )
+    columns = "".join(f'<{p}col min="{k}" max="{k}" width="9" hidden="{hidden}"/>' for k in hidden_columns)
     body = f"<{p}cols>{columns}</{p}cols>" if columns else ""
     body += f"<{p}sheetData>"
     for n, row in enumerate(rows, start=1):

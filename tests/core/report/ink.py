@@ -14,16 +14,12 @@ FAINT = 40
 """Grey levels between the darkest and the lightest dot of a word that can be read."""
 
 _PAGE = re.compile(r"<page .*?</page>", re.DOTALL)
-_WORD = re.compile(
-    r'<word xMin="([\d.-]+)" yMin="([\d.-]+)" xMax="([\d.-]+)" yMax="([\d.-]+)">(.*?)</word>'
-)
+_WORD = re.compile(r'<word xMin="([\d.-]+)" yMin="([\d.-]+)" xMax="([\d.-]+)" yMax="([\d.-]+)">(.*?)</word>')
 
 
 def words_of(pdf: Path) -> list[list[tuple[str, tuple[float, ...]]]]:
     """(word, left, top, right, bottom [points]) of each page."""
-    found = subprocess.run(
-        ["pdftotext", "-bbox", pdf, "-"], check=True, capture_output=True, timeout=120
-    )
+    found = subprocess.run(["pdftotext", "-bbox", pdf, "-"], check=True, capture_output=True, timeout=120)
     return [
         [(unescape(word), tuple(map(float, box))) for *box, word in _WORD.findall(page)]
         for page in _PAGE.findall(found.stdout.decode())

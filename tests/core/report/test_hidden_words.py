@@ -21,10 +21,20 @@ def printed(path, folder):
     if not office or not shutil.which("pdftotext") or not shutil.which("pdftoppm"):
         pytest.skip("LibreOffice or poppler is not installed: nothing is printed")
     subprocess.run(
-        [office, "--headless", f"-env:UserInstallation=file://{folder}/profile", "--convert-to",
-         "pdf", "--outdir", folder, path],
-        check=True, capture_output=True, timeout=240,
-    )  # fmt: skip
+        [
+            office,
+            "--headless",
+            f"-env:UserInstallation=file://{folder}/profile",
+            "--convert-to",
+            "pdf",
+            "--outdir",
+            folder,
+            path,
+        ],
+        check=True,
+        capture_output=True,
+        timeout=240,
+    )
     return path.with_suffix(".pdf")
 
 
@@ -45,9 +55,7 @@ def one_wall(verdict):
     return run(case, base_dir=ROOT / "resources" / "cases")
 
 
-@pytest.mark.parametrize(
-    "which", ["one_wall", "verdict", pytest.param("whole_building", marks=pytest.mark.long)]
-)
+@pytest.mark.parametrize("which", ["one_wall", "verdict", pytest.param("whole_building", marks=pytest.mark.long)])
 def test_that_no_word_of_the_workbook_is_hidden(which, request, tmp_path):
     result = request.getfixturevalue(which)
     drawn = [found for wall in result.walls if (found := collapse_histories(result, wall))]
@@ -56,9 +64,7 @@ def test_that_no_word_of_the_workbook_is_hidden(which, request, tmp_path):
     assert_seen(printed(path, tmp_path), result)
 
 
-@pytest.mark.parametrize(
-    "which", ["verdict", pytest.param("whole_building", marks=pytest.mark.long)]
-)
+@pytest.mark.parametrize("which", ["verdict", pytest.param("whole_building", marks=pytest.mark.long)])
 def test_that_no_word_of_the_document_is_hidden(which, request, tmp_path):
     pytest.importorskip("docx")
     result = request.getfixturevalue(which)

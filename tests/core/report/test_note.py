@@ -45,22 +45,18 @@ def test_that_each_line_of_a_derivation_gives_its_result(building, verdict):
             written = step.in_numbers("en")
             if not written or "κ" in step.formula:
                 continue
-            text = (
-                written.replace("·", "*")
-                .replace("−", "-")
-                .replace("°", "*pi/180")
-                .replace("π", "*pi*")
-            )
-            text = (
-                re.sub(r"(?<=[\d.]) \*pi\* √", "*pi*√", text)
-                .replace("√(", "sqrt(")
-                .replace("10³", "1000")
-            )
+            text = written.replace("·", "*").replace("−", "-").replace("°", "*pi/180").replace("π", "*pi*")
+            text = re.sub(r"(?<=[\d.]) \*pi\* √", "*pi*√", text).replace("√(", "sqrt(").replace("10³", "1000")
             text = text.replace("[", "(").replace("]", ")")
             text = re.sub(r"(sin|tan) ([\d.]+\*pi/180)", r"\1(\2)", text)
             text = re.sub(r"\*pi\* ?sqrt", "*pi*sqrt", text)
-            known = {"pi": np.pi, "sqrt": np.sqrt, "sin": np.sin, "tan": np.tan,
-                     "arctan": lambda x: np.degrees(np.arctan(x))}  # fmt: skip
+            known = {
+                "pi": np.pi,
+                "sqrt": np.sqrt,
+                "sin": np.sin,
+                "tan": np.tan,
+                "arctan": lambda x: np.degrees(np.arctan(x)),
+            }
             assert eval(text, known) == pytest.approx(step.result, rel=0.02), written
             counted += 1
     assert counted > 40
@@ -86,21 +82,14 @@ def test_that_the_note_gives_hazard_building_loads_and_what_is_changed(whole_bui
     tables = {tuple(part.heads): part.rows for part in parts if isinstance(part, Table)}
     hazard = next(rows for heads, rows in tables.items() if "T_R [years]" in heads)
     assert [row[:2] for row in hazard][-1] == ["975", "0.340"]
-    assert {row[0] for heads, rows in tables.items() if "γψ [-]" in heads for row in rows} >= {
-        "9.00"
-    }
+    assert {row[0] for heads, rows in tables.items() if "γψ [-]" in heads for row in rows} >= {"9.00"}
     symbols = {step.symbol for step in steps_of(parts)}
     assert {"H_b", "n", "T_1", "T/T_1", "ξ"} <= symbols
     changed = next(rows for heads, rows in tables.items() if "ζ before" in heads)
     assert changed and all(row[2] != row[4] and row[-1] != "nothing" for row in changed)
     figures = [figure for part in parts if isinstance(part, Figures) for figure in part.figures]
     drawn = {label.text for figure in figures for label in figure.labels}
-    listed = [
-        row
-        for part in parts
-        if isinstance(part, Table) and "[kN/m]" in part.heads
-        for row in part.rows
-    ]
+    listed = [row for part in parts if isinstance(part, Table) and "[kN/m]" in part.heads for row in part.rows]
     for wall in whole_building.walls:
         for load in wall.wall.load:
             assert f"{load.kn_m:.2f} kN/m" in drawn
@@ -111,9 +100,7 @@ def test_that_the_histories_at_the_demand_are_those_of_the_check(building):
     for wall in building.walls:
         runs = deciding_runs(wall)
         worst = [run for run in wall.assessment.dynamic.runs if run.peak_ratio is None]
-        assert runs[0] in worst or runs[0].peak_ratio == max(
-            r.peak_ratio for r in wall.assessment.dynamic.runs
-        )
+        assert runs[0] in worst or runs[0].peak_ratio == max(r.peak_ratio for r in wall.assessment.dynamic.runs)
         for one in demand_histories(building, wall):
             if one.run.peak_ratio is not None:
                 found = one.history.peak / wall.model.collapse_rotation
@@ -148,11 +135,7 @@ def test_the_document_opens_and_says_what_the_note_says(verdict):
         if isinstance(part, Paragraph):
             assert part.text in text
     assert any("α0 = t/H = 0,830/7,00 = 0,1186" in line for line in text)
-    pictures = (
-        [p.image for p in made.part.package.image_parts]
-        if hasattr(made.part.package, "image_parts")
-        else []
-    )
+    pictures = [p.image for p in made.part.package.image_parts] if hasattr(made.part.package, "image_parts") else []
     assert len(pictures) == 4 * len(verdict.walls)
     for picture in pictures:
         image = Image.open(io.BytesIO(picture.blob)).convert("L")
@@ -163,23 +146,13 @@ def test_the_document_opens_and_says_what_the_note_says(verdict):
     assert [line for line in decimals if not allowed.search(line)] == []
 
 
-def test_that_the_batch_writes_the_document_or_refuses_before_the_run(
-    tmp_path, monkeypatch, capsys
-):
+def test_that_the_batch_writes_the_document_or_refuses_before_the_run(tmp_path, monkeypatch, capsys):
     pytest.importorskip("docx")
     case = ROOT / "resources" / "cases" / "example.toml"
     out = tmp_path / "new"
-    assert (
-        program.main(
-            ["--batch", str(case), "--output", str(out), "--quiet", "--report", str(out / "n.docx")]
-        )
-        == 0
-    )
+    assert program.main(["--batch", str(case), "--output", str(out), "--quiet", "--report", str(out / "n.docx")]) == 0
     assert {path.name for path in out.iterdir()} == {"example.xlsx", "example.json", "n.docx"}
-    assert (
-        program.main(["--batch", str(case), "--output", str(tmp_path / "b"), "--report", "x.pdf"])
-        == 1
-    )
+    assert program.main(["--batch", str(case), "--output", str(tmp_path / "b"), "--report", "x.pdf"]) == 1
     assert ".docx" in capsys.readouterr().err and not (tmp_path / "b").exists()
     with pytest.raises(SystemExit) as usage:
         program.main(["--report", "x.docx"])
@@ -202,10 +175,20 @@ def recalculated(book, folder):
     path = folder / "bare.xlsx"
     book.save(path)
     subprocess.run(
-        [office, "--headless", f"-env:UserInstallation=file://{folder}/profile", "--convert-to",
-         "xlsx:Calc MS Excel 2007 XML", "--outdir", folder / "out", path],
-        check=True, capture_output=True, timeout=180,
-    )  # fmt: skip
+        [
+            office,
+            "--headless",
+            f"-env:UserInstallation=file://{folder}/profile",
+            "--convert-to",
+            "xlsx:Calc MS Excel 2007 XML",
+            "--outdir",
+            folder / "out",
+            path,
+        ],
+        check=True,
+        capture_output=True,
+        timeout=180,
+    )
     return openpyxl.load_workbook(folder / "out" / "bare.xlsx", data_only=True)
 
 
@@ -220,9 +203,7 @@ def test_that_a_changed_input_is_stated_and_moves_what_follows_from_it(building,
     made[sheet][place].value *= 1.1
     shown = recalculated(made, tmp_path)
     unmoved = {"Input", "Records", "Method"}
-    assert {"Summary", "Overview", "Calculation note", "Check", "Risk", "Floors"} < set(
-        shown.sheetnames
-    )
+    assert {"Summary", "Overview", "Calculation note", "Check", "Risk", "Floors"} < set(shown.sheetnames)
     for name in set(shown.sheetnames) - unmoved:
         words = [str(c.value) for line in shown[name].iter_rows(max_row=12) for c in line]
         assert any("Input changed since the run" in word for word in words), name
@@ -239,9 +220,7 @@ def test_that_a_changed_input_is_stated_and_moves_what_follows_from_it(building,
     assert histories and histories <= old  # a link to what the histories found is no less old
     sheet, place = cell_of(made, "demand_pga")
     assert shown[sheet][place].value == pytest.approx(1.1 * building.demand.pga / G)
-    note_words = " ".join(
-        str(c.value) for line in shown["Calculation note"].iter_rows() for c in line
-    )
+    note_words = " ".join(str(c.value) for line in shown["Calculation note"].iter_rows() for c in line)
     assert "1.200 · 0.286" in note_words
 
 
@@ -294,8 +273,14 @@ def test_that_many_walls_keep_their_reasons_and_the_lowest_their_figures(buildin
 
 
 def test_that_the_reasons_of_the_engineer_are_printed():
-    wall = {"name": "w", "height_m": 6.0, "thickness_m": 0.6, "mechanism": "one_sided", "base_z_m": 0.0,
-            "justification": {"free_element": "held by two floors"}}  # fmt: skip
+    wall = {
+        "name": "w",
+        "height_m": 6.0,
+        "thickness_m": 0.6,
+        "mechanism": "one_sided",
+        "base_z_m": 0.0,
+        "justification": {"free_element": "held by two floors"},
+    }
     demand = {"ag_g": 0.2, "soil_factor": 1.2, "justification": {"q_code": "tests on this masonry"}}
     result = run(parse_case({"wall": [wall], "demand": demand}), base_dir=ROOT)
     for language in ("en", "it"):

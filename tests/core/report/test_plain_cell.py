@@ -15,9 +15,20 @@ from core.study.parametric import ParametricResult, Row, StudyMotion
 
 @pytest.mark.parametrize(
     ("text", "cell"),
-    [("=1+1", "'=1+1"), ("@x", "'@x"), ("-A1", "'-A1"), ("+cmd", "'+cmd"), (" =1", "' =1"), ("\t=1", "'\t=1"),
-     ("＝1", "'＝1"), ("-0,5", "-0,5"), ("1e-3", "1e-3"), ("wall", "wall"), ("", "")],
-)  # fmt: skip
+    [
+        ("=1+1", "'=1+1"),
+        ("@x", "'@x"),
+        ("-A1", "'-A1"),
+        ("+cmd", "'+cmd"),
+        (" =1", "' =1"),
+        ("\t=1", "'\t=1"),
+        ("＝1", "'＝1"),
+        ("-0,5", "-0,5"),
+        ("1e-3", "1e-3"),
+        ("wall", "wall"),
+        ("", ""),
+    ],
+)
 def test_that_a_cell_never_begins_as_a_formula(text, cell):
     assert plain_cell(text) == cell
 
@@ -29,9 +40,5 @@ def test_that_no_name_of_a_study_begins_a_cell_of_its_runs_as_a_formula():
     row = Row(wall, 0, -1, "collapse_found", 2.0, 1.9, 1.5, 1.7, None, 0.1, 9)
     result = ParametricResult(None, "", False, "", (), (entry,), (row,), (), 0, 0.0)
     (read,) = csv.DictReader(io.StringIO(csv_text(result)))
-    assert (read["group"], read["spectrum"], read["motion"]) == (
-        "'+cmd",
-        "'=HYPERLINK(1)",
-        "'@SUM(1)",
-    )
+    assert (read["group"], read["spectrum"], read["motion"]) == ("'+cmd", "'=HYPERLINK(1)", "'@SUM(1)")
     assert read["polarity"] == "-1" and read["q_robust"] == ""

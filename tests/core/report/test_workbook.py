@@ -44,17 +44,35 @@ def made(folder, language="en", **more):
         "report": {"language": language, "client": "=1+1", "author": "@cmd", "site": "-2+3"},
         "wall": [
             {"name": "=cmd|'/c calc'!A1", "height_m": 5.0, "thickness_m": 0.5, "base_z_m": 0.0, "mechanism": "both"},
-            {"name": "general", "radius_m": 2.6, "slenderness_deg": 8.0,
-             "inertia_over_mass_m2": 9.5, "base_z_m": 0.0, "mechanism": "two_sided"},
-            {"name": "eq 7", "height_m": 4.0, "slenderness_deg": 7.0, "base_z_m": 0.0, "mechanism": "one_sided",
-             "restitution": "one_sided_experimental"},
-            {"name": "eq 5", "height_m": 4.0, "height_over_thickness": 9.0,
-             "base_z_m": 0.0, "mechanism": "two_sided", "restitution": "sorrentino_experimental"},
+            {
+                "name": "general",
+                "radius_m": 2.6,
+                "slenderness_deg": 8.0,
+                "inertia_over_mass_m2": 9.5,
+                "base_z_m": 0.0,
+                "mechanism": "two_sided",
+            },
+            {
+                "name": "eq 7",
+                "height_m": 4.0,
+                "slenderness_deg": 7.0,
+                "base_z_m": 0.0,
+                "mechanism": "one_sided",
+                "restitution": "one_sided_experimental",
+            },
+            {
+                "name": "eq 5",
+                "height_m": 4.0,
+                "height_over_thickness": 9.0,
+                "base_z_m": 0.0,
+                "mechanism": "two_sided",
+                "restitution": "sorrentino_experimental",
+            },
         ],
         "record": [{"file": "r*.txt", "unit": "m/s2", "time_step_s": 0.01}],
         "analysis": {"q_step": 0.02},
         "demand": {"ag_g": 0.2, "soil_factor": 1.2},
-    }  # fmt: skip
+    }
     result = study.run(parse_case({**table, **more}), base_dir=folder)
     drawn = [entry for wall in result.walls if (entry := collapse_histories(result, wall))]
     return result, workbook.build(result, drawn)
@@ -88,9 +106,17 @@ def test_that_every_formula_carries_its_value_and_nothing_else_is_a_formula(book
 def test_that_formulas_stand_on_the_check_sheet_with_named_cells(book):
     found = formulas(book)
     assert {sheet for sheet, _ in found} == {
-        "Summary", "Overview", "Calculation note", "Check", "Dynamic check", "Results",
-        "Spectral compatibility", "q against SI", "Histories", "Survival map",
-    }  # fmt: skip
+        "Summary",
+        "Overview",
+        "Calculation note",
+        "Check",
+        "Dynamic check",
+        "Results",
+        "Spectral compatibility",
+        "q against SI",
+        "Histories",
+        "Survival map",
+    }
     beside = {place for place in found if place[0] in ("Results", "Histories", "Survival map")}
     assert {cell for _, cell in beside} == {"A1"}  # titles, which say when an input is changed
     names = set(book.workbook.defined_names)
@@ -104,14 +130,36 @@ def test_that_formulas_stand_on_the_check_sheet_with_named_cells(book):
 def ntc(folder):
     """A hinge setback, one-sided, NTC 2018 spectrum, Italian, and a wall above the ground."""
     walls = [
-        {"name": "a", "height_m": 5.0, "thickness_m": 0.6, "base_z_m": 0.0, "mechanism": "one_sided",
-         "hinge_setback_m": 0.03, "length_m": 4.0, "unit_weight_kn_m3": 18.0},
+        {
+            "name": "a",
+            "height_m": 5.0,
+            "thickness_m": 0.6,
+            "base_z_m": 0.0,
+            "mechanism": "one_sided",
+            "hinge_setback_m": 0.03,
+            "length_m": 4.0,
+            "unit_weight_kn_m3": 18.0,
+        },
         {"name": "b", "height_m": 4.0, "thickness_m": 0.4, "mechanism": "two_sided", "base_z_m": 3.0},
-        {"name": "d", "height_m": 3.0, "slenderness_deg": 8.5, "base_z_m": 0.0, "mechanism": "two_sided",
-         "unit_weight_kn_m3": 18.0, "elastic_modulus_mpa": 600.0, "unloaded_confirmed": True},
-        {"name": "c", "radius_m": 2.6, "slenderness_deg": 8.0, "inertia_over_mass_m2": 9.5,
-         "base_z_m": 0.0, "mechanism": "two_sided"},
-    ]  # fmt: skip
+        {
+            "name": "d",
+            "height_m": 3.0,
+            "slenderness_deg": 8.5,
+            "base_z_m": 0.0,
+            "mechanism": "two_sided",
+            "unit_weight_kn_m3": 18.0,
+            "elastic_modulus_mpa": 600.0,
+            "unloaded_confirmed": True,
+        },
+        {
+            "name": "c",
+            "radius_m": 2.6,
+            "slenderness_deg": 8.0,
+            "inertia_over_mass_m2": 9.5,
+            "base_z_m": 0.0,
+            "mechanism": "two_sided",
+        },
+    ]
     spectrum = {"code": "NTC2018", "f0": 2.4, "tc_star_s": 0.33, "soil": "C", "topography": "T2"}
     demand = {"ag_g": 0.2, "confidence_factor": 1.35, "limit_state": "SLC", "spectrum": spectrum}
     return made(folder, "it", wall=walls, demand=demand)[1]
@@ -124,34 +172,58 @@ def height(folder):
     walls = [
         {"name": "top", "height_m": 3.0, "thickness_m": 0.45, "mechanism": "both", **own},
         {"name": "a", "height_m": 5.0, "thickness_m": 0.6, "base_z_m": 0.0, "mechanism": "one_sided"},
-    ]  # fmt: skip
+    ]
     spectrum = {"code": "EN1998", "type": 1, "soil": "B"}
     building = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
-    return made(folder, wall=walls, demand={"ag_g": 0.2, "spectrum": spectrum}, building=building)[
-        1
-    ]
+    return made(folder, wall=walls, demand={"ag_g": 0.2, "spectrum": spectrum}, building=building)[1]
 
 
 @pytest.fixture(scope="module")
 def loads(folder):
     """Walls with every kind of load, hinge setback, return walls, tie, variants, hazard."""
     roof = {"kind": "vertical", "kn_m": 10.0, "d_m": 0.30, "h_m": 3.0, "mass": "none"}
-    base = {"height_m": 3.0, "thickness_m": 0.45, "unit_weight_kn_m3": 18.0, "base_z_m": 0.0,
-            "mechanism": "one_sided", "back_restraint": "cross walls"}  # fmt: skip
+    base = {
+        "height_m": 3.0,
+        "thickness_m": 0.45,
+        "unit_weight_kn_m3": 18.0,
+        "base_z_m": 0.0,
+        "mechanism": "one_sided",
+        "back_restraint": "cross walls",
+    }
     across = {"number": 2, "thickness_m": 0.4, "brick_height_m": 0.2, "brick_length_m": 0.3}
     walls = [
-        {**base, "name": "a", "variant": "stato di fatto", "tie_height_m": 2.8,
-         "load": [roof, {"kind": "thrust", "kn_m": 2.0, "h_m": 2.5, "d_m": 0.3}]},
-        {**base, "name": "a", "variant": "progetto", "hinge_setback_m": 0.03, "return_walls": across, "length_m": 4.0,
-         "load": [{**roof, "mass": "horizontal"}, {"kind": "tie", "kn_m": 3.0, "h_m": 2.8}]},
-        {**base, "name": "both sides", "mechanism": "two_sided", "elastic_modulus_mpa": 600.0,
-         "load": [roof, {"kind": "carried_mass", "kn_m": 2.0, "d_m": 0.225, "h_m": 3.1}]},
-    ]  # fmt: skip
-    hazard = [
-        {"return_period_years": y, "ag_g": a} for y, a in ((30, 0.08), (475, 0.2), (2475, 0.4))
+        {
+            **base,
+            "name": "a",
+            "variant": "stato di fatto",
+            "tie_height_m": 2.8,
+            "load": [roof, {"kind": "thrust", "kn_m": 2.0, "h_m": 2.5, "d_m": 0.3}],
+        },
+        {
+            **base,
+            "name": "a",
+            "variant": "progetto",
+            "hinge_setback_m": 0.03,
+            "return_walls": across,
+            "length_m": 4.0,
+            "load": [{**roof, "mass": "horizontal"}, {"kind": "tie", "kn_m": 3.0, "h_m": 2.8}],
+        },
+        {
+            **base,
+            "name": "both sides",
+            "mechanism": "two_sided",
+            "elastic_modulus_mpa": 600.0,
+            "load": [roof, {"kind": "carried_mass", "kn_m": 2.0, "d_m": 0.225, "h_m": 3.1}],
+        },
     ]
-    demand = {"ag_g": 0.2, "spectrum": {"code": "EN1998", "soil": "B", "type": 1}, "nominal_life_years": 50,
-              "use_class_factor": 1.0, "hazard": hazard}  # fmt: skip
+    hazard = [{"return_period_years": y, "ag_g": a} for y, a in ((30, 0.08), (475, 0.2), (2475, 0.4))]
+    demand = {
+        "ag_g": 0.2,
+        "spectrum": {"code": "EN1998", "soil": "B", "type": 1},
+        "nominal_life_years": 50,
+        "use_class_factor": 1.0,
+        "hazard": hazard,
+    }
     return made(folder, wall=walls, demand=demand)
 
 
@@ -161,18 +233,13 @@ def test_that_loads_are_on_every_sheet_that_a_reader_needs(loads):
     assert names[:3] == ["Summary", "Calculation note", "Risk"]
 
     def words(name):
-        return [
-            str(cell.value) for row in book.workbook[name].iter_rows() for cell in row if cell.value
-        ]
+        return [str(cell.value) for row in book.workbook[name].iter_rows() for cell in row if cell.value]
 
     summary, risk = words("Summary"), words("Risk")
     assert any("ties hold their force" in text for text in summary)
     assert not any("no load or thrust" in text for text in summary)
     assert any("vertical load, intensity 10" in text for text in words("Input"))
-    assert (
-        sum(text in ("vertical load", "thrust", "tie", "carried mass") for text in words("Check"))
-        == 6
-    )
+    assert sum(text in ("vertical load", "thrust", "tie", "carried mass") for text in words("Check")) == 6
     assert any(text.startswith("By hand, no friction: α0 = (W·x ") for text in risk)
     assert "Before and after" in risk and "Variants" not in risk
     assert any("loads" in text and "return walls" in text for text in risk)
@@ -216,18 +283,13 @@ def test_that_walls_above_the_ground_have_a_sheet_of_their_floors(height, book):
     assert "Floors" in height.workbook.sheetnames and "Floors" not in book.workbook.sheetnames
     sheet = height.workbook["Floors"]
     floors = [cell.value for cell in sheet["A"] if str(cell.value).startswith("z = ")]
-    assert len(sheet._charts) == 2 and floors == [
-        "z = 3 m",
-        "z = 6 m",
-    ]  # "a" turns at the first storey's end as well
+    assert len(sheet._charts) == 2 and floors == ["z = 3 m", "z = 6 m"]  # "a" turns at the first storey's end as well
     shown = [cell.value for row in height.workbook["Check"].iter_rows() for cell in row]
     assert "PFA [g]" in shown and any("wall at 6 m" in str(value) for value in shown)
 
 
 @pytest.mark.parametrize("which", ["book", "ntc", "height", "loads"])
-def test_that_libreoffice_recalculates_every_formula_to_the_programs_value(
-    which, request, tmp_path
-):
+def test_that_libreoffice_recalculates_every_formula_to_the_programs_value(which, request, tmp_path):
     book = request.getfixturevalue(which)
     book = book[1] if which == "loads" else book
     office = shutil.which("soffice") or shutil.which("libreoffice")
@@ -237,10 +299,20 @@ def test_that_libreoffice_recalculates_every_formula_to_the_programs_value(
     book.workbook.save(bare)  # without the values: LibreOffice would trust them
     assert b"<v>" not in _formula_cells(bare)
     subprocess.run(
-        [office, "--headless", f"-env:UserInstallation=file://{tmp_path}/profile", "--convert-to",
-         "xlsx:Calc MS Excel 2007 XML", "--outdir", tmp_path / "out", bare],
-        check=True, capture_output=True, timeout=180,
-    )  # fmt: skip
+        [
+            office,
+            "--headless",
+            f"-env:UserInstallation=file://{tmp_path}/profile",
+            "--convert-to",
+            "xlsx:Calc MS Excel 2007 XML",
+            "--outdir",
+            tmp_path / "out",
+            bare,
+        ],
+        check=True,
+        capture_output=True,
+        timeout=180,
+    )
     shown = openpyxl.load_workbook(tmp_path / "out" / "bare.xlsx", data_only=True)
     for (sheet, cell), value in book.cached.items():
         found = shown[sheet][cell].value
@@ -272,18 +344,36 @@ def test_that_user_text_never_becomes_a_formula(book):
 
 def test_that_the_sheets_are_those_of_the_contract(folder, book):
     assert book.workbook.sheetnames == [
-        "Summary", "Overview", "Calculation note", "Input", "Records", "Results", "Check",
-        "Dynamic check", "Spectral compatibility",
-        "q against SI", "Histories", "Survival map", "Method",
-    ]  # fmt: skip
+        "Summary",
+        "Overview",
+        "Calculation note",
+        "Input",
+        "Records",
+        "Results",
+        "Check",
+        "Dynamic check",
+        "Spectral compatibility",
+        "q against SI",
+        "Histories",
+        "Survival map",
+        "Method",
+    ]
     italian = made(folder, "it")[1]
     assert italian.workbook.sheetnames[:6] == [
-        "Sintesi", "Riepilogo", "Relazione", "Dati", "Accelerogrammi", "Risultati",
-    ]  # fmt: skip
+        "Sintesi",
+        "Riepilogo",
+        "Relazione",
+        "Dati",
+        "Accelerogrammi",
+        "Risultati",
+    ]
     text = " ".join(
-        str(cell.value) for sheet in italian.workbook for row in sheet.iter_rows() for cell in row
+        str(cell.value)
+        for sheet in italian.workbook
+        for row in sheet.iter_rows()
+        for cell in row
         if isinstance(cell.value, str)
-    )  # fmt: skip
+    )
     for english in ("Warnings", "two-sided", "passed", "collapse found", "Ground"):
         assert english not in text
 
@@ -297,9 +387,12 @@ def test_that_the_engineers_judgement_is_left_blank(ntc):
 
 def test_that_a_sheet_in_italian_says_nothing_in_english(ntc):
     text = " ".join(
-        str(cell.value) for sheet in ntc.workbook for row in sheet.iter_rows() for cell in row
+        str(cell.value)
+        for sheet in ntc.workbook
+        for row in sheet.iter_rows()
+        for cell in row
         if isinstance(cell.value, str)
-    )  # fmt: skip
+    )
     for english in ("Verified", "passed", "stable", "Capacity", "mean spectrum", "overturns"):
         assert english not in text
 
@@ -339,13 +432,7 @@ def test_that_a_case_without_records_or_demand_still_makes_every_sheet(folder):
 
 def test_that_two_hundred_walls_fit_the_one_page_summary(folder, reference):
     walls = [
-        {
-            "name": f"wall {k}",
-            "height_m": 5.0,
-            "thickness_m": 0.5,
-            "base_z_m": 0.0,
-            "mechanism": "two_sided",
-        }
+        {"name": f"wall {k}", "height_m": 5.0, "thickness_m": 0.5, "base_z_m": 0.0, "mechanism": "two_sided"}
         for k in range(200)
     ]
     _, book = made(folder, wall=walls, record=[])
@@ -370,9 +457,7 @@ def test_that_no_merged_range_is_compared_with_the_others_and_none_overlap(folde
 def test_that_the_writing_tells_how_far_it_is_and_may_be_cancelled_at_every_row(folder, tmp_path):
     result = made(folder)[0]
     told, asked = [], []
-    export.write(
-        result, tmp_path, "c", lambda: asked.append(1), tell=lambda *state: told.append(state)
-    )
+    export.write(result, tmp_path, "c", lambda: asked.append(1), tell=lambda *state: told.append(state))
     done = [at for at, planned in told]
     assert done == sorted(set(done)) and done[0] == 0 and done[-1] >= 95
     assert {planned for _, planned in told} == {100}
@@ -413,9 +498,7 @@ def test_that_the_input_is_in_words_and_says_what_the_user_did_not_write():
     sheet.workbook.remove(sheet.workbook.active)
     result = study.run(read_case(path), base_dir=path.parent)
     inputs(sheet, result)
-    rows = [
-        [cell.value or None for cell in row] for row in sheet.workbook["Dati"].iter_rows(min_row=3)
-    ]
+    rows = [[cell.value or None for cell in row] for row in sheet.workbook["Dati"].iter_rows(min_row=3)]
     assert ["Altezza", 7.0, "m", "tabella delle pareti"] in rows
     assert ["Fattore di confidenza FC", 1.35, None, "predefinito"] in rows
     assert ["a_g su suolo rigido", 0.2, "g", None] in rows

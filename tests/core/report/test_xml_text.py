@@ -35,20 +35,13 @@ def parsed(content: bytes) -> str:
 def parts(content: bytes) -> dict[str, str]:
     """The text of every part of a package."""
     with zipfile.ZipFile(io.BytesIO(content)) as folder:
-        return {
-            name: parsed(folder.read(name))
-            for name in folder.namelist()
-            if name.endswith((".xml", ".rels"))
-        }
+        return {name: parsed(folder.read(name)) for name in folder.namelist() if name.endswith((".xml", ".rels"))}
 
 
 def test_that_only_what_no_xml_holds_is_escaped():
     assert for_xml(HOSTILE) == "a\\ufffe\\uffff_x0041_\\x0b\\ud800\U0001ffff è <&>"
     assert for_xml("a\tb\nè 😀\ufffd") == "a\tb\nè 😀\ufffd"
-    assert (
-        for_cell("_x0041_ x_x00e9__x0041_ _x41_")
-        == "_x005F_x0041_ x_x005F_x00e9__x005F_x0041_ _x41_"
-    )
+    assert for_cell("_x0041_ x_x00e9__x0041_ _x41_") == "_x005F_x0041_ x_x005F_x00e9__x005F_x0041_ _x41_"
     curve = Curve("\uffff", (1.0, 2.0), np.ones(2))
     made = for_xml((Figure("c\ufffe", [curve]), Table(("\uffff",), [["\uffff", "b"]], (1,))))
     assert made[0].caption == "c\\ufffe" and made[0].curves[0].x == (1.0, 2.0)
@@ -77,20 +70,9 @@ def test_that_the_value_of_a_formula_is_shown_as_it_is():
 
 def test_that_a_word_document_takes_any_text():
     pytest.importorskip("docx")
-    figure = Figure(
-        "c" + HOSTILE,
-        [Curve(HOSTILE.replace("\U0001ffff", ""), (0.0, 1.0), (0.0, 1.0))],
-        "x\uffff",
-        "y",
-    )
+    figure = Figure("c" + HOSTILE, [Curve(HOSTILE.replace("\U0001ffff", ""), (0.0, 1.0), (0.0, 1.0))], "x\uffff", "y")
     made = document(
-        [
-            Heading(HOSTILE, 1),
-            Paragraph(HOSTILE),
-            Table((HOSTILE,), [[HOSTILE]], (1,)),
-            Figures([figure, figure]),
-        ],
-        "en",
+        [Heading(HOSTILE, 1), Paragraph(HOSTILE), Table((HOSTILE,), [[HOSTILE]], (1,)), Figures([figure, figure])], "en"
     )
     assert parts(made)["word/document.xml"].count(SHOWN) == 6
 

@@ -9,9 +9,7 @@ from core.rocking.early_stop import LOOKAHEAD, lookahead_bounds
 from tests.core.rocking.lanes_and_histories import assert_lanes_are_histories
 
 
-def test_that_what_is_settled_or_chatters_to_rest_is_what_integrating_on_would_say(
-    reference, make_model
-):
+def test_that_what_is_settled_or_chatters_to_rest_is_what_integrating_on_would_say(reference, make_model):
     """Analyses that stop early, and chatter not followed to its end, change no bit of what is reported."""
     ground = np.concatenate([reference("standard")[0], 0.02 * reference("hard")[0]])
     for one_sided in (False, True):

@@ -20,9 +20,7 @@ from tests.core.rocking.lanes_and_histories import assert_lanes_are_histories
 @pytest.mark.parametrize("one_sided", [False, True])
 @pytest.mark.parametrize("law", ["rigid", "doherty"])
 @pytest.mark.parametrize("size", [1, 7, 8, 32, 33, 70])
-def test_that_lanes_equal_single_analyses_on_the_references(
-    reference, make_model, name, one_sided, law, size
-):
+def test_that_lanes_equal_single_analyses_on_the_references(reference, make_model, name, one_sided, law, size):
     ground = reference(name)[0]
     scales = np.linspace(0.5, 6.0, size) * (-1.0) ** np.arange(size)
     for restitution in ("housner", "one_sided_experimental") if one_sided else ("housner",):
@@ -52,9 +50,7 @@ def test_that_lanes_equal_single_analyses_on_random_walls_and_grounds():
 
 
 @pytest.mark.parametrize("height, dt", [(0.4, 0.02), (1.0, 0.05), (0.3, 0.1)])
-def test_that_lanes_take_long_steps_in_the_parts_of_single_analyses(
-    reference, make_model, height, dt
-):
+def test_that_lanes_take_long_steps_in_the_parts_of_single_analyses(reference, make_model, height, dt):
     """Where the series has not converged within a sample, by vector instructions down to a sixteenth of it."""
     ground = reference("standard")[0][::2]
     for law in ("rigid", "al_shawa"):
@@ -103,9 +99,7 @@ def test_that_nearly_elastic_impacts_reach_their_limit_in_lanes_as_in_histories(
         model = RockingModel(alpha, p2, float(rng.integers(2)), 0.9999, 0.0, 0.0, 0.0)
         ground = np.zeros(400)
         ground[3] = G * math.tan(alpha) * (1.0 + 10.0 ** rng.uniform(-6.0, -2.0))
-        seen |= set(
-            assert_lanes_are_histories(ground, 0.02, np.array([1.0, 1.02]), model, "taylor")
-        )
+        seen |= set(assert_lanes_are_histories(ground, 0.02, np.array([1.0, 1.02]), model, "taylor"))
     assert IMPACT_LIMIT in seen
 
 

@@ -72,26 +72,23 @@ def assembly(monkeypatch):
     def make(function, order):
         number, whole = types.float64, types.int64
         known = {
-            "lanes": whole, "falling": whole, "dt": number, "rest_below": number, "order": types.literal(order),
-            "model": typeof(RockingModel(0.1, 2.0, 0.0, 0.9, 0.0, 0.0, 0.0)), "state": number[::1],
+            "lanes": whole,
+            "falling": whole,
+            "dt": number,
+            "rest_below": number,
+            "order": types.literal(order),
+            "model": typeof(RockingModel(0.1, 2.0, 0.0, 0.9, 0.0, 0.0, 0.0)),
+            "state": number[::1],
             "constants": typeof(WallConstants((1.0, 1.0), *(1.0,) * (len(WallConstants._fields) - 1))),
-        }  # fmt: skip
-        loop = njit(
-            nogil=True,
-            error_model="numpy",
-            _nrt=False,
-            no_cpython_wrapper=True,
-            no_cfunc_wrapper=True,
-        )
-        loop(function).compile(tuple(known[name] for name in inspect.signature(function).parameters))  # fmt: skip
+        }
+        loop = njit(nogil=True, error_model="numpy", _nrt=False, no_cpython_wrapper=True, no_cfunc_wrapper=True)
+        loop(function).compile(tuple(known[name] for name in inspect.signature(function).parameters))
         return found
 
     return make
 
 
-@pytest.mark.skipif(
-    platform.machine().lower() not in ("x86_64", "amd64"), reason="reads assembly of x86-64"
-)
+@pytest.mark.skipif(platform.machine().lower() not in ("x86_64", "amd64"), reason="reads assembly of x86-64")
 @pytest.mark.parametrize("name, order", CASES)
 def test_that_a_loop_over_lanes_is_vector_instructions_on_every_processor(assembly, name, order):
     found = assembly(LOOPS[name], order)

@@ -26,10 +26,7 @@ def case(base_z, building=BUILDING, records=3, **keys):
     table = {
         "wall": [{**WALL, "base_z_m": base_z, "back_restraint": "cross walls"}],
         "record": [{"file": f"resources/motions/noise_{k}.txt"} for k in range(1, records + 1)],
-        "demand": {
-            "ag_g": 0.26,
-            "spectrum": {"code": "EN1998", "type": 1, "soil": "B"},
-        },
+        "demand": {"ag_g": 0.26, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}},
         "analysis": {"q_step": 0.01},
         **keys,
     }
@@ -49,9 +46,7 @@ def test_that_the_search_multiplies_the_ground_record(result):
     felt = {motion.name: motion for motion in wall.floor.motions}
     for one in wall.runs:
         motion = felt[one.record]
-        assert one.scale == pytest.approx(
-            one.ida.q * wall.block.threshold_acceleration / motion.pga, rel=1e-12
-        )
+        assert one.scale == pytest.approx(one.ida.q * wall.block.threshold_acceleration / motion.pga, rel=1e-12)
         scale = one.polarity * abs(one.scale) * (1.0 + 1e-9)
         made = history(motion.acceleration, motion.time_step, scale, wall.model, METHODS["taylor"])
         assert made.outcome == 1
@@ -101,8 +96,10 @@ def test_the_damaged_building_of_each_limit_state():
 
 
 def test_that_given_modes_are_taken_as_they_are():
-    modes = [{"period_s": 0.3, "damping": 0.1, "participation": 1.1},
-             {"period_s": 0.1, "damping": 0.05, "participation": -0.2}]  # fmt: skip
+    modes = [
+        {"period_s": 0.3, "damping": 0.1, "participation": 1.1},
+        {"period_s": 0.1, "damping": 0.05, "participation": -0.2},
+    ]
     building = {"height_m": 9.0, "storeys": 3, "modes": modes, "period_factor": 1.0}
     found = run(case(6.0, building, records=1), base_dir=ROOT).walls[0]
     assert [mode.participation for mode in found.floor.modes] == [1.1, -0.2]
@@ -124,11 +121,10 @@ def test_that_the_spectrum_of_the_code_is_compared_with_the_floor_motions(result
         ({"height_m": 5.0, "storeys": 2, "period_s": 0.2}, "base_above_building"),
         ({"height_m": 9.0, "period_s": 0.2}, "missing"),
         ({"height_m": 9.0, "storeys": 3, "period_s": -1.0}, "not_accepted"),
-        ({**BUILDING, "modes": [{"period_s": 0.3, "damping": 0.1, "participation": 1.0}]},
-         "modes_or_period"),
+        ({**BUILDING, "modes": [{"period_s": 0.3, "damping": 0.1, "participation": 1.0}]}, "modes_or_period"),
         ({**BUILDING, "storys": 3}, "unknown_key_near"),
     ],
-)  # fmt: skip
+)
 def test_that_a_wrong_building_is_refused(building, code):
     with pytest.raises(InputError) as caught:
         case(6.0, building)
@@ -136,10 +132,7 @@ def test_that_a_wrong_building_is_refused(building, code):
 
 
 def test_that_demand_scaling_is_of_the_record_of_the_ground():
-    found = run(
-        case(6.0, records=1, demand={"ag_g": 0.26, "soil_factor": 1.2, "demand_scaling": "pga"}),
-        base_dir=ROOT,
-    )
+    found = run(case(6.0, records=1, demand={"ag_g": 0.26, "soil_factor": 1.2, "demand_scaling": "pga"}), base_dir=ROOT)
     wall, motion = found.walls[0], found.motions[0]
     factors = {abs(entry.factor) for entry in wall.assessment.dynamic.runs}
     assert factors == {found.demand.pga / motion.pga}
@@ -149,13 +142,16 @@ def test_that_no_demand_of_the_floor_is_below_that_of_the_ground():
     """The spectra of the floor go to zero with its height: a wall a centimetre up had zeta 324."""
     building = {"height_m": 30.0, "storeys": 8, "period_s": 0.8}
     for free in (True, False):
-        keys = {"height_m": 1.0, "thickness_m": 0.2, "free_element": free,
-                "unit_weight_kn_m3": 18.0, "elastic_modulus_mpa": 600.0}  # fmt: skip
+        keys = {
+            "height_m": 1.0,
+            "thickness_m": 0.2,
+            "free_element": free,
+            "unit_weight_kn_m3": 18.0,
+            "elastic_modulus_mpa": 600.0,
+        }
         found = []
         for z in (0.0, 0.01, 1.0, 3.0):
-            wall = parse_case(
-                {"wall": [{**WALL, **keys, "base_z_m": z}], "building": building, "demand": DEMAND}
-            )
+            wall = parse_case({"wall": [{**WALL, **keys, "base_z_m": z}], "building": building, "demand": DEMAND})
             found.append(run(wall, base_dir=ROOT).walls[0].assessment)
         zetas = np.array([[check.zeta for check in one.checks] for one in found])
         assert np.all(zetas <= zetas[0] + 1e-12)
@@ -215,8 +211,9 @@ def test_that_an_odd_building_is_questioned(building, codes):
 
 def test_that_a_wall_at_rest_is_told_the_acceleration_of_its_floor():
     keys = {"height_m": 1.0, "thickness_m": 0.4}
-    wall = parse_case({**TABLE, "wall": [{**WALL, **keys, "base_z_m": 6.0}], "building": BUILDING,
-                       "demand": {**DEMAND, "ag_g": 0.01}})  # fmt: skip
+    wall = parse_case(
+        {**TABLE, "wall": [{**WALL, **keys, "base_z_m": 6.0}], "building": BUILDING, "demand": {**DEMAND, "ag_g": 0.01}}
+    )
     verdict = run(wall, base_dir=ROOT).walls[0].assessment.verdict
     assert verdict.code == "not_activated" and "floor" in verdict.text("en")
 

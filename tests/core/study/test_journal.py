@@ -15,9 +15,7 @@ KEY = "0.3.0 abc"
 def filled(path, runs=6, resume=False):
     book = Journal(path, KEY, resume)
     for k in range(runs):
-        book.add(
-            f"run{k}", {"status": "collapse_found", "q": 1.25 + k, "analyses": 3, "outcomes": "001"}
-        )
+        book.add(f"run{k}", {"status": "collapse_found", "q": 1.25 + k, "analyses": 3, "outcomes": "001"})
     book.close()
     return path.read_bytes()
 
@@ -26,9 +24,7 @@ def test_that_finished_runs_come_back_digit_for_digit(tmp_path):
     path = tmp_path / "c.journal"
     filled(path)
     book = Journal(path, KEY, True)
-    assert [book.get(f"run{k}")["q"] for k in range(6)] == [
-        1.25 + k for k in range(6)
-    ] and book.dropped == 0
+    assert [book.get(f"run{k}")["q"] for k in range(6)] == [1.25 + k for k in range(6)] and book.dropped == 0
     book.remove()
     assert not path.exists()
 
@@ -37,9 +33,7 @@ def test_that_no_mutation_of_a_byte_changes_a_result(tmp_path):
     """Each line is whole or run again: bits flipped, bytes cut out, lines doubled, exchanged, cut."""
     path = tmp_path / "c.journal"
     content, chance = filled(path), random.Random(1)
-    whole = {
-        json.loads(line)["run"]: json.loads(line)["result"] for line in content.splitlines()[1:]
-    }
+    whole = {json.loads(line)["run"]: json.loads(line)["result"] for line in content.splitlines()[1:]}
     head = content.index(b"\n") + 1
     for k in range(1500):
         changed, place = bytearray(content), chance.randrange(head, len(content))
@@ -51,9 +45,7 @@ def test_that_no_mutation_of_a_byte_changes_a_result(tmp_path):
         elif kind == 2:
             del changed[place:]
         else:
-            changed[place:place] = bytes(
-                chance.randrange(256) for _ in range(chance.randrange(1, 9))
-            )
+            changed[place:place] = bytes(chance.randrange(256) for _ in range(chance.randrange(1, 9)))
         path.write_bytes(changed)
         book = Journal(path, KEY, True)
         assert all(whole[name] == result for name, result in book.found.items())

@@ -31,13 +31,7 @@ def test_that_a_kept_check_is_the_one_that_was_made(result, tmp_path, monkeypatc
 
 def test_that_all_that_decides_a_check_is_in_its_key(result):
     wall, motions, demand = result.walls[1], list(result.motions), result.demand
-    asked = {
-        "model": wall.model,
-        "motions": motions,
-        "polarities": (1, -1),
-        "demand": demand,
-        "method": AUTO,
-    }
+    asked = {"model": wall.model, "motions": motions, "polarities": (1, -1), "demand": demand, "method": AUTO}
     numbers = (1, True)
     key = check_key(*asked.values(), *numbers)
     assert key == check_key(*asked.values(), *numbers)
@@ -49,7 +43,7 @@ def test_that_all_that_decides_a_check_is_in_its_key(result):
         {**asked, "motions": [replace(motions[0], details=(("Station", "x"),)), *motions[1:]]},
         {**asked, "polarities": (1,)},
         {**asked, "method": METHODS["rk4"]},
-    ]  # fmt: skip
+    ]
     keys = {key, *(check_key(*other.values(), *numbers) for other in others)}
     for changed in ((2, True), (1, False)):
         keys.add(check_key(*asked.values(), *changed))

@@ -28,9 +28,7 @@ def planted():
         middle = chance.uniform(0.3, 1.4)
         for motion in range(3):
             drawn = SimpleNamespace(
-                housner_intensity=middle * chance.uniform(0.97, 1.03),
-                pga=2.0,
-                pgv=chance.uniform(0.1, 0.6),
+                housner_intensity=middle * chance.uniform(0.97, 1.03), pga=2.0, pgv=chance.uniform(0.1, 0.6)
             )
             entry = StudyMotion(drawn, f"s{shape}", "g", 10 * shape + motion)
             for alpha, height, e in product((3.0, 8.0), (2.0, 6.0), ("0.8", "0.95")):
@@ -44,9 +42,7 @@ def planted():
 
 def test_that_a_planted_law_comes_back_within_its_interval(planted):
     fits = fits_of(planted)
-    assert set(fits) == {
-        ("two_sided", "rigid", name) for name in ("q", "q_slv", "q_slc", "q_robust")
-    }
+    assert set(fits) == {("two_sided", "rigid", name) for name in ("q", "q_slv", "q_slc", "q_robust")}
     fit = fits["two_sided", "rigid", "q"]
     for found, error, truth in zip(fit.law.coefficients, fit.errors, PLANTED, strict=True):
         assert abs(found - truth) < 3.0 * error + 0.001
@@ -88,9 +84,7 @@ def test_that_an_estimate_at_slv_is_not_above_that_at_collapse():
             one, slv = law.estimates(block, restitution(block, model), LAWS["rigid"], True, si, 2.0)
             assert slv.q <= one.q and slv.low <= one.low and slv.high <= one.high
     for one_sided, name in product((False, True), LAWS):
-        at_collapse, at_slv = (
-            law.law_of(one_sided, LAWS[name], quantity) for quantity in ("q", "q_slv")
-        )
+        at_collapse, at_slv = (law.law_of(one_sided, LAWS[name], quantity) for quantity in ("q", "q_slv"))
         low, high = at_collapse.loss_range
         for ratio in 1.0 - np.linspace(low, high, 5) ** 2:
             x = np.geomspace(0.2, 5.0, 20)
@@ -102,15 +96,8 @@ def test_that_an_estimate_is_scale_free_and_says_where_it_does_not_hold():
     impact = restitution(block, "housner")
     once = law.estimates(block, impact, LAWS["rigid"], False, 1.2, 3.0)
     assert [entry.quantity for entry in once] == ["q", "q_slv"]
-    assert law.estimates(block, impact, LAWS["rigid"], False, 0.12, 0.3)[0].q == pytest.approx(
-        once[0].q, rel=1e-14
-    )
-    assert (
-        once[0].within
-        and not law.estimates(block, impact, LAWS["rigid"], False, 60.0, 3.0)[0].within
-    )
+    assert law.estimates(block, impact, LAWS["rigid"], False, 0.12, 0.3)[0].q == pytest.approx(once[0].q, rel=1e-14)
+    assert once[0].within and not law.estimates(block, impact, LAWS["rigid"], False, 60.0, 3.0)[0].within
     assert law.estimates(block, impact, MomentLaw(0.1, 0.3), False, 1.2, 3.0) == ()
     drop = restitution(block, "one_sided_experimental")
-    assert law.loss_ratio(block, drop) == pytest.approx(
-        drop.ratio_at_rest * (1.18 - 0.473) / 1.18, rel=1e-12
-    )
+    assert law.loss_ratio(block, drop) == pytest.approx(drop.ratio_at_rest * (1.18 - 0.473) / 1.18, rel=1e-12)

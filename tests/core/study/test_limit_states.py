@@ -23,17 +23,9 @@ NTC = {"code": "NTC2018", "soil": "C", "topography": "T1", "f0": 2.36, "tc_star_
 
 
 def site(**changes):
-    demand = {
-        "ag_g": 0.26,
-        "nominal_life_years": 50.0,
-        "use_class_factor": 1.0,
-        "hazard": HAZARD,
-        "spectrum": NTC,
-    }
+    demand = {"ag_g": 0.26, "nominal_life_years": 50.0, "use_class_factor": 1.0, "hazard": HAZARD, "spectrum": NTC}
     given = {**demand, **changes}
-    return parse_case(
-        {"wall": [WALL], "demand": {k: v for k, v in given.items() if v not in (None, [])}}
-    )
+    return parse_case({"wall": [WALL], "demand": {k: v for k, v in given.items() if v not in (None, [])}})
 
 
 def test_that_the_hazard_is_linear_in_logarithms_between_its_rows():
@@ -44,9 +36,7 @@ def test_that_the_hazard_is_linear_in_logarithms_between_its_rows():
     assert found.ag_g == pytest.approx(0.08 ** (1.0 - share) * 0.26**share, rel=1e-12)
     assert found.f0 == pytest.approx(2.40 ** (1.0 - share) * 2.36**share, rel=1e-12)
     for row in rows:
-        assert interpolated(rows, row.return_period_years).ag_g == pytest.approx(
-            row.ag_g, rel=1e-12
-        )
+        assert interpolated(rows, row.return_period_years).ag_g == pytest.approx(row.ag_g, rel=1e-12)
 
 
 def test_that_each_limit_state_has_its_return_period_and_its_own_check():
@@ -62,9 +52,7 @@ def test_that_each_limit_state_has_its_return_period_and_its_own_check():
     # the demand of the case itself is that of its own limit state, but for the rounding of T_R 474.6
     asked = demand_of(case, Path())
     assert demands["SLV"].ag == pytest.approx(asked.ag, rel=1e-3)
-    assert found[1].zeta == pytest.approx(
-        nonlinear(kinematic(case.wall[0], "one_sided", asked), asked).zeta, rel=3e-3
-    )
+    assert found[1].zeta == pytest.approx(nonlinear(kinematic(case.wall[0], "one_sided", asked), asked).zeta, rel=3e-3)
 
 
 def test_that_a_limit_state_outside_the_rows_has_none_and_is_said():
@@ -107,11 +95,7 @@ def test_that_a_demand_that_contradicts_the_hazard_of_the_case_is_refused(key, v
         demand_of(case, Path())
     for language in ("en", "it"):
         text = caught.value.text(language)
-        assert (
-            "SLV" in text
-            and "475" in text
-            and f"{value:g}".replace(".", ",") in text.replace(".", ",")
-        )
+        assert "SLV" in text and "475" in text and f"{value:g}".replace(".", ",") in text.replace(".", ",")
 
 
 def test_that_a_scale_that_has_no_effect_is_refused():
@@ -121,10 +105,15 @@ def test_that_a_scale_that_has_no_effect_is_refused():
         parse_case({"wall": [WALL], "record": [record], "demand": demand})
 
 
-@pytest.mark.parametrize("changes", [
-    {"hazard": []}, {"nominal_life_years": None}, {"use_class_factor": None},
-    {"hazard": [{k: row[k] for k in ("return_period_years", "ag_g")} for row in HAZARD]},
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"hazard": []},
+        {"nominal_life_years": None},
+        {"use_class_factor": None},
+        {"hazard": [{k: row[k] for k in ("return_period_years", "ag_g")} for row in HAZARD]},
+    ],
+)
 def test_that_without_what_it_takes_there_is_none(changes):
     assert demands_of(site(**changes), Path()) == {}
 
@@ -133,35 +122,40 @@ def test_that_a_file_of_the_hazard_is_the_same_as_its_rows(tmp_path):
     lines = [" ".join(str(value) for value in row.values()) for row in HAZARD]
     (tmp_path / "site.txt").write_text("\n".join(lines))
     given = demands_of(site(), Path())
-    read = demands_of(parse_case({"wall": [WALL], "demand": {
-        "ag_g": 0.26, "nominal_life_years": 50.0, "use_class_factor": 1.0, "hazard_file": "site.txt",
-        "spectrum": NTC}}), tmp_path)  # fmt: skip
-    assert {state: d.ag / G for state, d in read.items()} == {
-        state: d.ag / G for state, d in given.items()
-    }
+    read = demands_of(
+        parse_case(
+            {
+                "wall": [WALL],
+                "demand": {
+                    "ag_g": 0.26,
+                    "nominal_life_years": 50.0,
+                    "use_class_factor": 1.0,
+                    "hazard_file": "site.txt",
+                    "spectrum": NTC,
+                },
+            }
+        ),
+        tmp_path,
+    )
+    assert {state: d.ag / G for state, d in read.items()} == {state: d.ag / G for state, d in given.items()}
 
 
 def test_that_a_state_asked_for_has_its_time_histories(tmp_path):
     """Under the motions of the case times the ratio of the peaks; at SLD the clause has no rule for them."""
     wall = {key: value for key, value in WALL.items() if key != "velocity_ratio"}
-    demand = {"ag_g": 0.26, "nominal_life_years": 50.0, "use_class_factor": 1.0, "hazard": HAZARD, "spectrum": NTC,
-              "limit_states": ["SLC", "SLD"]}  # fmt: skip
-    table = {
-        "wall": [wall],
-        "generate": {"count": 3},
-        "analysis": {"q_step": 0.05},
-        "demand": demand,
+    demand = {
+        "ag_g": 0.26,
+        "nominal_life_years": 50.0,
+        "use_class_factor": 1.0,
+        "hazard": HAZARD,
+        "spectrum": NTC,
+        "limit_states": ["SLC", "SLD"],
     }
-    found = {
-        one.state: one
-        for one in run(parse_case(table), base_dir=tmp_path).walls[0].assessment.states
-    }
+    table = {"wall": [wall], "generate": {"count": 3}, "analysis": {"q_step": 0.05}, "demand": demand}
+    found = {one.state: one for one in run(parse_case(table), base_dir=tmp_path).walls[0].assessment.states}
     assert found["SLC"].check == "dynamic" and found["SLC"].zeta is not None
     assert found["SLD"].check == "linear_sld" and found["SLV"].check == "nonlinear"
     del demand["limit_states"]
-    plain = {
-        one.state: one
-        for one in run(parse_case(table), base_dir=tmp_path).walls[0].assessment.states
-    }
+    plain = {one.state: one for one in run(parse_case(table), base_dir=tmp_path).walls[0].assessment.states}
     assert plain["SLC"].check == "nonlinear"
     assert [one.name for one in plain["SLV"].checks] == ["nonlinear", "linear_q_code"]

@@ -92,9 +92,7 @@ def test_that_threads_and_finished_runs_change_no_digit(tmp_path):
 
     with pytest.raises(Cancelled):
         run(content, journal=journal, cancelled=cancelled)
-    again = run(
-        content, jobs=2, journal=journal, on_progress=lambda done, of, left: count.append(done)
-    )
+    again = run(content, jobs=2, journal=journal, on_progress=lambda done, of, left: count.append(done))
     assert count[0] >= 3
     assert again.rows == once.rows
     assert len(once.rows) == 2 * 1 + 2 * 2
@@ -130,10 +128,7 @@ def test_that_every_file_of_a_folder_is_read_or_named(tmp_path):
     assert [file for file, _ in result.refused] == ["notes.md"]
     assert len(result.rows) == 1
     (tmp_path / "list.toml").write_text('[[record]]\nfile = "a/*.txt"\n')
-    assert (
-        run(table(motions="records"), records_from=tmp_path / "list.toml").rows[0].q
-        == result.rows[0].q
-    )
+    assert run(table(motions="records"), records_from=tmp_path / "list.toml").rows[0].q == result.rows[0].q
     (tmp_path / "empty").mkdir()
     with pytest.raises(InputError, match="no acceleration record"):
         run(table(motions="records"), records_from=tmp_path / "empty")
@@ -141,15 +136,7 @@ def test_that_every_file_of_a_folder_is_read_or_named(tmp_path):
 
 def test_that_the_smallest_a_g_gives_the_pga_asked_for():
     """S of soil D jumps down at 0.375 g for this shape: two values of a_g give that PGA."""
-    soft = {
-        "name": "s",
-        "seed": 5,
-        "code": "NTC2018",
-        "f0": 2.5,
-        "tc_star_s": 0.5,
-        "soil": "D",
-        "topography": "T1",
-    }
+    soft = {"name": "s", "seed": 5, "code": "NTC2018", "f0": 2.5, "tc_star_s": 0.5, "soil": "D", "topography": "T1"}
     for pga in (0.05, 0.2, 0.3, 0.36, 0.375):
         content = {**table(), "group": [{"name": "g", "pga_g": pga, "spectrum": [soft]}]}
         ((spectrum, _),) = parametric.spectra_of(parse_study(content))
@@ -178,9 +165,7 @@ def test_that_a_record_and_its_copy_that_differ_by_rounding_count_once(tmp_path)
         other[100] *= factor
         lines = [f"{value:.10f}" for value in other]
         (tmp_path / f"{name}.txt").write_text("\n".join(lines))
-    entries = [
-        {"file": str(tmp_path / f"{name}.txt"), "unit": "g", "time_step_s": 0.01} for name in "abc"
-    ]
+    entries = [{"file": str(tmp_path / f"{name}.txt"), "unit": "g", "time_step_s": 0.01} for name in "abc"]
     result = run({**table(motions="records"), "record": entries})
     found = [entry.motion.name for entry in result.motions if entry.seed is None]
     assert found == ["a", "c"]
@@ -219,8 +204,5 @@ def test_that_a_study_without_a_motion_is_refused():
 
 def test_that_grids_that_share_a_wall_run_it_once():
     content = table()
-    content["grid"] += [
-        {**content["grid"][0], "motions": "all"},
-        {**content["grid"][0], "restitution": ["housner"]},
-    ]
+    content["grid"] += [{**content["grid"][0], "motions": "all"}, {**content["grid"][0], "restitution": ["housner"]}]
     assert len(run(content).rows) == 2

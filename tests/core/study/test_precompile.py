@@ -35,9 +35,12 @@ precompile.end()
 def test_that_a_second_process_compiles_the_step_where_nothing_is_compiled(tmp_path):
     def cold(executable, folder):
         found = subprocess.run(
-            [sys.executable, "-P", "-c", COLD, executable], capture_output=True, text=True, check=True,
+            [sys.executable, "-P", "-c", COLD, executable],
+            capture_output=True,
+            text=True,
+            check=True,
             env=dict(os.environ, PYTHONPATH=str(ROOT), RIBALTA_CACHE=str(folder)),
-        )  # fmt: skip
+        )
         return found.stdout.split()
 
     taken, begun, *results, again = cold(sys.executable, tmp_path / "two")

@@ -22,7 +22,7 @@ def test_that_the_time_left_goes_with_the_cost_not_with_the_count():
         clock.now += costs[task] + (30.0 if task == "first" else 0.0)  # the compiler's
         progress.done(task)
     assert [state[:2] for state in told] == [(k, 4) for k in range(5)]
-    assert [state[2] for state in told] == [None, None, pytest.approx(30.0), pytest.approx(20.0), 0.0]  # fmt: skip
+    assert [state[2] for state in told] == [None, None, pytest.approx(30.0), pytest.approx(20.0), 0.0]
 
 
 def test_that_no_time_left_is_said_before_anything_tells_it():

@@ -32,8 +32,10 @@ def test_that_threads_and_their_number_change_no_digit(folder, result):
 
 def test_that_a_wall_with_both_mechanisms_gives_two_entries(result):
     assert [(wall.name, wall.mechanism) for wall in result.walls] == [
-        ("w", "two_sided"), ("w", "one_sided"), ("v", "two_sided"),
-    ]  # fmt: skip
+        ("w", "two_sided"),
+        ("w", "one_sided"),
+        ("v", "two_sided"),
+    ]
     assert [run.polarity for run in result.walls[1].runs] == [1, -1] * 3
     assert [run.polarity for run in result.walls[0].runs] == [1] * 3
 
@@ -78,9 +80,7 @@ def test_that_the_intensity_of_the_demand_is_given_or_from_the_records(folder, r
 
 
 def test_that_a_case_without_records_gives_closed_forms_and_code_only(folder):
-    found = study.run(
-        case(record=[], demand={"ag_g": 0.2, "housner_intensity_cm": 80.0}), base_dir=folder
-    )
+    found = study.run(case(record=[], demand={"ag_g": 0.2, "housner_intensity_cm": 80.0}), base_dir=folder)
     wall = found.walls[0]
     assert wall.runs == () and wall.set_rule is None and wall.q_set is None
     assert wall.closed_form_q == pytest.approx(wall.closed_form_q_eff * 0.2)
@@ -92,15 +92,17 @@ def test_that_a_new_title_or_demand_keeps_the_finished_runs(folder, tmp_path, re
     study.run(case(), base_dir=folder, journal=lambda key: Journal(path, key, False))
     first = []
     study.run(
-        case(title="other", demand={"ag_g": 0.1}), base_dir=folder,
-        journal=lambda key: Journal(path, key, True), on_progress=lambda d, p, left: first.append((d, p)),
-    )  # fmt: skip
+        case(title="other", demand={"ag_g": 0.1}),
+        base_dir=folder,
+        journal=lambda key: Journal(path, key, True),
+        on_progress=lambda d, p, left: first.append((d, p)),
+    )
     assert first[0] == (12, 15)  # three walls are assessed again
 
 
 def test_that_a_resume_with_every_run_done_makes_no_analysis(folder, tmp_path, result, monkeypatch):
     """Neither a run nor a check: of a wall that could rock freely, above the ground, with a tie asked for, too."""
-    wall = {"height_m": 3.0, "thickness_m": 0.3, "unit_weight_kn_m3": 18.0, "mechanism": "one_sided"}  # fmt: skip
+    wall = {"height_m": 3.0, "thickness_m": 0.3, "unit_weight_kn_m3": 18.0, "mechanism": "one_sided"}
     spectrum = {"code": "NTC2018", "f0": 2.4, "tc_star_s": 0.33, "soil": "B", "topography": "T1"}
     asked = case(
         wall=[
@@ -117,9 +119,11 @@ def test_that_a_resume_with_every_run_done_makes_no_analysis(folder, tmp_path, r
     monkeypatch.setattr(study, "incremental_dynamic_analysis", lambda *_: pytest.fail("run again"))
     told = []
     again = study.run(
-        asked, base_dir=folder, journal=lambda key: Journal(path, key, True),
+        asked,
+        base_dir=folder,
+        journal=lambda key: Journal(path, key, True),
         on_progress=lambda *state: told.append(state),
-    )  # fmt: skip
+    )
     assert numbers(again) == numbers(first)
     assert told[-1] == (told[0][1], told[0][1], 0.0)
 
@@ -127,9 +131,10 @@ def test_that_a_resume_with_every_run_done_makes_no_analysis(folder, tmp_path, r
 def test_that_runs_checks_and_statements_are_all_counted_from_the_beginning(folder):
     told = []
     study.run(
-        case(analysis={"q_step": 0.02, "accuracy": True}), base_dir=folder,
+        case(analysis={"q_step": 0.02, "accuracy": True}),
+        base_dir=folder,
         on_progress=lambda *state: told.append(state),
-    )  # fmt: skip
+    )
     assert [state[:2] for state in told] == [(k, 12 + 3 + 3) for k in range(12 + 3 + 3 + 1)]
 
 
@@ -160,9 +165,12 @@ def test_that_a_cancelled_run_keeps_its_journal_and_resumes_bit_identical(folder
 
     with pytest.raises(Cancelled):
         study.run(
-            case(), base_dir=folder, journal=lambda key: Journal(path, key, False),
-            on_progress=progress, cancelled=lambda: state["done"] >= 4,
-        )  # fmt: skip
+            case(),
+            base_dir=folder,
+            journal=lambda key: Journal(path, key, False),
+            on_progress=progress,
+            cancelled=lambda: state["done"] >= 4,
+        )
     lines = path.read_bytes().count(b"\n")
     assert lines >= 5
     # a line cut by a kill
@@ -172,9 +180,7 @@ def test_that_a_cancelled_run_keeps_its_journal_and_resumes_bit_identical(folder
     def resumed(done, planned, left):
         first.append(done)
 
-    again = study.run(
-        case(), base_dir=folder, journal=lambda key: Journal(path, key, True), on_progress=resumed
-    )
+    again = study.run(case(), base_dir=folder, journal=lambda key: Journal(path, key, True), on_progress=resumed)
     assert first[0] >= 4
     assert numbers(again) == numbers(result)
 
@@ -192,9 +198,11 @@ def test_that_a_journal_of_another_case_is_not_used(folder, tmp_path):
     study.run(case(), base_dir=folder, journal=lambda key: Journal(path, key, False))
     first = []
     study.run(
-        case(analysis={"q_step": 0.03}), base_dir=folder,
-        journal=lambda key: Journal(path, key, True), on_progress=lambda d, p, left: first.append(d),
-    )  # fmt: skip
+        case(analysis={"q_step": 0.03}),
+        base_dir=folder,
+        journal=lambda key: Journal(path, key, True),
+        on_progress=lambda d, p, left: first.append(d),
+    )
     assert first[0] == 0
 
 
@@ -232,8 +240,13 @@ def renamed(folder, tmp_path_factory):
             (place / file).parent.mkdir(exist_ok=True)
             (place / file).write_bytes((folder / f"r{k}.txt").read_bytes())
         records = [{"file": file, "unit": "m/s2", "time_step_s": 0.01} for file in files]
-        wall = {"height_m": 4.0, "thickness_m": 0.4, "base_z_m": 0.0, "mechanism": "one_sided",
-                "back_restraint": "cross walls"}  # fmt: skip
+        wall = {
+            "height_m": 4.0,
+            "thickness_m": 0.4,
+            "base_z_m": 0.0,
+            "mechanism": "one_sided",
+            "back_restraint": "cross walls",
+        }
         first, second = ({**wall, "name": name} for name in names)
         walls = [
             {**first, "variant": "stato di fatto", "hinge_heights": [1.0]},
@@ -279,10 +292,7 @@ def test_that_every_motion_of_a_study_has_a_name_of_its_own(renamed):
 
 
 def test_that_a_file_of_a_generated_motion_is_refused_beside_it(folder, tmp_path):
-    asked = {
-        "demand": {"ag_g": 0.2, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}},
-        "generate": {"count": 1},
-    }
+    asked = {"demand": {"ag_g": 0.2, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}, "generate": {"count": 1}}
     made = study.run(case(record=[], **asked), base_dir=folder).motions[0]
     lines = [f"{value:.17e}\n" for value in made.acceleration]
     (tmp_path / "copy.txt").write_text("".join(lines))

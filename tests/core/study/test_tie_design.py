@@ -44,8 +44,13 @@ def test_that_no_tie_is_needed_or_none_is_enough_is_said():
 
 
 def test_that_of_several_hinges_the_weakest_asks_the_force(tmp_path):
-    wall = {**WALL, "height_m": 6.0, "load": [{**ROOF, "h_m": 6.0}, {**THRUST, "h_m": 6.0, "kn_m": 1.0}],
-            "tie_height_m": 5.5, "hinge_heights": [3.0]}  # fmt: skip
+    wall = {
+        **WALL,
+        "height_m": 6.0,
+        "load": [{**ROOF, "h_m": 6.0}, {**THRUST, "h_m": 6.0, "kn_m": 1.0}],
+        "tie_height_m": 5.5,
+        "hinge_heights": [3.0],
+    }
     building = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
     table = {"wall": [wall], "demand": DEMAND, "building": building}
     result = study.run(parse_case(table), base_dir=tmp_path)
@@ -56,28 +61,14 @@ def test_that_of_several_hinges_the_weakest_asks_the_force(tmp_path):
 
 
 def test_that_the_tie_found_in_a_study_brings_the_dynamic_check_to_its_target(tmp_path):
-    wall = {
-        **WALL,
-        "load": [ROOF, {**THRUST, "kn_m": 2.5}],
-        "tie_height_m": 2.9,
-        "back_restraint": "cross walls",
-    }
-    table = {
-        "wall": [wall],
-        "demand": DEMAND,
-        "generate": {"count": 3},
-        "analysis": {"q_step": 0.02},
-    }
+    wall = {**WALL, "load": [ROOF, {**THRUST, "kn_m": 2.5}], "tie_height_m": 2.9, "back_restraint": "cross walls"}
+    table = {"wall": [wall], "demand": DEMAND, "generate": {"count": 3}, "analysis": {"q_step": 0.02}}
     found = study.run(parse_case(table), base_dir=tmp_path).walls[0].assessment
     assert found.verdict.zeta_e < 1.0 and found.tie.force > 0.0
     tie = {"kind": "tie", "kn_m": 1e-3 * found.tie.force, "h_m": 2.9}
     held = {**wall, "load": [*wall["load"], tie]}
     again = study.run(parse_case({**table, "wall": [held]}), base_dir=tmp_path).walls[0].assessment
     assert again.verdict.governing == found.verdict.governing == "dynamic"
-    assert again.verdict.zeta_e >= 1.0 and again.verdict.code in (
-        "indicative",
-        "verified",
-        "verified_refined",
-    )
+    assert again.verdict.zeta_e >= 1.0 and again.verdict.code in ("indicative", "verified", "verified_refined")
     assert again.dynamic.passed and not again.dynamic.within_spread(1.0)
     assert again.tie.force == 0.0

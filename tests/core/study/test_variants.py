@@ -30,9 +30,7 @@ def test_that_two_walls_of_one_name_are_compared_and_what_changed_is_named():
 
 
 def test_that_a_variant_without_its_counterpart_is_said():
-    result = study.run(
-        parse_case({"wall": [BEFORE, {**AFTER, "name": "x"}], "demand": DEMAND}), base_dir=Path()
-    )
+    result = study.run(parse_case({"wall": [BEFORE, {**AFTER, "name": "x"}], "demand": DEMAND}), base_dir=Path())
     for wall in result.walls:
         assert wall.warnings[0].code == "variant_alone"
 

@@ -33,25 +33,25 @@ def of_stations(folder, reference, names: str, **more):
     entries = []
     for k, station in enumerate(names):
         samples = np.roll(ground, 31 * k)
-        lines = ["PEER STRONG MOTION DATABASE RECORD", f"Event, 1/2/1990, Station {station}, {k:03d}",
-                 "ACCELERATION TIME HISTORY IN UNITS OF G", f"NPTS= {samples.size}, DT= .01000 SEC",
-                 *(f"{value:.7E}" for value in samples)]  # fmt: skip
+        lines = [
+            "PEER STRONG MOTION DATABASE RECORD",
+            f"Event, 1/2/1990, Station {station}, {k:03d}",
+            "ACCELERATION TIME HISTORY IN UNITS OF G",
+            f"NPTS= {samples.size}, DT= .01000 SEC",
+            *(f"{value:.7E}" for value in samples),
+        ]
         (folder / f"{k}.AT2").write_text("\n".join(lines))
         entries.append({"file": f"{k}.AT2"})
-    wall = {"name": "w", "height_m": 3.0, "thickness_m": 0.3, "base_z_m": 0.0, "mechanism": "two_sided",
-            "free_element": False}  # fmt: skip
-    demand = {
-        "ag_g": 0.1,
-        "spectrum": {"code": "EN1998", "type": 1, "soil": "B"},
-        "demand_scaling": "pga",
+    wall = {
+        "name": "w",
+        "height_m": 3.0,
+        "thickness_m": 0.3,
+        "base_z_m": 0.0,
+        "mechanism": "two_sided",
+        "free_element": False,
     }
-    table = {
-        "wall": [wall],
-        "record": entries,
-        "demand": demand,
-        "analysis": {"q_step": 0.02},
-        **more,
-    }
+    demand = {"ag_g": 0.1, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}, "demand_scaling": "pga"}
+    table = {"wall": [wall], "record": entries, "demand": demand, "analysis": {"q_step": 0.02}, **more}
     return study.run(parse_case(table), base_dir=folder)
 
 
@@ -102,17 +102,13 @@ def test_that_three_records_take_the_minimum(result):
 
 
 def test_that_fewer_records_are_flagged(folder):
-    few = study.run(
-        case(record=[{"file": "r0.txt", "unit": "m/s2", "time_step_s": 0.01}]), base_dir=folder
-    )
+    few = study.run(case(record=[{"file": "r0.txt", "unit": "m/s2", "time_step_s": 0.01}]), base_dir=folder)
     assert few.walls[0].set_rule == "too_few"
     assert any(notice.code == "too_few" for notice in few.walls[0].warnings)
 
 
 def test_that_a_standing_wall_is_left_out_and_counted(folder):
-    found = study.run(
-        case(wall=[STANDING], analysis={"q_step": 0.05, "q_limit": 1.5}), base_dir=folder
-    )
+    found = study.run(case(wall=[STANDING], analysis={"q_step": 0.05, "q_limit": 1.5}), base_dir=folder)
     wall = found.walls[0]
     assert {run.ida.status for run in wall.runs} == {"no_collapse_found"}
     assert wall.q_set is None and wall.power_law is None
@@ -132,8 +128,15 @@ def test_that_a_standing_wall_is_left_out_and_counted(folder):
     ],
 )
 def test_that_input_no_engineer_means_is_questioned(wall, code, tmp_path):
-    base = {"name": "w", "height_m": 4.0, "thickness_m": 0.5, "base_z_m": 0.0, "mechanism": "two_sided",
-            "unit_weight_kn_m3": 18.0, "elastic_modulus_mpa": 900.0}  # fmt: skip
+    base = {
+        "name": "w",
+        "height_m": 4.0,
+        "thickness_m": 0.5,
+        "base_z_m": 0.0,
+        "mechanism": "two_sided",
+        "unit_weight_kn_m3": 18.0,
+        "elastic_modulus_mpa": 900.0,
+    }
     asked = parse_case({"wall": [{**base, **wall}], "demand": {"ag_g": 0.2}})
     found = study.run(asked, base_dir=tmp_path)
     unusual = {"thin", "slender", "odd_weight", "odd_modulus"}
@@ -142,9 +145,7 @@ def test_that_input_no_engineer_means_is_questioned(wall, code, tmp_path):
     assert not [w for w in found.demand.warnings if w.code == "large_ag"]
 
 
-def test_that_the_linear_check_takes_the_lower_end_of_q_slv_and_says_where_that_decides(
-    tmp_path, reference
-):
+def test_that_the_linear_check_takes_the_lower_end_of_q_slv_and_says_where_that_decides(tmp_path, reference):
     """a_g between those at which the check with either end of the spread just passes: it fails."""
 
     def at(ag: float):
@@ -172,22 +173,15 @@ def test_that_records_alike_in_their_measure_end_no_study(tmp_path, alike):
     from core.ground.artificial import compatible_motion
     from core.ground.ground_motion import GroundMotion
 
-    target = demand_of(
-        parse_case({"wall": [WALL_OF_LAW], "demand": DEMAND_OF_LAW}), tmp_path
-    ).target
+    target = demand_of(parse_case({"wall": [WALL_OF_LAW], "demand": DEMAND_OF_LAW}), tmp_path).target
     records = []
     for k in range(3):
         motion = compatible_motion(target, 1 if alike == "file" else k + 1)
         made = GroundMotion("m", motion, 0.01)
-        factor = {
-            "intensity": 1.0 / made.housner_intensity,
-            "pga": 3.0 / made.pga,
-            "file": 1.0 + 1e-6 * k,
-        }[alike]
+        factor = {"intensity": 1.0 / made.housner_intensity, "pga": 3.0 / made.pga, "file": 1.0 + 1e-6 * k}[alike]
         np.savetxt(tmp_path / f"r{k}.txt", factor * motion)
         records.append({"file": f"r{k}.txt", "unit": "m/s2", "time_step_s": 0.01})
-    case = parse_case({"wall": [WALL_OF_LAW], "record": records, "demand": DEMAND_OF_LAW,
-                       "analysis": {"q_step": 0.05}})  # fmt: skip
+    case = parse_case({"wall": [WALL_OF_LAW], "record": records, "demand": DEMAND_OF_LAW, "analysis": {"q_step": 0.05}})
     result = study.run(case, base_dir=tmp_path)
     (wall,) = result.walls
     given = wall.power_law is not None
@@ -196,11 +190,5 @@ def test_that_records_alike_in_their_measure_end_no_study(tmp_path, alike):
     assert json_report.dumps(result) and workbook.build(result, [])
 
 
-WALL_OF_LAW = {
-    "name": "w",
-    "height_m": 5.0,
-    "thickness_m": 0.5,
-    "base_z_m": 0.0,
-    "mechanism": "two_sided",
-}
+WALL_OF_LAW = {"name": "w", "height_m": 5.0, "thickness_m": 0.5, "base_z_m": 0.0, "mechanism": "two_sided"}
 DEMAND_OF_LAW = {"ag_g": 0.2, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}

@@ -11,8 +11,15 @@ from core.study.run import run
 from core.study.wall_verdict import severity, wall_verdicts
 from tests.conftest import ROOT
 
-WALL = {"name": "facade", "height_m": 9.0, "thickness_m": 0.6, "mechanism": "one_sided", "base_z_m": 0.0,
-        "unit_weight_kn_m3": 18.0, "back_restraint": "cross walls"}  # fmt: skip
+WALL = {
+    "name": "facade",
+    "height_m": 9.0,
+    "thickness_m": 0.6,
+    "mechanism": "one_sided",
+    "base_z_m": 0.0,
+    "unit_weight_kn_m3": 18.0,
+    "back_restraint": "cross walls",
+}
 ROOF = {"kind": "vertical", "kn_m": 8.0, "d_m": 0.4, "h_m": 6.5, "mass": "none"}
 BUILDING = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
 SPECTRUM = {"code": "EN1998", "type": 1, "soil": "B"}
@@ -21,9 +28,12 @@ SITE = {"nominal_life_years": 50, "use_class_factor": 1.0, "hazard": HAZARD}
 
 
 def case(*walls, building=BUILDING, **demand):
-    table = {"wall": [{**WALL, **wall} for wall in walls or ({},)],
-             "record": [{"file": "resources/motions/noise_1.txt"}], "analysis": {"q_step": 0.05},
-             "demand": {"ag_g": 0.2, "spectrum": SPECTRUM, **demand}}  # fmt: skip
+    table = {
+        "wall": [{**WALL, **wall} for wall in walls or ({},)],
+        "record": [{"file": "resources/motions/noise_1.txt"}],
+        "analysis": {"q_step": 0.05},
+        "demand": {"ag_g": 0.2, "spectrum": SPECTRUM, **demand},
+    }
     return parse_case(table | ({"building": building} if building else {}))
 
 
@@ -37,9 +47,14 @@ def fake(zeta, code="not_verified", target=1.0):
 
 
 def test_that_a_missing_number_is_worst_and_what_is_not_activated_last():
-    order = [fake(0.9, "not_activated"), fake(None, "undetermined"), fake(0.5), fake(0.7, target=1.0),
-             fake(0.6, target=0.8),
-             fake(1.2, "verified")]  # fmt: skip
+    order = [
+        fake(0.9, "not_activated"),
+        fake(None, "undetermined"),
+        fake(0.5),
+        fake(0.7, target=1.0),
+        fake(0.6, target=0.8),
+        fake(1.2, "verified"),
+    ]
     assert sorted(order, key=severity) == [*order[1:], order[0]]
 
 
@@ -64,8 +79,7 @@ def test_that_the_worst_hinge_and_mechanism_is_the_wall_s():
 def test_that_each_variant_is_a_wall_of_its_own():
     walls = ({"variant": "stato di fatto"}, {"variant": "progetto", "thickness_m": 0.9})
     entries = json_report.results(made(*walls, building=None))["verdicts"]
-    assert [(e["wall"], e["variant"]) for e in entries] == [
-        ("facade", "stato di fatto"), ("facade", "progetto")]  # fmt: skip
+    assert [(e["wall"], e["variant"]) for e in entries] == [("facade", "stato di fatto"), ("facade", "progetto")]
     assert entries[0]["zeta_e"] < entries[1]["zeta_e"]
 
 
@@ -83,11 +97,7 @@ def test_that_every_limit_state_has_its_outcome_and_a_failing_one_limits_the_ver
     result = made({"thickness_m": 1.5, "height_m": 6.0}, building=None, **SITE)
     (entry,) = json_report.results(result)["verdicts"]
     states = entry["states"]
-    assert states["SLV"] == {
-        "code": entry["code"],
-        "zeta_e": entry["zeta_e"],
-        "check": entry["check"],
-    }
+    assert states["SLV"] == {"code": entry["code"], "zeta_e": entry["zeta_e"], "check": entry["check"]}
     assert states["SLD"]["check"] == "linear_sld" and states["SLC"]["check"] == "nonlinear"
     assert states["SLD"]["zeta_e"] is not None
     said = [one["key"] for one in entry["limits"]]
@@ -100,8 +110,9 @@ def test_that_every_limit_state_has_its_outcome_and_a_failing_one_limits_the_ver
 def test_that_another_state_that_fails_is_in_limits_and_never_in_code():
     result = made({"thickness_m": 1.5, "height_m": 6.0}, building=None, **SITE)
     wall = result.walls[0]
-    failing = [replace(one, zeta=0.6) if one.state == "SLD" else replace(one, zeta=1.5)
-               for one in wall.assessment.states]  # fmt: skip
+    failing = [
+        replace(one, zeta=0.6) if one.state == "SLD" else replace(one, zeta=1.5) for one in wall.assessment.states
+    ]
     changed = replace(wall, assessment=replace(wall.assessment, states=tuple(failing)))
     (found,) = wall_verdicts(result.case, (changed,))
     assert [one.code for one in found.extra] == ["other_state"]

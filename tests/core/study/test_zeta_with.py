@@ -6,16 +6,28 @@ from core.case.rules import parse_case
 from core.study.run import run
 from tests.conftest import ROOT
 
-WALL = {"name": "w", "height_m": 6.0, "thickness_m": 0.6, "mechanism": "one_sided", "base_z_m": 0.0,
-        "unit_weight_kn_m3": 18.0, "back_restraint": "cross walls", "unloaded_confirmed": True}  # fmt: skip
+WALL = {
+    "name": "w",
+    "height_m": 6.0,
+    "thickness_m": 0.6,
+    "mechanism": "one_sided",
+    "base_z_m": 0.0,
+    "unit_weight_kn_m3": 18.0,
+    "back_restraint": "cross walls",
+    "unloaded_confirmed": True,
+}
 SPECTRUM = {"code": "EN1998", "type": 1, "soil": "B"}
 BUILDING = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
 
 
 def made(wall=None, demand=None, records=True, building=None, **rest):
     own = {key: value for key, value in {**WALL, **(wall or {})}.items() if value is not None}
-    table = {"wall": [own], "demand": {"ag_g": 0.15, "spectrum": SPECTRUM, **(demand or {})}, **rest,
-             "analysis": {"q_step": 0.05}}  # fmt: skip
+    table = {
+        "wall": [own],
+        "demand": {"ag_g": 0.15, "spectrum": SPECTRUM, **(demand or {})},
+        **rest,
+        "analysis": {"q_step": 0.05},
+    }
     if records:
         table["generate"] = {"count": 3, "seed": 1}
     if building:
@@ -70,8 +82,7 @@ def test_that_another_q_than_2_is_shown_with_2_and_turns_what_rests_on_it():
 
 def test_that_the_friction_of_return_walls_is_shown_without_it():
     across = {"number": 2, "thickness_m": 0.5, "brick_height_m": 0.25, "brick_length_m": 0.2}
-    case = {"wall": [{**WALL, "return_walls": across, "length_m": 4.0}],
-            "demand": {"ag_g": 0.2, "soil_factor": 1.2}}  # fmt: skip
+    case = {"wall": [{**WALL, "return_walls": across, "length_m": 4.0}], "demand": {"ag_g": 0.2, "soil_factor": 1.2}}
     found = run(parse_case(case), base_dir=ROOT).walls[0].assessment
     bare = {"wall": [WALL], "demand": case["demand"]}
     without = run(parse_case(bare), base_dir=ROOT).walls[0].assessment
@@ -79,8 +90,7 @@ def test_that_the_friction_of_return_walls_is_shown_without_it():
 
 
 def test_that_a_two_sided_wall_declared_held_is_shown_as_a_free_element():
-    wall = {"mechanism": "two_sided", "back_restraint": None, "free_element": False,
-            "elastic_modulus_mpa": 600.0}  # fmt: skip
+    wall = {"mechanism": "two_sided", "back_restraint": None, "free_element": False, "elastic_modulus_mpa": 600.0}
     found = made(wall, records=False)
     free = made({**wall, "free_element": True}, records=False)
     linear = next(check for check in free.checks if check.name == "linear_q_code")
@@ -101,8 +111,7 @@ def test_that_a_participation_below_that_of_the_clause_is_shown_with_it():
 
 
 def test_that_the_other_building_and_the_centroid_stand_beside_a_wall_at_height():
-    wall = {"base_z_m": 6.0, "height_m": 3.0, "thickness_m": 0.45, "mechanism": "two_sided",
-            "back_restraint": None}  # fmt: skip
+    wall = {"base_z_m": 6.0, "height_m": 3.0, "thickness_m": 0.45, "mechanism": "two_sided", "back_restraint": None}
     found = made(wall, building=BUILDING, records=False)
     other = made(wall, building={**BUILDING, "period_factor": 2.0, "damping": 0.2}, records=False)
     assert lift(found, "other_building")["zeta"].value == pytest.approx(other.verdict.zeta_e)

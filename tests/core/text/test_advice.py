@@ -21,21 +21,49 @@ LIFTING = re.compile(
 """Inputs that lift zeta, and what is left out, in the English of a sentence; the Italian says the same."""
 
 STATES = {
-    "alone", "few_records", "friction_hinge", "generated_motions",
-    "lift_confidence_factor", "lift_free_element", "lift_participation", "lift_return_walls", "lift_velocity_ratio",
-    "no_period", "no_restraint", "one_sign", "restitution_not_accepted",
-    "restraint_fails", "return_walls_too_many", "rigid_free",
-    "velocity_ratio_user", "vertical_component", "demand_fails", "return_walls_need_length",
-}  # fmt: skip
+    "alone",
+    "few_records",
+    "friction_hinge",
+    "generated_motions",
+    "lift_confidence_factor",
+    "lift_free_element",
+    "lift_participation",
+    "lift_return_walls",
+    "lift_velocity_ratio",
+    "no_period",
+    "no_restraint",
+    "one_sign",
+    "restitution_not_accepted",
+    "restraint_fails",
+    "return_walls_too_many",
+    "rigid_free",
+    "velocity_ratio_user",
+    "vertical_component",
+    "demand_fails",
+    "return_walls_need_length",
+}
 """They say what is the case, or what is accepted, and advise nothing that lifts zeta."""
 
 LOWERS = {
     "blank_among_samples",
-    "column_of_plain_text", "confidence_below_level", "eq7_above_one", "generate_needs_spectrum",
-    "holds_one_side", "intensity_follows", "moving_mass_off_centre", "modes_at_one_height", "no_number", "one_channel",
-    "record_twice", "skip_lines_of_plain_text", "soil_factor_follows", "to_no_restraint", "to_not_compatible",
-    "two_hazards", "load_mass_refused",
-}  # fmt: skip
+    "column_of_plain_text",
+    "confidence_below_level",
+    "eq7_above_one",
+    "generate_needs_spectrum",
+    "holds_one_side",
+    "intensity_follows",
+    "moving_mass_off_centre",
+    "modes_at_one_height",
+    "no_number",
+    "one_channel",
+    "record_twice",
+    "skip_lines_of_plain_text",
+    "soil_factor_follows",
+    "to_no_restraint",
+    "to_not_compatible",
+    "two_hazards",
+    "load_mass_refused",
+}
 """What they advise lowers zeta or leaves it: less is counted, the file decides, the spectrum does."""
 
 CONDITION = {
@@ -108,14 +136,10 @@ def test_that_the_wall_advised_for_a_mass_off_its_middle_is_a_lower_bound(distan
         assert advised.block().slenderness <= real.block().slenderness
 
 
-REASONED = [
-    entry.name for part in (WallJustification, DemandJustification) for entry in fields(part)
-]
+REASONED = [entry.name for part in (WallJustification, DemandJustification) for entry in fields(part)]
 
 
-@pytest.mark.parametrize(
-    "key", [*REASONED, "period_factor", "damping", "number", "knowledge_level"]
-)
+@pytest.mark.parametrize("key", [*REASONED, "period_factor", "damping", "number", "knowledge_level"])
 def test_that_help_says_what_a_key_that_lifts_zeta_does_to_the_verdict(key):
     assert all("ζ" in words for words in HELP[key])
 

@@ -9,17 +9,7 @@ import pytest
 
 from core.case import wall_table
 from core.case.rules import parse_case
-from core.case.schema import (
-    Analysis,
-    Case,
-    Generate,
-    Load,
-    Record,
-    Report,
-    ReturnWalls,
-    Wall,
-    WallJustification,
-)
+from core.case.schema import Analysis, Case, Generate, Load, Record, Report, ReturnWalls, Wall, WallJustification
 from core.case.site import Building, BuildingMode, Demand, DemandJustification, HazardRow, Spectrum
 from core.errors import InputError, place, section
 from core.packages import PACKAGES
@@ -28,14 +18,18 @@ from core.text.sentence import FormNames, Key, Quantity, localized, sentence
 from tests.conftest import ROOT
 
 SOURCES = [
-    path for top in ("core", "app") for path in sorted((ROOT / top).rglob("*.py"))
-    if path.parent.name != "text"
-] + [ROOT / "run.py", ROOT / "packaging" / "platforms.py"]  # fmt: skip
+    path for top in ("core", "app") for path in sorted((ROOT / top).rglob("*.py")) if path.parent.name != "text"
+] + [ROOT / "run.py", ROOT / "packaging" / "platforms.py"]
 
 SPOKEN = {
-    "tr": "window", "terminal": "terminal", "tell": "terminal", "say": "report", "notice": "notice",
-    "_reason": "reason", "phrase": "terminal",
-}  # fmt: skip
+    "tr": "window",
+    "terminal": "terminal",
+    "tell": "terminal",
+    "say": "report",
+    "notice": "notice",
+    "_reason": "reason",
+    "phrase": "terminal",
+}
 """Functions that take a code of a group."""
 
 WORDS = re.compile(r"[A-Za-z]{2,} [a-z]{2,} [a-z]{2,}")
@@ -60,8 +54,22 @@ OF_NO_SENTENCE = {
 
 
 LOAD_KINDS = next(entry for entry in fields(Load) if entry.name == "kind").metadata["names"]
-SECTIONS_OF_A_CASE = (Report, Wall, Record, Generate, Analysis, Demand, Spectrum, HazardRow, Building, BuildingMode,
-                      Load, ReturnWalls, WallJustification, DemandJustification)  # fmt: skip
+SECTIONS_OF_A_CASE = (
+    Report,
+    Wall,
+    Record,
+    Generate,
+    Analysis,
+    Demand,
+    Spectrum,
+    HazardRow,
+    Building,
+    BuildingMode,
+    Load,
+    ReturnWalls,
+    WallJustification,
+    DemandJustification,
+)
 
 
 def calls(tree):
@@ -75,9 +83,8 @@ def calls(tree):
 def docstrings(tree):
     """Expressions that are no value of anything: docstrings, and those below a constant."""
     return {
-        id(node.value) for node in ast.walk(tree)
-        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
-    }  # fmt: skip
+        id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+    }
 
 
 def placeholders(text):
@@ -103,18 +110,12 @@ def test_that_every_code_that_is_used_exists_and_every_error_is_used():
     for path in SOURCES:
         for name, call in calls(ast.parse(path.read_text())):
             first = call.args[0] if call.args else None
-            if name in ("InputError", "RecordError", "OutputError") and isinstance(
-                first, ast.Constant
-            ):
+            if name in ("InputError", "RecordError", "OutputError") and isinstance(first, ast.Constant):
                 assert first.value in CATALOGUE["error"], (path.name, first.value)
                 used.add(first.value)
-            elif (
-                name in SPOKEN and isinstance(first, ast.Constant) and isinstance(first.value, str)
-            ):
+            elif name in SPOKEN and isinstance(first, ast.Constant) and isinstance(first.value, str):
                 assert first.value in CATALOGUE[SPOKEN[name]], (path.name, first.value)
-            elif name in ("sentence", "localized") and all(
-                isinstance(a, ast.Constant) for a in call.args[:2]
-            ):
+            elif name in ("sentence", "localized") and all(isinstance(a, ast.Constant) for a in call.args[:2]):
                 group, code = (a.value for a in call.args[:2])
                 assert code in CATALOGUE[group], (path.name, code)
     chosen = {"no_unit", "no_time_step_s", "code_needs", "code_does_not_take", "not_accepted"}
@@ -124,37 +125,20 @@ def test_that_every_code_that_is_used_exists_and_every_error_is_used():
 def test_that_every_text_of_the_catalogue_is_used():
     """By a literal of the program, or by one of its codes: checks, verdicts, statuses, kinds."""
     literals = {
-        node.value for path in SOURCES for node in ast.walk(ast.parse(path.read_text()))
+        node.value
+        for path in SOURCES
+        for node in ast.walk(ast.parse(path.read_text()))
         if isinstance(node, ast.Constant) and isinstance(node.value, str)
-    }  # fmt: skip
-    sides = {
-        f"{word}_{side}" for word in ("confidence", "dynamic") for side in ("demand", "capacity")
     }
+    sides = {f"{word}_{side}" for word in ("confidence", "dynamic") for side in ("demand", "capacity")}
     entries = [entry for section in SECTIONS_OF_A_CASE for entry in fields(section)]
     sides |= {f"key_{entry.name}" for entry in entries}
-    sides |= {
-        "key_title",
-        "key_elastic_limit",
-        "key_plateau_end",
-        "choice_rigid",
-        "choice_floors",
-        "choice_base",
-    }
+    sides |= {"key_title", "key_elastic_limit", "key_plateau_end", "choice_rigid", "choice_floors", "choice_base"}
     sides |= {f"choice_{name}" for entry in entries for name in entry.metadata.get("names", ())}
     sides |= {f"section_{entry.name}" for entry in fields(Case)}
     sides |= {f"work_{extra}" for extra in PACKAGES}
     sides |= {f"load_{kind}" for kind in LOAD_KINDS}
-    for group in (
-        "window",
-        "report",
-        "terminal",
-        "notice",
-        "reason",
-        "word",
-        "added",
-        "accepted",
-        "place",
-    ):
+    for group in ("window", "report", "terminal", "notice", "reason", "word", "added", "accepted", "place"):
         unused = {code for code in CATALOGUE[group] if code not in literals | sides}
         assert unused == set(), group
 
@@ -171,12 +155,7 @@ def test_that_no_sentence_stands_outside_the_catalogue():
         for node in ast.walk(tree):
             text = node.value if isinstance(node, ast.Constant) else None
             in_catalogue = text in CATALOGUE["terminal"]
-            if (
-                isinstance(text, str)
-                and not in_catalogue
-                and id(node) not in known
-                and WORDS.search(text)
-            ):
+            if isinstance(text, str) and not in_catalogue and id(node) not in known and WORDS.search(text):
                 found.append((name, text[:60]))
     assert [(name, text) for name, text in found if name not in OF_NO_SENTENCE] == []
     assert {name for name, _ in found} == set(OF_NO_SENTENCE)
@@ -194,23 +173,20 @@ def test_that_an_error_is_data_with_a_sentence_in_each_language():
 
 def test_that_the_window_says_its_own_names_and_units():
     form = FormNames(
-        {"thickness_m": "Thickness t", "[demand]": "Demand", "q_step": "Step"},
-        {"thickness_m": (100.0, "cm")},
+        {"thickness_m": "Thickness t", "[demand]": "Demand", "q_step": "Step"}, {"thickness_m": (100.0, "cm")}
     )
     accepted = sentence("accepted", "from", low=0.005, high=20.0, unit=" m")
     error = InputError(
-        "not_accepted", place=(place("wall", name="thickness_m"),), key="thickness_m", value="83.0", found=83.0,
+        "not_accepted",
+        place=(place("wall", name="thickness_m"),),
+        key="thickness_m",
+        value="83.0",
+        found=83.0,
         accepted=accepted,
-    )  # fmt: skip
-    assert error.text("en", form) == (
-        'wall "thickness_m": Thickness t = 8300 cm is not accepted: from 0.5 to 2000 cm'
     )
+    assert error.text("en", form) == ('wall "thickness_m": Thickness t = 8300 cm is not accepted: from 0.5 to 2000 cm')
     assert error.accepted_text("it", form) == "da 0,5 a 2000 cm"
-    assert (
-        InputError("two_spectra", place=(section("[demand]"),))
-        .text("en", form)
-        .startswith("Demand: ")
-    )
+    assert InputError("two_spectra", place=(section("[demand]"),)).text("en", form).startswith("Demand: ")
     quantity = Quantity("thickness_m", 0.3)
     assert sentence("place", "row", n=quantity).text("en", form) == "row 30 cm"
     assert sentence("place", "row", n=(Key("q_step"), Key("b"))).text("en", form) == "row Step, b"

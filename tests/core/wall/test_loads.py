@@ -10,9 +10,12 @@ from core.wall.loads import BARE, Force, PointMass, composite, restoring_moment
 BLOCK = Block.with_setback(3.0, 0.45, 0.05)
 WEIGHT = 24.3e3
 FORCES = [
-    Force(10e3, 0.0, 0.30, 3.0), Force(0.0, 5e3, 0.0, 2.8), Force(0.0, -2e3, 0.0, 2.5),
-    Force(7e3, -3e3, -0.04, 1.2), Force(-1e3, 4e3, 0.4, 0.6),
-]  # fmt: skip
+    Force(10e3, 0.0, 0.30, 3.0),
+    Force(0.0, 5e3, 0.0, 2.8),
+    Force(0.0, -2e3, 0.0, 2.5),
+    Force(7e3, -3e3, -0.04, 1.2),
+    Force(-1e3, 4e3, 0.4, 0.6),
+]
 
 
 @pytest.mark.parametrize("forces", [*([force] for force in FORCES), FORCES])

@@ -33,9 +33,7 @@ def test_that_restitution_models_are_their_equations():
     assert restitution(WALL, "housner").ratio_at_rest == pytest.approx(0.9789708, abs=5e-8)
     assert restitution(WALL, "costa_upper").ratio_at_rest == 0.98
     # Eq. 5: 0.95 times Eq. 4
-    assert restitution(WALL, "sorrentino_experimental").ratio_at_rest == pytest.approx(
-        0.95 * 0.9789708, abs=5e-8
-    )
+    assert restitution(WALL, "sorrentino_experimental").ratio_at_rest == pytest.approx(0.95 * 0.9789708, abs=5e-8)
     for model in ("housner", "sorrentino_experimental", "costa_upper", "one_sided_theoretical"):
         assert restitution(WALL, model).ratio_drop == 0.0
     one = restitution(WALL, "one_sided_theoretical")
@@ -78,8 +76,7 @@ def test_that_eq_7_is_held_at_zero_and_counted():
 
 
 @pytest.mark.parametrize(
-    "model, ratio",
-    [("user", None), ("user", 1.01), ("user", -0.01), ("user", math.nan), ("x", None)],
+    "model, ratio", [("user", None), ("user", 1.01), ("user", -0.01), ("user", math.nan), ("x", None)]
 )
 def test_that_a_restitution_outside_its_range_is_refused(model, ratio):
     with pytest.raises(InputError, match="velocity_ratio"):
@@ -93,9 +90,7 @@ def test_that_a_block_too_stocky_for_eq_4_is_refused():
     assert caught.value.values["ratio"] == pytest.approx(1 - 1.5 * math.sin(math.radians(56)) ** 2)
     # I0/m = 2 R^2 sin^2(alpha): the first impact takes all
     alpha = math.radians(60.0)
-    assert (
-        restitution(Block(alpha, 1.0, 2.0 * math.sin(alpha) ** 2), "housner").ratio_at_rest == 0.0
-    )
+    assert restitution(Block(alpha, 1.0, 2.0 * math.sin(alpha) ** 2), "housner").ratio_at_rest == 0.0
 
 
 def test_that_a_general_block_follows_the_general_equations():
@@ -126,16 +121,12 @@ def carrying(kilograms, distance, height):
         ((1500.0, 0.10, 5.8), "roof", 0.48524, 0.99036, 0.99107),
     ],
 )
-def test_that_the_ratio_of_a_wall_that_moves_a_mass_is_that_of_its_impacts(
-    mass, place, one_sided, outward, inward
-):
+def test_that_the_ratio_of_a_wall_that_moves_a_mass_is_that_of_its_impacts(mass, place, one_sided, outward, inward):
     """By quadrature over the body, twice: five digits."""
     block, contact = carrying(*mass)
     ratio = restitution(block, "one_sided_theoretical", contact=contact).ratio_at_rest
     assert ratio == pytest.approx(one_sided, abs=5e-6)
-    assert restitution(block, "housner", contact=contact).ratio_at_rest == pytest.approx(
-        outward, abs=5e-6
-    )
+    assert restitution(block, "housner", contact=contact).ratio_at_rest == pytest.approx(outward, abs=5e-6)
     inner = (contact.width, 0.0)
     assert impact_ratio(block, (0.0, 0.0), inner) == pytest.approx(outward, abs=5e-6)
     # about the inner hinge, from the inner to the outer: the same body seen from there
@@ -173,9 +164,7 @@ def test_that_an_impact_keeps_the_angular_momentum_of_every_part_of_the_body():
             across, up = -(z - about[1]), x - about[0]
             return float(mass @ ((x - new[0]) * up - (z - new[1]) * across))
 
-        assert impact_ratio(block, pivot, new) == pytest.approx(
-            momentum(pivot) / momentum(new), rel=1e-9
-        )
+        assert impact_ratio(block, pivot, new) == pytest.approx(momentum(pivot) / momentum(new), rel=1e-9)
 
 
 @pytest.mark.parametrize("inertia", [14.0, 50.0])

@@ -47,9 +47,7 @@ def test_that_a_one_sided_wall_knows_its_outer_side_only():
     assert found.restoring == found.mirrored == HELD
     assert (found.lean, found.amplitude) == (HELD.lean, HELD.amplitude)
     assert found.plateau_end == 0.28 * (0.15 + HELD.lean)
-    assert found.threshold == pytest.approx(
-        G * (HELD.sine * math.tan(0.15) + HELD.cosine), rel=1e-15
-    )
+    assert found.threshold == pytest.approx(G * (HELD.sine * math.tan(0.15) + HELD.cosine), rel=1e-15)
 
 
 def test_that_each_pivot_sees_its_own_side_first():

@@ -52,7 +52,7 @@ REFUSED = [
     ("return_walls_too_many", (), {"return_walls": {**ACROSS, "number": 11}, "length_m": 5.0}),
     ("holds_one_side", (TIE,), {"mechanism": "both"}),
     ("holds_one_side", (), {"tie_height_m": 2.0, "mechanism": "two_sided"}),
-]  # fmt: skip
+]
 
 
 @pytest.mark.parametrize(("code", "loads", "changes"), REFUSED)
@@ -69,12 +69,19 @@ def test_that_loads_a_wall_cannot_have_are_refused(code, loads, changes):
         assert '"w"' in text and "\n" not in text and "{" not in text
 
 
-@pytest.mark.parametrize("bad", [
-    {"kind": "wind", "kn_m": 1.0, "h_m": 1.0}, {"kind": "tie", "kn_m": 0.0, "h_m": 1.0},
-    {"kind": "tie", "kn_m": float("nan"), "h_m": 1.0}, {"kind": "tie", "h_m": 1.0},
-    {"kind": "tie", "kn_m": 1.0, "h_m": 0.0}, {"kind": "tie", "kn_m": 1.0, "h_m": 1.0, "height": 2.0},
-    "roof", 3,
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "bad",
+    [
+        {"kind": "wind", "kn_m": 1.0, "h_m": 1.0},
+        {"kind": "tie", "kn_m": 0.0, "h_m": 1.0},
+        {"kind": "tie", "kn_m": float("nan"), "h_m": 1.0},
+        {"kind": "tie", "h_m": 1.0},
+        {"kind": "tie", "kn_m": 1.0, "h_m": 0.0},
+        {"kind": "tie", "kn_m": 1.0, "h_m": 1.0, "height": 2.0},
+        "roof",
+        3,
+    ],
+)
 def test_that_a_load_that_is_none_is_refused(bad):
     with pytest.raises(InputError):
         parse_case({"wall": [{**WALL, "load": [bad]}]})
@@ -112,10 +119,7 @@ def test_that_a_tie_does_not_push_a_wall_inward():
 def test_that_sides_alike_but_for_rounding_are_alike():
     random = np.random.default_rng(3)
     for d in random.uniform(0.0, 0.45, 200):
-        pair = (
-            {**ROOF, "d_m": float(d), "kn_m": 3.0},
-            {**ROOF, "d_m": float(0.45 - d), "kn_m": 3.0},
-        )
+        pair = ({**ROOF, "d_m": float(d), "kn_m": 3.0}, {**ROOF, "d_m": float(0.45 - d), "kn_m": 3.0})
         outward, inward = case_of(*pair, mechanism="two_sided", law="doherty").wall[0].restoring()
         assert outward == inward
 
@@ -173,12 +177,8 @@ def test_that_a_load_is_a_force_at_its_place_seen_from_either_hinge():
     assert tuple(vars(as_force(roof, wall, 1.0)).values()) == pytest.approx((10e3, 0.0, 0.25, 3.0))
     assert tuple(vars(as_force(roof, wall, -1.0)).values()) == pytest.approx((10e3, 0.0, 0.10, 3.0))
     assert tuple(vars(as_force(tie, wall, 1.0)).values()) == pytest.approx((0.0, 5e3, -0.05, 2.8))
-    assert tuple(vars(as_force(thrust, wall, 1.0)).values()) == pytest.approx(
-        (0.0, -2e3, -0.05, 2.5)
-    )
-    assert tuple(vars(as_force(thrust, wall, -1.0)).values()) == pytest.approx(
-        (0.0, 2e3, 0.40, 2.5)
-    )
+    assert tuple(vars(as_force(thrust, wall, 1.0)).values()) == pytest.approx((0.0, -2e3, -0.05, 2.5))
+    assert tuple(vars(as_force(thrust, wall, -1.0)).values()) == pytest.approx((0.0, 2e3, 0.40, 2.5))
     assert holds(tie, 1.0) and not holds(tie, -1.0)
     assert holds(thrust, 1.0) and holds(thrust, -1.0)
 
@@ -188,18 +188,10 @@ def test_that_a_and_c_count_the_weight_of_the_masses_that_move():
     wall = wall_of(PUSHING, {**ROOF, "kn_m": 3.0, "d_m": 0.2})
     block = wall.block()
     outward, inward = restoring_of(wall, block)
-    at_rest = outward.sine * math.sin(block.slenderness) + outward.cosine * math.cos(
-        block.slenderness
-    )
-    assert 34.3 * block.radius * at_rest == pytest.approx(
-        34.3 * block.centroid[0] + 3.0 * 0.2, rel=1e-13
-    )
-    at_rest = inward.sine * math.sin(block.slenderness) + inward.cosine * math.cos(
-        block.slenderness
-    )
-    assert 34.3 * block.radius * at_rest == pytest.approx(
-        34.3 * block.centroid[0] + 3.0 * 0.25, rel=1e-13
-    )
+    at_rest = outward.sine * math.sin(block.slenderness) + outward.cosine * math.cos(block.slenderness)
+    assert 34.3 * block.radius * at_rest == pytest.approx(34.3 * block.centroid[0] + 3.0 * 0.2, rel=1e-13)
+    at_rest = inward.sine * math.sin(block.slenderness) + inward.cosine * math.cos(block.slenderness)
+    assert 34.3 * block.radius * at_rest == pytest.approx(34.3 * block.centroid[0] + 3.0 * 0.25, rel=1e-13)
     assert restoring_of(wall_of(PUSHING), block) == (BARE, BARE)
 
 
@@ -245,9 +237,7 @@ def test_that_masses_in_the_middle_leave_one_block_for_both_hinges():
         (({**TIE, "kn_m": 1.0}, {"kind": "thrust", "kn_m": 0.5, "h_m": 2.0}), {}, True),
     ],
 )
-def test_that_a_wall_without_its_restraint_is_two_sided_only_where_the_model_has_it(
-    loads, changes, answer
-):
+def test_that_a_wall_without_its_restraint_is_two_sided_only_where_the_model_has_it(loads, changes, answer):
     assert rocks_both_ways(wall_of(*loads, **changes)) == answer
 
 
