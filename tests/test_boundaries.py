@@ -102,26 +102,30 @@ SHOWN_BY = {
             "assumptions",
             "cells",
             "check_sheet",
-            "circolare",
+            "derived",
             "demand_sheets",
             "json_report",
             "input_sheet",
             "load_arrows",
-            "load_rows",
+            "phrases",
             "verdict_words",
             "risk_sheet",
             "tie_words",
             "plots",
             "rows",
             "sheets",
-            "spectrum_rows",
             "summary_sheet",
             "summary_charts",
         )
     },
     **{
+        f"derivation/{name}": "tests/core/derivation/test_wall.py"
+        for name in ("body", "checks", "closed_forms", "demand", "functions", "line", "site")
+    },
+    "derivation/quantity": "tests/core/derivation/test_faces.py",
+    **{
         f"report/note/{name}": "tests/core/report/test_note.py"
-        for name in ("content", "document", "parts", "sheet", "site", "wall_figures", "wall_steps", "words")
+        for name in ("content", "document", "equation", "parts", "sheet", "site", "wall_figures", "wall_steps", "words")
     },
     **{
         f"text/{name}": SENTENCES

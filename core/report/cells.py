@@ -58,7 +58,6 @@ PIECE = 1 << 20
 class Book:
     """A workbook with its language and the values its formula cells carry.
 
-    sums : by the name of a wall on the Check sheet the ranges of its loads
     steps : how far it is
     of_run : names of cells that hold what no changed input moves
     """
@@ -67,7 +66,6 @@ class Book:
     steps: Steps = field(default_factory=Steps)
     workbook: Workbook = field(default_factory=Workbook)
     cached: dict[tuple[str, str], object] = field(default_factory=dict)
-    sums: dict[str, dict[str, str]] = field(default_factory=dict)
     of_run: set[str] = field(default_factory=set)
 
     def say(self, english: str, /, **values) -> str:

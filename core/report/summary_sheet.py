@@ -4,6 +4,7 @@ import math
 from copy import copy
 
 from core.codes.eq9 import LABEL
+from core.derivation.wall import deciding
 from core.ground.ground_motion import GroundMotion
 from core.report.assumptions import assumptions_of
 from core.report.cells import (
@@ -26,7 +27,7 @@ from core.report.cells import (
     text,
     title,
 )
-from core.report.circolare import cell_prefix, zeta_cell
+from core.report.derived import cell_prefix
 from core.report.plots import rows_below
 from core.report.rows import changed_cell
 from core.report.summary_charts import peaks, sketch
@@ -218,20 +219,14 @@ def _link(book: Book, sheet, result: StudyResult, wall: WallResult, row: int) ->
     """alpha, a_RM, q and zeta as those of the sheet Check, live."""
     name = cell_prefix(result, wall)
     names = book.workbook.defined_names
-    links = {
-        3: f"{name}_height",
-        4: f"{name}_thickness",
-        7: f"{name}_slenderness",
-        8: f"{name}_a_rm",
-        10: f"{name}_q_set",
-    }
+    links = {3: f"{name}height", 4: f"{name}thickness", 7: f"{name}slenderness", 8: f"{name}a_rm", 10: f"{name}q_set"}
     if links[3] in names and links[4] in names:
         size = f"{links[3]}*{links[4]}"
         links[6] = f"{links[3]}/{links[4]}"
         if wall.wall.weight:
             links[9] = f"{wall.wall.weight / 1000.0 / (wall.height * wall.thickness)!r}*{size}"
     if wall.assessment and wall.assessment.verdict.governing:
-        links[12] = zeta_cell(wall, name, result.demand)
+        links[12] = name + deciding(wall, result.demand)
     for column, target in links.items():
         cell = sheet.cell(row, column)
         if (target in names or column in (6, 9)) and isinstance(cell.value, float):

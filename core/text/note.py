@@ -101,8 +101,10 @@ NOTE = {
     "table of walls": "tabella delle pareti",
     "the Ribalta authors": "gli autori di Ribalta",
     "velocity ratio of an impact: {model}": "coefficiente di restituzione: {model}",
-    "{equation}, impacts of the wall with what moves with it": "{equation}, urti della parete con ciò che si muove con "
-    "essa",
+    "velocity ratio of an impact: given": "coefficiente di restituzione: assegnato",
+    "velocity ratio of an impact: {model}, impacts of the wall with what moves with it": (
+        "coefficiente di restituzione: {model}, urti della parete con ciò che si muove con essa"
+    ),
     "wall at {z:g} m, {kind}": "parete a {z:g} m, {kind}",
     "with the friction of the return walls, of the upper {h:.2f} m": (
         "con l'attrito dei muri ortogonali, dei {h:.2f} m superiori"
@@ -110,6 +112,5 @@ NOTE = {
     "{wall}: sizes, hinge (red point) and mechanism (dashed)": (
         "{wall}: dimensioni, cerniera (punto rosso) e meccanismo (tratteggio)"
     ),
-    "paper, Fig. 1": "articolo, Fig. 1",
 }
 """English -> Italian; the group "report"."""

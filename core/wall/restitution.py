@@ -20,6 +20,12 @@ MODELS = {
 }
 """Restitution models and their source."""
 
+EQ5_FACTOR = 0.95
+"""Measured over theoretical ratio of walls that rock to both sides, Eq. 5."""
+
+EQ7_FACTOR, EQ7_DROP = 1.18, 0.473
+"""The same of one-sided walls at rest, and its loss with the square of the velocity over that of Eq. 8, Eq. 7."""
+
 
 @dataclass(frozen=True)
 class Restitution:
@@ -105,7 +111,7 @@ def restitution(
     if model == "housner":
         return Restitution(model, housner_ratio(block, contact))
     if model == "sorrentino_experimental":
-        return Restitution(model, 0.95 * housner_ratio(block, contact))
+        return Restitution(model, EQ5_FACTOR * housner_ratio(block, contact))
     if model == "costa_upper":
         return Restitution(model, 0.98)
     if model == "one_sided_theoretical":
@@ -113,10 +119,10 @@ def restitution(
     if model == "one_sided_experimental":
         # Eq. 7: sqrt(r_1s) (1.18 - 0.473 (v / theta_r')^2)
         ratio = one_sided_ratio(block, contact)
-        if 1.18 * ratio > 1.0:
-            raise InputError("eq7_above_one", ratio=1.18 * ratio)
-        drop = 0.473 * ratio / overturning_velocity(block) ** 2
-        return Restitution(model, 1.18 * ratio, drop)
+        if EQ7_FACTOR * ratio > 1.0:
+            raise InputError("eq7_above_one", ratio=EQ7_FACTOR * ratio)
+        drop = EQ7_DROP * ratio / overturning_velocity(block) ** 2
+        return Restitution(model, EQ7_FACTOR * ratio, drop)
     if model == "user" and velocity_ratio is not None and 0.0 <= velocity_ratio <= 1.0:
         return Restitution(model, velocity_ratio)
     raise InputError("restitution_not_accepted", model=model, ratio=velocity_ratio, known=", ".join(MODELS))

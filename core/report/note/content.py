@@ -1,18 +1,17 @@
 """The calculation note of a result, part after part."""
 
-from core.codes.target_spectrum import CodeSpectrum
 from core.ground.provenance import provenance
 from core.report.assumptions import assumptions_of
-from core.report.circolare import cell_prefix
-from core.report.note import site, wall_figures, wall_steps
+from core.report.derived import cell_prefix
+from core.report.note import site, wall_figures
 from core.report.note.parts import Blanks, Box, Derivation, Figures, Heading, Paragraph, Part, Step, Table
+from core.report.note.wall_steps import Derivations
 from core.report.note.words import Words
-from core.report.spectrum_rows import follows_spectrum
 from core.report.tie_words import tie_words
 from core.report.verdict_words import in_order, lines_of, sentence_of, tone_of
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import localized
-from core.units import CM, G
+from core.units import G
 from core.version import NAME, VERSION, commit
 
 JUDGEMENT_LINES = 7
@@ -76,35 +75,10 @@ def _demand(result: StudyResult, words: Words) -> list[Part]:
             steps.append(Step(symbol, value, "g", unit))
     if demand.return_period is not None:
         steps.append(Step("T_R", demand.return_period, ".0f", say("years"), "3.2.0"))
-    steps.append(Step("a_g", demand.ag / G, ".3f", "g", "", cell="demand_ag", label=say("on rock")))
-    clause = "3.2.3" if follows_spectrum(result) else ""
-    steps.append(Step("S", demand.soil_factor, ".3f", "–", clause, cell="demand_s"))
-    values = {"s": (demand.soil_factor, "demand_s"), "a": (demand.ag / G, "demand_ag")}
-    steps.append(Step("S a_g", demand.pga / G, ".3f", "g", "", "", "{s:.3f} · {a:.3f}", values, "demand_pga"))
-    target = demand.target
-    if isinstance(target, CodeSpectrum):
-        steps.append(Step("F0", target.amplification, ".3f", "–", cell="spectrum_f0"))
-        for symbol, value, name in (("T_B", target.t_b, "tb"), ("T_C", target.t_c, "tc"), ("T_D", target.t_d, "td")):
-            steps.append(Step(symbol, value, ".3f", "s", cell=f"spectrum_{name}"))
-    if demand.intensity:
-        source = {"given": say("given"), "spectrum": say("of the spectrum"), "records_scaled": say("from the records")}[
-            demand.intensity_source
-        ]
-        steps.append(Step("SI", demand.intensity / CM, ".1f", "cm", cell="demand_si", label=source))
-    steps.append(
-        Step(
-            "FC",
-            demand.confidence_factor,
-            ".2f",
-            "–",
-            cell="demand_fc",
-            label=words.word(f"confidence_{demand.confidence_on}"),
-        )
-    )
-    steps.append(Step(say("ζ required"), demand.zeta_target, ".2f", "–", cell="zeta_target"))
+    steps += Derivations(result, words).demand
     name = say("Limit state {state}", state=demand.limit_state)
-    if target is not None:
-        name += f", {target.name}"
+    if demand.target is not None:
+        name += f", {demand.target.name}"
     return [*parts, Paragraph(name, "strong"), Derivation(steps)]
 
 
@@ -188,11 +162,12 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
     say, found = words.say, wall.assessment
     parts: list[Part] = [Heading(f"{wall.name} – {words.word(wall.mechanism)}", 2, new_page=True)]
     first = [wall_figures.drawing(wall, words)]
+    derived = Derivations(result, words, name).wall(wall)
     if found is None or found.kinematic is None:
         parts += _pair(first) + site.loads(wall, words)
-        parts += [Heading(say("The block"), 3), Derivation(wall_steps.geometry(wall, name, words))]
-        q = Step("q", wall.q_set, ".2f", "–", "Eq. 10", cell=f"{name}_q_set", label=say("at collapse"))
-        parts.append(Derivation([q]))
+        q = Step("q", wall.q_set, ".2f", "–", "Eq. 10", cell=f"{name}q_set", label=say("at collapse"))
+        for title, steps in derived:
+            parts += [Heading(say(title), 3), Derivation([*steps, q])]
         return [*parts, *_verdict(result, wall, words)]
     kinematic = found.kinematic
     held = say("element free to vibrate") if kinematic.free_element else say("not free to vibrate")
@@ -200,16 +175,9 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
         held = say("wall at {z:g} m, {kind}", z=float(wall.wall.base_z_m), kind=held)
     parts.append(Paragraph(held, "quiet"))
     parts += _pair([*first, wall_figures.capacity(result, wall, words)]) + site.loads(wall, words)
-    for heading, steps in (
-        (say("The block"), wall_steps.geometry(wall, name, words)),
-        (say("Kinematic chain"), wall_steps.start(result, wall, name, words)),
-        (say("Linear check"), wall_steps.linear(result, wall, name, words)),
-        (say("Displacement check"), wall_steps.nonlinear(result, wall, name, words)),
-        (say("Time histories"), wall_steps.dynamic(wall, name, words)),
-        (say("What the mechanism withstands"), wall_steps.risk(result, wall, words)),
-    ):
+    for title, steps in derived:
         if steps:
-            parts += [Heading(heading, 3), Derivation(steps)]
+            parts += [Heading(say(title), 3), Derivation(steps)]
     parts += _pair([wall_figures.histories(result, wall, words), wall_figures.peaks(wall, words)])
     return [*parts, *_verdict(result, wall, words)]
 

@@ -7,19 +7,8 @@ import io
 
 from core.packages import require
 from core.report.drawing import style
-from core.report.note.parts import (
-    Blanks,
-    Box,
-    Curve,
-    Derivation,
-    Figure,
-    Figures,
-    Heading,
-    Paragraph,
-    Part,
-    Step,
-    Table,
-)
+from core.report.note.equation import equations
+from core.report.note.parts import Blanks, Box, Curve, Derivation, Figure, Figures, Heading, Paragraph, Part, Table
 from core.report.note.words import Words
 from core.report.steps import Steps
 from core.report.xml_text import for_xml
@@ -157,20 +146,19 @@ class _Writer:
         row._tr.get_or_add_trPr().append(OxmlElement("w:tblHeader"))
 
     def _derivation(self, steps) -> None:
+        from docx.oxml import parse_xml
+
         table = self.made.add_table(len(steps), 3, style="Normal Table")
-        self._cells(table, (10.2, 4.2, 2.6))
+        self._cells(table, (11.0, 3.6, 2.4))
         for row, step in zip(table.rows, steps, strict=True):
             first, second, third = (cell.paragraphs[0] for cell in row.cells)
-            self._run(first, self.line(step))
+            lines = [parse_xml(line) for line in equations(step, self.words.language)]
+            first._p.append(lines[0])
+            for line in lines[1:]:
+                row.cells[0].add_paragraph()._p.append(line)
             if step.label:
                 self._run(second, step.label, "quiet", 8)
             self._run(third, step.clause, "quiet", 8)
-
-    def line(self, step: Step) -> str:
-        """The whole line of a step."""
-        language = self.words.language
-        unit = "" if step.unit in ("–", "") else f" {step.unit}"
-        return f"{step.written(language)} = {step.result_written(language)}{unit}"
 
     def _figures(self, figures) -> None:
         table = self.made.add_table(2, len(figures), style="Normal Table")

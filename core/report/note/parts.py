@@ -2,10 +2,11 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from string import Formatter
 
 import numpy as np
 
+from core.derivation.faces import Shown
+from core.derivation.quantity import Quantity
 from core.text.sentence import numeral
 
 
@@ -41,10 +42,10 @@ class Step:
     """One line of a derivation, as "α0 = t/H = 0.90/12.50 = 0.0720".
 
     symbol, formula : "α0", "t/H"; formula "" for what is given or found otherwise
-    numbers : the formula with places for its numbers, as "{t:.2f}/{h:.2f}"
-    values : name of a place -> (value, name of its cell on the sheet Check or None)
+    numbers : the formula in numbers: words and numbers one after the other, empty where it has none
     result, form : the value and its format, as ".4f"
     cell : name of the result's cell on the sheet Check
+    quantity, symbols, values : the description of the result, symbols and numbers of what it needs, for an equation
     """
 
     symbol: str
@@ -53,21 +54,16 @@ class Step:
     unit: str = ""
     clause: str = ""
     formula: str = ""
-    numbers: str = ""
-    values: Mapping[str, tuple[float, str | None]] = field(default_factory=dict)
+    numbers: Sequence[str | Shown] = ()
     cell: str | None = None
     label: str = ""
+    quantity: Quantity | None = None
+    symbols: Mapping[str, str] = field(default_factory=dict)
+    values: Mapping[str, Shown] = field(default_factory=dict)
 
     def in_numbers(self, language: str) -> str:
         """The formula with its numbers."""
-        pieces = []
-        for text, name, form, _ in Formatter().parse(self.numbers):
-            pieces.append(text)
-            if name:
-                value = self.values[name][0]
-                shown = numeral(value, form, language)
-                pieces.append(f"({shown})" if value < 0.0 else shown)
-        return "".join(pieces)
+        return "".join(piece.text(language) if isinstance(piece, Shown) else piece for piece in self.numbers)
 
     def written(self, language: str) -> str:
         """The whole line but the result and its unit."""

@@ -2,7 +2,6 @@
 charts."""
 
 import math
-from string import Formatter
 
 from openpyxl.chart import BarChart, LineChart, Reference, ScatterChart, Series
 from openpyxl.chart.label import DataLabelList
@@ -10,6 +9,7 @@ from openpyxl.chart.layout import Layout, ManualLayout
 from openpyxl.utils import get_column_letter
 from openpyxl.worksheet.pagebreak import Break
 
+from core.derivation.faces import Shown
 from core.report.cells import (
     ACCENT,
     AMBER,
@@ -161,13 +161,10 @@ class _Writer:
         language, cells = self.book.language, self.book.workbook.defined_names
         written = step.written(language)
         self._wrapped(self.row, 1, 6, written)
-        used = [key for _, key, _, _ in Formatter().parse(step.numbers) if key]
-        names = [name for name in (step.values[key][1] for key in used) if name]
+        names = [piece.cell for piece in step.numbers if isinstance(piece, Shown) and piece.cell]
         if step.numbers and all(name in cells for name in names):
-            formula = self._live_text(step)
-            if formula:
-                live = self.book.formula(self.sheet.cell(self.row, 1), formula, written, "General")
-                style(live, wrap=True)
+            live = self.book.formula(self.sheet.cell(self.row, 1), self._live_text(step), written, "General")
+            style(live, wrap=True)
         value = self.sheet.cell(self.row, 7)
         shape = _shape(step.form)
         if step.cell in cells and isinstance(step.result, float):
@@ -183,23 +180,19 @@ class _Writer:
         text(self.sheet, self.row, 12, step.clause, color=QUIET, size=7, align="right")
         self.row += 1
 
-    def _live_text(self, step: Step) -> str | None:
-        """The line of a step as a formula; None where a number of it has no cell."""
-        pieces: list = [f"{step.symbol} = " + (f"{step.formula} = " if step.formula else "")]
-        for words, name, form, _ in Formatter().parse(step.numbers):
-            pieces.append(words)
-            if name:
-                value, cell = step.values[name]
-                digits = int(form.strip(".f"))
-                number = (cell or repr(value), digits)
-                pieces += ["(", number, ")"] if value < 0.0 else [number]
+    def _live_text(self, step: Step) -> str:
+        """The line of a step as a formula."""
         # whatever mark the spreadsheet's own language has
         marks = '".",","' if self.book.language == "it" else '",","."'
+        pieces: list = [f"{step.symbol} = " + (f"{step.formula} = " if step.formula else "")]
         joined = []
-        for piece in pieces:
-            if isinstance(piece, tuple):
-                joined.append(f"SUBSTITUTE(FIXED({piece[0]},{piece[1]},TRUE),{marks})")
-            elif piece:
+        for piece in [*pieces, *step.numbers]:
+            if isinstance(piece, Shown):
+                number = f"SUBSTITUTE(FIXED({piece.cell or repr(piece.value)},{piece.digits},TRUE),{marks})"
+                joined += ['"("', number, '")"'] if piece.value < 0.0 else [number]
+            elif joined and joined[-1].startswith('"'):
+                joined[-1] = joined[-1][:-1] + piece.replace('"', '""') + '"'
+            else:
                 joined.append('"' + piece.replace('"', '""') + '"')
         return "=" + "&".join(joined)
 

@@ -1,0 +1,254 @@
+"""Faces of a derivation: an expression as a live formula, in symbols, in numbers.
+
+A face holds notations; brackets come from precedence, never from a text.
+"""
+
+import ast
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+from core.derivation.quantity import Quantity, expression
+from core.text.sentence import numeral
+
+SUM, PRODUCT, POWER, ATOM = 1, 2, 3, 4
+"""Precedence: what binds weaker stands in brackets."""
+
+OPERATORS: dict[type, tuple[str, int]] = {
+    ast.Add: ("+", SUM),
+    ast.Sub: ("-", SUM),
+    ast.Mult: ("*", PRODUCT),
+    ast.Div: ("/", PRODUCT),
+    ast.Pow: ("^", POWER),
+}
+
+EXCEL = {
+    "sqrt": "SQRT({})",
+    "min": "MIN({})",
+    "max": "MAX({})",
+    "abs": "ABS({})",
+    "log": "LN({})",
+    "atan": "ATAN({})",
+    "arctan": "DEGREES(ATAN({}))",
+    "radians": "RADIANS({})",
+    "sin": "SIN(RADIANS({}))",
+    "cos": "COS(RADIANS({}))",
+    "tan": "TAN(RADIANS({}))",
+    "kilo": "(1000*{})",
+}
+"""Functions of a spreadsheet, by those of a derivation."""
+
+CONSTANTS = {"CANTILEVER": "κ", "pi": "π"}
+"""Constants that have a symbol; the others are written as numbers."""
+
+SUPERSCRIPTS = {2: "²", 3: "³"}
+
+
+@dataclass(frozen=True)
+class Shown:
+    """A number within a written formula. cell : that has it, None where none does"""
+
+    value: float
+    digits: int
+    cell: str | None
+
+    def text(self, language: str) -> str:
+        """As it is written; a negative one in brackets."""
+        written = numeral(self.value, f".{self.digits}f", language)
+        return f"({written})" if self.value < 0.0 else written
+
+
+class Face:
+    """Walks the expression of a quantity. `of` gives pieces and their precedence."""
+
+    def __init__(self, function: Callable):
+        self.function = function
+
+    def of(self, node: ast.expr) -> tuple[list, int]:
+        match node:
+            case ast.BinOp(left, operator, right):
+                return self.operation(left, type(operator), right)
+            case ast.UnaryOp(ast.USub(), operand):
+                return ["(", self.minus, *self.within(operand, PRODUCT), ")"], ATOM
+            case ast.Call(ast.Name("sum"), [ast.GeneratorExp(each)]):
+                return self.total(each)
+            case ast.Call(ast.Name(name), arguments):
+                return self.call(name, arguments)
+            case ast.IfExp(test, body, orelse):
+                return self.choice(test, body, orelse)
+            case ast.Attribute(ast.Name(item), column):
+                return self.name(f"{item}.{column}")
+            case ast.Name(name):
+                return self.name(name)
+            case ast.Constant(value):
+                return self.constant(value)
+        raise ValueError(ast.unparse(node))
+
+    minus = "−"
+
+    def within(self, node: ast.expr, least: int) -> list:
+        """Pieces of an operand, in brackets where it binds weaker than it must."""
+        pieces, precedence = self.of(node)
+        return pieces if precedence >= least else ["(", *pieces, ")"]
+
+    def inlined(self, name: str, arguments: Sequence[ast.expr]) -> ast.expr | None:
+        """The expression of a function of the module with its arguments in place, None of another."""
+        function = self.function.__globals__.get(name)
+        if not callable(function) or function.__module__ != self.function.__module__:
+            return None
+        parameters = function.__code__.co_varnames[: function.__code__.co_argcount]
+        places = dict(zip(parameters, arguments, strict=True))
+
+        class Placed(ast.NodeTransformer):
+            def visit_Name(self, node):
+                return places.get(node.id, node)
+
+        return Placed().visit(expression(function))
+
+    def known(self, name: str) -> float | None:
+        """A constant of the module."""
+        value = self.function.__globals__.get(name)
+        return float(value) if isinstance(value, (int, float)) else None
+
+    def operation(self, left, operator, right) -> tuple[list, int]:
+        raise NotImplementedError
+
+    def total(self, each) -> tuple[list, int]:
+        raise NotImplementedError
+
+    def call(self, name, arguments) -> tuple[list, int]:
+        raise NotImplementedError
+
+    def choice(self, test, body, orelse) -> tuple[list, int]:
+        raise Branches
+
+    def name(self, name) -> tuple[list, int]:
+        raise NotImplementedError
+
+    def constant(self, value) -> tuple[list, int]:
+        raise NotImplementedError
+
+
+class Formula(Face):
+    """A live formula of a spreadsheet. cells : name -> cell, range of the table of loads or modes, or a number."""
+
+    minus = "-"
+
+    def __init__(self, function: Callable, cells: Mapping[str, str]):
+        super().__init__(function)
+        self.cells = cells
+
+    def operation(self, left, operator, right):
+        sign, own = OPERATORS[operator]
+        # a^b^c and a^-b are read differently by spreadsheets: operands of a power are atoms
+        first = self.within(left, ATOM if operator is ast.Pow else own)
+        return [*first, sign, *self.within(right, own + 1)], own
+
+    def total(self, each):
+        return ["SUMPRODUCT(", *self.of(each)[0], ")"], ATOM
+
+    def call(self, name, arguments):
+        body = self.inlined(name, arguments)
+        if body is not None:
+            return self.of(body)
+        written = ",".join("".join(self.of(argument)[0]) for argument in arguments)
+        return [EXCEL[name].format(written)], ATOM
+
+    def choice(self, test, body, orelse):
+        left, right = (self.of(side)[0] for side in (test.left, test.comparators[0]))
+        return ["IF(", *left, "<", *right, ",", *self.of(body)[0], ",", *self.of(orelse)[0], ")"], ATOM
+
+    def name(self, name):
+        if name == "pi":
+            return ["PI()"], ATOM
+        if name in self.cells:
+            cell = self.cells[name]
+            return [f"({cell})" if cell.startswith("-") else cell], ATOM
+        return self.constant(self.known(name))
+
+    def constant(self, value):
+        return [f"{value:.15g}"], ATOM
+
+
+class Written(Face):
+    """Symbols or numbers. leaf : pieces of a name with their precedence; point : between factors"""
+
+    def __init__(self, function: Callable, leaf: Callable[[str], tuple[list, int] | None], point: str, language: str):
+        super().__init__(function)
+        self.leaf, self.point, self.language = leaf, point, language
+
+    def operation(self, left, operator, right):
+        if operator is ast.Pow:
+            exponent = SUPERSCRIPTS.get(getattr(right, "value", None))
+            return [*self.within(left, ATOM), *([exponent] if exponent else ["^", *self.within(right, ATOM)])], POWER
+        if operator is ast.Div:
+            return [*self.within(left, PRODUCT), "/", *self.within(right, PRODUCT + 1)], PRODUCT
+        if operator is ast.Mult:
+            return [*self.factor(left), self.point, *self.factor(right)], PRODUCT
+        sign = " + " if operator is ast.Add else " − "
+        return [*self.within(left, SUM), sign, *self.within(right, SUM + (operator is ast.Sub))], SUM
+
+    def factor(self, node) -> list:
+        """A quotient within a product stands in brackets."""
+        quotient = isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div)
+        return self.within(node, ATOM if quotient else PRODUCT)
+
+    def total(self, each):
+        return ["Σ", *self.within(each, PRODUCT)], PRODUCT
+
+    def call(self, name, arguments):
+        """An angle is written in degrees: sin α, sin 6.84°."""
+        body = self.inlined(name, arguments)
+        if body is not None:
+            return self.of(body)
+        if name in ("kilo", "radians"):
+            pieces, precedence = self.of(arguments[0])
+            return (pieces, precedence) if name == "radians" or self.point == " " else ([*pieces, " · 10³"], PRODUCT)
+        if name == "abs":
+            return ["|", *self.of(arguments[0])[0], "|"], ATOM
+        pieces = [piece for argument in arguments for piece in (", ", *self.of(argument)[0])][1:]
+        head = {"sqrt": "√", "log": "ln", "atan": "arctan"}.get(name, name)
+        if name in ("sin", "cos", "tan") and isinstance(arguments[0], ast.Name):
+            return [f"{head} ", *pieces, *(["°"] if self.point != " " else [])], POWER
+        return [head, "(", *pieces, ")"], ATOM
+
+    def name(self, name):
+        if (found := self.leaf(name)) is not None:
+            return found
+        if name in CONSTANTS and (self.point == " " or name == "pi"):
+            return [CONSTANTS[name]], ATOM
+        return self.constant(self.known(name))
+
+    def constant(self, value):
+        if value is None:
+            raise ValueError(f"{self.function.__name__} needs what no line before it gives")
+        return [numeral(float(value), "g", self.language)], ATOM
+
+
+class Branches(ValueError):
+    """The formula of a spectrum, which has a branch for each range of periods, is no line of a calculation."""
+
+
+def formula(quantity: Quantity, cells: Mapping[str, str]) -> str:
+    """The quantity as a formula of a spreadsheet, "=..."."""
+    return "=" + "".join(Formula(quantity.function, cells).of(quantity.tree)[0])
+
+
+def in_symbols(quantity: Quantity, symbols: Mapping[str, str], language: str) -> str:
+    """The right side in symbols, as "(t − 2 u)/H". symbols : of the names it needs, and of what a sum runs over"""
+
+    def leaf(name: str):
+        if name not in symbols:
+            return None
+        apart = any(mark in symbols[name] for mark in " /") and not symbols[name].endswith(")")
+        return [symbols[name]], PRODUCT if apart else ATOM
+
+    return "".join(Written(quantity.function, leaf, " ", language).of(quantity.tree)[0])
+
+
+def in_numbers(quantity: Quantity, shown: Mapping[str, Shown], language: str) -> list[str | Shown]:
+    """The right side in numbers: words and numbers one after the other."""
+
+    def leaf(name: str):
+        return ([shown[name]], ATOM) if name in shown else None
+
+    return Written(quantity.function, leaf, " · ", language).of(quantity.tree)[0]

@@ -1,0 +1,346 @@
+"""Which quantities a wall has, with the values the program found: what the sheet Check and the note write.
+
+The descriptions are those of body.py and checks.py; the numbers are those of core/codes and core/wall, an independent
+way to the same values (tests/core/derivation).
+"""
+
+import math
+
+from core.capacity.limit_states import LIMIT_FRACTION
+from core.codes.kinematic import DAMPING, PERIOD_FACTOR
+from core.codes.risk import EXPONENT, exponent_by_ag
+from core.codes.target_spectrum import CodeSpectrum
+from core.derivation import body, checks
+from core.derivation.line import FULL, INPUT, LIVE, NOT, RUN, SYMBOLS, VALUE, Columns, Line, Section, Word
+from core.derivation.quantity import Given
+from core.study.results import StudyResult, WallResult
+from core.units import G
+from core.wall import wall_loads
+from core.wall.restitution import MODELS, housner_ratio, one_sided_ratio
+
+
+def governing_side(wall: WallResult) -> float:
+    """The hinge the formulas are written about: 1.0 the outer one, -1.0 the inner one where that is the weaker."""
+    tangent = math.tan(wall.block.slenderness)
+    outer, inner = (s.sine * tangent + s.cosine for s in (wall.model.restoring, wall.model.mirrored))
+    return -1.0 if not wall.model.one_sided and inner < outer else 1.0
+
+
+def sides_agree(wall: WallResult) -> bool:
+    """Whether the side that lifts first is the one that overturns first, so that d_0 is of the same formulas."""
+    model = wall.model
+    shown = model.restoring if governing_side(wall) > 0.0 else model.mirrored
+    return model.one_sided != 0.0 or shown.lean == model.lean
+
+
+def geometry(wall: WallResult) -> Section:
+    """The block: sizes, slenderness, radius, frequency parameter, uplift, velocity ratio."""
+    asked, block = wall.wall, wall.block
+    by_sizes = asked.height_m is not None and (asked.slenderness_deg is None or asked.setback > 0.0)
+    lines: list[Line | Columns] = []
+    if asked.load:
+        lines = _loaded(wall)
+    else:
+        lines = _sizes(wall) if block.is_rectangle or (asked.height_m and asked.setback) else []
+        alpha, degrees = body.SLENDERNESS, math.degrees(block.slenderness)
+        if asked.height_m and asked.setback:
+            alpha = body.slenderness_with_setback
+        elif block.is_rectangle and by_sizes:
+            alpha = body.slenderness_of_sizes
+        given = alpha is body.SLENDERNESS
+        lines.append(
+            Line(alpha, degrees, INPUT if given else LIVE, VALUE if given else FULL, "as given" if given else "")
+        )
+        if block.is_rectangle:
+            lines.append(Line(body.radius_of_rectangle, block.radius, note=FULL))
+        elif asked.height_m and asked.setback:
+            lines.append(Line(body.radius_with_setback, block.radius, note=FULL))
+            lines.append(Line(body.inertia_with_setback, block.inertia_over_mass))
+        else:
+            lines.append(Line(body.RADIUS, block.radius, INPUT, VALUE))
+            lines.append(Line(body.INERTIA, block.inertia_over_mass, INPUT))
+        if not block.is_rectangle:
+            lines.append(Line(body.equivalent_height, block.height))
+        p = body.p_of_rectangle if block.is_rectangle else body.p
+        lines.append(Line(p, block.frequency_parameter, note=FULL if block.is_rectangle else SYMBOLS))
+        lines.append(_uplift(body.a_rm, block.threshold_acceleration / G))
+    return Section("The block", [*lines, *_impacts(wall)])
+
+
+def _uplift(of: Given, value: float) -> Line:
+    return Line(of, value, LIVE, SYMBOLS, "acceleration that lifts the wall", run_name="a_rm_run")
+
+
+def _sizes(wall: WallResult) -> list[Line | Columns]:
+    """What the case gives."""
+    asked = wall.wall
+    lines: list[Line | Columns] = [Line(body.HEIGHT, wall.height, INPUT)]
+    if asked.slenderness_deg is None or asked.setback or asked.load:
+        lines.append(Line(body.THICKNESS, wall.thickness, INPUT))
+    if asked.setback or asked.load:
+        lines.append(Line(body.SETBACK, asked.setback, RUN if asked.compressive_strength_mpa else INPUT))
+    return lines
+
+
+def _loaded(wall: WallResult) -> list[Line | Columns]:
+    """A wall with loads up to a_RM, about the governing hinge."""
+    asked, block, model, side = wall.wall, wall.block, wall.model, governing_side(wall)
+    bare, restoring = asked.bare_block(), model.restoring if side > 0.0 else model.mirrored
+    where = "Loads, about the outer hinge" if side > 0.0 else "Loads, about the inner hinge"
+    rows = []
+    for load in asked.load:
+        force = wall_loads.as_force(load, asked, side)
+        pushed = load.kn_m if load.pushes else 0.0
+        distance = force.distance + asked.setback  # entered from the face of this hinge: the formulas take off u
+        values = (1e-3 * force.vertical, 1e-3 * force.horizontal, distance, force.height, pushed)
+        rows.append((Word(f"load_{load.kind}"), values))
+    units = ("kN/m", "kN/m", "m", "m", "kN/m")
+    return [
+        *_sizes(wall),
+        Line(body.UNIT_WEIGHT, asked.unit_weight_kn_m3, INPUT),
+        Line(body.w, 1e-3 * wall_loads.weight_per_metre(asked), note=FULL),
+        Line(body.x, bare.centroid[0]),
+        Line(body.y, bare.centroid[1]),
+        Columns(where, body.LOADS, units, rows, INPUT, {"load.d": "setback"}),
+        Line(
+            body.slenderness_with_loads,
+            math.degrees(block.slenderness),
+            LIVE,
+            SYMBOLS,
+            "of the wall with the masses that move with it",
+        ),
+        Line(body.radius_with_loads, block.radius, note=SYMBOLS),
+        Line(body.inertia_with_loads, block.inertia_over_mass),
+        Line(body.p, block.frequency_parameter, note=SYMBOLS),
+        Line(body.a, restoring.sine),
+        Line(body.c, restoring.cosine),
+        Line(body.theta_c, block.slenderness + restoring.lean),
+        _uplift(body.a_rm_with_loads, model.threshold / G),
+    ]
+
+
+def _impacts(wall: WallResult) -> list[Line]:
+    """The velocity ratio, by its formula where the model has one."""
+    model, block = wall.restitution.model, wall.block
+    e, words = wall.restitution.ratio_at_rest, {"model": MODELS[model]}
+    label = "velocity ratio of an impact: {model}"
+    if model not in body.RATIOS:
+        of = body.VELOCITY_RATIO
+        label = "velocity ratio of an impact: given" if model == "user" else label
+        return [Line(of, e, INPUT if model == "user" else RUN, VALUE, label, words=words)]
+    contact = wall_loads.contact_of(wall.wall)
+    if contact:
+        base, top = body.e_base_with_loads, body.e_top_with_loads
+        label = "velocity ratio of an impact: {model}, impacts of the wall with what moves with it"
+    elif block.is_rectangle:
+        base, top = body.e_base_of_rectangle, body.e_top_of_rectangle
+    else:
+        base, top = body.e_base_of_block, body.e_top_of_block
+    at_base = housner_ratio(block, contact)
+    lines = [Line(base, at_base)]
+    if model.startswith("one_sided"):
+        lines.append(Line(top, one_sided_ratio(block, contact) / at_base**2))
+    return [*lines, Line(body.RATIOS[model], e, LIVE, VALUE, label, body.VELOCITY_RATIO.label, words)]
+
+
+def chain(wall: WallResult) -> Section:
+    """The start of the motion: alpha_0, e*, M*, a_0*."""
+    kinematic, asked = wall.assessment.kinematic, wall.wall
+    sums, where = kinematic.chain, "about the outer hinge"
+    lines: list[Line | Columns] = []
+    if asked.load:
+        where = where if governing_side(wall) > 0.0 else "about the inner hinge"
+        moments = wall_loads.start_moments(asked, governing_side(wall))
+        found = zip((checks.wx, checks.nd, checks.fh, checks.wy, checks.qh), moments, strict=True)
+        lines = [Line(of, 1e-3 * moment) for of, moment in found]
+        lines.append(Line(checks.alpha0_with_loads, sums.alpha0, LIVE, FULL, where))
+        lines.append(Line(checks.e_star_with_loads, sums.e_star, LIVE, SYMBOLS))
+    else:
+        alpha0 = checks.alpha0
+        if asked.height_m and asked.setback:
+            alpha0 = checks.alpha0_with_setback
+        elif asked.height_m and asked.slenderness_deg is None:
+            alpha0 = checks.alpha0_of_sizes
+        lines.append(Line(alpha0, sums.alpha0, note=FULL))
+        lines.append(Line(checks.E_STAR, sums.e_star, RUN, VALUE, "one block, no other mass pushes it"))
+    mass, m_star, a0_star, of_part = sums.mass, checks.m_star, checks.a0_star, ""
+    if sums.alpha0_friction is not None:
+        mass, m_star, a0_star, of_part = (
+            sums.mass_friction, checks.m_star_with_friction, checks.a0_star_with_friction, "of that part")  # fmt: off
+        label, words = "with the friction of the return walls, of the upper {h:.2f} m", {"h": sums.friction_height}
+        lines.append(Line(checks.ALPHA0_FRICTION, sums.alpha0_friction, RUN, VALUE, label, words=words))
+        lines.append(Line(checks.E_STAR_FRICTION, sums.e_star_friction, RUN, VALUE, of_part))
+    if kinematic.m_star is not None:
+        lines.append(Line(checks.MASS, mass, RUN))
+        lines.append(Line(m_star, kinematic.m_star, LIVE, FULL, of_part))
+    lines.append(Line(a0_star, kinematic.a0 / G, LIVE, FULL, of_part))
+    return Section("Kinematic chain", lines)
+
+
+def linear(result: StudyResult, wall: WallResult) -> Section:
+    """a_g,SLD over a_g, and that times q."""
+    kinematic, demand = wall.assessment.kinematic, result.demand
+    if kinematic.zeta_sld is None:
+        return Section("Linear check", [])
+    lines, zeta_sld = _demand_at(wall), checks.zeta_sld
+    against = Line(Given("demand_pga", "S a_g", "g", 3, clause="C8.7.1.8"), demand.pga / G, RUN, VALUE)
+    if kinematic.free_element:
+        zeta_sld = checks.zeta_sld_of_free_element
+        lines += _free(wall, isinstance(demand.target, CodeSpectrum))
+    elif kinematic.floor:
+        zeta_sld = checks.zeta_sld_on_floor
+    else:
+        lines.append(against)
+    sld = next((check for check in wall.assessment.checks if check.label == "linear_sld"), None)
+    lines.append(Line(zeta_sld, kinematic.zeta_sld, note=FULL, passed=sld.passed if sld else None))
+    for check in wall.assessment.checks:
+        if not check.name.startswith("linear") or check is sld or check.zeta is None:
+            continue
+        if check.name == "linear_q_slv":
+            friction = kinematic.chain.alpha0_friction is not None
+            q = checks.linear_q_slv_with_friction if friction else checks.linear_q_slv
+            words = {"q": wall.q_slv_set, "check": Word(check.label)}
+            lower = "lower end of the spread of q SLV, {q:.2f}, times e*"
+            lines += [Line(checks.Q_SLV, wall.q_slv_set, RUN), Line(checks.Q_SLV_LOW, wall.q_slv_low_set, RUN)]
+            lines.append(Line(q, check.q, LIVE, FULL, lower, "q: {check}", words))
+            zeta = checks.linear_q_slv_zeta
+        else:
+            words = {"check": Word(check.label)}
+            lines.append(Line(checks.linear_q_code, check.q, title="q: {check}", words=words))
+            zeta = checks.linear_q_code_zeta
+        lines.append(_zeta(zeta, check))
+    return Section("Linear check", lines)
+
+
+def _zeta(of, check) -> Line:
+    """zeta of a check, with its outcome."""
+    label = Word(check.label)
+    return Line(of, check.zeta, LIVE, FULL, label, "ζ: {check}", {"check": label}, passed=check.passed)
+
+
+def _demand_at(wall: WallResult) -> list[Line | Columns]:
+    """Above the ground the modes of the building and a_Z."""
+    kinematic = wall.assessment.kinematic
+    if not kinematic.floor:
+        return []
+    rows = []
+    for k, mode in enumerate(kinematic.floor.modes, start=1):
+        elastic = float(kinematic.floor.ground.acceleration([mode.period], mode.damping)[0]) / G
+        rows.append((str(k), (mode.period, mode.damping, mode.participation, elastic)))
+    modes = Columns("Mode", checks.MODES, ("s", "–", "–", "g"), rows, RUN)
+    return [modes, Line(checks.a_z, kinematic.floor.a_z / G, note=NOT if kinematic.free_element else VALUE)]
+
+
+def _free(wall: WallResult, of_code: bool) -> list[Line | Columns]:
+    """T_0 and S_e(T_0) of an element free to vibrate."""
+    kinematic, asked = wall.assessment.kinematic, wall.wall
+    lines: list[Line | Columns] = [Line(checks.MODULUS, asked.elastic_modulus_mpa, INPUT)]
+    if asked.load:
+        lines.append(Line(checks.period_0_with_loads, kinematic.period_0, note=SYMBOLS))
+    else:
+        lines.append(Line(body.UNIT_WEIGHT, asked.unit_weight_kn_m3, INPUT))
+        sizes = asked.slenderness_deg is None or asked.setback
+        lines.append(Line(checks.period_0 if sizes else checks.period_0_of_slenderness, kinematic.period_0, note=FULL))
+    elastic = kinematic.acceleration_demand / G
+    if kinematic.floor:
+        return [*lines, Line(checks.SEZ_T0_GIVEN, elastic, RUN, VALUE)]
+    if of_code:
+        return [*lines, Line(checks.se_t0, elastic, note=VALUE)]
+    return [*lines, Line(checks.SE_T0_GIVEN, elastic, RUN, VALUE)]
+
+
+def displacement(result: StudyResult, wall: WallResult) -> Section:
+    """d_limit against S_De."""
+    kinematic, state = wall.assessment.kinematic, result.demand.limit_state
+    check = next((one for one in wall.assessment.checks if one.name == "nonlinear"), None)
+    title = "Displacement check"
+    if check is None:
+        return Section(title, [])
+    damping = 100.0 * DAMPING[state]
+    constants = {"share": LIMIT_FRACTION[state], "factor": PERIOD_FACTOR[state] / math.pi, "damping": damping}
+    if wall.wall.load:
+        agree = sides_agree(wall)
+        d0 = Line(checks.d0_with_loads if agree else checks.D0_GIVEN, kinematic.d0, LIVE if agree else RUN, SYMBOLS)
+    else:
+        d0 = Line(checks.d0, kinematic.d0, note=FULL)
+    largest = "largest between T_0 and T_{state}"
+    if kinematic.floor:
+        s_de = Line(checks.S_DEZ_GIVEN, kinematic.s_de, RUN, VALUE, largest)
+    elif isinstance(result.demand.target, CodeSpectrum):
+        s_de = Line(checks.s_de, kinematic.s_de, LIVE, VALUE, largest)
+    else:
+        s_de = Line(checks.S_DE_GIVEN, kinematic.s_de, RUN, VALUE, largest)
+    lines: list[Line | Columns] = [
+        d0,
+        Line(checks.d_limit, kinematic.d_limit, note=FULL),
+        Line(checks.a_limit, kinematic.a_limit, note=FULL),
+        Line(checks.period, kinematic.period, note=FULL),
+        s_de,
+    ]
+    zeta = checks.nonlinear_zeta
+    if state == "SLV" and kinematic.zeta_floor is not None:
+        friction = kinematic.chain.alpha0_friction is not None
+        lines.append(Line(checks.displacement_ratio, kinematic.d_limit / kinematic.s_de, note=FULL))
+        floor = checks.zeta_floor_with_friction if friction else checks.zeta_floor
+        lines.append(Line(floor, kinematic.zeta_floor, LIVE, VALUE if friction else NOT, "not below a_g,SLD"))
+        zeta = checks.nonlinear_zeta_at_slv
+    return Section(title, [*lines, _zeta(zeta, check)], constants)
+
+
+def dynamic(wall: WallResult) -> Section:
+    """The time histories."""
+    check, title = wall.assessment.dynamic, "Time histories"
+    if check is None:
+        return Section(title, [])
+    rule = "mean of the peaks" if check.set_rule == "mean" else "largest peak"
+    peak = check.peak_ratio
+    on = Word(f"confidence_{check.confidence_on}")
+    lines: list[Line | Columns] = [
+        Line(checks.PEAK, Word("overturned") if peak is None else peak, RUN, VALUE, rule),
+        Line(checks.LIMIT, check.limit_ratio, RUN, VALUE, "limit"),
+        Line(checks.EXCEEDED, f"{check.n_exceeded} / {len(check.runs)}", RUN, VALUE, "runs beyond θc"),
+        Line(checks.DYNAMIC_ZETA, check.zeta, RUN, VALUE, on),
+        Line(checks.ZETA_16, check.zeta_16, RUN),
+    ]
+    if check.zeta_other is not None:
+        other = Word(f"confidence_{check.zeta_other.confidence_on}")
+        words = {"on": other}
+        lines.append(Line(checks.ZETA_OTHER, check.zeta_other.zeta, RUN, VALUE, other, "ζ_E, {on}", words))
+    return Section(title, lines)
+
+
+def risk(result: StudyResult, wall: WallResult) -> Section:
+    """PGA_C, T_R,C by both exponents, IS-V of this mechanism, from the zeta of the check that decides: of histories it
+    is that of the run, and so are the demand and T_R."""
+    found, demand, title = wall.assessment.risk, result.demand, "What the mechanism withstands"
+    if found is None:
+        return Section(title, [])
+    of_histories = wall.assessment.verdict.governing == "dynamic"
+    other = {"zeta": deciding(wall, demand), "demand_pga": "demand_pga_run" if of_histories else "demand_pga"}
+    note = "of the run" if of_histories else ""
+    lines: list[Line | Columns] = [Line(checks.pga_c, found.pga / G, LIVE, FULL, note, other=other)]
+    constants = {}
+    if found.years is not None:
+        title_of_row = "T_R,C by the hazard of the site" if found.by_hazard else ""
+        lines.append(Line(Given("tr_c_years", "T_R,C", "{years}"), found.years, RUN, VALUE, title=title_of_row))
+    if found.return_period is not None and not found.by_hazard:
+        tr_d = Given("tr_d", "T_R,D", "{years}", 0, "0.00")
+        lines.append(Line(tr_d, demand.return_period, RUN if of_histories else INPUT))
+        constants = {"eta_italy": EXPONENT, "eta_site": exponent_by_ag(demand.ag)}
+        lines.append(Line(checks.tr_c, found.return_period, other=other))
+        lines.append(Line(checks.tr_c_longer, found.other_return_period, other=other))
+    if found.index is not None:
+        label, words = "of this mechanism, class {letter}", {"letter": found.letter}
+        lines.append(Line(checks.is_v, found.index, LIVE, VALUE, label, words=words, other=other))
+    return Section(title, lines, constants)
+
+
+def deciding(wall: WallResult, demand) -> str:
+    """Name of the zeta of the check that decides."""
+    governing = wall.assessment.verdict.governing
+    return "zeta_sld" if demand.limit_state == "SLD" and governing == "linear_q_code" else f"{governing}_zeta"
+
+
+def checks_of(result: StudyResult, wall: WallResult) -> list[Section]:
+    """The sections of a wall after its block."""
+    return [chain(wall), linear(result, wall), displacement(result, wall), dynamic(wall), risk(result, wall)]

@@ -1,0 +1,185 @@
+"""The description of a derivation is an independent way to the numbers of core/codes and core/wall."""
+
+import functools
+import random
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+from core.case.rules import parse_case
+from core.derivation import body, checks, closed_forms, demand
+from core.derivation import wall as of_wall
+from core.derivation.closed_forms import closed
+from core.derivation.line import Columns
+from core.derivation.quantity import Quantity
+from core.derivation.site import demand_section
+from core.errors import InputError
+from core.study.run import run
+from tests.validation.circolare import EN_B, NTC_C
+
+LOADS = (
+    {"kind": "vertical", "mass": "none"},
+    {"kind": "vertical", "mass": "horizontal"},
+    {"kind": "vertical", "mass": "moving"},
+    {"kind": "carried_mass"},
+    {"kind": "thrust"},
+    {"kind": "tie"},
+)
+ACROSS = {"number": 2, "thickness_m": 0.4, "brick_height_m": 0.2, "brick_length_m": 0.3}
+MODELS = {
+    "two_sided": ("housner", "sorrentino_experimental", "costa_upper"),
+    "one_sided": ("one_sided_theoretical", "one_sided_experimental"),
+}
+
+
+def load_of(draw, height, thickness):
+    load = dict(draw.choice(LOADS))
+    load |= {"h_m": round(height * draw.uniform(0.6, 1.0), 3), "kn_m": round(draw.uniform(0.2, 0.6), 3)}
+    if load["kind"] in ("vertical", "carried_mass"):
+        load |= {"d_m": round(thickness * draw.uniform(0.3, 0.8), 3), "kn_m": round(draw.uniform(1.0, 8.0), 3)}
+    return load
+
+
+def wall_of(draw, k):
+    """A wall of any kind."""
+    height, thickness = round(draw.uniform(2.0, 8.0), 3), round(draw.uniform(0.3, 0.8), 3)
+    mechanism = draw.choice(("one_sided", "two_sided"))
+    wall = {
+        "name": f"w{k}",
+        "mechanism": mechanism,
+        "base_z_m": draw.choice((0.0, 0.0, 6.0)),
+        "hinge_heights": "base",
+        "free_element": draw.random() < 0.4,
+        "unit_weight_kn_m3": round(draw.uniform(16.0, 21.0), 2),
+        "elastic_modulus_mpa": round(draw.uniform(600.0, 2000.0)),
+        "restitution": draw.choice(MODELS[mechanism]),
+    }
+    kind = draw.choice(("sizes", "setback", "strength", "slenderness", "general", "friction", "loads", "loads"))
+    if kind == "general":
+        del wall["hinge_heights"]
+        alpha, radius = draw.uniform(4.0, 9.0), draw.uniform(1.5, 3.5)
+        return wall | {"slenderness_deg": alpha, "radius_m": radius, "inertia_over_mass_m2": 1.4 * radius**2}
+    wall |= {"height_m": height}
+    if kind == "slenderness":
+        return wall | {"slenderness_deg": draw.uniform(4.0, 9.0)}
+    wall |= {"thickness_m": thickness}
+    if kind == "setback" or (kind == "loads" and draw.random() < 0.5):
+        wall |= {"hinge_setback_m": 0.02}
+    if kind == "strength":
+        wall |= {"compressive_strength_mpa": 2.0}
+    if kind == "friction":
+        wall |= {"mechanism": "one_sided", "restitution": "one_sided_theoretical", "return_walls": ACROSS}
+        wall |= {"length_m": 5.0}
+    if kind == "loads":
+        loads = [load_of(draw, height, thickness) for _ in range(draw.randint(1, 3))]
+        inward = any(load["kind"] == "tie" for load in loads)
+        if inward:
+            wall |= {"mechanism": "one_sided", "restitution": "one_sided_theoretical"}
+        return wall | {"load": loads}
+    return wall
+
+
+DEMANDS = {
+    "SLV, NTC": {"ag_g": 0.18, "spectrum": NTC_C, "return_period_years": 475},
+    "SLC, EN": {"ag_g": 0.25, "spectrum": EN_B, "limit_state": "SLC"},
+    "SLD, NTC": {"ag_g": 0.08, "spectrum": NTC_C, "limit_state": "SLD"},
+    "SLV, S and SI": {"ag_g": 0.2, "soil_factor": 1.2, "housner_intensity_cm": 90.0},
+}
+
+
+def result_of(demand, walls):
+    """A result without records of the walls that can be made."""
+    building = {"height_m": 9.0, "storeys": 3, "period_s": 0.3}
+    return run(parse_case({"wall": walls, "building": building, "demand": demand}), base_dir=Path())
+
+
+@functools.cache
+def results(which):
+    """Results of 90 random walls, one by one: some are refused (a stocky block, a strong force)."""
+    draw, found = random.Random(which), []
+    for k in range(90):
+        try:
+            found.append(result_of(DEMANDS[which], [wall_of(draw, k)]))
+        except InputError:
+            continue
+    return found
+
+
+def sections_of(result, wall):
+    return [demand_section(result), of_wall.geometry(wall), closed(wall), *of_wall.checks_of(result, wall)]
+
+
+def evaluate(sections):
+    """Value of each described line by its function, from what is given and of the run. Asserts that it is that of the
+    program; gives how many were compared."""
+    known, compared = {}, 0
+    for section in sections:
+        known |= section.constants
+        for line in section.lines:
+            if isinstance(line, Columns):
+                rows = []
+                for _, values in line.rows:
+                    item = dict(zip((key.split(".")[1] for key in line.symbols), values, strict=True))
+                    for key, cell in line.shift.items():
+                        item[key.split(".")[1]] -= known[cell]
+                    rows.append(SimpleNamespace(**item))
+                known["loads" if "load.n" in line.symbols else "modes"] = rows
+                continue
+            value = line.value
+            if line.quantity is not None and value is not None:
+                values = known | {one: known[other] for one, other in line.other.items()}
+                value = line.quantity.function(**{name: values[name] for name in line.quantity.needs})
+                assert value == pytest.approx(line.value, rel=1e-9, abs=1e-12), (section.title, line.of.name)
+                compared += 1
+            known[line.of.name] = value
+            if line.run_name:
+                known[line.run_name] = line.value
+    return compared
+
+
+@pytest.mark.parametrize("which", DEMANDS)
+def test_that_every_description_gives_the_number_of_the_program(which):
+    compared, found = 0, results(which)
+    for result in found:
+        for wall in result.walls:
+            compared += evaluate(sections_of(result, wall))
+    assert len(found) > 60 and compared > 15 * len(found)
+
+
+def test_that_every_quantity_is_one_of_a_wall():
+    """None is described for nothing."""
+    described = {
+        value.function.__name__
+        for module in (body, checks, closed_forms, demand)
+        for value in vars(module).values()
+        if isinstance(value, Quantity)
+    }
+    seen = {"q", "q_eff", "demand_over_q", "capacity_over_demand"}  # of the table of records, and of Eq. 9
+    seen |= {"intensity_of_records", "linear_q_slv", "linear_q_slv_with_friction", "linear_q_slv_zeta"}  # with records
+    for which in DEMANDS:
+        for result in results(which):
+            for wall in result.walls:
+                lines = [line for section in sections_of(result, wall) for line in section.lines]
+                seen |= {line.quantity.function.__name__ for line in lines if getattr(line, "quantity", None)}
+    assert described - seen == set()
+
+
+def test_that_the_sections_of_a_run_with_records_agree_too(reference, tmp_path):
+    ground = reference("standard")[0][:900]
+    for k in range(3):
+        (tmp_path / f"r{k}.txt").write_text("\n".join(f"{value:.9e}" for value in ground * (0.9 + 0.1 * k)))
+    wall = {"name": "w", "height_m": 6.0, "thickness_m": 0.6, "mechanism": "one_sided", "base_z_m": 0.0}
+    friction = {"unit_weight_kn_m3": 18.0, "length_m": 5.0, "return_walls": ACROSS}
+    records = [{"file": f"r{k}.txt", "unit": "m/s2", "time_step_s": 0.01} for k in range(3)]
+    case = parse_case(
+        {
+            "wall": [wall, wall | friction | {"name": "f"}],
+            "record": records,
+            "demand": {"ag_g": 0.2, "soil_factor": 1.2},
+            "analysis": {"q_step": 0.02},
+        }
+    )
+    result = run(case, base_dir=tmp_path)
+    for found in result.walls:
+        assert evaluate([demand_section(result), of_wall.geometry(found), *of_wall.checks_of(result, found)]) > 10
