@@ -83,6 +83,7 @@ class WallJustification:
 
     velocity_ratio: str = text_key()
     restitution: str = text_key()
+    law: str = text_key()
     return_walls: str = text_key()
     free_element: str = text_key()
     base_z_m: str = text_key()
