@@ -232,8 +232,8 @@ REASONS = {
         "Con gli altri estremi di {keys} insieme ζ è {zeta}.",
     ),
     "q_rests_on": (
-        "The check with q = {q} is satisfied by the value of {keys} alone: it does not count as one that agrees.",
-        "La verifica con q = {q} è soddisfatta solo per il valore di {keys}: non conta come verifica concorde.",
+        "At the other end of {keys} the check with q = {q} fails: it does not count as one that agrees.",
+        "All'altro estremo di {keys} la verifica con q = {q} non è soddisfatta: non conta come verifica concorde.",
     ),
     "generated_motions": (
         "The motions are generated: C8.7.1.2.1.9 advises natural records, under which ζ may be lower.",

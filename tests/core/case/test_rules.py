@@ -64,6 +64,10 @@ STRENGTH = {"compressive_strength_mpa": 2.0, "unit_weight_kn_m3": 18.0}
             },
             ["general block takes no"],
         ),
+        (
+            without("thickness_m", "height_m", slenderness_deg=5.0, radius_m=3.0, inertia_over_mass_m2=400.0),
+            ["inertia_over_mass_m2 400", "up to 18"],
+        ),
         (case(record=[{"file": "a.txt", "channel": 0}]), ["channel", "name of a channel, or its number"]),
         (case(generate={"count": 7}), ["generate", "spectrum"]),
         (case({"law": "doherty"}, analysis={"method": "linearised"}), ["rigid law", "trilinear"]),
