@@ -23,7 +23,9 @@ def raised_by_wall(case: Case, wall: Wall) -> set[str]:
         "velocity_ratio": wall.velocity_ratio is not None,
         "restitution": wall.restitution in MEASURED,
         "return_walls": wall.return_walls is not None,
-        "free_element": wall.free_element is False and wall.mechanism != "one_sided",
+        "law": wall.law != "rigid",
+        "free_element": wall.free_element is not None
+        and any(wall.free_element != (mechanism == "two_sided") for mechanism in wall.mechanisms()),
         "base_z_m": case.demand is not None and at_height,
     }
     return {key for key, lifts in lifting.items() if lifts}

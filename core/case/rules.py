@@ -18,6 +18,23 @@ from core.wall.wall_loads import check_given, check_loads
 MIN_LETTERS = 3
 """Letters of a text that is to name something."""
 
+NOTHING = {
+    "none",
+    "nothing",
+    "nobody",
+    "unknown",
+    "tbd",
+    "todo",
+    "null",
+    "nessuno",
+    "nessuna",
+    "niente",
+    "nulla",
+    "ignoto",
+    "sconosciuto",
+}
+"""Words that alone name nothing."""
+
 TESTED_STRENGTH = (0.5, 10.0)
 """Compressive strengths of masonry [MPa] that tests give."""
 
@@ -144,7 +161,7 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
         if case.demand:
             check_confidence(case.demand, wall)
         check_reasons(wall.justification, place("wall", name=wall.name))
-        if wall.back_restraint and sum(map(str.isalpha, wall.back_restraint)) < MIN_LETTERS:
+        if wall.back_restraint and not _says(wall.back_restraint):
             raise InputError(
                 "restraint_unnamed",
                 place=(place("wall", name=wall.name),),
@@ -166,11 +183,16 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
     return replace(case, sha256=digest)
 
 
+def _says(text: str) -> bool:
+    """Whether a text names something, as far as a program can tell."""
+    return sum(map(str.isalpha, text)) >= MIN_LETTERS and text.strip(" .,;:-!?\"'()").casefold() not in NOTHING
+
+
 def check_reasons(reasons, here) -> None:
     """Refuse a reason of the engineer that says nothing. reasons : of a wall or of the demand, None without any"""
     for entry in fields(reasons) if reasons else ():
         value = getattr(reasons, entry.name)
-        if value and sum(map(str.isalpha, value)) < MIN_LETTERS:
+        if value and not _says(value):
             raise InputError("reason_says_nothing", place=(here,), key=entry.name, value=value)
 
 
@@ -181,7 +203,7 @@ def check_confidence(demand: Demand, wall: Wall) -> None:
     if stated >= FULL_FACTOR:
         return
     here, least = section("[demand]"), KNOWLEDGE.get(demand.knowledge_level)
-    if least is None or sum(map(str.isalpha, demand.investigations)) < MIN_LETTERS:
+    if least is None or not _says(demand.investigations):
         raise InputError("low_confidence_factor", place=(here,), stated=stated)
     if stated < least:
         raise InputError(

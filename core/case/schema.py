@@ -83,10 +83,15 @@ class WallJustification:
 
     velocity_ratio: str = text_key()
     restitution: str = text_key()
+    law: str = text_key()
     return_walls: str = text_key()
     free_element: str = text_key()
     base_z_m: str = text_key()
 
+
+MOST_INERTIA = 2.0
+"""Largest I0/m over R^2 of a block: 4/3 of a slender rectangle, 3/2 of a triangle on its base. A block rocks the more
+slowly the larger it is."""
 
 MAX_SETBACK = 0.4
 """Largest hinge setback over the thickness: at 0.5 nothing is left to turn about."""
@@ -183,6 +188,15 @@ class Wall:
                 raise InputError("general_keys", place=(place("wall", name=self.name),))
             if self.radius_m is None or self.inertia_over_mass_m2 is None:
                 raise InputError("general_needs", place=(place("wall", name=self.name),))
+            if self.inertia_over_mass_m2 > MOST_INERTIA * self.radius_m**2:
+                raise InputError(
+                    "inertia_too_large",
+                    place=here,
+                    key="inertia_over_mass_m2",
+                    given=self.inertia_over_mass_m2,
+                    most=MOST_INERTIA * self.radius_m**2,
+                    ratio=MOST_INERTIA,
+                )
             return Block(math.radians(self.slenderness_deg), self.radius_m, self.inertia_over_mass_m2)
         if self.height_m is None or len(given) != 1:
             stated = sentence("accepted", "given" if self.height_m else "missing")

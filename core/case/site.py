@@ -53,7 +53,7 @@ class Demand:
 
     ag_g: float = number_key(0.001, 5.0, MISSING, unit="g")
     limit_state: str = choice_key("SLV", "SLC", "SLD", default="SLV")
-    soil_factor: float | None = number_key(0.5, 5.0)
+    soil_factor: float | None = number_key(0.9, 5.0)
     spectrum: Spectrum | None = field(default=None, metadata={"kind": "spectrum"})
     spectrum_file: str | None = path_key(None)
     housner_intensity_cm: float | None = number_key(0.1, 5000.0, unit="cm")

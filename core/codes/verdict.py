@@ -154,14 +154,16 @@ def verdict(
     missing = _missing(wall, governing, kinematic)
     activated = _activated(wall, threshold, demand, checks, kinematic, circumstances)
     blocking = _limits(wall, mechanism, block, demand, dynamic, compliance, circumstances)
-    blocking += [lift.words for lift in lifts if lift.turns and not lift.justified]
+    turned = [lift.words for lift in lifts if lift.turns and not lift.justified]
+    blocking += turned
     if dynamic and dynamic.passed and _alone(made, dynamic):
         blocking.append(_reason("alone"))
     agrees = passes_with_q2(q_code, target)
-    agrees = agrees and not any(lift.turns_q and not lift.justified for lift in lifts)
+    rests_on = [Key(lift.key) for lift in lifts if lift.turns_q and not lift.justified] if agrees else []
+    agrees = agrees and not rests_on
     if missing is not None:
         code = "undetermined"
-    elif not activated:
+    elif not activated and not turned:
         code = "not_activated"
     elif dynamic and dynamic.within_spread(target):
         code = "at_limit"
@@ -174,6 +176,8 @@ def verdict(
         code = "q2_unsafe" if agrees else "not_verified"
     limits = [*blocking, *own_limits]
     limits += [lift.words for lift in lifts if lift.words not in limits]
+    if rests_on:
+        limits.append(_reason("q_rests_on", q=Number(CODE_Q, "g"), keys=tuple(rests_on)))
     if code != "undetermined":
         limits += _of_the_histories(dynamic, kinematic, wall, zeta, target)
     if kinematic and kinematic.missing:

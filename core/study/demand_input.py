@@ -14,7 +14,7 @@ from core.case.schema import Case
 from core.case.site import Demand, HazardRow
 from core.codes import target_spectrum
 from core.codes.demand import DemandResult
-from core.codes.limits import SAME_PERIOD
+from core.codes.limits import SAME_PERIOD, USUAL_LIVES, return_period
 from core.codes.target_spectrum import Target
 from core.errors import InputError, place, section
 from core.file_names import name_of
@@ -126,32 +126,34 @@ def interpolated(hazard: tuple[HazardRow, ...], years: float) -> HazardRow:
 
 def check_hazard(asked: Demand, hazard: tuple[HazardRow, ...]) -> None:
     """Raise InputError where a_g, F_0 or T_C* is not that of the case's own hazard at the return period of the demand,
-    beyond the digits both are printed with. Without a return period, or outside its rows, nothing is compared."""
-    years = asked.return_period
-    if not hazard or years is None:
-        return
-    low, high = hazard[0].return_period_years, hazard[-1].return_period_years
-    if not (1.0 - SAME_PERIOD) * low <= years <= (1.0 + SAME_PERIOD) * high:
+    beyond the digits both are printed with; without a return period, where a_g is below that of the shortest one of
+    the limit state. Outside the rows nothing is compared."""
+    years, life = asked.return_period, USUAL_LIVES[0]
+    shortest = years is None
+    if years is None:
+        years = return_period(life, asked.limit_state)
+    if not hazard or not within(hazard, years):
         return
     row, spectrum = interpolated(hazard, years), asked.spectrum
     pairs = [("ag_g", asked.ag_g, row.ag_g)]
-    if spectrum is not None:
+    if spectrum is not None and not shortest:
         pairs += [(key, getattr(spectrum, key), getattr(row, key)) for key in ("f0", "tc_star_s")]
     for key, given, stated in pairs:
         if given is None or stated is None:
             continue
         rows = max(_decimals(getattr(row, key)) for row in hazard)
-        within = 0.5 * 10.0 ** -_decimals(given) + 0.5 * 10.0**-rows + SAME_PERIOD * stated / 2.0
-        if abs(given - stated) > within:
-            raise InputError(
-                "hazard_disagrees",
-                place=(section("[demand]"),),
-                key=key,
-                given=given,
-                stated=stated,
-                years=years,
-                state=asked.limit_state,
-            )
+        digits = 0.5 * 10.0 ** -_decimals(given) + 0.5 * 10.0**-rows + SAME_PERIOD * stated / 2.0
+        values = {"key": key, "given": given, "stated": stated, "years": years, "state": asked.limit_state}
+        if shortest and given < stated - digits:
+            raise InputError("hazard_above", place=(section("[demand]"),), life=life, **values)
+        if not shortest and abs(given - stated) > digits:
+            raise InputError("hazard_disagrees", place=(section("[demand]"),), **values)
+
+
+def within(hazard: tuple[HazardRow, ...], years: float) -> bool:
+    """Whether the rows of a hazard hold this return period [years]."""
+    low, high = hazard[0].return_period_years, hazard[-1].return_period_years
+    return (1.0 - SAME_PERIOD) * low <= years <= (1.0 + SAME_PERIOD) * high
 
 
 def _decimals(value: float) -> int:

@@ -25,7 +25,7 @@ LOW_CODE = 0.8
 """Share of the records' mean spectrum below which the code's is warned of."""
 
 OTHER_BUILDING = (2.0, 0.20)
-"""The other end of what the clause allows at the ultimate limit states: zeta is given for it as well."""
+"""The far end of what the clause allows at the ultimate limit states: zeta is given for it as well."""
 
 LEAST_STOREY, GREATEST_STOREY = 2.2, 8.0
 ODD_PERIOD = 3.0
@@ -98,13 +98,14 @@ def damaged(building: Building, limit_state: str) -> tuple[float, float]:
     return building.period_factor or factor, building.damping or damping
 
 
-def other_end(building: Building, limit_state: str) -> tuple[float, float] | None:
-    """The other end of what C8.7.1.2.1.4 allows, to show what hangs on it; None at SLD, where it allows one."""
-    if limit_state in DEFAULTS:
-        return None
+def other_ends(building: Building, limit_state: str) -> tuple[tuple[float, float], ...]:
+    """(period over the elastic one, damping) at the ends of what C8.7.1.2.1.4 allows, to show what hangs on it: of a
+    building that is not given as damaged the far end alone. At SLD, where it allows one, that one."""
+    ends = (DEFAULTS[limit_state],) if limit_state in DEFAULTS else (ULTIMATE, OTHER_BUILDING)
     factor, damping = damaged(building, limit_state)
-    far = factor >= OTHER_BUILDING[0] and (damping >= OTHER_BUILDING[1] or bool(building.modes))
-    return ULTIMATE if far else OTHER_BUILDING
+    if building.modes:
+        damping = building.modes[0].damping
+    return tuple(end for end in ends if end != (factor, damping))
 
 
 def building_notes(building: Building, limit_state: str) -> list[Sentence]:
@@ -113,7 +114,8 @@ def building_notes(building: Building, limit_state: str) -> list[Sentence]:
     storey = building.height_m / building.storeys
     if not LEAST_STOREY <= storey <= GREATEST_STOREY:
         notes.append(sentence("reason", "odd_storeys", storey=storey))
-    period, expected = building.period_s, estimated_period(building.height_m)
+    period = building.modes[0].period_s if building.modes else building.period_s
+    expected = estimated_period(building.height_m)
     if period is not None and not expected / ODD_PERIOD <= period <= expected * ODD_PERIOD:
         notes.append(sentence("reason", "odd_building_period", period=period, expected=expected))
     factor, damping = damaged(building, limit_state)

@@ -8,10 +8,10 @@ from core.case.schema import Case, Wall
 from core.case.site import Building
 from core.codes.demand import DemandResult
 from core.codes.kinematic import ROUNDING, Check, kinematic, linear, nonlinear, sld
-from core.codes.limits import SAME_PERIOD, return_period
+from core.codes.limits import return_period
 from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import Method
-from core.study.demand_input import demand_of, hazard_of, interpolated
+from core.study.demand_input import demand_of, hazard_of, interpolated, within
 from core.study.floors import floor_of
 from core.text.sentence import Sentence, notice
 from core.wall.rocking_model import RockingModel
@@ -58,8 +58,7 @@ def demands_of(case: Case, base_dir: Path) -> dict[str, DemandResult]:
     found = {}
     for state in STATES:
         years = return_period(asked.nominal_life_years * asked.use_class_factor, state)
-        low, high = hazard[0].return_period_years, hazard[-1].return_period_years
-        if not (1.0 - SAME_PERIOD) * low <= years <= (1.0 + SAME_PERIOD) * high:
+        if not within(hazard, years):
             continue
         row = interpolated(hazard, years)
         spectrum = asked.spectrum

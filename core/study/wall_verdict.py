@@ -81,7 +81,7 @@ def _left_out(asked: Wall, case: Case, walls, indices) -> list[Sentence]:
     if not usual:
         return []
     heights = tuple(Number(height, ".4g") for height in usual)
-    code = "heights_left_out" if asked.hinge_heights is None else "base_alone"
+    code = "heights_left_out" if asked.hinge_heights is None else "hinges_as_asked"
     return [sentence("reason", code, heights=heights)]
 
 

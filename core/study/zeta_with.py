@@ -1,21 +1,23 @@
 """zeta of a wall with an input other than the one given: what lifts zeta is shown with the other end of its range."""
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from functools import reduce
 
 from core.case.schema import Wall
 from core.case.site import FULL_FACTOR, Building, Demand
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import demand_check
 from core.codes.floor_spectrum import first_mode
-from core.codes.kinematic import ROUNDING, Check, linear, nonlinear, sld
+from core.codes.kinematic import Check, linear, nonlinear, sld
 from core.codes.kinematic import kinematic as kinematic_of
 from core.codes.verdict import Lift
 from core.codes.verdict_sentence import CODE_Q
 from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import Method
-from core.study.floors import Floor, damaged, floor_of, other_end
-from core.text.sentence import Number, sentence
+from core.study.floors import Floor, damaged, floor_of, other_ends
+from core.text.sentence import Key, Number, Sentence, sentence
 from core.wall.rocking_model import RockingModel, rocking_model
 
 EVERY = 8
@@ -88,118 +90,242 @@ def zeta_with(
     elif demand.limit_state == "SLD":
         check = sld(moved, demand)
     else:
-        check = linear(decides.name, moved, demand, decides.q)
+        check = linear(decides.name, moved, demand, demand.q_code if decides.name == "linear_q_code" else decides.q)
     return (check.zeta, bool(check.passed)) if check else (None, False)
+
+
+Zeta = tuple[float | None, bool]
+"""zeta of a check, and whether it is surely satisfied."""
+
+Change = Callable[[Scene], Scene]
+
+
+@dataclass(frozen=True)
+class Raised:
+    """An input that raises zeta.
+
+    key : of the case and of the reasons; reasons : sections of them, or None
+    ends : changes to the other ends of its range
+    words : from zeta of each end, and its check, the Sentence
+    given : the other ends count against the verdict
+    histories : the dynamic check knows of it; otherwise its words are of the linear check
+    """
+
+    key: str
+    reasons: object
+    ends: tuple[Change, ...]
+    words: Callable[[list[float | None], Check], Sentence]
+    given: bool = True
+    histories: bool = True
+
+    @property
+    def justified(self) -> bool:
+        return bool(self.reasons and getattr(self.reasons, self.key))
+
+
+def _worth(zeta: float | None) -> float:
+    """To compare: a number that is missing is the least."""
+    return -math.inf if zeta is None else zeta
 
 
 def lifts(
     scene: Scene, asked: Demand, checks: tuple[Check, ...], cancelled: Callable[[], bool] = lambda: False
 ) -> tuple[Lift, ...]:
-    """The inputs of a wall that raise zeta, each with zeta at the other end of its range. asked : of the case."""
-    found: list[Lift] = []
-    passed = bool(scene.decides.passed)
-    wall, demand = scene.wall, scene.demand
-    of_wall = wall.justification
-    of_demand = asked.justification
+    """The inputs of a wall that raise zeta, each with zeta at the other end of its range; where no one of them turns
+    the outcome, all together without a reason may. asked : of the case."""
     q_check = next((check for check in checks if check.name == "linear_q_code"), None)
+    decides = scene.decides
 
-    def add(key: str, code: str, others: list[bool], reasons, zeta=None, of_q=(), **values) -> None:
-        values = {"zeta": Number(zeta), **values}
+    def at(change: Change, check: Check) -> Zeta:
+        there = change(scene)
+        # the floor of a kinematic check needs no motions
+        ground = there.ground if check.name == "dynamic" else ()
+        changes = {"wall": there.wall, "demand": there.demand, "building": there.building, "ground": ground}
+        return zeta_with(scene, EVERY, cancelled, decides=check, **changes)
+
+    found, worst = [], {}
+    for one in _raised(scene, asked, q_check):
+        touched = decides.name != "dynamic" or one.histories
+        by = {}
+        if touched:
+            by[decides] = [at(end, decides) for end in one.ends]
+        if q_check is not None and q_check is not decides:
+            by[q_check] = [at(end, q_check) for end in one.ends]
+        if not by:
+            continue
+        # a wall declared free or not is told by the check that fares worst, whose words name it
+        told = decides if one.histories else q_check
+        if one.key == "free_element":
+            told = min(by, key=lambda check: _worth(by[check][0][0]))
+        zetas = [zeta for zeta, _ in by[told]]
+        if one.key == "free_element" and scene.wall.free_element and _worth(zetas[0]) >= _worth(told.zeta):
+            continue
+        lowest = min(range(len(zetas)), key=lambda k: _worth(zetas[k]))
+        fails = {check: one.given and not all(fine for _, fine in ends) for check, ends in by.items()}
         found.append(
             Lift(
-                key,
-                sentence("reason", code, **values),
-                turns=passed and not all(others),
-                justified=bool(reasons and getattr(reasons, key)),
-                zeta=zeta,
-                turns_q=bool(q_check and q_check.passed) and not all(of_q),
+                one.key,
+                one.words(zetas, told),
+                turns=bool(decides.passed) and fails.get(decides, False),
+                justified=one.justified,
+                zeta=zetas[lowest],
+                turns_q=bool(q_check and q_check.passed) and fails.get(q_check, False),
             )
         )
+        if one.given and not one.justified:
+            worst[one.key] = one.ends[lowest]
+    return _together(found, worst, decides, q_check, at)
 
-    def zeta(**changes) -> tuple[float | None, bool]:
-        return zeta_with(scene, EVERY, cancelled, **changes)
 
+def _together(found: list[Lift], worst: dict[str, Change], decides: Check, q_check: Check | None, at) -> tuple:
+    """The lifts; where none turns a check alone, and all without a reason do together, each of them does.
+
+    worst : of these the change to the end with the lowest zeta; at(change, check) : zeta there
+    """
+
+    def turning(check: Check | None, alone: bool) -> Zeta | None:
+        if check is None or not check.passed or alone or len(worst) < 2:
+            return None
+        there = at(lambda scene: reduce(lambda changed, change: change(changed), worst.values(), scene), check)
+        return None if there[1] else there
+
+    open_ones = [lift for lift in found if lift.key in worst]
+    joint = turning(decides, any(lift.turns for lift in open_ones))
+    joint_q = turning(q_check, any(lift.turns_q for lift in open_ones))
+    if joint is not None or joint_q is not None:
+        found = [
+            replace(lift, turns=lift.turns or joint is not None, turns_q=lift.turns_q or joint_q is not None)
+            if lift.key in worst
+            else lift
+            for lift in found
+        ]
+    if joint is not None:
+        keys = tuple(Key(key) for key in worst)
+        found.append(Lift("", sentence("reason", "lifts_together", keys=keys, zeta=Number(joint[0])), zeta=joint[0]))
+    return tuple(found)
+
+
+def _of_wall(**values) -> Change:
+    return lambda scene: replace(scene, wall=replace(scene.wall, **values))
+
+
+def _of_demand(**values) -> Change:
+    return lambda scene: replace(scene, demand=replace(scene.demand, **values))
+
+
+def _raised(scene: Scene, asked: Demand, q_check: Check | None) -> Iterator[Raised]:
+    """What the case gives that raises zeta."""
+    wall, demand = scene.wall, scene.demand
     model = wall.restitution_model(scene.mechanism)
-    if scene.decides.name == "dynamic" and (model == "user" or model in MEASURED):
+    dynamic = scene.decides.name == "dynamic"
+    if dynamic and (model == "user" or model in MEASURED):
         given = wall.restitution_of(scene.mechanism).ratio_at_rest
         more = min(given + MORE_RATIO, 1.0)
         theory = replace(wall, restitution=None, velocity_ratio=None)
         ratio = theory.restitution_of(scene.mechanism).ratio_at_rest
-        high = zeta(wall=replace(wall, restitution=None, velocity_ratio=more))
-        by_theory = zeta(wall=theory)
-        key = "velocity_ratio" if model == "user" else "restitution"
-        add(
-            key,
-            "lift_velocity_ratio",
-            [high[1], by_theory[1]],
-            of_wall,
-            e=given,
-            more=more,
-            zeta_more=Number(high[0]),
-            theory=ratio,
-            zeta_theory=Number(by_theory[0]),
+        yield Raised(
+            "velocity_ratio" if model == "user" else "restitution",
+            wall.justification,
+            (_of_wall(restitution=None, velocity_ratio=more), _of_wall(restitution=None, velocity_ratio=None)),
+            lambda zetas, _: sentence(
+                "reason",
+                "lift_velocity_ratio",
+                e=given,
+                more=more,
+                zeta_more=Number(zetas[0]),
+                theory=ratio,
+                zeta_theory=Number(zetas[1]),
+            ),
         )
+    if dynamic and not wall.moment_law().is_rigid:
+        yield _one("law", "lift_law", wall.justification, _of_wall(law="rigid"))
     if demand.confidence_factor < FULL_FACTOR:
-        full = zeta(demand=replace(demand, confidence_factor=FULL_FACTOR))
-        add(
+        yield _one(
             "confidence_factor",
             "lift_confidence_factor",
-            [full[1]],
-            of_demand,
+            asked.justification,
+            _of_demand(confidence_factor=FULL_FACTOR),
             fc=demand.confidence_factor,
             level=asked.knowledge_level or "",
             investigations=asked.investigations,
-            zeta=full[0],
         )
     if q_check is not None and q_check.q > CODE_Q:
-        lower = q_check.zeta * CODE_Q / q_check.q
-        fine = lower >= demand.zeta_target - ROUNDING
-        others = [fine] if scene.decides is q_check else []
-        add("q_code", "lift_q_code", others, of_demand, q=demand.q_code, zeta=lower)
+        end = _of_demand(q_code=CODE_Q)
+        yield _one("q_code", "lift_q_code", asked.justification, end, histories=False, q=demand.q_code)
     if wall.return_walls is not None and q_check is not None:
-        linear_one = scene.decides if scene.decides.name.startswith("linear") else q_check
-        bare = zeta_with(replace(scene, decides=linear_one), wall=replace(wall, return_walls=None))
-        others = [bare[1]] if linear_one is scene.decides else []
-        add("return_walls", "lift_return_walls", others, of_wall, zeta=bare[0], of_q=[bare[1]])
-    if wall.free_element is False and scene.mechanism == "two_sided" and q_check is not None:
-        as_free = zeta_with(replace(scene, decides=q_check), wall=replace(wall, free_element=True))
-        others = [as_free[1]] if scene.decides is q_check else []
-        add("free_element", "lift_free_element", others, of_wall, zeta=as_free[0], of_q=[as_free[1]])
+        end = _of_wall(return_walls=None)
+        yield _one("return_walls", "lift_return_walls", wall.justification, end, histories=False)
+    if wall.free_element is not None and wall.free_element != replace(wall, free_element=None).is_free(scene.mechanism):
+        code = "lift_one_sided_free" if wall.free_element else "lift_free_element"
+        end = _of_wall(free_element=None)
+        yield Raised(
+            "free_element",
+            wall.justification,
+            (end,),
+            lambda zetas, check: sentence(
+                "reason", code, zeta=Number(zetas[0]), check=sentence("short", check.label, q=Number(check.q, "g"))
+            ),
+            histories=False,
+        )
     if wall.above_ground and scene.building is not None:
-        _of_the_building(scene, demand, add, zeta, of_wall, of_demand)
-    return tuple(found)
+        yield from _of_the_building(scene, asked, scene.building)
 
 
-def _of_the_building(scene: Scene, demand, add, zeta, of_wall, of_demand) -> None:
-    """What of the building, and of the height at which its motion is taken, raises zeta."""
-    wall, building = scene.wall, scene.building
-    if (other := other_end(building, demand.limit_state)) is not None:
-        factor, damping = other
+def _one(key: str, code: str, reasons, end: Change, histories: bool = True, **values) -> Raised:
+    """One with one other end, whose words take its zeta."""
+    words = lambda zetas, _: sentence("reason", code, zeta=Number(zetas[0]), **values)  # noqa: E731
+    return Raised(key, reasons, (end,), words, histories=histories)
+
+
+def _building_at(factor: float, damping: float) -> Change:
+    """The building at this ratio to its elastic period, and with this damping."""
+
+    def change(scene: Scene) -> Scene:
+        building = scene.building
         modes = tuple(replace(mode, damping=damping) for mode in building.modes)
-        change = {"modes": modes} if modes else {"damping": damping}
-        found = zeta(building=replace(building, period_factor=factor, **change))
-        given = building.modes or (building.period_factor, building.damping) != (None, None)
-        others = [found[1]] if given else []
-        add("building", "other_building", others, of_demand, factor=factor, damping=damping, zeta=found[0])
+        damped = {"modes": modes} if modes else {"damping": damping}
+        return replace(scene, building=replace(building, period_factor=factor, **damped))
+
+    return change
+
+
+def _participating(share: float) -> Change:
+    """The first mode of the building with this participation."""
+
+    def change(scene: Scene) -> Scene:
+        first, *others = scene.building.modes
+        return replace(scene, building=replace(scene.building, modes=(replace(first, participation=share), *others)))
+
+    return change
+
+
+def _of_the_building(scene: Scene, asked: Demand, building: Building) -> Iterator[Raised]:
+    """What of the building, and of the height at which its motion is taken, raises zeta."""
+    wall, limit_state = scene.wall, scene.demand.limit_state
+    if ends := other_ends(building, limit_state):
+
+        def words(zetas, _):
+            k = min(range(len(ends)), key=lambda k: _worth(zetas[k]))
+            factor, damping = ends[k]
+            return sentence("reason", "other_building", factor=factor, damping=damping, zeta=Number(zetas[k]))
+
+        given = bool(building.modes) or (building.period_factor, building.damping) != (None, None)
+        changes = tuple(_building_at(*end) for end in ends)
+        yield Raised("building", asked.justification, changes, words, given)
     centroid = min(wall.base_z_m + 0.5 * (wall.height_m or wall.block().height), building.height_m)
     if not building.modes and centroid > wall.base_z_m:
-        found = zeta(wall=replace(wall, base_z_m=centroid))
-        add("base_z_m", "at_centroid", [found[1]], of_wall, z=centroid, zeta=found[0])
+        yield _one("base_z_m", "at_centroid", wall.justification, _of_wall(base_z_m=centroid), z=centroid)
     if building.modes:
-        factor, damping = damaged(building, demand.limit_state)
-        (expected,) = first_mode(
-            building.storeys, building.height_m, min(wall.base_z_m, building.height_m), 1.0, damping
-        )
-        given = building.modes[0].participation
-        if abs(given) < abs(expected.participation):
-            modes = (replace(building.modes[0], participation=expected.participation), *building.modes[1:])
-            found = zeta(building=replace(building, modes=modes))
-            add(
+        _, damping = damaged(building, limit_state)
+        z = min(wall.base_z_m, building.height_m)
+        (expected,) = first_mode(building.storeys, building.height_m, z, 1.0, damping)
+        share, given_share = expected.participation, building.modes[0].participation
+        if abs(given_share) < abs(share):
+            yield _one(
                 "participation",
                 "lift_participation",
-                [found[1]],
-                of_demand,
-                given=given,
-                expected=expected.participation,
-                zeta=found[0],
+                asked.justification,
+                _participating(share),
+                given=given_share,
+                expected=share,
             )

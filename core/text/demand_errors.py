@@ -7,6 +7,14 @@ DEMAND_ERRORS = {
         "{key} {given:g} contraddice la pericolosità di questo caso, che ha {stated:.4g} a {years:.0f} anni ({state}): "
         "correggere uno dei due",
     ),
+    "hazard_above": (
+        "{key} {given:g} is below the {stated:.4g} that the hazard of this case has at {years:.0f} years, the shortest "
+        "return period of {state} (V_R = {life:g} years): correct it, or give {nominal_life_years} and "
+        "{use_class_factor}",
+        "{key} {given:g} è minore di {stated:.4g}, che la pericolosità di questo caso ha a {years:.0f} anni, il "
+        "periodo di ritorno minimo dello {state} (V_R = {life:g} anni): correggerlo, oppure indicare "
+        "{nominal_life_years} e {use_class_factor}",
+    ),
     "scale_and_pga_scaling": (
         "{key} {found:g} has no effect with {demand_scaling} pga, which scales every record to a_g S: remove one of "
         "them",

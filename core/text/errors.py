@@ -56,6 +56,12 @@ CASE_ERRORS = {
         "{compressive_strength_mpa} dà l'arretramento della cerniera: indicare {unit_weight_kn_m3} e omettere "
         "{hinge_setback_m}",
     ),
+    "inertia_too_large": (
+        "{key} {given:g} m² is no wall's: up to {most:.3g} m², {ratio:g} R² (4/3 R² of a rectangle, 3/2 R² of a "
+        "triangle)",
+        "{key} {given:g} m² non è di una parete: fino a {most:.3g} m², {ratio:g} R² (4/3 R² di un rettangolo, 3/2 R² "
+        "di un triangolo)",
+    ),
     "setback_too_large": (
         "{key}: the hinge setback {setback:.3f} m is not accepted: up to {most:.3f} m, {share:.0f} % of the thickness",
         "{key}: l'arretramento della cerniera di {setback:.3f} m non è ammesso: fino a {most:.3f} m, il "

@@ -54,10 +54,11 @@ HELP = {
     "free_element": (
         "Free to vibrate before it moves: parapet, gable top, free wall. Its demand is S_e(T_0) (C8.7.1.9), that of "
         "a wall held by transverse walls a_g S (C8.7.1.8). Of a two-sided wall said not to be free the verdict "
-        "gives ζ as a free one, and asks by what it is held.",
+        "gives ζ as a free one, and asks by what it is held; of a one-sided one said to be free ζ as held.",
         "Libero di vibrare prima di muoversi: parapetto, timpano, muro isolato. La domanda è S_e(T_0) (C8.7.1.9); "
         "per la parete vincolata da muri trasversali a_g S (C8.7.1.8). Di una parete su due lati dichiarata non "
-        "libera l'esito dà ζ come libera, e chiede da che cosa è trattenuta.",
+        "libera l'esito dà ζ come libera, e chiede da che cosa è trattenuta; di una su un lato dichiarata libera ζ "
+        "come trattenuta.",
     ),
     "elastic_modulus_mpa": (
         "Elastic modulus E [MPa]: with the unit weight it gives T_0 = 6.2 (H/t) H sqrt(w/(E g)) of an "
@@ -83,6 +84,12 @@ HELP = {
     "unloaded_confirmed": (
         'Tick where nothing rests on the wall; else the verdict says "if the wall carries no load".',
         "Spuntare se nulla grava sulla parete; altrimenti l'esito dice «se la parete non porta carichi».",
+    ),
+    "law": (
+        "Moment against rotation: rigid, or trilinear with an elastic branch and a plateau. Of a trilinear one the "
+        "verdict gives ζ with the rigid law, and asks for a reason where that turns it.",
+        "Momento in funzione della rotazione: rigida, o trilineare con un ramo elastico e un tratto costante. Di una "
+        "trilineare l'esito dà ζ con la legge rigida, e chiede un motivo se questa lo ribalta.",
     ),
     "hinge_heights": (
         "Hinges above the base: each makes a wall of the part above it, and the worst gives the verdict of the "
@@ -128,9 +135,10 @@ HELP = {
         "a_g su suolo rigido, in g, senza S; del sito e del periodo di ritorno dello stato limite (NTC 2018 3.2).",
     ),
     "soil_factor": (
-        "S = S_S S_T, ground and topography (NTC 2018 3.2.3). With the spectrum of a code it follows from "
-        "the categories.",
-        "S = S_S S_T, sottosuolo e topografia (NTC 2018 3.2.3). Con lo spettro di norma segue dalle categorie.",
+        "S = S_S S_T, ground and topography (NTC 2018 3.2.3), 0.9 at least. With the spectrum of a code it follows "
+        "from the categories.",
+        "S = S_S S_T, sottosuolo e topografia (NTC 2018 3.2.3), almeno 0,9. Con lo spettro di norma segue dalle "
+        "categorie.",
     ),
     "f0": (
         "F0: largest spectral amplification on rigid ground, of the site (NTC 2018, Annex B).",

@@ -147,9 +147,9 @@ REASONS = {
         "Hinges at {heights} m above its base are not checked: give [building], or hinge_heights.",
         "Le cerniere a {heights} m dalla base non sono verificate: indicare [building], o hinge_heights.",
     ),
-    "base_alone": (
-        "Only the hinge at the base is checked, as asked (hinge_heights base); others lie at {heights} m.",
-        "È verificata solo la cerniera alla base, come richiesto (hinge_heights base); altre sono a {heights} m.",
+    "hinges_as_asked": (
+        "Only the hinges asked for (hinge_heights) are checked; others lie at {heights} m above its base.",
+        "Sono verificate solo le cerniere richieste (hinge_heights); altre sono a {heights} m dalla base.",
     ),
     "justify": (
         "The designer justifies the refined method in the note (C8.7.1.2.1.9).",
@@ -214,12 +214,26 @@ REASONS = {
         "La partecipazione {given:.2f} è minore di {expected:.2f} di C7.2.10: con questa ζ è {zeta}.",
     ),
     "lift_free_element": (
-        "The two-sided wall is declared not free to vibrate: as a free element ζ of the linear check is {zeta}. By "
-        "what is "
-        "it held?",
-        "La parete su due lati è dichiarata non libera di vibrare: come elemento libero ζ della verifica lineare è "
-        "{zeta}. "
-        "Da che cosa è trattenuta?",
+        "The two-sided wall is declared not free to vibrate: as a free element ζ is {zeta} by {check}. By what is it "
+        "held?",
+        "La parete su due lati è dichiarata non libera di vibrare: come elemento libero ζ è {zeta} secondo {check}. Da "
+        "che cosa è trattenuta?",
+    ),
+    "lift_one_sided_free": (
+        "The one-sided wall is declared free to vibrate: held, ζ is {zeta} by {check}.",
+        "La parete su un lato è dichiarata libera di vibrare: trattenuta, ζ è {zeta} secondo {check}.",
+    ),
+    "lift_law": (
+        "A trilinear law is given: with the rigid law ζ is {zeta}.",
+        "È data una legge trilineare: con la legge rigida ζ è {zeta}.",
+    ),
+    "lifts_together": (
+        "With the other ends of {keys} together ζ is {zeta}.",
+        "Con gli altri estremi di {keys} insieme ζ è {zeta}.",
+    ),
+    "q_rests_on": (
+        "At the other end of {keys} the check with q = {q} fails: it does not count as one that agrees.",
+        "All'altro estremo di {keys} la verifica con q = {q} non è soddisfatta: non conta come verifica concorde.",
     ),
     "generated_motions": (
         "The motions are generated: C8.7.1.2.1.9 advises natural records, under which ζ may be lower.",

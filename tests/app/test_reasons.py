@@ -35,6 +35,7 @@ def test_that_reasons_are_asked_where_a_value_raises_zeta_and_nowhere_else(opene
         0,
         restitution="costa_upper",
         velocity_ratio=0.9,
+        law="doherty",
         free_element=False,
         mechanism="both",
         return_walls=ReturnWalls(2, 0.4, 0.2, 0.3),

@@ -103,7 +103,7 @@ wall = st.fixed_dictionaries(
 demand = st.fixed_dictionaries(
     {"ag_g": st.floats(0.01, 1.0)},
     optional={
-        "soil_factor": st.floats(0.5, 3.0),
+        "soil_factor": st.floats(0.9, 3.0),
         "confidence_on": st.sampled_from(["capacity", "demand"]),
         "site": words,
         "zeta_target": st.floats(0.1, 2.0),

@@ -92,7 +92,7 @@ def test_the_damaged_building_of_each_limit_state():
     assert floors.modes_at(asked, 6.0, "SLV")[0] == floors.Mode(0.39, 0.10, 9.0 / 7.0 * 6.0 / 9.0)
     assert floors.modes_at(asked, 6.0, "SLD")[0].period == pytest.approx(0.26)
     assert floors.modes_at(asked, 6.0, "SLD")[0].damping == 0.05
-    assert floors.other_end(asked, "SLV") == floors.OTHER_BUILDING == (2.0, 0.20)
+    assert floors.other_ends(asked, "SLV") == (floors.OTHER_BUILDING,) == ((2.0, 0.20),)
 
 
 def test_that_given_modes_are_taken_as_they_are():
@@ -183,12 +183,17 @@ def test_that_records_are_compared_at_the_demand():
     assert found["pga"] == pytest.approx(factor * found["as_given"])
 
 
-def test_the_other_end_of_what_the_clause_allows():
-    plain = case(6.0).building
-    assert floors.other_end(plain, "SLV") == floors.OTHER_BUILDING
-    assert floors.other_end(plain, "SLD") is None
-    far = case(6.0, {**BUILDING, "period_factor": 2.0, "damping": 0.2}).building
-    assert floors.other_end(far, "SLC") == floors.ULTIMATE
+def test_the_other_ends_of_what_the_clause_allows():
+    def ends(state, **given):
+        return floors.other_ends(case(6.0, {**BUILDING, **given}).building, state)
+
+    assert ends("SLV") == (floors.OTHER_BUILDING,)
+    assert ends("SLC", period_factor=2.0, damping=0.2) == (floors.ULTIMATE,)
+    # between or beyond them both ends are looked at: more damping than the clause has lowers the demand
+    assert ends("SLV", period_factor=1.9, damping=0.3) == (floors.ULTIMATE, floors.OTHER_BUILDING)
+    # at SLD the building is not damaged
+    assert ends("SLD") == ()
+    assert ends("SLD", damping=0.3) == (floors.DEFAULTS["SLD"],)
 
 
 @pytest.mark.parametrize(
@@ -197,6 +202,10 @@ def test_the_other_end_of_what_the_clause_allows():
         (BUILDING, []),
         ({**BUILDING, "storeys": 1}, ["odd_storeys"]),
         ({**BUILDING, "period_s": 5.0}, ["odd_building_period"]),
+        (
+            {"height_m": 9.0, "storeys": 3, "modes": [{"period_s": 3.0, "damping": 0.1, "participation": 0.9}]},
+            ["odd_building_period"],
+        ),
         ({**BUILDING, "period_factor": 1.0}, ["stiff_building"]),
         ({**BUILDING, "damping": 0.05}, ["stiff_building"]),
     ],

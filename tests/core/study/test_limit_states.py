@@ -98,6 +98,17 @@ def test_that_a_demand_that_contradicts_the_hazard_of_the_case_is_refused(key, v
         assert "SLV" in text and "475" in text and f"{value:g}".replace(".", ",") in text.replace(".", ",")
 
 
+@pytest.mark.parametrize(("ag", "refused"), [(0.09, True), (0.229, False), (0.26, False), (0.4, False)])
+def test_that_without_a_return_period_a_demand_below_the_shortest_of_the_state_is_refused(ag, refused):
+    """T_R of SLV is 332 years for V_R = 35: log-linear between 30 and 475 years, a_g 0.228 g."""
+    case = site(ag_g=ag, nominal_life_years=None, spectrum=None, soil_factor=1.2)
+    if not refused:
+        demand_of(case, Path())
+        return
+    with pytest.raises(InputError, match=r"0\.09 is below the 0\.22.* 332 years.* nominal_life_years"):
+        demand_of(case, Path())
+
+
 def test_that_a_scale_that_has_no_effect_is_refused():
     demand = {"ag_g": 0.2, "soil_factor": 1.2, "demand_scaling": "pga"}
     record = {"file": "r.txt", "scale": 1.3}

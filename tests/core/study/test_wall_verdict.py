@@ -89,8 +89,10 @@ def test_that_without_a_building_the_heights_left_out_are_named():
     assert [one.code for one in left.extra] == ["heights_left_out"]
     assert "5 m" in left.extra[0].text("en") and "[building]" in left.extra[0].text("it")
     (alone,) = made({**loads, "hinge_heights": "base"}).verdicts
-    assert [one.code for one in alone.extra] == ["base_alone"]
+    assert [one.code for one in alone.extra] == ["hinges_as_asked"]
     assert made(loads).verdicts[0].extra == ()
+    (some,) = made({**loads, "hinge_heights": [5.0]}).verdicts
+    assert "base is checked" not in some.extra[0].text("en") and "5 m" not in some.extra[0].text("en")
 
 
 def test_that_every_limit_state_has_its_outcome_and_a_failing_one_limits_the_verdict():

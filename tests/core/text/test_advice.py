@@ -27,6 +27,7 @@ STATES = {
     "generated_motions",
     "lift_confidence_factor",
     "lift_free_element",
+    "lift_one_sided_free",
     "lift_participation",
     "lift_return_walls",
     "lift_velocity_ratio",
