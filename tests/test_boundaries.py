@@ -217,6 +217,26 @@ def test_that_every_public_function_and_class_says_what_it_is():
     assert bare == []
 
 
+KERNELS = ("rocking", "wall", "capacity", "codes", "ground")
+"""Packages of core whose functions take numbers and arrays."""
+
+
+def test_that_a_function_of_many_parameters_gives_each_its_meaning():
+    """A line `name : meaning [unit]` of the docstring for each of seven or more, of ten in the rest of core."""
+    silent = []
+    for source in sorted((ROOT / "core").rglob("*.py")):
+        many = 7 if source.relative_to(ROOT / "core").parts[0] in KERNELS else 10
+        for node in ast.walk(ast.parse(source.read_text())):
+            if not isinstance(node, ast.FunctionDef):
+                continue
+            names = {one.arg for one in [*node.args.posonlyargs, *node.args.args]} - {"self", "cls"}
+            lines = re.findall(r"^([\w, ]+) : \S", ast.get_docstring(node) or "", re.MULTILINE)
+            said = {name for line in lines for name in line.split(", ")}
+            if len(names) >= many and names - said:
+                silent.append((source.name, node.name, sorted(names - said)))
+    assert silent == []
+
+
 def test_that_no_record_of_the_shelf_is_in_the_project(shelf, index):
     import hashlib
 

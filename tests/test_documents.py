@@ -1,16 +1,17 @@
 """What documents say is what the program does: options, figures, names of what can be chosen. Their commands:
 test_documented_commands.py."""
 
+import importlib
+import pkgutil
 import re
 from dataclasses import fields
 
 import pytest
 
+import core.codes
 from app import command_line
 from core.case.schema import Analysis, Case, Generate, Load, Record, Report, ReturnWalls, Wall
 from core.case.site import Building, BuildingMode, Demand, HazardRow, Spectrum
-from core.codes.dynamic_check import CLAUSE as DYNAMIC_CLAUSE
-from core.codes.kinematic import DISPLACEMENT_CLAUSE, Q_CLAUSE, SLD_CLAUSE
 from core.codes.verdict import ORDER
 from core.codes.verdict_sentence import BY
 from core.ground.records import READERS
@@ -145,7 +146,12 @@ def test_that_every_format_of_records_is_fuzzed(tmp_path):
     assert reached == {title for title, _, _ in READERS}
 
 
-CLAUSES = {DYNAMIC_CLAUSE, DISPLACEMENT_CLAUSE, Q_CLAUSE, SLD_CLAUSE}
+CLAUSES = {
+    value
+    for module in pkgutil.iter_modules(core.codes.__path__, "core.codes.")
+    for name, value in vars(importlib.import_module(module.name)).items()
+    if name == "CLAUSE" or name.endswith("_CLAUSE")
+}
 """Of the checks of a verdict."""
 
 
@@ -153,6 +159,9 @@ def test_that_every_check_has_its_words_and_its_clause_in_the_documents():
     labels = {*ORDER, "linear_sld"}
     assert labels == set(BY) <= set(WORDS) and labels <= set(SHORT)
     codes = text_of("resources/docs/codes.md")
+    for name in ORDER:
+        assert f"`{name}`" in codes and f"`{name}`" in text_of("README.md"), name
+    assert len(CLAUSES) > 3
     for clause in CLAUSES:
         assert clause in codes or f".{clause.rsplit('.', 1)[1]}" in codes, clause
 

@@ -211,7 +211,7 @@ class LoadsForm(QGroupBox):
     def _words(load: Load) -> str:
         size = "–" if load.kn_m in (None, "") else f"{number(load.kn_m, 'g')}"
         height = "–" if load.h_m in (None, "") else f"{number(load.h_m, 'g')}"
-        return f"{named(f'load_{load.kind}')}, {size} kN/m, h {height} m"
+        return f"{named_kinds()[load.kind]}, {size} kN/m, h {height} m"
 
     # changes
 

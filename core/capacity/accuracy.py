@@ -128,9 +128,17 @@ def accuracy(
     search: Search,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> Accuracy:
-    """The statement for one run with a q. other_sign : q of the same record reversed, if searched.
+    """The statement for one run with a q. Some seconds: a history of the independent solver, 14 searches.
 
-    Some seconds: a history of the independent solver, 14 searches. Raises Cancelled, and OutputError without scipy.
+    motion : the record
+    polarity : 1 as recorded, -1 reversed
+    ida : result of the search of this run
+    other_sign : q of the same record reversed, None if not searched [-]
+    model : of the wall
+    method : how the motion is integrated
+    search : settings of the search
+    cancelled : asked between two analyses
+    Raises Cancelled, and OutputError without scipy.
     """
     require("accuracy")
     method = resolve_auto(method, model, motion.time_step)

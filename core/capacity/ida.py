@@ -98,6 +98,15 @@ class _Map:
     """Outcomes and peaks on the grid, grown at both ends, and single analyses between its points."""
 
     def __init__(self, ground, dt, pga, sign, model, method, search, cancelled):
+        """ground : [m/s2], shape (n,)
+        dt : its time step [s]
+        pga : of the unscaled record [m/s2]
+        sign : 1 as recorded, -1 reversed
+        model : RockingModel
+        method : Method
+        search : Search
+        cancelled : asked between two chunks of analyses
+        """
         self.grounds, self.model, self.method = Grounds.of([ground], dt), model, method
         self.search, self.cancelled = search, cancelled
         self.rigid = model.plateau_end == 0.0
@@ -261,10 +270,15 @@ def incremental_dynamic_analysis(
 ) -> Ida:
     """Search one run (resources/docs/physics.md, section 11).
 
-    ground : [m/s2], shape (n,); dt [s]
+    ground : [m/s2], shape (n,)
+    dt : its time step [s]
     pga : of the unscaled record [m/s2]
     sign : 1 as recorded, -1 reversed
-    Raises Cancelled between two chunks of analyses when `cancelled()` is true.
+    model : of the wall
+    method : how the motion is integrated
+    search : settings of the search
+    cancelled : asked between two chunks of analyses
+    Raises Cancelled where it is true.
     """
     grid = _Map(ground, dt, pga, sign, model, method, search, cancelled)
     half = search.half_window

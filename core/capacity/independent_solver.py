@@ -25,9 +25,14 @@ def law(phi, alpha, kinks, a=1.0, c=0.0):
 def history(ground, dt, alpha, p2, one_sided, ratio_of, kinks=None, cancelled=lambda: False, loads=BARE):
     """Rocking history (Coccia et al. 2016, Eq. 1); returns theta at the samples [rad], impact count.
 
-    ground : [m/s2], shape (n,); dt [s]; alpha [rad]; p2 [1/s2]; ratio_of(speed [rad/s]) : velocity ratio
+    ground : [m/s2], shape (n,)
+    dt : its time step [s]
+    alpha : slenderness [rad]
+    p2 : squared frequency parameter [1/s2]
+    one_sided : whether only positive rotations are possible
+    ratio_of : velocity ratio [-] at the speed of an impact [rad/s]
     kinks : (phi1, phi2) of the trilinear law [rad], None for the rigid one
-    cancelled() : asked every few samples
+    cancelled : asked every few samples
     loads : (a, c) of the restoring moment for positive and for negative rotations [-]
     Raises Cancelled.
     """

@@ -61,6 +61,16 @@ class Load:
         """Whether its mass is moved by the wall: Q of C8.7.1.1, and part of the moving block."""
         return self.kind == "carried_mass" or self.mass in ("horizontal", "moving")
 
+    @property
+    def inward(self) -> float:
+        """Where its horizontal force points: 1.0 inward, -1.0 outward, 0.0 where it has none."""
+        return {"tie": 1.0, "thrust": -1.0}.get(self.kind, 0.0)
+
+    @property
+    def slackens(self) -> bool:
+        """Whether it acts on a wall that turns outward only."""
+        return self.kind == "tie"
+
 
 @dataclass(frozen=True)
 class ReturnWalls:

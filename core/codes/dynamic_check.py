@@ -147,6 +147,14 @@ class _Set:
     """All runs of a wall at one multiplier of the demand after another."""
 
     def __init__(self, model, motions, polarities, demand, confidence_on, method, cancelled):
+        """model : RockingModel of the wall
+        motions : the records
+        polarities : signs each is taken with, 1 as recorded, -1 reversed
+        demand : DemandResult
+        confidence_on : where FC acts, capacity or demand
+        method : how the motion is integrated
+        cancelled : asked between two chunks of analyses
+        """
         at = [at_demand(model, demand, confidence_on, motion) for motion in motions]
         self.model, self.method, self.cancelled = at[0][0], method, cancelled
         self.motions, self.polarities = motions, polarities
@@ -253,8 +261,14 @@ def demand_check(
 ) -> DemandCheck | None:
     """The dynamic check of one wall; None without records or for a limit state the clause has no limit for.
 
+    model : of the wall
+    motions : the records
+    polarities : signs each is taken with, 1 as recorded, -1 reversed
+    demand : what is required
+    method : how the motion is integrated
     every : zeta is searched at every n-th point of the grid
     other : search zeta with FC on the other side too, at every OTHER_EVERY-th
+    cancelled : asked between two chunks of analyses
     Raises Cancelled.
     """
     if not motions or demand.limit_state not in LIMIT_FRACTION:

@@ -140,9 +140,16 @@ def verdict(
 ) -> Verdict:
     """The verdict from the checks of a wall, the most refined first.
 
+    wall : of the case
+    mechanism : two_sided or one_sided
+    demand : what is required
     checks : those that were made
-    own_limits : Sentences on the checks and on the floor of a wall above the ground
+    dynamic : the check by histories, None where there is none
     kinematic : None above the ground where the building is not known
+    compliance : of the records with the spectrum, None without a spectrum
+    circumstances : what else it must know
+    lower_bound : zeta of the two-sided motion where the restraint behind a one-sided wall fails [-], or None
+    own_limits : Sentences on the checks and on the floor of a wall above the ground
     lifts : inputs that raise zeta
     """
     block = wall.block()
@@ -307,7 +314,16 @@ def _strongest(demand: DemandResult, kinematic, circumstances) -> float:
 
 
 def _limits(wall, mechanism: str, block, demand, dynamic, compliance, circumstances: Circumstances) -> list[Sentence]:
-    """Reasons for which the checks are indicative only."""
+    """Reasons for which the checks are indicative only.
+
+    wall : of the case
+    mechanism : two_sided or one_sided
+    block : of the wall
+    demand : DemandResult
+    dynamic : DemandCheck, None where there are no histories
+    compliance : Compliance, None without a spectrum
+    circumstances : what else the verdict must know
+    """
     reasons = []
     if dynamic:
         if compliance is None:

@@ -72,7 +72,19 @@ def _failing(checks, governing, dynamic, demand) -> tuple[Sentence, ...]:
 def outcome(
     code: str, missing, threshold: float, demand, governing, checks, dynamic, by, largest: float, wall
 ) -> tuple[str, dict]:
-    """Way and values of the sentence. threshold : a_RM; largest : acceleration under the wall, FC apart [m/s2]."""
+    """Way and values of the sentence.
+
+    code : of the verdict
+    missing : Sentence of what no verdict can be given without, or None
+    threshold : a_RM [m/s2]
+    demand : DemandResult
+    governing : Check that decides, or None
+    checks : those that were made
+    dynamic : DemandCheck, None where there are no histories
+    by : Sentence of what the check that decides compares
+    largest : acceleration under the wall at the demand, FC apart [m/s2]
+    wall : of the case
+    """
     target, way = demand.zeta_target, code
     if code == "not_activated" and wall.above_ground:
         way = "not_activated_floor"

@@ -21,7 +21,7 @@ def arrows(wall: Wall, height: float, thickness: float) -> list[list[tuple[float
             found.append([(x, y + size), (x, y), (x - head, y + head), (x, y), (x + head, y + head)])
             continue
         # a thrust ends where it pushes outward, a tie begins where it pulls inward
-        outward = load.kind == "thrust"
+        outward = load.inward < 0.0
         start, end = (x - size, x) if outward else (x, x - size)
         back = end - head if outward else end + head
         found.append([(start, y), (end, y), (back, y + head), (end, y), (back, y - head)])

@@ -104,8 +104,20 @@ def _when_changed(sheet, cells: str, condition: str, color: str) -> None:
 
 
 def live_row(book: Book, sheet, row, label, equation, formula, value, unit, name=None, shape=EXACT, run=None) -> int:
-    """A live formula and the program's value beside it; returns the next row. run : name of the program's value, for
-    what the histories found and no changed input moves."""
+    """A live formula and the program's value beside it; returns the next row.
+
+    book : Book
+    sheet : the sheet
+    row : its row, from 1 on
+    label : what the row gives
+    equation : where it comes from
+    formula : of the cell
+    value : the program's, None where it has none
+    unit : of both
+    name : of the live cell, None without
+    shape : format of the numbers
+    run : name of the program's value, for what the histories found and no changed input moves
+    """
     text(sheet, row, 1, label)
     text(sheet, row, 2, equation, color=QUIET)
     if value is None:

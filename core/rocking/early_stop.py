@@ -85,11 +85,13 @@ def chatter_ends(speed, scale, ahead, i, dt, time, impacts, peak, model, constan
 
     speed : just after an impact [rad/s]
     scale : multiplier [-]
-    ahead, i : of `lookahead_bounds`, and the sample
-    dt : the sample [s]
+    ahead : of `lookahead_bounds`, shape (4, n)
+    i : the sample
+    dt : its length [s]
     time : to the end of the window [s]
     impacts : in this sample
     peak : largest rotation so far [rad]
+    model : RockingModel
     constants : WallConstants
     """
     right, left = constants.thresholds

@@ -16,9 +16,11 @@ from core.wall.rocking_model import RockingModel
 def scan(method: Method, ground, dt, scales, model, outcomes, peaks) -> np.ndarray:
     """Analyses of one record at many multipliers; returns the clamped velocity ratios of each, shape (m,).
 
+    method : how the motion is integrated
     ground : [m/s2], shape (n,)
     dt : [s]
     scales : multipliers [-], shape (m,), negative reverses the record
+    model : RockingModel
     outcomes : results, codes of outcome.py, int64, shape (m,)
     peaks : results [rad], shape (m,)
     """
@@ -27,9 +29,17 @@ def scan(method: Method, ground, dt, scales, model, outcomes, peaks) -> np.ndarr
 
 
 def scan_records(method: Method, grounds: Grounds, which, scales, model, outcomes, peaks) -> np.ndarray:
-    """`scan` of several records of one time step. which : record of each multiplier, int64, shape (m,).
+    """`scan` of several records of one time step.
 
     Analyses of a ground that is no number or beyond MAX_GROUND end at once with BAD_INPUT.
+
+    method : how the motion is integrated
+    grounds : the records
+    which : record of each multiplier, int64, shape (m,)
+    scales : multipliers [-], shape (m,), negative reverses the record
+    model : RockingModel
+    outcomes : results, codes of outcome.py, int64, shape (m,)
+    peaks : results [rad], shape (m,)
     """
     sound = np.abs(scales) * grounds.strongest[which] <= MAX_GROUND
     if not sound.all():

@@ -120,8 +120,19 @@ def start_sample(k, i, dt, ground, state):
 
 @inner_kernel
 def skip_to_uplift(k, i, end, dt, model, thresholds, ground, ahead, state):
-    """Set the resting lane k where the ground uplifts it first from sample i on, or at its end. ahead : of
-    `lookahead_bounds`; while it shows no ground beyond the thresholds, samples are skipped by the window."""
+    """Set the resting lane k where the ground uplifts it first, or at the end of its record. While `ahead` shows no
+    ground beyond the thresholds, samples are skipped by the window.
+
+    k : lane
+    i : sample from which on it rests
+    end : last sample of its record
+    dt : the sample [s]
+    model : RockingModel
+    thresholds : of `uplift_thresholds` [m/s2]
+    ground : of `Grounds` [m/s2], shape (n,)
+    ahead : of `lookahead_bounds`, shape (4, n)
+    state : of lane_state.py, shape (ROWS * ROW,)
+    """
     scale = state[SCALE + k]
     right, left = thresholds
     while i < end:
@@ -144,7 +155,17 @@ def skip_to_uplift(k, i, end, dt, model, thresholds, ground, ahead, state):
 @inner_kernel
 def lane_chatter_ends(k, i, fastest, dt, model, constants, ahead, state):
     """Whether the chatter of lane k, just after an impact in sample i, surely ends at rest, see `chatter_ends`;
-    checked at every fourth impact. fastest : speed [rad/s] above which a chatter outlasts the lookahead."""
+    checked at every fourth impact.
+
+    k : lane
+    i : its sample
+    fastest : speed above which a chatter outlasts the lookahead [rad/s]
+    dt : the sample [s]
+    model : RockingModel
+    constants : WallConstants
+    ahead : of `lookahead_bounds`, shape (4, n)
+    state : of lane_state.py, shape (ROWS * ROW,)
+    """
     speed = state[SPEED + k]
     if not (state[PHI + k] == 0.0 and 0.0 < speed < fastest and int(state[IMPACTS + k]) & 3 == 1):
         return False
@@ -207,10 +228,19 @@ def make_lane_kernel(order):
     ):
         """These analyses, up to WIDTH at a time.
 
-        ground to strongest : of `Grounds`
-        which : record of each analysis
-        numbers, state : room to work, int64 of shape (3 * WIDTH,) and zeros of shape (ROWS * ROW,); the rest as
-            `core.rocking.history.scan`
+        ground : of `Grounds` [m/s2], shape (n,)
+        ahead : of `Grounds`, shape (4, n)
+        dt : the sample [s]
+        firsts, lasts : of `Grounds`, int64, shape (records,)
+        strongest : of `Grounds` [m/s2], shape (records,)
+        which : record of each analysis, int64, shape (m,)
+        scales : multipliers [-], shape (m,), negative reverses the record
+        model : RockingModel
+        numbers : room to work, int64, shape (3 * WIDTH,)
+        state : of lane_state.py, zeros, shape (ROWS * ROW,)
+        outcomes : results, codes of outcome.py, int64, shape (m,)
+        peaks : results [rad], shape (m,)
+        clamped : results, counts of clamped velocity ratios, int64, shape (m,)
         """
         constants = wall_constants(model, dt)
         thresholds = constants.thresholds
@@ -295,6 +325,15 @@ def scan(order, grounds, which, scales, model, outcomes, peaks):
     """`core.rocking.history.scan` by order 6 or 8. Outcomes and the peaks of stable blocks are those of whole
     histories, bit for bit; the peak of a block that overturns is where its analysis ended.
     (Peaks below 1e-12 rad of chatter that outlives the record can differ by the rounding of an arccosine.)
+
+    order : of the series, 6 or 8
+    grounds : Grounds
+    which : record of each multiplier, int64, shape (m,)
+    scales : multipliers [-], shape (m,), negative reverses the record
+    model : RockingModel
+    outcomes : results, codes of outcome.py, int64, shape (m,)
+    peaks : results [rad], shape (m,)
+    Returns the clamped velocity ratios of each, shape (m,).
     """
     clamped = np.zeros(scales.size, np.int64)
     numbers, room = np.zeros(3 * WIDTH, np.int64), np.zeros(ROWS * ROW + VECTOR)

@@ -87,7 +87,16 @@ last lane hold old states that nobody reads."""
 
 @inner_kernel
 def set_lane(k, side, phi, speed, zone, model, state):
-    """Set lane k moving with this state, on this branch of the moment law."""
+    """Set lane k moving with this state, on this branch of the moment law.
+
+    k : lane
+    side : of the pivot, 1.0 or -1.0
+    phi : rotation seen from the pivot [rad]
+    speed : its rate [rad/s]
+    zone : branch of the moment law
+    model : RockingModel
+    state : of this module, shape (ROWS * ROW,)
+    """
     state[SIDE + k] = side
     state[PHI + k] = phi
     state[SPEED + k] = speed

@@ -338,8 +338,16 @@ def scatter_impact(k, j, model, state):
 
 @inner_kernel
 def scalar_step(k, dt, model, constants, order, zero, state):
-    """Carry lane k to its next impact or through its sample. zero : of int64. Returns (outcome so far,
-    clamped ratios)."""
+    """Carry lane k to its next impact or through its sample. Returns (outcome so far, clamped ratios).
+
+    k : lane
+    dt : the sample [s]
+    model : RockingModel
+    constants : WallConstants
+    order : of the series, 6 or 8
+    zero : of int64
+    state : of lane_state.py, shape (ROWS * ROW,)
+    """
     block = BlockState(
         state[SIDE + k],
         state[PHI + k],

@@ -74,7 +74,17 @@ def peak_may_grow(phi, dphi, speed, bend, reach, peak):
 @inner_kernel
 def converged_step(state, ground0, ground1, t, dt, branch, model, constants, order):
     """(v0..v8, InitialTerms, part) of the first part of a step from t to the end of the sample, in which the series
-    has converged, in units of that part; arguments as `through_sample`. branch : of `moment_branch`."""
+    has converged, in units of that part.
+
+    state : BlockState at t
+    ground0, ground1 : ground acceleration at both ends of the sample [m/s2]
+    t : where in the sample it is, 0 to 1
+    dt : the sample [s]
+    branch : of `moment_branch`
+    model : RockingModel as the pivot sees it
+    constants : WallConstants
+    order : of the series, 6 or 8
+    """
     _, _, factor, slope, constant, held = branch
     s, c = sine_and_cosine(state.phi)
     start = initial_terms(
@@ -193,9 +203,13 @@ def through_sample(ground0, ground1, dt, model, constants, order, strongest, sta
     """Carry the block to its next impact or through the sample; rest, uplift and kinks included.
 
     ground0, ground1 : ground acceleration at both ends [m/s2]
-    dt : the sample [s]; model : RockingModel; constants : WallConstants; order : 6 or 8
-    strongest : bound of |u''|/g for `cannot_recover`
-    state : BlockState; start : where in the sample it is, 0 to 1
+    dt : the sample [s]
+    model : RockingModel
+    constants : WallConstants
+    order : of the series, 6 or 8
+    strongest : bound of |u''|/g for `cannot_recover` [-]
+    state : BlockState
+    start : where in the sample it is, 0 to 1
     Returns (outcome so far, where in the sample, rotation speed after the impact [rad/s], BlockState).
     """
     jump = ground1 - ground0
@@ -242,8 +256,10 @@ def make_integrator(order):
         scale : multiplier [-], negative for the reversed record
         model : RockingModel
         start : initial rotation [rad] and velocity [rad/s]
-        rotation, velocity : results at the samples [rad], [rad/s], shape (n,)
-        impact_time, impact_velocity : results [s], [rad/s] just after each impact
+        rotation : results at the samples [rad], shape (n,)
+        velocity : results at the samples [rad/s], shape (n,)
+        impact_time : results [s], up to its size
+        impact_velocity : results just after each impact [rad/s], of the same shape
         Returns (outcome, peak rotation [rad], impacts, clamped ratios, samples done).
         """
         constants = wall_constants(model, dt)

@@ -30,7 +30,11 @@ def neglected(v, growth, forcing, rise, p2, strength, order):
 
     v : v0..v8 [rad per step]
     growth : p2 (1 + |beta| + slope of the branch) + phi'^2, all times the step squared [-]
-    forcing, rise, p2, strength : as `turning_margin`; order : 6 or 8
+    forcing : largest |u''|/g of the sample [-]
+    rise : of the forcing u''/g over the step [-]
+    p2 : p^2 times the step squared [-]
+    strength : of WallConstants [-]
+    order : of the series, 6 or 8
     """
     if order == 8:
         # twice the products of v_9 = P/9 ((beta k_8 - s_8) + dbeta k_7 ...), by absolute values
@@ -105,7 +109,9 @@ def largest_push(upper, forcing, p2, constants, factor, slope, constant):
     forcing : bound of |u''|/g [-]
     p2 : p^2 times the step squared [-]
     constants : WallConstants
-    factor, slope, constant : of the branch of the moment law [-]
+    factor : sine factor of the branch of the moment law [-]
+    slope : of that branch [-]
+    constant : of that branch [-]
     """
     sine = factor * (fma(0.125 * p2, constants.strength + forcing, upper) + constants.sine_bound)
     moment = fma(slope, upper, constant + sine)
@@ -117,11 +123,12 @@ def turning_margin(speed, change, rise, forcing, p2, strength, push):
     """How far the speed [rad per step] can leave its chord within a step: 1/8 of the bound of its second
     derivative, after Eq. 1.
 
-    speed, change : at the start and over the step
+    speed : at its start [rad per step]
+    change : of the speed over the step [rad per step]
     rise : of the forcing u''/g over the step [-]
     forcing : its bound plus the slope of the moment law [-]
-    p2 : times the step squared [-]
-    strength : of WallConstants
+    p2 : p^2 times the step squared [-]
+    strength : of WallConstants [-]
     push : bound of the angular acceleration [rad per step squared]
     """
     fastest = max(abs(speed), abs(speed + change)) + push

@@ -91,13 +91,16 @@ def largest_strength(restoring):
 def initial_terms(x, speed, s, c, side, first, second, t, dt, branch, model, constants):
     """InitialTerms of a step from t to the end of the sample.
 
-    x, speed : rotation [rad] and its rate [rad/s], seen from the pivot
+    x : rotation at its start, seen from the pivot [rad]
+    speed : rate of x [rad/s]
     s, c : sin and cos of x [-]
     side : of the pivot, 1.0 or -1.0
     first, second : ground acceleration at the ends of the sample [m/s2]
     t : start of the step as a fraction of the sample [-]
     dt : the sample [s]
     branch : (factor, slope, constant, cosine factor) of the moment law [-]
+    model : RockingModel as the pivot sees it
+    constants : WallConstants
     """
     tangent, sine_alpha, cosine_alpha = constants.tangent, constants.sine, constants.cosine
     factor, slope, constant, held = branch
@@ -128,8 +131,14 @@ def series(speed, net, sine, cosine, beta, rise, p2, factor, slope, order):
         n v_n = -p2 (f s_(n-1) + m v_(n-2)/(n-1)) + p2 (beta k_(n-1) + dbeta k_(n-2)).
     In each sum the term known last comes last, so that the processor waits for one product only.
 
-    speed to p2 : see `InitialTerms`, rise is dbeta
+    speed : phi' at the start, v0 [rad per step]
+    net : of `InitialTerms`, minus phi'' over p2 at the start [-]
+    sine, cosine : of alpha - phi at the start [-]
+    beta : of `InitialTerms` [-]
+    rise : dbeta, change of beta over the step [-]
+    p2 : p^2 times the step squared [-]
     factor, slope : f and m of the branch of the moment law [-]
+    order : of the series, 6 or 8
     """
     factor, slope = -p2 * factor, -p2 * slope
     beta, rise = p2 * beta, p2 * rise

@@ -56,8 +56,14 @@ def assess(
     """Dynamic, kinematic and simplified checks of a wall (Circolare 7/2019 C8.7.1.2.1); above the ground none where
     the motion of its floor is not known.
 
+    wall : with its q
     kinematic : its mechanism, None there
     motions : of the ground, or of the floor of the wall
+    polarities : signs each is taken with, 1 as recorded, -1 reversed
+    demand : what is required
+    compliance : of the records with the spectrum, None without a spectrum
+    method : how the motion is integrated
+    cancelled : asked between two chunks of analyses
     asked : demand of the case
     building, ground : of a wall above the ground, what carries it and the records
     dynamic_check : `demand_check`, or one that keeps its results

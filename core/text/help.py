@@ -104,9 +104,10 @@ HELP = {
         "Quota di una catena di cui si cerca la forza, perché ζ raggiunga quello richiesto.",
     ),
     "kind": (
-        "What the load is: resting on the wall, a thrust outward, a tie that pulls inward, or a mass the wall carries.",
-        "Che cos'è il carico: appoggiato sulla parete, spinta verso l'esterno, catena che tira verso l'interno, o "
-        "massa portata dalla parete.",
+        "What the load is: a vertical load that rests on the wall, a thrust outward, a tie that pulls inward, or a "
+        "carried mass, which moves with the wall.",
+        "Che cos'è il carico: carico verticale appoggiato sulla parete, spinta verso l'esterno, catena che tira verso "
+        "l'interno, o massa portata, che si muove con la parete.",
     ),
     "kn_m": (
         "Intensity of the load per metre of wall [kN/m]; it keeps its size and direction.",

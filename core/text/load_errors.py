@@ -75,10 +75,10 @@ LOAD_ERRORS = {
         "parete che qualcosa dietro di essa arresta ({back_restraint})",
     ),
     "tie_too_strong": (
-        "with ties of {found:g} kN/m the wall opens a hinge at {hinge:.2f} m before it turns about its base, so that "
-        "it is no one rigid block: accepted is up to {most:.3g} kN/m at these heights",
-        "con catene da {found:g} kN/m la parete apre una cerniera a {hinge:.2f} m prima di ruotare alla base, e non è "
-        "più un solo blocco rigido: si accettano fino a {most:.3g} kN/m a queste quote",
+        "with ties or other inward forces of {found:g} kN/m the wall opens a hinge at {hinge:.2f} m before it turns "
+        "about its base, so that it is no one rigid block: accepted is up to {most:.3g} kN/m at these heights",
+        "con catene o altre forze verso l'interno da {found:g} kN/m la parete apre una cerniera a {hinge:.2f} m prima "
+        "di ruotare alla base, e non è più un solo blocco rigido: si accettano fino a {most:.3g} kN/m a queste quote",
     ),
 }
 """Loads a wall cannot have or carry: code -> (English, Italian)."""

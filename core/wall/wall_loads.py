@@ -38,7 +38,7 @@ def as_force(load, wall, side: float) -> Force:
     """A load about the hinge of this side, 1.0 the outer one [N/m, m]; its weight too where its mass moves."""
     depth = load.d_m or 0.0
     inward = depth if side > 0.0 else wall.thickness - depth
-    push = {"tie": 1e3, "thrust": -1e3}.get(load.kind, 0.0) * load.kn_m * side
+    push = 1e3 * load.inward * load.kn_m * side
     weight = 1e3 * load.kn_m if load.is_weight else 0.0
     return Force(weight, push, inward - wall.setback, load.h_m)
 
@@ -81,7 +81,7 @@ def restoring_of(wall, block: Block) -> tuple[RestoringMoment, RestoringMoment]:
 
 def holds(load, side: float) -> bool:
     """Whether a load acts when the wall turns about the hinge of this side: a tie slackens when it turns inward."""
-    return side > 0.0 or load.kind != "tie"
+    return side > 0.0 or not load.slackens
 
 
 def is_centred(wall, block: Block) -> bool:
@@ -129,8 +129,9 @@ def check_given(wall) -> None:
         raise InputError(
             "return_walls_too_many", place=here, found=across.number * across.thickness_m, length=wall.length_m
         )
-    if "two_sided" in wall.mechanisms() and any(load.kind == "tie" for load in wall.load):
-        raise InputError("holds_one_side", place=here, key="tie")
+    slack = [load.kind for load in wall.load if load.slackens]
+    if slack and "two_sided" in wall.mechanisms():
+        raise InputError("holds_one_side", place=here, key=slack[0])
     for key, given in (("return_walls", across), ("tie_height_m", tie)):
         if given is not None and wall.mechanism == "two_sided":
             raise InputError("holds_one_side", place=here, key=key)
@@ -167,15 +168,15 @@ def check_loads(wall) -> None:
             )
     if two_sided and outward != inward and not wall.moment_law().is_rigid:
         raise InputError("two_sided_loads_rigid", place=here, key="law")
-    _check_ties(wall, here)
+    _check_inward(wall, here)
 
 
 def _check_load(wall, load, here) -> None:
     """Rules of one load."""
     if load.kind == "vertical" and load.mass is None:
         raise InputError("load_mass_missing", place=here, key="mass")
-    wrong = {"thrust": (None, "none"), "tie": (None, "none"), "carried_mass": (None, "moving")}
-    if load.mass not in wrong.get(load.kind, (load.mass,)):
+    fixed = "moving" if load.kind == "carried_mass" else "none" if load.inward else load.mass
+    if load.mass not in (None, fixed):
         raise InputError("load_mass_refused", place=here, key="mass", kind=load.kind)
     if load.is_weight and load.d_m is None:
         raise InputError("load_distance_missing", place=here, key="d_m")
@@ -250,8 +251,9 @@ def largest_tie_share(wall) -> float:
     return low
 
 
-def _check_ties(wall, here) -> None:
-    ties = sum(load.kn_m for load in wall.load if load.kind == "tie")
+def _check_inward(wall, here) -> None:
+    """Raise InputError for ties, or other forces inward, under which the wall opens a hinge above its base."""
+    ties = sum(load.kn_m for load in wall.load if load.inward > 0.0)
     if not ties or (hinge := hinge_inside(wall)) is None:
         return
     raise InputError("tie_too_strong", place=here, found=ties, hinge=hinge, most=ties * largest_tie_share(wall))

@@ -6,6 +6,7 @@ import pytest
 
 from core.capacity.ida import incremental_dynamic_analysis, multiplier_of
 from core.codes.kinematic import linear, nonlinear
+from core.codes.verdict import ORDER
 from core.rocking.history import history
 from core.rocking.methods import AUTO
 from core.rocking.outcome import COLLAPSED
@@ -100,6 +101,10 @@ def test_that_the_wall_of_the_design_shows_its_disagreement(designed):
     assert by_source["time_histories"] > 1.1 * found["dynamic"].zeta
     assert wall.assessment.verdict.code == "not_verified"
     assert wall.assessment.verdict.governing == "dynamic"
+
+
+def test_that_every_check_is_made_the_most_refined_first(designed):
+    assert [check.name for check in designed.walls[0].assessment.checks] == list(ORDER)
 
 
 def test_that_q_and_its_multiplier_are_one_formula(designed):

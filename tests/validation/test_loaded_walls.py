@@ -9,6 +9,8 @@ from scipy.integrate import quad
 
 from core.capacity.ida import Search, incremental_dynamic_analysis, multiplier_of
 from core.case.rules import parse_case
+from core.case.schema import Load
+from core.case.values import field_of
 from core.codes.kinematic import kinematic, linear, nonlinear
 from core.rocking.history import history
 from core.rocking.methods import METHODS
@@ -37,6 +39,7 @@ WALL = {
 PARTS = (3.0, 0.45, 18000.0)
 ROOF = {"kind": "vertical", "kn_m": 10.0, "d_m": 0.30, "h_m": 3.0, "mass": "none"}
 PUSHING = {**ROOF, "mass": "horizontal"}
+CARRIED = {"kind": "carried_mass", "kn_m": 10.0, "d_m": 0.30, "h_m": 3.0}
 TIE = {"kind": "tie", "kn_m": 5.0, "h_m": 2.8}
 THRUST = {"kind": "thrust", "kn_m": 2.0, "h_m": 2.5}
 DEMAND = {"ag_g": 0.26, "spectrum": {"code": "EN1998", "soil": "B", "type": 1}}
@@ -57,12 +60,13 @@ WORKED = [
     ((), 1.0, 0.0, 0.15, 0.148890, 0.15, 1.0, 0.225, 0.7123, 0.5409),
     ((ROOF,), 1.817008, -0.040247, 0.23230, 0.126744, 0.23230, 1.0, 0.19141, 1.1031, 0.6209),
     ((PUSHING,), 1.0, 0.0, 0.12743, 0.126744, 0.12743, 0.88982, 0.27783, 0.6800, 0.6540),
+    ((CARRIED,), 1.0, 0.0, 0.12743, 0.126744, 0.12743, 0.88982, 0.27783, 0.6800, 0.6540),
     ((ROOF, TIE), 1.873354, 0.335389, 0.61639, 0.326045, 0.61639, 1.0, 0.49230, 2.9268, 1.6219),
     ((ROOF, THRUST), 1.796885, -0.174402, 0.09513, 0.052135, 0.09513, 1.0, 0.07847, 0.4517, 0.2544),
 ]
 
 
-@pytest.mark.parametrize("row", WORKED, ids=["none", "roof", "pushing", "tie", "thrust"])
+@pytest.mark.parametrize("row", WORKED, ids=["none", "roof", "pushing", "carried", "tie", "thrust"])
 def test_that_a_loaded_wall_is_the_worked_example(row):
     loads, a, c, uplift, collapse, alpha0, e_star, d0, zeta_linear, raw = row
     case = case_of(*loads)
@@ -79,6 +83,11 @@ def test_that_a_loaded_wall_is_the_worked_example(row):
     assert linear("linear_q_code", found, demand, 2.0).zeta == pytest.approx(zeta_linear, abs=6e-5)
     assert found.d_limit / found.s_de == pytest.approx(raw, abs=6e-5)
     assert nonlinear(found, demand) is not None
+
+
+def test_that_every_kind_of_load_is_worked_by_hand():
+    worked = {load["kind"] for loads, *_ in WORKED for load in loads}
+    assert worked == set(field_of(Load, "kind").metadata["names"])
 
 
 @pytest.mark.parametrize(("loads", "seconds"), [((), 0.502143), ((ROOF,), 0.423486)])

@@ -24,9 +24,19 @@ def make_comparison(paper):
     ):
         """`taylor.integrate` of any other method.
 
-        code, option : of its `Method`
+        code : of its `Method`
+        ground : ground acceleration [m/s2], shape (n,)
+        dt : its time step [s]
+        scale : multiplier [-], negative for the reversed record
+        model : RockingModel
+        option : of its `Method`
+        start : initial rotation [rad] and velocity [rad/s]
+        rotation : results at the samples [rad], shape (n,), or (0,) where nobody wants them
+        velocity : results at the samples [rad/s], of the same shape
+        impact_time : results [s], up to its size
+        impact_velocity : results just after each impact [rad/s], of the same shape
         table : of `Method.table`, shape (0,) but for dormand_prince
-        rotation, velocity : results, or of no element where nobody wants them
+        Returns (outcome, peak rotation [rad], impacts, clamped ratios, samples done).
         """
         thresholds = uplift_thresholds(model)
         keep = rotation.size > 0
@@ -87,7 +97,20 @@ def make_comparison(paper):
 
     @kernel
     def scan(code, option, ground, dt, scales, model, outcomes, peaks, clamped, none, table):
-        """`history.scan` by the other methods. none : of no element."""
+        """`history.scan` by the other methods.
+
+        code : of its `Method`
+        option : of its `Method`
+        ground : ground acceleration [m/s2], shape (n,)
+        dt : its time step [s]
+        scales : multipliers [-], shape (m,), negative reverses the record
+        model : RockingModel
+        outcomes : results, codes of outcome.py, int64, shape (m,)
+        peaks : results [rad], shape (m,)
+        clamped : results, counts of clamped velocity ratios, int64, shape (m,)
+        none : in place of the histories, which nobody wants, shape (0,)
+        table : of `Method.table`, shape (0,) but for dormand_prince
+        """
         for j in range(scales.size):
             outcomes[j], peaks[j], _, clamped[j], _ = integrate(
                 code, ground, dt, scales[j], model, option, (0.0, 0.0), none, none, none, none, table

@@ -151,7 +151,19 @@ def tableau() -> np.ndarray:
 
 @subkernel
 def single_step(phi, speed, beta, slope, h, model, zone, table, rates, pushes):
-    """One step of length h: rotation, velocity and the error relative to alpha and p alpha."""
+    """One step: rotation [rad], velocity [rad/s] and the error relative to alpha and p alpha [-].
+
+    phi : rotation at its start, seen from the pivot [rad]
+    speed : velocity at its start [rad/s]
+    beta : u''/g at its start, seen from the pivot [-]
+    slope : rate of beta [1/s]
+    h : its length [s]
+    model : RockingModel as the pivot sees it
+    zone : branch of the moment law
+    table : of `tableau` [-], shape (16 * STAGES,) or longer
+    rates : room for the velocities of the stages [rad/s], shape (STAGES,)
+    pushes : room for their accelerations [rad/s2], shape (STAGES,)
+    """
     for i in range(STAGES):
         x = phi
         v = speed
@@ -181,7 +193,20 @@ def single_step(phi, speed, beta, slope, h, model, zone, table, rates, pushes):
 
 @subkernel
 def advance(phi, speed, beta, slope, h, model, zone, tolerance, table, rates, pushes):
-    """Rotation [rad] and velocity [rad/s] after h [s], in as many steps as the tolerance asks."""
+    """Rotation [rad] and velocity [rad/s] after h, in as many steps as the tolerance asks.
+
+    phi : rotation at the start, seen from the pivot [rad]
+    speed : velocity at the start [rad/s]
+    beta : u''/g at the start, seen from the pivot [-]
+    slope : rate of beta [1/s]
+    h : time to go [s]
+    model : RockingModel as the pivot sees it
+    zone : branch of the moment law
+    tolerance : largest error of a step, as `single_step` returns it [-]
+    table : of `tableau` [-], shape (16 * STAGES,) or longer
+    rates : room for the velocities of the stages [rad/s], shape (STAGES,)
+    pushes : room for their accelerations [rad/s2], shape (STAGES,)
+    """
     done = 0.0
     step = h
     for _ in range(100_000):

@@ -13,7 +13,16 @@ from core.jit.decorators import subkernel
 
 @subkernel
 def advance(phi, speed, beta, slope, h, model, zone):
-    """Rotation [rad] and velocity [rad/s] after h [s]; beta, slope : u''/g [-] and its rate [1/s]."""
+    """Rotation [rad] and velocity [rad/s] after one step.
+
+    phi : rotation at its start, seen from the pivot [rad]
+    speed : velocity at its start [rad/s]
+    beta : u''/g at its start, seen from the pivot [-]
+    slope : rate of beta [1/s]
+    h : its length [s]
+    model : RockingModel as the pivot sees it
+    zone : branch of the moment law; the rigid one has only one, so it is not read
+    """
     restoring = model.restoring
     top = model.slenderness + restoring.lean
     p = math.sqrt(model.p2 * restoring.amplitude)

@@ -10,7 +10,16 @@ from core.rocking.compared.newmark_paper import trapezoidal_step
 
 @subkernel
 def advance(phi, speed, beta, slope, h, model, zone):
-    """Rotation [rad] and velocity [rad/s] after h [s]; beta, slope : u''/g [-] and its rate [1/s]."""
+    """Rotation [rad] and velocity [rad/s] after one step.
+
+    phi : rotation at its start, seen from the pivot [rad]
+    speed : velocity at its start [rad/s]
+    beta : u''/g at its start, seen from the pivot [-]
+    slope : rate of beta [1/s]
+    h : its length [s]
+    model : RockingModel as the pivot sees it
+    zone : branch of the moment law
+    """
     push = acceleration(phi, beta, model, zone)
     end, speed, _ = trapezoidal_step(phi, speed, push, beta + h * slope, h, model, zone, False)
     return end, speed

@@ -25,12 +25,16 @@ def branch_at(phi, model, zone, across):
 
 @inner_kernel
 def trapezoidal_step(phi, speed, push, beta_end, h, model, zone, across):
-    """One implicit step of h [s] by the trapezoidal rule, solved by Newton's method.
+    """One implicit step by the trapezoidal rule, solved by Newton's method.
 
-    phi, speed : rotation [rad] and its rate [rad/s]
-    push : phi'' at the start [rad/s2]
-    beta_end : u''/g at the end, seen from the pivot [-]
+    phi : rotation at its start, seen from the pivot [rad]
+    speed : phi' at its start [rad/s]
+    push : phi'' at its start [rad/s2]
+    beta_end : u''/g at its end, seen from the pivot [-]
+    h : its length [s]
+    model : RockingModel as the pivot sees it
     zone : branch of the moment law, kept in the step unless it goes across the branches
+    across : whether it does
     Returns phi, phi' and phi'' at its end.
     """
     quarter = 0.25 * h * h
@@ -53,8 +57,14 @@ def through_sample(ground0, ground1, time, dt, model, thresholds, reset, push, s
 
     ground0, ground1 : ground acceleration at both ends [m/s2]
     time : of its end [s]
+    dt : the sample [s]
+    model : RockingModel
+    thresholds : of `uplift_thresholds` [m/s2]
     reset : 1 sets the rotation to zero at an impact, 0 keeps the overshoot (one-sided: always zero)
     push : phi'' at its start [rad/s2]
+    state : BlockState at its start
+    impact_time : results [s], up to its size
+    impact_velocity : results just after each impact [rad/s], of the same shape
     Returns (outcome so far, phi'' at its end, BlockState).
     """
     side, phi, speed, moving, zone, peak, impacts, clamped = state

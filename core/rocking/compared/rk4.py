@@ -10,7 +10,16 @@ from core.rocking.compared.branch import acceleration
 
 @subkernel
 def advance(phi, speed, beta, slope, h, model, zone):
-    """Rotation [rad] and velocity [rad/s] after h [s]; beta, slope : u''/g [-] and its rate [1/s]."""
+    """Rotation [rad] and velocity [rad/s] after one step.
+
+    phi : rotation at its start, seen from the pivot [rad]
+    speed : velocity at its start [rad/s]
+    beta : u''/g at its start, seen from the pivot [-]
+    slope : rate of beta [1/s]
+    h : its length [s]
+    model : RockingModel as the pivot sees it
+    zone : branch of the moment law
+    """
     half = 0.5 * h
     middle = beta + half * slope
     a1 = acceleration(phi, beta, model, zone)

@@ -19,7 +19,20 @@ LINEARISED = 5
 
 @subkernel
 def advance(code, phi, speed, beta, slope, h, model, zone, tolerance, table, rates, pushes):
-    """Rotation [rad] and velocity [rad/s] after h [s] by the method of this code."""
+    """Rotation [rad] and velocity [rad/s] after one step by the method of this code.
+
+    code : one of this module
+    phi : rotation at its start, seen from the pivot [rad]
+    speed : velocity at its start [rad/s]
+    beta : u''/g at its start, seen from the pivot [-]
+    slope : rate of beta [1/s]
+    h : its length [s]
+    model : RockingModel as the pivot sees it
+    zone : branch of the moment law
+    tolerance : of dormand_prince [-]
+    table : of `Method.table` [-]
+    rates, pushes : room for the stages of dormand_prince [rad/s], [rad/s2]
+    """
     if code == NEWMARK_EVENTS:
         return newmark_events.advance(phi, speed, beta, slope, h, model, zone)
     if code == RK4:
@@ -31,8 +44,23 @@ def advance(code, phi, speed, beta, slope, h, model, zone, tolerance, table, rat
 
 @subkernel
 def locate(code, phi, speed, beta, slope, h, model, zone, tolerance, table, rates, pushes, level, sign):
-    """Length of the step at which sign * (phi - level) falls to zero, between 0 and h: Newton inside
-    a bracket on the method's own step. 0.0 for a start on the level that only falls."""
+    """Length of the step [s] at which sign * (phi - level) falls to zero, between 0 and h: Newton inside
+    a bracket on the method's own step. 0.0 for a start on the level that only falls.
+
+    code : one of this module
+    phi : rotation at its start, seen from the pivot [rad]
+    speed : velocity at its start [rad/s]
+    beta : u''/g at its start, seen from the pivot [-]
+    slope : rate of beta [1/s]
+    h : length of the step that crosses the level [s]
+    model : RockingModel as the pivot sees it
+    zone : branch of the moment law
+    tolerance : of dormand_prince [-]
+    table : of `Method.table` [-]
+    rates, pushes : room for the stages of dormand_prince [rad/s], [rad/s2]
+    level : end of the branch that is crossed [rad]
+    sign : 1.0 where it is crossed downwards, -1.0 upwards
+    """
     low = 0.0
     high = h
     if phi == level:
@@ -83,10 +111,17 @@ def through_sample(
     """Carry the block over one sample; see `comparison.integrate_comparison`.
 
     code : one of this module
-    option : steps a sample, of dormand_prince -log10 of its tolerance
     ground0, ground1 : ground acceleration at both ends [m/s2]
     start : time of its start [s]
-    rates, pushes : room for the stages of dormand_prince
+    dt : the sample [s]
+    model : RockingModel
+    thresholds : of `uplift_thresholds` [m/s2]
+    option : steps a sample, of dormand_prince -log10 of its tolerance
+    state : BlockState at its start
+    impact_time : results [s], up to its size
+    impact_velocity : results just after each impact [rad/s], of the same shape
+    table : of `Method.table` [-]
+    rates, pushes : room for the stages of dormand_prince [rad/s], [rad/s2]
     Returns (outcome so far, BlockState).
     """
     steps = 1 if code == DORMAND_PRINCE else option

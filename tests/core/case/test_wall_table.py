@@ -5,11 +5,12 @@ import zipfile
 from dataclasses import fields
 
 import pytest
-from openpyxl import Workbook
+from openpyxl import Workbook, load_workbook
 
 from core.case import wall_table
 from core.case.reader import read_case
-from core.case.schema import ReturnWalls, Wall
+from core.case.schema import Load, ReturnWalls, Wall
+from core.case.values import field_of
 from core.case.wall_table import read_table, read_walls, text_rows, walls_of
 from core.errors import InputError
 from tests.core.ooxml.writers import WRITERS, Fault, Formula, Writer, packed, unpacked
@@ -65,6 +66,26 @@ def test_that_the_template_is_read_as_it_is():
 
     walls = read_walls(ROOT / "resources" / "templates" / "walls.xlsx")
     assert len(walls) == 2
+
+
+@pytest.mark.parametrize(
+    ("column", "words", "section", "key"),
+    [
+        ("P", wall_table.LOAD_KINDS, Load, "kind"),
+        ("T", wall_table.LOAD_MASSES, Load, "mass"),
+        ("I", wall_table.MECHANISMS, Wall, "mechanism"),
+    ],
+)
+def test_that_the_template_offers_every_choice_of_its_columns(column, words, section, key):
+    from tests.conftest import ROOT
+
+    (sheet,) = load_workbook(ROOT / "resources" / "templates" / "walls.xlsx").worksheets
+    (offered,) = (
+        rule.formula1.strip('"').split(",")
+        for rule in sheet.data_validations.dataValidation
+        if f"{column}3" in rule.sqref
+    )
+    assert {words[word] for word in offered} == set(field_of(section, key).metadata["names"])
 
 
 def test_that_a_case_takes_its_walls_from_the_table(tmp_path):

@@ -15,8 +15,10 @@ from app import export
 from core.case.rules import parse_case
 from core.codes.capacity_curve import capacity_curve
 from core.codes.target_spectrum import displacement
+from core.codes.verdict import ORDER
 from core.errors import InputError, OutputError
 from core.report import workbook
+from core.report.circolare import cell_prefix
 from core.report.note.content import note
 from core.report.note.parts import Derivation, Figures, Paragraph, Step, Table
 from core.report.verdict_words import lines_of, sentence_of
@@ -58,6 +60,16 @@ def test_that_each_line_of_a_derivation_gives_its_result(building, verdict):
             assert eval(text, known) == pytest.approx(step.result, rel=0.02), written
             counted += 1
     assert counted > 40
+
+
+def test_that_every_check_has_its_zeta_in_the_note_and_on_the_check_sheet(verdict):
+    steps = {step.cell for step in steps_of(note(verdict, "en"))}
+    names = set(workbook.build(verdict, []).workbook.defined_names)
+    for wall in verdict.walls:
+        assert {check.name for check in wall.assessment.checks} == set(ORDER)
+        for check in wall.assessment.checks:
+            cell = f"{cell_prefix(verdict, wall)}_{check.name}_zeta"
+            assert cell in steps and cell in names, check.name
 
 
 def test_that_every_wall_has_its_verdict_with_all_reasons_and_its_figures(building):

@@ -16,6 +16,8 @@ import pytest
 from app import export
 from core.case.reader import read_case
 from core.case.rules import parse_case
+from core.case.schema import Load
+from core.case.values import field_of
 from core.errors import Cancelled
 from core.report import workbook
 from core.report.cells import Book
@@ -261,6 +263,8 @@ def test_that_no_closed_form_is_drawn_for_a_wall_with_loads(loads):
 
 
 def test_that_every_load_is_an_arrow_at_its_place(loads):
+    kinds = {load.kind for found in loads[0].walls for load in found.wall.load}
+    assert kinds == set(field_of(Load, "kind").metadata["names"])
     wall = loads[0].walls[0].wall
     down, outward = arrows(wall, 3.0, 0.45)
     assert down[1] == (0.45 - 0.30, 3.0) and down[0][1] > 3.0

@@ -1,9 +1,13 @@
 """What lifts zeta is named with zeta at the other end of its range."""
 
+from dataclasses import replace
+
 import pytest
 
 from core.case.rules import parse_case
+from core.codes.verdict import ORDER
 from core.study.run import run
+from core.study.zeta_with import zeta_with
 from tests.conftest import ROOT
 
 WALL = {
@@ -61,6 +65,17 @@ def test_that_a_model_of_experiments_is_shown_by_theory_too(model):
     assert lift(made({"restitution": model}), "lift_velocity_ratio") is not None
 
 
+def test_that_with_nothing_changed_every_check_has_its_own_zeta(monkeypatch):
+    seen = []
+    monkeypatch.setattr("core.study.assessment.lifts", lambda scene, _, checks, __: seen.append((scene, checks)) or ())
+    made()
+    ((scene, checks),) = seen
+    assert {check.name for check in checks} == set(ORDER)
+    for check in checks:
+        zeta, _ = zeta_with(replace(scene, decides=check), every=1, cancelled=lambda: False)
+        assert zeta == check.zeta, check.name
+
+
 def test_that_an_fc_below_1_35_is_shown_with_1_35():
     tested = {"confidence_factor": 1.2, "knowledge_level": "LC2", "investigations": "flat jacks"}
     found = made({"compressive_strength_mpa": 2.0}, tested)
@@ -74,8 +89,8 @@ def test_that_an_fc_below_1_35_is_shown_with_1_35():
 def test_that_another_q_than_2_is_shown_with_2_and_turns_what_rests_on_it():
     case = {"wall": [WALL], "demand": {"ag_g": 0.2, "soil_factor": 1.2, "q_code": 5.0}}
     found = run(parse_case(case), base_dir=ROOT).walls[0].assessment
-    (check,) = found.checks
-    assert check.passed and check.q == 5.0
+    check = next(one for one in found.checks if one.name == "linear_q_code")
+    assert check is found.checks[0] and check.passed and check.q == 5.0
     assert lift(found, "lift_q_code")["zeta"].value == pytest.approx(0.4 * check.zeta)
     assert found.verdict.code == "indicative" and found.verdict.to_do[0].code == "give_reason"
     case["demand"]["justification"] = {"q_code": "tests on specimens of this masonry"}

@@ -14,6 +14,7 @@ from core.case.site import Building, BuildingMode, Demand, DemandJustification, 
 from core.errors import InputError, place, section
 from core.packages import PACKAGES
 from core.text.catalogue import CATALOGUE
+from core.text.help import HELP
 from core.text.sentence import FormNames, Key, Quantity, localized, sentence
 from tests.conftest import ROOT
 
@@ -223,3 +224,5 @@ def test_that_every_kind_of_load_has_its_words():
     for kind in LOAD_KINDS:
         assert {f"load_{kind}", f"choice_{kind}"} <= set(CATALOGUE["word"]), kind
         assert kind in wall_table.LOAD_KINDS.values()
+        for words, said in zip(CATALOGUE["word"][f"choice_{kind}"], HELP["kind"], strict=True):
+            assert words in said, kind

@@ -7,6 +7,8 @@ import numpy as np
 import pytest
 
 from core.case.rules import parse_case
+from core.case.schema import Load
+from core.case.values import field_of
 from core.errors import InputError
 from core.units import G
 from core.wall.loads import BARE, RestoringMoment
@@ -67,6 +69,38 @@ def test_that_loads_a_wall_cannot_have_are_refused(code, loads, changes):
     for language in ("en", "it"):
         text = error.text(language)
         assert '"w"' in text and "\n" not in text and "{" not in text
+
+
+KINDS = field_of(Load, "kind").metadata["names"]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_that_every_kind_of_load_is_a_weight_or_a_force_and_moves_no_other_mass(kind):
+    """A kind that is neither would be a load that does nothing; a force has no mass."""
+    load = Load(kind, 1.0, 1.0)
+    assert load.is_weight != (load.inward in (1.0, -1.0))
+    if load.is_weight:
+        return
+    for mass in ("horizontal", "moving"):
+        with pytest.raises(InputError) as caught:
+            case_of({"kind": kind, "kn_m": 0.1, "h_m": 2.0, "d_m": 0.2, "mass": mass})
+        assert caught.value.code == "load_mass_refused"
+
+
+@pytest.mark.parametrize("kind", [kind for kind in KINDS if Load(kind, 1.0, 1.0).inward > 0.0])
+def test_that_no_kind_of_load_holds_more_than_one_rigid_block_can_take(kind):
+    case_of(ROOF, {"kind": kind, "kn_m": 8.6, "h_m": 2.8})
+    with pytest.raises(InputError) as caught:
+        case_of(ROOF, {"kind": kind, "kn_m": 9.0, "h_m": 2.8})
+    assert caught.value.code == "tie_too_strong"
+
+
+@pytest.mark.parametrize("kind", [kind for kind in KINDS if Load(kind, 1.0, 1.0).slackens])
+def test_that_no_wall_that_turns_both_ways_takes_what_slackens(kind):
+    with pytest.raises(InputError) as caught:
+        case_of({"kind": kind, "kn_m": 0.1, "h_m": 2.8}, mechanism="two_sided")
+    assert caught.value.code == "holds_one_side"
+    assert not holds(Load(kind, 1.0, 1.0), -1.0)
 
 
 @pytest.mark.parametrize(
