@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 import openpyxl
 import pytest
+from core.report.circolare import cell_prefix
 
 from app import __main__ as program
 from app import export
@@ -18,7 +19,6 @@ from core.codes.target_spectrum import displacement
 from core.codes.verdict import ORDER
 from core.errors import InputError, OutputError
 from core.report import workbook
-from core.report.circolare import cell_prefix
 from core.report.note.content import note
 from core.report.note.parts import Derivation, Figures, Paragraph, Step, Table
 from core.report.verdict_words import lines_of, sentence_of
