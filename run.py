@@ -4,7 +4,7 @@
     python3 run.py [CASE]          open the window
     python3 run.py --batch CASE    run a case without a window (see --help)
     python3 run.py --study paper   the parametric study of the paper; law, or a file of one's own
-    python3 run.py test [...]      ruff, import contracts, mypy, pytest
+    python3 run.py test [...]      ruff, import contracts, mypy, pytest; --newest: under packages the lock forbids
     python3 run.py package         the frozen program in dist/ribalta, tried
     python3 run.py bench [...]     the benchmarks; --work-precision for error against time
     python3 run.py mutate [...]    small faults in the modules that decide: do the tests find them?
@@ -434,6 +434,9 @@ def plan(arguments):
     """(groups, commands, whether older packages serve) for what is asked. Raises Failure, and SystemExit where the
     program's own command line ends: wrong usage, --help, --version."""
     word = arguments[0] if arguments else ""
+    if word == "test" and "--newest" in arguments:
+        others = [argument for argument in arguments[1:] if argument != "--newest"]
+        return ["base", "test"], [[interpreter(), "-P", os.path.join(ROOT, "tests", "newest.py"), *others]], False
     if word == "test":
         return (["base", "test", "gui", "accuracy", "study", "report"], test_steps(arguments[1:]), False)
     if word in TOOLS:

@@ -5,6 +5,8 @@ import gc
 import sys
 import types
 
+from core.packages import internals_known
+
 
 class Mirror(types.ModuleType):
     """pyqtgraph's own copy of a Qt module, each name copied when it is first asked for."""
@@ -27,8 +29,11 @@ def quicken() -> None:
     does. pyqtgraph copies each of Qt's thousand classes, and PySide makes each of them for that.
     """
     gc.disable()
+    import PySide6
     import shiboken6  # noqa: F401
 
+    if not internals_known(PySide6):
+        return
     with contextlib.suppress(ImportError, AttributeError):
         from shibokensupport import feature
 
@@ -45,4 +50,7 @@ def quicken() -> None:
             own = source.__dict__.get("__dir__")
             after.callback(*((setattr, source, "__dir__", own) if own else (delattr, source, "__dir__")))
             source.__dir__ = list  # of nothing: what pyqtgraph is to copy
-        import pyqtgraph  # noqa: F401
+        import pyqtgraph
+    if not internals_known(pyqtgraph):  # as it is by itself
+        for name in [name for name in sys.modules if name.split(".")[0] == "pyqtgraph"]:
+            del sys.modules[name]

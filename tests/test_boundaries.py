@@ -54,7 +54,6 @@ SHOWN_BY = {
     "ground/records/wordings": "tests/core/ground/test_wordings.py",
     "ground/records/samples": "tests/core/ground/test_samples.py",
     "jit/kernel": "tests/core/jit/test_decorators.py",
-    "jit/numba_extensions": "tests/core/jit/test_decorators.py",
     "rocking/events": "tests/validation/test_energy.py",
     "rocking/history": "tests/validation/test_reference_histories.py",
     "rocking/lane_scheduler": "tests/core/rocking/test_lanes.py",

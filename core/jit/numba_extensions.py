@@ -5,6 +5,7 @@ import gc
 import hashlib
 from pathlib import Path
 
+import numba
 from numba import njit, types
 from numba.core import config
 from numba.core.caching import Cache, _CacheLocator
@@ -13,6 +14,7 @@ from numba.extending import lower_builtin, type_callable, typeof_impl
 from core.jit import cache
 from core.jit.fma import fma
 from core.jit.kernel import Kernel, widest_vectors
+from core.packages import internals_known
 
 config.reload_config()
 """numba may have been imported by somebody else, before `cache.configure_numba` set its variables."""
@@ -73,9 +75,6 @@ def _once(function, context, arguments, keywords):
     return _known[call]
 
 
-types.Function.get_call_type = _once  # type: ignore[method-assign]
-
-
 def _load_overload(cached, signature, context):
     """numba first imports what it needs to compile, a seventh of a run of one wall (resources/docs/speed.md). Machine
     code from the cache needs none of it; where there is none, the compiler itself asks for it."""
@@ -90,8 +89,10 @@ def _save_overload(cached, signature, compiled):
         cached._save_overload(signature, compiled._replace(type_annotation=""))
 
 
-Cache.load_overload = _load_overload  # type: ignore[method-assign]
-Cache.save_overload = _save_overload  # type: ignore[method-assign]
+if internals_known(numba):
+    types.Function.get_call_type = _once  # type: ignore[method-assign]
+    Cache.load_overload = _load_overload  # type: ignore[method-assign]
+    Cache.save_overload = _save_overload  # type: ignore[method-assign]
 
 
 @typeof_impl.register(Kernel)

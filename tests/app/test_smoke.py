@@ -57,6 +57,20 @@ def test_that_pyqtgraph_has_all_of_qt_where_its_import_is_quickened():
     assert found.stdout.split() == ["True", "True"], found.stderr
 
 
+@pytest.mark.parametrize("package", ["PySide6", "pyqtgraph"])
+def test_that_an_unknown_version_is_imported_as_it_is_by_itself(package):
+    script = (
+        f"from core import packages; packages.KNOWN_INTERNALS[{package!r}] = ('9.0', '9.9');"
+        "from app.quick_imports import Mirror, quicken; quicken(); import pyqtgraph.Qt as Q;"
+        "print(isinstance(Q.QtCore, Mirror), Q.QtCore.QPointF(1.0, 2.0).x())"
+    )
+    pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
+    found = subprocess.run(
+        [sys.executable, "-P", "-c", script], capture_output=True, text=True, env=dict(os.environ, PYTHONPATH=str(ROOT))
+    )
+    assert found.stdout.split() == ["False", "1.0"], found.stderr
+
+
 def test_the_window_under_xvfb(tmp_path):
     pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
     with display(PYTHONPATH=str(ROOT), XDG_CONFIG_HOME=str(tmp_path)) as variables:
