@@ -45,10 +45,10 @@ def text_of(name: str) -> str:
     return (ROOT / name).read_text(encoding="utf-8")
 
 
-def test_that_every_option_is_in_the_readme():
+def test_that_every_option_is_in_the_page_of_running_it():
     known = [name for action in command_line.parser()._actions for name in action.option_strings]
     for name in known:
-        assert name in ("-h", "--help") or name in text_of("README.md"), name
+        assert name in ("-h", "--help") or name in text_of("resources/docs/run.md"), name
 
 
 def test_that_seconds_of_the_fuzzer_are_said_as_they_are_meant():
@@ -63,9 +63,9 @@ def test_that_seconds_of_the_fuzzer_are_said_as_they_are_meant():
 
 
 def test_that_the_documents_name_this_version():
-    for name in ("README.md", "packaging/README.md"):
+    for name in ("resources/docs/run.md", "packaging/README.md"):
         assert set(re.findall(r"ribalta-(\d+\.\d+\.\d+)-py3", text_of(name))) <= {VERSION}
-    assert f"ribalta-{VERSION}-py3" in text_of("README.md")
+    assert f"ribalta-{VERSION}-py3" in text_of("resources/docs/run.md")
 
 
 def test_that_the_limit_of_a_module_is_the_one_that_is_tested():
@@ -166,8 +166,8 @@ def test_that_every_check_has_its_words_and_its_clause_in_the_documents():
         assert clause in codes or f".{clause.rsplit('.', 1)[1]}" in codes, clause
 
 
-def test_that_every_verdict_and_every_check_is_in_the_readme():
-    text = text_of("README.md")
+def test_that_every_verdict_and_every_check_is_in_the_page_of_the_verdict():
+    text = text_of("resources/docs/verdict.md")
     for code in set(SENTENCES) & set(WORDS):
         assert f"`{code}`" in text, code
     for clause in CLAUSES:

@@ -167,7 +167,7 @@ def test_that_project_launchers_and_workflow_name_the_pythons_of_the_table():
 
 
 DOCUMENTS = [
-    "README.md",
+    "resources/docs/run.md",
     "CONTRIBUTING.md",
     "resources/docs/guide/1_install.md",
     "resources/docs/guida/1_installare.md",
@@ -186,7 +186,7 @@ def test_that_the_documents_name_the_pythons_of_the_table(name):
 
 
 def test_that_the_readme_says_what_was_run_what_was_resolved_and_what_cannot_be():
-    text = " ".join(text_of("README.md").split())
+    text = " ".join(text_of("resources/docs/run.md").split())
     run = [name for name, row in platforms.PYTHONS.items() if row["run"]]
     said = re.search(
         r"Run with ([\d., and]+) on (.+?); for ([\d., ]+), (.+?) the packages were resolved, not run", text
@@ -203,7 +203,7 @@ def test_that_the_readme_says_what_was_run_what_was_resolved_and_what_cannot_be(
         assert row["name"] in refused
 
 
-@pytest.mark.parametrize("name", ["README.md", *DOCUMENTS[2:]])
+@pytest.mark.parametrize("name", ["resources/docs/run.md", *DOCUMENTS[2:]])
 def test_that_the_documents_name_the_megabytes_that_run_py_says(run_groups, name):
     text = text_of(name)
     for groups in (["base"], ["base", "gui", "accuracy", "study", "report"]):

@@ -149,6 +149,6 @@ def test_that_the_documents_name_every_reason_and_every_code_of_a_verdict():
     page = (ROOT / "resources" / "docs" / "case.md").read_text(encoding="utf-8")
     written = page[page.index("[wall.justification]") :]
     assert all(key in written for key in [*REASONED, "knowledge_level", "investigations"])
-    table = (ROOT / "README.md").read_text(encoding="utf-8")
+    table = (ROOT / "resources" / "docs" / "verdict.md").read_text(encoding="utf-8")
     codes = set(CATALOGUE["verdict"]) - {"not_activated_floor"}
     assert {code for code in codes if f"`{code}`" not in table} == set()
