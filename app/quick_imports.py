@@ -5,7 +5,7 @@ import gc
 import sys
 import types
 
-from core.packages import internals_known
+from core.known_internals import internals_known
 
 
 class Mirror(types.ModuleType):

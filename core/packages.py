@@ -2,7 +2,6 @@
 
 import importlib
 from pathlib import Path
-from types import ModuleType
 
 from core.errors import OutputError
 from core.text.sentence import Sentence, sentence
@@ -14,22 +13,6 @@ PACKAGES = {
     "accuracy": {"scipy": "scipy"},
 }
 """Extra -> module asked for and the package it is of."""
-
-
-KNOWN_INTERNALS = {"numba": ("0.62", "0.68"), "PySide6": ("6.8", "6.10"), "pyqtgraph": ("0.14", "0.14")}
-"""Packages of which internals are replaced to start quicker -> first and last version whose internals are known. With
-another one everything stays as it is: slower, the same results."""
-
-
-def internals_known(package: ModuleType) -> bool:
-    """Whether the internals of an imported package are those its replacements were written for."""
-    first, last = KNOWN_INTERNALS[package.__name__]
-    return _release(first) <= _release(package.__version__) <= _release(last)
-
-
-def _release(version: str) -> tuple[int, ...]:
-    """Major and minor number."""
-    return tuple(int(part) for part in version.split(".")[:2])
 
 
 def require(extra: str) -> None:

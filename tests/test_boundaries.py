@@ -121,6 +121,7 @@ SHOWN_BY = {
         f"derivation/{name}": "tests/core/derivation/test_wall.py"
         for name in ("body", "checks", "closed_forms", "demand", "functions", "line", "site")
     },
+    "known_internals": "tests/core/jit/test_numba_extensions.py",
     "derivation/quantity": "tests/core/derivation/test_faces.py",
     **{
         f"report/note/{name}": "tests/core/report/test_note.py"

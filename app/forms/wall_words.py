@@ -90,4 +90,5 @@ def written_as(shape: str, wall: Wall, block: Block) -> dict[str, float | None]:
         "slenderness_deg": math.degrees(math.atan2(thickness, height)),
         "height_over_thickness": height / thickness,
     }
-    return values | {"height_m": height, shape: getattr(wall, shape) or given[shape]}
+    own = {"height_m": height, "hinge_setback_m": wall.hinge_setback_m, shape: getattr(wall, shape) or given[shape]}
+    return values | own

@@ -14,7 +14,7 @@ from numba.extending import lower_builtin, type_callable, typeof_impl
 from core.jit import cache
 from core.jit.fma import fma
 from core.jit.kernel import Kernel, widest_vectors
-from core.packages import internals_known
+from core.known_internals import internals_known
 
 config.reload_config()
 """numba may have been imported by somebody else, before `cache.configure_numba` set its variables."""

@@ -60,7 +60,7 @@ def test_that_pyqtgraph_has_all_of_qt_where_its_import_is_quickened():
 @pytest.mark.parametrize("package", ["PySide6", "pyqtgraph"])
 def test_that_an_unknown_version_is_imported_as_it_is_by_itself(package):
     script = (
-        f"from core import packages; packages.KNOWN_INTERNALS[{package!r}] = ('9.0', '9.9');"
+        f"from core.known_internals import KNOWN; KNOWN[{package!r}] = ('9.0', '9.9');"
         "from app.quick_imports import Mirror, quicken; quicken(); import pyqtgraph.Qt as Q;"
         "print(isinstance(Q.QtCore, Mirror), Q.QtCore.QPointF(1.0, 2.0).x())"
     )
