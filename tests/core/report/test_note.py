@@ -9,7 +9,6 @@ from dataclasses import replace
 import numpy as np
 import openpyxl
 import pytest
-from core.report.circolare import cell_prefix
 
 from app import __main__ as program
 from app import export
@@ -19,6 +18,7 @@ from core.codes.target_spectrum import displacement
 from core.codes.verdict import ORDER
 from core.errors import InputError, OutputError
 from core.report import workbook
+from core.report.derived import cell_prefix
 from core.report.note.content import note
 from core.report.note.parts import Derivation, Figures, Paragraph, Step, Table
 from core.report.verdict_words import lines_of, sentence_of
@@ -68,7 +68,7 @@ def test_that_every_check_has_its_zeta_in_the_note_and_on_the_check_sheet(verdic
     for wall in verdict.walls:
         assert {check.name for check in wall.assessment.checks} == set(ORDER)
         for check in wall.assessment.checks:
-            cell = f"{cell_prefix(verdict, wall)}_{check.name}_zeta"
+            cell = f"{cell_prefix(verdict, wall)}{check.name}_zeta"
             assert cell in steps and cell in names, check.name
 
 
