@@ -127,33 +127,7 @@ SHOWN_BY = {
         f"report/note/{name}": "tests/core/report/test_note.py"
         for name in ("content", "document", "equation", "parts", "sheet", "site", "wall_figures", "wall_steps", "words")
     },
-    **{
-        f"text/{name}": SENTENCES
-        for name in (
-            "study",
-            "demand_errors",
-            "error_parts",
-            "channel_errors",
-            "keys",
-            "errors",
-            "file_errors",
-            "load_errors",
-            "demand_errors",
-            "method",
-            "note",
-            "notices",
-            "report",
-            "sentence",
-            "terminal",
-            "verdicts",
-            "window",
-            "window_charts",
-            "window_forms",
-            "window_help",
-            "help",
-            "words",
-        )
-    },
+    "text/sentence": SENTENCES,
 }
 """Module of core -> the file that shows its facts, where that has another name than the module's."""
 

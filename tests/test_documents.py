@@ -18,8 +18,7 @@ from core.ground.records import READERS
 from core.ground.records.container import is_zip
 from core.ground.records.grammar import decode
 from core.rocking.methods import METHODS
-from core.text.verdicts import SENTENCES, SHORT
-from core.text.words import WORDS
+from core.text.catalogue import CATALOGUE
 from core.version import VERSION
 from core.wall.moment_rotation import LAWS
 from core.wall.restitution import MODELS
@@ -157,7 +156,7 @@ CLAUSES = {
 
 def test_that_every_check_has_its_words_and_its_clause_in_the_documents():
     labels = {*ORDER, "linear_sld"}
-    assert labels == set(BY) <= set(WORDS) and labels <= set(SHORT)
+    assert labels == set(BY) <= set(CATALOGUE["word"]) and labels <= set(CATALOGUE["short"])
     codes = text_of("resources/docs/codes.md")
     for name in ORDER:
         assert f"`{name}`" in codes and f"`{name}`" in text_of("README.md"), name
@@ -168,7 +167,7 @@ def test_that_every_check_has_its_words_and_its_clause_in_the_documents():
 
 def test_that_every_verdict_and_every_check_is_in_the_page_of_the_verdict():
     text = text_of("resources/docs/verdict.md")
-    for code in set(SENTENCES) & set(WORDS):
+    for code in set(CATALOGUE["verdict"]) & set(CATALOGUE["word"]):
         assert f"`{code}`" in text, code
     for clause in CLAUSES:
         last = clause.removeprefix("C8.7.1.2.1")

@@ -88,7 +88,15 @@ def test_that_what_has_no_wheel_is_refused_in_a_sentence_with_its_reason(here, s
 
 
 @pytest.mark.parametrize(
-    "name", ["run.py", "packaging/platforms.py", "core/__init__.py", "core/text/__init__.py", "core/text/start.py"]
+    "name",
+    [
+        "run.py",
+        "packaging/platforms.py",
+        "core/__init__.py",
+        "core/text/__init__.py",
+        "core/text/start.py",
+        "core/text/catalogue.py",
+    ],
 )
 def test_that_a_python_of_2016_reads_what_refuses_it(name):
     tree = ast.parse(text_of(name), feature_version=(3, 6))

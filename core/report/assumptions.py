@@ -1,6 +1,15 @@
 """What the engineer confirms by ticking."""
 
-from core.text.words import ASSUMPTIONS
+ASSUMPTIONS = (
+    "monolithic",
+    "no_load",
+    "no_ties",
+    "loads_as_given",
+    "ties_as_given",
+    "no_sliding",
+    "no_vertical_motion",
+)
+"""In their order; no_load is ticked where every wall says unloaded_confirmed."""
 
 
 def assumptions_of(walls) -> list[str]:

@@ -22,11 +22,13 @@ from core.report.cells import (
     title,
 )
 from core.study.results import StudyResult
-from core.text.method import METHOD_BODIES
 from core.text.sentence import localized, word
 from core.units import CM, G
 from core.version import NAME, VERSION, commit
 from core.wall.restitution import MODELS
+
+METHOD = ("motion", "equations", "misprints", "q", "set", "outcomes", "range", "circolare", "loads", "left_out")
+"""Paragraphs of the sheet Method, in their order."""
 
 
 def rule_word(book: Book, rule_name: str | None) -> str:
@@ -292,7 +294,7 @@ def method(book: Book, result: StudyResult) -> None:
         rule(sheet, row, 1, 2)
         row += 1
     row = _uncertainty(book, sheet, result, row + 1)
-    for code in METHOD_BODIES:
+    for code in METHOD:
         label = localized("method_label", code, book.language)
         body = localized("method_body", code, book.language)
         text(sheet, row, 1, label, bold=True, wrap=True)

@@ -7,7 +7,7 @@ from core.case.schema import WallJustification
 from core.case.site import DemandJustification
 from core.study.results import StudyResult, WallResult
 from core.study.wall_verdict import by_severity, where
-from core.text.keys import KEYS, SECTIONS
+from core.text.catalogue import CATALOGUE
 from core.text.sentence import FormNames, word
 
 TONES = {
@@ -25,9 +25,13 @@ TONES = {
 @functools.cache
 def names_in(language: str) -> FormNames:
     """What the report calls the keys of a case."""
-    captions = {code.removeprefix("key_"): word(code, language) for code in KEYS}
-    for code in SECTIONS:
-        captions[f"[{code.removeprefix('section_')}]"] = word(code, language).lower()
+    captions = {}
+    for code in CATALOGUE["word"]:
+        kind, _, name = code.partition("_")
+        if kind == "key":
+            captions[name] = word(code, language)
+        elif kind == "section":
+            captions[f"[{name}]"] = word(code, language).lower()
     return FormNames(captions)
 
 

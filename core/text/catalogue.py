@@ -1,48 +1,66 @@
-"""The wording of every text a person reads, by group and code: (English, Italian)."""
+"""The wording of every text a person reads, by group and code. A group is a file of resources/translations, read when
+it is first asked for. Read by any Python from 3.6 on."""
 
-from core.text.channel_errors import CHANNEL_ERRORS
-from core.text.demand_errors import DEMAND_ERRORS
-from core.text.error_parts import ACCEPTED, PLACES
-from core.text.errors import CASE_ERRORS
-from core.text.file_errors import FILE_ERRORS
-from core.text.keys import CHOICES, KEYS, SECTIONS
-from core.text.load_errors import LOAD_ERRORS
-from core.text.method import METHOD_BODIES, METHOD_LABELS
-from core.text.note import NOTE
-from core.text.notices import SENTENCES as NOTICES
-from core.text.report import REPORT
-from core.text.start import START, WAYS
-from core.text.study import STUDY
-from core.text.terminal import TERMINAL
-from core.text.verdicts import ADDED, MISSING_WORDS, REASONS, SHORT
-from core.text.verdicts import SENTENCES as VERDICTS
-from core.text.window import WINDOW
-from core.text.window_charts import WINDOW_CHARTS
-from core.text.window_forms import WINDOW_FORMS
-from core.text.window_help import WINDOW_HELP
-from core.text.words import ASSUMPTIONS, LOADS, WORDS
+import json
+from collections.abc import Mapping
+from pathlib import Path
+
+FOLDER = Path(__file__).resolve().parents[2] / "resources" / "translations"
+
+GROUPS = (
+    "error",  # what the user can mend; a placeholder without a value is a key of the case
+    "place",  # where an error is
+    "accepted",  # what is accepted instead, and other parts of an error
+    "notice",  # warnings of a result
+    "word",  # results, kinds of loads, keys, sections and choices of a case, ways to get a package
+    "assumption",  # what the engineer confirms by ticking
+    "verdict",  # what stands after the name of the wall
+    "added",  # parts of a verdict's sentence
+    "reason",  # of a verdict
+    "missing",  # what T_0 and the spectrum there take
+    "short",  # what a list of checks calls a check
+    "method_label",  # paragraphs of the sheet Method
+    "method_body",
+    "report",  # workbook, calculation note, parametric study; the code is the English wording
+    "window",  # the code is the English wording
+    "terminal",  # with run.py; the code is the English wording
+    "help",  # what F1 says of a key
+)
 
 
-def _by_english(texts: dict[str, str]) -> dict[str, tuple[str, str]]:
-    """Texts whose code is their English wording."""
-    return {english: (english, italian) for english, italian in texts.items()}
+class Catalogue(Mapping):
+    """Group -> code -> (English, Italian)."""
+
+    def __init__(self, folder):
+        self.folder, self.known = folder, {}
+
+    def __getitem__(self, group):
+        if group not in self.known:
+            if group not in GROUPS:
+                raise KeyError(group)
+            self.known[group] = texts_of(self.folder / (group + ".json"))
+        return self.known[group]
+
+    def __iter__(self):
+        return iter(GROUPS)
+
+    def __len__(self):
+        return len(GROUPS)
 
 
-CATALOGUE: dict[str, dict[str, tuple[str, str]]] = {
-    "error": {**CASE_ERRORS, **FILE_ERRORS, **CHANNEL_ERRORS, **LOAD_ERRORS, **DEMAND_ERRORS},
-    "place": PLACES,
-    "accepted": ACCEPTED,
-    "notice": NOTICES,
-    "word": {**WORDS, **LOADS, **KEYS, **SECTIONS, **CHOICES, **WAYS},
-    "assumption": ASSUMPTIONS,
-    "verdict": VERDICTS,
-    "added": ADDED,
-    "reason": REASONS,
-    "missing": MISSING_WORDS,
-    "short": SHORT,
-    "method_label": METHOD_LABELS,
-    "method_body": METHOD_BODIES,
-    "report": _by_english({**STUDY, **REPORT, **NOTE}),
-    "window": _by_english({**WINDOW, **WINDOW_FORMS, **WINDOW_CHARTS, **WINDOW_HELP}),
-    "terminal": _by_english({**TERMINAL, **START}),
-}
+def texts_of(path):
+    """Code -> (English, Italian) of a file; raises RuntimeError where it is missing or damaged: no input is at fault.
+
+    The file has the Italian alone where the code is the English wording, else "en" and "it", a long one in parts.
+    """
+    try:
+        texts = json.loads(path.read_text(encoding="utf-8"))
+        return {
+            code: (code, text) if isinstance(text, str) else ("".join(text["en"]), "".join(text["it"]))
+            for code, text in texts.items()
+        }
+    except (OSError, ValueError, AttributeError, KeyError, TypeError) as error:
+        raise RuntimeError("the texts of " + str(path) + " cannot be read: " + repr(error)) from error
+
+
+CATALOGUE: "Mapping[str, dict[str, tuple[str, str]]]" = Catalogue(FOLDER)

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QApplication, QLineEdit
 
 from app import guide, theme
 from app.forms.fields import Field
-from core.text.help import HELP
+from core.text.catalogue import CATALOGUE
 
 
 def contrast(one: QColor, other: QColor) -> float:
@@ -45,7 +45,7 @@ def test_that_every_number_field_has_help_in_both_languages(opened):
     for field in opened.findChildren(Field):
         if type(field).__name__ in ("NumberField", "RangeField"):
             assert guide.help_of(field), field.key
-    for key, (english, italian) in HELP.items():
+    for key, (english, italian) in CATALOGUE["help"].items():
         assert english and italian and english != italian, key
 
 

@@ -10,8 +10,6 @@ from core.case.schema import WallJustification
 from core.case.site import DemandJustification
 from core.errors import InputError
 from core.text.catalogue import CATALOGUE
-from core.text.help import HELP
-from core.text.window import WINDOW
 from tests.conftest import ROOT
 
 LIFTING = re.compile(
@@ -107,7 +105,7 @@ def test_that_no_wall_is_sent_to_the_one_sided_mechanism_without_what_is_behind_
 
 
 def test_that_no_lower_fc_and_no_other_restitution_is_offered_for_nothing():
-    for english, italian in WINDOW.items():
+    for english, italian in CATALOGUE["window"].values():
         assert "lower with a hinge setback" not in english, italian
     for group in ("error", "reason", "notice"):
         for english, _ in CATALOGUE[group].values():
@@ -142,7 +140,7 @@ REASONED = [entry.name for part in (WallJustification, DemandJustification) for 
 
 @pytest.mark.parametrize("key", [*REASONED, "period_factor", "damping", "number", "knowledge_level"])
 def test_that_help_says_what_a_key_that_lifts_zeta_does_to_the_verdict(key):
-    assert all("ζ" in words for words in HELP[key])
+    assert all("ζ" in words for words in CATALOGUE["help"][key])
 
 
 def test_that_the_documents_name_every_reason_and_every_code_of_a_verdict():

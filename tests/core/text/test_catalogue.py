@@ -1,6 +1,7 @@
 """Every text a person reads is in the catalogue, once, in both languages, and nowhere else."""
 
 import ast
+import json
 import re
 from dataclasses import fields
 from string import Formatter
@@ -13,8 +14,7 @@ from core.case.schema import Analysis, Case, Generate, Load, Record, Report, Ret
 from core.case.site import Building, BuildingMode, Demand, DemandJustification, HazardRow, Spectrum
 from core.errors import InputError, place, section
 from core.packages import PACKAGES
-from core.text.catalogue import CATALOGUE
-from core.text.help import HELP
+from core.text.catalogue import CATALOGUE, FOLDER, GROUPS, Catalogue
 from core.text.sentence import FormNames, Key, Quantity, localized, sentence
 from tests.conftest import ROOT
 
@@ -94,6 +94,40 @@ def placeholders(text):
     return {name for _, name, _, _ in Formatter().parse(text) if name is not None}
 
 
+def test_that_every_file_of_translations_is_a_group():
+    assert sorted(FOLDER.iterdir()) == sorted(FOLDER / f"{group}.json" for group in GROUPS)
+
+
+@pytest.mark.parametrize("group", GROUPS)
+def test_that_a_file_of_translations_is_written_in_one_way(group):
+    """Each code once, English before Italian, two spaces a level: a change is a line, whoever makes it."""
+    text = (FOLDER / f"{group}.json").read_text(encoding="utf-8")
+    texts = json.loads(text)
+    assert text == json.dumps(texts, indent=2, ensure_ascii=False) + "\n"
+    assert all(isinstance(entry, str) or list(entry) == ["en", "it"] for entry in texts.values())
+
+
+@pytest.mark.parametrize("content", [None, "", "[]", '{"a": 1}', '{"a": {"en": "A"}}', '{"a": "A",}', b"\xff"])
+def test_that_a_missing_or_damaged_file_of_translations_stops_the_program(tmp_path, content):
+    """No error of the input: what refuses a file or a case does not take it for one."""
+    if content is not None:
+        (tmp_path / "word.json").write_bytes(content if isinstance(content, bytes) else content.encode())
+    with pytest.raises(RuntimeError, match=r"word\.json"):
+        Catalogue(tmp_path)["word"]
+    with pytest.raises(KeyError):
+        Catalogue(tmp_path)["no such group"]
+
+
+def test_that_a_group_is_read_when_it_is_first_asked_for(tmp_path):
+    (tmp_path / "word.json").write_text('{"stable": {"en": ["st", "able"], "it": "stabile"}}', encoding="utf-8")
+    (tmp_path / "window.json").write_text('{"Check": "Verifica"}', encoding="utf-8")
+    texts = Catalogue(tmp_path)
+    assert texts["word"] == {"stable": ("stable", "stabile")}
+    assert texts["window"] == {"Check": ("Check", "Verifica")}
+    assert texts["word"] is texts["word"]
+    assert set(texts.known) == {"word", "window"}
+
+
 @pytest.mark.parametrize("group", CATALOGUE)
 def test_that_both_languages_name_the_same_values(group):
     for code, (english, italian) in CATALOGUE[group].items():
@@ -141,7 +175,8 @@ def test_that_every_text_of_the_catalogue_is_used():
     sides |= {f"section_{entry.name}" for entry in fields(Case)}
     sides |= {f"work_{extra}" for extra in PACKAGES}
     sides |= {f"load_{kind}" for kind in LOAD_KINDS}
-    for group in ("window", "report", "terminal", "notice", "reason", "word", "added", "accepted", "place"):
+    sides |= {entry.name for entry in entries}
+    for group in set(CATALOGUE) - {"error"}:
         unused = {code for code in CATALOGUE[group] if code not in literals | sides}
         assert unused == set(), group
 
@@ -224,5 +259,5 @@ def test_that_every_kind_of_load_has_its_words():
     for kind in LOAD_KINDS:
         assert {f"load_{kind}", f"choice_{kind}"} <= set(CATALOGUE["word"]), kind
         assert kind in wall_table.LOAD_KINDS.values()
-        for words, said in zip(CATALOGUE["word"][f"choice_{kind}"], HELP["kind"], strict=True):
+        for words, said in zip(CATALOGUE["word"][f"choice_{kind}"], CATALOGUE["help"]["kind"], strict=True):
             assert words in said, kind
