@@ -17,12 +17,12 @@ from core.case.study_file import Study, read_record_list, read_study, shortened
 from core.errors import Cancelled, InputError, place
 from core.ground import records as accelerograms
 from core.packages import require
-from core.report.study_files import COLUMNS
-from core.study import parametric
-from core.study.figures import StudyReport
+from core.research import parametric
+from core.research.figures import StudyReport
+from core.research.parametric import ParametricResult
+from core.research.study_files import COLUMNS
+from core.research.study_report import report_of
 from core.study.journal import Journal
-from core.study.parametric import ParametricResult
-from core.study.study_report import report_of
 
 MAX_NAMED = 20
 """Runs without a number that are named on the terminal."""
@@ -178,8 +178,8 @@ def write(
 ) -> None:
     """All files of a study. check : called at every row, to cancel; ready : when all is made and nothing written yet;
     tell(done, planned) : how far it is. Raises OutputError; what a figure raises, when the other files are written."""
-    from core.report import study_files, study_workbook
     from core.report.steps import Steps
+    from core.research import study_files, study_workbook
 
     steps = Steps(check, tell)
     steps.take(0)

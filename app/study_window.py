@@ -30,8 +30,8 @@ from app.language import tr
 from app.plots.study_tabs import claims_table, figure_chart, table_view
 from app.running import progress_word
 from app.worker import Job
-from core.study import parametric
-from core.study.study_report import report_of
+from core.research import parametric
+from core.research.study_report import report_of
 
 
 class StudyWindow(QDialog):

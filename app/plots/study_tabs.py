@@ -5,8 +5,8 @@ from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 from app.language import number, tr
 from app.plots.chart import Chart
 from app.plots.table import Table
-from core.study.figures import DASHED, LINE_POINTS, POINTS, Claim, Figure, marker_of
-from core.study.figures import Table as StudyTable
+from core.research.figures import DASHED, LINE_POINTS, POINTS, Claim, Figure, marker_of
+from core.research.figures import Table as StudyTable
 
 SYMBOLS = ("o", "s", "t", "d")
 BESIDE_FROM = 7

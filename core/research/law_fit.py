@@ -7,8 +7,8 @@ import numpy as np
 
 from core.capacity.regression import Agreement, agreement
 from core.capacity.scale_free_law import ScaleFreeLaw, dimensionless_intensity, fit_law, law_value, limit_of, loss_ratio
-from core.study.paper_sets import MECHANISM
-from core.study.set_means import QUANTITIES, MotionValue, exact
+from core.research.paper_sets import MECHANISM
+from core.research.set_means import QUANTITIES, MotionValue, exact
 from core.wall.moment_rotation import LAWS
 
 MIN_SHAPES = 4

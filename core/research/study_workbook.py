@@ -6,9 +6,9 @@ from openpyxl.worksheet.pagebreak import Break
 from core.report.cells import QUIET, Book, header, heighten, number, paragraph, rule, text, title
 from core.report.plots import add_series, new_chart
 from core.report.steps import Steps
-from core.report.study_files import PALETTE
-from core.study.figures import DASHED, LINE_POINTS, POINTS, Figure, StudyReport, Table, marker_of
-from core.study.parametric import ParametricResult
+from core.research.figures import DASHED, LINE_POINTS, POINTS, Figure, StudyReport, Table, marker_of
+from core.research.parametric import ParametricResult
+from core.research.study_files import PALETTE
 from core.version import NAME, VERSION, commit
 
 TABLES, CHARTS, SAVING = 15, 10, 25

@@ -8,9 +8,9 @@ import pytest
 
 from core.capacity import scale_free_law as law
 from core.case.study_file import Cell
-from core.study.law_fit import columns, fits_of, set_columns
-from core.study.parametric import StudyMotion
-from core.study.set_means import MotionValue
+from core.research.law_fit import columns, fits_of, set_columns
+from core.research.parametric import StudyMotion
+from core.research.set_means import MotionValue
 from core.wall.block import Block
 from core.wall.moment_rotation import LAWS, MomentLaw
 from core.wall.restitution import restitution

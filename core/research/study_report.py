@@ -1,10 +1,10 @@
 """What a finished parametric study shows: the paper's figures and claims, the scale-free law, or the plain grid."""
 
-from core.study import law_study, paper_claims, paper_figures, paper_tables
-from core.study.figures import LINE_POINTS, Figure, StudyReport, Table
-from core.study.paper_figures import curve, scatter
-from core.study.parametric import ParametricResult
-from core.study.set_means import MotionValue, SetMean, motion_values, set_means
+from core.research import law_study, paper_claims, paper_figures, paper_tables
+from core.research.figures import LINE_POINTS, Figure, StudyReport, Table
+from core.research.paper_figures import curve, scatter
+from core.research.parametric import ParametricResult
+from core.research.set_means import MotionValue, SetMean, motion_values, set_means
 from core.text.sentence import localized
 from core.units import CM, G
 

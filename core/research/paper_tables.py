@@ -7,10 +7,10 @@ import numpy as np
 
 from core.capacity.closed_forms import COEFFICIENTS, PowerLaw, closed_form_q_eff, fit_power_law
 from core.capacity.regression import agreement, linear_c1, power_coefficient
-from core.study.figures import Table
-from core.study.paper_sets import MECHANISM, THEORETICAL, c1_points, closed_form_of, natural_values, theoretical
-from core.study.parametric import ParametricResult
-from core.study.set_means import MotionValue, SetMean, chosen
+from core.research.figures import Table
+from core.research.paper_sets import MECHANISM, THEORETICAL, c1_points, closed_form_of, natural_values, theoretical
+from core.research.parametric import ParametricResult
+from core.research.set_means import MotionValue, SetMean, chosen
 from core.units import CM, G
 
 Say = Callable[..., str]

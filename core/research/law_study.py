@@ -8,12 +8,12 @@ import numpy as np
 from core.capacity.closed_forms import closed_form_q
 from core.capacity.regression import Agreement, agreement
 from core.capacity.scale_free_law import law_value
-from core.study.figures import DASHED, LINE, LINE_POINTS, Figure, Series, StudyReport, Table
-from core.study.law_fit import MIN_SHAPES, Columns, columns, fits_of, left_out, set_columns
-from core.study.paper_figures import curve, scatter
-from core.study.paper_sets import MECHANISM
-from core.study.parametric import ParametricResult
-from core.study.set_means import MotionValue
+from core.research.figures import DASHED, LINE, LINE_POINTS, Figure, Series, StudyReport, Table
+from core.research.law_fit import MIN_SHAPES, Columns, columns, fits_of, left_out, set_columns
+from core.research.paper_figures import curve, scatter
+from core.research.paper_sets import MECHANISM
+from core.research.parametric import ParametricResult
+from core.research.set_means import MotionValue
 from core.units import CM, G
 
 Say = Callable[..., str]

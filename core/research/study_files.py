@@ -10,8 +10,8 @@ from core.report.drawing import style
 from core.report.json_report import record_measures
 from core.report.plain_cell import plain_cell
 from core.report.xml_text import for_xml
-from core.study.figures import DASHED, LINE, LINE_POINTS, POINTS, Figure, StudyReport, marker_of
-from core.study.parametric import ParametricResult
+from core.research.figures import DASHED, LINE, LINE_POINTS, POINTS, Figure, StudyReport, marker_of
+from core.research.parametric import ParametricResult
 from core.units import CM, G
 from core.version import NAME, VERSION, commit
 

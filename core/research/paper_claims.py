@@ -7,8 +7,8 @@ import numpy as np
 
 from core.capacity.closed_forms import closed_form_q_eff
 from core.capacity.regression import BAND
-from core.study.figures import Claim
-from core.study.paper_sets import (
+from core.research.figures import Claim
+from core.research.paper_sets import (
     EXPERIMENTAL,
     MECHANISM,
     THEORETICAL,
@@ -18,8 +18,8 @@ from core.study.paper_sets import (
     restitution_pairs,
     theoretical,
 )
-from core.study.paper_tables import power_laws
-from core.study.set_means import MotionValue, SetMean, chosen, exact
+from core.research.paper_tables import power_laws
+from core.research.set_means import MotionValue, SetMean, chosen, exact
 
 Say = Callable[..., str]
 

@@ -9,9 +9,8 @@ import numpy as np
 from core.capacity.closed_forms import COEFFICIENTS, closed_form_q_eff, fit_power_law
 from core.capacity.regression import BAND, agreement
 from core.ground.response_spectrum import pseudo_acceleration_spectrum
-from core.rocking.history import history
-from core.study.figures import DASHED, LINE, LINE_POINTS, POINTS, Figure, Series
-from core.study.paper_sets import (
+from core.research.figures import DASHED, LINE, LINE_POINTS, POINTS, Figure, Series
+from core.research.paper_sets import (
     EXPERIMENTAL,
     MECHANISM,
     THEORETICAL,
@@ -22,8 +21,9 @@ from core.study.paper_sets import (
     restitution_pairs,
     theoretical,
 )
-from core.study.parametric import ParametricResult
-from core.study.set_means import MotionValue, SetMean, chosen, exact
+from core.research.parametric import ParametricResult
+from core.research.set_means import MotionValue, SetMean, chosen, exact
+from core.rocking.history import history
 from core.units import CM, G
 from core.wall.block import Block
 from core.wall.moment_rotation import LAWS

@@ -7,7 +7,7 @@ from statistics import fmean, stdev
 from core.capacity.closed_forms import effective_q
 from core.capacity.scale_free_law import dimensionless_intensity
 from core.case.study_file import Cell
-from core.study.parametric import ParametricResult, Row, StudyMotion, StudySpectrum
+from core.research.parametric import ParametricResult, Row, StudyMotion, StudySpectrum
 
 QUANTITIES = ("q", "q_slv", "q_slc", "q_robust")
 

@@ -2,7 +2,7 @@
 
 from core.capacity.closed_forms import closed_form_q
 from core.capacity.regression import power_coefficient
-from core.study.set_means import MotionValue, SetMean, chosen, exact
+from core.research.set_means import MotionValue, SetMean, chosen, exact
 from core.units import CM
 
 MECHANISM = {"two_sided": "two-sided", "one_sided": "one-sided"}

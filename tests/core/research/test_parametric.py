@@ -10,11 +10,11 @@ from core.capacity.ida import BRACKET, Search, incremental_dynamic_analysis
 from core.case.study_file import parse_study, read_study
 from core.codes.target_spectrum import ntc2018
 from core.errors import Cancelled, InputError
+from core.research import parametric
+from core.research.parametric import model_of
+from core.research.set_means import motion_values, set_means
 from core.rocking.methods import METHODS
-from core.study import parametric
 from core.study.journal import Journal
-from core.study.parametric import model_of
-from core.study.set_means import motion_values, set_means
 from core.units import G
 from tests.conftest import ROOT
 
