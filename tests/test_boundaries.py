@@ -195,7 +195,7 @@ def test_that_importing_a_module_does_no_work(tmp_path):
         "import importlib, pathlib;"
         "files = sorted(pathlib.Path('core').rglob('*.py'));"
         "names = ['.'.join(p.with_suffix('').parts) for p in files if p.stem not in ('__init__', 'numba_extensions')];"
-        "[importlib.import_module(name) for name in names]; import app.batch;"
+        "[importlib.import_module(name) for name in names]; import app.terminal.batch;"
         "from core.jit import cache;"
         "assert os.environ == before and 'numba' not in sys.modules;"
         "assert not cache.stamp.is_made() and not cache.folder.is_made();"

@@ -9,7 +9,7 @@ from dataclasses import fields
 import pytest
 
 import core.codes
-from app import command_line
+from app.terminal import command_line
 from core.case.schema import Analysis, Case, Generate, Load, Record, Report, ReturnWalls, Wall
 from core.case.site import Building, BuildingMode, Demand, HazardRow, Spectrum
 from core.codes.verdict import ORDER

@@ -6,9 +6,9 @@ import pytest
 
 pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
 
-from app import guide
-from app.forms.fields import Field, TextField
-from app.language import set_language
+from app.input.fields import Field, TextField
+from app.look.language import set_language
+from app.shell import guide
 from core.case.schema import Generate, Record, Wall
 from core.case.site import BuildingMode, Demand, HazardRow, Spectrum
 from core.case.values import field_of
@@ -16,8 +16,8 @@ from tests.test_documents import SECTIONS
 
 ELSEWHERE = {
     (Wall, "mechanism"): "three buttons with their drawings",
-    (Wall, "law"): "a list and two ends (app/forms/impact_form.py)",
-    (Spectrum, "code"): "a list of codes (app/forms/demand_form.py)",
+    (Wall, "law"): "a list and two ends (app/input/impact_form.py)",
+    (Spectrum, "code"): "a list of codes (app/input/demand_form.py)",
     (Demand, "spectrum_file"): "the same list",
     (Demand, "limit_states"): "written in the case file; the outcome at each limit state is shown without it",
     (Demand, "hazard_file"): "the table takes the rows of such a file",

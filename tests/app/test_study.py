@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from openpyxl import load_workbook
 
-from app import study
+from app.terminal import study
 from core.capacity.regression import agreement
 from core.capacity.scale_free_law import FITTED
 from core.research.law_fit import columns, set_columns
@@ -270,7 +270,7 @@ def test_that_the_italian_study_has_the_same_numbers(small, tmp_path):
 def test_that_the_window_of_a_study_runs_cancels_goes_on_and_shows_it(application, small, tmp_path, monkeypatch):
     from PySide6.QtWidgets import QMessageBox
 
-    from app.study_window import StudyWindow
+    from app.shell.study_window import StudyWindow
 
     monkeypatch.setattr(QMessageBox, "warning", lambda *a: pytest.fail(f"unexpected: {a[-1]}"))
     small.write_text(STUDY.replace("q_step = [0.02]", "q_step = [0.004]"))

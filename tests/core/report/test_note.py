@@ -11,7 +11,7 @@ import openpyxl
 import pytest
 
 from app import __main__ as program
-from app import export
+from app.terminal import export
 from core.case.rules import parse_case
 from core.codes.capacity_curve import capacity_curve
 from core.codes.target_spectrum import displacement

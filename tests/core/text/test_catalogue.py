@@ -37,8 +37,8 @@ WORDS = re.compile(r"[A-Za-z]{2,} [a-z]{2,} [a-z]{2,}")
 """Three words in a row: a sentence of English or Italian, whatever else a literal holds."""
 
 OF_NO_SENTENCE = {
-    "app/command_line.py": "what argparse says, and the texts of the terminal for it",
-    "app/forms/impact_form.py": "formulas with their source",
+    "app/terminal/command_line.py": "what argparse says, and the texts of the terminal for it",
+    "app/input/impact_form.py": "formulas with their source",
     "core/case/wall_table.py": "heads of columns, in both languages",
     "core/case/schema.py": "the values of a key",
     "core/derivation/faces.py": "errors of whoever describes a quantity",
