@@ -231,6 +231,10 @@ def nonlinear(mechanism: Kinematic, demand: DemandResult) -> Check | None:
     return Check("nonlinear", DISPLACEMENT_CLAUSE, "m", mechanism.d_limit, mechanism.s_de, zeta, _passed(zeta, demand))
 
 
+CHECKS = ("dynamic", "nonlinear", "linear_q_slv", "linear_q_code")
+"""Names of the checks, the most refined first; the time histories are made by dynamic_check."""
+
+
 def checks_of(mechanism: Kinematic, demand: DemandResult, q_slv: float | None = None) -> tuple[Check, ...]:
     """The kinematic checks that can be made at a demand, the most refined first.
 

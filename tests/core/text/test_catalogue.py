@@ -12,6 +12,7 @@ from core.case import wall_table
 from core.case.rules import parse_case
 from core.case.schema import Analysis, Case, Generate, Load, Record, Report, ReturnWalls, Wall, WallJustification
 from core.case.site import Building, BuildingMode, Demand, DemandJustification, HazardRow, Spectrum
+from core.codes.kinematic import CHECKS
 from core.errors import InputError, place, section
 from core.packages import PACKAGES
 from core.text.catalogue import CATALOGUE, FOLDER, GROUPS, Catalogue
@@ -175,6 +176,7 @@ def test_that_every_text_of_the_catalogue_is_used():
     sides |= {f"section_{entry.name}" for entry in fields(Case)}
     sides |= {f"work_{extra}" for extra in PACKAGES}
     sides |= {f"load_{kind}" for kind in LOAD_KINDS}
+    sides |= {f"by_{label}" for label in (*CHECKS, "linear_sld")}
     sides |= {entry.name for entry in entries}
     for group in set(CATALOGUE) - {"error"}:
         unused = {code for code in CATALOGUE[group] if code not in literals | sides}
