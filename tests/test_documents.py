@@ -13,6 +13,8 @@ from app.terminal import command_line
 from core.case.schema import Analysis, Case, Generate, Load, Record, Report, ReturnWalls, Wall
 from core.case.site import Building, BuildingMode, Demand, HazardRow, Spectrum
 from core.codes.kinematic import CHECKS
+from core.derivation import body, checks, closed_forms, demand
+from core.derivation.quantity import Given
 from core.ground.records import READERS
 from core.ground.records.container import is_zip
 from core.ground.records.grammar import decode
@@ -174,3 +176,14 @@ def test_that_every_verdict_and_every_check_is_in_the_page_of_the_verdict():
     for clause in CLAUSES:
         last = clause.removeprefix("C8.7.1.2.1")
         assert clause in text or f", {last} |" in text, clause
+
+
+def test_that_every_clause_of_a_derivation_is_in_the_page_of_the_clauses():
+    page = text_of("resources/docs/codes.md")
+    modules = [body, checks, closed_forms, demand]
+    described = [value for module in modules for value in vars(module).values() if isinstance(value, Given)]
+    clauses = {value.clause for value in described if value.clause.startswith(("C8", "C7", "3.2"))}
+    assert len(clauses) > 12
+    for clause in clauses:
+        last = clause.removeprefix("C8.7.1.2.1")
+        assert clause in page or f"| {last}" in page or f", {last}" in page, clause
