@@ -18,6 +18,31 @@ def test_that_no_module_is_two_subjects(source):
     assert len(source.read_text().splitlines()) <= 420
 
 
+MAX_LINES, MAX_BRANCHES = 80, 25
+BRANCHES = (ast.If, ast.For, ast.While, ast.IfExp, ast.BoolOp, ast.ExceptHandler, ast.comprehension, ast.match_case)
+
+
+def _lines_of(function) -> int:
+    """Lines of a function from `def` to its end, without its docstring."""
+    first = function.body[0]
+    described = first.end_lineno - first.lineno + 1 if ast.get_docstring(function) is not None else 0
+    return function.end_lineno - function.lineno + 1 - described
+
+
+@pytest.mark.parametrize("source", SOURCES, ids=lambda path: str(path.relative_to(ROOT)))
+def test_that_no_function_is_longer_than_a_step_of_the_calculation(source):
+    """A kernel alone may be longer, whose docstring says why in a sentence that begins with "Length:"."""
+    functions = [n for n in ast.walk(ast.parse(source.read_text())) if isinstance(n, ast.FunctionDef)]
+    long = {function.name: _lines_of(function) for function in functions if _lines_of(function) > MAX_LINES}
+    if source.is_relative_to(ROOT / "core" / "rocking"):
+        reasons = {n.name for n in functions if re.search(r"^\s*Length: \w", ast.get_docstring(n) or "", re.MULTILINE)}
+        assert reasons == set(long)
+    else:
+        assert long == {}
+    branches = {function.name: sum(isinstance(n, BRANCHES) for n in ast.walk(function)) for function in functions}
+    assert {name: count for name, count in branches.items() if count > MAX_BRANCHES} == {}
+
+
 ONE_STEP, ORDER = "tests/validation/test_one_step.py", "tests/validation/test_method_order.py"
 WORKBOOK, RUN = "tests/core/report/test_workbook.py", "tests/core/study/test_run.py"
 LAW = "tests/core/study/test_law_study.py"

@@ -35,12 +35,40 @@ class DemandForm(QWidget):
         self.given = QGroupBox(tr("Check against a demand"))
         self.given.setCheckable(True)
         self.given.toggled.connect(self._toggled)
+        self._make_spectrum()
+        below = [*self._strength_fields(), *self._check_fields(), *self._site_fields()]
+        self.of_demand = [self.state, self.ag, self.soil_factor, self.intensity, *below]
+        connect(self.of_demand, self._changed)
+        connect(self.of_spectrum, self._spectrum_changed)
+        self.curve: SpectrumCurve | None = None
+        self.curve_place = QVBoxLayout()
+        inside = QVBoxLayout(self.given)
+        above = [self.state, self.ag, self.hint, self.kind, self.soil_factor, self.intensity, *self.of_spectrum]
+        for widget in (*above, self.file, self.summary):
+            inside.addWidget(widget)
+        inside.addLayout(self.curve_place)
+        self.hazard = HazardForm(session)
+        for widget in (*below, self.hazard):
+            inside.addWidget(widget)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(6, 6, 6, 6)
+        self.building, self.reasons = BuildingForm(session), reasons_of_demand(session)
+        for widget in (self.given, self.building, self.reasons):
+            layout.addWidget(widget)
+        layout.addStretch(1)
+        self.parts = Parts(
+            self, self._show_demand, self.building.show_case, self.hazard.show_case, self.reasons.show_case
+        )
+
+    def _make_spectrum(self) -> None:
+        """Limit state, a_g and how the spectrum is given, with what is said of it."""
         self.state = ChoiceField(
             Demand, "limit_state", tr("Limit state"), {name: name for name in ("SLV", "SLC", "SLD")}
         )
         self.ag = NumberField(Demand, "ag_g", "a_g", "g", tip=tr("On rigid ground (su suolo rigido); S apart"))
-        self.hint = QLabel()
+        self.hint, self.summary = QLabel(), QLabel()
         self.hint.setWordWrap(True)
+        self.summary.setWordWrap(True)
         self.kind = Choice()
         self.kind.setAccessibleName(tr("Spectrum"))
         for name, shown in (
@@ -58,8 +86,12 @@ class DemandForm(QWidget):
         self.soil = ChoiceField(Spectrum, "soil", tr("Soil"), {name: name for name in SOILS})
         self.topography = ChoiceField(Spectrum, "topography", tr("Topography"), {name: name for name in NTC_TOPOGRAPHY})
         self.type = ChoiceField(Spectrum, "type", tr("Type"), {1: "1", 2: "2"})
+        self.of_spectrum = [self.f0, self.tc, self.soil, self.topography, self.type]
         self.file = QPushButton(tr("Choose file…"))
         self.file.clicked.connect(self._choose_file)
+
+    def _strength_fields(self) -> list:
+        """How well the materials are known."""
         self.factor = NumberField(
             Demand,
             "confidence_factor",
@@ -67,109 +99,53 @@ class DemandForm(QWidget):
             "",
             tip=tr("Less than 1.35: with LC2 or LC3, what was investigated and the strength f of each wall"),
         )
-        self.level = ChoiceField(
-            Demand,
-            "knowledge_level",
-            tr("Level of knowledge"),
-            {None: "–"} | {name: name for name in ("LC1", *KNOWLEDGE)},
-        )
-        self.investigations = TextField(Demand, "investigations", tr("Investigations"))
-        self.confidence = ChoiceField(
-            Demand,
-            "confidence_on",
-            tr("FC acts"),
-            {"capacity": tr("on the strength"), "demand": tr("on the demand")},
-            tip=tr("C8.7.1.2.1.3: on the strength of the capacity curve; on the demand is more cautious"),
-        )
-        self.range = RangeField(
-            Demand,
-            "period_range_s",
-            tr("Periods compared"),
-            "s",
-            tip=tr("Compatibility of the records; empty: 0.15 to 2.0 s, natural records to T_SLV"),
-        )
-        self.scaling = ChoiceField(
-            Demand,
-            "demand_scaling",
-            tr("Records at the demand"),
-            {"as_given": tr("as given"), "pga": tr("scaled to PGA = a_g S")},
-        )
-        self.zeta = NumberField(Demand, "zeta_target", tr("ζ required"))
-        self.q_code = NumberField(Demand, "q_code", tr("q of the code"))
-        self.site = TextField(Demand, "site", tr("Site"))
-        self.coordinates = TextField(Demand, "coordinates", tr("Coordinates"))
-        self.life = NumberField(Demand, "nominal_life_years", "V_N", tr("years"), optional=True)
-        self.use = NumberField(Demand, "use_class_factor", "C_U", "", optional=True)
-        self.period = NumberField(Demand, "return_period_years", "T_R", tr("years"), optional=True)
-        self.summary = QLabel()
-        self.summary.setWordWrap(True)
-        self.curve: SpectrumCurve | None = None
-        self.curve_place = QVBoxLayout()
-        self.of_demand = [
-            self.state,
-            self.ag,
-            self.soil_factor,
-            self.intensity,
+        return [
             self.factor,
-            self.level,
-            self.investigations,
-            self.confidence,
-            self.scaling,
-            self.range,
-            self.zeta,
-            self.q_code,
-            self.site,
-            self.coordinates,
-            self.life,
-            self.use,
-            self.period,
+            ChoiceField(
+                Demand,
+                "knowledge_level",
+                tr("Level of knowledge"),
+                {None: "–"} | {name: name for name in ("LC1", *KNOWLEDGE)},
+            ),
+            TextField(Demand, "investigations", tr("Investigations")),
+            ChoiceField(
+                Demand,
+                "confidence_on",
+                tr("FC acts"),
+                {"capacity": tr("on the strength"), "demand": tr("on the demand")},
+                tip=tr("C8.7.1.2.1.3: on the strength of the capacity curve; on the demand is more cautious"),
+            ),
         ]
-        self.of_spectrum = [self.f0, self.tc, self.soil, self.topography, self.type]
-        connect(self.of_demand, self._changed)
-        connect(self.of_spectrum, self._spectrum_changed)
-        inside = QVBoxLayout(self.given)
-        for widget in (
-            self.state,
-            self.ag,
-            self.hint,
-            self.kind,
-            self.soil_factor,
-            self.intensity,
-            *self.of_spectrum,
-            self.file,
-            self.summary,
-        ):
-            inside.addWidget(widget)
-        inside.addLayout(self.curve_place)
-        for widget in (
-            self.factor,
-            self.level,
-            self.investigations,
-            self.confidence,
-            self.scaling,
-            self.range,
-            self.zeta,
-            self.q_code,
-            self.site,
-            self.coordinates,
-            self.life,
-            self.use,
-            self.period,
-        ):
-            inside.addWidget(widget)
-        self.hazard = HazardForm(session)
-        inside.addWidget(self.hazard)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(6, 6, 6, 6)
-        layout.addWidget(self.given)
-        self.building = BuildingForm(session)
-        layout.addWidget(self.building)
-        self.reasons = reasons_of_demand(session)
-        layout.addWidget(self.reasons)
-        layout.addStretch(1)
-        self.parts = Parts(
-            self, self._show_demand, self.building.show_case, self.hazard.show_case, self.reasons.show_case
-        )
+
+    def _check_fields(self) -> list:
+        """How records are taken to the demand, and what is required."""
+        return [
+            ChoiceField(
+                Demand,
+                "demand_scaling",
+                tr("Records at the demand"),
+                {"as_given": tr("as given"), "pga": tr("scaled to PGA = a_g S")},
+            ),
+            RangeField(
+                Demand,
+                "period_range_s",
+                tr("Periods compared"),
+                "s",
+                tip=tr("Compatibility of the records; empty: 0.15 to 2.0 s, natural records to T_SLV"),
+            ),
+            NumberField(Demand, "zeta_target", tr("ζ required")),
+            NumberField(Demand, "q_code", tr("q of the code")),
+        ]
+
+    def _site_fields(self) -> list:
+        """Where it stands, and the return period asked for."""
+        return [
+            TextField(Demand, "site", tr("Site")),
+            TextField(Demand, "coordinates", tr("Coordinates")),
+            NumberField(Demand, "nominal_life_years", "V_N", tr("years"), optional=True),
+            NumberField(Demand, "use_class_factor", "C_U", "", optional=True),
+            NumberField(Demand, "return_period_years", "T_R", tr("years"), optional=True),
+        ]
 
     def show_case(self) -> None:
         """Fill the form from the session."""

@@ -3,6 +3,7 @@
 import datetime
 import difflib
 import re
+from collections.abc import Callable
 from dataclasses import MISSING, fields
 from types import SimpleNamespace
 
@@ -74,123 +75,157 @@ def are_ends(value) -> bool:
     """Whether this is a law by two numbers."""
     ends = list(value.values()) if isinstance(value, dict) else []
     named = ends and sorted(value) == ["elastic_limit", "plateau_end"]
-    return bool(named) and all(type(end) in (int, float) for end in ends)
+    return bool(named) and _are_numbers(ends)
+
+
+def _number(entry, value, here):
+    rule = entry.metadata
+    whole = rule["kind"] == "int"
+    if isinstance(value, str) and _QUOTED.fullmatch(value.strip()):
+        plain = value.strip().replace(",", ".")
+        raise InputError("number_in_quotes", place=here, key=entry.name, value=repeated(value), plain=plain)
+    if isinstance(value, bool) or not isinstance(value, int if whole else (int, float)):
+        return None
+    above = value > rule["low"] if rule["exclusive"] else value >= rule["low"]
+    if not (above and value <= rule["high"]):  # NaN is neither
+        return None
+    return value if whole else float(value)
+
+
+def _range_of(entry) -> Sentence:
+    rule = entry.metadata
+    code = "whole" if rule["kind"] == "int" else "above" if rule["exclusive"] else "from"
+    unit = f" {rule['unit']}" if rule["unit"] else ""
+    return sentence("accepted", code, low=rule["low"], high=rule["high"], unit=unit)
+
+
+def _choice(entry, value, here):
+    return value if isinstance(value, str) and value in entry.metadata["names"] else None
+
+
+def _is_short_text(value) -> bool:
+    return isinstance(value, str) and len(value) <= MAX_TEXT and is_text(value)
+
+
+def _text(entry, value, here):
+    if isinstance(value, datetime.date):
+        value = value.isoformat()
+    return value if _is_short_text(value) and (value or entry.default is not MISSING) else None
+
+
+def _channel(entry, value, here):
+    if type(value) is int and 1 <= value <= 999:
+        return str(value)
+    return value if _is_short_text(value) else None
+
+
+def _path(entry, value, here):
+    named = isinstance(value, str) and 0 < len(value) <= MAX_PATH and "\0" not in value
+    return value if named and name_of(value) else None
+
+
+def _flag(entry, value, here):
+    return value if isinstance(value, bool) else None
+
+
+def _are_numbers(values) -> bool:
+    return all(type(value) in (int, float) for value in values)
+
+
+def _range(entry, value, here):
+    if not isinstance(value, (list, tuple)) or len(value) != 2 or not _are_numbers(value):
+        return None
+    low, high = float(value[0]), float(value[1])
+    return (low, high) if PERIOD_LIMITS[0] <= low < high <= PERIOD_LIMITS[1] else None
+
+
+def _list(entry, value, here):
+    if not isinstance(value, (list, tuple)) or not value:
+        return None
+    item = SimpleNamespace(name=entry.name, metadata=entry.metadata["of"].metadata, default=MISSING)
+    return tuple(value_of(item, part, *here) for part in value)
+
+
+def _tables(entry, value, here):
+    if not isinstance(value, (list, tuple)) or not value:
+        return None
+    return tuple(_inner(entry, part, f"[[{entry.name}]] {k}", here) for k, part in enumerate(value, start=1))
+
+
+def _section(entry, value, here):
+    return _inner(entry, value, f"[{entry.metadata.get('in', 'wall')}.{entry.name}]", here)
+
+
+def _inner(entry, value, name: str, here):
+    """A section inside another, whose place is said first. name : as in the file"""
+    try:
+        return section_of(entry.metadata["of"], value, entry.name, section(name))
+    except InputError as error:
+        above = [part for part in here if isinstance(part, Sentence)]
+        raise (error.at(above[0]) if above else error) from None
+
+
+def _spectrum(entry, value, here):
+    return section_of(Spectrum, value, "spectrum", section("[demand.spectrum]"))
+
+
+def _hinges(entry, value, here):
+    if value in (FLOORS, BASE):
+        return value
+    heights = value if isinstance(value, (list, tuple)) else ()
+    fits = heights and _are_numbers(heights) and all(0.0 < h < 300.0 for h in heights)
+    return tuple(sorted({float(h) for h in heights})) if fits else None
+
+
+def _law(entry, value, here):
+    if not are_ends(value):
+        return value if isinstance(value, str) and value in LAWS else None
+    first, last = value["elastic_limit"], value["plateau_end"]
+    if MIN_ELASTIC <= first <= last < 1.0:
+        return {"elastic_limit": float(first), "plateau_end": float(last)}
+    ends = {"first": repeated(first), "last": repeated(last), "least": MIN_ELASTIC}
+    raise InputError("ends_not_accepted", place=here, key="law", **ends)
+
+
+def _said(code: str, /, **values) -> Callable:
+    return lambda entry: sentence("accepted", code, **values)
+
+
+KINDS: dict[str, tuple[Callable, Callable]] = {
+    "float": (_number, _range_of),
+    "int": (_number, _range_of),
+    "choice": (_choice, lambda entry: sentence("accepted", "one_of", names=tuple(entry.metadata["names"]))),
+    "text": (_text, _said("text", most=MAX_TEXT)),
+    "channel": (_channel, _said("channel_key")),
+    "path": (_path, _said("path")),
+    "flag": (_flag, _said("flag")),
+    "range": (_range, _said("periods", low=PERIOD_LIMITS[0], high=PERIOD_LIMITS[1])),
+    "list": (_list, lambda entry: sentence("accepted", "list", items=accepted_by(entry.metadata["of"]))),
+    "tables": (_tables, lambda entry: sentence("accepted", "tables", name=entry.name)),
+    "section": (
+        _section,
+        lambda entry: sentence("accepted", "section", of=entry.metadata.get("in", "wall"), name=entry.name),
+    ),
+    "spectrum": (_spectrum, _said("table")),
+    "hinges": (_hinges, _said("hinges", floors=FLOORS, base=BASE)),
+    "law": (_law, _said("law", names=tuple(LAWS))),
+}
+"""Kind of a key -> what reads its value (field, value, place), None where it is not accepted, and its words."""
 
 
 def accepted_by(entry) -> Sentence:
     """What a key accepts."""
-    rule = entry.metadata
-    kind = rule["kind"]
-    if kind == "choice":
-        return sentence("accepted", "one_of", names=tuple(rule["names"]))
-    if kind in ("float", "int"):
-        code = "whole" if kind == "int" else "above" if rule["exclusive"] else "from"
-        unit = f" {rule['unit']}" if rule["unit"] else ""
-        return sentence("accepted", code, low=rule["low"], high=rule["high"], unit=unit)
-    if kind == "range":
-        return sentence("accepted", "periods", low=PERIOD_LIMITS[0], high=PERIOD_LIMITS[1])
-    if kind == "law":
-        return sentence("accepted", "law", names=tuple(LAWS))
-    if kind == "hinges":
-        return sentence("accepted", "hinges", floors=FLOORS, base=BASE)
-    if kind == "list":
-        return sentence("accepted", "list", items=accepted_by(rule["of"]))
-    if kind == "tables":
-        return sentence("accepted", "tables", name=entry.name)
-    if kind == "section":
-        return sentence("accepted", "section", of=rule.get("in", "wall"), name=entry.name)
-    if kind == "channel":
-        return sentence("accepted", "channel_key")
-    if kind == "text":
-        return sentence("accepted", "text", most=MAX_TEXT)
-    return sentence("accepted", {"flag": "flag", "spectrum": "table", "path": "path"}[kind])
+    return KINDS[entry.metadata["kind"]][1](entry)
 
 
 def value_of(entry, value, *here):
     """One value checked against its field; raises InputError with place, value, accepted. here : the place."""
-    rule = entry.metadata
-    kind = rule["kind"]
-    if kind in ("float", "int"):
-        fits = isinstance(value, (int, float) if kind == "float" else int)
-        if fits and not isinstance(value, bool):
-            above = value > rule["low"] if rule["exclusive"] else value >= rule["low"]
-            if above and value <= rule["high"]:  # NaN is neither
-                return float(value) if kind == "float" else value
-    elif kind == "choice":
-        if isinstance(value, str) and value in rule["names"]:
-            return value
-    elif kind == "text":
-        if isinstance(value, datetime.date):
-            value = value.isoformat()
-        printable = isinstance(value, str) and len(value) <= MAX_TEXT and is_text(value)
-        if printable and (value or entry.default is not MISSING):
-            return value
-    elif kind == "channel":
-        if type(value) is int and 1 <= value <= 999:
-            return str(value)
-        if isinstance(value, str) and len(value) <= MAX_TEXT and is_text(value):
-            return value
-    elif kind == "path":
-        named = isinstance(value, str) and 0 < len(value) <= MAX_PATH and "\0" not in value
-        if named and name_of(value):
-            return value
-    elif kind == "flag":
-        if isinstance(value, bool):
-            return value
-    elif kind == "range":
-        pair = list(value) if isinstance(value, (list, tuple)) else []
-        if len(pair) == 2 and all(type(end) in (int, float) for end in pair):
-            low, high = float(pair[0]), float(pair[1])
-            if PERIOD_LIMITS[0] <= low < high <= PERIOD_LIMITS[1]:
-                return (low, high)
-    elif kind == "list":
-        if isinstance(value, (list, tuple)) and value:
-            item = SimpleNamespace(name=entry.name, metadata=rule["of"].metadata, default=MISSING)
-            return tuple(value_of(item, part, *here) for part in value)
-    elif kind == "tables":
-        if isinstance(value, (list, tuple)) and value:
-            above = [part for part in here if isinstance(part, Sentence)]
-            parts = []
-            for k, part in enumerate(value, start=1):
-                try:
-                    parts.append(section_of(rule["of"], part, entry.name, section(f"[[{entry.name}]] {k}")))
-                except InputError as error:
-                    raise (error.at(above[0]) if above else error) from None
-            return tuple(parts)
-    elif kind == "section":
-        try:
-            return section_of(rule["of"], value, entry.name, section(f"[{rule.get('in', 'wall')}.{entry.name}]"))
-        except InputError as error:
-            above = [part for part in here if isinstance(part, Sentence)]
-            raise (error.at(above[0]) if above else error) from None
-    elif kind == "spectrum":
-        return section_of(Spectrum, value, "spectrum", section("[demand.spectrum]"))
-    elif kind == "hinges":
-        if value in (FLOORS, BASE):
-            return value
-        heights = value if isinstance(value, (list, tuple)) else ()
-        if heights and all(type(h) in (int, float) and 0.0 < h < 300.0 for h in heights):
-            return tuple(sorted({float(h) for h in heights}))
-    elif kind == "law":
-        if isinstance(value, str) and value in LAWS:
-            return value
-        if are_ends(value):
-            first, last = value["elastic_limit"], value["plateau_end"]
-            if MIN_ELASTIC <= first <= last < 1.0:
-                return {"elastic_limit": float(first), "plateau_end": float(last)}
-            raise InputError(
-                "ends_not_accepted",
-                place=here,
-                key="law",
-                first=repeated(first),
-                last=repeated(last),
-                least=MIN_ELASTIC,
-            )
-    shown, accepted = repeated(value), accepted_by(entry)
-    if kind in ("float", "int") and isinstance(value, str) and _QUOTED.fullmatch(value.strip()):
-        plain = value.strip().replace(",", ".")
-        raise InputError("number_in_quotes", place=here, key=entry.name, value=shown, plain=plain)
-    raise InputError("not_accepted", place=here, key=entry.name, value=shown, accepted=accepted, found=value)
+    read, accepted = KINDS[entry.metadata["kind"]]
+    found = read(entry, value, here)
+    if found is None:
+        shown = repeated(value)
+        raise InputError("not_accepted", place=here, key=entry.name, value=shown, accepted=accepted(entry), found=value)
+    return found
 
 
 def repeated(value) -> str:

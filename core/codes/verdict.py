@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from typing import Any, NamedTuple
 
 from core.capacity.ida import BRACKET
 from core.codes.demand import DemandResult
@@ -125,6 +126,33 @@ def passes_with_q2(check: Check | None, target: float) -> bool:
     return check.zeta * min(1.0, CODE_Q / (check.q or CODE_Q)) >= target - ROUNDING
 
 
+class Evidence(NamedTuple):
+    """What a verdict is judged by; each as `verdict` takes it."""
+
+    wall: Any
+    mechanism: str
+    demand: DemandResult
+    checks: tuple[Check, ...]
+    dynamic: DemandCheck | None
+    kinematic: Kinematic | None
+    compliance: Compliance | None
+    circumstances: Circumstances
+
+    @property
+    def governing(self) -> Check | None:
+        """The check that decides."""
+        return governing_check(self.checks)
+
+    @property
+    def zeta(self) -> float | None:
+        """Of the check that decides [-]."""
+        return self.governing.zeta if self.governing else None
+
+    def made(self, name: str) -> Check | None:
+        """The check of this name, None where it was not made."""
+        return next((check for check in self.checks if check.name == name), None)
+
+
 def verdict(
     wall,
     mechanism: str,
@@ -152,63 +180,33 @@ def verdict(
     own_limits : Sentences on the checks and on the floor of a wall above the ground
     lifts : inputs that raise zeta
     """
-    block = wall.block()
+    seen = Evidence(wall, mechanism, demand, checks, dynamic, kinematic, compliance, circumstances)
     threshold = G * wall.uplift_multiplier(mechanism)
-    made = {check.name: check for check in checks}
-    governing, q_code = governing_check(checks), made.get("linear_q_code")
-    zeta = governing.zeta if governing else None
-    target = demand.zeta_target
-    missing = _missing(wall, governing, kinematic)
-    activated = _activated(wall, threshold, demand, checks, kinematic, circumstances)
-    blocking = _limits(wall, mechanism, block, demand, dynamic, compliance, circumstances)
-    turned = [lift.words for lift in lifts if lift.turns and not lift.justified]
-    blocking += turned
-    if dynamic and dynamic.passed and _alone(made, dynamic):
+    missing = _missing(seen)
+    unfounded = [lift.words for lift in lifts if lift.turns and not lift.justified]
+    blocking = [*_limits(seen), *unfounded]
+    if dynamic and dynamic.passed and _alone(seen):
         blocking.append(_reason("alone"))
-    agrees = passes_with_q2(q_code, target)
+    agrees = passes_with_q2(seen.made("linear_q_code"), demand.zeta_target)
     rests_on = [Key(lift.key) for lift in lifts if lift.turns_q and not lift.justified] if agrees else []
     agrees = agrees and not rests_on
     if missing is not None:
         code = "undetermined"
-    elif not activated and not turned:
+    elif not unfounded and not _activated(seen, threshold):
         code = "not_activated"
-    elif dynamic and dynamic.within_spread(target):
-        code = "at_limit"
-    elif blocking:
-        code = "indicative"
-    elif governing.passed:
-        refined = demand.limit_state == "SLV" and not agrees
-        code = "verified_refined" if refined else "verified"
     else:
-        code = "q2_unsafe" if agrees else "not_verified"
+        code = _code(seen, bool(blocking), agrees)
     limits = [*blocking, *own_limits]
     limits += [lift.words for lift in lifts if lift.words not in limits]
     if rests_on:
         limits.append(_reason("q_rests_on", q=Number(CODE_Q, "g"), keys=tuple(rests_on)))
-    if code != "undetermined":
-        limits += _of_the_histories(dynamic, kinematic, wall, zeta, target)
-    if kinematic and kinematic.missing:
-        keys = tuple(sentence("missing", key) for key in kinematic.missing)
-        limits.append(_reason("no_period", missing=keys))
-    if lower_bound is not None:
-        limits.append(_reason("restraint_fails", zeta=Number(lower_bound)))
-    weaker = _weaker(dynamic) if code != "undetermined" else None
-    if weaker and dynamic.zeta_first < target:
-        limits.append(weaker)
-    notes = [weaker] if weaker and dynamic.zeta_first >= target else []
-    if kinematic and kinematic.chain.friction_height is not None:
-        notes.append(_reason("friction_hinge", height=kinematic.chain.friction_height))
-    if dynamic and compliance and code != "not_activated":
-        if compliance.unnamed:
-            notes.append(_reason("no_station", n=compliance.unnamed))
-        if compliance.stations <= MEAN_FROM:
-            notes.append(_reason("more_records", n=compliance.stations))
-    by = sentence("added", "nothing")
-    if governing and zeta is not None:
+    limits += _limits_of_the_number(seen, code, lower_bound)
+    governing, by = seen.governing, sentence("added", "nothing")
+    if governing and governing.zeta is not None:
         by = measured(governing, dynamic, demand)
     largest = demand.pga
     if wall.above_ground and code == "not_activated":
-        largest = _strongest(demand, kinematic, circumstances)
+        largest = _strongest(seen)
     way, values = outcome(code, missing, threshold, demand, governing, checks, dynamic, by, largest, wall)
     decides = missing
     if missing is None and governing:
@@ -216,48 +214,96 @@ def verdict(
     return Verdict(
         code,
         governing.name if governing else None,
-        zeta,
-        target,
+        seen.zeta,
+        demand.zeta_target,
         way,
         tuple(values.items()),
         decides,
         tuple(_to_do(code, blocking, lifts)[:2]),
         tuple(limits),
-        tuple(notes),
+        tuple(_notes(seen, code)),
         lower_bound,
     )
 
 
-def _missing(wall, governing, kinematic) -> Sentence | None:
+def _code(seen: Evidence, blocked: bool, agrees: bool) -> str:
+    """Code of the verdict of a wall the motion lifts, by the check that decides.
+
+    blocked : something makes it indicative
+    agrees : the check with q = 2 is satisfied
+    """
+    if seen.dynamic and seen.dynamic.within_spread(seen.demand.zeta_target):
+        return "at_limit"
+    if blocked:
+        return "indicative"
+    if not seen.governing.passed:
+        return "q2_unsafe" if agrees else "not_verified"
+    return "verified_refined" if seen.demand.limit_state == "SLV" and not agrees else "verified"
+
+
+def _limits_of_the_number(seen: Evidence, code: str, lower_bound: float | None) -> list[Sentence]:
+    """What zeta is to be read with. lower_bound : as `verdict` takes it"""
+    limits = _of_the_histories(seen) if code != "undetermined" else []
+    if seen.kinematic and seen.kinematic.missing:
+        keys = tuple(sentence("missing", key) for key in seen.kinematic.missing)
+        limits.append(_reason("no_period", missing=keys))
+    if lower_bound is not None:
+        limits.append(_reason("restraint_fails", zeta=Number(lower_bound)))
+    weaker = _weaker(seen, code)
+    if weaker and seen.dynamic.zeta_first < seen.demand.zeta_target:
+        limits.append(weaker)
+    return limits
+
+
+def _notes(seen: Evidence, code: str) -> list[Sentence]:
+    """What a reader may pass over."""
+    notes = []
+    weaker = _weaker(seen, code)
+    if weaker and seen.dynamic.zeta_first >= seen.demand.zeta_target:
+        notes.append(weaker)
+    if seen.kinematic and seen.kinematic.chain.friction_height is not None:
+        notes.append(_reason("friction_hinge", height=seen.kinematic.chain.friction_height))
+    compliance = seen.compliance
+    if seen.dynamic and compliance and code != "not_activated":
+        if compliance.unnamed:
+            notes.append(_reason("no_station", n=compliance.unnamed))
+        if compliance.stations <= MEAN_FROM:
+            notes.append(_reason("more_records", n=compliance.stations))
+    return notes
+
+
+def _missing(seen: Evidence) -> Sentence | None:
     """What is missing where no verdict can be given, with the keys that give it."""
-    if wall.above_ground and kinematic is None:
+    if seen.wall.above_ground and seen.kinematic is None:
         keys = {"height": "height_m", "storeys": "storeys", "period": "period_s", "building": "[building]"}
         keys = {name: Key(key) for name, key in keys.items()}
-        return _reason("upper_floor", z=wall.base_z_m, **keys)
-    if governing is None:
+        return _reason("upper_floor", z=seen.wall.base_z_m, **keys)
+    if seen.governing is None:
         keys = {"spectrum": "spectrum", "modulus": "elastic_modulus_mpa", "weight": "unit_weight_kn_m3"}
         return _reason("no_check", **{name: Key(key) for name, key in keys.items()})
-    return _reason("no_number") if governing.zeta is None else None
+    return _reason("no_number") if seen.zeta is None else None
 
 
-def _alone(made: dict[str, Check], dynamic: DemandCheck) -> bool:
+def _alone(seen: Evidence) -> bool:
     """Whether neither the displacement check nor FC on the other side confirms what the histories say."""
-    displacement, other = made.get("nonlinear"), dynamic.zeta_other
+    displacement, other = seen.made("nonlinear"), seen.dynamic.zeta_other
     refuted = displacement is not None and displacement.passed is False
     return refuted and other is not None and not other.passed
 
 
-def _weaker(dynamic: DemandCheck | None) -> Sentence | None:
+def _weaker(seen: Evidence, code: str) -> Sentence | None:
     """A motion weaker than zeta_E that fails the rule: said whenever one does, also above what is required."""
-    if dynamic is None or dynamic.zeta is None or dynamic.zeta_first is None:
+    dynamic = seen.dynamic
+    if code == "undetermined" or dynamic is None or dynamic.zeta is None or dynamic.zeta_first is None:
         return None
     if dynamic.zeta_first >= dynamic.zeta * (1.0 - BRACKET):
         return None
     return _reason("weaker_fails", first=dynamic.zeta_first, zeta_16=Number(dynamic.zeta_16))
 
 
-def _of_the_histories(dynamic, kinematic, wall, zeta, target) -> list[Sentence]:
+def _of_the_histories(seen: Evidence) -> list[Sentence]:
     """What else the histories say of the demand and of weaker motions."""
+    dynamic, zeta, target = seen.dynamic, seen.zeta, seen.demand.zeta_target
     if dynamic is None or zeta is None:
         return []
     said = []
@@ -270,7 +316,7 @@ def _of_the_histories(dynamic, kinematic, wall, zeta, target) -> list[Sentence]:
         said.append(_reason("whole_demand_fails", target=target))
     if dynamic.passed and dynamic.zeta_16 is not None and dynamic.zeta_16 < target:
         said.append(_reason("share", share=dynamic.share_failing_at_demand, target=target))
-    if kinematic and kinematic.free_element and wall.moment_law().is_rigid:
+    if seen.kinematic and seen.kinematic.free_element and seen.wall.moment_law().is_rigid:
         said.append(_reason("rigid_free"))
     return said
 
@@ -293,39 +339,33 @@ def _to_do(code: str, blocking: list[Sentence], lifts: tuple[Lift, ...]) -> list
     return found
 
 
-def _activated(wall, threshold: float, demand: DemandResult, checks, kinematic, circumstances) -> bool:
+def _activated(seen: Evidence, threshold: float) -> bool:
     """Whether the motion can lift the wall at all, or a check fails all the same. An element free to vibrate is
-    lifted by S_e(T_0) (C8.7.1.9): where T_0 is not known, neither is that it stays at rest."""
+    lifted by S_e(T_0) (C8.7.1.9): where T_0 is not known, neither is that it stays at rest. threshold : a_RM [m/s2]"""
+    kinematic, demand = seen.kinematic, seen.demand
     lifted = None if kinematic is None else kinematic.zeta_sld
     if kinematic and kinematic.free_element and (lifted is None or lifted < max(1.0, demand.zeta_target)):
         return True
-    strongest = _strongest(demand, kinematic, circumstances) * max(1.0, demand.zeta_target)
+    strongest = _strongest(seen) * max(1.0, demand.zeta_target)
     at_rest = demand.confidence_factor * strongest <= threshold
-    rigid = wall.moment_law().is_rigid
-    return not rigid or not at_rest or any(check.passed is False for check in checks)
+    rigid = seen.wall.moment_law().is_rigid
+    return not rigid or not at_rest or any(check.passed is False for check in seen.checks)
 
 
-def _strongest(demand: DemandResult, kinematic, circumstances) -> float:
+def _strongest(seen: Evidence) -> float:
     """Largest acceleration under the wall at the demand, FC apart [m/s2]."""
+    demand, kinematic = seen.demand, seen.kinematic
     first = float(demand.target.acceleration([0.0])[0]) if demand.target else demand.pga
     if kinematic and kinematic.floor:
         first = max(first, kinematic.floor.a_z)
-    return max(demand.pga, first, circumstances.strongest)
+    return max(demand.pga, first, seen.circumstances.strongest)
 
 
-def _limits(wall, mechanism: str, block, demand, dynamic, compliance, circumstances: Circumstances) -> list[Sentence]:
-    """Reasons for which the checks are indicative only.
-
-    wall : of the case
-    mechanism : two_sided or one_sided
-    block : of the wall
-    demand : DemandResult
-    dynamic : DemandCheck, None where there are no histories
-    compliance : Compliance, None without a spectrum
-    circumstances : what else the verdict must know
-    """
+def _limits(seen: Evidence) -> list[Sentence]:
+    """Reasons for which the checks are indicative only."""
+    demand, compliance, circumstances = seen.demand, seen.compliance, seen.circumstances
     reasons = []
-    if dynamic:
+    if seen.dynamic:
         if compliance is None:
             reasons.append(_reason("no_spectrum"))
         elif not compliance.compatible:
@@ -348,11 +388,11 @@ def _limits(wall, mechanism: str, block, demand, dynamic, compliance, circumstan
             reasons.append(_reason("comparison_method"))
     if circumstances.period_estimated:
         reasons.append(_reason("period_estimated"))
-    if mechanism == "one_sided" and not wall.back_restraint:
+    if seen.mechanism == "one_sided" and not seen.wall.back_restraint:
         reasons.append(_reason("no_restraint"))
     if not demand.soil_factor_stated:
         reasons.append(_reason("no_soil_factor"))
-    alpha = math.degrees(block.slenderness)
+    alpha = math.degrees(seen.wall.block().slenderness)
     if alpha > STOCKY_DEG:
         reasons.append(_reason("stocky", alpha=alpha))
     return reasons

@@ -75,8 +75,15 @@ def _wall(book: Book, sheet, wall: WallResult, check, row: int) -> int:
         1,
         32 if len(label) > 30 else 18,
     )
-    first = row + 1
-    overturns = word("overturned", book.language)
+    last = _peaks(book, sheet, check, row)
+    row = _rule(book, sheet, check, row + 1, last)
+    row = _multipliers(book, sheet, check, row)
+    rule(sheet, row, 1, 7)
+    return row + 1
+
+
+def _peaks(book: Book, sheet, check, row: int) -> int:
+    """A row for each record below this one, with the peaks of both signs; returns the last."""
     for motion in dict.fromkeys(run.motion for run in check.runs):
         row += 1
         runs = {run.polarity: run for run in check.runs if run.motion == motion}
@@ -99,8 +106,13 @@ def _wall(book: Book, sheet, wall: WallResult, check, row: int) -> int:
         status = next((run.status for run in runs.values() if run.status != "stable"), "stable")
         text(sheet, row, 7, word(status, book.language), color=INK if status == "stable" else BAD, align="center")
         rule(sheet, row, 1, 7)
-    last = row
-    row += 1
+    return row
+
+
+def _rule(book: Book, sheet, check, first: int, last: int) -> int:
+    """The rule over the peaks in rows first to last, as formulas below them; returns its last row."""
+    say, overturns = book.say, word("overturned", book.language)
+    row = last + 1
     text(sheet, row, 1, say("runs in which θc is exceeded"))
     area = f"C{first}:D{last}"
     book.formula(
@@ -127,6 +139,12 @@ def _wall(book: Book, sheet, wall: WallResult, check, row: int) -> int:
         yes if check.holds else no,
     )
     style(cell, bold=True, color=GOOD if check.holds else BAD, align="right")
+    return row
+
+
+def _multipliers(book: Book, sheet, check, row: int) -> int:
+    """Multipliers of the demand at which the rule fails, below this row; returns the last."""
+    say = book.say
     on = word(f"confidence_{check.confidence_on}", book.language)
     low, high = check.zeta_spread or (None, None)
     rows = [
@@ -144,8 +162,7 @@ def _wall(book: Book, sheet, wall: WallResult, check, row: int) -> int:
         row += 1
         text(sheet, row, 1, label, bold=n == 0)
         number(sheet, row, 5, value, shape, bold=n == 0)
-    rule(sheet, row, 1, 7)
-    return row + 1
+    return row
 
 
 def spectral_compatibility(book: Book, result: StudyResult) -> None:

@@ -21,7 +21,7 @@ from core.report.cells import (
     text,
     title,
 )
-from core.study.results import StudyResult
+from core.study.results import Run, StudyResult, WallResult
 from core.text.sentence import localized, word
 from core.units import CM, G
 from core.version import NAME, VERSION, commit
@@ -205,31 +205,7 @@ def results(book: Book, result: StudyResult) -> None:
     for wall in book.steps.each(result.walls):
         for run in wall.runs:
             row += 1
-            ida = run.ida
-            text(sheet, row, 1, wall.name, wrap=True)
-            text(sheet, row, 2, word(wall.mechanism, book.language))
-            text(sheet, row, 3, run.record, wrap=True)
-            heighten(sheet, row, (wall.name, 20), (run.record, 24))
-            text(sheet, row, 4, "+" if run.polarity > 0 else "−", align="center")
-            text(sheet, row, 5, status_word(book, ida.status), color=INK if ida.q else BAD)
-            low, high = ida.bracket or (None, None)
-            for column, value, shape in (
-                (6, ida.q, RATIO),
-                (7, low, "0.0000"),
-                (8, high, "0.0000"),
-                (9, ida.q_slv, RATIO),
-                (10, ida.q_slc, RATIO),
-                (11, ida.q_robust, RATIO),
-                (12, run.scale, ACCELERATION),
-                (13, run.q_eff, RATIO),
-                (14, ida.q_last_survival, RATIO),
-                (15, ida.survived_fraction, RATIO),
-                (16, len(ida.survival_windows), WHOLE),
-                (17, ida.analyses, WHOLE),
-                (18, ida.impact_limited, WHOLE),
-                (19, ida.clamped, WHOLE),
-            ):
-                number(sheet, row, column, value, shape, bold=column == 6 and value is not None)
+            _run(book, sheet, row, wall, run)
             rule(sheet, row, 1, len(widths))
     if row > 3:
         sheet.auto_filter.ref = f"A3:S{row}"
@@ -248,6 +224,35 @@ def results(book: Book, result: StudyResult) -> None:
         170,
         color=QUIET,
     )
+
+
+def _run(book: Book, sheet, row: int, wall: WallResult, run: Run) -> None:
+    """The row of one wall, record and sign."""
+    ida = run.ida
+    text(sheet, row, 1, wall.name, wrap=True)
+    text(sheet, row, 2, word(wall.mechanism, book.language))
+    text(sheet, row, 3, run.record, wrap=True)
+    heighten(sheet, row, (wall.name, 20), (run.record, 24))
+    text(sheet, row, 4, "+" if run.polarity > 0 else "−", align="center")
+    text(sheet, row, 5, status_word(book, ida.status), color=INK if ida.q else BAD)
+    low, high = ida.bracket or (None, None)
+    for column, value, shape in (
+        (6, ida.q, RATIO),
+        (7, low, "0.0000"),
+        (8, high, "0.0000"),
+        (9, ida.q_slv, RATIO),
+        (10, ida.q_slc, RATIO),
+        (11, ida.q_robust, RATIO),
+        (12, run.scale, ACCELERATION),
+        (13, run.q_eff, RATIO),
+        (14, ida.q_last_survival, RATIO),
+        (15, ida.survived_fraction, RATIO),
+        (16, len(ida.survival_windows), WHOLE),
+        (17, ida.analyses, WHOLE),
+        (18, ida.impact_limited, WHOLE),
+        (19, ida.clamped, WHOLE),
+    ):
+        number(sheet, row, column, value, shape, bold=column == 6 and value is not None)
 
 
 def method(book: Book, result: StudyResult) -> None:

@@ -220,7 +220,10 @@ def remove_lane(k, lanes, numbers, state):
 
 
 def make_lane_kernel(order):
-    """The kernel of one pass, specialised at compile time for order 6 or 8."""
+    """The kernel of one pass, specialised at compile time for order 6 or 8.
+
+    Length: it holds the kernel, one loop over the steps of all lanes that shares their counts.
+    """
 
     @kernel
     def one_pass(

@@ -4,21 +4,21 @@ from collections.abc import Callable
 
 from core.case.site import Building, Demand
 from core.codes.demand import DemandResult
-from core.codes.dynamic_check import BOUND_EVERY, demand_check
-from core.codes.kinematic import Kinematic, linear, nonlinear, sld
+from core.codes.dynamic_check import BOUND_EVERY, DemandCheck, demand_check
+from core.codes.kinematic import Check, Kinematic, linear, nonlinear, sld
 from core.codes.record_compatibility import Compliance
-from core.codes.risk import risk
-from core.codes.verdict import Circumstances, governing_check, verdict
+from core.codes.risk import Risk, risk
+from core.codes.verdict import Circumstances, Verdict, governing_check, verdict
 from core.ground.ground_motion import GroundMotion
 from core.ground.provenance import stations
 from core.rocking.methods import Method
 from core.study.floors import LOW_CODE, building_notes
 from core.study.results import Assessment, WallResult
-from core.study.tie_design import tie_design, with_tie
+from core.study.tie_design import TieDesign, tie_design, with_tie
 from core.study.zeta_with import Scene, lifts, zeta_with
 from core.text.sentence import Sentence, sentence
 from core.wall.restitution import restitution
-from core.wall.rocking_model import rocking_model
+from core.wall.rocking_model import RockingModel, rocking_model
 from core.wall.wall_loads import contact_of, rocks_both_ways
 
 EXACT_METHODS = ("auto", "taylor", "taylor_6", "dormand_prince")
@@ -70,27 +70,76 @@ def assess(
     Raises Cancelled.
     """
     own = wall.wall
-    strongest = max((demand.scaling(m) * m.pga for m in motions), default=0.0)
-    doubtful = Circumstances(
-        stations=len(stations(motions)),
-        bundled=any(is_bundled(motion) for motion in motions),
-        strongest=strongest,
-        both_signs=wall.model.both_signs_alike or len(polarities) == 2,
-        period_estimated=wall.floor is not None and wall.floor.estimated,
-        exact=method.name in EXACT_METHODS,
-    )
+    doubtful = _circumstances(wall, motions, polarities, demand, method)
     if kinematic is None:
         result = verdict(own, wall.mechanism, demand, (), None, None, compliance, doubtful, None)
         return Assessment(None, (), None, None, result)
     dynamic = dynamic_check(wall.model, motions, polarities, demand, method, cancelled=cancelled)
     below = None
     if dynamic and own.mechanism == "one_sided" and rocks_both_ways(own):
-        free = restitution(wall.block, "housner", contact=contact_of(own))
-        model = rocking_model(wall.block, False, free, wall.law, own.restoring())
-        signs = (1,) if model.both_signs_alike else (1, -1)
+        model, signs = _without_restraint(wall)
         below = dynamic_check(model, motions, signs, demand, method, BOUND_EVERY, False, cancelled)
-    limits: list[Sentence] = []
+    checks, limits = _checks(wall, kinematic, demand, dynamic)
+    decides = governing_check(checks)
+    known = decides is not None and decides.zeta is not None
+    grounds = tuple(ground or motions)
+    scene = Scene(
+        own, wall.mechanism, demand, building, grounds, polarities, method, decides, wall.floor, dynamic_check
+    )
+    raised = lifts(scene, asked, checks, cancelled) if known and asked else ()
+    ratio = wall.floor.code_over_records(kinematic) if wall.floor is not None else None
+    if wall.floor is not None:
+        limits += building_notes(building, demand.limit_state)
+    if ratio is not None and ratio < LOW_CODE:
+        limits.append(sentence("reason", "code_below_records", ratio=ratio))
+    if dynamic and any(motion.format == GENERATED for motion in grounds):
+        limits.append(sentence("reason", "generated_motions"))
+    result = verdict(
+        own,
+        wall.mechanism,
+        demand,
+        checks,
+        dynamic,
+        kinematic,
+        compliance,
+        doubtful,
+        below.zeta if below else None,
+        tuple(limits),
+        raised,
+    )
+    capacity = _capacity(result, demand, dynamic)
+    tie = None
+    if own.tie_height_m is not None and wall.mechanism == "one_sided" and known:
+        tie = _tie(scene, result, dynamic, cancelled)
+    sensitivity = {lift.words.code: lift.zeta for lift in raised if lift.words.code in OF_THE_FLOOR}
+    return Assessment(kinematic, checks, dynamic, below, result, sensitivity, ratio, capacity, tie)
+
+
+def _circumstances(wall: WallResult, motions, polarities, demand: DemandResult, method: Method) -> Circumstances:
+    """What the verdict must know beside the checks. motions, polarities : as `assess` takes them"""
+    return Circumstances(
+        stations=len(stations(motions)),
+        bundled=any(is_bundled(motion) for motion in motions),
+        strongest=max((demand.scaling(m) * m.pga for m in motions), default=0.0),
+        both_signs=wall.model.both_signs_alike or len(polarities) == 2,
+        period_estimated=wall.floor is not None and wall.floor.estimated,
+        exact=method.name in EXACT_METHODS,
+    )
+
+
+def _without_restraint(wall: WallResult) -> tuple[RockingModel, tuple[int, ...]]:
+    """A one-sided wall as it rocks both ways where what restrains it fails, and the signs of its records."""
+    free = restitution(wall.block, "housner", contact=contact_of(wall.wall))
+    model = rocking_model(wall.block, False, free, wall.law, wall.wall.restoring())
+    return model, (1,) if model.both_signs_alike else (1, -1)
+
+
+def _checks(
+    wall: WallResult, kinematic: Kinematic, demand: DemandResult, dynamic: DemandCheck | None
+) -> tuple[tuple[Check, ...], list[Sentence]]:
+    """(the checks that can be made, what the linear one with the wall's own q is to be read with)."""
     rows = [dynamic.as_check() if dynamic else None, nonlinear(kinematic, demand)]
+    limits: list[Sentence] = []
     if demand.limit_state == "SLD":
         rows.append(sld(kinematic, demand))
     elif demand.limit_state == "SLV":
@@ -107,57 +156,26 @@ def assess(
             if lower and upper.passed and not lower.passed:
                 limits.append(sentence("reason", "lower_q_slv", low=wall.q_slv_low_set, q=wall.q_slv_set))
         rows.append(linear("linear_q_code", kinematic, demand, demand.q_code))
-    checks = tuple(check for check in rows if check is not None)
-    decides = governing_check(checks)
-    known = decides is not None and decides.zeta is not None
-    scene = Scene(
-        own,
-        wall.mechanism,
-        demand,
-        building,
-        tuple(ground or motions),
-        polarities,
-        method,
-        decides,
-        wall.floor,
-        dynamic_check,
-    )
-    raised = lifts(scene, asked, checks, cancelled) if known and asked else ()
-    ratio = None
-    if wall.floor is not None:
-        ratio = wall.floor.code_over_records(kinematic)
-        limits += building_notes(building, demand.limit_state)
-        if ratio is not None and ratio < LOW_CODE:
-            limits.append(sentence("reason", "code_below_records", ratio=ratio))
-    if dynamic and any(motion.format == GENERATED for motion in ground or motions):
-        limits.append(sentence("reason", "generated_motions"))
-    result = verdict(
-        own,
-        wall.mechanism,
-        demand,
-        checks,
-        dynamic,
-        kinematic,
-        compliance,
-        doubtful,
-        below.zeta if below else None,
-        tuple(limits),
-        raised,
-    )
-    unknown = result.zeta_e is None
-    if dynamic and result.governing == "dynamic":  # records weaker than the demand tell nothing of a PGA
-        unknown = unknown or demand.weak_share is not None
-    least = dynamic.zeta_spread[0] if dynamic and result.governing == "dynamic" and dynamic.zeta_spread else None
-    capacity = None if unknown else risk(result.zeta_e, demand, least)
-    tie = None
-    if own.tie_height_m is not None and wall.mechanism == "one_sided" and known:
+    return tuple(check for check in rows if check is not None), limits
 
-        def judged_with(force: float, every: int) -> tuple[float | None, bool]:
-            return zeta_with(scene, every, cancelled, wall=with_tie(own, force))
 
-        sure = decides.passed and not (
-            dynamic and decides.name == "dynamic" and dynamic.within_spread(demand.zeta_target)
-        )
-        tie = tie_design(own, (result.zeta_e, bool(sure)), decides.label, judged_with)
-    sensitivity = {lift.words.code: lift.zeta for lift in raised if lift.words.code in OF_THE_FLOOR}
-    return Assessment(kinematic, checks, dynamic, below, result, sensitivity, ratio, capacity, tie)
+def _capacity(result: Verdict, demand: DemandResult, dynamic: DemandCheck | None) -> Risk | None:
+    """PGA the wall withstands and its return period, None where zeta_E tells neither."""
+    histories = dynamic if result.governing == "dynamic" else None
+    # records weaker than the demand tell nothing of a PGA
+    if result.zeta_e is None or (histories and demand.weak_share is not None):
+        return None
+    least = histories.zeta_spread[0] if histories and histories.zeta_spread else None
+    return risk(result.zeta_e, demand, least)
+
+
+def _tie(scene: Scene, result: Verdict, dynamic: DemandCheck | None, cancelled: Callable[[], bool]) -> TieDesign:
+    """The tie that brings zeta to what is required. result : of the wall without it"""
+    wall, decides = scene.wall, scene.decides
+
+    def judged_with(force: float, every: int) -> tuple[float | None, bool]:
+        return zeta_with(scene, every, cancelled, wall=with_tie(wall, force))
+
+    doubtful = dynamic and decides.name == "dynamic" and dynamic.within_spread(scene.demand.zeta_target)
+    sure = bool(decides.passed and not doubtful)
+    return tie_design(wall, (result.zeta_e, sure), decides.label, judged_with)

@@ -56,7 +56,7 @@ class Claim:
     claim: str
     held: int | None
     tried: int | None
-    found: str
+    found: str = ""
 
 
 @dataclass(frozen=True)

@@ -5,25 +5,25 @@ import hashlib
 from collections.abc import Callable
 from dataclasses import asdict, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from core.capacity.accuracy import Accuracy, accuracy
 from core.capacity.ida import Ida, Search, incremental_dynamic_analysis, multiplier_of, threshold_of
-from core.case.hinges import parts
+from core.case.hinges import Part, parts
 from core.case.schema import Case, Wall
-from core.codes.demand import with_records
-from core.codes.kinematic import kinematic
+from core.codes.demand import DemandResult, with_records
+from core.codes.kinematic import Kinematic, kinematic
 from core.codes.record_compatibility import compliance, period_range
 from core.ground.ground_motion import GroundMotion
 from core.jit import cache
 from core.rocking.history import history, scan
-from core.rocking.methods import AUTO, METHODS, resolve_auto
+from core.rocking.methods import AUTO, METHODS, Method, resolve_auto
 from core.study import precompile
 from core.study.assessment import assess
 from core.study.demand_input import demand_of, generated
-from core.study.floors import floor_of
+from core.study.floors import Floor, floor_of
 from core.study.governing import lowest_run
 from core.study.journal import Journal, Memory, rebuilt
 from core.study.kept_checks import KeptChecks
@@ -36,6 +36,52 @@ from core.study.wall_result import run_result, wall_result, with_governing_tie, 
 from core.study.wall_verdict import wall_verdicts
 from core.version import VERSION
 from core.wall.rocking_model import RockingModel, rocking_model
+
+
+class Entry(NamedTuple):
+    """One wall of a study about one hinge, by one mechanism.
+
+    signs : each record is taken with, 1 as recorded, -1 reversed
+    floor : it stands on, None on the ground
+    felt : the records as they move it
+    kinematic : its mechanism, None without a demand and above the ground where the building is not known
+    """
+
+    part: Part
+    mechanism: str
+    model: RockingModel
+    signs: tuple[int, ...]
+    floor: Floor | None
+    felt: list[GroundMotion]
+    kinematic: Kinematic | None
+
+
+class Plan(NamedTuple):
+    """What a study does, known before its first analysis.
+
+    demand : without what the records add, None where no check is asked for
+    motions : of the ground, with those generated; kinds : of each
+    entries : the walls
+    """
+
+    case: Case
+    demand: DemandResult | None
+    motions: list[GroundMotion]
+    kinds: list[str]
+    method: Method
+    search: Search
+    entries: list[Entry]
+
+    @property
+    def runs(self) -> list[tuple[int, int, int]]:
+        """(wall, record, sign) of each search."""
+        walls = enumerate(self.entries)
+        return [(k, record, sign) for k, one in walls for record in range(len(self.motions)) for sign in one.signs]
+
+    @property
+    def longest_period(self) -> float:
+        """Of the mechanisms [s], 0 without one."""
+        return max((one.kinematic.period or 0.0 for one in self.entries if one.kinematic), default=0.0)
 
 
 def run(
@@ -59,111 +105,29 @@ def run(
     """
     started = datetime.datetime.now(datetime.UTC)
     cache.proven()
-    demand = demand_of(case, base_dir)
-    motions, kinds = read_records(case, base_dir)
-    made = generated(case, demand) if demand else []
-    motions, kinds = joined(motions, made), kinds + ["artificial"] * len(made)
-    method = METHODS.get(case.analysis.method, AUTO)
-    chosen = case.analysis
-    search = Search(chosen.q_step, chosen.q_limit, chosen.map_span, chosen.robust_window)
-    hinged = parts(case)
-    entries = [(part, mechanism) for part in hinged for mechanism in part.wall.mechanisms()]
-    walls = [(part.wall, mechanism) for part, mechanism in entries]
-    models = [_model(wall, mechanism) for wall, mechanism in walls]
-    signs = [polarities_of(model, chosen.polarity) for model in models]
-    planned = [
-        (index, record, polarity)
-        for index in range(len(walls))
-        for record in range(len(motions))
-        for polarity in signs[index]
-    ]
-    one_at = {wall.base_z_m: wall for wall, _ in walls}
-    at_height = {z: floor_of(wall, case.building, demand, motions) for z, wall in one_at.items()}
-    floors = [at_height[wall.base_z_m] for wall, _ in walls]
-    felt = [list(floor.motions) if floor else motions for floor in floors]
-    mechanisms = [
-        kinematic(wall, mechanism, demand, floor.spectrum if floor else None)
-        if demand and (floor or not wall.above_ground)
-        else None
-        for (wall, mechanism), floor in zip(walls, floors, strict=True)
-    ]
-    longest = max((found.period or 0.0 for found in mechanisms if found), default=0.0)
-    if demand and demand.target and motions:
-        period_range(kinds, longest, demand)  # refused before hours of work, not after
-    _precompile(method, models, [motion for moved in felt for motion in moved])
+    plan = _plan(case, base_dir)
+    models = [entry.model for entry in plan.entries]
+    _precompile(plan.method, models, [motion for entry in plan.entries for motion in entry.felt])
     book = journal(f"{VERSION} {cache.source_stamp()}") if journal else None
-    costs: dict[Any, float] = {entry: run_cost(felt[entry[0]][entry[1]], search) for entry in planned}
-    for k, (wall, _) in enumerate(walls):
-        if demand:
-            ties = wall.tie_height_m is not None
-            costs["check", k] = check_cost(felt[k], len(signs[k]), floors[k] is not None, ties)
-        if chosen.accuracy:
-            costs["accuracy", k] = STATEMENT * max((run_cost(m, search) for m in felt[k]), default=1.0)
-    progress = Progress(costs, on_progress)
+    progress = Progress(_costs(plan), on_progress)
+    demand, rules = plan.demand, None
     try:
         threads = Threads(jobs, cancelled)
-        threads.run({k: motion.measure for k, motion in enumerate(motions)}, lambda k, _: None)
-        found = _run_all(planned, models, felt, method, search, threads, book, progress)
+        threads.run({k: motion.measure for k, motion in enumerate(plan.motions)}, lambda k, _: None)
+        found = _run_all(plan, threads, book, progress)
         if demand:
-            demand = with_records(demand, motions)
-        rules = compliance(motions, kinds, demand, longest) if demand else None
-        by_wall: dict[int, list] = {}
-        for entry in planned:
-            wall, number, polarity = entry
-            one = run_result(models[wall], felt[wall][number], number, polarity, found[entry])
-            by_wall.setdefault(wall, []).append(one)
-        results = [
-            wall_result(part, mechanism, models[k], by_wall.get(k, []), motions, search, demand, floors[k])
-            for k, (part, mechanism) in enumerate(entries)
-        ]
+            demand = with_records(demand, plan.motions)
+            rules = compliance(plan.motions, plan.kinds, demand, plan.longest_period)
+        results = _results(plan, found, demand)
         if demand:
-            kept = [KeptChecks(book) for _ in walls]
-
-            def checked(k: int, found: Assessment) -> None:
-                on_wall(replace(results[k], assessment=found))
-                progress.done(("check", k), kept[k].made > 0)
-
-            checks = {
-                k: lambda stop, k=k: assess(
-                    results[k],
-                    mechanisms[k],
-                    felt[k],
-                    signs[k],
-                    demand,
-                    rules,
-                    method,
-                    stop,
-                    case.demand,
-                    case.building,
-                    motions,
-                    kept[k],
-                )
-                for k in range(len(walls))
-            }
-            done = threads.run(checks, checked)
+            kept = [KeptChecks(book) for _ in results]
+            results = _assessed(plan, results, demand, rules, kept, threads, progress, on_wall)
             by_state = demands_of(case, base_dir)
-            states = {
-                k: lambda stop, k=k, wall=wall: zetas(
-                    wall.wall,
-                    wall.mechanism,
-                    by_state,
-                    case.building,
-                    StateHistories(wall.model, felt[k], signs[k], demand, method, kept[k], stop),
-                    case.demand.limit_states,
-                )
-                for k, wall in enumerate(results)
-            }
-            outcomes = threads.run(states, lambda k, _: None)
-            results = [replace(wall, assessment=replace(done[k], states=outcomes[k])) for k, wall in enumerate(results)]
+            results = _at_limit_states(plan, results, demand, by_state, kept, threads)
             demand = replace(demand, warnings=(*demand.warnings, *unsaid(demand, by_state)))
             results = with_variants_alone(with_governing_tie(results))
-        if chosen.accuracy:
-            statements = {
-                k: lambda stop, wall=wall: accuracy_of(wall, motions, method, search, stop)
-                for k, wall in enumerate(results)
-            }
-            done = threads.run(statements, lambda k, found: progress.done(("accuracy", k), found is not None))
-            results = [replace(wall, accuracy=done[k]) for k, wall in enumerate(results)]
+        if case.analysis.accuracy:
+            results = _with_accuracy(plan, results, threads, progress)
     finally:
         cache.record(cache.folder())
         if book:
@@ -172,16 +136,139 @@ def run(
     return StudyResult(
         case,
         started.isoformat(timespec="seconds"),
-        method,
-        search,
+        plan.method,
+        plan.search,
         demand,
-        tuple(motions),
-        tuple(kinds),
+        tuple(plan.motions),
+        tuple(plan.kinds),
         tuple(results),
         rules,
         elapsed,
         wall_verdicts(case, tuple(results)),
     )
+
+
+def _plan(case: Case, base_dir: Path) -> Plan:
+    """Demand, records and walls of a case. Raises InputError, also where the records and the demand do not go
+    together: before hours of work, not after. base_dir : as `run` takes it"""
+    demand = demand_of(case, base_dir)
+    motions, kinds = read_records(case, base_dir)
+    made = generated(case, demand) if demand else []
+    motions, kinds = joined(motions, made), kinds + ["artificial"] * len(made)
+    method = METHODS.get(case.analysis.method, AUTO)
+    chosen = case.analysis
+    search = Search(chosen.q_step, chosen.q_limit, chosen.map_span, chosen.robust_window)
+    hinged = parts(case)
+    one_at = {part.wall.base_z_m: part.wall for part in hinged}
+    at_height = {z: floor_of(wall, case.building, demand, motions) for z, wall in one_at.items()}
+    entries = []
+    for part in hinged:
+        wall, floor = part.wall, at_height[part.wall.base_z_m]
+        for mechanism in wall.mechanisms():
+            model, found = _model(wall, mechanism), None
+            if demand and (floor or not wall.above_ground):
+                found = kinematic(wall, mechanism, demand, floor.spectrum if floor else None)
+            signs, felt = polarities_of(model, chosen.polarity), list(floor.motions) if floor else motions
+            entries.append(Entry(part, mechanism, model, signs, floor, felt, found))
+    plan = Plan(case, demand, motions, kinds, method, search, entries)
+    if demand and demand.target and motions:
+        period_range(kinds, plan.longest_period, demand)
+    return plan
+
+
+def _costs(plan: Plan) -> dict[Any, float]:
+    """Cost of each task, in samples that the bisections of a search go through."""
+    search = plan.search
+    costs: dict[Any, float] = {
+        (k, record, sign): run_cost(plan.entries[k].felt[record], search) for k, record, sign in plan.runs
+    }
+    for k, entry in enumerate(plan.entries):
+        if plan.demand:
+            ties = entry.part.wall.tie_height_m is not None
+            costs["check", k] = check_cost(entry.felt, len(entry.signs), entry.floor is not None, ties)
+        if plan.case.analysis.accuracy:
+            costs["accuracy", k] = STATEMENT * max((run_cost(m, search) for m in entry.felt), default=1.0)
+    return costs
+
+
+def _results(plan: Plan, found: dict, demand: DemandResult | None) -> list[WallResult]:
+    """The walls with q, without a check. found : Idas by (wall, record, sign)"""
+    results = []
+    for k, (part, mechanism, model, signs, floor, felt, _) in enumerate(plan.entries):
+        runs = [run_result(model, motion, n, s, found[k, n, s]) for n, motion in enumerate(felt) for s in signs]
+        results.append(wall_result(part, mechanism, model, runs, plan.motions, plan.search, demand, floor))
+    return results
+
+
+def _assessed(
+    plan: Plan, results: list[WallResult], demand: DemandResult, rules, kept, threads: Threads, progress, on_wall
+) -> list[WallResult]:
+    """The walls with their checks at the demand.
+
+    rules : Compliance of the records, None without a spectrum
+    kept : KeptChecks of each wall
+    progress, on_wall : told of each
+    """
+
+    def task(k: int, entry: Entry):
+        return lambda stop: assess(
+            results[k],
+            entry.kinematic,
+            entry.felt,
+            entry.signs,
+            demand,
+            rules,
+            plan.method,
+            stop,
+            plan.case.demand,
+            plan.case.building,
+            plan.motions,
+            kept[k],
+        )
+
+    def checked(k: int, found: Assessment) -> None:
+        on_wall(replace(results[k], assessment=found))
+        progress.done(("check", k), kept[k].made > 0)
+
+    done = threads.run({k: task(k, entry) for k, entry in enumerate(plan.entries)}, checked)
+    return [replace(wall, assessment=done[k]) for k, wall in enumerate(results)]
+
+
+def _at_limit_states(
+    plan: Plan, results: list[WallResult], demand: DemandResult, by_state, kept, threads: Threads
+) -> list[WallResult]:
+    """The walls with zeta at each limit state of the site.
+
+    by_state : of `demands_of`
+    kept : KeptChecks of each wall
+    """
+
+    def task(k: int, wall: WallResult):
+        felt, signs = plan.entries[k].felt, plan.entries[k].signs
+        return lambda stop: zetas(
+            wall.wall,
+            wall.mechanism,
+            by_state,
+            plan.case.building,
+            StateHistories(wall.model, felt, signs, demand, plan.method, kept[k], stop),
+            plan.case.demand.limit_states,
+        )
+
+    states = threads.run({k: task(k, wall) for k, wall in enumerate(results)}, lambda k, _: None)
+    return [replace(wall, assessment=replace(wall.assessment, states=states[k])) for k, wall in enumerate(results)]
+
+
+def _with_accuracy(plan: Plan, results: list[WallResult], threads: Threads, progress: Progress) -> list[WallResult]:
+    """The walls with the statement on their governing runs."""
+
+    def task(wall: WallResult):
+        return lambda stop: accuracy_of(wall, plan.motions, plan.method, plan.search, stop)
+
+    done = threads.run(
+        {k: task(wall) for k, wall in enumerate(results)},
+        lambda k, found: progress.done(("accuracy", k), found is not None),
+    )
+    return [replace(wall, accuracy=done[k]) for k, wall in enumerate(results)]
 
 
 def accuracy_of(wall: WallResult, motions, method, search, cancelled) -> Accuracy | None:
@@ -230,30 +317,29 @@ def _model(wall: Wall, mechanism: str) -> RockingModel:
     return rocking_model(wall.block(), one_sided, wall.restitution_of(mechanism), wall.moment_law(), wall.restoring())
 
 
-def _run_all(planned, models, felt, method, search, threads, book, progress: Progress):
-    """Idas by (wall, record, polarity). felt : motions of each wall."""
+def _run_all(plan: Plan, threads: Threads, book, progress: Progress) -> dict[tuple[int, int, int], Ida]:
+    """Idas by (wall, record, sign)."""
     searches, todo, keys = {}, {}, {}
 
-    def search_of(entry):
-        wall, record, polarity = entry
-        motion = felt[wall][record]
+    def search_of(model: RockingModel, motion: GroundMotion, sign: int):
         return lambda stop: incremental_dynamic_analysis(
-            motion.acceleration, motion.time_step, motion.pga, polarity, models[wall], method, search, stop
+            motion.acceleration, motion.time_step, motion.pga, sign, model, plan.method, plan.search, stop
         )
 
-    for entry in planned:
-        wall, record, polarity = entry
-        keys[entry] = run_key(models[wall], felt[wall][record], polarity, method, search)
-        known = rebuilt(Ida, book.get(keys[entry])) if book else None
+    for one in plan.runs:
+        k, record, sign = one
+        model, motion = plan.entries[k].model, plan.entries[k].felt[record]
+        keys[one] = run_key(model, motion, sign, plan.method, plan.search)
+        known = rebuilt(Ida, book.get(keys[one])) if book else None
         if known:
-            searches[entry] = known
+            searches[one] = known
         else:
-            todo[entry] = search_of(entry)
+            todo[one] = search_of(model, motion, sign)
 
-    def keep(entry, ida: Ida) -> None:
+    def keep(one, ida: Ida) -> None:
         if book:
-            book.add(keys[entry], asdict(ida))
-        progress.done(entry)
+            book.add(keys[one], asdict(ida))
+        progress.done(one)
 
     progress.known(searches)
     searches.update(threads.run(todo, keep))

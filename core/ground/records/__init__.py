@@ -13,9 +13,9 @@ from core.ground.ground_motion import LARGE_PGA, SMALL_PGA, GroundMotion
 from core.ground.records import california, geonet, italian, japan_taiwan, peer, plain, samples, smc
 from core.ground.records.container import BETWEEN, is_zip, member_of, sheet_of
 from core.ground.records.cut import refuse_cut
-from core.ground.records.grammar import UNITS, Options, decode, quoted
+from core.ground.records.grammar import UNITS, Options, Parsed, decode, quoted
 from core.ooxml.package import is_workbook
-from core.text.sentence import notice
+from core.text.sentence import Sentence, notice
 from core.units import G
 
 READERS = (
@@ -117,18 +117,7 @@ def _of_lines(content: bytes, lines: list[str], path: Path, options: Options, sc
     cells = is_zip(content)  # a workbook is whole or cannot be opened
     ended = cells or content.rstrip(b"\x00\x1a")[-1:] in (b"\n", b"\r")
     ended = ended or content[-2:] in (b"\n\0", b"\0\n")
-    longest = max(map(len, lines), default=0)
-    if longest > LONGEST_LINE:
-        raise RecordError("line_too_long", n=longest)
-    head = "\n".join(lines[:30])
-    if SPECTRA.match(head):
-        raise RecordError("spectra_file")
-    title, reader = next((title, read) for title, knows, read in READERS if knows(lines))
-    parsed = reader(lines, options)
-    if not ended and any(warning.code == "partial_last_line" for warning in parsed.warnings):
-        raise RecordError("last_line_cut")
-    samples.refuse_marks(parsed.values)
-    samples.refuse_repeated_line(lines)
+    title, parsed = _parsed(lines, options, ended)
     if parsed.factor is not None and not abs(scale / parsed.factor[0] - 1.0) <= 1e-6:
         raise parsed.factor[1]
     unit = _agreed("unit", parsed.unit, options.unit, parsed.lines)
@@ -137,35 +126,11 @@ def _of_lines(content: bytes, lines: list[str], path: Path, options: Options, sc
     if parsed.unit is None:
         parsed.warnings.append(notice("unit_as_given", unit=unit))
     time_step = _agreed("time_step_s", parsed.time_step, options.time_step, parsed.lines)
-    warnings = [*parsed.warnings, *samples.jumps(parsed.values)]
-    peak = float(np.abs(parsed.values).max()) if parsed.values.size else 0.0
-    if parsed.stated_peak and abs(peak - parsed.stated_peak) > 0.02 * parsed.stated_peak:
-        warnings.append(notice("peak_differs", read=peak, stated=parsed.stated_peak))
-    if not parsed.counted and peak and abs(parsed.values[-1]) > END_SHARE * peak:
-        warnings.append(notice("ends_moving", share=abs(parsed.values[-1]) / peak))
-    if scale != 1.0:
-        code = "scaled_far" if abs(scale) > LARGE_SCALE else "scaled"
-        warnings.append(notice(code, scale=scale))
     motion = parsed.values * UNITS[unit] * scale
-    pga = float(np.abs(motion).max()) if motion.size else 0.0
-    if not pga <= MAX_PGA * abs(scale):
-        raise RecordError("peak_too_large", pga=pga / G / abs(scale))
-    if pga > LARGE_PGA:
-        warnings.append(notice("large_pga", pga=pga / G))
-    elif 0.0 < pga < SMALL_PGA:
-        warnings.append(notice("small_pga", pga=pga / G))
-    mean = float(motion.mean()) if motion.size else 0.0
-    left = abs(mean) * motion.size * time_step
-    if abs(mean) > OFFSET_SHARE * pga and left > OFFSET_VELOCITY:
-        warnings.append(notice("offset", mean=mean / G, velocity=left))
-    if options.channel and not parsed.several and options.channel.casefold() not in (parsed.channel.casefold(), "1"):
-        raise RecordError("one_channel", given=quoted(options.channel), format=title)
+    warnings = [*parsed.warnings, *_doubts_as_read(parsed), *_doubts_of_motion(motion, time_step, scale)]
+    _refuse_unused(options, title, parsed)
     if parsed.vertical:
         warnings.append(notice("vertical"))
-    if options.skip_lines and title != "plain text":
-        raise RecordError("skip_lines_of_plain_text", format=title)
-    if options.column and title != "plain text":
-        raise RecordError("column_of_plain_text", format=title)
     if not cells:
         refuse_cut(lines, ended)
     channel = parsed.channel if parsed.several else ""
@@ -182,6 +147,63 @@ def _of_lines(content: bytes, lines: list[str], path: Path, options: Options, sc
         warnings=tuple(warnings),
         scale=scale,
     )
+
+
+def _parsed(lines: list[str], options: Options, ended: bool) -> tuple[str, Parsed]:
+    """(format, what its reader read) of a file, whose samples have no mark of a gap. ended : it has its line end."""
+    longest = max(map(len, lines), default=0)
+    if longest > LONGEST_LINE:
+        raise RecordError("line_too_long", n=longest)
+    if SPECTRA.match("\n".join(lines[:30])):
+        raise RecordError("spectra_file")
+    title, reader = next((title, read) for title, knows, read in READERS if knows(lines))
+    parsed = reader(lines, options)
+    if not ended and any(warning.code == "partial_last_line" for warning in parsed.warnings):
+        raise RecordError("last_line_cut")
+    samples.refuse_marks(parsed.values)
+    samples.refuse_repeated_line(lines)
+    return title, parsed
+
+
+def _doubts_as_read(parsed: Parsed) -> list[Sentence]:
+    """Warnings of the samples in the file's unit."""
+    warnings = samples.jumps(parsed.values)
+    peak = float(np.abs(parsed.values).max()) if parsed.values.size else 0.0
+    if parsed.stated_peak and abs(peak - parsed.stated_peak) > 0.02 * parsed.stated_peak:
+        warnings.append(notice("peak_differs", read=peak, stated=parsed.stated_peak))
+    if not parsed.counted and peak and abs(parsed.values[-1]) > END_SHARE * peak:
+        warnings.append(notice("ends_moving", share=abs(parsed.values[-1]) / peak))
+    return warnings
+
+
+def _doubts_of_motion(motion, time_step: float, scale: float) -> list[Sentence]:
+    """Warnings of the acceleration of the ground [m/s2], scaled. Raises RecordError where no ground moves so."""
+    warnings = []
+    if scale != 1.0:
+        code = "scaled_far" if abs(scale) > LARGE_SCALE else "scaled"
+        warnings.append(notice(code, scale=scale))
+    pga = float(np.abs(motion).max()) if motion.size else 0.0
+    if not pga <= MAX_PGA * abs(scale):
+        raise RecordError("peak_too_large", pga=pga / G / abs(scale))
+    if pga > LARGE_PGA:
+        warnings.append(notice("large_pga", pga=pga / G))
+    elif 0.0 < pga < SMALL_PGA:
+        warnings.append(notice("small_pga", pga=pga / G))
+    mean = float(motion.mean()) if motion.size else 0.0
+    left = abs(mean) * motion.size * time_step
+    if abs(mean) > OFFSET_SHARE * pga and left > OFFSET_VELOCITY:
+        warnings.append(notice("offset", mean=mean / G, velocity=left))
+    return warnings
+
+
+def _refuse_unused(options: Options, title: str, parsed: Parsed) -> None:
+    """Raise RecordError for an option this format has no use for. title : of the format."""
+    if options.channel and not parsed.several and options.channel.casefold() not in (parsed.channel.casefold(), "1"):
+        raise RecordError("one_channel", given=quoted(options.channel), format=title)
+    if options.skip_lines and title != "plain text":
+        raise RecordError("skip_lines_of_plain_text", format=title)
+    if options.column and title != "plain text":
+        raise RecordError("column_of_plain_text", format=title)
 
 
 def _separate(content: bytes) -> int:

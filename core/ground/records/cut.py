@@ -48,41 +48,53 @@ def refuse_cut(lines: list[str], ended: bool) -> None:
     rows = [(line, row) for line, row in rows if row and all(map(_TOKEN.fullmatch, row))]
     if not rows or rows[-1][0] != tail[-1]:
         return  # what is no number is refused by the reader, or ends the file as NaN
-    (line, (*_, last)), place = rows[-1], len(rows[-1][1]) - 1
-    above = [row[place] for _, row in rows[:-1] if len(row) > place]
-    if len(above) < MIN_ROWS:
-        above = [token for _, row in rows for token in row][:-1]
-    shapes = [_shapes(token) for token in above if token != "0"]
-    # of decimals or of significant digits, whichever is the same throughout
-    shape = next(
-        (
-            kind
-            for kind in (0, 1)
-            if len(above) >= MIN_ROWS
-            and len({pair[kind] for pair in shapes}) == 1
-            and max(shapes[0][kind]) >= (1, MIN_DIGITS)[kind]
-        ),
-        None,
-    )
-    lengths = {len(other.rstrip()) for other, _ in rows[:-1]}
-    one_row = all(len(row) == place + 1 for _, row in rows)
-    even = one_row and len(lengths) == 1 and len(rows) > MIN_ROWS
-    if even and (not ended or len(line.rstrip()) >= next(iter(lengths))):
-        whole = len(line.rstrip()) >= next(iter(lengths))
-    elif shape is not None:
+    *_, last = rows[-1][1]
+    place = len(rows[-1][1]) - 1
+    shapes, same = _shapes_above(rows, place)
+    full = _fills_its_line(rows)
+    if full is not None and (full or not ended):
+        whole = full
+    elif same is not None:
         zero = not last.strip("+-0.") and (ended or (last == "0" and "0" in _first(lines, place)))
-        whole = zero or _shapes(last)[shape] == shapes[0][shape]
+        whole = zero or _shapes(last)[same] == shapes[0][same]
     else:
         shortest = min((exponent for (_, exponent), _ in shapes), default=0)
         whole = ended and _shapes(last)[0][1] >= shortest
     if not whole:
-        unended = shape is None and not ended
+        unended = same is None and not ended
         raise RecordError(
             "last_number_cut",
             last=quoted(last),
             why=sentence("accepted", "without_line_end" if unended else "shorter_than_above"),
             mend=sentence("accepted", "write_all_digits" if ended else "end_last_line"),
         )
+
+
+def _shapes_above(rows: list[tuple[str, list[str]]], place: int):
+    """(`_shapes` of the numbers above the last, which of both kinds is the same throughout or None).
+
+    rows : lines with their numbers
+    place : column of the last number, from 0
+    """
+    above = [row[place] for _, row in rows[:-1] if len(row) > place]
+    if len(above) < MIN_ROWS:
+        above = [token for _, row in rows for token in row][:-1]
+    shapes = [_shapes(token) for token in above if token != "0"]
+    if len(above) >= MIN_ROWS:
+        for kind, least in enumerate((1, MIN_DIGITS)):
+            if len({pair[kind] for pair in shapes}) == 1 and max(shapes[0][kind]) >= least:
+                return shapes, kind
+    return shapes, None
+
+
+def _fills_its_line(rows: list[tuple[str, list[str]]]) -> bool | None:
+    """Whether the last line is as long as those above; None where these have no one length. rows : with numbers."""
+    line, numbers = rows[-1]
+    lengths = {len(other.rstrip()) for other, _ in rows[:-1]}
+    one_row = all(len(row) == len(numbers) for _, row in rows)
+    if not one_row or len(lengths) != 1 or len(rows) <= MIN_ROWS:
+        return None
+    return len(line.rstrip()) >= next(iter(lengths))
 
 
 def _first(lines: list[str], place: int) -> list[str]:

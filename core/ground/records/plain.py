@@ -2,6 +2,7 @@
 
 import math
 import re
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -67,82 +68,134 @@ def _fields(fields: list[str]) -> list[float] | None:
     return None if all(map(math.isnan, row)) and EMPTY not in fields else row
 
 
+@dataclass
+class _Content:
+    """Lines of a file, told apart.
+
+    head : the text above the first sample
+    rows : numbers of the samples read one by one
+    places : of each sample its line, from 1
+    rest : the samples below those, read at once, shape (n, width); None where all are in rows
+    """
+
+    head: list[str]
+    rows: list[list[float]]
+    places: list[int]
+    rest: np.ndarray | None = None
+
+
 def read(lines: list[str], options: Options) -> Parsed:
     """Raises RecordError for spectra, uneven or unsorted time, several columns without a choice,
     and rows that are not numbers."""
-    skip = options.skip_lines or 0
-    head, rows, places, rest, tried, blank = list(lines[:skip]), [], [], None, False, 0
+    content = _told_apart(lines, options.skip_lines or 0)
+    said = "\n".join(content.head)
+    refuse_other_quantity(said)
+    if not content.rows:
+        raise RecordError("no_numbers")
+    if options.column is not None:
+        plain_head.refuse_column(said, len(content.rows[-1]), options.column)
+    unit = stated_unit(said)
+    declared = _take_count_and_step(content)
+    table = _table(content)
+    values, from_time, taken = _columns(table, content.places, options, plain_head.seconds_of_time(said))
+    if taken != options.column:
+        plain_head.refuse_column(said, table.shape[1], taken)
+    parsed = Parsed(values, from_time, None, counted=declared is not None)
+    take_unit(parsed, unit)
+    plain_head.agree(parsed, said, declared[1] if declared else None, options.time_step)
+    parsed.details = tuple((f"line {k + 1}", text) for k, text in enumerate(content.head[:6]))
+    parsed.vertical = plain_head.vertical(said, table.shape[1], taken)
+    return parsed
+
+
+def _told_apart(lines: list[str], skip: int) -> _Content:
+    """Head and samples of a file, the first `skip` lines head whatever they hold."""
+    content = _Content(list(lines[:skip]), [], [])
+    head, rows, tried, blank = content.head, content.rows, False, 0
     for k, line in enumerate(lines[skip:], start=skip + 1):
         if len(rows) == FIRST_ROWS and not tried:
             tried = True
-            spaced = any("\t" in one and _EMPTY_FIELD.search(one) for one in lines[k - 1 :])
-            rest = None if spaced else table_of(lines[k - 1 :], len(rows[-1]))
-            if rest is not None:
+            content.rest = _rest(lines[k - 1 :], len(rows[-1]))
+            if content.rest is not None:
                 break
         if len(line) > LONGEST_LINE:
             raise RecordError("line_too_long", n=len(line), place=(place("line", n=k),))
         if len(head) > MAX_HEAD:
             raise RecordError("head_too_long", n=MAX_HEAD)
         text = line.strip()
-        sampled = len(rows) > 1 or (rows and not _count_and_step(rows[0]))
         if not text:
-            blank = blank or (k if sampled else 0)
+            blank = blank or (k if _are_samples(rows) else 0)
             continue
         if blank:
             raise RecordError("blank_among_samples", place=(place("line", n=blank),))
-        if rows and _EXCEL_ERROR.search(text):
-            raise RecordError("gap", text=quoted(text), place=(place("line", n=k),))
-        if text.startswith(("#", "%", "//", "!")):
-            if sampled:
-                raise RecordError("text_among_samples", text=quoted(text), place=(place("line", n=k),))
-            head.append(text)
-            continue
         try:
-            row = _row(text)
+            row = _sample(text, rows)
         except RecordError as error:
             raise error.at(place("line", n=k)) from None
-        if row is None and (_NO_NUMBER.fullmatch(text) or (rows and text == EMPTY)):
-            raise RecordError("gap", text=quoted(text), place=(place("line", n=k),))
-        if row and not (not rows and all(map(math.isnan, row))):
-            rows.append(row)
-            places.append(k)
-        elif rows:
-            raise RecordError("not_numbers", text=quoted(text), place=(place("line", n=k),))
-        else:
+        if row is None:
             head.append(text)
-    said = "\n".join(head)
-    refuse_other_quantity(said)
-    if not rows:
-        raise RecordError("no_numbers")
-    if options.column is not None:
-        plain_head.refuse_column(said, len(rows[-1]), options.column)
-    unit = stated_unit(said)
-    declared = None
-    if _count_and_step(rows[0]):
-        n, one = len(rows) - 1 + (0 if rest is None else len(rest)), len(rows) > 1 and len(rows[1])
-        if abs(n - rows[0][0]) <= 1 or one == 1:
-            declared, rows, places = rows[0], rows[1:], places[1:]
-            if n != declared[0]:
-                raise RecordError("count_differs", n=n, declared=int(declared[0]))
-    width = len(rows[0])
-    for row, line in zip(rows, places, strict=True):
+        else:
+            rows.append(row)
+            content.places.append(k)
+    return content
+
+
+def _rest(lines: list[str], width: int) -> np.ndarray | None:
+    """The samples of these lines read at once, shape (n, width); None where they must be read one by one."""
+    spaced = any("\t" in line and _EMPTY_FIELD.search(line) for line in lines)
+    return None if spaced else table_of(lines, width)
+
+
+def _are_samples(rows: list[list[float]]) -> bool:
+    """Whether these first rows are samples, not a count and a step alone."""
+    return len(rows) > 1 or (len(rows) == 1 and not _count_and_step(rows[0]))
+
+
+def _sample(text: str, above: list[list[float]]) -> list[float] | None:
+    """The numbers of a line below these rows; None if it belongs to the head. Raises RecordError."""
+    if above and _EXCEL_ERROR.search(text):
+        raise RecordError("gap", text=quoted(text))
+    if text.startswith(("#", "%", "//", "!")):
+        if _are_samples(above):
+            raise RecordError("text_among_samples", text=quoted(text))
+        return None
+    row = _row(text)
+    if row is None and (_NO_NUMBER.fullmatch(text) or (above and text == EMPTY)):
+        raise RecordError("gap", text=quoted(text))
+    if row and (above or not all(map(math.isnan, row))):
+        return row
+    if above:
+        raise RecordError("not_numbers", text=quoted(text))
+    return None
+
+
+def _take_count_and_step(content: _Content) -> list[float] | None:
+    """`npts dt` [-], [s] of the first row, which is then no sample; None where it is one. Raises RecordError."""
+    first, *rows = content.rows
+    if not _count_and_step(first):
+        return None
+    n = len(rows) + (0 if content.rest is None else len(content.rest))
+    if abs(n - first[0]) > 1 and not (rows and len(rows[0]) == 1):
+        return None
+    if n != first[0]:
+        raise RecordError("count_differs", n=n, declared=int(first[0]))
+    content.rows, content.places = rows, content.places[1:]
+    return first
+
+
+def _table(content: _Content) -> np.ndarray:
+    """All samples, shape (n, width), and their places complete. Raises RecordError for rows of another width."""
+    width = len(content.rows[0])
+    for row, line in zip(content.rows, content.places, strict=True):
         if len(row) != width:
             raise RecordError("columns_differ", n=len(row), above=width, place=(place("line", n=line),))
-    table = np.array(rows)
-    if rest is not None:
-        if rest.shape[1] != width:
-            raise RecordError("columns_differ", n=rest.shape[1], above=width)
-        table = np.concatenate([table, rest])
-        places += range(places[-1] + 1, places[-1] + 1 + len(rest))
-    values, from_time, taken = _columns(table, places, options, plain_head.seconds_of_time(said))
-    if taken != options.column:
-        plain_head.refuse_column(said, width, taken)
-    parsed = Parsed(values, from_time, None, counted=declared is not None)
-    take_unit(parsed, unit)
-    plain_head.agree(parsed, said, declared[1] if declared else None, options.time_step)
-    parsed.details = tuple((f"line {k + 1}", text) for k, text in enumerate(head[:6]))
-    parsed.vertical = plain_head.vertical(said, width, taken)
-    return parsed
+    table, rest = np.array(content.rows), content.rest
+    if rest is None:
+        return table
+    if rest.shape[1] != width:
+        raise RecordError("columns_differ", n=rest.shape[1], above=width)
+    content.places += range(content.places[-1] + 1, content.places[-1] + 1 + len(rest))
+    return np.concatenate([table, rest])
 
 
 def _count_and_step(row: list[float]) -> bool:

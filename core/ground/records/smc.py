@@ -30,6 +30,23 @@ def read(lines: list[str], options: Options) -> Parsed:
     kind = _KIND.match(lines[0])[2]
     if kind not in ("CORRECTED", "UNCORRECTED", "UNKNOWN"):
         raise RecordError("peer_quantity", quantity=kind.lower())
+    start, declared, rate = _layout(lines)
+    width = next((w for w in WIDTHS if fixed_width(lines[start], w)), None)
+    parsed = block(lines[start:], start + 1, declared, width)
+    parsed.time_step = 1.0 / rate
+    parsed.unit = "cm/s2" if kind != "UNKNOWN" else None
+    head = [line[:500] for line in lines[:TEXTS]]
+    peak = _PEAK.search(" ".join(head))
+    if parsed.unit:
+        agree_with_peak(parsed, to_float(peak[1]) if peak else None)
+    if kind == "UNCORRECTED":
+        parsed.warnings.append(notice("unprocessed"))
+    _describe(parsed, head, kind)
+    return parsed
+
+
+def _layout(lines: list[str]) -> tuple[int, int, float]:
+    """(line of the first sample from 0, count of samples, samples a second) by the numbers of the head."""
     start = TEXTS + INTEGERS
     integers = [n for line in lines[TEXTS:start] for n in numbers(line) or ()]
     reals = [n for line in lines[start : start + REALS] for n in numbers(line) or ()]
@@ -40,19 +57,14 @@ def read(lines: list[str], options: Options) -> Parsed:
     start += int(comments)
     if start >= len(lines) or any(line[:1] != "|" for line in lines[start - int(comments) : start]):
         raise RecordError("head_lacks", label="|")
-    width = next((w for w in WIDTHS if fixed_width(lines[start], w)), None)
-    parsed = block(lines[start:], start + 1, int(declared), width)
-    parsed.time_step = 1.0 / rate
-    parsed.unit = "cm/s2" if kind != "UNKNOWN" else None
-    head = [line[:500] for line in lines[:TEXTS]]
-    peak = _PEAK.search(" ".join(head))
-    if parsed.unit:
-        agree_with_peak(parsed, to_float(peak[1]) if peak else None)
+    return start, int(declared), rate
+
+
+def _describe(parsed: Parsed, head: list[str], kind: str) -> None:
+    """Channel and details by the texts of the head."""
     where = next((found for line in head if (found := _STATION.match(line))), None)
     component = (where[2] or "") if where else ""
     parsed.channel, parsed.vertical = component, is_vertical(component)
-    if kind == "UNCORRECTED":
-        parsed.warnings.append(notice("unprocessed"))
     written = _WHEN.match(head[3])
     event, text = (written[2] if written else head[3]).strip(), " ".join(head)
     magnitude = re.search(rf"Moment Mag=\s*({NUMBER})", text)
@@ -66,4 +78,3 @@ def read(lines: list[str], options: Options) -> Parsed:
         ("distance_km", distance[1] if distance else ""),
         ("processing", "none" if kind == "UNCORRECTED" else ""),
     )
-    return parsed

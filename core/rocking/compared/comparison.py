@@ -16,7 +16,10 @@ NEWMARK_PAPER = 1
 
 
 def make_comparison(paper):
-    """The kernels (integrate, scan), specialised at compile time for the paper's integrator or for the others."""
+    """The kernels (integrate, scan), specialised at compile time for the paper's integrator or for the others.
+
+    Length: it holds both, which call one another.
+    """
 
     @kernel
     def integrate(

@@ -110,6 +110,8 @@ def through_sample(
 ):
     """Carry the block over one sample; see `comparison.integrate_comparison`.
 
+    Length: one loop over the events of a sample; steps, branches of the law and impacts change the same state.
+
     code : one of this module
     ground0, ground1 : ground acceleration at both ends [m/s2]
     start : time of its start [s]
