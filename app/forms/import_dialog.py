@@ -104,26 +104,10 @@ class ImportDialog(QDialog):
         units = {None: stated} | {unit: unit for unit in ("g", "m/s2", "cm/s2", "mm/s2")}
         kinds = {"natural": named("natural"), "artificial": named("artificial"), "simulated": named("simulated")}
         self.fields = [
-            ChoiceField(Record, "unit", tr("Unit"), units),
-            NumberField(Record, "time_step_s", tr("Time step"), "s", optional=True),
-            NumberField(
-                Record,
-                "column",
-                tr("Column"),
-                optional=True,
-                whole=True,
-                tip=tr("Of plain text: the column of the acceleration, 1 is the first"),
-            ),
-            NumberField(
-                Record,
-                "skip_lines",
-                tr("Lines to skip"),
-                optional=True,
-                whole=True,
-                tip=tr("Of plain text: lines of the head before the numbers"),
-            ),
-            ChoiceField(Record, "kind", tr("Kind"), kinds),
-            NumberField(Record, "scale", tr("Scale"), tip=tr("Factor of the record; negative reverses it")),
+            ChoiceField(Record, "unit", units),
+            *(NumberField(Record, key) for key in ("time_step_s", "column", "skip_lines")),
+            ChoiceField(Record, "kind", kinds),
+            NumberField(Record, "scale"),
         ]
         connect(self.fields, lambda field, value: self.change(**{field.key: value}))
         for field in self.fields[1:4]:

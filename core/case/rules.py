@@ -8,7 +8,7 @@ from dataclasses import MISSING, fields, replace
 from core.case.hazard_table import check_rising
 from core.case.hinges import check_hinges, parts
 from core.case.schema import Analysis, Case, Generate, Record, Report, Wall
-from core.case.site import FULL_FACTOR, KNOWLEDGE, Building, Demand, Spectrum
+from core.case.site import FULL_FACTOR, KNOWLEDGE, Building, Demand
 from core.case.values import SHOWN, are_ends, field_of, refuse_unknown, repeated, section_of, value_of
 from core.codes.limits import check_return_period
 from core.errors import InputError, place, section
@@ -110,7 +110,7 @@ def draft_case(table: dict) -> Case:
         if kind == "tables" and isinstance(given, (list, tuple)):
             return tuple(part(of, row, entry.name) for row in given)
         if kind in ("section", "spectrum"):
-            return part(of or Spectrum, given, entry.name)
+            return part(of, given, entry.name)
         return given if kind == "law" and are_ends(given) else value_of(entry, given, name)
 
     def one(cls, name):

@@ -2,12 +2,13 @@
 
 from dataclasses import fields
 
+from core.case.keys import PRETTY
 from core.case.schema import Analysis, Case, Generate, Load, Record, Report, ReturnWalls, Wall
 from core.case.site import Building, BuildingMode, Demand, HazardRow, Spectrum
 from core.report.cells import QUIET, Book, header, heighten, number, paragraph, rule, text, title
 from core.study.results import StudyResult
 from core.text.catalogue import CATALOGUE
-from core.text.sentence import word
+from core.text.sentence import capital, word
 
 UNITS = {
     entry.name: entry.metadata.get("unit", "")
@@ -29,8 +30,6 @@ UNITS = {
     if entry.metadata.get("unit")
 }
 """Key -> its unit."""
-
-PRETTY = {"m2": "m²", "kN/m3": "kN/m³", "deg": "°"}
 
 
 def inputs(book: Book, result: StudyResult) -> None:
@@ -62,8 +61,7 @@ def _line(book: Book, sheet, row: int, key: str, value, source: str | None) -> i
     """A key in words, its value and unit, where it comes from; returns the next row."""
     language = book.language
     label = word(f"key_{key}", language)
-    plain = label[:1].islower() and label[:1].isascii() and "_" not in label.split()[0]
-    text(sheet, row, 1, label[0].upper() + label[1:] if plain else label)
+    text(sheet, row, 1, capital(label))
     if isinstance(value, bool) or not isinstance(value, (int, float)):
         shown = spelled(value, book)
         text(sheet, row, 2, shown, wrap=True)
