@@ -5,7 +5,7 @@ from dataclasses import replace
 from PySide6.QtWidgets import QFileDialog, QGroupBox, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from app.forms.building_form import BuildingForm
-from app.forms.fields import Choice, ChoiceField, connect
+from app.forms.fields import Choice, connect
 from app.forms.hazard_form import HazardForm
 from app.forms.law_curve import SpectrumCurve
 from app.forms.made_fields import make_field, make_fields
@@ -36,19 +36,21 @@ class DemandForm(QWidget):
         self.given.setCheckable(True)
         self.given.toggled.connect(self._toggled)
         self._make_spectrum()
+        motion = [make_field(Demand, key) for key in ("limit_state", "ag_g", "soil_factor", "housner_intensity_cm")]
+        self.of_spectrum = make_fields(Spectrum, "code", first=("f0", "tc_star_s"))
         below = [
             *make_fields(Demand, "knowledge"),
             *make_fields(Demand, "check", first=("demand_scaling", "period_range_s", "zeta_target")),
             *make_fields(Demand, "site"),
         ]
-        self.of_demand = [self.state, self.ag, self.soil_factor, self.intensity, *below]
+        self.of_demand = [*motion, *below]
+        self.fields = {field.key: field for field in (*self.of_demand, *self.of_spectrum)}
         connect(self.of_demand, self._changed)
         connect(self.of_spectrum, self._spectrum_changed)
         self.curve: SpectrumCurve | None = None
         self.curve_place = QVBoxLayout()
         inside = QVBoxLayout(self.given)
-        above = [self.state, self.ag, self.hint, self.kind, self.soil_factor, self.intensity, *self.of_spectrum]
-        for widget in (*above, self.file, self.summary):
+        for widget in (*motion[:2], self.hint, self.kind, *motion[2:], *self.of_spectrum, self.file, self.summary):
             inside.addWidget(widget)
         inside.addLayout(self.curve_place)
         self.hazard = HazardForm(session)
@@ -65,8 +67,7 @@ class DemandForm(QWidget):
         )
 
     def _make_spectrum(self) -> None:
-        """Limit state, a_g and how the spectrum is given, with what is said of it."""
-        self.state, self.ag = make_field(Demand, "limit_state"), make_field(Demand, "ag_g")
+        """How the spectrum is given, with what is said of it."""
         self.hint, self.summary = QLabel(), QLabel()
         self.hint.setWordWrap(True)
         self.summary.setWordWrap(True)
@@ -80,11 +81,6 @@ class DemandForm(QWidget):
         ):
             self.kind.addItem(shown, name)
         self.kind.activated.connect(self._kind_chosen)
-        self.soil_factor, self.intensity = make_field(Demand, "soil_factor"), make_field(Demand, "housner_intensity_cm")
-        self.f0, self.tc = make_field(Spectrum, "f0"), make_field(Spectrum, "tc_star_s")
-        self.soil, self.topography = make_field(Spectrum, "soil"), make_field(Spectrum, "topography")
-        self.type = ChoiceField(Spectrum, "type", {1: "1", 2: "2"})
-        self.of_spectrum = [self.f0, self.tc, self.soil, self.topography, self.type]
         self.file = QPushButton(tr("Choose file…"))
         self.file.clicked.connect(self._choose_file)
 
@@ -107,12 +103,9 @@ class DemandForm(QWidget):
         for field in self.of_spectrum:
             if spectrum:
                 field.show_value(getattr(spectrum, field.key))
-        self.soil_factor.setVisible(spectrum is None)
-        self.intensity.setVisible(kind == "none")
-        self.soil.setVisible(spectrum is not None)
-        for field in (self.f0, self.tc, self.topography):
-            field.setVisible(kind == "NTC2018")
-        self.type.setVisible(kind == "EN1998")
+            field.setVisible(spectrum is not None and field.entry.metadata.get("code", kind) == kind)
+        self.fields["soil_factor"].setVisible(spectrum is None)
+        self.fields["housner_intensity_cm"].setVisible(kind == "none")
         self.file.setVisible(kind == "file")
         self.file.setText(demand.spectrum_file or tr("Choose file…"))
         try:

@@ -369,6 +369,8 @@ def words_of_choices(section: type, key: str) -> dict:
         words[None] = of_key(section, key, "=") or "–"
     if entry.metadata["kind"] == "flag":
         return words | {True: tr("yes"), False: tr("no")}
+    if entry.metadata["kind"] == "int":
+        return words | {n: str(n) for n in range(entry.metadata["low"], entry.metadata["high"] + 1)}
     return words | {name: of_key(section, key, f"={name}") or name for name in entry.metadata["names"]}
 
 

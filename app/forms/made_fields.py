@@ -23,8 +23,9 @@ KINDS: dict[str, type[Field]] = {
 def make_field(section: type, key: str) -> Field:
     """The field of a key."""
     entry = field_of(section, key)
-    asked = entry.metadata["kind"] == "flag" and entry.default is None
-    return ChoiceField(section, key) if asked else KINDS[entry.metadata["kind"]](section, key)
+    kind = entry.metadata["kind"]
+    in_a_list = entry.metadata.get("listed") or (kind == "flag" and entry.default is None)
+    return ChoiceField(section, key) if in_a_list else KINDS[kind](section, key)
 
 
 def make_fields(section: type, group: str | None = None, first: Sequence[str] = ()) -> list[Field]:

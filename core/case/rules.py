@@ -8,7 +8,7 @@ from dataclasses import MISSING, fields, replace
 from core.case.hazard_table import check_rising
 from core.case.hinges import check_hinges, parts
 from core.case.schema import Analysis, Case, Generate, Record, Report, Wall
-from core.case.site import FULL_FACTOR, KNOWLEDGE, Building, Demand
+from core.case.site import FULL_FACTOR, KNOWLEDGE, Building, Demand, Spectrum
 from core.case.values import SHOWN, are_ends, field_of, refuse_unknown, repeated, section_of, value_of
 from core.codes.limits import check_return_period
 from core.errors import InputError, place, section
@@ -263,16 +263,11 @@ def _demand(table) -> Demand:
 
 def check_code_keys(asked, here) -> None:
     """Refuse a spectrum of a code without the keys of that code, or with those of another."""
-    needed = {"NTC2018": ("f0", "tc_star_s", "topography"), "EN1998": ("type",)}
-    for code, keys in needed.items():
-        for key in keys:
-            if (getattr(asked, key) is not None) != (code == asked.code):
-                raise InputError(
-                    "code_needs" if code == asked.code else "code_does_not_take",
-                    place=(here,),
-                    key=key,
-                    code=asked.code,
-                )
+    for entry in fields(Spectrum):
+        code, given = entry.metadata.get("code"), getattr(asked, entry.name) is not None
+        if code and given != (code == asked.code):
+            problem = "code_needs" if code == asked.code else "code_does_not_take"
+            raise InputError(problem, place=(here,), key=entry.name, code=asked.code)
 
 
 def _written(table: dict):

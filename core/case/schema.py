@@ -1,8 +1,8 @@
 """The case: what the user asks. Keys, ranges, defaults and names in one place, for form and file."""
 
 import math
-from collections.abc import Sequence
-from dataclasses import MISSING, asdict, dataclass, field, fields
+from collections.abc import Iterator, Sequence
+from dataclasses import MISSING, asdict, dataclass, field, fields, is_dataclass
 
 from core.case.keys import channel_key, choice_key, flag_key, key, number_key, path_key, text_key
 from core.case.site import Building, Demand
@@ -309,6 +309,22 @@ class Analysis:
     robust_window: float = number_key(0.01, 0.5, 0.10, form_unit="%")
     polarity: str = choice_key("both", "as_recorded", "reversed", default="both")
     accuracy: bool = flag_key()
+
+
+def sections() -> dict[str, type]:
+    """Every section of a case file as it is written there -> its class, one inside another after it."""
+
+    def inside(name: str, section: type, repeated: bool) -> Iterator[tuple[str, type]]:
+        yield f"[[{name}]]" if repeated else f"[{name}]", section
+        for entry in fields(section):
+            of = entry.metadata.get("of")
+            if is_dataclass(of):
+                yield from inside(f"{name}.{entry.name}", of, entry.metadata["kind"] == "tables")
+
+    outer = (Report, Wall, Record, Generate, Analysis, Demand, Building)
+    return dict(
+        found for section in outer for found in inside(section.__name__.lower(), section, section in (Wall, Record))
+    )
 
 
 OWN_FIELDS = ("sha256", "given", "table", "table_notes")

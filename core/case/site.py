@@ -12,11 +12,11 @@ class Spectrum:
     """[demand.spectrum]: the elastic spectrum of a code; S follows from it."""
 
     code: str = choice_key("NTC2018", "EN1998")
-    soil: str = choice_key(*SOILS)
-    f0: float | None = number_key(2.0, 4.0, filled=True)
-    tc_star_s: float | None = number_key(0.05, 1.0, unit="s", filled=True)
-    topography: str | None = choice_key(*NTC_TOPOGRAPHY, default=None, filled=True)
-    type: int | None = number_key(1, 2, whole=True, filled=True)
+    soil: str = choice_key(*SOILS, form="code")
+    f0: float | None = number_key(2.0, 4.0, form="code", filled=True, code="NTC2018")
+    tc_star_s: float | None = number_key(0.05, 1.0, unit="s", form="code", filled=True, code="NTC2018")
+    topography: str | None = choice_key(*NTC_TOPOGRAPHY, default=None, form="code", filled=True, code="NTC2018")
+    type: int | None = number_key(1, 2, whole=True, form="code", filled=True, listed=True, code="EN1998")
 
 
 @dataclass(frozen=True)

@@ -3,29 +3,15 @@
 from dataclasses import fields
 
 from core.case.keys import PRETTY
-from core.case.schema import Analysis, Case, Generate, Load, Record, Report, ReturnWalls, Wall
-from core.case.site import Building, BuildingMode, Demand, HazardRow, Spectrum
+from core.case.schema import Case, sections
 from core.report.cells import QUIET, Book, header, heighten, number, paragraph, rule, text, title
 from core.study.results import StudyResult
 from core.text.catalogue import CATALOGUE
 from core.text.sentence import capital, word
 
 UNITS = {
-    entry.name: entry.metadata.get("unit", "")
-    for section in (
-        Report,
-        Wall,
-        Record,
-        Generate,
-        Analysis,
-        Demand,
-        Building,
-        BuildingMode,
-        Load,
-        ReturnWalls,
-        HazardRow,
-        Spectrum,
-    )
+    entry.name: entry.metadata["unit"]
+    for section in sections().values()
     for entry in fields(section)
     if entry.metadata.get("unit")
 }

@@ -9,10 +9,10 @@ pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type
 from app import guide
 from app.forms.fields import Field, TextField
 from app.language import set_language
-from core.case.schema import Generate, Record, Wall
+from core.case.keys import NESTED
+from core.case.schema import Generate, Record, Wall, sections
 from core.case.site import BuildingMode, Demand, HazardRow, Spectrum
 from core.case.values import field_of
-from tests.test_documents import SECTIONS
 
 ELSEWHERE = {
     (Wall, "mechanism"): "three buttons with their drawings",
@@ -31,8 +31,7 @@ ELSEWHERE = {
 }
 """(section, key) that a person gives in another way than by a field of its own, and which."""
 
-NESTED = ("section", "tables", "spectrum")
-"""Kinds of keys whose own keys have the fields."""
+SECTIONS = tuple(sections().values())
 
 
 @pytest.mark.parametrize("section", SECTIONS, ids=lambda section: section.__name__)
