@@ -16,6 +16,7 @@ from core.case.schema import Analysis, Report, Wall
 from core.case.site import Demand, Spectrum
 from core.case.values import check_value, field_of
 from core.errors import InputError
+from core.text.sentence import choice
 
 FIGURES = 12
 
@@ -371,7 +372,9 @@ def words_of_choices(section: type, key: str) -> dict:
         return words | {True: tr("yes"), False: tr("no")}
     if entry.metadata["kind"] == "int":
         return words | {n: str(n) for n in range(entry.metadata["low"], entry.metadata["high"] + 1)}
-    return words | {name: of_key(section, key, f"={name}") or name for name in entry.metadata["names"]}
+    return words | {
+        name: of_key(section, key, f"={name}") or choice(name, current_language()) for name in entry.metadata["names"]
+    }
 
 
 def connect(chosen: Sequence[Field], change: Callable[[Field, object], None]) -> None:

@@ -20,8 +20,9 @@ from PySide6.QtWidgets import (
 )
 
 from app import theme
-from app.forms.fields import ChoiceField, NumberField, connect
-from app.language import described, named, number, tr
+from app.forms.fields import connect
+from app.forms.made_fields import make_field, make_fields
+from app.language import described, number, tr
 from app.plots.chart import Chart
 from core.case.schema import Record
 from core.errors import InputError
@@ -100,18 +101,10 @@ class ImportDialog(QDialog):
         self.words = QLabel()
         self.words.setWordWrap(True)
         self.chart = Chart("t [s]", "u'' [g]", tr("Preview"), live=True)
-        stated = tr("as the file says")
-        units = {None: stated} | {unit: unit for unit in ("g", "m/s2", "cm/s2", "mm/s2")}
-        kinds = {"natural": named("natural"), "artificial": named("artificial"), "simulated": named("simulated")}
-        self.fields = [
-            ChoiceField(Record, "unit", units),
-            *(NumberField(Record, key) for key in ("time_step_s", "column", "skip_lines")),
-            ChoiceField(Record, "kind", kinds),
-            NumberField(Record, "scale"),
-        ]
+        self.fields = [*make_fields(Record, "file"), make_field(Record, "scale")]
         connect(self.fields, lambda field, value: self.change(**{field.key: value}))
         for field in self.fields[1:4]:
-            field.editor.setPlaceholderText(stated)
+            field.editor.setPlaceholderText(tr("as the file says"))
             field.judged.connect(self._judge)
         self.buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel)
         self.buttons.accepted.connect(self.accept)

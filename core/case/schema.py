@@ -280,13 +280,13 @@ class Record:
     """[[record]]: a file or a glob, and only what the file does not say."""
 
     file: str = path_key(MISSING)
-    unit: str | None = choice_key("g", "m/s2", "cm/s2", "mm/s2", default=None)
-    time_step_s: float | None = number_key(1e-5, 0.5, unit="s")
-    column: int | None = number_key(1, 100, whole=True)
-    skip_lines: int | None = number_key(0, 1000, whole=True)
+    unit: str | None = choice_key("g", "m/s2", "cm/s2", "mm/s2", default=None, form="file")
+    time_step_s: float | None = number_key(1e-5, 0.5, unit="s", form="file")
+    column: int | None = number_key(1, 100, whole=True, form="file")
+    skip_lines: int | None = number_key(0, 1000, whole=True, form="file")
     channel: str = channel_key()
     scale: float = number_key(-1000.0, 1000.0, 1.0)
-    kind: str = choice_key("natural", "artificial", "simulated", default="natural")
+    kind: str = choice_key("natural", "artificial", "simulated", default="natural", form="file")
     include: bool = flag_key(True)
 
 

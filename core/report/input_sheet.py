@@ -6,8 +6,7 @@ from core.case.keys import PRETTY
 from core.case.schema import Case, sections
 from core.report.cells import QUIET, Book, header, heighten, number, paragraph, rule, text, title
 from core.study.results import StudyResult
-from core.text.catalogue import CATALOGUE
-from core.text.sentence import capital, word
+from core.text.sentence import capital, choice, word
 
 UNITS = {
     entry.name: entry.metadata["unit"]
@@ -73,8 +72,7 @@ def spelled(value, book: Book) -> str:
         return "; ".join(spelled(part, book) for part in value)
     if isinstance(value, float):
         return book.digits(value, "g")
-    known = f"choice_{value}"
-    return word(known, book.language) if known in CATALOGUE["word"] else str(value)
+    return choice(str(value), book.language)
 
 
 def _sections(book: Book, case: Case):

@@ -177,6 +177,11 @@ def text_of_key(section: str, key: str, part: str, language: str) -> str:
     return known.get(code if code in known else f"{key}{part}", ("", ""))[language == "it"]
 
 
+def choice(name: str, language: str) -> str:
+    """What a name that a key accepts is called, itself where it has no word."""
+    return word(f"choice_{name}", language) if f"choice_{name}" in CATALOGUE["word"] else name
+
+
 def capital(label: str) -> str:
     """A word as it begins a line; a symbol (a_g, ζ) stays."""
     plain = label[:1].islower() and label[:1].isascii() and "_" not in label.split()[0]
