@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import MISSING, asdict, dataclass, field, fields, is_dataclass
+from dataclasses import MISSING, asdict, dataclass, field, fields
 
 from core.case.keys import channel_key, choice_key, flag_key, key, number_key, path_key, text_key
 from core.case.site import Building, Demand
@@ -318,7 +318,7 @@ def sections() -> dict[str, type]:
         yield f"[[{name}]]" if repeated else f"[{name}]", section
         for entry in fields(section):
             of = entry.metadata.get("of")
-            if is_dataclass(of):
+            if isinstance(of, type):
                 yield from inside(f"{name}.{entry.name}", of, entry.metadata["kind"] == "tables")
 
     outer = (Report, Wall, Record, Generate, Analysis, Demand, Building)
