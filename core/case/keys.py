@@ -6,9 +6,6 @@ from dataclasses import MISSING, field
 NESTED = ("section", "tables", "spectrum")
 """Kinds of keys whose values are sections: the keys of those have the fields and the columns."""
 
-PRETTY = {"m2": "m²", "kN/m2": "kN/m²", "kN/m3": "kN/m³", "deg": "°"}
-"""Units as a person writes them."""
-
 FACTORS = {("m", "cm"): 100.0, ("", "%"): 100.0}
 """Unit of a key, unit of its field in a form -> what a value is multiplied with."""
 
@@ -57,4 +54,9 @@ def unit_in_form(entry) -> tuple[str, float]:
     """Unit of the field of a key, and what a value of the case is multiplied with for it."""
     unit = entry.metadata.get("unit", "")
     shown = entry.metadata.get("form_unit", unit)
-    return PRETTY.get(shown, shown), FACTORS.get((unit, shown), 1.0)
+    return pretty(shown), FACTORS.get((unit, shown), 1.0)
+
+
+def pretty(unit: str) -> str:
+    """A unit as a person writes it: kN/m³, °."""
+    return "°" if unit == "deg" else unit.replace("2", "²").replace("3", "³")

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from core.case.hinges import BASE, FLOORS
-from core.case.keys import NESTED, PRETTY
+from core.case.keys import NESTED, pretty
 from core.case.number import parse_number
 from core.case.rules import parse_wall
 from core.case.schema import Wall
@@ -104,7 +104,7 @@ UNITS = {
 
 def _units_of(entry: Field) -> dict[str, float]:
     unit = entry.metadata.get("unit", "")
-    return UNITS.get(unit) or {unit.lower(): 1.0, PRETTY.get(unit, unit).lower(): 1.0}
+    return UNITS.get(unit) or {unit.lower(): 1.0, pretty(unit).lower(): 1.0}
 
 
 OTHER_UNITS = frozenset(

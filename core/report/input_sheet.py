@@ -2,7 +2,7 @@
 
 from dataclasses import fields
 
-from core.case.keys import PRETTY
+from core.case.keys import pretty
 from core.case.schema import Case, sections
 from core.report.cells import QUIET, Book, header, heighten, number, paragraph, rule, text, title
 from core.study.results import StudyResult
@@ -53,8 +53,7 @@ def _line(book: Book, sheet, row: int, key: str, value, source: str | None) -> i
         heighten(sheet, row, (shown, 50))
     else:
         number(sheet, row, 2, value, "General", align="left")
-        unit = UNITS.get(key, "")
-        text(sheet, row, 3, PRETTY.get(unit, unit), color=QUIET)
+        text(sheet, row, 3, pretty(UNITS.get(key, "")), color=QUIET)
     if source:
         text(sheet, row, 4, source, color=QUIET, italic=True)
     rule(sheet, row, 1, 4)
