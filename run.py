@@ -447,7 +447,7 @@ def plan(arguments):
         groups = {"bench": ["test", *everything, *peers], "package": [*everything, "package"]}
         groups = ["base", *groups.get(word, ["test"])]
         return groups, [[interpreter(), "-P", script, *arguments[1:]]], False
-    from app import command_line
+    from app.terminal import command_line
     from core.errors import InputError
     from core.version import line
 

@@ -8,8 +8,8 @@ import tempfile
 import traceback
 from pathlib import Path
 
-from app.command_line import parse, refuse_missing
-from app.language import quoted_from_file, set_language, terminal
+from app.look.language import quoted_from_file, set_language, terminal
+from app.terminal.command_line import parse, refuse_missing
 from core.errors import InputError
 from core.jit import trial
 from core.packages import way_to_get
@@ -25,10 +25,10 @@ def window(case: Path | None) -> int:
         if needed and not any(map(os.environ.get, needed)):
             raise InputError("no_display")
     try:
-        from app.quick_imports import quicken
+        from app.look.quick_imports import quicken
 
         quicken()
-        from app import start as qt
+        from app.shell import start as qt
     except ImportError as error:
         way = way_to_get("PySide6-Essentials pyqtgraph")
         raise InputError("window_needs_qt", reason=str(error), way=way) from None
@@ -46,7 +46,7 @@ def tell(text: str) -> None:
     if sys.stderr is not None:
         print(text, file=sys.stderr)
         return
-    from app import start as qt
+    from app.shell import start as qt
 
     qt.refuse(text)
 
@@ -71,18 +71,18 @@ def main(arguments: list[str] | None = None) -> int:
             return 0
         refuse_missing(options)
         if options.inspect:
-            from app.inspection import inspect
+            from app.terminal.inspection import inspect
 
             return inspect(options.inspect)
         jobs = options.jobs or os.cpu_count() or 1
         if options.study:
-            from app import study
+            from app.terminal import study
 
             return study.run(
                 options.study, options.output, options.records, jobs, options.quiet, options.quick, options.resume
             )
         if options.batch:
-            from app import batch
+            from app.terminal import batch
 
             return batch.run(options.batch, options.output, jobs, options.quiet, options.resume, options.report)
         return window(options.case)

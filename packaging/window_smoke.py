@@ -23,7 +23,7 @@ def settle(application, ready, seconds: float = 180.0) -> None:
 
 
 def drive(application, window, folder: Path, times: dict) -> None:
-    from app.plots.figure_file import FigureSize
+    from app.views.figure_file import FigureSize
 
     start = float(os.environ["RIBALTA_SMOKE_START"])
     settle(application, lambda: window.records.motions and not window.records.pending)
@@ -51,14 +51,14 @@ def _or_end(step, *given) -> None:
 
 
 def main(folder: str) -> int:
-    from app.quick_imports import quicken
+    from app.look.quick_imports import quicken
 
     quicken()
     from PySide6.QtCore import QTimer
     from PySide6.QtWidgets import QApplication
 
     from app import __main__ as program
-    from app import start
+    from app.shell import start
 
     show, times = start.show, {}
 

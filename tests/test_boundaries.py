@@ -45,7 +45,7 @@ def test_that_no_function_is_longer_than_a_step_of_the_calculation(source):
 
 ONE_STEP, ORDER = "tests/validation/test_one_step.py", "tests/validation/test_method_order.py"
 WORKBOOK, RUN = "tests/core/report/test_workbook.py", "tests/core/study/test_run.py"
-LAW = "tests/core/study/test_law_study.py"
+LAW = "tests/core/research/test_law_study.py"
 STUDY = "tests/app/test_study.py"
 SENTENCES = "tests/core/text/test_catalogue.py"
 DIALECTS = "tests/core/ground/test_dialects.py"
@@ -91,16 +91,21 @@ SHOWN_BY = {
     "capacity/scale_free_law": LAW,
     "report/floor_sheet": "tests/core/report/test_workbook.py",
     "report/json_walls": "tests/core/study/test_variants.py",
-    "report/study_files": STUDY,
-    "report/study_workbook": STUDY,
-    "study/figures": STUDY,
-    "study/law_fit": LAW,
-    "study/paper_claims": STUDY,
-    "study/paper_figures": STUDY,
-    "study/paper_sets": STUDY,
-    "study/paper_tables": STUDY,
-    "study/set_means": "tests/core/study/test_parametric.py",
-    "study/study_report": STUDY,
+    "research/law_fit": LAW,
+    "research/set_means": "tests/core/research/test_parametric.py",
+    **{
+        f"research/{name}": STUDY
+        for name in (
+            "figures",
+            "paper_claims",
+            "paper_figures",
+            "paper_sets",
+            "paper_tables",
+            "study_files",
+            "study_report",
+            "study_workbook",
+        )
+    },
     "study/demand_histories": "tests/core/report/test_note.py",
     "study/assessment": "tests/core/codes/test_verdict.py",
     "study/demand_input": "tests/core/codes/test_target_spectrum.py",
@@ -190,7 +195,7 @@ def test_that_importing_a_module_does_no_work(tmp_path):
         "import importlib, pathlib;"
         "files = sorted(pathlib.Path('core').rglob('*.py'));"
         "names = ['.'.join(p.with_suffix('').parts) for p in files if p.stem not in ('__init__', 'numba_extensions')];"
-        "[importlib.import_module(name) for name in names]; import app.batch;"
+        "[importlib.import_module(name) for name in names]; import app.terminal.batch;"
         "from core.jit import cache;"
         "assert os.environ == before and 'numba' not in sys.modules;"
         "assert not cache.stamp.is_made() and not cache.folder.is_made();"

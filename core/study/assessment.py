@@ -5,7 +5,7 @@ from collections.abc import Callable
 from core.case.site import Building, Demand
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import BOUND_EVERY, DemandCheck, demand_check
-from core.codes.kinematic import Check, Kinematic, linear, nonlinear, sld
+from core.codes.kinematic import Check, Kinematic, checks_of, linear
 from core.codes.record_compatibility import Compliance
 from core.codes.risk import Risk, risk
 from core.codes.verdict import Circumstances, Verdict, governing_check, verdict
@@ -138,25 +138,17 @@ def _checks(
     wall: WallResult, kinematic: Kinematic, demand: DemandResult, dynamic: DemandCheck | None
 ) -> tuple[tuple[Check, ...], list[Sentence]]:
     """(the checks that can be made, what the linear one with the wall's own q is to be read with)."""
-    rows = [dynamic.as_check() if dynamic else None, nonlinear(kinematic, demand)]
-    limits: list[Sentence] = []
-    if demand.limit_state == "SLD":
-        rows.append(sld(kinematic, demand))
-    elif demand.limit_state == "SLV":
-        if wall.q_slv_low_set is not None:
-            # our q is counted from uplift at alpha_0 g: a0*, which e* raises, must not count it twice; and of the wall
-            # without the friction of return walls, which must not raise what the histories lead to
-            counted = kinematic.e_star
-            if kinematic.alpha0 > kinematic.chain.alpha0:
-                counted *= kinematic.chain.alpha0 / kinematic.alpha0
-            lower, upper = (
-                linear("linear_q_slv", kinematic, demand, q * counted) for q in (wall.q_slv_low_set, wall.q_slv_set)
-            )
-            rows.append(lower)
-            if lower and upper.passed and not lower.passed:
-                limits.append(sentence("reason", "lower_q_slv", low=wall.q_slv_low_set, q=wall.q_slv_set))
-        rows.append(linear("linear_q_code", kinematic, demand, demand.q_code))
-    return tuple(check for check in rows if check is not None), limits
+    # our q is counted from uplift at alpha_0 g: a0*, which e* raises, must not count it twice; and of the wall without
+    # the friction of return walls, which must not raise what the histories lead to
+    counted = kinematic.e_star
+    if kinematic.alpha0 > kinematic.chain.alpha0:
+        counted *= kinematic.chain.alpha0 / kinematic.alpha0
+    low, high = (None if q is None else q * counted for q in (wall.q_slv_low_set, wall.q_slv_set))
+    made, limits = checks_of(kinematic, demand, low), []
+    lower = next((check for check in made if check.name == "linear_q_slv"), None)
+    if lower and not lower.passed and linear("linear_q_slv", kinematic, demand, high).passed:
+        limits.append(sentence("reason", "lower_q_slv", low=wall.q_slv_low_set, q=wall.q_slv_set))
+    return ((dynamic.as_check(),) if dynamic else ()) + made, limits
 
 
 def _capacity(result: Verdict, demand: DemandResult, dynamic: DemandCheck | None) -> Risk | None:

@@ -7,7 +7,7 @@ from pathlib import Path
 from core.case.schema import Case, Wall
 from core.case.site import Building
 from core.codes.demand import DemandResult
-from core.codes.kinematic import ROUNDING, Check, kinematic, linear, nonlinear, sld
+from core.codes.kinematic import ROUNDING, Check, checks_of, kinematic
 from core.codes.limits import return_period
 from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import Method
@@ -125,15 +125,11 @@ def zetas(
     found = []
     for state, demand in demands.items():
         floor = floor_of(wall, building, demand, []) if wall.above_ground else None
-        made: list[Check | None] = []
+        checks: tuple[Check, ...] = ()
         if floor is not None or not wall.above_ground:
             moved = kinematic(wall, mechanism, demand, floor.spectrum if floor else None)
-            made = [histories(demand) if state in asked else None, nonlinear(moved, demand)]
-            if state == "SLD":
-                made.append(sld(moved, demand))
-            elif state == "SLV":
-                made.append(linear("linear_q_code", moved, demand, demand.q_code))
-        checks = tuple(check for check in made if check is not None)
+            dynamic = histories(demand) if state in asked else None
+            checks = ((dynamic,) if dynamic else ()) + checks_of(moved, demand)
         label = checks[0].label if checks else "linear_sld" if state == "SLD" else "nonlinear"
         zeta = checks[0].zeta if checks else None
         years = demand.return_period or 0.0

@@ -10,7 +10,7 @@ from core.case.site import FULL_FACTOR, Building, Demand
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import demand_check
 from core.codes.floor_spectrum import first_mode
-from core.codes.kinematic import Check, linear, nonlinear, sld
+from core.codes.kinematic import Check, checks_of
 from core.codes.kinematic import kinematic as kinematic_of
 from core.codes.verdict import Lift
 from core.codes.verdict_sentence import CODE_Q
@@ -85,12 +85,8 @@ def zeta_with(
         )
         return dynamic.zeta, dynamic.passed and not dynamic.within_spread(demand.zeta_target)
     moved = kinematic_of(wall, changed.mechanism, demand, floor.spectrum if floor else None)
-    if decides.name == "nonlinear":
-        check = nonlinear(moved, demand)
-    elif demand.limit_state == "SLD":
-        check = sld(moved, demand)
-    else:
-        check = linear(decides.name, moved, demand, demand.q_code if decides.name == "linear_q_code" else decides.q)
+    made = checks_of(moved, demand, decides.q)
+    check = next((one for one in made if one.name == decides.name), None)
     return (check.zeta, bool(check.passed)) if check else (None, False)
 
 

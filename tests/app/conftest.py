@@ -21,7 +21,7 @@ def application():
     # widgets must go before the application does, or Qt crashes when Python ends
     import gc
 
-    from app.worker import end_jobs
+    from app.work.worker import end_jobs
 
     end_jobs()
     for widget in made.topLevelWidgets():
@@ -49,9 +49,10 @@ def window_in(application, tmp_path, monkeypatch, faults):
     from PySide6.QtCore import QSettings
     from PySide6.QtWidgets import QMessageBox
 
-    from app import language, theme, window
-    from app.plots.chart_output import ChartOutput
-    from app.plots.table import Table
+    from app.look import language, theme
+    from app.shell import window
+    from app.views.chart_output import ChartOutput
+    from app.views.table import Table
     from tests.app.driving import settle
 
     monkeypatch.setattr(sys, "excepthook", lambda kind, value, trace: faults.append(value))

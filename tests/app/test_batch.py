@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from app import __main__ as program
-from app import batch
+from app.terminal import batch
 from tests.conftest import ROOT
 
 CASE = """
@@ -327,7 +327,7 @@ def test_that_ctrl_c_while_the_files_are_made_stops_and_resumes(case, monkeypatc
 
 
 def test_that_a_line_of_progress_counts_runs_and_checks_and_says_no_time_it_does_not_know(monkeypatch, capsys):
-    from app import terminal_progress
+    from app.terminal import terminal_progress
 
     monkeypatch.setattr(terminal_progress, "BETWEEN_LINES", 0.0)
     with terminal_progress.progress(False) as show:
@@ -459,7 +459,7 @@ def test_that_a_second_batch_on_the_same_output_is_refused(case, tmp_path, capsy
 def test_that_a_batch_without_any_stream_says_nothing_and_opens_no_dialog(tmp_path, monkeypatch):
     for name in ("stdin", "stdout", "stderr"):
         monkeypatch.setattr(sys, name, None)
-    monkeypatch.setitem(sys.modules, "app.start", None)  # an import of it raises
+    monkeypatch.setitem(sys.modules, "app.shell.start", None)  # an import of it raises
     assert call("--batch", ROOT / "resources" / "cases" / "verdict.toml", "--output", tmp_path) == 0
     assert call("--batch", tmp_path / "missing.toml") == 1
     sys.stderr.close()
@@ -502,7 +502,7 @@ def test_that_a_statement_of_accuracy_without_scipy_is_refused_before_the_run(ca
 
 
 def test_that_a_bar_of_a_terminal_is_one_line_and_leaves_nothing_there(capsys, monkeypatch):
-    from app import terminal_progress
+    from app.terminal import terminal_progress
 
     monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
     monkeypatch.setattr(terminal_progress.cache, "lacks_lanes", lambda: False)

@@ -17,13 +17,14 @@ from PySide6.QtGui import QGuiApplication, QImage, QPainter
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import QDockWidget
 
-from app import docks, theme
-from app.plots.axis import elided
-from app.plots.chart import Chart
-from app.plots.chart_output import ChartOutput
-from app.plots.figure_file import FigureSize, figure
-from app.plots.hatch import Hatch
-from app.window import MainWindow
+from app.look import theme
+from app.shell import docks
+from app.shell.window import MainWindow
+from app.views.axis import elided
+from app.views.chart import Chart
+from app.views.chart_output import ChartOutput
+from app.views.figure_file import FigureSize, figure
+from app.views.hatch import Hatch
 from tests.app.conftest import window_in
 from tests.app.driving import run, settle
 from tests.conftest import ROOT

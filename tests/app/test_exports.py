@@ -13,10 +13,10 @@ from PySide6.QtCore import QByteArray, QPointF
 from PySide6.QtGui import QColor, QImage, QPainter
 from PySide6.QtSvg import QSvgRenderer
 
-from app import language, theme
-from app.plots.chart import Chart
-from app.plots.figure_file import SHAPE, FigureSize, figure
-from app.plots.table import Table
+from app.look import language, theme
+from app.views.chart import Chart
+from app.views.figure_file import SHAPE, FigureSize, figure
+from app.views.table import Table
 from core.errors import OutputError
 
 SIZE = FigureSize(720 / 96 * 25.4, 192, caption=False)
@@ -263,7 +263,7 @@ def test_that_the_ground_is_shown_at_the_multiplier_in_use(opened, application):
 def test_that_an_svg_opens_whatever_a_name_holds(chart):
     from xml.etree import ElementTree
 
-    from app.plots.figure_file import FigureSize, figure
+    from app.views.figure_file import FigureSize, figure
 
     chart.curve("a\ufffe\uffff", [60.0, 120.0], [5.0, 6.0], 2)
     chart.caption = "wall \uffff"

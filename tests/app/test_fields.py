@@ -15,7 +15,7 @@ pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from app.language import FORM_NAMES, described
+from app.look.language import FORM_NAMES, described
 from core.case.rules import parse_case
 from core.case.schema import Analysis, Load, Wall
 from core.case.site import Building, Demand, Spectrum
@@ -51,7 +51,7 @@ def test_that_a_restitution_formula_shown_gives_the_value_beside_it(opened, monk
     for language, model, shape in itertools.product(
         ("en", "it"), ("housner", "sorrentino_experimental", "one_sided_theoretical"), BLOCKS
     ):
-        monkeypatch.setattr("app.language._current", [language])
+        monkeypatch.setattr("app.look.language._current", [language])
         wall = replace(plain, mechanism="one_sided", restitution=model, **shape)
         opened.session.case = replace(opened.session.case, wall=(wall,))
         opened.walls.impact.show_case()
@@ -132,7 +132,7 @@ def test_that_undo_in_a_field_is_that_of_the_case_and_takes_refused_text_back_fi
 
 
 def test_that_a_refused_choice_in_the_import_dialog_keeps_no_run_back(opened, application, tmp_path, monkeypatch):
-    from app.forms.import_dialog import ImportDialog
+    from app.input.import_dialog import ImportDialog
 
     def refused(dialog):
         type_into(dialog.fields[1], "abc")
@@ -147,7 +147,7 @@ def test_that_a_refused_choice_in_the_import_dialog_keeps_no_run_back(opened, ap
 
 
 def test_that_a_pause_ends_a_step_of_undo(opened, monkeypatch):
-    from app import session
+    from app.work import session
 
     notes = opened.walls.fields["notes"]
     type_into(notes, "first")
@@ -180,7 +180,7 @@ def test_that_the_wheel_over_a_list_without_the_focus_changes_nothing(opened, ap
     from PySide6.QtCore import QPoint, QPointF
     from PySide6.QtGui import QWheelEvent
 
-    from app.forms.fields import Choice
+    from app.input.fields import Choice
 
     opened.walls.fields["height_m"].editor.setFocus()
     before = opened.session.case
@@ -308,7 +308,7 @@ def test_that_a_wall_above_the_ground_shows_its_floor(opened, application):
 def test_that_an_a_g_beyond_any_of_italy_is_asked_about_where_it_is_typed_and_with_the_result(
     opened, application, tmp_path
 ):
-    from app.plots.check_tab import CheckTab
+    from app.views.check_tab import CheckTab
     from core.case.rules import parse_case
     from core.study.run import run as run_study
 

@@ -12,10 +12,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QImage
 from PySide6.QtWidgets import QDockWidget
 
-from app import language, theme
-from app.plots.chart_output import ChartOutput
-from app.plots.figure_file import FigureSize, figure
-from app.plots.table import Table
+from app.look import language, theme
+from app.views.chart_output import ChartOutput
+from app.views.figure_file import FigureSize, figure
+from app.views.table import Table
 from core.codes.record_compatibility import common_factor
 from core.errors import InputError, place
 from core.ground.response_spectrum import pseudo_acceleration_spectrum
@@ -45,8 +45,9 @@ def shared_walls(application, tmp_path_factory):
 
 
 @pytest.fixture
-def walls(shared_walls):
+def walls(shared_walls, application):
     """That window, with its own state in what all windows share."""
+    settle(application, lambda: shared_walls.records.motions and not shared_walls.records.pending)
     theme.set_theme("light")
     language.set_language("en")
     shared_walls.refresh()
@@ -139,7 +140,7 @@ def test_that_what_a_run_refuses_leads_to_its_field(opened, application, monkeyp
 
     monkeypatch.setattr("core.study.run.run", refuse)
     said = []
-    monkeypatch.setattr("app.running.QMessageBox.warning", lambda *words: said.append(words[2]))
+    monkeypatch.setattr("app.work.running.QMessageBox.warning", lambda *words: said.append(words[2]))
     settle(application, lambda: not opened.records.pending)
     opened.run()
     settle(application, lambda: opened.job is None)
@@ -347,7 +348,7 @@ def test_that_no_job_collects_widgets_in_its_thread(opened):
     import gc
     import threading
 
-    from app.worker import Job
+    from app.work.worker import Job
 
     assert not gc.isenabled()
     seen = []

@@ -8,11 +8,11 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
 
-from app.forms.fields import ChoiceField
-from app.forms.impact_form import FORMULAS, ImpactForm, named_models, scopes
-from app.forms.loads_form import LoadsForm
-from app.language import current_language, set_language
-from app.session import Session
+from app.input.fields import ChoiceField
+from app.input.impact_form import FORMULAS, ImpactForm, named_models, scopes
+from app.input.loads_form import LoadsForm
+from app.look.language import current_language, set_language
+from app.work.session import Session
 from core.case.schema import Load, Wall
 from core.rocking.methods import METHODS
 from core.text.catalogue import CATALOGUE
@@ -92,7 +92,7 @@ def test_that_a_form_that_fails_stops_no_other(opened, faults, monkeypatch, form
 
 
 def test_that_one_fault_is_one_dialog_until_it_is_closed(opened, faults, monkeypatch, application):
-    from app import start
+    from app.shell import start
 
     said = []
     monkeypatch.setattr(opened, "failed", lambda sentence, log: said.append(sentence))

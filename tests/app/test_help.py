@@ -7,8 +7,9 @@ pytest.importorskip("PySide6")
 from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QApplication, QLineEdit
 
-from app import guide, theme
-from app.forms.fields import Field
+from app.input.fields import Field
+from app.look import theme
+from app.shell import guide
 from core.text.catalogue import CATALOGUE
 
 

@@ -8,10 +8,10 @@ pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type
 
 from PySide6.QtWidgets import QLabel
 
-from app import guide
-from app.forms.fields import Field, TextField
-from app.forms.made_fields import make_fields
-from app.language import described, set_language
+from app.input.fields import Field, TextField
+from app.input.made_fields import make_fields
+from app.look.language import described, set_language
+from app.shell import guide
 from core.case import wall_table
 from core.case.keys import NESTED, number_key
 from core.case.schema import Generate, Record, Wall, sections
@@ -22,8 +22,8 @@ from core.text.catalogue import CATALOGUE
 
 ELSEWHERE = {
     (Wall, "mechanism"): "three buttons with their drawings",
-    (Wall, "law"): "a list and two ends (app/forms/impact_form.py)",
-    (Spectrum, "code"): "a list of codes (app/forms/demand_form.py)",
+    (Wall, "law"): "a list and two ends (app/input/impact_form.py)",
+    (Spectrum, "code"): "a list of codes (app/input/demand_form.py)",
     (Demand, "spectrum_file"): "the same list",
     (Demand, "limit_states"): "written in the case file; the outcome at each limit state is shown without it",
     (Demand, "hazard_file"): "the table takes the rows of such a file",

@@ -12,7 +12,7 @@ pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 
-from app import files
+from app.shell import files
 from core.errors import InputError
 from tests.app.driving import run, settle
 
@@ -44,7 +44,7 @@ def test_that_a_chart_not_written_says_so(opened, monkeypatch):
     said = []
     monkeypatch.setattr(QMessageBox, "warning", lambda *a: said.append(a[-1]))
     target = Path("/nowhere/at/all.csv")
-    monkeypatch.setattr("app.plots.chart_output.path_to_write", lambda *_: target)
+    monkeypatch.setattr("app.views.chart_output.path_to_write", lambda *_: target)
     opened.pages["check"].content.peaks._save_data()
     assert said[0].startswith(f"{target}: cannot be written (No such file or directory)")
 
@@ -154,8 +154,8 @@ def test_that_every_name_the_system_gives_can_be_saved_read_run_and_reported(ope
     """Dropped, saved, opened again, autosaved and recovered, run by the batch, read by a spreadsheet."""
     import openpyxl
 
-    from app import batch
-    from app.session import Session
+    from app.terminal import batch
+    from app.work.session import Session
 
     (entry,) = opened.session.case.record
     mine = tmp_path / name
@@ -178,7 +178,7 @@ def test_that_every_name_the_system_gives_can_be_saved_read_run_and_reported(ope
 
 
 def test_that_only_the_word_discard_deletes_an_autosave(opened, monkeypatch, tmp_path):
-    from app import start
+    from app.shell import start
 
     folder = opened.session.recovery_folder
     folder.mkdir(exist_ok=True)
@@ -227,7 +227,8 @@ def test_that_no_content_of_a_swap_file_ends_the_program(opened, content):
 def test_that_no_value_of_the_settings_keeps_the_window_from_starting(application, tmp_path, value):
     from PySide6.QtCore import QSettings
 
-    from app import menus, theme, window
+    from app.look import theme
+    from app.shell import menus, window
 
     settings = QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat)
     for key in ("theme", "language", "recent", "geometry", "state"):

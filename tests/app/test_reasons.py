@@ -10,7 +10,7 @@ pytest.importorskip("PySide6")
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from app.forms.reasons_form import raised_by_demand, raised_by_wall
+from app.input.reasons_form import raised_by_demand, raised_by_wall
 from core.case.rules import draft_case, parse_case
 from core.case.schema import ReturnWalls, WallJustification
 from core.case.site import Building, BuildingMode, DemandJustification

@@ -86,7 +86,7 @@ def test_that_generated_motions_are_ticked_and_stay_one_set(bundled, application
 def test_that_the_dialog_takes_only_choices_the_case_accepts_and_shows_those_of_each_file(application, tmp_path):
     from PySide6.QtWidgets import QDialogButtonBox
 
-    from app.forms.import_dialog import ImportDialog
+    from app.input.import_dialog import ImportDialog
 
     samples = [f"{0.02 * k:.2f} {np.sin(0.1 * k):.6f}" for k in range(300)]
     for name in ("a.txt", "b.txt"):
@@ -115,7 +115,7 @@ def test_that_the_dialog_takes_only_choices_the_case_accepts_and_shows_those_of_
 
 
 def test_that_files_beyond_what_the_dialog_shows_are_named(application, tmp_path):
-    from app.forms.import_dialog import MAX_FILES, ImportDialog
+    from app.input.import_dialog import MAX_FILES, ImportDialog
 
     paths = [tmp_path / f"{k}.txt" for k in range(MAX_FILES + 3)]
     dialog = ImportDialog(paths)
@@ -124,7 +124,7 @@ def test_that_files_beyond_what_the_dialog_shows_are_named(application, tmp_path
 
 
 def test_that_the_dialog_marks_what_cannot_be_read(application, tmp_path):
-    from app.forms.import_dialog import ImportDialog
+    from app.input.import_dialog import ImportDialog
 
     good, bad = tmp_path / "a_good.txt", tmp_path / "bad.txt"
     good.write_text("\n".join(f"{np.sin(0.1 * k):.6f}" for k in range(300)))
@@ -143,7 +143,7 @@ def test_that_the_dialog_marks_what_cannot_be_read(application, tmp_path):
 def test_that_a_file_of_several_channels_is_a_row_for_each_and_none_is_taken_unticked(application, tmp_path):
     from PySide6.QtCore import Qt
 
-    from app.forms.import_dialog import ImportDialog
+    from app.input.import_dialog import ImportDialog
     from tests.core.ground import dialects
 
     path, other = tmp_path / "three.V2", tmp_path / "one.AT2"

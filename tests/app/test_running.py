@@ -10,7 +10,7 @@ from tests.app.driving import Held, run, settle
 
 
 def test_that_a_job_that_cannot_stop_is_left_at_once_and_nothing_of_it_arrives(opened, application):
-    from app.worker import RUNNING
+    from app.work.worker import RUNNING
 
     goes_on, arrived = threading.Event(), []
     opened.start(lambda job: goes_on.wait(60), arrived.append)
@@ -38,7 +38,7 @@ def test_that_finished_runs_are_used_again(opened, application, monkeypatch):
 
 
 def test_that_an_export_cancelled_before_it_writes_leaves_no_file(opened, application, tmp_path, monkeypatch):
-    from app.worker import RUNNING
+    from app.work.worker import RUNNING
     from core.report import workbook
 
     run(application, opened)
@@ -133,7 +133,7 @@ def test_that_a_finished_job_is_kept_by_nobody(opened, application):
     import gc
     import weakref
 
-    from app.worker import RUNNING
+    from app.work.worker import RUNNING
 
     class Result:
         pass

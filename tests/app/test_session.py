@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.session import Session
+from app.work.session import Session
 from core.case.reader import read_case
 from core.case.rules import parse_case
 from core.case.schema import Load, Record, ReturnWalls, Wall
@@ -213,7 +213,7 @@ def test_that_a_killed_program_leaves_its_unsaved_case(tmp_path):
         import sys
         from pathlib import Path
         sys.path.insert(0, {str(ROOT)!r})
-        from app.session import Session
+        from app.work.session import Session
         session = Session(Path({str(tmp_path / "recovery_folder")!r}))
         session.open(Path({str(case)!r}))
         session.edit_wall(0, height_m=6.125)

@@ -11,12 +11,12 @@ from tests.xvfb import display
 
 SCRIPT = """
 import sys
-from app.quick_imports import quicken
+from app.look.quick_imports import quicken
 quicken()
 from PySide6.QtCore import QEventLoop, QStandardPaths, Qt, QTimer
 QStandardPaths.setTestModeEnabled(True)
 from PySide6.QtTest import QTest
-from app import start, window as program
+from app.shell import start, window as program
 from core.case.reader import read_case
 application, window = start.make([])
 start.install_hook(window)
@@ -44,7 +44,7 @@ window.close()
 
 def test_that_pyqtgraph_has_all_of_qt_where_its_import_is_quickened():
     script = (
-        "from app.quick_imports import Mirror, quicken; quicken(); import pyqtgraph.Qt as Q;"
+        "from app.look.quick_imports import Mirror, quicken; quicken(); import pyqtgraph.Qt as Q;"
         "from PySide6 import QtCore, QtGui, QtWidgets;"
         "pairs = ((Q.QtCore, QtCore), (Q.QtGui, QtGui), (Q.QtWidgets, QtWidgets));"
         "print(all(type(a) is Mirror and len(dir(b)) > 100 for a, b in pairs),"
@@ -61,7 +61,7 @@ def test_that_pyqtgraph_has_all_of_qt_where_its_import_is_quickened():
 def test_that_an_unknown_version_is_imported_as_it_is_by_itself(package):
     script = (
         f"from core.known_internals import KNOWN; KNOWN[{package!r}] = ('9.0', '9.9');"
-        "from app.quick_imports import Mirror, quicken; quicken(); import pyqtgraph.Qt as Q;"
+        "from app.look.quick_imports import Mirror, quicken; quicken(); import pyqtgraph.Qt as Q;"
         "print(isinstance(Q.QtCore, Mirror), Q.QtCore.QPointF(1.0, 2.0).x())"
     )
     pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)

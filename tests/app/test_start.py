@@ -13,7 +13,7 @@ pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type
 FAULT = """
 import faulthandler, sys
 from pathlib import Path
-from app import start
+from app.shell import start
 with start.logged_crash(Path(sys.argv[1])) as earlier:
     print([file.name for file in earlier])
     if sys.argv[2] == "fault":
@@ -41,7 +41,7 @@ def test_that_a_fault_leaves_a_log_that_the_next_start_names_once(tmp_path):
 
 
 def test_that_a_user_without_a_writable_home_has_a_folder_of_data(tmp_path, monkeypatch):
-    from app import start
+    from app.shell import start
 
     (tmp_path / "file").touch()
     monkeypatch.setattr(start.QStandardPaths, "writableLocation", lambda _: str(tmp_path / "file" / "data"))
@@ -52,7 +52,7 @@ def test_that_a_user_without_a_writable_home_has_a_folder_of_data(tmp_path, monk
 
 def test_that_words_without_a_terminal_come_in_a_dialog(application, tmp_path, monkeypatch):
     from app import __main__ as program
-    from app import start
+    from app.shell import start
 
     words = []
     monkeypatch.setattr(start.QMessageBox, "critical", lambda *given: words.append(given[-1]))
@@ -62,7 +62,7 @@ def test_that_words_without_a_terminal_come_in_a_dialog(application, tmp_path, m
 
 
 def test_that_an_arrangement_of_another_version_is_left_aside(opened, monkeypatch):
-    from app import docks
+    from app.shell import docks
 
     state = opened.saveState(docks.LAYOUT)
     assert opened.restoreState(state, docks.LAYOUT)
@@ -70,7 +70,7 @@ def test_that_an_arrangement_of_another_version_is_left_aside(opened, monkeypatc
 
 
 def test_that_a_case_of_the_own_extension_opens_saves_and_runs_as_batch(opened, tmp_path, monkeypatch):
-    from app import files
+    from app.shell import files
 
     path = tmp_path / "parete.ribalta"
     monkeypatch.setattr(files, "path_to_write", lambda *given: path if given[-1] == files.CASE_ENDS else None)
@@ -84,7 +84,7 @@ def test_that_a_case_of_the_own_extension_opens_saves_and_runs_as_batch(opened, 
 OPENED = """
 import sys
 from PySide6.QtGui import QFileOpenEvent
-from app import start
+from app.shell import start
 application, window = start.make([])
 application.opens = window.files.open
 application.sendEvent(application, QFileOpenEvent(sys.argv[1]))

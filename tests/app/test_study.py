@@ -15,12 +15,12 @@ import numpy as np
 import pytest
 from openpyxl import load_workbook
 
-from app import study
+from app.terminal import study
 from core.capacity.regression import agreement
 from core.capacity.scale_free_law import FITTED
-from core.study.law_fit import columns, set_columns
-from core.study.set_means import motion_values
-from core.study.study_report import report_of
+from core.research.law_fit import columns, set_columns
+from core.research.set_means import motion_values
+from core.research.study_report import report_of
 from tests.app.driving import settle
 from tests.app.test_batch import call, start, waited
 from tests.conftest import ROOT
@@ -270,7 +270,7 @@ def test_that_the_italian_study_has_the_same_numbers(small, tmp_path):
 def test_that_the_window_of_a_study_runs_cancels_goes_on_and_shows_it(application, small, tmp_path, monkeypatch):
     from PySide6.QtWidgets import QMessageBox
 
-    from app.study_window import StudyWindow
+    from app.shell.study_window import StudyWindow
 
     monkeypatch.setattr(QMessageBox, "warning", lambda *a: pytest.fail(f"unexpected: {a[-1]}"))
     small.write_text(STUDY.replace("q_step = [0.02]", "q_step = [0.004]"))
@@ -317,13 +317,13 @@ def test_that_a_figure_that_fails_takes_no_number_along(small, tmp_path, monkeyp
     def fails(figure):
         raise RuntimeError("no font")
 
-    monkeypatch.setattr("core.report.study_files.figure_files", fails)
+    monkeypatch.setattr("core.research.study_files.figure_files", fails)
     assert call("--study", small, "--output", tmp_path / "out", "--quiet") == 4
     said = capsys.readouterr().err
     assert f"workbook, JSON and CSV are written: {tmp_path / 'out' / 'small'}" in said
     assert content(tmp_path / "out") == content(tmp_path / "right")
     load_workbook(tmp_path / "out" / "small.xlsx")
     monkeypatch.undo()  # finished runs are used again, so that the figures cost no second run
-    monkeypatch.setattr("core.study.parametric.incremental_dynamic_analysis", lambda *_: pytest.fail("run again"))
+    monkeypatch.setattr("core.research.parametric.incremental_dynamic_analysis", lambda *_: pytest.fail("run again"))
     assert call("--study", small, "--output", tmp_path / "out", "--resume", "--quiet") == 0
     assert len(list((tmp_path / "out" / "small_figures").iterdir())) == 8

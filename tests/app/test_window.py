@@ -15,7 +15,7 @@ from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
-from app.window import row_of
+from app.shell.window import row_of
 from core.case.reader import read_case
 from core.case.rules import parse_case
 from core.study import run as study
@@ -131,7 +131,7 @@ def test_the_whole_job(opened, application, tmp_path):
 def test_that_the_exported_workbook_is_the_batchs_cell_for_cell(opened, application, tmp_path):
     import openpyxl
 
-    from app import batch
+    from app.terminal import batch
 
     run(application, opened)
     (tmp_path / "a").mkdir()
@@ -164,7 +164,7 @@ def test_that_dropped_files_become_records(opened, application):
 
 
 def test_that_files_and_folders_dropped_with_the_mouse_are_taken(opened, application, monkeypatch):
-    from app.forms.import_dialog import ImportDialog
+    from app.input.import_dialog import ImportDialog
 
     seen = []
     monkeypatch.setattr(ImportDialog, "exec", lambda dialog: seen.append(dialog) or dialog.DialogCode.Accepted)
@@ -184,7 +184,7 @@ def test_that_files_and_folders_dropped_with_the_mouse_are_taken(opened, applica
 
 
 def test_that_a_file_that_is_no_record_is_said_in_the_dialog(opened, tmp_path):
-    from app.forms.import_dialog import ImportDialog
+    from app.input.import_dialog import ImportDialog
 
     wrong = tmp_path / "wrong.txt"
     wrong.write_text("hello")
@@ -351,7 +351,7 @@ def test_that_a_copied_picture_lets_the_program_end(tmp_path):
 
     script = (
         "from PySide6.QtWidgets import QApplication; a = QApplication([]);"
-        "from app.plots.chart import Chart; c = Chart('x', 'y', 'n'); c.curve('k', [0, 1], [0, 1]); c.copy()"
+        "from app.views.chart import Chart; c = Chart('x', 'y', 'n'); c.curve('k', [0, 1], [0, 1]); c.copy()"
     )
     found = subprocess.run(
         [sys.executable, "-P", "-c", script], env={**os.environ, "PYTHONPATH": str(ROOT)}, timeout=60
@@ -360,8 +360,8 @@ def test_that_a_copied_picture_lets_the_program_end(tmp_path):
 
 
 def test_that_a_long_name_is_short_in_a_chart_and_whole_in_its_data(application):
-    from app.plots.axis import LEGEND_LETTERS, elided
-    from app.plots.chart import Chart
+    from app.views.axis import LEGEND_LETTERS, elided
+    from app.views.chart import Chart
 
     name = "a_file_with_a_long_name_2016 3: 0 DEG (+)"
     assert len(elided(name)) <= LEGEND_LETTERS and elided(name).endswith("3: 0 DEG (+)")

@@ -41,7 +41,7 @@ def longest_pause(folder_of_records: Path, count: int) -> float:
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
     from PySide6.QtWidgets import QApplication
 
-    from app.forms.import_dialog import ImportDialog
+    from app.input.import_dialog import ImportDialog
 
     application = QApplication.instance() or QApplication([])
     there = [path for path in sorted(folder_of_records.rglob("*")) if path.is_file()]

@@ -36,7 +36,7 @@ def begin():
     from PySide6.QtCore import QStandardPaths
 
     QStandardPaths.setTestModeEnabled(True)
-    from app import start as program
+    from app.shell import start as program
 
     application, window = program.make([])
     window.show()

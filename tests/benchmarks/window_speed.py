@@ -20,11 +20,11 @@ ROOT = Path(__file__).resolve().parents[2]
 START = """
 import time; start = time.perf_counter()
 import sys; sys.path.insert(0, sys.argv[1])
-from app.quick_imports import quicken
+from app.look.quick_imports import quicken
 quicken()
 from PySide6.QtCore import QStandardPaths
 QStandardPaths.setTestModeEnabled(True)
-from app import start as program
+from app.shell import start as program
 application, window = program.make([])
 program.show(window); application.processEvents()
 shown = time.perf_counter() - start
@@ -95,7 +95,7 @@ def main(options: argparse.Namespace) -> None:
     from shiboken6 import isValid
 
     QStandardPaths.setTestModeEnabled(True)
-    from app import start as program
+    from app.shell import start as program
     from core.study.journal import Memory
 
     application, window = program.make([])

@@ -175,7 +175,7 @@ def _journal(content: bytes, folder: Path) -> None:
 
 
 def _swap(content: bytes, folder: Path) -> None:
-    from app.session import Session
+    from app.work.session import Session
 
     path = folder / "x-aa.swap"
     path.write_bytes(content)

@@ -5,8 +5,7 @@ import math
 import pytest
 
 from core.capacity.ida import incremental_dynamic_analysis, multiplier_of
-from core.codes.kinematic import linear, nonlinear
-from core.codes.verdict import ORDER
+from core.codes.kinematic import CHECKS, linear, nonlinear
 from core.rocking.history import history
 from core.rocking.methods import AUTO
 from core.rocking.outcome import COLLAPSED
@@ -104,7 +103,7 @@ def test_that_the_wall_of_the_design_shows_its_disagreement(designed):
 
 
 def test_that_every_check_is_made_the_most_refined_first(designed):
-    assert [check.name for check in designed.walls[0].assessment.checks] == list(ORDER)
+    assert [check.name for check in designed.walls[0].assessment.checks] == list(CHECKS)
 
 
 def test_that_q_and_its_multiplier_are_one_formula(designed):

@@ -33,7 +33,7 @@ def test_that_no_kernel_is_fast_math_or_parallel():
 
 def test_that_numba_waits_for_the_first_call_of_a_kernel():
     script = (
-        "import sys; import core.study.run, app.batch; early = 'numba' in sys.modules;"
+        "import sys; import core.study.run, app.terminal.batch; early = 'numba' in sys.modules;"
         "from core.ground.response_spectrum import housner_intensity; import numpy as np;"
         "housner_intensity(np.ones(50), 0.01); print(early, 'numba' in sys.modules)"
     )

@@ -2,11 +2,10 @@
 
 import pytest
 
-from core.report import study_files
 from core.report.note import document
 from core.report.note.parts import Curve, Figure
 from core.report.note.words import Words
-from core.study import figures
+from core.research import figures, study_files
 
 mpl = pytest.importorskip("matplotlib")
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from app import export
+from app.terminal import export
 from core.report import workbook
 from core.report.verdict_words import in_order, lines_of, sentence_of
 from core.study.governing import collapse_histories

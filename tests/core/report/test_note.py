@@ -11,11 +11,11 @@ import openpyxl
 import pytest
 
 from app import __main__ as program
-from app import export
+from app.terminal import export
 from core.case.rules import parse_case
 from core.codes.capacity_curve import capacity_curve
+from core.codes.kinematic import CHECKS
 from core.codes.target_spectrum import displacement
-from core.codes.verdict import ORDER
 from core.errors import InputError, OutputError
 from core.report import workbook
 from core.report.derived import cell_prefix
@@ -66,7 +66,7 @@ def test_that_every_check_has_its_zeta_in_the_note_and_on_the_check_sheet(verdic
     steps = {step.cell for step in steps_of(note(verdict, "en"))}
     names = set(workbook.build(verdict, []).workbook.defined_names)
     for wall in verdict.walls:
-        assert {check.name for check in wall.assessment.checks} == set(ORDER)
+        assert {check.name for check in wall.assessment.checks} == set(CHECKS)
         for check in wall.assessment.checks:
             cell = f"{cell_prefix(verdict, wall)}{check.name}_zeta"
             assert cell in steps and cell in names, check.name

@@ -9,8 +9,8 @@ import pytest
 from core.case.study_file import Cell
 from core.ground.ground_motion import GroundMotion
 from core.report.plain_cell import plain_cell
-from core.report.study_files import csv_text
-from core.study.parametric import ParametricResult, Row, StudyMotion
+from core.research.parametric import ParametricResult, Row, StudyMotion
+from core.research.study_files import csv_text
 
 
 @pytest.mark.parametrize(

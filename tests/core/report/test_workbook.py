@@ -13,7 +13,7 @@ import numpy as np
 import openpyxl
 import pytest
 
-from app import export
+from app.terminal import export
 from core.case.reader import read_case
 from core.case.rules import parse_case
 from core.case.schema import Load

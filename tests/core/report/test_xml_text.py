@@ -13,11 +13,11 @@ from core.ooxml.sheet import Limits, read_sheet
 from core.report.cells import Book, text
 from core.report.note.document import document
 from core.report.note.parts import Curve, Figure, Figures, Heading, Paragraph, Table
-from core.report.study_files import figure_files
 from core.report.xml_text import for_cell, for_xml
-from core.study.figures import LINE
-from core.study.figures import Figure as StudyFigure
-from core.study.figures import Series as StudySeries
+from core.research.figures import LINE
+from core.research.figures import Figure as StudyFigure
+from core.research.figures import Series as StudySeries
+from core.research.study_files import figure_files
 
 HOSTILE = "a\ufffe\uffff_x0041_\x0b\ud800\U0001ffff è <&>"
 SHOWN = "a\\ufffe\\uffff_x0041_"

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from core.case.rules import parse_case
-from core.codes.verdict import ORDER
+from core.codes.kinematic import CHECKS
 from core.study.run import run
 from core.study.zeta_with import zeta_with
 from tests.conftest import ROOT
@@ -70,7 +70,7 @@ def test_that_with_nothing_changed_every_check_has_its_own_zeta(monkeypatch):
     monkeypatch.setattr("core.study.assessment.lifts", lambda scene, _, checks, __: seen.append((scene, checks)) or ())
     made()
     ((scene, checks),) = seen
-    assert {check.name for check in checks} == set(ORDER)
+    assert {check.name for check in checks} == set(CHECKS)
     for check in checks:
         zeta, _ = zeta_with(replace(scene, decides=check), every=1, cancelled=lambda: False)
         assert zeta == check.zeta, check.name

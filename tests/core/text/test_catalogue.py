@@ -11,6 +11,7 @@ import pytest
 from core.case import wall_table
 from core.case.rules import parse_case
 from core.case.schema import Case, Load, sections
+from core.codes.kinematic import CHECKS
 from core.errors import InputError, place, section
 from core.packages import PACKAGES
 from core.text.catalogue import CATALOGUE, FOLDER, GROUPS, Catalogue
@@ -36,8 +37,8 @@ WORDS = re.compile(r"[A-Za-z]{2,} [a-z]{2,} [a-z]{2,}")
 """Three words in a row: a sentence of English or Italian, whatever else a literal holds."""
 
 OF_NO_SENTENCE = {
-    "app/command_line.py": "what argparse says, and the texts of the terminal for it",
-    "app/forms/impact_form.py": "formulas with their source",
+    "app/terminal/command_line.py": "what argparse says, and the texts of the terminal for it",
+    "app/input/impact_form.py": "formulas with their source",
     "core/case/wall_table.py": "heads of columns, in both languages",
     "core/case/schema.py": "the values of a key",
     "core/derivation/faces.py": "errors of whoever describes a quantity",
@@ -166,6 +167,7 @@ def test_that_every_text_of_the_catalogue_is_used():
     sides |= {f"section_{entry.name}" for entry in fields(Case)}
     sides |= {f"work_{extra}" for extra in PACKAGES}
     sides |= {f"load_{kind}" for kind in LOAD_KINDS} | {key for keys in ENTRIES.values() for key in keys}
+    sides |= {f"by_{label}" for label in (*CHECKS, "linear_sld")}
     for group in set(CATALOGUE) - {"error", "key"}:
         unused = {code for code in CATALOGUE[group] if code not in literals | sides}
         assert unused == set(), group

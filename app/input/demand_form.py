@@ -1,0 +1,237 @@
+"""The demand, the analysis and the title block of the report."""
+
+from dataclasses import replace
+
+from PySide6.QtWidgets import QFileDialog, QGroupBox, QLabel, QPushButton, QVBoxLayout, QWidget
+
+from app.input.building_form import BuildingForm
+from app.input.fields import Choice, connect
+from app.input.hazard_form import HazardForm
+from app.input.law_curve import SpectrumCurve
+from app.input.made_fields import make_field, make_fields
+from app.input.reasons_form import reasons_of_demand
+from app.look.language import current_language, described, number, tr
+from app.look.parts import Parts
+from app.work.session import Session
+from core.case.schema import Analysis, Case, Report
+from core.case.site import Demand, Spectrum
+from core.codes.demand import unusual
+from core.errors import InputError
+from core.study.demand_input import target_of
+from core.units import G
+
+
+class DemandForm(QWidget):
+    """Edits [demand]; `on_target(target)` is called with the spectrum after each change."""
+
+    def __init__(self, session: Session):
+        super().__init__()
+        self.session = session
+        self.last: tuple | None = None
+        self.spectra = {
+            "NTC2018": Spectrum("NTC2018", "", f0="", tc_star_s="", topography=""),
+            "EN1998": Spectrum("EN1998", "", type=""),
+        }
+        self.given = QGroupBox(tr("Check against a demand"))
+        self.given.setCheckable(True)
+        self.given.toggled.connect(self._toggled)
+        self._make_spectrum()
+        motion = [make_field(Demand, key) for key in ("limit_state", "ag_g", "soil_factor", "housner_intensity_cm")]
+        self.of_spectrum = make_fields(Spectrum, "code", first=("f0", "tc_star_s"))
+        below = [
+            *make_fields(Demand, "knowledge"),
+            *make_fields(Demand, "check", first=("demand_scaling", "period_range_s", "zeta_target")),
+            *make_fields(Demand, "site"),
+        ]
+        self.of_demand = [*motion, *below]
+        self.fields = {field.key: field for field in (*self.of_demand, *self.of_spectrum)}
+        connect(self.of_demand, self._changed)
+        connect(self.of_spectrum, self._spectrum_changed)
+        self.curve: SpectrumCurve | None = None
+        self.curve_place = QVBoxLayout()
+        inside = QVBoxLayout(self.given)
+        for widget in (*motion[:2], self.hint, self.kind, *motion[2:], *self.of_spectrum, self.file, self.summary):
+            inside.addWidget(widget)
+        inside.addLayout(self.curve_place)
+        self.hazard = HazardForm(session)
+        for widget in (*below, self.hazard):
+            inside.addWidget(widget)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(6, 6, 6, 6)
+        self.building, self.reasons = BuildingForm(session), reasons_of_demand(session)
+        for widget in (self.given, self.building, self.reasons):
+            layout.addWidget(widget)
+        layout.addStretch(1)
+        self.parts = Parts(
+            self, self._show_demand, self.building.show_case, self.hazard.show_case, self.reasons.show_case
+        )
+
+    def _make_spectrum(self) -> None:
+        """How the spectrum is given, with what is said of it."""
+        self.hint, self.summary = QLabel(), QLabel()
+        self.hint.setWordWrap(True)
+        self.summary.setWordWrap(True)
+        self.kind = Choice()
+        self.kind.setAccessibleName(tr("Spectrum"))
+        for name, shown in (
+            ("none", tr("no spectrum, S given")),
+            ("NTC2018", "NTC 2018"),
+            ("EN1998", "EN 1998-1"),
+            ("file", tr("spectrum of a file")),
+        ):
+            self.kind.addItem(shown, name)
+        self.kind.activated.connect(self._kind_chosen)
+        self.file = QPushButton(tr("Choose file…"))
+        self.file.clicked.connect(self._choose_file)
+
+    def show_case(self) -> None:
+        """Fill the form from the session."""
+        self.parts.show()
+
+    def _show_demand(self) -> None:
+        demand = self.session.case.demand
+        self.given.blockSignals(True)
+        self.given.setChecked(demand is not None)
+        self.given.blockSignals(False)
+        if demand is None:
+            return
+        for field in self.of_demand:
+            field.show_value(getattr(demand, field.key))
+        self.hint.setText(self._asked(demand.ag_g))
+        spectrum, kind = demand.spectrum, self._kind_of(demand)
+        self.kind.setCurrentIndex(self.kind.findData(kind))
+        for field in self.of_spectrum:
+            if spectrum:
+                field.show_value(getattr(spectrum, field.key))
+            field.setVisible(spectrum is not None and field.entry.metadata.get("code", kind) == kind)
+        self.fields["soil_factor"].setVisible(spectrum is None)
+        self.fields["housner_intensity_cm"].setVisible(kind == "none")
+        self.file.setVisible(kind == "file")
+        self.file.setText(demand.spectrum_file or tr("Choose file…"))
+        try:
+            target = target_of(demand, self.session.base_dir)
+        except InputError as error:
+            target = None
+            self.summary.setText(described(error))
+        except (TypeError, KeyError):  # values of the site are still to be given
+            target = None
+            self.summary.setText(tr("The values of the site are still to be given."))
+        else:
+            self.summary.setText(self._said(demand, target))
+        if self.curve is not None:
+            self.curve.show_target(target)
+
+    def showEvent(self, event) -> None:
+        """The curve is made when it is first looked at: the start is faster."""
+        super().showEvent(event)
+        if self.curve is None:
+            self.curve = SpectrumCurve()
+            self.curve_place.addWidget(self.curve)
+            self.show_case()
+
+    @staticmethod
+    def _kind_of(demand: Demand) -> str:
+        """Where the spectrum is from."""
+        return demand.spectrum.code if demand.spectrum else "file" if demand.spectrum_file else "none"
+
+    @staticmethod
+    def _asked(ag) -> str:
+        """What a_g is, or whether it is meant."""
+        doubts = unusual(ag * G) if isinstance(ag, float | int) else []
+        words = "\n".join(doubt.text(current_language()) for doubt in doubts)
+        return words or tr("a_g on rigid ground, S apart")
+
+    @staticmethod
+    def _said(demand: Demand, target) -> str:
+        if target is None:
+            if not isinstance(demand.ag_g, float | int):
+                return ""
+            return f"S a_g {number(demand.ag_g * (demand.soil_factor or 1.0), '.3f')} g"
+        words = f"S {number(target.soil, '.3f')}, S a_g {number(target.pga / G, '.3f')} g"
+        if hasattr(target, "t_b"):
+            periods = (("T_B", target.t_b), ("T_C", target.t_c), ("T_D", target.t_d))
+            words += "\n" + ", ".join(f"{name} {number(value, '.3f')} s" for name, value in periods)
+        return words
+
+    def _toggled(self, on: bool) -> None:
+        """With the demand go the motions made for it; both come back as they were."""
+        case = self.session.case
+        if on:
+            demand, made = self.last or (Demand(""), None)  # what is of the site is never assumed
+            self.session.edit(replace(case, demand=demand, generate=made))
+        else:
+            self.last = (case.demand, case.generate)
+            self.session.edit(replace(case, demand=None, generate=None))
+
+    def _changed(self, field, value) -> None:
+        if self.session.case.demand is not None:
+            self.session.edit_section("demand", ("demand", field.key), **{field.key: value})
+
+    def _spectrum_changed(self, field, value) -> None:
+        demand = self.session.case.demand
+        if demand and demand.spectrum:
+            spectrum = replace(demand.spectrum, **{field.key: value})
+            self.session.edit_section("demand", ("demand", field.key), spectrum=spectrum)
+
+    def _kind_chosen(self, index: int) -> None:
+        kind, demand = self.kind.itemData(index), self.session.case.demand
+        if kind == self._kind_of(demand) != "file":
+            return
+        if demand.spectrum:
+            self.spectra[demand.spectrum.code] = demand.spectrum
+        values = {"spectrum": None, "spectrum_file": None}
+        values["spectrum"] = self.spectra.get(kind)
+        if values["spectrum"]:
+            values |= {"soil_factor": None, "housner_intensity_cm": None}
+        if kind == "file":
+            self._choose_file()
+            return
+        self.session.edit_section("demand", **values)
+
+    def _choose_file(self) -> None:
+        from pathlib import Path
+
+        name, _ = QFileDialog.getOpenFileName(self, tr("Spectrum: two columns, s and g"), str(self.session.base_dir))
+        if name:
+            self.session.edit_section(
+                "demand", spectrum=None, spectrum_file=self.session.relative(Path(name)), housner_intensity_cm=None
+            )
+        else:
+            self.show_case()
+
+
+class AnalysisForm(QWidget):
+    """Edits [analysis] and [report]."""
+
+    def __init__(self, session: Session):
+        super().__init__()
+        self.session = session
+        self.of_analysis, self.of_report = make_fields(Analysis), make_fields(Report)
+        connect(
+            self.of_analysis,
+            lambda field, value: session.edit_section("analysis", ("analysis", field.key), **{field.key: value}),
+        )
+        connect(
+            self.of_report,
+            lambda field, value: session.edit_section("report", ("report", field.key), **{field.key: value}),
+        )
+        self.title_field = make_field(Case, "title")
+        self.title_field.edited.connect(lambda value: session.edit(replace(session.case, title=value), "title"))
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(6, 6, 6, 6)
+        for label, chosen in ((tr("Report"), [self.title_field, *self.of_report]), (tr("Analysis"), self.of_analysis)):
+            group = QGroupBox(label)
+            inside = QVBoxLayout(group)
+            for field in chosen:
+                inside.addWidget(field)
+            layout.addWidget(group)
+        layout.addStretch(1)
+
+    def show_case(self) -> None:
+        """Fill the form from the session."""
+        case = self.session.case
+        self.title_field.show_value(case.title)
+        for field in self.of_analysis:
+            field.show_value(getattr(case.analysis, field.key))
+        for field in self.of_report:
+            field.show_value(getattr(case.report, field.key))

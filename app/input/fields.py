@@ -1,0 +1,383 @@
+"""Fields of a form: each is made from the description of its key, says its error in words, and speaks the office's
+unit."""
+
+import re
+from collections.abc import Callable, Sequence
+
+from PySide6.QtCore import QEvent, Qt, QTimer, Signal
+from PySide6.QtGui import QKeySequence
+from PySide6.QtWidgets import QCheckBox, QComboBox, QDialog, QGridLayout, QLabel, QLineEdit, QSizePolicy, QWidget
+
+from app.look import theme
+from app.look.language import FORM_NAMES, current_language, number, of_key, tr
+from core.case.keys import unit_in_form
+from core.case.number import parse_number
+from core.case.schema import Analysis, Report, Wall
+from core.case.site import Demand, Spectrum
+from core.case.values import check_value, field_of
+from core.errors import InputError
+from core.text.sentence import choice
+
+FIGURES = 12
+
+SECTIONS = {Demand: "[demand]", Spectrum: "[demand.spectrum]", Analysis: "[analysis]", Report: "[report]"}
+"""Sections of a case; errors of a wall name the wall."""
+
+
+class Field(QWidget):
+    """Label, editor, unit and a line for its error, of a key of a section. edited(value) : a value the case accepts."""
+
+    edited = Signal(object)
+    judged = Signal()
+
+    def __init__(self, section: type, key: str):
+        super().__init__()
+        self.section, self.key, self.entry = section, key, field_of(section, key)
+        unit, self.factor = unit_in_form(self.entry)
+        self.unit = tr("years") if unit == "years" else unit
+        label, tip = self.text_of(".caption"), self.text_of(".tip")
+        FORM_NAMES.add(self.key_in_errors(), label, SECTIONS.get(section, ""))
+        self.value = self.value_before = None
+        self.error = self.rule = ""
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setHorizontalSpacing(6)
+        grid.setVerticalSpacing(0)
+        self.caption = QLabel(label)
+        self.caption.setMinimumWidth(116)
+        self.caption.setMaximumWidth(190)
+        self.caption.setWordWrap(True)
+        self.editor = self.make_editor()
+        self.editor.setAccessibleName(label)
+        self.editor.setToolTip(tip)
+        self.setToolTip(tip)
+        self.caption.setBuddy(self.editor)
+        self.message = QLabel()
+        self.message.setWordWrap(True)
+        self.message.setStyleSheet(f"color: {theme.current.bad};")
+        self.message.hide()
+        grid.addWidget(self.caption, 0, 0)
+        grid.addWidget(self.editor, 0, 1)
+        if self.unit:
+            grid.addWidget(QLabel(self.unit), 0, 2)
+        grid.addWidget(self.message, 1, 0, 1, 3)
+        grid.setColumnStretch(1, 1)
+        self.setFocusProxy(self.editor)
+
+    def text_of(self, part: str) -> str:
+        """Its caption or its tip, see `of_key`."""
+        return of_key(self.section, self.key, part)
+
+    def key_in_errors(self) -> str:
+        """The key by which errors name what it edits."""
+        return self.key
+
+    @property
+    def optional(self) -> bool:
+        """Whether it may be left empty."""
+        return self.entry.default is None and not self.entry.metadata.get("filled")
+
+    def make_editor(self) -> QWidget:
+        """The widget that edits: a line of text, where a kind of field has no other."""
+        line = Line(lambda: bool(self.error), self.revert)
+        line.entered.connect(self._entered)
+        return line
+
+    def _entered(self) -> None:
+        """Editing begins: what stands here comes back should the text be refused."""
+        self.value_before = self.value
+
+    def refuse(self, sentence: str) -> None:
+        """Words at the field; the case goes back to the value from before the editing, for the beginning of a
+        refused text is not what was meant."""
+        self.show_error(sentence)
+        if self.value != self.value_before:
+            self.value = self.value_before
+            self.edited.emit(self.value_before)
+
+    def revert(self) -> None:
+        """The value of the case again, in the place of what was refused."""
+        value = self.value
+        self.forget()
+        self.editor.clear()
+        self.show_value(value)
+
+    def show_error(self, sentence: str) -> None:
+        """Words below the field on what stands in it, none for a good value."""
+        if sentence != self.error:
+            QTimer.singleShot(0, self, self.judged.emit)
+        self.error = sentence
+        self._show_words()
+
+    def show_rule(self, sentence: str) -> None:
+        """Words below the field on a rule that it breaks together with others, none if all hold. A field that is
+        hidden shows itself: its value may be the one to take away."""
+        if sentence and self.isHidden():
+            self.show()
+        if sentence != self.rule:
+            self.rule = sentence
+            self._show_words()
+
+    def _show_words(self) -> None:
+        words = self.error or self.rule
+        self.message.setText(words)
+        self.message.setVisible(bool(words))
+        self.editor.setStyleSheet(f"border: 1px solid {theme.current.bad};" if words else "")
+
+    @property
+    def wrong(self) -> bool:
+        """Whether what stands in the field is not in the case."""
+        return bool(self.error) and not self.isHidden()
+
+    def named_in(self, problem: InputError, wall: str) -> bool:
+        """Whether an error of the case is about this field; wall : name of the wall the forms show."""
+        if self.section is Wall:
+            here = problem.wall == wall
+        else:
+            here = problem.section is not None and problem.section == SECTIONS.get(self.section)
+        return here and self.key_in_errors() in problem.keys
+
+    def offer(self, value) -> None:
+        """A value from the editor: into the case if it is accepted, else an error at the field."""
+        try:
+            value = check_value(self.section, self.key, value) if value is not None else None
+        except InputError as error:
+            self.refuse(error.accepted_text(current_language(), FORM_NAMES))
+            return
+        self.show_error("")
+        self.value = value
+        self.edited.emit(value)
+
+    def holds_invalid_text(self, value) -> bool:
+        """Whether something wrong stands here that the user has yet to mend: it is not taken away without a
+        word. A value that came from elsewhere (undo, another file) replaces it."""
+        return bool(self.error) and value == self.value
+
+    def forget(self) -> None:
+        """Another case or wall: what was wrong in the last one is no more."""
+        self.value = self.value_before = None
+        self.show_error("")
+
+
+class Choice(QComboBox):
+    """A list to choose from that the mouse wheel passes by, unless it has the focus."""
+
+    def __init__(self):
+        super().__init__()
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+
+    def wheelEvent(self, event) -> None:
+        if self.hasFocus():
+            super().wheelEvent(event)
+        else:
+            event.ignore()
+
+
+class Line(QLineEdit):
+    """A line of text whose Ctrl+Z and Ctrl+Y are those of the case, but in a dialog; a text that is not in the case is
+    taken back first.
+
+    refused() : whether there is one
+    revert() : what to do then
+    """
+
+    entered = Signal()
+
+    def __init__(self, refused: Callable[[], bool], revert: Callable[[], None]):
+        super().__init__()
+        self.refused, self.revert = refused, revert
+
+    def focusInEvent(self, event) -> None:
+        self.entered.emit()
+        super().focusInEvent(event)
+
+    def event(self, event) -> bool:
+        if event.type() in (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress):
+            undo = event.matches(QKeySequence.StandardKey.Undo)
+            of_case = not isinstance(self.window(), QDialog)
+            if of_case and (undo or event.matches(QKeySequence.StandardKey.Redo)):
+                if not (undo and self.refused()):
+                    event.ignore()
+                    return False
+                if event.type() == QEvent.Type.KeyPress:
+                    self.revert()
+                event.accept()
+                return True
+        return super().event(event)
+
+    def contextMenuEvent(self, event) -> None:
+        """The usual menu without an undo that the case knows nothing of."""
+        menu = self.createStandardContextMenu()
+        for action in menu.actions():
+            if action.objectName() in ("edit-undo", "edit-redo"):
+                menu.removeAction(action)
+        menu.exec(event.globalPos())
+        menu.deleteLater()
+
+
+class NumberField(Field):
+    """A number, comma or point."""
+
+    def __init__(self, section: type, key: str):
+        super().__init__(section, key)
+        self.whole = self.entry.metadata["kind"] == "int"
+        if self.factor != 1.0:
+            FORM_NAMES.scales[key] = (self.factor, self.unit)
+
+    def make_editor(self) -> QLineEdit:
+        editor = super().make_editor()
+        editor.setAlignment(Qt.AlignmentFlag.AlignRight)
+        editor.setMinimumWidth(64)
+        editor.textEdited.connect(self._typed)
+        return editor
+
+    def _typed(self, text: str) -> None:
+        if not text.strip() and self.optional:
+            self.show_error("")
+            self.value = None
+            self.edited.emit(None)
+            return
+        if not text.strip():
+            self.refuse(tr("a number is needed here"))
+            return
+        try:
+            number = parse_number(text)
+        except InputError:
+            self.refuse(tr("{text}: not a number", text=text.strip()))
+            return
+        self.offer(int(number) if self.whole and number == int(number) else number / self.factor)
+
+    def show_value(self, value: float | None) -> None:
+        """Show a value of the case, unless what stands there already means it."""
+        if self.holds_invalid_text(value):
+            return
+        if value != self.value:
+            self.value_before = value
+        self.value = value
+        if self.editor.hasFocus() and self._means(value):
+            return
+        shown = "" if value is None or value == "" else number(value * self.factor, f".{FIGURES}g")
+        if self.editor.text() != shown:
+            self.editor.setText(shown)
+        self.show_error("")
+
+    def _means(self, value) -> bool:
+        text = self.editor.text()
+        if not text.strip():
+            return value is None
+        try:
+            number = parse_number(text)
+        except InputError:
+            return False
+        return value is not None and abs(number / self.factor - value) <= 1e-12 * abs(value)
+
+
+class RangeField(Field):
+    """Two rising numbers with a space, a dash or a semicolon between them; empty for none."""
+
+    def make_editor(self) -> QLineEdit:
+        editor = super().make_editor()
+        editor.setAlignment(Qt.AlignmentFlag.AlignRight)
+        editor.textEdited.connect(self._typed)
+        return editor
+
+    def _typed(self, text: str) -> None:
+        if not text.strip():
+            self.show_error("")
+            self.value = None
+            self.edited.emit(None)
+            return
+        try:
+            self.offer([parse_number(part) for part in re.split(r"[\s;–-]+", text.strip())])
+        except InputError:
+            self.refuse(tr("{text}: not two numbers", text=text.strip()))
+
+    def show_value(self, value) -> None:
+        if self.holds_invalid_text(value):
+            return
+        if value != self.value:
+            self.value_before = value
+        self.value = value
+        if not (self.editor.hasFocus() and value is not None):
+            self.editor.setText("" if value is None else " – ".join(f"{number(end, 'g')}" for end in value))
+        self.show_error("")
+
+
+class TextField(Field):
+    """A line of text."""
+
+    def make_editor(self) -> QLineEdit:
+        editor = super().make_editor()
+        editor.textEdited.connect(self.offer)
+        return editor
+
+    def show_value(self, value: str) -> None:
+        if self.holds_invalid_text(value):
+            return
+        if value != self.value:
+            self.value_before = value
+        self.value = value
+        if self.editor.text() != (value or ""):
+            self.editor.setText(value or "")
+            self.editor.setCursorPosition(0)
+        self.show_error("")
+
+
+class ChoiceField(Field):
+    """One of some names. words : name -> what is shown, None : as the catalogue has it"""
+
+    def __init__(self, section: type, key: str, words: dict | None = None):
+        self.words = words or words_of_choices(section, key)
+        FORM_NAMES.captions.update({name: shown for name, shown in self.words.items() if name})
+        super().__init__(section, key)
+
+    def make_editor(self) -> QComboBox:
+        editor = Choice()
+        editor.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        for name, shown in self.words.items():
+            editor.addItem(shown, name)
+        editor.activated.connect(lambda k: self.offer(editor.itemData(k)))
+        return editor
+
+    def show_value(self, value) -> None:
+        # a choice that is still to be made shows none
+        self.editor.setCurrentIndex(list(self.words).index(value) if value in self.words else -1)
+        self.show_error("")
+
+
+class FlagField(Field):
+    """A box to tick."""
+
+    def make_editor(self) -> QCheckBox:
+        editor = QCheckBox()
+        editor.toggled.connect(self._toggled)
+        return editor
+
+    def _toggled(self, on: bool) -> None:
+        self.offer(on)
+
+    def show_value(self, value: bool) -> None:
+        self.editor.blockSignals(True)
+        self.editor.setChecked(bool(value))
+        self.editor.blockSignals(False)
+
+
+def words_of_choices(section: type, key: str) -> dict:
+    """Name -> what a list shows, of a key that takes one of some names; None is that it is not given."""
+    entry = field_of(section, key)
+    words: dict = {}
+    if entry.default is None and not entry.metadata.get("filled"):
+        words[None] = of_key(section, key, "=") or "–"
+    if entry.metadata["kind"] == "flag":
+        return words | {True: tr("yes"), False: tr("no")}
+    if entry.metadata["kind"] == "int":
+        return words | {n: str(n) for n in range(entry.metadata["low"], entry.metadata["high"] + 1)}
+    return words | {
+        name: of_key(section, key, f"={name}") or choice(name, current_language()) for name in entry.metadata["names"]
+    }
+
+
+def connect(chosen: Sequence[Field], change: Callable[[Field, object], None]) -> None:
+    """Send the edits of these fields to `change(field, value)`."""
+    for field in chosen:
+        field.edited.connect(lambda value, field=field: change(field, value))

@@ -1,0 +1,197 @@
+"""Restitution model and moment law of a wall, with formula, value and curve."""
+
+import math
+import re
+from collections.abc import Callable
+
+from PySide6.QtWidgets import QGroupBox, QHBoxLayout, QLabel, QVBoxLayout
+
+from app.input.fields import Choice, ChoiceField, NumberField
+from app.input.law_curve import LawCurve
+from app.look.language import current_language, described, named, number, tr
+from app.work.session import Session
+from core.case.schema import Wall
+from core.errors import InputError
+from core.wall import wall_loads
+from core.wall.block import Block
+from core.wall.moment_rotation import LAWS
+from core.wall.restitution import MODELS, Contact, impact_ratio
+
+FORMULAS = {
+    "housner": "e = 1 − {inner} (Eq. 4, α = {alpha}°)",
+    "sorrentino_experimental": "e = 0.95 (1 − {inner}) (Eq. 5, α = {alpha}°)",
+    "costa_upper": "e = 0.98 (Costa et al. 2013)",
+    "one_sided_theoretical": "e = (1 − {inner})² |1 − {top}| (Eq. 6, α = {alpha}°)",
+    "one_sided_experimental": "e = √r₁ₛ (1.18 − 0.473 v²) (Eq. 7)",
+    "user": "e",
+}
+"""inner, top : what the impacts of the inner hinge and of the top of its face take of the velocity; alpha : of the
+block that turns [deg]. Of each of MODELS: tests/app/test_forms.py asks for all."""
+
+
+def named_models() -> dict:
+    """Restitution models as the list shows them, one without words by its name; None is the default of the
+    mechanism."""
+    words = {
+        None: tr("default of the mechanism"),
+        "housner": "Housner (Eq. 4)",
+        "sorrentino_experimental": tr("Sorrentino, experimental (Eq. 5)"),
+        "costa_upper": tr("Costa, upper bound"),
+        "one_sided_theoretical": tr("one-sided, theoretical (Eq. 6)"),
+        "one_sided_experimental": tr("one-sided, experimental (Eq. 7)"),
+        "user": tr("given velocity ratio"),
+    }
+    return words | {model: model for model in MODELS if model not in words}
+
+
+def named_laws() -> dict:
+    """Moment-rotation laws as the list shows them, with their ends over alpha; "own" is one of two numbers."""
+    words = {"rigid": tr("rigid"), "doherty": "Doherty", "al_shawa": "Al Shawa"}
+    ends = {name: "" if law.is_rigid else f" {law.elastic_limit:g}, {law.plateau_end:g}" for name, law in LAWS.items()}
+    return {name: words.get(name, name) + ends[name] for name in LAWS} | {"own": tr("own D1, D2")}
+
+
+def scopes() -> dict:
+    """What each model rests on and how far it goes."""
+    return {
+        "housner": tr("theory: angular momentum kept, no sliding, no bouncing"),
+        "sorrentino_experimental": tr("tests on walls of tuff units and of clay bricks"),
+        "costa_upper": tr("tests on sack stone masonry; above Eq. 4 for α > 6.63°"),
+        "one_sided_theoretical": tr("theory: impacts of base, upper corner and base again"),
+        "one_sided_experimental": tr(
+            "tests; v over the overturning velocity, beyond v = 1.58 held at e = 0; value for v = 0"
+        ),
+        "user": tr("given, 0 to 1"),
+    }
+
+
+def formula_of(model: str, block: Block, contact: Contact | None = None) -> str:
+    """The formula of a model with the factors and the angle of this block: a setback or a mass that moves with the wall
+    makes them others than those of a rectangle. contact : of a block with masses that move with it"""
+    factor = f"{2.0 * block.radius**2 / block.inertia_over_mass:.5g}"
+    losses = {"inner": f"{factor} sin²α", "top": f"{factor} cos²α"}
+    if contact is not None:
+        corner, top = (contact.width, 0.0), (contact.width, contact.height)
+        losses = {
+            "inner": f"{1.0 - impact_ratio(block, (0.0, 0.0), corner):.5g}",
+            "top": f"{1.0 - impact_ratio(block, corner, top):.5g}",
+        }
+    degrees = math.degrees(block.slenderness)
+    formula = FORMULAS.get(model, MODELS[model]).format(alpha=f"{degrees:.5g}", **losses)
+    if current_language() == "it":
+        formula = re.sub(r"(?<=\d)\.(?=\d)", ",", formula)
+    return formula
+
+
+class LawField(NumberField):
+    """An end of an own law over alpha, checked as the velocity ratio is: 0 to 1."""
+
+    def __init__(self, end: str):
+        self.end = end
+        super().__init__(Wall, "velocity_ratio")
+
+    def text_of(self, part: str) -> str:
+        return named(f"key_{self.end}") if part == ".caption" else ""
+
+    def key_in_errors(self) -> str:
+        return self.end
+
+
+class ImpactForm(QGroupBox):
+    """Edits restitution and law of the wall at `index()`."""
+
+    def __init__(self, session: Session, index: Callable[[], int]):
+        super().__init__(tr("Restitution and law"))
+        self.session, self.index, self.scopes = session, index, scopes()
+        self.law_curve = LawCurve()
+        column = QVBoxLayout(self)
+        self.model = ChoiceField(Wall, "restitution", named_models())
+        self.velocity_ratio = NumberField(Wall, "velocity_ratio")
+        self.law = Choice()
+        for name, shown in named_laws().items():
+            self.law.addItem(shown, name)
+        self.law.setAccessibleName(tr("Moment-rotation law"))
+        self.law.activated.connect(self._law_chosen)
+        self.first = LawField("elastic_limit")
+        self.last = LawField("plateau_end")
+        self.first.edited.connect(lambda value: self._law_end("elastic_limit", value))
+        self.last.edited.connect(lambda value: self._law_end("plateau_end", value))
+        self.model.edited.connect(self._model_chosen)
+        self.velocity_ratio.edited.connect(lambda value: self._edit(("velocity_ratio",), velocity_ratio=value))
+        self.formula = QLabel()
+        self.formula.setWordWrap(True)
+        for widget in (self.model, self.velocity_ratio, self.formula):
+            column.addWidget(widget)
+        row = QHBoxLayout()
+        ends = QVBoxLayout()
+        ends.addWidget(self.law)
+        ends.addWidget(self.first)
+        ends.addWidget(self.last)
+        ends.addStretch(1)
+        row.addLayout(ends, 1)
+        row.addWidget(self.law_curve, 1)
+        column.addLayout(row)
+
+    @property
+    def wall(self) -> Wall | None:
+        walls = self.session.case.wall
+        return walls[self.index()] if self.index() < len(walls) else None
+
+    def _edit(self, place=None, **values) -> None:
+        if self.wall is not None:
+            self.session.edit_wall(self.index(), place and ("wall", self.index(), *place), **values)
+
+    def show_case(self) -> None:
+        """Fill the form from the wall."""
+        wall = self.wall
+        if wall is None:
+            return
+        model = wall.restitution or ("user" if wall.velocity_ratio is not None else None)
+        self.model.show_value(model)
+        self.velocity_ratio.setVisible(model == "user")
+        self.velocity_ratio.show_value(wall.velocity_ratio)
+        lines = []
+        for mechanism in wall.mechanisms() if wall.mechanism else ():
+            try:
+                model_used = wall.restitution_of(mechanism)
+                word = named(mechanism)
+                formula = formula_of(model_used.model, wall.block(), wall_loads.contact_of(wall))
+                lines.append(f"{word}: {formula} = {number(model_used.ratio_at_rest, '.4f')}")
+                if model_used.model in self.scopes:
+                    lines.append(f"({self.scopes[model_used.model]})")
+            except InputError as error:
+                lines.append(described(error))
+            except TypeError:  # work in progress
+                lines.append(tr("Sizes, weights or loads are still to be given."))
+                break
+        self.formula.setText("\n".join(lines) or tr("Choose a mechanism."))
+        own = isinstance(wall.law, dict)
+        self.law.setCurrentIndex(self.law.findData("own" if own else wall.law))
+        for field, key in ((self.first, "elastic_limit"), (self.last, "plateau_end")):
+            field.setVisible(own)
+            if own:
+                field.show_value(wall.law[key])
+        self.law_curve.show_wall(wall)
+
+    def _model_chosen(self, model) -> None:
+        wall = self.wall
+        if wall is None:
+            return
+        ratio = None
+        if model == "user":
+            try:
+                ratio = round(wall.restitution_of(wall.mechanisms()[0]).ratio_at_rest, 3)
+            except (InputError, TypeError):
+                ratio = 0.9
+        self.session.edit_wall(self.index(), restitution=model, velocity_ratio=ratio)
+
+    def _law_chosen(self, index: int) -> None:
+        name = self.law.itemData(index)
+        law = {"elastic_limit": 0.06, "plateau_end": 0.28} if name == "own" else name
+        if self.wall is not None:
+            self.session.edit_wall(self.index(), law=law)
+
+    def _law_end(self, key: str, value) -> None:
+        if self.wall is not None and isinstance(self.wall.law, dict):
+            law = {**self.wall.law, key: value}
+            self.session.edit_wall(self.index(), ("wall", self.index(), key), law=law)

@@ -1,0 +1,136 @@
+"""Why values that raise zeta hold, in the engineer's words."""
+
+from collections.abc import Callable
+from dataclasses import fields, replace
+
+from PySide6.QtWidgets import QGroupBox, QLabel, QVBoxLayout
+
+from app.input.fields import TextField, connect
+from app.look.language import named, tr
+from app.work.session import Session
+from core.case.schema import Case, Wall, WallJustification
+from core.case.site import FULL_FACTOR, DemandJustification
+from core.codes.verdict import CODE_Q
+from core.study.zeta_with import MEASURED
+from core.text.sentence import capital
+
+Reasons = WallJustification | DemandJustification
+
+
+def raised_by_wall(case: Case, wall: Wall) -> set[str]:
+    """Keys of a wall that raise its zeta as they are, see `zeta_with.lifts`."""
+    at_height = wall.above_ground and case.building is not None and not case.building.modes
+    lifting = {
+        "velocity_ratio": wall.velocity_ratio is not None,
+        "restitution": wall.restitution in MEASURED,
+        "return_walls": wall.return_walls is not None,
+        "law": wall.law != "rigid",
+        "free_element": wall.free_element is not None
+        and any(wall.free_element != (mechanism == "two_sided") for mechanism in wall.mechanisms()),
+        "base_z_m": case.demand is not None and at_height,
+    }
+    return {key for key, lifts in lifting.items() if lifts}
+
+
+def raised_by_demand(case: Case) -> set[str]:
+    """The same of the demand and of the building."""
+    demand, building = case.demand, case.building
+    if demand is None:
+        return set()
+    lifting = {
+        "confidence_factor": demand.confidence_factor < FULL_FACTOR,
+        "q_code": demand.q_code > CODE_Q,
+        "building": building is not None
+        and (bool(building.modes) or (building.period_factor, building.damping) != (None, None)),
+        "participation": building is not None and bool(building.modes),
+    }
+    return {key for key, lifts in lifting.items() if lifts}
+
+
+class ReasonField(TextField):
+    """The reason for a key; the key itself is another field's."""
+
+    def text_of(self, part: str) -> str:
+        return capital(named(f"key_{self.key}")) if part == ".caption" else ""
+
+    def key_in_errors(self) -> str:
+        return f"reason_{self.key}"
+
+
+class ReasonsForm(QGroupBox):
+    """Edits the section of the reasons: a row for each that is given, or whose key raises zeta.
+
+    section : its class
+    raised : keys that raise zeta as the case is; given : the reasons of the case
+    change(key, reasons) : what to do with another reason for this key, None without any reason left
+    """
+
+    def __init__(
+        self,
+        section: type[Reasons],
+        raised: Callable[[], set[str]],
+        given: Callable[[], Reasons | None],
+        change: Callable[[str, Reasons | None], None],
+    ):
+        super().__init__(tr("Reasons of the engineer"))
+        self.section, self.raised, self.given, self.change = section, raised, given, change
+        column = QVBoxLayout(self)
+        hint = QLabel(tr("Why each of these values holds; without a reason it may leave the verdict indicative."))
+        hint.setWordWrap(True)
+        column.addWidget(hint)
+        self.fields = []
+        for entry in fields(section):
+            self.fields.append(ReasonField(section, entry.name))
+            column.addWidget(self.fields[-1])
+        connect(self.fields, self._changed)
+
+    def show_case(self) -> None:
+        """Fill the form from the session."""
+        given, raised = self.given(), self.raised()
+        for field in self.fields:
+            reason = getattr(given, field.key, "")
+            field.show_value(reason)
+            field.setVisible(bool(reason) or field.key in raised)
+        self.setVisible(any(not field.isHidden() for field in self.fields))
+
+    def _changed(self, field: TextField, value: str) -> None:
+        changed = replace(self.given() or self.section(), **{field.key: value})
+        self.change(field.key, changed if changed != self.section() else None)
+
+
+def reasons_of_wall(session: Session, index: Callable[[], int]) -> ReasonsForm:
+    """The reasons of the wall at `index()`."""
+
+    def wall() -> Wall | None:
+        walls = session.case.wall
+        return walls[index()] if index() < len(walls) else None
+
+    def raised() -> set[str]:
+        shown = wall()
+        return raised_by_wall(session.case, shown) if shown else set()
+
+    def given() -> Reasons | None:
+        shown = wall()
+        return shown.justification if shown else None
+
+    def change(key: str, reasons: Reasons | None) -> None:
+        if wall() is not None:
+            place = ("wall", index(), "justification", key)
+            session.edit_wall(index(), place, justification=reasons)
+
+    return ReasonsForm(WallJustification, raised, given, change)
+
+
+def reasons_of_demand(session: Session) -> ReasonsForm:
+    """The reasons of the demand and of the building."""
+
+    def given() -> Reasons | None:
+        demand = session.case.demand
+        return demand.justification if demand else None
+
+    def change(key: str, reasons: Reasons | None) -> None:
+        if session.case.demand is not None:
+            place = ("demand", "justification", key)
+            session.edit_section("demand", place, justification=reasons)
+
+    return ReasonsForm(DemandJustification, lambda: raised_by_demand(session.case), given, change)

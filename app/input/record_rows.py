@@ -1,0 +1,78 @@
+"""What the table of the records shows: the motions of a case read or generated, one row each."""
+
+from pathlib import Path
+
+from app.input.import_dialog import read
+from app.look.language import described, named, number, tr
+from core.case.schema import Case, Record
+from core.errors import InputError
+from core.ground.ground_motion import GroundMotion
+from core.study.demand_input import demand_of, generated
+from core.units import CM, G
+
+Row = tuple[int | None, GroundMotion | str]
+"""(index of the entry of the case, None for generated ones; the motion, or the sentence why there is none)."""
+
+
+def heads() -> list[str]:
+    """Heads of the columns."""
+    return [
+        tr("Use"),
+        tr("Record"),
+        "PGA [g]",
+        "SI [cm]",
+        tr("Scale"),
+        tr("Kind"),
+        tr("Unit"),
+        "Δt [s]",
+        "PGV [cm/s]",
+        tr("D5-95 [s]"),
+        tr("Format"),
+    ]
+
+
+def state_of(name: str) -> tuple | None:
+    """What tells whether a file is still the same; None where it is gone."""
+    try:
+        state = Path(name).stat()
+    except OSError:
+        return None
+    return state.st_mtime_ns, state.st_size
+
+
+def read_rows(case: Case, base: Path) -> tuple[list[Row], dict[str, tuple | None]]:
+    """(rows of a case whose files are relative to `base`, state of each file that was read)."""
+    rows: list[Row] = [(k, motion) for k, entry in enumerate(case.record) for motion in read(entry, base)]
+    if case.generate:
+        try:
+            asked = demand_of(case, base)
+            made = generated(case, asked) if asked and asked.target else []
+            rows += [(None, motion) for motion in made]
+        except InputError as error:
+            rows.append((None, described(error)))
+        except (TypeError, KeyError):  # values of the site are still to be given
+            rows.append((None, tr("The values of the site are still to be given.")))
+    motions = [motion for _, motion in rows if not isinstance(motion, str)]
+    for motion in motions:
+        motion.measure()
+    files = {motion.file for motion in motions if motion.format != "generated"}
+    return rows, {name: state_of(name) for name in files}
+
+
+def cells(motion: GroundMotion | str, entry: Record | None) -> list[str]:
+    """Texts of a row."""
+    if isinstance(motion, str):
+        return ["", motion, *[""] * (len(heads()) - 2)]
+    return [
+        "",
+        motion.name,
+        number(motion.pga / G, ".3f"),
+        number(motion.housner_intensity / CM, ".1f"),
+        number(entry.scale if entry else 1.0, "g").replace("-", "−"),
+        named(entry.kind if entry else "artificial"),
+        motion.unit,
+        number(motion.time_step, "g"),
+        number(motion.pgv / CM, ".1f"),
+        number(motion.duration_5_95, ".1f"),
+        motion.format,
+    ]

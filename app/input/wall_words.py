@@ -1,0 +1,94 @@
+"""What the form says of a wall from its case and from the last result."""
+
+import math
+
+from app.look.language import named, tr
+from app.work.session import Session
+from core.capacity.scale_free_law import estimates
+from core.case.hinges import hinges_of
+from core.case.schema import Wall
+from core.errors import InputError
+from core.study.demand_input import demand_of
+from core.wall.block import Block
+
+
+def estimate_lines(session: Session, wall: Wall) -> list[str]:
+    """A first answer without records: q of Ribalta's law at the demand, where its spectrum or SI is given."""
+    case = session.case
+    try:
+        demand = demand_of(case, session.base_dir) if case.demand else None
+        if demand is None or not demand.intensity or not wall.has_closed_forms:
+            return []
+        answers = [
+            estimates(
+                wall.block(),
+                wall.restitution_of(mechanism),
+                wall.moment_law(),
+                mechanism == "one_sided",
+                demand.intensity,
+                demand.pga,
+            )
+            for mechanism in wall.mechanisms()
+        ]
+    except (InputError, TypeError, KeyError):
+        return []  # the form says elsewhere what is missing
+    lines = []
+    for mechanism, answer in zip(wall.mechanisms(), answers, strict=True):
+        for one, slv in [answer] if answer else []:
+            values = {"q": one.q, "low": one.low, "high": one.high, "q_slv": slv.q}
+            kind = named(mechanism)
+            line = tr(
+                "Research, no records, {kind}: q {q:.1f} ({low:.1f}–{high:.1f}), q SLV {q_slv:.1f}", kind=kind, **values
+            )
+            lines.append(line if one.within else f"{line}, {tr('outside its range')}")
+    return lines
+
+
+def hinge_zetas(session: Session, k: int) -> list[tuple[float, float | None]]:
+    """Every hinge of the k-th wall above its base [m], with the smallest zeta found there, None where none is."""
+    case, result = session.case, None if session.stale else session.result
+    found = []
+    try:
+        heights = [0.0, *hinges_of(case.wall[k], case.building)]
+        for hinge in heights if len(heights) > 1 else ():
+            zetas = [
+                one.assessment.verdict.zeta_e
+                for one in (result.walls if result else ())
+                if (one.part.origin, one.part.hinge) == (k, hinge) and one.assessment and one.assessment.verdict.zeta_e
+            ]
+            found.append((hinge, min(zetas) if zetas else None))
+    except (InputError, TypeError, ZeroDivisionError):  # work in progress
+        return []
+    return found
+
+
+SHAPE_KEYS = ("height_m", "thickness_m", "slenderness_deg", "height_over_thickness", "radius_m", "inertia_over_mass_m2")
+"""Keys of which some give the shape of a wall."""
+
+
+def shape_of(wall: Wall) -> str:
+    """How the shape is given: "general" by R and I0/m, else the key beside the height."""
+    if wall.radius_m is not None or wall.inertia_over_mass_m2 is not None:
+        return "general"
+    keys = ("slenderness_deg", "height_over_thickness")
+    return next((key for key in keys if getattr(wall, key) is not None), "thickness_m")
+
+
+def written_as(shape: str, wall: Wall, block: Block) -> dict[str, float | None]:
+    """Values of the keys that give the block of a wall in another way. shape : as of `shape_of`"""
+    values: dict[str, float | None] = dict.fromkeys(SHAPE_KEYS)
+    if shape == "general":
+        return values | {
+            "radius_m": block.radius,
+            "inertia_over_mass_m2": block.inertia_over_mass,
+            "slenderness_deg": math.degrees(block.slenderness),
+            "hinge_setback_m": 0.0,
+        }
+    height, thickness = wall.height_m or block.height, wall.thickness or block.thickness
+    given = {
+        "thickness_m": thickness,
+        "slenderness_deg": math.degrees(math.atan2(thickness, height)),
+        "height_over_thickness": height / thickness,
+    }
+    own = {"height_m": height, "hinge_setback_m": wall.hinge_setback_m, shape: getattr(wall, shape) or given[shape]}
+    return values | own

@@ -1,0 +1,166 @@
+"""Drawings of a wall: to scale with its dimensions, rocking, and the pictures of the mechanisms."""
+
+import math
+from collections.abc import Sequence
+
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QFont, QIcon, QPainter, QPen, QPixmap, QPolygonF
+from PySide6.QtWidgets import QWidget
+
+from app.look import theme
+from app.look.language import number
+from core.case.schema import Wall
+from core.errors import InputError
+from core.report.load_arrows import arrows
+
+
+def outline(height: float, thickness: float, setback: float, rotation: float) -> list[QPointF]:
+    """Corners of a wall [m], x right, y up, base centred; turned about its hinge by rotation [rad],
+    positive to the right."""
+    half = 0.5 * thickness
+    hinge = math.copysign(half - setback, rotation)
+    c, s = math.cos(rotation), math.sin(rotation)
+    corners = [(-half, 0.0), (half, 0.0), (half, height), (-half, height)]
+    return [QPointF(hinge + c * (x - hinge) + s * y, -s * (x - hinge) + c * y) for x, y in corners]
+
+
+class WallDrawing(QWidget):
+    """A wall to scale; `rotation` turns it. For a general block its equivalent rectangle."""
+
+    def __init__(self, with_sizes: bool = True):
+        super().__init__()
+        self.with_sizes = with_sizes
+        self.size_of: tuple[float, float, float] | None = None
+        self.one_sided = False
+        self.arrows: list[list[tuple[float, float]]] = []
+        self.hinges: list[tuple[float, float | None]] = []
+        self.rotation = 0.0
+        self.setMinimumSize(QSize(90, 120))
+
+    def show_wall(self, wall: Wall | None, hinges: Sequence[tuple[float, float | None]] = ()) -> None:
+        """Draw this wall; what is not complete leaves the place empty. hinges : height [m] and zeta of each, where
+        it has more than the one at its base."""
+        self.size_of, self.arrows, self.hinges = None, [], list(hinges)
+        if wall is not None:
+            try:
+                block = wall.block()
+                height = wall.height_m or block.height
+                thickness = wall.thickness or block.thickness
+                self.size_of = (height, thickness, wall.setback if wall.height_m else 0.0)
+                self.one_sided = wall.mechanism == "one_sided"
+                self.arrows = arrows(wall, height, thickness)
+            except (InputError, TypeError):
+                pass
+        self.update()
+
+    def set_rotation(self, rotation: float) -> None:
+        """Show the wall at this rotation [rad]."""
+        self.rotation = rotation
+        self.update()
+
+    def paintEvent(self, event) -> None:
+        """The wall, its ground, what stands behind it, its hinges and sizes."""
+        if self.size_of is None:
+            return
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        height, thickness, setback = self.size_of
+        ink, quiet = QColor(theme.current.ink), QColor(theme.current.quiet)
+        sizes = 34 if self.with_sizes else 8
+        reach = thickness + (0.0 if self.with_sizes else 1.1 * height)
+        beside = 30 if self.with_sizes else 0  # room for the height in numbers
+        top = max([height, *(y for points in self.arrows for _, y in points)])
+        scale = min((self.height() - 2 * sizes + 12) / top, (self.width() - beside - 16) / reach)
+        base = QPointF(0.5 * (self.width() - beside) + 8, self.height() - sizes)
+
+        def place(point: QPointF) -> QPointF:
+            return QPointF(base.x() + scale * point.x(), base.y() - scale * point.y())
+
+        painter.setPen(QPen(quiet, 1.5))
+        painter.drawLine(QPointF(8, base.y()), QPointF(self.width() - 8, base.y()))
+        if self.one_sided:
+            behind = place(QPointF(-0.5 * thickness, 0.0)).x() - 3
+            area = QRectF(behind - 8, base.y() - scale * height, 8, scale * height)
+            painter.fillRect(area, QColor(theme.current.grid))
+        painter.setPen(QPen(ink, 1.4))
+        shade = QColor(theme.current.curves[0])
+        shade.setAlpha(70)
+        painter.setBrush(shade)
+        corners = [place(point) for point in outline(height, thickness, setback, self.rotation)]
+        painter.drawPolygon(QPolygonF(corners))
+        painter.setBrush(QColor(theme.current.bad))
+        painter.setPen(Qt.PenStyle.NoPen)
+        sides = (1.0,) if self.one_sided else (-1.0, 1.0)
+        for side in sides:
+            painter.drawEllipse(place(QPointF(side * (0.5 * thickness - setback), 0.0)), 3, 3)
+        for level, _ in self.hinges:
+            painter.drawEllipse(place(QPointF(0.5 * thickness - setback, level)), 3, 3)
+        if self.rotation == 0.0:
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.setPen(QPen(QColor(theme.current.amber), 1.8))
+            for points in self.arrows:
+                painter.drawPolyline([place(QPointF(x - 0.5 * thickness, y)) for x, y in points])
+        if self.with_sizes:
+            self._zetas(painter, place, thickness)
+            self._sizes(painter, place, height, thickness, setback)
+
+    def _zetas(self, painter, place, thickness) -> None:
+        """zeta at each hinge, the smallest in red."""
+        known = [zeta for _, zeta in self.hinges if zeta is not None]
+        for level, zeta in self.hinges:
+            if zeta is not None:
+                weakest = zeta == min(known)
+                painter.setPen(QColor(theme.current.bad if weakest else theme.current.ink))
+                words = f"ζ {number(zeta, '.2f')}"
+                at = place(QPointF(-0.5 * thickness, level))
+                wide = painter.fontMetrics().horizontalAdvance(words)
+                painter.drawText(QPointF(max(0.0, at.x() - wide - 14), at.y() - 2), words)
+
+    def _sizes(self, painter, place, height, thickness, setback) -> None:
+        painter.setPen(QColor(theme.current.ink))
+        font = QFont(self.font())
+        font.setPointSizeF(max(7.0, 0.9 * font.pointSizeF()))
+        painter.setFont(font)
+        low, high = place(QPointF(0.5 * thickness, 0.0)), place(QPointF(0.5 * thickness, height))
+        x = low.x() + 10
+        painter.drawLine(QPointF(x, low.y()), QPointF(x, high.y()))
+        for y in (low.y(), high.y()):
+            painter.drawLine(QPointF(x - 3, y), QPointF(x + 3, y))
+        words = f"H {number(height, '.2f')} m"
+        painter.save()
+        half = 0.5 * painter.fontMetrics().horizontalAdvance(words)
+        painter.translate(x + 14, min(0.5 * (low.y() + high.y()) + half, low.y()))
+        painter.rotate(-90.0)
+        painter.drawText(QPointF(0.0, 0.0), words)
+        painter.restore()
+        left = place(QPointF(-0.5 * thickness, 0.0))
+        words = f"t {number(100 * thickness, '.1f')} cm" + (f", u {number(100 * setback, '.1f')} cm" if setback else "")
+        width = painter.fontMetrics().horizontalAdvance(words)
+        painter.drawText(QPointF(max(2.0, 0.5 * (left.x() + low.x()) - 0.5 * width), left.y() + 16), words)
+
+
+def mechanism_icon(name: str, size: int = 52) -> QIcon:
+    """A picture of a mechanism: rocking on both sides, on one side, both studied."""
+    picture = QPixmap(size, size)
+    picture.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(picture)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    ink = QColor(theme.current.ink)
+    painter.setPen(QPen(ink, 1.2))
+    painter.drawLine(4, size - 6, size - 4, size - 6)
+    turns = {"two_sided": (-0.22, 0.22), "one_sided": (0.25,), "both": (-0.22, 0.25)}[name]
+    if name != "two_sided":
+        painter.fillRect(QRectF(size / 2 - 15, 10, 7, size - 16), QColor(theme.current.quiet))
+    for k, rotation in enumerate(turns):
+        shade = QColor(theme.current.curves[0 if rotation > 0 else 1])
+        shade.setAlpha(110)
+        painter.setBrush(shade)
+        pen = QPen(ink, 1.2)
+        if name == "both" and k == 0:
+            pen.setStyle(Qt.PenStyle.DashLine)
+        painter.setPen(pen)
+        corners = outline(34.0, 12.0, 0.0, rotation)
+        polygon = QPolygonF([QPointF(size / 2 + p.x(), size - 6 - p.y()) for p in corners])
+        painter.drawPolygon(polygon)
+    painter.end()
+    return QIcon(picture)

@@ -1,0 +1,213 @@
+"""New, open, save, export: the files of a window, and the questions that go with them."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QSettings
+from PySide6.QtWidgets import QFileDialog, QMessageBox
+
+from app.look.file_dialogs import path_to_write, plain_name
+from app.look.language import described, named, quoted_from_file, tr
+from app.work.session import Session
+from core import atomic_write
+from core.errors import InputError, OutputError
+
+EXAMPLE = Path(__file__).resolve().parents[2] / "resources" / "cases" / "example.toml"
+RECENT = 8
+
+CASE_ENDS = (".toml", ".ribalta")
+"""Of a case file; the second is the one that opens the installed program."""
+KINDS = f" ({' '.join(f'*{end}' for end in CASE_ENDS)})"
+
+
+class Files:
+    """What the menu File does for a window and its session."""
+
+    def __init__(self, window, session: Session, settings: QSettings):
+        self.window, self.session, self.settings = window, session, settings
+
+    def open(self, path: Path) -> bool:
+        """Open a case; the one at hand is saved or given up first."""
+        if not self.give_up():
+            return False
+        try:
+            self.session.open(path)
+        except InputError as error:
+            QMessageBox.warning(self.window, tr("Not opened"), quoted_from_file(error))
+            return False
+        if path != EXAMPLE:
+            self.remember(path)
+        self.window.start_afresh()
+        return True
+
+    @property
+    def recent(self) -> list[str]:
+        """Names of the files of late; settings give a single one as text."""
+        names = self.settings.value("recent") or []
+        names = [names] if isinstance(names, str) else names
+        return [name for name in names if isinstance(name, str)] if isinstance(names, list) else []
+
+    def remember(self, path: Path) -> None:
+        known = [name for name in self.recent if name != str(path)]
+        self.settings.setValue("recent", [str(path), *known][:RECENT])
+        self.window.refresh()
+
+    def new(self) -> None:
+        if self.give_up():
+            self.session.new(self.window.language)
+            self.window.start_afresh()
+
+    def ask_open(self) -> None:
+        name, _ = QFileDialog.getOpenFileName(
+            self.window, tr("Open a case"), str(self.session.base_dir), tr("Cases") + KINDS
+        )
+        if name:
+            self.open(Path(name))
+
+    def save(self) -> bool:
+        if self.session.path is None or self.session.path == EXAMPLE:
+            return self.save_as()
+        return self._save(None)
+
+    def save_as(self) -> bool:
+        proposal = str(self.session.path or self.session.base_dir / "case.toml")
+        kinds = tr("Cases") + KINDS
+        path = path_to_write(self.window, tr("Save the case"), proposal, kinds, CASE_ENDS)
+        return self._save(path) if path else False
+
+    def _save(self, path: Path | None) -> bool:
+        here = path is None or path.resolve() == self.session.path
+        if here and self.session.changed_elsewhere:
+            question = tr("Another program has changed {path}. Overwrite it?", path=self.session.path)
+            if not self._agreed(tr("Save the case"), question):
+                return False
+        try:
+            self.session.save(path)
+        except InputError as error:
+            QMessageBox.warning(self.window, tr("Not saved"), described(error))
+            return False
+        self.remember(self.session.path)
+        if any(field.wrong for field in self.window.fields):
+            self.window.show_word(tr("Saved without what stands in the red field."))
+        return True
+
+    def _agreed(self, title: str, question: str) -> bool:
+        button = QMessageBox.StandardButton
+        return QMessageBox.question(self.window, title, question) == button.Yes
+
+    def ask_export(self) -> None:
+        """Workbook and JSON to a place the user names; the JSON of another program is not taken unasked."""
+        if self.export_refused():
+            return
+        stem = self.session.path.stem if self.session.path else "ribalta"
+        proposal = str(self.session.base_dir / f"{stem}.xlsx")
+        title = tr("Export the workbook")
+        path = path_to_write(self.window, title, proposal, "Excel (*.xlsx)", (".xlsx",))
+        if path is None:
+            return
+        beside = path.with_suffix(".json")
+        question = tr("{path} is there already. Overwrite it?", path=beside)
+        if not beside.exists() or path.exists() or self._agreed(title, question):
+            self.export(path)
+
+    def ask_note(self) -> None:
+        """The calculation note as a Word document, to a place the user names."""
+        from app.terminal import export
+        from core.report.steps import Steps
+
+        if self.export_refused():
+            return
+        title = tr("Export the calculation note")
+        stem = self.session.path.stem if self.session.path else "ribalta"
+        proposal = str(self.session.base_dir / f"{stem}.docx")
+        path = path_to_write(self.window, title, proposal, "Word (*.docx)", (".docx",))
+        if path is None:
+            return
+        try:
+            export.check_note_path(path, path)
+        except InputError as error:
+            QMessageBox.warning(self.window, tr("Nothing exported"), described(error))
+            return
+        result = self.session.result
+
+        def write(job) -> None:
+            steps = Steps(job.check, job.progress)
+            steps.take(100)
+            content = export.note_content(result, steps)
+            job.commit()
+            atomic_write.write({path: content})
+
+        self.window.start(write, lambda _: self.window.show_word(tr("Written: {path}", path=path)), to_end=True)
+
+    def ask_figures(self) -> None:
+        """Every figure of the wall shown, to a folder the user names."""
+        from app.views.figure_dialogs import ask_size
+
+        if self.export_refused():
+            return
+        size = ask_size(self.window)
+        title = tr("Export all figures")
+        name = size and QFileDialog.getExistingDirectory(self.window, title, str(self.session.base_dir))
+        if name:
+            self.export_figures(Path(name), size)
+
+    def export_figures(self, folder: Path, size) -> None:
+        """The charts of every tab as PNG, all or none; nothing that is there is overwritten unasked."""
+        from app.views.figure_file import figure
+
+        wall = self.window.wall
+        start = plain_name(f"{wall.name} {named(wall.mechanism)}")
+        charts = self.window.charts()
+        paths = {folder / f"{start} - {plain_name(chart.name)}.png": chart for chart in charts}
+        there = next((path for path in paths if path.exists()), None)
+        title = tr("Export all figures")
+        question = tr("{path} is there already. Overwrite it?", path=there)
+        if there is not None and not self._agreed(title, question):
+            return
+        try:
+            atomic_write.write({path: figure(chart, ".png", size) for path, chart in paths.items()})
+        except OutputError as error:
+            QMessageBox.warning(self.window, title, described(error))
+            return
+        self.window.show_word(tr("{n} figures written to {folder}", n=len(paths), folder=folder))
+
+    def export_refused(self) -> bool:
+        """Whether there is nothing to export, or only results of an earlier input; says so."""
+        changed = self.window.records.changed_on_disk
+        if changed:
+            self.window.records.read_again()
+        stale = self.session.result is None or self.session.stale
+        if stale or changed or self.window.job is not None:
+            reason = tr("The results are not of this input: run it first (F5).")
+            QMessageBox.information(self.window, tr("Nothing exported"), reason)
+            return True
+        return False
+
+    def export(self, path: Path) -> None:
+        """Workbook and JSON, as the batch writes them, off this thread."""
+        from app.terminal import export
+
+        result, case = self.session.result, self.session.case
+        try:
+            here = self.session.path or self.session.base_dir / "case.toml"
+            export.refuse_overwriting(case, here, path.parent, path.stem)
+        except InputError as error:
+            QMessageBox.warning(self.window, tr("Nothing exported"), described(error))
+            return
+        self.window.start(
+            lambda job: export.write(result, path.parent, path.stem, job.check, job.commit, tell=job.progress),
+            lambda _: self.window.show_word(tr("Written: {path}", path=path)),
+            to_end=True,
+        )
+
+    def give_up(self) -> bool:
+        """Whether the case at hand may go: saved, unchanged, or given up by the user."""
+        if not self.session.dirty:
+            return True
+        button = QMessageBox.StandardButton
+        answer = QMessageBox.question(
+            self.window,
+            tr("Unsaved changes"),
+            tr("Save the changes of this case?"),
+            button.Save | button.Discard | button.Cancel,
+        )
+        return self.save() if answer == button.Save else answer == button.Discard

@@ -1,0 +1,103 @@
+"""Help: what F1 says of a field, the guide, the shortcuts, the template of walls."""
+
+import shutil
+from pathlib import Path
+
+from PySide6.QtCore import QPoint
+from PySide6.QtGui import QKeySequence
+from PySide6.QtWidgets import (
+    QApplication,
+    QComboBox,
+    QDialog,
+    QMessageBox,
+    QTextBrowser,
+    QVBoxLayout,
+    QWhatsThis,
+    QWidget,
+)
+
+from app.input.fields import Field
+from app.look.file_dialogs import path_to_write
+from app.look.language import current_language, of_key, tr
+
+DOCS = Path(__file__).resolve().parents[2] / "resources" / "docs"
+TEMPLATE = Path(__file__).resolve().parents[2] / "resources" / "templates" / "walls.xlsx"
+FOLDERS = {"en": DOCS / "guide", "it": DOCS / "guida"}
+
+
+def help_of(field: Field) -> str:
+    """The paragraph on a field: its help, else its tip."""
+    return of_key(field.section, field.key, ".help") or field.editor.toolTip()
+
+
+def explain(window) -> None:
+    """F1: the field that has the focus, else the guide."""
+    widget: QWidget | None = QApplication.focusWidget()
+    while widget is not None and not isinstance(widget, Field):
+        widget = widget.parentWidget()
+    words = help_of(widget) if widget else ""
+    if words:
+        place = widget.mapToGlobal(QPoint(20, widget.height()))
+        QWhatsThis.showText(place, f"<b>{widget.caption.text()}</b><p>{words}</p>", widget)
+    else:
+        show_guide(window)
+
+
+def pages_of(language: str) -> list[Path]:
+    """The pages of the guide in their order."""
+    return sorted(FOLDERS[language].glob("*.md"))
+
+
+class Guide(QDialog):
+    """The guide in a window of its own."""
+
+    def __init__(self, parent):
+        super().__init__(parent)
+        self.setWindowTitle(tr("Guide"))
+        self.paths = pages_of(current_language())
+        self.chosen, self.text = QComboBox(), QTextBrowser()
+        self.chosen.setAccessibleName(tr("Page"))
+        for path in self.paths:
+            first = path.read_text(encoding="utf-8").splitlines()[0]
+            self.chosen.addItem(first.lstrip("# "))
+        self.chosen.currentIndexChanged.connect(self._show)
+        self.text.setOpenLinks(False)
+        layout = QVBoxLayout(self)
+        layout.addWidget(self.chosen)
+        layout.addWidget(self.text, 1)
+        self.resize(760, 620)
+        self._show(0)
+
+    def _show(self, k: int) -> None:
+        if 0 <= k < len(self.paths):
+            self.text.setSearchPaths([str(self.paths[k].parent)])
+            self.text.setMarkdown(self.paths[k].read_text(encoding="utf-8"))
+
+
+def show_guide(window) -> None:
+    """Open the guide, or bring it to the front."""
+    opened = window.findChild(Guide) or Guide(window)
+    opened.show()
+    opened.raise_()
+
+
+def show_shortcuts(window) -> None:
+    """Every entry of the menus that has a key."""
+    lines = []
+    for action in window.actions_with_keys:
+        keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+        if keys:
+            lines.append(f"{keys}\t{action.text().replace('&', '').replace('…', '')}")
+    QMessageBox.information(window, tr("Shortcuts"), "\n".join(lines))
+
+
+def save_template(window) -> None:
+    """A copy of the empty table of walls, to be filled in."""
+    title = tr("Save the table of walls")
+    path = path_to_write(window, title, "walls.xlsx", "Excel (*.xlsx)", (".xlsx",))
+    if path is None:
+        return
+    try:
+        shutil.copyfile(TEMPLATE, path)
+    except OSError as error:
+        QMessageBox.warning(window, title, f"{path}: {error.strerror}")

@@ -1,0 +1,28 @@
+"""The tabs of the window in their order."""
+
+from app.look.language import tr
+from app.shell.pages import Page
+from app.views.capacity_tab import CapacityTab
+from app.views.check_tab import CheckTab
+from app.views.history_tabs import HistoriesTab
+from app.views.result_tabs import IntensityTab, SpectraTab
+from app.views.walls_tab import WallsTab
+
+
+def pages(language: str, validation, pick) -> dict[str, tuple[Page, str]]:
+    """Pages and their labels by name. validation : makes that tab; pick(k) : shows the k-th wall of the result."""
+
+    def walls() -> WallsTab:
+        tab = WallsTab(language)
+        tab.picked.connect(pick)
+        return tab
+
+    return {
+        "walls": (Page(walls), tr("Overview")),
+        "check": (Page(lambda: CheckTab(language)), tr("Check")),
+        "histories": (Page(HistoriesTab), tr("Histories")),
+        "capacity": (Page(CapacityTab), tr("Capacity")),
+        "intensity": (Page(IntensityTab), tr("q against SI")),
+        "spectra": (Page(lambda: SpectraTab(language)), tr("Spectra")),
+        "validation": (Page(validation), tr("Validation")),
+    }

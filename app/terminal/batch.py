@@ -1,0 +1,242 @@
+"""File in, files out: the headless run of a case, with progress, exit codes and a journal."""
+
+import contextlib
+import signal
+import sys
+import threading
+from collections.abc import Callable
+from pathlib import Path
+
+from app.look.language import current_language, terminal
+from app.terminal import export
+from app.terminal.terminal_progress import progress, tell
+from core import atomic_write
+from core.case.reader import read_case
+from core.case.schema import Case
+from core.errors import Cancelled, InputError
+from core.jit import cache
+from core.packages import require
+from core.report.verdict_words import in_order
+from core.study.journal import Journal
+from core.study.results import StudyResult
+from core.study.run import run as run_study
+from core.text.sentence import numeral, word
+
+DONE, WITHOUT_NUMBER, CANCELLED = 0, 3, 130
+"""Exit codes; 1 input or output error and 2 wrong usage are of __main__, 4 an internal error."""
+
+EXAMPLES = Path(__file__).resolve().parents[2] / "resources" / "cases"
+"""Cases that come with the program: their results land in the folder one stands in."""
+
+
+def run(case_path: Path, output: Path | None, jobs: int, quiet: bool, resume: bool, report: Path | None = None) -> int:
+    """Read a case, run it, write `<stem>.xlsx` and `<stem>.json`; returns the exit code. report : of the calculation
+    note as a Word document, where one is asked for.
+
+    Raises InputError for what the user can mend; nothing is written then.
+    """
+    export.check_note_path(report, case_path)
+    case = read_case(case_path)
+    if case.analysis.accuracy:
+        require("accuracy")
+    shipped = case_path.resolve().parent == EXAMPLES
+    folder, stem = output or (Path() if shipped else case_path.parent), case_path.stem
+    made = []
+    try:
+        export.refuse_overwriting(case, case_path, folder, stem)
+        made = atomic_write.check_folder(folder)
+        if report:
+            made += atomic_write.check_folder(report.parent)
+        return run_in(case, case_path, folder, stem, jobs, quiet, resume, report)
+    except InputError as error:
+        for new in made:
+            with contextlib.suppress(OSError):
+                new.rmdir()
+        raise error.at(case_path) from None
+
+
+def run_in(
+    case: Case,
+    case_path: Path,
+    folder: Path,
+    stem: str,
+    jobs: int,
+    quiet: bool,
+    resume: bool,
+    report: Path | None = None,
+) -> int:
+    """`run` in a folder that is there."""
+    cancel = threading.Event()
+    books: list[Journal] = []
+
+    def journal(key: str) -> Journal:
+        books.append(open_journal(folder / f"{stem}.journal", key, resume))
+        return books[0]
+
+    with interrupts(cancel), progress(quiet) as show:
+        try:
+            result = run_study(
+                case,
+                base_dir=case_path.parent,
+                jobs=jobs,
+                journal=journal,
+                on_progress=show.runs,
+                cancelled=cancel.is_set,
+            )
+            export.write(result, folder, stem, raise_if(cancel), note=report, tell=show.writing)
+        except Cancelled:
+            place = folder / f"{stem}.journal"
+            tell("cancelled: finished runs are in {path}; go on with --resume", path=place)
+            return CANCELLED
+        for book in books:
+            book.remove()
+    for note in case.table_notes[1:]:
+        print(f"{case.table}: {note.text(current_language())}", file=sys.stderr)
+    for warning in result.demand.warnings if result.demand else ():
+        print(f"[demand]: {warning.text(current_language())}", file=sys.stderr)
+    if not quiet:
+        say(summary(result, folder, stem) + (f"\n{report}" if report else ""))
+        if _never_explained():
+            say(explanation(folder / f"{stem}.xlsx", bool(result.demand)))
+    for wall, record, polarity, status in result.without_number:
+        tell(
+            "no number: {wall}, {record} ({sign}): {status}",
+            wall=wall,
+            record=record,
+            sign="+" if polarity > 0 else "-",
+            status=status,
+        )
+    return WITHOUT_NUMBER if result.without_number else DONE
+
+
+def open_journal(path: Path, key: str, resume: bool, sync_seconds: float = 0.0) -> Journal:
+    """The journal of a batch or a study; what became of an earlier one is said on stderr."""
+    book = Journal(path, key, resume, sync_seconds)
+    if book.set_aside:
+        tell(
+            "finished runs of an earlier start are in {path}: to go on with them, rename it and add --resume",
+            path=book.set_aside,
+        )
+    if book.dropped:
+        tell("{n} damaged line(s) of the journal were dropped: these runs are made again", n=book.dropped)
+    return book
+
+
+def say(text: str) -> None:
+    """Print what a closed or full stdout may refuse: the results are on disk already."""
+    try:
+        print(text, flush=True)
+    except OSError:
+        sys.stdout = None
+
+
+RULES = ("minimum", "too_few", "incomplete")
+"""Rules of a set whose words are the terminal's own."""
+
+
+def summary(result: StudyResult, folder: Path, stem: str) -> str:
+    """What a terminal shows of a result: a line for each wall. With a demand its verdict, zeta and the check
+    that decides; Eq. 9 stands in the files only."""
+    columns = ["wall", "mechanism", "rule", "q", "robust"]
+    if result.demand:
+        columns += ["zeta", "verdict", "by"]
+    table = [[terminal(head) for head in columns]]
+    for wall in (wall for wall, decides in in_order(result) if decides):
+        row = [
+            wall.name[:48],
+            *map(_coded, (wall.mechanism, wall.set_rule)),
+            _short(wall.q_set),
+            _short(wall.q_robust_set),
+        ]
+        if wall.assessment:
+            verdict = wall.assessment.verdict
+            row += [_short(verdict.zeta_e), _coded(verdict.code), _coded(verdict.governing)]
+        table.append(row)
+    least = (24, 10, 10, 6, 7, 6, 16, 0)
+    widths = [
+        max(wide, *(len(row[k]) if k < len(row) else 0 for row in table))
+        for k, wide in enumerate(least[: len(columns)])
+    ]
+    lines = [
+        " ".join(
+            f"{cell:>{wide}}" if k in (3, 4, 5) else f"{cell:{wide}}"
+            for k, (cell, wide) in enumerate(zip(row, widths, strict=False))
+        ).rstrip()
+        for row in table
+    ]
+    runs = [run for wall in result.walls for run in wall.runs]
+    analyses = sum(run.ida.analyses for run in runs)
+    lines.append(
+        terminal(
+            "{runs} runs, {analyses} analyses in {seconds:.1f} s",
+            runs=len(runs),
+            analyses=analyses,
+            seconds=result.elapsed,
+        )
+    )
+    lines.append(f"{folder / (stem + '.xlsx')}\n{folder / (stem + '.json')}")
+    return "\n".join(lines)
+
+
+def explanation(workbook: Path, with_demand: bool) -> str:
+    """What the words of the summary mean, a line each, and which file to open."""
+    lines = [
+        terminal("q: acceleration of the motion that first overturns the wall, over that which lifts it"),
+        terminal("robust: the q around which 16 % of the motions overturn it"),
+    ]
+    if with_demand:
+        lines += [
+            terminal("zeta: share of the demand at which the wall begins to fail; 1 is what the code asks"),
+            terminal("verdict: that of the most refined check that could be made; the last column names it"),
+        ]
+    return "\n".join(["", *lines, terminal("open {path}: its first sheet sums up the walls", path=workbook)])
+
+
+def _never_explained() -> bool:
+    """Whether this user has not been told what the words mean; from now on he has."""
+    try:
+        cache.user_folder().mkdir(parents=True, exist_ok=True, mode=0o700)
+        (cache.user_folder() / "explained").touch(exist_ok=False)
+    except (OSError, RuntimeError):
+        return False
+    return True
+
+
+def _coded(code: str | None) -> str:
+    """A code of the results; in words where the terminal speaks another language than the codes."""
+    if code is None or current_language() == "en":
+        return code or "-"
+    return terminal(code) if code in RULES else word(code, current_language())
+
+
+def _short(value: float | None) -> str:
+    return "-" if value is None else numeral(value, ".2f", current_language())
+
+
+def raise_if(cancel: threading.Event) -> Callable[[], None]:
+    """A look whether Ctrl-C was pressed: raises Cancelled."""
+
+    def check() -> None:
+        if cancel.is_set():
+            raise Cancelled
+
+    return check
+
+
+@contextlib.contextmanager
+def interrupts(cancel: threading.Event):
+    """Ctrl-C asks the run to stop between two analyses; a second one stops at once."""
+
+    def handler(number, frame):
+        if cancel.is_set():
+            raise KeyboardInterrupt
+        cancel.set()
+
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    old = signal.signal(signal.SIGINT, handler)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, old)

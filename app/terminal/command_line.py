@@ -1,0 +1,139 @@
+"""The command line in the language of the terminal: what it takes, and what it says of what it does not."""
+
+import argparse
+import difflib
+import re
+import tomllib
+from pathlib import Path
+
+from app.look.language import terminal
+from core.errors import InputError
+
+STUDIES = Path(__file__).resolve().parents[2] / "resources" / "studies"
+"""Studies that come with the program, asked for by name."""
+
+REFUSED = (
+    (re.compile(r"unrecognized arguments: (?P<words>.*)", re.DOTALL), "not known here: {words}"),
+    (re.compile(r"argument (?P<words>\S+): expected .*"), "{words} takes a value"),
+    (re.compile(r"argument (?P<words>\S+): ignored explicit argument .*"), "{words} takes no value"),
+    (re.compile(r"ambiguous option: (?P<words>\S+) .*"), "{words} may mean several options: write it out"),
+)
+"""(what argparse says, the text of the terminal for it)."""
+
+
+class Formatter(argparse.HelpFormatter):
+    """Help whose first word is in the language of the terminal."""
+
+    def add_usage(self, usage, actions, groups, prefix=None):
+        super().add_usage(usage, actions, groups, terminal("usage: ") if prefix is None else prefix)
+
+
+class Parser(argparse.ArgumentParser):
+    """An argument parser that refuses in the language of the terminal, with exit code 2."""
+
+    def error(self, message: str):
+        for pattern, text in REFUSED:
+            found = pattern.fullmatch(message)
+            if found:
+                message = terminal(text, words=found["words"]) + self._nearest(found["words"])
+                break
+        words = terminal("error: {error}", error=message.removeprefix("argument "))
+        self.exit(2, f"{self.format_usage()}{words}\n")
+
+    def _nearest(self, words: str) -> str:
+        """The known options that the unknown among these words were meant to be."""
+        known = [name for action in self._actions for name in action.option_strings]
+        options = [word.split("=")[0] for word in words.split() if word.startswith("-")]
+        near = [name for word in options if word not in known for name in difflib.get_close_matches(word, known, 1)]
+        return terminal("; did you mean {nearest}?", nearest=", ".join(near)) if near else ""
+
+
+def parser() -> Parser:
+    """The command line."""
+    made = Parser(
+        prog="ribalta",
+        description=terminal("How strong an earthquake a masonry wall withstands before it overturns."),
+        formatter_class=Formatter,
+        add_help=False,
+    )
+    group = made.add_argument_group(terminal("arguments"))
+    add = group.add_argument
+    add("case", nargs="?", type=Path, help=terminal("case file to open in the window"))
+    add("--batch", type=Path, metavar="CASE", help=terminal("run a case without a window"))
+    add("--study", metavar="STUDY", help=terminal("run a parametric study: paper, law or a file"))
+    add("--quick", action="store_true", help=terminal("a short form of the study"))
+    add("--records", type=Path, metavar="DIR", help=terminal("natural records of the study"))
+    add("--output", type=Path, metavar="DIR", help=terminal("folder of the results"))
+    add("--jobs", type=_jobs, metavar="N", help=terminal("threads (default: all cores)"))
+    add("--report", type=Path, metavar="FILE", help=terminal("the calculation note too, as a Word document (.docx)"))
+    add("--quiet", action="store_true", help=terminal("no progress, no summary"))
+    add("--resume", action="store_true", help=terminal("go on from the journal"))
+    add("--inspect", nargs="+", type=Path, metavar="FILE", help=terminal("summarise the contents of records"))
+    add("--version", action="store_true", help=terminal("version and commit"))
+    add("-h", "--help", action="help", help=terminal("this help"))
+    return made
+
+
+def _jobs(word: str) -> int:
+    if not word.isascii() or not word.isdigit() or not 1 <= int(word) <= 1024:
+        raise argparse.ArgumentTypeError(terminal("{word!r} is not a number of threads from 1 to 1024", word=word))
+    return int(word)
+
+
+def parse(arguments: list[str] | None) -> argparse.Namespace:
+    """What is asked. Ends the program with exit code 2 where words do not go together."""
+    line = parser()
+    options = line.parse_args(arguments)
+    if sum(map(bool, (options.batch, options.inspect, options.study))) > 1:
+        line.error(terminal("--batch, --study and --inspect do not go together"))
+    if not (options.batch or options.study) and (options.output or options.resume or options.jobs):
+        line.error(terminal("--output, --jobs and --resume go with --batch or --study"))
+    if options.report and not options.batch:
+        line.error(terminal("--report goes with --batch"))
+    if not options.study and (options.quick or options.records):
+        line.error(terminal("--quick and --records go with --study"))
+    return options
+
+
+def study_file(asked: str) -> Path:
+    """The file of a study: a name of those that come with the program, or a path."""
+    shipped = STUDIES / f"{asked}.toml"
+    return shipped if asked.isidentifier() and shipped.is_file() else Path(asked)
+
+
+def refuse_missing(options: argparse.Namespace) -> None:
+    """Raise InputError for a file that is not there or a note that is no Word document: before anything is installed
+    or imported for it."""
+    for case in (options.case, options.batch):
+        if case is not None and not case.exists():
+            raise InputError("no_case_file", place=(case,))
+    if options.study and not study_file(options.study).exists():
+        raise InputError("no_study_file", place=(options.study,))
+    if options.report:
+        refuse_other_note(options.report, options.batch)
+
+
+def refuse_other_note(path: Path, case: Path) -> None:
+    """Raise InputError for a calculation note in another form than a Word document."""
+    if path.suffix.lower() != ".docx":
+        raise InputError("note_is_docx", path=path, place=(case,))
+
+
+def extras(options: argparse.Namespace) -> list[str]:
+    """Groups of packages that what is asked needs beside the base."""
+    if options.inspect:
+        return []
+    if options.study:
+        return ["study"]
+    if not options.batch:
+        return ["gui", "accuracy", "study", "report"]
+    asked = {"accuracy": _states_accuracy(options.batch), "report": options.report}
+    return [extra for extra, wanted in asked.items() if wanted]
+
+
+def _states_accuracy(case: Path) -> bool:
+    """Whether a case asks for the statement of accuracy; False also for one that cannot be read."""
+    try:
+        return tomllib.loads(case.read_text("utf-8-sig"))["analysis"]["accuracy"] is True
+    except (OSError, ValueError, LookupError, TypeError, RecursionError):
+        return False

@@ -1,0 +1,112 @@
+"""Workbook and JSON of a result, for the batch and the window alike."""
+
+import contextlib
+import gc
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from app.terminal.command_line import refuse_other_note
+from core import atomic_write
+from core.case.schema import Case
+from core.errors import InputError, OutputError, place
+from core.file_names import name_of
+from core.ground import records
+from core.packages import require
+from core.study.governing import collapse_histories
+from core.study.results import StudyResult
+
+if TYPE_CHECKING:
+    from core.report.steps import Steps
+
+
+HISTORIES, JSON, NOTE = 2, 6, 90
+"""Hundredths of the writing that come before and after the workbook; the note as a document is beyond the hundred."""
+
+
+def refuse_overwriting(case: Case, case_path: Path, folder: Path, stem: str) -> None:
+    """Raise InputError where a result would take the place of the case or of a file it reads."""
+    results = {(folder / (stem + end)).resolve() for end in (".xlsx", ".json", ".journal")}
+    sources = {case_path.resolve()}
+    for name in (case.table, case.demand.spectrum_file if case.demand else None):
+        if name:
+            sources.add((case_path.parent / name_of(name)).resolve())
+    for k, entry in enumerate(case.record, start=1):
+        try:
+            paths = records.expand(entry.file, case_path.parent)
+        except InputError as error:
+            raise error.at(place("record", n=k)) from None
+        sources |= {path.resolve() for path in paths}
+    for path in results & sources:
+        raise InputError("would_overwrite", path=path)
+
+
+def check_note_path(path: Path | None, case_path: Path) -> None:
+    """Raise InputError before the run where the calculation note could not be written: another ending than .docx, or
+    packages that are missing."""
+    if path is not None:
+        refuse_other_note(path, case_path)
+        require("report")
+
+
+def write(
+    result: StudyResult,
+    folder: Path,
+    stem: str,
+    check: Callable[[], None] = lambda: None,
+    ready: Callable[[], None] = lambda: None,
+    note: Path | None = None,
+    tell: Callable[[int, int], None] = lambda done, planned: None,
+) -> None:
+    """Workbook and JSON of a result, and the calculation note as a Word document where a file is named for it: all or
+    none.
+
+    check : called at every row, to cancel; ready : when all is made and nothing written yet
+    tell(done, planned) : how far it is
+    Raises OutputError and what check and ready raise.
+    """
+    from core.report import json_report, workbook
+    from core.report.steps import Steps
+
+    steps = Steps(check, tell, 100 if note is None else 100 + NOTE)
+    steps.take(HISTORIES)
+    histories = []
+    for wall in steps.each(result.walls):
+        if len(histories) < workbook.HISTORY_WALLS and (entry := collapse_histories(result, wall)):
+            histories.append(entry)
+    # first the JSON: the cells of the workbook take the most memory
+    steps.take(JSON)
+    text = json_report.dumps(result, steps).encode()
+    try:
+        with _no_collector():
+            book = workbook.content(result, histories, steps)
+    except OSError as error:  # openpyxl makes the sheets in the folder of temporary files
+        raise OutputError("workbook_not_made", reason=error.strerror, folder=tempfile.gettempdir()) from None
+    files = {folder / f"{stem}.xlsx": book, folder / f"{stem}.json": text}
+    if note is not None:
+        steps.take(NOTE)
+        files[note] = note_content(result, steps)
+    ready()
+    atomic_write.write(files)
+
+
+def note_content(result: StudyResult, steps: "Steps | None" = None) -> bytes:
+    """The calculation note as a Word document. Raises OutputError."""
+    from core.report.note.content import note
+    from core.report.note.document import document
+
+    language = result.case.report.language
+    return document(note(result, language), language, steps)
+
+
+@contextlib.contextmanager
+def _no_collector():
+    """Python's collector would look through the cells of a workbook again and again, which are no garbage."""
+    was_on = gc.isenabled()  # not in the window, which collects in its own thread
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was_on:
+            gc.enable()

@@ -1,0 +1,58 @@
+"""What stands at the axes of a chart: numbers, names as long as there is room for."""
+
+import numpy as np
+import pyqtgraph as pg
+
+from app.look.language import current_language
+
+
+def numbers(values) -> np.ndarray:
+    """A contiguous float64 array of one dimension: anything else can crash the drawing."""
+    return np.ascontiguousarray(np.asarray(values, dtype=np.float64).ravel())
+
+
+LEAST_TICK = 26
+"""Room [px] below which the labels of neighbouring ticks of a bottom axis touch."""
+
+
+LEGEND_LETTERS, TICK_LETTERS = 22, 16
+"""Letters of a name in a legend beside the axes or in a narrow chart, and beside an axis; the data have all of it."""
+
+
+def elided(name: str, most: int = LEGEND_LETTERS) -> str:
+    """A name as a chart has room for it: its beginning and its end, where channel and sign stand."""
+    if len(name) <= most:
+        return name
+    end = most - most // 3 - 1
+    return f"{name[: most // 3]}…{name[-end:]}"
+
+
+def ends_of(values: list[np.ndarray], log: bool) -> tuple[float, float] | None:
+    """Least and largest place of an axis among these values, None where there is no number. log : whether places are
+    their logarithms"""
+    found = np.concatenate([np.empty(0), *values])
+    if log:
+        found = np.log10(found[found > 0.0])
+    found = found[np.isfinite(found)]
+    if not found.size:
+        return None
+    low, high = float(found.min()), float(found.max())
+    half = 0.0 if high > low else 0.5 * abs(low) or 0.5
+    return low - half, high + half
+
+
+class Axis(pg.AxisItem):
+    """Numbers with the decimal mark of the language, apart from each other."""
+
+    def tickSpacing(self, minVal, maxVal, size):
+        levels = super().tickSpacing(minVal, maxVal, size)
+        span = abs(maxVal - minVal)
+        if self.orientation != "bottom" or not span:
+            return levels
+        return [level for level in levels if level[0] * size >= LEAST_TICK * span] or levels[:1]
+
+    def tickStrings(self, values, scale, spacing):
+        words = super().tickStrings(values, scale, spacing)
+        if current_language() == "en":
+            return words
+        return [word.replace(".", ",") for word in words]

@@ -1,0 +1,216 @@
+"""The tab Capacity: peak rotation against q, survival map, fragility."""
+
+import math
+
+import numpy as np
+import pyqtgraph as pg
+from PySide6.QtCore import QRectF
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QVBoxLayout, QWidget
+
+from app.look import theme
+from app.look.language import named, number, tr
+from app.views.chart import Chart
+from app.views.hatch import Hatch, hatched_square
+from core.capacity.fragility import fragility_curve
+from core.capacity.ida import grid_point, multiplier_of, threshold_of
+from core.rocking.history import scan
+from core.rocking.outcome import COLLAPSED, STABLE
+from core.study.results import Run, StudyResult, WallResult
+
+EDGE = 1.25
+"""Where a point that overturned is drawn, at the upper edge: it has no number."""
+
+MARKS = (0.5, 0.7, 1, 1.5, 2, 3, 4, 6, 8, 12, 16, 24, 40, 60, 100)
+"""Ticks of q of the survival map."""
+
+
+class CapacityTab(QWidget):
+    """Peak rotation against q of one record or of all, survival strips of all, fragility of the wall."""
+
+    def __init__(self):
+        super().__init__()
+        self.record, self.other = QComboBox(), QComboBox()
+        self.record.setAccessibleName(tr("Record"))
+        self.record.activated.connect(lambda _: self._show_peaks())
+        self.other.setAccessibleName(tr("Compare with"))
+        self.other.activated.connect(lambda _: self._show_fragility())
+        self.peaks = Chart("q [-]", "θmax/θc [-]", tr("Peak rotation against q"))
+        self.strips = Chart("q [-]", tr("run"), tr("Survival map"))
+        self.fragility = Chart("q [-]", tr("share collapsed [-]"), tr("Fragility"))
+        choices, top = QHBoxLayout(), QHBoxLayout()
+        for box in (self.record, self.other):
+            box.setMinimumWidth(60)
+            choices.addWidget(box, 1)
+        top.addWidget(self.peaks, 1)
+        top.addWidget(self.fragility, 1)
+        layout = QVBoxLayout(self)
+        layout.addLayout(choices)
+        layout.addLayout(top, 1)
+        layout.addWidget(self.strips, 1)
+        self.shown: tuple[StudyResult, WallResult] | None = None
+
+    def show_wall(self, result: StudyResult, wall: WallResult) -> None:
+        """Fill the tab from one wall of a result."""
+        self.shown = (result, wall)
+        self.record.clear()
+        for run in wall.runs:
+            self.record.addItem(_name(run))
+        if len(wall.runs) > 1:
+            self.record.addItem(tr("all records, with their mean"))
+        self.other.clear()
+        self.other.addItem(tr("compare with no other wall"))
+        for other in result.walls:
+            self.other.addItem(tr("compare with {wall}", wall=f"{other.name}, {named(other.mechanism)}"))
+        self._show_peaks()
+        self._show_strips(wall)
+        self._show_fragility()
+
+    # fragility
+
+    def _show_fragility(self) -> None:
+        """Of the wall, and dashed of another."""
+        result, wall = self.shown
+        self.fragility.clear()
+        self.fragility.caption = _title(wall)
+        other = self.other.currentIndex() - 1
+        drawn = self._fragility_of(wall, 0, False, "")
+        if other >= 0:
+            name = f", {_title(result.walls[other])}"
+            drawn = self._fragility_of(result.walls[other], 1, True, name) or drawn
+            self.fragility.caption += name
+        if not drawn:
+            self.fragility.say_why(tr("No record with a q."))
+            return
+        self.fragility.set_range(y=(0.0, 1.05))
+
+    def _fragility_of(self, wall: WallResult, color: int, dash: bool, name: str) -> bool:
+        result = self.shown[0]
+        q, count, n = fragility_curve([run.ida for run in wall.runs], result.search)
+        if not n:
+            return False
+        share = count / (n * (2 * result.search.half_window + 1))
+        whole = slice(0, q.size - result.search.half_window)  # beyond it the window is not whole
+        self.fragility.curve(tr("fragility") + name, q[whole], share[whole], color, 2.0, dash)
+        for k, (label, value) in enumerate(
+            (("q", wall.q_set), ("q SLV", wall.q_slv_set), (tr("q robust"), wall.q_robust_set))
+        ):
+            if value is not None and not dash:
+                self.fragility.level(value, label, "ink", vertical=True, place=0.94 - 0.13 * k)
+        return True
+
+    # peaks
+
+    def _show_peaks(self) -> None:
+        """Peaks at the points of the search, integrated again: some ten milliseconds a record."""
+        self.peaks.clear()
+        if self.shown is None or self.record.currentIndex() < 0:
+            return
+        result, wall = self.shown
+        k = self.record.currentIndex()
+        if k == len(wall.runs):
+            self._overlay(result, wall)
+        else:
+            run = wall.runs[k]
+            q, ratio = _peaks(result, wall, run)
+            self.peaks.curve(_name(run), q, ratio, 0)
+            fell = q[np.isnan(ratio)]
+            none = np.full(fell.size, np.nan)
+            self.peaks.points(named("overturned"), fell, np.full(fell.size, EDGE), 1, 4, values=none)
+            if run.ida.q:
+                self.peaks.level(run.ida.q, "q", "bad", vertical=True, place=0.75)
+            self.peaks.caption = f"{_title(wall)}, {_name(run)}"
+        for level in (0.40, 0.60, 1.0):
+            label = "θc" if level == 1.0 else number(level, ".2f")
+            self.peaks.level(level, label)
+        self.peaks.set_range(y=(0.0, 1.45))
+
+    def _overlay(self, result: StudyResult, wall: WallResult) -> None:
+        """All records, with mean and scatter as long as none has overturned."""
+        found = [_peaks(result, wall, run) for run in wall.runs]
+        for run, (q, ratio) in zip(wall.runs, found, strict=True):
+            self.peaks.curve(_name(run), q, ratio, 6, 0.8, legend=False)
+        first = min((q[np.isnan(ratio)][0] if np.isnan(ratio).any() else q[-1]) for q, ratio in found)
+        low = max(q[0] for q, _ in found)
+        if first > low:
+            grid = np.geomspace(low, 0.999 * first, 200)
+            values = np.array([np.interp(grid, q, ratio) for q, ratio in found])
+            mean, scatter = values.mean(axis=0), values.std(axis=0)
+            self.peaks.band(grid, np.maximum(mean - scatter, 0.0), mean + scatter, 0)
+            name = tr("mean and standard deviation, until a record overturns")
+            self.peaks.curve(name, grid, mean, 0, 2.4)
+        self.peaks.caption = f"{_title(wall)}, {tr('all records, with their mean')}"
+
+    # survival map
+
+    def _show_strips(self, wall: WallResult) -> None:
+        self.strips.clear()
+        if not wall.runs:
+            self.strips.say_why(tr("No records."))
+            return
+        self.strips.caption = _title(wall)
+        first = min(run.ida.first_index for run in wall.runs)
+        last = max(run.ida.first_index + len(run.ida.outcomes) for run in wall.runs)
+        image = np.full((len(wall.runs), last - first), np.nan)
+        for k, run in enumerate(wall.runs):
+            start = run.ida.first_index - first
+            image[k, start : start + len(run.ida.outcomes)] = [int(d) for d in run.ida.outcomes]
+        step = math.log1p(self.shown[0].search.q_step)
+        low = math.log(wall.runs[0].ida.q_start) + first * step
+        # what was not searched, or ended without an outcome, is neither: hatched, seen through the map
+        shades = np.select([image == STABLE, image == COLLAPSED], [0.0, 1.0], 0.5)
+        area = QRectF(low, -0.5, image.shape[1] * step, image.shape[0])
+        hatched = Hatch(area)
+        item = pg.ImageItem(np.ascontiguousarray(shades.T), levels=(0.0, 1.0))
+        item.setRect(area)
+        legend = [
+            (tr("stands"), pg.ScatterPlotItem(symbol="s", size=11)),
+            (named("overturned"), pg.ScatterPlotItem(symbol="s", size=11)),
+            (tr("not searched"), pg.ScatterPlotItem(symbol=hatched_square(), size=11)),
+        ]
+
+        def recolor(chosen: theme.Theme, scale: float) -> None:
+            back, fell = QColor(chosen.back), QColor(chosen.curves[1])
+            clear = QColor(0, 0, 0, 0)
+            item.setColorMap(pg.ColorMap([0.0, 0.5, 1.0], [back, clear, fell]))
+            pen = pg.mkPen(chosen.quiet, width=scale)
+            hatched.set_pen(pen)
+            for (_, mark), brush in zip(legend, (back, fell, clear), strict=True):
+                mark.setBrush(brush)
+                mark.setPen(pen)
+
+        self.strips.add(hatched)
+        self.strips.add(item, recolor)
+        self.strips.set_range((area.left(), area.right()), (area.top(), area.bottom()))
+        for name, mark in legend:
+            self.strips.entry(mark, name)
+        grid = np.exp(low + step * np.arange(image.shape[1]))
+        for k, run in enumerate(wall.runs):
+            known = ~np.isnan(image[k])
+            self.strips.data.append((_name(run), grid[known], image[k][known]))
+        names = [(k, _name(run)) for k, run in enumerate(wall.runs)]
+        self.strips.names_beside(names)
+        marks = [q for q in MARKS if math.log(q) >= low - 0.1]
+        self.strips.ticks("bottom", [(math.log(q), f"{number(q, 'g')}") for q in marks])
+        self.strips.reset()
+
+
+def _name(run: Run) -> str:
+    return f"{run.record} ({'+' if run.polarity > 0 else '−'})"
+
+
+def _title(wall: WallResult) -> str:
+    return f"{wall.name}, {named(wall.mechanism)}"
+
+
+def _peaks(result: StudyResult, wall: WallResult, run: Run) -> tuple[np.ndarray, np.ndarray]:
+    """(q, largest rotation over theta_c, NaN where it overturns) at the points of the search itself, so that the first
+    that overturns is the one q was bisected from."""
+    motion = result.motion_of(wall, run.motion)
+    step, last = result.search.q_step, run.ida.first_index + len(run.ida.outcomes)
+    q = np.array([grid_point(run.ida.q_start, step, k) for k in range(run.ida.first_index, last)])
+    q = q[q <= 1.6 * (run.ida.q or 5.0)]
+    outcomes, peaks = np.zeros(q.size, np.int64), np.zeros(q.size)
+    scales = run.polarity * multiplier_of(q, motion.pga, threshold_of(wall.model))
+    scan(result.method, motion.acceleration, motion.time_step, scales, wall.model, outcomes, peaks)
+    return q, np.where(outcomes == COLLAPSED, np.nan, peaks / wall.model.collapse_rotation)

@@ -1,0 +1,67 @@
+"""What is asked before a figure is saved, and the ends of the axes."""
+
+from PySide6.QtWidgets import QCheckBox, QComboBox, QDialog, QDialogButtonBox, QFormLayout, QLineEdit
+
+from app.look.language import current_language, tr
+from app.views.figure_file import FigureSize
+from core.text.sentence import numeral
+
+WIDTHS = (80.0, 120.0, 160.0)
+RESOLUTIONS = (300, 600)
+
+_last = [FigureSize()]
+
+
+def last_size() -> FigureSize:
+    """The size chosen last."""
+    return _last[0]
+
+
+def ask_size(parent) -> FigureSize | None:
+    """The size of a figure, None where the user gives up."""
+    dialog = QDialog(parent)
+    dialog.setWindowTitle(tr("Figure for a report"))
+    width, dpi, caption = QComboBox(), QComboBox(), QCheckBox(tr("with a caption"))
+    width.addItems([f"{value:g} mm" for value in WIDTHS])
+    width.setCurrentIndex(WIDTHS.index(last_size().width))
+    dpi.addItems([f"{value} dpi" for value in RESOLUTIONS])
+    dpi.setCurrentIndex(RESOLUTIONS.index(last_size().dpi))
+    caption.setChecked(last_size().caption)
+    form = QFormLayout(dialog)
+    form.addRow(tr("Width"), width)
+    form.addRow(tr("Resolution of a PNG"), dpi)
+    form.addRow("", caption)
+    if not _accepted(dialog, form):
+        return None
+    _last[0] = FigureSize(WIDTHS[width.currentIndex()], RESOLUTIONS[dpi.currentIndex()], caption.isChecked())
+    return _last[0]
+
+
+def axis_limits(parent, labels, now) -> tuple[float, float, float, float] | None:
+    """The ends of both axes (x, x, y, y), None where the user gives up or they are no ranges. labels : of the axes."""
+    dialog = QDialog(parent)
+    dialog.setWindowTitle(tr("Axis limits"))
+    form = QFormLayout(dialog)
+    fields = []
+    for k, value in enumerate(now):
+        field = QLineEdit(numeral(value, ".5g", current_language()))
+        end = tr("from") if k % 2 == 0 else tr("to")
+        form.addRow(f"{labels[k // 2]} {end}", field)
+        fields.append(field)
+    if not _accepted(dialog, form):
+        return None
+    try:
+        left, right, low, high = (float(field.text().replace(",", ".")) for field in fields)
+    except ValueError:
+        return None
+    return (left, right, low, high) if left < right and low < high else None
+
+
+def _accepted(dialog: QDialog, form: QFormLayout) -> bool:
+    buttons = QDialogButtonBox()
+    buttons.addButton(tr("OK"), QDialogButtonBox.ButtonRole.AcceptRole)
+    buttons.addButton(tr("Cancel"), QDialogButtonBox.ButtonRole.RejectRole)
+    buttons.accepted.connect(dialog.accept)
+    buttons.rejected.connect(dialog.reject)
+    form.addRow(buttons)
+    return dialog.exec() == QDialog.DialogCode.Accepted

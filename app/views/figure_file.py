@@ -1,0 +1,153 @@
+"""A chart as a figure for a report: as wide as asked, light, with a caption below it."""
+
+import re
+from dataclasses import dataclass
+
+from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QRect, QSize, QSizeF, Qt
+from PySide6.QtGui import QColor, QFont, QImage, QPageLayout, QPageSize, QPainter, QPdfWriter
+from PySide6.QtSvg import QSvgGenerator
+
+from app.look import theme
+from app.look.language import tr
+from core.errors import OutputError
+from core.report.xml_text import for_xml
+
+MM_PER_INCH = 25.4
+SCREEN, NARROW = 96, 120.0
+"""Pixels an inch of the layout: text and lines keep the size they have on the screen; in figures below that width [mm]
+they shrink with it."""
+
+SHAPE = 0.62
+"""Height of the axes over the width."""
+
+LINE = 15
+"""Height of a line of the caption [px of the layout]."""
+
+
+@dataclass(frozen=True)
+class FigureSize:
+    """width [mm]; dpi of a PNG; caption : whether it stands below"""
+
+    width: float = 160.0
+    dpi: int = 300
+    caption: bool = True
+
+
+def figure(chart, end: str, size: FigureSize) -> bytes:
+    """The file .png, .svg or .pdf of a chart. Raises OutputError."""
+    density = SCREEN * max(1.0, NARROW / size.width)
+    wide = round(size.width / MM_PER_INCH * density)
+    whole, lines = QSize(wide, round(SHAPE * wide)), []
+    if size.caption:
+        lines = [f"{chart.name}. {chart.caption}" if chart.caption else chart.name]
+    lines += stale_line(chart)
+    page = _page(whole, lines)
+    room = QBuffer()
+    room.open(QIODevice.OpenModeFlag.WriteOnly)
+    old, ranges, box = chart.view.size(), chart.plot.viewRange(), chart.plot.vb
+    box.blockLink(True)  # a linked chart of another width would move the axis
+    chart.layout().setEnabled(False)  # behind another tab, painting would give the view its old size
+    try:
+        chart.view.resize(whole)
+        chart.fit()
+        chart.plot.layout.activate()
+        box.setRange(xRange=ranges[0], yRange=ranges[1], padding=0)
+        if end == ".png":
+            image = picture(chart, whole, lines, size.dpi / density)
+            image.setDotsPerMeterX(round(size.dpi / MM_PER_INCH * 1000.0))
+            image.setDotsPerMeterY(round(size.dpi / MM_PER_INCH * 1000.0))
+            if not image.save(room, "PNG"):
+                raise OutputError("picture_not_made")
+        elif end == ".svg":
+            drawing = QSvgGenerator(QSvgGenerator.SvgVersion.Svg11)
+            drawing.setOutputDevice(room)
+            drawing.setSize(page)
+            drawing.setViewBox(QRect(0, 0, page.width(), page.height()))
+            drawing.setResolution(round(density))
+            _paint(chart, drawing, whole, lines)
+            # Qt writes whatever a text holds
+            return _in_pixels(for_xml(bytes(room.data())).decode()).encode()
+        else:
+            _paint(chart, _pdf(room, page, density), whole, lines)
+    finally:
+        chart.view.resize(old)
+        chart.fit()
+        box.setRange(xRange=ranges[0], yRange=ranges[1], padding=0)
+        box.blockLink(False)
+        chart.layout().setEnabled(True)
+    return bytes(room.data())
+
+
+_GROUP = re.compile(r'transform="matrix\(([^)]*)\)"([^>]*>)(.*?)</g>', re.DOTALL)
+_PAIR = re.compile(r"(-?[\d.]+(?:e[-+]?\d+)?),(-?[\d.]+(?:e[-+]?\d+)?)")
+_OF_POINTS = ("<polyline", "<polygon", "<path")
+
+
+def _in_pixels(drawing: str) -> str:
+    """An SVG whose lines grow with it. Qt leaves the points of a curve in the units of its axes and asks for a stroke
+    of so many pixels of the screen, whatever the size: a hair line in print."""
+
+    def _moved(group: re.Match) -> str:
+        matrix, rest, shapes = group.groups()
+        others = re.sub("|".join(_OF_POINTS), "", shapes)
+        if "non-scaling-stroke" not in shapes or re.search(r"<\w", others):
+            return group[0]
+        a, b, c, d, e, f = map(float, matrix.split(","))
+
+        def place(pair: re.Match) -> str:
+            x, y = map(float, pair.groups())
+            return f"{a * x + c * y + e:.8g},{b * x + d * y + f:.8g}"
+
+        shapes = _PAIR.sub(place, shapes.replace(' vector-effect="non-scaling-stroke"', ""))
+        return f'transform="matrix(1,0,0,1,0,0)"{rest}{shapes}</g>'
+
+    return _GROUP.sub(_moved, drawing)
+
+
+def stale_line(chart) -> list[str]:
+    """What stands below a chart of an earlier input."""
+    return [tr("The input has changed since these results.")] if chart.is_stale else []
+
+
+def _page(whole: QSize, lines: list[str]) -> QSize:
+    """Size of a view with these lines below it [px of the layout]."""
+    return QSize(whole.width(), whole.height() + 2 * LINE * len(lines))
+
+
+def picture(chart, whole: QSize, lines: list[str], ratio: float) -> QImage:
+    """A chart with lines of text below it. whole : size of its view; ratio : pixels to one of the layout"""
+    page = _page(whole, lines)
+    pixels = QSize(round(page.width() * ratio), round(page.height() * ratio))
+    image = QImage(pixels, QImage.Format.Format_RGB32)
+    image.setDevicePixelRatio(ratio)
+    image.fill(Qt.GlobalColor.white)
+    _paint(chart, image, whole, lines)
+    image.setDevicePixelRatio(1.0)
+    return image
+
+
+def _pdf(room: QBuffer, page: QSize, density: float) -> QPdfWriter:
+    """One page of the size of the figure."""
+    writer = QPdfWriter(room)
+    points = QSizeF(page.width() * 72.0 / density, page.height() * 72.0 / density)
+    writer.setPageLayout(
+        QPageLayout(QPageSize(points, QPageSize.Unit.Point), QPageLayout.Orientation.Portrait, QMarginsF())
+    )
+    writer.setResolution(round(density))
+    return writer
+
+
+def _paint(chart, device, whole: QSize, lines: list[str]) -> None:
+    """The chart, its caption below; one painter, for a file takes no second one."""
+    painter = QPainter(device)
+    chart.paint_light(painter)
+    painter.setPen(QColor(theme.LIGHT.ink))
+    font = QFont(chart.font())
+    font.setPixelSize(12)
+    painter.setFont(font)
+    place = QRect(6, whole.height(), whole.width() - 12, 2 * LINE)
+    for k, line in enumerate(lines):
+        if line in stale_line(chart):
+            painter.setPen(QColor(theme.LIGHT.bad))
+        painter.drawText(place.translated(0, 2 * LINE * k), Qt.TextFlag.TextWordWrap, line)
+    painter.end()

@@ -1,0 +1,346 @@
+"""Tabs that integrate under the hand: Histories and Validation."""
+
+import math
+from functools import partial
+
+import numpy as np
+from PySide6.QtCore import QElapsedTimer, Qt, QTimer, Signal
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QPushButton, QSlider, QSplitter, QVBoxLayout, QWidget
+
+from app.look.drawing import WallDrawing
+from app.look.language import current_language, named, number, tr
+from app.views.chart import Chart
+from core.capacity.ida import multiplier_of, threshold_of
+from core.codes.dynamic_check import at_demand
+from core.rocking.history import history
+from core.rocking.outcome import COLLAPSED
+from core.study.results import StudyResult, WallResult
+from core.text.sentence import numeral
+from core.units import G
+
+SLIDER = 2000
+SPAN = (0.5, 2.0)
+"""Range of the multiplier slider about q [-]."""
+
+
+class HistoriesTab(QWidget):
+    """theta/alpha under a multiplier that follows the slider, with the ground above it and a rocking wall."""
+
+    def __init__(self):
+        super().__init__()
+        self.record = QComboBox()
+        self.record.setAccessibleName(tr("Record"))
+        self.record.activated.connect(lambda _: self._chosen())
+        self.slider = QSlider(Qt.Orientation.Horizontal)
+        self.slider.setRange(0, SLIDER)
+        self.slider.setAccessibleName(tr("Multiplier of the record"))
+        self.slider.valueChanged.connect(lambda _: self._slid())
+        self.preset = QComboBox()
+        self.preset.setAccessibleName(tr("Multiplier at once"))
+        self.preset.addItems(
+            [
+                tr("Set to…"),
+                tr("the demand"),
+                tr("the demand with FC"),
+                tr("just before collapse"),
+                tr("just after collapse"),
+                "q = 2",
+            ]
+        )
+        self.preset.activated.connect(self._set_to)
+        self.chosen_q: float | None = None
+        self.strength_factor = 1.0
+        self.words = QLabel()
+        self.words.setMinimumWidth(120)
+        self.play = QPushButton(tr("Play"))
+        self.play.setCheckable(True)
+        self.play.toggled.connect(self._toggled)
+        self.ground = Chart("t [s]", "u'' [g]", tr("Ground motion"))
+        self.rotation = Chart("t [s]", "θ/θc [-]", tr("Rotation"))
+        self.rotation.plot.setXLink(self.ground.plot)
+        self.wall_drawing = WallDrawing(with_sizes=False)
+        self.wall_drawing.setFixedWidth(150)
+        bar = QHBoxLayout()
+        self.record.setMinimumWidth(60)
+        bar.addWidget(self.record, 1)
+        bar.addWidget(self.slider, 2)
+        bar.addWidget(self.preset)
+        bar.addWidget(self.play)
+        charts = QSplitter(Qt.Orientation.Vertical)
+        charts.addWidget(self.ground)
+        charts.addWidget(self.rotation)
+        charts.setSizes([160, 320])
+        row = QHBoxLayout()
+        row.addWidget(charts, 1)
+        row.addWidget(self.wall_drawing)
+        layout = QVBoxLayout(self)
+        layout.addLayout(bar)
+        layout.addWidget(self.words)
+        layout.addLayout(row, 1)
+        self.timer = QTimer(self)
+        self.timer.setInterval(33)
+        self.timer.timeout.connect(self._frame)
+        self.clock = QElapsedTimer()
+        self.started = 0.0
+        self.shown = None
+        self.history = None
+        self.cursors = []
+
+    def show_wall(self, result: StudyResult, wall: WallResult) -> None:
+        """Fill the tab from one wall of a result."""
+        self.play.setChecked(False)
+        self.shown, self.history, self.cursors = (result, wall), None, []
+        self.wall_drawing.show_wall(wall.wall)
+        self.wall_drawing.one_sided = wall.mechanism == "one_sided"
+        self.record.clear()
+        for run in wall.runs:
+            self.record.addItem(f"{run.record} ({'+' if run.polarity > 0 else '−'})")
+        known = [k for k, run in enumerate(wall.runs) if run.ida.q is not None]
+        if known:
+            self.record.setCurrentIndex(min(known, key=lambda k: wall.runs[k].ida.q))
+        self._chosen()
+
+    @property
+    def run(self):
+        k = self.record.currentIndex()
+        return self.shown[1].runs[k] if self.shown and k >= 0 else None
+
+    def _chosen(self) -> None:
+        """A record: its ground motion, and charts whose curves are then only given new data."""
+        self.ground.clear()
+        self.rotation.clear()
+        if self.shown is None or self.record.currentIndex() < 0:
+            return
+        result, wall = self.shown
+        self.motion = result.motion_of(wall, self.run.motion)
+        self.times = np.arange(self.motion.acceleration.size) * self.motion.time_step
+        self.ground_curve = self.ground.curve(
+            tr("floor") if wall.floor else tr("ground"), self.times, self.motion.acceleration / G, 6, 1.0
+        )
+        self.ground.level(0.0)
+        self.curve = self.rotation.curve("θ/θc", [0.0, 1.0], [0.0, 0.0], 0, 1.8)
+        self.marks = self.rotation.points(tr("impacts"), [], [], 1, 5)
+        both_ways = wall.model.one_sided == 0.0
+        for level in (-1.0, 1.0) if both_ways else (1.0,):
+            self.rotation.level(level, "θc" if level > 0 else "−θc", "bad")
+        self.cursors = [chart.level(0.0, "", "ink", vertical=True) for chart in (self.ground, self.rotation)]
+        for line in self.cursors:
+            line.setMovable(True)
+            line.sigDragged.connect(lambda line: self.set_time(line.value()))
+        self.rotation.set_range((0.0, float(self.times[-1])), (-1.4 if both_ways else -0.2, 1.4))
+        self.ground.set_range((0.0, float(self.times[-1])))
+        self._set_q(self.middle)
+
+    @property
+    def middle(self) -> float:
+        """q in the middle of the slider: the last survived one."""
+        return (self.run.ida.bracket or (2.0, 2.0))[0]
+
+    @property
+    def q(self) -> float:
+        if self.chosen_q is not None:
+            return self.chosen_q
+        low, high = (math.log(end) for end in SPAN)
+        return self.middle * math.exp(low + (high - low) * self.slider.value() / SLIDER)
+
+    def _slid(self) -> None:
+        self.chosen_q, self.strength_factor = None, 1.0
+        self.integrate()
+
+    def _set_q(self, q: float, strength_factor: float = 1.0) -> None:
+        """This q exactly, the slider as near to it as it goes. strength_factor : FC on the strength of the wall"""
+        self.strength_factor = strength_factor
+        low, high = (math.log(end) for end in SPAN)
+        at = (math.log(q / self.middle) - low) / (high - low)
+        self.slider.blockSignals(True)
+        self.slider.setValue(round(SLIDER * min(1.0, max(0.0, at))))
+        self.slider.blockSignals(False)
+        self.chosen_q = q
+        self.integrate()
+
+    def _set_to(self, k: int) -> None:
+        """A multiplier that an engineer asks for by name."""
+        self.preset.setCurrentIndex(0)
+        if self.run is None:
+            return
+        result, wall = self.shown
+        demand, bracket = result.demand, self.run.ida.bracket
+        if (k in (1, 2) and demand is None) or (k in (3, 4) and bracket is None):
+            self.words.setText(tr("Not known here: no demand, or no collapse of this record."))
+            return
+        strength_factor = 1.0
+        if k == 1:
+            q = demand.scaling(self.motion) * self.motion.pga / threshold_of(wall.model)
+        elif k == 2:  # as the dynamic check has it
+            weakened, factor = at_demand(wall.model, demand, demand.confidence_on, self.motion)
+            strength_factor = wall.model.p2 / weakened.p2
+            q = factor / strength_factor * self.motion.pga / threshold_of(wall.model)
+        else:
+            q = {3: bracket and bracket[0], 4: bracket and bracket[1], 5: 2.0}.get(k)
+        if q:
+            self._set_q(q, strength_factor)
+
+    def integrate(self) -> None:
+        """The history at the slider's multiplier: a fraction of a millisecond, then drawn."""
+        if self.run is None:
+            return
+        result, wall = self.shown
+        scale = self.run.polarity * multiplier_of(self.q, self.motion.pga, threshold_of(wall.model))
+        ground, dt = self.motion.acceleration, self.motion.time_step
+        # strength over FC is p^2 / FC under the ground times FC (core/codes/dynamic_check.py)
+        weakened = wall.model._replace(p2=wall.model.p2 / self.strength_factor)
+        self.history = history(ground, dt, self.strength_factor * scale, weakened, result.method)
+        ratio = self.history.rotation / wall.model.collapse_rotation
+        self.curve.setData(self.times[: ratio.size], ratio)
+        felt = scale * ground / G  # multiplier and sign in use
+        self.ground_curve.setData(self.times, felt)
+        peak = 1.05 * float(np.abs(felt).max())
+        self.ground.ranges["y"] = (-peak, peak)
+        self.ground.plot.setYRange(-peak, peak, padding=0.0)
+        self.ground.data = [(self.ground_curve.name() or "", self.times, felt)]
+        hits = self.history.impact_time[:2000]
+        self.marks.setData(hits, np.zeros(hits.size))
+        self.rotation.data = [
+            ("θ/θc", self.times[: ratio.size], ratio),
+            (tr("impacts"), self.history.impact_time, np.zeros(self.history.impact_time.size)),
+        ]
+        if self.history.outcome == COLLAPSED:  # its largest rotation is where the analysis ended
+            outcome = named("overturned")
+        else:
+            peak = numeral(self.history.peak / wall.model.collapse_rotation, ".2f", current_language())
+            outcome = f"{tr('stands')}   θmax/θc {peak}"
+        number = partial(numeral, language=current_language())
+        which = self._wall_in_words()
+        words = (f"C {number(abs(scale), '.3f')}", f"q {number(self.q, '.3f')}", outcome, *which)
+        self.words.setText("   ".join(words))
+        for chart in (self.ground, self.rotation):
+            sign = "+" if self.run.polarity > 0 else "−"
+            run = f"{self.run.record} ({sign})"
+            chart.caption = ", ".join((wall.name, named(wall.mechanism), run, f"C {number(abs(scale), '.3f')}", *which))
+        self.set_time(self.cursors[0].value())
+
+    def _wall_in_words(self) -> tuple[str, ...]:
+        """What is said of a wall that is not the plain one: FC on its strength."""
+        if self.strength_factor == 1.0:
+            return ()
+        return (f"{named('confidence_capacity')}: {number(self.strength_factor, '.2f')}",)
+
+    def set_time(self, time: float) -> None:
+        """Both cursors and the small wall at this time [s]."""
+        for line in self.cursors:
+            line.setValue(time)
+        rotation = self.history.rotation
+        sample = min(max(0, int(time / self.motion.time_step)), rotation.size - 1)
+        self.wall_drawing.set_rotation(float(np.clip(rotation[sample], -1.5, 1.5)))
+
+    def _toggled(self, on: bool) -> None:
+        if on and self.history is not None:
+            at_end = self.cursors[0].value() >= self.times[self.history.rotation.size - 1]
+            self.started = 0.0 if at_end else self.cursors[0].value()
+            self.clock.start()
+            self.timer.start()
+        else:
+            self.timer.stop()
+
+    def _frame(self) -> None:
+        time = self.started + 0.001 * self.clock.elapsed()
+        self.set_time(time)
+        if time >= self.times[self.history.rotation.size - 1]:
+            self.play.setChecked(False)
+
+
+class ValidationTab(QWidget):
+    """Accuracy of the methods on the governing history, phase portrait, moment against rotation.
+
+    asked() : the user wants the accuracy statement of the wall shown.
+    """
+
+    asked = Signal()
+
+    def __init__(self):
+        super().__init__()
+        self.button = QPushButton(tr("State the accuracy for this wall (some seconds)"))
+        self.button.clicked.connect(self.asked)
+        self.words = QLabel(
+            tr("Error of the solver and spread of q by definition, for this wall and its governing record.")
+        )
+        self.words.setWordWrap(True)
+        self.words.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.chart = Chart(
+            tr("time per history [ms]"), tr("error / α [-]"), tr("Accuracy against speed"), legend="beside"
+        )
+        self.chart.set_log(True)
+        self.phase = Chart("θ/θc [-]", "θ'/(p θc) [-]", tr("Phase portrait"))
+        self.moment = Chart("θ/θc [-]", "M/M₀ [-]", tr("Moment against rotation"))
+        lower = QHBoxLayout()
+        lower.addWidget(self.phase, 1)
+        lower.addWidget(self.moment, 1)
+        layout = QVBoxLayout(self)
+        layout.addWidget(self.button)
+        layout.addWidget(self.words)
+        layout.addWidget(self.chart, 1)
+        layout.addLayout(lower, 1)
+
+    def show_wall(self, result: StudyResult, wall: WallResult) -> None:
+        """Fill the tab from one wall of a result."""
+        from core.study.governing import collapse_histories
+        from core.wall.moment_rotation import moment
+
+        self.phase.clear()
+        self.moment.clear()
+        self.show_accuracy(wall.accuracy)
+        alpha = wall.model.collapse_rotation
+        ratio = np.linspace(0.0, 1.2, 121)
+        law = np.array([moment(x * alpha, wall.model) for x in ratio])
+        law = law / (wall.model.amplitude * math.sin(alpha))
+        self.moment.curve(tr("law"), ratio, law, 0, 2.0)
+        self.moment.reset()
+        for chart in (self.chart, self.phase, self.moment):
+            chart.caption = f"{wall.name}, {named(wall.mechanism)}"
+        pair = collapse_histories(result, wall)
+        if pair is None:
+            self.phase.say_why(tr("No record with a q."))
+            return
+        speed = wall.block.frequency_parameter * alpha
+        for one, name, color in zip(pair.histories, (tr("survives"), named("overturned")), (0, 1), strict=True):
+            inside = np.abs(one.rotation) < 1.5 * alpha
+            self.phase.curve(name, one.rotation[inside] / alpha, one.velocity[inside] / speed, color, 1.0, path=True)
+        self.phase.reset()
+
+    def show_accuracy(self, accuracy) -> None:
+        """The chart and the two statements; nothing before they are asked for."""
+        self.chart.clear()
+        if accuracy is None:
+            self.chart.say_why(tr("Not stated yet for this wall: press the button above."))
+            return
+        for k, point in enumerate(accuracy.points):
+            if point.error is not None:
+                name = f"{point.name}: {point.error:.0e}"
+                mark = "ost"[k // 7]  # colours come again after seven
+                self.chart.points(name, [1e3 * point.seconds], [max(point.error, 1e-16)], k, 11, symbol=mark)
+        self.chart.reset()
+
+        def share(value: float | None) -> str:
+            return "–" if value is None else f"{number(100 * value, '.2g')} %"
+
+        self.words.setText(
+            "\n".join(
+                (
+                    tr(
+                        "Solver ({method}): error of q {q}, of the history {history} α ({record}).",
+                        method=accuracy.method,
+                        q=share(accuracy.solver_q_error),
+                        history="–" if accuracy.history_error is None else f"{accuracy.history_error:.0e}",
+                        record=accuracy.record,
+                    ),
+                    tr(
+                        "Definition: by the step of the search q spreads {q}, q robust {robust}; by rounding the "
+                        "record to five figures {rounded} and {rounded_robust}.",
+                        q=share(accuracy.spread(1, accuracy.steps)),
+                        robust=share(accuracy.spread(2, accuracy.steps)),
+                        rounded=share(accuracy.spread(0, accuracy.rounded)),
+                        rounded_robust=share(accuracy.spread(1, accuracy.rounded)),
+                    ),
+                )
+            )
+        )

@@ -1,0 +1,176 @@
+"""Tabs of a result: q against SI, Spectra."""
+
+import numpy as np
+import pyqtgraph as pg
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QSplitter, QVBoxLayout, QWidget
+
+from app.look import theme
+from app.look.language import named, number, tr
+from app.views.chart import Chart
+from app.views.check_tab import digits
+from app.views.table import Table
+from core.capacity.closed_forms import closed_form_q_eff
+from core.capacity.scale_free_law import dimensionless_intensity, law_of, loss_ratio
+from core.ground.response_spectrum import HOUSNER_PERIODS, pseudo_acceleration_spectrum
+from core.study.floors import CHART_PERIODS
+from core.study.results import StudyResult, WallResult
+from core.text.sentence import word
+from core.units import CM, G
+
+
+class IntensityTab(QWidget):
+    """q_eff against SI: points, power law, Eq. 15/16 with a band of 20 %."""
+
+    def __init__(self):
+        super().__init__()
+        self.log = QCheckBox(tr("Logarithmic axes"))
+        self.log.toggled.connect(lambda on: self.show_wall(*self.shown) if self.shown else None)
+        self.chart = Chart("SI [cm]", "q_eff [-]", tr("q against SI"))
+        self.scale_free = Chart("Π = p² SI/PGA [-]", "q [-]", tr("q against Π"))
+        self.words = QLabel()
+        self.words.setWordWrap(True)
+        layout = QVBoxLayout(self)
+        row = QHBoxLayout()
+        row.addWidget(self.log)
+        row.addWidget(self.words, 1)
+        layout.addLayout(row)
+        charts = QHBoxLayout()
+        charts.addWidget(self.chart, 1)
+        charts.addWidget(self.scale_free, 1)
+        layout.addLayout(charts, 1)
+        self.shown = None
+
+    def show_wall(self, result: StudyResult, wall: WallResult) -> None:
+        """Fill the tab from one wall of a result."""
+        self.shown = (result, wall)
+        self.chart.clear()
+        self.scale_free.clear()
+        self.chart.set_log(self.log.isChecked())
+        known = [entry for entry in wall.per_record if entry.q is not None]
+        why = ""
+        if not known:
+            why = tr("No record with a q.")
+        elif not wall.wall.has_closed_forms:
+            why = tr("Not drawn above the ground and with loads, where Eq. 15 and 16 do not hold.")
+        for chart in (self.chart, self.scale_free):
+            chart.caption = f"{wall.name}, {named(wall.mechanism)}"
+            chart.say_why(why)
+        self.words.setText("")
+        if why:
+            return
+        si = np.array([entry.intensity for entry in known])
+        self.chart.points(tr("time histories"), si / CM, [entry.q_eff for entry in known], 0, 9)
+        x = np.geomspace(0.7 * si.min(), 1.4 * si.max(), 60)
+        one_sided = wall.mechanism == "one_sided"
+        form = "Eq. 16" if one_sided else "Eq. 15"
+        y = np.array([closed_form_q_eff(wall.block.slenderness, wall.block.height, v, one_sided) for v in x])
+        if not self.log.isChecked():
+            self.chart.band(x / CM, 0.8 * y, 1.2 * y, 1)
+        self.chart.curve(form, x / CM, y, 1, 2.0)
+        law = wall.power_law
+        text = tr("set: q {q}, q robust {robust}", q=digits(wall.q_set), robust=digits(wall.q_robust_set))
+        if law:
+            inside = np.geomspace(si.min(), si.max(), 60)  # where the records are, no further
+            fit = [law.q_eff(v) for v in inside]
+            self.chart.curve("C1 SI^C2", inside / CM, fit, 0, 1.6, dash=True)
+            text += f"   C1 {number(law.c1, '.3g')}, C2 {number(law.c2, '.2f')}, R² {number(law.r_squared, '.2f')}"
+        self.words.setText(text)
+        self._show_law(wall, known)
+        self.chart.reset()
+
+    def _show_law(self, wall: WallResult, known: list) -> None:
+        """Ribalta's law: at each record in the chart of SI, and as a curve with its interval in that of Pi."""
+        self.scale_free.clear()
+        self.scale_free.set_log(self.log.isChecked())
+        block = wall.block
+        pi = np.array([dimensionless_intensity(block.p2, entry.intensity, entry.pga) for entry in known])
+        self.scale_free.points(tr("time histories"), pi, [entry.q for entry in known], 0, 9)
+        law = law_of(wall.mechanism == "one_sided", wall.law, "q")
+        if law is not None:
+            ratio = loss_ratio(block, wall.restitution)
+            pga = np.array([entry.pga for entry in known])
+            si = np.array([entry.intensity for entry in known])
+            name = tr("Ribalta's law (research)")
+            self.chart.points(name, si / CM, law.q(pi, ratio) * G / pga, 2, 8, symbol="d")
+            x = np.geomspace(0.7 * pi.min(), 1.4 * pi.max(), 60)
+            y = law.q(x, ratio)
+            low, high = (edge / law.q(1.0, ratio) for edge in law.interval(1.0, ratio))
+            if not self.log.isChecked():
+                self.scale_free.band(x, low * y, high * y, 2)
+            self.scale_free.curve(name, x, y, 2, 2.0)
+        self.scale_free.reset()
+
+
+class SpectraTab(QWidget):
+    """5 % acceleration spectra of the records, their mean, the target; the band of SI shaded. Above the ground beside
+    them the floor spectrum of the code and the mean of the floor motions, at the damping of the mechanism."""
+
+    def __init__(self, language: str):
+        super().__init__()
+        self.language = language
+        self.chart = Chart("T [s]", "S_a [g]", tr("Spectra"), live=True)
+        self.table = Table(tr("Compatibility"), [tr("Rule"), tr("Clause"), tr("Value"), tr("Limit"), tr("Outcome")])
+        self.words = QLabel()
+        self.floor = Chart("T [s]", "S_a [g]", tr("Floor spectra"))
+        charts = QSplitter(Qt.Orientation.Horizontal)
+        charts.addWidget(self.chart)
+        charts.addWidget(self.floor)
+        split = QSplitter(Qt.Orientation.Vertical)
+        split.addWidget(charts)
+        split.addWidget(self.table)
+        split.setSizes([420, 180])
+        layout = QVBoxLayout(self)
+        layout.addWidget(self.words)
+        layout.addWidget(split, 1)
+        self.known: dict[str, np.ndarray] = {}
+
+    def _show_floor(self, floor) -> None:
+        """The consistency of the code with the records at the floor."""
+        self.floor.clear()
+        self.floor.setVisible(floor is not None)
+        if floor is None:
+            return
+        if floor.spectrum is not None:
+            name = tr("code, z {z:g} m, ξ {damping:.0f} %", z=floor.z, damping=100.0 * floor.damping)
+            self.floor.curve(name, CHART_PERIODS, floor.code_spectrum / G, 1, 2.4)
+        if floor.motions:
+            self.floor.curve(tr("mean of the floors"), CHART_PERIODS, floor.mean_spectrum / G, 0, 2.4)
+        self.floor.reset()
+
+    def show_records(self, motions, target, rules, floor=None) -> None:
+        """motions : as loaded
+        target : of the demand or None
+        rules : Compliance or None
+        floor : Floor of a wall above the ground
+        """
+        self._show_floor(floor)
+        self.chart.clear()
+        spectra = []
+        for motion in motions:
+            key = motion.samples_sha256
+            if key not in self.known:
+                self.known[key] = pseudo_acceleration_spectrum(motion.acceleration, motion.time_step, HOUSNER_PERIODS)
+            spectra.append(self.known[key] / G)
+        region = pg.LinearRegionItem((0.1, 2.5), movable=False, brush=pg.mkBrush(128, 128, 128, 18))
+        self.chart.add(region)
+        for motion, values in zip(motions, spectra, strict=True):
+            self.chart.curve(motion.name, HOUSNER_PERIODS, values, 6, 0.8, legend=False)
+        if spectra:
+            self.chart.curve(tr("mean of the records"), HOUSNER_PERIODS, np.mean(spectra, axis=0), 0, 2.4)
+        if target is not None:
+            periods = np.linspace(0.0, 4.0, 401)
+            self.chart.curve(tr("target: {name}", name=target.name), periods, target.acceleration(periods) / G, 1, 2.4)
+        self.words.setText(tr("SI is the area under the pseudo-velocity from 0.1 to 2.5 s (shaded)."))
+        self.chart.reset()
+        rows, colors = [], []
+        for rule in rules.rules if rules else ():
+            percent = 100.0 if rule.unit == "%" else 1.0
+            outcome = "shown" if rule.passed is None else "passed" if rule.passed else "not_passed"
+            color = None if rule.passed is None else theme.current.good if rule.passed else theme.current.bad
+            value = f"{number(percent * rule.value, '.3g')} {rule.unit}"
+            limit = "–" if rule.limit is None else f"{number(percent * rule.limit, '.3g')} {rule.unit}"
+            name, found = word(rule.name, self.language), word(outcome, self.language)
+            rows.append([name, rule.clause, value, limit, found])
+            colors.append([None] * 4 + [color])
+        self.table.show_rows(rows, colors)

@@ -1,0 +1,178 @@
+"""The tab Overview: every wall of the study, the lowest zeta first, and walls before beside walls after."""
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QLabel, QSplitter, QVBoxLayout, QWidget
+
+from app.look.language import number, tr
+from app.views.check_tab import digits, verdict_color
+from app.views.table import Table
+from core.study.limit_states import STATES
+from core.study.results import StudyResult, WallResult
+from core.study.variants import Comparison, comparisons
+from core.text.sentence import word
+from core.units import G
+
+ZETA, RISK = 2, 6
+"""Column of zeta, and first one of what a mechanism withstands."""
+
+
+def steps() -> list[str]:
+    """How to begin, in three steps."""
+    return [
+        tr("1. Walls: sizes, mechanism, what stands behind them (left, or Table… for many)."),
+        tr("2. Demand: a_g, spectrum, confidence factor; records: drop files, or Generate…"),
+        tr("3. F5. Then this overview, the tab Check of each wall, and File → Export."),
+    ]
+
+
+def zeta_of(wall: WallResult) -> float | None:
+    """zeta of the check that decides."""
+    return wall.assessment.verdict.zeta_e if wall.assessment else None
+
+
+def method_of(wall: WallResult, language: str) -> str:
+    """The check that decides, in words."""
+    found = wall.assessment
+    if found is None:
+        return "–"
+    labels = [check.label for check in found.checks if check.name == found.verdict.governing]
+    return word(labels[0], language) if labels else "–"
+
+
+class WallsTab(QWidget):
+    """One row a wall and mechanism. picked(k) : the row of the result's k-th wall was clicked twice, its name once."""
+
+    picked = Signal(int)
+
+    def __init__(self, language: str):
+        super().__init__()
+        self.language = language
+        self.order: list[int] = []
+        self.shown: tuple[StudyResult, WallResult] | None = None
+        self.by, self.falling = ZETA, False
+        self.words = QLabel(tr("No result yet: press F5.") + "\n\n" + "\n".join(steps()))
+        self.words.setWordWrap(True)
+        self.table = Table(
+            tr("Walls of the study"),
+            [
+                tr("Wall"),
+                tr("Mechanism"),
+                "ζ",
+                tr("Outcome"),
+                tr("by"),
+                "q",
+                "PGA_C [g]",
+                "T_R,C",
+                "IS-V",
+                *(f"ζ {state}" for state in STATES),
+            ],
+        )
+        self.table.cellDoubleClicked.connect(lambda row, _: self._picked(row))
+        self.table.cellClicked.connect(lambda row, column: self._picked(row) if column == 0 else None)
+        self.table.setToolTip(tr("Click the name of a wall to open it, a head to sort by it."))
+        self.table.horizontalHeader().setSectionsClickable(True)
+        self.table.horizontalHeader().sectionClicked.connect(self._sort)
+        self.pairs = Table(
+            tr("Before and after"),
+            [tr("Wall"), tr("Mechanism"), tr("ζ before"), tr("by"), tr("ζ after"), tr("by"), tr("changed")],
+        )
+        self.pairs_title = QLabel(tr("Before and after"))
+        below = QWidget()
+        inside = QVBoxLayout(below)
+        inside.setContentsMargins(0, 0, 0, 0)
+        inside.addWidget(self.pairs_title)
+        inside.addWidget(self.pairs, 1)
+        self.below = below
+        split = QSplitter(Qt.Orientation.Vertical)
+        split.addWidget(self.table)
+        split.addWidget(below)
+        self.split = split
+        split.setVisible(False)
+        layout = QVBoxLayout(self)
+        layout.addWidget(self.words)
+        layout.addWidget(split, 1)
+        layout.addStretch(0)
+
+    def show_wall(self, result: StudyResult, wall: WallResult) -> None:
+        """Fill the tables from a result; the row of the wall is marked."""
+        self.shown = (result, wall)
+        self.split.setVisible(True)
+        self.words.setText(tr("Lowest ζ first. Click the name of a wall to open it."))
+        rows, colors = [], []
+        deciding = [one.governing for one in result.verdicts] or range(len(result.walls))
+        self.order = sorted(deciding, key=lambda k: self._rank(result.walls[k]), reverse=self.falling)
+        for k in self.order:
+            rows.append(self._row(result.walls[k]))
+            shade = verdict_color(result, result.walls[k]) if result.walls[k].assessment else None
+            colors.append([None, None, shade, shade] + [None] * (len(rows[-1]) - 4))
+        for column in range(RISK, self.table.columnCount()):  # what no wall has takes no room
+            self.table.setColumnHidden(column, all(row[column] == "–" for row in rows))
+        self.table.show_rows(rows, colors)
+        shown = next((k for k in self.order if result.walls[k].part.origin == wall.part.origin), None)
+        if shown is not None:
+            self.table.selectRow(self.order.index(shown))
+        found = comparisons(result.walls)
+        self.below.setVisible(bool(found))
+        self.pairs.show_rows([self._pair(one) for one in found])
+
+    def _row(self, wall: WallResult) -> list[str]:
+        found, language = wall.assessment, self.language
+        risk = found.risk if found else None
+        states = {one.state: one.zeta for one in found.states} if found else {}
+        return [
+            wall.name,
+            word(wall.mechanism, language),
+            digits(zeta_of(wall)),
+            word(found.verdict.code, language) if found else "–",
+            method_of(wall, language),
+            digits(wall.q_set),
+            digits(risk.pga / G, 3) if risk else "–",
+            (risk.years if risk else None) or "–",
+            f"{number(risk.index, '.2f')} {risk.letter}" if risk and risk.index is not None else "–",
+            *(digits(states.get(state)) for state in STATES),
+        ]
+
+    def _pair(self, one: Comparison) -> list[str]:
+        language = self.language
+        changed = ", ".join(word(f"key_{key}", language) for key in one.changed) or tr("nothing")
+        return [
+            one.name,
+            word(one.before.mechanism, language),
+            digits(zeta_of(one.before)),
+            method_of(one.before, language),
+            digits(zeta_of(one.after)),
+            method_of(one.after, language),
+            changed,
+        ]
+
+    def _rank(self, wall: WallResult) -> tuple:
+        """By the column chosen: numbers by their size, what has none last."""
+        if self.by == ZETA:
+            value = zeta_of(wall)
+        else:
+            word_or_number = self._row(wall)[self.by]
+            try:
+                value = float(word_or_number.split()[0].replace(",", "."))
+            except ValueError:
+                return (word_or_number == "–", 0.0, word_or_number)
+        return (value is None) != self.falling, value or 0.0, ""
+
+    def _sort(self, column: int) -> None:
+        self.falling = not self.falling if column == self.by else False
+        self.by = column
+        if self.shown:
+            self.show_wall(*self.shown)
+
+    def show_running(self, walls: list[WallResult]) -> None:
+        """What is known while others run: verdicts of the walls that are finished."""
+        self.split.setVisible(True)
+        self.below.setVisible(False)
+        self.order = []
+        self.words.setText(tr("Running: {n} walls are finished.", n=len(walls)))
+        ordered = sorted(walls, key=lambda wall: (zeta_of(wall) is None, zeta_of(wall) or 0.0))
+        rows = [self._row(wall) for wall in ordered]
+        self.table.show_rows(rows, [[None] * len(row) for row in rows])
+
+    def _picked(self, row: int) -> None:
+        if row < len(self.order):
+            self.picked.emit(self.order[row])

@@ -1,0 +1,55 @@
+"""Kernels compiled or loaded in the background, as soon as a case needs them."""
+
+from app.look.language import tr
+from app.work.worker import Job
+from core.jit import cache
+
+
+class Preparation:
+    """Makes the kernels of the case's method ready, once for each method, while the window has no job."""
+
+    def __init__(self, window):
+        self.window = window
+        self.started = False
+        self.methods: set[str] = set()
+        self.job: Job | None = None
+
+    def begin(self) -> None:
+        """From now on; before it the window is still being made."""
+        self.started = True
+        self.prepare_next()
+
+    def prepare_next(self) -> None:
+        """Prepare what the case at hand needs, if it is not prepared and nothing else runs."""
+        window = self.window
+        if not self.started or self.job or window.job or not window.records.motions:
+            return
+        case = window.session.checked()
+        if case is None or case.analysis.method in self.methods:
+            return
+        motion = window.records.motions[0]
+        self.methods.add(case.analysis.method)
+        if window.word_kind in ("", "ready"):
+            window.show_word(
+                tr("Compiling the solver, once for each version: some seconds…")
+                if cache.lacks_lanes()
+                else tr("Preparing the solver…"),
+                "preparing",
+            )
+
+        def work(job):
+            from core.study.run import warm
+
+            warm(case, motion)
+            cache.record(cache.folder())
+
+        def ended() -> None:
+            self.job = None
+            if window.word_kind == "preparing":
+                window.show_word(tr("Ready."), "ready")
+            self.prepare_next()
+
+        self.job = Job(work)
+        self.job.failed.connect(lambda sentence, log: window.show_word(f"{sentence} {log}"))
+        self.job.finished.connect(ended)
+        self.job.start()

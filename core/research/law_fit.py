@@ -1,0 +1,165 @@
+"""Fits of the scale-free law to the runs of a study, and how they hold on shapes and records left out."""
+
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+
+from core.capacity.regression import Agreement, agreement
+from core.capacity.scale_free_law import ScaleFreeLaw, dimensionless_intensity, fit_law, law_value, limit_of, loss_ratio
+from core.research.paper_sets import MECHANISM
+from core.research.set_means import QUANTITIES, MotionValue, exact
+from core.wall.moment_rotation import LAWS
+
+MIN_SHAPES = 4
+"""Shapes from which a law is fitted."""
+
+
+@dataclass(frozen=True)
+class Columns:
+    """Runs or sets side by side, shape (n,) each. loss : sqrt(1 - e); spectrum : "" of a natural record."""
+
+    alpha: np.ndarray
+    height: np.ndarray
+    pi: np.ndarray
+    loss: np.ndarray
+    velocity: np.ndarray
+    q: np.ndarray
+    intensity: np.ndarray
+    pga: np.ndarray
+    spectrum: np.ndarray
+    default: np.ndarray
+
+    def __getitem__(self, keep) -> "Columns":
+        return Columns(*(values[keep] for values in vars(self).values()))
+
+
+def columns(values: list[MotionValue], mechanism: str, law: str, quantity: str, natural: bool) -> Columns:
+    """Runs of a mechanism, law and quantity that have a number.
+
+    velocity : p PGV / PGA [-]
+    default : whether the restitution is the one that follows the mechanism
+    """
+    rows, walls = [], {}
+    for value in exact(values):
+        cell, motion = value.cell, value.entry.motion
+        number = getattr(value, quantity)
+        fits = (cell.mechanism, cell.law, value.entry.seed is None) == (mechanism, law, natural)
+        if not fits or number is None:
+            continue
+        if cell not in walls:
+            wall = cell.wall
+            block, restitution = wall.block(), wall.restitution_of(cell.mechanism)
+            walls[cell] = (
+                block.p2,
+                np.sqrt(1.0 - loss_ratio(block, restitution)),
+                restitution.model in ("housner", "one_sided_theoretical")
+                and (restitution.model == "housner") == (mechanism == "two_sided"),
+            )
+        p2, loss, default = walls[cell]
+        rows.append(
+            (
+                cell.slenderness_deg,
+                cell.height_m,
+                dimensionless_intensity(p2, motion.housner_intensity, motion.pga),
+                loss,
+                np.sqrt(p2) * motion.pgv / motion.pga,
+                number,
+                motion.housner_intensity,
+                motion.pga,
+                value.entry.spectrum,
+                default,
+            )
+        )
+    if not rows:
+        return Columns(*(np.zeros(0) for _ in range(10)))
+    return Columns(*map(np.array, zip(*rows, strict=True)))
+
+
+def set_columns(runs: Columns) -> Columns:
+    """Means over the motions of each wall and spectrum; of Pi and p PGV/PGA as well."""
+    if not runs.q.size:
+        return runs
+    keys = np.column_stack([runs.alpha, runs.height, runs.loss]).round(9)
+    _, wall = np.unique(keys, axis=0, return_inverse=True)
+    _, shape = np.unique(runs.spectrum, return_inverse=True)
+    _, first, group = np.unique(wall * (shape.max() + 1) + shape, return_index=True, return_inverse=True)
+    count = np.bincount(group)
+    means = {
+        name: np.bincount(group, weights=getattr(runs, name)) / count
+        for name in ("pi", "velocity", "q", "intensity", "pga")
+    }
+    return Columns(**{name: means.get(name, values[first]) for name, values in vars(runs).items()})
+
+
+@dataclass(frozen=True)
+class LawFit:
+    """A fitted law with its quality. errors : of the coefficients, delete-one-shape jackknife; inside : agreement of
+    the fit itself; outside : of every shape by the fit without it; records, natural : of single motions."""
+
+    law: ScaleFreeLaw
+    errors: tuple[float, ...]
+    inside: Agreement
+    outside: Agreement
+    records: Agreement
+    natural: Agreement | None
+    natural_velocity: Agreement | None
+    outside_velocity: Agreement
+
+
+def left_out(sets: Columns, variable: np.ndarray, limit: float) -> tuple[np.ndarray, np.ndarray]:
+    """Coefficients without each shape, and the law of every set by the fit without its shape."""
+    shapes = list(dict.fromkeys(sets.spectrum))
+    found, predicted = [], np.empty(sets.q.size)
+    for shape in shapes:
+        own = sets.spectrum == shape
+        found.append(fit_law(variable[~own], sets.loss[~own], sets.q[~own], limit))
+        predicted[own] = law_value(found[-1], limit, variable[own], sets.loss[own])
+    return np.array(found), predicted
+
+
+def fitted(values: list[MotionValue], mechanism: str, law: str, quantity: str) -> LawFit | None:
+    """The law of one mechanism, moment law and quantity; None with fewer than four shapes."""
+    runs = columns(values, mechanism, law, quantity, False)
+    if np.unique(runs.spectrum).size < MIN_SHAPES:
+        return None
+    sets, limit = set_columns(runs), limit_of(LAWS[law])
+    coefficients = fit_law(sets.pi, sets.loss, sets.q, limit)
+    without, predicted = left_out(sets, sets.pi, limit)
+    n = len(without)
+    errors = np.sqrt((n - 1) / n * ((without - without.mean(axis=0)) ** 2).sum(axis=0))
+    by_velocity = fit_law(sets.velocity, sets.loss, sets.q, limit)
+    _, velocity_predicted = left_out(sets, sets.velocity, limit)
+    inside = agreement(law_value(coefficients, limit, sets.pi, sets.loss), sets.q)
+    outside = agreement(predicted, sets.q)
+    records = agreement(law_value(coefficients, limit, runs.pi, runs.loss), runs.q)
+    other = columns(values, mechanism, law, quantity, True)
+    natural = natural_velocity = None
+    if other.q.size:
+        natural = agreement(law_value(coefficients, limit, other.pi, other.loss), other.q)
+        natural_velocity = agreement(law_value(by_velocity, limit, other.velocity, other.loss), other.q)
+    a0, a1, b0, b1 = coefficients
+    made = ScaleFreeLaw(
+        (round(a0, 3), round(a1, 3), round(b0, 3), round(b1, 3)),
+        limit,
+        round(outside.scatter, 3),
+        round(records.scatter, 3),
+        (float(sets.pi.min()), float(sets.pi.max())),
+        (float(sets.loss.min()), float(sets.loss.max())),
+    )
+    return LawFit(
+        made,
+        tuple(map(float, errors)),
+        inside,
+        outside,
+        records,
+        natural,
+        natural_velocity,
+        agreement(velocity_predicted, sets.q),
+    )
+
+
+def fits_of(values: list[MotionValue]) -> dict[tuple[str, str, str], LawFit]:
+    """All laws the study holds data for."""
+    found = {key: fitted(values, *key) for key in product(MECHANISM, LAWS, QUANTITIES)}
+    return {key: fit for key, fit in found.items() if fit is not None}

@@ -1,0 +1,103 @@
+"""The scale-free law: a planted one comes back, its limits, its range, and motions it has never seen."""
+
+from itertools import product
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from core.capacity import scale_free_law as law
+from core.case.study_file import Cell
+from core.research.law_fit import columns, fits_of, set_columns
+from core.research.parametric import StudyMotion
+from core.research.set_means import MotionValue
+from core.wall.block import Block
+from core.wall.moment_rotation import LAWS, MomentLaw
+from core.wall.restitution import restitution
+
+PLANTED = (-0.1, 3.8, 1.6, -1.1)
+NOISE = 0.05
+
+
+@pytest.fixture(scope="module")
+def planted():
+    """Runs of eight shapes whose q is the planted law times noise."""
+    chance = np.random.default_rng(3)
+    values = []
+    for shape in range(8):
+        middle = chance.uniform(0.3, 1.4)
+        for motion in range(3):
+            drawn = SimpleNamespace(
+                housner_intensity=middle * chance.uniform(0.97, 1.03), pga=2.0, pgv=chance.uniform(0.1, 0.6)
+            )
+            entry = StudyMotion(drawn, f"s{shape}", "g", 10 * shape + motion)
+            for alpha, height, e in product((3.0, 8.0), (2.0, 6.0), ("0.8", "0.95")):
+                cell = Cell(alpha, height, "two_sided", e, "rigid", "taylor", 0.005)
+                pi = cell.wall.block().p2 * drawn.housner_intensity / drawn.pga
+                exact = law.law_value(PLANTED, 1.0, pi, np.sqrt(1.0 - float(e)))
+                q = float(exact * np.exp(chance.normal(0.0, NOISE)))
+                values.append(MotionValue(cell, entry, q, q, q, q, q))
+    return values
+
+
+def test_that_a_planted_law_comes_back_within_its_interval(planted):
+    fits = fits_of(planted)
+    assert set(fits) == {("two_sided", "rigid", name) for name in ("q", "q_slv", "q_slc", "q_robust")}
+    fit = fits["two_sided", "rigid", "q"]
+    for found, error, truth in zip(fit.law.coefficients, fit.errors, PLANTED, strict=True):
+        assert abs(found - truth) < 3.0 * error + 0.001
+        assert error < 0.5
+    assert fit.records.scatter == pytest.approx(NOISE, rel=0.2)
+    assert fit.inside.scatter < fit.outside.scatter < 2.0 * NOISE
+    assert abs(fit.outside.bias) < 0.02 and fit.natural is None
+
+
+def test_that_sets_are_means_over_the_motions_of_a_wall_and_shape(planted):
+    runs = columns(planted, "two_sided", "rigid", "q", False)
+    sets = set_columns(runs)
+    assert runs.q.size == 3 * sets.q.size == 8 * 3 * 8
+    own = (runs.alpha == 3.0) & (runs.height == 2.0) & (runs.spectrum == "s2") & (runs.loss < 0.3)
+    same = (sets.alpha == 3.0) & (sets.height == 2.0) & (sets.spectrum == "s2") & (sets.loss < 0.3)
+    assert sets.q[same] == pytest.approx([runs.q[own].mean()], rel=1e-14)
+    assert columns(planted, "one_sided", "rigid", "q", False).q.size == 0
+
+
+@pytest.mark.parametrize("key", law.FITTED)
+def test_that_the_law_has_its_limits_and_falls_with_pi(key):
+    fitted = law.FITTED[key]
+    x = np.geomspace(*fitted.pi_range, 50)
+    for loss in fitted.loss_range:
+        q = fitted.q(x, 1.0 - loss**2)
+        assert (np.diff(q) < 0.0).all() and (q > fitted.limit).all()
+    assert fitted.limit == (1.0 if key[1] == "rigid" else pytest.approx(0.72))
+    middle = 1.0 - np.mean(fitted.loss_range) ** 2
+    low, high = fitted.interval(1.0, middle)
+    assert low < fitted.q(1.0, middle) < high
+    assert high / low == pytest.approx(np.exp(2 * 1.645 * fitted.scatter_set))
+
+
+def test_that_an_estimate_at_slv_is_not_above_that_at_collapse():
+    """The fits cross by 2 % where a one-sided wall hardly loses energy (Hogan's hypothesis)."""
+    block = Block.rectangle(1.0, np.radians(2.0))
+    for si in np.geomspace(0.02, 2.0, 9):
+        for model in ("housner", "one_sided_theoretical"):
+            one, slv = law.estimates(block, restitution(block, model), LAWS["rigid"], True, si, 2.0)
+            assert slv.q <= one.q and slv.low <= one.low and slv.high <= one.high
+    for one_sided, name in product((False, True), LAWS):
+        at_collapse, at_slv = (law.law_of(one_sided, LAWS[name], quantity) for quantity in ("q", "q_slv"))
+        low, high = at_collapse.loss_range
+        for ratio in 1.0 - np.linspace(low, high, 5) ** 2:
+            x = np.geomspace(0.2, 5.0, 20)
+            assert (at_slv.q(x, ratio) < 1.03 * at_collapse.q(x, ratio)).all()
+
+
+def test_that_an_estimate_is_scale_free_and_says_where_it_does_not_hold():
+    block = Block.rectangle(7.0, np.radians(6.8))
+    impact = restitution(block, "housner")
+    once = law.estimates(block, impact, LAWS["rigid"], False, 1.2, 3.0)
+    assert [entry.quantity for entry in once] == ["q", "q_slv"]
+    assert law.estimates(block, impact, LAWS["rigid"], False, 0.12, 0.3)[0].q == pytest.approx(once[0].q, rel=1e-14)
+    assert once[0].within and not law.estimates(block, impact, LAWS["rigid"], False, 60.0, 3.0)[0].within
+    assert law.estimates(block, impact, MomentLaw(0.1, 0.3), False, 1.2, 3.0) == ()
+    drop = restitution(block, "one_sided_experimental")
+    assert law.loss_ratio(block, drop) == pytest.approx(drop.ratio_at_rest * (1.18 - 0.473) / 1.18, rel=1e-12)
