@@ -183,6 +183,11 @@ def test_that_a_documented_command_runs(command, place):
             )
         case ["python3" | ".venv/bin/python", script, *_] if script.startswith("packaging/"):
             tried((sys.executable, "-P", str(ROOT / script), "--help"), place)
+        case [".venv/bin/python", "-m", "tests.reference_of_keys"]:
+            page = place / "case.md"
+            page.write_text("# The case file\n", encoding="utf-8")
+            tried((sys.executable, "-P", "-m", "tests.reference_of_keys", str(page)), place)
+            assert page.read_text(encoding="utf-8").startswith("# The case file\n\n## Every key\n")
         case [".venv/bin/ruff", "format", *_]:
             check = ("format", "--no-cache", "--check", str(ROOT / "tests" / "test_run.py"))
             tried((sys.executable, "-m", "ruff", *check), place)

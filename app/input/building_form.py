@@ -4,7 +4,8 @@ from dataclasses import replace
 
 from PySide6.QtWidgets import QGroupBox, QLabel, QVBoxLayout, QWidget
 
-from app.input.fields import NumberField, connect
+from app.input.fields import connect
+from app.input.made_fields import make_fields
 from app.look.language import tr
 from app.work.session import Session
 from core.case.site import Building
@@ -22,35 +23,7 @@ class BuildingForm(QWidget):
         self.given = QGroupBox(tr("Building of the walls above the ground"))
         self.given.setCheckable(True)
         self.given.toggled.connect(self._toggled)
-        self.fields = [
-            NumberField(Building, "height_m", tr("Height H"), "m"),
-            NumberField(Building, "storeys", tr("Storeys"), "", whole=True),
-            NumberField(
-                Building,
-                "period_s",
-                tr("Elastic period T_1"),
-                "s",
-                optional=True,
-                tip=tr("Empty: 0.05 H^0.75, an estimate"),
-            ),
-            NumberField(
-                Building,
-                "period_factor",
-                tr("Damaged over elastic period"),
-                "",
-                optional=True,
-                tip=tr("C8.7.1.2.1.4: 1.5 to 2.0 at SLV and SLC; empty: 1.5, at SLD 1.0"),
-            ),
-            NumberField(
-                Building,
-                "damping",
-                tr("Damping of the building"),
-                "%",
-                100.0,
-                optional=True,
-                tip=tr("C8.7.1.2.1.4: 10 to 20 % at SLV and SLC; empty: 10 %, at SLD 5 %"),
-            ),
-        ]
+        self.fields = make_fields(Building)
         connect(self.fields, self._changed)
         self.summary = QLabel()
         self.summary.setWordWrap(True)

@@ -1,21 +1,21 @@
 """The demand, the analysis and the title block of the report."""
 
-from dataclasses import fields, replace
+from dataclasses import replace
 
 from PySide6.QtWidgets import QFileDialog, QGroupBox, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from app.input.building_form import BuildingForm
-from app.input.fields import Choice, ChoiceField, FlagField, NumberField, RangeField, TextField, connect
+from app.input.fields import Choice, connect
 from app.input.hazard_form import HazardForm
 from app.input.law_curve import SpectrumCurve
+from app.input.made_fields import make_field, make_fields
 from app.input.reasons_form import reasons_of_demand
-from app.look.language import current_language, described, named, number, tr
+from app.look.language import current_language, described, number, tr
 from app.look.parts import Parts
 from app.work.session import Session
-from core.case.schema import Analysis, Report
-from core.case.site import KNOWLEDGE, Demand, Spectrum
+from core.case.schema import Analysis, Case, Report
+from core.case.site import Demand, Spectrum
 from core.codes.demand import unusual
-from core.codes.target_spectrum import NTC_TOPOGRAPHY, SOILS
 from core.errors import InputError
 from core.study.demand_input import target_of
 from core.units import G
@@ -36,15 +36,21 @@ class DemandForm(QWidget):
         self.given.setCheckable(True)
         self.given.toggled.connect(self._toggled)
         self._make_spectrum()
-        below = [*self._strength_fields(), *self._check_fields(), *self._site_fields()]
-        self.of_demand = [self.state, self.ag, self.soil_factor, self.intensity, *below]
+        motion = [make_field(Demand, key) for key in ("limit_state", "ag_g", "soil_factor", "housner_intensity_cm")]
+        self.of_spectrum = make_fields(Spectrum, "code", first=("f0", "tc_star_s"))
+        below = [
+            *make_fields(Demand, "knowledge"),
+            *make_fields(Demand, "check", first=("demand_scaling", "period_range_s", "zeta_target")),
+            *make_fields(Demand, "site"),
+        ]
+        self.of_demand = [*motion, *below]
+        self.fields = {field.key: field for field in (*self.of_demand, *self.of_spectrum)}
         connect(self.of_demand, self._changed)
         connect(self.of_spectrum, self._spectrum_changed)
         self.curve: SpectrumCurve | None = None
         self.curve_place = QVBoxLayout()
         inside = QVBoxLayout(self.given)
-        above = [self.state, self.ag, self.hint, self.kind, self.soil_factor, self.intensity, *self.of_spectrum]
-        for widget in (*above, self.file, self.summary):
+        for widget in (*motion[:2], self.hint, self.kind, *motion[2:], *self.of_spectrum, self.file, self.summary):
             inside.addWidget(widget)
         inside.addLayout(self.curve_place)
         self.hazard = HazardForm(session)
@@ -61,11 +67,7 @@ class DemandForm(QWidget):
         )
 
     def _make_spectrum(self) -> None:
-        """Limit state, a_g and how the spectrum is given, with what is said of it."""
-        self.state = ChoiceField(
-            Demand, "limit_state", tr("Limit state"), {name: name for name in ("SLV", "SLC", "SLD")}
-        )
-        self.ag = NumberField(Demand, "ag_g", "a_g", "g", tip=tr("On rigid ground (su suolo rigido); S apart"))
+        """How the spectrum is given, with what is said of it."""
         self.hint, self.summary = QLabel(), QLabel()
         self.hint.setWordWrap(True)
         self.summary.setWordWrap(True)
@@ -79,73 +81,8 @@ class DemandForm(QWidget):
         ):
             self.kind.addItem(shown, name)
         self.kind.activated.connect(self._kind_chosen)
-        self.soil_factor = NumberField(Demand, "soil_factor", "S", "", optional=True)
-        self.intensity = NumberField(Demand, "housner_intensity_cm", tr("Intensity SI"), "cm", optional=True)
-        self.f0 = NumberField(Spectrum, "f0", "F0")
-        self.tc = NumberField(Spectrum, "tc_star_s", "T_C*", "s")
-        self.soil = ChoiceField(Spectrum, "soil", tr("Soil"), {name: name for name in SOILS})
-        self.topography = ChoiceField(Spectrum, "topography", tr("Topography"), {name: name for name in NTC_TOPOGRAPHY})
-        self.type = ChoiceField(Spectrum, "type", tr("Type"), {1: "1", 2: "2"})
-        self.of_spectrum = [self.f0, self.tc, self.soil, self.topography, self.type]
         self.file = QPushButton(tr("Choose file…"))
         self.file.clicked.connect(self._choose_file)
-
-    def _strength_fields(self) -> list:
-        """How well the materials are known."""
-        self.factor = NumberField(
-            Demand,
-            "confidence_factor",
-            "FC",
-            "",
-            tip=tr("Less than 1.35: with LC2 or LC3, what was investigated and the strength f of each wall"),
-        )
-        return [
-            self.factor,
-            ChoiceField(
-                Demand,
-                "knowledge_level",
-                tr("Level of knowledge"),
-                {None: "–"} | {name: name for name in ("LC1", *KNOWLEDGE)},
-            ),
-            TextField(Demand, "investigations", tr("Investigations")),
-            ChoiceField(
-                Demand,
-                "confidence_on",
-                tr("FC acts"),
-                {"capacity": tr("on the strength"), "demand": tr("on the demand")},
-                tip=tr("C8.7.1.2.1.3: on the strength of the capacity curve; on the demand is more cautious"),
-            ),
-        ]
-
-    def _check_fields(self) -> list:
-        """How records are taken to the demand, and what is required."""
-        return [
-            ChoiceField(
-                Demand,
-                "demand_scaling",
-                tr("Records at the demand"),
-                {"as_given": tr("as given"), "pga": tr("scaled to PGA = a_g S")},
-            ),
-            RangeField(
-                Demand,
-                "period_range_s",
-                tr("Periods compared"),
-                "s",
-                tip=tr("Compatibility of the records; empty: 0.15 to 2.0 s, natural records to T_SLV"),
-            ),
-            NumberField(Demand, "zeta_target", tr("ζ required")),
-            NumberField(Demand, "q_code", tr("q of the code")),
-        ]
-
-    def _site_fields(self) -> list:
-        """Where it stands, and the return period asked for."""
-        return [
-            TextField(Demand, "site", tr("Site")),
-            TextField(Demand, "coordinates", tr("Coordinates")),
-            NumberField(Demand, "nominal_life_years", "V_N", tr("years"), optional=True),
-            NumberField(Demand, "use_class_factor", "C_U", "", optional=True),
-            NumberField(Demand, "return_period_years", "T_R", tr("years"), optional=True),
-        ]
 
     def show_case(self) -> None:
         """Fill the form from the session."""
@@ -166,12 +103,9 @@ class DemandForm(QWidget):
         for field in self.of_spectrum:
             if spectrum:
                 field.show_value(getattr(spectrum, field.key))
-        self.soil_factor.setVisible(spectrum is None)
-        self.intensity.setVisible(kind == "none")
-        self.soil.setVisible(spectrum is not None)
-        for field in (self.f0, self.tc, self.topography):
-            field.setVisible(kind == "NTC2018")
-        self.type.setVisible(kind == "EN1998")
+            field.setVisible(spectrum is not None and field.entry.metadata.get("code", kind) == kind)
+        self.fields["soil_factor"].setVisible(spectrum is None)
+        self.fields["housner_intensity_cm"].setVisible(kind == "none")
         self.file.setVisible(kind == "file")
         self.file.setText(demand.spectrum_file or tr("Choose file…"))
         try:
@@ -266,51 +200,13 @@ class DemandForm(QWidget):
             self.show_case()
 
 
-METHOD_NAMES = next(f for f in fields(Analysis) if f.name == "method").metadata["names"]
-
-
 class AnalysisForm(QWidget):
     """Edits [analysis] and [report]."""
 
     def __init__(self, session: Session):
         super().__init__()
         self.session = session
-        self.of_analysis = [
-            ChoiceField(
-                Analysis,
-                "method",
-                tr("Method"),
-                {name: tr("automatic") if name == "auto" else name for name in METHOD_NAMES},
-            ),
-            NumberField(Analysis, "q_step", tr("Step of the search"), "%", 100.0),
-            NumberField(Analysis, "q_limit", tr("Largest q")),
-            NumberField(Analysis, "map_span", tr("Map up to times q")),
-            NumberField(Analysis, "robust_window", tr("Robust window"), "%", 100.0),
-            ChoiceField(
-                Analysis,
-                "polarity",
-                tr("Sign of the records"),
-                {"both": named("both"), "as_recorded": tr("as recorded"), "reversed": tr("reversed")},
-            ),
-            FlagField(
-                Analysis,
-                "accuracy",
-                tr("State the accuracy"),
-                tip=tr("Seconds a wall: error of the solver and spread of q in the report"),
-            ),
-        ]
-        self.of_report = [
-            TextField(Report, key, label)
-            for key, label in (
-                ("client", tr("Client")),
-                ("site", tr("Place")),
-                ("project", tr("Project")),
-                ("author", tr("Author")),
-                ("revision", tr("Revision")),
-                ("date", tr("Date")),
-            )
-        ]
-        self.of_report.append(ChoiceField(Report, "language", tr("Report in"), {"en": "English", "it": "Italiano"}))
+        self.of_analysis, self.of_report = make_fields(Analysis), make_fields(Report)
         connect(
             self.of_analysis,
             lambda field, value: session.edit_section("analysis", ("analysis", field.key), **{field.key: value}),
@@ -319,7 +215,7 @@ class AnalysisForm(QWidget):
             self.of_report,
             lambda field, value: session.edit_section("report", ("report", field.key), **{field.key: value}),
         )
-        self.title_field = TextField(type(session.case), "title", tr("Title"))
+        self.title_field = make_field(Case, "title")
         self.title_field.edited.connect(lambda value: session.edit(replace(session.case, title=value), "title"))
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)

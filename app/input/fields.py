@@ -1,19 +1,22 @@
-"""Fields of a form: each knows its key, says its error in words, and speaks the office's unit."""
+"""Fields of a form: each is made from the description of its key, says its error in words, and speaks the office's
+unit."""
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QCheckBox, QComboBox, QDialog, QGridLayout, QLabel, QLineEdit, QSizePolicy, QWidget
 
 from app.look import theme
-from app.look.language import FORM_NAMES, current_language, number, tr
+from app.look.language import FORM_NAMES, current_language, number, of_key, tr
+from core.case.keys import unit_in_form
 from core.case.number import parse_number
 from core.case.schema import Analysis, Report, Wall
 from core.case.site import Demand, Spectrum
-from core.case.values import check_value
+from core.case.values import check_value, field_of
 from core.errors import InputError
+from core.text.sentence import choice
 
 FIGURES = 12
 
@@ -22,14 +25,17 @@ SECTIONS = {Demand: "[demand]", Spectrum: "[demand.spectrum]", Analysis: "[analy
 
 
 class Field(QWidget):
-    """Label, editor, unit and a line for its error. edited(value) : a value the case accepts."""
+    """Label, editor, unit and a line for its error, of a key of a section. edited(value) : a value the case accepts."""
 
     edited = Signal(object)
     judged = Signal()
 
-    def __init__(self, section: type, key: str, label: str, unit: str = "", tip: str = ""):
+    def __init__(self, section: type, key: str):
         super().__init__()
-        self.section, self.key = section, key
+        self.section, self.key, self.entry = section, key, field_of(section, key)
+        unit, self.factor = unit_in_form(self.entry)
+        self.unit = tr("years") if unit == "years" else unit
+        label, tip = self.text_of(".caption"), self.text_of(".tip")
         FORM_NAMES.add(self.key_in_errors(), label, SECTIONS.get(section, ""))
         self.value = self.value_before = None
         self.error = self.rule = ""
@@ -52,15 +58,24 @@ class Field(QWidget):
         self.message.hide()
         grid.addWidget(self.caption, 0, 0)
         grid.addWidget(self.editor, 0, 1)
-        if unit:
-            grid.addWidget(QLabel(unit), 0, 2)
+        if self.unit:
+            grid.addWidget(QLabel(self.unit), 0, 2)
         grid.addWidget(self.message, 1, 0, 1, 3)
         grid.setColumnStretch(1, 1)
         self.setFocusProxy(self.editor)
 
+    def text_of(self, part: str) -> str:
+        """Its caption or its tip, see `of_key`."""
+        return of_key(self.section, self.key, part)
+
     def key_in_errors(self) -> str:
         """The key by which errors name what it edits."""
         return self.key
+
+    @property
+    def optional(self) -> bool:
+        """Whether it may be left empty."""
+        return self.entry.default is None and not self.entry.metadata.get("filled")
 
     def make_editor(self) -> QWidget:
         """The widget that edits: a line of text, where a kind of field has no other."""
@@ -201,14 +216,13 @@ class Line(QLineEdit):
 
 
 class NumberField(Field):
-    """A number, comma or point. factor : office unit over the unit of the case (100 for cm from m)."""
+    """A number, comma or point."""
 
-    def __init__(self, section, key, label, unit="", factor=1.0, optional=False, whole=False, tip=""):
-        self.factor, self.optional, self.whole = factor, optional, whole
-        self.unit = unit
-        if factor != 1.0:
-            FORM_NAMES.scales[key] = (factor, unit)
-        super().__init__(section, key, label, unit, tip)
+    def __init__(self, section: type, key: str):
+        super().__init__(section, key)
+        self.whole = self.entry.metadata["kind"] == "int"
+        if self.factor != 1.0:
+            FORM_NAMES.scales[key] = (self.factor, self.unit)
 
     def make_editor(self) -> QLineEdit:
         editor = super().make_editor()
@@ -310,12 +324,12 @@ class TextField(Field):
 
 
 class ChoiceField(Field):
-    """One of some names; words : name -> what is shown."""
+    """One of some names. words : name -> what is shown, None : as the catalogue has it"""
 
-    def __init__(self, section, key, label, words: dict, tip=""):
-        self.words = words
-        FORM_NAMES.captions.update({name: shown for name, shown in words.items() if name})
-        super().__init__(section, key, label, "", tip)
+    def __init__(self, section: type, key: str, words: dict | None = None):
+        self.words = words or words_of_choices(section, key)
+        FORM_NAMES.captions.update({name: shown for name, shown in self.words.items() if name})
+        super().__init__(section, key)
 
     def make_editor(self) -> QComboBox:
         editor = Choice()
@@ -348,7 +362,22 @@ class FlagField(Field):
         self.editor.blockSignals(False)
 
 
-def connect(chosen: list[Field], change: Callable[[Field, object], None]) -> None:
+def words_of_choices(section: type, key: str) -> dict:
+    """Name -> what a list shows, of a key that takes one of some names; None is that it is not given."""
+    entry = field_of(section, key)
+    words: dict = {}
+    if entry.default is None and not entry.metadata.get("filled"):
+        words[None] = of_key(section, key, "=") or "–"
+    if entry.metadata["kind"] == "flag":
+        return words | {True: tr("yes"), False: tr("no")}
+    if entry.metadata["kind"] == "int":
+        return words | {n: str(n) for n in range(entry.metadata["low"], entry.metadata["high"] + 1)}
+    return words | {
+        name: of_key(section, key, f"={name}") or choice(name, current_language()) for name in entry.metadata["names"]
+    }
+
+
+def connect(chosen: Sequence[Field], change: Callable[[Field, object], None]) -> None:
     """Send the edits of these fields to `change(field, value)`."""
     for field in chosen:
         field.edited.connect(lambda value, field=field: change(field, value))

@@ -86,9 +86,12 @@ def formula_of(model: str, block: Block, contact: Contact | None = None) -> str:
 class LawField(NumberField):
     """An end of an own law over alpha, checked as the velocity ratio is: 0 to 1."""
 
-    def __init__(self, end: str, label: str):
+    def __init__(self, end: str):
         self.end = end
-        super().__init__(Wall, "velocity_ratio", label)
+        super().__init__(Wall, "velocity_ratio")
+
+    def text_of(self, part: str) -> str:
+        return named(f"key_{self.end}") if part == ".caption" else ""
 
     def key_in_errors(self) -> str:
         return self.end
@@ -102,15 +105,15 @@ class ImpactForm(QGroupBox):
         self.session, self.index, self.scopes = session, index, scopes()
         self.law_curve = LawCurve()
         column = QVBoxLayout(self)
-        self.model = ChoiceField(Wall, "restitution", tr("Model"), named_models())
-        self.velocity_ratio = NumberField(Wall, "velocity_ratio", tr("Velocity ratio e"))
+        self.model = ChoiceField(Wall, "restitution", named_models())
+        self.velocity_ratio = NumberField(Wall, "velocity_ratio")
         self.law = Choice()
         for name, shown in named_laws().items():
             self.law.addItem(shown, name)
         self.law.setAccessibleName(tr("Moment-rotation law"))
         self.law.activated.connect(self._law_chosen)
-        self.first = LawField("elastic_limit", "D1")
-        self.last = LawField("plateau_end", "D2")
+        self.first = LawField("elastic_limit")
+        self.last = LawField("plateau_end")
         self.first.edited.connect(lambda value: self._law_end("elastic_limit", value))
         self.last.edited.connect(lambda value: self._law_end("plateau_end", value))
         self.model.edited.connect(self._model_chosen)

@@ -19,9 +19,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.input.fields import ChoiceField, NumberField, connect
+from app.input.fields import connect
+from app.input.made_fields import make_field, make_fields
 from app.look import theme
-from app.look.language import described, named, number, tr
+from app.look.language import described, number, tr
 from app.views.chart import Chart
 from core.case.schema import Record
 from core.errors import InputError
@@ -100,34 +101,10 @@ class ImportDialog(QDialog):
         self.words = QLabel()
         self.words.setWordWrap(True)
         self.chart = Chart("t [s]", "u'' [g]", tr("Preview"), live=True)
-        stated = tr("as the file says")
-        units = {None: stated} | {unit: unit for unit in ("g", "m/s2", "cm/s2", "mm/s2")}
-        kinds = {"natural": named("natural"), "artificial": named("artificial"), "simulated": named("simulated")}
-        self.fields = [
-            ChoiceField(Record, "unit", tr("Unit"), units),
-            NumberField(Record, "time_step_s", tr("Time step"), "s", optional=True),
-            NumberField(
-                Record,
-                "column",
-                tr("Column"),
-                optional=True,
-                whole=True,
-                tip=tr("Of plain text: the column of the acceleration, 1 is the first"),
-            ),
-            NumberField(
-                Record,
-                "skip_lines",
-                tr("Lines to skip"),
-                optional=True,
-                whole=True,
-                tip=tr("Of plain text: lines of the head before the numbers"),
-            ),
-            ChoiceField(Record, "kind", tr("Kind"), kinds),
-            NumberField(Record, "scale", tr("Scale"), tip=tr("Factor of the record; negative reverses it")),
-        ]
+        self.fields = [*make_fields(Record, "file"), make_field(Record, "scale")]
         connect(self.fields, lambda field, value: self.change(**{field.key: value}))
         for field in self.fields[1:4]:
-            field.editor.setPlaceholderText(stated)
+            field.editor.setPlaceholderText(tr("as the file says"))
             field.judged.connect(self._judge)
         self.buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel)
         self.buttons.accepted.connect(self.accept)

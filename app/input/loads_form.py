@@ -1,67 +1,20 @@
 """What a wall carries and what holds it: loads, ties, return walls, hinges, variant."""
 
-import re
 from collections.abc import Callable
 from dataclasses import replace
 
 from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QGroupBox, QHBoxLayout, QListWidget, QMenu, QToolButton, QVBoxLayout
 
-from app.input.fields import ChoiceField, Field, NumberField, connect
+from app.input.fields import ChoiceField, Field, connect
+from app.input.made_fields import make_fields
 from app.look.language import named, number, tr
 from app.work.session import Session
-from core.case.hinges import BASE, FLOORS
-from core.case.number import parse_number
-from core.case.schema import AS_IS, DESIGNED, Load, ReturnWalls, Wall
+from core.case.schema import Load, ReturnWalls, Wall
 from core.case.values import field_of
-from core.errors import InputError
 from core.text.catalogue import CATALOGUE
 
 KINDS = field_of(Load, "kind").metadata["names"]
-
-
-CODES = {FLOORS: FLOORS, BASE: BASE}
-"""Words of a case file that stand for hinges."""
-
-
-def hinge_words() -> dict[str, str]:
-    """The same in the language of the window."""
-    return {FLOORS: tr("floors"), BASE: tr("base")}
-
-
-class HingesField(Field):
-    """Heights above the base [m] with spaces or semicolons between them, or the word for the floors or for the base
-    alone; empty for the usual ones."""
-
-    def make_editor(self):
-        editor = super().make_editor()
-        editor.textEdited.connect(self._typed)
-        return editor
-
-    def _typed(self, text: str) -> None:
-        text = text.strip()
-        if not text:
-            self.show_error("")
-            self.value = None
-            self.edited.emit(None)
-        elif text.lower() in (codes := {word: code for code, word in hinge_words().items()} | CODES):
-            self.offer(codes[text.lower()])
-        else:
-            try:
-                self.offer([parse_number(part) for part in re.split(r"[\s;]+", text)])
-            except InputError:
-                self.refuse(tr("{text}: not heights in m", text=text))
-
-    def show_value(self, value) -> None:
-        """Show a value of the case."""
-        if self.holds_invalid_text(value):
-            return
-        self.value = value
-        if not self.editor.hasFocus():
-            heights = () if isinstance(value, str) else value or ()
-            words = hinge_words()[value] if isinstance(value, str) else "; ".join(number(h, "g") for h in heights)
-            self.editor.setText(words)
-        self.show_error("")
 
 
 def named_kinds() -> dict[str, str]:
@@ -81,49 +34,9 @@ class LoadsForm(QGroupBox):
         self.list.setMaximumHeight(64)
         self.list.setAccessibleName(tr("Loads"))
         self.list.currentRowChanged.connect(lambda _: self._show_load())
-        self.kind = ChoiceField(Load, "kind", tr("Load"), named_kinds())
-        self.mass = ChoiceField(
-            Load,
-            "mass",
-            tr("Its mass"),
-            {
-                None: tr("to be chosen"),
-                "none": tr("held elsewhere"),
-                "horizontal": tr("pushes the wall"),
-                "moving": tr("moves with the wall"),
-            },
-            tip=tr("C8.7.1.2.1.1: Q is what pushes the wall; a floor held by other walls does not"),
-        )
-        self.load_fields = [
-            self.kind,
-            NumberField(Load, "kn_m", tr("Size"), "kN/m"),
-            NumberField(Load, "h_m", tr("Above the hinge"), "m"),
-            NumberField(Load, "d_m", tr("From the outer face"), "m", optional=True),
-            self.mass,
-        ]
-        self.wall_fields = [
-            NumberField(
-                Wall,
-                "tie_height_m",
-                tr("Find the tie at"),
-                "m",
-                optional=True,
-                tip=tr("The force of a tie at this height that brings ζ to the one required"),
-            ),
-            HingesField(
-                Wall,
-                "hinge_heights",
-                tr("Hinges"),
-                tip=tr("Heights above the base in m; floors; or base alone. Empty: base, loads and floors"),
-            ),
-            ChoiceField(
-                Wall,
-                "variant",
-                tr("Variant"),
-                {None: tr("none"), AS_IS: tr("as it is"), DESIGNED: tr("as designed")},
-                tip=tr("Two walls of one name, one of each variant, are compared"),
-            ),
-        ]
+        self.kind = ChoiceField(Load, "kind", named_kinds())
+        self.load_fields = [self.kind, *make_fields(Load, "size")]
+        self.wall_fields = make_fields(Wall, "held", first=("tie_height_m",))
         connect(self.load_fields, self._load_changed)
         connect(self.wall_fields, self._wall_changed)
         self._lay_out()
@@ -150,13 +63,7 @@ class LoadsForm(QGroupBox):
         self.across.setCheckable(True)
         self.across.toggled.connect(self._across_toggled)
         inside = QVBoxLayout(self.across)
-        self.across_fields = [
-            NumberField(ReturnWalls, "number", tr("Return walls"), "", whole=True),
-            NumberField(ReturnWalls, "thickness_m", tr("Thickness t"), "cm", 100.0),
-            NumberField(ReturnWalls, "brick_height_m", tr("Height of a course"), "cm", 100.0),
-            NumberField(ReturnWalls, "brick_length_m", tr("Length of a unit"), "cm", 100.0),
-            NumberField(ReturnWalls, "friction", tr("Friction coefficient"), ""),
-        ]
+        self.across_fields = make_fields(ReturnWalls)
         connect(self.across_fields, self._across_changed)
         for field in self.across_fields:
             inside.addWidget(field)
@@ -205,7 +112,7 @@ class LoadsForm(QGroupBox):
             field.setVisible(load is not None)
             if load is not None:
                 field.show_value(getattr(load, field.key))
-        self.mass.setVisible(load is not None and load.kind == "vertical")
+                field.setVisible(field.key != "mass" or load.kind == "vertical")
 
     @staticmethod
     def _words(load: Load) -> str:

@@ -12,6 +12,7 @@ from core.case.schema import Case, Wall, WallJustification
 from core.case.site import FULL_FACTOR, DemandJustification
 from core.codes.verdict import CODE_Q
 from core.study.zeta_with import MEASURED
+from core.text.sentence import capital
 
 Reasons = WallJustification | DemandJustification
 
@@ -49,6 +50,9 @@ def raised_by_demand(case: Case) -> set[str]:
 class ReasonField(TextField):
     """The reason for a key; the key itself is another field's."""
 
+    def text_of(self, part: str) -> str:
+        return capital(named(f"key_{self.key}")) if part == ".caption" else ""
+
     def key_in_errors(self) -> str:
         return f"reason_{self.key}"
 
@@ -76,8 +80,7 @@ class ReasonsForm(QGroupBox):
         column.addWidget(hint)
         self.fields = []
         for entry in fields(section):
-            label = named(f"key_{entry.name}")
-            self.fields.append(ReasonField(section, entry.name, label[:1].upper() + label[1:]))
+            self.fields.append(ReasonField(section, entry.name))
             column.addWidget(self.fields[-1])
         connect(self.fields, self._changed)
 

@@ -18,9 +18,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.input.fields import Choice, ChoiceField, Field, FlagField, NumberField, TextField, connect
+from app.input.fields import Choice, Field, connect
 from app.input.impact_form import ImpactForm
 from app.input.loads_form import LoadsForm
+from app.input.made_fields import make_field, make_fields
 from app.input.reasons_form import reasons_of_wall
 from app.input.wall_words import estimate_lines, hinge_zetas, shape_of, written_as
 from app.look.drawing import WallDrawing, mechanism_icon
@@ -53,7 +54,11 @@ class WallForm(QWidget):
         self.impact = ImpactForm(session, lambda: self.current)
         self.loads = LoadsForm(session, lambda: self.current)
         self.reasons = reasons_of_wall(session, lambda: self.current)
-        self._make_fields()
+        self.shape_fields = make_fields(Wall, "shape")
+        checks = ("base_z_m", "free_element", "elastic_modulus_mpa", "unit_weight_kn_m3", "length_m")
+        self.check_fields = make_fields(Wall, "checks", first=checks)
+        self.fields = {field.key: field for field in (make_field(Wall, "name"), *self.shape_fields, *self.check_fields)}
+        connect(list(self.fields.values()), self._changed)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)
         layout.addLayout(self._buttons())
@@ -76,83 +81,6 @@ class WallForm(QWidget):
         )
 
     # building
-
-    def _make_fields(self) -> None:
-        self.name = TextField(Wall, "name", tr("Name"))
-        self.height = NumberField(Wall, "height_m", tr("Height H"), "m")
-        self.thickness = NumberField(Wall, "thickness_m", tr("Thickness t"), "cm", 100.0)
-        self.slenderness = NumberField(
-            Wall, "slenderness_deg", tr("Slenderness α"), "°", tip=tr("arctan(t/H): larger is stockier")
-        )
-        self.ratio = NumberField(Wall, "height_over_thickness", "H/t")
-        self.radius = NumberField(Wall, "radius_m", tr("Radius R"), "m")
-        self.inertia = NumberField(Wall, "inertia_over_mass_m2", "I0/m", "m²")
-        self.setback = NumberField(
-            Wall,
-            "hinge_setback_m",
-            tr("Hinge setback u"),
-            "cm",
-            100.0,
-            tip=tr("The wall turns about a hinge inside its edge: tan α = (t − 2u)/H"),
-        )
-        self.strength = NumberField(
-            Wall,
-            "compressive_strength_mpa",
-            tr("Strength f"),
-            "MPa",
-            optional=True,
-            tip=tr("Gives the setback u = 2 N / (3 f L), N with the loads: give the unit weight and omit the setback"),
-        )
-        self.weight = NumberField(Wall, "unit_weight_kn_m3", tr("Unit weight"), "kN/m³", optional=True)
-        self.length = NumberField(Wall, "length_m", tr("Length L"), "m", optional=True)
-        self.base = NumberField(
-            Wall,
-            "base_z_m",
-            tr("Base above ground z"),
-            "m",
-            optional=True,
-            tip=tr("Needed with a demand: 0 on the ground; above it the building is needed too (sheet Demand)"),
-        )
-        self.free = ChoiceField(
-            Wall,
-            "free_element",
-            tr("Free to vibrate"),
-            {None: tr("two-sided yes, one-sided no"), True: tr("yes"), False: tr("no")},
-            tip=tr("Parapet, gable top, pinnacle, free wall: no transverse wall holds it before it moves"),
-        )
-        self.modulus = NumberField(
-            Wall,
-            "elastic_modulus_mpa",
-            tr("Elastic modulus E"),
-            "MPa",
-            optional=True,
-            tip=tr("With the unit weight gives T_0 of an element free to vibrate (C8.7.1.7)"),
-        )
-        self.floor = TextField(Wall, "floor", tr("Floor"))
-        self.restraint = TextField(Wall, "back_restraint", tr("Restraint behind"))
-        self.notes = TextField(Wall, "notes", tr("Notes"))
-        self.unloaded = FlagField(Wall, "unloaded_confirmed", tr("No load from floors or roof"))
-        self.fields = [
-            self.name,
-            self.height,
-            self.thickness,
-            self.slenderness,
-            self.ratio,
-            self.radius,
-            self.inertia,
-            self.setback,
-            self.strength,
-            self.weight,
-            self.length,
-            self.base,
-            self.free,
-            self.modulus,
-            self.floor,
-            self.restraint,
-            self.notes,
-            self.unloaded,
-        ]
-        connect(self.fields, self._changed)
 
     def _buttons(self) -> QHBoxLayout:
         row = QHBoxLayout()
@@ -186,19 +114,8 @@ class WallForm(QWidget):
         ):
             self.shape.addItem(shown, name)
         self.shape.activated.connect(self._shape_chosen)
-        column.addWidget(self.name)
-        column.addWidget(self.shape)
-        for field in (
-            self.height,
-            self.thickness,
-            self.slenderness,
-            self.ratio,
-            self.radius,
-            self.inertia,
-            self.setback,
-        ):
-            column.addWidget(field)
-        column.addWidget(self.summary)
+        for widget in (self.fields["name"], self.shape, *self.shape_fields, self.summary):
+            column.addWidget(widget)
         column.addStretch(1)
         row.addLayout(column, 3)
         row.addWidget(self.drawing, 2)
@@ -231,18 +148,7 @@ class WallForm(QWidget):
     def _more(self) -> QGroupBox:
         group = QGroupBox(tr("For checks and report"))
         column = QVBoxLayout(group)
-        for field in (
-            self.base,
-            self.free,
-            self.modulus,
-            self.weight,
-            self.length,
-            self.strength,
-            self.restraint,
-            self.unloaded,
-            self.floor,
-            self.notes,
-        ):
+        for field in self.check_fields:
             column.addWidget(field)
         return group
 
@@ -297,7 +203,7 @@ class WallForm(QWidget):
             return
         for name, button in self.mechanisms.items():
             button.setChecked(wall.mechanism == name)
-        for field in self.fields:
+        for field in self.fields.values():
             field.show_value(getattr(wall, field.key))
 
     def _show_geometry(self, wall: Wall) -> None:
@@ -325,21 +231,17 @@ class WallForm(QWidget):
 
     def _show_shape(self, shape: str, setback_follows: bool) -> None:
         """The fields that give this shape."""
-        general = shape == "general"
-        self.height.setVisible(not general)
-        self.setback.setVisible(not general and not setback_follows)
-        self.thickness.setVisible(shape == "thickness_m")
-        self.slenderness.setVisible(general or shape == "slenderness_deg")
-        self.ratio.setVisible(shape == "height_over_thickness")
-        self.radius.setVisible(general)
-        self.inertia.setVisible(general)
+        shown = ("slenderness_deg", "radius_m", "inertia_over_mass_m2") if shape == "general" else ("height_m", shape)
+        for field in self.shape_fields:
+            field.setVisible(field.key in shown)
+        self.fields["hinge_setback_m"].setVisible(shape != "general" and not setback_follows)
 
     # changes
 
     def _changed(self, field, value) -> None:
         if self.wall is not None:
             values = {field.key: value}
-            if field is self.strength and value is not None:
+            if field.key == "compressive_strength_mpa" and value is not None:
                 values["hinge_setback_m"] = 0.0  # it follows from the strength: its field is hidden
             self.session.edit_wall(self.current, ("wall", self.current, field.key), **values)
 

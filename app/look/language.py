@@ -1,7 +1,7 @@
 """The language of what a person reads on screen, and what the forms of the window call the keys of a case."""
 
 from core.errors import InputError
-from core.text.sentence import FormNames, Sentence, localized, numeral, word
+from core.text.sentence import FormNames, Sentence, capital, localized, numeral, text_of_key, word
 
 FORM_NAMES = FormNames()
 """Captions and units of the forms; each field adds its own."""
@@ -32,6 +32,12 @@ def tr(text: str, /, **values) -> str:
 def named(code: str) -> str:
     """A word of a result or of a case: a mechanism, an outcome."""
     return word(code, current_language())
+
+
+def of_key(section: type, key: str, part: str) -> str:
+    """What a form says of a key: part as of `text_of_key`; the caption is its word where it has no other."""
+    words = text_of_key(section.__name__.lower(), key, part, _current[0])
+    return words or (capital(named(f"key_{key}")) if part == ".caption" else "")
 
 
 def number(value: float | None, form: str) -> str:

@@ -18,8 +18,7 @@ from PySide6.QtWidgets import (
 
 from app.input.fields import Field
 from app.look.file_dialogs import path_to_write
-from app.look.language import current_language, tr
-from core.text.catalogue import CATALOGUE
+from app.look.language import current_language, of_key, tr
 
 DOCS = Path(__file__).resolve().parents[2] / "resources" / "docs"
 TEMPLATE = Path(__file__).resolve().parents[2] / "resources" / "templates" / "walls.xlsx"
@@ -28,10 +27,7 @@ FOLDERS = {"en": DOCS / "guide", "it": DOCS / "guida"}
 
 def help_of(field: Field) -> str:
     """The paragraph on a field: its help, else its tip."""
-    words = CATALOGUE["help"].get(field.key)
-    if words is None:
-        return field.editor.toolTip()
-    return words[current_language() == "it"]
+    return of_key(field.section, field.key, ".help") or field.editor.toolTip()
 
 
 def explain(window) -> None:

@@ -1,32 +1,62 @@
-"""Kinds of keys: what each accepts stands beside it as metadata of its field."""
+"""Kinds of keys. What is to be known of a key stands beside it, as metadata of its field: reader, form, table of walls,
+sheet Input and the page of the case take it from there; its words are in resources/translations/key.json."""
 
 from dataclasses import MISSING, field
 
+NESTED = ("section", "tables", "spectrum")
+"""Kinds of keys whose values are sections: the keys of those have the fields and the columns."""
 
-def number_key(low, high, default=None, unit="", exclusive=False, whole=False):
-    """A number in [low, high] (low excluded if exclusive), NaN and infinity refused."""
+FACTORS = {("m", "cm"): 100.0, ("", "%"): 100.0}
+"""Unit of a key, unit of its field in a form -> what a value is multiplied with."""
+
+
+def key(kind: str, default=None, **rule):
+    """A key of this kind.
+
+    form : group of the fields of its form; without it the form of its section says by hand where it stands
+    filled : the form shows its field where it is given only, and does not let it be emptied
+    listed : of a whole number, its field is a list
+    code : of a spectrum, the code that needs it; another one does not take it
+    columns : of a section or of tables, how the names of their columns in a table of walls begin
+    """
+    return field(default=default, metadata={"kind": kind, **rule})
+
+
+def number_key(low, high, default=None, unit="", exclusive=False, whole=False, **rule):
+    """A number in [low, high] (low excluded if exclusive), NaN and infinity refused. form_unit : that of its field"""
     kind = "int" if whole else "float"
-    rule = {"kind": kind, "low": low, "high": high, "unit": unit, "exclusive": exclusive}
-    return field(default=default, metadata=rule)
+    return key(kind, default, low=low, high=high, unit=unit, exclusive=exclusive, **rule)
 
 
 def channel_key():
     """The channel of a file of several: its name, or its number from 1 as a number or as text."""
-    return field(default="", metadata={"kind": "channel"})
+    return key("channel", "")
 
 
-def text_key(default=""):
-    return field(default=default, metadata={"kind": "text"})
+def text_key(default="", **rule):
+    return key("text", default, **rule)
 
 
 def path_key(default):
     """A name of a file: longer than other text, and with any letter the system allows."""
-    return field(default=default, metadata={"kind": "path"})
+    return key("path", default)
 
 
-def flag_key(default=False):
-    return field(default=default, metadata={"kind": "flag"})
+def flag_key(default=False, **rule):
+    return key("flag", default, **rule)
 
 
-def choice_key(*names, default=MISSING):
-    return field(default=default, metadata={"kind": "choice", "names": names})
+def choice_key(*names, default=MISSING, **rule):
+    return key("choice", default, names=names, **rule)
+
+
+def unit_in_form(entry) -> tuple[str, float]:
+    """Unit of the field of a key, and what a value of the case is multiplied with for it."""
+    unit = entry.metadata.get("unit", "")
+    shown = entry.metadata.get("form_unit", unit)
+    return pretty(shown), FACTORS.get((unit, shown), 1.0)
+
+
+def pretty(unit: str) -> str:
+    """A unit as a person writes it: kN/m³, °."""
+    return "°" if unit == "deg" else unit.replace("2", "²").replace("3", "³")

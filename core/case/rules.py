@@ -110,7 +110,7 @@ def draft_case(table: dict) -> Case:
         if kind == "tables" and isinstance(given, (list, tuple)):
             return tuple(part(of, row, entry.name) for row in given)
         if kind in ("section", "spectrum"):
-            return part(of or Spectrum, given, entry.name)
+            return part(of, given, entry.name)
         return given if kind == "law" and are_ends(given) else value_of(entry, given, name)
 
     def one(cls, name):
@@ -263,16 +263,11 @@ def _demand(table) -> Demand:
 
 def check_code_keys(asked, here) -> None:
     """Refuse a spectrum of a code without the keys of that code, or with those of another."""
-    needed = {"NTC2018": ("f0", "tc_star_s", "topography"), "EN1998": ("type",)}
-    for code, keys in needed.items():
-        for key in keys:
-            if (getattr(asked, key) is not None) != (code == asked.code):
-                raise InputError(
-                    "code_needs" if code == asked.code else "code_does_not_take",
-                    place=(here,),
-                    key=key,
-                    code=asked.code,
-                )
+    for entry in fields(Spectrum):
+        code, given = entry.metadata.get("code"), getattr(asked, entry.name) is not None
+        if code and given != (code == asked.code):
+            problem = "code_needs" if code == asked.code else "code_does_not_take"
+            raise InputError(problem, place=(here,), key=entry.name, code=asked.code)
 
 
 def _written(table: dict):

@@ -1,10 +1,10 @@
 """The case: what the user asks. Keys, ranges, defaults and names in one place, for form and file."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import MISSING, asdict, dataclass, field, fields
 
-from core.case.keys import channel_key, choice_key, flag_key, number_key, path_key, text_key
+from core.case.keys import channel_key, choice_key, flag_key, key, number_key, path_key, text_key
 from core.case.site import Building, Demand
 from core.errors import InputError, place
 from core.rocking.methods import AUTO, METHODS
@@ -47,10 +47,10 @@ class Load:
     """
 
     kind: str = choice_key("vertical", "thrust", "tie", "carried_mass")
-    kn_m: float = number_key(0.0, 10000.0, MISSING, unit="kN/m", exclusive=True)
-    h_m: float = number_key(0.0, 120.0, MISSING, unit="m", exclusive=True)
-    d_m: float | None = number_key(0.0, 20.0, unit="m")
-    mass: str | None = choice_key("none", "horizontal", "moving", default=None)
+    kn_m: float = number_key(0.0, 10000.0, MISSING, unit="kN/m", exclusive=True, form="size")
+    h_m: float = number_key(0.0, 120.0, MISSING, unit="m", exclusive=True, form="size")
+    d_m: float | None = number_key(0.0, 20.0, unit="m", form="size")
+    mass: str | None = choice_key("none", "horizontal", "moving", default=None, form="size")
 
     @property
     def is_weight(self) -> bool:
@@ -81,9 +81,9 @@ class ReturnWalls:
     """
 
     number: int = number_key(1, 20, MISSING, whole=True)
-    thickness_m: float = number_key(0.05, 3.0, MISSING, unit="m")
-    brick_height_m: float = number_key(0.02, 1.0, MISSING, unit="m")
-    brick_length_m: float = number_key(0.05, 2.0, MISSING, unit="m")
+    thickness_m: float = number_key(0.05, 3.0, MISSING, unit="m", form_unit="cm")
+    brick_height_m: float = number_key(0.02, 1.0, MISSING, unit="m", form_unit="cm")
+    brick_length_m: float = number_key(0.05, 2.0, MISSING, unit="m", form_unit="cm")
     friction: float = number_key(0.1, 1.0, 0.577)
 
 
@@ -113,32 +113,32 @@ class Wall:
 
     name: str = text_key(MISSING)
     mechanism: str = choice_key("one_sided", "two_sided", "both")
-    height_m: float | None = number_key(0.1, 60.0, unit="m")
-    thickness_m: float | None = number_key(0.005, 20.0, unit="m")
-    slenderness_deg: float | None = number_key(0.05, 60.0, unit="deg")
-    height_over_thickness: float | None = number_key(0.5, 1000.0)
-    radius_m: float | None = number_key(0.05, 60.0, unit="m")
-    inertia_over_mass_m2: float | None = number_key(0.0025, 20000.0, unit="m2")
+    height_m: float | None = number_key(0.1, 60.0, unit="m", form="shape", filled=True)
+    thickness_m: float | None = number_key(0.005, 20.0, unit="m", form_unit="cm", form="shape", filled=True)
+    slenderness_deg: float | None = number_key(0.05, 60.0, unit="deg", form="shape", filled=True)
+    height_over_thickness: float | None = number_key(0.5, 1000.0, form="shape", filled=True)
+    radius_m: float | None = number_key(0.05, 60.0, unit="m", form="shape", filled=True)
+    inertia_over_mass_m2: float | None = number_key(0.0025, 20000.0, unit="m2", form="shape", filled=True)
     restitution: str | None = choice_key(*MODELS, default=None)
-    velocity_ratio: float | None = number_key(0.0, 1.0)
-    law: str | dict = field(default="rigid", metadata={"kind": "law"})
-    hinge_heights: str | tuple[float, ...] | None = field(default=None, metadata={"kind": "hinges"})
-    hinge_setback_m: float = number_key(0.0, 2.0, 0.0, unit="m")
-    compressive_strength_mpa: float | None = number_key(0.1, 100.0, unit="MPa")
-    base_z_m: float | None = number_key(0.0, 300.0, unit="m")
-    length_m: float | None = number_key(0.05, 200.0, unit="m")
-    unit_weight_kn_m3: float | None = number_key(5.0, 40.0, unit="kN/m3")
-    free_element: bool | None = flag_key(None)
-    elastic_modulus_mpa: float | None = number_key(10.0, 100000.0, unit="MPa")
-    back_restraint: str = text_key()
-    unloaded_confirmed: bool = flag_key()
-    floor: str = text_key()
-    notes: str = text_key()
-    load: tuple[Load, ...] = field(default=(), metadata={"kind": "tables", "of": Load})
-    return_walls: ReturnWalls | None = field(default=None, metadata={"kind": "section", "of": ReturnWalls})
-    tie_height_m: float | None = number_key(0.1, 60.0, unit="m")
-    justification: WallJustification | None = field(default=None, metadata={"kind": "section", "of": WallJustification})
-    variant: str | None = choice_key(AS_IS, DESIGNED, default=None)
+    velocity_ratio: float | None = number_key(0.0, 1.0, filled=True)
+    law: str | dict = key("law", "rigid")
+    hinge_heights: str | tuple[float, ...] | None = key("hinges", form="held")
+    hinge_setback_m: float = number_key(0.0, 2.0, 0.0, unit="m", form_unit="cm", form="shape")
+    compressive_strength_mpa: float | None = number_key(0.1, 100.0, unit="MPa", form="checks")
+    base_z_m: float | None = number_key(0.0, 300.0, unit="m", form="checks")
+    length_m: float | None = number_key(0.05, 200.0, unit="m", form="checks")
+    unit_weight_kn_m3: float | None = number_key(5.0, 40.0, unit="kN/m3", form="checks")
+    free_element: bool | None = flag_key(None, form="checks")
+    elastic_modulus_mpa: float | None = number_key(10.0, 100000.0, unit="MPa", form="checks")
+    back_restraint: str = text_key(form="checks")
+    unloaded_confirmed: bool = flag_key(form="checks")
+    floor: str = text_key(form="checks")
+    notes: str = text_key(form="checks")
+    load: tuple[Load, ...] = key("tables", (), of=Load, columns="load{n}_")
+    return_walls: ReturnWalls | None = key("section", of=ReturnWalls, columns="across_")
+    tie_height_m: float | None = number_key(0.1, 60.0, unit="m", form="held")
+    justification: WallJustification | None = key("section", of=WallJustification)
+    variant: str | None = choice_key(AS_IS, DESIGNED, default=None, form="held")
 
     @property
     def title(self) -> str:
@@ -280,14 +280,14 @@ class Record:
     """[[record]]: a file or a glob, and only what the file does not say."""
 
     file: str = path_key(MISSING)
-    unit: str | None = choice_key("g", "m/s2", "cm/s2", "mm/s2", default=None)
-    time_step_s: float | None = number_key(1e-5, 0.5, unit="s")
-    column: int | None = number_key(1, 100, whole=True)
-    skip_lines: int | None = number_key(0, 1000, whole=True)
+    unit: str | None = choice_key("g", "m/s2", "cm/s2", "mm/s2", default=None, form="file")
+    time_step_s: float | None = number_key(1e-5, 0.5, unit="s", form="file")
+    column: int | None = number_key(1, 100, whole=True, form="file")
+    skip_lines: int | None = number_key(0, 1000, whole=True, form="file")
     channel: str = channel_key()
     scale: float = number_key(-1000.0, 1000.0, 1.0)
-    kind: str = choice_key("natural", "artificial", "simulated", default="natural")
-    include: bool = field(default=True, metadata={"kind": "flag"})
+    kind: str = choice_key("natural", "artificial", "simulated", default="natural", form="file")
+    include: bool = flag_key(True)
 
 
 @dataclass(frozen=True)
@@ -303,12 +303,28 @@ class Analysis:
     """[analysis]: method and search."""
 
     method: str = choice_key(AUTO.name, *METHODS, default=AUTO.name)
-    q_step: float = number_key(1e-4, 0.1, 0.005)
+    q_step: float = number_key(1e-4, 0.1, 0.005, form_unit="%")
     q_limit: float = number_key(1.5, 1000.0, 100.0)
     map_span: float = number_key(1.0, 10.0, 2.0)
-    robust_window: float = number_key(0.01, 0.5, 0.10)
+    robust_window: float = number_key(0.01, 0.5, 0.10, form_unit="%")
     polarity: str = choice_key("both", "as_recorded", "reversed", default="both")
     accuracy: bool = flag_key()
+
+
+def sections() -> dict[str, type]:
+    """Every section of a case file as it is written there -> its class, one inside another after it."""
+
+    def inside(name: str, section: type, repeated: bool) -> Iterator[tuple[str, type]]:
+        yield f"[[{name}]]" if repeated else f"[{name}]", section
+        for entry in fields(section):
+            of = entry.metadata.get("of")
+            if isinstance(of, type):
+                yield from inside(f"{name}.{entry.name}", of, entry.metadata["kind"] == "tables")
+
+    outer = (Report, Wall, Record, Generate, Analysis, Demand, Building)
+    return dict(
+        found for section in outer for found in inside(section.__name__.lower(), section, section in (Wall, Record))
+    )
 
 
 OWN_FIELDS = ("sha256", "given", "table", "table_notes")

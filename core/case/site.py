@@ -1,8 +1,8 @@
 """The sections of the site: the demand with its spectrum and hazard, the building."""
 
-from dataclasses import MISSING, dataclass, field
+from dataclasses import MISSING, dataclass
 
-from core.case.keys import choice_key, number_key, path_key, text_key
+from core.case.keys import choice_key, key, number_key, path_key, text_key
 from core.codes.limits import return_period
 from core.codes.target_spectrum import NTC_TOPOGRAPHY, SOILS
 
@@ -12,11 +12,11 @@ class Spectrum:
     """[demand.spectrum]: the elastic spectrum of a code; S follows from it."""
 
     code: str = choice_key("NTC2018", "EN1998")
-    soil: str = choice_key(*SOILS)
-    f0: float | None = number_key(2.0, 4.0)
-    tc_star_s: float | None = number_key(0.05, 1.0, unit="s")
-    topography: str | None = choice_key(*NTC_TOPOGRAPHY, default=None)
-    type: int | None = number_key(1, 2, whole=True)
+    soil: str = choice_key(*SOILS, form="code")
+    f0: float | None = number_key(2.0, 4.0, form="code", filled=True, code="NTC2018")
+    tc_star_s: float | None = number_key(0.05, 1.0, unit="s", form="code", filled=True, code="NTC2018")
+    topography: str | None = choice_key(*NTC_TOPOGRAPHY, default=None, form="code", filled=True, code="NTC2018")
+    type: int | None = number_key(1, 2, whole=True, form="code", filled=True, listed=True, code="EN1998")
 
 
 @dataclass(frozen=True)
@@ -54,28 +54,26 @@ class Demand:
     ag_g: float = number_key(0.001, 5.0, MISSING, unit="g")
     limit_state: str = choice_key("SLV", "SLC", "SLD", default="SLV")
     soil_factor: float | None = number_key(0.9, 5.0)
-    spectrum: Spectrum | None = field(default=None, metadata={"kind": "spectrum"})
+    spectrum: Spectrum | None = key("spectrum", of=Spectrum)
     spectrum_file: str | None = path_key(None)
     housner_intensity_cm: float | None = number_key(0.1, 5000.0, unit="cm")
-    q_code: float = number_key(1.0, 10.0, 2.0)
-    confidence_factor: float = number_key(1.0, 1.35, 1.35)
-    knowledge_level: str | None = choice_key("LC1", *KNOWLEDGE, default=None)
-    investigations: str = text_key()
-    confidence_on: str = choice_key("capacity", "demand", default="capacity")
-    period_range_s: tuple[float, float] | None = field(default=None, metadata={"kind": "range"})
-    demand_scaling: str = choice_key("as_given", "pga", default="as_given")
-    zeta_target: float = number_key(0.1, 2.0, 1.0)
-    site: str = text_key()
-    coordinates: str = text_key()
-    nominal_life_years: float | None = number_key(1.0, 1000.0, unit="years")
-    use_class_factor: float | None = number_key(0.1, 5.0)
-    return_period_years: float | None = number_key(1.0, 100000.0, unit="years")
-    hazard: tuple[HazardRow, ...] = field(default=(), metadata={"kind": "tables", "of": HazardRow})
+    q_code: float = number_key(1.0, 10.0, 2.0, form="check")
+    confidence_factor: float = number_key(1.0, 1.35, 1.35, form="knowledge")
+    knowledge_level: str | None = choice_key("LC1", *KNOWLEDGE, default=None, form="knowledge")
+    investigations: str = text_key(form="knowledge")
+    confidence_on: str = choice_key("capacity", "demand", default="capacity", form="knowledge")
+    period_range_s: tuple[float, float] | None = key("range", unit="s", form="check")
+    demand_scaling: str = choice_key("as_given", "pga", default="as_given", form="check")
+    zeta_target: float = number_key(0.1, 2.0, 1.0, form="check")
+    site: str = text_key(form="site")
+    coordinates: str = text_key(form="site")
+    nominal_life_years: float | None = number_key(1.0, 1000.0, unit="years", form="site")
+    use_class_factor: float | None = number_key(0.1, 5.0, form="site")
+    return_period_years: float | None = number_key(1.0, 100000.0, unit="years", form="site")
+    hazard: tuple[HazardRow, ...] = key("tables", (), of=HazardRow)
     hazard_file: str | None = path_key(None)
-    limit_states: tuple[str, ...] = field(default=(), metadata={"kind": "list", "of": choice_key("SLD", "SLV", "SLC")})
-    justification: DemandJustification | None = field(
-        default=None, metadata={"kind": "section", "of": DemandJustification, "in": "demand"}
-    )
+    limit_states: tuple[str, ...] = key("list", (), of=choice_key("SLD", "SLV", "SLC"))
+    justification: DemandJustification | None = key("section", of=DemandJustification, section="demand")
 
     @property
     def return_period(self) -> float | None:
@@ -107,6 +105,6 @@ class Building:
     height_m: float = number_key(2.0, 300.0, MISSING, unit="m")
     storeys: int = number_key(1, 60, MISSING, whole=True)
     period_s: float | None = number_key(0.02, 5.0, unit="s")
-    modes: tuple[BuildingMode, ...] = field(default=(), metadata={"kind": "tables", "of": BuildingMode})
+    modes: tuple[BuildingMode, ...] = key("tables", (), of=BuildingMode)
     period_factor: float | None = number_key(1.0, 2.5)
-    damping: float | None = number_key(0.01, 0.3)
+    damping: float | None = number_key(0.01, 0.3, form_unit="%")

@@ -9,7 +9,6 @@ from types import SimpleNamespace
 
 from core.case.hinges import BASE, FLOORS
 from core.case.schema import MIN_ELASTIC, OWN_FIELDS
-from core.case.site import Spectrum
 from core.errors import InputError, section
 from core.file_names import is_text, name_of
 from core.text.sentence import Sentence, sentence
@@ -153,7 +152,7 @@ def _tables(entry, value, here):
 
 
 def _section(entry, value, here):
-    return _inner(entry, value, f"[{entry.metadata.get('in', 'wall')}.{entry.name}]", here)
+    return _inner(entry, value, f"[{entry.metadata.get('section', 'wall')}.{entry.name}]", here)
 
 
 def _inner(entry, value, name: str, here):
@@ -166,7 +165,7 @@ def _inner(entry, value, name: str, here):
 
 
 def _spectrum(entry, value, here):
-    return section_of(Spectrum, value, "spectrum", section("[demand.spectrum]"))
+    return section_of(entry.metadata["of"], value, "spectrum", section("[demand.spectrum]"))
 
 
 def _hinges(entry, value, here):
@@ -204,7 +203,7 @@ KINDS: dict[str, tuple[Callable, Callable]] = {
     "tables": (_tables, lambda entry: sentence("accepted", "tables", name=entry.name)),
     "section": (
         _section,
-        lambda entry: sentence("accepted", "section", of=entry.metadata.get("in", "wall"), name=entry.name),
+        lambda entry: sentence("accepted", "section", of=entry.metadata.get("section", "wall"), name=entry.name),
     ),
     "spectrum": (_spectrum, _said("table")),
     "hinges": (_hinges, _said("hinges", floors=FLOORS, base=BASE)),

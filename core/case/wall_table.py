@@ -1,67 +1,59 @@
 """Walls of a table: .xlsx or .csv, one row a wall; units in a row below the heads, or in the heads."""
 
 import csv
+import functools
 import io
 import re
+from dataclasses import Field, fields
 from pathlib import Path
+from typing import NamedTuple
 
 from core.case.hinges import BASE, FLOORS
+from core.case.keys import NESTED, pretty
 from core.case.number import parse_number
 from core.case.rules import parse_wall
 from core.case.schema import Wall
 from core.errors import InputError, place
 from core.ooxml.sheet import MAX_NAME, Limits, hidden_notes, read_sheet, refuse_cells, spoken
+from core.text.catalogue import CATALOGUE
 from core.text.sentence import Sentence, notice
 
-COLUMNS = {
-    "name": ("parete", "wall", "nome"),
-    "floor": ("piano", "storey", "story"),
-    "base_z_m": ("z", "quota"),
-    "height_m": ("h", "altezza", "height"),
-    "thickness_m": ("t", "spessore", "thickness"),
-    "length_m": ("l", "lunghezza", "length"),
-    "unit_weight_kn_m3": ("γ", "peso specifico", "unit weight", "gamma"),
-    "hinge_setback_m": ("u", "arretramento", "hinge setback"),
-    "mechanism": ("meccanismo",),
-    "back_restraint": ("vincolo", "restraint"),
-    "notes": ("note",),
-    "restitution": ("restituzione",),
-    "velocity_ratio": (),
-    "slenderness_deg": ("alpha", "α"),
-    "height_over_thickness": ("h/t",),
-    "law": ("legge",),
-    "elastic_modulus_mpa": ("e", "modulo elastico", "elastic modulus"),
-    "free_element": ("elemento libero", "libero di vibrare", "free element"),
-    "unloaded_confirmed": ("parete scarica", "senza carichi", "no load"),
-    "hinge_heights": ("cerniere", "hinges"),
-    "tie_height_m": ("quota catena", "tie height"),
-    "variant": ("variante",),
-    "radius_m": ("r", "raggio", "radius"),
-    "inertia_over_mass_m2": ("i0/m", "inerzia"),
-    "compressive_strength_mpa": ("f", "resistenza a compressione", "compressive strength"),
-    "across_number": ("muri ortogonali", "return walls"),
-    "across_thickness_m": ("muri ortogonali t", "return walls t"),
-    "across_brick_height_m": ("muri ortogonali hb", "return walls hb"),
-    "across_brick_length_m": ("muri ortogonali l", "return walls l"),
-    "across_friction": ("muri ortogonali mu", "return walls mu"),
-}
-"""Key of a wall -> further heads of its column; the key itself is always one."""
-
 MOST_LOADS = 4
-LOAD_COLUMNS = {
-    "kind": ("carico {n}", "load {n}"),
-    "kn_m": ("carico {n} p", "load {n} p"),
-    "d_m": ("carico {n} d", "load {n} d"),
-    "h_m": ("carico {n} h", "load {n} h"),
-    "mass": ("carico {n} massa", "load {n} mass"),
-}
-"""Key of a load -> heads of its column, the n-th load of a wall; load1_kind, ... are always ones."""
 
-COLUMNS |= {
-    f"load{n}_{key}": tuple(name.format(n=n) for name in names)
-    for n in range(1, MOST_LOADS + 1)
-    for key, names in LOAD_COLUMNS.items()
-}
+
+class Column(NamedTuple):
+    """What stands in a column: the key, and the titles it may have, in small letters."""
+
+    entry: Field
+    titles: frozenset[str]
+
+
+@functools.cache
+def columns() -> dict[str, Column]:
+    """Name of a column -> column, of every key of a wall, also of those of its loads and return walls: "load1_kn_m",
+    "across_friction". One of these is called by the title of the load and by its own, the first by the former alone."""
+    found = {}
+    for entry in fields(Wall):
+        if entry.metadata["kind"] not in NESTED:
+            found[entry.name] = Column(entry, frozenset((entry.name, *_titles(entry.name, 0), *_titles(entry.name, 1))))
+        for n in range(1, MOST_LOADS + 1) if "columns" in entry.metadata else ():
+            for k, inner in enumerate(fields(entry.metadata["of"])):
+                name = entry.metadata["columns"].format(n=n) + inner.name
+                titles = {name}
+                for language, whole in enumerate(CATALOGUE["key"][f"{entry.name}.column"]):
+                    before = whole.format(n=n)
+                    ends = [f" {title}" for title in _titles(inner.name, language)]
+                    titles |= {before + end for end in (*ends, *([""] if k == 0 else []))}
+                found[name] = Column(inner, frozenset(titles))
+    return found
+
+
+def _titles(key: str, language: int) -> list[str]:
+    """What a key is called in a table beside its name, in English (0) or Italian (1): its `.column` in the catalogue,
+    else its word."""
+    texts = CATALOGUE["key"]
+    return texts.get(f"{key}.column", texts[key])[language].lower().split(", ")
+
 
 LOAD_KINDS = {
     "verticale": "vertical",
@@ -94,16 +86,26 @@ MECHANISMS = {
     "one-sided": "one_sided",
     "both": "both",
 }
+CHOICES = {"mechanism": MECHANISMS, "kind": LOAD_KINDS, "mass": LOAD_MASSES}
+"""Key -> its words in a table; another choice is written as in the case file."""
+
 NO_UNIT = {"": 1.0, "-": 1.0, "–": 1.0}
 UNITS = {
-    "_kn_m3": {"kn/m3": 1.0, "kn/m³": 1.0, **NO_UNIT},
-    "_mpa": {"mpa": 1.0, "n/mm2": 1.0, "n/mm²": 1.0, "gpa": 1000.0},
-    "_kn_m": {"kn/m": 1.0, **NO_UNIT},
-    "_deg": {"deg": 1.0, "°": 1.0, **NO_UNIT},
-    "_m2": {"m2": 1.0, "m²": 1.0, **NO_UNIT},
-    "_m": {"m": 1.0, "cm": 0.01, "mm": 0.001},
+    "": NO_UNIT,
+    "kN/m3": {"kn/m3": 1.0, "kn/m³": 1.0, **NO_UNIT},
+    "MPa": {"mpa": 1.0, "n/mm2": 1.0, "n/mm²": 1.0, "gpa": 1000.0},
+    "kN/m": {"kn/m": 1.0, **NO_UNIT},
+    "deg": {"deg": 1.0, "°": 1.0, **NO_UNIT},
+    "m2": {"m2": 1.0, "m²": 1.0, **NO_UNIT},
+    "m": {"m": 1.0, "cm": 0.01, "mm": 0.001},
 }
-"""End of a key -> units of its column, and what a number is multiplied with; the first end that fits."""
+"""Unit of a key -> units of its column, and what a number is multiplied with; another unit is written as it is."""
+
+
+def _units_of(entry: Field) -> dict[str, float]:
+    unit = entry.metadata.get("unit", "")
+    return UNITS.get(unit) or {unit.lower(): 1.0, pretty(unit).lower(): 1.0}
+
 
 OTHER_UNITS = frozenset(
     (
@@ -144,7 +146,6 @@ OTHER_UNITS = frozenset(
 )
 """Units a head may name; another word in brackets is no unit."""
 
-WORDS = ("name", "floor", "mechanism", "back_restraint", "notes", "restitution", "law", "variant")
 FLAGS = {
     "sì": True,
     "si": True,
@@ -277,7 +278,7 @@ def walls_of(rows: list[list[str]], with_demand: bool = False) -> list[Wall]:
 
 def _is_units(cells: list[str]) -> bool:
     """Whether this row has nothing but units, or nothing at all."""
-    known = {name for units in UNITS.values() for name in units} | OTHER_UNITS | set(NO_UNIT)
+    known = {name for column in columns().values() for name in _units_of(column.entry)} | OTHER_UNITS
     return all(cell.strip("[]() ").lower() in known for cell in cells)
 
 
@@ -304,14 +305,14 @@ def _gather_loads(table: dict) -> None:
 
 
 def _heads(cells: list[str]) -> list[str | None]:
-    known = {name: key for key, names in COLUMNS.items() for name in (key, *names)}
+    known = {title: name for name, column in columns().items() for title in column.titles}
     while cells and not cells[-1]:
         cells = cells[:-1]
     keys = []
     for cell in cells:
         name = re.sub(r"\s*[\[(].*", "", cell).strip().lower()
         if name not in known:
-            raise InputError("unknown_column", column=cell[:60], known=", ".join(COLUMNS))
+            raise InputError("unknown_column", column=cell[:60], known=", ".join(columns()))
         if known[name] in keys:
             raise InputError("column_twice", column=cell[:60])
         keys.append(known[name])
@@ -327,7 +328,7 @@ def _factors(keys: list, cells: list[str], heads: list[str]) -> list[float]:
     factors = []
     for k, key in enumerate(keys):
         unit = (cells[k] if k < len(cells) else "").strip("[]() ").lower()
-        units = next((units for end, units in UNITS.items() if key.endswith(end)), NO_UNIT)
+        units = _units_of(columns()[key].entry)
         if not unit:  # the unit of the head, where it names one
             words = [re.sub(r"[. ]", "", name.strip().lower()) for name in _HEAD_UNIT.findall(heads[k])]
             unit = next((word for word in words if word in units), "")
@@ -345,30 +346,27 @@ def _factors(keys: list, cells: list[str], heads: list[str]) -> list[float]:
 
 def _cell(key: str, factor: float, cell: str, here: Sentence):
     """The value of a cell. here : its place, for an error"""
-    if key == "mechanism":
-        return _one_of(cell.replace("_", "-") if cell.isascii() else cell, MECHANISMS, here)
-    if key in WORDS:
+    entry = columns()[key].entry
+    kind = entry.metadata["kind"]
+    if entry.name in CHOICES:
+        return _one_of(
+            cell.replace("_", "-") if key == "mechanism" and cell.isascii() else cell, CHOICES[entry.name], here
+        )
+    if kind in ("text", "choice", "law"):
         return cell
-    if key == "hinge_heights":
-        if cell.lower() in (FLOORS, "piani"):
-            return FLOORS
-        if cell.lower() == BASE:
-            return BASE
-        try:
-            return [parse_number(part) for part in re.split(r"[\s;]+", cell)]
-        except InputError as error:
-            raise error.at(here) from None
-    if key.startswith("load") and key.endswith(("_kind", "_mass")):
-        return _one_of(cell, LOAD_MASSES if key.endswith("_mass") else LOAD_KINDS, here)
-    if key in ("free_element", "unloaded_confirmed"):
+    if kind == "flag":
         if cell.lower() not in FLAGS:
             raise InputError("not_yes_or_no", text=cell[:60], place=(here,))
         return FLAGS[cell.lower()]
     try:
-        value = parse_number(cell) * factor
+        if kind != "hinges":
+            value = parse_number(cell) * factor
+            return int(value) if kind == "int" and value == int(value) else value
+        if cell.lower() in (FLOORS, "piani"):
+            return FLOORS
+        return BASE if cell.lower() == BASE else [parse_number(part) for part in re.split(r"[\s;]+", cell)]
     except InputError as error:
         raise error.at(here) from None
-    return int(value) if key == "across_number" and value == int(value) else value
 
 
 def _one_of(cell: str, words: dict[str, str], here: Sentence) -> str:

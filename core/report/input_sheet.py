@@ -2,35 +2,19 @@
 
 from dataclasses import fields
 
-from core.case.schema import Analysis, Case, Generate, Load, Record, Report, ReturnWalls, Wall
-from core.case.site import Building, BuildingMode, Demand, HazardRow, Spectrum
+from core.case.keys import pretty
+from core.case.schema import Case, sections
 from core.report.cells import QUIET, Book, header, heighten, number, paragraph, rule, text, title
 from core.study.results import StudyResult
-from core.text.catalogue import CATALOGUE
-from core.text.sentence import word
+from core.text.sentence import capital, choice, word
 
 UNITS = {
-    entry.name: entry.metadata.get("unit", "")
-    for section in (
-        Report,
-        Wall,
-        Record,
-        Generate,
-        Analysis,
-        Demand,
-        Building,
-        BuildingMode,
-        Load,
-        ReturnWalls,
-        HazardRow,
-        Spectrum,
-    )
+    entry.name: entry.metadata["unit"]
+    for section in sections().values()
     for entry in fields(section)
     if entry.metadata.get("unit")
 }
 """Key -> its unit."""
-
-PRETTY = {"m2": "m²", "kN/m3": "kN/m³", "deg": "°"}
 
 
 def inputs(book: Book, result: StudyResult) -> None:
@@ -62,16 +46,14 @@ def _line(book: Book, sheet, row: int, key: str, value, source: str | None) -> i
     """A key in words, its value and unit, where it comes from; returns the next row."""
     language = book.language
     label = word(f"key_{key}", language)
-    plain = label[:1].islower() and label[:1].isascii() and "_" not in label.split()[0]
-    text(sheet, row, 1, label[0].upper() + label[1:] if plain else label)
+    text(sheet, row, 1, capital(label))
     if isinstance(value, bool) or not isinstance(value, (int, float)):
         shown = spelled(value, book)
         text(sheet, row, 2, shown, wrap=True)
         heighten(sheet, row, (shown, 50))
     else:
         number(sheet, row, 2, value, "General", align="left")
-        unit = UNITS.get(key, "")
-        text(sheet, row, 3, PRETTY.get(unit, unit), color=QUIET)
+        text(sheet, row, 3, pretty(UNITS.get(key, "")), color=QUIET)
     if source:
         text(sheet, row, 4, source, color=QUIET, italic=True)
     rule(sheet, row, 1, 4)
@@ -89,8 +71,7 @@ def spelled(value, book: Book) -> str:
         return "; ".join(spelled(part, book) for part in value)
     if isinstance(value, float):
         return book.digits(value, "g")
-    known = f"choice_{value}"
-    return word(known, book.language) if known in CATALOGUE["word"] else str(value)
+    return choice(str(value), book.language)
 
 
 def _sections(book: Book, case: Case):

@@ -25,12 +25,10 @@ TONES = {
 @functools.cache
 def names_in(language: str) -> FormNames:
     """What the report calls the keys of a case."""
-    captions = {}
+    captions = {code: words[language == "it"] for code, words in CATALOGUE["key"].items()}
     for code in CATALOGUE["word"]:
         kind, _, name = code.partition("_")
-        if kind == "key":
-            captions[name] = word(code, language)
-        elif kind == "section":
+        if kind == "section":
             captions[f"[{name}]"] = word(code, language).lower()
     return FormNames(captions)
 

@@ -12,7 +12,8 @@ GROUPS = (
     "place",  # where an error is
     "accepted",  # what is accepted instead, and other parts of an error
     "notice",  # warnings of a result
-    "word",  # results, kinds of loads, keys, sections and choices of a case, ways to get a package
+    "word",  # results, kinds of loads, sections and choices of a case, ways to get a package
+    "key",  # of a case: its word; .caption, .tip, =choice of its field, .help for F1, .column of a table of walls
     "assumption",  # what the engineer confirms by ticking
     "verdict",  # what stands after the name of the wall
     "added",  # parts of a verdict's sentence
@@ -24,7 +25,6 @@ GROUPS = (
     "report",  # workbook, calculation note, parametric study; the code is the English wording
     "window",  # the code is the English wording
     "terminal",  # with run.py; the code is the English wording
-    "help",  # what F1 says of a key
 )
 
 

@@ -163,5 +163,26 @@ def notice(code: str, /, **values) -> Sentence:
 
 
 def word(code: str, language: str) -> str:
-    """A word of a result."""
+    """A word of a result; `key_height_m` is that of a key."""
+    if code.startswith("key_"):
+        return localized("key", code.removeprefix("key_"), language)
     return localized("word", code, language)
+
+
+def text_of_key(section: str, key: str, part: str, language: str) -> str:
+    """What the catalogue says of a key of a section, "" if nothing. part : ".caption", ".tip", ".help", "=" and a
+    choice. section : where keys of one name are called otherwise ("load.kind")"""
+    known = CATALOGUE["key"]
+    code = f"{section}.{key}{part}"
+    return known.get(code if code in known else f"{key}{part}", ("", ""))[language == "it"]
+
+
+def choice(name: str, language: str) -> str:
+    """What a name that a key accepts is called, itself where it has no word."""
+    return word(f"choice_{name}", language) if f"choice_{name}" in CATALOGUE["word"] else name
+
+
+def capital(label: str) -> str:
+    """A word as it begins a line; a symbol (a_g, ζ) stays."""
+    plain = label[:1].islower() and label[:1].isascii() and "_" not in label.split()[0]
+    return label[0].upper() + label[1:] if plain else label

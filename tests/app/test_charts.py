@@ -330,5 +330,5 @@ def test_that_the_window_is_no_larger_than_its_screen(opened, application, monke
 
 
 def test_that_the_height_of_the_base_says_what_it_takes(opened):
-    words = opened.walls.base.toolTip()
+    words = opened.walls.fields["base_z_m"].toolTip()
     assert "building" in words.lower() and "no check" not in words

@@ -27,8 +27,8 @@ from tests.app.driving import settle, type_into
 
 def test_that_a_refused_number_stays_and_keeps_the_run_back(opened, application):
     """Its first digits are in the case already: they must not pass for what was meant."""
-    height = opened.walls.height
-    thickness = opened.walls.thickness
+    height = opened.walls.fields["height_m"]
+    thickness = opened.walls.fields["thickness_m"]
     type_into(height, "99999")
     type_into(thickness, "60")
     assert height.editor.text() == "99999" and height.wrong
@@ -68,7 +68,7 @@ def test_that_a_restitution_formula_shown_gives_the_value_beside_it(opened, monk
 
 
 def test_that_another_case_does_not_take_over_what_was_wrong(opened, application):
-    height = opened.walls.height
+    height = opened.walls.fields["height_m"]
     type_into(height, "abc")
     opened.files.open(opened.session.path)
     assert not height.wrong and height.editor.text() == "5"
@@ -94,29 +94,29 @@ def test_that_rules_between_fields_stand_at_the_fields(opened, application):
     type_into(walls.impact.last, "0.6")
     application.processEvents()
     assert not walls.impact.first.message.text() and opened.run_action.isEnabled()
-    type_into(walls.setback, "45")
+    type_into(walls.fields["hinge_setback_m"], "45")
     application.processEvents()
-    assert "hinge setback" in walls.setback.message.text()
-    type_into(walls.setback, "0")
+    assert "hinge setback" in walls.fields["hinge_setback_m"].message.text()
+    type_into(walls.fields["hinge_setback_m"], "0")
     walls.duplicate()
-    type_into(walls.name, "w")
+    type_into(walls.fields["name"], "w")
     application.processEvents()
-    assert "same name" in walls.name.message.text()
-    type_into(walls.name, "v")
+    assert "same name" in walls.fields["name"].message.text()
+    type_into(walls.fields["name"], "v")
     demand = opened.demand
-    type_into(demand.factor, "1.2")
+    type_into(demand.fields["confidence_factor"], "1.2")
     application.processEvents()
-    said = opened.demand.factor.message.text()
+    said = opened.demand.fields["confidence_factor"].message.text()
     assert "Level of knowledge" in said and "Strength f" in said
 
 
 def test_that_undo_in_a_field_is_that_of_the_case_and_takes_refused_text_back_first(opened, application):
-    field = opened.walls.thickness
+    field = opened.walls.fields["thickness_m"]
     before = opened.session.case.wall[0].thickness_m
     opened.activateWindow()
     type_into(field, "60")
-    type_into(opened.walls.height, "6")
-    QTest.keyClick(opened.walls.height.editor, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    type_into(opened.walls.fields["height_m"], "6")
+    QTest.keyClick(opened.walls.fields["height_m"].editor, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert opened.session.case.wall[0].height_m == 5.0
     assert opened.session.case.wall[0].thickness_m == 0.6
     type_into(field, "70x")
@@ -149,7 +149,7 @@ def test_that_a_refused_choice_in_the_import_dialog_keeps_no_run_back(opened, ap
 def test_that_a_pause_ends_a_step_of_undo(opened, monkeypatch):
     from app.work import session
 
-    notes = opened.walls.notes
+    notes = opened.walls.fields["notes"]
     type_into(notes, "first")
     monkeypatch.setattr(session, "PAUSE", -1.0)
     notes.editor.end(False)
@@ -159,20 +159,20 @@ def test_that_a_pause_ends_a_step_of_undo(opened, monkeypatch):
 
 
 def test_that_a_wall_named_like_a_key_misleads_no_message(opened, application):
-    type_into(opened.walls.name, "notes")
-    type_into(opened.walls.setback, "45")
+    type_into(opened.walls.fields["name"], "notes")
+    type_into(opened.walls.fields["hinge_setback_m"], "45")
     application.processEvents()
-    assert opened.walls.setback.message.text() and not opened.walls.notes.message.text()
+    assert opened.walls.fields["hinge_setback_m"].message.text() and not opened.walls.fields["notes"].message.text()
 
 
 @pytest.mark.parametrize("text", ["9..5", "999", "2,,6", ""])
 def test_that_the_beginning_of_a_refused_number_does_not_stay_in_the_case(opened, text):
-    type_into(opened.walls.height, text) if text else None
+    type_into(opened.walls.fields["height_m"], text) if text else None
     if not text:
-        opened.walls.height.editor.setFocus()
-        opened.walls.height.editor.selectAll()
-        QTest.keyClick(opened.walls.height.editor, Qt.Key.Key_Delete)
-    assert opened.walls.height.wrong
+        opened.walls.fields["height_m"].editor.setFocus()
+        opened.walls.fields["height_m"].editor.selectAll()
+        QTest.keyClick(opened.walls.fields["height_m"].editor, Qt.Key.Key_Delete)
+    assert opened.walls.fields["height_m"].wrong
     assert opened.session.case.wall[0].height_m == 5.0
 
 
@@ -182,7 +182,7 @@ def test_that_the_wheel_over_a_list_without_the_focus_changes_nothing(opened, ap
 
     from app.input.fields import Choice
 
-    opened.walls.height.editor.setFocus()
+    opened.walls.fields["height_m"].editor.setFocus()
     before = opened.session.case
     lists = opened.findChildren(Choice)
     assert len(lists) > 8
@@ -207,10 +207,10 @@ def test_that_choosing_the_spectrum_again_or_the_demand_off_and_on_loses_nothing
     opened.session.edit_section("demand", soil_factor=None)
     form._kind_chosen(form.kind.findData("NTC2018"))
     assert opened.session.problem() is not None  # nothing of the site is assumed
-    type_into(form.f0, "2.4")
-    type_into(form.tc, "0.35")
-    form.soil.offer("B")
-    form.topography.offer("T1")
+    type_into(form.fields["f0"], "2.4")
+    type_into(form.fields["tc_star_s"], "0.35")
+    form.fields["soil"].offer("B")
+    form.fields["topography"].offer("T1")
     assert opened.session.problem() is None
     opened.records.ask_replace = lambda: False
     opened.records.generate()
@@ -313,11 +313,11 @@ def test_that_an_a_g_beyond_any_of_italy_is_asked_about_where_it_is_typed_and_wi
     from core.study.run import run as run_study
 
     assert "S apart" in opened.demand.hint.text()
-    type_into(opened.demand.ag, "2.55")
+    type_into(opened.demand.fields["ag_g"], "2.55")
     application.processEvents()
     asked = "a_g = 2.55 g is above 0.6 g, beyond the hazard of Italy at 2475 years: was 2.55 m/s2 meant"
     assert asked in opened.demand.hint.text() and opened.session.problem() is None
-    type_into(opened.demand.ag, "0.26")
+    type_into(opened.demand.fields["ag_g"], "0.26")
     application.processEvents()
     assert "S apart" in opened.demand.hint.text()
     wall = {"name": "w", "height_m": 4.0, "thickness_m": 0.5, "base_z_m": 0.0, "mechanism": "two_sided"}

@@ -88,22 +88,22 @@ def test_that_list_selector_and_tabs_show_one_wall(walls):
 def test_that_an_error_leads_to_its_field_with_its_dock_hidden(opened, application):
     opened.session.edit_wall(0, height_m=7.0, thickness_m=0.4, slenderness_deg=None)
     opened.forms.setCurrentIndex(1)
-    type_into(opened.walls.height, "70")
+    type_into(opened.walls.fields["height_m"], "70")
     dock = opened.findChild(QDockWidget, "input")
     dock.hide()
     opened.refresh()
     assert "<a href=" in opened.banner.text()
     opened.banner.linkActivated.emit("field")
     assert dock.isVisible() and opened.forms.currentIndex() == 0
-    opened.walls.height.revert()
+    opened.walls.fields["height_m"].revert()
 
 
 def test_that_a_hidden_field_that_blocks_shows_itself(opened):
     opened.session.edit_wall(0, hinge_setback_m=0.03, unit_weight_kn_m3=18.0)
     opened.session.edit_wall(0, compressive_strength_mpa=2.0)  # as a file can say it
-    assert opened.session.problem() is not None and not opened.walls.setback.isHidden()
-    opened.walls.setback.offer(0.0)
-    assert opened.session.problem() is None and opened.walls.setback.isHidden()
+    assert opened.session.problem() is not None and not opened.walls.fields["hinge_setback_m"].isHidden()
+    opened.walls.fields["hinge_setback_m"].offer(0.0)
+    assert opened.session.problem() is None and opened.walls.fields["hinge_setback_m"].isHidden()
 
 
 def test_that_an_error_of_another_wall_leads_to_that_wall(own_walls):
@@ -144,14 +144,14 @@ def test_that_what_a_run_refuses_leads_to_its_field(opened, application, monkeyp
     settle(application, lambda: not opened.records.pending)
     opened.run()
     settle(application, lambda: opened.job is None)
-    assert said and opened.walls.setback.rule in said[0] and opened.run_button.isEnabled()
+    assert said and opened.walls.fields["hinge_setback_m"].rule in said[0] and opened.run_button.isEnabled()
     opened.session.edit_wall(0, height_m=6.0)
-    assert opened.walls.setback.rule == "" == opened.banner.text()
+    assert opened.walls.fields["hinge_setback_m"].rule == "" == opened.banner.text()
 
 
 def test_that_a_strength_takes_the_setback_with_it(opened):
     opened.session.edit_wall(0, hinge_setback_m=0.03, unit_weight_kn_m3=18.0)
-    opened.walls.strength.offer(2.0)
+    opened.walls.fields["compressive_strength_mpa"].offer(2.0)
     assert opened.session.case.wall[0].hinge_setback_m == 0.0 and opened.session.problem() is None
 
 
@@ -159,11 +159,11 @@ def test_that_a_new_demand_assumes_nothing_of_the_site(opened):
     opened.session.edit(replace(opened.session.case, demand=None, generate=None))
     opened.demand.last = None
     opened.demand.given.setChecked(True)
-    assert opened.session.case.demand.ag_g == "" and opened.demand.ag.editor.text() == ""
+    assert opened.session.case.demand.ag_g == "" and opened.demand.fields["ag_g"].editor.text() == ""
     assert opened.session.problem() is not None and not opened.run_button.isEnabled()
     opened.demand._kind_chosen(opened.demand.kind.findData("NTC2018"))
-    assert opened.demand.soil.editor.currentIndex() == -1
-    assert opened.demand.tc.editor.text() == ""
+    assert opened.demand.fields["soil"].editor.currentIndex() == -1
+    assert opened.demand.fields["tc_star_s"].editor.text() == ""
 
 
 def test_that_finished_walls_appear_while_others_run(own_walls, application):
@@ -301,10 +301,10 @@ def test_that_empty_charts_say_why(walls):
 
 def test_that_numbers_have_a_comma_in_the_italian_window(walls):
     walls.set_choice("language", "it")
-    assert walls.walls.thickness.editor.text() == "83"
-    walls.walls.thickness.offer(0.835)
-    walls.walls.thickness.show_value(0.8355)
-    assert walls.walls.thickness.editor.text() == "83,55"
+    assert walls.walls.fields["thickness_m"].editor.text() == "83"
+    walls.walls.fields["thickness_m"].offer(0.835)
+    walls.walls.fields["thickness_m"].show_value(0.8355)
+    assert walls.walls.fields["thickness_m"].editor.text() == "83,55"
     assert re.search(r"\d,\d\d°", walls.walls.summary.text())
     axis = walls.pages["check"].content.peaks.plot.getAxis("left")
     assert axis.tickStrings([0.5], 1.0, 0.5) == ["0,5"]

@@ -77,9 +77,9 @@ def test_that_a_form_that_fails_stops_no_other(opened, faults, monkeypatch, form
     assert faults and all(str(fault) == "broken on purpose" for fault in faults)
     faults.clear()
     shown = {
-        "walls": opened.walls.name.editor.text() == "another",
+        "walls": opened.walls.fields["name"].editor.text() == "another",
         LoadsForm: opened.walls.loads.list.count() == 1,
-        "demand": opened.demand.ag.editor.text() == "0.31",
+        "demand": opened.demand.fields["ag_g"].editor.text() == "0.31",
         "analysis": opened.analysis.of_report[0].editor.text() == "the client",
         "title": opened.windowTitle().startswith("*"),
         "undo": opened.actions_of.undo.isEnabled(),
@@ -215,5 +215,5 @@ def test_that_a_list_shows_nothing_for_what_is_not_in_it(opened):
     opened.demand._kind_chosen(opened.demand.kind.findData("NTC2018"))
     spectrum = replace(opened.session.case.demand.spectrum, topography=None, soil="")
     opened.session.edit_section("demand", spectrum=spectrum)
-    assert opened.demand.topography.editor.currentIndex() == -1
-    assert opened.demand.soil.editor.currentIndex() == -1
+    assert opened.demand.fields["topography"].editor.currentIndex() == -1
+    assert opened.demand.fields["soil"].editor.currentIndex() == -1

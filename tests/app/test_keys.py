@@ -1,18 +1,24 @@
 """A key of a case is complete: its field in the window, its help, its line in the page of the case."""
 
-from dataclasses import fields
+from dataclasses import dataclass, fields
 
 import pytest
 
 pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
 
+from PySide6.QtWidgets import QLabel
+
 from app.input.fields import Field, TextField
-from app.look.language import set_language
+from app.input.made_fields import make_fields
+from app.look.language import described, set_language
 from app.shell import guide
-from core.case.schema import Generate, Record, Wall
+from core.case import wall_table
+from core.case.keys import NESTED, number_key
+from core.case.schema import Generate, Record, Wall, sections
 from core.case.site import BuildingMode, Demand, HazardRow, Spectrum
-from core.case.values import field_of
-from tests.test_documents import SECTIONS
+from core.case.values import field_of, section_of
+from core.errors import InputError, place
+from core.text.catalogue import CATALOGUE
 
 ELSEWHERE = {
     (Wall, "mechanism"): "three buttons with their drawings",
@@ -31,8 +37,7 @@ ELSEWHERE = {
 }
 """(section, key) that a person gives in another way than by a field of its own, and which."""
 
-NESTED = ("section", "tables", "spectrum")
-"""Kinds of keys whose own keys have the fields."""
+SECTIONS = tuple(sections().values())
 
 
 @pytest.mark.parametrize("section", SECTIONS, ids=lambda section: section.__name__)
@@ -55,6 +60,44 @@ def test_that_every_field_but_a_text_has_help(opened, language):
     opened.set_choice("language", "en")
     set_language("en")
     assert without == set()
+
+
+def test_that_its_line_and_its_words_are_all_that_a_key_needs(opened, monkeypatch):
+    """Field with unit, caption, tip and F1, what it accepts said by its caption, column of a table of walls."""
+    texts = {
+        "plaster_kn_m2": ("weight of the plaster", "peso dell'intonaco"),
+        "plaster_kn_m2.tip": ("On both faces", "Sulle due facce"),
+        "plaster_kn_m2.help": ("The plaster rocks with the wall.", "L'intonaco ruota con la parete."),
+        "joint_m": ("joint", "giunto"),
+        "joint_m.caption": ("Joint j", "Giunto j"),
+        "joint_m.column": ("j", "j"),
+    }
+    monkeypatch.setitem(CATALOGUE.known, "key", CATALOGUE["key"] | texts)
+
+    @dataclass(frozen=True)
+    class Plastered(Wall):
+        plaster_kn_m2: float | None = number_key(0.0, 2.0, unit="kN/m2", form="mine")
+        joint_m: float = number_key(0.0, 0.5, 0.01, unit="m", form_unit="cm", form="mine")
+
+    plaster, joint = make_fields(Plastered, "mine")
+    assert (plaster.caption.text(), plaster.editor.toolTip()) == ("Weight of the plaster", "On both faces")
+    assert guide.help_of(plaster) == "The plaster rocks with the wall."
+    assert "kN/m²" in [label.text() for label in plaster.findChildren(QLabel)]
+    assert plaster.optional and not joint.optional
+    joint.show_value(0.02)
+    assert (joint.caption.text(), joint.editor.text()) == ("Joint j", "2")
+    joint.offer(0.6)
+    assert joint.message.text() == "from 0 to 50 cm"
+    with pytest.raises(InputError) as caught:
+        section_of(Plastered, {"name": "w", "mechanism": "both", "plaster_kn_m2": 3}, "wall", place("wall", name="w"))
+    assert described(caught.value) == 'wall "w": Weight of the plaster = 3 is not accepted: from 0 to 2 kN/m2'
+
+    monkeypatch.setattr(wall_table, "Wall", Plastered)
+    monkeypatch.setattr(wall_table, "parse_wall", lambda table: table)
+    monkeypatch.setattr(wall_table, "columns", wall_table.columns.__wrapped__)
+    for titles in ("Parete;Peso dell'intonaco [kN/m²];j [cm]", "name;weight of the plaster [kN/m2];joint_m [cm]"):
+        (row,) = wall_table.walls_of(wall_table.text_rows(f"{titles}\nw;0,4;2"))
+        assert row == {"name": "w", "plaster_kn_m2": 0.4, "joint_m": 0.02}
 
 
 def test_that_what_is_given_in_another_way_is_still_a_key():

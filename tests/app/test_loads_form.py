@@ -21,7 +21,7 @@ def field(form, key):
 def loaded(opened):
     """The wall of the window with a vertical load entered by hand."""
     form = opened.walls.loads
-    type_into(opened.walls.weight, "18")
+    type_into(opened.walls.fields["unit_weight_kn_m3"], "18")
     form.add("vertical")
     type_into(field(form, "kn_m"), "10")
     type_into(field(form, "d_m"), "0,30")
@@ -46,7 +46,7 @@ def test_that_a_load_entered_by_hand_is_in_the_case_the_drawing_and_the_threshol
 def test_that_what_is_missing_of_a_load_is_said_and_blocks_the_run(opened):
     form = opened.walls.loads
     opened.session.edit_wall(0, mechanism="one_sided")
-    type_into(opened.walls.weight, "18")
+    type_into(opened.walls.fields["unit_weight_kn_m3"], "18")
     form.add("tie")
     assert "load" in opened.banner.text() or "kN/m" in opened.banner.text() or "Size" in opened.banner.text()
     assert not opened.run_button.isEnabled()
@@ -59,7 +59,7 @@ def test_that_what_is_missing_of_a_load_is_said_and_blocks_the_run(opened):
 
 def test_that_an_unstable_wall_is_said_in_one_sentence(opened):
     form = opened.walls.loads
-    type_into(opened.walls.weight, "18")
+    type_into(opened.walls.fields["unit_weight_kn_m3"], "18")
     form.add("thrust")
     type_into(field(form, "kn_m"), "50")
     assert "unstable under its own loads" in opened.banner.text()

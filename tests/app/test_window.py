@@ -28,14 +28,14 @@ def test_that_comma_and_point_mean_the_same_in_every_locale(opened, locale):
     QLocale.setDefault(QLocale(locale))
     try:
         for text in ("31.2", "31,2"):
-            type_into(opened.walls.thickness, text)
+            type_into(opened.walls.fields["thickness_m"], text)
             assert opened.session.case.wall[0].thickness_m == pytest.approx(0.312, rel=1e-15)
     finally:
         QLocale.setDefault(QLocale("C"))
 
 
 def test_that_a_wrong_number_is_said_at_the_field_and_leaves_the_case(opened):
-    field = opened.walls.thickness
+    field = opened.walls.fields["thickness_m"]
     type_into(field, "abc")
     assert field.message.isVisibleTo(opened) and "not a number" in field.message.text()
     type_into(field, "9999999")
@@ -47,11 +47,11 @@ def test_that_a_wrong_number_is_said_at_the_field_and_leaves_the_case(opened):
 
 
 def test_that_form_and_case_say_the_same_after_undo(opened):
-    type_into(opened.walls.height, "6,5")
+    type_into(opened.walls.fields["height_m"], "6,5")
     assert opened.session.case.wall[0].height_m == 6.5
     opened.walls.list.setFocus()
     opened.session.undo()
-    assert opened.walls.height.editor.text() == "5"
+    assert opened.walls.fields["height_m"].editor.text() == "5"
     assert "*" not in opened.windowTitle()
 
 
@@ -85,8 +85,8 @@ def test_that_a_new_wall_has_no_mechanism_until_one_is_chosen(opened):
     QTest.mouseClick(opened.walls.mechanisms["one_sided"], Qt.MouseButton.LeftButton)
     assert opened.session.case.wall[-1].mechanism == "one_sided"
     # with a demand the height of the base is never guessed
-    assert not opened.run_button.isEnabled() and opened.walls.base.message.text()
-    type_into(opened.walls.base, "0")
+    assert not opened.run_button.isEnabled() and opened.walls.fields["base_z_m"].message.text()
+    type_into(opened.walls.fields["base_z_m"], "0")
     assert opened.session.case.wall[-1].base_z_m == 0.0 and opened.run_button.isEnabled()
 
 
@@ -107,7 +107,7 @@ def test_the_whole_job(opened, application, tmp_path):
         opened.tabs.setCurrentIndex(k)
         application.processEvents()
     assert not opened.veil.isVisibleTo(opened)
-    type_into(opened.walls.height, "4.8")
+    type_into(opened.walls.fields["height_m"], "4.8")
     assert opened.session.stale and opened.veil.isVisibleTo(opened)
     assert opened.files.export_refused()
     run(application, opened)
@@ -241,7 +241,7 @@ def test_that_tables_copy_with_tabs(opened, application):
 def test_that_the_window_speaks_italian(opened, application):
     opened.set_choice("language", "it")
     assert opened.tabs.tabText(0) == "Quadro generale"
-    assert opened.walls.height.caption.text() == "Altezza H"
+    assert opened.walls.fields["height_m"].caption.text() == "Altezza H"
     opened.set_choice("language", "en")
     assert opened.tabs.tabText(0) == "Overview"
 
@@ -262,8 +262,8 @@ def test_that_every_editor_has_a_name_for_a_screen_reader(opened):
 
 def test_that_a_field_that_holds_nothing_accepted_stops_a_run(opened, application):
     for text in ("", "45x", "9999999"):
-        type_into(opened.walls.thickness, "60")
-        field = opened.walls.thickness.editor
+        type_into(opened.walls.fields["thickness_m"], "60")
+        field = opened.walls.fields["thickness_m"].editor
         field.selectAll()
         QTest.keyClick(field, Qt.Key.Key_Delete)
         QTest.keyClicks(field, text)
@@ -271,7 +271,7 @@ def test_that_a_field_that_holds_nothing_accepted_stops_a_run(opened, applicatio
         assert not opened.run_button.isEnabled(), text
         opened.run()
         assert opened.job is None
-    type_into(opened.walls.thickness, "60")
+    type_into(opened.walls.fields["thickness_m"], "60")
     application.processEvents()
     assert opened.run_button.isEnabled()
 

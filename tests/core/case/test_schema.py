@@ -1,8 +1,11 @@
 """What a case means: defaults, geometry, return period."""
 
+from dataclasses import fields
+
 import pytest
 
 from core.case.rules import parse_case
+from core.case.schema import sections
 from tests.core.case.tables import case, without
 
 
@@ -51,3 +54,13 @@ def test_that_three_ways_to_write_a_wall_are_one_block():
 def test_that_t_r_follows_from_v_n_and_c_u(demand, years):
     found = parse_case(case(demand={"ag_g": 0.2, **demand})).demand.return_period
     assert found == (None if years is None else pytest.approx(years, rel=1e-4))
+
+
+def test_that_the_unit_of_a_key_is_the_end_of_its_name():
+    entries = [entry for section in sections().values() for entry in fields(section)]
+    units = {entry.metadata["unit"] for entry in entries if entry.metadata.get("unit")}
+    ends = {"_" + unit.lower().replace("/", "_"): unit for unit in units}
+    for entry in entries:
+        if entry.metadata["kind"] in ("float", "int", "range"):
+            end = max((end for end in ends if f"_{entry.name}".endswith(end)), key=len, default="")
+            assert entry.metadata["unit"] == ends.get(end, ""), entry.name

@@ -140,7 +140,7 @@ REASONED = [entry.name for part in (WallJustification, DemandJustification) for 
 
 @pytest.mark.parametrize("key", [*REASONED, "period_factor", "damping", "number", "knowledge_level"])
 def test_that_help_says_what_a_key_that_lifts_zeta_does_to_the_verdict(key):
-    assert all("ζ" in words for words in CATALOGUE["help"][key])
+    assert all("ζ" in words for words in CATALOGUE["key"][f"{key}.help"])
 
 
 def test_that_the_documents_name_every_reason_and_every_code_of_a_verdict():

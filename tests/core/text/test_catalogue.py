@@ -10,13 +10,12 @@ import pytest
 
 from core.case import wall_table
 from core.case.rules import parse_case
-from core.case.schema import Analysis, Case, Generate, Load, Record, Report, ReturnWalls, Wall, WallJustification
-from core.case.site import Building, BuildingMode, Demand, DemandJustification, HazardRow, Spectrum
+from core.case.schema import Case, Load, sections
 from core.codes.kinematic import CHECKS
 from core.errors import InputError, place, section
 from core.packages import PACKAGES
 from core.text.catalogue import CATALOGUE, FOLDER, GROUPS, Catalogue
-from core.text.sentence import FormNames, Key, Quantity, localized, sentence
+from core.text.sentence import FormNames, Key, Quantity, capital, localized, sentence
 from tests.conftest import ROOT
 
 SOURCES = [
@@ -58,22 +57,11 @@ OF_NO_SENTENCE = {
 
 
 LOAD_KINDS = next(entry for entry in fields(Load) if entry.name == "kind").metadata["names"]
-SECTIONS_OF_A_CASE = (
-    Report,
-    Wall,
-    Record,
-    Generate,
-    Analysis,
-    Demand,
-    Spectrum,
-    HazardRow,
-    Building,
-    BuildingMode,
-    Load,
-    ReturnWalls,
-    WallJustification,
-    DemandJustification,
-)
+ENTRIES = {cls.__name__.lower(): {entry.name: entry for entry in fields(cls)} for cls in (*sections().values(), Case)}
+"""Section -> key -> its description."""
+
+PARTS = (".caption", ".tip", ".help", ".column")
+"""What the catalogue says of a key besides its word and its choices."""
 
 
 def calls(tree):
@@ -169,16 +157,18 @@ def test_that_every_text_of_the_catalogue_is_used():
         if isinstance(node, ast.Constant) and isinstance(node.value, str)
     }
     sides = {f"{word}_{side}" for word in ("confidence", "dynamic") for side in ("demand", "capacity")}
-    entries = [entry for section in SECTIONS_OF_A_CASE for entry in fields(section)]
-    sides |= {f"key_{entry.name}" for entry in entries}
-    sides |= {"key_title", "key_elastic_limit", "key_plateau_end", "choice_rigid", "choice_floors", "choice_base"}
-    sides |= {f"choice_{name}" for entry in entries for name in entry.metadata.get("names", ())}
+    sides |= {"choice_rigid", "choice_floors", "choice_base"}
+    sides |= {
+        f"choice_{name}"
+        for keys in ENTRIES.values()
+        for entry in keys.values()
+        for name in entry.metadata.get("names", ())
+    }
     sides |= {f"section_{entry.name}" for entry in fields(Case)}
     sides |= {f"work_{extra}" for extra in PACKAGES}
-    sides |= {f"load_{kind}" for kind in LOAD_KINDS}
+    sides |= {f"load_{kind}" for kind in LOAD_KINDS} | {key for keys in ENTRIES.values() for key in keys}
     sides |= {f"by_{label}" for label in (*CHECKS, "linear_sld")}
-    sides |= {entry.name for entry in entries}
-    for group in set(CATALOGUE) - {"error"}:
+    for group in set(CATALOGUE) - {"error", "key"}:
         unused = {code for code in CATALOGUE[group] if code not in literals | sides}
         assert unused == set(), group
 
@@ -252,14 +242,30 @@ def test_that_no_text_says_safe():
 
 
 def test_that_every_key_of_a_case_has_a_word():
-    for part in SECTIONS_OF_A_CASE:
-        for entry in fields(part):
-            assert f"key_{entry.name}" in CATALOGUE["word"], entry.name
+    for name, keys in ENTRIES.items():
+        assert name == "case" or set(keys) <= set(CATALOGUE["key"]), name
+
+
+def test_that_the_catalogue_says_nothing_of_a_key_that_is_none():
+    """Of a key, its caption, tip, help, column, or one of its choices; the ends of a law are keys in a key."""
+    for code in set(CATALOGUE["key"]) - {"elastic_limit", "plateau_end"}:
+        name, _, choice = code.partition("=")
+        part, _, key = name.removesuffix(next((end for end in PARTS if name.endswith(end)), "")).rpartition(".")
+        of_name = [keys[key] for section, keys in ENTRIES.items() if part in ("", section) and key in keys]
+        assert of_name, code
+        assert not choice or any(choice in entry.metadata.get("names", ()) for entry in of_name), code
+
+
+def test_that_a_field_has_a_caption_of_its_own_only_where_it_is_not_its_word():
+    known = CATALOGUE["key"]
+    for code, captions in known.items():
+        if code.endswith(".caption") and code.count(".") == 1:
+            assert captions != tuple(map(capital, known[code.removesuffix(".caption")])), code
 
 
 def test_that_every_kind_of_load_has_its_words():
     for kind in LOAD_KINDS:
         assert {f"load_{kind}", f"choice_{kind}"} <= set(CATALOGUE["word"]), kind
         assert kind in wall_table.LOAD_KINDS.values()
-        for words, said in zip(CATALOGUE["word"][f"choice_{kind}"], CATALOGUE["help"]["kind"], strict=True):
+        for words, said in zip(CATALOGUE["word"][f"choice_{kind}"], CATALOGUE["key"]["load.kind.help"], strict=True):
             assert words in said, kind

@@ -1,0 +1,52 @@
+"""The field of the hinges of a wall."""
+
+import re
+
+from app.input.fields import Field
+from app.look.language import number, tr
+from core.case.hinges import BASE, FLOORS
+from core.case.number import parse_number
+from core.errors import InputError
+
+CODES = {FLOORS: FLOORS, BASE: BASE}
+"""Words of a case file that stand for hinges."""
+
+
+def hinge_words() -> dict[str, str]:
+    """The same in the language of the window."""
+    return {FLOORS: tr("floors"), BASE: tr("base")}
+
+
+class HingesField(Field):
+    """Heights above the base [m] with spaces or semicolons between them, or the word for the floors or for the base
+    alone; empty for the usual ones."""
+
+    def make_editor(self):
+        editor = super().make_editor()
+        editor.textEdited.connect(self._typed)
+        return editor
+
+    def _typed(self, text: str) -> None:
+        text = text.strip()
+        if not text:
+            self.show_error("")
+            self.value = None
+            self.edited.emit(None)
+        elif text.lower() in (codes := {word: code for code, word in hinge_words().items()} | CODES):
+            self.offer(codes[text.lower()])
+        else:
+            try:
+                self.offer([parse_number(part) for part in re.split(r"[\s;]+", text)])
+            except InputError:
+                self.refuse(tr("{text}: not heights in m", text=text))
+
+    def show_value(self, value) -> None:
+        """Show a value of the case."""
+        if self.holds_invalid_text(value):
+            return
+        self.value = value
+        if not self.editor.hasFocus():
+            heights = () if isinstance(value, str) else value or ()
+            words = hinge_words()[value] if isinstance(value, str) else "; ".join(number(h, "g") for h in heights)
+            self.editor.setText(words)
+        self.show_error("")

@@ -1,0 +1,39 @@
+"""The fields of a form, made from the description of its keys (core/case/schema.py, core/case/site.py)."""
+
+from collections.abc import Sequence
+from dataclasses import fields
+
+from app.input.fields import ChoiceField, Field, FlagField, NumberField, RangeField, TextField
+from app.input.hinges_field import HingesField
+from core.case.keys import NESTED
+from core.case.values import field_of
+
+KINDS: dict[str, type[Field]] = {
+    "float": NumberField,
+    "int": NumberField,
+    "range": RangeField,
+    "text": TextField,
+    "choice": ChoiceField,
+    "flag": FlagField,
+    "hinges": HingesField,
+}
+"""Kind of a key -> its field."""
+
+
+def make_field(section: type, key: str) -> Field:
+    """The field of a key."""
+    entry = field_of(section, key)
+    kind = entry.metadata["kind"]
+    in_a_list = entry.metadata.get("listed") or (kind == "flag" and entry.default is None)
+    return ChoiceField(section, key) if in_a_list else KINDS[kind](section, key)
+
+
+def make_fields(section: type, group: str | None = None, first: Sequence[str] = ()) -> list[Field]:
+    """Fields of all keys of a section of this group of its form, in the order of the file. first : keys that come
+    before the others in the form"""
+    keys = [
+        entry.name
+        for entry in fields(section)
+        if entry.metadata.get("form") == group and entry.metadata["kind"] not in NESTED
+    ]
+    return [make_field(section, key) for key in (*first, *(key for key in keys if key not in first))]
