@@ -122,6 +122,25 @@ class GivenSpectrum:
 
 Target = CodeSpectrum | GivenSpectrum
 
+FALL_TO, FALL_SHARE = 2.0, 0.5
+"""A spectrum of the elastic motion whose S_De falls below this share of an earlier value within these periods [s] is
+doubted: that of every code rises to T_D, 1.2 s and more, and is constant from there."""
+
+
+def displacement_fall(target: "Target | None") -> tuple[float, float, float] | None:
+    """Where S_De of a spectrum of a file falls: (period before [s], period [s], share); None where it does not, and for the
+    spectrum of a code."""
+    if not isinstance(target, GivenSpectrum):
+        return None
+    periods = np.array([t for t in target.periods if 0.0 < t <= FALL_TO])
+    if not periods.size:
+        return None
+    displacement = target.acceleration(periods) * periods**2
+    before = np.maximum.accumulate(displacement)
+    k = int(np.argmin(displacement / before))
+    share = float(displacement[k] / before[k])
+    return (float(periods[np.argmax(displacement[: k + 1])]), float(periods[k]), share) if share < FALL_SHARE else None
+
 
 def displacement(target: Target, periods, damping: float = DAMPING) -> np.ndarray:
     """S_De = S_e (T / 2 pi)^2 [m] (NTC 3.2.10)."""

@@ -10,6 +10,7 @@ from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import ROUNDING, Check, Kinematic
 from core.codes.limits import MEAN_FROM, MINIMUM_FROM
 from core.codes.record_compatibility import Compliance
+from core.codes.target_spectrum import displacement_fall
 from core.codes.verdict_sentence import CODE_Q, measured, outcome
 from core.text.sentence import FILE_NAMES, FormNames, Key, Number, Sentence, sentence
 from core.units import G
@@ -245,6 +246,9 @@ def _limits_of_the_number(seen: Evidence, code: str, lower_bound: float | None) 
         limits.append(_reason("no_period", missing=keys))
     if lower_bound is not None:
         limits.append(_reason("restraint_fails", zeta=Number(lower_bound)))
+    if fall := displacement_fall(seen.demand.target):
+        earlier, later, share = fall
+        limits.append(_reason("spectrum_falls", earlier=earlier, later=later, share=share))
     weaker = _weaker(seen, code)
     if weaker and seen.dynamic.zeta_first < seen.demand.zeta_target:
         limits.append(weaker)

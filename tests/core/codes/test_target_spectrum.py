@@ -259,3 +259,14 @@ def test_that_records_far_below_the_demand_are_warned_of():
         case = Case(demand=Demand(ag, soil_factor=1.0))
         asked = with_records(demand_of(case, Path()), [one])
         assert [warning.code for warning in asked.warnings] == codes
+
+
+def test_that_a_spectrum_of_a_file_whose_displacement_falls_is_doubted_and_no_code_is():
+    periods = np.linspace(0.02, 4.0, 200)
+    for kind, soil in ((1, "A"), (1, "D"), (2, "A"), (2, "C")):
+        code = ts.en1998(2.0, kind, soil)
+        copy = ts.given("copy", 2.0, code.soil, list(zip(periods, code.acceleration(periods), strict=True)))
+        assert ts.displacement_fall(code) is None and ts.displacement_fall(copy) is None
+    rows = [(t, a if t < 0.3 else 0.05 * a) for t, a in zip(periods, code.acceleration(periods), strict=True)]
+    earlier, later, share = ts.displacement_fall(ts.given("cut", 2.0, code.soil, rows))
+    assert earlier < 0.3 < later < 0.4 and 0.04 < share < 0.08

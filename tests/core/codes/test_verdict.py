@@ -361,3 +361,12 @@ def test_that_records_weaker_than_the_demand_give_no_pga_of_capacity(tmp_path, s
 )
 def test_that_a_zeta_below_one_does_not_read_as_one(value, shown):
     assert numeral(apart(value, 1.0).value, apart(value, 1.0).form, "en") == shown
+
+
+def test_that_a_spectrum_of_a_file_that_falls_limits_the_verdict(tmp_path):
+    rows = "\n".join(f"{0.02 * k:.2f} {0.6 if 0.02 * k < 0.3 else 0.03:.3f}" for k in range(1, 200))
+    (tmp_path / "cut.txt").write_text(rows)
+    wall = {"name": "w", "height_m": 7.0, "thickness_m": 0.83, "mechanism": "one_sided", "base_z_m": 0.0}
+    demand = {"ag_g": 0.2, "soil_factor": 1.2, "spectrum_file": "cut.txt"}
+    found = study.run(parse_case({"wall": [wall], "demand": demand}), base_dir=tmp_path).walls[0].assessment.verdict
+    assert "spectrum_falls" in [words.code for words in found.limits]
