@@ -1,4 +1,4 @@
-"""What an owner needs to know of a mechanism: the acceleration and the return period it withstands, and the safety index IS-V.
+"""What an owner asks of a mechanism: the acceleration and the return period it withstands, and the safety index IS-V.
 
 The ratio of accelerations supposes the shape of the spectrum fixed (S_S of NTC depends on a_g). IS-V is "of this
 mechanism": the class of a building asks for a global analysis (D.M. 65/2017, Annex A).
