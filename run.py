@@ -353,7 +353,9 @@ def logged(command, trouble, total=0):
             lines = [line.strip() for line in log if line.strip()]
         cause = next((line for line in reversed(lines) if "ERROR" in line), lines[-1] if lines else phrase("no word"))
         if any("DO NOT MATCH THE HASHES" in line for line in lines):
-            trouble = phrase("the installation was refused: a package served is not the one requirements.lock names")
+            trouble = phrase(
+                "the installation was refused: a downloaded package is not the one named in requirements.lock"
+            )
         text = "{trouble} ({cause}); the whole output is in {log}"
         raise Failure(phrase(text, trouble=trouble, cause=cause[:200], log=LOG))
 

@@ -115,7 +115,7 @@ class DemandForm(QWidget):
             self.summary.setText(described(error))
         except (TypeError, KeyError):  # values of the site are still to be given
             target = None
-            self.summary.setText(tr("The values of the site are still to be given."))
+            self.summary.setText(tr("The values of the site are still missing."))
         else:
             self.summary.setText(self._said(demand, target))
         if self.curve is not None:

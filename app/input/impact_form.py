@@ -162,7 +162,7 @@ class ImpactForm(QGroupBox):
             except InputError as error:
                 lines.append(described(error))
             except TypeError:  # work in progress
-                lines.append(tr("Sizes, weights or loads are still to be given."))
+                lines.append(tr("Sizes, weights or loads are still missing."))
                 break
         self.formula.setText("\n".join(lines) or tr("Choose a mechanism."))
         own = isinstance(wall.law, dict)

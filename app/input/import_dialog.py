@@ -117,7 +117,7 @@ class ImportDialog(QDialog):
         row = QHBoxLayout()
         row.addWidget(self.list, 2)
         row.addLayout(right, 3)
-        hint = tr("Choices apply to the files selected; those not readable are left out. Tick the channels to take.")
+        hint = tr("Choices apply to the selected files; unreadable files are left out. Tick the channels to use.")
         if len(paths) > MAX_FILES:
             left = tr("{n} more files are not shown: add them in parts.", n=len(paths) - MAX_FILES)
             hint += " " + left

@@ -75,7 +75,7 @@ class ReasonsForm(QGroupBox):
         super().__init__(tr("Reasons of the engineer"))
         self.section, self.raised, self.given, self.change = section, raised, given, change
         column = QVBoxLayout(self)
-        hint = QLabel(tr("Why each of these values holds; without a reason it may leave the verdict indicative."))
+        hint = QLabel(tr("State why each of these values holds; without a reason the verdict may be only indicative."))
         hint.setWordWrap(True)
         column.addWidget(hint)
         self.fields = []

@@ -51,7 +51,7 @@ def read_rows(case: Case, base: Path) -> tuple[list[Row], dict[str, tuple | None
         except InputError as error:
             rows.append((None, described(error)))
         except (TypeError, KeyError):  # values of the site are still to be given
-            rows.append((None, tr("The values of the site are still to be given.")))
+            rows.append((None, tr("The values of the site are still missing.")))
     motions = [motion for _, motion in rows if not isinstance(motion, str)]
     for motion in motions:
         motion.measure()

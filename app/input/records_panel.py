@@ -260,7 +260,7 @@ class RecordsPanel(QWidget):
         """Whether generated records take the place of those there, or come beside them; None for neither."""
         box = QMessageBox(self)
         box.setWindowTitle(tr("Generate…"))
-        box.setText(tr("There are records already. Put seven generated ones in their place, or add them?"))
+        box.setText(tr("There are records already. Replace them with seven generated ones, or add these?"))
         instead = box.addButton(tr("Replace"), QMessageBox.ButtonRole.AcceptRole)
         beside = box.addButton(tr("Add to them"), QMessageBox.ButtonRole.AcceptRole)
         box.addButton(tr("Cancel"), QMessageBox.ButtonRole.RejectRole)
@@ -311,7 +311,7 @@ class RecordsPanel(QWidget):
             if k is not None and not isinstance(motion, str) and case.record[k].include
         }
         if asked is None or asked.target is None or not rows or self.pending:
-            self.words.setText(tr("It takes records of files and a spectrum on the sheet Demand."))
+            self.words.setText(tr("This needs records from files and a spectrum on the sheet Demand."))
             return
         if asked.record_scaling == "pga":  # which cancels any factor of a file
             self.words.setText(tr("The records are scaled to PGA = a_g S already (sheet Demand)."))
@@ -322,7 +322,7 @@ class RecordsPanel(QWidget):
             self.words.setText(described(error))
             return
         if not 0.0 < factor < math.inf:
-            self.words.setText(tr("It takes records of files and a spectrum on the sheet Demand."))
+            self.words.setText(tr("This needs records from files and a spectrum on the sheet Demand."))
             return
         self._change(rows, lambda record: replace(record, scale=float(f"{record.scale * factor:.4g}")))
         self.left_out = tr("Scaled by {factor:.3f}, the factor nearest to the spectrum.", factor=factor)

@@ -22,7 +22,7 @@ def path_to_write(parent, title: str, proposal: str, kinds: str, ends: tuple[str
         return path if name else None
     path = path.with_name(path.name + next((end for end in ends if f"*{end}" in kind), ends[0]))
     if path.exists():
-        question = tr("{path} is there already. Overwrite it?", path=path)
+        question = tr("{path} already exists. Overwrite it?", path=path)
         if QMessageBox.question(parent, title, question) != QMessageBox.StandardButton.Yes:
             return None
     return path

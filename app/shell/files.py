@@ -87,7 +87,7 @@ class Files:
             return False
         self.remember(self.session.path)
         if any(field.wrong for field in self.window.fields):
-            self.window.show_word(tr("Saved without what stands in the red field."))
+            self.window.show_word(tr("Saved without the content of the red field."))
         return True
 
     def _agreed(self, title: str, question: str) -> bool:
@@ -105,7 +105,7 @@ class Files:
         if path is None:
             return
         beside = path.with_suffix(".json")
-        question = tr("{path} is there already. Overwrite it?", path=beside)
+        question = tr("{path} already exists. Overwrite it?", path=beside)
         if not beside.exists() or path.exists() or self._agreed(title, question):
             self.export(path)
 
@@ -160,7 +160,7 @@ class Files:
         paths = {folder / f"{start} - {plain_name(chart.name)}.png": chart for chart in charts}
         there = next((path for path in paths if path.exists()), None)
         title = tr("Export all figures")
-        question = tr("{path} is there already. Overwrite it?", path=there)
+        question = tr("{path} already exists. Overwrite it?", path=there)
         if there is not None and not self._agreed(title, question):
             return
         try:

@@ -34,7 +34,7 @@ def offer_recovery(window: MainWindow) -> None:
         answer = QMessageBox.question(
             window,
             tr("Autosaved case found"),
-            tr("The program ended without saving. Bring back the unsaved case?") + f"\n{window.session.describe(file)}",
+            tr("The program ended without saving. Restore the unsaved case?") + f"\n{window.session.describe(file)}",
             button.Yes | button.Discard | button.Cancel,
             button.Yes,
         )
@@ -167,7 +167,7 @@ def main(path: Path | None) -> int:
     window.preparation.begin()
     with logged_crash(Path(window.settings.fileName()).parent) as crashes:
         if crashes:
-            word = tr("The program ended by a fault the last time; please send {path}", path=crashes[-1])
+            word = tr("The program crashed last time; please send {path}", path=crashes[-1])
             window.show_word(word)
         code = application.exec()
     if any(not job.isFinished() for job in RUNNING):

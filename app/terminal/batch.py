@@ -118,7 +118,7 @@ def open_journal(path: Path, key: str, resume: bool, sync_seconds: float = 0.0) 
             path=book.set_aside,
         )
     if book.dropped:
-        tell("{n} damaged line(s) of the journal were dropped: these runs are made again", n=book.dropped)
+        tell("{n} damaged line(s) of the journal were dropped: these runs are repeated", n=book.dropped)
     return book
 
 
@@ -181,13 +181,13 @@ def summary(result: StudyResult, folder: Path, stem: str) -> str:
 def explanation(workbook: Path, with_demand: bool) -> str:
     """What the words of the summary mean, a line each, and which file to open."""
     lines = [
-        terminal("q: acceleration of the motion that first overturns the wall, over that which lifts it"),
+        terminal("q: acceleration of the first motion that overturns the wall, divided by the one that lifts it"),
         terminal("robust: the q around which 16 % of the motions overturn it"),
     ]
     if with_demand:
         lines += [
-            terminal("zeta: share of the demand at which the wall begins to fail; 1 is what the code asks"),
-            terminal("verdict: that of the most refined check that could be made; the last column names it"),
+            terminal("zeta: share of the demand at which the wall begins to fail; the code requires 1"),
+            terminal("verdict: from the most refined check that could be made, named in the last column"),
         ]
     return "\n".join(["", *lines, terminal("open {path}: its first sheet sums up the walls", path=workbook)])
 

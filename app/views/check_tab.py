@@ -132,7 +132,7 @@ class CheckTab(QWidget):
         if assessment.dynamic:
             self._bars(assessment.dynamic)
         else:
-            self.peaks.say_why(tr("No dynamic check: it takes records and a demand at SLV or SLC."))
+            self.peaks.say_why(tr("No dynamic check: it needs records and a demand at SLV or SLC."))
 
     def _mechanism(self, assessment) -> str:
         """Free to vibrate or restrained, T_0, and what the dynamic check says beside zeta_E."""
@@ -166,7 +166,7 @@ class CheckTab(QWidget):
         pushing, alpha0 = number(1e-3 * tie.pushing, ".2f"), number(tie.alpha0, ".4f")
         hand = f"α0 = ({moments}) / {pushing} = {alpha0}"
         if tie.hinges > 1 and tie.governing is not None:
-            hand += "; " + tr("the weakest hinge asks {force:.2f} kN/m", force=1e-3 * tie.governing)
+            hand += "; " + tr("the weakest hinge requires {force:.2f} kN/m", force=1e-3 * tie.governing)
         return tr(
             "A tie of {force:.2f} kN/m at {h:.2f} m gives ζ {zeta}; by hand {hand}",
             force=1e-3 * tie.force,

@@ -19,7 +19,7 @@ ZETA, RISK = 2, 6
 def steps() -> list[str]:
     """How to begin, in three steps."""
     return [
-        tr("1. Walls: sizes, mechanism, what stands behind them (left, or Table… for many)."),
+        tr("1. Walls: dimensions, mechanism, what stands behind them (left, or Table… for many)."),
         tr("2. Demand: a_g, spectrum, confidence factor; records: drop files, or Generate…"),
         tr("3. F5. Then this overview, the tab Check of each wall, and File → Export."),
     ]
@@ -69,7 +69,7 @@ class WallsTab(QWidget):
         )
         self.table.cellDoubleClicked.connect(lambda row, _: self._picked(row))
         self.table.cellClicked.connect(lambda row, column: self._picked(row) if column == 0 else None)
-        self.table.setToolTip(tr("Click the name of a wall to open it, a head to sort by it."))
+        self.table.setToolTip(tr("Click the name of a wall to open it, a column title to sort."))
         self.table.horizontalHeader().setSectionsClickable(True)
         self.table.horizontalHeader().sectionClicked.connect(self._sort)
         self.pairs = Table(

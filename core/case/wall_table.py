@@ -1,4 +1,4 @@
-"""Walls of a table: .xlsx or .csv, one row a wall; units in a row below the heads, or in the heads."""
+"""Walls of a table: .xlsx or .csv, one row a wall; units in a row below the column titles, or in the titles."""
 
 import csv
 import functools
@@ -242,11 +242,11 @@ def _xlsx_rows(content: bytes) -> tuple[list[list[str]], list[Sentence]]:
 
 
 def walls_of(rows: list[list[str]], with_demand: bool = False) -> list[Wall]:
-    """Walls of a table's cells: a row of heads, a row of units, one row a wall; empty rows are skipped.
+    """Walls of a table's cells: a row of column titles, a row of units, one row a wall; empty rows are skipped.
     with_demand : an empty height of the base is an error, never the ground."""
     rows = [(n, row) for n, row in enumerate(rows, start=1) if n == 2 or any(row)]
     if len(rows) >= 2 and rows[1][0] == 2 and not _is_units(rows[1][1]):
-        rows.insert(1, (0, []))  # the heads name their units
+        rows.insert(1, (0, []))  # the titles name their units
     if len(rows) < 3:
         raise InputError("table_rows")
     if len(rows) > MAX_ROWS or len(rows[0][1]) > 4 * MAX_COLUMNS:

@@ -42,7 +42,7 @@ def dynamic_check(book: Book, result: StudyResult) -> None:
     title(sheet, 1, say("Dynamic check, Circolare 7/2019 C8.7.1.2.1.9"))
     walls = [wall for wall in result.walls if wall.assessment and wall.assessment.dynamic]
     if not walls:
-        text(sheet, 3, 1, say("Not made: it takes records, a demand at SLV or SLC, and a wall on the ground."))
+        text(sheet, 3, 1, say("Not made: it needs records, a demand at SLV or SLC, and a wall on the ground."))
         return
     row = paragraph(
         sheet,
@@ -172,7 +172,7 @@ def spectral_compatibility(book: Book, result: StudyResult) -> None:
     sheet = book.sheet("Spectral compatibility", widths, landscape=True)
     title(sheet, 1, say("Compatibility of the records with the target spectrum"))
     if compliance is None:
-        text(sheet, 3, 1, say("Not shown: it takes records and a target spectrum, of a code or of a file."))
+        text(sheet, 3, 1, say("Not shown: it needs records and a target spectrum, from a code or a file."))
         return
     verdict = say("The set is compatible") if compliance.compatible else say("The set is not compatible")
     text(

@@ -23,8 +23,9 @@ def floors(book: Book, result: StudyResult) -> None:
         sheet,
         2,
         say(
-            "The floor moves with the modes of the linear building, what they leave out with the ground. C multiplies "
-            "the record of the ground. Code and records are compared at the mechanism's damping; nothing is rescaled."
+            "The floor moves with the modes of the linear building; what they leave out moves with the ground. "
+            "C multiplies the record of the ground. Code and records are compared at the damping of the mechanism; "
+            "nothing is rescaled."
         ),
         8,
         105,

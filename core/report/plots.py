@@ -269,8 +269,8 @@ def survival_map(book: Book, result: StudyResult) -> None:
         sheet,
         2,
         say(
-            "White survives, red collapses, between them both within a column of 2 % in q; grey was "
-            "not analysed. A white field right of a red one is a wall surviving a stronger motion."
+            "White: the wall survives. Red: it collapses. Shades between: both occur within a column of 2 % in q. "
+            "Grey: not analysed. A white field to the right of a red one is a wall that survives a stronger motion."
         ),
         60,
         170,

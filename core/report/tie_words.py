@@ -11,9 +11,9 @@ def tie_words(say: Callable[..., str], tie: TieDesign) -> str:
     if tie.hinges == 1:
         return words
     if tie.governing is None:
-        return f"{words} {say('One of its {n} hinges does not reach it with any.', n=tie.hinges)}"
+        return f"{words} {say('One of its {n} hinges does not reach the ζ required with any tie.', n=tie.hinges)}"
     force = 1e-3 * tie.governing
-    more = say("The weakest of its {n} hinges asks {force:.2f} kN/m.", n=tie.hinges, force=force)
+    more = say("The weakest of its {n} hinges requires {force:.2f} kN/m.", n=tie.hinges, force=force)
     return f"{words} {more}"
 
 
@@ -35,6 +35,6 @@ def _own_tie(say: Callable[..., str], tie: TieDesign) -> str:
         **values,
     )
     caution = say(
-        "Not for sizing a tie: a bar yields and is slack when the wall comes back, and other checks ask more."
+        "Not for sizing a tie: a bar yields and is slack when the wall comes back, and other checks require more."
     )
     return f"{found} {caution}"

@@ -391,7 +391,7 @@ def test_that_a_full_folder_of_temporary_files_is_one_sentence(case, tmp_path, m
     monkeypatch.setattr(_writer, "create_temporary_file", full)
     assert call("--batch", case, "--output", tmp_path / "out", "--quiet") == 1
     error = capsys.readouterr().err
-    assert "the workbook cannot be made (No space left on device)" in error and "TMPDIR" in error
+    assert "the workbook cannot be created (No space left on device)" in error and "TMPDIR" in error
     assert [path.suffix for path in (tmp_path / "out").iterdir()] == [".journal"]
 
 

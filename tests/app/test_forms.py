@@ -51,7 +51,7 @@ def test_that_a_carried_mass_to_be_sized_leaves_undo_alive(opened, faults):
     before = opened.session.case
     opened.walls.loads.add("carried_mass")
     assert faults == [] and opened.actions_of.undo.isEnabled()
-    assert "to be given" in opened.walls.impact.formula.text()
+    assert "still missing" in opened.walls.impact.formula.text()
     opened.actions_of.undo.trigger()
     assert opened.session.case == before
 

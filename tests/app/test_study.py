@@ -183,7 +183,7 @@ def test_that_a_short_run_has_its_own_files(small, tmp_path):
     [
         (["--study", "nowhere.toml"], "nowhere.toml: there is no such study: paper, law"),
         (["--study", "{small}", "--records", "{small}"], "unknown key"),
-        (["--study", "{small}", "--records", "nowhere"], "no such folder of records"),
+        (["--study", "{small}", "--records", "nowhere"], "no such folder or list of records"),
         (["--study", "{broken}"], "did you mean height_m"),
     ],
 )

@@ -62,7 +62,7 @@ STRENGTH = {"compressive_strength_mpa": 2.0, "unit_weight_kn_m3": 18.0}
                     }
                 ]
             },
-            ["general block takes no"],
+            ["general block accepts neither"],
         ),
         (
             without("thickness_m", "height_m", slenderness_deg=5.0, radius_m=3.0, inertia_over_mass_m2=400.0),

@@ -149,7 +149,7 @@ def test_that_a_lying_dimension_changes_nothing(tmp_path):
         (book([*ROWS, ["b", 5, 0.5, "sideways"]]), "row 4.*mechanism"),
         (book([*ROWS, ["b", 500, 0.5, "two_sided"]]), "row 4.*height_m = 500"),
         (book([["Wall", "Parete"], ["", ""], ["a", "b"]]), "twice"),
-        (book(ROWS[:2]), "a row of heads"),
+        (book(ROWS[:2]), "a row of column titles"),
         (book([*ROWS, ["a", 5, 0.5, "both", None, 7]]), "beyond the last column"),
     ],
 )
@@ -250,7 +250,7 @@ def test_that_unicode_text_of_a_spreadsheet_is_read_or_refused_by_name(tmp_path)
     path.write_bytes(rows.encode("utf-16"))
     assert read_walls(path)[0].name == "è"
     path.write_bytes(rows.encode("utf-16-le"))
-    with pytest.raises(InputError, match="no text: save the table as"):
+    with pytest.raises(InputError, match="not text: save the table as"):
         read_walls(path)
 
 

@@ -56,7 +56,7 @@ def test_that_the_units_a_column_takes_are_listed():
 @pytest.mark.parametrize(
     ("head", "unit", "word"),
     [
-        ("t (mm)", "cm", "names mm, the row of units below it cm"),
+        ("t (mm)", "cm", "names mm, but the row of units below it names cm"),
         ("H [cm]", "m", "names cm"),
         ("E [GPa]", "MPa", "names GPa"),
         ("t (mm.)", "cm", "names mm."),

@@ -234,7 +234,7 @@ def test_that_a_spectrum_of_a_file_gives_its_points_and_its_ends():
     ("rows", "words"),
     [
         ([(0.1, 1.0)] * 3, "too few"),
-        ([(0.1, 1.0), (0.1, 1.0), (0.2, 1.0), (1.0, 1.0), (3.0, 1.0)], "must rise"),
+        ([(0.1, 1.0), (0.1, 1.0), (0.2, 1.0), (1.0, 1.0), (3.0, 1.0)], "must increase"),
         ([(0.2, 1.0), (0.3, 1.0), (0.4, 1.0), (1.0, 1.0), (3.0, 1.0)], "0.1 to 2.5"),
         ([(0.0, 2.0), (0.1, 7.0), (0.4, 7.0), (1.0, 3.0), (3.0, 1.0)], "starts at"),
         ([(0.05, 49.0), (0.1, 49.0), (0.4, 49.0), (1.0, 49.0), (3.0, 49.0)], "is the file in g"),
@@ -249,7 +249,7 @@ def test_that_a_wrong_file_of_a_spectrum_is_refused(rows, words):
 @pytest.mark.parametrize("head", ["T[ms] Se[g]", "T (s); Se (m/s2)", "period [s] Se [cm/s2]", "f [Hz] Se"])
 def test_that_a_spectrum_file_headed_by_other_units_is_refused(tmp_path, head):
     (tmp_path / "s.txt").write_text(f"{head}\n0 0.2\n0.5 0.5\n2 0.1\n4 0.05\n")
-    with pytest.raises(InputError, match="the head names"):
+    with pytest.raises(InputError, match="the header names"):
         target_of(Demand(0.2, spectrum_file="s.txt"), tmp_path)
 
 

@@ -170,7 +170,7 @@ def test_that_a_weaker_motion_that_fails_is_said_also_above_the_target():
         found = said(zeta, q2=1.1, check={"holds_at_target": True, "zeta_first": 0.9 * zeta})
         kind = found.limits if zeta < target else found.notes
         (words,) = [one for one in kind if one.code == "weaker_fails"]
-        assert f"{0.9 * zeta:.3f} of the demand" in words.text("en")
+        assert f"{0.9 * zeta:.3f} times the demand" in words.text("en")
         assert found.code == ("q2_unsafe" if zeta < target else "verified")
     assert "weaker_fails" not in codes(said(1.3, q2=1.1, check={"zeta_first": 1.3}).reasons)
 
@@ -233,7 +233,7 @@ def test_that_an_input_that_turns_the_outcome_is_indicative_until_it_is_justifie
 def test_that_failing_neighbours_of_a_demand_that_is_met_are_counted():
     found = said(1.05, q2=1.1, check={"zeta_16": 0.97, "share_failing_at_demand": 0.31})
     (words,) = [one for one in found.limits if one.code == "share"]
-    assert found.code == "verified" and "31% fail" in words.text("en")
+    assert found.code == "verified" and "31% of the multipliers" in words.text("en")
     assert "31% non soddisfa" in words.text("it")
     assert "share" not in codes(said(1.05, q2=1.1, check={"zeta_16": 1.0}).limits)
 
@@ -242,7 +242,7 @@ def test_that_another_target_than_one_is_said():
     check = {"zeta_16": 0.78, "share_failing_at_demand": 0.2}
     found = said(0.85, q2=0.9, zeta_target=0.8, check=check)
     assert "ζ 0.85 (required 0.8)" in found.text("en")
-    assert any("10 % of 0.8 of the demand 20% fail" in one.text() for one in found.limits)
+    assert any("20% of the multipliers within 10 % of 0.8 times the demand fail" in one.text() for one in found.limits)
     whole = said(1.1, q2=1.2, zeta_target=0.8, check={"holds": False})
     assert any("fails at the demand itself" in one.text() for one in whole.limits)
 

@@ -312,12 +312,14 @@ def test_that_hidden_samples_and_formulas_of_a_sheet_are_read_and_said(writer):
     assert np.array_equal(read(hidden).acceleration, MOTION)
     assert notes(hidden) == [
         "Hidden rows of the sheet were read like the others: 5, 6. Do they belong to the record?",
-        "Hidden columns of the sheet count like the others: B (a [m/s2]). Is the column that is read the one meant?",
+        "Hidden columns of the sheet count like the others: B (a [m/s2]). Is the column read the intended one?",
         "Hidden sheets of the workbook were not read: Grezzi.",
     ]
     formulas = [*SAMPLES[:40], [SAMPLES[40][0], Formula("1", SAMPLES[40][1])]]
     assert np.array_equal(read(written_by(writer, formulas)).acceleration, MOTION)
-    assert notes(written_by(writer, formulas)) == ["Formulas of the sheet were read by the values last computed: B41."]
+    assert notes(written_by(writer, formulas)) == [
+        "Formulas of the sheet were read with their last computed values: B41."
+    ]
 
 
 def test_that_a_sheet_beyond_its_limits_is_refused_and_never_cut():

@@ -54,15 +54,15 @@ def test_that_a_velocity_without_unit_is_not_guessed(shelf):
         ("0.00 nan\n0.01 nan\n" + two(), {"unit": "g"}, "line 1.*gap"),
         ("inf\n" + column(), {"unit": "g", "time_step": 0.01}, "line 1.*gap"),
         ("********\n" + column(), {"unit": "g", "time_step": 0.01}, "line 1.*gap"),
-        (",-1\n1\n1\n", {"unit": "g"}, "line 2: 1 columns, 2 above"),
+        (",-1\n1\n1\n", {"unit": "g"}, "line 2: 1 columns, but 2 in the line above"),
         ("41\n0.01\n" + column(), {"unit": "g", "time_step": 0.01}, "count of samples"),
         ("1940\n" + column(), {"unit": "g", "time_step": 0.01}, "beyond any earthquake"),
         (two().replace("0.61280", "6.1e200"), {"unit": "g"}, "beyond any earthquake"),
         (column().replace("0.61280", "6.1e400"), {"unit": "g", "time_step": 0.01}, "line 2"),
         (two(every=1e-9, places=12), {"unit": "g"}, "1e-05 to 0.5 s"),
         (two(), {}, "give unit"),
-        (two().replace("0.05 ", "0.06 "), {"unit": "g"}, "sorted and even"),
-        (two().replace("0.05 ", "0.03 "), {"unit": "g"}, "sorted and even"),
+        (two().replace("0.05 ", "0.06 "), {"unit": "g"}, "increase in even steps"),
+        (two().replace("0.05 ", "0.03 "), {"unit": "g"}, "increase in even steps"),
         (thousandths(drop=20), {"unit": "g"}, "without gaps"),
         (thousandths(double=20), {"unit": "g"}, "without gaps"),
         (thousandths(jump=20), {"unit": "g"}, "without gaps"),
@@ -75,7 +75,7 @@ def test_that_a_velocity_without_unit_is_not_guessed(shelf):
         (two() + "0.40 ١٢\n", {"unit": "g"}, "not numbers"),
         (two() + "0.40 1e400\n", {"unit": "g"}, "too large"),
         (two() + "0.40 1 2\n", {"unit": "g"}, "3 columns"),
-        (two(" ", "{0:.5f} {0:.5f}"), {"unit": "g"}, "3 columns: say which"),
+        (two(" ", "{0:.5f} {0:.5f}"), {"unit": "g"}, "3 columns: give the column"),
         (two(" ", "{0:.5f} {0:.5f}"), {"unit": "g", "column": 7}, "column = 7"),
         (peer(), {"column": 2}, "leave it out"),
         (peer(declared="4" * 5000), {}, "declares 4"),
@@ -293,7 +293,7 @@ def test_that_no_line_takes_more_than_linear_time(write, line):
 def test_that_what_no_record_is_long_is_refused_before_it_takes_the_memory(write):
     with pytest.raises(RecordError, match="more than 5000000 numbers"):
         records.read(write(b"1 " * 5_000_002), Options("g", 0.01))
-    with pytest.raises(RecordError, match="MB is no accelerogram"):
+    with pytest.raises(RecordError, match="MB is too large for an accelerogram"):
         records.read(write(b"1.0000\n" * 3_000_000), Options("g", 0.01))
 
 

@@ -44,7 +44,6 @@ STATES = {
 """They say what is the case, or what is accepted, and advise nothing that lifts zeta."""
 
 LOWERS = {
-    "blank_among_samples",
     "column_of_plain_text",
     "confidence_below_level",
     "eq7_above_one",
@@ -66,17 +65,17 @@ LOWERS = {
 """What they advise lowers zeta or leaves it: less is counted, the file decides, the spectrum does."""
 
 CONDITION = {
-    "confidence_needs_strength": "in alpha",
+    "confidence_needs_strength": "whose alpha includes",
     "eq4_negative": "must come from tests",
-    "loads_contradict": "if they are not there",
+    "loads_contradict": "if they do not exist",
     "low_confidence_factor": "investigated",
     "modes_or_period": "state their period",
-    "no_check": "of an element free to vibrate",
+    "no_check": "for an element free to vibrate",
     "restitution_one_sided": "is for",
     "reason_says_nothing": "why its value holds",
     "restraint_unnamed": "what stands behind the wall",
     "strengthen": "check it again",
-    "two_sided_loads_rigid": "more than the wall has",
+    "two_sided_loads_rigid": "assume a restraint behind",
 }
 """They name such an input together with what it takes: code -> words of it."""
 

@@ -230,7 +230,7 @@ def test_that_a_place_is_said_once_from_the_outside_in():
 
 def test_that_a_value_nobody_gave_is_an_error_of_the_program():
     with pytest.raises(KeyError):
-        localized("window", "{path} is there already. Overwrite it?", "it")
+        localized("window", "{path} already exists. Overwrite it?", "it")
     with pytest.raises(KeyError):
         sentence("window", "no such words")
 
