@@ -356,7 +356,7 @@ def test_that_a_package_that_differs_from_the_lock_is_not_a_matter_of_the_networ
     os.makedirs(os.path.dirname(fresh.LOG), exist_ok=True)
     words = "ERROR: THESE PACKAGES DO NOT MATCH THE HASHES FROM THE REQUIREMENTS FILE."
     command = [sys.executable, "-c", f"print({words!r}); raise SystemExit(1)"]
-    with pytest.raises(fresh.Failure, match="not the one requirements.lock names"):
+    with pytest.raises(fresh.Failure, match="not the one named in requirements.lock"):
         fresh.logged(command, "the installation failed: check the network")
 
 

@@ -126,7 +126,7 @@ def test_that_a_failed_export_keeps_a_closing_window_open_to_say_so(opened, appl
     opened.close()
     held.let_go()
     settle(application, lambda: opened.job is None)
-    assert said == ["The picture cannot be made."] and opened.isVisible()
+    assert said == ["The picture cannot be created."] and opened.isVisible()
 
 
 def test_that_a_finished_job_is_kept_by_nobody(opened, application):

@@ -258,6 +258,7 @@ def test_that_the_stored_law_holds_for_shapes_and_seeds_it_has_never_seen(paper,
     assert abs(found.bias) < 0.08 and found.scatter < 1.5 * fitted.scatter_record
 
 
+@pytest.mark.long
 def test_that_the_italian_study_has_the_same_numbers(small, tmp_path):
     assert call("--study", small, "--quiet") == 0
     _, runs = content(tmp_path)

@@ -57,7 +57,7 @@ def test_that_a_fault_of_any_call_leaves_both_old_files_or_both_new(tmp_path, mo
         # a disk on which nothing can be put back any more: whole files all the same
         assert all(content in (b"old 1", b"new 1", b"old 2", b"new 2") for content in left.values())
         new = [name for name, content in left.items() if content.startswith(b"new")]
-        assert ("is untouched" in said) == (not new)
+        assert ("is unchanged" in said) == (not new)
         assert all(str(tmp_path / name) in said for name in new)
     else:
         assert left == both[0 if written else 1], (written, faults.count)
@@ -199,7 +199,7 @@ def test_that_a_rename_refused_for_ever_names_the_file_that_is_new(tmp_path, mon
     monkeypatch.setattr(os, "replace", refused)
     with pytest.raises(OutputError) as caught:
         atomic_write.write({one: b"new 1", two: b"new 2"})
-    assert "untouched" not in str(caught.value)
+    assert "unchanged" not in str(caught.value)
     assert str(one) in str(caught.value) and str(two) in str(caught.value)
     assert (one.read_bytes(), two.read_bytes()) == (b"new 1", b"old 2")
     assert len(os.listdir(tmp_path)) == 2
@@ -348,7 +348,7 @@ def test_that_a_second_file_that_cannot_take_its_place_puts_the_first_back(tmp_p
     first, second = tmp_path / "a.xlsx", tmp_path / "b.json"
     first.write_text("old")
     second.mkdir()
-    with pytest.raises(Exception, match="what was there is untouched"):
+    with pytest.raises(Exception, match="what was there is unchanged"):
         atomic_write.write({first: b"new", second: b"new"})
     assert first.read_text() == "old"
     first.unlink()
