@@ -71,7 +71,7 @@ def test_that_a_line_of_another_study_is_not_taken(tmp_path):
 def test_that_a_file_of_somebody_else_is_never_touched(tmp_path, content):
     path = tmp_path / "c.journal"
     path.write_bytes(content)
-    with pytest.raises(OutputError, match="no journal of Ribalta"):
+    with pytest.raises(OutputError, match="not a journal of Ribalta"):
         Journal(path, KEY, False)
     assert path.read_bytes() == content
 
