@@ -204,13 +204,14 @@ def d0(radius, slenderness):
     return radius * sin(slenderness)
 
 
+@quantity("d_C", "m", "C8.7.1.4", 4)
+def d_c(x, y, theta_c):
+    return x - sqrt(x**2 + y**2) * sin(arctan(x / y) - 180 * theta_c / pi)
+
+
 @quantity("d_0", "m", "C8.7.1.4", 4, name="d0")
-def d0_with_loads(x, y, theta_c, w, wy, qh, loads):
-    return (
-        (x - sqrt(x**2 + y**2) * sin(arctan(x / y) - 180 * theta_c / pi))
-        * (w * y**2 + sum(load.q * load.h**2 for load in loads))
-        / (y * (wy + qh))
-    )
+def d0_with_loads(d_c, w, y, wy, qh, loads):
+    return d_c * (w * y**2 + sum(load.q * load.h**2 for load in loads)) / (y * (wy + qh))
 
 
 @quantity("d_{state}", "m", "C8.7.1.2.1.6", 4)

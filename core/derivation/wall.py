@@ -258,11 +258,12 @@ def displacement(result: StudyResult, wall: WallResult) -> Section:
         return Section(title, [])
     damping = 100.0 * DAMPING[state]
     constants = {"share": LIMIT_FRACTION[state], "factor": PERIOD_FACTOR[state] / math.pi, "damping": damping}
-    if wall.wall.load:
-        agree = sides_agree(wall)
-        d0 = Line(checks.d0_with_loads if agree else checks.D0_GIVEN, kinematic.d0, LIVE if agree else RUN, SYMBOLS)
+    if not wall.wall.load:
+        d0 = [Line(checks.d0, kinematic.d0, note=FULL)]
+    elif sides_agree(wall):
+        d0 = [_centroid_at_collapse(wall), Line(checks.d0_with_loads, kinematic.d0, note=SYMBOLS)]
     else:
-        d0 = Line(checks.d0, kinematic.d0, note=FULL)
+        d0 = [Line(checks.D0_GIVEN, kinematic.d0, RUN, VALUE)]
     largest = "largest between T_0 and T_{state}"
     if kinematic.floor:
         s_de = Line(checks.S_DEZ_GIVEN, kinematic.s_de, RUN, VALUE, largest)
@@ -271,7 +272,7 @@ def displacement(result: StudyResult, wall: WallResult) -> Section:
     else:
         s_de = Line(checks.S_DE_GIVEN, kinematic.s_de, RUN, VALUE, largest)
     lines: list[Line | Columns] = [
-        d0,
+        *d0,
         Line(checks.d_limit, kinematic.d_limit, note=FULL),
         Line(checks.a_limit, kinematic.a_limit, note=FULL),
         Line(checks.period, kinematic.period, note=FULL),
@@ -307,6 +308,14 @@ def dynamic(wall: WallResult) -> Section:
         words = {"on": other}
         lines.append(Line(checks.ZETA_OTHER, check.zeta_other.zeta, RUN, VALUE, other, "ζ_E, {on}", words))
     return Section(title, lines)
+
+
+def _centroid_at_collapse(wall: WallResult) -> Line:
+    """Displacement of the centroid where nothing holds the wall any more."""
+    bare, model = wall.wall.bare_block(), wall.model
+    restoring = model.restoring if governing_side(wall) > 0.0 else model.mirrored
+    turned = bare.slenderness - (wall.block.slenderness + restoring.lean)
+    return Line(checks.d_c, bare.radius * (math.sin(bare.slenderness) - math.sin(turned)), note=SYMBOLS)
 
 
 def risk(result: StudyResult, wall: WallResult) -> Section:

@@ -146,11 +146,12 @@ class _Writer:
         row._tr.get_or_add_trPr().append(OxmlElement("w:tblHeader"))
 
     def _derivation(self, steps) -> None:
-        from docx.oxml import parse_xml
+        from docx.oxml import OxmlElement, parse_xml
 
         table = self.made.add_table(len(steps), 3, style="Normal Table")
         self._cells(table, (11.0, 3.6, 2.4))
         for row, step in zip(table.rows, steps, strict=True):
+            row._tr.get_or_add_trPr().append(OxmlElement("w:cantSplit"))
             first, second, third = (cell.paragraphs[0] for cell in row.cells)
             lines = [parse_xml(line) for line in equations(step, self.words.language)]
             first._p.append(lines[0])

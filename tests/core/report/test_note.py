@@ -5,6 +5,7 @@ import re
 import shutil
 import subprocess
 from dataclasses import replace
+from xml.etree import ElementTree
 
 import numpy as np
 import openpyxl
@@ -20,6 +21,7 @@ from core.errors import InputError, OutputError
 from core.report import workbook
 from core.report.derived import cell_prefix
 from core.report.note.content import note
+from core.report.note.equation import LONGEST, equations, width
 from core.report.note.parts import Derivation, Figures, Paragraph, Step, Table
 from core.report.verdict_words import lines_of, sentence_of
 from core.study.demand_histories import deciding_runs, demand_histories
@@ -157,6 +159,13 @@ def test_the_document_opens_and_says_what_the_note_says(verdict):
     decimals = [line for line in text if re.search(r"(?<![\dC.])\d\.\d(?![\d.]*\.)", line)]
     allowed = re.compile(r"C8\.7|C7\.2|NTC 2018 10\.2|^3\.2\.|Ribalta|^0\.\d+\.\d")
     assert [line for line in decimals if not allowed.search(line)] == []
+
+
+@pytest.mark.parametrize("which", ["building", "verdict"])
+def test_that_no_equation_is_wider_than_its_column(which, request):
+    for step in steps_of(note(request.getfixturevalue(which), "it")):
+        for line in equations(step, "it"):
+            assert width(ElementTree.fromstring(line)) <= LONGEST, step.symbol
 
 
 def test_that_the_batch_writes_the_document_or_refuses_before_the_run(tmp_path, monkeypatch, capsys):
