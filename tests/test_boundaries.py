@@ -152,6 +152,10 @@ SHOWN_BY = {
         for name in ("body", "checks", "closed_forms", "demand", "functions", "line", "site")
     },
     "known_internals": "tests/core/jit/test_numba_extensions.py",
+    **dict.fromkeys(
+        ("rocking/bar_state", "rocking/series_with_bars", "rocking/taylor_with_bars", "wall/bars"),
+        "tests/validation/test_tied_walls.py",
+    ),
     "derivation/quantity": "tests/core/derivation/test_faces.py",
     **{
         f"report/note/{name}": "tests/core/report/test_note.py"

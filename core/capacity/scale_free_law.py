@@ -139,19 +139,21 @@ plateau."""
 FITTED: dict[tuple[str, str, str], ScaleFreeLaw] = {
     ("two_sided", "rigid", "q"): ScaleFreeLaw((-0.092, 3.777, 1.589, -1.087), 1.0, 0.131, 0.194, PI_RANGE, TWO),
     ("two_sided", "rigid", "q_slv"): ScaleFreeLaw((-1.105, 4.629, 1.679, -1.513), 1.0, 0.155, 0.192, PI_RANGE, TWO),
-    ("two_sided", "doherty", "q"): ScaleFreeLaw((0.147, 3.599, 1.747, -1.297), 0.72, 0.237, 0.318, PI_TRI, TWO_TRI),
-    ("two_sided", "doherty", "q_slv"): ScaleFreeLaw((-0.875, 4.242, 1.935, -1.974), 0.72, 0.299, 0.36, PI_TRI, TWO_TRI),
+    ("two_sided", "doherty", "q"): ScaleFreeLaw((0.147, 3.601, 1.748, -1.299), 0.72, 0.238, 0.319, PI_TRI, TWO_TRI),
+    ("two_sided", "doherty", "q_slv"): ScaleFreeLaw(
+        (-0.877, 4.247, 1.937, -1.979), 0.72, 0.301, 0.362, PI_TRI, TWO_TRI
+    ),
     ("two_sided", "al_shawa", "q"): ScaleFreeLaw((0.087, 3.719, 1.733, -1.31), 0.72, 0.225, 0.298, PI_TRI, TWO_TRI),
     ("two_sided", "al_shawa", "q_slv"): ScaleFreeLaw(
-        (-1.018, 4.647, 1.953, -2.107), 0.72, 0.286, 0.335, PI_TRI, TWO_TRI
+        (-1.019, 4.65, 1.954, -2.109), 0.72, 0.286, 0.336, PI_TRI, TWO_TRI
     ),
-    ("one_sided", "rigid", "q"): ScaleFreeLaw((-0.659, 2.826, 0.651, -0.197), 1.0, 0.138, 0.154, PI_RANGE, ONE),
+    ("one_sided", "rigid", "q"): ScaleFreeLaw((-0.659, 2.826, 0.652, -0.197), 1.0, 0.138, 0.154, PI_RANGE, ONE),
     ("one_sided", "rigid", "q_slv"): ScaleFreeLaw((-0.832, 2.691, 0.463, 0.018), 1.0, 0.147, 0.16, PI_RANGE, ONE),
-    ("one_sided", "doherty", "q"): ScaleFreeLaw((-0.385, 2.253, 0.277, 0.319), 0.72, 0.15, 0.166, PI_RANGE, ONE_TRI),
+    ("one_sided", "doherty", "q"): ScaleFreeLaw((-0.386, 2.253, 0.277, 0.319), 0.72, 0.15, 0.166, PI_RANGE, ONE_TRI),
     ("one_sided", "doherty", "q_slv"): ScaleFreeLaw(
-        (-0.336, 1.782, 0.179, 0.475), 0.72, 0.154, 0.171, PI_RANGE, ONE_TRI
+        (-0.336, 1.781, 0.179, 0.475), 0.72, 0.154, 0.171, PI_RANGE, ONE_TRI
     ),
-    ("one_sided", "al_shawa", "q"): ScaleFreeLaw((-0.323, 2.249, 0.224, 0.356), 0.72, 0.149, 0.164, PI_RANGE, ONE_TRI),
+    ("one_sided", "al_shawa", "q"): ScaleFreeLaw((-0.323, 2.249, 0.223, 0.356), 0.72, 0.149, 0.164, PI_RANGE, ONE_TRI),
     ("one_sided", "al_shawa", "q_slv"): ScaleFreeLaw(
         (-0.262, 1.806, 0.075, 0.557), 0.72, 0.15, 0.165, PI_RANGE, ONE_TRI
     ),

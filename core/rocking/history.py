@@ -5,10 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.rocking import lane_scheduler, taylor
+from core.rocking import lane_scheduler, taylor, taylor_with_bars
 from core.rocking.compared.comparison import integrate_comparison, scan_comparison
 from core.rocking.lane_scheduler import Grounds
-from core.rocking.methods import METHODS, NO_TABLE, TAYLOR, Method, resolve_auto
+from core.rocking.methods import METHODS, NO_TABLE, TAYLOR, Method, require_taylor, resolve_auto
 from core.rocking.outcome import BAD_INPUT, MAX_GROUND
 from core.wall.rocking_model import RockingModel
 
@@ -50,6 +50,9 @@ def scan_records(method: Method, grounds: Grounds, which, scales, model, outcome
             clamped[sound] = scan_records(method, grounds, which[sound], scales[sound], model, codes, reached)
             outcomes[sound], peaks[sound] = codes, reached
         return clamped
+    if model.bars:
+        require_taylor(method)
+        return taylor_with_bars.scan(grounds, which, scales, model, outcomes, peaks)
     method = resolve_auto(method, model, grounds.dt)
     if method.code == TAYLOR:
         return lane_scheduler.scan(method.order, grounds, which, scales, model, outcomes, peaks)
@@ -83,6 +86,8 @@ class History:
     outcome : a code of outcome.py
     peak : largest |rotation|, the free motion after the record included [rad]
     clamped : count of impacts whose Eq. 7 was held at 0
+    residual : of each bar of the wall, its residual elongation over its height at the samples, inf where it has gone;
+        shape (bars, samples)
     """
 
     rotation: np.ndarray
@@ -92,6 +97,7 @@ class History:
     outcome: int
     peak: float
     clamped: int
+    residual: np.ndarray
 
 
 def history(
@@ -109,15 +115,21 @@ def history(
     largest = abs(scale) * float(np.abs(ground).max(initial=0.0))
     if not (largest <= MAX_GROUND and math.isfinite(start[0]) and math.isfinite(start[1])):
         none = np.zeros(0)
-        return History(none, none, none, none, BAD_INPUT, 0.0, 0)
+        return History(none, none, none, none, BAD_INPUT, 0.0, 0, none.reshape(0, 0))
+    if model.bars:
+        require_taylor(method)
     method = resolve_auto(method, model, dt)
-    rotation = np.zeros(ground.size)
-    velocity = np.zeros(ground.size)
+    trace = np.zeros((2 + len(model.bars), ground.size))
+    rotation, velocity = trace[:2]
     times = np.zeros(4096)
     while True:
         velocities = np.zeros(times.size)
         wanted = (start, rotation, velocity, times, velocities)
-        if method.code == TAYLOR:
+        if model.bars:
+            outcome, peak, impacts, clamped, done = taylor_with_bars.integrate(
+                ground, dt, scale, model, start, trace, times, velocities
+            )
+        elif method.code == TAYLOR:
             integrate = taylor.INTEGRATE[method.order]
             outcome, peak, impacts, clamped, done = integrate(ground, dt, scale, model, *wanted)
         else:
@@ -127,4 +139,13 @@ def history(
         if impacts <= times.size:
             break
         times = np.zeros(impacts)
-    return History(rotation[:done], velocity[:done], times[:impacts], velocities[:impacts], outcome, peak, clamped)
+    return History(
+        rotation[:done],
+        velocity[:done],
+        times[:impacts],
+        velocities[:impacts],
+        outcome,
+        peak,
+        clamped,
+        trace[2:, :done],
+    )

@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from core.jit.decorators import subkernel
 from core.units import G
+from core.wall.bars import Bar
 from core.wall.block import Block
 from core.wall.loads import BARE, RestoringMoment
 from core.wall.moment_rotation import MomentLaw
@@ -27,6 +28,8 @@ class RockingModel(NamedTuple):
         read it, see `seen_from`
     mirrored : the same for negative rotations
     lean, amplitude : of `RestoringMoment`, of the side with the smaller theta_c; both are alike if trilinear
+    bars : Bars that hold it when it turns outward; theta_c and a_RM are those of the wall without them. The kernels
+        of walls with bars take them apart from the rest, which then has none
     """
 
     slenderness: float
@@ -40,6 +43,7 @@ class RockingModel(NamedTuple):
     mirrored: RestoringMoment = BARE
     lean: float = 0.0
     amplitude: float = 1.0
+    bars: tuple[Bar, ...] = ()
 
     @property
     def collapse_rotation(self) -> float:
@@ -49,7 +53,7 @@ class RockingModel(NamedTuple):
     @property
     def both_signs_alike(self) -> bool:
         """Whether a record and its reverse do the same to it: two-sided, and alike on both sides."""
-        return self.one_sided == 0.0 and self.restoring == self.mirrored
+        return self.one_sided == 0.0 and self.restoring == self.mirrored and not self.bars
 
     @property
     def threshold(self) -> float:
@@ -73,6 +77,7 @@ def seen_from(model, side):
         model.mirrored if side > 0.0 else model.restoring,
         model.lean,
         model.amplitude,
+        model.bars,
     )
 
 
@@ -88,9 +93,10 @@ def rocking_model(
     restitution: Restitution,
     law: MomentLaw,
     loads: tuple[RestoringMoment, RestoringMoment] = (BARE, BARE),
+    bars: tuple[Bar, ...] = (),
 ) -> RockingModel:
     """The flat tuple of a wall for the kernels. loads : for positive and for negative rotations, of one collapse
-    rotation where the law is trilinear."""
+    rotation where the law is trilinear; bars : of a wall of the rigid law."""
     weaker = loads[0] if one_sided else min(loads, key=lambda side: side.lean)
     collapse = block.slenderness + weaker.lean
     return RockingModel(
@@ -105,4 +111,5 @@ def rocking_model(
         mirrored=loads[0] if one_sided else loads[1],
         lean=weaker.lean,
         amplitude=weaker.amplitude,
+        bars=bars,
     )
