@@ -2,10 +2,10 @@
 there, or into the page it is given."""
 
 import sys
-from dataclasses import MISSING, fields
+from dataclasses import fields
 from pathlib import Path
 
-from core.case.keys import NESTED
+from core.case.keys import NESTED, is_required
 from core.case.schema import sections
 from core.case.values import MAX_TEXT, accepted_by
 from core.text.sentence import word
@@ -36,7 +36,7 @@ def accepted_in(section: str, entry) -> str:
 
 def default_of(entry) -> str:
     """A default as a case file would have it."""
-    if entry.default is MISSING:
+    if is_required(entry):
         return "required"
     if entry.default in (None, "", ()):
         return "–"

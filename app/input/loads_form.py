@@ -10,9 +10,10 @@ from app.input.fields import ChoiceField, Field, connect
 from app.input.made_fields import make_fields
 from app.look.language import named, number, tr
 from app.work.session import Session
-from core.case.schema import Load, ReturnWalls, Wall
+from core.case.schema import Bars, Load, ReturnWalls, Wall
 from core.case.values import field_of
 from core.text.catalogue import CATALOGUE
+from core.wall.wall_loads import OF_A_TIE
 
 KINDS = field_of(Load, "kind").metadata["names"]
 
@@ -36,6 +37,7 @@ class LoadsForm(QGroupBox):
         self.list.currentRowChanged.connect(lambda _: self._show_load())
         self.kind = ChoiceField(Load, "kind", named_kinds())
         self.load_fields = [self.kind, *make_fields(Load, "size")]
+        self.former_bar: Bars | None = None
         self.wall_fields = make_fields(Wall, "held", first=("tie_height_m",))
         connect(self.load_fields, self._load_changed)
         connect(self.wall_fields, self._wall_changed)
@@ -57,7 +59,15 @@ class LoadsForm(QGroupBox):
         buttons.addWidget(self.delete_button)
         buttons.addStretch(1)
         column.addLayout(buttons)
-        for widget in (self.list, *self.load_fields, *self.wall_fields):
+        self.bars = QGroupBox(tr("Bars in place of the force"))
+        self.bars.setCheckable(True)
+        self.bars.toggled.connect(self._bars_toggled)
+        of_bars = QVBoxLayout(self.bars)
+        self.bar_fields = make_fields(Bars)
+        connect(self.bar_fields, self._bars_changed)
+        for field in self.bar_fields:
+            of_bars.addWidget(field)
+        for widget in (self.list, *self.load_fields, self.bars, *self.wall_fields):
             column.addWidget(widget)
         self.across = QGroupBox(tr("Friction of return walls (in α0 only)"))
         self.across.setCheckable(True)
@@ -112,7 +122,24 @@ class LoadsForm(QGroupBox):
             field.setVisible(load is not None)
             if load is not None:
                 field.show_value(getattr(load, field.key))
-                field.setVisible(field.key != "mass" or load.kind == "vertical")
+                field.setVisible(self._is_shown(load, field.key))
+        bar = load.bar if load is not None else None
+        self.bars.setVisible(load is not None and load.is_tie)
+        with QSignalBlocker(self.bars):
+            self.bars.setChecked(bar is not None)
+        for field in self.bar_fields:
+            field.setVisible(bar is not None)
+            if bar is not None:
+                field.show_value(getattr(bar, field.key))
+
+    @staticmethod
+    def _is_shown(load: Load, key: str) -> bool:
+        """Whether a load of this kind has this key."""
+        if key in OF_A_TIE:
+            return load.is_tie and (load.bar is None or key not in ("fy_mpa", "elongation_m"))
+        if key == "kn_m":
+            return load.bar is None
+        return key == "h_m" or key == "kind" or (not load.is_tie and (key != "mass" or load.kind == "vertical"))
 
     @staticmethod
     def _words(load: Load) -> str:
@@ -142,14 +169,33 @@ class LoadsForm(QGroupBox):
             self._edit(load=tuple(load for k, load in enumerate(self.wall.load) if k != row))
 
     def _load_changed(self, field: Field, value) -> None:
-        load, row = self.load, self.list.currentRow()
+        load = self.load
         if load is None or self.wall is None:
             return
         changed = replace(load, **{field.key: value})
-        if field.key == "kind" and value != "vertical":
-            changed = replace(changed, mass=None)
+        if field.key == "kind":
+            mass = load.mass if value == "vertical" else None
+            changed = Load(value, load.kn_m, load.h_m, None if value == "tie" else load.d_m, mass)
+        self._replace(changed, field.key)
+
+    def _bars_toggled(self, on: bool) -> None:
+        load = self.load
+        if load is None:
+            return
+        if not on:
+            self.former_bar = load.bar
+        empty = Bars("", "")  # type: ignore[arg-type]  # to be given
+        self._replace(replace(load, bar=(self.former_bar or empty) if on else None, kn_m=None), "bar")
+
+    def _bars_changed(self, field: Field, value) -> None:
+        if self.load is not None and self.load.bar is not None:
+            self._replace(replace(self.load, bar=replace(self.load.bar, **{field.key: value})), "bar", field.key)
+
+    def _replace(self, changed: Load, *key: str) -> None:
+        """Put this load in the place of the one that is shown."""
+        row = self.list.currentRow()
         loads = tuple(changed if k == row else one for k, one in enumerate(self.wall.load))
-        self._edit(("load", row, field.key), load=loads)
+        self._edit(("load", row, *key), load=loads)
 
     def _wall_changed(self, field: Field, value) -> None:
         self._edit((field.key,), **{field.key: value})

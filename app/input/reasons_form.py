@@ -27,6 +27,8 @@ def raised_by_wall(case: Case, wall: Wall) -> set[str]:
         "law": wall.law != "rigid",
         "free_element": wall.free_element is not None
         and any(wall.free_element != (mechanism == "two_sided") for mechanism in wall.mechanisms()),
+        "elongation_m": any(load.is_tie and (load.elongation_m or load.elongation) for load in wall.load),
+        "prestress": any(load.is_tie and load.prestress for load in wall.load),
         "base_z_m": case.demand is not None and at_height,
     }
     return {key for key, lifts in lifting.items() if lifts}

@@ -10,6 +10,7 @@ from app.views.chart import Chart
 from app.views.table import Table
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.eq9 import LABEL
+from core.report.tie_words import tie_lines
 from core.report.verdict_words import lines_of, sentence_of, tone_of
 from core.study.results import Q_SOURCES, StudyResult, WallResult
 from core.text.sentence import word
@@ -68,8 +69,7 @@ class CheckTab(QWidget):
         self.sentence.setText(sentence_of(result, wall, self.language))
         self.sentence.setStyleSheet(f"font-size: 12pt; font-weight: 600; color: {verdict_color(result, wall)};")
         reasons = lines_of(result, wall, self.language)
-        if assessment.tie is not None:
-            reasons.append(self._tie(assessment.tie))
+        reasons += tie_lines(wall, self.language)
         if assessment.kinematic:
             reasons.insert(0, self._mechanism(assessment))
         lines = [f"• {reason}" for reason in reasons] + [self._warnings(result, wall)]
@@ -152,27 +152,6 @@ class CheckTab(QWidget):
         if assessment.risk:
             parts += self._risk(assessment.risk)
         return "; ".join(parts)
-
-    @staticmethod
-    def _tie(tie) -> str:
-        """What a tie at the height asked for must hold, and its moments."""
-        values = {"h": tie.height, "zeta": digits(tie.zeta), "largest": 1e-3 * tie.largest}
-        if tie.force is None:
-            return tr("No tie at {h:.2f} m reaches the ζ required: {largest:.2f} kN/m gives {zeta}", **values)
-        if tie.force == 0.0:
-            return tr("No tie at {h:.2f} m is needed: ζ {zeta}", **values)
-        own, loads, force = (1e-3 * moment for moment in tie.holding)
-        moments = " + ".join(number(moment, ".2f") for moment in (own, loads, force))
-        pushing, alpha0 = number(1e-3 * tie.pushing, ".2f"), number(tie.alpha0, ".4f")
-        hand = f"α0 = ({moments}) / {pushing} = {alpha0}"
-        if tie.hinges > 1 and tie.governing is not None:
-            hand += "; " + tr("the weakest hinge requires {force:.2f} kN/m", force=1e-3 * tie.governing)
-        return tr(
-            "A tie of {force:.2f} kN/m at {h:.2f} m gives ζ {zeta}; by hand {hand}",
-            force=1e-3 * tie.force,
-            hand=hand,
-            **values,
-        )
 
     @staticmethod
     def _risk(risk) -> list[str]:

@@ -17,9 +17,15 @@ def key(kind: str, default=None, **rule):
     filled : the form shows its field where it is given only, and does not let it be emptied
     listed : of a whole number, its field is a list
     code : of a spectrum, the code that needs it; another one does not take it
+    required : also where an optional key stands before it
     columns : of a section or of tables, how the names of their columns in a table of walls begin
     """
     return field(default=default, metadata={"kind": kind, **rule})
+
+
+def is_required(entry) -> bool:
+    """Whether a section must have this key."""
+    return entry.default is MISSING or entry.metadata.get("required", False)
 
 
 def number_key(low, high, default=None, unit="", exclusive=False, whole=False, **rule):

@@ -3,10 +3,11 @@
 import hashlib
 import json
 import math
-from dataclasses import MISSING, fields, replace
+from dataclasses import fields, replace
 
 from core.case.hazard_table import check_rising
 from core.case.hinges import check_hinges, parts
+from core.case.keys import is_required
 from core.case.schema import Analysis, Case, Generate, Record, Report, Wall
 from core.case.site import FULL_FACTOR, KNOWLEDGE, Building, Demand, Spectrum
 from core.case.values import SHOWN, are_ends, field_of, refuse_unknown, repeated, section_of, value_of
@@ -37,6 +38,10 @@ NOTHING = {
 
 TESTED_STRENGTH = (0.5, 10.0)
 """Compressive strengths of masonry [MPa] that tests give."""
+
+
+METHODS_WITH_TIES = ("auto", "taylor", "taylor_6")
+"""Methods that know a tie; all of them are then the one of order 8."""
 
 
 def parse_case(table: dict) -> Case:
@@ -98,7 +103,7 @@ def draft_case(table: dict) -> Case:
         if not isinstance(content, dict):
             raise InputError("not_a_table_of_keys", name=name, value=repeated(content))
         refuse_unknown(cls, content, name, name)
-        values = {entry.name: "" for entry in fields(cls) if entry.default is MISSING}
+        values = {entry.name: "" for entry in fields(cls) if is_required(entry)}
         for entry in fields(cls):
             if entry.name in content:
                 values[entry.name] = value(entry, content[entry.name], name)
@@ -145,6 +150,12 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
             wall.moment_law()
         except InputError as error:
             raise error.at(place("wall", name=wall.name)) from None
+        if any(load.is_tie for load in wall.load):
+            if case.analysis.method not in METHODS_WITH_TIES:
+                found = case.analysis.method
+                raise InputError("tie_method", place=(section("[analysis]"),), key="method", found=found)
+            if case.analysis.accuracy:
+                raise InputError("tie_accuracy", place=(section("[analysis]"),), key="accuracy")
         if case.analysis.method == "linearised" and not wall.moment_law().is_rigid:
             raise InputError("linearised_is_rigid", place=(section("[analysis]"),), key="method", wall=wall.name)
         if case.building and (wall.base_z_m or 0.0) > case.building.height_m:
@@ -223,8 +234,10 @@ def check_confidence(demand: Demand, wall: Wall) -> None:
 
 
 def parse_wall(table: dict) -> Wall:
-    """One wall of a mapping with the keys of [[wall]]. Raises InputError."""
-    return section_of(Wall, table, "wall", place("wall", name=_name(table, 0)))
+    """One wall of a mapping with the keys of [[wall]], with its loads. Raises InputError."""
+    wall = section_of(Wall, table, "wall", place("wall", name=_name(table, 0)))
+    check_given(wall)
+    return wall
 
 
 def _building(table) -> Building:

@@ -9,7 +9,8 @@ from core.case.site import Building, Demand
 from core.errors import InputError, place
 from core.rocking.methods import AUTO, METHODS
 from core.text.sentence import Key, sentence
-from core.wall import wall_loads
+from core.wall import ties, wall_loads
+from core.wall.bars import Bar
 from core.wall.block import Block
 from core.wall.loads import BARE, RestoringMoment
 from core.wall.moment_rotation import LAWS, MomentLaw
@@ -37,39 +38,63 @@ AS_IS, DESIGNED = "stato di fatto", "progetto"
 
 
 @dataclass(frozen=True)
-class Load:
-    """[[wall.load]]: a force of constant size and direction on a metre of wall, or a mass that moves with it.
+class Bars:
+    """[wall.load.bar]: the steel bars of a tie, over the length of the wall.
 
-    kn_m : its size, positive [kN/m]; a thrust pushes outward, a tie pulls inward
-    d_m : from the outer face inward [m]; at the face where a thrust or tie has none
+    thread_mm : diameter of the thread at their ends, that of the bar if none is given
+    existing : of an existing building: f_y and f_u are mean values, which FC divides
+    anchorage_kn : least resistance of the anchorage of a bar (plate, bearing and punching of the masonry), found by the
+        engineer; without it the elongation of the bars is not counted on
+    """
+
+    number: int = number_key(1, 500, MISSING, whole=True)
+    diameter_mm: float = number_key(4.0, 100.0, MISSING, unit="mm")
+    fy_mpa: float = number_key(100.0, 1500.0, 235.0, unit="MPa")
+    fu_mpa: float = number_key(100.0, 2000.0, 360.0, unit="MPa")
+    thread_mm: float | None = number_key(4.0, 100.0, unit="mm")
+    existing: bool = flag_key()
+    anchorage_kn: float | None = number_key(0.0, 10000.0, unit="kN", exclusive=True)
+
+
+@dataclass(frozen=True)
+class Load:
+    """[[wall.load]]: a force of constant size and direction on a metre of wall, a mass that moves with it, or a tie.
+
+    kn_m : its size [kN/m]: of a thrust positive outward, else positive; of a tie its force at yield, in place of `bar`
+    d_m : from the outer face inward [m]; at the face where a thrust has none, always that of a tie
     h_m : above the hinge of the wall [m]
     mass : of a vertical load: held elsewhere, pushing the wall horizontally, or moving with it
+    bar_length_m and what follows : of a tie only
+    fy_mpa : with kn_m, gives the elongation at yield; 235 if none is given
+    elongation_m : what it stands, in place of `elongation` times its length; without either it is gone at yield
+    slack_mm : before it pulls; prestress : share of the force at yield
     """
 
     kind: str = choice_key("vertical", "thrust", "tie", "carried_mass")
-    kn_m: float = number_key(0.0, 10000.0, MISSING, unit="kN/m", exclusive=True, form="size")
-    h_m: float = number_key(0.0, 120.0, MISSING, unit="m", exclusive=True, form="size")
+    kn_m: float | None = number_key(-10000.0, 10000.0, unit="kN/m", form="size")
+    h_m: float = number_key(0.0, 120.0, unit="m", exclusive=True, form="size", required=True)
     d_m: float | None = number_key(0.0, 20.0, unit="m", form="size")
     mass: str | None = choice_key("none", "horizontal", "moving", default=None, form="size")
+    bar_length_m: float | None = number_key(0.2, 100.0, unit="m", form="size")
+    fy_mpa: float | None = number_key(100.0, 1500.0, unit="MPa", form="size")
+    elongation_m: float | None = number_key(0.0, 10.0, unit="m", form="size")
+    elongation: float | None = number_key(0.0, 0.3, form="size")
+    slack_mm: float = number_key(0.0, 500.0, 0.0, unit="mm", form="size")
+    prestress: float = number_key(0.0, 1.0, 0.0, form="size")
+    bar: Bars | None = key("section", of=Bars, columns="load{n}_bar_")
 
     @property
     def is_weight(self) -> bool:
         return self.kind in ("vertical", "carried_mass")
 
     @property
+    def is_tie(self) -> bool:
+        return self.kind == "tie"
+
+    @property
     def pushes(self) -> bool:
         """Whether its mass is moved by the wall: Q of C8.7.1.1, and part of the moving block."""
         return self.kind == "carried_mass" or self.mass in ("horizontal", "moving")
-
-    @property
-    def inward(self) -> float:
-        """Where its horizontal force points: 1.0 inward, -1.0 outward, 0.0 where it has none."""
-        return {"tie": 1.0, "thrust": -1.0}.get(self.kind, 0.0)
-
-    @property
-    def slackens(self) -> bool:
-        """Whether it acts on a wall that turns outward only."""
-        return self.kind == "tie"
 
 
 @dataclass(frozen=True)
@@ -97,6 +122,8 @@ class WallJustification:
     return_walls: str = text_key()
     free_element: str = text_key()
     base_z_m: str = text_key()
+    elongation_m: str = text_key()
+    prestress: str = text_key()
 
 
 MOST_INERTIA = 2.0
@@ -137,6 +164,9 @@ class Wall:
     load: tuple[Load, ...] = key("tables", (), of=Load, columns="load{n}_")
     return_walls: ReturnWalls | None = key("section", of=ReturnWalls, columns="across_")
     tie_height_m: float | None = number_key(0.1, 60.0, unit="m", form="held")
+    tie_bar_length_m: float | None = number_key(0.2, 100.0, unit="m", form="held")
+    tie_elongation_m: float | None = number_key(0.0, 10.0, unit="m", form="held")
+    tie_spacing_m: float | None = number_key(0.1, 20.0, unit="m", form="held")
     justification: WallJustification | None = key("section", of=WallJustification)
     variant: str | None = choice_key(AS_IS, DESIGNED, default=None, form="held")
 
@@ -177,8 +207,12 @@ class Wall:
         return wall_loads.moving_block(self, self.bare_block()) if self.load else self.bare_block()
 
     def restoring(self) -> tuple[RestoringMoment, RestoringMoment]:
-        """What its loads add to its moment, for outward and for inward rotations."""
+        """What its loads add to its moment, for outward and for inward rotations; its ties add `bars`."""
         return wall_loads.restoring_of(self, self.block()) if self.load else (BARE, BARE)
+
+    def bars(self) -> tuple[Bar, ...]:
+        """Its ties as the kernels take them."""
+        return ties.scaled(self, self.block())
 
     def uplift_multiplier(self, mechanism: str) -> float:
         """a_RM / g = a tan(alpha) + c [-] (Eq. 2), of a two-sided wall the smaller one of its sides."""

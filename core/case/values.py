@@ -8,6 +8,7 @@ from dataclasses import MISSING, fields
 from types import SimpleNamespace
 
 from core.case.hinges import BASE, FLOORS
+from core.case.keys import is_required
 from core.case.schema import MIN_ELASTIC, OWN_FIELDS
 from core.errors import InputError, section
 from core.file_names import is_text, name_of
@@ -61,7 +62,7 @@ def section_of(cls, table, name: str, here):
     for entry in fields(cls):
         if entry.name in table:
             values[entry.name] = value_of(entry, table[entry.name], here)
-        elif entry.default is MISSING:
+        elif is_required(entry):
             raise InputError("missing", place=(here,), key=entry.name, accepted=accepted_by(entry))
     return cls(**values)
 

@@ -37,7 +37,8 @@ def columns() -> dict[str, Column]:
         if entry.metadata["kind"] not in NESTED:
             found[entry.name] = Column(entry, frozenset((entry.name, *_titles(entry.name, 0), *_titles(entry.name, 1))))
         for n in range(1, MOST_LOADS + 1) if "columns" in entry.metadata else ():
-            for k, inner in enumerate(fields(entry.metadata["of"])):
+            inside = [inner for inner in fields(entry.metadata["of"]) if inner.metadata["kind"] not in NESTED]
+            for k, inner in enumerate(inside):
                 name = entry.metadata["columns"].format(n=n) + inner.name
                 titles = {name}
                 for language, whole in enumerate(CATALOGUE["key"][f"{entry.name}.column"]):

@@ -5,9 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.codes.demand import DemandResult
-from core.codes.kinematic import DAMPING, Kinematic
+from core.codes.kinematic import DAMPING, Kinematic, capacity_at
 from core.codes.target_spectrum import displacement
-from core.units import G
 
 PERIODS = np.concatenate([np.linspace(0.0, 0.5, 51), np.linspace(0.52, 4.0, 175)])
 """Periods of the curve of the demand [s]."""
@@ -20,13 +19,14 @@ BEYOND = 1.25
 class CapacityCurve:
     """Curves of d [m] and a [m/s2] of the equivalent oscillator.
 
-    capacity : a(d) = alpha(d) g / (e* FC), from d = 0 to d_0: ((d, a), (d, a))
+    capacity : a(d) = alpha(d) g / (e* FC), from d = 0 to d_0, the ends of its straight parts: ((d, a), ...), twice the
+        same d where a tie breaks
     demand_d, demand_a : S_De and S_e at the damping of the check, by period; above the ground of the ground
     floor_d, floor_a : the same of the floor, empty on the ground
     damping : of both [-]
     """
 
-    capacity: tuple[tuple[float, float], tuple[float, float]]
+    capacity: tuple[tuple[float, float], ...]
     demand_d: np.ndarray
     demand_a: np.ndarray
     floor_d: np.ndarray
@@ -38,8 +38,6 @@ def capacity_curve(mechanism: Kinematic, demand: DemandResult) -> CapacityCurve 
     """The curves of the nonlinear check of C8.7.1.2.1.8; None where that is not made."""
     if mechanism.d_limit is None:
         return None
-    # the friction of return walls is lost over a slip: none of it in the curve
-    start = mechanism.chain.alpha0 * G / (mechanism.chain.e_star * demand.confidence_factor)
     damping = DAMPING[demand.limit_state]
     most = BEYOND * max(mechanism.d0, mechanism.s_de)
 
@@ -52,5 +50,9 @@ def capacity_curve(mechanism: Kinematic, demand: DemandResult) -> CapacityCurve 
     if mechanism.floor is not None:
         felt = mechanism.floor.acceleration(PERIODS, damping)
         floor = shown(felt * (PERIODS / (2.0 * np.pi)) ** 2, felt)
-    line = ((0.0, start), (mechanism.d0, 0.0))
+    # the friction of return walls is lost over a slip: none of it in the curve
+    sums, confidence = mechanism.chain, demand.confidence_factor
+    breaks = sorted({tie.breaks_at for tie in sums.ties if tie.breaks_at < sums.d0})
+    ends = [0.0, *(d for at in breaks for d in (at, np.nextafter(at, np.inf))), sums.d0]
+    line = tuple((float(d), capacity_at(sums, d, confidence)) for d in ends)
     return CapacityCurve(line, ground[0], ground[1], floor[0], floor[1], damping)

@@ -176,9 +176,9 @@ def kinematic(wall, mechanism: str, demand: DemandResult, floor: FloorSpectrum |
     quantities = (alpha0, e_star, mass, a0, sums, d0, free, period_0, acceleration, zeta_sld, zeta_floor, missing)
     if demand.target is None or demand.limit_state not in LIMIT_FRACTION:
         return Kinematic(*quantities, floor=floor)
-    share = LIMIT_FRACTION[demand.limit_state]
     # the friction of return walls is lost over a slip: none of it in the curve
-    d_limit, a_limit = share * d0, (1.0 - share) * without_friction
+    d_limit = sums.limit_of_ties(LIMIT_FRACTION[demand.limit_state] * d0)
+    a_limit = capacity_at(sums, d_limit, demand.confidence_factor)
     period = PERIOD_FACTOR[demand.limit_state] * math.sqrt(d_limit / a_limit)
     _covers(demand.target, period, f"T_{demand.limit_state}", wall)
     start = 0.0 if missing or period_0 is None else min(period_0, period)
@@ -187,6 +187,13 @@ def kinematic(wall, mechanism: str, demand: DemandResult, floor: FloorSpectrum |
     if floor is not None:
         s_de = max(s_de, floor.displacement(period, damping))
     return Kinematic(*quantities, d_limit, a_limit, period, s_de, floor)
+
+
+def capacity_at(sums: Chain, d: float, confidence: float) -> float:
+    """a(d) (C8.7.1.3) [m/s2]: that of the wall falls to zero at d_0, its ties add theirs at yield up to where they
+    break."""
+    alpha = (1.0 - d / sums.d0) * sums.alpha0_bare + sums.alpha_of_ties(d)
+    return alpha * G / (sums.e_star * confidence)
 
 
 def _passed(zeta: float, demand: DemandResult) -> bool:

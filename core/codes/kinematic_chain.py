@@ -5,28 +5,43 @@ the wall, Q those whose mass pushes it, F the forces that do not depend on the e
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
 from core.units import G
-from core.wall import wall_loads
+from core.wall import ties, wall_loads
 
 DRAGGED = 0.4
 """Factor of the friction of the return walls (C8.7.1.2.1.1, literature of masonry of regular courses)."""
 
+LOST = 0.5
+"""Share of the largest capacity of whose loss d_SLV is the end (C8.7.1.2.1.6)."""
+
 HEIGHTS = 2000
 """Heights of the part that turns, tried for the smallest alpha_0 with friction."""
+
+
+class HeldBy(NamedTuple):
+    """A tie in the capacity curve: what it adds to alpha at yield [-], and d at which it breaks [m]."""
+
+    alpha: float
+    breaks_at: float
 
 
 @dataclass(frozen=True)
 class Chain:
     """Sums of a wall.
 
-    alpha0 : C8.7.1.1, without friction [-]
+    alpha0 : C8.7.1.1, with its ties at yield, without friction [-]
+    alpha0_bare : the same without its ties [-]
     e_star : C8.7.1.5 [-]
     mass : sum of (P + Q) / g per metre of wall [kg/m]; None without a unit weight
-    d0 : displacement of the control point at which nothing holds the wall (C8.7.1.4) [m]
+    d0 : displacement of the control point at which nothing but a tie holds the wall (C8.7.1.4) [m]: "azioni di cui è
+        verificata la presenza fino al collasso" are its loads (C8.7.1.2.1.6), no tie, which yields and breaks
+    ties : of a wall that turns outward only
+    d0_with_ties : the other reading, in which each tie pulls at yield up to collapse; shown, never taken [m]
     alpha0_friction, e_star_friction, mass_friction : the same with the friction of the return walls, of the part of the
         wall whose alpha_0 over e* is least; None without them, and of a two-sided wall
     friction_height : height of that part, from the top down [m]
@@ -36,45 +51,85 @@ class Chain:
     e_star: float
     mass: float | None
     d0: float
+    alpha0_bare: float
+    ties: tuple[HeldBy, ...] = ()
+    d0_with_ties: float | None = None
     alpha0_friction: float | None = None
     e_star_friction: float | None = None
     mass_friction: float | None = None
     friction_height: float | None = None
+
+    def alpha_of_ties(self, d: float) -> float:
+        """What the ties that are whole at d [m] add to alpha [-]."""
+        return sum(tie.alpha for tie in self.ties if d <= tie.breaks_at)
+
+    def limit_of_ties(self, d: float) -> float:
+        """d, or less where ties break before it that reduce the capacity by more than half of its largest value: "lo
+        spostamento corrispondente a situazioni nelle quali si verifichino rotture di elementi, quali catene o altri
+        collegamenti, che [...] producano una riduzione della capacità, in termini di accelerazione, superiore al 50%
+        del valore massimo" (C8.7.1.2.1.6) [m]."""
+        lost = 0.0
+        for tie in sorted(self.ties, key=lambda tie: tie.breaks_at):
+            lost += tie.alpha
+            if tie.breaks_at < d and lost > LOST * self.alpha0:
+                return tie.breaks_at
+        return d
 
 
 def chain(wall, two_sided: bool) -> Chain:
     """The sums; of a two-sided wall the smaller alpha_0 and d_0 of its two sides."""
     bare = wall.bare_block()
     alpha0, e_star, d0 = math.tan(bare.slenderness), 1.0, bare.radius * math.sin(bare.slenderness)
-    mass = None
+    mass, bare_alpha0, held, d0_with_ties = None, alpha0, (), None
     if wall.unit_weight_kn_m3 is not None and wall.height_m is not None:
         mass = wall_loads.weight_per_metre(wall) / G
     if wall.load:
-        alpha0, e_star, total, d0 = _loaded(wall, bare, (1.0, -1.0) if two_sided else (1.0,))
-        mass = total
+        alpha0, bare_alpha0, e_star, mass, d0, *of_ties = _loaded(wall, bare, (1.0, -1.0) if two_sided else (1.0,))
+        held, d0_with_ties = of_ties
+    sums = Chain(alpha0, e_star, mass, d0, bare_alpha0, held, d0_with_ties)
     if wall.return_walls is None or two_sided:  # they hold a wall that turns outward
-        return Chain(alpha0, e_star, mass, d0)
+        return sums
     parts = multipliers_with_friction(wall)
     k = int(np.argmin(parts[0] / parts[1]))
-    return Chain(alpha0, e_star, mass, d0, *(float(values[k]) for values in parts))
+    alpha, share, of_part, height = (float(values[k]) for values in parts)
+    return replace(sums, alpha0_friction=alpha, e_star_friction=share, mass_friction=of_part, friction_height=height)
 
 
-def _loaded(wall, bare, sides) -> tuple[float, float, float, float]:
-    """(alpha_0, e*, mass, d_0) of a wall with loads."""
+def _loaded(wall, bare, sides) -> tuple:
+    """(alpha_0, the same without ties, e*, mass, d_0, the ties, d_0 with them up to collapse) of a wall with loads."""
     weight, (x, y) = wall_loads.weight_per_metre(wall), bare.centroid
     pushed = wall_loads.masses(wall)
     first = weight * y + sum(mass.mass * G * mass.height for mass in pushed)
     second = weight * y**2 + sum(mass.mass * G * mass.height**2 for mass in pushed)
     total = weight + sum(mass.mass * G for mass in pushed)
     block, restoring = wall.block(), wall.restoring()
-    alpha0, d0 = math.inf, math.inf
+    of_centroid = second / (y * first)
+
+    def displaced(theta: float) -> float:
+        return bare.radius * (math.sin(bare.slenderness) - math.sin(bare.slenderness - theta)) * of_centroid
+
+    alpha0, alpha0_bare, d0 = math.inf, math.inf, math.inf
     for side in sides:
+        own = [wall_loads.as_force(load, wall, side) for load in wall.load if not load.is_tie]
         forces = [wall_loads.as_force(load, wall, side) for load in wall.load]
         alpha0 = min(alpha0, wall_loads.start_multiplier(weight, x, y, forces, pushed))
-        collapse = block.slenderness + restoring[0 if side > 0.0 else 1].lean
-        centroid = bare.radius * (math.sin(bare.slenderness) - math.sin(bare.slenderness - collapse))
-        d0 = min(d0, centroid * second / (y * first))
-    return alpha0, first**2 / (total * second), total / G, d0
+        alpha0_bare = min(alpha0_bare, wall_loads.start_multiplier(weight, x, y, own, pushed))
+        d0 = min(d0, displaced(block.slenderness + restoring[0 if side > 0.0 else 1].lean))
+    found = ties.ties_of(wall)
+    if not found or len(sides) == 2:  # the side that no tie holds decides
+        return alpha0, alpha0_bare, e_star_of(first, second, total), total / G, d0, (), None
+    held = []
+    for tie in found:
+        sine = tie.bar.breaks_at / tie.bar.height
+        end = displaced(math.asin(sine)) if sine < math.sin(wall_loads.MOST_COLLAPSE) else math.inf
+        held.append(HeldBy(tie.bar.strength * tie.bar.height / first, end))
+    with_ties = displaced(block.slenderness + wall_loads.restoring_with_ties(wall, block).lean)
+    return alpha0, alpha0_bare, e_star_of(first, second, total), total / G, d0, tuple(held), with_ties
+
+
+def e_star_of(first: float, second: float, total: float) -> float:
+    """e* (C8.7.1.5) [-] from the sums of (P + Q) times the height, its square, and nothing [N m, N m2, N]."""
+    return first**2 / (total * second)
 
 
 def friction(wall, height):

@@ -17,6 +17,8 @@ SE_T0_GIVEN = Given("se_t0", "S_e(T_0, 5 %)", "g", 3, clause="C8.7.1.9")
 SEZ_T0_GIVEN = Given("se_t0", "S_eZ(T_0, 5 %)", "g", 3, clause="C8.7.1.9")
 Q_SLV = Given("q_slv", "q SLV", "–", 2)
 Q_SLV_LOW = Given("q_slv_low", "q_SLV,min", "–", 3, label="lower end of the spread of q SLV")
+D_BREAK = Given("d_limit", "d_{state}", "m", 4, label="d_{state}, where a tie breaks", clause="C8.7.1.2.1.6")
+D0_WITH_TIES = Given("d0_with_ties", "d_0,T", "m", 4, label="d_0 were the ties at yield up to collapse, not taken")
 D0_GIVEN = Given("d0", "d_0", "m", 4, clause="C8.7.1.4")
 S_DE_GIVEN = Given("s_de", "S_De max, [T_0, T_{state}], {damping} %", "m", 4, clause="C8.7.1.12")
 S_DEZ_GIVEN = Given("s_de", "S_DeZ(T_{state}, {damping} %)", "m", 4, clause="C8.7.1.12")
@@ -63,6 +65,21 @@ def qh(loads):
 @quantity("α0", "–", "C8.7.1.1", 4, name="alpha0")
 def alpha0_with_loads(wx, nd, fh, wy, qh):
     return (wx + nd + fh) / (wy + qh)
+
+
+@quantity("ΣT h", "kN", "C8.7.1.1", 2, "0.00")
+def th(loads):
+    return sum(load.t * load.h for load in loads)
+
+
+@quantity("α0,b", "–", "C8.7.1.1", 4, label="α0 without its ties")
+def alpha0_bare(wx, nd, fh, wy, qh):
+    return (wx + nd + fh) / (wy + qh)
+
+
+@quantity("α0", "–", "C8.7.1.1", 4, name="alpha0")
+def alpha0_with_ties(alpha0_bare, th, wy, qh):
+    return alpha0_bare + th / (wy + qh)
 
 
 @quantity("α0", "–", "C8.7.1.1", 4, name="alpha0")
@@ -186,6 +203,16 @@ def linear_q_slv_with_friction(q_slv_low, e_star_friction, alpha0, alpha0_fricti
     return q_slv_low * e_star_friction * min(1, alpha0 / alpha0_friction)
 
 
+@quantity("q", "–", "C8.7.1.5", name="linear_q_slv")
+def linear_q_slv_with_ties(q_slv_low, e_star, alpha0, alpha0_bare):
+    return q_slv_low * e_star * alpha0_bare / alpha0
+
+
+@quantity("q", "–", "C8.7.1.5", name="linear_q_slv")
+def linear_q_slv_with_ties_and_friction(q_slv_low, e_star_friction, alpha0_bare, alpha0_friction):
+    return q_slv_low * e_star_friction * min(1, alpha0_bare / alpha0_friction)
+
+
 @quantity("ζ", "–", "C8.7.1.2.1.7")
 def linear_q_code_zeta(linear_q_code, zeta_sld):
     return linear_q_code * zeta_sld
@@ -222,6 +249,16 @@ def d_limit(share, d0):
 @quantity("a(d_{state})", "m/s²", "C8.7.1.3")
 def a_limit(share, alpha0, gravity, e_star, demand_fc):
     return (1 - share) * alpha0 * gravity / (e_star * demand_fc)
+
+
+@quantity("ΣkT h", "kN", "C8.7.1.2.1.6", 2, "0.00", label="ΣT h of the ties whole at d_{state}")
+def th_limit(loads):
+    return sum(load.k * load.t * load.h for load in loads)
+
+
+@quantity("a(d_{state})", "m/s²", "C8.7.1.3", name="a_limit")
+def a_limit_with_ties(d_limit, d0, alpha0_bare, th_limit, wy, qh, gravity, e_star, demand_fc):
+    return ((1 - d_limit / d0) * alpha0_bare + th_limit / (wy + qh)) * gravity / (e_star * demand_fc)
 
 
 @quantity("T_{state}", "s", "{period_clause}")

@@ -88,20 +88,24 @@ def _loaded(wall: WallResult) -> list[Line | Columns]:
     bare, restoring = asked.bare_block(), model.restoring if side > 0.0 else model.mirrored
     where = "Loads, about the outer hinge" if side > 0.0 else "Loads, about the inner hinge"
     rows = []
+    tied, whole = any(load.is_tie for load in asked.load), _whole_at_limit(wall)
     for load in asked.load:
         force = wall_loads.as_force(load, asked, side)
         pushed = load.kn_m if load.pushes else 0.0
         distance = force.distance + asked.setback  # entered from the face of this hinge: the formulas take off u
-        values = (1e-3 * force.vertical, 1e-3 * force.horizontal, distance, force.height, pushed)
-        rows.append((Word(f"load_{load.kind}"), values))
-    units = ("kN/m", "kN/m", "m", "m", "kN/m")
+        held = 1e-3 * force.horizontal if load.is_tie else 0.0
+        values = (1e-3 * force.vertical, 1e-3 * force.horizontal - held, distance, force.height, pushed)
+        of_tie = (held, whole.pop(0) if load.is_tie else 0.0) if tied else ()
+        rows.append((Word(f"load_{load.kind}"), (*values, *of_tie)))
+    units = ("kN/m", "kN/m", "m", "m", "kN/m", *(("kN/m", "–") if tied else ()))
+    symbols = body.LOADS | body.TIES if tied else body.LOADS
     return [
         *_sizes(wall),
         Line(body.UNIT_WEIGHT, asked.unit_weight_kn_m3, INPUT),
         Line(body.w, 1e-3 * wall_loads.weight_per_metre(asked), note=FULL),
         Line(body.x, bare.centroid[0]),
         Line(body.y, bare.centroid[1]),
-        Columns(where, body.LOADS, units, rows, INPUT, {"load.d": "setback"}),
+        Columns(where, symbols, units, rows, INPUT, {"load.d": "setback"}),
         Line(
             body.slenderness_with_loads,
             math.degrees(block.slenderness),
@@ -117,6 +121,15 @@ def _loaded(wall: WallResult) -> list[Line | Columns]:
         Line(body.theta_c, block.slenderness + restoring.lean),
         _uplift(body.a_rm_with_loads, model.threshold / G),
     ]
+
+
+def _whole_at_limit(wall: WallResult) -> list[float]:
+    """Of each tie 1.0 where it is whole at the limit of the displacement check."""
+    kinematic = wall.assessment.kinematic if wall.assessment else None
+    found = kinematic.chain.ties if kinematic and kinematic.d_limit is not None else ()
+    if not found:
+        return [0.0 for load in wall.wall.load if load.is_tie]
+    return [float(kinematic.d_limit <= tie.breaks_at) for tie in found]
 
 
 def _impacts(wall: WallResult) -> list[Line]:
@@ -151,9 +164,15 @@ def chain(wall: WallResult) -> Section:
     if asked.load:
         where = where if governing_side(wall) > 0.0 else "about the inner hinge"
         moments = wall_loads.start_moments(asked, governing_side(wall))
-        found = zip((checks.wx, checks.nd, checks.fh, checks.wy, checks.qh), moments, strict=True)
-        lines = [Line(of, 1e-3 * moment) for of, moment in found]
-        lines.append(Line(checks.alpha0_with_loads, sums.alpha0, LIVE, FULL, where))
+        parts = (checks.wx, checks.nd, checks.fh, checks.th, checks.wy, checks.qh)
+        tied = any(load.is_tie for load in asked.load)
+        found = zip(parts, moments, strict=True)
+        lines = [Line(of, 1e-3 * moment) for of, moment in found if tied or of is not checks.th]
+        if tied:
+            lines.append(Line(checks.alpha0_bare, sums.alpha0_bare, LIVE, FULL, "without its ties"))
+            lines.append(Line(checks.alpha0_with_ties, sums.alpha0, LIVE, FULL, where))
+        else:
+            lines.append(Line(checks.alpha0_with_loads, sums.alpha0, LIVE, FULL, where))
         lines.append(Line(checks.e_star_with_loads, sums.e_star, LIVE, SYMBOLS))
     else:
         alpha0 = checks.alpha0
@@ -197,8 +216,7 @@ def linear(result: StudyResult, wall: WallResult) -> Section:
         if not check.name.startswith("linear") or check is sld or check.zeta is None:
             continue
         if check.name == "linear_q_slv":
-            friction = kinematic.chain.alpha0_friction is not None
-            q = checks.linear_q_slv_with_friction if friction else checks.linear_q_slv
+            q = _q_slv(wall)
             words = {"q": wall.q_slv_set, "check": Word(check.label)}
             lower = "lower end of the spread of q SLV, {q:.2f}, times e*"
             lines += [Line(checks.Q_SLV, wall.q_slv_set, RUN), Line(checks.Q_SLV_LOW, wall.q_slv_low_set, RUN)]
@@ -210,6 +228,14 @@ def linear(result: StudyResult, wall: WallResult) -> Section:
             zeta = getattr(checks, f"{check.name}_zeta")
         lines.append(_zeta(zeta, check))
     return Section("Linear check", lines)
+
+
+def _q_slv(wall: WallResult):
+    """How q SLV is counted: from the uplift of the wall without its ties and without friction."""
+    friction = wall.assessment.kinematic.chain.alpha0_friction is not None
+    if any(load.is_tie for load in wall.wall.load):
+        return checks.linear_q_slv_with_ties_and_friction if friction else checks.linear_q_slv_with_ties
+    return checks.linear_q_slv_with_friction if friction else checks.linear_q_slv
 
 
 def _zeta(of, check) -> Line:
@@ -271,10 +297,23 @@ def displacement(result: StudyResult, wall: WallResult) -> Section:
         s_de = Line(checks.s_de, kinematic.s_de, LIVE, VALUE, largest)
     else:
         s_de = Line(checks.S_DE_GIVEN, kinematic.s_de, RUN, VALUE, largest)
+    ties, of_ties = kinematic.chain.ties, list[Line]()
+    d_limit, a_limit = Line(checks.d_limit, kinematic.d_limit, note=FULL), checks.a_limit
+    if ties:
+        d0 += [
+            Line(checks.D0_WITH_TIES, kinematic.chain.d0_with_ties, RUN, VALUE, "not taken: a tie yields and breaks")
+        ]
+        a_limit = checks.a_limit_with_ties
+        held = sum(tie.alpha for tie in ties if kinematic.d_limit <= tie.breaks_at)
+        moments = wall_loads.start_moments(wall.wall, 1.0)
+        of_ties = [Line(checks.th_limit, 1e-3 * held * (moments[4] + moments[5]), LIVE, SYMBOLS)]
+    if kinematic.d_limit < LIMIT_FRACTION[state] * kinematic.d0 * (1.0 - 1e-12):
+        d_limit = Line(checks.D_BREAK, kinematic.d_limit, RUN, VALUE, "where a tie breaks")
     lines: list[Line | Columns] = [
         *d0,
-        Line(checks.d_limit, kinematic.d_limit, note=FULL),
-        Line(checks.a_limit, kinematic.a_limit, note=FULL),
+        d_limit,
+        *of_ties,
+        Line(a_limit, kinematic.a_limit, note=FULL),
         Line(checks.period, kinematic.period, note=FULL),
         s_de,
     ]

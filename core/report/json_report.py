@@ -12,7 +12,7 @@ from core.codes.record_compatibility import Compliance
 from core.file_names import shown
 from core.ground.ground_motion import GroundMotion
 from core.ground.provenance import provenance
-from core.report.json_walls import limit_states, loads, tie_design, variants, verdicts
+from core.report.json_walls import limit_states, loads, tie_design, ties, variants, verdicts
 from core.report.steps import Steps
 from core.study.results import Q_SOURCES, Assessment, Run, StudyResult, WallResult
 from core.units import CM, G
@@ -114,12 +114,14 @@ def _assessment(assessment: Assessment | None, confidence: float) -> dict:
         "lower_bound_check": _demand_check(assessment.lower_bound),
         "kinematic_check": {
             "alpha0": mechanism.alpha0,
+            "alpha0_without_ties": mechanism.chain.alpha0_bare,
             "e_star": mechanism.e_star,
             "m_star": mechanism.m_star,
             "a0_star_g": mechanism.a0 / G,
             "friction_height_m": mechanism.chain.friction_height,
             "without_friction": _without_friction(mechanism, confidence),
             "d0_m": mechanism.d0,
+            "d0_with_ties_m": mechanism.chain.d0_with_ties,
             "d_limit_m": mechanism.d_limit,
             "period_s": mechanism.period,
             "s_de_m": mechanism.s_de,
@@ -346,6 +348,7 @@ def _wall(wall: WallResult, result: StudyResult) -> dict:
         ],
         "scale_free_law": [asdict(estimate) for estimate in wall.estimates],
         **loads(wall),
+        **ties(wall),
         **tie_design(wall),
         **limit_states(wall),
         **_assessment(wall.assessment, result.demand.confidence_factor if result.demand else 1.0),

@@ -1,11 +1,15 @@
-"""Keys of the results JSON that only some walls have: loads, tie, limit states, variants."""
+"""Keys of the results JSON that only some walls have: loads, ties, limit states, variants."""
+
+import math
 
 from core.study.limit_states import STATES
 from core.study.results import StudyResult, WallResult, WallVerdict
+from core.study.tie_design import rotation_at
 from core.study.variants import Comparison, comparisons
 from core.study.wall_verdict import deciding, where
 from core.text.sentence import Sentence
 from core.units import G
+from core.wall.ties import ties_of
 
 
 def loads(wall: WallResult) -> dict:
@@ -26,23 +30,64 @@ def loads(wall: WallResult) -> dict:
 
 
 def tie_design(wall: WallResult) -> dict:
-    """The key tie_design of a wall for which one is asked."""
+    """The key tie_design of the base hinge of a wall for which one is asked."""
     tie = wall.assessment.tie if wall.assessment else None
     if tie is None:
         return {}
+
+    def kilo(force: float | None) -> float | None:
+        return None if force is None else 1e-3 * force
+
     return {
         "tie_design": {
             "height_m": tie.height,
+            "forces_kn_m": {name: kilo(force) for name, force in tie.forces.items()},
+            "histories_missing": tie.missing,
+            "force_kn_m": kilo(tie.force),
             "check": tie.check,
-            "force_kn_m": None if tie.force is None else 1e-3 * tie.force,
+            "largest_kn_m": kilo(tie.largest),
+            "elongation_m": tie.elongation,
+            "stands_m": tie.stands,
             "zeta": tie.zeta,
-            "largest_kn_m": 1e-3 * tie.largest,
             "hinges": tie.hinges,
-            "governing_force_kn_m": None if tie.governing is None else 1e-3 * tie.governing,
-            "alpha0": tie.alpha0,
-            "moments_kn": [1e-3 * moment for moment in tie.holding],
-            "pushing_kn": 1e-3 * tie.pushing,
+            "spacing_m": tie.spacing,
+            "diameter_mm": tie.diameter,
+            "thread_mm": tie.thread,
+            "heights": [{"height_m": height, "nonlinear_kn_m": kilo(force)} for height, force in tie.curve],
         }
+    }
+
+
+def ties(wall: WallResult) -> dict:
+    """The key ties of a wall that has some: what each holds and stands, and how far it is stretched."""
+    found = ties_of(wall.wall) if wall.wall.load else ()
+    if not found:
+        return {}
+    kinematic = wall.assessment.kinematic if wall.assessment else None
+    dynamic = wall.assessment.dynamic if wall.assessment else None
+    theta_c = wall.model.collapse_rotation
+    rotations: dict[str, float | None] = {"demand": None, "d_limit": None, "d_0": theta_c}
+    if kinematic and kinematic.d_limit is not None:
+        rotations["d_limit"] = rotation_at(wall.wall, kinematic.d_limit / kinematic.d0, theta_c)
+    if dynamic and dynamic.max_peak_ratio is not None:
+        rotations["demand"] = dynamic.max_peak_ratio * theta_c
+    return {
+        "ties": [
+            {
+                "height_m": tie.bar.height,
+                "strength_kn_m": 1e-3 * tie.bar.strength,
+                "per_bar_kn": None if tie.per_bar is None else 1e-3 * tie.per_bar,
+                "parts_kn": {name: 1e-3 * held for name, held in tie.parts},
+                "weakest": tie.weakest or None,
+                "elongation_at_yield_m": tie.bar.elongation_at_yield,
+                "stands_m": tie.bar.stands,
+                "elongation_m": {
+                    name: None if theta is None else tie.bar.height * math.sin(theta)
+                    for name, theta in rotations.items()
+                },
+            }
+            for tie in found
+        ]
     }
 
 

@@ -1,6 +1,7 @@
 """The loads of a wall as arrows, for every drawing of it."""
 
 from core.case.schema import Wall
+from core.wall.wall_loads import size_of
 
 LONGEST, SHORTEST = 0.22, 0.08
 """Length of the arrow of the strongest load and of a vanishing one, of the height of the wall."""
@@ -12,16 +13,17 @@ HEAD = 0.2
 def arrows(wall: Wall, height: float, thickness: float) -> list[list[tuple[float, float]]]:
     """An arrow to each load at its place, as long as it is strong: the corners of a line [m], x from the inner face
     outward, y up. height, thickness : of the wall [m]."""
-    strongest = max((load.kn_m for load in wall.load), default=0.0)
+    sizes = [abs(size_of(load, wall)) for load in wall.load]
+    strongest = max(sizes, default=0.0)
     found = []
-    for load in wall.load:
-        size = height * (SHORTEST + (LONGEST - SHORTEST) * load.kn_m / strongest)
+    for load, one in zip(wall.load, sizes, strict=True):
+        size = height * (SHORTEST + (LONGEST - SHORTEST) * one / strongest)
         x, y, head = thickness - (load.d_m or 0.0), load.h_m, HEAD * size
         if load.is_weight:
             found.append([(x, y + size), (x, y), (x - head, y + head), (x, y), (x + head, y + head)])
             continue
         # a thrust ends where it pushes outward, a tie begins where it pulls inward
-        outward = load.inward < 0.0
+        outward = load.kind == "thrust" and load.kn_m > 0.0
         start, end = (x - size, x) if outward else (x, x - size)
         back = end - head if outward else end + head
         found.append([(start, y), (end, y), (back, y + head), (end, y), (back, y - head)])

@@ -1,9 +1,11 @@
 """The sheet Risk: every wall with what it withstands, the lowest first; limit states, ties, variants."""
 
 from core.report.cells import ACCELERATION, QUIET, RATIO, Book, header, heighten, number, paragraph, rule, text, title
+from core.report.tie_words import tie_words
 from core.report.verdict_words import in_order
 from core.study.limit_states import STATES
 from core.study.results import StudyResult, WallResult
+from core.study.tie_design import NAMES
 from core.study.variants import comparisons
 from core.text.sentence import word
 from core.units import G
@@ -105,46 +107,27 @@ def _wall(book: Book, sheet, wall: WallResult, row: int) -> None:
 
 
 def _ties(book: Book, sheet, result: StudyResult, row: int) -> int:
-    """The force of each tie asked for, and the hand check of its moments."""
+    """The force of each tie asked for, by every check, and what it does to its bar."""
     say = book.say
     designed = [wall for wall in result.walls if wall.assessment and wall.assessment.tie]
     if not designed:
         return row
     title(sheet, row, say("Tie for the ζ required"), 12)
-    header(
-        sheet,
-        row + 1,
-        [say("Wall"), "h [m]", "ζ", say("Force [kN/m]"), say("by"), say("Largest [kN/m]"), "α0", say("all hinges")],
-        1,
-        30,
-    )
+    heads = [word(f"tie_{name}", book.language) for name in NAMES]
+    header(sheet, row + 1, [say("Wall"), "h [m]", *heads, say("named"), say("stands [mm]")], 1, 45)
     row += 1
     for wall in designed:
         tie = wall.assessment.tie
         row += 1
         text(sheet, row, 1, wall.name, wrap=True)
         number(sheet, row, 2, tie.height, RATIO)
-        number(sheet, row, 3, tie.zeta, RATIO)
-        text(sheet, row, 5, word(tie.check, book.language), wrap=True)
-        if tie.force is None:
-            text(sheet, row, 4, say("none reaches it"))
-        else:
-            number(sheet, row, 4, 1e-3 * tie.force, RATIO)
-        number(sheet, row, 6, 1e-3 * tie.largest, RATIO)
-        number(sheet, row, 7, tie.alpha0, ACCELERATION)
-        number(sheet, row, 8, None if tie.governing is None else 1e-3 * tie.governing, RATIO, bold=True)
-        rule(sheet, row, 1, 8)
-        own, loads, force = (1e-3 * moment for moment in tie.holding)
-        words = say(
-            "By hand, no friction: α0 = (W·x {own:.2f} + loads {loads:.2f} + F·h {force:.2f}) / {pushing:.2f} = "
-            "{alpha0:.4f}",
-            own=own,
-            loads=loads,
-            force=force,
-            pushing=1e-3 * tie.pushing,
-            alpha0=tie.alpha0,
-        )
-        row = paragraph(sheet, row + 1, words, LAST, 150, color=QUIET) - 1
+        for column, name in enumerate(NAMES, start=3):
+            force = tie.forces[name]
+            number(sheet, row, column, None if force is None else 1e-3 * force, RATIO)
+        number(sheet, row, 9, None if tie.force is None else 1e-3 * tie.force, RATIO, bold=True)
+        number(sheet, row, 10, None if tie.stands is None else 1e3 * tie.stands, "0")
+        rule(sheet, row, 1, 10)
+        row = paragraph(sheet, row + 1, tie_words(say, tie, book.language), LAST, 150, color=QUIET) - 1
     return row + 1
 
 

@@ -31,7 +31,7 @@ from core.report.derived import cell_prefix
 from core.report.plots import rows_below
 from core.report.rows import changed_cell
 from core.report.summary_charts import peaks, sketch
-from core.report.tie_words import tie_words
+from core.report.tie_words import tie_lines
 from core.report.verdict_words import in_order, lines_of, sentence_of, tone_of
 from core.study.results import Q_SOURCES, StudyResult, WallResult
 from core.text.sentence import localized, word
@@ -282,10 +282,8 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
         size=12,
         color=verdict_color(result, wall),
     )
-    for line in lines_of(result, wall, book.language):
+    for line in (*lines_of(result, wall, book.language), *tie_lines(wall, book.language)):
         row = paragraph(sheet, row, f"• {line}", LAST, 150)
-    if assessment.tie is not None:
-        row = paragraph(sheet, row, f"• {tie_words(book.say, assessment.tie)}", LAST, 150)
     return row
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from core.rocking import lane_scheduler, taylor, taylor_with_bars
 from core.rocking.compared.comparison import integrate_comparison, scan_comparison
 from core.rocking.lane_scheduler import Grounds
-from core.rocking.methods import METHODS, NO_TABLE, TAYLOR, Method, require_taylor, resolve_auto
+from core.rocking.methods import METHODS, NO_TABLE, TAYLOR, Method, resolve_auto
 from core.rocking.outcome import BAD_INPUT, MAX_GROUND
 from core.wall.rocking_model import RockingModel
 
@@ -29,7 +29,7 @@ def scan(method: Method, ground, dt, scales, model, outcomes, peaks) -> np.ndarr
 
 
 def scan_records(method: Method, grounds: Grounds, which, scales, model, outcomes, peaks) -> np.ndarray:
-    """`scan` of several records of one time step.
+    """`scan` of several records of one time step. A wall with bars is always taken by the Taylor series of order 8.
 
     Analyses of a ground that is no number or beyond MAX_GROUND end at once with BAD_INPUT.
 
@@ -51,7 +51,6 @@ def scan_records(method: Method, grounds: Grounds, which, scales, model, outcome
             outcomes[sound], peaks[sound] = codes, reached
         return clamped
     if model.bars:
-        require_taylor(method)
         return taylor_with_bars.scan(grounds, which, scales, model, outcomes, peaks)
     method = resolve_auto(method, model, grounds.dt)
     if method.code == TAYLOR:
@@ -116,8 +115,6 @@ def history(
     if not (largest <= MAX_GROUND and math.isfinite(start[0]) and math.isfinite(start[1])):
         none = np.zeros(0)
         return History(none, none, none, none, BAD_INPUT, 0.0, 0, none.reshape(0, 0))
-    if model.bars:
-        require_taylor(method)
     method = resolve_auto(method, model, dt)
     trace = np.zeros((2 + len(model.bars), ground.size))
     rotation, velocity = trace[:2]

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.errors import InputError
 from core.rocking.compared import comparison, dormand_prince, stepped
 from core.wall.rocking_model import RockingModel
 
@@ -70,9 +69,3 @@ def resolve_auto(method: Method, model: RockingModel, dt: float) -> Method:
     slope = math.sin(model.collapse_rotation - phi2) / phi1 if phi2 > 0.0 else 0.0
     growth = dt * math.sqrt(model.p2 * amplitude * (1.0 + slope))
     return METHODS["taylor_6" if growth <= ORDER_SIX_UP_TO else "taylor"]
-
-
-def require_taylor(method: Method) -> None:
-    """Raise InputError for a method that knows no tie bars: all but the exact one."""
-    if method.code != TAYLOR:
-        raise InputError("bars_need_taylor", key="method", found=method.name)

@@ -14,8 +14,7 @@ from core.ground.provenance import stations
 from core.rocking.methods import Method
 from core.study.floors import LOW_CODE, building_notes
 from core.study.results import Assessment, WallResult
-from core.study.tie_design import TieDesign, tie_design, with_tie
-from core.study.zeta_with import Scene, lifts, zeta_with
+from core.study.zeta_with import Scene, lifts
 from core.text.sentence import Sentence, sentence
 from core.wall.restitution import restitution
 from core.wall.rocking_model import RockingModel, rocking_model
@@ -108,11 +107,8 @@ def assess(
         raised,
     )
     capacity = _capacity(result, demand, dynamic)
-    tie = None
-    if own.tie_height_m is not None and wall.mechanism == "one_sided" and known:
-        tie = _tie(scene, result, dynamic, cancelled)
     sensitivity = {lift.words.code: lift.zeta for lift in raised if lift.words.code in OF_THE_FLOOR}
-    return Assessment(kinematic, checks, dynamic, below, result, sensitivity, ratio, capacity, tie)
+    return Assessment(kinematic, checks, dynamic, below, result, sensitivity, ratio, capacity)
 
 
 def _circumstances(wall: WallResult, motions, polarities, demand: DemandResult, method: Method) -> Circumstances:
@@ -130,7 +126,7 @@ def _circumstances(wall: WallResult, motions, polarities, demand: DemandResult, 
 def _without_restraint(wall: WallResult) -> tuple[RockingModel, tuple[int, ...]]:
     """A one-sided wall as it rocks both ways where what restrains it fails, and the signs of its records."""
     free = restitution(wall.block, "housner", contact=contact_of(wall.wall))
-    model = rocking_model(wall.block, False, free, wall.law, wall.wall.restoring())
+    model = rocking_model(wall.block, False, free, wall.law, wall.wall.restoring(), wall.wall.bars())
     return model, (1,) if model.both_signs_alike else (1, -1)
 
 
@@ -139,10 +135,10 @@ def _checks(
 ) -> tuple[tuple[Check, ...], list[Sentence]]:
     """(the checks that can be made, what the linear one with the wall's own q is to be read with)."""
     # our q is counted from uplift at alpha_0 g: a0*, which e* raises, must not count it twice; and of the wall without
-    # the friction of return walls, which must not raise what the histories lead to
-    counted = kinematic.e_star
-    if kinematic.alpha0 > kinematic.chain.alpha0:
-        counted *= kinematic.chain.alpha0 / kinematic.alpha0
+    # its ties, which do not hold it at rest, and without the friction of return walls
+    counted, bare = kinematic.e_star, kinematic.chain.alpha0_bare
+    if kinematic.alpha0 > bare:
+        counted *= bare / kinematic.alpha0
     low, high = (None if q is None else q * counted for q in (wall.q_slv_low_set, wall.q_slv_set))
     made, limits = checks_of(kinematic, demand, low), []
     lower = next((check for check in made if check.name == "linear_q_slv"), None)
@@ -159,15 +155,3 @@ def _capacity(result: Verdict, demand: DemandResult, dynamic: DemandCheck | None
         return None
     least = histories.zeta_spread[0] if histories and histories.zeta_spread else None
     return risk(result.zeta_e, demand, least)
-
-
-def _tie(scene: Scene, result: Verdict, dynamic: DemandCheck | None, cancelled: Callable[[], bool]) -> TieDesign:
-    """The tie that brings zeta to what is required. result : of the wall without it"""
-    wall, decides = scene.wall, scene.decides
-
-    def judged_with(force: float, every: int) -> tuple[float | None, bool]:
-        return zeta_with(scene, every, cancelled, wall=with_tie(wall, force))
-
-    doubtful = dynamic and decides.name == "dynamic" and dynamic.within_spread(scene.demand.zeta_target)
-    sure = bool(decides.passed and not doubtful)
-    return tie_design(wall, (result.zeta_e, sure), decides.label, judged_with)

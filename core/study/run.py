@@ -12,7 +12,7 @@ import numpy as np
 from core.capacity.accuracy import Accuracy, accuracy
 from core.capacity.ida import Ida, Search, incremental_dynamic_analysis, multiplier_of, threshold_of
 from core.case.hinges import Part, parts
-from core.case.schema import Case, Wall
+from core.case.schema import Case
 from core.codes.demand import DemandResult, with_records
 from core.codes.kinematic import Kinematic, kinematic
 from core.codes.record_compatibility import compliance, period_range
@@ -32,10 +32,12 @@ from core.study.progress import STATEMENT, OnProgress, Progress, check_cost, run
 from core.study.record_input import joined, read_records
 from core.study.results import Assessment, StudyResult, WallResult
 from core.study.threads import Threads
-from core.study.wall_result import run_result, wall_result, with_governing_tie, with_variants_alone
+from core.study.tie_design import Hinge, tie_design
+from core.study.wall_result import run_result, wall_result, with_variants_alone
 from core.study.wall_verdict import wall_verdicts
+from core.study.zeta_with import Scene, model_of
 from core.version import VERSION
-from core.wall.rocking_model import RockingModel, rocking_model
+from core.wall.rocking_model import RockingModel
 
 
 class Entry(NamedTuple):
@@ -125,7 +127,7 @@ def run(
             by_state = demands_of(case, base_dir)
             results = _at_limit_states(plan, results, demand, by_state, kept, threads)
             demand = replace(demand, warnings=(*demand.warnings, *unsaid(demand, by_state)))
-            results = with_variants_alone(with_governing_tie(results))
+            results = with_variants_alone(_with_ties(plan, results, demand, kept, threads))
         if case.analysis.accuracy:
             results = _with_accuracy(plan, results, threads, progress)
     finally:
@@ -165,7 +167,7 @@ def _plan(case: Case, base_dir: Path) -> Plan:
     for part in hinged:
         wall, floor = part.wall, at_height[part.wall.base_z_m]
         for mechanism in wall.mechanisms():
-            model, found = _model(wall, mechanism), None
+            model, found = model_of(wall, mechanism), None
             if demand and (floor or not wall.above_ground):
                 found = kinematic(wall, mechanism, demand, floor.spectrum if floor else None)
             signs, felt = polarities_of(model, chosen.polarity), list(floor.motions) if floor else motions
@@ -258,6 +260,43 @@ def _at_limit_states(
     return [replace(wall, assessment=replace(wall.assessment, states=states[k])) for k, wall in enumerate(results)]
 
 
+def _with_ties(plan: Plan, results: list[WallResult], demand: DemandResult, kept, threads: Threads) -> list[WallResult]:
+    """The walls, the base of each that asks for a tie with its design. kept : KeptChecks of each wall"""
+    groups: dict[int, list[int]] = {}
+    for k, wall in enumerate(results):
+        asked = plan.case.wall[wall.part.origin]
+        if asked.tie_height_m is not None and wall.mechanism == "one_sided" and wall.assessment.kinematic:
+            groups.setdefault(wall.part.origin, []).append(k)
+    # a wall one of whose hinges has no check has no design
+    whole = {origin: group for origin, group in groups.items() if results[group[0]].part.hinge == 0.0}
+
+    def task(origin: int, group: list[int]):
+        hinges = []
+        for k in group:
+            wall, entry = results[k], plan.entries[k]
+            scene = Scene(
+                wall.wall,
+                wall.mechanism,
+                demand,
+                plan.case.building,
+                tuple(plan.motions),
+                entry.signs,
+                plan.method,
+                None,
+                wall.floor,
+                kept[k],
+            )
+            hinges.append(Hinge(wall.part.hinge, scene, wall.assessment.dynamic))
+        return lambda stop: tie_design(hinges, plan.case.wall[origin], stop)
+
+    done = threads.run({origin: task(origin, group) for origin, group in whole.items()}, lambda origin, _: None)
+    found = list(results)
+    for origin, tie in done.items():
+        k = whole[origin][0]
+        found[k] = replace(found[k], assessment=replace(found[k].assessment, tie=tie))
+    return found
+
+
 def _with_accuracy(plan: Plan, results: list[WallResult], threads: Threads, progress: Progress) -> list[WallResult]:
     """The walls with the statement on their governing runs."""
 
@@ -285,7 +324,7 @@ def warm(case: Case, motion: GroundMotion) -> None:
     """Make the kernels of a case ready: a few analyses of its first wall."""
     cache.proven()
     wall = case.wall[0]
-    model = _model(wall, wall.mechanisms()[0])
+    model = model_of(wall, wall.mechanisms()[0])
     method = METHODS.get(case.analysis.method, AUTO)
     _precompile(method, [model], [motion])
     ground, dt = motion.acceleration, motion.time_step
@@ -310,11 +349,6 @@ def polarities_of(model: RockingModel, asked: str) -> tuple[int, ...]:
     if model.both_signs_alike or asked == "as_recorded":
         return (1,)
     return (-1,) if asked == "reversed" else (1, -1)
-
-
-def _model(wall: Wall, mechanism: str) -> RockingModel:
-    one_sided = mechanism == "one_sided"
-    return rocking_model(wall.block(), one_sided, wall.restitution_of(mechanism), wall.moment_law(), wall.restoring())
 
 
 def _run_all(plan: Plan, threads: Threads, book, progress: Progress) -> dict[tuple[int, int, int], Ida]:

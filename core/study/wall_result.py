@@ -279,21 +279,3 @@ def with_variants_alone(results: list[WallResult]) -> list[WallResult]:
             wall = replace(wall, warnings=(notice("variant_alone"), *wall.warnings))
         said.append(wall)
     return said
-
-
-def with_governing_tie(results: list[WallResult]) -> list[WallResult]:
-    """The results, each tie with the force that the weakest of all hinges of its wall asks."""
-    groups: dict[tuple, list[WallResult]] = {}
-    for wall in results:
-        groups.setdefault((wall.part.origin, wall.mechanism), []).append(wall)
-    found = []
-    for wall in results:
-        group = groups[wall.part.origin, wall.mechanism]
-        ties = [one.assessment.tie for one in group if one.assessment and one.assessment.tie]
-        if wall.assessment is not None and wall.assessment.tie is not None:
-            forces = [tie.force for tie in ties]
-            governing = None if None in forces else max(forces)
-            tie = replace(wall.assessment.tie, hinges=len(ties), governing=governing)
-            wall = replace(wall, assessment=replace(wall.assessment, tie=tie))
-        found.append(wall)
-    return found

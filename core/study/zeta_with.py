@@ -18,6 +18,7 @@ from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import Method
 from core.study.floors import Floor, damaged, floor_of, other_ends
 from core.text.sentence import Key, Number, Sentence, sentence
+from core.wall import ties
 from core.wall.rocking_model import RockingModel, rocking_model
 
 EVERY = 8
@@ -53,9 +54,8 @@ class Scene:
 
 def model_of(wall: Wall, mechanism: str) -> RockingModel:
     """The rocking model of a wall."""
-    return rocking_model(
-        wall.block(), mechanism == "one_sided", wall.restitution_of(mechanism), wall.moment_law(), wall.restoring()
-    )
+    one_sided, restitution = mechanism == "one_sided", wall.restitution_of(mechanism)
+    return rocking_model(wall.block(), one_sided, restitution, wall.moment_law(), wall.restoring(), wall.bars())
 
 
 def zeta_with(
@@ -205,6 +205,11 @@ def _of_wall(**values) -> Change:
     return lambda scene: replace(scene, wall=replace(scene.wall, **values))
 
 
+def _of_loads(wall: Wall, **values) -> Change:
+    """Of its ties."""
+    return _of_wall(load=tuple(replace(load, **values) if load.is_tie else load for load in wall.load))
+
+
 def _of_demand(**values) -> Change:
     return lambda scene: replace(scene, demand=replace(scene.demand, **values))
 
@@ -251,6 +256,12 @@ def _raised(scene: Scene, asked: Demand, q_check: Check | None) -> Iterator[Rais
     if wall.return_walls is not None and q_check is not None:
         end = _of_wall(return_walls=None)
         yield _one("return_walls", "lift_return_walls", wall.justification, end, histories=False)
+    held = [load for load in wall.load if load.is_tie]
+    if any(tie.stands_more for tie in ties.ties_of(wall)):
+        end = _of_loads(wall, elongation_m=None, elongation=None)
+        yield _one("elongation_m", "lift_elongation", wall.justification, end)
+    if any(load.prestress for load in held):
+        yield _one("prestress", "lift_prestress", wall.justification, _of_loads(wall, prestress=0.0))
     if wall.free_element is not None and wall.free_element != replace(wall, free_element=None).is_free(scene.mechanism):
         code = "lift_one_sided_free" if wall.free_element else "lift_free_element"
         end = _of_wall(free_element=None)

@@ -1,4 +1,7 @@
-"""The loads of a wall as forces, masses and moments about its hinge, per metre of wall; and what it cannot carry."""
+"""The loads of a wall as forces, masses and moments about its hinge, per metre of wall; and what it cannot carry.
+
+A tie is a force at yield where a check of the code takes one (C8.7.1.1), and no part of a, c and theta_c.
+"""
 
 import math
 from dataclasses import replace
@@ -7,6 +10,7 @@ import numpy as np
 
 from core.errors import InputError, place
 from core.units import G
+from core.wall import ties
 from core.wall.block import Block
 from core.wall.loads import BARE, Force, PointMass, RestoringMoment, composite, restoring_moment
 from core.wall.restitution import Contact
@@ -19,6 +23,9 @@ CENTRED = 1e-6
 
 ALIKE = 1e-9
 """What a and c of both sides may differ by and still be the same [-]."""
+
+OF_A_TIE = ("bar_length_m", "fy_mpa", "elongation_m", "elongation", "slack_mm", "prestress", "bar")
+"""Keys of a load that only a tie has."""
 
 SECTIONS = 400
 """Sections of a wall between which a hinge inside it is looked for."""
@@ -34,13 +41,22 @@ def vertical_loads(wall) -> float:
     return sum(1e3 * load.kn_m for load in wall.load if load.is_weight)
 
 
+def size_of(load, wall) -> float:
+    """Size of a load [N/m], of a tie its force at yield."""
+    return ties.tie_of(load, wall).bar.strength if load.is_tie else 1e3 * load.kn_m
+
+
 def as_force(load, wall, side: float) -> Force:
-    """A load about the hinge of this side, 1.0 the outer one [N/m, m]; its weight too where its mass moves."""
+    """A load about the hinge of this side, 1.0 the outer one [N/m, m]; its weight too where its mass moves, a tie at
+    yield, which does not hold a wall that turns inward."""
     depth = load.d_m or 0.0
     inward = depth if side > 0.0 else wall.thickness - depth
-    push = 1e3 * load.inward * load.kn_m * side
-    weight = 1e3 * load.kn_m if load.is_weight else 0.0
-    return Force(weight, push, inward - wall.setback, load.h_m)
+    size, push = size_of(load, wall), 0.0
+    if load.kind == "thrust":
+        push = -size * side
+    elif load.is_tie and side > 0.0:
+        push = size
+    return Force(size if load.is_weight else 0.0, push, inward - wall.setback, load.h_m)
 
 
 def masses(wall) -> list[PointMass]:
@@ -66,22 +82,22 @@ def contact_of(wall) -> Contact | None:
 def restoring_of(wall, block: Block) -> tuple[RestoringMoment, RestoringMoment]:
     """a and c of a wall for outward and for inward rotations. block : of `moving_block`, which holds the weight of
     the masses that move."""
-    held = [load for load in wall.load if not load.pushes]
+    held = [load for load in wall.load if not load.pushes and not load.is_tie]
     if not held:
         return BARE, BARE
     weight = weight_per_metre(wall) + sum(1e3 * load.kn_m for load in wall.load if load.pushes)
     outward, inward = (
-        restoring_moment(block, weight, [as_force(load, wall, side) for load in held if holds(load, side)])
-        for side in (1.0, -1.0)
+        restoring_moment(block, weight, [as_force(load, wall, side) for load in held]) for side in (1.0, -1.0)
     )
     # alike but for rounding: alike
     same = max(abs(one - other) for one, other in zip(outward, inward, strict=True)) < ALIKE
     return outward, outward if same else inward
 
 
-def holds(load, side: float) -> bool:
-    """Whether a load acts when the wall turns about the hinge of this side: a tie slackens when it turns inward."""
-    return side > 0.0 or not load.slackens
+def restoring_with_ties(wall, block: Block) -> RestoringMoment:
+    """a and c of a wall that turns outward, were each of its ties a force of its yield strength up to collapse."""
+    weight = weight_per_metre(wall) + sum(1e3 * load.kn_m for load in wall.load if load.pushes)
+    return restoring_moment(block, weight, [as_force(load, wall, 1.0) for load in wall.load if not load.pushes])
 
 
 def is_centred(wall, block: Block) -> bool:
@@ -102,7 +118,7 @@ def rocks_both_ways(wall) -> bool:
         return True
     block = wall.block()
     outward, inward = restoring_of(wall, block)
-    alike = outward == inward or wall.moment_law().is_rigid
+    alike = (outward == inward and not any(load.is_tie for load in wall.load)) or wall.moment_law().is_rigid
     return alike and is_centred(wall, block) and is_stable(block, inward)
 
 
@@ -119,6 +135,9 @@ def check_given(wall) -> None:
     """Raise InputError for loads that are not complete, contradict each other or are not on the wall."""
     here = (place("wall", name=wall.name),)
     across, tie = wall.return_walls, wall.tie_height_m
+    for key in ("tie_bar_length_m", "tie_elongation_m", "tie_spacing_m"):
+        if tie is None and getattr(wall, key) is not None:
+            raise InputError("tie_design_needs_height", place=here, key=key)
     if not wall.load and across is None and tie is None:
         return
     if wall.height_m is None or wall.thickness is None or wall.unit_weight_kn_m3 is None:
@@ -129,9 +148,6 @@ def check_given(wall) -> None:
         raise InputError(
             "return_walls_too_many", place=here, found=across.number * across.thickness_m, length=wall.length_m
         )
-    slack = [load.kind for load in wall.load if load.slackens]
-    if slack and "two_sided" in wall.mechanisms():
-        raise InputError("holds_one_side", place=here, key=slack[0])
     for key, given in (("return_walls", across), ("tie_height_m", tie)):
         if given is not None and wall.mechanism == "two_sided":
             raise InputError("holds_one_side", place=here, key=key)
@@ -175,7 +191,8 @@ def _check_load(wall, load, here) -> None:
     """Rules of one load."""
     if load.kind == "vertical" and load.mass is None:
         raise InputError("load_mass_missing", place=here, key="mass")
-    fixed = "moving" if load.kind == "carried_mass" else "none" if load.inward else load.mass
+    _check_size(wall, load, here)
+    fixed = "moving" if load.kind == "carried_mass" else "none" if not load.is_weight else load.mass
     if load.mass not in (None, fixed):
         raise InputError("load_mass_refused", place=here, key="mass", kind=load.kind)
     if load.is_weight and load.d_m is None:
@@ -188,6 +205,50 @@ def _check_load(wall, load, here) -> None:
         raise InputError("load_outside", place=here, key="h_m", found=load.h_m, most=highest)
 
 
+def _check_size(wall, load, here) -> None:
+    """Rules of the size of a load, and of what a tie is."""
+    if not load.is_tie:
+        if given := [key for key in OF_A_TIE if getattr(load, key) not in (None, 0.0)]:
+            raise InputError("key_of_a_tie", place=here, key=given[0], kind=load.kind)
+        if load.kn_m is None:
+            raise InputError("load_size_missing", place=here, key="kn_m")
+        if load.kn_m == 0.0 or (load.kn_m < 0.0 and load.kind != "thrust"):
+            raise InputError("load_size", place=here, key="kn_m", found=load.kn_m, kind=load.kind)
+        return
+    _check_bar(wall, load, here)
+    if load.slack_mm > 0.0 and load.prestress > 0.0:
+        raise InputError("tie_slack_and_prestress", place=here, key="prestress")
+    if load.d_m:
+        raise InputError("tie_at_outer_face", place=here, key="d_m", found=load.d_m)
+    if not wall.moment_law().is_rigid:
+        raise InputError("tie_needs_rigid_law", place=here, key="law")
+    if load.prestress > 0.0 and "two_sided" in wall.mechanisms():
+        raise InputError("prestress_one_sided", place=here, key="prestress")
+    stated = load.elongation_m if load.elongation_m is not None else (load.elongation or 0.0) * load.bar_length_m
+    at_yield = ties.tie_of(load, wall).bar.elongation_at_yield
+    if 0.0 < stated < at_yield:
+        key = "elongation" if load.elongation_m is None else "elongation_m"
+        raise InputError("tie_elongation_below_yield", place=here, key=key, found=stated, least=at_yield)
+
+
+def _check_bar(wall, load, here) -> None:
+    """Rules of the bars of a tie."""
+    if load.bar_length_m is None:
+        raise InputError("tie_needs_length", place=here, key="bar_length_m")
+    if (load.kn_m is None) == (load.bar is None):
+        raise InputError("tie_size_or_bar", place=here, key="kn_m")
+    if load.kn_m is not None and load.kn_m <= 0.0:
+        raise InputError("load_size", place=here, key="kn_m", found=load.kn_m, kind=load.kind)
+    if load.bar is not None and (load.fy_mpa is not None or load.elongation_m is not None):
+        raise InputError("tie_bar_says", place=here, key="fy_mpa" if load.fy_mpa is not None else "elongation_m")
+    if load.bar is not None and wall.length_m is None:
+        raise InputError("tie_bar_needs_length", place=here, key="length_m")
+    if load.bar is not None and load.bar.fu_mpa < load.bar.fy_mpa:
+        raise InputError("tie_fu_below_fy", place=here, key="fu_mpa", found=load.bar.fu_mpa, least=load.bar.fy_mpa)
+    if load.elongation_m is not None and load.elongation is not None:
+        raise InputError("tie_two_elongations", place=here, key="elongation")
+
+
 def start_multiplier(weight: float, x: float, y: float, forces, pushed) -> float:
     """alpha_0 of one block: the moments that hold it over those of its masses [-] (C8.7.1.1).
 
@@ -198,17 +259,20 @@ def start_multiplier(weight: float, x: float, y: float, forces, pushed) -> float
     return holding / (weight * y + sum(mass.mass * G * mass.height for mass in pushed))
 
 
-def start_moments(wall, side: float) -> tuple[float, float, float, float, float]:
-    """W x, sum N d, sum F h, W y, sum Q h [N]: what alpha_0 of a wall with loads is made of (C8.7.1.1).
+def start_moments(wall, side: float) -> tuple[float, float, float, float, float, float]:
+    """W x, sum N d, sum F h, sum T h of the ties at yield, W y, sum Q h [N]: what alpha_0 of a wall with loads is made
+    of (C8.7.1.1).
 
     side : 1.0 about the outer hinge, -1.0 about the inner one
     """
     weight, (x, y) = weight_per_metre(wall), wall.bare_block().centroid
-    forces = [as_force(load, wall, side) for load in wall.load]
+    forces = [as_force(load, wall, side) for load in wall.load if not load.is_tie]
+    held = [as_force(load, wall, side) for load in wall.load if load.is_tie]
     return (
         weight * x,
         sum(force.vertical * force.distance for force in forces),
         sum(force.horizontal * force.height for force in forces),
+        sum(force.horizontal * force.height for force in held),
         weight * y,
         sum(mass.mass * G * mass.height for mass in masses(wall)),
     )
@@ -253,10 +317,12 @@ def largest_tie_share(wall) -> float:
 
 def _check_inward(wall, here) -> None:
     """Raise InputError for ties, or other forces inward, under which the wall opens a hinge above its base."""
-    ties = sum(load.kn_m for load in wall.load if load.inward > 0.0)
-    if not ties or (hinge := hinge_inside(wall)) is None:
+    held = sum(force.horizontal for load in wall.load if (force := as_force(load, wall, 1.0)).horizontal > 0.0)
+    if not held or (hinge := hinge_inside(wall)) is None:
         return
-    raise InputError("tie_too_strong", place=here, found=ties, hinge=hinge, most=ties * largest_tie_share(wall))
+    raise InputError(
+        "tie_too_strong", place=here, found=1e-3 * held, hinge=hinge, most=1e-3 * held * largest_tie_share(wall)
+    )
 
 
 def loads_above(wall, hinge: float) -> tuple:

@@ -51,8 +51,30 @@ def test_that_what_is_missing_of_a_load_is_said_and_blocks_the_run(opened):
     assert "load" in opened.banner.text() or "kN/m" in opened.banner.text() or "Size" in opened.banner.text()
     assert not opened.run_button.isEnabled()
     type_into(field(form, "kn_m"), "2")
+    assert not opened.run_button.isEnabled() and "bar" in opened.banner.text()
+    type_into(field(form, "bar_length_m"), "8")
     assert opened.run_button.isEnabled()
-    assert not field(form, "mass").isVisibleTo(form)
+    assert not field(form, "mass").isVisibleTo(form) and not field(form, "d_m").isVisibleTo(form)
+
+
+def test_that_the_bars_of_a_tie_are_given_in_place_of_its_force(opened):
+    form = opened.walls.loads
+    opened.session.edit_wall(0, mechanism="one_sided", length_m=10.0)
+    type_into(opened.walls.fields["unit_weight_kn_m3"], "18")
+    form.add("tie")
+    type_into(field(form, "bar_length_m"), "8")
+    form.bars.setChecked(True)
+    (number, diameter), anchorage = form.bar_fields[:2], form.bar_fields[-1]
+    type_into(number, "4")
+    type_into(diameter, "6")
+    type_into(anchorage, "60")
+    load = opened.session.case.wall[0].load[0]
+    assert (load.kn_m, load.bar.number, load.bar.diameter_mm, load.bar.anchorage_kn) == (None, 4, 6.0, 60.0)
+    assert opened.run_button.isEnabled() and not field(form, "kn_m").isVisibleTo(form)
+    form.bars.setChecked(False)
+    assert opened.session.case.wall[0].load[0].bar is None
+    form.bars.setChecked(True)
+    assert opened.session.case.wall[0].load[0].bar.number == 4
     form.delete()
     assert opened.session.case.wall[0].load == () and not form.list.isVisibleTo(form)
 

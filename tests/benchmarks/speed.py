@@ -85,13 +85,13 @@ FIRST = """
 import sys
 from pathlib import Path
 from core.case.reader import read_case
-from core.study import run as study
 from core.study.record_input import read_records
+from core.study.zeta_with import model_of
 from core.rocking.history import history
 path = Path(sys.argv[1])
 case = read_case(path)
 motions, _ = read_records(case, path.parent)
-wall = study._model(case.wall[0], "two_sided")
+wall = model_of(case.wall[0], "two_sided")
 assert history(motions[0].acceleration, motions[0].time_step, 1.0, wall).rotation.any()
 """
 

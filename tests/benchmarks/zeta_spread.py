@@ -27,7 +27,7 @@ from core.ground.ground_motion import GroundMotion
 from core.ground.records.grammar import Options
 from core.rocking.methods import AUTO
 from core.study.demand_input import demand_of
-from core.study.run import _model
+from core.study.zeta_with import model_of
 from core.units import G
 from tests.conftest import ROOT, shelf_folder
 
@@ -90,7 +90,7 @@ def draw(k: int, shelf: list[GroundMotion], small: bool = False):
             GroundMotion(f"{n}", compatible_motion(target, 7 * k + n), 0.01, format="generated") for n in range(7)
         ]
     signs = (1,) if mechanism == "two_sided" else (1, -1)
-    return _model(case.wall[0], mechanism), motions, signs, demand_of(case, None)
+    return model_of(case.wall[0], mechanism), motions, signs, demand_of(case, None)
 
 
 def spread(k: int, shelf, small: bool = False) -> dict[int, list[tuple]]:

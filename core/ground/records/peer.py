@@ -57,7 +57,8 @@ def recognises_matrix(lines: list[str]) -> bool:
         len(rows) == 4
         and all(row is not None and len(row) == 3 for row in rows)
         and 0.0 < rows[0][1] < 1.0
-        and rows[0][2] == int(rows[0][2]) > 10
+        and rows[0][2] > 10
+        and rows[0][2].is_integer()
         and all(row[1:] == [0.0, 0.0] for row in rows[1:])
     )
 

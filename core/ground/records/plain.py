@@ -200,7 +200,7 @@ def _table(content: _Content) -> np.ndarray:
 
 def _count_and_step(row: list[float]) -> bool:
     """Whether a first row is `npts dt`."""
-    return len(row) == 2 and row[0] >= 10 and row[0] == int(row[0]) and 0 < row[1] < 1
+    return len(row) == 2 and row[0] >= 10 and row[0].is_integer() and 0 < row[1] < 1
 
 
 def _columns(table, places, options: Options, seconds: float):

@@ -7,7 +7,7 @@ from core.report.note import site, wall_figures
 from core.report.note.parts import Blanks, Box, Derivation, Figures, Heading, Paragraph, Part, Step, Table
 from core.report.note.wall_steps import Derivations
 from core.report.note.words import Words
-from core.report.tie_words import tie_words
+from core.report.tie_words import tie_lines
 from core.report.verdict_words import in_order, lines_of, sentence_of, tone_of
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import localized
@@ -194,9 +194,7 @@ def _verdict(result: StudyResult, wall: WallResult, words: Words) -> list[Part]:
     parts: list[Part] = []
     if found is not None:
         parts = [Heading(say("Verdict"), 3), Paragraph(sentence_of(result, wall, language), tone_of(result, wall))]
-        lines = lines_of(result, wall, language)
-        if found.tie is not None:
-            lines.append(tie_words(say, found.tie))
+        lines = [*lines_of(result, wall, language), *tie_lines(wall, language)]
         parts += [Paragraph(f"• {line}") for line in lines]
     parts += [Paragraph(f"• {warning.text(language)}", "quiet") for warning in wall.warnings]
     return parts

@@ -7,6 +7,7 @@ from core.study.floors import damaged
 from core.study.results import StudyResult, WallResult
 from core.study.variants import comparisons
 from core.units import G
+from core.wall.wall_loads import size_of
 
 
 def hazard(result: StudyResult, words: Words) -> list[Part]:
@@ -70,7 +71,7 @@ def loads(wall: WallResult, words: Words) -> list[Part]:
     rows = [
         [
             words.word(f"load_{load.kind}"),
-            words.number(load.kn_m, ".2f"),
+            words.number(1e-3 * size_of(load, asked), ".2f"),
             words.number(load.h_m, ".2f"),
             words.number(load.d_m, ".3f"),
             words.word(f"choice_{load.mass}") if load.mass else "–",

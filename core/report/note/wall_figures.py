@@ -13,6 +13,7 @@ from core.report.plots import thinned
 from core.study.demand_histories import demand_histories
 from core.study.results import StudyResult, WallResult
 from core.units import CM, G
+from core.wall.wall_loads import size_of
 
 TURNED = math.radians(7.0)
 """Rotation of the dashed outline of the mechanism."""
@@ -96,7 +97,7 @@ def _sizes_of_loads(wall: WallResult, words: Words) -> list[Label]:
         x, y = (x, y + 0.05 * h) if load.is_weight else (x - 0.15 * h, y)
         while any(abs(x - one.x) < 0.3 * h and abs(y - one.y) < 0.055 * h for one in labels):
             y += 0.03 * h
-        labels.append(Label(f"{words.number(load.kn_m, '.2f')} kN/m", x, y))
+        labels.append(Label(f"{words.number(1e-3 * size_of(load, wall.wall), '.2f')} kN/m", x, y))
     return labels
 
 
@@ -119,11 +120,12 @@ def capacity(result: StudyResult, wall: WallResult, words: Words) -> Figure | No
     if curve is None:
         return None
     percent = words.number(100.0 * curve.damping, "g")
-    (_, a0), (d0, _) = curve.capacity
+    along, across = zip(*curve.capacity, strict=True)
+    a0 = max(across)
     d, a, s_de = mechanism.d_limit, mechanism.a_limit, mechanism.s_de
     curves = [
         Curve(words.say("demand {percent} %", percent=percent), curve.demand_d / CM, curve.demand_a / G, "bad"),
-        Curve(words.say("capacity"), (0.0, d0 / CM), (a0 / G, 0.0), "accent", width=1.8),
+        Curve(words.say("capacity"), tuple(d / CM for d in along), tuple(a / G for a in across), "accent", width=1.8),
     ]
     if curve.floor_d.size:
         curves.insert(
@@ -138,7 +140,7 @@ def capacity(result: StudyResult, wall: WallResult, words: Words) -> Figure | No
         Curve("S_De", (s_de / CM,), (slope * s_de / G,), "bad", "points"),
     ]
     caption = words.say("Capacity curve (C8.7.1.3) over the demand, spectral displacement and acceleration")
-    return Figure(caption, curves, "d [cm]", "a [g]", (0.0, 1.05 * max(d0, s_de) / CM), (0.0, high))
+    return Figure(caption, curves, "d [cm]", "a [g]", (0.0, 1.05 * max(mechanism.d0, s_de) / CM), (0.0, high))
 
 
 def histories(result: StudyResult, wall: WallResult, words: Words) -> Figure | None:

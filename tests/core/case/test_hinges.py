@@ -62,7 +62,7 @@ def test_that_without_a_word_a_hinge_is_where_a_load_or_a_storey_is_and_three_ti
     """A wall of 9.0 x 0.60 m, three storeys of 3 m: above 7.2 m its top is stockier than 3."""
     roof = {"kind": "vertical", "kn_m": 8.0, "d_m": 0.4, "h_m": 8.8, "mass": "none"}
     floor = {**roof, "h_m": 4.5}
-    tie = {"kind": "tie", "kn_m": 1.0, "h_m": 7.19}
+    tie = {"kind": "tie", "kn_m": 1.0, "h_m": 7.19, "bar_length_m": 8.0}
     changes = {"unit_weight_kn_m3": 18.0, "load": [roof, floor, tie], "thickness_m": 0.6}
     found = [part.hinge for part in parts(case(None, BUILDING, **changes))]
     assert found == pytest.approx([0.0, 3.0, 4.5, 6.0, 7.19])

@@ -285,10 +285,10 @@ def test_that_a_row_is_hidden_however_a_workbook_says_it(tmp_path, old, new):
 
 
 LOADED = """Parete;z;H;t;Peso specifico;Meccanismo;velocity_ratio;Carico 1;Carico 1 p;Carico 1 d;Carico 1 h;\
-Carico 1 massa;Carico 2;load2_kn_m;load2_h_m;Variante
-;m;m;cm;kN/m3;;;;kN/m;cm;m;;;kN/m;m;
-A;0;3;45;18;un lato;0,5;verticale;10;30;3;orizzontale;catena;2,5;2,8;progetto
-B;0;3;45;18;un lato;;;;;;;;;;
+Carico 1 massa;Carico 2;load2_kn_m;load2_h_m;Carico 2 lunghezza barra;Variante
+;m;m;cm;kN/m3;;;;kN/m;cm;m;;;kN/m;m;m;
+A;0;3;45;18;un lato;0,5;verticale;10;30;3;orizzontale;catena;2,5;2,8;9;progetto
+B;0;3;45;18;un lato;;;;;;;;;;;
 """
 
 
@@ -302,7 +302,7 @@ def test_that_loads_stand_in_columns_of_their_own():
 
 
 def test_that_a_load_that_lacks_its_size_names_row_and_key():
-    text = "name;h;t;mechanism;load 1;load 1 h\n;m;m;;;m\nA;3;0.45;one_sided;tie;2\n"
+    text = "name;h;t;peso specifico;mechanism;load 1;load 1 h\n;m;m;kN/m3;;;m\nA;3;0.45;18;one_sided;thrust;2\n"
     with pytest.raises(InputError) as caught:
         walls_of(text_rows(text))
     assert "row 3" in str(caught.value) and "kn_m" in str(caught.value)

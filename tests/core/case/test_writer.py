@@ -29,7 +29,7 @@ def test_that_a_case_written_and_read_again_is_the_same():
 def test_that_loads_return_walls_and_hazard_are_written_and_read_again():
     loads = [
         {"kind": "vertical", "kn_m": 10.0, "h_m": 7.0, "d_m": 0.4, "mass": "none"},
-        {"kind": "tie", "kn_m": 2.0, "h_m": 6.5},
+        {"kind": "tie", "kn_m": 2.0, "h_m": 6.5, "bar_length_m": 8.0},
     ]
     wall = {
         "load": loads,
@@ -50,7 +50,7 @@ def test_that_loads_return_walls_and_hazard_are_written_and_read_again():
     draft = replace(first, wall=(replace(first.wall[0], load=(open_load,)),))
     with pytest.raises(InputError) as caught:
         parse_case(tomllib.loads(dumps(draft)))
-    assert (caught.value.code, caught.value.key) == ("missing", "kn_m")
+    assert (caught.value.code, caught.value.key) == ("load_size_missing", "kn_m")
 
 
 COMMENTED = """\

@@ -38,6 +38,8 @@ def load_of(draw, height, thickness):
     load |= {"h_m": round(height * draw.uniform(0.6, 1.0), 3), "kn_m": round(draw.uniform(0.2, 0.6), 3)}
     if load["kind"] in ("vertical", "carried_mass"):
         load |= {"d_m": round(thickness * draw.uniform(0.3, 0.8), 3), "kn_m": round(draw.uniform(1.0, 8.0), 3)}
+    if load["kind"] == "tie":
+        load |= {"bar_length_m": 8.0} | draw.choice(({}, {"elongation_m": 0.03}, {"elongation_m": 0.4}))
     return load
 
 
@@ -157,6 +159,7 @@ def test_that_every_quantity_is_one_of_a_wall():
     }
     seen = {"q", "q_eff", "demand_over_q", "capacity_over_demand"}  # of the table of records, and of Eq. 9
     seen |= {"intensity_of_records", "linear_q_slv", "linear_q_slv_with_friction", "linear_q_slv_zeta"}  # with records
+    seen |= {"linear_q_slv_with_ties", "linear_q_slv_with_ties_and_friction"}
     for which in DEMANDS:
         for result in results(which):
             for wall in result.walls:
@@ -171,10 +174,12 @@ def test_that_the_sections_of_a_run_with_records_agree_too(reference, tmp_path):
         (tmp_path / f"r{k}.txt").write_text("\n".join(f"{value:.9e}" for value in ground * (0.9 + 0.1 * k)))
     wall = {"name": "w", "height_m": 6.0, "thickness_m": 0.6, "mechanism": "one_sided", "base_z_m": 0.0}
     friction = {"unit_weight_kn_m3": 18.0, "length_m": 5.0, "return_walls": ACROSS}
+    tie = {"kind": "tie", "kn_m": 1.5, "h_m": 5.5, "bar_length_m": 8.0, "elongation_m": 0.3}
+    tied = {"name": "t", "unit_weight_kn_m3": 18.0, "load": [tie], "hinge_heights": "base"}
     records = [{"file": f"r{k}.txt", "unit": "m/s2", "time_step_s": 0.01} for k in range(3)]
     case = parse_case(
         {
-            "wall": [wall, wall | friction | {"name": "f"}],
+            "wall": [wall, wall | friction | {"name": "f"}, wall | tied, wall | friction | tied | {"name": "tf"}],
             "record": records,
             "demand": {"ag_g": 0.2, "soil_factor": 1.2},
             "analysis": {"q_step": 0.02},

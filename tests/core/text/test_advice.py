@@ -40,6 +40,11 @@ STATES = {
     "vertical_component",
     "demand_fails",
     "return_walls_need_length",
+    "tie_bar_needs_length",
+    "tie_design_needs_height",
+    "tie_needs_length",
+    "tie_size_or_bar",
+    "tie_two_elongations",
 }
 """They say what is the case, or what is accepted, and advise nothing that lifts zeta."""
 
@@ -61,6 +66,11 @@ LOWERS = {
     "to_not_compatible",
     "two_hazards",
     "load_mass_refused",
+    "key_of_a_tie",
+    "tie_accuracy",
+    "tie_at_outer_face",
+    "tie_bar_says",
+    "tie_elongation_below_yield",
 }
 """What they advise lowers zeta or leaves it: less is counted, the file decides, the spectrum does."""
 
@@ -76,6 +86,7 @@ CONDITION = {
     "restraint_unnamed": "what stands behind the wall",
     "strengthen": "check it again",
     "two_sided_loads_rigid": "assume a restraint behind",
+    "tie_needs_rigid_law": "may overturn later",
 }
 """They name such an input together with what it takes: code -> words of it."""
 

@@ -14,6 +14,7 @@ from core.case.schema import Case, Load, sections
 from core.codes.kinematic import CHECKS
 from core.errors import InputError, place, section
 from core.packages import PACKAGES
+from core.study.tie_design import NAMES as FORCES
 from core.text.catalogue import CATALOGUE, FOLDER, GROUPS, Catalogue
 from core.text.sentence import FormNames, Key, Quantity, capital, localized, sentence
 from tests.conftest import ROOT
@@ -167,7 +168,8 @@ def test_that_every_text_of_the_catalogue_is_used():
     sides |= {f"section_{entry.name}" for entry in fields(Case)}
     sides |= {f"work_{extra}" for extra in PACKAGES}
     sides |= {f"load_{kind}" for kind in LOAD_KINDS} | {key for keys in ENTRIES.values() for key in keys}
-    sides |= {f"by_{label}" for label in (*CHECKS, "linear_sld")}
+    sides |= {f"by_{label}" for label in (*CHECKS, "linear_sld")} | {f"tie_{name}" for name in FORCES}
+    sides |= {f"part_{part}" for part in ("steel", "thread", "anchorage")}
     for group in set(CATALOGUE) - {"error", "key"}:
         unused = {code for code in CATALOGUE[group] if code not in literals | sides}
         assert unused == set(), group
