@@ -1,5 +1,5 @@
 """The bars of a wall while it moves: what each does, and what they do to the wall (resources/docs/physics.md, section
-20)."""
+18)."""
 
 import math
 from typing import NamedTuple

@@ -1,5 +1,5 @@
 """One step of a wall held by bars: the Taylor series with their moment, and where the wall turns back
-(resources/docs/physics.md, section 20)."""
+(resources/docs/physics.md, section 18)."""
 
 from core.jit.decorators import subkernel
 from core.jit.fma import fma
@@ -13,7 +13,7 @@ ORDER = 8
 
 
 @subkernel
-def series_with_bars(phi, speed, beta, rise, p2, pull, model, constants, work):
+def series_with_bars(phi, speed, beta, rise, p2, pull, model, constants):
     """v0..v8 of phi' about the start of a step, in units of the step.
 
     With x, y = sin(phi), cos(phi) Eq. 1 is phi'' = p2 (A y + B x - K x y + dbeta t (cos(alpha) y + sin(alpha) x)),
@@ -28,29 +28,45 @@ def series_with_bars(phi, speed, beta, rise, p2, pull, model, constants, work):
     pull : Pull
     model : RockingModel as the pivot sees it
     constants : WallConstants
-    work : room, shape (3, 9)
     """
-    restoring = model.restoring
-    v, x, y = work[0], work[1], work[2]
-    x[0], y[0] = sine_and_cosine(phi)
-    v[0] = speed
-    outward = fma(constants.cosine, beta - fma(restoring.sine, constants.tangent, restoring.cosine), -pull.constant)
-    across = fma(constants.sine, beta - restoring.cosine, restoring.sine * constants.cosine)
-    for n in range(1, ORDER + 1):
-        product, rate, fall = 0.0, 0.0, 0.0
-        for i in range(n):
-            product = fma(x[i], y[n - 1 - i], product)
-        push = fma(outward, y[n - 1], fma(across, x[n - 1], -pull.spring * product))
-        if n > 1:
-            push = fma(rise, fma(constants.cosine, y[n - 2], constants.sine * x[n - 2]), push)
-        v[n] = p2 * push / n
-        for i in range(n):
-            rate = fma(v[i], y[n - 1 - i], rate)
-            fall = fma(v[i], x[n - 1 - i], fall)
-        x[n], y[n] = rate / n, -fall / n
+    restoring, sine, cosine = model.restoring, constants.sine, constants.cosine
+    x0, y0 = sine_and_cosine(phi)
+    v0, stiff, rise = speed, p2 * pull.spring, p2 * rise
+    outward = p2 * fma(cosine, beta - fma(restoring.sine, constants.tangent, restoring.cosine), -pull.constant)
+    across = p2 * fma(sine, beta - restoring.cosine, restoring.sine * cosine)
+    e0 = x0 * y0
+    v1 = fma(-stiff, e0, fma(across, x0, outward * y0))
+    x1 = v0 * y0
+    y1 = -(v0 * x0)
+    e1 = fma(x1, y0, x0 * y1)
+    v2 = (1.0 / 2.0) * fma(rise, fma(sine, x0, cosine * y0), fma(-stiff, e1, fma(across, x1, outward * y1)))
+    x2 = (1.0 / 2.0) * (fma(v1, y0, v0 * y1))
+    y2 = (-1.0 / 2.0) * (fma(v1, x0, v0 * x1))
+    e2 = fma(x2, y0, fma(x0, y2, x1 * y1))
+    v3 = (1.0 / 3.0) * fma(rise, fma(sine, x1, cosine * y1), fma(-stiff, e2, fma(across, x2, outward * y2)))
+    x3 = (1.0 / 3.0) * (fma(v2, y0, fma(v0, y2, v1 * y1)))
+    y3 = (-1.0 / 3.0) * (fma(v2, x0, fma(v0, x2, v1 * x1)))
+    e3 = fma(x3, y0, fma(x0, y3, fma(x2, y1, x1 * y2)))
+    v4 = (1.0 / 4.0) * fma(rise, fma(sine, x2, cosine * y2), fma(-stiff, e3, fma(across, x3, outward * y3)))
+    x4 = (1.0 / 4.0) * (fma(v3, y0, fma(v0, y3, fma(v2, y1, v1 * y2))))
+    y4 = (-1.0 / 4.0) * (fma(v3, x0, fma(v0, x3, fma(v2, x1, v1 * x2))))
+    e4 = fma(x4, y0, fma(x0, y4, fma(x3, y1, fma(x1, y3, x2 * y2))))
+    v5 = (1.0 / 5.0) * fma(rise, fma(sine, x3, cosine * y3), fma(-stiff, e4, fma(across, x4, outward * y4)))
+    x5 = (1.0 / 5.0) * (fma(v4, y0, fma(v0, y4, fma(v3, y1, fma(v1, y3, v2 * y2)))))
+    y5 = (-1.0 / 5.0) * (fma(v4, x0, fma(v0, x4, fma(v3, x1, fma(v1, x3, v2 * x2)))))
+    e5 = fma(x5, y0, fma(x0, y5, fma(x4, y1, fma(x1, y4, fma(x3, y2, x2 * y3)))))
+    v6 = (1.0 / 6.0) * fma(rise, fma(sine, x4, cosine * y4), fma(-stiff, e5, fma(across, x5, outward * y5)))
+    x6 = (1.0 / 6.0) * (fma(v5, y0, fma(v0, y5, fma(v4, y1, fma(v1, y4, fma(v3, y2, v2 * y3))))))
+    y6 = (-1.0 / 6.0) * (fma(v5, x0, fma(v0, x5, fma(v4, x1, fma(v1, x4, fma(v3, x2, v2 * x3))))))
+    e6 = fma(x6, y0, fma(x0, y6, fma(x5, y1, fma(x1, y5, fma(x4, y2, fma(x2, y4, x3 * y3))))))
+    v7 = (1.0 / 7.0) * fma(rise, fma(sine, x5, cosine * y5), fma(-stiff, e6, fma(across, x6, outward * y6)))
+    x7 = (1.0 / 7.0) * (fma(v6, y0, fma(v0, y6, fma(v5, y1, fma(v1, y5, fma(v4, y2, fma(v2, y4, v3 * y3)))))))
+    y7 = (-1.0 / 7.0) * (fma(v6, x0, fma(v0, x6, fma(v5, x1, fma(v1, x5, fma(v4, x2, fma(v2, x4, v3 * x3)))))))
+    e7 = fma(x7, y0, fma(x0, y7, fma(x6, y1, fma(x1, y6, fma(x5, y2, fma(x2, y5, fma(x4, y3, x3 * y4)))))))
+    v8 = (1.0 / 8.0) * fma(rise, fma(sine, x6, cosine * y6), fma(-stiff, e7, fma(across, x7, outward * y7)))
     # at uplift phi'' is zero or outward; its rounding must not push the block down
-    v1 = max(v[1], 0.0) if phi == 0.0 and speed == 0.0 else v[1]
-    return v[0], v1, v[2], v[3], v[4], v[5], v[6], v[7], v[8]
+    v1 = max(v1, 0.0) if phi == 0.0 and speed == 0.0 else v1
+    return v0, v1, v2, v3, v4, v5, v6, v7, v8
 
 
 @subkernel
@@ -69,7 +85,7 @@ def bounded_with(constants, pull):
 
 
 @subkernel
-def step_with_bars(state, ground0, ground1, t, dt, pull, model, constants, bounds, work):
+def step_with_bars(state, ground0, ground1, t, dt, pull, model, constants, bounds):
     """(v0..v8, InitialTerms, part) as `taylor.converged_step`, of a wall held by bars.
 
     state : BlockState at t
@@ -80,7 +96,6 @@ def step_with_bars(state, ground0, ground1, t, dt, pull, model, constants, bound
     model : RockingModel as the pivot sees it
     constants : WallConstants
     bounds : of `bounded_with`
-    work : room, shape (3, 9)
     """
     rest_of_sample = 1.0 - t
     step = dt * rest_of_sample
@@ -90,7 +105,7 @@ def step_with_bars(state, ground0, ground1, t, dt, pull, model, constants, bound
     beta, rise = to_g * fma(jump, t, ground0), to_g * jump * rest_of_sample
     forcing = max(abs(ground0), abs(ground1)) * PER_G
     speed = state.speed * step
-    v = series_with_bars(state.phi, speed, beta, rise, p2, pull, model, constants, work)
+    v = series_with_bars(state.phi, speed, beta, rise, p2, pull, model, constants)
     growth = fma(p2, bounds.strength + forcing, speed * speed)
     scale = (model.restoring.sine, 0.0, 0.0, 0.0)
     relative = relative_tolerance(state.phi, speed, forcing, p2, scale, constants)

@@ -1,4 +1,4 @@
-"""Eq. 1 of a wall held by tie bars, by the Taylor series of order 8 (resources/docs/physics.md, section 20).
+"""Eq. 1 of a wall held by tie bars, by the Taylor series of order 8 (resources/docs/physics.md, section 18).
 
 As `taylor.py`, with one more term in the equation and more events: a bar becomes taut, yields, turns back, is slack,
 breaks. Walls of the rigid law only. One analysis after another: no vector instructions, the same results for a
@@ -26,7 +26,7 @@ from core.rocking.bar_state import (
 from core.rocking.early_stop import LOOKAHEAD, MAX_SETTLED_RATIO, cannot_recover
 from core.rocking.events import IMPACTS_PER_SAMPLE, LAST_ROTATION, BlockState, next_uplift
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
-from core.rocking.series_with_bars import ORDER, bounded_with, step_with_bars, until_turn
+from core.rocking.series_with_bars import bounded_with, step_with_bars, until_turn
 from core.rocking.taylor import advance, first_event, impact
 from core.rocking.taylor_series import PER_G, WallConstants, sine_and_cosine, wall_constants
 from core.units import G
@@ -43,7 +43,7 @@ loss."""
 
 
 @subkernel
-def through_sample_with_bars(ground0, ground1, dt, model, constants, strongest, state, start, bars, held, work):
+def through_sample_with_bars(ground0, ground1, dt, model, constants, strongest, state, start, bars, held):
     """As `taylor.through_sample`: carry the block to its next impact or through the sample.
 
     ground0, ground1 : ground acceleration at both ends [m/s2]
@@ -55,7 +55,6 @@ def through_sample_with_bars(ground0, ground1, dt, model, constants, strongest, 
     start : where in the sample it is, 0 to 1
     bars : of `bar_rows`, shape (bars, 5)
     held : state of the bars, shape (bars, 5)
-    work : room, shape (3, 9)
     Returns (outcome so far, where in the sample, rotation speed after the impact [rad/s], BlockState).
     """
     jump = ground1 - ground0
@@ -70,7 +69,7 @@ def through_sample_with_bars(ground0, ground1, dt, model, constants, strongest, 
         seen = seen_from(model, state.side)
         pull = pull_of(state.side, bars, held)
         bounds = bounded_with(constants, pull)
-        v, begun, part = step_with_bars(state, ground0, ground1, t, dt, pull, seen, constants, bounds, work)
+        v, begun, part = step_with_bars(state, ground0, ground1, t, dt, pull, seen, constants, bounds)
         # the moment is bounded by that of the wall and of the bars
         moment = seen.restoring.amplitude + abs(pull.constant)
         event = first_event(v, begun, state.phi, (pull.low, pull.high, 0.0, pull.spring, moment, 0.0), bounds)
@@ -155,7 +154,7 @@ def settled_with_bars(state, push, model, bars, held):
 
 
 @subkernel
-def in_still_ground(dt, model, constants, state, bars, held, work):
+def in_still_ground(dt, model, constants, state, bars, held):
     """(outcome, BlockState) once the record has ended: the wall is followed until it cannot reach its peak again. One
     that leans on its bars beyond theta_c, and stays there, has collapsed.
 
@@ -164,7 +163,6 @@ def in_still_ground(dt, model, constants, state, bars, held, work):
     constants : WallConstants
     state : BlockState
     bars, held : the bars and their state, shape (bars, 5)
-    work : room, shape (3, 9)
     """
     samples = int(STILL_TIME / (math.sqrt(model.p2) * dt)) + 1
     for _ in range(samples):
@@ -172,9 +170,7 @@ def in_still_ground(dt, model, constants, state, bars, held, work):
             return STABLE, state
         t, before = 0.0, state.impacts
         while t < 1.0:
-            outcome, t, _, state = through_sample_with_bars(
-                0.0, 0.0, dt, model, constants, 0.0, state, t, bars, held, work
-            )
+            outcome, t, _, state = through_sample_with_bars(0.0, 0.0, dt, model, constants, 0.0, state, t, bars, held)
             if state.impacts - before > IMPACTS_PER_SAMPLE:
                 outcome = IMPACT_LIMIT
             if outcome != STABLE:
@@ -184,7 +180,7 @@ def in_still_ground(dt, model, constants, state, bars, held, work):
 
 
 @kernel
-def integrate_with_bars(ground, dt, scale, model, start, bars, held, work, trace, impact_time, impact_velocity):
+def integrate_with_bars(ground, dt, scale, model, start, bars, held, trace, impact_time, impact_velocity):
     """As the kernels of `taylor.INTEGRATE`, of a wall held by bars.
 
     ground : ground acceleration [m/s2], shape (n,)
@@ -193,7 +189,7 @@ def integrate_with_bars(ground, dt, scale, model, start, bars, held, work, trace
     model : RockingModel without bars, of the rigid law
     start : initial rotation [rad] and velocity [rad/s]
     bars : of `bar_rows`, shape (bars, 5)
-    held, work : room, shape (bars, 5) and (3, 9)
+    held : room, shape (bars, 5)
     trace : results, rotation [rad], velocity [rad/s] and residual elongations of `keep`, shape (2 + bars, n)
     impact_time : results [s], up to its size
     impact_velocity : results just after each impact [rad/s], of the same shape
@@ -207,7 +203,7 @@ def integrate_with_bars(ground, dt, scale, model, start, bars, held, work, trace
         while t < 1.0:
             impacts = state.impacts
             outcome, t, hit, state = through_sample_with_bars(
-                scale * ground[i], scale * ground[i + 1], dt, model, constants, FAR, state, t, bars, held, work
+                scale * ground[i], scale * ground[i + 1], dt, model, constants, FAR, state, t, bars, held
             )
             if impacts < state.impacts and impacts < impact_time.size:
                 impact_time[impacts] = i * dt + t * dt
@@ -217,12 +213,12 @@ def integrate_with_bars(ground, dt, scale, model, start, bars, held, work, trace
             if outcome != STABLE:
                 return outcome, state.peak, state.impacts, state.clamped, i + 1
         keep(trace, i + 1, state, bars, held)
-    outcome, after = in_still_ground(dt, model, constants, state, bars, held, work)
+    outcome, after = in_still_ground(dt, model, constants, state, bars, held)
     return outcome, after.peak, state.impacts, state.clamped, ground.size
 
 
 @subkernel
-def outcome_with_bars(ground, ahead, first, last, dt, scale, strength, model, constants, bars, held, work):
+def outcome_with_bars(ground, ahead, first, last, dt, scale, strength, model, constants, bars, held):
     """(outcome, BlockState at the end) of one analysis from rest that ends as soon as nothing it is asked for can
     change.
 
@@ -231,7 +227,7 @@ def outcome_with_bars(ground, ahead, first, last, dt, scale, strength, model, co
     scale : multiplier [-]
     strength : bound of |u''|/g [-]
     model, constants : RockingModel without bars, WallConstants
-    bars, held, work : as `scan_with_bars`
+    bars, held : as `scan_with_bars`
     """
     state = at_start((0.0, 0.0), bars, held)
     may_settle = model.ratio_drop == 0.0 and model.ratio_at_rest <= MAX_SETTLED_RATIO
@@ -246,7 +242,7 @@ def outcome_with_bars(ground, ahead, first, last, dt, scale, strength, model, co
         t, before = 0.0, state.impacts
         while t < 1.0:
             outcome, t, _, state = through_sample_with_bars(
-                scale * ground[i], scale * ground[i + 1], dt, model, constants, strength, state, t, bars, held, work
+                scale * ground[i], scale * ground[i + 1], dt, model, constants, strength, state, t, bars, held
             )
             if state.impacts - before > IMPACTS_PER_SAMPLE:
                 outcome = IMPACT_LIMIT
@@ -257,7 +253,7 @@ def outcome_with_bars(ground, ahead, first, last, dt, scale, strength, model, co
         if checks and settled_with_bars(state, abs(scale) * ahead[3, i], model, bars, held):
             return STABLE, state
     clamped = state.clamped
-    outcome, state = in_still_ground(dt, model, constants, state, bars, held, work)
+    outcome, state = in_still_ground(dt, model, constants, state, bars, held)
     return outcome, BlockState(
         state.side, state.phi, state.speed, state.moving, state.zone, state.peak, state.impacts, clamped
     )
@@ -265,7 +261,7 @@ def outcome_with_bars(ground, ahead, first, last, dt, scale, strength, model, co
 
 @kernel
 def scan_with_bars(
-    ground, ahead, dt, firsts, lasts, strongest, which, scales, model, bars, held, work, outcomes, peaks, clamped
+    ground, ahead, dt, firsts, lasts, strongest, which, scales, model, bars, held, outcomes, peaks, clamped
 ):
     """Analyses of a wall held by bars, one after another.
 
@@ -278,7 +274,7 @@ def scan_with_bars(
     scales : multipliers [-], shape (m,), negative reverses the record
     model : RockingModel without bars, of the rigid law
     bars : of `bar_rows`, shape (bars, 5)
-    held, work : room, shape (bars, 5) and (3, 9)
+    held : room, shape (bars, 5)
     outcomes : results, codes of outcome.py, int64, shape (m,)
     peaks : results [rad], shape (m,)
     clamped : results, counts of clamped velocity ratios, int64, shape (m,)
@@ -288,17 +284,16 @@ def scan_with_bars(
         record = which[k]
         strength = abs(scales[k]) * strongest[record] * PER_G
         outcomes[k], state = outcome_with_bars(
-            ground, ahead, firsts[record], lasts[record], dt, scales[k], strength, model, constants, bars, held, work
+            ground, ahead, firsts[record], lasts[record], dt, scales[k], strength, model, constants, bars, held
         )
         peaks[k] = state.peak
         clamped[k] = state.clamped
 
 
-def with_bars_apart(model: RockingModel) -> tuple[RockingModel, np.ndarray, np.ndarray, np.ndarray]:
-    """(the wall without its bars, its bars as an array, room for their state and for a series), as the kernels take
-    them."""
+def with_bars_apart(model: RockingModel) -> tuple[RockingModel, np.ndarray, np.ndarray]:
+    """(the wall without its bars, its bars as an array, room for their state), as the kernels take them."""
     bars = bar_rows(model.bars)
-    return model._replace(bars=()), bars, np.zeros(bars.shape), np.zeros((3, ORDER + 1))
+    return model._replace(bars=()), bars, np.zeros(bars.shape)
 
 
 def integrate(ground, dt, scale, model, start, trace, impact_time, impact_velocity):

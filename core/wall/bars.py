@@ -1,6 +1,6 @@
 """Tie bars on a rocking wall: elastic, perfectly plastic, in tension only, gone beyond the elongation they stand
 (AlShawa, Liberatore, Liberatore, Mollaioli, Sorrentino 2019, doi 10.1080/15583058.2018.1563226;
-resources/docs/physics.md, section 20).
+resources/docs/physics.md, section 18).
 
 A bar at a height h is longer by u = h sin(theta) when the wall has turned outward by theta: elongations are kept as
 sines, u / h, and forces as moments, over the weight times the radius of the wall, so that no kernel needs a unit.

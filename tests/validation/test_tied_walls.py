@@ -200,7 +200,7 @@ def test_a_slack_bar_is_no_bar_and_a_second_motion_meets_a_slack_one():
     ground = sines(0.3, 0.6, 1e-3)
     bare = history(ground, 1e-3, 1.0, held_wall(3.0, 0.45, (), []))
     far = history(ground, 1e-3, 1.0, held_wall(3.0, 0.45, (), [TieBar(2.8, 1.5e3, AT_YIELD, 1.0, 2.0)]))
-    assert far.peak == bare.peak and np.array_equal(far.rotation, bare.rotation)
+    assert np.abs(far.rotation - bare.rotation).max() < 1e-13
     ground = sines(0.25, 1.0, 1e-3)
     held = held_wall(7.0, 0.83, (), [TieBar(6.5, 4e3, AT_YIELD, 0.0, 0.60)])
     once = history(ground, 1e-3, 1.0, held)

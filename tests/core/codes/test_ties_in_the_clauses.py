@@ -1,0 +1,90 @@
+"""Ties in C8.7.1.1 to C8.7.1.12, by hand: a wall of 3.0 x 0.45 m and 18 kN/m3 with a roof and a tie 2.8 m up."""
+
+import itertools
+import math
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from core.codes.capacity_curve import capacity_curve
+from core.codes.kinematic import kinematic, linear, nonlinear
+from core.study.demand_input import demand_of
+from core.units import G
+from tests.validation.test_loaded_walls import INWARD, ROOF, TIE, case_of
+
+WX, ND, WY = 24.3 * 0.225, 10.0 * 0.30, 24.3 * 1.5
+D0 = 0.19141
+"""Of the wall with its roof, without its tie [m]."""
+
+
+def found_of(*loads, state="SLV", **changes):
+    given = [{key: value for key, value in load.items() if value is not None} for load in loads]
+    case = case_of(*given, **changes)
+    demand = replace(demand_of(case, Path()), limit_state=state)
+    return kinematic(case.wall[0], case.wall[0].mechanism, demand), demand
+
+
+def test_that_alpha_0_counts_the_tie_at_yield_and_d_0_does_not_count_it():
+    found, demand = found_of(ROOF, TIE)
+    bare = (WX + ND) / WY
+    assert found.chain.alpha0_bare == pytest.approx(bare, rel=1e-12)
+    assert found.alpha0 == pytest.approx(bare + 5.0 * 2.8 / WY, rel=1e-12)
+    assert found.d0 == pytest.approx(D0, abs=6e-6)
+    assert linear("linear_q_code", found, demand, 2.0).zeta == pytest.approx(2.9268, abs=6e-5)
+    # the other reading, in which it pulls up to collapse: that of a constant force
+    assert found.chain.d0_with_ties == pytest.approx(0.49230, abs=6e-6)
+    always, _ = found_of(ROOF, INWARD)
+    assert always.d0 == pytest.approx(found.chain.d0_with_ties, rel=1e-12)
+
+
+@pytest.mark.parametrize(("state", "share", "factor"), [("SLV", 0.40, 1.68), ("SLC", 0.60, 1.56)])
+def test_that_the_capacity_at_the_limit_is_that_of_wall_and_bar(state, share, factor):
+    found, demand = found_of(ROOF, TIE, state=state)
+    bare, held = (WX + ND) / WY, 5.0 * 2.8 / WY
+    a = ((1.0 - share) * bare + held) * G / 1.35
+    assert found.d_limit == pytest.approx(share * found.d0, rel=1e-12)
+    assert found.a_limit == pytest.approx(a, rel=1e-12)
+    assert found.period == pytest.approx(factor * math.pi * math.sqrt(share * found.d0 / a), rel=1e-12)
+    assert nonlinear(found, demand).zeta > 1.0
+
+
+def test_that_d_slv_ends_where_a_tie_breaks_that_holds_more_than_half():
+    """Of 0.2323 and 0.3841 at yield 62 % go with the bar: at 60 mm of its own, a rotation of 0.0214."""
+    short = {**TIE, "elongation_m": 0.06}
+    found, _ = found_of(ROOF, short)
+    theta = math.asin(0.06 / 2.8)
+    alpha, radius = math.atan(0.15), math.hypot(0.225, 1.5)
+    at_break = radius * (math.sin(alpha) - math.sin(alpha - theta))
+    assert found.d_limit == pytest.approx(at_break, rel=1e-12) and at_break < 0.40 * found.d0
+    bare, held = (WX + ND) / WY, 5.0 * 2.8 / WY
+    a = ((1.0 - at_break / found.d0) * bare + held) * G / 1.35
+    assert found.a_limit == pytest.approx(a, rel=1e-12)
+
+
+def test_that_a_tie_that_holds_less_than_half_is_gone_at_d_slv():
+    found, demand = found_of(ROOF, {**TIE, "kn_m": 2.0, "elongation_m": 0.06})
+    assert found.d_limit == pytest.approx(0.40 * found.d0, rel=1e-12)
+    assert found.a_limit == pytest.approx(0.60 * (WX + ND) / WY * G / 1.35, rel=1e-12)
+    # at yield without an elongation it is gone long before
+    brittle, _ = found_of(ROOF, {**TIE, "kn_m": 2.0, "elongation_m": None})
+    assert brittle.a_limit == found.a_limit
+    curve = capacity_curve(found, demand).capacity
+    drops = [a - b for (d, a), (after, b) in itertools.pairwise(curve) if after - d < 1e-9]
+    assert len(drops) == 1 and drops[0] == pytest.approx(2.0 * 2.8 / WY * G / 1.35, rel=1e-9)
+
+
+def test_that_ties_of_several_heights_break_one_after_another():
+    """Neither holds half, both together do: d_SLV ends where the second breaks."""
+    pair = ({**TIE, "kn_m": 2.2, "elongation_m": 0.03}, {**TIE, "kn_m": 2.2, "h_m": 2.7, "elongation_m": 0.08})
+    found, _ = found_of(ROOF, *pair)
+    first, second = found.chain.ties
+    assert first.breaks_at < found.d_limit == second.breaks_at < 0.40 * found.d0
+    assert found.chain.alpha_of_ties(found.d_limit) == pytest.approx(2.2 * 2.7 / WY)
+
+
+def test_that_the_inward_side_of_a_two_sided_wall_has_no_tie():
+    found, _ = found_of(ROOF, {**TIE, "kn_m": 1.0}, mechanism="two_sided", free_element=False)
+    bare, _ = found_of(ROOF, mechanism="two_sided", free_element=False)
+    assert (found.alpha0, found.d0, found.a_limit) == (bare.alpha0, bare.d0, bare.a_limit)
+    assert found.chain.ties == () and found.chain.d0_with_ties is None
