@@ -12,6 +12,7 @@ from app.look.language import number
 from core.case.schema import Wall
 from core.errors import InputError
 from core.report.load_arrows import arrows
+from core.study.bar_histories import BROKEN, SLACK, YIELDS
 
 
 def outline(height: float, thickness: float, setback: float, rotation: float) -> list[QPointF]:
@@ -33,6 +34,7 @@ class WallDrawing(QWidget):
         self.size_of: tuple[float, float, float] | None = None
         self.one_sided = False
         self.arrows: list[list[tuple[float, float]]] = []
+        self.bars: list[tuple[float, int]] = []
         self.hinges: list[tuple[float, float | None]] = []
         self.rotation = 0.0
         self.setMinimumSize(QSize(90, 120))
@@ -40,7 +42,7 @@ class WallDrawing(QWidget):
     def show_wall(self, wall: Wall | None, hinges: Sequence[tuple[float, float | None]] = ()) -> None:
         """Draw this wall; what is not complete leaves the place empty. hinges : height [m] and zeta of each, where
         it has more than the one at its base."""
-        self.size_of, self.arrows, self.hinges = None, [], list(hinges)
+        self.size_of, self.arrows, self.bars, self.hinges = None, [], [], list(hinges)
         if wall is not None:
             try:
                 block = wall.block()
@@ -95,7 +97,8 @@ class WallDrawing(QWidget):
             painter.drawEllipse(place(QPointF(side * (0.5 * thickness - setback), 0.0)), 3, 3)
         for level, _ in self.hinges:
             painter.drawEllipse(place(QPointF(0.5 * thickness - setback, level)), 3, 3)
-        if self.rotation == 0.0:
+        self._draw_bars(painter, place)
+        if self.rotation == 0.0 and not self.bars:
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.setPen(QPen(QColor(theme.current.amber), 1.8))
             for points in self.arrows:
@@ -103,6 +106,25 @@ class WallDrawing(QWidget):
         if self.with_sizes:
             self._zetas(painter, place, thickness)
             self._sizes(painter, place, height, thickness, setback)
+
+    def _draw_bars(self, painter, place) -> None:
+        """The bars that hold a wall as it rocks: taut, slack (dashed), yielding (red); none where one has gone."""
+        height, thickness, setback = self.size_of
+        half = 0.5 * thickness
+        hinge, turned = half - setback, max(self.rotation, 0.0)
+        c, s = math.cos(turned), math.sin(turned)
+        for at, phase in self.bars:
+            if phase == BROKEN:
+                continue
+            color = theme.current.bad if phase == YIELDS else theme.current.amber
+            style = Qt.PenStyle.DashLine if phase == SLACK else Qt.PenStyle.SolidLine
+            painter.setPen(QPen(QColor(color), 1.8, style))
+            plate = QPointF(hinge + c * setback + s * at, c * at - s * setback)
+            painter.drawLine(place(QPointF(-half - 0.15 * height, at)), place(plate))
+            painter.setPen(QPen(QColor(color), 3.0))
+            reach = 0.02 * height
+            ends = (QPointF(plate.x() + way * s * reach, plate.y() + way * c * reach) for way in (1.0, -1.0))
+            painter.drawLine(*map(place, ends))
 
     def _zetas(self, painter, place, thickness) -> None:
         """zeta at each hinge, the smallest in red."""

@@ -4,8 +4,19 @@ import math
 from functools import partial
 
 import numpy as np
-from PySide6.QtCore import QElapsedTimer, Qt, QTimer, Signal
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QPushButton, QSlider, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtCore import QElapsedTimer, QSignalBlocker, Qt, QTimer, Signal
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QSlider,
+    QSplitter,
+    QTabWidget,
+    QVBoxLayout,
+    QWidget,
+)
 
 from app.look.drawing import WallDrawing
 from app.look.language import current_language, named, number, tr
@@ -14,11 +25,15 @@ from core.capacity.ida import multiplier_of, threshold_of
 from core.codes.dynamic_check import at_demand
 from core.rocking.history import history
 from core.rocking.outcome import COLLAPSED
+from core.study.bar_histories import BarHistory, bar_histories, work_of_impacts
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import numeral
 from core.units import G
 
 SLIDER = 2000
+PAUSE = 5.0
+"""Rest between a motion and the same motion again [s]."""
+
 SPAN = (0.5, 2.0)
 """Range of the multiplier slider about q [-]."""
 
@@ -58,6 +73,11 @@ class HistoriesTab(QWidget):
         self.ground = Chart("t [s]", "u'' [g]", tr("Ground motion"))
         self.rotation = Chart("t [s]", "θ/θc [-]", tr("Rotation"))
         self.rotation.plot.setXLink(self.ground.plot)
+        self.force = Chart("t [s]", "F [kN/m]", tr("Force of the ties"))
+        self.elongation = Chart("t [s]", "u [mm]", tr("Elongation of the ties"))
+        self.again = QCheckBox(tr("the same motion again"))
+        self.again.setToolTip(tr("After five seconds at rest: a second motion meets the ties as the first left them."))
+        self.again.toggled.connect(lambda _: self._chosen())
         self.wall_drawing = WallDrawing(with_sizes=False)
         self.wall_drawing.setFixedWidth(150)
         bar = QHBoxLayout()
@@ -65,11 +85,16 @@ class HistoriesTab(QWidget):
         bar.addWidget(self.record, 1)
         bar.addWidget(self.slider, 2)
         bar.addWidget(self.preset)
+        bar.addWidget(self.again)
         bar.addWidget(self.play)
         charts = QSplitter(Qt.Orientation.Vertical)
         charts.addWidget(self.ground)
         charts.addWidget(self.rotation)
-        charts.setSizes([160, 320])
+        self.of_ties = QTabWidget()
+        self.of_ties.addTab(self.force, tr("Force of the ties"))
+        self.of_ties.addTab(self.elongation, tr("Elongation of the ties"))
+        charts.addWidget(self.of_ties)
+        charts.setSizes([160, 320, 200])
         row = QHBoxLayout()
         row.addWidget(charts, 1)
         row.addWidget(self.wall_drawing)
@@ -85,6 +110,7 @@ class HistoriesTab(QWidget):
         self.shown = None
         self.history = None
         self.cursors = []
+        self.bars: list[BarHistory] = []
 
     def show_wall(self, result: StudyResult, wall: WallResult) -> None:
         """Fill the tab from one wall of a result."""
@@ -92,6 +118,11 @@ class HistoriesTab(QWidget):
         self.shown, self.history, self.cursors = (result, wall), None, []
         self.wall_drawing.show_wall(wall.wall)
         self.wall_drawing.one_sided = wall.mechanism == "one_sided"
+        for widget in (self.again, self.of_ties):
+            widget.setVisible(bool(wall.model.bars))
+        if not wall.model.bars:
+            with QSignalBlocker(self.again):
+                self.again.setChecked(False)
         self.record.clear()
         for run in wall.runs:
             self.record.addItem(f"{run.record} ({'+' if run.polarity > 0 else '−'})")
@@ -113,9 +144,13 @@ class HistoriesTab(QWidget):
             return
         result, wall = self.shown
         self.motion = result.motion_of(wall, self.run.motion)
-        self.times = np.arange(self.motion.acceleration.size) * self.motion.time_step
+        self.acceleration = self.motion.acceleration
+        if self.again.isChecked():
+            rest = np.zeros(round(PAUSE / self.motion.time_step))
+            self.acceleration = np.concatenate([self.acceleration, rest, self.acceleration])
+        self.times = np.arange(self.acceleration.size) * self.motion.time_step
         self.ground_curve = self.ground.curve(
-            tr("floor") if wall.floor else tr("ground"), self.times, self.motion.acceleration / G, 6, 1.0
+            tr("floor") if wall.floor else tr("ground"), self.times, self.acceleration / G, 6, 1.0
         )
         self.ground.level(0.0)
         self.curve = self.rotation.curve("θ/θc", [0.0, 1.0], [0.0, 0.0], 0, 1.8)
@@ -186,7 +221,7 @@ class HistoriesTab(QWidget):
             return
         result, wall = self.shown
         scale = self.run.polarity * multiplier_of(self.q, self.motion.pga, threshold_of(wall.model))
-        ground, dt = self.motion.acceleration, self.motion.time_step
+        ground, dt = self.acceleration, self.motion.time_step
         # strength over FC is p^2 / FC under the ground times FC (core/codes/dynamic_check.py)
         weakened = wall.model._replace(p2=wall.model.p2 / self.strength_factor)
         self.history = history(ground, dt, self.strength_factor * scale, weakened, result.method)
@@ -211,13 +246,39 @@ class HistoriesTab(QWidget):
             outcome = f"{tr('stands')}   θmax/θc {peak}"
         number = partial(numeral, language=current_language())
         which = self._wall_in_words()
-        words = (f"C {number(abs(scale), '.3f')}", f"q {number(self.q, '.3f')}", outcome, *which)
+        words = (f"C {number(abs(scale), '.3f')}", f"q {number(self.q, '.3f')}", outcome, *which, *self._show_bars())
         self.words.setText("   ".join(words))
-        for chart in (self.ground, self.rotation):
+        for chart in (self.ground, self.rotation, self.force, self.elongation):
             sign = "+" if self.run.polarity > 0 else "−"
             run = f"{self.run.record} ({sign})"
             chart.caption = ", ".join((wall.name, named(wall.mechanism), run, f"C {number(abs(scale), '.3f')}", *which))
         self.set_time(self.cursors[0].value())
+
+    def _show_bars(self) -> tuple[str, ...]:
+        """Force and elongation of each tie, and what they and the impacts took."""
+        _, wall = self.shown
+        self.bars = bar_histories(wall.wall, self.history) if wall.model.bars else []
+        if not self.bars:
+            return ()
+        self.force.clear()
+        self.elongation.clear()
+        times = self.times[: self.history.rotation.size]
+        for k, one in enumerate(self.bars):
+            name = f"h {number(one.bar.height, '.2f')} m"
+            self.force.curve(name, times, 1e-3 * one.force / self.strength_factor, k, 1.4)
+            self.elongation.curve(f"u, {name}", times, 1e3 * one.elongation, k, 1.4)
+            self.elongation.curve(f"u_p, {name}", times, 1e3 * one.residual, k + 3, 1.0)
+        for chart in (self.force, self.elongation):
+            chart.reset()
+            chart.set_range((0.0, float(self.times[-1])))
+            self.cursors.append(chart.level(0.0, "", "ink", vertical=True))
+        del self.cursors[2:-2]
+        weakened = wall.model._replace(p2=wall.model.p2 / self.strength_factor)
+        lost = work_of_impacts(wall.wall, weakened, self.history)
+        words = [tr("ties took {work} kJ/m", work=number(1e-3 * sum(one.work for one in self.bars), ".2f"))]
+        if lost is not None:
+            words.append(tr("impacts {work} kJ/m", work=number(1e-3 * lost, ".2f")))
+        return tuple(words)
 
     def _wall_in_words(self) -> tuple[str, ...]:
         """What is said of a wall that is not the plain one: FC on its strength."""
@@ -231,6 +292,7 @@ class HistoriesTab(QWidget):
             line.setValue(time)
         rotation = self.history.rotation
         sample = min(max(0, int(time / self.motion.time_step)), rotation.size - 1)
+        self.wall_drawing.bars = [(one.bar.height, int(one.phase[sample])) for one in self.bars]
         self.wall_drawing.set_rotation(float(np.clip(rotation[sample], -1.5, 1.5)))
 
     def _toggled(self, on: bool) -> None:

@@ -6,6 +6,9 @@ from core.wall.wall_loads import size_of
 LONGEST, SHORTEST = 0.22, 0.08
 """Length of the arrow of the strongest load and of a vanishing one, of the height of the wall."""
 
+PLATE = 0.02
+"""Half of the plate of a tie, of the height of the wall."""
+
 HEAD = 0.2
 """Of the arrow, of its length."""
 
@@ -22,7 +25,10 @@ def arrows(wall: Wall, height: float, thickness: float) -> list[list[tuple[float
         if load.is_weight:
             found.append([(x, y + size), (x, y), (x - head, y + head), (x, y), (x + head, y + head)])
             continue
-        # a thrust ends where it pushes outward, a tie begins where it pulls inward
+        if load.is_tie:  # its bar, and the plate on the outer face
+            found.append([(-LONGEST * height, y), (x, y), (x, y + PLATE * height), (x, y - PLATE * height)])
+            continue
+        # a thrust ends where it pushes outward
         outward = load.kind == "thrust" and load.kn_m > 0.0
         start, end = (x - size, x) if outward else (x, x - size)
         back = end - head if outward else end + head

@@ -137,3 +137,38 @@ def test_that_all_walls_are_on_one_tab_the_lowest_first_and_variants_are_compare
     assert opened.tabs.currentWidget() is opened.pages["check"]
     opened.tabs.setCurrentWidget(opened.pages["intensity"])
     assert opened.pages["intensity"].content.chart.data == []
+
+
+def test_that_the_histories_show_what_a_tie_does(opened, application, tmp_path):
+    """Force and elongation under the rotation; the bar in the drawing; the same motion again."""
+    from app.views.history_tabs import HistoriesTab
+    from core.case.rules import parse_case
+    from core.study.bar_histories import BROKEN
+    from core.study.run import run
+
+    tie = {"kind": "tie", "kn_m": 2.0, "h_m": 6.0, "bar_length_m": 8.0, "elongation_m": 0.3}
+    wall = {
+        "name": "w",
+        "mechanism": "one_sided",
+        "height_m": 7.0,
+        "thickness_m": 0.5,
+        "unit_weight_kn_m3": 18.0,
+        "base_z_m": 0.0,
+        "hinge_heights": "base",
+    }
+    spectrum = {"code": "EN1998", "soil": "B", "type": 1}
+    table = {"generate": {"count": 1}, "demand": {"ag_g": 0.3, "spectrum": spectrum}, "analysis": {"q_step": 0.05}}
+    result = run(parse_case({**table, "wall": [wall | {"load": [tie]}, wall | {"name": "bare"}]}), base_dir=tmp_path)
+    tab = HistoriesTab()
+    tab.setParent(opened)
+    tab.show_wall(result, result.walls[0])
+    assert tab.of_ties.isVisibleTo(tab) and [len(tab.force.data), len(tab.elongation.data)] == [1, 2]
+    assert "kJ/m" in tab.words.text()
+    once = tab.history.rotation.size
+    tab.again.setChecked(True)
+    assert tab.history.rotation.size > once or tab.history.outcome != 0
+    tab.set_time(0.0)
+    assert [height for height, phase in tab.wall_drawing.bars if phase != BROKEN] == [6.0]
+    tab.wall_drawing.grab()
+    tab.show_wall(result, result.walls[1])
+    assert not tab.of_ties.isVisibleTo(tab) and not tab.again.isVisibleTo(tab) and tab.wall_drawing.bars == []

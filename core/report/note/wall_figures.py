@@ -10,9 +10,11 @@ from core.report.load_arrows import arrows
 from core.report.note.parts import Curve, Figure, Label, path
 from core.report.note.words import Words
 from core.report.plots import thinned
+from core.study.bar_histories import bar_histories
 from core.study.demand_histories import demand_histories
 from core.study.results import StudyResult, WallResult
 from core.units import CM, G
+from core.wall.ties import ties_of
 from core.wall.wall_loads import size_of
 
 TURNED = math.radians(7.0)
@@ -172,6 +174,24 @@ def histories(result: StudyResult, wall: WallResult, words: Words) -> Figure | N
     if len(deciding) > 1:
         caption += words.say(", and the record nearest to the mean of the peaks")
     return Figure(caption, curves, "t [s]", "d [cm]", (0.0, last), (-1.3 * d0 if both_ways else -0.2 * d0, 1.3 * d0))
+
+
+def forces_of_ties(result: StudyResult, wall: WallResult, words: Words) -> Figure | None:
+    """Force of each tie under the record of the largest peak; None of a wall without ties or histories."""
+    deciding = demand_histories(result, wall) if wall.model.bars else []
+    if not deciding:
+        return None
+    worst, curves, last = deciding[0], [], 0.0
+    for one, color in zip(bar_histories(wall.wall, worst.history), ("accent", "bad", "amber", "ink") * 9, strict=False):
+        size = min(one.force.size, worst.motion.acceleration.size)
+        chosen = thinned(one.force[:size], POINTS)
+        times = [k * worst.motion.time_step for k in chosen]
+        name = f"h {words.number(one.bar.height, '.2f')} m"
+        curves.append(Curve(name, times, (1e-3 * one.force[chosen]).tolist(), color, width=0.9))
+        last = max(last, times[-1])
+    high = 1.2e-3 * max(tie.bar.strength for tie in ties_of(wall.wall))
+    caption = words.say("Force of the ties at the demand, under the record of the largest peak")
+    return Figure(caption, curves, "t [s]", "F [kN/m]", (0.0, last), (-0.1 * high, high))
 
 
 def peaks(wall: WallResult, words: Words) -> Figure | None:

@@ -269,8 +269,8 @@ def test_that_every_load_is_an_arrow_at_its_place(loads):
     down, outward = arrows(wall, 3.0, 0.45)
     assert down[1] == (0.45 - 0.30, 3.0) and down[0][1] > 3.0
     assert outward[1] == (0.45 - 0.30, 2.5) and outward[0][0] < outward[1][0]
-    inward = arrows(loads[0].walls[1].wall, 3.0, 0.45)[1]
-    assert inward[0] == (0.45, 2.8) and inward[1][0] < 0.45
+    bar = arrows(loads[0].walls[1].wall, 3.0, 0.45)[1]  # from behind the wall to its plate on the outer face
+    assert bar[0][0] < 0.0 and bar[0][1] == bar[1][1] == 2.8 and {x for x, _ in bar[1:]} == {0.45}
     lengths = [abs(a[0] - b[0]) + abs(a[1] - b[1]) for a, b in (down[:2], outward[:2])]
     assert lengths[0] > lengths[1]
 

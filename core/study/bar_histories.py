@@ -1,0 +1,61 @@
+"""The ties of a wall over a history: force, elongation, what each does, and the energy they and the impacts took."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from core.case.schema import Wall
+from core.rocking.history import History
+from core.wall import ties
+from core.wall.bars import TieBar, forces
+from core.wall.rocking_model import RockingModel
+
+SLACK, TAUT, YIELDS, BROKEN = range(4)
+"""What a bar does at a sample."""
+
+
+@dataclass(frozen=True)
+class BarHistory:
+    """A bar at the samples of a history.
+
+    bar : TieBar
+    force : [N/m]; elongation, residual : u and u_p [m], u_p not a number where the bar has gone
+    phase : SLACK, TAUT, YIELDS or BROKEN
+    work : it took by yielding, and by breaking what it stored [N]
+    """
+
+    bar: TieBar
+    force: np.ndarray
+    elongation: np.ndarray
+    residual: np.ndarray
+    phase: np.ndarray
+    work: float
+
+
+def bar_histories(wall: Wall, history: History) -> list[BarHistory]:
+    """Of each tie of a wall."""
+    found = []
+    for tie, sines in zip(ties.ties_of(wall), history.residual, strict=True):
+        bar, gone = tie.bar, np.isinf(sines)
+        force = forces(bar, history.rotation, sines)
+        elongation = bar.height * np.sin(np.maximum(history.rotation, 0.0))
+        residual = np.where(gone, np.nan, bar.height * sines)
+        phase = np.where(force >= bar.strength * (1.0 - 1e-9), YIELDS, np.where(force > 0.0, TAUT, SLACK))
+        phase = np.where(gone, BROKEN, phase)
+        start = bar.slack
+        if gone.any():
+            plastic = max(0.0, bar.breaks_at - bar.elongation_at_yield - start)
+            stored = 0.5 * bar.strength * min(bar.elongation_at_yield, bar.breaks_at - start)
+        else:
+            plastic, stored = bar.height * sines[-1] - start, 0.0
+        found.append(BarHistory(bar, force, elongation, residual, phase, bar.strength * plastic + stored))
+    return found
+
+
+def work_of_impacts(wall: Wall, model: RockingModel, history: History) -> float | None:
+    """What the impacts of a history took [N]; None where the velocity ratio falls with the speed (Eq. 7), or is 0."""
+    ratio = model.ratio_at_rest
+    if model.ratio_drop or not ratio:
+        return None
+    inertia = ties.moment_of_weight(wall, wall.block()) / model.p2
+    return float(0.5 * inertia * (1.0 / ratio**2 - 1.0) * np.sum(history.impact_velocity**2))
