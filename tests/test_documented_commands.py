@@ -83,6 +83,7 @@ def place(tmp_path_factory) -> Path:
     (folder / "records").mkdir()
     motion = (ROOT / "resources" / "motions" / "noise_1.txt").read_text().splitlines()
     (folder / "records" / "one.txt").write_text("\n".join([*motion[:602], ""]))
+    (folder / "ties.toml").write_text('[[record]]\nfile = "records/one.txt"\n')
     return folder
 
 
@@ -102,6 +103,7 @@ def small_words(words: tuple[str, ...], folder: Path) -> list[str]:
             return ["package", "--help"]
         case ("bench", *rest):
             named = {"--paired": [str(ROOT)], "--natural": [str(folder / "list.toml")]}
+            named["--ties"] = [str(folder / "ties.toml")] if "LIST.toml" in rest else []
             flags = [word for word in rest if word[:2] == "--" and word not in ("--pairs", "--output")]
             asked = [part for flag in flags for part in (flag, *named.get(flag, []))]
             return ["bench", *asked, "--small", "--output", str(folder / "bench")]

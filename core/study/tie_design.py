@@ -2,7 +2,8 @@
 
 The tie is a bar at `tie_height_m`: it yields, is slack when the wall comes back, and is gone beyond what it stands. The
 force named is the largest of the histories, of the displacement check and of the thrust at rest; that of the linear
-check with q = 2 prevents collapse rather than the limit state (resources/docs/ties.md) and stands beside it.
+check with q = 2 leaves most walls beyond the limit state and lets many overturn (resources/docs/ties.md): it stands
+beside it.
 """
 
 import math

@@ -13,6 +13,7 @@
     python3 run.py bench --screenshots --guide [--output DIR] # the pictures of the guides
     python3 run.py bench --records                          # a million samples read, 200 files previewed
     python3 run.py bench --natural FILE                     # the natural records of paper.md, for --study --records
+    python3 run.py bench --ties [LIST.toml]                 # what q = 2 is worth for a tie, see tie_study.py
 
 With --small it does little of it, as in the tests: what it prints then says nothing. Every benchmark asserts that
 what it measures happened.
@@ -38,6 +39,7 @@ BENCHMARKS = {
     "screenshots": "screenshots",
     "records": "record_speed",
     "natural": "natural_list",
+    "ties": "tie_study",
 }
 """Word of the command -> module of this folder, whose `main(options)` measures and prints."""
 
@@ -50,6 +52,8 @@ def options_of(words: list[str]) -> argparse.Namespace:
         if word in ("paired", "natural"):
             named = {"paired": "OTHER_TREE", "natural": "FILE"}[word]
             asked.add_argument(f"--{word}", type=Path, metavar=named)
+        elif word == "ties":
+            asked.add_argument("--ties", type=Path, metavar="LIST.toml", nargs="?", const=True)
         else:
             asked.add_argument(f"--{word.replace('_', '-')}", action="store_true")
     parser.add_argument("--small", action="store_true")
