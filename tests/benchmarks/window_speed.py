@@ -131,9 +131,12 @@ def main(options: argparse.Namespace) -> None:
             print(f"{round_}: longest gaps of the event loop {', '.join(f'{1e3 * g:.0f}' for g in longest)} ms")
         each = drag(application, window, 5 if options.small else 120)
         print(f"dragged multiplier: {1.0 / each:.0f} histories integrated and drawn per second")
-        run()
-        job = window.job
-        settle(application, lambda: window.bar.maximum() > 0 or window.job is None)
+        for _ in range(9):  # a small study may be over before it is cancelled
+            run()
+            job = window.job
+            settle(application, lambda: window.bar.maximum() > 0 or window.job is None)
+            if window.job is job:
+                break
         assert window.job is job, "the study was finished before it could be cancelled"
         start = time.perf_counter()
         window.cancel()
