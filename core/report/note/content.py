@@ -179,7 +179,7 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
         if steps:
             parts += [Heading(say(title), 3), Derivation(steps)]
     parts += _pair([wall_figures.histories(result, wall, words), wall_figures.peaks(wall, words)])
-    parts += _pair([wall_figures.forces_of_ties(result, wall, words)])
+    parts += _pair([wall_figures.forces_of_ties(result, wall, words), wall_figures.tie_heights(wall, words)])
     return [*parts, *_verdict(result, wall, words)]
 
 
