@@ -84,7 +84,10 @@ def main(arguments: list[str] | None = None) -> int:
         if options.batch:
             from app.terminal import batch
 
-            return batch.run(options.batch, options.output, jobs, options.quiet, options.resume, options.report)
+            if options.part:
+                return batch.run_part(options.batch, options.output, jobs, options.quiet, *options.part)
+            how = (options.quiet, options.resume, options.report, options.merge)
+            return batch.run(options.batch, options.output, jobs, *how)
         return window(options.case)
     except InputError as error:
         tell(terminal("error: {error}", error=quoted_from_file(error)))

@@ -110,6 +110,7 @@ SHOWN_BY = {
     "study/assessment": "tests/core/codes/test_verdict.py",
     "study/demand_input": "tests/core/codes/test_target_spectrum.py",
     "study/governing": RUN,
+    "study/plan": RUN,
     "study/results": RUN,
     "study/threads": RUN,
     **{

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 
+from app.terminal import batch
 from tests.benchmarks import bench
 from tests.benchmarks.small import small_case
 from tests.conftest import ROOT, shelf_folder
@@ -107,6 +108,11 @@ def small_words(words: tuple[str, ...], folder: Path) -> list[str]:
             flags = [word for word in rest if word[:2] == "--" and word not in ("--pairs", "--output")]
             asked = [part for flag in flags for part in (flag, *named.get(flag, []))]
             return ["bench", *asked, "--small", "--output", str(folder / "bench")]
+        case ("--batch", _, "--part", *_):
+            return ["--batch", str(folder / "small.toml"), "--part", "1/1", "--output", str(folder / "part")]
+        case ("--batch", _, "--merge", *_):
+            batch.run_part(folder / "small.toml", folder / "merged", 1, True, 1, 1)
+            return ["--batch", str(folder / "small.toml"), "--merge", "--output", str(folder / "merged")]
         case ("--batch", _, *rest):
             note = ["--report", str(folder / "note.docx")] if "--report" in rest else []
             return ["--batch", str(folder / "small.toml"), *note, "--output", str(folder / "out")]

@@ -17,8 +17,10 @@ from core.errors import Cancelled, InputError
 from core.jit import cache
 from core.packages import require
 from core.report.verdict_words import in_order
-from core.study.journal import Journal
+from core.study.case_parts import FINISHED, merged, part_journal, part_path
+from core.study.journal import Journal, Memory
 from core.study.results import StudyResult
+from core.study.run import journal_key
 from core.study.run import run as run_study
 from core.text.sentence import numeral, word
 
@@ -29,9 +31,19 @@ EXAMPLES = Path(__file__).resolve().parents[2] / "resources" / "cases"
 """Cases that come with the program: their results land in the folder one stands in."""
 
 
-def run(case_path: Path, output: Path | None, jobs: int, quiet: bool, resume: bool, report: Path | None = None) -> int:
-    """Read a case, run it, write `<stem>.xlsx` and `<stem>.json`; returns the exit code. report : of the calculation
-    note as a Word document, where one is asked for.
+def run(
+    case_path: Path,
+    output: Path | None,
+    jobs: int,
+    quiet: bool,
+    resume: bool,
+    report: Path | None = None,
+    merge: bool = False,
+) -> int:
+    """Read a case, run it, write `<stem>.xlsx` and `<stem>.json`; returns the exit code.
+
+    report : of the calculation note as a Word document, where one is asked for
+    merge : the searches and checks are those of the parts of the case, see `run_part`
 
     Raises InputError for what the user can mend; nothing is written then.
     """
@@ -47,7 +59,7 @@ def run(case_path: Path, output: Path | None, jobs: int, quiet: bool, resume: bo
         made = atomic_write.check_folder(folder)
         if report:
             made += atomic_write.check_folder(report.parent)
-        return run_in(case, case_path, folder, stem, jobs, quiet, resume, report)
+        return run_in(case, case_path, folder, stem, jobs, quiet, resume, report, merge)
     except InputError as error:
         for new in made:
             with contextlib.suppress(OSError):
@@ -64,12 +76,15 @@ def run_in(
     quiet: bool,
     resume: bool,
     report: Path | None = None,
+    merge: bool = False,
 ) -> int:
     """`run` in a folder that is there."""
     cancel = threading.Event()
     books: list[Journal] = []
 
-    def journal(key: str) -> Journal:
+    def journal(key: str) -> Journal | Memory:
+        if merge:
+            return merged(folder, stem, case, key)
         books.append(open_journal(folder / f"{stem}.journal", key, resume))
         return books[0]
 
@@ -107,6 +122,39 @@ def run_in(
             status=status,
         )
     return WITHOUT_NUMBER if result.without_number else DONE
+
+
+def run_part(case_path: Path, output: Path | None, jobs: int, quiet: bool, k: int, n: int) -> int:
+    """The searches and checks of the k-th of n parts of the walls of a case, kept beside where its results will be; a
+    part that was stopped goes on. Returns the exit code. Raises InputError."""
+    case = read_case(case_path)
+    folder, stem = output or case_path.parent, case_path.stem
+    cancel, books = threading.Event(), list[Journal]()
+    made = atomic_write.check_folder(folder)
+
+    def journal(key: str) -> Journal:
+        books.append(part_journal(folder, stem, case, key, k, n))
+        return books[0]
+
+    with interrupts(cancel), progress(quiet) as show:
+        try:
+            asked = {"journal": journal, "on_progress": show.runs, "cancelled": cancel.is_set, "share": (k - 1, n)}
+            result = run_study(case, base_dir=case_path.parent, jobs=jobs, **asked)
+        except Cancelled:
+            tell("cancelled: finished runs are in {path}; go on with --resume", path=part_path(folder, stem, k, n))
+            return CANCELLED
+        except InputError as error:
+            for new in made:
+                with contextlib.suppress(OSError):
+                    new.rmdir()
+            raise error.at(case_path) from None
+    with contextlib.closing(part_journal(folder, stem, case, journal_key(), k, n)) as book:
+        book.add(FINISHED, {})
+    if not quiet:
+        walls = len({wall.part.origin for wall in result.walls})
+        path = part_path(folder, stem, k, n)
+        say(terminal("part {k} of {n}: {walls} walls, {path}", k=k, n=n, walls=walls, path=path))
+    return DONE
 
 
 def open_journal(path: Path, key: str, resume: bool, sync_seconds: float = 0.0) -> Journal:

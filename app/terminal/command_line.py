@@ -68,6 +68,8 @@ def parser() -> Parser:
     add("--report", type=Path, metavar="FILE", help=terminal("the calculation note too, as a Word document (.docx)"))
     add("--quiet", action="store_true", help=terminal("no progress, no summary"))
     add("--resume", action="store_true", help=terminal("go on from the journal"))
+    add("--part", type=_part, metavar="K/N", help=terminal("the walls of one part of the case alone, see --merge"))
+    add("--merge", action="store_true", help=terminal("the results of all parts of the case"))
     add("--inspect", nargs="+", type=Path, metavar="FILE", help=terminal("summarise the contents of records"))
     add("--version", action="store_true", help=terminal("version and commit"))
     add("-h", "--help", action="help", help=terminal("this help"))
@@ -80,6 +82,13 @@ def _jobs(word: str) -> int:
     return int(word)
 
 
+def _part(word: str) -> tuple[int, int]:
+    found = re.fullmatch(r"([0-9]{1,6})/([0-9]{1,6})", word)
+    if not found or not 1 <= int(found[1]) <= int(found[2]):
+        raise argparse.ArgumentTypeError(terminal("{word!r} is not a part such as 2/8", word=word))
+    return int(found[1]), int(found[2])
+
+
 def parse(arguments: list[str] | None) -> argparse.Namespace:
     """What is asked. Ends the program with exit code 2 where words do not go together."""
     line = parser()
@@ -90,6 +99,10 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
         line.error(terminal("--output, --jobs and --resume go with --batch or --study"))
     if options.report and not options.batch:
         line.error(terminal("--report goes with --batch"))
+    if (options.part or options.merge) and not options.batch:
+        line.error(terminal("--part and --merge go with --batch"))
+    if options.part and (options.merge or options.report or options.resume):
+        line.error(terminal("--part goes on by itself and writes no results: leave out --merge, --report and --resume"))
     if not options.study and (options.quick or options.records):
         line.error(terminal("--quick and --records go with --study"))
     return options

@@ -14,7 +14,7 @@ from pathlib import Path
 from types import NoneType, UnionType
 from typing import Any, get_args, get_origin, get_type_hints
 
-from core.errors import OutputError
+from core.errors import InputError, OutputError
 
 
 class Journal:
@@ -127,6 +127,20 @@ class Journal:
         with contextlib.suppress(OSError):
             self.path.unlink(missing_ok=True)
         self.close()
+
+
+def entries_of(path: Path) -> tuple[dict, dict[str, dict]]:
+    """(first line, results by key) of a journal that nobody writes any more; its damaged lines are left out. Raises
+    InputError for a file that cannot be read or is no journal."""
+    try:
+        content = path.read_bytes()
+    except OSError as error:
+        raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
+    if not ours(content):
+        raise InputError("part_of_another", path=path)
+    head, *lines = map(_parsed, content.split(b"\n"))
+    good = [line for line in lines if line and line.get("hash") == _hash(line)]
+    return head or {}, {line["run"]: line["result"] for line in good}
 
 
 HEAD = "Ribalta journal"

@@ -1,35 +1,34 @@
 """The one call that makes results: a case in, a frozen StudyResult out. Window, batch, tests use it."""
 
+import contextlib
 import datetime
 import hashlib
+import sys
 from collections.abc import Callable
+from concurrent.futures import BrokenExecutor, Executor, Future, wait
 from dataclasses import asdict, replace
 from pathlib import Path
-from typing import Any, NamedTuple
 
 import numpy as np
 
 from core.capacity.accuracy import Accuracy, accuracy
-from core.capacity.ida import Ida, Search, incremental_dynamic_analysis, multiplier_of, threshold_of
-from core.case.hinges import Part, parts
+from core.capacity.ida import Ida, incremental_dynamic_analysis, multiplier_of, threshold_of
 from core.case.schema import Case
 from core.codes.demand import DemandResult, with_records
-from core.codes.kinematic import Kinematic, kinematic
-from core.codes.record_compatibility import compliance, period_range
+from core.codes.record_compatibility import Compliance, compliance
+from core.errors import Cancelled, InputError
 from core.ground.ground_motion import GroundMotion
 from core.jit import cache
 from core.rocking.history import history, scan
-from core.rocking.methods import AUTO, METHODS, Method, resolve_auto
+from core.rocking.methods import AUTO, METHODS, resolve_auto
 from core.study import precompile
 from core.study.assessment import assess
-from core.study.demand_input import demand_of, generated
-from core.study.floors import Floor, floor_of
 from core.study.governing import lowest_run
 from core.study.journal import Journal, Memory, rebuilt
 from core.study.kept_checks import KeptChecks
 from core.study.limit_states import StateHistories, demands_of, unsaid, zetas
-from core.study.progress import STATEMENT, OnProgress, Progress, check_cost, run_cost
-from core.study.record_input import joined, read_records
+from core.study.plan import Entry, Inputs, Plan, costs_of, plan_of, read_inputs
+from core.study.progress import OnProgress, Progress
 from core.study.results import Assessment, StudyResult, WallResult
 from core.study.threads import Threads
 from core.study.tie_design import Hinge, tie_design
@@ -38,52 +37,6 @@ from core.study.wall_verdict import wall_verdicts
 from core.study.zeta_with import Scene, model_of
 from core.version import VERSION
 from core.wall.rocking_model import RockingModel
-
-
-class Entry(NamedTuple):
-    """One wall of a study about one hinge, by one mechanism.
-
-    signs : each record is taken with, 1 as recorded, -1 reversed
-    floor : it stands on, None on the ground
-    felt : the records as they move it
-    kinematic : its mechanism, None without a demand and above the ground where the building is not known
-    """
-
-    part: Part
-    mechanism: str
-    model: RockingModel
-    signs: tuple[int, ...]
-    floor: Floor | None
-    felt: list[GroundMotion]
-    kinematic: Kinematic | None
-
-
-class Plan(NamedTuple):
-    """What a study does, known before its first analysis.
-
-    demand : without what the records add, None where no check is asked for
-    motions : of the ground, with those generated; kinds : of each
-    entries : the walls
-    """
-
-    case: Case
-    demand: DemandResult | None
-    motions: list[GroundMotion]
-    kinds: list[str]
-    method: Method
-    search: Search
-    entries: list[Entry]
-
-    @property
-    def runs(self) -> list[tuple[int, int, int]]:
-        """(wall, record, sign) of each search."""
-        walls = enumerate(self.entries)
-        return [(k, record, sign) for k, one in walls for record in range(len(self.motions)) for sign in one.signs]
-
-    @property
-    def longest_period(self) -> float:
-        """Of the mechanisms [s], 0 without one."""
-        return max((one.kinematic.period or 0.0 for one in self.entries if one.kinematic), default=0.0)
 
 
 def run(
@@ -95,6 +48,8 @@ def run(
     on_progress: OnProgress = lambda done, planned, left: None,
     cancelled: Callable[[], bool] = lambda: False,
     on_wall: Callable[[WallResult], None] = lambda wall: None,
+    share: tuple[int, int] | None = None,
+    executor: Executor | None = None,
 ) -> StudyResult:
     """Run a study.
 
@@ -103,33 +58,23 @@ def run(
     journal : makes the Journal of finished runs from the study's key; on_progress(done, planned, left) and cancelled()
         are called from this thread, the latter from the workers as well
     on_wall : called from this thread with each wall that has its verdict, before what is said of several together
+    share : (k, n): of the walls only those whose number leaves k when divided by n
+    executor : does the searches and checks, a wall a task, on other processes or machines (resources/docs/scale.md);
+        what one of them loses is made here
     Raises InputError for what the user can mend, Cancelled when cancelled() is true.
     """
     started = datetime.datetime.now(datetime.UTC)
     cache.proven()
-    plan = _plan(case, base_dir)
-    models = [entry.model for entry in plan.entries]
-    _precompile(plan.method, models, [motion for entry in plan.entries for motion in entry.felt])
-    book = journal(f"{VERSION} {cache.source_stamp()}") if journal else None
-    progress = Progress(_costs(plan), on_progress)
-    demand, rules = plan.demand, None
+    book: Journal | Memory | None = None
+    if executor:
+        book = _found_on(executor, case, base_dir, cancelled)
+    plan = plan_of(case, base_dir, read_inputs(case, base_dir), share)
+    _precompile(plan)
+    if journal and not executor:
+        book = journal(journal_key())
+    progress = Progress(costs_of(plan), on_progress)
     try:
-        threads = Threads(jobs, cancelled)
-        threads.run({k: motion.measure for k, motion in enumerate(plan.motions)}, lambda k, _: None)
-        found = _run_all(plan, threads, book, progress)
-        if demand:
-            demand = with_records(demand, plan.motions)
-            rules = compliance(plan.motions, plan.kinds, demand, plan.longest_period)
-        results = _results(plan, found, demand)
-        if demand:
-            kept = [KeptChecks(book) for _ in results]
-            results = _assessed(plan, results, demand, rules, kept, threads, progress, on_wall)
-            by_state = demands_of(case, base_dir)
-            results = _at_limit_states(plan, results, demand, by_state, kept, threads)
-            demand = replace(demand, warnings=(*demand.warnings, *unsaid(demand, by_state)))
-            results = with_variants_alone(_with_ties(plan, results, demand, kept, threads))
-        if case.analysis.accuracy:
-            results = _with_accuracy(plan, results, threads, progress)
+        demand, rules, results = _worked(plan, base_dir, Threads(jobs, cancelled), book, progress, on_wall)
     finally:
         cache.record(cache.folder())
         if book:
@@ -146,51 +91,84 @@ def run(
         tuple(results),
         rules,
         elapsed,
-        wall_verdicts(case, tuple(results)),
+        wall_verdicts(case, tuple(results)) if share is None else (),
     )
 
 
-def _plan(case: Case, base_dir: Path) -> Plan:
-    """Demand, records and walls of a case. Raises InputError, also where the records and the demand do not go
-    together: before hours of work, not after. base_dir : as `run` takes it"""
-    demand = demand_of(case, base_dir)
-    motions, kinds = read_records(case, base_dir)
-    made = generated(case, demand) if demand else []
-    motions, kinds = joined(motions, made), kinds + ["artificial"] * len(made)
-    method = METHODS.get(case.analysis.method, AUTO)
-    chosen = case.analysis
-    search = Search(chosen.q_step, chosen.q_limit, chosen.map_span, chosen.robust_window)
-    hinged = parts(case)
-    one_at = {part.wall.base_z_m: part.wall for part in hinged}
-    at_height = {z: floor_of(wall, case.building, demand, motions) for z, wall in one_at.items()}
-    entries = []
-    for part in hinged:
-        wall, floor = part.wall, at_height[part.wall.base_z_m]
-        for mechanism in wall.mechanisms():
-            model, found = model_of(wall, mechanism), None
-            if demand and (floor or not wall.above_ground):
-                found = kinematic(wall, mechanism, demand, floor.spectrum if floor else None)
-            signs, felt = polarities_of(model, chosen.polarity), list(floor.motions) if floor else motions
-            entries.append(Entry(part, mechanism, model, signs, floor, felt, found))
-    plan = Plan(case, demand, motions, kinds, method, search, entries)
-    if demand and demand.target and motions:
-        period_range(kinds, plan.longest_period, demand)
-    return plan
+def journal_key() -> str:
+    """Key of a journal: the program and the state of its sources."""
+    return f"{VERSION} {cache.source_stamp()}"
 
 
-def _costs(plan: Plan) -> dict[Any, float]:
-    """Cost of each task, in samples that the bisections of a search go through."""
-    search = plan.search
-    costs: dict[Any, float] = {
-        (k, record, sign): run_cost(plan.entries[k].felt[record], search) for k, record, sign in plan.runs
-    }
-    for k, entry in enumerate(plan.entries):
-        if plan.demand:
-            ties = entry.part.wall.tie_height_m is not None
-            costs["check", k] = check_cost(entry.felt, len(entry.signs), entry.floor is not None, ties)
-        if plan.case.analysis.accuracy:
-            costs["accuracy", k] = STATEMENT * max((run_cost(m, search) for m in entry.felt), default=1.0)
-    return costs
+def _worked(
+    plan: Plan, base_dir: Path, threads: Threads, book: Journal | Memory | None, progress: Progress, on_wall
+) -> tuple[DemandResult | None, Compliance | None, list[WallResult]]:
+    """(demand with what the records add, whether they comply with it, the walls).
+
+    base_dir, on_wall : as `run` takes them
+    book : of finished searches and checks
+    """
+    demand, rules, case = plan.demand, None, plan.case
+    threads.run({k: motion.measure for k, motion in enumerate(plan.motions)}, lambda k, _: None)
+    found = _run_all(plan, threads, book, progress)
+    if demand:
+        demand = with_records(demand, plan.motions)
+        rules = compliance(plan.motions, plan.kinds, demand, plan.longest_period)
+    results = _results(plan, found, demand)
+    if demand:
+        kept = [KeptChecks(book) for _ in results]
+        results = _assessed(plan, results, demand, rules, kept, threads, progress, on_wall)
+        by_state = demands_of(case, base_dir)
+        results = _at_limit_states(plan, results, demand, by_state, kept, threads)
+        demand = replace(demand, warnings=(*demand.warnings, *unsaid(demand, by_state)))
+        results = with_variants_alone(_with_ties(plan, results, demand, kept, threads))
+    if case.analysis.accuracy:
+        results = _with_accuracy(plan, results, threads, progress)
+    return demand, rules, results
+
+
+EVERYTHING = sys.maxsize
+"""Room of a Memory that forgets nothing."""
+
+_kept: dict[tuple[str, Path], Inputs] = {}
+"""Of a process that works for an executor: what its last case read."""
+
+
+def wall_alone(case: Case, base_dir: Path, k: int) -> dict[str, dict]:
+    """Searches and checks of the k-th wall of a case, as a journal holds them: the task of an executor, in a process of
+    its own or on another machine that sees the same files. Raises InputError."""
+    place = case.sha256, base_dir
+    if place not in _kept:
+        _kept.clear()
+        _kept[place] = read_inputs(case, base_dir)
+    plan, book = plan_of(case, base_dir, _kept[place], (k, len(case.wall))), Memory(EVERYTHING)
+    _precompile(plan)
+    progress = Progress(costs_of(plan), lambda done, planned, left: None)
+    _worked(plan, base_dir, Threads(1, lambda: False), book, progress, lambda wall: None)
+    return book.found
+
+
+def _found_on(executor: Executor, case: Case, base_dir: Path, cancelled: Callable[[], bool]) -> Memory:
+    """What an executor finds of each wall; of one whose process ends, nothing. Raises Cancelled, and InputError."""
+    book = Memory(EVERYTHING)
+    waiting: list[Future] = []
+    with contextlib.suppress(BrokenExecutor):
+        for k in range(len(case.wall)):
+            waiting.append(executor.submit(wall_alone, case, base_dir, k))
+    try:
+        for future in waiting:
+            while not future.done():
+                if cancelled():
+                    raise Cancelled
+                wait([future], timeout=0.1)
+            if isinstance(error := future.exception(), InputError):
+                raise error
+            if error is None:
+                book.found |= future.result()
+    finally:
+        for future in waiting:
+            future.cancel()
+    return book
 
 
 def _results(plan: Plan, found: dict, demand: DemandResult | None) -> list[WallResult]:
@@ -326,14 +304,19 @@ def warm(case: Case, motion: GroundMotion) -> None:
     wall = case.wall[0]
     model = model_of(wall, wall.mechanisms()[0])
     method = METHODS.get(case.analysis.method, AUTO)
-    _precompile(method, [model], [motion])
+    _begin_compiling(method, [model], [motion])
     ground, dt = motion.acceleration, motion.time_step
     scales = np.full(16, multiplier_of(1.1, motion.pga, threshold_of(model)))
     scan(method, ground, dt, scales, model, np.zeros(16, np.int64), np.zeros(16))
     history(ground, dt, scales[0], model, method)
 
 
-def _precompile(method, models, motions) -> None:
+def _precompile(plan: Plan) -> None:
+    felt = [motion for entry in plan.entries for motion in entry.felt]
+    _begin_compiling(plan.method, [entry.model for entry in plan.entries], felt)
+
+
+def _begin_compiling(method, models, motions) -> None:
     steps = {motion.time_step for motion in motions}
     precompile.start({resolve_auto(method, model, dt).name for model in models for dt in steps})
 
@@ -342,13 +325,6 @@ def run_key(model: RockingModel, motion: GroundMotion, polarity: int, method, se
     """Key of a run in the journal: all that decides its result, and nothing else."""
     parts = (tuple(model), motion.samples_sha256, polarity, method, search)
     return hashlib.sha256(repr(parts).encode()).hexdigest()
-
-
-def polarities_of(model: RockingModel, asked: str) -> tuple[int, ...]:
-    """Signs of the records: one where both do the same to the wall."""
-    if model.both_signs_alike or asked == "as_recorded":
-        return (1,)
-    return (-1,) if asked == "reversed" else (1, -1)
 
 
 def _run_all(plan: Plan, threads: Threads, book, progress: Progress) -> dict[tuple[int, int, int], Ida]:

@@ -1,0 +1,124 @@
+"""What a study does, known before its first analysis: its demand, its motions, and its walls about every hinge."""
+
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from core.capacity.ida import Search
+from core.case.hinges import Part, parts
+from core.case.schema import Case
+from core.codes.demand import DemandResult
+from core.codes.kinematic import Kinematic, kinematic
+from core.codes.record_compatibility import period_range
+from core.ground.ground_motion import GroundMotion
+from core.rocking.methods import AUTO, METHODS, Method
+from core.study.demand_input import demand_of, generated
+from core.study.floors import Floor, floor_of
+from core.study.progress import STATEMENT, check_cost, run_cost
+from core.study.record_input import joined, read_records
+from core.study.zeta_with import model_of
+from core.wall.rocking_model import RockingModel
+
+
+class Entry(NamedTuple):
+    """One wall of a study about one hinge, by one mechanism.
+
+    signs : each record is taken with, 1 as recorded, -1 reversed
+    floor : it stands on, None on the ground
+    felt : the records as they move it
+    kinematic : its mechanism, None without a demand and above the ground where the building is not known
+    """
+
+    part: Part
+    mechanism: str
+    model: RockingModel
+    signs: tuple[int, ...]
+    floor: Floor | None
+    felt: list[GroundMotion]
+    kinematic: Kinematic | None
+
+
+class Plan(NamedTuple):
+    """What a study does, known before its first analysis.
+
+    demand : without what the records add, None where no check is asked for
+    motions : of the ground, with those generated; kinds : of each
+    entries : the walls
+    """
+
+    case: Case
+    demand: DemandResult | None
+    motions: list[GroundMotion]
+    kinds: list[str]
+    method: Method
+    search: Search
+    entries: list[Entry]
+
+    @property
+    def runs(self) -> list[tuple[int, int, int]]:
+        """(wall, record, sign) of each search."""
+        walls = enumerate(self.entries)
+        return [(k, record, sign) for k, one in walls for record in range(len(self.motions)) for sign in one.signs]
+
+    @property
+    def longest_period(self) -> float:
+        """Of the mechanisms [s], 0 without one."""
+        return max((one.kinematic.period or 0.0 for one in self.entries if one.kinematic), default=0.0)
+
+
+Inputs = tuple[DemandResult | None, list[GroundMotion], list[str]]
+"""Demand, motions and the kind of each."""
+
+
+def read_inputs(case: Case, base_dir: Path) -> Inputs:
+    """What a case reads. Raises InputError."""
+    demand = demand_of(case, base_dir)
+    motions, kinds = read_records(case, base_dir)
+    made = generated(case, demand) if demand else []
+    return demand, joined(motions, made), kinds + ["artificial"] * len(made)
+
+
+def plan_of(case: Case, base_dir: Path, inputs: Inputs, share: tuple[int, int] | None = None) -> Plan:
+    """The walls of a case, or a share of them, as `run` takes both. Raises InputError where the records and the demand
+    do not go together: before hours of work, not after."""
+    demand, motions, kinds = inputs
+    method = METHODS.get(case.analysis.method, AUTO)
+    chosen = case.analysis
+    search = Search(chosen.q_step, chosen.q_limit, chosen.map_span, chosen.robust_window)
+    hinged = [part for part in parts(case) if share is None or part.origin % share[1] == share[0]]
+    one_at = {part.wall.base_z_m: part.wall for part in hinged}
+    at_height = {z: floor_of(wall, case.building, demand, motions) for z, wall in one_at.items()}
+    entries = []
+    for part in hinged:
+        wall, floor = part.wall, at_height[part.wall.base_z_m]
+        for mechanism in wall.mechanisms():
+            model, found = model_of(wall, mechanism), None
+            if demand and (floor or not wall.above_ground):
+                found = kinematic(wall, mechanism, demand, floor.spectrum if floor else None)
+            signs, felt = polarities_of(model, chosen.polarity), list(floor.motions) if floor else motions
+            entries.append(Entry(part, mechanism, model, signs, floor, felt, found))
+    plan = Plan(case, demand, motions, kinds, method, search, entries)
+    if demand and demand.target and motions:
+        period_range(kinds, plan.longest_period, demand)
+    return plan
+
+
+def costs_of(plan: Plan) -> dict[Any, float]:
+    """Cost of each task, in samples that the bisections of a search go through."""
+    search = plan.search
+    costs: dict[Any, float] = {
+        (k, record, sign): run_cost(plan.entries[k].felt[record], search) for k, record, sign in plan.runs
+    }
+    for k, entry in enumerate(plan.entries):
+        if plan.demand:
+            ties = entry.part.wall.tie_height_m is not None
+            costs["check", k] = check_cost(entry.felt, len(entry.signs), entry.floor is not None, ties)
+        if plan.case.analysis.accuracy:
+            costs["accuracy", k] = STATEMENT * max((run_cost(m, search) for m in entry.felt), default=1.0)
+    return costs
+
+
+def polarities_of(model: RockingModel, asked: str) -> tuple[int, ...]:
+    """Signs of the records: one where both do the same to the wall."""
+    if model.both_signs_alike or asked == "as_recorded":
+        return (1,)
+    return (-1,) if asked == "reversed" else (1, -1)

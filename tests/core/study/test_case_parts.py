@@ -1,0 +1,142 @@
+"""A case in parts, and on other processes, is the undivided run, bit for bit."""
+
+import os
+import random
+from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
+from pathlib import Path
+
+import pytest
+
+from app.terminal import batch
+from core.case.reader import read_case
+from core.errors import InputError
+from core.report import json_report
+from core.study.case_parts import merged, part_path
+from core.study.run import journal_key, run
+
+CASE = """
+[generate]
+count = 3
+[analysis]
+q_step = 0.05
+[demand]
+ag_g = 0.22
+[demand.spectrum]
+code = "EN1998"
+type = 1
+soil = "B"
+"""
+
+
+@pytest.fixture(scope="module")
+def case(tmp_path_factory) -> Path:
+    folder = tmp_path_factory.mktemp("parts")
+    walls = []
+    for k in range(5):
+        walls.append(
+            f'[[wall]]\nname = "w{k}"\nheight_m = {3.0 + 0.7 * k}\nthickness_m = 0.4\nbase_z_m = 0.0\n'
+            f'mechanism = "{("one_sided", "two_sided")[k % 2]}"\n'
+        )
+    path = folder / "five.toml"
+    path.write_text(CASE + "\n".join(walls))
+    return path
+
+
+def timeless(result) -> dict:
+    found = json_report.results(result)
+    return {key: value for key, value in found.items() if key not in ("started_utc", "elapsed_s")}
+
+
+@pytest.fixture(scope="module")
+def whole(case):
+    return timeless(run(read_case(case), base_dir=case.parent, jobs=2))
+
+
+@pytest.mark.parametrize("n", [1, 3, 7])
+def test_that_parts_in_any_order_and_number_are_the_undivided_run(case, whole, tmp_path, n):
+    order = list(range(1, n + 1))
+    random.Random(n).shuffle(order)
+    for k in order:
+        assert batch.run_part(case, tmp_path, 1, True, k, n) == batch.DONE
+    asked = read_case(case)
+    book = merged(tmp_path, "five", asked, journal_key())
+    before = dict(book.found)
+    result = run(asked, base_dir=case.parent, journal=lambda key: book)
+    assert timeless(result) == whole and book.found == before  # nothing was searched again
+    assert batch.run(case, tmp_path, 1, True, False, merge=True) == batch.DONE
+    assert (tmp_path / "five.xlsx").exists() and part_path(tmp_path, "five", 1, n).exists()
+
+
+def test_that_a_part_that_was_stopped_goes_on(case, tmp_path):
+    batch.run_part(case, tmp_path, 1, True, 1, 2)
+    path = part_path(tmp_path, "five", 1, 2)
+    whole = path.read_bytes()
+    path.write_bytes(b"\n".join(whole.split(b"\n")[:-6]) + b"\n")
+    with pytest.raises(InputError) as caught:
+        merged(tmp_path, "five", read_case(case), journal_key())
+    assert caught.value.code == "part_not_finished"
+    batch.run_part(case, tmp_path, 1, True, 1, 2)
+    assert sorted(path.read_bytes().split(b"\n")) == sorted(whole.split(b"\n"))
+
+
+def test_that_a_part_that_does_not_belong_is_refused(case, tmp_path):
+    asked, key = read_case(case), journal_key()
+
+    def refused(code, **changes):
+        with pytest.raises(InputError) as caught:
+            merged(tmp_path, "five", changes.get("case", asked), changes.get("key", key))
+        assert caught.value.code == code
+        assert "{" not in caught.value.text("en") + caught.value.text("it")
+
+    refused("no_parts")
+    for k in (1, 2):
+        batch.run_part(case, tmp_path, 1, True, k, 2)
+    refused("part_of_another", key="another program")
+    other = case.with_name("other.toml")
+    other.write_text(case.read_text().replace("0.22", "0.23"))
+    refused("part_of_another", case=read_case(other))
+    part_path(tmp_path, "five", 3, 3).write_bytes(part_path(tmp_path, "five", 1, 2).read_bytes())
+    refused("parts_of_two_divisions")
+    part_path(tmp_path, "five", 3, 3).unlink()
+    part_path(tmp_path, "five", 2, 2).write_text("no journal")
+    refused("part_of_another")
+    part_path(tmp_path, "five", 2, 2).unlink()
+    refused("part_missing")
+
+
+class Losing(Executor):
+    """Runs every task at once, and loses the second one as a killed process does."""
+
+    def __init__(self):
+        self.tasks = 0
+
+    def submit(self, task, /, *arguments, **named):
+        self.tasks += 1
+        future: Future = Future()
+        if self.tasks == 2:
+            future.set_exception(RuntimeError("a process ended"))
+        else:
+            future.set_result(task(*arguments, **named))
+        return future
+
+
+@pytest.mark.parametrize("kind", ["threads", "processes", "one is lost"])
+def test_that_walls_on_an_executor_are_the_undivided_run(case, whole, kind):
+    pool = {"threads": lambda: ThreadPoolExecutor(2), "processes": lambda: ProcessPoolExecutor(2)}.get(kind, Losing)()
+    with pool:
+        assert timeless(run(read_case(case), base_dir=case.parent, executor=pool)) == whole
+
+
+def test_that_a_process_that_is_killed_loses_no_result(case, whole):
+    with ProcessPoolExecutor(2) as pool:
+        pool.submit(os._exit, 1)
+        assert timeless(run(read_case(case), base_dir=case.parent, executor=pool)) == whole
+
+
+def test_that_what_the_user_can_mend_comes_back_from_a_worker(case):
+    asked = read_case(case)
+    path = case.with_name("missing.toml")
+    path.write_text(case.read_text() + '\n[[record]]\nfile = "nowhere.AT2"\n')
+    with ThreadPoolExecutor(1) as pool, pytest.raises(InputError):
+        run(read_case(path), base_dir=path.parent, executor=pool)
+    assert asked.wall
