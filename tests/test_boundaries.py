@@ -60,6 +60,7 @@ SHOWN_BY = {
     "capacity/limit_states": "tests/validation/test_circolare_by_hand.py",
     "capacity/independent_solver": "tests/validation/test_independent_solver.py",
     "case/keys": "tests/core/case/test_schema.py",
+    "case/loads": "tests/core/wall/test_ties.py",
     "case/schema": "tests/core/case/test_schema.py",
     "case/site": "tests/core/case/test_schema.py",
     "case/values": "tests/core/case/test_rules.py",

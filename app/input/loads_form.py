@@ -10,7 +10,8 @@ from app.input.fields import ChoiceField, Field, connect
 from app.input.made_fields import make_fields
 from app.look.language import named, number, tr
 from app.work.session import Session
-from core.case.schema import Bars, Load, ReturnWalls, Wall
+from core.case.loads import Bars, Load, ReturnWalls
+from core.case.schema import Wall
 from core.case.values import field_of
 from core.text.catalogue import CATALOGUE
 from core.wall.wall_loads import OF_A_TIE

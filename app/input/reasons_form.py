@@ -28,6 +28,8 @@ def raised_by_wall(case: Case, wall: Wall) -> set[str]:
         "free_element": wall.free_element is not None
         and any(wall.free_element != (mechanism == "two_sided") for mechanism in wall.mechanisms()),
         "elongation_m": any(load.is_tie and (load.elongation_m or load.elongation) for load in wall.load),
+        "anchorage_kn": any(load.bar is not None and load.bar.anchorage_kn is None for load in wall.load),
+        "load": any(load.kind == "thrust" and isinstance(load.kn_m, float) and load.kn_m < 0.0 for load in wall.load),
         "prestress": any(load.is_tie and load.prestress for load in wall.load),
         "base_z_m": case.demand is not None and at_height,
     }

@@ -257,7 +257,7 @@ class HistoriesTab(QWidget):
     def _show_bars(self) -> tuple[str, ...]:
         """Force and elongation of each tie, and what they and the impacts took."""
         _, wall = self.shown
-        self.bars = bar_histories(wall.wall, self.history) if wall.model.bars else []
+        self.bars = bar_histories(wall.wall, self.history, self.strength_factor) if wall.model.bars else []
         if not self.bars:
             return ()
         self.force.clear()
@@ -265,7 +265,7 @@ class HistoriesTab(QWidget):
         times = self.times[: self.history.rotation.size]
         for k, one in enumerate(self.bars):
             name = f"h {number(one.bar.height, '.2f')} m"
-            self.force.curve(name, times, 1e-3 * one.force / self.strength_factor, k, 1.4)
+            self.force.curve(name, times, 1e-3 * one.force, k, 1.4)
             self.elongation.curve(f"u, {name}", times, 1e3 * one.elongation, k, 1.4)
             self.elongation.curve(f"u_p, {name}", times, 1e3 * one.residual, k + 3, 1.0)
         for chart in (self.force, self.elongation):
@@ -273,8 +273,7 @@ class HistoriesTab(QWidget):
             chart.set_range((0.0, float(self.times[-1])))
             self.cursors.append(chart.level(0.0, "", "ink", vertical=True))
         del self.cursors[2:-2]
-        weakened = wall.model._replace(p2=wall.model.p2 / self.strength_factor)
-        lost = work_of_impacts(wall.wall, weakened, self.history)
+        lost = work_of_impacts(wall.wall, wall.model, self.history)
         words = [tr("ties took {work} kJ/m", work=number(1e-3 * sum(one.work for one in self.bars), ".2f"))]
         if lost is not None:
             words.append(tr("impacts {work} kJ/m", work=number(1e-3 * lost, ".2f")))

@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import MISSING, asdict, dataclass, field, fields
 
 from core.case.keys import channel_key, choice_key, flag_key, key, number_key, path_key, text_key
+from core.case.loads import Load, ReturnWalls
 from core.case.site import Building, Demand
 from core.errors import InputError, place
 from core.rocking.methods import AUTO, METHODS
@@ -38,81 +39,6 @@ AS_IS, DESIGNED = "stato di fatto", "progetto"
 
 
 @dataclass(frozen=True)
-class Bars:
-    """[wall.load.bar]: the steel bars of a tie, over the length of the wall.
-
-    thread_mm : diameter of the thread at their ends, that of the bar if none is given
-    existing : of an existing building: f_y and f_u are mean values, which FC divides
-    anchorage_kn : least resistance of the anchorage of a bar (plate, bearing and punching of the masonry), found by the
-        engineer; without it the elongation of the bars is not counted on
-    """
-
-    number: int = number_key(1, 500, MISSING, whole=True)
-    diameter_mm: float = number_key(4.0, 100.0, MISSING, unit="mm")
-    fy_mpa: float = number_key(100.0, 1500.0, 235.0, unit="MPa")
-    fu_mpa: float = number_key(100.0, 2000.0, 360.0, unit="MPa")
-    thread_mm: float | None = number_key(4.0, 100.0, unit="mm")
-    existing: bool = flag_key()
-    anchorage_kn: float | None = number_key(0.0, 10000.0, unit="kN", exclusive=True)
-
-
-@dataclass(frozen=True)
-class Load:
-    """[[wall.load]]: a force of constant size and direction on a metre of wall, a mass that moves with it, or a tie.
-
-    kn_m : its size [kN/m]: of a thrust positive outward, else positive; of a tie its force at yield, in place of `bar`
-    d_m : from the outer face inward [m]; at the face where a thrust has none, always that of a tie
-    h_m : above the hinge of the wall [m]
-    mass : of a vertical load: held elsewhere, pushing the wall horizontally, or moving with it
-    bar_length_m and what follows : of a tie only
-    fy_mpa : with kn_m, gives the elongation at yield; 235 if none is given
-    elongation_m : what it stands, in place of `elongation` times its length; without either it is gone at yield
-    slack_mm : before it pulls; prestress : share of the force at yield
-    """
-
-    kind: str = choice_key("vertical", "thrust", "tie", "carried_mass")
-    kn_m: float | None = number_key(-10000.0, 10000.0, unit="kN/m", form="size")
-    h_m: float = number_key(0.0, 120.0, unit="m", exclusive=True, form="size", required=True)
-    d_m: float | None = number_key(0.0, 20.0, unit="m", form="size")
-    mass: str | None = choice_key("none", "horizontal", "moving", default=None, form="size")
-    bar_length_m: float | None = number_key(0.2, 100.0, unit="m", form="size")
-    fy_mpa: float | None = number_key(100.0, 1500.0, unit="MPa", form="size")
-    elongation_m: float | None = number_key(0.0, 10.0, unit="m", form="size")
-    elongation: float | None = number_key(0.0, 0.3, form="size")
-    slack_mm: float = number_key(0.0, 500.0, 0.0, unit="mm", form="size")
-    prestress: float = number_key(0.0, 1.0, 0.0, form="size")
-    bar: Bars | None = key("section", of=Bars, columns="load{n}_bar_")
-
-    @property
-    def is_weight(self) -> bool:
-        return self.kind in ("vertical", "carried_mass")
-
-    @property
-    def is_tie(self) -> bool:
-        return self.kind == "tie"
-
-    @property
-    def pushes(self) -> bool:
-        """Whether its mass is moved by the wall: Q of C8.7.1.1, and part of the moving block."""
-        return self.kind == "carried_mass" or self.mass in ("horizontal", "moving")
-
-
-@dataclass(frozen=True)
-class ReturnWalls:
-    """[wall.return_walls]: the walls across behind a facade, whose courses it drags out (friction).
-
-    number : of them along the wall; brick_height_m, brick_length_m : of a course h_b and of a unit l
-    thickness_m : t_s; friction : coefficient mu
-    """
-
-    number: int = number_key(1, 20, MISSING, whole=True)
-    thickness_m: float = number_key(0.05, 3.0, MISSING, unit="m", form_unit="cm")
-    brick_height_m: float = number_key(0.02, 1.0, MISSING, unit="m", form_unit="cm")
-    brick_length_m: float = number_key(0.05, 2.0, MISSING, unit="m", form_unit="cm")
-    friction: float = number_key(0.1, 1.0, 0.577)
-
-
-@dataclass(frozen=True)
 class WallJustification:
     """[wall.justification]: why a value of the wall that raises zeta holds, in the engineer's words."""
 
@@ -124,6 +50,8 @@ class WallJustification:
     base_z_m: str = text_key()
     elongation_m: str = text_key()
     prestress: str = text_key()
+    anchorage_kn: str = text_key()
+    load: str = text_key()
 
 
 MOST_INERTIA = 2.0

@@ -52,7 +52,7 @@ def capacity_curve(mechanism: Kinematic, demand: DemandResult) -> CapacityCurve 
         floor = shown(felt * (PERIODS / (2.0 * np.pi)) ** 2, felt)
     # the friction of return walls is lost over a slip: none of it in the curve
     sums, confidence = mechanism.chain, demand.confidence_factor
-    breaks = sorted({tie.breaks_at for tie in sums.ties if tie.breaks_at < sums.d0})
-    ends = [0.0, *(d for at in breaks for d in (at, np.nextafter(at, np.inf))), sums.d0]
+    inside = [end for end in sums.ends_of_ties() if 0.0 < end < sums.d0]
+    ends = [0.0, *(d for end in inside for d in (end, end * (1.0 + 1e-9))), sums.d0]
     line = tuple((float(d), capacity_at(sums, d, confidence)) for d in ends)
     return CapacityCurve(line, ground[0], ground[1], floor[0], floor[1], damping)

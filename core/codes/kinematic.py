@@ -81,8 +81,8 @@ class Kinematic:
     acceleration_demand : a_g S, of a free element S_e(T_0, 5 %) (clause .5); above the ground a_Z and S_eZ(T_0, 5 %)
         [m/s2]; None without T_0
     zeta_sld : a_g,SLD over a_g (C8.7.1.8, C8.7.1.9) [-]; None where acceleration_demand is
-    zeta_floor : the same of the wall without the friction of return walls, which is lost over a slip, where that is
-        less: the displacement check is not below it
+    zeta_floor : the same of the wall without its ties and without the friction of return walls, which is lost over a
+        slip, where that is less: the displacement check is not below it
     missing : keys of the case without which a free element has no linear check; period_0 where its T_0 is so
         long that it would be elastic up to d_SLV
     d_limit, a_limit : d_SLV = 0.40 d_0 or d_SLC = 0.60 d_0 [m], and the capacity there [m/s2]
@@ -154,7 +154,8 @@ def kinematic(wall, mechanism: str, demand: DemandResult, floor: FloorSpectrum |
     if sums.alpha0_friction is not None:
         alpha0, e_star, mass = sums.alpha0_friction, sums.e_star_friction, sums.mass_friction
     a0 = alpha0 * G / (e_star * demand.confidence_factor)
-    without_friction = sums.alpha0 * G / (sums.e_star * demand.confidence_factor)
+    # nothing of a_g,SLD counts for SLV that a tie has to stretch for, and no friction, which is lost over a slip
+    without_friction = sums.alpha0_bare * G / (sums.e_star * demand.confidence_factor)
     mass = None if mass is None else e_star * mass
     period_0, acceleration, missing = None, demand.pga, ()
     if floor is not None:
@@ -176,7 +177,6 @@ def kinematic(wall, mechanism: str, demand: DemandResult, floor: FloorSpectrum |
     quantities = (alpha0, e_star, mass, a0, sums, d0, free, period_0, acceleration, zeta_sld, zeta_floor, missing)
     if demand.target is None or demand.limit_state not in LIMIT_FRACTION:
         return Kinematic(*quantities, floor=floor)
-    # the friction of return walls is lost over a slip: none of it in the curve
     d_limit = sums.limit_of_ties(LIMIT_FRACTION[demand.limit_state] * d0)
     a_limit = capacity_at(sums, d_limit, demand.confidence_factor)
     period = PERIOD_FACTOR[demand.limit_state] * math.sqrt(d_limit / a_limit)
@@ -190,10 +190,9 @@ def kinematic(wall, mechanism: str, demand: DemandResult, floor: FloorSpectrum |
 
 
 def capacity_at(sums: Chain, d: float, confidence: float) -> float:
-    """a(d) (C8.7.1.3) [m/s2]: that of the wall falls to zero at d_0, its ties add theirs at yield up to where they
-    break."""
-    alpha = (1.0 - d / sums.d0) * sums.alpha0_bare + sums.alpha_of_ties(d)
-    return alpha * G / (sums.e_star * confidence)
+    """a(d) (C8.7.1.3) [m/s2]: that of the wall falls to zero at d_0, its ties add what they give at d. None of the
+    friction of return walls."""
+    return sums.alpha(d) * G / (sums.e_star * confidence)
 
 
 def _passed(zeta: float, demand: DemandResult) -> bool:

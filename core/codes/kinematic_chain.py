@@ -12,6 +12,7 @@ import numpy as np
 
 from core.units import G
 from core.wall import ties, wall_loads
+from core.wall.bars import TieBar
 
 DRAGGED = 0.4
 """Factor of the friction of the return walls (C8.7.1.2.1.1, literature of masonry of regular courses)."""
@@ -19,22 +20,27 @@ DRAGGED = 0.4
 LOST = 0.5
 """Share of the largest capacity of whose loss d_SLV is the end (C8.7.1.2.1.6)."""
 
+FARTHEST = math.sin(wall_loads.MOST_COLLAPSE)
+"""Sine of the largest rotation a wall comes to."""
+
 HEIGHTS = 2000
 """Heights of the part that turns, tried for the smallest alpha_0 with friction."""
 
 
 class HeldBy(NamedTuple):
-    """A tie in the capacity curve: what it adds to alpha at yield [-], and d at which it breaks [m]."""
+    """A tie in the capacity curve. lever : what a newton of it adds to alpha [1/N]"""
 
-    alpha: float
-    breaks_at: float
+    lever: float
+    bar: TieBar
 
 
 @dataclass(frozen=True)
 class Chain:
     """Sums of a wall.
 
-    alpha0 : C8.7.1.1, with its ties at yield, without friction [-]
+    slenderness, reach : of the wall alone [rad], and the control point: d = reach [sin(alpha) - sin(alpha - theta)]
+        (C8.7.1.4) [m]
+    alpha0 : C8.7.1.1, with its ties (`wall_loads.as_force`), without friction [-]
     alpha0_bare : the same without its ties [-]
     e_star : C8.7.1.5 [-]
     mass : sum of (P + Q) / g per metre of wall [kg/m]; None without a unit weight
@@ -47,6 +53,8 @@ class Chain:
     friction_height : height of that part, from the top down [m]
     """
 
+    slenderness: float
+    reach: float
     alpha0: float
     e_star: float
     mass: float | None
@@ -59,20 +67,46 @@ class Chain:
     mass_friction: float | None = None
     friction_height: float | None = None
 
+    def displacement(self, theta):
+        """d [m] of the control point at a rotation [rad], numbers or arrays."""
+        return self.reach * (math.sin(self.slenderness) - np.sin(self.slenderness - theta))
+
+    def rotation(self, d: float) -> float:
+        """Rotation [rad] at a displacement of the control point [m]."""
+        sine = math.sin(self.slenderness) - d / self.reach
+        return self.slenderness - math.asin(max(-1.0, sine))
+
     def alpha_of_ties(self, d: float) -> float:
-        """What the ties that are whole at d [m] add to alpha [-]."""
-        return sum(tie.alpha for tie in self.ties if d <= tie.breaks_at)
+        """What the ties that are whole at d [m] add to alpha [-]: slack, elastic or at yield."""
+        theta = self.rotation(d)
+        return sum(tie.lever * tie.bar.force_at(theta) for tie in self.ties)
+
+    def alpha(self, d: float) -> float:
+        """alpha(d) (C8.7.1.2.1.2) [-]."""
+        return (1.0 - d / self.d0) * self.alpha0_bare + self.alpha_of_ties(d)
+
+    def ends_of_ties(self) -> list[float]:
+        """d at which a tie is taut, yields and breaks [m], in order; those no wall comes to left out."""
+        ends = [end for tie in self.ties for end in tie.bar.ends if end < tie.bar.height * FARTHEST]
+        heights = [tie.bar.height for tie in self.ties for end in tie.bar.ends if end < tie.bar.height * FARTHEST]
+        return sorted(float(self.displacement(math.asin(u / h))) for u, h in zip(ends, heights, strict=True))
 
     def limit_of_ties(self, d: float) -> float:
         """d, or less where ties break before it that reduce the capacity by more than half of its largest value: "lo
         spostamento corrispondente a situazioni nelle quali si verifichino rotture di elementi, quali catene o altri
         collegamenti, che [...] producano una riduzione della capacità, in termini di accelerazione, superiore al 50%
         del valore massimo" (C8.7.1.2.1.6) [m]."""
+        if not self.ties:
+            return d
+        most = max(self.alpha(end) for end in (0.0, *self.ends_of_ties()))
+        breaking = [tie for tie in self.ties if tie.bar.breaks_at < tie.bar.height * FARTHEST]
         lost = 0.0
-        for tie in sorted(self.ties, key=lambda tie: tie.breaks_at):
-            lost += tie.alpha
-            if tie.breaks_at < d and lost > LOST * self.alpha0:
-                return tie.breaks_at
+        for tie in sorted(breaking, key=lambda tie: tie.bar.breaks_at / tie.bar.height):
+            theta = math.asin(tie.bar.breaks_at / tie.bar.height)
+            lost += tie.lever * tie.bar.force_at(theta)
+            end = float(self.displacement(theta))
+            if end < d and lost > LOST * most:
+                return end
         return d
 
 
@@ -80,13 +114,12 @@ def chain(wall, two_sided: bool) -> Chain:
     """The sums; of a two-sided wall the smaller alpha_0 and d_0 of its two sides."""
     bare = wall.bare_block()
     alpha0, e_star, d0 = math.tan(bare.slenderness), 1.0, bare.radius * math.sin(bare.slenderness)
-    mass, bare_alpha0, held, d0_with_ties = None, alpha0, (), None
+    mass, sums = None, None
     if wall.unit_weight_kn_m3 is not None and wall.height_m is not None:
         mass = wall_loads.weight_per_metre(wall) / G
     if wall.load:
-        alpha0, bare_alpha0, e_star, mass, d0, *of_ties = _loaded(wall, bare, (1.0, -1.0) if two_sided else (1.0,))
-        held, d0_with_ties = of_ties
-    sums = Chain(alpha0, e_star, mass, d0, bare_alpha0, held, d0_with_ties)
+        sums = _loaded(wall, bare, (1.0, -1.0) if two_sided else (1.0,))
+    sums = sums or Chain(bare.slenderness, bare.radius, alpha0, e_star, mass, d0, alpha0)
     if wall.return_walls is None or two_sided:  # they hold a wall that turns outward
         return sums
     parts = multipliers_with_friction(wall)
@@ -95,41 +128,33 @@ def chain(wall, two_sided: bool) -> Chain:
     return replace(sums, alpha0_friction=alpha, e_star_friction=share, mass_friction=of_part, friction_height=height)
 
 
-def _loaded(wall, bare, sides) -> tuple:
-    """(alpha_0, the same without ties, e*, mass, d_0, the ties, d_0 with them up to collapse) of a wall with loads."""
+def _loaded(wall, bare, sides) -> Chain:
+    """The sums of a wall with loads, without the friction of return walls."""
     weight, (x, y) = wall_loads.weight_per_metre(wall), bare.centroid
     pushed = wall_loads.masses(wall)
     first = weight * y + sum(mass.mass * G * mass.height for mass in pushed)
     second = weight * y**2 + sum(mass.mass * G * mass.height**2 for mass in pushed)
     total = weight + sum(mass.mass * G for mass in pushed)
     block, restoring = wall.block(), wall.restoring()
-    of_centroid = second / (y * first)
-
-    def displaced(theta: float) -> float:
-        return bare.radius * (math.sin(bare.slenderness) - math.sin(bare.slenderness - theta)) * of_centroid
-
-    alpha0, alpha0_bare, d0 = math.inf, math.inf, math.inf
+    alpha0, alpha0_bare, lean = math.inf, math.inf, math.inf
     for side in sides:
         own = [wall_loads.as_force(load, wall, side) for load in wall.load if not load.is_tie]
         forces = [wall_loads.as_force(load, wall, side) for load in wall.load]
         alpha0 = min(alpha0, wall_loads.start_multiplier(weight, x, y, forces, pushed))
         alpha0_bare = min(alpha0_bare, wall_loads.start_multiplier(weight, x, y, own, pushed))
-        d0 = min(d0, displaced(block.slenderness + restoring[0 if side > 0.0 else 1].lean))
-    found = ties.ties_of(wall)
-    if not found or len(sides) == 2:  # the side that no tie holds decides
-        return alpha0, alpha0_bare, e_star_of(first, second, total), total / G, d0, (), None
-    held = []
-    for tie in found:
-        sine = tie.bar.breaks_at / tie.bar.height
-        end = displaced(math.asin(sine)) if sine < math.sin(wall_loads.MOST_COLLAPSE) else math.inf
-        held.append(HeldBy(tie.bar.strength * tie.bar.height / first, end))
-    with_ties = displaced(block.slenderness + wall_loads.restoring_with_ties(wall, block).lean)
-    return alpha0, alpha0_bare, e_star_of(first, second, total), total / G, d0, tuple(held), with_ties
-
-
-def e_star_of(first: float, second: float, total: float) -> float:
-    """e* (C8.7.1.5) [-] from the sums of (P + Q) times the height, its square, and nothing [N m, N m2, N]."""
-    return first**2 / (total * second)
+        lean = min(lean, restoring[0 if side > 0.0 else 1].lean)
+    e_star, reach = first**2 / (total * second), bare.radius * second / (y * first)
+    found = Chain(bare.slenderness, reach, alpha0, e_star, total / G, 0.0, alpha0_bare)
+    found = replace(found, d0=float(found.displacement(block.slenderness + lean)))
+    bars = [tie.bar for tie in ties.ties_of(wall)]
+    if not bars or len(sides) == 2:  # the side that no tie holds decides
+        return found
+    with_ties = block.slenderness + wall_loads.restoring_with_ties(wall, block).lean
+    return replace(
+        found,
+        ties=tuple(HeldBy(bar.height / first, bar) for bar in bars),
+        d0_with_ties=float(found.displacement(with_ties)),
+    )
 
 
 def friction(wall, height):

@@ -316,7 +316,8 @@ def _of_the_histories(seen: Evidence) -> list[Sentence]:
         said.append(_reason("whole_demand_fails", target=target))
     if dynamic.passed and dynamic.zeta_16 is not None and dynamic.zeta_16 < target:
         said.append(_reason("share", share=dynamic.share_failing_at_demand, target=target))
-    if seen.kinematic and seen.kinematic.free_element and seen.wall.moment_law().is_rigid:
+    trilinear = not any(load.is_tie for load in seen.wall.load)  # with ties there is the rigid law alone
+    if seen.kinematic and seen.kinematic.free_element and seen.wall.moment_law().is_rigid and trilinear:
         said.append(_reason("rigid_free"))
     return said
 

@@ -1,7 +1,8 @@
 """The body: sizes, loads, block, impact, uplift. kN, m, s, degrees; per metre of wall.
 
 A load is n and f, the vertical and the outward force [kN/m], at d inward of the hinge and h above it [m], and q, the
-weight of the mass that moves with it [kN/m]. A tie is t, its force at yield [kN/m], at h, and nothing else.
+weight of the mass that moves with it [kN/m]. A tie is t, its force in alpha_0, and l, its force at the limit of the
+displacement check [kN/m], at h.
 """
 
 from core.derivation.functions import arctan, atan, cos, radians, sin, sqrt, tan
@@ -21,8 +22,8 @@ VELOCITY_RATIO = Given("velocity_ratio", "e", "–", 3, label="velocity ratio e 
 LOADS = {"load.n": "N", "load.f": "F", "load.d": "d", "load.h": "h", "load.q": "Q"}
 """Columns of the table of loads, with their symbols."""
 
-TIES = {"load.t": "T", "load.k": "k"}
-"""The same of a wall with ties: force at yield, and 1 where the tie is whole at the limit of the displacement check."""
+TIES = {"load.t": "T", "load.l": "T_d"}
+"""The same of a wall with ties: their force in alpha_0, and at the limit of the displacement check."""
 
 
 # a rectangle, with or without a setback of its hinge

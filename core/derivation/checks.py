@@ -251,9 +251,9 @@ def a_limit(share, alpha0, gravity, e_star, demand_fc):
     return (1 - share) * alpha0 * gravity / (e_star * demand_fc)
 
 
-@quantity("ΣkT h", "kN", "C8.7.1.2.1.6", 2, "0.00", label="ΣT h of the ties whole at d_{state}")
+@quantity("ΣT_d h", "kN", "C8.7.1.2.1.6", 2, "0.00", label="ΣT h of the ties at d_{state}")
 def th_limit(loads):
-    return sum(load.k * load.t * load.h for load in loads)
+    return sum(load.l * load.h for load in loads)
 
 
 @quantity("a(d_{state})", "m/s²", "C8.7.1.3", name="a_limit")
@@ -294,6 +294,16 @@ def zeta_floor(zeta_sld):
 @quantity("a_g,SLD/a_g", "–", "C8.7.1.2.1.8", name="zeta_floor", label="not below a_g,SLD / a_g")
 def zeta_floor_with_friction(zeta_sld, alpha0, e_star, alpha0_friction, e_star_friction):
     return min(zeta_sld, zeta_sld * (alpha0 / e_star) / (alpha0_friction / e_star_friction))
+
+
+@quantity("a_g,SLD/a_g", "–", "C8.7.1.2.1.8", name="zeta_floor", label="not below a_g,SLD / a_g")
+def zeta_floor_with_ties(zeta_sld, alpha0, alpha0_bare):
+    return zeta_sld * min(1, alpha0_bare / alpha0)
+
+
+@quantity("a_g,SLD/a_g", "–", "C8.7.1.2.1.8", name="zeta_floor", label="not below a_g,SLD / a_g")
+def zeta_floor_with_ties_and_friction(zeta_sld, alpha0_bare, e_star, alpha0_friction, e_star_friction):
+    return min(zeta_sld, zeta_sld * (alpha0_bare / e_star) / (alpha0_friction / e_star_friction))
 
 
 @quantity("ζ", "–", "C8.7.1.2.1.8", name="nonlinear_zeta")

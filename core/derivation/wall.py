@@ -88,16 +88,16 @@ def _loaded(wall: WallResult) -> list[Line | Columns]:
     bare, restoring = asked.bare_block(), model.restoring if side > 0.0 else model.mirrored
     where = "Loads, about the outer hinge" if side > 0.0 else "Loads, about the inner hinge"
     rows = []
-    tied, whole = any(load.is_tie for load in asked.load), _whole_at_limit(wall)
+    tied, at_limit = any(load.is_tie for load in asked.load), _forces_at_limit(wall)
     for load in asked.load:
         force = wall_loads.as_force(load, asked, side)
         pushed = load.kn_m if load.pushes else 0.0
         distance = force.distance + asked.setback  # entered from the face of this hinge: the formulas take off u
         held = 1e-3 * force.horizontal if load.is_tie else 0.0
         values = (1e-3 * force.vertical, 1e-3 * force.horizontal - held, distance, force.height, pushed)
-        of_tie = (held, whole.pop(0) if load.is_tie else 0.0) if tied else ()
+        of_tie = (held, at_limit.pop(0) if load.is_tie else 0.0) if tied else ()
         rows.append((Word(f"load_{load.kind}"), (*values, *of_tie)))
-    units = ("kN/m", "kN/m", "m", "m", "kN/m", *(("kN/m", "–") if tied else ()))
+    units = ("kN/m", "kN/m", "m", "m", "kN/m", *(("kN/m", "kN/m") if tied else ()))
     symbols = body.LOADS | body.TIES if tied else body.LOADS
     return [
         *_sizes(wall),
@@ -123,13 +123,14 @@ def _loaded(wall: WallResult) -> list[Line | Columns]:
     ]
 
 
-def _whole_at_limit(wall: WallResult) -> list[float]:
-    """Of each tie 1.0 where it is whole at the limit of the displacement check."""
+def _forces_at_limit(wall: WallResult) -> list[float]:
+    """Force of each tie at the limit of the displacement check [kN/m]."""
     kinematic = wall.assessment.kinematic if wall.assessment else None
     found = kinematic.chain.ties if kinematic and kinematic.d_limit is not None else ()
     if not found:
         return [0.0 for load in wall.wall.load if load.is_tie]
-    return [float(kinematic.d_limit <= tie.breaks_at) for tie in found]
+    theta = kinematic.chain.rotation(kinematic.d_limit)
+    return [1e-3 * tie.bar.force_at(theta) for tie in found]
 
 
 def _impacts(wall: WallResult) -> list[Line]:
@@ -304,9 +305,8 @@ def displacement(result: StudyResult, wall: WallResult) -> Section:
             Line(checks.D0_WITH_TIES, kinematic.chain.d0_with_ties, RUN, VALUE, "not taken: a tie yields and breaks")
         ]
         a_limit = checks.a_limit_with_ties
-        held = sum(tie.alpha for tie in ties if kinematic.d_limit <= tie.breaks_at)
-        moments = wall_loads.start_moments(wall.wall, 1.0)
-        of_ties = [Line(checks.th_limit, 1e-3 * held * (moments[4] + moments[5]), LIVE, SYMBOLS)]
+        held = sum(f * tie.bar.height for f, tie in zip(_forces_at_limit(wall), ties, strict=True))
+        of_ties = [Line(checks.th_limit, held, LIVE, SYMBOLS)]
     if kinematic.d_limit < LIMIT_FRACTION[state] * kinematic.d0 * (1.0 - 1e-12):
         d_limit = Line(checks.D_BREAK, kinematic.d_limit, RUN, VALUE, "where a tie breaks")
     lines: list[Line | Columns] = [
@@ -321,8 +321,12 @@ def displacement(result: StudyResult, wall: WallResult) -> Section:
     if state == "SLV" and kinematic.zeta_floor is not None:
         friction = kinematic.chain.alpha0_friction is not None
         lines.append(Line(checks.displacement_ratio, kinematic.d_limit / kinematic.s_de, note=FULL))
+        tied = any(load.is_tie for load in wall.wall.load)
         floor = checks.zeta_floor_with_friction if friction else checks.zeta_floor
-        lines.append(Line(floor, kinematic.zeta_floor, LIVE, VALUE if friction else NOT, "not below a_g,SLD"))
+        if tied:
+            floor = checks.zeta_floor_with_ties_and_friction if friction else checks.zeta_floor_with_ties
+        note = VALUE if friction or tied else NOT
+        lines.append(Line(floor, kinematic.zeta_floor, LIVE, note, "not below a_g,SLD"))
         zeta = checks.nonlinear_zeta_at_slv
     return Section(title, [*lines, _zeta(zeta, check)], constants)
 

@@ -1,10 +1,8 @@
 """Keys of the results JSON that only some walls have: loads, ties, limit states, variants."""
 
-import math
-
+from core.report.tie_words import elongations
 from core.study.limit_states import STATES
 from core.study.results import StudyResult, WallResult, WallVerdict
-from core.study.tie_design import rotation_at
 from core.study.variants import Comparison, comparisons
 from core.study.wall_verdict import deciding, where
 from core.text.sentence import Sentence
@@ -44,6 +42,7 @@ def tie_design(wall: WallResult) -> dict:
             "forces_kn_m": {name: kilo(force) for name, force in tie.forces.items()},
             "histories_missing": tie.missing,
             "force_kn_m": kilo(tie.force),
+            "asked_kn_m": kilo(tie.asked),
             "check": tie.check,
             "largest_kn_m": kilo(tie.largest),
             "elongation_m": tie.elongation,
@@ -63,14 +62,6 @@ def ties(wall: WallResult) -> dict:
     found = ties_of(wall.wall) if wall.wall.load else ()
     if not found:
         return {}
-    kinematic = wall.assessment.kinematic if wall.assessment else None
-    dynamic = wall.assessment.dynamic if wall.assessment else None
-    theta_c = wall.model.collapse_rotation
-    rotations: dict[str, float | None] = {"demand": None, "d_limit": None, "d_0": theta_c}
-    if kinematic and kinematic.d_limit is not None:
-        rotations["d_limit"] = rotation_at(wall.wall, kinematic.d_limit / kinematic.d0, theta_c)
-    if dynamic and dynamic.max_peak_ratio is not None:
-        rotations["demand"] = dynamic.max_peak_ratio * theta_c
     return {
         "ties": [
             {
@@ -81,10 +72,7 @@ def ties(wall: WallResult) -> dict:
                 "weakest": tie.weakest or None,
                 "elongation_at_yield_m": tie.bar.elongation_at_yield,
                 "stands_m": tie.bar.stands,
-                "elongation_m": {
-                    name: None if theta is None else tie.bar.height * math.sin(theta)
-                    for name, theta in rotations.items()
-                },
+                "elongation_m": elongations(wall, tie.bar),
             }
             for tie in found
         ]

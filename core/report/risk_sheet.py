@@ -114,7 +114,7 @@ def _ties(book: Book, sheet, result: StudyResult, row: int) -> int:
         return row
     title(sheet, row, say("Tie for the ζ required"), 12)
     heads = [word(f"tie_{name}", book.language) for name in NAMES]
-    header(sheet, row + 1, [say("Wall"), "h [m]", *heads, say("named"), say("stands [mm]")], 1, 45)
+    header(sheet, row + 1, [say("Wall"), "h [m]", *heads, say("named"), say("ultimate [mm]")], 1, 45)
     row += 1
     for wall in designed:
         tie = wall.assessment.tie
@@ -127,7 +127,7 @@ def _ties(book: Book, sheet, result: StudyResult, row: int) -> int:
         number(sheet, row, 9, None if tie.force is None else 1e-3 * tie.force, RATIO, bold=True)
         number(sheet, row, 10, None if tie.stands is None else 1e3 * tie.stands, "0")
         rule(sheet, row, 1, 10)
-        row = paragraph(sheet, row + 1, tie_words(say, tie, book.language), LAST, 150, color=QUIET) - 1
+        row = paragraph(sheet, row + 1, tie_words(say, wall, book.language), LAST, 150, color=QUIET) - 1
     return row + 1
 
 

@@ -1,10 +1,12 @@
 """What a tie must hold, and what the ties of a wall hold, in the words of the report."""
 
+import math
 from collections.abc import Callable
 
 from core.study.results import WallResult
 from core.study.tie_design import NAMES, TieDesign
 from core.text.sentence import localized, numeral, word
+from core.wall.bars import TieBar
 from core.wall.ties import ties_of
 
 
@@ -14,30 +16,57 @@ def force_words(tie: TieDesign, name: str, language: str) -> str:
     return "–" if force is None else numeral(1e-3 * force, ".2f", language)
 
 
-def tie_words(say: Callable[..., str], tie: TieDesign, language: str) -> str:
-    """What a tie must hold, in some sentences."""
-    forces = "; ".join(f"{word(f'tie_{name}', language)} {force_words(tie, name, language)}" for name in NAMES)
+def tie_words(say: Callable[..., str], wall: WallResult, language: str) -> str:
+    """What a tie must hold, in some sentences; of a wall for which one is designed."""
+    tie = wall.assessment.tie
+    known = [name for name in NAMES if tie.forces[name] is not None]
+    forces = "; ".join(f"{word(f'tie_{name}', language)} {force_words(tie, name, language)}" for name in known)
     values = {"h": tie.height, "forces": forces, "largest": 1e-3 * tie.largest}
-    if tie.force is None:
+    if tie.asked is None:
         words = [
-            say("No tie {h:.2f} m above the base brings every hinge to the ζ required. [kN/m] {forces}.", **values)
+            say(
+                "No tie {h:.2f} m above the base brings every hinge of the one-sided mechanism to the ζ required. "
+                "[kN/m] {forces}.",
+                **values,
+            )
+        ]
+    elif tie.force is None:
+        words = [
+            say(
+                "{asked:.2f} kN/m would be needed {h:.2f} m above the base, but above {largest:.2f} kN/m the wall "
+                "bends between tie and base and is no longer one block: no single tie here. [kN/m] {forces}.",
+                asked=1e-3 * tie.asked,
+                **values,
+            )
         ]
     elif tie.force == 0.0:
         words = [say("No tie {h:.2f} m above the base is needed. [kN/m] {forces}.", **values)]
     else:
-        by, force = word(f"tie_{tie.check}", language), 1e-3 * tie.force
-        values |= {"force": force, "by": by}
-        words = [say("A tie {h:.2f} m above the base must hold {force:.2f} kN/m ({by}). [kN/m] {forces}.", **values)]
+        values |= {"force": 1e-3 * tie.force, "by": word(f"tie_{tie.check}", language)}
+        if any(load.is_tie for load in wall.wall.load):
+            first = say(
+                "A further tie {h:.2f} m above the base must hold {force:.2f} kN/m ({by}), for the one-sided "
+                "mechanism. [kN/m] {forces}.",
+                **values,
+            )
+        else:
+            first = say(
+                "A tie {h:.2f} m above the base must hold {force:.2f} kN/m ({by}), for the one-sided mechanism. "
+                "[kN/m] {forces}.",
+                **values,
+            )
+        words = [first]
     if tie.missing == "bar":
-        words.append(say("The time histories give none: the length of its bar is not given."))
+        words.append(
+            say(
+                "The time histories give none: the length of its bar is not given; the displacement check is for a bar "
+                "that does not break, and the force is at least this."
+            )
+        )
     elif tie.missing == "histories":
         words.append(say("The time histories give none: there are no records."))
     elif tie.missing == "none":
         words.append(say("The time histories give none: up to the largest force the rule does not hold."))
-    if tie.force is not None and tie.force > tie.largest:
-        words.append(
-            say("Above {largest:.2f} kN/m the wall bends between tie and base and is no longer one block.", **values)
-        )
     if tie.force:
         words += _of_the_bar(say, tie)
     return " ".join(words)
@@ -50,7 +79,7 @@ def tie_lines(wall: WallResult, language: str) -> list[str]:
         return localized("report", english, language, **values)
 
     tie = wall.assessment.tie if wall.assessment else None
-    return [*of_ties(say, wall, language), *([] if tie is None else [tie_words(say, tie, language)])]
+    return [*of_ties(say, wall, language), *([] if tie is None else [tie_words(say, wall, language)])]
 
 
 def _of_the_bar(say: Callable[..., str], tie: TieDesign) -> list[str]:
@@ -60,9 +89,9 @@ def _of_the_bar(say: Callable[..., str], tie: TieDesign) -> list[str]:
     if peak is not None:
         words.append(say("Elongation of its bar at the largest peak {mm:.0f} mm.", mm=1e3 * peak))
     if at_limit is not None:
-        words.append(say("At d_SLV it is {mm:.0f} mm.", mm=1e3 * at_limit))
+        words.append(say("At the limit of the displacement check it is {mm:.0f} mm.", mm=1e3 * at_limit))
     if stands is not None:
-        words.append(say("It stands {mm:.0f} mm.", mm=1e3 * stands))
+        words.append(say("Its ultimate elongation is {mm:.0f} mm.", mm=1e3 * stands))
     if tie.diameter is not None:
         values = {"spacing": tie.spacing, "d": tie.diameter, "thread": tie.thread}
         words.append(say("Bars of S 235 every {spacing:g} m: diameter {d} mm, thread M{thread}.", **values))
@@ -72,26 +101,54 @@ def _of_the_bar(say: Callable[..., str], tie: TieDesign) -> list[str]:
 
 
 def of_ties(say: Callable[..., str], wall: WallResult, language: str) -> list[str]:
-    """A sentence for each tie of a wall: what it holds and stands, and what governs."""
+    """A sentence for each tie of a wall: what it holds, how far it is stretched, and what governs."""
+    given = [load for load in wall.wall.load if load.is_tie]
     found = []
-    for tie in ties_of(wall.wall) if wall.wall.load else ():
+    for load, tie in zip(given, ties_of(wall.wall) if given else (), strict=True):
         bar = tie.bar
         values = {
             "h": bar.height,
             "force": 1e-3 * bar.strength,
+            "length": load.bar_length_m,
             "at_yield": 1e3 * bar.elongation_at_yield,
-            "stands": 1e3 * bar.stands,
+            "ultimate": 1e3 * bar.stands,
         }
-        words = say(
-            "Tie at {h:.2f} m: {force:.2f} kN/m at yield, {at_yield:.1f} mm; it stands {stands:.0f} mm.", **values
-        )
-        if tie.per_bar is not None:
-            parts = "; ".join(
-                f"{word(f'part_{name}', language)} {numeral(1e-3 * n, '.1f', language)}" for name, n in tie.parts
+        words = [
+            say(
+                "Tie at {h:.2f} m: {force:.2f} kN/m at yield, bar of {length:g} m, elongation at yield {at_yield:.1f} "
+                "mm, ultimate {ultimate:.0f} mm.",
+                **values,
             )
-            weakest = word(f"part_{tie.weakest}", language)
-            words += " " + say("Per bar [kN]: {parts}; {weakest} governs.", parts=parts, weakest=weakest)
+        ]
+        if load.slack_mm:
+            words.append(say("Slack {mm:g} mm.", mm=load.slack_mm))
+        if load.prestress:
+            words.append(say("Prestress {share:.0%} of its force at yield.", share=load.prestress))
         if not tie.stands_more:
-            words += " " + say("It is gone at yield: no elongation is counted on.")
-        found.append(words)
+            words.append(say("It fails at yield: no elongation beyond is counted on."))
+        stretched = elongations(wall, bar)
+        if stretched["demand"] is not None:
+            words.append(say("Elongation {mm:.0f} mm at the largest peak.", mm=1e3 * stretched["demand"]))
+        if stretched["d_limit"] is not None:
+            at_limit = 1e3 * stretched["d_limit"]
+            words.append(say("Elongation {mm:.0f} mm at the limit of the displacement check.", mm=at_limit))
+        if tie.per_bar is not None:
+            held = {word(f"part_{name}", language): numeral(1e-3 * n, ".1f", language) for name, n in tie.parts}
+            parts = "; ".join(f"{part} {n}" for part, n in held.items())
+            weakest = word(f"part_{tie.weakest}", language)
+            words.append(say("Per bar [kN]: {parts}; {weakest} governs.", parts=parts, weakest=weakest))
+        found.append(" ".join(words))
     return found
+
+
+def elongations(wall: WallResult, bar: TieBar) -> dict[str, float | None]:
+    """Elongation of a bar at the largest peak of the histories, at the limit of the displacement check and at d_0 [m];
+    None where that is not made, or a wall overturns."""
+    kinematic = wall.assessment.kinematic if wall.assessment else None
+    dynamic = wall.assessment.dynamic if wall.assessment else None
+    rotations: dict[str, float | None] = {"demand": None, "d_limit": None, "d_0": wall.model.collapse_rotation}
+    if kinematic and kinematic.d_limit is not None:
+        rotations["d_limit"] = kinematic.chain.rotation(kinematic.d_limit)
+    if dynamic and dynamic.max_peak_ratio is not None:
+        rotations["demand"] = dynamic.max_peak_ratio * wall.model.collapse_rotation
+    return {name: None if theta is None else bar.height * math.sin(theta) for name, theta in rotations.items()}

@@ -32,8 +32,8 @@ class BarHistory:
     work: float
 
 
-def bar_histories(wall: Wall, history: History) -> list[BarHistory]:
-    """Of each tie of a wall."""
+def bar_histories(wall: Wall, history: History, strength_factor: float = 1.0) -> list[BarHistory]:
+    """Of each tie of a wall. strength_factor : FC, where the history has it on the strength: forces are over it"""
     found = []
     for tie, sines in zip(ties.ties_of(wall), history.residual, strict=True):
         bar, gone = tie.bar, np.isinf(sines)
@@ -48,12 +48,14 @@ def bar_histories(wall: Wall, history: History) -> list[BarHistory]:
             stored = 0.5 * bar.strength * min(bar.elongation_at_yield, bar.breaks_at - start)
         else:
             plastic, stored = bar.height * sines[-1] - start, 0.0
-        found.append(BarHistory(bar, force, elongation, residual, phase, bar.strength * plastic + stored))
+        work = (bar.strength * plastic + stored) / strength_factor
+        found.append(BarHistory(bar, force / strength_factor, elongation, residual, phase, work))
     return found
 
 
 def work_of_impacts(wall: Wall, model: RockingModel, history: History) -> float | None:
-    """What the impacts of a history took [N]; None where the velocity ratio falls with the speed (Eq. 7), or is 0."""
+    """What the impacts of a history took [N]; None where the velocity ratio falls with the speed (Eq. 7), or is 0.
+    model : of the wall, without FC"""
     ratio = model.ratio_at_rest
     if model.ratio_drop or not ratio:
         return None

@@ -49,10 +49,5 @@ def demand_histories(result: StudyResult, wall: WallResult) -> list[DemandHistor
 
 
 def control_displacement(wall: WallResult, rotation: np.ndarray) -> np.ndarray:
-    """d [m] of the control point: that of the centroid of the wall alone, R [sin(alpha) - sin(alpha - theta)], scaled
-    so that it is d_0 at theta_c (C8.7.1.4)."""
-    alpha = wall.wall.bare_block().slenderness
-    turned = np.abs(rotation)
-    centroid = np.sin(alpha) - np.sin(alpha - turned)
-    at_collapse = math.sin(alpha) - math.sin(alpha - wall.model.collapse_rotation)
-    return np.sign(rotation) * centroid * wall.assessment.kinematic.d0 / at_collapse
+    """d [m] of the control point (C8.7.1.4)."""
+    return np.sign(rotation) * wall.assessment.kinematic.chain.displacement(np.abs(rotation))

@@ -12,9 +12,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from core.case.schema import Load, Wall
+from core.case.loads import Load
+from core.case.schema import Wall
 from core.codes.dynamic_check import DemandCheck
-from core.codes.kinematic import ROUNDING, Check, kinematic, linear, nonlinear
+from core.codes.kinematic import ROUNDING, Check, kinematic, linear, nonlinear, sld
 from core.errors import InputError
 from core.study.zeta_with import Scene, model_of
 from core.wall import ties, wall_loads
@@ -23,7 +24,7 @@ NAMES = ("dynamic", "nonlinear", "linear_q_slv", "linear_q_code", "linear_q_1", 
 """Of the forces: of the checks, with q = 1 in place of that of the code, and of the thrust at rest."""
 
 NAMED = ("dynamic", "nonlinear", "thrust")
-"""Those of which the largest is the force named."""
+"""Those of which the largest is the force named; at SLD the check of that state in place of the displacement check."""
 
 COARSE_EVERY = 8
 """Every how many points of the grid zeta of the histories is searched while the force is looked for: by 2 %."""
@@ -37,8 +38,8 @@ RAISED = 1.01
 MOST = 1e7
 """Largest force that is tried [N/m]."""
 
-WHOLE = 100.0
-"""Length and elongation of a bar that nobody describes [m]: it stands whatever the displacement check asks."""
+ASSUMED_LENGTH = 10.0
+"""Length of a bar that nobody describes [m], and the elongation it stands: whatever the displacement check asks."""
 
 CURVE = 13
 """Heights of the curve of forces."""
@@ -53,10 +54,11 @@ class TieDesign:
 
     height : above the base of the wall [m]
     forces : by NAMES [N/m]: the largest that a hinge asks; 0 where none is needed, None where none does it, where a
-        hinge at or above the tie fails, or where `missing` says so
+        hinge at or above the tie fails, where the state has no such check, or where `missing` says so
     missing : why there is none of the histories: "bar" without a length of the bar, "histories" without records, "none"
         where none does it; "" where there is one
-    force, check : the one named, and which of NAMED it is; None where one of these has none
+    force, check : the one named, and which of NAMED it is; None where one of these has none, or beyond `largest`
+    asked : the largest of these, also beyond `largest` [N/m]
     largest : up to which the wall turns as one block about each of its hinges [N/m]
     elongation : of the bar with the force named, at the largest peak of the histories at the demand, at d_SLV and at
         d_0 of the base hinge [m]
@@ -73,6 +75,7 @@ class TieDesign:
     missing: str
     force: float | None
     check: str | None
+    asked: float | None
     largest: float
     elongation: dict[str, float | None]
     stands: float | None
@@ -105,10 +108,10 @@ def with_tie(wall: Wall, force: float, height: float) -> Wall:
     """The wall with one more tie of this force at yield [N/m], at this height above its hinge [m]."""
     if force <= 0.0:
         return wall
-    length = wall.tie_bar_length_m or WHOLE
-    stands = wall.tie_elongation_m if wall.tie_bar_length_m else WHOLE / 10.0
+    length = wall.tie_bar_length_m or ASSUMED_LENGTH
+    stands = wall.tie_elongation_m if wall.tie_bar_length_m else ASSUMED_LENGTH
     tie = Load("tie", 1e-3 * force, height, bar_length_m=length, elongation_m=stands)
-    return replace(wall, load=(*wall.load, tie), unloaded_confirmed=False, law="rigid")
+    return replace(wall, load=(*wall.load, tie), unloaded_confirmed=False)
 
 
 def tie_design(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], bool] = lambda: False) -> TieDesign:
@@ -125,8 +128,13 @@ def tie_design(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], boo
         forces["dynamic"] = _of_histories(below, above, height, largest, forces, cancelled)
         missing = "none" if forces["dynamic"] is None else ""
     named = [name for name in NAMED if name != "dynamic" or missing in ("", "none")]
+    if below[0].scene.demand.limit_state == "SLD":
+        named = ["linear_q_code", "thrust"]
+    elif _zeta("nonlinear", below[0].scene, below[0].scene.wall) is None:
+        named.remove("nonlinear")
     known = [forces[name] for name in named]
-    force = None if None in known else max(known)
+    most = None if None in known else max(known)
+    force = most if most is not None and most <= largest else None
     check = None if force is None else named[known.index(force)]
     zeta, elongation, stands, bars = {}, dict.fromkeys(("demand", "d_slv", "d_0")), None, (None, None)
     if force is not None:
@@ -142,6 +150,7 @@ def tie_design(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], boo
         missing,
         force,
         check,
+        most,
         largest,
         elongation,
         stands,
@@ -173,8 +182,13 @@ def _zeta(name: str, scene: Scene, wall: Wall) -> float | None:
         found = kinematic(wall, scene.mechanism, scene.demand, floor)
     except InputError:
         return None
-    made: Check | None = nonlinear(found, scene.demand)
-    if name != "nonlinear":
+    made: Check | None = None
+    state = scene.demand.limit_state
+    if name == "nonlinear":
+        made = nonlinear(found, scene.demand)
+    elif state == "SLD":
+        made = sld(found, scene.demand)
+    elif state == "SLV":
         made = linear(name, found, scene.demand, 1.0 if name == "linear_q_1" else scene.demand.q_code)
     return made.zeta if made else None
 
@@ -282,7 +296,7 @@ def _with(below: Sequence[Hinge], height: float, force: float, missing: str, can
     elongation["d_0"] = height * math.sin(theta_c)
     found = kinematic(wall, base.scene.mechanism, demand, base.scene.floor.spectrum if base.scene.floor else None)
     if found.d_limit is not None:
-        elongation["d_slv"] = height * math.sin(rotation_at(wall, found.d_limit / found.d0, theta_c))
+        elongation["d_slv"] = height * math.sin(found.chain.rotation(found.d_limit))
     if not missing:
         checks = [_dynamic(hinge, force, height, 1, cancelled) for hinge in below]
         each = [check.zeta for check in checks]
@@ -291,12 +305,6 @@ def _with(below: Sequence[Hinge], height: float, force: float, missing: str, can
         if None not in peaks:
             elongation["demand"] = height * math.sin(max(peaks) * theta_c)
     return zeta, elongation
-
-
-def rotation_at(wall: Wall, share: float, theta_c: float) -> float:
-    """Rotation [rad] at which d is this share of d_0: that of the centroid of the wall (C8.7.1.4)."""
-    alpha = wall.bare_block().slenderness
-    return alpha - math.asin(math.sin(alpha) - share * (math.sin(alpha) - math.sin(alpha - theta_c)))
 
 
 def _heights(asked: Wall) -> np.ndarray:

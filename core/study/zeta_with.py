@@ -157,6 +157,8 @@ def lifts(
         if one.key == "free_element" and scene.wall.free_element and _worth(zetas[0]) >= _worth(told.zeta):
             continue
         lowest = min(range(len(zetas)), key=lambda k: _worth(zetas[k]))
+        if one.key in OF_LOADS and _worth(zetas[lowest]) >= _worth(told.zeta):
+            continue
         fails = {check: one.given and not all(fine for _, fine in ends) for check, ends in by.items()}
         found.append(
             Lift(
@@ -205,7 +207,7 @@ def _of_wall(**values) -> Change:
     return lambda scene: replace(scene, wall=replace(scene.wall, **values))
 
 
-def _of_loads(wall: Wall, **values) -> Change:
+def _of_ties(wall: Wall, **values) -> Change:
     """Of its ties."""
     return _of_wall(load=tuple(replace(load, **values) if load.is_tie else load for load in wall.load))
 
@@ -256,12 +258,7 @@ def _raised(scene: Scene, asked: Demand, q_check: Check | None) -> Iterator[Rais
     if wall.return_walls is not None and q_check is not None:
         end = _of_wall(return_walls=None)
         yield _one("return_walls", "lift_return_walls", wall.justification, end, histories=False)
-    held = [load for load in wall.load if load.is_tie]
-    if any(tie.stands_more for tie in ties.ties_of(wall)):
-        end = _of_loads(wall, elongation_m=None, elongation=None)
-        yield _one("elongation_m", "lift_elongation", wall.justification, end)
-    if any(load.prestress for load in held):
-        yield _one("prestress", "lift_prestress", wall.justification, _of_loads(wall, prestress=0.0))
+    yield from _of_the_loads(wall, dynamic)
     if wall.free_element is not None and wall.free_element != replace(wall, free_element=None).is_free(scene.mechanism):
         code = "lift_one_sided_free" if wall.free_element else "lift_free_element"
         end = _of_wall(free_element=None)
@@ -294,6 +291,29 @@ def _building_at(factor: float, damping: float) -> Change:
         return replace(scene, building=replace(building, period_factor=factor, **damped))
 
     return change
+
+
+OF_LOADS = ("elongation_m", "prestress", "anchorage_kn", "load")
+"""Keys of what loads raise, told only where the other end is the lower one."""
+
+
+def _of_the_loads(wall: Wall, dynamic: bool) -> Iterator[Raised]:
+    """What of the ties, and of forces that always pull inward, raises zeta. dynamic : the histories decide"""
+    ties_given = [load for load in wall.load if load.is_tie]
+    without = _of_wall(load=tuple(load for load in wall.load if not load.is_tie))
+    found = ties.ties_of(wall) if ties_given else ()
+    if any(tie.stands_more for tie in found):
+        end = _of_ties(wall, elongation_m=None, elongation=None)
+        yield _one("elongation_m", "lift_elongation", wall.justification, end)
+    elif found and not dynamic:  # no clause follows a bar that breaks
+        yield _one("elongation_m", "lift_brittle", wall.justification, without)
+    if any(load.bar is not None and load.bar.anchorage_kn is None for load in ties_given):
+        yield _one("anchorage_kn", "lift_anchorage", wall.justification, without)
+    if any(load.prestress for load in ties_given):
+        yield _one("prestress", "lift_prestress", wall.justification, _of_ties(wall, prestress=None))
+    if any(load.kind == "thrust" and load.kn_m < 0.0 for load in wall.load):
+        kept = tuple(load for load in wall.load if load.kind != "thrust" or load.kn_m > 0.0)
+        yield _one("load", "lift_inward", wall.justification, _of_wall(load=kept))
 
 
 def _participating(share: float) -> Change:

@@ -54,8 +54,21 @@ class TieBar:
 
     @property
     def breaks_at(self) -> float:
-        """u = h sin(theta) at which it is gone [m]: of a slack bar as early as of one without slack, the safe side."""
-        return self.stands + min(self.slack, 0.0)
+        """u = h sin(theta) at which it is gone [m]: a slack bar is counted on no further than one without slack, the
+        safe side, but to its yield."""
+        return max(self.stands + min(self.slack, 0.0), self.slack + self.elongation_at_yield)
+
+    @property
+    def ends(self) -> tuple[float, float, float]:
+        """u [m] at which it is taut, yields and breaks, on its first way out."""
+        return max(self.slack, 0.0), max(self.slack + self.elongation_at_yield, 0.0), self.breaks_at
+
+    def force_at(self, theta: float) -> float:
+        """Its force [N/m] on its first way out to a rotation [rad]; 0 beyond its end."""
+        u = self.height * math.sin(theta)
+        if u > self.breaks_at * (1.0 + 1e-12):
+            return 0.0
+        return self.strength * min(max((u - self.slack) / self.elongation_at_yield, 0.0), 1.0)
 
     def scaled(self, moment: float) -> Bar:
         """As the kernels take it. moment : m g R of the wall [N m / m]"""

@@ -17,13 +17,16 @@ from core.wall.block import Block
 MODULUS = 205e9
 """Of steel bars [Pa]."""
 
-DEFAULT_STRENGTH = 235.0
-"""f_y of a bar of which none is given [MPa]."""
+DEFAULT_STRENGTH, DEFAULT_TENSILE = 235.0, 360.0
+"""f_y and f_u of a bar of which none is given [MPa]."""
 
 GAMMA_M0, GAMMA_M2 = 1.05, 1.25
 """Partial factors of the gross section (Tab. 4.2.VII) and of a thread (Tab. 4.2.XIV)."""
 
-PITCHES = ((6, 1.0), (8, 1.25), (10, 1.5), (12, 1.75), (14, 2.0), (18, 2.5), (24, 3.0), (30, 3.5), (36, 4.0), (42, 4.5))
+PITCHES = (
+    *((6, 1.0), (8, 1.25), (10, 1.5), (12, 1.75), (14, 2.0), (18, 2.5), (24, 3.0), (30, 3.5)),
+    *((36, 4.0), (42, 4.5), (48, 5.0), (56, 5.5), (64, 6.0)),
+)
 """Diameter from which on a coarse metric thread has a pitch, and that pitch [mm] (ISO 261)."""
 
 DIAMETERS = (12, 14, 16, 18, 20, 22, 24, 27, 30, 33, 36, 40)
@@ -61,8 +64,8 @@ def parts_of(bars) -> tuple[tuple[str, float], ...]:
     """Resistance of each part of a bar [N]. bars : Bars of a case"""
     area = 0.25 * math.pi * bars.diameter_mm**2
     threaded = stress_area(bars.thread_mm or bars.diameter_mm)
-    steel = area * bars.fy_mpa / (1.0 if bars.existing else GAMMA_M0)
-    parts = [("steel", steel), ("thread", 0.9 * threaded * bars.fu_mpa / GAMMA_M2)]
+    steel = area * bars.strength / (1.0 if bars.existing else GAMMA_M0)
+    parts = [("steel", steel), ("thread", 0.9 * threaded * bars.tensile / GAMMA_M2)]
     if bars.anchorage_kn is not None:
         parts.append(("anchorage", 1e3 * bars.anchorage_kn))
     return tuple(parts)
@@ -73,25 +76,37 @@ def is_ductile(bars) -> bool:
     tensile strength."""
     (_, steel), (_, thread), *anchorage = parts_of(bars)
     area = 0.25 * math.pi * bars.diameter_mm**2
-    return steel <= thread and any(held >= area * bars.fu_mpa for _, held in anchorage)
+    return steel <= thread and any(held >= area * bars.tensile for _, held in anchorage)
+
+
+def elongation_at_yield(length: float, strength: float = DEFAULT_STRENGTH) -> float:
+    """u_y = f_y L / E [m]. length : [m]; strength : f_y [MPa]"""
+    return 1e6 * strength * length / MODULUS
+
+
+def stated_elongation(load) -> float | None:
+    """What the bar of a tie stands before it breaks, as stated [m]; None where nothing is."""
+    if load.elongation_m is not None or load.elongation is None:
+        return load.elongation_m
+    return load.elongation * load.bar_length_m
 
 
 def tie_of(load, wall) -> Tie:
     """The tie of a load of a wall. Both are of a case that has been checked."""
-    length, slack = load.bar_length_m, 1e-3 * load.slack_mm
+    length, slack = load.bar_length_m, 1e-3 * (load.slack_mm or 0.0)
     bars = load.bar
     if bars is None:
         strength = 1e3 * load.kn_m
-        at_yield = 1e6 * (load.fy_mpa or DEFAULT_STRENGTH) * length / MODULUS
+        at_yield = elongation_at_yield(length, load.fy_mpa or DEFAULT_STRENGTH)
         per_bar, parts, more = None, (), True
     else:
         parts, more = parts_of(bars), is_ductile(bars)
         per_bar = min(held for _, held in parts)
         strength = bars.number * per_bar / wall.length_m
         at_yield = per_bar * length / (MODULUS * 0.25e-6 * math.pi * bars.diameter_mm**2)
-    stands = load.elongation_m if load.elongation_m is not None else (load.elongation or 0.0) * length
+    stands = stated_elongation(load) or 0.0
     more = more and stands > at_yield
-    slack -= load.prestress * at_yield
+    slack -= (load.prestress or 0.0) * at_yield
     bar = TieBar(load.h_m, strength, at_yield, slack, stands if more else at_yield)
     return Tie(bar, per_bar, parts, more)
 
@@ -119,9 +134,9 @@ def bars_for(force: float, spacing: float) -> tuple[int | None, int | None]:
 
     force : [N/m]; spacing : of the bars along the wall [m]
     """
+    threads = {d: 0.9 * stress_area(d) * DEFAULT_TENSILE / GAMMA_M2 for d in (*DIAMETERS, 42, 45, 48)}
     for diameter in DIAMETERS:
         steel = 0.25 * math.pi * diameter**2 * DEFAULT_STRENGTH / GAMMA_M0
         if steel >= force * spacing:
-            threads = (d for d in (*DIAMETERS, 42, 45, 48) if 0.9 * stress_area(d) * 360.0 / GAMMA_M2 >= steel)
-            return diameter, next(threads)
+            return diameter, next(thread for thread, held in threads.items() if held >= steel)
     return None, None

@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from core.errors import InputError, place
+from core.text.sentence import Key
 from core.units import G
 from core.wall import ties
 from core.wall.block import Block
@@ -26,6 +27,12 @@ ALIKE = 1e-9
 
 OF_A_TIE = ("bar_length_m", "fy_mpa", "elongation_m", "elongation", "slack_mm", "prestress", "bar")
 """Keys of a load that only a tie has."""
+
+MOST_STRAIN = 0.30
+"""Largest elongation of a bar before it breaks, of its length."""
+
+COUNTED = 0.40
+"""Share of theta_c at which a tie has to give what alpha_0 counts of it: that of d_SLV (C8.7.1.2.1.6)."""
 
 SECTIONS = 400
 """Sections of a wall between which a hinge inside it is looked for."""
@@ -47,15 +54,18 @@ def size_of(load, wall) -> float:
 
 
 def as_force(load, wall, side: float) -> Force:
-    """A load about the hinge of this side, 1.0 the outer one [N/m, m]; its weight too where its mass moves, a tie at
-    yield, which does not hold a wall that turns inward."""
+    """A load about the hinge of this side, 1.0 the outer one [N/m, m]; its weight too where its mass moves. Of a tie
+    what alpha_0 counts (C8.7.1.1): nothing of a slack one, else its force at COUNTED of theta_c, most often that at
+    yield; none on a wall that turns inward."""
     depth = load.d_m or 0.0
     inward = depth if side > 0.0 else wall.thickness - depth
     size, push = size_of(load, wall), 0.0
     if load.kind == "thrust":
         push = -size * side
-    elif load.is_tie and side > 0.0:
-        push = size
+    elif load.is_tie and side > 0.0 and not load.slack_mm:
+        outward = restoring_of(wall, block := wall.block())[0]
+        push = ties.tie_of(load, wall).bar.force_at(COUNTED * (block.slenderness + outward.lean))
+        push = push or size  # gone before: at yield, which it came to
     return Force(size if load.is_weight else 0.0, push, inward - wall.setback, load.h_m)
 
 
@@ -135,9 +145,7 @@ def check_given(wall) -> None:
     """Raise InputError for loads that are not complete, contradict each other or are not on the wall."""
     here = (place("wall", name=wall.name),)
     across, tie = wall.return_walls, wall.tie_height_m
-    for key in ("tie_bar_length_m", "tie_elongation_m", "tie_spacing_m"):
-        if tie is None and getattr(wall, key) is not None:
-            raise InputError("tie_design_needs_height", place=here, key=key)
+    _check_design(wall, here)
     if not wall.load and across is None and tie is None:
         return
     if wall.height_m is None or wall.thickness is None or wall.unit_weight_kn_m3 is None:
@@ -159,6 +167,32 @@ def check_given(wall) -> None:
         raise InputError("loads_contradict", place=here, key="unloaded_confirmed")
     for number, load in enumerate(wall.load, start=1):
         _check_load(wall, load, (*here, place("load", n=number)))
+
+
+def _check_design(wall, here) -> None:
+    """Rules of a tie to be designed."""
+    for key, needed in (
+        ("tie_bar_length_m", "tie_height_m"),
+        ("tie_spacing_m", "tie_height_m"),
+        ("tie_elongation_m", "tie_bar_length_m"),
+    ):
+        if getattr(wall, key) is not None and getattr(wall, needed) is None:
+            raise InputError("tie_design_needs", place=here, key=key, needed=Key(needed))
+    if wall.tie_height_m is not None and not wall.moment_law().is_rigid:
+        raise InputError("tie_needs_rigid_law", place=here, key="law")
+    length, stated = wall.tie_bar_length_m, wall.tie_elongation_m
+    if stated is not None:
+        _check_elongation(stated, ties.elongation_at_yield(length), length, here, "tie_elongation_m")
+
+
+def _check_elongation(stated: float, at_yield: float, length: float, here, key: str) -> None:
+    """Refuse an elongation [m] a bar of this length [m] cannot have."""
+    if stated < at_yield:
+        raise InputError("tie_elongation_below_yield", place=here, key=key, found=stated, least=at_yield)
+    if stated > MOST_STRAIN * length:
+        raise InputError(
+            "tie_elongation_too_large", place=here, key=key, found=stated, most=MOST_STRAIN * length, share=MOST_STRAIN
+        )
 
 
 def check_loads(wall) -> None:
@@ -216,19 +250,18 @@ def _check_size(wall, load, here) -> None:
             raise InputError("load_size", place=here, key="kn_m", found=load.kn_m, kind=load.kind)
         return
     _check_bar(wall, load, here)
-    if load.slack_mm > 0.0 and load.prestress > 0.0:
+    if load.slack_mm and load.prestress:
         raise InputError("tie_slack_and_prestress", place=here, key="prestress")
     if load.d_m:
         raise InputError("tie_at_outer_face", place=here, key="d_m", found=load.d_m)
     if not wall.moment_law().is_rigid:
         raise InputError("tie_needs_rigid_law", place=here, key="law")
-    if load.prestress > 0.0 and "two_sided" in wall.mechanisms():
+    if load.prestress and "two_sided" in wall.mechanisms():
         raise InputError("prestress_one_sided", place=here, key="prestress")
-    stated = load.elongation_m if load.elongation_m is not None else (load.elongation or 0.0) * load.bar_length_m
-    at_yield = ties.tie_of(load, wall).bar.elongation_at_yield
-    if 0.0 < stated < at_yield:
+    if (stated := ties.stated_elongation(load)) is not None:
         key = "elongation" if load.elongation_m is None else "elongation_m"
-        raise InputError("tie_elongation_below_yield", place=here, key=key, found=stated, least=at_yield)
+        at_yield = ties.tie_of(load, wall).bar.elongation_at_yield
+        _check_elongation(stated, at_yield, load.bar_length_m, here, key)
 
 
 def _check_bar(wall, load, here) -> None:
@@ -243,8 +276,10 @@ def _check_bar(wall, load, here) -> None:
         raise InputError("tie_bar_says", place=here, key="fy_mpa" if load.fy_mpa is not None else "elongation_m")
     if load.bar is not None and wall.length_m is None:
         raise InputError("tie_bar_needs_length", place=here, key="length_m")
-    if load.bar is not None and load.bar.fu_mpa < load.bar.fy_mpa:
-        raise InputError("tie_fu_below_fy", place=here, key="fu_mpa", found=load.bar.fu_mpa, least=load.bar.fy_mpa)
+    if load.bar is not None and load.bar.existing and None in (load.bar.fy_mpa, load.bar.fu_mpa):
+        raise InputError("tie_existing_steel", place=here, key="fy_mpa" if load.bar.fy_mpa is None else "fu_mpa")
+    if load.bar is not None and load.bar.tensile < load.bar.strength:
+        raise InputError("tie_fu_below_fy", place=here, key="fu_mpa", found=load.bar.tensile, least=load.bar.strength)
     if load.elongation_m is not None and load.elongation is not None:
         raise InputError("tie_two_elongations", place=here, key="elongation")
 

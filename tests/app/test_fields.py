@@ -16,8 +16,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from app.look.language import FORM_NAMES, described
+from core.case.loads import Load
 from core.case.rules import parse_case
-from core.case.schema import Analysis, Load, Wall
+from core.case.schema import Analysis, Wall
 from core.case.site import Building, Demand, Spectrum
 from core.case.values import check_value
 from core.errors import InputError

@@ -13,7 +13,8 @@ from app.input.impact_form import FORMULAS, ImpactForm, named_models, scopes
 from app.input.loads_form import LoadsForm
 from app.look.language import current_language, set_language
 from app.work.session import Session
-from core.case.schema import Load, Wall
+from core.case.loads import Load
+from core.case.schema import Wall
 from core.rocking.methods import METHODS
 from core.text.catalogue import CATALOGUE
 from core.wall import restitution as of_restitution

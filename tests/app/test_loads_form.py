@@ -10,7 +10,8 @@ pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QMessageBox
 
-from core.case.schema import AS_IS, DESIGNED, Load
+from core.case.loads import Load
+from core.case.schema import AS_IS, DESIGNED
 from tests.app.driving import run, type_into
 
 

@@ -11,8 +11,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from app.input.reasons_form import raised_by_demand, raised_by_wall
+from core.case.loads import Bars, Load, ReturnWalls
 from core.case.rules import draft_case, parse_case
-from core.case.schema import Load, ReturnWalls, WallJustification
+from core.case.schema import WallJustification
 from core.case.site import Building, BuildingMode, DemandJustification
 from core.case.writer import dumps
 from core.study.run import run
@@ -39,7 +40,11 @@ def test_that_reasons_are_asked_where_a_value_raises_zeta_and_nowhere_else(opene
         free_element=False,
         mechanism="both",
         return_walls=ReturnWalls(2, 0.4, 0.2, 0.3),
-        load=(Load("tie", 1.0, 2.0, bar_length_m=8.0, elongation_m=0.1, prestress=0.2),),
+        load=(
+            Load("tie", 1.0, 2.0, bar_length_m=8.0, elongation_m=0.1, prestress=0.2),
+            Load("tie", None, 2.0, bar_length_m=8.0, bar=Bars(2, 16.0)),
+            Load("thrust", -0.1, 2.0),
+        ),
     )
     assert rows(walls.reasons) == {entry.name for entry in fields(WallJustification)} - {"base_z_m"}
     session.edit(replace(session.case, building=Building(9.0, 3)))

@@ -14,9 +14,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.work.session import Session
+from core.case.loads import Load, ReturnWalls
 from core.case.reader import read_case
 from core.case.rules import parse_case
-from core.case.schema import Load, Record, ReturnWalls, Wall
+from core.case.schema import Record, Wall
 from core.case.site import Building, BuildingMode, Demand, HazardRow, Spectrum
 from core.case.writer import table_of
 from core.errors import InputError

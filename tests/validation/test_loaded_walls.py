@@ -8,8 +8,8 @@ import pytest
 from scipy.integrate import quad
 
 from core.capacity.ida import Search, incremental_dynamic_analysis, multiplier_of
+from core.case.loads import Load
 from core.case.rules import parse_case
-from core.case.schema import Load
 from core.case.values import field_of
 from core.codes.kinematic import kinematic, linear, nonlinear
 from core.rocking.history import history

@@ -5,7 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from core.case.schema import Load, Wall
+from core.case.loads import Load
+from core.case.schema import Wall
 from core.rocking.events import REST_FRACTION
 from core.rocking.history import history, scan
 from core.rocking.methods import METHODS

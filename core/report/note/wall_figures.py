@@ -6,6 +6,7 @@ import numpy as np
 
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.capacity_curve import capacity_curve
+from core.codes.dynamic_check import at_demand
 from core.report.load_arrows import arrows
 from core.report.note.parts import Curve, Figure, Label, path
 from core.report.note.words import Words
@@ -182,7 +183,9 @@ def forces_of_ties(result: StudyResult, wall: WallResult, words: Words) -> Figur
     if not deciding:
         return None
     worst, curves, last = deciding[0], [], 0.0
-    for one, color in zip(bar_histories(wall.wall, worst.history), ("accent", "bad", "amber", "ink") * 9, strict=False):
+    weakened, _ = at_demand(wall.model, result.demand, wall.assessment.dynamic.confidence_on, worst.motion)
+    found = bar_histories(wall.wall, worst.history, wall.model.p2 / weakened.p2)
+    for one, color in zip(found, ("accent", "bad", "amber", "ink") * 9, strict=False):
         size = min(one.force.size, worst.motion.acceleration.size)
         chosen = thinned(one.force[:size], POINTS)
         times = [k * worst.motion.time_step for k in chosen]

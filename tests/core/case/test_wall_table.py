@@ -8,8 +8,9 @@ import pytest
 from openpyxl import Workbook, load_workbook
 
 from core.case import wall_table
+from core.case.loads import Load, ReturnWalls
 from core.case.reader import read_case
-from core.case.schema import Load, ReturnWalls, Wall
+from core.case.schema import Wall
 from core.case.values import field_of
 from core.case.wall_table import read_table, read_walls, text_rows, walls_of
 from core.errors import InputError

@@ -159,7 +159,7 @@ def test_that_every_quantity_is_one_of_a_wall():
     }
     seen = {"q", "q_eff", "demand_over_q", "capacity_over_demand"}  # of the table of records, and of Eq. 9
     seen |= {"intensity_of_records", "linear_q_slv", "linear_q_slv_with_friction", "linear_q_slv_zeta"}  # with records
-    seen |= {"linear_q_slv_with_ties", "linear_q_slv_with_ties_and_friction"}
+    seen |= {"linear_q_slv_with_ties", "linear_q_slv_with_ties_and_friction", "zeta_floor_with_ties_and_friction"}
     for which in DEMANDS:
         for result in results(which):
             for wall in result.walls:

@@ -14,9 +14,9 @@ import openpyxl
 import pytest
 
 from app.terminal import export
+from core.case.loads import Load
 from core.case.reader import read_case
 from core.case.rules import parse_case
-from core.case.schema import Load
 from core.case.values import field_of
 from core.errors import Cancelled
 from core.report import workbook

@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from core.case.schema import Load, Wall
+from core.case.loads import Load
+from core.case.schema import Wall
 from core.rocking.history import history
 from core.study.bar_histories import BROKEN, SLACK, TAUT, YIELDS, bar_histories, work_of_impacts
 from core.study.zeta_with import model_of

@@ -9,8 +9,9 @@ from string import Formatter
 import pytest
 
 from core.case import wall_table
+from core.case.loads import Load
 from core.case.rules import parse_case
-from core.case.schema import Case, Load, sections
+from core.case.schema import Case, sections
 from core.codes.kinematic import CHECKS
 from core.errors import InputError, place, section
 from core.packages import PACKAGES

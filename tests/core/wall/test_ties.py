@@ -4,7 +4,8 @@ import math
 
 import pytest
 
-from core.case.schema import Bars, Load, Wall
+from core.case.loads import Bars, Load
+from core.case.schema import Wall
 from core.wall.ties import bars_for, is_ductile, parts_of, stress_area, tie_of, ties_of
 
 AREA_24 = 0.25 * math.pi * 24.0**2
@@ -16,7 +17,8 @@ def tie(**load):
 
 
 @pytest.mark.parametrize(
-    ("diameter", "area"), [(12, 84.3), (14, 115), (16, 157), (18, 192), (20, 245), (22, 303), (24, 353), (30, 561)]
+    ("diameter", "area"),
+    [(12, 84.3), (14, 115), (16, 157), (18, 192), (20, 245), (22, 303), (24, 353), (30, 561), (48, 1473), (64, 2676)],
 )
 def test_that_the_area_of_a_thread_is_that_of_the_table(diameter, area):
     """A_res of Tab. 4.2.XVI."""
@@ -36,6 +38,7 @@ def test_that_a_force_gives_the_elongation_at_yield_and_what_is_counted_on():
     # the steel of a prestressed bar is that much longer already
     assert pulled.breaks_at == pytest.approx(0.4 - 0.4 * plain.elongation_at_yield)
     assert tie(kn_m=6.0, slack_mm=3.0, elongation_m=0.4).bar.breaks_at == 0.4
+    assert tie(kn_m=6.0, slack_mm=3.0).bar.breaks_at == pytest.approx(0.003 + plain.elongation_at_yield)
 
 
 def test_that_the_weakest_part_of_a_bar_governs():
@@ -47,7 +50,7 @@ def test_that_the_weakest_part_of_a_bar_governs():
     assert found.weakest == "thread" and not found.stands_more
     assert found.bar.strength == pytest.approx(4 * thread / 10.0)
     assert found.bar.stands == found.bar.elongation_at_yield == pytest.approx(thread * 8.0 / (205e3 * AREA_24))
-    existing = dict(parts_of(Bars(4, 24.0, existing=True)))
+    existing = dict(parts_of(Bars(4, 24.0, 235.0, 360.0, existing=True)))
     assert existing["steel"] == pytest.approx(AREA_24 * 235.0)
 
 
@@ -77,3 +80,11 @@ def test_that_the_bars_of_a_force_hold_it_with_a_stronger_thread():
 
 def test_that_a_wall_without_ties_has_none():
     assert ties_of(Wall("w", "one_sided", height_m=7.0, thickness_m=0.6)) == ()
+
+
+def test_that_the_force_of_a_bar_on_its_first_way_out_is_slack_elastic_plastic_and_gone():
+    bar = tie(kn_m=6.0, slack_mm=10.0, elongation_m=0.3).bar
+    at = lambda u: bar.force_at(math.asin(u / 6.5))  # noqa: E731
+    assert [at(0.0), at(0.01), at(0.2), at(0.3001)] == [0.0, 0.0, 6e3, 0.0]
+    assert at(0.01 + 0.5 * bar.elongation_at_yield) == pytest.approx(3e3)
+    assert bar.ends == (0.01, 0.01 + bar.elongation_at_yield, 0.3)

@@ -6,8 +6,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from core.case.loads import Load
 from core.case.rules import parse_case
-from core.case.schema import Load
 from core.case.values import field_of
 from core.errors import InputError
 from core.units import G
@@ -61,7 +61,22 @@ REFUSED = [
     ("tie_needs_rigid_law", (TIE,), {"law": "doherty"}),
     ("prestress_one_sided", ({**TIE, "kn_m": 0.5, "prestress": 0.2},), {"mechanism": "both"}),
     ("tie_elongation_below_yield", ({**TIE, "elongation_m": 0.009},), {}),
-    ("tie_design_needs_height", (), {"tie_bar_length_m": 8.0}),
+    ("tie_design_needs", (), {"tie_bar_length_m": 8.0}),
+    ("tie_design_needs", (), {"tie_height_m": 2.8, "tie_elongation_m": 0.4}),
+    ("tie_elongation_below_yield", (), {"tie_height_m": 2.8, "tie_bar_length_m": 8.0, "tie_elongation_m": 0.005}),
+    ("tie_elongation_too_large", (), {"tie_height_m": 2.8, "tie_bar_length_m": 8.0, "tie_elongation_m": 2.5}),
+    ("tie_needs_rigid_law", (), {"tie_height_m": 2.8, "law": "doherty"}),
+    ("tie_elongation_too_large", ({**TIE, "elongation_m": 2.5},), {}),
+    (
+        "tie_existing_steel",
+        ({**TIE, "kn_m": None, "elongation_m": None, "bar": {**BAR, "existing": True}},),
+        {"length_m": 9.0},
+    ),
+    (
+        "tie_fu_below_fy",
+        ({**TIE, "kn_m": None, "elongation_m": None, "bar": {**BAR, "fy_mpa": 400.0}},),
+        {"length_m": 9.0},
+    ),
     ("return_walls_need_length", (), {"return_walls": ACROSS}),
     ("holds_one_side", (), {"return_walls": ACROSS, "length_m": 5.0, "mechanism": "two_sided"}),
     ("return_walls_too_many", (), {"return_walls": {**ACROSS, "number": 11}, "length_m": 5.0}),
