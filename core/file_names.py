@@ -36,6 +36,8 @@ def is_text(content: str) -> bool:
 
 def shown(name: str) -> str:
     """A name for reading: what cannot be seen or written is escaped."""
+    if name.isprintable():  # then every letter is text
+        return name
     return "".join(
         letter if is_text(letter) else letter.encode("unicode_escape", "backslashreplace").decode() for letter in name
     )

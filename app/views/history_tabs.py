@@ -323,7 +323,7 @@ class ValidationTab(QWidget):
         self.button = QPushButton(tr("State the accuracy for this wall (some seconds)"))
         self.button.clicked.connect(self.asked)
         self.words = QLabel(
-            tr("Error of the solver and spread of q by definition, for this wall and its governing record.")
+            tr("What the solver leaves, and the spread of q by definition, for this wall and its governing record.")
         )
         self.words.setWordWrap(True)
         self.words.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
@@ -384,14 +384,19 @@ class ValidationTab(QWidget):
         def share(value: float | None) -> str:
             return "–" if value is None else f"{number(100 * value, '.2g')} %"
 
+        def power(value: float | None) -> str:
+            return "–" if value is None else f"{value:.0e}"
+
         self.words.setText(
             "\n".join(
                 (
                     tr(
-                        "Solver ({method}): error of q {q}, of the history {history} α ({record}).",
+                        "Solver ({method}): differs from another in q by {q}, in the history by {history} θc; bound of "
+                        "its error {bound} θc ({record}).",
                         method=accuracy.method,
-                        q=share(accuracy.solver_q_error),
-                        history="–" if accuracy.history_error is None else f"{accuracy.history_error:.0e}",
+                        q=share(accuracy.solver_q_difference),
+                        history=power(accuracy.history_difference),
+                        bound=power(accuracy.history_bound),
                         record=accuracy.record,
                     ),
                     tr(

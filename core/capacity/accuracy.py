@@ -1,5 +1,6 @@
-"""How sure a q is, in two statements kept apart: the error of its solver, the spread of its definition."""
+"""How sure a q is, in two statements kept apart: what its solver leaves, the spread of its definition."""
 
+import math
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -20,6 +21,14 @@ ROUNDING = 1e-5
 """Noise put on the samples, as a fraction of PGA: a record written with five figures."""
 
 NOISES = 8
+
+NOISE = 1e-15
+"""Noise on the samples, of each, that no solver in double precision can tell from none."""
+
+PROMISED, TIMES_NOISE = 1e-9, 30.0
+"""A history is wrong by at most the larger of the first, of theta_c, and so many times the effect of NOISE on it
+(resources/docs/speed.md, measured by tests/benchmarks/noise_promise.py)."""
+
 STEP_FACTORS = (4.0, 2.0, 0.5, 0.2)
 """Steps of the search tried, as multiples of the one asked."""
 
@@ -43,7 +52,8 @@ class Accuracy:
     """The statement for one wall, on its governing record and sign.
 
     scale : multiplier of the histories, the last survived one; points : the methods on it;
-    solver_q_error : |q / q_reference - 1| [-], q_reference : of the same search by dormand_prince;
+    solver_q_difference : |q / q_reference - 1| [-], q_reference : of the same search by dormand_prince;
+    noise_effect : of NOISE on the history, over theta_c, infinite where it overturns the wall [-];
     steps : (q_step, q, q_robust); rounded : (q, q_robust) of the record with ROUNDING noise;
     polarities : (q as recorded, q reversed), None where both are alike.
     """
@@ -58,15 +68,25 @@ class Accuracy:
     steps: tuple[tuple[float, float | None, float | None], ...]
     rounded: tuple[tuple[float | None, float | None], ...]
     polarities: tuple[float | None, float | None] | None
+    noise_effect: float
 
     @property
-    def solver_q_error(self) -> float | None:
+    def solver_q_difference(self) -> float | None:
         return None if self.q_reference is None else abs(self.q / self.q_reference - 1.0)
 
     @property
-    def history_error(self) -> float | None:
-        """Error of the method used on the governing history, over alpha [-]."""
+    def history_difference(self) -> float | None:
+        """Largest difference of the governing history by the method used from the independent solver, over theta_c
+        [-]. Neither is without error: the bound is `history_bound`."""
         return next((point.error for point in self.points if point.name == self.method), None)
+
+    @property
+    def history_bound(self) -> float | None:
+        """Bound of the error of the governing history by an exact method, over theta_c [-]; None where noise in the
+        last digit of the samples decides whether the wall stands, and for the methods that are not exact."""
+        if self.method != "taylor" or not math.isfinite(self.noise_effect):
+            return None
+        return max(PROMISED, TIMES_NOISE * self.noise_effect)
 
     def spread(self, index: int, rows: tuple) -> float | None:
         """Largest over smallest of a column, less one; None with fewer than two numbers."""
@@ -116,6 +136,20 @@ def point(motion, scale, model, method: Method, theta: np.ndarray) -> MethodPoin
     if one.rotation.size >= theta.size:
         error = float(np.abs(one.rotation[: theta.size] - theta).max() / model.collapse_rotation)
     return MethodPoint(name, method.option, min(seconds), error)
+
+
+def effect_of_noise(motion: GroundMotion, scale: float, model: RockingModel, method: Method) -> float:
+    """Largest deviation of a history over theta_c by NOISES draws of NOISE on each sample [-]; infinite where one of
+    them overturns the wall or takes it elsewhere for good."""
+    ground, dt = motion.acceleration, motion.time_step
+    once, draw, largest = history(ground, dt, scale, model, method).rotation, np.random.default_rng(1), 0.0
+    for _ in range(NOISES):
+        moved = history(ground * (1.0 + NOISE * draw.uniform(-1.0, 1.0, ground.size)), dt, scale, model, method)
+        if moved.rotation.size < ground.size <= once.size:
+            return math.inf
+        both = min(once.size, moved.rotation.size)
+        largest = max(largest, float(np.abs(moved.rotation[:both] - once[:both]).max(initial=0.0)))
+    return largest / model.collapse_rotation
 
 
 def accuracy(
@@ -178,4 +212,5 @@ def accuracy(
         steps=tuple(sorted(steps)),
         rounded=tuple(rounded),
         polarities=None if model.both_signs_alike else pair,
+        noise_effect=effect_of_noise(motion, scale, model, method),
     )

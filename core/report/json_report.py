@@ -215,8 +215,10 @@ def _uncertainty(accuracy: Accuracy | None) -> dict:
                 "q": accuracy.q,
                 "q_reference": accuracy.q_reference,
                 "reference": "dormand_prince",
-                "q_error": accuracy.solver_q_error,
-                "history_error": accuracy.history_error,
+                "q_difference": accuracy.solver_q_difference,
+                "history_difference": accuracy.history_difference,
+                "history_bound": accuracy.history_bound,
+                "noise_effect": accuracy.noise_effect if math.isfinite(accuracy.noise_effect) else None,
                 "scale": accuracy.scale,
                 "histories": [
                     {"method": p.name, "option": p.option, "seconds": p.seconds, "error": p.error}

@@ -3,6 +3,7 @@
 import math
 import platform
 
+from core.capacity.accuracy import NOISE, PROMISED, TIMES_NOISE, Accuracy
 from core.ground.provenance import provenance
 from core.report.cells import (
     ACCELERATION,
@@ -311,6 +312,22 @@ def method(book: Book, result: StudyResult) -> None:
         row += 1
 
 
+def _bound(book: Book, accuracy: Accuracy) -> str:
+    """The bound of the error of the governing history, in a sentence; "" for a method that has none."""
+    if accuracy.history_bound is not None:
+        return " " + book.say(
+            "Its error is at most {_bound} of θc: the larger of {least:g} and {times:g} times what noise of {noise:g} "
+            "on the samples does to it, as measured on random histories.",
+            _bound=_power(book, accuracy.history_bound),
+            least=PROMISED,
+            times=TIMES_NOISE,
+            noise=NOISE,
+        )
+    if math.isfinite(accuracy.noise_effect):
+        return ""
+    return " " + book.say("Noise of {noise:g} on the samples decides whether the wall stands.", noise=NOISE)
+
+
 def _uncertainty(book: Book, sheet, result: StudyResult, row: int) -> int:
     """How sure each q is, where the case asks for it: solver and definition as two statements."""
     say = book.say
@@ -323,15 +340,16 @@ def _uncertainty(book: Book, sheet, result: StudyResult, row: int) -> int:
         )
         rows = [
             (
-                say("Error of the solver"),
+                say("Solver"),
                 say(
                     "q by dormand_prince: {_digits} against {q:.4f}, difference {_percent}; history against "
                     "DOP853 of scipy at the last survived scale: {_power} of θc.",
                     _digits=_digits(book, accuracy.q_reference),
                     q=accuracy.q,
-                    _percent=_percent(book, accuracy.solver_q_error),
-                    _power=_power(book, accuracy.history_error),
-                ),
+                    _percent=_percent(book, accuracy.solver_q_difference),
+                    _power=_power(book, accuracy.history_difference),
+                )
+                + _bound(book, accuracy),
             ),
             (
                 say("Spread by definition"),

@@ -13,6 +13,7 @@
     python3 run.py bench --screenshots --guide [--output DIR] # the pictures of the guides
     python3 run.py bench --records                          # a million samples read, 200 files previewed
     python3 run.py bench --natural FILE                     # the natural records of paper.md, for --study --records
+    python3 run.py bench --noise [--cases N]                # errors of histories beside the effect of noise
     python3 run.py bench --ties [LIST.toml]                 # what q = 2 is worth for a tie, see tie_study.py
 
 With --small it does little of it, as in the tests: what it prints then says nothing. Every benchmark asserts that
@@ -40,6 +41,7 @@ BENCHMARKS = {
     "records": "record_speed",
     "natural": "natural_list",
     "ties": "tie_study",
+    "noise": "noise_promise",
 }
 """Word of the command -> module of this folder, whose `main(options)` measures and prints."""
 
@@ -58,6 +60,7 @@ def options_of(words: list[str]) -> argparse.Namespace:
             asked.add_argument(f"--{word.replace('_', '-')}", action="store_true")
     parser.add_argument("--small", action="store_true")
     parser.add_argument("--pairs", type=int, default=7)
+    parser.add_argument("--cases", type=int, default=1000)
     parser.add_argument("--guide", action="store_true")
     parser.add_argument("--output", type=Path, default=Path("work_precision"))
     return parser.parse_args(words)

@@ -112,7 +112,8 @@ def history(ground, dt, alpha, p2, one_sided, ratio_of, kinks=None, gravity="9.8
                 impacts.append((i * dt + t, before, side * speed))
                 now = b0 + rate * t
                 lifts = now > threshold or (now < -threshold and not one_sided)
-                moving = not (speed < rest_speed and not lifts)
+                # of one that is stopped dead, the ground chooses the side again
+                moving = speed > 0 and not (speed < rest_speed and not lifts)
             if not moving:
                 phi, speed = mp.mpf(0), mp.mpf(0)
             rotations.append(side * phi)

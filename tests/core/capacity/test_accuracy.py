@@ -3,10 +3,11 @@
 import numpy as np
 import pytest
 
-from core.capacity.accuracy import NOISES, accuracy, truth
+from core.capacity.accuracy import NOISES, PROMISED, TIMES_NOISE, accuracy, effect_of_noise, truth
 from core.capacity.ida import Search, incremental_dynamic_analysis
 from core.errors import Cancelled
 from core.ground.ground_motion import GroundMotion
+from core.rocking.history import history
 from core.rocking.methods import METHODS
 
 
@@ -24,9 +25,11 @@ def said(make_model, reference):
 def test_that_the_default_agrees_with_independent_solvers(said):
     ida, found = said
     assert found.q == ida.q and found.q_reference == ida.q
-    assert found.solver_q_error == 0.0
+    assert found.solver_q_difference == 0.0
     # at the last survived scale the motion amplifies what DOP853 itself leaves (3e-14 a step)
-    assert found.history_error < 1e-6
+    assert found.history_difference < 1e-6
+    # what the governing history does with the last digit of its samples bounds its error
+    assert found.history_bound == max(PROMISED, TIMES_NOISE * found.noise_effect) and found.noise_effect < 1e-6
 
 
 def test_that_the_chart_orders_the_methods(said):
@@ -57,3 +60,30 @@ def test_that_the_independent_solver_ends_soon_after_a_cancel(make_model, refere
     with pytest.raises(Cancelled):
         truth(GroundMotion("long", ground, 0.01), 1.0, model, cancelled)
     assert len(asked) == 4
+
+
+@pytest.mark.parametrize(("scale", "bounded"), [(0.5, True), (3.0, True)])
+def test_that_noise_in_the_last_digit_has_a_small_effect_far_from_collapse(make_model, reference, scale, bounded):
+    model, ground = make_model(), reference("standard")[0]
+    found = effect_of_noise(GroundMotion("r", ground, 0.01), scale, model, METHODS["taylor"])
+    assert (found < 1e-9) is bounded
+
+
+def test_that_a_history_next_to_collapse_has_no_bound(make_model, reference):
+    """The multiplier at which the wall falls, to the last digits: noise decides whether it does."""
+    model, ground = make_model(), reference("standard")[0]
+    motion = GroundMotion("r", ground, 0.01)
+    stands, falls = 1.0, None
+    for scale in np.arange(1.0, 60.0, 0.25):
+        if history(ground, 0.01, scale, model, METHODS["taylor"]).rotation.size < ground.size:
+            falls = float(scale)
+            break
+        stands = float(scale)
+    assert falls is not None
+    while stands < 0.5 * (stands + falls) < falls:
+        middle = 0.5 * (stands + falls)
+        if history(ground, 0.01, middle, model, METHODS["taylor"]).rotation.size < ground.size:
+            falls = middle
+        else:
+            stands = middle
+    assert effect_of_noise(motion, stands, model, METHODS["taylor"]) == np.inf

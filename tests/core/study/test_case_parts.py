@@ -2,10 +2,15 @@
 
 import os
 import random
+import shutil
+import signal
+import subprocess
+import sys
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
+from distributed import Client, LocalCluster
 
 from app.terminal import batch
 from core.case.reader import read_case
@@ -13,6 +18,7 @@ from core.errors import InputError
 from core.report import json_report
 from core.study.case_parts import merged, part_path
 from core.study.run import journal_key, run
+from tests.conftest import ROOT
 
 CASE = """
 [generate]
@@ -131,6 +137,50 @@ def test_that_a_process_that_is_killed_loses_no_result(case, whole):
     with ProcessPoolExecutor(2) as pool:
         pool.submit(os._exit, 1)
         assert timeless(run(read_case(case), base_dir=case.parent, executor=pool)) == whole
+
+
+class Killing(Executor):
+    """Hands tasks on, and kills a process with the last of them."""
+
+    def __init__(self, pool: Executor, tasks: int, process: int):
+        self.pool, self.left, self.process = pool, tasks, process
+
+    def submit(self, task, /, *arguments, **named):
+        future = self.pool.submit(task, *arguments, **named)
+        self.left -= 1
+        if self.left == 0:
+            os.kill(self.process, signal.SIGTERM)
+        return future
+
+
+def test_that_two_workers_of_dask_are_the_undivided_run_though_one_is_killed(case, whole):
+    with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
+        process = next(iter(client.run(os.getpid).values()))
+        pool = Killing(client.get_executor(), 5, process)
+        assert timeless(run(read_case(case), base_dir=case.parent, executor=pool)) == whole
+        assert process not in client.run(os.getpid).values()
+
+
+@pytest.mark.skipif(not shutil.which("xargs"), reason="no xargs")
+def test_that_a_scheduler_that_only_starts_programs_makes_the_parts(case, whole, tmp_path):
+    """The command of scale.md, by GNU parallel where there is one."""
+    part = [
+        sys.executable,
+        "-P",
+        "-m",
+        "app",
+        "--batch",
+        str(case),
+        "--quiet",
+        "--jobs",
+        "1",
+        "--output",
+        str(tmp_path),
+    ]
+    each = ["parallel", "-j2"] if shutil.which("parallel") else ["xargs", "-P", "2", "-I{}"]
+    subprocess.run([*each, *part, "--part", "{}/3"], input="1\n2\n3\n", text=True, check=True, cwd=ROOT)
+    book = merged(tmp_path, "five", read_case(case), journal_key())
+    assert timeless(run(read_case(case), base_dir=case.parent, journal=lambda key: book)) == whole
 
 
 def test_that_what_the_user_can_mend_comes_back_from_a_worker(case):
