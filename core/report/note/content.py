@@ -104,7 +104,7 @@ def _verdicts(result: StudyResult, words: Words) -> list[Part]:
         else:
             row += ["–", "–", "–"]
         rows.append(row)
-    return [Heading(say("Verdicts of all walls")), Table(heads, rows, (2.4, 1.3, 0.8, 0.8, 0.8, 0.8, 2.0, 2.1), tones)]
+    return [Heading(say("Verdicts of all walls")), Table(heads, rows, (2.3, 1.5, 0.9, 1.0, 0.9, 0.9, 1.9, 1.6), tones)]
 
 
 def _records(result: StudyResult, words: Words) -> list[Part]:
@@ -145,7 +145,7 @@ def _records(result: StudyResult, words: Words) -> list[Part]:
                 words.word(kind),
             ]
         )
-    parts: list[Part] = [Heading(say("Records")), Table(heads, rows, (1.9, 1.9, 1.0, 0.7, 0.9, 1.9, 0.7, 0.8, 1.0))]
+    parts: list[Part] = [Heading(say("Records")), Table(heads, rows, (1.9, 1.5, 0.9, 0.7, 1.2, 1.5, 1.0, 1.0, 1.4))]
     rules = result.compliance
     if rules is not None:
         line = (

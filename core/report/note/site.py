@@ -96,4 +96,4 @@ def before_and_after(result: StudyResult, words: Words) -> list[Part]:
     if not rows:
         return []
     heads = [say("Wall"), say("Mechanism"), say("ζ before"), say("by"), say("ζ after"), say("by"), say("changed")]
-    return [Heading(say("Before and after"), 3), Table(heads, rows, (2, 1.5, 1, 2, 1, 2, 2.5))]
+    return [Heading(say("Before and after"), 3), Table(heads, rows, (1.8, 1.8, 1.2, 1.8, 1.1, 1.8, 2.4))]

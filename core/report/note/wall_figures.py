@@ -71,7 +71,7 @@ def drawing(wall: WallResult, words: Words) -> Figure | None:
     ]
     curves.append(path(sizes, "ink", width=0.7))
     labels = [
-        Label(f"H {words.number(h, '.2f')} m", beside + 0.16 * h, 0.5 * h),
+        Label(f"H {words.number(h, '.2f')} m", beside + 0.16 * (h + below), 0.5 * h),
         Label(
             f"t {words.number(t, '.2f')} m" + (f", u {words.number(u, '.3f')} m" if u else ""),
             0.5 * t,
@@ -93,13 +93,14 @@ def drawing(wall: WallResult, words: Words) -> Figure | None:
 
 
 def _sizes_of_loads(wall: WallResult, words: Words) -> list[Label]:
-    """The size of each load at the tail of its arrow, or above that of a load at the same place."""
+    """The size of each load at the tail of its arrow, or above that of a load at the same place, of a tie below."""
     h, labels = wall.height, list[Label]()
+    high = h + wall.part.hinge  # what the figure shows: a text takes the same part of every figure
     for load, points in zip(wall.wall.load, arrows(wall.wall, h, wall.thickness), strict=True):
         x, y = min(points) if not load.is_weight else points[0]
-        x, y = (x, y + 0.05 * h) if load.is_weight else (x - 0.15 * h, y)
-        while any(abs(x - one.x) < 0.3 * h and abs(y - one.y) < 0.055 * h for one in labels):
-            y += 0.03 * h
+        x, y = (x, y + 0.05 * high) if load.is_weight else (x - 0.15 * high, y)
+        while any(abs(x - one.x) < 0.3 * high and abs(y - one.y) < 0.055 * high for one in labels):
+            y += (-0.03 if load.is_tie else 0.03) * high
         labels.append(Label(f"{words.number(1e-3 * size_of(load, wall.wall), '.2f')} kN/m", x, y))
     return labels
 
