@@ -14,6 +14,7 @@
     python3 run.py bench --records                          # a million samples read, 200 files previewed
     python3 run.py bench --natural FILE                     # the natural records of paper.md, for --study --records
     python3 run.py bench --noise [--cases N]                # errors of histories beside the effect of noise
+    python3 run.py bench --compile                          # what a cold start compiles, kernel by kernel
     python3 run.py bench --ties [LIST.toml]                 # what q = 2 is worth for a tie, see tie_study.py
 
 With --small it does little of it, as in the tests: what it prints then says nothing. Every benchmark asserts that
@@ -42,6 +43,7 @@ BENCHMARKS = {
     "natural": "natural_list",
     "ties": "tie_study",
     "noise": "noise_promise",
+    "compile": "compile_times",
 }
 """Word of the command -> module of this folder, whose `main(options)` measures and prints."""
 
