@@ -9,6 +9,7 @@ from core.case.schema import Case
 from core.codes.demand import DemandResult
 from core.codes.kinematic import Kinematic, kinematic
 from core.codes.record_compatibility import period_range
+from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import AUTO, METHODS, Method
 from core.study.demand_input import demand_of, generated
@@ -17,6 +18,9 @@ from core.study.progress import STATEMENT, check_cost, run_cost
 from core.study.record_input import joined, read_records
 from core.study.zeta_with import model_of
 from core.wall.rocking_model import RockingModel
+
+MOST_WALLS = 10_000
+"""Walls about all their hinges in a case: some 60 rows of the sheet Check each, of the million a workbook has."""
 
 
 class Entry(NamedTuple):
@@ -79,12 +83,15 @@ def read_inputs(case: Case, base_dir: Path) -> Inputs:
 
 def plan_of(case: Case, base_dir: Path, inputs: Inputs, share: tuple[int, int] | None = None) -> Plan:
     """The walls of a case, or a share of them, as `run` takes both. Raises InputError where the records and the demand
-    do not go together: before hours of work, not after."""
+    do not go together, or no workbook holds its walls: before hours of work, not after."""
     demand, motions, kinds = inputs
     method = METHODS.get(case.analysis.method, AUTO)
     chosen = case.analysis
     search = Search(chosen.q_step, chosen.q_limit, chosen.map_span, chosen.robust_window)
-    hinged = [part for part in parts(case) if share is None or part.origin % share[1] == share[0]]
+    everything = parts(case)
+    if (found := sum(len(part.wall.mechanisms()) for part in everything)) > MOST_WALLS:
+        raise InputError("too_many_walls", found=found, most=MOST_WALLS)
+    hinged = [part for part in everything if share is None or part.origin % share[1] == share[0]]
     one_at = {part.wall.base_z_m: part.wall for part in hinged}
     at_height = {z: floor_of(wall, case.building, demand, motions) for z, wall in one_at.items()}
     entries = []

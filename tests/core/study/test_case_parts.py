@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -108,6 +109,15 @@ def test_that_a_part_that_does_not_belong_is_refused(case, tmp_path):
     refused("part_of_another")
     part_path(tmp_path, "five", 2, 2).unlink()
     refused("part_missing")
+
+
+def test_that_more_walls_than_a_workbook_holds_are_refused_before_the_first_analysis(case):
+    asked = read_case(case)
+    many = replace(asked, wall=tuple(replace(asked.wall[0], name=f"w{k}") for k in range(10_001)))
+    for share in (None, (0, 4)):
+        with pytest.raises(InputError) as caught:
+            run(many, base_dir=case.parent, share=share)
+        assert caught.value.code == "too_many_walls" and "10001" in caught.value.text("en")
 
 
 class Losing(Executor):
