@@ -14,7 +14,7 @@ from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import AUTO, METHODS, Method
 from core.study.demand_input import demand_of, generated
 from core.study.floors import Floor, floor_of
-from core.study.progress import STATEMENT, check_cost, run_cost
+from core.study.progress import STATEMENT, TIE, check_cost, run_cost
 from core.study.record_input import joined, read_records
 from core.study.zeta_with import model_of
 from core.wall.rocking_model import RockingModel
@@ -117,8 +117,9 @@ def costs_of(plan: Plan) -> dict[Any, float]:
     }
     for k, entry in enumerate(plan.entries):
         if plan.demand:
-            ties = entry.part.wall.tie_height_m is not None
-            costs["check", k] = check_cost(entry.felt, len(entry.signs), entry.floor is not None, ties)
+            costs["check", k] = check_cost(entry.felt, len(entry.signs), entry.floor is not None)
+            if entry.part.wall.tie_height_m is not None:
+                costs["tie", k] = TIE * costs["check", k]
         if plan.case.analysis.accuracy:
             costs["accuracy", k] = STATEMENT * max((run_cost(m, search) for m in entry.felt), default=1.0)
     return costs

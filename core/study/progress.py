@@ -18,8 +18,8 @@ CHECK = 2.0
 """Cost of the check of a wall at the demand over the bisections of its runs: 1.6 to 2.1 measured."""
 
 FLOOR, TIE, STATEMENT = 3.0, 6.0, 20.0
-"""A wall above the ground is checked for another building and height too, a tie is found by bisection, and the
-accuracy statement makes as many searches of one run."""
+"""A wall above the ground is checked for another building and height too, a tie is found by bisection of such checks,
+and the accuracy statement makes as many searches of one run."""
 
 
 def run_cost(motion: GroundMotion, search: Search) -> float:
@@ -27,10 +27,10 @@ def run_cost(motion: GroundMotion, search: Search) -> float:
     return motion.acceleration.size * (1.0 + GRID / search.q_step)
 
 
-def check_cost(motions: Iterable[GroundMotion], signs: int, floor: bool, tie: bool) -> float:
+def check_cost(motions: Iterable[GroundMotion], signs: int, floor: bool) -> float:
     """Of the check of a wall at the demand; 1 without records, where there are only closed forms."""
     samples = sum(motion.acceleration.size for motion in motions)
-    return 1.0 + CHECK * signs * samples * (FLOOR if floor else 1.0) * (TIE if tie else 1.0)
+    return 1.0 + CHECK * signs * samples * (FLOOR if floor else 1.0)
 
 
 class Progress:

@@ -4,7 +4,7 @@ import contextlib
 import datetime
 import hashlib
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from concurrent.futures import BrokenExecutor, Executor, Future, wait
 from dataclasses import asdict, replace
 from pathlib import Path
@@ -121,7 +121,7 @@ def _worked(
         by_state = demands_of(case, base_dir)
         results = _at_limit_states(plan, results, demand, by_state, kept, threads)
         demand = replace(demand, warnings=(*demand.warnings, *unsaid(demand, by_state)))
-        results = with_variants_alone(_with_ties(plan, results, demand, kept, threads))
+        results = with_variants_alone(_with_ties(plan, results, demand, kept, threads, progress))
     if case.analysis.accuracy:
         results = _with_accuracy(plan, results, threads, progress)
     return demand, rules, results
@@ -238,7 +238,9 @@ def _at_limit_states(
     return [replace(wall, assessment=replace(wall.assessment, states=states[k])) for k, wall in enumerate(results)]
 
 
-def _with_ties(plan: Plan, results: list[WallResult], demand: DemandResult, kept, threads: Threads) -> list[WallResult]:
+def _with_ties(
+    plan: Plan, results: list[WallResult], demand: DemandResult, kept, threads: Threads, progress: Progress
+) -> list[WallResult]:
     """The walls, the base of each that asks for a tie with its design. kept : KeptChecks of each wall"""
     groups: dict[int, list[int]] = {}
     for k, wall in enumerate(results):
@@ -267,7 +269,16 @@ def _with_ties(plan: Plan, results: list[WallResult], demand: DemandResult, kept
             hinges.append(Hinge(wall.part.hinge, scene, wall.assessment.dynamic))
         return lambda stop: tie_design(hinges, plan.case.wall[origin], stop)
 
-    done = threads.run({origin: task(origin, group) for origin, group in whole.items()}, lambda origin, _: None)
+    counted = {k for k, entry in enumerate(plan.entries) if entry.part.wall.tie_height_m is not None}
+
+    def told(walls: Iterable[int], worked: bool = True) -> None:
+        for k in sorted(counted.intersection(walls)):
+            progress.done(("tie", k), worked)
+
+    told(counted.difference(*whole.values()), False)
+    done = threads.run(
+        {origin: task(origin, group) for origin, group in whole.items()}, lambda origin, _: told(whole[origin])
+    )
     found = list(results)
     for origin, tie in done.items():
         k = whole[origin][0]

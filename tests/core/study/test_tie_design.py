@@ -151,3 +151,20 @@ def test_that_the_tie_found_in_a_study_brings_the_dynamic_check_to_its_target(tm
         assert (again.dynamic.passed and not again.dynamic.within_spread(1.0)) == holds
     # its bar is counted on beyond yield without a word: the verdict says so
     assert again.verdict.code != "verified"
+
+
+def test_that_the_design_counts_among_what_is_left():
+    """All is done only after it: the time left does not end before the work does."""
+    case, told = read_case(CHURCH), []
+    study.run(case, base_dir=CHURCH.parent, on_progress=lambda done, planned, left: told.append((done, planned, left)))
+    (planned,) = {planned for _, planned, _ in told}
+    assert told[-1] == (planned, planned, 0.0) and told[-2][0] == planned - 1
+    assert planned > len(case.wall) * len(case.wall[0].mechanisms())
+
+
+def test_that_a_design_that_is_not_made_leaves_nothing_open():
+    """The same wall by the two-sided mechanism has a check and no design."""
+    case, told = read_case(CHURCH), []
+    case = replace(case, wall=(replace(case.wall[0], mechanism="both", load=()),))
+    study.run(case, base_dir=CHURCH.parent, on_progress=lambda *state: told.append(state))
+    assert told[-1][0] == told[-1][1]
