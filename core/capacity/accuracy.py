@@ -82,11 +82,13 @@ class Accuracy:
 
     @property
     def history_bound(self) -> float | None:
-        """Bound of the error of the governing history by an exact method, over theta_c [-]; None where noise in the
-        last digit of the samples decides whether the wall stands, and for the methods that are not exact."""
+        """Bound of the error of the governing history by an exact method, over theta_c, rounded up to one figure [-];
+        None where noise in the last digit of the samples decides whether the wall stands, and for other methods."""
         if self.method != "taylor" or not math.isfinite(self.noise_effect):
             return None
-        return max(PROMISED, TIMES_NOISE * self.noise_effect)
+        bound = max(PROMISED, TIMES_NOISE * self.noise_effect)
+        size = 10.0 ** math.floor(math.log10(bound))
+        return float(f"{math.ceil(bound / size - 1e-9) * size:.0e}")
 
     def spread(self, index: int, rows: tuple) -> float | None:
         """Largest over smallest of a column, less one; None with fewer than two numbers."""

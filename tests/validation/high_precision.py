@@ -7,6 +7,9 @@ import mpmath as mp
 
 ORDER = 24
 
+BARE = ((1, 0), (1, 0))
+"""A wall without loads."""
+
 
 def _coefficients(phi, speed, beta, slope, p2, alpha, branch):
     """Taylor coefficients of phi; branch (sine, slope, constant) of the moment law over I0 p2."""
@@ -54,17 +57,20 @@ def _first_root(c, level, h, pieces=64):
     return None
 
 
-def history(ground, dt, alpha, p2, one_sided, ratio_of, kinks=None, gravity="9.80665", digits=30):
+def history(ground, dt, alpha, p2, one_sided, ratio_of, kinks=None, gravity="9.80665", digits=30, loads=BARE):
     """Rotations at the samples [rad] and impacts [(time s, velocity before, velocity after rad/s)].
 
     ground, dt, alpha, p2 : exact numbers (float or mpf) [m/s2], [s], [rad], [1/s2];
-    ratio_of : velocity ratio as a function of the impact speed; kinks : (phi1, phi2) or None.
+    ratio_of : velocity ratio as a function of the impact speed; kinks : (phi1, phi2) or None;
+    loads : (a, c) of positive and of negative rotations, rigid law only: the moment is a sin(alpha - phi) +
+    c cos(alpha - phi).
     """
     with mp.workdps(digits):
         alpha, p2, dt, g = mp.mpf(alpha), mp.mpf(p2), mp.mpf(dt), mp.mpf(gravity)
         phi, speed, side, moving = mp.mpf(0), mp.mpf(0), 1, False
         levels = [mp.mpf(0)] if kinks is None else [mp.mpf(0), mp.mpf(kinks[0]), mp.mpf(kinks[1])]
-        threshold = mp.tan(alpha) if kinks is None else mp.mpf(0)
+        sine, cosine = ({1: mp.mpf(a), -1: mp.mpf(b)} for a, b in zip(*loads, strict=True))
+        threshold = {s: mp.mpf(0) if kinks else sine[s] * mp.tan(alpha) + cosine[s] for s in (1, -1)}
         zone = 0
         rest_speed = mp.mpf("1e-6") * mp.sqrt(p2) * alpha
         rotations, impacts = [mp.mpf(0)], []
@@ -75,9 +81,9 @@ def history(ground, dt, alpha, p2, one_sided, ratio_of, kinks=None, gravity="9.8
             while t < dt:
                 now = b0 + rate * t
                 if not moving:
-                    if now > threshold:
+                    if now > threshold[1]:
                         side = 1
-                    elif now < -threshold and not one_sided:
+                    elif now < -threshold[-1] and not one_sided:
                         side = -1
                     else:
                         t, side = _uplift(b0, rate, t, dt, threshold, one_sided)
@@ -85,8 +91,8 @@ def history(ground, dt, alpha, p2, one_sided, ratio_of, kinks=None, gravity="9.8
                             break
                         now = b0 + rate * t
                     phi, speed, zone, moving = mp.mpf(0), mp.mpf(0), 0, True
-                branch = _branch(zone, levels, alpha)
-                c = _coefficients(phi, speed, side * now, side * rate, p2, alpha, branch)
+                branch = _branch(zone, levels, alpha, sine[side])
+                c = _coefficients(phi, speed, side * now - cosine[side], side * rate, p2, alpha, branch)
                 h = dt - t
                 events = []
                 lower = _first_root(c, levels[zone], h)
@@ -111,7 +117,7 @@ def history(ground, dt, alpha, p2, one_sided, ratio_of, kinks=None, gravity="9.8
                 side = side if one_sided else -side
                 impacts.append((i * dt + t, before, side * speed))
                 now = b0 + rate * t
-                lifts = now > threshold or (now < -threshold and not one_sided)
+                lifts = now > threshold[1] or (now < -threshold[-1] and not one_sided)
                 # of one that is stopped dead, the ground chooses the side again
                 moving = speed > 0 and not (speed < rest_speed and not lifts)
             if not moving:
@@ -120,18 +126,18 @@ def history(ground, dt, alpha, p2, one_sided, ratio_of, kinks=None, gravity="9.8
         return rotations, impacts
 
 
-def _branch(zone, levels, alpha):
+def _branch(zone, levels, alpha, sine):
     if len(levels) == 1 or zone == 2:
-        return 1, 0, 0
+        return sine, 0, 0
     plateau = mp.sin(alpha - levels[2])
     return (0, plateau / levels[1], 0) if zone == 0 else (0, 0, plateau)
 
 
 def _uplift(b0, rate, t, dt, threshold, one_sided):
     if rate > 0:
-        root, side = (threshold - b0) / rate, 1
+        root, side = (threshold[1] - b0) / rate, 1
     elif rate < 0 and not one_sided:
-        root, side = (-threshold - b0) / rate, -1
+        root, side = (-threshold[-1] - b0) / rate, -1
     else:
         return None, 1
     return (root, side) if t <= root < dt else (None, side)

@@ -6,6 +6,7 @@ import math
 import numpy as np
 import pytest
 
+from core.capacity.accuracy import PROMISED, TIMES_NOISE
 from core.rocking.history import history
 from core.rocking.methods import AUTO
 from core.units import G
@@ -13,6 +14,9 @@ from core.wall.block import Block
 from core.wall.moment_rotation import LAWS, MomentLaw
 from core.wall.rocking_model import RockingModel
 from tests.conftest import ROOT
+
+SEEDS = (5, 13, 16, 20, 22, 233)
+"""Cases of tests/benchmarks/noise_promise.py in which the wall moves much, some of them with loads."""
 
 ALLOWED = 1e-6
 """Of alpha."""
@@ -85,3 +89,12 @@ def unexplained(seed: int, count: int) -> list[tuple]:
 @pytest.mark.parametrize("seed", [1, 2])
 def test_that_no_history_of_a_thousand_strays_unexplained(seed):
     assert unexplained(seed, 1000) == []
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_that_a_history_keeps_what_is_promised_of_it(seed):
+    """Against 30 digits: the larger of 1e-9 and so many times what noise of 1e-15 on the samples does."""
+    from tests.benchmarks.noise_promise import errors  # it draws its cases here
+
+    error, noise = errors(seed)
+    assert 0.0 < error < max(PROMISED, TIMES_NOISE * noise)
