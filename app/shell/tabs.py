@@ -4,7 +4,7 @@ from app.look.language import tr
 from app.shell.pages import Page
 from app.views.capacity_tab import CapacityTab
 from app.views.check_tab import CheckTab
-from app.views.history_tabs import HistoriesTab
+from app.views.histories_tab import HistoriesTab
 from app.views.result_tabs import IntensityTab, SpectraTab
 from app.views.walls_tab import WallsTab
 

@@ -16,8 +16,8 @@ from app.shell.files import Files
 from app.shell.pages import Veil, card
 from app.views.chart import Chart
 from app.views.chart_output import ChartOutput
-from app.views.history_tabs import ValidationTab
 from app.views.table import Table
+from app.views.validation_tab import ValidationTab
 from app.work.preparation import Preparation
 from app.work.running import RunningWindow
 from app.work.session import Session

@@ -12,7 +12,6 @@ from app.terminal import export
 from app.terminal.terminal_progress import progress, tell
 from core import atomic_write
 from core.case.reader import read_case
-from core.case.schema import Case
 from core.errors import Cancelled, InputError
 from core.jit import cache
 from core.packages import require
@@ -29,6 +28,27 @@ DONE, WITHOUT_NUMBER, CANCELLED = 0, 3, 130
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "resources" / "cases"
 """Cases that come with the program: their results land in the folder one stands in."""
+
+
+def results_of(case_path: Path, output: Path | None) -> tuple[Path, str]:
+    """(folder, stem) of the results of a case."""
+    shipped = case_path.resolve().parent == EXAMPLES
+    return output or (Path() if shipped else case_path.parent), case_path.stem
+
+
+@contextlib.contextmanager
+def made(case_path: Path, *folders: Path):
+    """These folders, made where they are missing. An InputError inside names the case, and those just made go."""
+    new: list[Path] = []
+    try:
+        for folder in folders:
+            new += atomic_write.check_folder(folder)
+        yield
+    except InputError as error:
+        for one in new:
+            with contextlib.suppress(OSError):
+                one.rmdir()
+        raise error.at(case_path) from None
 
 
 def run(
@@ -51,34 +71,7 @@ def run(
     case = read_case(case_path)
     if case.analysis.accuracy:
         require("accuracy")
-    shipped = case_path.resolve().parent == EXAMPLES
-    folder, stem = output or (Path() if shipped else case_path.parent), case_path.stem
-    made = []
-    try:
-        export.refuse_overwriting(case, case_path, folder, stem)
-        made = atomic_write.check_folder(folder)
-        if report:
-            made += atomic_write.check_folder(report.parent)
-        return run_in(case, case_path, folder, stem, jobs, quiet, resume, report, merge)
-    except InputError as error:
-        for new in made:
-            with contextlib.suppress(OSError):
-                new.rmdir()
-        raise error.at(case_path) from None
-
-
-def run_in(
-    case: Case,
-    case_path: Path,
-    folder: Path,
-    stem: str,
-    jobs: int,
-    quiet: bool,
-    resume: bool,
-    report: Path | None = None,
-    merge: bool = False,
-) -> int:
-    """`run` in a folder that is there."""
+    folder, stem = results_of(case_path, output)
     cancel = threading.Event()
     books: list[Journal] = []
 
@@ -88,7 +81,9 @@ def run_in(
         books.append(open_journal(folder / f"{stem}.journal", key, resume))
         return books[0]
 
-    with interrupts(cancel), progress(quiet) as show:
+    folders = (folder, report.parent) if report else (folder,)
+    with made(case_path, *folders), interrupts(cancel), progress(quiet) as show:
+        export.refuse_overwriting(case, case_path, folder, stem)
         try:
             result = run_study(
                 case,
@@ -128,27 +123,20 @@ def run_part(case_path: Path, output: Path | None, jobs: int, quiet: bool, k: in
     """The searches and checks of the k-th of n parts of the walls of a case, kept beside where its results will be; a
     part that was stopped goes on. Returns the exit code. Raises InputError."""
     case = read_case(case_path)
-    folder, stem = output or case_path.parent, case_path.stem
-    cancel, books = threading.Event(), list[Journal]()
-    made = atomic_write.check_folder(folder)
+    folder, stem = results_of(case_path, output)
+    cancel = threading.Event()
 
     def journal(key: str) -> Journal:
-        books.append(part_journal(folder, stem, case, key, k, n))
-        return books[0]
+        return part_journal(folder, stem, case, key, k, n)
 
-    with interrupts(cancel), progress(quiet) as show:
+    with made(case_path, folder), interrupts(cancel), progress(quiet) as show:
         try:
             asked = {"journal": journal, "on_progress": show.runs, "cancelled": cancel.is_set, "share": (k - 1, n)}
             result = run_study(case, base_dir=case_path.parent, jobs=jobs, **asked)
         except Cancelled:
-            tell("cancelled: finished runs are in {path}; go on with --resume", path=part_path(folder, stem, k, n))
+            tell("cancelled: finished runs are in {path}; start this part again", path=part_path(folder, stem, k, n))
             return CANCELLED
-        except InputError as error:
-            for new in made:
-                with contextlib.suppress(OSError):
-                    new.rmdir()
-            raise error.at(case_path) from None
-    with contextlib.closing(part_journal(folder, stem, case, journal_key(), k, n)) as book:
+    with contextlib.closing(journal(journal_key())) as book:
         book.add(FINISHED, {})
     if not quiet:
         walls = len({wall.part.origin for wall in result.walls})

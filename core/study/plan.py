@@ -1,5 +1,6 @@
 """What a study does, known before its first analysis: its demand, its motions, and its walls about every hinge."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -89,6 +90,8 @@ def plan_of(case: Case, base_dir: Path, inputs: Inputs, share: tuple[int, int] |
     chosen = case.analysis
     search = Search(chosen.q_step, chosen.q_limit, chosen.map_span, chosen.robust_window)
     everything = parts(case)
+    if share is not None and case.analysis.accuracy:  # the statement is made where the parts come together
+        case = replace(case, analysis=replace(case.analysis, accuracy=False))
     if (found := sum(len(part.wall.mechanisms()) for part in everything)) > MOST_WALLS:
         raise InputError("too_many_walls", found=found, most=MOST_WALLS)
     hinged = [part for part in everything if share is None or part.origin % share[1] == share[0]]

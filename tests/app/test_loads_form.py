@@ -142,7 +142,7 @@ def test_that_all_walls_are_on_one_tab_the_lowest_first_and_variants_are_compare
 
 def test_that_the_histories_show_what_a_tie_does(opened, application, tmp_path):
     """Force and elongation under the rotation; the bar in the drawing; the same motion again."""
-    from app.views.history_tabs import HistoriesTab
+    from app.views.histories_tab import HistoriesTab
     from core.case.rules import parse_case
     from core.study.bar_histories import BROKEN
     from core.study.run import run

@@ -18,6 +18,7 @@ from core.case.reader import read_case
 from core.errors import InputError
 from core.report import json_report
 from core.study.case_parts import merged, part_path
+from core.study.plan import costs_of, plan_of, read_inputs
 from core.study.run import journal_key, run
 from tests.conftest import ROOT
 
@@ -200,3 +201,18 @@ def test_that_what_the_user_can_mend_comes_back_from_a_worker(case):
     with ThreadPoolExecutor(1) as pool, pytest.raises(InputError):
         run(read_case(path), base_dir=path.parent, executor=pool)
     assert asked.wall
+
+
+def test_that_parts_of_a_shipped_case_land_where_its_results_do(case):
+    shipped = batch.EXAMPLES / "verdict.toml"
+    assert batch.results_of(shipped, None) == (Path(), "verdict")
+    assert batch.results_of(case, None) == (case.parent, "five")
+    assert batch.results_of(shipped, case.parent) == (case.parent, "verdict")
+
+
+def test_that_the_statement_of_accuracy_is_made_where_the_parts_come_together(case):
+    asked = read_case(case)
+    asked = replace(asked, analysis=replace(asked.analysis, accuracy=True))
+    inputs = read_inputs(asked, case.parent)
+    stated = [("accuracy", 0) in costs_of(plan_of(asked, case.parent, inputs, share)) for share in (None, (0, 2))]
+    assert stated == [True, False]
