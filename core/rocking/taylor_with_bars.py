@@ -265,19 +265,11 @@ def scan_with_bars(
 ):
     """Analyses of a wall held by bars, one after another.
 
-    ground : of `Grounds` [m/s2], shape (n,)
-    ahead : of `Grounds`, shape (4, n)
-    dt : the sample [s]
-    firsts, lasts : of `Grounds`, int64, shape (records,)
-    strongest : of `Grounds` [m/s2], shape (records,)
-    which : record of each analysis, int64, shape (m,)
-    scales : multipliers [-], shape (m,), negative reverses the record
+    ground, ahead, dt, firsts, lasts, strongest, which, scales : as lane_scheduler.py `one_pass`
     model : RockingModel without bars, of the rigid law
     bars : of `bar_rows`, shape (bars, 5)
     held : room, shape (bars, 5)
-    outcomes : results, codes of outcome.py, int64, shape (m,)
-    peaks : results [rad], shape (m,)
-    clamped : results, counts of clamped velocity ratios, int64, shape (m,)
+    outcomes, peaks, clamped : results, as there
     """
     constants = wall_constants(model, dt)
     for k in range(scales.size):

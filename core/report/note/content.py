@@ -145,7 +145,13 @@ def _records(result: StudyResult, words: Words) -> list[Part]:
                 words.word(kind),
             ]
         )
-    parts: list[Part] = [Heading(say("Records")), Table(heads, rows, (1.9, 1.5, 0.9, 0.7, 1.2, 1.5, 1.0, 1.0, 1.4))]
+    widths = (2.2, 2.4, 1.2, 0.6, 1.3, 1.9, 1.0, 1.0, 1.4)
+    unsaid = [k for k in range(len(heads)) if all(row[k] == "–" for row in rows)]
+    told = [k for k in range(len(heads)) if k not in unsaid]
+    table = Table([heads[k] for k in told], [[row[k] for k in told] for row in rows], [widths[k] for k in told])
+    parts: list[Part] = [Heading(say("Records")), table]
+    if unsaid and "natural" in result.kinds:
+        parts.append(Paragraph(say("No file states: {columns}.", columns=", ".join(heads[k] for k in unsaid)), "quiet"))
     rules = result.compliance
     if rules is not None:
         line = (

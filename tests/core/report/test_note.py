@@ -108,6 +108,20 @@ def test_that_the_note_gives_hazard_building_loads_and_what_is_changed(whole_bui
             assert f"{load.kn_m:.2f}" in {row[1] for row in listed}
 
 
+def test_that_what_no_file_states_of_the_records_takes_no_column(verdict):
+    """One magnitude stated: its column stands, and the others are named. Generated motions state nothing."""
+    first, *others = verdict.motions
+    told = replace(first, details=(("station_code", "AQV"), ("magnitude_w", "6.3")))
+    natural = replace(verdict, motions=(told, *others), kinds=("natural",) * len(verdict.kinds))
+    for result, columns in ((natural, ["Event and station", "M"]), (verdict, [])):
+        parts = note(result, "en")
+        (table,) = (part for part in parts if isinstance(part, Table) and "Scale used" in part.heads)
+        assert table.heads == ["Record", *columns, "PGA used [g]", "Scale used", "Kind"]
+        assert all(len(row) == len(table.heads) == len(table.widths) for row in table.rows)
+        said = [part.text for part in parts if isinstance(part, Paragraph) and part.text.startswith("No file states")]
+        assert said == (["No file states: Date, Distance [km], Filter [Hz], processing."] if columns else [])
+
+
 def test_that_the_histories_at_the_demand_are_those_of_the_check(building):
     for wall in building.walls:
         runs = deciding_runs(wall)
