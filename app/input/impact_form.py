@@ -29,10 +29,9 @@ FORMULAS = {
 block that turns [deg]. Of each of MODELS: tests/app/test_forms.py asks for all."""
 
 
-def named_models() -> dict:
-    """Restitution models as the list shows them, one without words by its name; None is the default of the
-    mechanism."""
-    words = {
+def captions() -> dict:
+    """Restitution models as the list shows them; None is the default of the mechanism."""
+    return {
         None: tr("default of the mechanism"),
         "housner": "Housner (Eq. 4)",
         "sorrentino_experimental": tr("Sorrentino, experimental (Eq. 5)"),
@@ -41,7 +40,11 @@ def named_models() -> dict:
         "one_sided_experimental": tr("one-sided, experimental (Eq. 7)"),
         "user": tr("given velocity ratio"),
     }
-    return words | {model: model for model in MODELS if model not in words}
+
+
+def named_models() -> dict:
+    """Every restitution model by its caption, one without words by its name."""
+    return {None: None} | {model: model for model in MODELS} | captions()
 
 
 def named_laws() -> dict:
@@ -77,7 +80,7 @@ def formula_of(model: str, block: Block, contact: Contact | None = None) -> str:
             "top": f"{1.0 - impact_ratio(block, corner, top):.5g}",
         }
     degrees = math.degrees(block.slenderness)
-    formula = FORMULAS.get(model, MODELS[model]).format(alpha=f"{degrees:.5g}", **losses)
+    formula = FORMULAS.get(model, MODELS[model].source).format(alpha=f"{degrees:.5g}", **losses)
     if current_language() == "it":
         formula = re.sub(r"(?<=\d)\.(?=\d)", ",", formula)
     return formula

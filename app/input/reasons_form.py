@@ -11,8 +11,8 @@ from app.work.session import Session
 from core.case.schema import Case, Wall, WallJustification
 from core.case.site import FULL_FACTOR, DemandJustification
 from core.codes.verdict import CODE_Q
-from core.study.zeta_with import MEASURED
 from core.text.sentence import capital
+from core.wall.restitution import MODELS
 
 Reasons = WallJustification | DemandJustification
 
@@ -22,12 +22,12 @@ def raised_by_wall(case: Case, wall: Wall) -> set[str]:
     at_height = wall.above_ground and case.building is not None and not case.building.modes
     lifting = {
         "velocity_ratio": wall.velocity_ratio is not None,
-        "restitution": wall.restitution in MEASURED,
+        "restitution": wall.restitution not in (None, "user") and not MODELS[wall.restitution].by_theory,
         "return_walls": wall.return_walls is not None,
         "law": wall.law != "rigid",
         "free_element": wall.free_element is not None
         and any(wall.free_element != (mechanism == "two_sided") for mechanism in wall.mechanisms()),
-        "elongation_m": any(load.is_tie and (load.elongation_m or load.elongation) for load in wall.load),
+        "elongation_m": any(load.is_tie for load in wall.load),
         "anchorage_kn": any(load.bar is not None and load.bar.anchorage_kn is None for load in wall.load),
         "load": any(load.kind == "thrust" and isinstance(load.kn_m, float) and load.kn_m < 0.0 for load in wall.load),
         "prestress": any(load.is_tie and load.prestress for load in wall.load),

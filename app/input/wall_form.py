@@ -32,6 +32,7 @@ from core.case.schema import AS_IS, DESIGNED, Wall
 from core.case.wall_table import read_table, text_rows, walls_of
 from core.errors import InputError
 from core.units import G
+from core.wall.restitution import MODELS
 
 
 class WallForm(QWidget):
@@ -264,7 +265,7 @@ class WallForm(QWidget):
     def _mechanism_chosen(self, name: str) -> None:
         wall = self.wall
         values = {"mechanism": name}
-        if name != "one_sided" and (wall.restitution or "").startswith("one_sided"):
+        if name != "one_sided" and wall.restitution and MODELS[wall.restitution].one_sided:
             values["restitution"] = None
         self.session.edit_wall(self.current, **values)
         self.show_case()

@@ -222,7 +222,7 @@ class Wall:
     def restitution_of(self, mechanism: str) -> Restitution:
         """Restitution for one mechanism."""
         model = self.restitution_model(mechanism)
-        if model.startswith("one_sided") and mechanism == "two_sided":
+        if MODELS[model].one_sided and mechanism == "two_sided":
             raise InputError(
                 "restitution_one_sided", model=model, asked=self.mechanism, place=(place("wall", name=self.name),)
             )

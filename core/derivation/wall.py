@@ -136,7 +136,7 @@ def _forces_at_limit(wall: WallResult) -> list[float]:
 def _impacts(wall: WallResult) -> list[Line]:
     """The velocity ratio, by its formula where the model has one."""
     model, block = wall.restitution.model, wall.block
-    e, words = wall.restitution.ratio_at_rest, {"model": MODELS[model]}
+    e, words = wall.restitution.ratio_at_rest, {"model": MODELS[model].source}
     label = "velocity ratio of an impact: {model}"
     if model not in body.RATIOS:
         of = body.VELOCITY_RATIO
@@ -152,7 +152,7 @@ def _impacts(wall: WallResult) -> list[Line]:
         base, top = body.e_base_of_block, body.e_top_of_block
     at_base = housner_ratio(block, contact)
     lines = [Line(base, at_base)]
-    if model.startswith("one_sided"):
+    if MODELS[model].one_sided:
         lines.append(Line(top, one_sided_ratio(block, contact) / at_base**2))
     return [*lines, Line(body.RATIOS[model], e, LIVE, VALUE, label, body.VELOCITY_RATIO.label, words)]
 

@@ -283,7 +283,7 @@ def method(book: Book, result: StudyResult) -> None:
         ),
     ]
     for wall in result.walls:
-        ratio = MODELS[wall.restitution.model]
+        ratio = MODELS[wall.restitution.model].source
         label = f"{wall.name}, {word(wall.mechanism, book.language)}"
         law = say("rigid")
         if not wall.law.is_rigid:

@@ -19,7 +19,7 @@ from core.text.sentence import Sentence, notice, sentence
 from core.units import CM
 from core.wall import wall_loads
 from core.wall.block import Block
-from core.wall.restitution import housner_ratio
+from core.wall.restitution import MODELS, housner_ratio
 from core.wall.rocking_model import RockingModel
 
 LARGE_SCALE = 10.0
@@ -192,7 +192,7 @@ def _model_notices(wall, block, mechanism, model, restitution, law) -> list[Sent
     notices = []
     if restitution.model == "costa_upper" and restitution.ratio_at_rest > housner_ratio(block):
         notices.append(notice("costa_above_housner", alpha=float(np.degrees(block.slenderness))))
-    if mechanism == "one_sided" and not restitution.model.startswith(("one_sided", "user")):
+    if mechanism == "one_sided" and not (MODELS[restitution.model].one_sided or restitution.model == "user"):
         notices.append(notice("hogan", model=restitution.model))
     if restitution.ratio_at_rest > NEARLY_ELASTIC and restitution.model == "user":
         notices.append(notice("nearly_elastic", ratio=restitution.ratio_at_rest))
@@ -200,7 +200,7 @@ def _model_notices(wall, block, mechanism, model, restitution, law) -> list[Sent
         notices.append(notice("setback_height", height=block.height))
     elif not block.is_rectangle and not wall.load:
         notices.append(notice("general_height", height=block.height))
-        if restitution.model.startswith("one_sided"):
+        if MODELS[restitution.model].one_sided:
             notices.append(notice("general_contact"))
     if not law.is_rigid:
         top = model.collapse_rotation

@@ -19,6 +19,7 @@ from core.rocking.methods import Method
 from core.study.floors import Floor, damaged, floor_of, other_ends
 from core.text.sentence import Key, Number, Sentence, sentence
 from core.wall import ties
+from core.wall.restitution import MODELS
 from core.wall.rocking_model import RockingModel, rocking_model
 
 EVERY = 8
@@ -26,9 +27,6 @@ EVERY = 8
 
 MORE_RATIO = 0.1
 """What is added to a given velocity ratio: its zeta is shown as well."""
-
-MEASURED = ("sorrentino_experimental", "costa_upper", "one_sided_experimental")
-"""Restitution models that rest on experiments."""
 
 
 @dataclass(frozen=True)
@@ -221,7 +219,7 @@ def _raised(scene: Scene, asked: Demand, q_check: Check | None) -> Iterator[Rais
     wall, demand = scene.wall, scene.demand
     model = wall.restitution_model(scene.mechanism)
     dynamic = scene.decides.name == "dynamic"
-    if dynamic and (model == "user" or model in MEASURED):
+    if dynamic and not MODELS[model].by_theory:
         given = wall.restitution_of(scene.mechanism).ratio_at_rest
         more = min(given + MORE_RATIO, 1.0)
         theory = replace(wall, restitution=None, velocity_ratio=None)

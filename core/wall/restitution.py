@@ -5,20 +5,34 @@ The paper's r is a ratio of kinetic energies; here every value is the velocity r
 
 import math
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from core.errors import InputError
 from core.jit.decorators import subkernel
 from core.wall.block import Block
 
+
+class Model(NamedTuple):
+    """A restitution model.
+
+    source : equation or publication
+    one_sided : for walls restrained on one side only
+    by_theory : follows from the conservation of momentum; of any other zeta by theory is shown beside
+    """
+
+    source: str
+    one_sided: bool
+    by_theory: bool
+
+
 MODELS = {
-    "housner": "Eq. 4",
-    "sorrentino_experimental": "Eq. 5",
-    "costa_upper": "Costa et al. 2013",
-    "one_sided_theoretical": "Eq. 6",
-    "one_sided_experimental": "Eq. 7",
-    "user": "given",
+    "housner": Model("Eq. 4", one_sided=False, by_theory=True),
+    "sorrentino_experimental": Model("Eq. 5", one_sided=False, by_theory=False),
+    "costa_upper": Model("Costa et al. 2013", one_sided=False, by_theory=False),
+    "one_sided_theoretical": Model("Eq. 6", one_sided=True, by_theory=True),
+    "one_sided_experimental": Model("Eq. 7", one_sided=True, by_theory=False),
+    "user": Model("given", one_sided=False, by_theory=False),
 }
-"""Restitution models and their source."""
 
 EQ5_FACTOR = 0.95
 """Measured over theoretical ratio of walls that rock to both sides, Eq. 5."""

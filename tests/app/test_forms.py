@@ -9,7 +9,7 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
 
 from app.input.fields import ChoiceField
-from app.input.impact_form import FORMULAS, ImpactForm, named_models, scopes
+from app.input.impact_form import FORMULAS, ImpactForm, captions, named_models, scopes
 from app.input.loads_form import LoadsForm
 from app.look.language import current_language, set_language
 from app.work.session import Session
@@ -19,7 +19,7 @@ from core.rocking.methods import METHODS
 from core.text.catalogue import CATALOGUE
 from core.wall import restitution as of_restitution
 from core.wall.moment_rotation import LAWS
-from core.wall.restitution import MODELS, Restitution
+from core.wall.restitution import MODELS, Model, Restitution
 
 
 def choices(section, key):
@@ -117,12 +117,12 @@ def test_that_one_fault_is_one_dialog_until_it_is_closed(opened, faults, monkeyp
 def test_that_every_restitution_model_has_its_words_in_the_form(application, tmp_path, model, language):
     set_language(language)
     try:
-        assert named_models()[model] and scopes()[model] and FORMULAS[model].startswith("e")
+        assert captions()[model] and scopes()[model] and FORMULAS[model].startswith("e")
         assert f"choice_{model}" in CATALOGUE["word"]
         session = Session(tmp_path)
         form = ImpactForm(session, lambda: 0)
         ratio = 0.9 if model == "user" else None
-        mechanism = "one_sided" if model.startswith("one_sided") else "two_sided"
+        mechanism = "one_sided" if MODELS[model].one_sided else "two_sided"
         wall = Wall("w", mechanism, 7.0, 0.83, restitution=model, velocity_ratio=ratio)
         session.edit(replace(session.case, wall=(wall,)))
         form.show_case()
@@ -137,12 +137,12 @@ def test_that_every_restitution_model_has_its_words_in_the_form(application, tmp
 
 
 def test_that_the_form_has_words_for_no_model_that_is_not_there():
-    assert set(named_models()) - {None} == set(scopes()) == set(FORMULAS) == set(MODELS)
+    assert set(captions()) - {None} == set(scopes()) == set(FORMULAS) == set(MODELS)
 
 
 def test_that_a_model_whose_words_are_still_missing_is_shown_with_its_source(opened, faults, monkeypatch):
     """The first step of "Add a restitution model": in MODELS and in `restitution`, nowhere else."""
-    monkeypatch.setitem(MODELS, "mine", "Eq. 1 of mine")
+    monkeypatch.setitem(MODELS, "mine", Model("Eq. 1 of mine", one_sided=False, by_theory=False))
     real = of_restitution.restitution
 
     def with_mine(block, model, *rest):

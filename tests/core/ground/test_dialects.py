@@ -32,6 +32,13 @@ def test_that_one_motion_is_the_same_bit_for_bit_in_every_dialect(name):
     assert found.time_step == STEP
 
 
+@pytest.mark.parametrize("title", [title for title, _, _ in records.READERS])
+@pytest.mark.parametrize("lines", [[], [""], [" "]])
+def test_that_a_dialect_is_asked_of_a_file_without_lines(title, lines):
+    knows = next(knows for name, knows, _ in records.READERS if name == title)
+    assert knows(lines) in (True, False)
+
+
 def test_that_pairs_at_uneven_times_are_drawn_on_a_grid_that_holds_them_all():
     found = read(dialects.usc())
     assert found.time_step == 0.001 and found.acceleration.size == 391

@@ -8,6 +8,7 @@ from core.case.rules import parse_case
 from core.codes.kinematic import CHECKS
 from core.study.run import run
 from core.study.zeta_with import zeta_with
+from core.wall.restitution import MODELS
 from tests.conftest import ROOT
 
 WALL = {
@@ -60,7 +61,7 @@ def test_that_a_given_velocity_ratio_is_shown_with_more_and_by_theory():
     assert lift(theory, "lift_velocity_ratio") is None
 
 
-@pytest.mark.parametrize("model", ["one_sided_experimental", "costa_upper"])
+@pytest.mark.parametrize("model", [name for name, model in MODELS.items() if not model.by_theory and name != "user"])
 def test_that_a_model_of_experiments_is_shown_by_theory_too(model):
     assert lift(made({"restitution": model}), "lift_velocity_ratio") is not None
 
