@@ -52,6 +52,7 @@ DIALECTS = "tests/core/ground/test_dialects.py"
 REFUSALS = "tests/core/ground/test_record_refusals.py"
 
 SHOWN_BY = {
+    "study/zeta_with": "tests/core/study/test_lifts.py",
     "codes/verdict_sentence": "tests/core/codes/test_verdict.py",
     "atomic_write": "tests/core/test_atomic_write.py",
     "errors": SENTENCES,

@@ -18,7 +18,7 @@ Reasons = WallJustification | DemandJustification
 
 
 def raised_by_wall(case: Case, wall: Wall) -> set[str]:
-    """Keys of a wall that raise its zeta as they are, see `zeta_with.lifts`."""
+    """Keys of a wall that raise its zeta as they are, see `core.study.lifts`."""
     at_height = wall.above_ground and case.building is not None and not case.building.modes
     lifting = {
         "velocity_ratio": wall.velocity_ratio is not None,
@@ -28,7 +28,8 @@ def raised_by_wall(case: Case, wall: Wall) -> set[str]:
         "free_element": wall.free_element is not None
         and any(wall.free_element != (mechanism == "two_sided") for mechanism in wall.mechanisms()),
         "elongation_m": any(load.is_tie for load in wall.load),
-        "anchorage_kn": any(load.bar is not None and load.bar.anchorage_kn is None for load in wall.load),
+        "slack_mm": any(load.is_tie and load.slack_mm for load in wall.load),
+        "anchorage_kn": any(load.is_tie and (load.bar is None or load.bar.anchorage_kn is None) for load in wall.load),
         "load": any(load.kind == "thrust" and isinstance(load.kn_m, float) and load.kn_m < 0.0 for load in wall.load),
         "prestress": any(load.is_tie and load.prestress for load in wall.load),
         "base_z_m": case.demand is not None and at_height,

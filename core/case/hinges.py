@@ -65,11 +65,11 @@ def storey_ends(wall: Wall, building: Building) -> tuple[float, ...]:
 
 
 def usual_hinges(wall: Wall, building: Building | None) -> tuple[float, ...]:
-    """Heights above the base of a wall at which it carries something or a storey ends, and SLENDER_ABOVE is above [m].
-    A mechanism may start at any of them (Circolare 7/2019 C8.7.1.2.1)."""
+    """Heights above the base of a wall at which it carries something, its tie to be designed too, or a storey ends, and
+    SLENDER_ABOVE is above [m]. A mechanism may start at any of them (Circolare 7/2019 C8.7.1.2.1)."""
     if wall.height_m is None or wall.thickness is None:
         return ()
-    loads = tuple(load.h_m for load in wall.load)
+    loads = (*(load.h_m for load in wall.load), *([] if wall.tie_height_m is None else [wall.tie_height_m]))
     heights = sorted({*loads, *(storey_ends(wall, building) if building else ())})
     highest = wall.height_m - max(SLENDER_ABOVE * wall.thickness, LEAST_ABOVE)
     found: list[float] = []

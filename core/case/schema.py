@@ -49,6 +49,7 @@ class WallJustification:
     free_element: str = text_key()
     base_z_m: str = text_key()
     elongation_m: str = text_key()
+    slack_mm: str = text_key()
     prestress: str = text_key()
     anchorage_kn: str = text_key()
     load: str = text_key()

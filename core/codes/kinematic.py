@@ -11,6 +11,7 @@ floor is taken below that of the ground, a_g S, S_e(T_0) and S_De: a rule of our
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes import target_spectrum
@@ -20,6 +21,7 @@ from core.codes.kinematic_chain import Chain, chain, elastic_period_of_loads
 from core.codes.target_spectrum import GivenSpectrum
 from core.errors import InputError, place
 from core.units import G
+from core.wall import wall_loads
 
 PERIOD_FACTOR = {"SLV": 1.68 * math.pi, "SLC": 1.56 * math.pi}
 DAMPING = {"SLV": 0.08, "SLC": 0.10}
@@ -74,6 +76,7 @@ class Kinematic:
     m_star : the mass that takes part, per metre of wall [kg/m]; None without a unit weight
     a0 : spectral acceleration that starts it, with FC (C8.7.1.3) [m/s2]
         these four of one body: the wall, or with the friction of return walls its upper part of `chain.friction_height`
+    wall : as it is counted: at SLD without its ties, which pull only once it has moved
     chain : the sums these follow from, of the wall without the friction and of that part with it
     d0 : displacement of the centroid at which nothing holds the wall [m]
     free_element : free to vibrate, not restrained by transverse walls before it moves (clauses .3, .5, .7)
@@ -96,6 +99,7 @@ class Kinematic:
     e_star: float
     m_star: float | None
     a0: float
+    wall: Any
     chain: Chain
     d0: float
     free_element: bool
@@ -149,10 +153,10 @@ def kinematic(wall, mechanism: str, demand: DemandResult, floor: FloorSpectrum |
     floor : above the ground the spectrum of its floor; None there means that the demand has none
     Raises InputError where the spectrum of a file ends before T_SLV, T_SLC or T_0.
     """
+    if demand.limit_state == "SLD" and any(load.is_tie for load in wall.load):
+        wall = wall_loads.without_ties(wall)
     free, sums = wall.is_free(mechanism), chain(wall, mechanism == "two_sided")
-    alpha0, e_star, mass, d0 = sums.alpha0, sums.e_star, sums.mass, sums.d0
-    if sums.alpha0_friction is not None:
-        alpha0, e_star, mass = sums.alpha0_friction, sums.e_star_friction, sums.mass_friction
+    (alpha0, e_star, mass), d0 = sums.start, sums.d0
     a0 = alpha0 * G / (e_star * demand.confidence_factor)
     # nothing of a_g,SLD counts for SLV that a tie has to stretch for, and no friction, which is lost over a slip
     without_friction = sums.alpha0_bare * G / (sums.e_star * demand.confidence_factor)
@@ -174,7 +178,7 @@ def kinematic(wall, mechanism: str, demand: DemandResult, floor: FloorSpectrum |
     zeta_sld = zeta_floor = None
     if acceleration is not None:
         zeta_sld, zeta_floor = a0 / acceleration, min(a0, without_friction) / acceleration
-    quantities = (alpha0, e_star, mass, a0, sums, d0, free, period_0, acceleration, zeta_sld, zeta_floor, missing)
+    quantities = (alpha0, e_star, mass, a0, wall, sums, d0, free, period_0, acceleration, zeta_sld, zeta_floor, missing)
     if demand.target is None or demand.limit_state not in LIMIT_FRACTION:
         return Kinematic(*quantities, floor=floor)
     d_limit = sums.limit_of_ties(LIMIT_FRACTION[demand.limit_state] * d0)

@@ -46,7 +46,7 @@ class Chain:
     mass : sum of (P + Q) / g per metre of wall [kg/m]; None without a unit weight
     d0 : displacement of the control point at which nothing but a tie holds the wall (C8.7.1.4) [m]: "azioni di cui è
         verificata la presenza fino al collasso" are its loads (C8.7.1.2.1.6), no tie, which yields and breaks
-    ties : of a wall that turns outward only
+    ties : those counted (`ties.counted`), of a wall that turns outward only
     d0_with_ties : the other reading, in which each tie pulls at yield up to collapse; shown, never taken [m]
     alpha0_friction, e_star_friction, mass_friction : the same with the friction of the return walls, of the part of the
         wall whose alpha_0 over e* is least; None without them, and of a two-sided wall
@@ -67,6 +67,14 @@ class Chain:
     mass_friction: float | None = None
     friction_height: float | None = None
 
+    @property
+    def start(self) -> tuple[float, float, float | None]:
+        """alpha_0 [-], e* [-] and the mass [kg/m] of what turns first: with the friction of the return walls where
+        there is some."""
+        if self.alpha0_friction is None:
+            return self.alpha0, self.e_star, self.mass
+        return self.alpha0_friction, self.e_star_friction, self.mass_friction
+
     def displacement(self, theta):
         """d [m] of the control point at a rotation [rad], numbers or arrays."""
         return self.reach * (math.sin(self.slenderness) - np.sin(self.slenderness - theta))
@@ -77,7 +85,7 @@ class Chain:
         return self.slenderness - math.asin(max(-1.0, sine))
 
     def alpha_of_ties(self, d: float) -> float:
-        """What the ties that are whole at d [m] add to alpha [-]: slack, elastic or at yield."""
+        """What the ties that are whole at d [m] add to alpha [-]: elastic or at yield."""
         theta = self.rotation(d)
         return sum(tie.lever * tie.bar.force_at(theta) for tie in self.ties)
 
@@ -87,9 +95,8 @@ class Chain:
 
     def ends_of_ties(self) -> list[float]:
         """d at which a tie is taut, yields and breaks [m], in order; those no wall comes to left out."""
-        ends = [end for tie in self.ties for end in tie.bar.ends if end < tie.bar.height * FARTHEST]
-        heights = [tie.bar.height for tie in self.ties for end in tie.bar.ends if end < tie.bar.height * FARTHEST]
-        return sorted(float(self.displacement(math.asin(u / h))) for u, h in zip(ends, heights, strict=True))
+        reached = ((end, tie.bar.height) for tie in self.ties for end in tie.bar.ends)
+        return sorted(float(self.displacement(math.asin(u / h))) for u, h in reached if u < h * FARTHEST)
 
     def limit_of_ties(self, d: float) -> float:
         """d, or less where ties break before it that reduce the capacity by more than half of its largest value: "lo
@@ -146,7 +153,7 @@ def _loaded(wall, bare, sides) -> Chain:
     e_star, reach = first**2 / (total * second), bare.radius * second / (y * first)
     found = Chain(bare.slenderness, reach, alpha0, e_star, total / G, 0.0, alpha0_bare)
     found = replace(found, d0=float(found.displacement(block.slenderness + lean)))
-    bars = [tie.bar for tie in ties.ties_of(wall)]
+    bars = ties.counted(wall)
     if not bars or len(sides) == 2:  # the side that no tie holds decides
         return found
     with_ties = block.slenderness + wall_loads.restoring_with_ties(wall, block).lean

@@ -15,7 +15,7 @@ from core.derivation.line import FULL, INPUT, LIVE, NOT, RUN, SYMBOLS, VALUE, Co
 from core.derivation.quantity import Given
 from core.study.results import StudyResult, WallResult
 from core.units import G
-from core.wall import wall_loads
+from core.wall import ties, wall_loads
 from core.wall.restitution import MODELS, housner_ratio, one_sided_ratio
 
 
@@ -89,12 +89,14 @@ def _loaded(wall: WallResult) -> list[Line | Columns]:
     where = "Loads, about the outer hinge" if side > 0.0 else "Loads, about the inner hinge"
     rows = []
     tied, at_limit = any(load.is_tie for load in asked.load), _forces_at_limit(wall)
+    counted = wall.assessment.kinematic.wall if wall.assessment and wall.assessment.kinematic else asked
     for load in asked.load:
         force = wall_loads.as_force(load, asked, side)
         pushed = load.kn_m if load.pushes else 0.0
         distance = force.distance + asked.setback  # entered from the face of this hinge: the formulas take off u
-        held = 1e-3 * force.horizontal if load.is_tie else 0.0
-        values = (1e-3 * force.vertical, 1e-3 * force.horizontal - held, distance, force.height, pushed)
+        held = 1e-3 * force.horizontal if load.is_tie and load in counted.load else 0.0
+        constant = 0.0 if load.is_tie else 1e-3 * force.horizontal
+        values = (1e-3 * force.vertical, constant, distance, force.height, pushed)
         of_tie = (held, at_limit.pop(0) if load.is_tie else 0.0) if tied else ()
         rows.append((Word(f"load_{load.kind}"), (*values, *of_tie)))
     units = ("kN/m", "kN/m", "m", "m", "kN/m", *(("kN/m", "kN/m") if tied else ()))
@@ -124,13 +126,14 @@ def _loaded(wall: WallResult) -> list[Line | Columns]:
 
 
 def _forces_at_limit(wall: WallResult) -> list[float]:
-    """Force of each tie at the limit of the displacement check [kN/m]."""
+    """What the displacement check counts of each tie at its limit [kN/m]."""
     kinematic = wall.assessment.kinematic if wall.assessment else None
-    found = kinematic.chain.ties if kinematic and kinematic.d_limit is not None else ()
-    if not found:
-        return [0.0 for load in wall.wall.load if load.is_tie]
+    given = [load for load in wall.wall.load if load.is_tie]
+    if not (kinematic and kinematic.d_limit is not None and kinematic.chain.ties):
+        return [0.0 for _ in given]
     theta = kinematic.chain.rotation(kinematic.d_limit)
-    return [1e-3 * tie.bar.force_at(theta) for tie in found]
+    forces = [tie.bar.force_at(theta) for tie in ties.ties_of(wall.wall)]
+    return [0.0 if load.slack_mm else 1e-3 * force for load, force in zip(given, forces, strict=True)]
 
 
 def _impacts(wall: WallResult) -> list[Line]:
@@ -159,7 +162,7 @@ def _impacts(wall: WallResult) -> list[Line]:
 
 def chain(wall: WallResult) -> Section:
     """The start of the motion: alpha_0, e*, M*, a_0*."""
-    kinematic, asked = wall.assessment.kinematic, wall.wall
+    kinematic, asked = wall.assessment.kinematic, wall.assessment.kinematic.wall
     sums, where = kinematic.chain, "about the outer hinge"
     lines: list[Line | Columns] = []
     if asked.load:

@@ -113,7 +113,8 @@ def _ties(book: Book, sheet, result: StudyResult, row: int) -> int:
     if not designed:
         return row
     title(sheet, row, say("Tie for the ζ required"), 12)
-    heads = [word(f"tie_{name}", book.language) for name in NAMES]
+    shown = [name for name in NAMES if name != "linear_q_slv"]  # no force raises that check
+    heads = [word(f"tie_{name}", book.language) for name in shown]
     header(sheet, row + 1, [say("Wall"), "h [m]", *heads, say("named"), say("ultimate [mm]")], 1, 45)
     row += 1
     for wall in designed:
@@ -121,12 +122,12 @@ def _ties(book: Book, sheet, result: StudyResult, row: int) -> int:
         row += 1
         text(sheet, row, 1, wall.name, wrap=True)
         number(sheet, row, 2, tie.height, RATIO)
-        for column, name in enumerate(NAMES, start=3):
+        for column, name in enumerate(shown, start=3):
             force = tie.forces[name]
             number(sheet, row, column, None if force is None else 1e-3 * force, RATIO)
-        number(sheet, row, 9, None if tie.force is None else 1e-3 * tie.force, RATIO, bold=True)
-        number(sheet, row, 10, None if tie.stands is None else 1e3 * tie.stands, "0")
-        rule(sheet, row, 1, 10)
+        number(sheet, row, 8, None if tie.force is None else 1e-3 * tie.force, RATIO, bold=True)
+        number(sheet, row, 9, None if tie.stands is None else 1e3 * tie.stands, "0")
+        rule(sheet, row, 1, 9)
         row = paragraph(sheet, row + 1, tie_words(say, wall, book.language), LAST, 150, color=QUIET) - 1
     return row + 1
 

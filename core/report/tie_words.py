@@ -79,6 +79,12 @@ def tie_lines(wall: WallResult, language: str) -> list[str]:
         return localized("report", english, language, **values)
 
     tie = wall.assessment.tie if wall.assessment else None
+    asked = wall.part.asked.tie_height_m is not None and wall.part.hinge == 0.0 and wall.mechanism == "one_sided"
+    if tie is None and wall.assessment and asked:
+        return [
+            *of_ties(say, wall, language),
+            say("No tie is designed: a hinge of the wall has no check. See its verdict."),
+        ]
     return [*of_ties(say, wall, language), *([] if tie is None else [tie_words(say, wall, language)])]
 
 
@@ -97,6 +103,15 @@ def _of_the_bar(say: Callable[..., str], tie: TieDesign) -> list[str]:
         words.append(say("Bars of S 235 every {spacing:g} m: diameter {d} mm, thread M{thread}.", **values))
     elif tie.spacing is not None:
         words.append(say("No bar of S 235 up to 40 mm every {spacing:g} m holds it.", spacing=tie.spacing))
+    if tie.stands is None or tie.stands_more:
+        words.append(say("The verdict with it asks what shows its anchorage, and its elongation beyond yield."))
+    else:
+        words.append(
+            say(
+                "Its bar fails at yield, as no elongation is given: the verdict with it asks why it holds, and what "
+                "shows its anchorage."
+            )
+        )
     return words
 
 

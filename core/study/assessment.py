@@ -6,6 +6,7 @@ from core.case.site import Building, Demand
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import BOUND_EVERY, DemandCheck, demand_check
 from core.codes.kinematic import Check, Kinematic, checks_of, linear
+from core.codes.kinematic_chain import chain
 from core.codes.record_compatibility import Compliance
 from core.codes.risk import Risk, risk
 from core.codes.verdict import Circumstances, Verdict, governing_check, verdict
@@ -13,9 +14,10 @@ from core.ground.ground_motion import GroundMotion
 from core.ground.provenance import stations
 from core.rocking.methods import Method
 from core.study.floors import LOW_CODE, building_notes
+from core.study.lifts import lifts
 from core.study.results import Assessment, WallResult
-from core.study.zeta_with import Scene, lifts
-from core.text.sentence import Sentence, sentence
+from core.study.zeta_with import Scene
+from core.text.sentence import Number, Sentence, sentence
 from core.wall.restitution import restitution
 from core.wall.rocking_model import RockingModel, rocking_model
 from core.wall.wall_loads import contact_of, rocks_both_ways
@@ -93,6 +95,7 @@ def assess(
         limits.append(sentence("reason", "code_below_records", ratio=ratio))
     if dynamic and any(motion.format == GENERATED for motion in grounds):
         limits.append(sentence("reason", "generated_motions"))
+    limits += _of_ties_not_counted(own, wall.mechanism == "two_sided", kinematic, demand, checks)
     result = verdict(
         own,
         wall.mechanism,
@@ -109,6 +112,21 @@ def assess(
     capacity = _capacity(result, demand, dynamic)
     sensitivity = {lift.words.code: lift.zeta for lift in raised if lift.words.code in OF_THE_FLOOR}
     return Assessment(kinematic, checks, dynamic, below, result, sensitivity, ratio, capacity)
+
+
+def _of_ties_not_counted(
+    wall, two_sided: bool, kinematic: Kinematic, demand: DemandResult, checks: tuple[Check, ...]
+) -> list[Sentence]:
+    """What the clauses do not count of ties; the other reading of SLD is shown, not taken."""
+    if not any(load.is_tie for load in wall.load):
+        return []
+    if demand.limit_state == "SLD" and kinematic.zeta_sld is not None:
+        alpha, share, _ = chain(wall, two_sided).start
+        zeta = kinematic.zeta_sld * (alpha / share) / (kinematic.alpha0 / kinematic.e_star)
+        return [sentence("reason", "ties_at_sld", zeta=Number(zeta))]
+    if any(load.slack_mm for load in wall.load) and any(check.name != "dynamic" for check in checks):
+        return [sentence("reason", "slack_not_counted")]
+    return []
 
 
 def _circumstances(wall: WallResult, motions, polarities, demand: DemandResult, method: Method) -> Circumstances:

@@ -245,10 +245,10 @@ def _with_ties(
     groups: dict[int, list[int]] = {}
     for k, wall in enumerate(results):
         asked = plan.case.wall[wall.part.origin]
-        if asked.tie_height_m is not None and wall.mechanism == "one_sided" and wall.assessment.kinematic:
+        if asked.tie_height_m is not None and wall.mechanism == "one_sided":
             groups.setdefault(wall.part.origin, []).append(k)
     # a wall one of whose hinges has no check has no design
-    whole = {origin: group for origin, group in groups.items() if results[group[0]].part.hinge == 0.0}
+    whole = {origin: group for origin, group in groups.items() if all(results[k].assessment.kinematic for k in group)}
 
     def task(origin: int, group: list[int]):
         hinges = []

@@ -62,7 +62,7 @@ class TieDesign:
     largest : up to which the wall turns as one block about each of its hinges [N/m]
     elongation : of the bar with the force named, at the largest peak of the histories at the demand, at d_SLV and at
         d_0 of the base hinge [m]
-    stands : the elongation of the bar before it is gone [m]; None without its length
+    stands : the elongation of the bar before it is gone [m], None without its length; stands_more : beyond yield
     zeta : with the force named, of each check, the least of all hinges
     hinges : below the tie
     diameter, thread, spacing : smallest of the bars that hold it, their thread [mm], at this spacing [m]; None where
@@ -85,6 +85,7 @@ class TieDesign:
     thread: int | None = None
     spacing: float | None = None
     curve: tuple[tuple[float, float | None], ...] = ()
+    stands_more: bool = False
 
 
 @dataclass(frozen=True)
@@ -136,13 +137,15 @@ def tie_design(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], boo
     most = None if None in known else max(known)
     force = most if most is not None and most <= largest else None
     check = None if force is None else named[known.index(force)]
-    zeta, elongation, stands, bars = {}, dict.fromkeys(("demand", "d_slv", "d_0")), None, (None, None)
+    zeta, elongation, bars = {}, dict.fromkeys(("demand", "d_slv", "d_0")), (None, None)
+    stands, more = None, False
     if force is not None:
         zeta, elongation = _with(below, height, force, missing, cancelled)
         if asked.tie_spacing_m is not None:
             bars = ties.bars_for(force, asked.tie_spacing_m)
     if asked.tie_bar_length_m is not None:
-        stands = ties.tie_of(with_tie(below[0].scene.wall, 1.0, height).load[-1], asked).bar.stands
+        tie = ties.tie_of(with_tie(below[0].scene.wall, 1.0, height).load[-1], asked)
+        stands, more = tie.bar.stands, tie.stands_more
     curve = tuple((float(h), _at_height(hinges, float(h))) for h in _heights(asked))
     return TieDesign(
         height,
@@ -159,6 +162,7 @@ def tie_design(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], boo
         *bars,
         asked.tie_spacing_m,
         curve,
+        more,
     )
 
 

@@ -116,6 +116,11 @@ def ties_of(wall) -> tuple[Tie, ...]:
     return tuple(tie_of(load, wall) for load in wall.load if load.is_tie)
 
 
+def counted(wall) -> tuple[TieBar, ...]:
+    """The bars that a check of the clauses counts: none with slack, which does nothing before the wall has moved."""
+    return tuple(tie_of(load, wall).bar for load in wall.load if load.is_tie and not load.slack_mm)
+
+
 def moment_of_weight(wall, block: Block) -> float:
     """m g R of what moves [N m/m]. block : the wall and what moves with it"""
     weight = 1e3 * wall.unit_weight_kn_m3 * wall.thickness * wall.height_m

@@ -1,6 +1,6 @@
 """The loads of a wall as forces, masses and moments about its hinge, per metre of wall; and what it cannot carry.
 
-A tie is a force at yield where a check of the code takes one (C8.7.1.1), and no part of a, c and theta_c.
+A tie is no part of a, c and theta_c; what alpha_0 counts of it (C8.7.1.1) says `as_force`.
 """
 
 import math
@@ -31,8 +31,11 @@ OF_A_TIE = ("bar_length_m", "fy_mpa", "elongation_m", "elongation", "slack_mm", 
 MOST_STRAIN = 0.30
 """Largest elongation of a bar before it breaks, of its length."""
 
+MOST_THREAD = 1.5
+"""Largest thread at the ends of a bar, of its diameter: upset ends."""
+
 COUNTED = 0.40
-"""Share of theta_c at which a tie has to give what alpha_0 counts of it: that of d_SLV (C8.7.1.2.1.6)."""
+"""Share of theta_c up to which alpha_0 counts what the ties hold: that of d_SLV (C8.7.1.2.1.6)."""
 
 SECTIONS = 400
 """Sections of a wall between which a hinge inside it is looked for."""
@@ -53,20 +56,34 @@ def size_of(load, wall) -> float:
     return ties.tie_of(load, wall).bar.strength if load.is_tie else 1e3 * load.kn_m
 
 
-def as_force(load, wall, side: float) -> Force:
+def held_at(wall) -> float:
+    """Rotation up to COUNTED of theta_c at which the ties of a wall, slack ones apart, hold the largest moment [rad]:
+    their forces count where they act together."""
+    bars, block = ties.counted(wall), wall.block()
+    most = COUNTED * (block.slenderness + restoring_of(wall, block)[0].lean)
+    ends = [math.asin(end / bar.height) for bar in bars for end in bar.ends if end < bar.height * math.sin(most)]
+    return max((most, *ends), key=lambda theta: sum(bar.height * bar.force_at(theta) for bar in bars))
+
+
+def as_force(load, wall, side: float, at_yield: bool = False) -> Force:
     """A load about the hinge of this side, 1.0 the outer one [N/m, m]; its weight too where its mass moves. Of a tie
-    what alpha_0 counts (C8.7.1.1): nothing of a slack one, else its force at COUNTED of theta_c, most often that at
-    yield; none on a wall that turns inward."""
+    what alpha_0 counts (C8.7.1.1): nothing of a slack one, else its force at `held_at`; none on a wall that turns
+    inward. at_yield : of a tie its force at yield, slack or not"""
     depth = load.d_m or 0.0
     inward = depth if side > 0.0 else wall.thickness - depth
     size, push = size_of(load, wall), 0.0
     if load.kind == "thrust":
         push = -size * side
+    elif load.is_tie and side > 0.0 and at_yield:
+        push = size
     elif load.is_tie and side > 0.0 and not load.slack_mm:
-        outward = restoring_of(wall, block := wall.block())[0]
-        push = ties.tie_of(load, wall).bar.force_at(COUNTED * (block.slenderness + outward.lean))
-        push = push or size  # gone before: at yield, which it came to
+        push = ties.tie_of(load, wall).bar.force_at(held_at(wall))
     return Force(size if load.is_weight else 0.0, push, inward - wall.setback, load.h_m)
+
+
+def without_ties(wall):
+    """The wall with its other loads alone."""
+    return replace(wall, load=tuple(load for load in wall.load if not load.is_tie))
 
 
 def masses(wall) -> list[PointMass]:
@@ -107,7 +124,8 @@ def restoring_of(wall, block: Block) -> tuple[RestoringMoment, RestoringMoment]:
 def restoring_with_ties(wall, block: Block) -> RestoringMoment:
     """a and c of a wall that turns outward, were each of its ties a force of its yield strength up to collapse."""
     weight = weight_per_metre(wall) + sum(1e3 * load.kn_m for load in wall.load if load.pushes)
-    return restoring_moment(block, weight, [as_force(load, wall, 1.0) for load in wall.load if not load.pushes])
+    forces = [as_force(load, wall, 1.0, at_yield=True) for load in wall.load if not load.pushes]
+    return restoring_moment(block, weight, forces)
 
 
 def is_centred(wall, block: Block) -> bool:
@@ -280,6 +298,8 @@ def _check_bar(wall, load, here) -> None:
         raise InputError("tie_existing_steel", place=here, key="fy_mpa" if load.bar.fy_mpa is None else "fu_mpa")
     if load.bar is not None and load.bar.tensile < load.bar.strength:
         raise InputError("tie_fu_below_fy", place=here, key="fu_mpa", found=load.bar.tensile, least=load.bar.strength)
+    if load.bar is not None and (load.bar.thread_mm or 0.0) > (most := MOST_THREAD * load.bar.diameter_mm):
+        raise InputError("tie_thread_too_large", place=here, key="thread_mm", found=load.bar.thread_mm, most=most)
     if load.elongation_m is not None and load.elongation is not None:
         raise InputError("tie_two_elongations", place=here, key="elongation")
 
@@ -295,8 +315,8 @@ def start_multiplier(weight: float, x: float, y: float, forces, pushed) -> float
 
 
 def start_moments(wall, side: float) -> tuple[float, float, float, float, float, float]:
-    """W x, sum N d, sum F h, sum T h of the ties at yield, W y, sum Q h [N]: what alpha_0 of a wall with loads is made
-    of (C8.7.1.1).
+    """W x, sum N d, sum F h, sum T h of the ties as `as_force` counts them, W y, sum Q h [N]: what alpha_0 of a wall
+    with loads is made of (C8.7.1.1).
 
     side : 1.0 about the outer hinge, -1.0 about the inner one
     """
@@ -317,9 +337,9 @@ def hinge_inside(wall, share: float = 1.0) -> float | None:
     """Height [m] at which a wall with ties opens a hinge before it turns about its base; None where it does not.
 
     At the acceleration that uplifts the wall the resultant of each section must stay inside it, by u = 2 N / (3 f)
-    where the compressive strength f is given. share : of the force of the ties
+    where the compressive strength f is given. share : of the force of the ties at yield
     """
-    forces = [as_force(load, wall, 1.0) for load in wall.load]
+    forces = [as_force(load, wall, 1.0, at_yield=True) for load in wall.load]
     forces = [
         replace(force, horizontal=share * force.horizontal) if force.horizontal > 0.0 else force for force in forces
     ]
@@ -352,7 +372,8 @@ def largest_tie_share(wall) -> float:
 
 def _check_inward(wall, here) -> None:
     """Raise InputError for ties, or other forces inward, under which the wall opens a hinge above its base."""
-    held = sum(force.horizontal for load in wall.load if (force := as_force(load, wall, 1.0)).horizontal > 0.0)
+    forces = [as_force(load, wall, 1.0, at_yield=True).horizontal for load in wall.load]
+    held = sum(force for force in forces if force > 0.0)
     if not held or (hinge := hinge_inside(wall)) is None:
         return
     raise InputError(

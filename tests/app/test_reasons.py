@@ -42,7 +42,7 @@ def test_that_reasons_are_asked_where_a_value_raises_zeta_and_nowhere_else(opene
         return_walls=ReturnWalls(2, 0.4, 0.2, 0.3),
         load=(
             Load("tie", 1.0, 2.0, bar_length_m=8.0, elongation_m=0.1, prestress=0.2),
-            Load("tie", None, 2.0, bar_length_m=8.0, bar=Bars(2, 16.0)),
+            Load("tie", None, 2.0, bar_length_m=8.0, bar=Bars(2, 16.0), slack_mm=2.0),
             Load("thrust", -0.1, 2.0),
         ),
     )

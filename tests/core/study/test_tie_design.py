@@ -90,14 +90,16 @@ def test_that_the_force_at_another_state_is_of_the_checks_of_that_state(state):
     demand = {**DEMAND, "ag_g": 0.2 if state == "SLD" else 0.3, "limit_state": state}
     found = study.run(parse_case({"wall": [wall], "demand": demand}), base_dir=Path()).walls[0]
     forces = found.assessment.tie.forces
+    assert forces["linear_q_code"] is None
     if state == "SLC":
-        assert forces["linear_q_code"] is None and forces["nonlinear"] is not None
-        return
-    # a_Z,SLD = alpha_0 g / (e* FC) against a_g S: 5.4675 + 3 + 2.9 F over 36.45
-    asked = demand_of(parse_case({"wall": [wall], "demand": demand}), Path()).pga / G * 1.35
-    by_hand = (asked * 36.45 - (5.4675 + 3.0)) / 2.9
-    assert forces["linear_q_code"] == pytest.approx(1e3 * by_hand, rel=2e-4) and forces["nonlinear"] is None
-    assert found.assessment.tie.asked == forces["linear_q_code"]
+        assert forces["nonlinear"] is not None
+    else:  # it would pull only once the wall has moved
+        assert forces["nonlinear"] is None and found.assessment.tie.asked is None
+        other = {**demand, "ag_g": 0.05}
+        assert (
+            study.run(parse_case({"wall": [wall], "demand": other}), base_dir=Path()).walls[0].assessment.tie.force
+            == 0.0
+        )
 
 
 def hinged(tmp_path, **changes):

@@ -31,6 +31,7 @@ STATES = {
     "lift_participation",
     "lift_return_walls",
     "lift_velocity_ratio",
+    "ties_at_sld",
     "no_period",
     "no_restraint",
     "one_sign",
