@@ -12,7 +12,7 @@ from app.look.language import number
 from core.case.schema import Wall
 from core.errors import InputError
 from core.report.load_arrows import arrows
-from core.study.bar_histories import BROKEN, SLACK, YIELDS
+from core.rocking.bar_state import BROKEN, SLACK, YIELDING
 
 
 def outline(height: float, thickness: float, setback: float, rotation: float) -> list[QPointF]:
@@ -116,7 +116,7 @@ class WallDrawing(QWidget):
         for at, phase in self.bars:
             if phase == BROKEN:
                 continue
-            color = theme.current.bad if phase == YIELDS else theme.current.amber
+            color = theme.current.bad if phase == YIELDING else theme.current.amber
             style = Qt.PenStyle.DashLine if phase == SLACK else Qt.PenStyle.SolidLine
             painter.setPen(QPen(QColor(color), 1.8, style))
             plate = QPointF(hinge + c * setback + s * at, c * at - s * setback)

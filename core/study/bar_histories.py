@@ -5,13 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.case.schema import Wall
+from core.rocking.bar_state import BROKEN, SLACK, TAUT, YIELDING
 from core.rocking.history import History
 from core.wall import ties
 from core.wall.bars import TieBar, forces
 from core.wall.rocking_model import RockingModel
-
-SLACK, TAUT, YIELDS, BROKEN = range(4)
-"""What a bar does at a sample."""
 
 
 @dataclass(frozen=True)
@@ -20,7 +18,7 @@ class BarHistory:
 
     bar : TieBar
     force : [N/m]; elongation, residual : u and u_p [m], u_p not a number where the bar has gone
-    phase : SLACK, TAUT, YIELDS or BROKEN
+    phase : SLACK, TAUT, YIELDING or BROKEN of `bar_state`
     work : it took by yielding, and by breaking what it stored [N]
     """
 
@@ -40,7 +38,7 @@ def bar_histories(wall: Wall, history: History, strength_factor: float = 1.0) ->
         force = forces(bar, history.rotation, sines)
         elongation = bar.height * np.sin(np.maximum(history.rotation, 0.0))
         residual = np.where(gone, np.nan, bar.height * sines)
-        phase = np.where(force >= bar.strength * (1.0 - 1e-9), YIELDS, np.where(force > 0.0, TAUT, SLACK))
+        phase = np.where(force >= bar.strength * (1.0 - 1e-9), YIELDING, np.where(force > 0.0, TAUT, SLACK))
         phase = np.where(gone, BROKEN, phase)
         start = bar.slack
         if gone.any():

@@ -144,7 +144,7 @@ def test_that_the_histories_show_what_a_tie_does(opened, application, tmp_path):
     """Force and elongation under the rotation; the bar in the drawing; the same motion again."""
     from app.views.histories_tab import HistoriesTab
     from core.case.rules import parse_case
-    from core.study.bar_histories import BROKEN
+    from core.rocking.bar_state import BROKEN
     from core.study.run import run
 
     tie = {"kind": "tie", "kn_m": 2.0, "h_m": 6.0, "bar_length_m": 8.0, "elongation_m": 0.3}
