@@ -51,6 +51,15 @@ def tell(text: str) -> None:
     qt.refuse(text)
 
 
+def extract(note: Path, folder: Path | None) -> int:
+    """Write the files within a note; returns the exit code."""
+    from core.case import note_file
+
+    for path in note_file.extract(note, folder or note.parent):
+        print(path)
+    return 0
+
+
 def main(arguments: list[str] | None = None) -> int:
     """Run the program; returns its exit code."""
     with contextlib.suppress(OSError, AttributeError, RuntimeError):  # no stderr: ribaltaw, a test
@@ -61,7 +70,7 @@ def main(arguments: list[str] | None = None) -> int:
         if hasattr(stream, "reconfigure"):  # a name the terminal cannot show must not end a run
             stream.reconfigure(errors="replace")
     options = parse(arguments)
-    windowless = options.batch or options.study or options.inspect  # nothing is said in a dialog
+    windowless = options.batch or options.study or options.inspect or options.extract  # nothing is said in a dialog
     if windowless and not (sys.stdout and sys.stderr):
         nowhere = open(os.devnull, "w")  # noqa: SIM115
         sys.stdout, sys.stderr = sys.stdout or nowhere, sys.stderr or nowhere
@@ -70,6 +79,8 @@ def main(arguments: list[str] | None = None) -> int:
             print(line())
             return 0
         refuse_missing(options)
+        if options.extract:
+            return extract(options.extract, options.output)
         if options.inspect:
             from app.terminal.inspection import inspect
 

@@ -8,7 +8,7 @@ from core.text.sentence import Sentence, sentence
 from core.version import build
 
 PACKAGES = {
-    "report": {"docx": "python-docx", "matplotlib": "matplotlib"},
+    "report": {"docx": "python-docx", "typst": "typst", "pypdf": "pypdf"},
     "study": {"matplotlib": "matplotlib", "scipy": "scipy"},
     "accuracy": {"scipy": "scipy"},
 }

@@ -52,6 +52,7 @@ DIALECTS = "tests/core/ground/test_dialects.py"
 REFUSALS = "tests/core/ground/test_record_refusals.py"
 
 SHOWN_BY = {
+    "case/note_file": "tests/core/report/test_pdf.py",
     "study/zeta_with": "tests/core/study/test_lifts.py",
     "codes/verdict_sentence": "tests/core/codes/test_verdict.py",
     "atomic_write": "tests/core/test_atomic_write.py",
@@ -162,8 +163,9 @@ SHOWN_BY = {
     "derivation/quantity": "tests/core/derivation/test_faces.py",
     **{
         f"report/note/{name}": "tests/core/report/test_note.py"
-        for name in ("content", "document", "equation", "parts", "sheet", "site", "wall_figures", "wall_steps", "words")
+        for name in ("content", "document", "equation", "parts", "site", "wall_figures", "wall_steps", "words")
     },
+    **{f"report/note/{name}": "tests/core/report/test_pdf.py" for name in ("archive", "figure_geometry", "pdf")},
     "text/sentence": SENTENCES,
 }
 """Module of core -> the file that shows its facts, where that has another name than the module's."""

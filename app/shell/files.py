@@ -17,6 +17,8 @@ RECENT = 8
 CASE_ENDS = (".toml", ".ribalta")
 """Of a case file; the second is the one that opens the installed program."""
 KINDS = f" ({' '.join(f'*{end}' for end in CASE_ENDS)})"
+OPENED = f" ({' '.join(f'*{end}' for end in (*CASE_ENDS, '.pdf'))})"
+"""A calculation note has its case within it."""
 
 
 class Files:
@@ -58,7 +60,7 @@ class Files:
 
     def ask_open(self) -> None:
         name, _ = QFileDialog.getOpenFileName(
-            self.window, tr("Open a case"), str(self.session.base_dir), tr("Cases") + KINDS
+            self.window, tr("Open a case"), str(self.session.base_dir), tr("Cases and notes") + OPENED
         )
         if name:
             self.open(Path(name))
@@ -110,7 +112,7 @@ class Files:
             self.export(path)
 
     def ask_note(self) -> None:
-        """The calculation note as a Word document, to a place the user names."""
+        """The calculation note, as a PDF or for Word, to a place the user names."""
         from app.terminal import export
         from core.report.steps import Steps
 
@@ -118,21 +120,21 @@ class Files:
             return
         title = tr("Export the calculation note")
         stem = self.session.path.stem if self.session.path else "ribalta"
-        proposal = str(self.session.base_dir / f"{stem}.docx")
-        path = path_to_write(self.window, title, proposal, "Word (*.docx)", (".docx",))
+        proposal = str(self.session.base_dir / f"{stem}.pdf")
+        path = path_to_write(self.window, title, proposal, "PDF (*.pdf);;Word (*.docx)", (".pdf", ".docx"))
         if path is None:
             return
         try:
-            export.check_note_path(path, path)
+            export.check_note(path, self.session.base_dir / "case.toml", self.session.result.case)
         except InputError as error:
             QMessageBox.warning(self.window, tr("Nothing exported"), described(error))
             return
-        result = self.session.result
+        result, case_path = self.session.result, self.session.path or self.session.base_dir / "case.toml"
 
         def write(job) -> None:
             steps = Steps(job.check, job.progress)
             steps.take(100)
-            content = export.note_content(result, steps)
+            content = export.note_content(result, path, case_path, steps)
             job.commit()
             atomic_write.write({path: content})
 

@@ -62,13 +62,14 @@ def run(
 ) -> int:
     """Read a case, run it, write `<stem>.xlsx` and `<stem>.json`; returns the exit code.
 
-    report : of the calculation note as a Word document, where one is asked for
+    report : of the calculation note, where one is asked for
     merge : the searches and checks are those of the parts of the case, see `run_part`
 
     Raises InputError for what the user can mend; nothing is written then.
     """
-    export.check_note_path(report, case_path)
+    export.check_note(report, case_path)
     case = read_case(case_path)
+    export.check_note(report, case_path, case)
     if case.analysis.accuracy:
         require("accuracy")
     folder, stem = results_of(case_path, output)
@@ -93,7 +94,7 @@ def run(
                 on_progress=show.runs,
                 cancelled=cancel.is_set,
             )
-            export.write(result, folder, stem, raise_if(cancel), note=report, tell=show.writing)
+            export.write(result, folder, stem, raise_if(cancel), note=report, case_path=case_path, tell=show.writing)
         except Cancelled:
             place = folder / f"{stem}.journal"
             tell("cancelled: finished runs are in {path}; go on with --resume", path=place)

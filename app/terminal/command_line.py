@@ -28,6 +28,10 @@ class Formatter(argparse.HelpFormatter):
         super().add_usage(usage, actions, groups, terminal("usage: ") if prefix is None else prefix)
 
 
+NOTES = (".pdf", ".docx")
+"""Endings of a calculation note."""
+
+
 class Parser(argparse.ArgumentParser):
     """An argument parser that refuses in the language of the terminal, with exit code 2."""
 
@@ -65,7 +69,8 @@ def parser() -> Parser:
     add("--records", type=Path, metavar="DIR", help=terminal("natural records of the study"))
     add("--output", type=Path, metavar="DIR", help=terminal("folder of the results"))
     add("--jobs", type=_jobs, metavar="N", help=terminal("threads (default: all cores)"))
-    add("--report", type=Path, metavar="FILE", help=terminal("the calculation note too, as a Word document (.docx)"))
+    add("--report", type=Path, metavar="FILE", help=terminal("the calculation note too, as a PDF or for Word (.docx)"))
+    add("--extract", type=Path, metavar="NOTE", help=terminal("write the case and the results within a note (PDF)"))
     add("--quiet", action="store_true", help=terminal("no progress, no summary"))
     add("--resume", action="store_true", help=terminal("go on from the journal"))
     add("--part", type=_part, metavar="K/N", help=terminal("the walls of one part of the case alone, see --merge"))
@@ -93,10 +98,12 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     """What is asked. Ends the program with exit code 2 where words do not go together."""
     line = parser()
     options = line.parse_args(arguments)
-    if sum(map(bool, (options.batch, options.inspect, options.study))) > 1:
-        line.error(terminal("--batch, --study and --inspect do not go together"))
-    if not (options.batch or options.study) and (options.output or options.resume or options.jobs):
-        line.error(terminal("--output, --jobs and --resume go with --batch or --study"))
+    if sum(map(bool, (options.batch, options.inspect, options.study, options.extract))) > 1:
+        line.error(terminal("--batch, --study, --inspect and --extract do not go together"))
+    if not (options.batch or options.study) and (options.resume or options.jobs):
+        line.error(terminal("--jobs and --resume go with --batch or --study"))
+    if options.output and not (options.batch or options.study or options.extract):
+        line.error(terminal("--output goes with --batch, --study or --extract"))
     if options.report and not options.batch:
         line.error(terminal("--report goes with --batch"))
     if (options.part or options.merge) and not options.batch:
@@ -117,7 +124,7 @@ def study_file(asked: str) -> Path:
 def refuse_missing(options: argparse.Namespace) -> None:
     """Raise InputError for a file that is not there or a note that is no Word document: before anything is installed
     or imported for it."""
-    for case in (options.case, options.batch):
+    for case in (options.case, options.batch, options.extract):
         if case is not None and not case.exists():
             raise InputError("no_case_file", place=(case,))
     if options.study and not study_file(options.study).exists():
@@ -127,9 +134,9 @@ def refuse_missing(options: argparse.Namespace) -> None:
 
 
 def refuse_other_note(path: Path, case: Path) -> None:
-    """Raise InputError for a calculation note in another form than a Word document."""
-    if path.suffix.lower() != ".docx":
-        raise InputError("note_is_docx", path=path, place=(case,))
+    """Raise InputError for a calculation note in another form than a PDF or a Word document."""
+    if path.suffix.lower() not in NOTES:
+        raise InputError("note_is_pdf", path=path, place=(case,))
 
 
 def extras(options: argparse.Namespace) -> list[str]:
@@ -138,9 +145,12 @@ def extras(options: argparse.Namespace) -> list[str]:
         return []
     if options.study:
         return ["study"]
+    if options.extract:
+        return ["report"]
     if not options.batch:
         return ["gui", "accuracy", "study", "report"]
-    asked = {"accuracy": _states_accuracy(options.batch), "report": options.report}
+    of_note = options.batch.suffix.lower() == ".pdf"
+    asked = {"accuracy": _states_accuracy(options.batch), "report": options.report or of_note}
     return [extra for extra, wanted in asked.items() if wanted]
 
 

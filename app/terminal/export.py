@@ -42,12 +42,20 @@ def refuse_overwriting(case: Case, case_path: Path, folder: Path, stem: str) -> 
         raise InputError("would_overwrite", path=path)
 
 
-def check_note_path(path: Path | None, case_path: Path) -> None:
-    """Raise InputError before the run where the calculation note could not be written: another ending than .docx, or
-    packages that are missing."""
-    if path is not None:
-        refuse_other_note(path, case_path)
-        require("report")
+def check_note(path: Path | None, case_path: Path, case: Case | None = None) -> None:
+    """Raise InputError before the run where the calculation note could not be written: another ending, packages that
+    are missing, a logo or a font that is not there."""
+    if path is None:
+        return
+    refuse_other_note(path, case_path)
+    require("report")
+    if case is not None:
+        from core.report.note.archive import office_of
+        from core.report.note.pdf import check_font
+
+        office_of(case.report, case_path.parent)
+        if case.report.font:
+            check_font(case.report.font)
 
 
 def write(
@@ -57,11 +65,12 @@ def write(
     check: Callable[[], None] = lambda: None,
     ready: Callable[[], None] = lambda: None,
     note: Path | None = None,
+    case_path: Path | None = None,
     tell: Callable[[int, int], None] = lambda done, planned: None,
 ) -> None:
-    """Workbook and JSON of a result, and the calculation note as a Word document where a file is named for it: all or
-    none.
+    """Workbook and JSON of a result, and the calculation note where a file is named for it: all or none.
 
+    case_path : of the case, beside which its logo is
     check : called at every row, to cancel; ready : when all is made and nothing written yet
     tell(done, planned) : how far it is
     Raises OutputError and what check and ready raise.
@@ -86,13 +95,21 @@ def write(
     files = {folder / f"{stem}.xlsx": book, folder / f"{stem}.json": text}
     if note is not None:
         steps.take(NOTE)
-        files[note] = note_content(result, steps)
+        files[note] = note_content(result, note, case_path, steps)
     ready()
     atomic_write.write(files)
 
 
-def note_content(result: StudyResult, steps: "Steps | None" = None) -> bytes:
-    """The calculation note as a Word document. Raises OutputError."""
+def note_content(result: StudyResult, path: Path, case_path: Path | None, steps: "Steps | None" = None) -> bytes:
+    """The calculation note as the ending of its path asks. case_path : of the case, also where nothing lies there yet.
+    Raises InputError, OutputError."""
+    if path.suffix.lower() == ".pdf":
+        from core.report.note.archive import note_as_pdf
+
+        source = ""
+        with contextlib.suppress(OSError, UnicodeDecodeError, AttributeError):
+            source = case_path.read_text("utf-8-sig")
+        return note_as_pdf(result, case_path.parent if case_path else Path(), steps, source)
     from core.report.note.content import note
     from core.report.note.document import document
 

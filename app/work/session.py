@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import BinaryIO
 
 from core import atomic_write
-from core.case.reader import read_case
+from core.case.reader import read_case, read_toml
 from core.case.rules import draft_case, parse_case
 from core.case.schema import Case, Record, Report, Wall
 from core.case.writer import dumps, table_of
@@ -191,8 +191,8 @@ class Session:
             case = read_case(path)
         except InputError as error:
             try:
-                table = tomllib.loads(path.read_text(encoding="utf-8-sig"))
-            except (OSError, ValueError):
+                table, _ = read_toml(path)
+            except InputError:
                 raise error from None
             if "walls" in table:
                 raise  # its table cannot be merged into a draft
@@ -200,6 +200,8 @@ class Session:
         self.drop_recovery_file()
         self._start(case)
         self.path, self.base_dir = path.resolve(), path.resolve().parent
+        if path.suffix.lower() == ".pdf":  # its case was read from a note, which is not written into
+            self.path = None
         self.content = self._on_disk()
         self.changed()
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from core.case.hazard_table import read_hazard
+from core.case.note_file import CASE, files_within, is_note
 from core.case.rules import parse_case, with_walls
 from core.case.schema import Case
 from core.case.wall_table import read_table
@@ -33,6 +34,8 @@ def read_toml(path: Path) -> tuple[dict, bytes]:
         if path.stat().st_size > MAX_BYTES:
             raise InputError("case_too_large", mb=path.stat().st_size / 1e6, place=(path,))
         content = path.read_bytes()
+        if is_note(content):
+            content = files_within(path)[CASE]
     except FileNotFoundError:
         raise InputError("no_case_file", place=(path,)) from None
     except OSError as error:

@@ -23,7 +23,12 @@ MIN_ELASTIC = 0.001
 
 @dataclass(frozen=True)
 class Report:
-    """[report]: what the title block of the workbook says."""
+    """[report]: what the title block of the workbook and the first page of the note say.
+
+    date : also that of the PDF, as 2026-11-25 or 25/11/2026
+    letterhead : lines of the office, with | between them; logo : a picture beside them, relative to the case
+    font : of the note, of this machine; pdf_standard : a-1b for portals that take no other, without attached files
+    """
 
     client: str = text_key()
     site: str = text_key()
@@ -32,6 +37,10 @@ class Report:
     revision: str = text_key()
     date: str = text_key()
     language: str = choice_key("en", "it", default="en")
+    letterhead: str = text_key()
+    logo: str = text_key()
+    font: str = text_key()
+    pdf_standard: str = choice_key("a-3a", "a-1b", default="a-3a")
 
 
 AS_IS, DESIGNED = "stato di fatto", "progetto"

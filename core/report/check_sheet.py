@@ -27,6 +27,8 @@ from core.report.cells import (
 from core.report.derived import Rows, cell_prefix
 from core.report.rows import changed_cell, close_inputs, heads, live_row
 from core.report.sheets import rule_word
+from core.report.tie_words import tie_lines
+from core.report.verdict_words import lines_of, sentence_of
 from core.study.results import Q_SOURCES, PerRecord, StudyResult, WallResult
 from core.text.sentence import word
 from core.units import CM, G
@@ -72,6 +74,10 @@ def _wall(book: Book, sheet, result: StudyResult, wall: WallResult, demand: Rows
     """One block: the body, q of the records and of the closed form, Eq. 9, the checks of the Circolare."""
     say, found = book.say, wall.assessment
     row = heads(book, sheet, row, f"{wall.name} – {word(wall.mechanism, book.language)}")
+    if found is not None:
+        row = paragraph(sheet, row, sentence_of(result, wall, book.language), 13, 150)
+        for line in (*lines_of(result, wall, book.language), *tie_lines(wall, book.language)):
+            row = paragraph(sheet, row, f"• {line}", 13, 150, color=QUIET)
     rows = Rows(book, sheet, result, cell_prefix(result, wall), demand)
     row = rows.write(of_wall.geometry(wall), row)
     if wall.per_record:

@@ -47,20 +47,24 @@ def sentence_of(result: StudyResult, wall: WallResult, language: str) -> str:
     return wall.assessment.verdict.text(language, wall.part.asked.title, where(wall), names_in(language))
 
 
-def lines_of(result: StudyResult, wall: WallResult, language: str) -> list[str]:
-    """What follows the sentence, each kind with its word: what to do, what limits the result, notes."""
+KINDS = ("to_do", "limits", "note")
+
+
+def lines_of(
+    result: StudyResult, wall: WallResult, language: str, kinds: tuple[str, ...] = (*KINDS, "reason")
+) -> list[str]:
+    """What follows the sentence, each kind with its word: what to do, what limits the result, notes, reasons given."""
     verdict = wall.assessment.verdict
     extra = [one.extra for one in result.verdicts if result.walls[one.governing] is wall]
-    kinds = (
-        ("to_do", verdict.to_do),
-        ("limits", (*verdict.limits, *(extra[0] if extra else ()))),
-        ("note", verdict.notes),
-    )
+    said = (verdict.to_do, (*verdict.limits, *(extra[0] if extra else ())), verdict.notes)
     lines = [
         f"{word(kind, language)}: {one.text(language, names_in(language))}"
-        for kind, sentences in kinds
+        for kind, sentences in zip(KINDS, said, strict=True)
         for one in sentences
+        if kind in kinds
     ]
+    if "reason" not in kinds:
+        return lines
     demand = result.case.demand
     given: tuple[WallJustification | DemandJustification | None, ...] = (
         wall.wall.justification,

@@ -4,7 +4,20 @@ from core.ground.provenance import provenance
 from core.report.assumptions import assumptions_of
 from core.report.derived import cell_prefix
 from core.report.note import site, wall_figures
-from core.report.note.parts import Blanks, Box, Derivation, Figures, Heading, Paragraph, Part, Step, Table
+from core.report.note.parts import (
+    Bars,
+    Blanks,
+    Box,
+    Contents,
+    Derivation,
+    Figures,
+    Heading,
+    Item,
+    Paragraph,
+    Part,
+    Step,
+    Table,
+)
 from core.report.note.wall_steps import Derivations
 from core.report.note.words import Words
 from core.report.tie_words import tie_lines
@@ -19,54 +32,93 @@ JUDGEMENT_LINES = 7
 FULL_WALLS = 24
 """Walls, of the lowest zeta, whose derivations and figures are in the note; of the others verdict and reasons."""
 
+CONTENTS_FROM = 4
+"""Walls from which on the note has a table of contents."""
+
+TOLD = 6
+"""Walls whose verdict is told on the first page."""
+
+REASONS = 3
+"""Lines that stand below a verdict; the others end the section of the wall."""
+
 
 def note(result: StudyResult, language: str) -> list[Part]:
-    """What an engineer signs: site and demand, verdicts of all walls, records, each wall, what was assumed."""
+    """What an engineer signs: first the answer, then each wall, then what it rests on."""
     words = Words(language)
+    say = words.say
+    ordered = [wall for wall, _ in in_order(result)]
+    parts = _answer(result, words)
+    if len(ordered) >= CONTENTS_FROM:
+        parts += [Heading(say("Contents"), new_page=True, listed=False), Contents()]
+    parts += site.before_and_after(result, words)
+    for wall in ordered[:FULL_WALLS]:
+        parts += wall_parts(result, wall, cell_prefix(result, wall), words)
+    if ordered[FULL_WALLS:]:
+        parts.append(Heading(say("Other walls: the derivations are on the sheet Check"), new_page=True))
+    for wall in ordered[FULL_WALLS:]:
+        parts.append(Heading(_name(wall, words), 3, wall=result.walls.index(wall)))
+        parts += _verdict(result, wall, words)
+    parts += _demand(result, words) + site.hazard(result, words) + site.building(result, words)
+    return [*parts, *_records(result, words), *_closing(result, words)]
+
+
+def _name(wall: WallResult, words: Words) -> str:
+    return f"{wall.name} – {words.word(wall.mechanism)}"
+
+
+def _answer(result: StudyResult, words: Words) -> list[Part]:
+    """The first page: the works, the demand, the outcome of each wall, what decides and what is to be done."""
     say = words.say
     parts: list[Part] = [
         Heading(result.case.title, 1),
         Paragraph(
             say("Calculation note: out-of-plane overturning of masonry walls (Circolare 7/2019, C8.7.1.2.1)"), "quiet"
         ),
+        Table((), _works(result, words), (1, 4)),
+        Heading(say("Outcome")),
+        *_verdicts(result, words),
     ]
-    parts += _title(result, words)
-    parts += _demand(result, words)
-    parts += site.hazard(result, words) + site.building(result, words)
-    parts += _verdicts(result, words) + site.before_and_after(result, words)
-    parts += _records(result, words)
-    ordered = [wall for wall, _ in in_order(result)]
-    for wall in ordered[:FULL_WALLS]:
-        parts += wall_parts(result, wall, cell_prefix(result, wall), words)
-    if ordered[FULL_WALLS:]:
-        title = say("Other walls: the derivations are on the sheet Check")
-        parts.append(Heading(title, new_page=True))
-    for wall in ordered[FULL_WALLS:]:
-        parts.append(Heading(f"{wall.name} – {words.word(wall.mechanism)}", 3))
-        parts += _verdict(result, wall, words)
-    parts += _closing(result, words)
-    return parts
+    told = [(wall, one) for wall, one in in_order(result) if one and wall.assessment]
+    for wall, _ in told[:TOLD]:
+        tone = tone_of(result, wall)
+        parts.append(Paragraph(sentence_of(result, wall, words.language), tone))
+        parts += [Item(line, sign="→") for line in lines_of(result, wall, words.language, ("to_do",))]
+    if told[TOLD:]:
+        parts.append(Paragraph(say("{n} more walls: each has its section.", n=len(told) - TOLD), "quiet"))
+    return [*parts, Blanks((say("Engineer"), say("Place and date"), say("Signature and stamp")))]
 
 
-def _title(result: StudyResult, words: Words) -> list[Part]:
-    say, report, asked = words.say, result.case.report, result.case.demand
+def _works(result: StudyResult, words: Words) -> list[tuple[str, str]]:
+    """Works, site and demand, a line each."""
+    say, report, asked, demand = words.say, result.case.report, result.case.demand, result.demand
+    site_of = ", ".join(filter(None, (report.site, *((asked.site, asked.coordinates) if asked else ()))))
     rows = [
-        (say("Client"), report.client),
-        (say("Site"), report.site),
         (say("Project"), report.project),
+        (say("Client"), report.client),
+        (say("Site"), site_of),
         (say("Author"), report.author),
-        (say("Revision"), report.revision),
-        (say("Date"), report.date),
+        (say("Date"), ", ".join(filter(None, (report.date, report.revision)))),
+        (say("Demand"), say("No demand given: no check.")),
     ]
-    if asked:
-        rows.append((say("Seismic site"), ", ".join(filter(None, (asked.site, asked.coordinates)))))
-    rows = [row for row in rows if row[1]]
-    return [Table((), rows, (1, 3))] if rows else []
+    if demand is not None:
+        said = [
+            say("Limit state {state}", state=demand.limit_state),
+            f"a_g {words.number(demand.ag / G, '.3f')} g",
+            f"S {words.number(demand.soil_factor, '.2f')}",
+        ]
+        if demand.return_period is not None:
+            said.append(f"T_R {words.number(demand.return_period, '.0f')} {say('years')}")
+        if demand.target is not None:
+            said.append(demand.target.name)
+        said.append(f"FC {words.number(demand.confidence_factor, '.2f')}")
+        said.append(say("ζ required {zeta}", zeta=words.number(demand.zeta_target, ".2f")))
+        rows[-1] = (say("Demand"), "; ".join(said))
+    return [row for row in rows if row[1]]
 
 
 def _demand(result: StudyResult, words: Words) -> list[Part]:
     say, demand, asked = words.say, result.demand, result.case.demand
-    parts: list[Part] = [Heading(say("Site and demand"))]
+    parts: list[Part] = [Heading(say("Site and demand"), new_page=True)]
     if demand is None:
         return [*parts, Paragraph(say("No demand given: no check."), "strong")]
     steps = []
@@ -76,10 +128,7 @@ def _demand(result: StudyResult, words: Words) -> list[Part]:
     if demand.return_period is not None:
         steps.append(Step("T_R", demand.return_period, ".0f", say("years"), "3.2.0"))
     steps += Derivations(result, words).demand
-    name = say("Limit state {state}", state=demand.limit_state)
-    if demand.target is not None:
-        name += f", {demand.target.name}"
-    return [*parts, Paragraph(name, "strong"), Derivation(steps)]
+    return [*parts, Derivation(steps)]
 
 
 def _verdicts(result: StudyResult, words: Words) -> list[Part]:
@@ -87,7 +136,8 @@ def _verdicts(result: StudyResult, words: Words) -> list[Part]:
     say = words.say
     heads = [say("Wall"), say("Mechanism"), "H [m]", "t [m]", "q", "ζ_E", say("Deciding check"), say("Verdict")]
     rows, tones = [], {}
-    for n, (wall, decides) in enumerate(in_order(result)):
+    ordered = in_order(result)
+    for n, (wall, decides) in enumerate(ordered):
         found = wall.assessment
         row = [
             wall.name if decides else f"– {wall.name}",
@@ -98,13 +148,14 @@ def _verdicts(result: StudyResult, words: Words) -> list[Part]:
         ]
         if found:
             verdict = found.verdict
-            label = next((c.label for c in found.checks if c.name == verdict.governing), None)
-            row += [words.number(verdict.zeta_e, ".2f"), words.word(label) if label else "–", words.word(verdict.code)]
+            by = next((check for check in found.checks if check.name == verdict.governing), None)
+            row += [words.number(verdict.zeta_e, ".2f"), words.short(by) if by else "–", words.word(verdict.code)]
             tones[n, 5] = tones[n, 7] = tone_of(result, wall)
         else:
             row += ["–", "–", "–"]
         rows.append(row)
-    return [Heading(say("Verdicts of all walls")), Table(heads, rows, (2.3, 1.5, 0.9, 1.0, 0.9, 0.9, 1.9, 1.6), tones)]
+    numbers = [result.walls.index(wall) for wall, _ in ordered]
+    return [Table(heads, rows, (3.2, 1.3, 0.8, 0.9, 0.8, 0.8, 1.7, 1.7), tones, numbers)]
 
 
 def _records(result: StudyResult, words: Words) -> list[Part]:
@@ -164,47 +215,74 @@ def _records(result: StudyResult, words: Words) -> list[Part]:
 
 
 def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -> list[Part]:
-    """One wall on at most two pages. name : begins the names of its cells on the sheet Check."""
+    """One wall on at most two pages. name : begins the names of its cells on the sheet Check"""
     say, found = words.say, wall.assessment
-    parts: list[Part] = [Heading(f"{wall.name} – {words.word(wall.mechanism)}", 2, new_page=True)]
+    parts: list[Part] = [Heading(_name(wall, words), 2, True, result.walls.index(wall))]
     first = [wall_figures.drawing(wall, words)]
     derived = Derivations(result, words, name).wall(wall)
     if found is None or found.kinematic is None:
-        parts += _pair(first) + site.loads(wall, words)
+        parts += [*_verdict(result, wall, words), *_side_by_side(first), *site.loads(wall, words)]
         q = Step("q", wall.q_set, ".2f", "–", "Eq. 10", cell=f"{name}q_set", label=say("at collapse"))
         for title, steps in derived:
             parts += [Heading(say(title), 3), Derivation([*steps, q])]
-        return [*parts, *_verdict(result, wall, words)]
-    kinematic = found.kinematic
+        return parts
+    kinematic, language = found.kinematic, words.language
     held = say("element free to vibrate") if kinematic.free_element else say("not free to vibrate")
     if kinematic.floor:
         held = say("wall at {z:g} m, {kind}", z=float(wall.wall.base_z_m), kind=held)
-    parts.append(Paragraph(held, "quiet"))
-    parts += _pair([*first, wall_figures.capacity(result, wall, words)]) + site.loads(wall, words)
+    parts.append(Paragraph(sentence_of(result, wall, language), tone_of(result, wall)))
+    reasons = lines_of(result, wall, language)
+    parts += [Item(line) for line in reasons[:REASONS]]
+    parts += [_checks(result, wall, words), Paragraph(held, "quiet")]
+    parts += _side_by_side([*first, wall_figures.capacity(result, wall, words)]) + site.loads(wall, words)
     for title, steps in derived:
         if steps:
             parts += [Heading(say(title), 3), Derivation(steps)]
-    parts += _pair([wall_figures.histories(result, wall, words), wall_figures.peaks(wall, words)])
-    parts += _pair([wall_figures.forces_of_ties(result, wall, words), wall_figures.tie_heights(wall, words)])
-    return [*parts, *_verdict(result, wall, words)]
+    drawn = [wall_figures.histories(result, wall, words), wall_figures.peaks(wall, words)]
+    drawn += [wall_figures.forces_of_ties(result, wall, words), wall_figures.tie_heights(wall, words)]
+    parts += _side_by_side(drawn)
+    rest = [*reasons[REASONS:], *tie_lines(wall, language), *(one.text(language) for one in wall.warnings)]
+    if rest:
+        parts.append(Heading(say("What else is to be read"), 3))
+    return [*parts, *(Item(line, "quiet") for line in rest)]
 
 
-def _pair(figures: list) -> list[Part]:
-    """The figures that are there, side by side."""
+def _checks(result: StudyResult, wall: WallResult, words: Words) -> Bars:
+    """zeta of each check of a wall over the zeta required."""
+    found = wall.assessment
+    rows = [
+        (
+            words.short(check),
+            check.clause,
+            check.zeta,
+            "good" if check.passed else "bad",
+            check.name == found.verdict.governing,
+        )
+        for check in found.checks
+    ]
+    target = result.demand.zeta_target
+    caption = words.say(
+        "ζ of each check; the mark is the ζ required, {zeta}; bold: the check that decides",
+        zeta=words.number(target, ".2f"),
+    )
+    return Bars(rows, target, caption)
+
+
+def _side_by_side(figures: list) -> list[Part]:
+    """The figures that are there, up to three in a row."""
     drawn = [figure for figure in figures if figure is not None]
-    return [Figures(drawn)] if drawn else []
+    count = 2 if len(drawn) in (2, 4) else 3
+    return [Figures(drawn[k : k + count]) for k in range(0, len(drawn), count)]
 
 
 def _verdict(result: StudyResult, wall: WallResult, words: Words) -> list[Part]:
     """The sentence of the verdict with every reason and every warning of the wall."""
-    say, found, language = words.say, wall.assessment, words.language
+    found, language = wall.assessment, words.language
     parts: list[Part] = []
     if found is not None:
-        parts = [Heading(say("Verdict"), 3), Paragraph(sentence_of(result, wall, language), tone_of(result, wall))]
-        lines = [*lines_of(result, wall, language), *tie_lines(wall, language)]
-        parts += [Paragraph(f"• {line}") for line in lines]
-    parts += [Paragraph(f"• {warning.text(language)}", "quiet") for warning in wall.warnings]
-    return parts
+        parts = [Paragraph(sentence_of(result, wall, language), tone_of(result, wall))]
+        parts += [Item(line) for line in (*lines_of(result, wall, language), *tie_lines(wall, language))]
+    return [*parts, *(Item(warning.text(language), "quiet") for warning in wall.warnings)]
 
 
 def _closing(result: StudyResult, words: Words) -> list[Part]:
@@ -214,15 +292,15 @@ def _closing(result: StudyResult, words: Words) -> list[Part]:
     ticks = []
     for code in assumptions_of(walls):
         ticked = code == "no_load" and all(wall.unloaded_confirmed for wall in walls)
-        ticks.append(Paragraph(f"{'☑' if ticked else '☐'}  {localized('assumption', code, words.language)}"))
+        ticks.append(Item(localized("assumption", code, words.language), sign="☑" if ticked else "☐"))
     shared = [(motion.name, warning.text(words.language)) for motion in result.motions for warning in motion.warnings]
     if result.demand:
         shared += [(say("demand"), warning.text(words.language)) for warning in result.demand.warnings]
     parts: list[Part] = []
     if shared:
         parts = [
-            Heading(say("Warnings on demand and records"), new_page=True),
-            *(Paragraph(f"• {name}: {line}", "quiet") for name, line in shared),
+            Heading(say("Warnings on demand and records")),
+            *(Item(f"{name}: {line}", "quiet") for name, line in shared),
         ]
     program = [
         (say("Title"), NAME),
@@ -244,16 +322,15 @@ def _closing(result: StudyResult, words: Words) -> list[Part]:
                 method=result.method_words,
             ),
         ),
-        (say("Input"), f"SHA-256 {result.case.sha256[:16]}…, {result.started_utc[:16].replace('T', ' ')} UTC"),
+        (say("Input"), f"SHA-256 {result.case.sha256}"),
     ]
     return [
         *parts,
-        Heading(say("Assumptions confirmed by the engineer"), new_page=not parts),
+        Heading(say("Assumptions confirmed by the engineer"), new_page=True),
         *ticks,
         Blanks((say("Confirmed by"), say("Date"))),
         Heading(say("The program (NTC 2018 10.2)")),
         Table((), program, (1, 4)),
         Heading(say("Reasoned judgement on the results (NTC 2018 10.2)")),
         Box(JUDGEMENT_LINES),
-        Blanks((say("Engineer"), say("Place and date"), say("Signature and stamp"))),
     ]

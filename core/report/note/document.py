@@ -1,14 +1,14 @@
 """The calculation note as a Word document (.docx), figures included: it goes into an office's own note.
 
-python-docx, because a docx is what an office edits; matplotlib draws the figures, without a screen.
+python-docx, because a docx is what an office edits; its pictures are those of the PDF.
 """
 
 import io
 
 from core.packages import require
-from core.report.drawing import style
 from core.report.note.equation import equations
-from core.report.note.parts import Blanks, Box, Curve, Derivation, Figure, Figures, Heading, Paragraph, Part, Table
+from core.report.note.parts import Bars, Blanks, Box, Derivation, Figures, Heading, Item, Paragraph, Part, Table
+from core.report.note.pdf import picture
 from core.report.note.words import Words
 from core.report.steps import Steps
 from core.report.xml_text import for_xml
@@ -26,8 +26,6 @@ WIDTH = 17.0
 
 BLANKS = 105
 """Letters of a line of blanks to fill in."""
-
-DPI = 300
 
 
 def document(parts: list[Part], language: str, steps: Steps | None = None) -> bytes:
@@ -90,6 +88,13 @@ class _Writer:
             heading.paragraph_format.page_break_before = part.new_page
         elif isinstance(part, Paragraph):
             self._run(self.made.add_paragraph(), part.text, part.tone)
+        elif isinstance(part, Item):
+            self._run(self.made.add_paragraph(), f"{part.sign}  {part.text}", part.tone)
+        elif isinstance(part, Bars):
+            number = self.words.number
+            rows = [[name, number(zeta, ".2f"), clause] for name, clause, zeta, _, _ in part.rows]
+            tones = {(n, 1): tone for n, (*_, tone, _) in enumerate(part.rows)}
+            self._table(Table([self.words.say("Check"), "ζ", self.words.say("Clause")], rows, (3, 1, 2), tones))
         elif isinstance(part, Table):
             self._table(part)
         elif isinstance(part, Derivation):
@@ -171,63 +176,3 @@ class _Writer:
             caption = f"Fig. {self.figures}. {figure.caption}"
             self._run(table.cell(1, k).paragraphs[0], caption, "quiet", 8)
         self.made.add_paragraph()
-
-
-def picture(figure: Figure, words: Words, width: float = 8.2, height: float = 6.6) -> bytes:
-    """A figure as PNG at 300 dpi; width, height [cm]."""
-    with style({}):
-        return _drawn(figure, words, width, height)
-
-
-def _drawn(figure: Figure, words: Words, width: float, height: float) -> bytes:
-    from matplotlib.figure import Figure as Canvas
-    from matplotlib.ticker import FuncFormatter
-
-    canvas = Canvas(figsize=(width / 2.54, height / 2.54), dpi=DPI, layout="constrained")
-    axes = canvas.subplots()
-    for curve in figure.curves:
-        _draw(axes, curve)
-    for label in figure.labels:
-        axes.text(label.x, label.y, _plain(label.text), ha="center", va="center", fontsize=7)
-    if figure.x_range:
-        axes.set_xlim(*figure.x_range)
-    if figure.y_range:
-        axes.set_ylim(*figure.y_range)
-    if figure.is_drawing:
-        axes.set_aspect("equal")
-        axes.axis("off")
-    else:
-        axes.set_xlabel(figure.x, fontsize=7)
-        axes.set_ylabel(figure.y, fontsize=7)
-        axes.tick_params(labelsize=6.5)
-        axes.grid(color="#DDE3E8", linewidth=0.5)
-        axes.set_axisbelow(True)
-        numbers = FuncFormatter(lambda value, _: words.number(value, "g"))
-        axes.yaxis.set_major_formatter(numbers)
-        if figure.names:
-            names = [_plain(name) for name in figure.names]
-            axes.set_xticks(range(len(names)), names, rotation=45, ha="right", fontsize=5.5)
-        else:
-            axes.xaxis.set_major_formatter(numbers)
-        if any(curve.name for curve in figure.curves):
-            canvas.legend(loc="outside upper center", fontsize=6, frameon=False, ncols=3)
-    content = io.BytesIO()
-    canvas.savefig(content, format="png")
-    return content.getvalue()
-
-
-def _plain(name: str) -> str:
-    """A name as it is: no formula between $, and in the legend though it begins with _."""
-    name = name.replace("$", r"\$")
-    return f"\u200b{name}" if name.startswith("_") else name
-
-
-def _draw(axes, curve: Curve) -> None:
-    color, name = COLORS[curve.color], _plain(curve.name) or None
-    if curve.shape == "bars":
-        axes.bar(curve.x, curve.y, width=0.7, color=color, label=name)
-    elif curve.shape == "points":
-        axes.plot(curve.x, curve.y, "o", color=color, markersize=4, label=name)
-    else:
-        dash = "--" if curve.shape == "dash" else "-"
-        axes.plot(curve.x, curve.y, dash, color=color, linewidth=curve.width, label=name)

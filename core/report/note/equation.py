@@ -1,8 +1,11 @@
-"""A line of a derivation as an equation of Word (OMML): fractions, roots, powers and indices set as mathematics."""
+"""A line of a derivation as mathematics: fractions, roots, powers and indices, by one of two notations, that of Word
+(OMML) and that of Typst."""
 
 import ast
+import json
 import re
 from collections.abc import Callable
+from dataclasses import dataclass
 from xml.etree import ElementTree
 from xml.sax.saxutils import escape
 
@@ -15,83 +18,143 @@ NAMESPACE = "http://schemas.openxmlformats.org/officeDocument/2006/math"
 THIN = "\u2009"
 """Between the factors of a product in symbols."""
 
-INDEXED = re.compile(r"([^\s_/()+−·=]+)_([^\s_/()]*[^\s_/(),])")
-"""A symbol with its index, as T_0."""
+INDEXED = re.compile(
+    r"([^\s_/()+−·=]+)_([^\s_/()]*[^\s_/(),*])(\*?)|(?<![\w.])([^\W\d_])(\d(?:,\w)?)(?![\w.])(\*?)|(?<!\w)([^\W\d_])()(\*)"
+)
+"""A symbol with its index and its star, as T_0, α0, a_0* and e*."""
 
 
-def run(text: str) -> str:
-    """Upright text."""
+@dataclass(frozen=True)
+class Notation:
+    """run : upright text; letter : of a symbol; indexed : a base, its index and whether it has a star; each of the
+    others takes what it is made of, as it is written"""
+
+    run: Callable[[str], str]
+    letter: Callable[[str], str]
+    indexed: Callable[[str, str, bool], str]
+    fraction: Callable[[str, str], str]
+    power: Callable[[str, str], str]
+    root: Callable[[str], str]
+    brackets: Callable[[str], str]
+
+    def symbol(self, text: str) -> str:
+        """A symbol with its indices set low."""
+        pieces, end = [], 0
+        for match in INDEXED.finditer(text):
+            base, index, star = next(match.group(k, k + 1, k + 2) for k in (1, 4, 7) if match[k])
+            pieces += [
+                self.letter(text[end : match.start()]),
+                self.indexed(self.letter(base), self.run(index), bool(star)),
+            ]
+            end = match.end()
+        return "".join([*pieces, self.letter(text[end:])])
+
+
+def _omml_run(text: str) -> str:
     return f'<m:r><m:rPr><m:nor/></m:rPr><m:t xml:space="preserve">{escape(text)}</m:t></m:r>' if text else ""
 
 
-def symbol(text: str) -> str:
-    """A symbol with its indices set low."""
-    pieces, end = [], 0
-    for match in INDEXED.finditer(text):
-        pieces.append(run(text[end : match.start()]))
-        pieces.append(f"<m:sSub><m:e>{run(match[1])}</m:e><m:sub>{run(match[2])}</m:sub></m:sSub>")
-        end = match.end()
-    return "".join([*pieces, run(text[end:])])
+OMML = Notation(
+    run=_omml_run,
+    letter=_omml_run,
+    indexed=lambda base, index, star: (
+        (f"<m:sSub><m:e>{base}</m:e><m:sub>{index}</m:sub></m:sSub>" if index else base) + _omml_run("*" * star)
+    ),
+    fraction=lambda over, under: f"<m:f><m:num>{over}</m:num><m:den>{under}</m:den></m:f>",
+    power=lambda base, exponent: f"<m:sSup><m:e>{base}</m:e><m:sup>{exponent}</m:sup></m:sSup>",
+    root=lambda inner: f'<m:rad><m:radPr><m:degHide m:val="1"/></m:radPr><m:deg/><m:e>{inner}</m:e></m:rad>',
+    brackets=lambda inner: f"<m:d><m:e>{inner}</m:e></m:d>",
+)
+
+
+SIGNS = {THIN: "thin ", " ": "thin ", " · ": "dot.op ", " + ": "+ ", " − ": "- ", " = ": "= "}
+"""Operators of Typst, which have their own spaces."""
+
+
+def _typst_run(text: str) -> str:
+    """An operator, else a string of Typst, which is never code."""
+    return SIGNS.get(text) or (json.dumps(text, ensure_ascii=False) if text else "")
+
+
+def _typst_letters(text: str) -> str:
+    """Single letters are set italic, words, numbers and signs upright."""
+    words = re.findall(r"[^\W\d_]+(?:-[^\W\d_]+)*|\d+(?:[.,]\d+)*|[^\w]", text)
+    single = re.compile(r"[^\W\d_ΣΔ]")
+    return "".join(f"italic({_typst_run(word)})" if single.fullmatch(word) else _typst_run(word) for word in words)
+
+
+def _typst_indexed(base: str, index: str, star: bool) -> str:
+    return f"attach({base}" + (f", b: {index}" if index else "") + (", t: *" if star else "") + ")"
+
+
+TYPST = Notation(
+    run=_typst_run,
+    letter=_typst_letters,
+    indexed=_typst_indexed,
+    fraction=lambda over, under: f"frac({over}, {under})",
+    power=lambda base, exponent: f"attach({base}, t: {exponent})",
+    root=lambda inner: f"sqrt({inner})",
+    brackets=lambda inner: f"lr(\\({inner}\\))",
+)
 
 
 class Equation(Face):
-    """leaf : a name as OMML, None of a constant; point : between factors"""
+    """leaf : a name as it is written, None of a constant; point : between factors"""
 
-    def __init__(self, function: Callable, leaf: Callable[[str], str | None], point: str, language: str):
+    def __init__(
+        self, notation: Notation, function: Callable, leaf: Callable[[str], str | None], point: str, language: str
+    ):
         super().__init__(function)
-        self.leaf, self.point, self.language = leaf, point, language
+        self.notation, self.leaf, self.point, self.language = notation, leaf, point, language
 
     def within(self, node, least):
         pieces, precedence = self.of(node)
-        return pieces if precedence >= least else [_bracketed("".join(pieces))]
+        return pieces if precedence >= least else [self.notation.brackets("".join(pieces))]
 
     def operation(self, left, operator, right):
+        """A quotient is a fraction, an exponent stands high."""
+        to = self.notation
         first, second = ("".join(self.of(side)[0]) for side in (left, right))
         if operator is ast.Div:
-            return [f"<m:f><m:num>{first}</m:num><m:den>{second}</m:den></m:f>"], ATOM
+            return [to.fraction(first, second)], ATOM
         if operator is ast.Pow:
-            base = "".join(self.within(left, ATOM))
-            return [f"<m:sSup><m:e>{base}</m:e><m:sup>{second}</m:sup></m:sSup>"], POWER
+            return [to.power("".join(self.within(left, ATOM)), second)], POWER
         if operator is ast.Mult:
-            return [*self.within(left, PRODUCT), run(self.point), *self.within(right, PRODUCT)], PRODUCT
+            return [*self.within(left, PRODUCT), to.run(self.point), *self.within(right, PRODUCT)], PRODUCT
         sign = " + " if operator is ast.Add else " − "
-        return [*self.within(left, SUM), run(sign), *self.within(right, SUM + (operator is ast.Sub))], SUM
+        return [*self.within(left, SUM), to.run(sign), *self.within(right, SUM + (operator is ast.Sub))], SUM
 
     def total(self, each):
-        return [run("Σ"), *self.within(each, PRODUCT)], PRODUCT
+        return [self.notation.run("Σ"), *self.within(each, PRODUCT)], PRODUCT
 
     def call(self, name, arguments):
         """A root has its sign, another function its name."""
-        body = self.inlined(name, arguments)
+        to, body = self.notation, self.inlined(name, arguments)
         if body is not None:
             return self.of(body)
         inner = ["".join(self.of(argument)[0]) for argument in arguments]
         if name == "sqrt":
-            return [f'<m:rad><m:radPr><m:degHide m:val="1"/></m:radPr><m:deg/><m:e>{inner[0]}</m:e></m:rad>'], ATOM
+            return [to.root(inner[0])], ATOM
         if name == "kilo":
-            return [inner[0], run(" · 10³" if self.point != THIN else "")], PRODUCT
+            return [inner[0], to.run(" · 10³" if self.point != THIN else "")], PRODUCT
         if name == "radians":
             return [inner[0]], ATOM
         if name == "abs":
-            return [run("|"), inner[0], run("|")], ATOM
+            return [to.run("|"), inner[0], to.run("|")], ATOM
         head = {"log": "ln", "atan": "arctan"}.get(name, name)
         if name in ("sin", "cos", "tan") and isinstance(arguments[0], ast.Name):
-            return [run(f"{head} "), inner[0], run("°" if self.point != THIN else "")], POWER
-        return [run(head), _bracketed(run(", ").join(inner))], ATOM
+            return [to.run(f"{head} "), inner[0], to.run("°" if self.point != THIN else "")], POWER
+        return [to.run(head), to.brackets(to.run(", ").join(inner))], ATOM
 
     def name(self, name):
         if (found := self.leaf(name)) is not None:
             return [found], ATOM
         if name in CONSTANTS and (self.point == THIN or name == "pi"):
-            return [run(CONSTANTS[name])], ATOM
+            return [self.notation.letter(CONSTANTS[name])], ATOM
         return self.constant(self.known(name))
 
     def constant(self, value):
-        return [run(numeral(float(value), "g", self.language))], ATOM
-
-
-def _bracketed(inner: str) -> str:
-    return f"<m:d><m:e>{inner}</m:e></m:d>"
+        return [self.notation.run(numeral(float(value), "g", self.language))], ATOM
 
 
 LONGEST = 50
@@ -106,26 +169,31 @@ def width(node: ElementTree.Element) -> int:
     return len(node.text or "") + around + sum(width(part) for part in node)
 
 
-def equations(step: Step, language: str) -> list[str]:
-    """The line of a step: symbol, formula, numbers, result and unit; what it has no room for stands below."""
-    sides = [symbol(step.symbol)]
+def sides(step: Step, language: str, to: Notation) -> list[str]:
+    """What stands between the signs of equality of a step: symbol, formula, numbers, result and unit."""
+    found = [to.symbol(step.symbol)]
     if step.formula and step.quantity is not None:
-        symbols = {name: symbol(text) for name, text in step.symbols.items()}
-        face = Equation(step.quantity.function, symbols.get, THIN, language)
-        sides.append("".join(face.of(step.quantity.tree)[0]))
+        symbols = {name: to.symbol(text) for name, text in step.symbols.items()}
+        face = Equation(to, step.quantity.function, symbols.get, THIN, language)
+        found.append("".join(face.of(step.quantity.tree)[0]))
     if step.numbers and step.quantity is not None:
-        numbers = {name: run(shown.text(language)) for name, shown in step.values.items()}
-        face = Equation(step.quantity.function, numbers.get, " · ", language)
-        sides.append("".join(face.of(step.quantity.tree)[0]))
+        numbers = {name: to.run(shown.text(language)) for name, shown in step.values.items()}
+        face = Equation(to, step.quantity.function, numbers.get, " · ", language)
+        found.append("".join(face.of(step.quantity.tree)[0]))
     unit = "" if step.unit in ("–", "") else f" {step.unit}"
-    sides.append(run(step.result_written(language) + unit))
-    lines = [sides[0] + run(" = ") + sides[1]]
-    for side in sides[2:]:
-        longer = lines[-1] + run(" = ") + side
+    return [*found, to.run(step.result_written(language) + unit)]
+
+
+def equations(step: Step, language: str) -> list[str]:
+    """The line of a step in OMML; what it has no room for stands below."""
+    first, second, *others = sides(step, language, OMML)
+    lines = [first + OMML.run(" = ") + second]
+    for side in others:
+        longer = lines[-1] + OMML.run(" = ") + side
         if width(ElementTree.fromstring(_math(longer))) <= LONGEST:
             lines[-1] = longer
         else:
-            lines.append(run("= ") + side)
+            lines.append(OMML.run("= ") + side)
     return [_math(line) for line in lines]
 
 

@@ -1,4 +1,4 @@
-"""Parts of the calculation note as data; sheet.py and document.py write them."""
+"""Parts of the calculation note as data; document.py and pdf.py write them."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -12,11 +12,14 @@ from core.text.sentence import numeral
 
 @dataclass(frozen=True)
 class Heading:
-    """level : 1 of the note, 2 of a section, 3 within one; new_page : it begins a page."""
+    """level : 1 of the note, 2 of a section, 3 within one; new_page : it begins a page; wall : number of the result it
+    begins, from 0; listed : in the table of contents."""
 
     text: str
     level: int = 2
     new_page: bool = False
+    wall: int | None = None
+    listed: bool = True
 
 
 @dataclass(frozen=True)
@@ -28,13 +31,41 @@ class Paragraph:
 
 
 @dataclass(frozen=True)
+class Item:
+    """One of a list. sign : before it"""
+
+    text: str
+    tone: str = ""
+    sign: str = "•"
+
+
+@dataclass(frozen=True)
 class Table:
-    """Cells of text. widths : of the columns, relative; tones : by (row, column), as of Paragraph."""
+    """Cells of text. widths : of the columns, relative; tones : by (row, column), as of Paragraph; walls : number of
+    the result of each row, where they have one."""
 
     heads: Sequence[str]
     rows: Sequence[Sequence[str]]
     widths: Sequence[float]
     tones: dict[tuple[int, int], str] = field(default_factory=dict)
+    walls: Sequence[int] = ()
+
+
+@dataclass(frozen=True)
+class Bars:
+    """zeta of each check over the zeta required.
+
+    rows : (name, clause, zeta or None, tone, whether it decides); target : the zeta required
+    """
+
+    rows: Sequence[tuple[str, str, float | None, str, bool]]
+    target: float
+    caption: str
+
+
+@dataclass(frozen=True)
+class Contents:
+    """The sections and their pages."""
 
 
 @dataclass(frozen=True)
@@ -134,7 +165,7 @@ class Figure:
 
 @dataclass(frozen=True)
 class Figures:
-    """Two figures side by side."""
+    """Up to three figures side by side."""
 
     figures: Sequence[Figure]
 
@@ -148,9 +179,9 @@ class Box:
 
 @dataclass(frozen=True)
 class Blanks:
-    """Words with a line to write on behind each."""
+    """Words with a line to write on, and room above it for a signature and a stamp."""
 
     labels: Sequence[str]
 
 
-Part = Heading | Paragraph | Table | Derivation | Figures | Box | Blanks
+Part = Heading | Paragraph | Item | Table | Bars | Contents | Derivation | Figures | Box | Blanks

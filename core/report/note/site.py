@@ -89,8 +89,8 @@ def before_and_after(result: StudyResult, words: Words) -> list[Part]:
         for wall in (one.before, one.after):
             found = wall.assessment
             verdict = found.verdict if found else None
-            label = next((c.label for c in found.checks if c.name == verdict.governing), None) if found else None
-            row += [words.number(verdict.zeta_e if verdict else None, ".2f"), words.word(label) if label else "–"]
+            by = next((c for c in found.checks if c.name == verdict.governing), None) if found else None
+            row += [words.number(verdict.zeta_e if verdict else None, ".2f"), words.short(by) if by else "–"]
         row.append(", ".join(words.word(f"key_{key}") for key in one.changed) or say("nothing"))
         rows.append(row)
     if not rows:

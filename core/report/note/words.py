@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from core.text.sentence import localized, numeral, word
+from core.text.sentence import Number, localized, numeral, sentence, word
 
 
 @dataclass(frozen=True)
@@ -22,3 +22,7 @@ class Words:
     def number(self, value: float | None, form: str) -> str:
         """A number, "–" for None."""
         return numeral(value, form, self.language)
+
+    def short(self, check) -> str:
+        """A check in a table: "time histories", "q = 2"."""
+        return sentence("short", check.label, q=Number(check.q, "g")).text(self.language)

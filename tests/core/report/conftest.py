@@ -26,7 +26,8 @@ def whole_building():
     case = read_case(BUILDING)
     rows = ((30.0, 0.08), (50.0, 0.1), (475.0, case.demand.ag_g), (975.0, 0.34))
     hazard = tuple(HazardRow(years, ag, 2.4, 0.3) for years, ag in rows)
-    walls = tuple(replace(wall, tie_height_m=None) for wall in case.wall)
+    none = dict.fromkeys(("tie_height_m", "tie_bar_length_m", "tie_elongation_m"))
+    walls = tuple(replace(wall, **none) for wall in case.wall)
     asked = replace(case, wall=walls, demand=replace(case.demand, hazard=hazard))
     return run(replace(asked, analysis=replace(case.analysis, q_step=0.05)), base_dir=BUILDING.parent)
 

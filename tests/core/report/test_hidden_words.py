@@ -69,5 +69,14 @@ def test_that_no_word_of_the_document_is_hidden(which, request, tmp_path):
     pytest.importorskip("docx")
     result = request.getfixturevalue(which)
     path = tmp_path / "note.docx"
-    path.write_bytes(export.note_content(result))
+    path.write_bytes(export.note_content(result, path, None))
     assert_seen(printed(path, tmp_path), result)
+
+
+@pytest.mark.parametrize("which", ["verdict", "whole_building"])
+def test_that_no_word_of_the_pdf_is_hidden(which, request, tmp_path):
+    pytest.importorskip("typst")
+    result = request.getfixturevalue(which)
+    path = tmp_path / "note.pdf"
+    path.write_bytes(export.note_content(result, path, None))
+    assert words_without_ink(path) == []

@@ -110,7 +110,6 @@ def test_that_formulas_stand_on_the_check_sheet_with_named_cells(book):
     assert {sheet for sheet, _ in found} == {
         "Summary",
         "Overview",
-        "Calculation note",
         "Check",
         "Dynamic check",
         "Results",
@@ -232,7 +231,7 @@ def loads(folder):
 def test_that_loads_are_on_every_sheet_that_a_reader_needs(loads):
     result, book = loads
     names = book.workbook.sheetnames
-    assert names[:3] == ["Summary", "Calculation note", "Risk"]
+    assert names[:3] == ["Summary", "Risk", "Input"]
 
     def words(name):
         return [str(cell.value) for row in book.workbook[name].iter_rows() for cell in row if cell.value]
@@ -350,7 +349,6 @@ def test_that_the_sheets_are_those_of_the_contract(folder, book):
     assert book.workbook.sheetnames == [
         "Summary",
         "Overview",
-        "Calculation note",
         "Input",
         "Records",
         "Results",
@@ -363,14 +361,7 @@ def test_that_the_sheets_are_those_of_the_contract(folder, book):
         "Method",
     ]
     italian = made(folder, "it")[1]
-    assert italian.workbook.sheetnames[:6] == [
-        "Sintesi",
-        "Riepilogo",
-        "Relazione",
-        "Dati",
-        "Accelerogrammi",
-        "Risultati",
-    ]
+    assert italian.workbook.sheetnames[:5] == ["Sintesi", "Riepilogo", "Dati", "Accelerogrammi", "Risultati"]
     text = " ".join(
         str(cell.value)
         for sheet in italian.workbook
@@ -430,7 +421,7 @@ def test_that_a_case_without_records_or_demand_still_makes_every_sheet(folder):
         if "demand" not in more:
             table["demand"] = {"ag_g": 0.1, "housner_intensity_cm": 60.0}
         _, book = made(folder, **table)
-        assert len(book.workbook.sheetnames) == 13
+        assert len(book.workbook.sheetnames) == 12
         openpyxl.load_workbook(BytesIO(book.content()))
 
 

@@ -49,7 +49,6 @@ OF_NO_SENTENCE = {
     "core/ground/records/california.py": "patterns of heads of files",
     "core/ground/records/geonet.py": "patterns of heads of files",
     "core/ground/records/wordings.py": "words of heads of files",
-    "core/report/note/document.py": "a place of a legend",
     "core/study/assessment.py": "the first line of a bundled motion",
     "core/wall/restitution.py": "sources of the models",
     "packaging/platforms.py": "names of systems, for the documents",
