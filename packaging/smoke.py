@@ -163,7 +163,7 @@ def other_products(program: Path, folder: Path) -> None:
         said.append((re.sub(rf"<[^>]*>|20\d\d-\d\d-\d\d[T ][\d:]+|{built}\w*", "", text), pictures))
     assert said[0] == said[1], "another note than the source tree's"
     signed, mine = folder / "note.pdf", variables(folder)
-    asked = [program, "--batch", case, "--output", folder / "signed", "--quiet", "--report", signed]
+    asked: list[str | Path] = [program, "--batch", case, "--output", folder / "signed", "--quiet", "--report", signed]
     subprocess.run(asked, check=True, env=mine, cwd=folder)
     subprocess.run([program, "--extract", signed, "--output", folder / "within"], check=True, env=mine)
     assert {file.name for file in (folder / "within").iterdir()} == {"case.toml", "results.json", "records.csv"}

@@ -107,6 +107,14 @@ WIDTHS, HEIGHTS = [348, 318], [430, 260]
 """Of input and records where both sides are taken, of records and verdict below them [px]."""
 
 
+def show_walls(window) -> None:
+    """Bring the form of the walls to the front."""
+    window.forms.setCurrentIndex(0)
+    dock = window.findChild(QDockWidget, "input")
+    dock.show()
+    dock.raise_()
+
+
 def arrange(window, narrow: bool) -> None:
     """Records and verdict right of the tabs, or behind the input where the window is narrow, as wide as at first."""
     _place(window, narrow)

@@ -9,8 +9,8 @@ from app.views.result_tabs import IntensityTab, SpectraTab
 from app.views.walls_tab import WallsTab
 
 
-def pages(language: str, validation, pick) -> dict[str, tuple[Page, str]]:
-    """Pages and their labels by name. validation : makes that tab; pick(k) : shows the k-th wall of the result."""
+def pages(language: str, validation, pick, note) -> dict[str, tuple[Page, str]]:
+    """Pages and their labels by name. validation, note : make these tabs; pick(k) : shows the k-th wall."""
 
     def walls() -> WallsTab:
         tab = WallsTab(language)
@@ -25,4 +25,5 @@ def pages(language: str, validation, pick) -> dict[str, tuple[Page, str]]:
         "intensity": (Page(IntensityTab), tr("q against SI")),
         "spectra": (Page(lambda: SpectraTab(language)), tr("Spectra")),
         "validation": (Page(validation), tr("Validation")),
+        "note": (Page(note), tr("Note")),
     }

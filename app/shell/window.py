@@ -16,6 +16,7 @@ from app.shell.files import Files
 from app.shell.pages import Veil, card
 from app.views.chart import Chart
 from app.views.chart_output import ChartOutput
+from app.views.note_tab import NoteTab
 from app.views.table import Table
 from app.views.validation_tab import ValidationTab
 from app.work.preparation import Preparation
@@ -116,7 +117,7 @@ class MainWindow(RunningWindow):
 
     def _tabs(self) -> None:
         self.tabs = QTabWidget()
-        made = tabs.pages(self.language, self._validation, self.pick)
+        made = tabs.pages(self.language, self._validation, self.pick, self._note)
         self.pages = {name: page for name, (page, _) in made.items()}
         self.tab_labels = tuple(label for _, label in made.values())
         for page, label in made.values():
@@ -147,6 +148,13 @@ class MainWindow(RunningWindow):
     def _validation(self) -> ValidationTab:
         tab = ValidationTab()
         tab.asked.connect(self.state_accuracy)
+        return tab
+
+    def _note(self) -> NoteTab:
+        tab = NoteTab(lambda: self.session.base_dir)
+        tab.checked.connect(self.pick)
+        tab.picked.connect(self.pick_input)
+        tab.exported.connect(self.files.ask_note)
         return tab
 
     def set_choice(self, setting: str, name: str, keep: bool = True) -> None:
@@ -255,6 +263,12 @@ class MainWindow(RunningWindow):
         self.chosen.setCurrentIndex(k)
         self._wall_chosen()
         self.tabs.setCurrentWidget(self.pages["check"])
+
+    def pick_input(self, k: int) -> None:
+        """Show the input of the k-th wall of the result."""
+        self.chosen.setCurrentIndex(k)
+        self._wall_chosen()
+        docks.show_walls(self)
 
     def charts(self) -> list[Chart]:
         """Every chart that shows something of the wall shown. Its tab is once in front: Qt lays nothing out before."""

@@ -1,7 +1,10 @@
-"""Kernels compiled or loaded in the background, as soon as a case needs them."""
+"""Kernels compiled or loaded in the background, as soon as a case needs them; then what sets a note."""
+
+import contextlib
 
 from app.look.language import tr
 from app.work.worker import Job
+from core.errors import InputError
 from core.jit import cache
 
 
@@ -42,6 +45,11 @@ class Preparation:
 
             warm(case, motion)
             cache.record(cache.folder())
+            with contextlib.suppress(InputError):  # without its packages the note says so itself
+                from core.report.note.archive import Note
+                from core.report.note.parts import Paragraph
+
+                Note([Paragraph("-")], "en").pages(30.0)
 
         def ended() -> None:
             self.job = None

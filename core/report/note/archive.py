@@ -33,16 +33,19 @@ HASH = 16
 """Letters of the hash of a case at the foot of a page."""
 
 
-def note_of(result: StudyResult, base_dir: Path, steps: Steps | None = None, source: str = "") -> Note:
+def note_of(
+    result: StudyResult, base_dir: Path, steps: Steps | None = None, source: str = "", within: bool = True
+) -> Note:
     """The note of a result, ready to be set.
 
     base_dir : folder of the case, which the name of the logo is relative to; source : the text of its file
+    within : with its files
     Raises InputError for a logo or a font that is not there, OutputError without the packages of the group `report`.
     """
     report = result.case.report
     parts = list((steps or Steps()).each(note(result, report.language)))
     foot = f"{line()}   SHA-256 {result.case.sha256[:HASH]}"
-    office, files = office_of(report, base_dir), attached(result, source)
+    office, files = office_of(report, base_dir), attached(result, source) if within else ()
     return Note(parts, report.language, foot, report.date, office, files, report.font)
 
 

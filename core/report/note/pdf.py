@@ -6,6 +6,7 @@ Texts go to Typst as data (`sys.inputs`), never as code; the mathematics of a de
 import datetime
 import difflib
 import functools
+import io
 import json
 import re
 from collections.abc import Sequence
@@ -125,6 +126,23 @@ class Note:
         import typst
 
         return json.loads(typst.eval(_template(), LEADS, **self._given([])))
+
+    def lines(self) -> list[tuple[int, float, str]]:
+        """What is written: page from 1, y of the line from the top [pt], its text."""
+        import pypdf
+
+        found: list[tuple[int, float, str]] = []
+        reader = pypdf.PdfReader(io.BytesIO(self._set([], format="pdf", timestamp=self._stamp())))
+        for number, page in enumerate(reader.pages, start=1):
+            tall, of_page = float(page.mediabox.height), dict[float, str]()
+
+            def seen(text, matrix, placed, *_, tall=tall, of_page=of_page):
+                y = round(tall - (placed[5] * matrix[3] + matrix[5]), 1)
+                of_page[y] = of_page.get(y, "") + text.replace("\n", "")
+
+            page.extract_text(visitor_text=seen)
+            found += [(number, y, text) for y, text in sorted(of_page.items()) if text.strip()]
+        return found
 
     def _stamp(self) -> int:
         return int(datetime.datetime.combine(self.day, datetime.time(), datetime.UTC).timestamp())
