@@ -148,7 +148,6 @@ SHOWN_BY = {
             "rows",
             "sheets",
             "summary_sheet",
-            "summary_charts",
         )
     },
     **{

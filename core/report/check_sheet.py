@@ -56,7 +56,6 @@ def check(book: Book, result: StudyResult) -> None:
     for wall in book.steps.each(result.walls):
         row = _wall(book, sheet, result, wall, demand, row + 1)
     sheet.freeze_panes = "A4"
-    sheet.print_area = f"A1:M{sheet.max_row}"
     close_inputs(book, sheet)
 
 

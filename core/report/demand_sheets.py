@@ -25,7 +25,7 @@ from core.report.cells import (
     text,
     title,
 )
-from core.report.plots import add_series, new_chart, rows_below
+from core.report.plots import add_series, new_chart
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import word
 from core.units import G
@@ -214,7 +214,6 @@ def spectral_compatibility(book: Book, result: StudyResult) -> None:
     )
     chart = _spectra(book, sheet, result)
     sheet.add_chart(chart, f"A{row + 1}")
-    sheet.print_area = f"A1:I{row + 1 + rows_below(chart.height)}"
 
 
 def _spectra(book: Book, sheet, result: StudyResult) -> ScatterChart:

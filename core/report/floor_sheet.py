@@ -1,7 +1,5 @@
 """The sheet of the floors: what moves the walls above the ground, the code beside the records."""
 
-from openpyxl.worksheet.pagebreak import Break
-
 from core.report.cells import ACCELERATION, ACCENT, BAD, QUIET, RATIO, Book, header, number, paragraph, text, title
 from core.report.plots import DATA, add_series, new_chart, rows_below
 from core.study.floors import CHART_PERIODS, Floor
@@ -32,10 +30,7 @@ def floors(book: Book, result: StudyResult) -> None:
         color=QUIET,
     )
     for index, (z, floor) in enumerate(sorted(found.items())):
-        if index:  # a page each: tables and chart stay together
-            sheet.row_breaks.append(Break(id=row))
         row = _floor(book, sheet, floor, z, index, row + 1)
-    sheet.print_area = f"A1:H{row}"
 
 
 def _floor(book: Book, sheet, floor: Floor, z: float, index: int, row: int) -> int:

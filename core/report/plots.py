@@ -11,7 +11,6 @@ from openpyxl.drawing.line import LineProperties
 from openpyxl.drawing.text import CharacterProperties, Paragraph, ParagraphProperties, RegularTextRun
 from openpyxl.formatting.rule import ColorScaleRule
 from openpyxl.utils import get_column_letter
-from openpyxl.worksheet.pagebreak import Break
 
 from core.capacity.closed_forms import closed_form_q_eff, effective_q
 from core.capacity.scale_free_law import dimensionless_intensity, law_of, loss_ratio
@@ -84,17 +83,11 @@ def _placed(sheet, chart, index: int, count: int, row: int) -> int:
     """Put the chart of this index, of so many, onto the sheet; returns the row of the next."""
     if count < ABREAST_FROM:
         sheet.add_chart(chart, f"A{row}")
-        row += rows_below(chart.height)
-        if index % 3 == 2:
-            sheet.row_breaks.append(Break(id=row - 1))
-        return row
+        return row + rows_below(chart.height)
     sheet.add_chart(chart, f"{'AF'[index % 2]}{row}")
     if index % 2 == 0 and index < count - 1:
         return row
-    row += rows_below(chart.height)
-    if index % 6 == 5:
-        sheet.row_breaks.append(Break(id=row - 1))
-    return row
+    return row + rows_below(chart.height)
 
 
 def add_series(chart, sheet, columns, rows, color, points=False, dash=None, width=19000) -> None:
@@ -155,7 +148,6 @@ def q_against_si(book: Book, result: StudyResult) -> None:
     if len(walls) > CHART_WALLS:
         names = ", ".join(wall.name for wall in walls[CHART_WALLS:])
         row = paragraph(sheet, row, say("Not drawn: ") + names, 10, 90)
-    sheet.print_area = f"A1:J{max(row, 24)}"
 
 
 def _si_data(book: Book, sheet, wall: WallResult, column: int) -> tuple[int, int]:
@@ -233,7 +225,6 @@ def histories(book: Book, result: StudyResult, drawn: list[CollapseHistories]) -
         names = ", ".join(f"{wall.name} ({word(wall.mechanism, book.language)})" for wall in rest)
         paragraph(sheet, row, say("Not drawn: ") + names, 10, 90)
         row += 2
-    sheet.print_area = f"A1:J{max(row, 22)}"
 
 
 def _history_data(book: Book, sheet, entry: CollapseHistories, column: int) -> tuple[int, int]:

@@ -41,7 +41,6 @@ def risk(book: Book, result: StudyResult) -> None:
     row = _ties(book, sheet, result, row + 1)
     row = _variants(book, sheet, result, row + 1)
     sheet.freeze_panes = "B4"
-    sheet.print_area = f"A1:K{row}"
 
 
 def _walls(book: Book, sheet, result: StudyResult, row: int) -> int:

@@ -6,7 +6,6 @@ from copy import copy
 from core.codes.eq9 import LABEL
 from core.derivation.wall import deciding
 from core.ground.ground_motion import GroundMotion
-from core.report.assumptions import assumptions_of
 from core.report.cells import (
     ACCELERATION,
     AMBER,
@@ -16,35 +15,29 @@ from core.report.cells import (
     QUIET,
     RATIO,
     Book,
-    frame,
     header,
     heighten,
-    merge,
     number,
     paragraph,
     rule,
-    style,
     text,
     title,
 )
 from core.report.derived import cell_prefix
-from core.report.plots import rows_below
+from core.report.note.content import works
+from core.report.note.words import Words
 from core.report.rows import changed_cell
-from core.report.summary_charts import peaks, sketch
 from core.report.tie_words import tie_lines
 from core.report.verdict_words import in_order, lines_of, sentence_of, tone_of
 from core.study.results import Q_SOURCES, StudyResult, WallResult
-from core.text.sentence import localized, word
-from core.units import CM, G
-from core.version import NAME, VERSION
+from core.text.sentence import word
+from core.units import G
 
 SUMMARY_WALLS = 8
 """Walls listed on the Summary, which is one page; all are on the Overview."""
 
 WIDTHS = [30, 12, 8, 9, 9, 7, 8, 14, 9, 8, 9, 9, 26]
 LAST = len(WIDTHS)
-PICTURES_CM = 6.2
-"""Height of the drawing and of the chart of the peaks, which stand beside the table of methods."""
 TONE_COLORS = {"": INK, "good": GOOD, "amber": AMBER, "bad": BAD}
 
 
@@ -54,8 +47,8 @@ def verdict_color(result: StudyResult, wall: WallResult) -> str:
 
 
 def summary(book: Book, result: StudyResult) -> None:
-    """One A4 page: title block, demand, walls, the governing wall's checks, verdict, signature."""
-    say, report, case = book.say, result.case.report, result.case
+    """One page: title block, demand, walls, the governing wall's checks, its verdict, warnings."""
+    say, case = book.say, result.case
     sheet = book.sheet("Summary", WIDTHS, landscape=True)
     sheet.page_setup.fitToHeight = 1
     title(sheet, 1, case.title, 16)
@@ -70,10 +63,13 @@ def summary(book: Book, result: StudyResult) -> None:
         160,
         color=QUIET,
     )
-    row = _title_block(book, sheet, result, report, 3)
+    row = 3
+    for label, value in works(result, Words(book.language)):
+        text(sheet, row, 1, label, color=QUIET)
+        text(sheet, row, 2, value)
+        row += 1
     changed_cell(book, sheet, row, 1)
     row += 1
-    row = _demand_lines(book, sheet, result, row, LAST)
     ordered = [wall for wall, decides in in_order(result) if decides]
     row = _walls_table(book, sheet, result, ordered[:SUMMARY_WALLS], row + 1)
     if len(ordered) > SUMMARY_WALLS:
@@ -91,9 +87,7 @@ def summary(book: Book, result: StudyResult) -> None:
         )
     if ordered[0].assessment:
         row = _governing(book, sheet, result, ordered[0], row + 1)
-    row = _warnings(book, sheet, result, row + 1, LAST)
-    _signature(book, sheet, row + 1, [wall.wall for wall in result.walls])
-    sheet.print_area = f"A1:M{sheet.max_row}"
+    _warnings(book, sheet, result, row + 1, LAST)
 
 
 def lists_all(result: StudyResult) -> bool:
@@ -109,60 +103,6 @@ def overview(book: Book, result: StudyResult) -> None:
     sheet.auto_filter.ref = f"A3:M{last - 1}"
     sheet.freeze_panes = "B4"
     sheet.print_title_rows = "3:3"
-
-
-def _title_block(book: Book, sheet, result: StudyResult, report, row: int) -> int:
-    """Labels and values in two columns."""
-    say, asked = book.say, result.case.demand
-    started = result.started_utc[:16].replace("T", " ")
-    block = [
-        (say("Client"), report.client),
-        (say("Site"), report.site),
-        (say("Project"), report.project),
-        (say("Author"), report.author),
-        (say("Revision"), report.revision),
-        (say("Date"), report.date),
-        (say("Program"), f"{NAME} {VERSION}, {started} UTC"),
-    ]
-    if asked:
-        life = [
-            f"{label} {book.digits(value, 'g')}"
-            for label, value in (
-                ("V_N", asked.nominal_life_years),
-                ("C_U", asked.use_class_factor),
-                ("T_R", asked.return_period and round(asked.return_period)),
-            )
-            if value is not None
-        ]
-        place = ", ".join(part for part in (asked.site, asked.coordinates, *life) if part)
-        block.append((say("Seismic site"), place))
-    block = [(label, value) for label, value in block if value]
-    for k, (label, value) in enumerate(block):
-        column = 1 if k % 2 == 0 else 7
-        text(sheet, row + k // 2, column, label, color=QUIET)
-        text(sheet, row + k // 2, column + (1 if column == 1 else 2), value)
-    return row + (len(block) + 1) // 2 + 1
-
-
-def _demand_lines(book: Book, sheet, result: StudyResult, row: int, last: int) -> int:
-    demand, say = result.demand, book.say
-    if demand is None:
-        line = say("No demand given: no check.")
-        return paragraph(sheet, row, line, last, 150, bold=True)
-    line = (
-        f"{say('Demand')} {demand.limit_state}: a_g {book.digits(demand.ag / G, '.3f')} g "
-        f"({say('on rock, S apart')}), S {book.digits(demand.soil_factor, '.3f')}, "
-        f"S a_g {book.digits(demand.pga / G, '.3f')} g, {word(f'confidence_{demand.confidence_on}', book.language)} "
-        f"{book.digits(demand.confidence_factor, '.2f')}"
-    )
-    if demand.target:
-        line += f", {demand.target.name}"
-    if demand.intensity:
-        source = {"given": say("given"), "spectrum": say("of the spectrum"), "records_scaled": say("from the records")}[
-            demand.intensity_source
-        ]
-        line += f", SI {book.digits(demand.intensity / CM, '.1f')} cm ({source})"
-    return paragraph(sheet, row, line, last, 150, bold=True)
 
 
 def _walls_table(book: Book, sheet, result: StudyResult, walls: list[WallResult], row: int) -> int:
@@ -236,15 +176,12 @@ def _link(book: Book, sheet, result: StudyResult, wall: WallResult, row: int) ->
 
 
 def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: int) -> int:
-    """The wall with the lowest zeta: table of methods, sketch, peaks, verdict."""
+    """The wall with the lowest zeta: table of methods, verdict."""
     say, assessment = book.say, wall.assessment
     label = f"{wall.name} – {word(wall.mechanism, book.language)}"
     title(sheet, row, label, 12)
-    if assessment.kinematic:
-        line = _mechanism_line(book, assessment.kinematic)
-        if assessment.risk:
-            line += ", " + _risk_line(book, assessment.risk)
-        row = paragraph(sheet, row + 1, line, LAST, 150, color=QUIET) - 1
+    if assessment.risk:
+        row = paragraph(sheet, row + 1, _risk_line(book, assessment.risk), LAST, 150, color=QUIET) - 1
     top = row + 1
     header(
         sheet,
@@ -267,14 +204,9 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
             row += 1
             values = (check.q, check.capacity / G, check.demand / G, "g", check.ratio, check.passed)
             _method_row(book, sheet, row, word(source, book.language), LABEL, values, False)
-    if wall.wall.height_m:
-        sketch(book, sheet, wall, f"I{top}", (3.3, PICTURES_CM))
-    if assessment.dynamic:
-        peaks(book, sheet, assessment.dynamic, f"K{top}", 8.4, PICTURES_CM)
-    row = max(row + 1, top + rows_below(PICTURES_CM))
     row = paragraph(
         sheet,
-        row,
+        row + 2,
         sentence_of(result, wall, book.language),
         LAST,
         120,
@@ -294,29 +226,6 @@ def _risk_line(book: Book, risk) -> str:
         parts.append(f"T_R,C {risk.years} {book.say('years')}")
     if risk.index is not None:
         parts.append(f"IS-V {book.digits(risk.index, '.2f')} ({risk.letter})")
-    return ", ".join(parts)
-
-
-def _mechanism_line(book: Book, assessment) -> str:
-    """Quantities of the mechanism in one line."""
-    say = book.say
-    parts = [
-        f"α0 {book.digits(assessment.alpha0, '.4f')}",
-        f"e* {book.digits(assessment.e_star, '.3g')}",
-        f"a0* {book.digits(assessment.a0 / G, '.3f')} g",
-    ]
-    if assessment.m_star is not None:
-        parts.append(f"M* {book.digits(assessment.m_star, '.0f')} kg/m")
-    if assessment.chain.friction_height is not None:
-        parts.append(say("of the upper {h:.2f} m with friction", h=assessment.chain.friction_height))
-    if assessment.free_element:
-        parts.append(say("free to vibrate"))
-        if assessment.period_0 is not None:
-            parts.append(f"T_0 {book.digits(assessment.period_0, '.3f')} s")
-    else:
-        parts.append(say("not free to vibrate"))
-    if assessment.zeta_sld is not None:
-        parts.append(f"a_g,SLD/a_g {book.digits(assessment.zeta_sld, '.2f')}")
     return ", ".join(parts)
 
 
@@ -367,29 +276,3 @@ def _warnings(book: Book, sheet, result: StudyResult, row: int, last: int, most:
             sheet, row, book.say("{n} more on the sheets Records and Check.", n=len(owners) - most), last, 140
         )
     return row
-
-
-def _signature(book: Book, sheet, row: int, walls) -> None:
-    """Assumptions to tick, the judgement the engineer writes (NTC 2018 10.2), place for a signature.
-    Where loads are given, they are what is confirmed, and so are ties."""
-    say = book.say
-    text(sheet, row, 1, say("Assumptions confirmed by the engineer"), bold=True)
-    text(sheet, row, 7, say("Reasoned judgement on the results (NTC 2018 10.2)"), bold=True)
-    codes = assumptions_of(walls)
-    for n, code in enumerate(codes, start=1):
-        ticked = code == "no_load" and all(wall.unloaded_confirmed for wall in walls)
-        assumption = localized("assumption", code, book.language)
-        text(sheet, row + n, 1, f"{'☑' if ticked else '☐'}  {assumption}")
-    last = row + len(codes)
-    merge(sheet, row + 1, 7, last, LAST)
-    for r in range(row + 1, last + 1):
-        for c in range(7, LAST + 1):
-            edges = {"left": c == 7, "right": c == LAST, "top": r == row + 1, "bottom": r == last}
-            frame(sheet.cell(r, c), QUIET, *(side for side, here in edges.items() if here))
-    style(sheet.cell(row + 1, 7), wrap=True)
-    row = last + 2
-    text(sheet, row, 1, say("Engineer"), color=QUIET)
-    text(sheet, row, 7, say("Place and date"), color=QUIET)
-    text(sheet, row, 11, say("Signature and stamp"), color=QUIET)
-    for c in (2, 3, 4, 8, 9, 10, 12, 13):
-        frame(sheet.cell(row, c), QUIET, "bottom")

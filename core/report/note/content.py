@@ -74,7 +74,7 @@ def _answer(result: StudyResult, words: Words) -> list[Part]:
         Paragraph(
             say("Calculation note: out-of-plane overturning of masonry walls (Circolare 7/2019, C8.7.1.2.1)"), "quiet"
         ),
-        Table((), _works(result, words), (1, 4)),
+        Table((), works(result, words), (1, 4)),
         Heading(say("Outcome")),
         *_verdicts(result, words),
     ]
@@ -88,7 +88,7 @@ def _answer(result: StudyResult, words: Words) -> list[Part]:
     return [*parts, Blanks((say("Engineer"), say("Place and date"), say("Signature and stamp")))]
 
 
-def _works(result: StudyResult, words: Words) -> list[tuple[str, str]]:
+def works(result: StudyResult, words: Words) -> list[tuple[str, str]]:
     """Works, site and demand, a line each."""
     say, report, asked, demand = words.say, result.case.report, result.case.demand, result.demand
     site_of = ", ".join(filter(None, (report.site, *((asked.site, asked.coordinates) if asked else ()))))
@@ -105,6 +105,7 @@ def _works(result: StudyResult, words: Words) -> list[tuple[str, str]]:
             say("Limit state {state}", state=demand.limit_state),
             f"a_g {words.number(demand.ag / G, '.3f')} g",
             f"S {words.number(demand.soil_factor, '.2f')}",
+            f"S a_g {words.number(demand.pga / G, '.3f')} g",
         ]
         if demand.return_period is not None:
             said.append(f"T_R {words.number(demand.return_period, '.0f')} {say('years')}")

@@ -55,32 +55,8 @@ class _Writer:
         section.page_width, section.page_height = Cm(21.0), Cm(29.7)
         section.left_margin = section.right_margin = Cm(2.0)
         section.top_margin, section.bottom_margin = Cm(1.6), Cm(1.6)
-        normal = made.styles["Normal"]
-        normal.font.name, normal.font.size = "Calibri", Pt(9.5)
-        normal.paragraph_format.space_after = Pt(2)
-        normal.paragraph_format.space_before = Pt(0)
-        for level, size in ((1, 16), (2, 12), (3, 10)):
-            style = made.styles[f"Heading {level}"]
-            style.font.name, style.font.size = "Calibri", Pt(size)
-            style.font.color.rgb = RGBColor.from_string(COLORS["accent"][1:])
-            style.paragraph_format.space_before = Pt(8 if level < 3 else 5)
-            style.paragraph_format.space_after = Pt(2)
-        self._number_pages(section)
-
-    def _number_pages(self, section) -> None:
-        """The number of the page at the foot, as a field of Word."""
-        from docx.oxml import OxmlElement
-        from docx.oxml.ns import qn
-
-        run = section.footer.paragraphs[0].add_run("Ribalta  ")
-        for kind, content in (("begin", None), (None, "PAGE"), ("end", None)):
-            if kind:
-                mark = OxmlElement("w:fldChar")
-                mark.set(qn("w:fldCharType"), kind)
-            else:
-                mark = OxmlElement("w:instrText")
-                mark.text = content
-            run._r.append(mark)
+        made.styles["Normal"].font.size = Pt(9.5)
+        made.styles["Normal"].paragraph_format.space_after = Pt(2)
 
     def add(self, part: Part) -> None:
         if isinstance(part, Heading):
@@ -172,7 +148,9 @@ class _Writer:
         for k, figure in enumerate(self.steps.each(figures)):
             self.figures += 1
             run = table.cell(0, k).paragraphs[0].add_run()
-            run.add_picture(io.BytesIO(picture(figure, self.words)), width=self.cm(8.0))
+            run.add_picture(
+                io.BytesIO(picture(figure, self.words)), width=self.cm((WIDTH - 0.5) / max(2, len(figures)))
+            )
             caption = f"Fig. {self.figures}. {figure.caption}"
             self._run(table.cell(1, k).paragraphs[0], caption, "quiet", 8)
         self.made.add_paragraph()

@@ -10,7 +10,7 @@ import io
 import json
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any
 
@@ -18,19 +18,7 @@ from core.errors import InputError, section
 from core.packages import require
 from core.report.note.equation import TYPST, sides
 from core.report.note.figure_geometry import laid_out
-from core.report.note.parts import (
-    Bars,
-    Blanks,
-    Box,
-    Contents,
-    Derivation,
-    Figures,
-    Heading,
-    Item,
-    Paragraph,
-    Part,
-    Table,
-)
+from core.report.note.parts import Bars, Blanks, Derivation, Figures, Heading, Item, Part, Table
 from core.report.note.words import Words
 from core.version import NAME, line
 
@@ -161,65 +149,42 @@ class Note:
             raise InputError("note_not_set", reason=error.message) from None
 
     def _part(self, part: Part) -> dict[str, Any]:
-        """A part as the template takes it."""
+        """A part as the template takes it: its kind and its fields, and what follows from them."""
+        given = {"kind": type(part).__name__.lower()} | {
+            entry.name: getattr(part, entry.name) for entry in fields(part)
+        }
         match part:
             case Heading():
-                target = None if part.wall is None else {"wall": part.wall}
                 outlined = part.listed and part.level == 2
-                look = {"level": part.level, "new_page": part.new_page, "outlined": outlined}
-                return {"kind": "heading", "text": part.text, "target": target} | look
-            case Paragraph():
-                return {"kind": "paragraph", "text": part.text, "tone": part.tone}
+                return given | {"outlined": outlined, "target": None if part.wall is None else {"wall": part.wall}}
             case Item():
-                sign = BOXES.get(part.sign, part.sign)
-                return {"kind": "item", "text": part.text, "tone": part.tone, "sign": sign}
+                return given | {"sign": BOXES.get(part.sign, part.sign)}
             case Table():
                 columns = list(zip(*part.rows, strict=True)) or [()] * len(part.widths)
-                return {
-                    "kind": "table",
-                    "heads": list(part.heads),
-                    "rows": [list(row) for row in part.rows],
-                    "widths": list(part.widths),
+                return given | {
                     "tones": {f"{n},{k}": tone for (n, k), tone in part.tones.items()},
                     "right": [bool(cells) and all(map(NUMERIC.fullmatch, cells)) for cells in columns],
                     "targets": [{"wall": wall} for wall in part.walls],
                 }
             case Bars():
-                return {"kind": "bars", "target": part.target, "caption": part.caption, "rows": self._bars(part)}
+                names = ("name", "clause", "value", "tone", "decides", "written")
+                rows = [(n, c, z or 0.0, *rest, self.words.number(z, ".2f")) for n, c, z, *rest in part.rows]
+                return given | {"rows": [dict(zip(names, row, strict=True)) for row in rows]}
             case Derivation():
                 short = all(step.quantity is None or not step.formula for step in part.steps)
-                return {"kind": "derivation", "steps": [self._step(step) for step in part.steps], "short": short}
+                return given | {"steps": [self._step(step) for step in part.steps], "short": short}
             case Figures():
-                found = [laid_out(figure, self.words, len(part.figures)) for figure in part.figures]
-                return {"kind": "figures", "figures": [one | {"alt": one["caption"]} for one in found]}
-            case Box():
-                return {"kind": "box", "lines": part.lines}
+                return given | {"figures": [laid_out(one, self.words, len(part.figures)) for one in part.figures]}
             case Blanks():
-                return {"kind": "blanks", "labels": list(part.labels), "height": SIGNATURE}
-            case Contents():
-                return {"kind": "contents"}
-        raise TypeError(part)
-
-    def _bars(self, part: Bars) -> list[dict[str, Any]]:
-        return [
-            {
-                "name": name,
-                "clause": clause,
-                "value": zeta or 0.0,
-                "written": self.words.number(zeta, ".2f"),
-                "tone": tone,
-                "decides": decides,
-                "target": {"check": True},
-            }
-            for name, clause, zeta, tone, decides in part.rows
-        ]
+                return given | {"height": SIGNATURE}
+        return given
 
     def _step(self, step) -> dict[str, Any]:
         language = self.words.language
         first, *others = sides(step, language, TYPST)
         equation = first + "".join(f"= {other}" for other in others)
         alt = f"{step.written(language)} = {step.result_written(language)} {step.unit.replace('–', '')}".strip()
-        return {"math": equation, "alt": alt, "label": step.label, "clause": step.clause, "target": {"check": True}}
+        return {"math": equation, "alt": alt, "label": step.label, "clause": step.clause}
 
 
 WORDS = {"page": "page", "fig": "Fig."}

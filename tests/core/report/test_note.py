@@ -24,7 +24,7 @@ from core.report import workbook
 from core.report.derived import cell_prefix
 from core.report.note.content import note
 from core.report.note.equation import LONGEST, equations, width
-from core.report.note.parts import Bars, Derivation, Figures, Heading, Item, Paragraph, Step, Table
+from core.report.note.parts import Bars, Blanks, Box, Derivation, Figures, Heading, Item, Paragraph, Step, Table
 from core.report.verdict_words import in_order, lines_of, sentence_of
 from core.study.demand_histories import deciding_runs, demand_histories
 from core.study.run import run
@@ -129,6 +129,22 @@ def test_that_the_note_gives_hazard_building_loads_and_what_is_changed(whole_bui
         for load in wall.wall.load:
             assert f"{load.kn_m:.2f} kN/m" in drawn
             assert f"{load.kn_m:.2f}" in {row[1] for row in listed}
+
+
+def _unloaded(wall):
+    return replace(wall, part=replace(wall.part, wall=replace(wall.wall, unloaded_confirmed=True)))
+
+
+def test_that_what_the_engineer_confirms_judges_and_signs_is_left_blank(whole_building, verdict):
+    """Ticked is only what every wall says; with loads and ties these are what is confirmed."""
+    parts = note(whole_building, "en")
+    ticks = {part.text: part.sign for part in parts if isinstance(part, Item) and part.sign in "☑☐"}
+    assert set(ticks.values()) == {"☐"} and any("yield" in text for text in ticks)
+    assert not any("no load or thrust" in text for text in ticks)
+    assert sum(isinstance(part, Box) for part in parts) == 1 and sum(isinstance(part, Blanks) for part in parts) == 2
+    sure = replace(verdict, walls=[_unloaded(wall) for wall in verdict.walls])
+    ticked = [part.text for part in note(sure, "en") if isinstance(part, Item) and part.sign == "☑"]
+    assert len(ticked) == 1 and "no load" in ticked[0]
 
 
 def test_that_what_no_file_states_of_the_records_takes_no_column(verdict):

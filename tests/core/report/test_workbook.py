@@ -237,8 +237,7 @@ def test_that_loads_are_on_every_sheet_that_a_reader_needs(loads):
         return [str(cell.value) for row in book.workbook[name].iter_rows() for cell in row if cell.value]
 
     summary, risk = words("Summary"), words("Risk")
-    assert any("ties yield" in text for text in summary)
-    assert not any("no load or thrust" in text for text in summary)
+    assert any("a_g 0." in text for text in summary)
     assert any("vertical load, intensity 10" in text for text in words("Input"))
     assert sum(text in ("vertical load", "thrust", "tie", "carried mass") for text in words("Check")) == 6
     assert any("m above the base" in text and "displacement check" in text for text in risk)
@@ -371,13 +370,6 @@ def test_that_the_sheets_are_those_of_the_contract(folder, book):
     )
     for english in ("Warnings", "two-sided", "passed", "collapse found", "Ground"):
         assert english not in text
-
-
-def test_that_the_engineers_judgement_is_left_blank(ntc):
-    sheet = ntc.workbook["Sintesi"]
-    label = next(c for row in sheet.iter_rows() for c in row if "Giudizio motivato" in str(c.value))
-    box = next(area for area in sheet.merged_cells.ranges if area.min_row == label.row + 1)
-    assert all(sheet.cell(*cell).value is None for cell in box.cells)
 
 
 def test_that_a_sheet_in_italian_says_nothing_in_english(ntc):
