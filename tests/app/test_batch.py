@@ -126,7 +126,7 @@ def test_that_a_batch_leaves_no_qt_behind(case):
     code = (
         "import sys; from app.__main__ import main; "
         f"assert main(['--batch', {str(case)!r}, '--quiet']) == 0; "
-        "bad = [m for m in sys.modules if m.split('.')[0] in ('PySide6', 'pyqtgraph')]; "
+        "bad = [m for m in sys.modules if m.split('.')[0] in ('PySide6', 'pyqtgraph', 'typst', 'pypdf', 'docx')]; "
         "assert not bad, bad"
     )
     variables = dict(os.environ, PYTHONPATH=str(ROOT))

@@ -26,6 +26,27 @@ from tests.conftest import ROOT
 EXAMPLE = ROOT / "resources" / "cases" / "example.toml"
 
 
+def test_that_a_note_opens_as_the_case_it_is_of_and_is_never_written_into(session, tmp_path):
+    pytest.importorskip("typst")
+    from core.report.note.archive import note_as_pdf
+    from core.study.run import run
+
+    case = read_case(EXAMPLE)
+    path = tmp_path / "archive" / "note.pdf"
+    path.parent.mkdir()
+    path.write_bytes(note_as_pdf(run(replace(case, wall=case.wall[:1]), base_dir=EXAMPLE.parent), EXAMPLE.parent))
+    before = path.read_bytes()
+    session.open(path)
+    assert session.case == replace(case, wall=case.wall[:1]) and session.path is None
+    assert session.base_dir == path.parent
+    session.save(tmp_path / "archive" / "again.toml")
+    assert path.read_bytes() == before and read_case(tmp_path / "archive" / "again.toml") == session.case
+    path.write_bytes(b"%PDF-1.7 damaged")
+    with pytest.raises(InputError):
+        session.open(path)
+    assert session.path.name == "again.toml"
+
+
 @pytest.fixture
 def session(tmp_path):
     made = Session(tmp_path / "recovery_folder")

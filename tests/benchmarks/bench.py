@@ -15,6 +15,7 @@
     python3 run.py bench --natural FILE                     # the natural records of paper.md, for --study --records
     python3 run.py bench --noise [--cases N]                # errors of histories beside the effect of noise
     python3 run.py bench --compile                          # what a cold start compiles, kernel by kernel
+    python3 run.py bench --note                             # seconds of the calculation note after a run
     python3 run.py bench --ties [LIST.toml]                 # what q = 2 is worth for a tie, see tie_study.py
 
 With --small it does little of it, as in the tests: what it prints then says nothing. Every benchmark asserts that
@@ -44,6 +45,7 @@ BENCHMARKS = {
     "ties": "tie_study",
     "noise": "noise_promise",
     "compile": "compile_times",
+    "note": "note_speed",
 }
 """Word of the command -> module of this folder, whose `main(options)` measures and prints."""
 

@@ -93,6 +93,14 @@ def test_that_figures_and_formulas_have_words_and_headings_follow_one_another(fi
     assert any(re.match(r"a_0\* = α0/\(e\* FC\) = [\d.]+/\([\d.]+ · 1.35\) = [\d.]+ g$", one) for one in words)
 
 
+def test_that_a_checker_of_pdf_ua_finds_nothing(content, tmp_path):
+    """pdfua, by others: a part of the conditions of PDF/UA-1 that a machine can judge."""
+    pdfua = pytest.importorskip("pdfua")
+    (tmp_path / "n.pdf").write_bytes(content)
+    report = pdfua.validate(tmp_path / "n.pdf")
+    assert [f"{one.rule_id}: {one.message}" for one in report.findings] == []
+
+
 def test_that_each_wall_begins_a_page_and_has_two_at_most(whole_building, file):
     note = note_of(whole_building, Path())
     begun = [one["page"] for one in note.places() if "wall" in one and one["y"] < 80.0]
