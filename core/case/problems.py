@@ -1,0 +1,127 @@
+"""Everything that keeps a case from running, not only the first: for a form, which is filled in any order."""
+
+import re
+from dataclasses import fields, is_dataclass, replace
+from typing import Any
+
+from core.case.keys import NESTED
+from core.case.rules import parse_case
+from core.case.schema import Analysis, Case, Report
+from core.case.writer import table_of
+from core.errors import InputError
+
+MOST = 60
+"""Times a case is judged: of more problems nobody reads."""
+
+
+def problems(case: Case) -> list[InputError]:
+    """What is missing or breaks a rule. After each problem the value that is missing is taken as given, or else the wall
+    or section in question is left out, and the rest is judged again: so a rule that needs a missing value waits for it."""
+    found: list[InputError] = []
+    assumed: set[tuple[str, str]] = set()
+    for _ in range(MOST):
+        try:
+            parse_case(table_of(case))
+            break
+        except InputError as error:
+            keys = [error.key] if error.key else sorted(error.keys)
+            ours = any((repr(error.place), key) in assumed for key in keys)
+            if not ours:
+                found.append(error)
+                filled = next(((key, one) for key in keys if (one := _filled(case, error, key))), None)
+                if filled is not None:
+                    assumed.add((repr(error.place), filled[0]))
+                    case = filled[1]
+                    continue
+            changed = _without(case, error)
+            if changed is None:
+                break
+            case = changed
+    return found
+
+
+def _filled(case: Case, error: InputError, key: str) -> Case | None:
+    """The case with a value of this key where the error finds none; None where that is not what it says."""
+    if error.wall is not None:
+        walls = list(case.wall)
+        for k, wall in enumerate(walls):
+            if wall.name != error.wall:
+                continue
+            n = _load_of(error)
+            if n is not None and n < len(wall.load):
+                load = _given(wall.load[n], key)
+                whole = load and replace(wall, load=(*wall.load[:n], load, *wall.load[n + 1 :]))
+            else:
+                whole = _given(wall, key)
+            if whole is not None:
+                walls[k] = whole
+                return replace(case, wall=tuple(walls))
+    for name in ("demand", "building"):
+        section = getattr(case, name)
+        here = error.section in (f"[{name}]", f"[{name}.spectrum]")
+        if section is not None and here and (whole := _given(section, key)) is not None:
+            return replace(case, **{name: whole})
+    return None
+
+
+def _load_of(error: InputError) -> int | None:
+    """Index of the load an error is about."""
+    for part in error.place:
+        values = dict(getattr(part, "values", ()))
+        if getattr(part, "code", "") == "load":
+            return values["n"] - 1
+        if found := re.match(r"\[\[load\]\] (\d+)", str(values.get("name", ""))):
+            return int(found[1]) - 1
+    return None
+
+
+def _given(section: Any, key: str) -> Any:
+    """A section, or one inside it, whose empty key has a value that is accepted; None where none is empty."""
+    for entry in fields(section):
+        value = getattr(section, entry.name)
+        if entry.name == key and value in (None, ""):
+            return replace(section, **{key: _plausible(entry.metadata)})
+        if entry.metadata.get("kind") not in NESTED:
+            continue
+        parts = list(value) if isinstance(value, tuple) else [value]
+        for k, part in enumerate(parts):
+            if is_dataclass(part) and (whole := _given(part, key)) is not None:
+                parts[k] = whole
+                return replace(section, **{entry.name: tuple(parts) if isinstance(value, tuple) else whole})
+    return None
+
+
+def _plausible(rule) -> Any:
+    """A value of a key of this kind."""
+    match rule["kind"]:
+        case "choice":
+            return rule["names"][0]
+        case "int":
+            return rule["low"]
+        case "float":
+            return rule["low"] if rule["low"] > 0.0 or rule["low"] == 0.0 and not rule["exclusive"] else 0.01
+        case _:
+            return "-"
+
+
+def _without(case: Case, error: InputError) -> Case | None:
+    """The case without the wall, record or section an error is about; None where it is about none of them."""
+    if error.wall is not None:
+        rest = tuple(wall for wall in case.wall if error.wall not in (wall.name, wall.title))
+        return replace(case, wall=rest) if rest and len(rest) < len(case.wall) else None
+    said = [dict(part.values) for part in error.place if getattr(part, "code", "") == "record"]
+    if said:
+        k = said[0]["n"] - 1
+        return replace(case, record=tuple(one for n, one in enumerate(case.record) if n != k))
+    match error.section:
+        case str(name) if name.startswith("[demand"):
+            return replace(case, demand=None, generate=None) if case.demand else None
+        case "[generate]":
+            return replace(case, generate=None) if case.generate else None
+        case str(name) if name.startswith("[building"):
+            return replace(case, building=None) if case.building else None
+        case "[analysis]":
+            return replace(case, analysis=Analysis()) if case.analysis != Analysis() else None
+        case "[report]":
+            return replace(case, report=Report()) if case.report != Report() else None
+    return replace(case, generate=None) if error.code == "generate_needs_spectrum" else None

@@ -1,0 +1,52 @@
+"""Everything that keeps a case from running, at once."""
+
+from dataclasses import replace
+
+from core.case.loads import Load
+from core.case.problems import problems
+from core.case.reader import read_case
+from core.case.schema import Case, Wall
+from core.case.site import Building, Demand, Spectrum
+from tests.conftest import ROOT
+
+
+def keys(case: Case) -> list[str | None]:
+    return [error.key for error in problems(case)]
+
+
+def test_that_a_case_that_runs_has_none():
+    assert problems(read_case(ROOT / "resources" / "cases" / "building.toml")) == []
+
+
+def test_that_each_value_that_is_missing_is_named_once():
+    wall = Wall("w", "", height_m=4.0, thickness_m=0.4, load=(Load("vertical", None, 3.0), Load("tie", "", "")))
+    case = Case(wall=(wall, Wall("v", "two_sided", height_m=3.0, thickness_m=0.3)), demand=Demand(""))
+    found = problems(case)
+    assert [(error.key, error.wall) for error in found if error.key in ("mechanism", "base_z_m")] == [
+        ("mechanism", "w"),
+        ("base_z_m", "w"),
+        ("base_z_m", "v"),
+    ]
+    assert {"ag_g", "h_m", "kn_m"} <= set(keys(case))
+    assert len({(error.code, error.key, error.wall, error.place) for error in found}) == len(found)
+
+
+def test_that_a_broken_rule_of_one_wall_hides_none_of_another():
+    broken = Wall("a", "two_sided", height_m=4.0, thickness_m=0.4, slenderness_deg=5.0)
+    rule = Wall("b", "two_sided", height_m=4.0, thickness_m=0.4, velocity_ratio=0.9, restitution="housner")
+    found = problems(Case(wall=(broken, rule, Wall("c", "", height_m=4.0, thickness_m=0.4))))
+    assert [(error.code, error.wall) for error in found] == [
+        ("missing", "c"),
+        ("one_geometry", "a"),
+        ("velocity_ratio_user", "b"),
+    ]
+
+
+def test_that_sections_of_the_site_are_asked_for_too():
+    demand = Demand("", spectrum=Spectrum("NTC2018", "", f0="", tc_star_s="", topography=""))
+    case = replace(read_case(ROOT / "resources" / "cases" / "example.toml"), demand=demand, building=Building("", ""))
+    assert {"ag_g", "soil", "f0", "tc_star_s", "topography", "height_m", "storeys"} <= set(keys(case))
+
+
+def test_that_an_empty_case_asks_for_a_wall():
+    assert [error.code for error in problems(Case())] == ["no_wall"]
