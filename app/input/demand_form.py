@@ -5,13 +5,14 @@ from dataclasses import replace
 from PySide6.QtWidgets import QFileDialog, QGroupBox, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from app.input.building_form import BuildingForm
-from app.input.fields import Choice, connect
+from app.input.fields import Choice, Field, connect
 from app.input.hazard_form import HazardForm
 from app.input.law_curve import SpectrumCurve
 from app.input.made_fields import make_field, make_fields
 from app.input.reasons_form import reasons_of_demand
-from app.look.language import current_language, described, number, tr
+from app.look.language import current_language, described, named, number, tr
 from app.look.parts import Parts
+from app.look.section import Section
 from app.work.session import Session
 from core.case.schema import Analysis, Case, Report
 from core.case.site import Demand, Spectrum
@@ -19,6 +20,19 @@ from core.codes.demand import unusual
 from core.errors import InputError
 from core.study.demand_input import target_of
 from core.units import G
+
+
+def whole(demand: Demand) -> bool:
+    """Whether its return period is known."""
+    try:
+        return demand.return_period is not None
+    except TypeError:  # still to be given
+        return False
+
+
+def make_by(fields: list[Field], group: str) -> list[Field]:
+    """Of these fields those of a group of the form."""
+    return [field for field in fields if field.entry.metadata.get("form") == group]
 
 
 class DemandForm(QWidget):
@@ -48,18 +62,24 @@ class DemandForm(QWidget):
         connect(self.of_demand, self._changed)
         connect(self.of_spectrum, self._spectrum_changed)
         self.curve: SpectrumCurve | None = None
-        self.curve_place = QVBoxLayout()
+        self.view = QWidget()
+        self.curve_place = QVBoxLayout(self.view)
+        self.curve_place.addWidget(self.summary)
         inside = QVBoxLayout(self.given)
-        for widget in (*motion[:2], self.hint, self.kind, *motion[2:], *self.of_spectrum, self.file, self.summary):
+        for widget in (*motion[:2], self.hint, self.kind, *motion[2:], *self.of_spectrum, self.file):
             inside.addWidget(widget)
-        inside.addLayout(self.curve_place)
         self.hazard = HazardForm(session)
-        for widget in (*below, self.hazard):
+        self.sections = [
+            Section(tr("Confidence factor"), make_by(below, "knowledge")),
+            Section(tr("Records at the demand, limits"), make_by(below, "check")),
+            Section(tr("Site, return period, hazard"), [*make_by(below, "site"), self.hazard]),
+        ]
+        for widget in self.sections:
             inside.addWidget(widget)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)
         self.building, self.reasons = BuildingForm(session), reasons_of_demand(session)
-        for widget in (self.given, self.building, self.reasons):
+        for widget in (self.given, self.reasons):
             layout.addWidget(widget)
         layout.addStretch(1)
         self.parts = Parts(
@@ -97,6 +117,7 @@ class DemandForm(QWidget):
             return
         for field in self.of_demand:
             field.show_value(getattr(demand, field.key))
+        self._say_contents(demand)
         self.hint.setText(self._asked(demand.ag_g))
         spectrum, kind = demand.spectrum, self._kind_of(demand)
         self.kind.setCurrentIndex(self.kind.findData(kind))
@@ -121,12 +142,28 @@ class DemandForm(QWidget):
         if self.curve is not None:
             self.curve.show_target(target)
 
+    def _say_contents(self, demand: Demand) -> None:
+        """What each folded section holds."""
+        scaling = next(field for field in self.of_demand if field.key == "demand_scaling")
+        said = (
+            f"FC {number(demand.confidence_factor, 'g')}, {named(f'confidence_{demand.confidence_on}')}",
+            f"{scaling.words[demand.demand_scaling]}, ζ {number(demand.zeta_target, 'g')}, "
+            f"q {number(demand.q_code, 'g')}",
+            ", ".join(
+                filter(None, (demand.site, f"T_R {number(demand.return_period, '.0f')}" if whole(demand) else ""))
+            ),
+        )
+        for section, words in zip(self.sections, said, strict=True):
+            section.say(words)
+
     def showEvent(self, event) -> None:
         """The curve is made when it is first looked at: the start is faster."""
         super().showEvent(event)
         if self.curve is None:
             self.curve = SpectrumCurve()
-            self.curve_place.addWidget(self.curve)
+            self.curve.setMaximumHeight(420)
+            self.curve_place.addWidget(self.curve, 1)
+            self.curve_place.addStretch(0)
             self.show_case()
 
     @staticmethod

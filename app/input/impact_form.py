@@ -4,7 +4,7 @@ import math
 import re
 from collections.abc import Callable
 
-from PySide6.QtWidgets import QGroupBox, QHBoxLayout, QLabel, QVBoxLayout
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from app.input.fields import Choice, ChoiceField, NumberField
 from app.input.law_curve import LawCurve
@@ -100,11 +100,11 @@ class LawField(NumberField):
         return self.end
 
 
-class ImpactForm(QGroupBox):
+class ImpactForm(QWidget):
     """Edits restitution and law of the wall at `index()`."""
 
     def __init__(self, session: Session, index: Callable[[], int]):
-        super().__init__(tr("Restitution and law"))
+        super().__init__()
         self.session, self.index, self.scopes = session, index, scopes()
         self.law_curve = LawCurve()
         column = QVBoxLayout(self)

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from PySide6.QtCore import QSignalBlocker
-from PySide6.QtWidgets import QGroupBox, QHBoxLayout, QListWidget, QMenu, QToolButton, QVBoxLayout
+from PySide6.QtWidgets import QGroupBox, QHBoxLayout, QListWidget, QMenu, QToolButton, QVBoxLayout, QWidget
 
 from app.input.fields import ChoiceField, Field, connect
 from app.input.made_fields import make_fields
@@ -25,11 +25,12 @@ def named_kinds() -> dict[str, str]:
     return {kind: named(f"load_{kind}") if f"load_{kind}" in words else kind for kind in KINDS}
 
 
-class LoadsForm(QGroupBox):
-    """Edits the loads of the wall at `index()`, one at a time, and what else holds it."""
+class LoadsForm(QWidget):
+    """Edits the loads of the wall at `index()`, one at a time. What else holds it, `wall_fields` and `across`, stands
+    in sections of the form of the wall."""
 
     def __init__(self, session: Session, index: Callable[[], int]):
-        super().__init__(tr("Loads and what holds the wall"))
+        super().__init__()
         self.session, self.index = session, index
         self.former: ReturnWalls | None = None
         self.list = QListWidget()
@@ -68,7 +69,8 @@ class LoadsForm(QGroupBox):
         connect(self.bar_fields, self._bars_changed)
         for field in self.bar_fields:
             of_bars.addWidget(field)
-        for widget in (self.list, *self.load_fields, self.bars, *self.wall_fields):
+        column.setContentsMargins(0, 0, 0, 0)
+        for widget in (self.list, *self.load_fields, self.bars):
             column.addWidget(widget)
         self.across = QGroupBox(tr("Friction of return walls (in α0 only)"))
         self.across.setCheckable(True)
@@ -78,7 +80,6 @@ class LoadsForm(QGroupBox):
         connect(self.across_fields, self._across_changed)
         for field in self.across_fields:
             inside.addWidget(field)
-        column.addWidget(self.across)
 
     # showing
 

@@ -1,32 +1,23 @@
-"""The walls: list, geometry with a drawing to scale, mechanism, restitution, law."""
+"""A wall: geometry, mechanism, what it carries, what holds it, hinges, impact and law; its drawing to scale."""
 
 import math
 from dataclasses import replace
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import (
-    QFileDialog,
-    QGroupBox,
-    QHBoxLayout,
-    QLabel,
-    QListWidget,
-    QMessageBox,
-    QSizePolicy,
-    QToolButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLabel, QMessageBox, QToolButton, QVBoxLayout, QWidget
 
 from app.input.fields import Choice, Field, connect
 from app.input.impact_form import ImpactForm
 from app.input.loads_form import LoadsForm
 from app.input.made_fields import make_field, make_fields
 from app.input.reasons_form import reasons_of_wall
-from app.input.wall_words import estimate_lines, hinge_zetas, shape_of, written_as
+from app.input.wall_words import contents_of, estimate_lines, hinge_zetas, shape_of, written_as
+from app.look import theme
 from app.look.drawing import WallDrawing, mechanism_icon
 from app.look.language import FORM_NAMES, current_language, described, named, number, quoted_from_file, tr
 from app.look.parts import Parts
+from app.look.section import Section, unfold_to
 from app.work.session import Session
 from core.case.schema import AS_IS, DESIGNED, Wall
 from core.case.wall_table import read_table, text_rows, walls_of
@@ -34,77 +25,71 @@ from core.errors import InputError
 from core.units import G
 from core.wall.restitution import MODELS
 
+BASE = ("base_z_m", "back_restraint", "free_element")
+"""Keys beside the mechanism."""
+
 
 class WallForm(QWidget):
-    """Edits one wall of the session at a time; `current` is its index."""
+    """Edits one wall of the session at a time; `current` is its row. selected(row) : another one is shown"""
+
+    selected = Signal(int)
 
     def __init__(self, session: Session):
         super().__init__()
         self.session = session
-        self.showing = False
-        self.listed: list[str] = []
+        self.row = 0
         self.former: tuple[Wall | None, Wall | None] = (None, None)
-        self.list = QListWidget()
-        self.list.setMaximumHeight(84)
-        self.list.setAccessibleName(tr("Walls"))
-        self.list.currentRowChanged.connect(self._selected)
         self.drawing = WallDrawing()
+        self.drawing.picked.connect(self._picked_in_drawing)
+        self.drawing.moved.connect(self._moved_in_drawing)
         self.summary = QLabel()
         self.summary.setWordWrap(True)
-        self.problem = QLabel()
         self.impact = ImpactForm(session, lambda: self.current)
         self.loads = LoadsForm(session, lambda: self.current)
         self.reasons = reasons_of_wall(session, lambda: self.current)
         self.shape_fields = make_fields(Wall, "shape")
-        checks = ("base_z_m", "free_element", "elastic_modulus_mpa", "unit_weight_kn_m3", "length_m")
-        self.check_fields = make_fields(Wall, "checks", first=checks)
+        self.check_fields = make_fields(Wall, "checks", first=BASE)
         self.fields = {field.key: field for field in (make_field(Wall, "name"), *self.shape_fields, *self.check_fields)}
         connect(list(self.fields.values()), self._changed)
+        self._make_shape()
+        self.mechanisms = {}
+        held = {field.key: field for field in self.loads.wall_fields}
+        base = [self.fields[key] for key in BASE]
+        notes = [field for field in self.check_fields if field.key not in (*BASE, "unloaded_confirmed")]
+        self.sections = {
+            "geometry": Section(tr("Geometry"), [self.fields["name"], self.shape, *self.shape_fields], open=True),
+            "mechanism": Section(tr("Mechanism and base"), [self._mechanism(), *base], open=True),
+            "loads": Section(tr("Loads and ties"), [self.fields["unloaded_confirmed"], self.loads]),
+            "held": Section(
+                tr("Tie to be designed, return walls"),
+                [*(field for key, field in held.items() if key.startswith("tie_")), self.loads.across],
+            ),
+            "hinges": Section(tr("Hinges"), [held["hinge_heights"]]),
+            "impact": Section(tr("Restitution and law"), [self.impact]),
+            "notes": Section(tr("Material, variant, notes"), [*notes, held["variant"]]),
+        }
         layout = QVBoxLayout(self)
-        layout.setContentsMargins(6, 6, 6, 6)
-        layout.addLayout(self._buttons())
-        layout.addWidget(self.list)
-        layout.addWidget(self._geometry())
-        layout.addWidget(self._mechanism())
-        layout.addWidget(self.impact)
-        layout.addWidget(self.loads)
-        layout.addWidget(self._more())
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(6)
+        for section in self.sections.values():
+            layout.addWidget(section)
         layout.addWidget(self.reasons)
         layout.addStretch(1)
         self.parts = Parts(
             self,
-            self._show_list,
+            self._show_row,
             self._show_sizes,
             self._show_fields,
             self.impact.show_case,
             self.loads.show_case,
             self.reasons.show_case,
+            self._show_contents,
         )
 
     # building
 
-    def _buttons(self) -> QHBoxLayout:
-        row = QHBoxLayout()
-        for label, tip, slot in (
-            (tr("Add"), tr("Add a wall"), self.add),
-            (tr("Duplicate"), tr("Copy this wall"), self.duplicate),
-            (tr("Delete"), tr("Delete this wall"), self.delete),
-            (tr("Paste"), tr("Paste rows copied from Excel"), self.paste),
-            (tr("Table…"), tr("Read walls from .xlsx or .csv"), self.load_table),
-        ):
-            button = QToolButton()
-            button.setText(label)
-            button.setToolTip(tip)
-            button.clicked.connect(slot)
-            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-            row.addWidget(button)
-        row.setSpacing(3)
-        return row
-
-    def _geometry(self) -> QGroupBox:
-        group = QGroupBox(tr("Geometry"))
-        row = QHBoxLayout(group)
-        column = QVBoxLayout()
+    def _make_shape(self) -> None:
+        """By which sizes the block is given."""
         self.shape = Choice()
         self.shape.setAccessibleName(tr("Geometry given by"))
         for name, shown in (
@@ -115,17 +100,11 @@ class WallForm(QWidget):
         ):
             self.shape.addItem(shown, name)
         self.shape.activated.connect(self._shape_chosen)
-        for widget in (self.fields["name"], self.shape, *self.shape_fields, self.summary):
-            column.addWidget(widget)
-        column.addStretch(1)
-        row.addLayout(column, 3)
-        row.addWidget(self.drawing, 2)
-        return group
 
-    def _mechanism(self) -> QGroupBox:
-        group = QGroupBox(tr("Mechanism"))
+    def _mechanism(self) -> QWidget:
+        group = QWidget()
         row = QHBoxLayout(group)
-        self.mechanisms = {}
+        row.setContentsMargins(0, 0, 0, 0)
         for name, label, tip in (
             ("two_sided", named("two_sided"), tr("Free on both faces: rocks to both sides")),
             ("one_sided", named("one_sided"), tr("A restraint behind: rocks outwards only")),
@@ -139,6 +118,8 @@ class WallForm(QWidget):
             button.setAccessibleName(label)
             FORM_NAMES.captions[name] = label
             button.setCheckable(True)
+            chosen = theme.current.curves[0]
+            button.setStyleSheet(f"QToolButton:checked {{ border: 3px solid {chosen}; font-weight: 700; }}")
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
             button.clicked.connect(lambda _, name=name: self._mechanism_chosen(name))
             self.mechanisms[name] = button
@@ -146,48 +127,35 @@ class WallForm(QWidget):
         row.addStretch(1)
         return group
 
-    def _more(self) -> QGroupBox:
-        group = QGroupBox(tr("For checks and report"))
-        column = QVBoxLayout(group)
-        for field in self.check_fields:
-            column.addWidget(field)
-        return group
-
     # showing
 
     @property
     def current(self) -> int:
-        return max(0, self.list.currentRow())
+        return max(0, min(self.row, len(self.session.case.wall) - 1))
 
     @property
     def wall(self) -> Wall | None:
         walls = self.session.case.wall
-        return walls[self.current] if self.current < len(walls) else None
+        return walls[self.current] if walls else None
 
-    def _selected(self, row: int) -> None:
-        if not self.showing:
-            for field in self.findChildren(Field):
-                field.forget()
-            self.show_case()
+    def select(self, row: int) -> None:
+        """Show the wall of this row."""
+        if row == self.row:
+            return
+        self.row = row
+        for field in self.findChildren(Field):
+            field.forget()
+        self.show_case()
+        self.selected.emit(self.current)
 
     def show_case(self) -> None:
         """Fill the form from the session."""
         self.parts.show()
 
-    def _show_list(self) -> None:
-        self.showing = True
-        walls = self.session.case.wall
-        row = min(self.current, max(0, len(walls) - 1))
-        names = [wall.title for wall in walls]
-        if names != self.listed:
-            self.listed = names
-            self.list.clear()
-            self.list.addItems(names)
-        self.list.setCurrentRow(row if walls else -1)
-        self.showing = False
-        self.setProperty("empty", self.wall is None)
-        for group in self.findChildren(QGroupBox):
-            group.setEnabled(self.wall is not None)
+    def _show_row(self) -> None:
+        self.row = self.current
+        for section in self.sections.values():
+            section.setEnabled(self.wall is not None)
 
     def _show_sizes(self) -> None:
         wall = self.wall
@@ -206,6 +174,16 @@ class WallForm(QWidget):
             button.setChecked(wall.mechanism == name)
         for field in self.fields.values():
             field.show_value(getattr(wall, field.key))
+        # only what the mechanism needs, and what stands there all the same
+        held = wall.mechanism in ("one_sided", "both")
+        self.fields["back_restraint"].setVisible(held or bool(wall.back_restraint))
+        self.fields["unloaded_confirmed"].setVisible(not wall.load or wall.unloaded_confirmed)
+
+    def _show_contents(self) -> None:
+        """What each section holds, in its head."""
+        words = contents_of(self.wall) if self.wall else {}
+        for name, section in self.sections.items():
+            section.say(words.get(name, ""))
 
     def _show_geometry(self, wall: Wall) -> None:
         shape = shape_of(wall)
@@ -228,7 +206,7 @@ class WallForm(QWidget):
         lines.append(f"a_RM {number(a / G, '.3f')} g = {number(a, '.2f')} m/s²")
         lines.append(f"R {number(block.radius, '.3f')} m, p {number(block.frequency_parameter, '.3f')} rad/s")
         lines += estimate_lines(self.session, wall)
-        self.summary.setText("\n".join(lines))
+        self.summary.setText("   ".join(lines))
 
     def _show_shape(self, shape: str, setback_follows: bool) -> None:
         """The fields that give this shape."""
@@ -270,15 +248,49 @@ class WallForm(QWidget):
         self.session.edit_wall(self.current, **values)
         self.show_case()
 
+    def _picked_in_drawing(self, kind: str, k: int) -> None:
+        """What was clicked in the drawing: its field."""
+        if kind == "load":
+            self.loads.list.setCurrentRow(k)
+        place = {
+            "load": self.loads.load_fields[1],
+            "hinge": next(field for field in self.loads.wall_fields if field.key == "hinge_heights"),
+            "height": next((field for field in self.shape_fields if not field.isHidden()), self.fields["name"]),
+            "thickness": next((field for field in self.shape_fields[1:] if not field.isHidden()), self.fields["name"]),
+        }[kind]
+        unfold_to(place)
+        place.editor.setFocus()
+
+    def _moved_in_drawing(self, k: int, height: float) -> None:
+        """A load was dragged to another height."""
+        wall = self.wall
+        if wall is not None and k < len(wall.load) and height > 0.0:
+            loads = tuple(replace(one, h_m=height) if n == k else one for n, one in enumerate(wall.load))
+            self.session.edit_wall(self.current, ("wall", self.current, "load", k, "h_m"), load=loads)
+
     def add(self) -> None:
         self.session.add_walls([Wall(tr("wall"), "", height_m=4.0, thickness_m=0.4)])
-        self.list.setCurrentRow(len(self.session.case.wall) - 1)
+        self.select(len(self.session.case.wall) - 1)
 
     def duplicate(self) -> None:
+        """A copy of the wall: of one as it is, the variant of the design."""
         if self.wall is not None:
             variant = DESIGNED if self.wall.variant == AS_IS else self.wall.variant
             self.session.add_walls([replace(self.wall, variant=variant)])
-            self.list.setCurrentRow(len(self.session.case.wall) - 1)
+            self.select(len(self.session.case.wall) - 1)
+
+    def add_variant(self) -> None:
+        """The wall as it is and, beside it, the same wall to be changed: before and after."""
+        wall, k = self.wall, self.current
+        if wall is None:
+            return
+        if any(one.name == wall.name and one.variant == DESIGNED for one in self.session.case.wall):
+            self.duplicate()
+            return
+        walls = list(self.session.case.wall)
+        walls[k : k + 1] = [replace(wall, variant=AS_IS), replace(wall, variant=DESIGNED)]
+        self.session.edit(replace(self.session.case, wall=tuple(walls)))
+        self.select(k + 1)
 
     def delete(self) -> None:
         if self.wall is not None:

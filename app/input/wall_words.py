@@ -2,7 +2,9 @@
 
 import math
 
-from app.look.language import named, tr
+from app.input.hinges_field import hinge_words
+from app.input.impact_form import named_laws, named_models
+from app.look.language import named, number, tr
 from app.work.session import Session
 from core.capacity.scale_free_law import estimates
 from core.case.hinges import hinges_of
@@ -92,3 +94,40 @@ def written_as(shape: str, wall: Wall, block: Block) -> dict[str, float | None]:
     }
     own = {"height_m": height, "hinge_setback_m": wall.hinge_setback_m, shape: getattr(wall, shape) or given[shape]}
     return values | own
+
+
+def contents_of(wall: Wall) -> dict[str, str]:
+    """What each section of the form of a wall holds, in a few words."""
+    height = "" if not wall.height_m else f"H {number(wall.height_m, 'g')} m"
+    try:
+        thickness = f"t {number(100.0 * wall.thickness, '.3g')} cm" if wall.thickness else ""
+    except TypeError:  # still to be given
+        thickness = ""
+    base = "" if wall.base_z_m is None else tr("base {z} m", z=number(wall.base_z_m, "g"))
+    kinds = [named(f"load_{load.kind}") for load in wall.load]
+    carries = [f"{kinds.count(kind)} × {kind}" for kind in dict.fromkeys(kinds)]
+    held = []
+    if wall.tie_height_m is not None:
+        held.append(tr("tie at {z} m", z=number(wall.tie_height_m, "g")))
+    if wall.return_walls is not None:
+        held.append(tr("friction of return walls"))
+    law = named_laws()[wall.law if isinstance(wall.law, str) else "own"]
+    ratio = tr("default of the mechanism") if wall.restitution is None and wall.velocity_ratio is None else ""
+    if wall.velocity_ratio is not None:
+        ratio = f"e {number(wall.velocity_ratio, 'g')}"
+    weight = wall.unit_weight_kn_m3
+    notes = ["" if weight is None else f"{number(weight, 'g')} kN/m³", wall.variant or "", wall.notes]
+    hinges = wall.hinge_heights
+    return {
+        "geometry": ", ".join(filter(None, (height, thickness))),
+        "mechanism": ", ".join(filter(None, (named(wall.mechanism) if wall.mechanism else "", base))),
+        "loads": ", ".join(carries) or (tr("nothing, confirmed") if wall.unloaded_confirmed else tr("nothing")),
+        "held": ", ".join(held) or tr("none"),
+        "hinges": tr("usual")
+        if hinges is None
+        else hinge_words()[hinges]
+        if isinstance(hinges, str)
+        else "; ".join(number(one, "g") for one in hinges),
+        "impact": f"{ratio or named_models()[wall.restitution]}, {law}",
+        "notes": ", ".join(filter(None, notes)),
+    }

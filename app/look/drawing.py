@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFont, QIcon, QPainter, QPen, QPixmap, QPolygonF
 from PySide6.QtWidgets import QWidget
 
@@ -25,11 +25,31 @@ def outline(height: float, thickness: float, setback: float, rotation: float) ->
     return [QPointF(hinge + c * (x - hinge) + s * y, -s * (x - hinge) + c * y) for x, y in corners]
 
 
+NEAR = 7.0
+"""How close to a mark a click belongs to it [px]."""
+
+STEP = 0.05
+"""Heights a load is dragged to are multiples of it [m]."""
+
+
 class WallDrawing(QWidget):
-    """A wall to scale; `rotation` turns it. For a general block its equivalent rectangle."""
+    """A wall to scale; `rotation` turns it. For a general block its equivalent rectangle.
+
+    with_sizes : with its dimensions, and with places to click and to drag
+    picked(kind, k) : the k-th load or hinge was clicked, or "height", "thickness"; moved(k, height) : the k-th load was
+    dragged to this height [m]
+    """
+
+    picked = Signal(str, int)
+    moved = Signal(int, float)
 
     def __init__(self, with_sizes: bool = True):
         super().__init__()
+        self.spots: list[tuple[QRectF, str, int]] = []
+        self.dragged: int | None = None
+        self.scale = 1.0
+        self.base_y = 0.0
+        self.setMouseTracking(with_sizes)
         self.with_sizes = with_sizes
         self.size_of: tuple[float, float, float] | None = None
         self.one_sided = False
@@ -62,6 +82,7 @@ class WallDrawing(QWidget):
 
     def paintEvent(self, event) -> None:
         """The wall, its ground, what stands behind it, its hinges and sizes."""
+        self.spots = []
         if self.size_of is None:
             return
         painter = QPainter(self)
@@ -74,6 +95,8 @@ class WallDrawing(QWidget):
         top = max([height, *(y for points in self.arrows for _, y in points)])
         scale = min((self.height() - 2 * sizes + 12) / top, (self.width() - beside - 16) / reach)
         base = QPointF(0.5 * (self.width() - beside) + 8, self.height() - sizes)
+
+        self.scale, self.base_y = scale, base.y()
 
         def place(point: QPointF) -> QPointF:
             return QPointF(base.x() + scale * point.x(), base.y() - scale * point.y())
@@ -106,6 +129,47 @@ class WallDrawing(QWidget):
         if self.with_sizes:
             self._zetas(painter, place, thickness)
             self._sizes(painter, place, height, thickness, setback)
+            self._mark_spots(place, height, thickness, setback)
+
+    def _mark_spots(self, place, height, thickness, setback) -> None:
+        """Where a click leads to a field: loads first, for a tie may stand at a hinge."""
+
+        def around(points, kind: str, k: int = 0) -> None:
+            area = QPolygonF([place(QPointF(x, y)) for x, y in points]).boundingRect()
+            self.spots.append((area.adjusted(-NEAR, -NEAR, NEAR, NEAR), kind, k))
+
+        half = 0.5 * thickness
+        for k, points in enumerate(self.arrows):
+            around([(x - half, y) for x, y in points], "load", k)
+        for k, (level, _) in enumerate(self.hinges or [(0.0, None)]):
+            around([(half - setback, level)], "hinge", k)
+        right = half + 20.0 / self.scale
+        around([(half + 6.0 / self.scale, 0.1 * height), (right, 0.9 * height)], "height")
+        around([(-half, -18.0 / self.scale), (half, -6.0 / self.scale)], "thickness")
+
+    def _spot_at(self, point: QPointF) -> tuple[str, int] | None:
+        return next(((kind, k) for area, kind, k in self.spots if area.contains(point)), None)
+
+    def mouseMoveEvent(self, event) -> None:
+        spot = self._spot_at(event.position())
+        if self.dragged is not None and event.buttons() & Qt.MouseButton.LeftButton:
+            height = STEP * round((self.base_y - event.position().y()) / self.scale / STEP)
+            self.moved.emit(self.dragged, round(max(STEP, min(height, self.size_of[0])), 3))
+        elif spot is None:
+            self.unsetCursor()
+        else:
+            load = spot[0] == "load"
+            self.setCursor(Qt.CursorShape.SizeVerCursor if load else Qt.CursorShape.PointingHandCursor)
+
+    def mousePressEvent(self, event) -> None:
+        spot = self._spot_at(event.position()) if self.with_sizes else None
+        if spot is None:
+            return
+        self.dragged = spot[1] if spot[0] == "load" else None
+        self.picked.emit(*spot)
+
+    def mouseReleaseEvent(self, event) -> None:
+        self.dragged = None
 
     def _draw_bars(self, painter, place) -> None:
         """The bars that hold a wall as it rocks: taut, slack (dashed), yielding (red); none where one has gone."""

@@ -53,10 +53,13 @@ class Files:
         self.settings.setValue("recent", [str(path), *known][:RECENT])
         self.window.refresh()
 
-    def new(self) -> None:
-        if self.give_up():
-            self.session.new(self.window.language)
-            self.window.start_afresh()
+    def new(self) -> bool:
+        """An empty case; False where the one at hand is to stay."""
+        if not self.give_up():
+            return False
+        self.session.new(self.window.language)
+        self.window.start_afresh()
+        return True
 
     def ask_open(self) -> None:
         name, _ = QFileDialog.getOpenFileName(

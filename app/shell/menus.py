@@ -5,12 +5,13 @@ from typing import NamedTuple
 
 from PySide6.QtCore import QSettings
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
-from PySide6.QtWidgets import QDockWidget, QMenu, QMessageBox
+from PySide6.QtWidgets import QMenu, QMessageBox
 
 from app.look import theme
 from app.look.language import tr
 from app.shell import guide
 from app.shell.files import EXAMPLE
+from app.shell.header import stage_names
 from core.text.sentence import LANGUAGES
 from core.version import NAME, VERSION
 
@@ -26,14 +27,16 @@ class Actions(NamedTuple):
 
 
 def build(window) -> Actions:
-    """Menu bar with all actions and their keys."""
-    window.actions_with_keys = []
-    key = QKeySequence.StandardKey
-    file = window.menuBar().addMenu(tr("&File"))
+    """The menus behind the first button, with all actions and their keys."""
+    window.actions_with_keys, window.all_actions = [], []
+    key, bar = QKeySequence.StandardKey, window.header.menu
+    file = bar.addMenu(tr("&File"))
     add(window, file, tr("&New"), window.files.new, key.New)
     add(window, file, tr("&Open…"), window.files.ask_open, key.Open)
     recent = file.addMenu(tr("Open &recent"))
-    add(window, file, tr("Open the &example"), lambda: window.files.open(EXAMPLE))
+    examples = file.addMenu(tr("Open an &example"))
+    for path in sorted(EXAMPLE.parent.glob("*.toml")):
+        add(window, examples, title_of(path), lambda path=path: window.files.open(path))
     add(window, file, tr("&Save"), window.files.save, key.Save)
     add(window, file, tr("Save &as…"), window.files.save_as, QKeySequence("Ctrl+Shift+S"))
     file.addSeparator()
@@ -42,33 +45,62 @@ def build(window) -> Actions:
     add(window, file, tr("Export all &figures…"), window.files.ask_figures)
     file.addSeparator()
     add(window, file, tr("&Quit"), window.close, key.Quit)
-    edit = window.menuBar().addMenu(tr("&Edit"))
+    edit = bar.addMenu(tr("&Edit"))
     undo = add(window, edit, tr("&Undo"), window.session.undo, key.Undo)
     redo = add(window, edit, tr("&Redo"), window.session.redo, QKeySequence("Ctrl+Y"))
+    add(window, edit, tr("&Find…"), lambda: find(window), QKeySequence("Ctrl+K"))
     add(window, edit, tr("&Paste walls"), lambda: window.walls.paste(), QKeySequence("Ctrl+Shift+V"))
-    runs = window.menuBar().addMenu(tr("&Run"))
+    runs = bar.addMenu(tr("&Run"))
     run = add(window, runs, tr("&Run"), window.run, QKeySequence("F5"))
     cancel = add(window, runs, tr("&Cancel"), window.cancel, QKeySequence("Esc"))
-    studies = window.menuBar().addMenu(tr("&Study"))
+    studies = bar.addMenu(tr("&Study"))
     add(window, studies, tr("&Parametric study…"), lambda: study(window))
-    view = window.menuBar().addMenu(tr("&View"))
-    for dock in window.findChildren(QDockWidget):
-        view.addAction(dock.toggleViewAction())
+    view = bar.addMenu(tr("&View"))
+    for number, (name, label) in enumerate(stage_names().items(), start=1):
+        add(window, view, label, lambda name=name: window.show_stage(name), QKeySequence(f"Alt+{number}"))
     view.addSeparator()
-    for k, label in enumerate(window.tab_labels):
-        add(window, view, label, lambda k=k: window.tabs.setCurrentIndex(k), QKeySequence(f"Ctrl+{k + 1}"))
+    for number, (name, label) in enumerate(window.page_labels.items(), start=1):
+        add(window, view, label, lambda name=name: window.show_page(name), QKeySequence(f"Ctrl+{number}"))
+    add(window, view, tr("For the &client"), lambda: client(window), QKeySequence("F11"))
     view.addSeparator()
     add(window, view, tr("&Reset layout"), window.reset_layout)
     choices(window, view, tr("Theme"), "theme", {"light": tr("light"), "dark": tr("dark")}, theme.current.name)
     choices(window, view, tr("Language"), "language", LANGUAGES, window.language)
-    helps = window.menuBar().addMenu(tr("&Help"))
-    add(window, helps, tr("What is this field?"), lambda: guide.explain(window), QKeySequence("F1"))
+    helps = bar.addMenu(tr("&Help"))
+    add(window, helps, tr("What is this field?"), lambda: explain(window), QKeySequence("F1"))
     add(window, helps, tr("&Guide"), lambda: guide.show_guide(window))
     add(window, helps, tr("&Shortcuts"), lambda: guide.show_shortcuts(window))
     add(window, helps, tr("Save the empty table of &walls…"), lambda: guide.save_template(window))
     helps.addSeparator()
     add(window, helps, tr("&About"), lambda: about(window))
     return Actions(recent, undo, redo, run, cancel)
+
+
+def title_of(path: Path) -> str:
+    """What a case is called."""
+    for line in path.read_text(encoding="utf-8").splitlines():
+        if line.startswith("title"):
+            return line.split("=", 1)[1].strip().strip('"')
+    return path.stem
+
+
+def explain(window) -> None:
+    """What the field in focus is."""
+    guide.explain(window)
+
+
+def find(window) -> None:
+    """Find a field, an action, a wall, a page by its name."""
+    from app.shell.finder import Finder
+
+    Finder(window).exec()
+
+
+def client(window) -> None:
+    """The walls before and after, for one who knows no symbols."""
+    from app.shell.client_view import show
+
+    show(window)
 
 
 def study(window) -> None:
@@ -91,6 +123,8 @@ def add(window, menu, label: str, slot, keys=None) -> QAction:
     """An entry of a menu."""
     action = QAction(label, menu)  # it goes with its menu
     action.triggered.connect(lambda _=False: slot())
+    window.all_actions.append(action)
+    window.addAction(action)  # keys work also where its menu is closed
     if keys is not None:
         action.setShortcut(QKeySequence(keys))
         window.actions_with_keys.append(action)

@@ -5,13 +5,6 @@ from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from app.look import theme
-from app.look.language import number, tr
-from app.views.check_tab import verdict_color
-from core.report.verdict_words import in_order, sentence_of
-from core.text.sentence import word
-
-LISTED = 40
-"""Walls whose verdicts are written beside the tabs; all stand on the tab Walls."""
 
 
 class Veil(QWidget):
@@ -63,26 +56,3 @@ class Page(QWidget):
             self.made = self.maker()
             self.layout().addWidget(self.made)
         return self.made
-
-
-def card(result, language: str) -> str:
-    """The verdicts of a result as rich text."""
-    lines = []
-    deciding = [wall for wall, decides in in_order(result) if decides]
-    for wall in deciding[:LISTED]:
-        if wall.assessment is None:
-            lines.append(f"<b>{_plain(wall.name)}</b>: q {number(wall.q_set or 0, '.2f')}")
-            continue
-        verdict = wall.assessment.verdict
-        zeta = "–" if verdict.zeta_e is None else f"{number(verdict.zeta_e, '.2f')}"
-        lines.append(
-            f"<span style='color:{verdict_color(result, wall)}; font-weight:600'>ζ {zeta}, "
-            f"{word(verdict.code, language)}</span><br>{_plain(sentence_of(result, wall, language))}"
-        )
-    if len(deciding) > LISTED:
-        lines.append(tr("{n} more walls on the tab Overview", n=len(deciding) - LISTED))
-    return "<p>" + "</p><p>".join(lines) + "</p>"
-
-
-def _plain(text: str) -> str:
-    return text.replace("&", "&amp;").replace("<", "&lt;")

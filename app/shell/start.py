@@ -163,6 +163,7 @@ def main(path: Path | None) -> int:
         window.files.open(path)
     else:
         window.session.open(EXAMPLE)
+        window.show_first_run()
     QTimer.singleShot(0, lambda: offer_recovery(window))
     window.preparation.begin()
     with logged_crash(Path(window.settings.fileName()).parent) as crashes:

@@ -1,4 +1,4 @@
-"""The tabs of the window in their order."""
+"""The pages of the stages Answer, Why and Report."""
 
 from app.look.language import tr
 from app.shell.pages import Page
@@ -19,11 +19,11 @@ def pages(language: str, validation, pick, note) -> dict[str, tuple[Page, str]]:
 
     return {
         "walls": (Page(walls), tr("Overview")),
-        "check": (Page(lambda: CheckTab(language)), tr("Check")),
+        "check": (Page(lambda: CheckTab(language)), tr("Answer")),
         "histories": (Page(HistoriesTab), tr("Histories")),
-        "capacity": (Page(CapacityTab), tr("Capacity")),
+        "capacity": (Page(CapacityTab), tr("Capacity and fragility")),
         "intensity": (Page(IntensityTab), tr("q against SI")),
-        "spectra": (Page(lambda: SpectraTab(language)), tr("Spectra")),
-        "validation": (Page(validation), tr("Validation")),
+        "spectra": (Page(lambda: SpectraTab(language)), tr("Records and spectra")),
+        "validation": (Page(validation), tr("Accuracy")),
         "note": (Page(note), tr("Note")),
     }

@@ -1,33 +1,30 @@
-"""The window: forms on the left, tabs in the middle, records and verdict on the right."""
+"""The window: a bar with four stages, the tree of the project, and the stage in front."""
 
 from pathlib import Path
 
 import pyqtgraph as pg
 from PySide6.QtCore import QByteArray, QEvent, QSettings, QSize, QTimer
-from PySide6.QtWidgets import QComboBox, QDockWidget, QHBoxLayout, QPushButton, QTabWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from app.input.fields import Field
 from app.look import language, theme
-from app.look.language import named, tr
+from app.look.language import tr
 from app.look.parts import Parts
-from app.shell import docks, menus, tabs
-from app.shell.banner import Banner
+from app.shell import menus, stages, tabs, tree
 from app.shell.files import Files
-from app.shell.pages import Veil, card
-from app.views.chart import Chart
+from app.shell.header import Header
+from app.shell.pages import Page
+from app.shell.staged_window import StagedWindow
+from app.shell.tree import ProjectTree
 from app.views.chart_output import ChartOutput
+from app.views.histories_tab import HistoriesTab
 from app.views.note_tab import NoteTab
 from app.views.table import Table
 from app.views.validation_tab import ValidationTab
 from app.work.preparation import Preparation
-from app.work.running import RunningWindow
 from app.work.session import Session
 from app.work.worker import Collector
-from core.case.schema import Wall
-from core.errors import InputError
-from core.study.demand_input import target_of
 from core.study.journal import Memory
-from core.study.results import StudyResult, WallResult
 from core.text.sentence import LANGUAGES
 from core.text.start import system_language
 from core.version import NAME
@@ -38,16 +35,7 @@ FIRST_SIZE, FRAME = QSize(1280, 800), QSize(8, 40)
 """Of the window at first, and of what the desktop puts around it [px]."""
 
 
-def row_of(result: StudyResult, wall: WallResult, walls: tuple[Wall, ...]) -> int | None:
-    """Row of the wall, among those of a case that may have changed since, that a wall of a result is of or is a part
-    of: the one that was analysed, else the one in its place; None where that is another one."""
-    asked, k = wall.part.asked, wall.part.origin
-    if asked in walls:
-        return walls.index(asked)
-    return k if k < len(walls) and walls[k] not in result.case.wall else None
-
-
-class MainWindow(RunningWindow):
+class MainWindow(StagedWindow):
     """One session in a window.
 
     settings : where its state is remembered
@@ -81,20 +69,19 @@ class MainWindow(RunningWindow):
         pg.setConfigOptions(antialias=True, exitCleanup=False)
         asked = menus.chosen(self.settings, "language", LANGUAGES)
         self.language = asked or system_language()
-        docks.remove(self)
-        self._tabs()
-        self.narrow = self.isVisible() and self.width() < docks.NARROW
-        sides = docks.build(self, self.session, self.settings.value("state"), self.narrow)
-        self.forms, self.walls, self.demand = sides.forms, sides.walls, sides.demand
-        self.analysis, self.records = sides.analysis, sides.records
-        self.card, self.card_veil = sides.card, sides.card_veil
-        self.records.loaded.connect(self.records_loaded)
-        self.walls.list.currentRowChanged.connect(self._wall_listed)
+        stages.remove(self)
+        self.shown, self.fresh = -1, set()
+        self._known_rows: tuple = (None, None, {})
+        made = tabs.pages(self.language, self._validation, self.pick, self._note)
+        self.pages = {name: page for name, (page, _) in made.items()}
+        self.page_labels = {name: label for name, (_, label) in made.items()}
+        self.beside = Page(HistoriesTab)
+        self.stages = stages.Stages(self, self.session, made, self.beside)
+        self._name_parts()
+        self._frame()
         self.actions_of = menus.build(self)
         self.run_action = self.actions_of.run
-        line = docks.build_status(self)
-        self.word, self.bar, self.cancel_button = line.word, line.bar, line.cancel_button
-        self.cancel_button.clicked.connect(self.cancel)
+        self.word = stages.build_status(self)
         self.word_kind = ""
         self.show_running(self.job is not None)
         for field in self.fields:
@@ -105,45 +92,81 @@ class MainWindow(RunningWindow):
             self._show_state,
             self.walls.show_case,
             self.demand.show_case,
+            self.demand.building.show_case,
             self.analysis.show_case,
             self.records.show_case,
             self._show_stale,
             self._show_problem,
+            self._show_tree,
             self._show_input,
             self._show_recent,
             self.preparation.prepare_next,
         )
+        self.stages.input.show_kind("wall")
+        self.show_stage("input")
         self.refresh()
 
-    def _tabs(self) -> None:
-        self.tabs = QTabWidget()
-        made = tabs.pages(self.language, self._validation, self.pick, self._note)
-        self.pages = {name: page for name, (page, _) in made.items()}
-        self.tab_labels = tuple(label for _, label in made.values())
-        for page, label in made.values():
-            self.tabs.addTab(page, label)
-        self.tabs.currentChanged.connect(lambda _: self.show_result())
-        self.chosen = QComboBox()
-        self.chosen.setMinimumWidth(80)
-        self.chosen.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
-        self.chosen.setAccessibleName(tr("Wall shown"))
-        self.chosen.activated.connect(lambda _: self._wall_chosen())
-        self.banner = Banner(self)
-        self.run_button = QPushButton(tr("Run (F5)"))
-        self.run_button.clicked.connect(self.run)
-        bar = QHBoxLayout()
-        bar.addWidget(self.run_button)
-        bar.addWidget(self.chosen)
-        bar.addWidget(self.banner, 1)
-        centre = QWidget()
-        layout = QVBoxLayout(centre)
-        layout.setContentsMargins(6, 6, 6, 0)
-        layout.addLayout(bar)
-        layout.addWidget(self.tabs, 1)
+    def _name_parts(self) -> None:
+        """Parts of the stages that others ask for."""
+        given = self.stages.input
+        self.walls, self.demand, self.analysis, self.records = given.walls, given.demand, given.analysis, given.records
+        self.forms, self.missing = given.forms, given.missing
+        self.why, self.veil, self.bar = self.stages.why, self.stages.veil, self.stages.bar
+        self.records.loaded.connect(self.records_loaded)
+        self.walls.selected.connect(self._wall_selected)
+        self.why.currentChanged.connect(lambda _: self.show_result())
+        self.stages.answer.widened.connect(self._show_beside)
         self.pages["walls"].content  # noqa: B018  (the first page is there at once)
-        self.veil = Veil(self.tabs)
+
+    def _frame(self) -> None:
+        """The bar above, the tree at the left, the stage."""
+        self.header, self.tree = Header(), ProjectTree()
+        self.header.staged.connect(self.show_stage)
+        self.header.noticed.connect(self._notice_clicked)
+        self.run_button, self.cancel_button = self.header.run_button, self.header.cancel_button
+        for button, slot in (
+            (self.run_button, self.run),
+            (self.cancel_button, self.cancel),
+            (self.header.undo_button, self.session.undo),
+            (self.header.find_button, lambda: menus.find(self)),
+            (self.header.help_button, lambda: menus.explain(self)),
+        ):
+            button.clicked.connect(lambda _=False, slot=slot: slot())
+        walls = self.walls
+        self.tree.set_buttons(
+            [
+                [
+                    (tr("+ wall"), tr("Add a wall"), lambda: self._then_input(walls.add)),
+                    (tr("+ variant"), tr("The wall as it is and, beside it, to be changed"), walls.add_variant),
+                    (tr("copy"), tr("Copy this wall"), walls.duplicate),
+                ],
+                [
+                    (tr("paste"), tr("Paste rows copied from Excel"), walls.paste),
+                    (tr("table…"), tr("Read walls from .xlsx or .csv"), walls.load_table),
+                    (tr("delete"), tr("Delete this wall"), walls.delete),
+                ],
+            ]
+        )
+        self.tree.chosen.connect(self.choose_row)
+        centre = QWidget()
+        column = QVBoxLayout(centre)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self.header)
+        row = QHBoxLayout()
+        row.setSpacing(0)
+        row.addWidget(self.tree)
+        row.addWidget(self.stages, 1)
+        column.addLayout(row, 1)
         self.setCentralWidget(centre)
-        self.fresh: set[QWidget] = set()
+        self._tree_width()
+
+    def _tree_width(self) -> None:
+        self.tree.setFixedWidth(tree.WIDE if self.width() >= tree.WIDE_FROM else tree.WIDTH)
+
+    def resizeEvent(self, event) -> None:
+        super().resizeEvent(event)
+        self._tree_width()
 
     def _validation(self) -> ValidationTab:
         tab = ValidationTab()
@@ -157,35 +180,33 @@ class MainWindow(RunningWindow):
         tab.exported.connect(self.files.ask_note)
         return tab
 
-    def set_choice(self, setting: str, name: str, keep: bool = True) -> None:
-        """Change the theme or the language, and build the window again. keep : the docks where they are"""
+    def set_choice(self, setting: str, name: str) -> None:
+        """Change the theme or the language, and build the window again."""
         self.settings.setValue(setting, name)
-        if keep:
-            self.settings.setValue("state", self.saveState(docks.LAYOUT))
         if setting == "theme":
             theme.set_theme(name)
         else:
             language.set_language(name)
-        tab, wall = self.tabs.currentIndex(), self.chosen.currentIndex()
-        widths = [dock.width() for dock in docks.sides(self)]
-        keep = keep and not self.narrow  # those of a narrow window share a side
+        page, stage, shown, row = self.page, self.stages.front, self.shown, self.walls.row
+        chosen = self.tree.current
         self.build()
-        if keep:
-            docks.widen(self, widths)
-        self.tabs.setCurrentIndex(tab)
+        self.walls.row = row
         self.result_arrived(self.session.result)
-        self.chosen.setCurrentIndex(wall)
-        self.show_result()
+        self.shown = shown
+        self.refresh()
+        if chosen is not None:
+            self.tree.select(chosen.key)
+            self.stages.input.show_kind(chosen.kind if chosen.kind in self.stages.input.areas else "wall")
+        if page is not None:
+            self.show_page(page)
+        else:
+            self.show_stage(stage)
 
     def reset_layout(self) -> None:
-        """Docks and sizes as at the first start."""
-        self.settings.remove("state")
+        """The size of the first start."""
         self.settings.remove("geometry")
         self.showNormal()
         self._first_size()
-        self.set_choice("language", self.language, keep=False)
-        for dock in self.findChildren(QDockWidget):
-            dock.show()
 
     def _first_size(self) -> None:
         """As large as its contents want, no larger than the screen."""
@@ -199,7 +220,7 @@ class MainWindow(RunningWindow):
     @property
     def fields(self) -> list[Field]:
         """The fields of the case; those of a dialog are not among them."""
-        forms = (self.walls, self.demand, self.analysis)
+        forms = (self.walls, self.demand, self.demand.building, self.analysis)
         return [field for form in forms for field in form.findChildren(Field)]
 
     def refresh(self) -> None:
@@ -210,22 +231,52 @@ class MainWindow(RunningWindow):
         mark = "*" if self.session.dirty else ""
         name = self.session.path.name if self.session.path else tr("untitled")
         self.setWindowTitle(f"{mark}{name} – {NAME}")
+        self.header.say(f"{mark}{self.session.case.title}")
         self.actions_of.undo.setEnabled(bool(self.session.past))
+        self.header.undo_button.setEnabled(bool(self.session.past))
         self.actions_of.redo.setEnabled(bool(self.session.future))
 
     def _show_stale(self) -> None:
-        stale = ChartOutput.stale = Table.stale = self.session.stale
-        self._cover_tabs()
-        self.card_veil.cover(stale)
+        ChartOutput.stale = Table.stale = self.session.stale
+        self._cover_pages()
 
     def _show_problem(self) -> None:
-        can_run = self.banner.show_problem() and self.job is None
+        runs = self.missing.show_problems()
+        can_run = runs and self.job is None
         self.run_action.setEnabled(can_run)
         self.run_button.setEnabled(can_run)
+        count, words = len(self.missing.problems), ""
+        if count and self.stages.front != "input":
+            words = tr("{n} missing", n=count)
+        elif not count and self.session.stale and self.job is None:
+            words = tr("The input has changed: press F5.")
+        self.header.show_notice(words, self.missing.text())
+
+    def _show_tree(self) -> None:
+        finished = None
+        if self.job is not None and self.finished_walls:
+            finished = {}
+            for wall in self.finished_walls:
+                zeta = wall.assessment.verdict.zeta_e if wall.assessment else None
+                known = finished.get(wall.part.origin)
+                finished[wall.part.origin] = zeta if known is None else known if zeta is None else min(known, zeta)
+        state = tree.State(
+            self.session.case,
+            self.session.result,
+            self.session.stale,
+            self.session.problems(),
+            len(self.records.motions),
+            self.records.unreadable_row() is not None,
+            self.results_of(),
+            finished,
+        )
+        self.tree.show_rows(tree.rows_of(state))
+        if self.tree.current is None and self.session.case.wall:
+            self.tree.select(("wall", self.walls.current, ""))
 
     def _show_input(self) -> None:
-        """What a tab shows of the input as it stands."""
-        if self.tabs.currentWidget() is self.pages["spectra"]:
+        """What a page shows of the input as it stands."""
+        if self.page == "spectra":
             self._show_spectra()
 
     def _show_recent(self) -> None:
@@ -241,107 +292,10 @@ class MainWindow(RunningWindow):
     def records_loaded(self) -> None:
         self.refresh()
 
-    def _show_spectra(self) -> None:
-        demand = self.session.case.demand
-        try:
-            target = target_of(demand, self.session.base_dir) if demand else None
-        except (InputError, TypeError, KeyError):  # still to be given
-            target = None
-        result = self.session.result
-        rules = result.compliance if result and not self.session.stale else None
-        floor = self.wall.floor if self.wall and not self.session.stale else None
-        self.pages["spectra"].content.show_records(self.records.motions, target, rules, floor)
-
-    @property
-    def wall(self):
-        result = self.session.result
-        k = self.chosen.currentIndex()
-        return result.walls[k] if result and 0 <= k < len(result.walls) else None
-
-    def pick(self, k: int) -> None:
-        """Show the k-th wall of the result on the tab Check."""
-        self.chosen.setCurrentIndex(k)
-        self._wall_chosen()
-        self.tabs.setCurrentWidget(self.pages["check"])
-
-    def pick_input(self, k: int) -> None:
-        """Show the input of the k-th wall of the result."""
-        self.chosen.setCurrentIndex(k)
-        self._wall_chosen()
-        docks.show_walls(self)
-
-    def charts(self) -> list[Chart]:
-        """Every chart that shows something of the wall shown. Its tab is once in front: Qt lays nothing out before."""
-        found, front = [], self.tabs.currentIndex()
-        self.tabs.setUpdatesEnabled(False)
-        for page in self.pages.values():
-            self.tabs.setCurrentWidget(page)
-            found += [chart for chart in page.content.findChildren(Chart) if chart.data]
-        self.tabs.setCurrentIndex(front)
-        self.tabs.setUpdatesEnabled(True)
-        return found
-
-    def _wall_chosen(self) -> None:
-        """List, selector and tabs show one wall."""
-        self.fresh.clear()
-        if self.wall is not None:
-            row = row_of(self.session.result, self.wall, self.session.case.wall)
-            if row is not None and self.walls.list.currentRow() != row:
-                self.walls.list.setCurrentRow(row)
-        self.show_result()
-
-    def _wall_listed(self, row: int) -> None:
-        """The selector follows the list."""
-        result, walls = self.session.result, self.session.case.wall
-        if result is None or not 0 <= row < len(walls) or self.walls.showing:
-            return
-        if self.wall is None or row_of(result, self.wall, walls) == row:
-            return
-        found = [k for k, wall in enumerate(result.walls) if row_of(result, wall, walls) == row]
-        if found:
-            self.chosen.setCurrentIndex(found[0])
-            self.fresh.clear()
-            self.show_result()
-
-    def show_result(self) -> None:
-        """Fill the tab in front, once per result and wall."""
-        tab = self.tabs.currentWidget()
-        if tab is self.pages["spectra"]:
-            self._show_spectra()
-        elif tab not in self.fresh and (self.wall is not None or tab.made is None):
-            content = tab.content
-            if self.wall is None:
-                return
-            content.show_wall(self.session.result, self.wall)
-            self.fresh.add(tab)
-        self._cover_tabs()
-
-    def _cover_tabs(self) -> None:
-        """Grey the tab in front where its result is of an earlier input; Spectra shows the input as it is."""
-        front = self.tabs.currentWidget()
-        live = front is self.pages["spectra"] or (front is self.pages["walls"] and self.finished_walls)
-        self.veil.cover(self.session.stale and not live)
-
-    def show_finished(self, walls: list) -> None:
-        """Walls that have their verdict while others run."""
-        self.pages["walls"].content.show_running(walls)
-        self.fresh.discard(self.pages["walls"])
-        self._cover_tabs()
-
-    def resizeEvent(self, event) -> None:
-        super().resizeEvent(event)
-        narrow = self.width() < docks.NARROW
-        if narrow != self.narrow:
-            self.narrow = narrow
-            docks.arrange(self, narrow)
-        self._cover_tabs()
-
-    # results
-
     def start_afresh(self) -> None:
         """Another case is open: nothing of the last one stays."""
         self.cancel()
-        self.walls.list.setCurrentRow(0)
+        self.walls.row = 0
         self.records.read_again()
         for field in self.fields:
             field.forget()
@@ -351,18 +305,15 @@ class MainWindow(RunningWindow):
         """Show a result of study.run, None while there is none."""
         self.session.result = result
         self.fresh.clear()
-        self.chosen.clear()
         if result is None:
-            self.card.setText(tr("No result yet: press F5."))
-            for page in self.pages.values():
+            self.shown = -1
+            for page in (*self.pages.values(), self.beside):
                 page.empty()
             self.pages["walls"].content  # noqa: B018  (it says what to do)
-            self.show_result()
-            self.refresh()
-            return
-        for wall in result.walls:
-            self.chosen.addItem(f"{wall.name} – {named(wall.mechanism)}")
-        self.card.setText(card(result, self.language))
+        else:
+            known = self.results_of().get(self.walls.current, [])
+            if self.shown not in known:
+                self.shown = known[0] if known else 0
         self.refresh()
         self.show_result()
 
@@ -381,5 +332,4 @@ class MainWindow(RunningWindow):
         self.session.drop_recovery_file()
         self.session.close()
         self.settings.setValue("geometry", self.saveGeometry())
-        self.settings.setValue("state", self.saveState(docks.LAYOUT))
         event.accept()

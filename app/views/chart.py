@@ -73,19 +73,13 @@ class Chart(ChartOutput):
     def _bar(self) -> QHBoxLayout:
         bar = QHBoxLayout()
         bar.addWidget(self.read, 1)
-        for label, tip, slot in (
-            (tr("Reset"), tr("Show everything"), self.reset),
-            (tr("Copy"), tr("Copy the picture"), self.copy),
-            (tr("Figure…"), tr("Save as a figure for a report: PNG, SVG or PDF"), self._save_figure),
-            ("CSV", tr("Save the data as CSV"), self._save_data),
-        ):
-            button = QToolButton()
-            button.setText(label)
-            button.setToolTip(tip)
-            button.setAccessibleName(f"{label}, {self.name}")
-            button.setAutoRaise(True)
-            button.clicked.connect(slot)
-            bar.addWidget(button)
+        button = QToolButton()
+        button.setText("⋯")
+        button.setToolTip(tr("What can be done with this chart"))
+        button.setAccessibleName(f"{tr('Chart')}, {self.name}")
+        button.setAutoRaise(True)
+        button.clicked.connect(lambda: self._open_menu(button.mapToGlobal(button.rect().bottomLeft())))
+        bar.addWidget(button)
         return bar
 
     # content
@@ -357,16 +351,33 @@ class Chart(ChartOutput):
     # menu
 
     def _menu(self, place) -> None:
-        menu = QMenu(self)
-        for label, slot in (
+        self._open_menu(self.view.mapToGlobal(place))
+
+    def menu_of(self) -> list[tuple]:
+        """What can be done with the chart: label and slot of each."""
+        return [
             (tr("Show everything"), self.reset),
             (tr("Axis limits…"), self._ask_limits),
-            (tr("Copy"), self.copy),
-            (tr("Figure…"), self._save_figure),
+            (tr("Copy the picture"), self.copy),
+            (tr("Save as a figure for a report: PNG, SVG or PDF"), self._save_figure),
             (tr("Save the data as CSV"), self._save_data),
-        ):
+            (tr("The data as a table"), self.show_table),
+        ]
+
+    def _open_menu(self, place) -> None:
+        menu = QMenu(self)
+        for label, slot in self.menu_of():
             menu.addAction(label, slot)
-        menu.exec(self.view.mapToGlobal(place))
+        menu.exec(place)
+        menu.deleteLater()
+
+    def show_table(self) -> None:
+        """The data in a window of their own, for readers of the screen and for copying."""
+        from app.views.figure_dialogs import data_table
+
+        dialog = data_table(self)
+        dialog.exec()
+        dialog.deleteLater()
 
     def _ask_limits(self) -> None:
         from app.views.figure_dialogs import axis_limits

@@ -1,20 +1,43 @@
-"""The tab Check: the table of methods, the peaks at the demand, the verdict."""
+"""The answer of a wall: its verdict, the ladder of checks, its hinges, the peaks at the demand, facts of trust."""
+
+import html
 
 import numpy as np
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLabel, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QScrollArea,
+    QSizePolicy,
+    QSplitter,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
 
 from app.look import theme
+from app.look.drawing import WallDrawing
 from app.look.language import number, tr
 from app.views.chart import Chart
+from app.views.ladder import Ladder, Rung
 from app.views.table import Table
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.eq9 import LABEL
+from core.codes.kinematic import Check
 from core.report.tie_words import tie_lines
 from core.report.verdict_words import lines_of, sentence_of, tone_of
 from core.study.results import Q_SOURCES, StudyResult, WallResult
-from core.text.sentence import word
+from core.text.sentence import Number, sentence, word
 from core.units import G
+
+IMPORTANT = 4
+"""Lines of what is to be done and what limits the verdict that stand below it; the others are folded."""
+
+MIN_HEIGHT = 340
+"""Of ladder and peaks together [px]: below it the page scrolls."""
 
 LAW_WORDS = {"q": "law_q", "q_slv": "law_q_slv"}
 
@@ -29,51 +52,127 @@ def digits(value: float | None, figures: int = 2) -> str:
     return number(value, f".{figures}f")
 
 
+def zetas_of(result: StudyResult, wall: WallResult) -> list[tuple[float, float | None]]:
+    """Every hinge of the wall a result is of, with the smallest zeta found there; none where it has one alone."""
+    found: dict[float, list[float]] = {}
+    for one in result.walls:
+        if one.part.origin == wall.part.origin and one.assessment:
+            found.setdefault(one.part.hinge, []).append(one.assessment.verdict.zeta_e)
+    zetas = {hinge: [zeta for zeta in known if zeta is not None] for hinge, known in found.items()}
+    return [(hinge, min(known, default=None)) for hinge, known in sorted(zetas.items())] if len(zetas) > 1 else []
+
+
 class CheckTab(QWidget):
-    """The table of methods, the peaks at the demand, the verdict."""
+    """The verdict of a wall in one line, what is to be done and what limits it, the ladder of checks, the wall with the
+    zeta of each hinge, the peaks at the demand, four facts of trust; the table and the comparisons by a click."""
 
     def __init__(self, language: str):
         super().__init__()
         self.language = language
-        self.sentence = QLabel(tr("No result yet: press F5."))
-        self.sentence.setWordWrap(True)
-        self.sentence.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self.reasons = QLabel()
-        self.reasons.setWordWrap(True)
-        self.reasons.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.heading, self.sentence = QLabel(), QLabel(tr("No result yet: press F5."))
+        self.important, self.reasons = QLabel(), QLabel()
+        for label in (self.heading, self.sentence, self.important, self.reasons):
+            label.setWordWrap(True)
+            label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.notes = self._opener(lambda on: self.reasons.setVisible(on))
+        self.banner = QFrame(objectName="verdict")
+        inside = QVBoxLayout(self.banner)
+        inside.setContentsMargins(14, 6, 10, 6)
+        inside.setSpacing(2)
+        for widget in (self.heading, self.sentence, self.important, self.notes, self.reasons):
+            inside.addWidget(widget)
+        self.reasons.hide()
         self.table = Table(
             tr("Checks"),
             [tr("Method"), "ζ", tr("Outcome"), tr("Clause"), "q", tr("Capacity"), tr("Demand"), tr("Unit")],
         )
+        self.ladder = Ladder()
+        self.drawing = WallDrawing()
+        self.drawing.setMinimumWidth(170)
+        self.more = self._opener(lambda on: self.checks.setCurrentIndex(int(on)))
+        self.more.setText(tr("Table, Eq. 9 and research ▸"))
+        ladder = QWidget()
+        row = QHBoxLayout(ladder)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.addWidget(self.ladder, 5)
+        row.addWidget(self.drawing, 2)
+        self.checks = QStackedWidget()
+        self.checks.addWidget(ladder)
+        self.checks.addWidget(self.table)
+        above = QWidget()
+        column = QVBoxLayout(above)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self.checks, 1)
+        column.addWidget(self.more, 0, Qt.AlignmentFlag.AlignRight)
         self.peaks = Chart(tr("record"), "θmax/θc [-]", tr("Peaks at the demand"))
-        split = QSplitter(Qt.Orientation.Vertical)
-        split.addWidget(self.table)
-        split.addWidget(self.peaks)
-        layout = QVBoxLayout(self)
-        layout.addWidget(self.sentence)
-        layout.addWidget(self.reasons)
-        layout.addWidget(split, 1)
+        self.peaks.setMinimumHeight(150)
+        self.split = QSplitter(Qt.Orientation.Vertical)
+        self.split.addWidget(above)
+        self.split.addWidget(self.peaks)
+        self.split.setStretchFactor(1, 1)
+        # what the words above leave, else the page scrolls by the chart's wish
+        self.split.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
+        self.split.setMinimumHeight(MIN_HEIGHT)
+        self.facts = QLabel()
+        self.facts.setTextFormat(Qt.TextFormat.RichText)
+        self.facts.setAccessibleName(tr("Why the result may be trusted"))
+        page = QWidget()
+        layout = QVBoxLayout(page)
+        layout.setContentsMargins(6, 6, 6, 4)
+        layout.addWidget(self.banner)
+        layout.addWidget(self.split, 1)
+        layout.addWidget(self.facts)
+        area = QScrollArea()
+        area.setWidgetResizable(True)
+        area.setFrameShape(QFrame.Shape.NoFrame)
+        area.setWidget(page)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.addWidget(area)
+
+    @staticmethod
+    def _opener(slot) -> QPushButton:
+        button = QPushButton()
+        button.setCheckable(True)
+        button.setFlat(True)
+        button.setStyleSheet(f"QPushButton {{ color: {theme.current.curves[0]}; text-align: left; padding: 2px; }}")
+        button.toggled.connect(slot)
+        return button
 
     def show_wall(self, result: StudyResult, wall: WallResult) -> None:
-        """Fill the tab from one wall of a result."""
+        """Fill the page from one hinge of a wall of a result."""
         assessment = wall.assessment
         self.peaks.clear()
+        self.drawing.show_wall(wall.part.asked, zetas_of(result, wall))
+        shade = verdict_color(result, wall) if assessment else theme.current.edge
+        tint = QColor(shade)
+        tint.setAlpha(26)
+        edges = f"border: 1px solid {shade}; border-left: 8px solid {shade};"
+        self.banner.setStyleSheet(f"QFrame#verdict {{ {edges} background: {tint.name(QColor.NameFormat.HexArgb)}; }}")
         rows, colors = [], []
+        for widget in (self.ladder, self.more, self.important):
+            widget.setVisible(assessment is not None)
         if assessment is None:
+            self.heading.setText(wall.name)
             self.sentence.setText(tr("No demand: no check. q of the wall: {q}", q=digits(wall.q_set)))
-            self.sentence.setStyleSheet("font-size: 12pt;")
-            self.reasons.setText(self._warnings(result, wall))
+            self._fold(self._warnings(result, wall))
+            self.facts.setText("")
             self.table.show_rows([])
             self.peaks.say_why(tr("No demand: nothing to compare the peaks with."))
             return
+        verdict = assessment.verdict
+        self.heading.setText(f"{wall.name}: {word(verdict.code, self.language)}, ζ {digits(verdict.zeta_e)}")
+        self.heading.setStyleSheet(f"font-size: 16pt; font-weight: 700; color: {shade};")
         self.sentence.setText(sentence_of(result, wall, self.language))
-        self.sentence.setStyleSheet(f"font-size: 12pt; font-weight: 600; color: {verdict_color(result, wall)};")
-        reasons = lines_of(result, wall, self.language)
-        reasons += tie_lines(wall, self.language)
+        self.important.setText("\n".join(lines_of(result, wall, self.language, ("to_do", "limits"))[:IMPORTANT]))
+        others = lines_of(result, wall, self.language, ("to_do", "limits"))[IMPORTANT:]
+        others += lines_of(result, wall, self.language, ("note", "reason")) + tie_lines(wall, self.language)
         if assessment.kinematic:
-            reasons.insert(0, self._mechanism(assessment))
-        lines = [f"• {reason}" for reason in reasons] + [self._warnings(result, wall)]
-        self.reasons.setText("\n".join(line for line in lines if line))
+            others.insert(0, self._mechanism(assessment))
+        self._fold([*others, *self._warnings(result, wall)])
+        self.ladder.show_rungs([self._rung(check, verdict) for check in assessment.checks], verdict.zeta_target)
+        self.facts.setText(self._facts(result, wall))
         for check, decides in assessment.shown:
             color = theme.current.good if check.passed else theme.current.bad
             outcome = "no_number" if check.passed is None else "passed" if check.passed else "not_passed"
@@ -163,10 +262,53 @@ class CheckTab(QWidget):
             parts.append(tr("IS-V of this mechanism {index:.2f}, class {letter}", index=risk.index, letter=risk.letter))
         return parts
 
-    def _warnings(self, result: StudyResult, wall: WallResult) -> str:
+    def _warnings(self, result: StudyResult, wall: WallResult) -> list[str]:
         """What is said of the demand and of the wall."""
         demand = result.demand.warnings if result.demand else ()
-        return "\n".join(f"• {warning.text(self.language)}" for warning in (*demand, *wall.warnings))
+        return [warning.text(self.language) for warning in (*demand, *wall.warnings)]
+
+    def _fold(self, lines: list[str]) -> None:
+        """Notes behind their number."""
+        self.notes.setText(tr("{n} notes ▾", n=len(lines)))
+        self.notes.setVisible(bool(lines))
+        self.reasons.setText("\n".join(f"• {line}" for line in lines))
+
+    def _rung(self, check: Check, verdict) -> Rung:
+        name = sentence("short", check.label, q=Number(check.q, "g")).text(self.language)
+        if check.capacity is None or check.demand is None:
+            values = ""
+        else:
+            values = f"{digits(check.capacity, 3)} / {digits(check.demand, 3)} {check.unit.replace('-', '')}".strip()
+        tone = "quiet" if check.passed is None else "good" if check.passed else "bad"
+        return Rung(name, check.clause, check.zeta, values, tone, check.name == verdict.governing)
+
+    def _facts(self, result: StudyResult, wall: WallResult) -> str:
+        """Four facts by which a reader judges how far the verdict goes."""
+        found = wall.assessment
+        dynamic, facts = found.dynamic, []
+        if dynamic and dynamic.zeta is not None:
+            other = f"ζ {digits(dynamic.zeta_16)} – {digits(dynamic.zeta)}"
+            facts.append((tr("Scatter: one multiplier in six fails"), other))
+        rules = result.compliance
+        kind = "" if rules is None else ", " + (tr("compatible") if rules.compatible else tr("not compatible"))
+        facts.append((tr("Set of records"), f"{len(result.motions)}{kind}"))
+        if found.lower_bound is not None:
+            facts.append((tr("If the restraint behind fails"), f"ζ {digits(found.lower_bound.zeta)}"))
+        elif dynamic and dynamic.zeta_other:
+            side = word(f"confidence_{dynamic.zeta_other.confidence_on}", self.language)
+            facts.append((side, f"ζ {digits(dynamic.zeta_other.zeta)}"))
+        known = [zeta for zeta in found.sensitivity.values() if zeta is not None]
+        if known:
+            facts.append((tr("Other building or height"), f"ζ {digits(min(known))}"))
+        elif found.risk and found.risk.pga:
+            facts.append(("PGA_C", f"{number(found.risk.pga / G, '.3f')} g"))
+        quiet = theme.current.quiet
+        cells = "".join(
+            f"<td style='padding-right: 34px'><span style='color:{quiet}'>{html.escape(name)}</span><br>"
+            f"<b>{html.escape(value)}</b></td>"
+            for name, value in facts
+        )
+        return f"<table><tr>{cells}</tr></table>"
 
     def _bars(self, check) -> None:
         top = 1.2

@@ -1,6 +1,6 @@
 """What is asked before a figure is saved, and the ends of the axes."""
 
-from PySide6.QtWidgets import QCheckBox, QComboBox, QDialog, QDialogButtonBox, QFormLayout, QLineEdit
+from PySide6.QtWidgets import QCheckBox, QComboBox, QDialog, QDialogButtonBox, QFormLayout, QLineEdit, QVBoxLayout
 
 from app.look.language import current_language, tr
 from app.views.figure_file import FigureSize
@@ -55,6 +55,34 @@ def axis_limits(parent, labels, now) -> tuple[float, float, float, float] | None
     except ValueError:
         return None
     return (left, right, low, high) if left < right and low < high else None
+
+
+MOST_ROWS = 20_000
+"""Of a table of data: more nobody reads; the CSV has them all."""
+
+
+def data_table(chart) -> QDialog:
+    """The data of a chart as a table: curve, x, y."""
+    from app.views.table import Table
+
+    dialog = QDialog(chart)
+    dialog.setWindowTitle(chart.name)
+    table = Table(chart.name, [tr("curve"), *chart.labels])
+    rows = [
+        [
+            name,
+            chart.names[int(x)] if chart.names else numeral(x, ".6g", current_language()),
+            numeral(y, ".6g", current_language()),
+        ]
+        for name, xs, ys in chart.data
+        for x, y in zip(xs.tolist(), ys.tolist(), strict=True)
+    ]
+    table.show_rows(rows[:MOST_ROWS])
+    table.live = chart.live
+    layout = QVBoxLayout(dialog)
+    layout.addWidget(table)
+    dialog.resize(560, 480)
+    return dialog
 
 
 def _accepted(dialog: QDialog, form: QFormLayout) -> bool:

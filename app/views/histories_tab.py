@@ -1,4 +1,4 @@
-"""The tab Histories, which integrates under the hand."""
+"""The page Histories, which integrates under the hand: the rocking wall beside ground, rotation and energy."""
 
 import math
 from functools import partial
@@ -23,6 +23,7 @@ from app.look.language import current_language, named, number, tr
 from app.views.chart import Chart
 from core.capacity.ida import multiplier_of, threshold_of
 from core.codes.dynamic_check import at_demand
+from core.rocking.energy import energy_ratios
 from core.rocking.history import history
 from core.rocking.outcome import COLLAPSED
 from core.study.bar_histories import BarHistory, bar_histories, work_of_impacts
@@ -78,37 +79,65 @@ class HistoriesTab(QWidget):
         self.again = QCheckBox(tr("the same motion again"))
         self.again.setToolTip(tr("After five seconds at rest: a second motion meets the ties as the first left them."))
         self.again.toggled.connect(lambda _: self._chosen())
-        self.wall_drawing = WallDrawing(with_sizes=False)
-        self.wall_drawing.setFixedWidth(150)
+        self.energy = Chart("t [s]", "E/E(θc) [-]", tr("Energy"))
+        self.energy.plot.setXLink(self.ground.plot)
+        self.wall_drawing, self.other_drawing = WallDrawing(with_sizes=False), WallDrawing(with_sizes=False)
+        self.other = QComboBox()
+        self.other.setAccessibleName(tr("Second record"))
+        self.other.setToolTip(tr("A second record at the same multiplier, beside the first"))
+        self.other.activated.connect(lambda _: self.integrate())
+        self.speed = QComboBox()
+        self.speed.setAccessibleName(tr("Speed"))
+        for name, speed in (("1×", 1.0), ("½×", 0.5), ("¼×", 0.25), ("1⁄10×", 0.1)):
+            self.speed.addItem(name, speed)
+        self.speed.activated.connect(lambda _: self._again_from_here())
         bar = QHBoxLayout()
         self.record.setMinimumWidth(60)
         bar.addWidget(self.record, 1)
         bar.addWidget(self.slider, 2)
         bar.addWidget(self.preset)
         bar.addWidget(self.again)
-        bar.addWidget(self.play)
         charts = QSplitter(Qt.Orientation.Vertical)
         charts.addWidget(self.ground)
         charts.addWidget(self.rotation)
+        charts.addWidget(self.energy)
         self.of_ties = QTabWidget()
         self.of_ties.addTab(self.force, tr("Force of the ties"))
         self.of_ties.addTab(self.elongation, tr("Elongation of the ties"))
         charts.addWidget(self.of_ties)
-        charts.setSizes([160, 320, 200])
-        row = QHBoxLayout()
-        row.addWidget(charts, 1)
-        row.addWidget(self.wall_drawing)
+        charts.setSizes([150, 300, 150, 180])
+        walls = QWidget()
+        column = QVBoxLayout(walls)
+        column.setContentsMargins(0, 0, 0, 0)
+        drawings = QHBoxLayout()
+        for drawing in (self.wall_drawing, self.other_drawing):
+            drawings.addWidget(drawing, 1)
+        column.addLayout(drawings, 1)
+        below = QHBoxLayout()
+        below.addWidget(self.play)
+        below.addWidget(self.speed)
+        self.other.setMinimumWidth(60)
+        below.addWidget(self.other, 1)
+        column.addLayout(below)
+        row = QSplitter(Qt.Orientation.Horizontal)
+        row.addWidget(walls)
+        row.addWidget(charts)
+        row.setSizes([320, 720])
+        row.setStretchFactor(0, 3)
+        row.setStretchFactor(1, 7)
+        walls.setMinimumWidth(190)
         layout = QVBoxLayout(self)
         layout.addLayout(bar)
+        self.words.setWordWrap(True)
         layout.addWidget(self.words)
-        layout.addLayout(row, 1)
+        layout.addWidget(row, 1)
         self.timer = QTimer(self)
         self.timer.setInterval(33)
         self.timer.timeout.connect(self._frame)
         self.clock = QElapsedTimer()
         self.started = 0.0
         self.shown = None
-        self.history = None
+        self.history = self.second = None
         self.cursors = []
         self.bars: list[BarHistory] = []
 
@@ -116,16 +145,20 @@ class HistoriesTab(QWidget):
         """Fill the tab from one wall of a result."""
         self.play.setChecked(False)
         self.shown, self.history, self.cursors = (result, wall), None, []
-        self.wall_drawing.show_wall(wall.wall)
-        self.wall_drawing.one_sided = wall.mechanism == "one_sided"
+        for drawing in (self.wall_drawing, self.other_drawing):
+            drawing.show_wall(wall.wall)
+            drawing.one_sided = wall.mechanism == "one_sided"
         for widget in (self.again, self.of_ties):
             widget.setVisible(bool(wall.model.bars))
         if not wall.model.bars:
             with QSignalBlocker(self.again):
                 self.again.setChecked(False)
         self.record.clear()
+        self.other.clear()
+        self.other.addItem(tr("no second record"))
         for run in wall.runs:
-            self.record.addItem(f"{run.record} ({'+' if run.polarity > 0 else '−'})")
+            for box in (self.record, self.other):
+                box.addItem(f"{run.record} ({'+' if run.polarity > 0 else '−'})")
         known = [k for k, run in enumerate(wall.runs) if run.ida.q is not None]
         if known:
             self.record.setCurrentIndex(min(known, key=lambda k: wall.runs[k].ida.q))
@@ -158,12 +191,18 @@ class HistoriesTab(QWidget):
         both_ways = wall.model.one_sided == 0.0
         for level in (-1.0, 1.0) if both_ways else (1.0,):
             self.rotation.level(level, "θc" if level > 0 else "−θc", "bad")
-        self.cursors = [chart.level(0.0, "", "ink", vertical=True) for chart in (self.ground, self.rotation)]
+        self.energy.clear()
+        self.energy_curve = self.energy.curve(tr("energy"), [0.0, 1.0], [0.0, 0.0], 2, 1.4)
+        self.energy.level(1.0, "", "bad")
+        self.second_curve = self.rotation.curve(tr("second record"), [0.0, 1.0], [0.0, 0.0], 4, 1.2, legend=False)
+        panels = (self.ground, self.rotation, self.energy)
+        self.cursors = [chart.level(0.0, "", "ink", vertical=True) for chart in panels]
         for line in self.cursors:
             line.setMovable(True)
             line.sigDragged.connect(lambda line: self.set_time(line.value()))
         self.rotation.set_range((0.0, float(self.times[-1])), (-1.4 if both_ways else -0.2, 1.4))
         self.ground.set_range((0.0, float(self.times[-1])))
+        self.energy.set_range((0.0, float(self.times[-1])), (0.0, 1.3))
         self._set_q(self.middle)
 
     @property
@@ -239,6 +278,10 @@ class HistoriesTab(QWidget):
             ("θ/θc", self.times[: ratio.size], ratio),
             (tr("impacts"), self.history.impact_time, np.zeros(self.history.impact_time.size)),
         ]
+        energy = energy_ratios(self.history, weakened)
+        self.energy_curve.setData(self.times[: energy.size], np.minimum(energy, 9.0))
+        self.energy.data = [(tr("energy"), self.times[: energy.size], energy)]
+        self._integrate_second(weakened)
         if self.history.outcome == COLLAPSED:  # its largest rotation is where the analysis ended
             outcome = named("overturned")
         else:
@@ -248,11 +291,29 @@ class HistoriesTab(QWidget):
         which = self._wall_in_words()
         words = (f"C {number(abs(scale), '.3f')}", f"q {number(self.q, '.3f')}", outcome, *which, *self._show_bars())
         self.words.setText("   ".join(words))
-        for chart in (self.ground, self.rotation, self.force, self.elongation):
+        for chart in (self.ground, self.rotation, self.energy, self.force, self.elongation):
             sign = "+" if self.run.polarity > 0 else "−"
             run = f"{self.run.record} ({sign})"
             chart.caption = ", ".join((wall.name, named(wall.mechanism), run, f"C {number(abs(scale), '.3f')}", *which))
         self.set_time(self.cursors[0].value())
+
+    def _integrate_second(self, model) -> None:
+        """The same wall under another record, at the same multiple of it. model : FC on the strength included"""
+        result, wall = self.shown
+        k = self.other.currentIndex() - 1
+        self.second = None
+        self.other_drawing.setVisible(k >= 0)
+        self.second_curve.setVisible(k >= 0)
+        if k < 0:
+            return
+        run, motion = wall.runs[k], result.motion_of(wall, wall.runs[k].motion)
+        factor = multiplier_of(self.q, self.motion.pga, threshold_of(wall.model)) * self.strength_factor
+        self.second = history(motion.acceleration, motion.time_step, run.polarity * factor, model, result.method)
+        self.second_step = motion.time_step
+        ratio = self.second.rotation / wall.model.collapse_rotation
+        times = np.arange(ratio.size) * motion.time_step
+        self.second_curve.setData(times, ratio)
+        self.rotation.data.append((tr("second record"), times, ratio))
 
     def _show_bars(self) -> tuple[str, ...]:
         """Force and elongation of each tie, and what they and the impacts took."""
@@ -272,7 +333,7 @@ class HistoriesTab(QWidget):
             chart.reset()
             chart.set_range((0.0, float(self.times[-1])))
             self.cursors.append(chart.level(0.0, "", "ink", vertical=True))
-        del self.cursors[2:-2]
+        del self.cursors[3:-2]
         lost = work_of_impacts(wall.wall, wall.model, self.history)
         words = [tr("ties took {work} kJ/m", work=number(1e-3 * sum(one.work for one in self.bars), ".2f"))]
         if lost is not None:
@@ -280,10 +341,18 @@ class HistoriesTab(QWidget):
         return tuple(words)
 
     def _wall_in_words(self) -> tuple[str, ...]:
-        """What is said of a wall that is not the plain one: FC on its strength."""
+        """Strength and multiplier of what is drawn: FC on the strength or not, and how many times the demand."""
+        result, _ = self.shown
         if self.strength_factor == 1.0:
-            return ()
-        return (f"{named('confidence_capacity')}: {number(self.strength_factor, '.2f')}",)
+            words = [tr("strength as it is, without FC")]
+        else:
+            words = [f"{named('confidence_capacity')}: {number(self.strength_factor, '.2f')}"]
+        if result.demand is not None:
+            factor = multiplier_of(self.q, self.motion.pga, threshold_of(self.shown[1].model))
+            words.append(
+                tr("{times} times the demand", times=number(factor / result.demand.scaling(self.motion), ".2f"))
+            )
+        return tuple(words)
 
     def set_time(self, time: float) -> None:
         """Both cursors and the small wall at this time [s]."""
@@ -293,6 +362,16 @@ class HistoriesTab(QWidget):
         sample = min(max(0, int(time / self.motion.time_step)), rotation.size - 1)
         self.wall_drawing.bars = [(one.bar.height, int(one.phase[sample])) for one in self.bars]
         self.wall_drawing.set_rotation(float(np.clip(rotation[sample], -1.5, 1.5)))
+        if self.second is not None:
+            other = self.second.rotation
+            sample = min(max(0, int(time / self.second_step)), other.size - 1)
+            self.other_drawing.set_rotation(float(np.clip(other[sample], -1.5, 1.5)))
+
+    def _again_from_here(self) -> None:
+        """Another speed, from the moment that is shown."""
+        if self.play.isChecked():
+            self.started = self.cursors[0].value()
+            self.clock.restart()
 
     def _toggled(self, on: bool) -> None:
         if on and self.history is not None:
@@ -304,7 +383,7 @@ class HistoriesTab(QWidget):
             self.timer.stop()
 
     def _frame(self) -> None:
-        time = self.started + 0.001 * self.clock.elapsed()
+        time = self.started + 0.001 * self.speed.currentData() * self.clock.elapsed()
         self.set_time(time)
         if time >= self.times[self.history.rotation.size - 1]:
             self.play.setChecked(False)

@@ -38,9 +38,10 @@ class RunningWindow(QMainWindow):
         self.word_kind = kind
 
     def show_running(self, on: bool) -> None:
-        """Progress and Cancel, while there is something to cancel."""
+        """Progress over the stage, and Cancel in the place of Run, while there is something to cancel."""
         self.bar.setVisible(on)
         self.cancel_button.setVisible(on)
+        self.run_button.setVisible(not on)
         self.actions_of.cancel.setEnabled(on)
 
     def run(self) -> None:
@@ -119,10 +120,13 @@ class RunningWindow(QMainWindow):
             return
         self.bar.setRange(0, max(planned, 1))
         self.bar.setValue(done)
-        self.show_word(progress_word(done, planned, now - self.began, left))
+        words = progress_word(done, planned, now - self.began, left)
+        self.bar.setFormat(words.replace("%", "%%"))
+        self.show_word(words)
 
     def _ended(self) -> None:
         self.job = None
+        self.bar.setFormat("")
         if self.finished_walls:  # cancelled, failed or of an earlier input: the last result again, or none
             self.fresh.discard(self.pages["walls"])
             if self.session.result is None:
@@ -152,7 +156,7 @@ class RunningWindow(QMainWindow):
 
     def state_accuracy(self) -> None:
         """The accuracy statement of the wall shown, off this thread."""
-        result, k = self.session.result, self.chosen.currentIndex()
+        result, k = self.session.result, self.shown
         if self.wall is None or self.job is not None or self.session.stale:
             return
         from core.study.run import accuracy_of
@@ -164,7 +168,7 @@ class RunningWindow(QMainWindow):
                 walls = list(shown.walls)
                 walls[k] = replace(walls[k], accuracy=accuracy)
                 self.session.result = replace(shown, walls=tuple(walls))
-                if self.chosen.currentIndex() == k:
+                if self.shown == k:
                     self.pages["validation"].content.show_accuracy(accuracy)
 
         wall = result.walls[k]

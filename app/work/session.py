@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import BinaryIO
 
 from core import atomic_write
+from core.case.problems import problems
 from core.case.reader import read_case, read_toml
 from core.case.rules import draft_case, parse_case
 from core.case.schema import Case, Record, Report, Wall
@@ -48,6 +49,7 @@ class Session:
         self.token = secrets.token_hex(8)
         self._lock_file: BinaryIO | None = None
         self._known: tuple | None = None
+        self._problems: tuple | None = None
         self.generation = 0
         self._start(Case())
 
@@ -145,6 +147,14 @@ class Session:
     def problem(self) -> InputError | None:
         """The first broken rule; None if the case can run."""
         return self._judged()[1]
+
+    def problems(self) -> list[InputError]:
+        """All that keeps the case from running."""
+        if self.problem() is None:
+            return []
+        if self._problems is None or self._problems[0] is not self.case:
+            self._problems = (self.case, problems(self.case) or [self.problem()])
+        return self._problems[1]
 
     # walls and records
 

@@ -15,8 +15,8 @@ MOST = 60
 
 
 def problems(case: Case) -> list[InputError]:
-    """What is missing or breaks a rule. After each problem the value that is missing is taken as given, or else the wall
-    or section in question is left out, and the rest is judged again: so a rule that needs a missing value waits for it."""
+    """What is missing or breaks a rule. After each problem the value that is missing is taken as given, or else the
+    wall or section in question is left out, and the rest is judged again: a rule that needs a missing value waits."""
     found: list[InputError] = []
     assumed: set[tuple[str, str]] = set()
     for _ in range(MOST):
@@ -99,7 +99,7 @@ def _plausible(rule) -> Any:
         case "int":
             return rule["low"]
         case "float":
-            return rule["low"] if rule["low"] > 0.0 or rule["low"] == 0.0 and not rule["exclusive"] else 0.01
+            return rule["low"] if rule["low"] > 0.0 or (rule["low"] == 0.0 and not rule["exclusive"]) else 0.01
         case _:
             return "-"
 

@@ -41,11 +41,16 @@ def demand_histories(result: StudyResult, wall: WallResult) -> list[DemandHistor
     """The deciding runs of the dynamic check, integrated again; empty without that check."""
     found = []
     for run in deciding_runs(wall):
-        motion = result.motion_of(wall, run.motion)
-        model, factor = at_demand(wall.model, result.demand, wall.assessment.dynamic.confidence_on, motion)
-        one = history(motion.acceleration, motion.time_step, run.polarity * factor, model, result.method)
+        motion, one = history_at_demand(result, wall, run)
         found.append(DemandHistory(run, motion, one, control_displacement(wall, one.rotation)))
     return found
+
+
+def history_at_demand(result: StudyResult, wall: WallResult, run: DemandRun) -> tuple[GroundMotion, History]:
+    """The motion of a run of the dynamic check and the history of the wall under it, FC included as in the check."""
+    motion = result.motion_of(wall, run.motion)
+    model, factor = at_demand(wall.model, result.demand, wall.assessment.dynamic.confidence_on, motion)
+    return motion, history(motion.acceleration, motion.time_step, run.polarity * factor, model, result.method)
 
 
 def control_displacement(wall: WallResult, rotation: np.ndarray) -> np.ndarray:

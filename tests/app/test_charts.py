@@ -101,7 +101,7 @@ def test_that_the_next_wall_is_shown_whole_after_a_zoom(shared, application):
 
 
 def test_that_the_survival_map_is_whole_after_reset(shared, application):
-    shared.tabs.setCurrentWidget(shared.pages["capacity"])
+    shared.show_page("capacity")
     strips = shared.pages["capacity"].content.strips
     before = strips.plot.viewRange()
     zoom(strips)

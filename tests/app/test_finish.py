@@ -94,8 +94,8 @@ def test_that_an_error_leads_to_its_field_with_its_dock_hidden(opened, applicati
     dock = opened.findChild(QDockWidget, "input")
     dock.hide()
     opened.refresh()
-    assert "<a href=" in opened.banner.text()
-    opened.banner.linkActivated.emit("field")
+    assert "<a href=" in opened.missing.text()
+    opened.missing.linkActivated.emit("field")
     assert dock.isVisible() and opened.forms.currentIndex() == 0
     opened.walls.fields["height_m"].revert()
 
@@ -119,14 +119,14 @@ def test_that_a_record_that_cannot_be_read_leads_to_its_row(opened, application)
     record = replace(opened.session.case.record[0], file="nowhere.AT2")
     opened.session.edit(replace(opened.session.case, record=(record,)))
     settle(application, lambda: not opened.records.pending)
-    assert "nowhere.AT2" in opened.banner.text() and "<a href=" in opened.banner.text()
+    assert "nowhere.AT2" in opened.missing.text() and "<a href=" in opened.missing.text()
     dock = opened.findChild(QDockWidget, "records")
     dock.hide()
-    opened.banner.linkActivated.emit("field")
+    opened.missing.linkActivated.emit("field")
     assert dock.isVisible() and opened.records._selected() == {0}
     opened.session.edit(replace(opened.session.case, record=(replace(record, include=False),)))
     settle(application, lambda: not opened.records.pending)
-    assert "nowhere.AT2" not in opened.banner.text()
+    assert "nowhere.AT2" not in opened.missing.text()
 
 
 def test_that_what_a_run_refuses_leads_to_its_field(opened, application, monkeypatch):
@@ -148,7 +148,7 @@ def test_that_what_a_run_refuses_leads_to_its_field(opened, application, monkeyp
     settle(application, lambda: opened.job is None)
     assert said and opened.walls.fields["hinge_setback_m"].rule in said[0] and opened.run_button.isEnabled()
     opened.session.edit_wall(0, height_m=6.0)
-    assert opened.walls.fields["hinge_setback_m"].rule == "" == opened.banner.text()
+    assert opened.walls.fields["hinge_setback_m"].rule == "" == opened.missing.text()
 
 
 def test_that_a_strength_takes_the_setback_with_it(opened):
@@ -192,7 +192,7 @@ def test_that_the_common_factor_brings_the_mean_to_the_target(walls):
 )
 def test_that_a_figure_is_as_wide_as_asked_light_and_has_its_caption(walls, width, dpi):
     walls.set_choice("theme", "dark")
-    walls.tabs.setCurrentWidget(walls.pages["capacity"])
+    walls.show_page("capacity")
     chart = walls.pages["capacity"].content.peaks
     size, ranges = chart.view.size(), chart.plot.viewRange()
     image = QImage.fromData(figure(chart, ".png", FigureSize(width, dpi)), "PNG")
@@ -213,16 +213,16 @@ def test_that_a_figure_is_as_wide_as_asked_light_and_has_its_caption(walls, widt
 def test_that_stale_results_say_so_where_they_leave_and_live_ones_do_not(walls):
     chart, table = walls.pages["check"].content.peaks, walls.pages["check"].content.table
     live = walls.pages["spectra"].content.chart
-    walls.tabs.setCurrentWidget(walls.pages["check"])
+    walls.show_page("check")
     assert b"input has changed" not in figure(chart, ".svg", FigureSize())
     walls.session.edit_wall(0, height_m=6.5)
     assert ChartOutput.stale and Table.stale and chart.is_stale and not live.is_stale
     assert "input has changed" in chart.content(".csv").decode()
     assert "input has changed" in table.text() and "input has changed" not in live.content(".csv").decode()
     assert b"input has changed" in figure(chart, ".svg", FigureSize())
-    walls.tabs.setCurrentWidget(walls.pages["spectra"])
+    walls.show_page("spectra")
     assert walls.veil.isHidden()
-    walls.tabs.setCurrentWidget(walls.pages["check"])
+    walls.show_page("check")
     assert not walls.veil.isHidden()
     walls.session.undo()
     assert not ChartOutput.stale
@@ -240,7 +240,7 @@ def test_that_all_figures_are_written_together(walls, tmp_path):
 
 def test_that_the_cursor_reads_a_data_point(walls, application):
     chart = walls.pages["check"].content.peaks
-    walls.tabs.setCurrentWidget(walls.pages["check"])
+    walls.show_page("check")
     entries = [label.text for _, label in chart.legend.items]
     assert "within θc" in entries and any("which decides" in entry for entry in entries)
     name, x, _ = chart._nearest(2.01, 0.02, False)
@@ -249,7 +249,7 @@ def test_that_the_cursor_reads_a_data_point(walls, application):
 
 
 def test_that_reset_restores_the_ranges_a_chart_was_given(walls):
-    walls.tabs.setCurrentWidget(walls.pages["capacity"])
+    walls.show_page("capacity")
     chart = walls.pages["capacity"].content.peaks
     chart.plot.setYRange(0.2, 0.3, padding=0)
     chart.plot.setXRange(2.0, 2.1, padding=0)
@@ -260,7 +260,7 @@ def test_that_reset_restores_the_ranges_a_chart_was_given(walls):
 
 def test_that_a_preset_sets_the_multiplier(walls):
     walls.pick(1)
-    walls.tabs.setCurrentWidget(walls.pages["histories"])
+    walls.show_page("histories")
     tab = walls.pages["histories"].content
     _, wall = tab.shown
     tab._set_to(1)
@@ -296,7 +296,7 @@ def test_that_a_preset_sets_the_multiplier(walls):
 
 
 def test_that_empty_charts_say_why(walls):
-    walls.tabs.setCurrentWidget(walls.pages["validation"])
+    walls.show_page("validation")
     assert "press the button" in walls.pages["validation"].content.chart.reason.text()
 
 

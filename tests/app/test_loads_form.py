@@ -49,10 +49,10 @@ def test_that_what_is_missing_of_a_load_is_said_and_blocks_the_run(opened):
     opened.session.edit_wall(0, mechanism="one_sided")
     type_into(opened.walls.fields["unit_weight_kn_m3"], "18")
     form.add("tie")
-    assert "load" in opened.banner.text() or "kN/m" in opened.banner.text() or "Size" in opened.banner.text()
+    assert "load" in opened.missing.text() or "kN/m" in opened.missing.text() or "Size" in opened.missing.text()
     assert not opened.run_button.isEnabled()
     type_into(field(form, "kn_m"), "2")
-    assert not opened.run_button.isEnabled() and "bar" in opened.banner.text()
+    assert not opened.run_button.isEnabled() and "bar" in opened.missing.text()
     type_into(field(form, "bar_length_m"), "8")
     assert opened.run_button.isEnabled()
     assert not field(form, "mass").isVisibleTo(form) and not field(form, "d_m").isVisibleTo(form)
@@ -85,7 +85,7 @@ def test_that_an_unstable_wall_is_said_in_one_sentence(opened):
     type_into(opened.walls.fields["unit_weight_kn_m3"], "18")
     form.add("thrust")
     type_into(field(form, "kn_m"), "50")
-    assert "unstable under its own loads" in opened.banner.text()
+    assert "unstable under its own loads" in opened.missing.text()
 
 
 def test_that_hinges_and_return_walls_are_edited(opened):
@@ -128,7 +128,7 @@ def test_that_all_walls_are_on_one_tab_the_lowest_first_and_variants_are_compare
     assert [wall.variant for wall in opened.session.case.wall] == [AS_IS, DESIGNED]
     opened.session.edit_wall(1, thickness_m=0.7)
     run(application, opened)
-    opened.tabs.setCurrentWidget(opened.pages["walls"])
+    opened.show_page("walls")
     tab = opened.pages["walls"].content
     zetas = [opened.session.result.walls[k].assessment.verdict.zeta_e for k in tab.order]
     assert zetas == sorted(zetas) and tab.table.rowCount() == 2
@@ -136,7 +136,7 @@ def test_that_all_walls_are_on_one_tab_the_lowest_first_and_variants_are_compare
     tab.table.cellDoubleClicked.emit(1, 0)
     assert opened.chosen.currentIndex() == tab.order[1]
     assert opened.tabs.currentWidget() is opened.pages["check"]
-    opened.tabs.setCurrentWidget(opened.pages["intensity"])
+    opened.show_page("intensity")
     assert opened.pages["intensity"].content.chart.data == []
 
 

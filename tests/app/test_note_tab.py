@@ -10,7 +10,7 @@ pytest.importorskip("typst")
 @pytest.fixture
 def shown(opened, application):
     run(application, opened)
-    opened.tabs.setCurrentWidget(opened.pages["note"])
+    opened.show_page("note")
     tab = opened.pages["note"].content
     wait(application, tab)
     return tab
@@ -36,7 +36,7 @@ def test_that_a_click_leads_to_the_check_or_to_the_input_of_its_wall(opened, sho
     number = next(place for place in places if "check" in place)
     shown.paper.clicked.emit(number["page"], number["y"] + 3.0)
     assert opened.tabs.currentWidget() is opened.pages["check"] and opened.chosen.currentIndex() == 0
-    opened.tabs.setCurrentWidget(opened.pages["note"])
+    opened.show_page("note")
     shown.paper.clicked.emit(1, 800.0)  # the foot of a page leads nowhere
     assert opened.tabs.currentWidget() is opened.pages["note"]
 
@@ -86,7 +86,7 @@ def test_that_a_note_on_its_way_is_left_when_another_result_comes(opened, shown,
 def test_that_a_note_that_cannot_be_set_says_why(opened, application):
     opened.session.edit_section("report", logo="none.png")
     run(application, opened)
-    opened.tabs.setCurrentWidget(opened.pages["note"])
+    opened.show_page("note")
     tab = opened.pages["note"].content
     wait(application, tab)
     assert "none.png" in tab.word.text() and tab.pages.images == []

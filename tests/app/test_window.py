@@ -81,7 +81,7 @@ def test_that_the_way_back_from_a_general_block_rounds_nothing(opened):
 def test_that_a_new_wall_has_no_mechanism_until_one_is_chosen(opened):
     opened.walls.add()
     assert opened.session.case.wall[-1].mechanism == ""
-    assert not opened.run_button.isEnabled() and "mechanism" in opened.banner.text()
+    assert not opened.run_button.isEnabled() and "mechanism" in opened.missing.text()
     QTest.mouseClick(opened.walls.mechanisms["one_sided"], Qt.MouseButton.LeftButton)
     assert opened.session.case.wall[-1].mechanism == "one_sided"
     # with a demand the height of the base is never guessed
@@ -205,7 +205,7 @@ def test_that_the_slider_integrates_what_the_core_says(opened, application):
     from core.rocking.history import history
 
     run(application, opened)
-    opened.tabs.setCurrentWidget(opened.pages["histories"])
+    opened.show_page("histories")
     tab = opened.pages["histories"].content
     tab.slider.setValue(700)
     motion = opened.session.result.motions[0]
@@ -217,7 +217,7 @@ def test_that_the_slider_integrates_what_the_core_says(opened, application):
 def test_that_charts_export_light_pictures_and_their_data(opened, application, tmp_path):
     run(application, opened)
     opened.set_choice("theme", "dark")
-    opened.tabs.setCurrentWidget(opened.pages["intensity"])
+    opened.show_page("intensity")
     application.processEvents()
     chart = opened.pages["intensity"].content.chart
     for end in ("png", "svg", "csv"):
@@ -233,7 +233,7 @@ def test_that_charts_export_light_pictures_and_their_data(opened, application, t
 
 def test_that_tables_copy_with_tabs(opened, application):
     run(application, opened)
-    opened.tabs.setCurrentWidget(opened.pages["check"])
+    opened.show_page("check")
     lines = opened.pages["check"].content.table.text().splitlines()
     assert len(lines) > 3 and all(line.count("\t") == 7 for line in lines)
 
@@ -329,7 +329,7 @@ def test_that_closing_while_running_is_safe(opened, application):
 def test_that_many_redraws_and_random_events_do_no_harm(opened, application):
     """Short here; the long run is for a quiet evening: RIBALTA_REDRAWS=20000."""
     run(application, opened)
-    opened.tabs.setCurrentWidget(opened.pages["histories"])
+    opened.show_page("histories")
     tab = opened.pages["histories"].content
     random = np.random.default_rng(1)
     for k in range(int(os.environ.get("RIBALTA_REDRAWS", "150"))):

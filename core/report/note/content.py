@@ -156,7 +156,7 @@ def _verdicts(result: StudyResult, words: Words) -> list[Part]:
             row += ["–", "–", "–"]
         rows.append(row)
     numbers = [result.walls.index(wall) for wall, _ in ordered]
-    return [Table(heads, rows, (2.6, 1.2, 0.8, 0.8, 0.8, 0.8, 1.7, 2.5), tones, numbers)]
+    return [Table(heads, rows, (3.1, 1.2, 0.8, 0.8, 0.6, 0.7, 1.6, 2.3), tones, numbers)]
 
 
 def _records(result: StudyResult, words: Words) -> list[Part]:

@@ -1,0 +1,271 @@
+"""For the client (F11): the wall before and after, side by side, under the same record in real time; how much of the
+required earthquake each withstands. No symbols."""
+
+import io
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from PySide6.QtCore import QBuffer, QElapsedTimer, QRectF, Qt, QTimer
+from PySide6.QtGui import QColor, QFont, QImage, QKeySequence, QPainter, QPen, QShortcut
+from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QMessageBox, QPushButton, QVBoxLayout, QWidget
+
+from app.look import theme
+from app.look.drawing import WallDrawing
+from app.look.file_dialogs import path_to_write, plain_name
+from app.look.language import described, tr
+from core import atomic_write
+from core.case.schema import AS_IS
+from core.errors import InputError, OutputError
+from core.report.verdict_words import tone_of
+from core.study.demand_histories import history_at_demand
+from core.study.results import StudyResult, WallResult
+from core.study.variants import comparisons
+
+FRAME_MS, FILM_FPS, MOST_SECONDS = 33, 20, 20.0
+"""Of the animation on the screen [ms] and of a film [1/s], and the length of both [s]."""
+
+ROOM = 1.2
+"""Of the axis beyond the longest bar."""
+
+
+@dataclass(frozen=True)
+class Side:
+    """One wall of the view.
+
+    title : for a client; share : of the required earthquake it withstands, None where that is not known
+    rotation : its motion [rad], every `time_step` [s]
+    """
+
+    title: str
+    wall: WallResult
+    share: float | None
+    tone: str
+    rotation: np.ndarray
+    time_step: float
+
+
+def sides_of(result: StudyResult, wall: WallResult) -> list[Side]:
+    """Before and after, or the wall alone; under the record at the demand that turns the first one most."""
+    pair = next((one for one in comparisons(result.walls) if wall in (one.before, one.after)), None)
+    walls = [pair.before, pair.after] if pair else [wall]
+    found = []
+    run = None
+    for one in walls:
+        dynamic = one.assessment.dynamic if one.assessment else None
+        if dynamic is None:
+            return []
+        if run is None:
+            run = max(dynamic.runs, key=lambda run: np.inf if run.peak_ratio is None else run.peak_ratio)
+        here = next(r for r in dynamic.runs if (r.motion, r.polarity) == (run.motion, run.polarity))
+        motion, moved = history_at_demand(result, one, here)
+        verdict = one.assessment.verdict
+        share = None if verdict.zeta_e is None else verdict.zeta_e / verdict.zeta_target
+        title = (
+            tr("The wall") if len(walls) == 1 else tr("As it is") if one.wall.variant == AS_IS else tr("As designed")
+        )
+        found.append(Side(title, one, share, tone_of(result, one), moved.rotation, motion.time_step))
+    return found
+
+
+class Bars(QWidget):
+    """What each side withstands, in per cent of what is required."""
+
+    def __init__(self, sides: list[Side]):
+        super().__init__()
+        self.sides = sides
+        self.setMinimumHeight(56 * len(sides) + 40)
+        self.setAccessibleName("; ".join(words_of(side) for side in sides))
+
+    def paintEvent(self, event) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        font = QFont(self.font())
+        font.setPointSizeF(1.25 * font.pointSizeF())
+        painter.setFont(font)
+        left, right = 170.0, self.width() - 330.0
+        longest = ROOM * max(1.0, *(side.share or 0.0 for side in self.sides))
+        required = left + (right - left) / longest
+        for k, side in enumerate(self.sides):
+            y = 8.0 + 52.0 * k
+            painter.setPen(QColor(theme.current.ink))
+            painter.drawText(QRectF(4.0, y, left - 10.0, 34.0), Qt.AlignmentFlag.AlignVCenter, side.title)
+            bar = QRectF(left, y, (side.share or 0.0) / longest * (right - left), 34.0)
+            painter.fillRect(bar, QColor(getattr(theme.current, side.tone)))
+            painter.setPen(QColor(getattr(theme.current, side.tone)))
+            at = max(bar.right(), required if bar.right() < required + 8.0 else bar.right()) + 10.0
+            painter.drawText(QRectF(at, y, self.width() - at, 34.0), Qt.AlignmentFlag.AlignVCenter, words_of(side))
+        bottom = 8.0 + 52.0 * len(self.sides)
+        painter.setPen(QPen(QColor(theme.current.ink), 3.0))
+        painter.drawLine(int(required), 0, int(required), int(bottom))
+        painter.drawText(QRectF(required - 100.0, bottom, 200.0, 28.0), Qt.AlignmentFlag.AlignCenter, tr("required"))
+
+
+def words_of(side: Side) -> str:
+    """What a side withstands, in words."""
+    if side.share is None:
+        return tr("not known")
+    return tr("{percent} % of the required earthquake", percent=f"{100.0 * side.share:.0f}")
+
+
+class ClientView(QDialog):
+    """Both walls rocking, the bars below them."""
+
+    def __init__(self, parent, title: str, sides: list[Side]):
+        super().__init__(parent)
+        self.setWindowTitle(title)
+        self.title, self.sides = title, sides
+        self.drawings: list[WallDrawing] = []
+        heading = QLabel(title)
+        heading.setStyleSheet("font-size: 20pt; font-weight: 700;")
+        leave = QLabel(tr("Esc leaves"))
+        top = QHBoxLayout()
+        top.addWidget(heading, 1)
+        top.addWidget(leave)
+        row = QHBoxLayout()
+        for side in sides:
+            drawing = WallDrawing(with_sizes=False)
+            drawing.show_wall(side.wall.wall)
+            drawing.one_sided = side.wall.mechanism == "one_sided"
+            drawing.bars = [(load.h_m, 0) for load in side.wall.wall.load if load.is_tie]
+            drawing.setAccessibleName(f"{side.title}: {words_of(side)}")
+            label = QLabel(f"<span style='font-size:15pt; font-weight:600'>{side.title}</span>")
+            column = QVBoxLayout()
+            column.addWidget(label)
+            column.addWidget(drawing, 1)
+            row.addLayout(column, 1)
+            self.drawings.append(drawing)
+        self.scene = QWidget()
+        self.scene.setAutoFillBackground(True)
+        inside = QVBoxLayout(self.scene)
+        inside.addLayout(top)
+        inside.addLayout(row, 1)
+        inside.addWidget(Bars(sides))
+        buttons = QHBoxLayout()
+        self.play = QPushButton(tr("Play"))
+        self.play.setCheckable(True)
+        self.play.toggled.connect(self._toggled)
+        buttons.addWidget(self.play)
+        for label, slot in (
+            (tr("Save the picture…"), lambda: self.ask("PNG (*.png)", ".png")),
+            (tr("Save as a page…"), lambda: self.ask("PDF (*.pdf)", ".pdf")),
+            (tr("Save as a film…"), lambda: self.ask("GIF (*.gif)", ".gif")),
+        ):
+            button = QPushButton(label)
+            button.clicked.connect(lambda _=False, slot=slot: slot())
+            buttons.addWidget(button)
+        buttons.addStretch(1)
+        layout = QVBoxLayout(self)
+        layout.addWidget(self.scene, 1)
+        layout.addLayout(buttons)
+        QShortcut(QKeySequence("F11"), self, activated=self.reject)
+        self.timer, self.clock = QTimer(self), QElapsedTimer()
+        self.timer.setInterval(FRAME_MS)
+        self.timer.timeout.connect(self._frame)
+        self.set_time(self._moment())
+
+    @property
+    def seconds(self) -> float:
+        """Length of the motion."""
+        return min(MOST_SECONDS, max(side.rotation.size * side.time_step for side in self.sides))
+
+    def _moment(self) -> float:
+        """When the first wall turns most [s]."""
+        first = self.sides[0]
+        return float(np.argmax(np.abs(first.rotation)) * first.time_step)
+
+    def set_time(self, time: float) -> None:
+        """Both walls at this time [s]; one that has fallen stays down."""
+        for side, drawing in zip(self.sides, self.drawings, strict=True):
+            sample = min(int(time / side.time_step), side.rotation.size - 1)
+            drawing.set_rotation(float(np.clip(side.rotation[sample], -1.5, 1.5)))
+
+    def _toggled(self, on: bool) -> None:
+        if on:
+            self.clock.start()
+            self.timer.start()
+        else:
+            self.timer.stop()
+
+    def _frame(self) -> None:
+        time = 0.001 * self.clock.elapsed()
+        self.set_time(time)
+        if time > self.seconds:
+            self.play.setChecked(False)
+
+    # what leaves it
+
+    def picture(self) -> QImage:
+        """The scene as it stands."""
+        return self.scene.grab().toImage()
+
+    def film(self) -> bytes:
+        """An animated GIF in real time."""
+        from PIL import Image
+
+        frames = []
+        for k in range(int(self.seconds * FILM_FPS)):
+            self.set_time(k / FILM_FPS)
+            image = self.picture().convertToFormat(QImage.Format.Format_RGB888)
+            wide, high, line = image.width(), image.height(), image.bytesPerLine()
+            frame = Image.frombuffer("RGB", (wide, high), bytes(image.constBits()), "raw", "RGB", line, 1)
+            frame.thumbnail((960, 960))
+            frames.append(frame.quantize(48))
+        out = io.BytesIO()
+        pause = round(1000 / FILM_FPS)
+        frames[0].save(out, "GIF", save_all=True, append_images=frames[1:], duration=pause, loop=0)
+        return out.getvalue()
+
+    def page(self) -> bytes:
+        """A page of its own for the note: both walls to scale, the bars."""
+        from app.look.language import current_language
+        from core.report.note import wall_figures
+        from core.report.note.parts import Bars as PageBars
+        from core.report.note.parts import Figures, Heading
+        from core.report.note.pdf import Note
+        from core.report.note.words import Words
+
+        words = Words(current_language())
+        figures = [one for side in self.sides if (one := wall_figures.drawing(side.wall, words))]
+        rows = [(side.title, words_of(side), side.share, side.tone, False) for side in self.sides]
+        parts = [Heading(self.title, 1), *([Figures(figures)] if figures else [])]
+        parts.append(PageBars(rows, 1.0, tr("The mark is what is required.")))
+        return Note(parts, words.language).pdf()
+
+    def content(self, end: str) -> bytes:
+        """The file .png, .pdf or .gif."""
+        if end == ".pdf":
+            return self.page()
+        if end == ".gif":
+            return self.film()
+        buffer = QBuffer()
+        buffer.open(QBuffer.OpenModeFlag.WriteOnly)
+        self.picture().save(buffer, "PNG")
+        return bytes(buffer.data())
+
+    def ask(self, kinds: str, end: str) -> None:
+        """Write it to a place the user names."""
+        path = path_to_write(self, tr("Save"), f"{plain_name(self.title)}{end}", kinds, (end,))
+        if path is not None:
+            self.write(path)
+
+    def write(self, path: Path) -> None:
+        try:
+            atomic_write.write({path: self.content(path.suffix.lower())})
+        except (InputError, OutputError) as error:
+            QMessageBox.warning(self, tr("Not saved"), described(error))
+
+
+def show(window) -> None:
+    """Open the view of the wall that is shown; says why where there is nothing to show."""
+    result, wall = window.session.result, window.wall
+    sides = sides_of(result, wall) if result and wall and not window.session.stale else []
+    if not sides:
+        window.show_word(tr("For this view a wall needs time histories at a demand: run it first (F5)."))
+        return
+    state = result.demand.limit_state
+    title = tr("{wall} under the earthquake of the code ({state})", wall=sides[0].wall.part.own_name, state=state)
+    view = ClientView(window, title, sides)
+    view.resize(window.size())
+    view.exec()
+    view.deleteLater()

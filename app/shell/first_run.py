@@ -1,0 +1,68 @@
+"""The page of a start without a case: what do you have? It leads to the first answer."""
+
+from pathlib import Path
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QCommandLinkButton, QLabel, QVBoxLayout, QWidget
+
+from app.look.language import tr
+
+
+class FirstRun(QWidget):
+    """chosen(name) : wall, records, table, paper, or example; opened(path) : a file of late"""
+
+    chosen = Signal(str)
+    opened = Signal(str)
+
+    def __init__(self, recent: list[str]):
+        super().__init__()
+        column = QVBoxLayout(self)
+        column.setContentsMargins(60, 30, 60, 30)
+        heading = QLabel(tr("What do you have?"))
+        heading.setStyleSheet("font-size: 17pt; font-weight: 700;")
+        column.addWidget(heading)
+        self.buttons = {}
+        for name, title, words in (
+            ("wall", tr("A wall to check"), tr("Sizes, mechanism, a_g: first answer without records, then F5.")),
+            ("table", tr("A table of walls"), tr("Excel or CSV; an empty one is in the menu Help.")),
+            ("records", tr("Records to look at"), tr("Any format: what each file is, its spectrum, its measures.")),
+            ("paper", tr("The study of the paper"), tr("Force reduction factors of many walls, with figures.")),
+            ("example", tr("An example"), tr("Two walls under seven motions: press F5 and look around.")),
+        ):
+            button = QCommandLinkButton(title, words)
+            button.clicked.connect(lambda _=False, name=name: self.chosen.emit(name))
+            column.addWidget(button)
+            self.buttons[name] = button
+        if recent:
+            column.addWidget(QLabel(tr("Opened of late")))
+        for name in recent[:4]:
+            button = QCommandLinkButton(Path(name).name, str(Path(name).parent))
+            button.clicked.connect(lambda _=False, name=name: self.opened.emit(name))
+            column.addWidget(button)
+        column.addStretch(1)
+        column.setAlignment(Qt.AlignmentFlag.AlignTop)
+
+
+def follow(window, name: str) -> None:
+    """Do what was chosen."""
+    from app.shell import menus
+
+    if name == "example":
+        window.show_stage("input")
+        return
+    if name == "paper":
+        window.show_stage("input")
+        menus.study(window)
+        return
+    if not window.files.new():
+        return
+    if name == "wall":
+        window.walls.add()
+        window.show_input("wall", 0)
+        window.walls.fields["height_m"].editor.setFocus()
+    elif name == "records":
+        window.show_input("records")
+        window.records.add()
+    else:
+        window.show_input("wall")
+        window.walls.load_table()

@@ -1,0 +1,129 @@
+"""All that keeps the case from running, each line a link to where it is mended."""
+
+import html
+from collections.abc import Callable
+from typing import NamedTuple
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QFrame, QLabel, QVBoxLayout
+
+from app.input.fields import Field
+from app.look import theme
+from app.look.language import described, tr
+from app.look.section import unfold_to
+from core.errors import InputError
+
+MOST = 8
+"""Lines that are shown."""
+
+MOST_LETTERS = 200
+
+
+class Problem(NamedTuple):
+    """words : the sentence; lead : shows where; stops : whether the case cannot run"""
+
+    words: str
+    lead: Callable[[], None]
+    stops: bool = True
+
+
+class Missing(QFrame):
+    """Says the problems of the input of a window, in this order: broken rules of the case, fields that hold what is not
+    accepted, a record in use that cannot be read, what the last run of this case refused."""
+
+    def __init__(self, window):
+        super().__init__()
+        self.window_of = window
+        self.problems: list[Problem] = []
+        self.heading, self.lines = QLabel(), QLabel()
+        self.heading.setStyleSheet(f"color: {theme.current.amber}; font-weight: 600;")
+        self.lines.setWordWrap(True)
+        self.lines.setTextInteractionFlags(
+            Qt.TextInteractionFlag.LinksAccessibleByMouse | Qt.TextInteractionFlag.LinksAccessibleByKeyboard
+        )
+        self.lines.setAccessibleName(tr("What is missing"))
+        self.lines.linkActivated.connect(self.lead)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(10, 6, 10, 6)
+        layout.addWidget(self.heading)
+        layout.addWidget(self.lines)
+        self.setStyleSheet(f"Missing {{ border: 1px solid {theme.current.amber}; border-radius: 4px; }}")
+
+    def text(self) -> str:
+        """The first problem in words."""
+        return self.problems[0].words if self.problems else ""
+
+    def show_problems(self) -> bool:
+        """Mark the fields and list what is wrong. Returns whether the case can run."""
+        window = self.window_of
+        errors, refused = window.session.problems(), self._refused()
+        told = [*errors, refused] if refused else list(errors)
+        wall = window.walls.wall.name if window.walls.wall else ""
+        for field in window.fields:
+            here = next((error for error in told if field.named_in(error, wall)), None)
+            field.show_rule(described(here) if here else "")
+        found = [Problem(described(error), lambda error=error: self._lead_to(error)) for error in errors]
+        for field in window.fields:
+            if field.wrong:
+                found.append(Problem(f"{field.caption.text()}: {field.error}", lambda field=field: self._point(field)))
+        row = window.records.unreadable_row()
+        if row is not None:
+            words = window.records.rows[row][1]
+            found.append(Problem(words, lambda: self._record(row), False))
+        if refused and not found:
+            found.append(Problem(described(refused), lambda: self._lead_to(refused), False))
+        self.problems = found
+        self._write()
+        return not any(problem.stops for problem in found)
+
+    def _write(self) -> None:
+        colour = theme.current.curves[0]
+        lines = []
+        for k, problem in enumerate(self.problems[:MOST]):
+            words = problem.words
+            words = words if len(words) < MOST_LETTERS else words[: MOST_LETTERS - 1] + "…"
+            words = html.escape(words, quote=False)
+            lines.append(f"<a href='{k}' style='color:{colour}; text-decoration:none'>→ {words}</a>")
+        if len(self.problems) > MOST:
+            lines.append(tr("{n} more", n=len(self.problems) - MOST))
+        count = len(self.problems)
+        one, many = tr("Before F5: one thing is missing"), tr("Before F5: {n} things are missing", n=count)
+        self.heading.setText(one if count == 1 else many)
+        self.lines.setText("<br>".join(lines))
+        self.setVisible(bool(self.problems))
+
+    def _refused(self) -> InputError | None:
+        """What the last run refused, while the case is the same."""
+        case, error = self.window_of.refused
+        return error if case is self.window_of.session.case else None
+
+    def lead(self, link: str = "0") -> None:
+        """Show where a problem is, and put the cursor there."""
+        if self.problems:
+            self.problems[min(int(link), len(self.problems) - 1)].lead()
+
+    def _lead_to(self, error: InputError) -> None:
+        window = self.window_of
+        walls = window.session.case.wall
+        row = next((k for k, wall in enumerate(walls) if error.wall in (wall.name, wall.title)), None)
+        if row is not None:
+            window.show_input("wall", row)
+        name = walls[row].name if row is not None else ""
+        field = next((field for field in window.fields if field.named_in(error, name) and not field.isHidden()), None)
+        if field is not None:
+            self._point(field)
+        elif row is None:
+            section = (error.section or "").strip("[]").split(".")[0]
+            place = {"demand": "demand", "building": "building", "report": "report", "analysis": "report"}
+            window.show_input({"record": "records", "generate": "records"}.get(section) or place.get(section, "wall"))
+
+    def _point(self, field: Field) -> None:
+        self.window_of.show_form_of(field)
+        unfold_to(field)
+        area = self.window_of.forms.currentWidget()
+        area.ensureWidgetVisible(field)
+        field.editor.setFocus()
+
+    def _record(self, row: int) -> None:
+        self.window_of.show_input("records")
+        self.window_of.records.point_at(row)

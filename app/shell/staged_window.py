@@ -1,0 +1,236 @@
+"""What of the case and of its result is in front: stages, pages, the wall shown; tree, form and pages follow one
+another."""
+
+from pathlib import Path
+
+from PySide6.QtWidgets import QWidget
+
+from app.input.fields import Field
+from app.shell import stages, tree
+from app.shell.header import Header
+from app.shell.pages import Page
+from app.shell.tree import ProjectTree, Row
+from app.views.chart import Chart
+from app.work.running import RunningWindow
+from core.case.schema import Wall
+from core.errors import InputError
+from core.study.demand_input import target_of
+from core.study.results import StudyResult, WallResult
+
+
+def row_of(result: StudyResult, wall: WallResult, walls: tuple[Wall, ...]) -> int | None:
+    """Row of the wall, among those of a case that may have changed since, that a wall of a result is of or is a part
+    of: the one that was analysed, else the one in its place; None where that is another one."""
+    asked, k = wall.part.asked, wall.part.origin
+    if asked in walls:
+        return walls.index(asked)
+    return k if k < len(walls) and walls[k] not in result.case.wall else None
+
+
+class StagedWindow(RunningWindow):
+    """The part of the window that brings stages, pages and walls to the front.
+
+    shown : index of the result that is shown, -1 without one; fresh : pages that show it
+    """
+
+    shown = -1
+    fresh: set[QWidget]
+    header: Header
+    tree: ProjectTree
+    stages: stages.Stages
+    pages: dict[str, Page]
+    beside: Page
+
+    # stages and pages
+
+    def show_stage(self, name: str) -> None:
+        """Bring a stage to the front: input, answer, why, report."""
+        self.header.show_stage(name)
+        self.stages.show_stage(name)
+        self._show_problem()
+        self.show_result()
+
+    def show_first_run(self) -> None:
+        """Ask what there is, until a stage is chosen."""
+        from app.shell.first_run import FirstRun, follow
+
+        page = FirstRun(self.files.recent)
+        page.chosen.connect(lambda name: follow(self, name))
+        page.opened.connect(lambda name: self.files.open(Path(name)))
+        self.stages.show_first(page)
+
+    @property
+    def page(self) -> str | None:
+        """Name of the page in front, None on the stage Input."""
+        front = self.stages.front
+        if front == "answer":
+            return stages.ANSWER[self.stages.answer.stack.currentIndex()]
+        if front == "why":
+            return stages.WHY[self.why.currentIndex()]
+        return "note" if front == "report" else None
+
+    def show_page(self, name: str) -> None:
+        """Bring a page to the front, with its stage."""
+        if name in stages.ANSWER:
+            self.stages.answer.stack.setCurrentIndex(stages.ANSWER.index(name))
+        elif name in stages.WHY:
+            self.why.setCurrentIndex(stages.WHY.index(name))
+        self.show_stage(stages.stage_of(name))
+
+    def show_input(self, kind: str, row: int | None = None) -> None:
+        """Bring a form to the front. kind : wall, demand, building, records, report; row : of the wall"""
+        if row is not None:
+            self.walls.select(row)
+        self.stages.input.show_kind(kind)
+        self.tree.select((kind, self.walls.current, "") if kind == "wall" else (kind, -1, ""))
+        self.show_stage("input")
+
+    def show_form_of(self, field: Field) -> None:
+        """Bring the form a field is in to the front."""
+        for kind, area in self.stages.input.areas.items():
+            if area.isAncestorOf(field):
+                self.show_input(kind)
+
+    def _then_input(self, change) -> None:
+        change()
+        self.show_input("wall")
+
+    def _notice_clicked(self) -> None:
+        if self.missing.problems:
+            self.missing.lead()
+        else:
+            self.run()
+
+    def choose_row(self, row: Row) -> None:
+        """What is chosen in the tree: its form, or its result on the stage in front."""
+        if row.kind in ("demand", "records", "building") or (row.kind == "report" and self.stages.front != "report"):
+            self.show_input(row.kind)
+        elif row.kind == "walls":
+            self.show_page("walls")
+        elif row.wall >= 0:
+            self._show_wall_of(row.wall, row.result)
+            self.stages.input.show_kind("wall")
+            if self.stages.front == "answer" and self.wall is not None:
+                self.show_page("check")
+
+    def _show_wall_of(self, row: int, result: int | None) -> None:
+        """Forms and pages show one wall. result : index of its result, None for the one that decides about it"""
+        known = self.results_of().get(row, [])
+        shown = result if result is not None else known[0] if known else self.shown
+        if shown != self.shown:
+            self.shown = shown
+            self.fresh.clear()
+        self.walls.select(row)
+        self.show_result()
+
+    def _wall_selected(self, row: int) -> None:
+        """The form shows another wall: the pages follow, and the tree."""
+        if self.wall is None or row not in [k for k, found in self.results_of().items() if self.shown in found]:
+            self._show_wall_of(row, None)
+        self.refresh()
+        current = self.tree.current
+        if current is None or current.wall != row:
+            self.tree.select(("wall", row, ""))
+
+    def results_of(self) -> dict[int, list[int]]:
+        """Row of a wall of the case -> indices of its results, the one that decides first."""
+        result, walls = self.session.result, self.session.case.wall
+        if result is None:
+            return {}
+        if self._known_rows[0] is not result or self._known_rows[1] is not walls:
+            ordered = [k for one in result.verdicts for k in one.results] or range(len(result.walls))
+            found: dict[int, list[int]] = {}
+            for k in ordered:
+                row = row_of(result, result.walls[k], walls)
+                if row is not None:
+                    found.setdefault(row, []).append(k)
+            self._known_rows = (result, walls, found)
+        return self._known_rows[2]
+
+    def _show_spectra(self) -> None:
+        demand = self.session.case.demand
+        try:
+            target = target_of(demand, self.session.base_dir) if demand else None
+        except (InputError, TypeError, KeyError):  # still to be given
+            target = None
+        result = self.session.result
+        rules = result.compliance if result and not self.session.stale else None
+        floor = self.wall.floor if self.wall and not self.session.stale else None
+        self.pages["spectra"].content.show_records(self.records.motions, target, rules, floor)
+
+    @property
+    def wall(self) -> WallResult | None:
+        """The result that is shown."""
+        result = self.session.result
+        return result.walls[self.shown] if result and 0 <= self.shown < len(result.walls) else None
+
+    def pick(self, k: int) -> None:
+        """Show the answer of the k-th result."""
+        self._pick(k)
+        self.show_page("check")
+
+    def pick_input(self, k: int) -> None:
+        """Show the input of the wall of the k-th result."""
+        self._pick(k)
+        self.show_input("wall")
+
+    def _pick(self, k: int) -> None:
+        """Pages, form and tree show the k-th result."""
+        self.shown = k
+        self.fresh.clear()
+        row = row_of(self.session.result, self.session.result.walls[k], self.session.case.wall)
+        if row is not None:
+            self.walls.select(row)
+            hinge = tree.hinge_text(self.session.result.walls[k])
+            self.tree.select(("wall", row, ""))
+            if self.results_of().get(row, [k])[0] != k:
+                self.tree.select(("hinge", row, hinge))
+        self.show_result()
+
+    def charts(self) -> list[Chart]:
+        """Every chart that shows something of the wall shown. Its page is once in front: Qt lays nothing out before."""
+        found, page, stage = [], self.page, self.stages.front
+        self.stages.setUpdatesEnabled(False)
+        for name in self.pages:
+            self.show_page(name)
+            found += [chart for chart in self.pages[name].content.findChildren(Chart) if chart.data]
+        if page is not None:
+            self.show_page(page)
+        else:
+            self.show_stage(stage)
+        self.stages.setUpdatesEnabled(True)
+        return found
+
+    def show_result(self) -> None:
+        """Fill the page in front, once per result and wall."""
+        name = self.page
+        page = self.pages[name] if name else None
+        if name == "spectra":
+            self._show_spectra()
+        elif page is not None and page not in self.fresh and (self.wall is not None or page.made is None):
+            content = page.content
+            if self.wall is not None:
+                content.show_wall(self.session.result, self.wall)
+                self.fresh.add(page)
+        self._show_beside()
+        self._cover_pages()
+
+    def _show_beside(self) -> None:
+        """The rocking wall beside the answer, where the window is wide."""
+        answer = self.stages.answer
+        answer.show_beside(self.wall is not None and self.page == "check")
+        if answer.has_beside() and self.beside not in self.fresh and self.stages.front == "answer":
+            self.beside.content.show_wall(self.session.result, self.wall)
+            self.fresh.add(self.beside)
+
+    def _cover_pages(self) -> None:
+        """Grey the page in front where its result is of an earlier input; Spectra shows the input as it is."""
+        live = self.page in (None, "spectra") or (self.page == "walls" and bool(self.finished_walls))
+        self.veil.cover(self.session.stale and not live)
+
+    def show_finished(self, walls: list[WallResult]) -> None:
+        """The verdicts that are there while others run."""
+        self.pages["walls"].content.show_running(walls)
+        self.fresh.discard(self.pages["walls"])
+        self._show_tree()
+        self._cover_pages()

@@ -1,0 +1,218 @@
+"""The frame of the window: a bar, the tree, and beside it the stage: input, answer, why, report."""
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QMenuBar,
+    QProgressBar,
+    QScrollArea,
+    QSplitter,
+    QStackedWidget,
+    QStatusBar,
+    QTabWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.input.demand_form import AnalysisForm, DemandForm
+from app.input.records_panel import RecordsPanel
+from app.input.wall_form import WallForm
+from app.look.language import FORM_NAMES, tr
+from app.shell.header import STAGES
+from app.shell.missing import Missing
+from app.shell.pages import Page, Veil, delete
+from app.work.session import Session
+
+BESIDE_FROM = 1250
+"""Width of the stage [px] from which the rocking wall stands beside the answer."""
+
+ANSWER, WHY = ("walls", "check"), ("histories", "capacity", "intensity", "spectra", "validation")
+"""Pages of these stages; the pages of the report are one."""
+
+SHARES = {"wall": (44, 56), "demand": (44, 56), "building": (44, 56), "records": (70, 30), "report": (56, 44)}
+"""Of the width of the stage, forms and what stands beside them."""
+
+
+def stage_of(page: str) -> str:
+    """The stage a page is of."""
+    return "answer" if page in ANSWER else "why" if page in WHY else "report"
+
+
+def name_sections() -> None:
+    """What errors call the sections of a case in the window."""
+    FORM_NAMES.captions.update(
+        {
+            "[demand]": tr("Demand"),
+            "[demand.spectrum]": tr("Spectrum"),
+            "spectrum": tr("Spectrum"),
+            "spectrum_file": tr("spectrum of a file"),
+            "[generate]": tr("Generate…"),
+            "time_step_s": tr("Time step"),
+            "skip_lines": tr("Lines to skip"),
+            "[analysis]": tr("Analysis"),
+            "[report]": tr("Report"),
+            "[record]": tr("Records"),
+            "[building]": tr("Building of the walls above the ground"),
+        }
+    )
+
+
+class InputStage(QSplitter):
+    """The form of what is chosen in the tree; beside it the drawing or the spectrum, and all that is missing."""
+
+    def __init__(self, window, session: Session):
+        super().__init__(Qt.Orientation.Horizontal)
+        self.setHandleWidth(5)
+        self.walls, self.demand = WallForm(session), DemandForm(session)
+        self.analysis, self.records = AnalysisForm(session), RecordsPanel(session)
+        name_sections()
+        self.forms, self.views, self.kind = QStackedWidget(), QStackedWidget(), ""
+        self.areas: dict[str, QScrollArea] = {}
+        forms = {
+            "wall": self.walls,
+            "demand": self.demand,
+            "building": self.demand.building,
+            "records": self.records,
+            "report": self.analysis,
+        }
+        for kind, form in forms.items():
+            area = QScrollArea()
+            area.setWidgetResizable(True)
+            area.setFrameShape(QFrame.Shape.NoFrame)
+            area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+            area.setWidget(form)
+            self.areas[kind] = area
+            self.forms.addWidget(area)
+        drawing = QWidget()
+        column = QVBoxLayout(drawing)
+        column.setContentsMargins(4, 4, 4, 4)
+        column.addWidget(self.walls.summary)
+        column.addWidget(self.walls.drawing, 1)
+        hint = QLabel(tr("Click a load, a hinge or a size for its field; drag a load to another height."))
+        hint.setWordWrap(True)
+        column.addWidget(hint)
+        self.nothing = QLabel()
+        self.of_kind = {"wall": drawing, "demand": self.demand.view}
+        for view in (*self.of_kind.values(), self.nothing):
+            self.views.addWidget(view)
+        self.missing = Missing(window)
+        beside = QWidget()
+        right = QVBoxLayout(beside)
+        right.setContentsMargins(0, 0, 0, 0)
+        right.addWidget(self.views, 1)
+        right.addWidget(self.missing)
+        for part in (self.forms, beside):
+            part.setMinimumWidth(240)
+            self.addWidget(part)
+        self.setChildrenCollapsible(False)
+
+    def show_kind(self, kind: str) -> None:
+        """Bring a form to the front: wall, demand, building, records, report."""
+        self.forms.setCurrentWidget(self.areas[kind])
+        self.views.setCurrentWidget(self.of_kind.get(kind, self.nothing))
+        if kind != self.kind:
+            self.kind = kind
+            self._share()
+
+    def _share(self) -> None:
+        forms, views = SHARES[self.kind or "wall"]
+        self.setSizes([self.width() * forms // 100, self.width() * views // 100])
+
+    def resizeEvent(self, event) -> None:
+        super().resizeEvent(event)
+        self._share()
+
+
+class AnswerStage(QWidget):
+    """All walls, or the one that is chosen; in a wide window the rocking wall beside it. widened : it came or went"""
+
+    widened = Signal()
+
+    def __init__(self, pages: dict[str, Page], beside: Page):
+        super().__init__()
+        self.stack, self.beside = QStackedWidget(), beside
+        for name in ANSWER:
+            self.stack.addWidget(pages[name])
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.addWidget(self.stack, 5)
+        row.addWidget(beside, 3)
+        beside.hide()
+
+    def has_beside(self) -> bool:
+        return not self.beside.isHidden()
+
+    def show_beside(self, on: bool) -> None:
+        """on : there is a wall to show"""
+        wide = on and self.width() >= BESIDE_FROM
+        if wide != self.has_beside():
+            self.beside.setVisible(wide)
+
+    def resizeEvent(self, event) -> None:
+        super().resizeEvent(event)
+        self.widened.emit()
+
+
+class Stages(QWidget):
+    """The four stages, one in front; progress above them."""
+
+    def __init__(self, window, session: Session, pages: dict[str, tuple[Page, str]], beside: Page):
+        super().__init__()
+        made = {name: page for name, (page, _) in pages.items()}
+        self.input = InputStage(window, session)
+        self.answer = AnswerStage(made, beside)
+        self.why = QTabWidget()
+        self.why.setDocumentMode(True)
+        for name in WHY:
+            self.why.addTab(made[name], pages[name][1])
+        self.stack, self.first = QStackedWidget(), None
+        for stage in (self.input, self.answer, self.why, made["note"]):
+            self.stack.addWidget(stage)
+        self.bar = QProgressBar()
+        self.bar.setAccessibleName(tr("Progress"))
+        self.bar.setTextVisible(True)
+        self.bar.setFixedHeight(24)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(4)
+        layout.addWidget(self.bar)
+        layout.addWidget(self.stack, 1)
+        self.veil = Veil(self.stack)
+        self.bar.hide()
+
+    @property
+    def front(self) -> str:
+        """The stage in front."""
+        return STAGES[self.stack.currentIndex()] if self.first is None else "input"
+
+    def show_first(self, page: QWidget) -> None:
+        """A page before all stages, gone with the first stage that is chosen."""
+        self.first = page
+        self.stack.addWidget(page)
+        self.stack.setCurrentWidget(page)
+
+    def show_stage(self, name: str) -> None:
+        if self.first is not None:
+            self.stack.removeWidget(self.first)
+            self.first.deleteLater()
+            self.first = None
+        self.stack.setCurrentIndex(STAGES.index(name))
+
+
+def remove(window) -> None:
+    """Take away what an earlier build of a window made."""
+    centre = window.takeCentralWidget()
+    if centre is not None:
+        delete(centre)
+    window.setMenuBar(QMenuBar())
+    window.setStatusBar(QStatusBar())
+
+
+def build_status(window) -> QLabel:
+    """Make the status line of a window: a word."""
+    word = QLabel()
+    window.statusBar().addWidget(word, 1)
+    window.statusBar().setSizeGripEnabled(False)
+    return word

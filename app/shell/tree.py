@@ -1,0 +1,321 @@
+"""The tree of the project: what can be given and what was found, each with a chip."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from PySide6.QtCore import QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPalette
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QStyle,
+    QStyledItemDelegate,
+    QToolButton,
+    QTreeWidget,
+    QTreeWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.look import theme
+from app.look.language import named, number, tr
+from core.case.schema import Case
+from core.errors import InputError
+from core.report.verdict_words import tone_of
+from core.study.results import StudyResult, WallResult
+
+WIDTH, WIDE = 216, 280
+"""Of the tree in a window of 1280 and of 1920 [px]."""
+
+WIDE_FROM = 1600
+"""Width of the window from which the tree is wide [px]."""
+
+RUNNING = "…"
+
+
+@dataclass(frozen=True)
+class Row:
+    """A row of the tree.
+
+    kind : demand, records, building, walls, wall, hinge, report, group (walls of one name)
+    chip, tone : what the chip says and its colour, good, amber, bad or quiet
+    wall : row of the wall in the case; result : index of the result it shows, None where there is none
+    """
+
+    depth: int
+    kind: str
+    text: str
+    chip: str = ""
+    tone: str = "quiet"
+    wall: int = -1
+    result: int | None = None
+
+    @property
+    def key(self) -> tuple:
+        """What is the same row after a change."""
+        return (self.kind, self.wall, self.text if self.kind == "hinge" else "")
+
+
+@dataclass(frozen=True)
+class State:
+    """What the tree shows.
+
+    of_row(row) : indices of the results of a wall of the case, the one that decides first
+    unread : whether a record in use cannot be read; motions : records in use
+    finished : walls that are finished while others run, None while nothing runs
+    """
+
+    case: Case
+    result: StudyResult | None
+    stale: bool
+    problems: Sequence[InputError]
+    motions: int
+    unread: bool
+    of_row: dict[int, list[int]]
+    finished: dict[int, float | None] | None = None
+
+
+def rows_of(state: State) -> list[Row]:
+    """The rows in their order."""
+    case = state.case
+    sections = {error.section or "" for error in state.problems if error.wall is None}
+    walls = {error.wall for error in state.problems if error.wall is not None}
+
+    def mark(*names: str) -> tuple[str, str]:
+        return ("!", "amber") if any(one.startswith(name) for one in sections for name in names) else ("", "quiet")
+
+    demand = f"{tr('Demand')}  {case.demand.limit_state}" if case.demand else f"{tr('Demand')}  {tr('none')}"
+    compliance = state.result.compliance if state.result and not state.stale else None
+    records, tone = ("✓", "good") if compliance and compliance.compatible else ("", "quiet")
+    if state.unread:
+        records, tone = "!", "bad"
+    building = tr("{n} storeys", n=case.building.storeys) if case.building else tr("none")
+    rows = [
+        Row(0, "demand", demand, *mark("[demand")),
+        Row(0, "records", f"{tr('Records')}  {state.motions}", records, tone),
+        Row(0, "building", f"{tr('Building')}  {building}", *mark("[building")),
+        Row(0, "walls", tr("Walls"), "" if case.wall else "!", "amber"),
+        *_walls(state, walls),
+    ]
+    author = "" if case.report.author else tr("author missing")
+    return [*rows, Row(0, "report", f"{tr('Report')}  {author}".strip(), "!" if author else "", "amber")]
+
+
+def _walls(state: State, broken: set[str | None]) -> Iterable[Row]:
+    walls = state.case.wall
+    names = [wall.name for wall in walls]
+    seen = set()
+    for first, name in enumerate(names):
+        if name in seen:
+            continue
+        seen.add(name)
+        alike = [k for k, one in enumerate(names) if one == name]
+        if len(alike) == 1:
+            yield _wall(state, first, name, 1, broken)
+            yield from _hinges(state, first, 2)
+            continue
+        known = [(_zeta(state, k), k) for k in alike]
+        worst = min(known, key=lambda one: (one[0] is None, one[0] or 0.0))[1]
+        group = _wall(state, worst, name, 1, broken)
+        yield Row(1, "group", name, group.chip, group.tone, first, group.result)
+        for k in alike:
+            yield _wall(state, k, walls[k].variant or name, 2, broken)
+            yield from _hinges(state, k, 3)
+
+
+def _zeta(state: State, k: int) -> float | None:
+    results = state.of_row.get(k, [])
+    found = state.result.walls[results[0]].assessment if state.result and results else None
+    return found.verdict.zeta_e if found else None
+
+
+def _wall(state: State, k: int, text: str, depth: int, broken: set[str | None]) -> Row:
+    if state.finished is not None:
+        zeta = state.finished.get(k)
+        return Row(depth, "wall", text, RUNNING if zeta is None else number(zeta, ".2f"), "quiet", k)
+    if state.case.wall[k].name in broken:
+        return Row(depth, "wall", text, "!", "amber", k)
+    results = state.of_row.get(k, [])
+    if state.result is None or not results:
+        return Row(depth, "wall", text, wall=k)
+    return Row(depth, "wall", text, *_chip(state, results[0]), wall=k, result=results[0])
+
+
+def _chip(state: State, k: int) -> tuple[str, str]:
+    """What a result comes to, and its colour; grey where it is of an earlier input."""
+    wall = state.result.walls[k]
+    if wall.assessment is None:
+        return (f"q {number(wall.q_set, '.2f')}" if wall.q_set else "–"), "quiet"
+    zeta = wall.assessment.verdict.zeta_e
+    shown = "–" if zeta is None else number(zeta, ".2f")
+    return shown, "quiet" if state.stale else tone_of(state.result, wall)
+
+
+def hinge_text(wall: WallResult) -> str:
+    """Where a result turns, and how."""
+    return f"+{number(wall.part.hinge, 'g')} m, {named(wall.mechanism)}"
+
+
+def _hinges(state: State, k: int, depth: int) -> Iterable[Row]:
+    results = state.of_row.get(k, [])
+    if state.result is None or state.finished is not None or len(results) < 2:
+        return
+    for n in sorted(results, key=lambda n: (state.result.walls[n].part.hinge, state.result.walls[n].mechanism)):
+        text = hinge_text(state.result.walls[n])
+        yield Row(depth, "hinge", text, *_chip(state, n), wall=k, result=n)
+
+
+class Chips(QStyledItemDelegate):
+    """Paints a row with its chip at the right."""
+
+    def sizeHint(self, option, index) -> QSize:
+        return QSize(60, round(1.75 * option.fontMetrics.height()))
+
+    def paint(self, painter: QPainter, option, index) -> None:
+        row: Row = index.data(Qt.ItemDataRole.UserRole)
+        painter.save()
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        area = QRectF(option.rect)
+        if option.state & QStyle.StateFlag.State_Selected:
+            shade = QColor(theme.current.curves[0])
+            shade.setAlpha(45)
+            painter.fillRect(area, shade)
+            painter.fillRect(QRectF(0, area.top(), 3, area.height()), QColor(theme.current.curves[0]))
+        if option.state & QStyle.StateFlag.State_HasFocus:
+            painter.setPen(QColor(theme.current.curves[0]))
+            painter.drawRect(area.adjusted(0.5, 0.5, -0.5, -0.5))
+        font = option.font
+        font.setBold(row.depth == 0)
+        right = area.right() - 6
+        if row.chip:
+            font.setBold(True)
+            painter.setFont(font)
+            wide = max(30.0, QFontMetricsF(font).horizontalAdvance(row.chip) + 16)
+            chip = QRectF(right - wide, area.center().y() - 0.68 * option.fontMetrics.height(), wide, 0)
+            chip.setHeight(1.36 * option.fontMetrics.height())
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(QColor(getattr(theme.current, row.tone)))
+            painter.drawRoundedRect(chip, 9, 9)
+            painter.setPen(QColor(theme.current.back))
+            painter.drawText(chip, Qt.AlignmentFlag.AlignCenter, row.chip)
+            right = chip.left() - 4
+            font.setBold(row.depth == 0)
+        painter.setFont(font)
+        painter.setPen(QColor(theme.current.ink))
+        room = right - area.left() - 4
+        text = QFontMetricsF(font).elidedText(row.text, Qt.TextElideMode.ElideRight, room)
+        painter.drawText(QRectF(area.left() + 4, area.top(), room, area.height()), Qt.AlignmentFlag.AlignVCenter, text)
+        painter.restore()
+
+
+class ProjectTree(QFrame):
+    """The tree and the buttons that add to it. chosen(row) : a Row was chosen by mouse or key"""
+
+    chosen = Signal(object)
+
+    def __init__(self):
+        super().__init__()
+        self.rows: list[Row] = []
+        self.tree = QTreeWidget()
+        self.tree.setHeaderHidden(True)
+        self.tree.setIndentation(13)
+        self.tree.setItemDelegate(Chips(self.tree))
+        self.tree.setAccessibleName(tr("Project"))
+        self.tree.setFrameShape(QFrame.Shape.NoFrame)
+        plain = QPalette(self.tree.palette())
+        plain.setColor(QPalette.ColorRole.Highlight, QColor(theme.current.back))  # the delegate marks what is chosen
+        self.tree.setPalette(plain)
+        self.tree.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.tree.currentItemChanged.connect(self._changed)
+        self.tree.itemClicked.connect(lambda item, _: self.chosen.emit(item.data(0, Qt.ItemDataRole.UserRole)))
+        self.buttons = QWidget()
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        layout.addWidget(self.tree, 1)
+        layout.addWidget(self.buttons)
+        self.setFixedWidth(WIDTH)
+        self.filling = False
+
+    def set_buttons(self, rows: Sequence[Sequence[tuple]]) -> None:
+        """Buttons below the tree: (label, tip, slot) of each, a list a line."""
+        column = QVBoxLayout(self.buttons)
+        column.setContentsMargins(4, 4, 4, 4)
+        column.setSpacing(2)
+        for line in rows:
+            row = QHBoxLayout()
+            row.setSpacing(2)
+            for label, tip, slot in line:
+                button = QToolButton()
+                button.setText(label)
+                button.setToolTip(tip)
+                button.setAutoRaise(True)
+                button.clicked.connect(lambda _=False, slot=slot: slot())
+                row.addWidget(button)
+            row.addStretch(1)
+            column.addLayout(row)
+
+    def show_rows(self, rows: list[Row]) -> None:
+        """The rows in place of those before; the chosen one stays chosen, what was open stays open."""
+        if rows == self.rows:
+            return
+        alike = [(row.depth, row.key) for row in rows] == [(row.depth, row.key) for row in self.rows]
+        before, self.rows = self.current, rows
+        self.filling = True
+        if alike:
+            for item, row in zip(self._items(), rows, strict=True):
+                self._fill(item, row)
+        else:
+            opened = {item.data(0, Qt.ItemDataRole.UserRole).key for item in self._items() if item.isExpanded()}
+            self.tree.clear()
+            above: list[QTreeWidgetItem] = []
+            for row in rows:
+                item = QTreeWidgetItem()
+                self._fill(item, row)
+                del above[row.depth :]
+                if above:
+                    above[-1].addChild(item)
+                else:
+                    self.tree.addTopLevelItem(item)
+                above.append(item)
+                item.setExpanded(row.kind in ("walls", "group") or row.key in opened)
+            if before is not None:
+                self.select(before.key)
+        self.filling = False
+        self.tree.viewport().update()
+
+    @staticmethod
+    def _fill(item: QTreeWidgetItem, row: Row) -> None:
+        item.setText(0, f"{row.text} {row.chip}".strip())  # for a screen reader; the delegate paints
+        item.setToolTip(0, row.text)
+        item.setData(0, Qt.ItemDataRole.UserRole, row)
+
+    def _items(self) -> list[QTreeWidgetItem]:
+        found: list[QTreeWidgetItem] = []
+
+        def walk(item: QTreeWidgetItem) -> None:
+            found.append(item)
+            for k in range(item.childCount()):
+                walk(item.child(k))
+
+        for k in range(self.tree.topLevelItemCount()):
+            walk(self.tree.topLevelItem(k))
+        return found
+
+    @property
+    def current(self) -> Row | None:
+        item = self.tree.currentItem()
+        return item.data(0, Qt.ItemDataRole.UserRole) if item is not None else None
+
+    def select(self, key: tuple) -> None:
+        """Choose the row of this key without telling anyone."""
+        filling, self.filling = self.filling, True
+        for item in self._items():
+            if item.data(0, Qt.ItemDataRole.UserRole).key == key:
+                self.tree.setCurrentItem(item)
+        self.filling = filling
+
+    def _changed(self, item, _) -> None:
+        """By the keys; a click tells by itself, also of the row that is chosen already."""
+        if item is not None and not self.filling and self.tree.hasFocus():
+            self.chosen.emit(item.data(0, Qt.ItemDataRole.UserRole))

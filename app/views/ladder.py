@@ -1,0 +1,109 @@
+"""The checks of a wall as bars on one axis of zeta, with the line of the zeta required."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QFont, QPainter, QPen
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from app.look import theme
+from app.look.language import number, tr
+
+
+class Rung(NamedTuple):
+    """A check: its name and clause, zeta, capacity over demand in words, tone of its bar, whether it decides."""
+
+    name: str
+    clause: str
+    zeta: float | None
+    values: str
+    tone: str
+    decides: bool
+
+
+ROOM = 1.25
+"""Of the axis beyond the zeta required or the largest bar."""
+
+MOST = 2.5
+"""Times the zeta required that the axis shows: beyond it a bar ends at the edge, and its number says more."""
+
+
+class Ladder(QWidget):
+    """Rows of a name, a bar and what is compared."""
+
+    def __init__(self):
+        super().__init__()
+        self.rungs: list[Rung] = []
+        self.target = 1.0
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+
+    def show_rungs(self, rungs: Sequence[Rung], target: float) -> None:
+        self.rungs, self.target = list(rungs), target
+        said = [f"{rung.name} ζ {number(rung.zeta, '.2f')}, {rung.values}" for rung in self.rungs]
+        self.setAccessibleName("; ".join([tr("Checks, ζ required {zeta:.2f}", zeta=target), *said]))
+        self.setToolTip("\n".join(said))
+        self.updateGeometry()
+        self.update()
+
+    @property
+    def row_height(self) -> float:
+        return 2.55 * self.fontMetrics().height()
+
+    def sizeHint(self) -> QSize:
+        return QSize(480, round(self.row_height * max(1, len(self.rungs)) + 2.0 * self.fontMetrics().height()))
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(300, self.sizeHint().height())
+
+    def paintEvent(self, event) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        ink, quiet = QColor(theme.current.ink), QColor(theme.current.quiet)
+        metrics = self.fontMetrics()
+        small = QFont(self.font())
+        small.setPointSizeF(0.85 * small.pointSizeF())
+        bold = QFont(self.font())
+        bold.setBold(True)
+        names = min(
+            0.36 * self.width(), max((metrics.horizontalAdvance(r.name) for r in self.rungs), default=90) + 26.0
+        )
+        values = max((metrics.horizontalAdvance(rung.values) for rung in self.rungs), default=0) + 14.0
+        left, right = names + 12.0, self.width() - values - 8.0
+        known = [rung.zeta for rung in self.rungs if rung.zeta is not None]
+        end = ROOM * max(self.target, min(max(known, default=0.0), MOST * self.target))
+        per_zeta = max(right - left - 44.0, 10.0) / end
+        top, line = 1.6 * metrics.height(), left + self.target * per_zeta
+        for k, rung in enumerate(self.rungs):
+            y = top + k * self.row_height
+            painter.setPen(ink)
+            painter.setFont(bold if rung.decides else self.font())
+            name = painter.fontMetrics().elidedText(rung.name, Qt.TextElideMode.ElideRight, int(names - 8))
+            painter.drawText(QPointF(8.0, y + metrics.ascent() + 1), name)
+            painter.setFont(small)
+            painter.setPen(quiet)
+            clause = f"{rung.clause}  {tr('decides')}" if rung.decides else rung.clause
+            painter.drawText(QPointF(8.0, y + metrics.height() + metrics.ascent()), clause)
+            bar = QRectF(
+                left, y + 0.25 * metrics.height(), min(rung.zeta or 0.0, end) * per_zeta, 1.3 * metrics.height()
+            )
+            shade = QColor(getattr(theme.current, rung.tone))
+            shade.setAlpha(255 if rung.decides else 115)
+            painter.fillRect(bar, shade)
+            painter.setFont(bold if rung.decides else self.font())
+            painter.setPen(QColor(getattr(theme.current, rung.tone)))
+            words = number(rung.zeta, ".2f")
+            at = QPointF(bar.right() + 6.0, bar.center().y() + 0.35 * metrics.height())
+            wide = painter.fontMetrics().horizontalAdvance(words)
+            if at.x() - 4.0 < line < at.x() + wide + 4.0:  # beside the line, not on it
+                at.setX(line + 5.0)
+            painter.drawText(at, words)
+            painter.setFont(self.font())
+            painter.setPen(quiet)
+            place = QRectF(right, bar.top(), values, bar.height())
+            painter.drawText(place, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, rung.values)
+        painter.setPen(QPen(ink, 2.0))
+        painter.drawLine(QPointF(line, 1.3 * metrics.height()), QPointF(line, self.height() - 4.0))
+        painter.setFont(bold)
+        words = f"ζ {number(self.target, '.2f')}"
+        painter.drawText(QPointF(line - 0.5 * metrics.horizontalAdvance(words), metrics.ascent() + 2.0), words)
