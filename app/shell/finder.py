@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QDialog, QLineEdit, QListWidget, QVBoxLayout
 from app.input.fields import Field
 from app.look.language import tr
 from app.look.section import unfold_to
+from app.shell.menus import every_action
 
 MOST = 60
 """Entries that are listed."""
@@ -34,7 +35,7 @@ def entries_of(window) -> list[Entry]:
             words = f"{window.session.case.wall[row.wall].title}  {row.text if row.kind == 'hinge' else ''}"
             found.append(Entry(words.strip(), lambda row=row: window.choose_row(row)))
     seen = set()
-    for action in window.all_actions:
+    for action in every_action(window.header.menu):
         label = action.text().replace("&", "")
         keys = action.shortcut().toString()
         if label and action.isEnabled() and label not in seen:

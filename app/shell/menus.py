@@ -1,5 +1,6 @@
 """The menus of the window."""
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
@@ -28,7 +29,7 @@ class Actions(NamedTuple):
 
 def build(window) -> Actions:
     """The menus behind the first button, with all actions and their keys."""
-    window.actions_with_keys, window.all_actions = [], []
+    window.actions_with_keys = []
     key, bar = QKeySequence.StandardKey, window.header.menu
     file = bar.addMenu(tr("&File"))
     add(window, file, tr("&New"), window.files.new, key.New)
@@ -123,13 +124,22 @@ def add(window, menu, label: str, slot, keys=None) -> QAction:
     """An entry of a menu."""
     action = QAction(label, menu)  # it goes with its menu
     action.triggered.connect(lambda _=False: slot())
-    window.all_actions.append(action)
-    window.addAction(action)  # keys work also where its menu is closed
     if keys is not None:
         action.setShortcut(QKeySequence(keys))
+        window.addAction(action)  # its keys work though its menu is closed
         window.actions_with_keys.append(action)
     menu.addAction(action)
     return action
+
+
+def every_action(menu: QMenu) -> Iterator[QAction]:
+    """The entries of a menu and of those inside it."""
+    for action in menu.actions():
+        inside = action.menu()
+        if inside is not None:
+            yield from every_action(inside)
+        elif not action.isSeparator():
+            yield action
 
 
 def choices(window, menu, label: str, setting: str, names: dict, current: str) -> None:

@@ -77,6 +77,11 @@ class StagedWindow(RunningWindow):
             self.why.setCurrentIndex(stages.WHY.index(name))
         self.show_stage(stages.stage_of(name))
 
+    def show_answer(self) -> None:
+        """After a run: of one wall its answer, of several which wants a look first."""
+        if self.page == "walls" and len(self.results_of()) == 1:
+            self.show_page("check")
+
     def show_input(self, kind: str, row: int | None = None) -> None:
         """Bring a form to the front. kind : wall, demand, building, records, report; row : of the wall"""
         if row is not None:

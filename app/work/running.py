@@ -59,6 +59,7 @@ class RunningWindow(QMainWindow):
                 if base != self.session.base_dir:  # saved elsewhere meanwhile
                     result = self.session.moved_result(result, base)
                 self.result_arrived(result)
+                self.show_answer()
                 self.show_word(
                     tr("{n} analyses in {seconds:.1f} s", n=self.finished_runs.analyses - made, seconds=result.elapsed)
                 )
@@ -66,6 +67,7 @@ class RunningWindow(QMainWindow):
         from core.study.run import run
 
         self.records.read_again()
+        self.show_page("walls")
         self.start(
             lambda job: run(
                 case,

@@ -15,10 +15,8 @@ pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type
 from PySide6.QtCore import QByteArray, QEvent, QObject, QRect, QRectF, Qt
 from PySide6.QtGui import QGuiApplication, QImage, QPainter
 from PySide6.QtSvg import QSvgRenderer
-from PySide6.QtWidgets import QDockWidget
 
 from app.look import theme
-from app.shell import docks
 from app.shell.window import MainWindow
 from app.views.axis import elided
 from app.views.chart import Chart
@@ -47,8 +45,8 @@ def shared(application, tmp_path_factory):
 
 def charts_of(window, application):
     """Every chart with data, its tab in front."""
-    for page in window.pages.values():
-        window.tabs.setCurrentWidget(page)
+    for name, page in window.pages.items():
+        window.show_page(name)
         application.processEvents()
         yield from (chart for chart in page.content.findChildren(Chart) if chart.data)
 
@@ -270,8 +268,8 @@ def test_that_nothing_of_an_earlier_theme_or_language_is_kept(opened, applicatio
         counts = []
         for choice in (("theme", "dark"), ("language", "it"), ("theme", "light"), ("language", "en")):
             opened.set_choice(*choice)
-            for page in opened.pages.values():
-                opened.tabs.setCurrentWidget(page)
+            for name in opened.pages:
+                opened.show_page(name)
             application.processEvents()
             gc.collect()
             charts = len(made)
@@ -300,24 +298,6 @@ class Screen:
 
     def availableGeometry(self) -> QRect:
         return self.free
-
-
-@pytest.mark.parametrize("screen", [(1920, 1080), (1024, 768)])
-def test_that_the_layout_is_reset_with_room_for_the_tabs(opened, application, monkeypatch, screen):
-    opened.resize(1280, 800)
-    monkeypatch.setattr(MainWindow, "screen", lambda _: Screen(QRect(0, 0, *screen)))
-    for state in ("wide", "hidden", "floating"):
-        if state == "wide":
-            opened.resizeDocks(docks.sides(opened), [700, 400], Qt.Orientation.Horizontal)
-        for dock in opened.findChildren(QDockWidget):
-            dock.setVisible(state != "hidden")
-            dock.setFloating(state == "floating")
-        application.processEvents()
-        opened.reset_layout()
-        application.processEvents()
-        left = opened.findChild(QDockWidget, "input")
-        assert opened.tabs.width() > 0.4 * opened.width() and left.width() < 380, state
-        assert left.isVisible() and not left.isFloating() and not left.visibleRegion().isEmpty()
 
 
 @pytest.mark.parametrize("free", [QRect(0, 0, 1024, 700), QRect(60, 30, 1220, 770)])

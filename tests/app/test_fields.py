@@ -295,8 +295,8 @@ def test_that_a_wall_above_the_ground_shows_its_floor(opened, application):
     opened.session.edit_section("demand", soil_factor=None, spectrum=Spectrum("EN1998", "B", type=1))
     opened.run()
     settle(application, lambda: opened.session.result is not None and opened.job is None)
-    for k, name in enumerate(opened.pages):
-        opened.tabs.setCurrentIndex(k)
+    for name in opened.pages:
+        opened.show_page(name)
         application.processEvents()
         if name == "spectra":
             assert opened.pages[name].content.floor.isVisible()

@@ -8,9 +8,7 @@ import pytest
 
 pytest.importorskip("PySide6")
 
-from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QImage
-from PySide6.QtWidgets import QDockWidget
 
 from app.look import language, theme
 from app.views.chart_output import ChartOutput
@@ -52,7 +50,7 @@ def walls(shared_walls, application):
     language.set_language("en")
     shared_walls.refresh()
     shared_walls.pick(0)
-    shared_walls.tabs.setCurrentIndex(0)
+    shared_walls.show_page("walls")
     yield shared_walls
     while shared_walls.session.dirty:  # what a test typed is taken back
         shared_walls.session.undo()
@@ -66,8 +64,8 @@ def own_walls(opened, application):
 
 def test_that_the_overview_is_first_sorts_and_opens_a_wall(walls):
     tab = walls.pages["walls"].content
-    walls.tabs.setCurrentIndex(0)
-    assert walls.tabs.widget(0) is walls.pages["walls"]
+    walls.show_page("walls")
+    assert walls.page == "walls"
     names = [tab.table.item(r, 0).text() for r in range(tab.table.rowCount())]
     assert names == ["Timpano", "Facciata"]  # the lowest zeta first
     assert tab.table.item(0, 2).foreground().color() == QColor(theme.current.bad)
@@ -76,27 +74,30 @@ def test_that_the_overview_is_first_sorts_and_opens_a_wall(walls):
     tab._sort(0)
     assert tab.table.item(0, 0).text() == "Facciata"
     tab.table.cellClicked.emit(1, 0)
-    assert walls.tabs.currentWidget() is walls.pages["check"]
+    assert walls.page == "check"
     assert walls.wall.name == "Timpano"
 
 
-def test_that_list_selector_and_tabs_show_one_wall(walls):
-    walls.walls.list.setCurrentRow(1)
+def test_that_tree_form_and_pages_show_one_wall(walls):
+    walls.walls.select(1)
     assert walls.wall.name == "Timpano" == walls.walls.wall.name
     walls.pick(0)
-    assert walls.walls.list.currentRow() == 0
+    assert walls.walls.current == 0 and walls.tree.current.wall == 0
+    row = next(row for row in walls.tree.rows if row.text == "Timpano")
+    walls.choose_row(row)
+    assert walls.wall.name == "Timpano" == walls.walls.wall.name
 
 
-def test_that_an_error_leads_to_its_field_with_its_dock_hidden(opened, application):
+def test_that_an_error_leads_to_its_field_on_another_stage(opened, application):
     opened.session.edit_wall(0, height_m=7.0, thickness_m=0.4, slenderness_deg=None)
-    opened.forms.setCurrentIndex(1)
     type_into(opened.walls.fields["height_m"], "70")
-    dock = opened.findChild(QDockWidget, "input")
-    dock.hide()
+    opened.walls.sections["geometry"].head.setChecked(False)
+    opened.show_page("walls")
     opened.refresh()
-    assert "<a href=" in opened.missing.text()
-    opened.missing.linkActivated.emit("field")
-    assert dock.isVisible() and opened.forms.currentIndex() == 0
+    assert "Height H" in opened.missing.text() and opened.header.notice.isVisible()
+    opened.header.notice.click()
+    assert opened.stages.front == "input" and opened.walls.fields["height_m"].isVisible()
+    assert opened.walls.fields["height_m"].editor.hasFocus()
     opened.walls.fields["height_m"].revert()
 
 
@@ -110,20 +111,18 @@ def test_that_a_hidden_field_that_blocks_shows_itself(opened):
 
 def test_that_an_error_of_another_wall_leads_to_that_wall(own_walls):
     own_walls.session.edit_wall(1, thickness_m=0.4, height_over_thickness=9.0)
-    assert own_walls.walls.list.currentRow() == 0 and "<a href=" in own_walls.banner.text()
-    own_walls.banner.linkActivated.emit("field")
-    assert own_walls.walls.list.currentRow() == 1
+    assert own_walls.walls.current == 0 and own_walls.missing.text()
+    own_walls.missing.lines.linkActivated.emit("0")
+    assert own_walls.walls.current == 1
 
 
 def test_that_a_record_that_cannot_be_read_leads_to_its_row(opened, application):
     record = replace(opened.session.case.record[0], file="nowhere.AT2")
     opened.session.edit(replace(opened.session.case, record=(record,)))
     settle(application, lambda: not opened.records.pending)
-    assert "nowhere.AT2" in opened.missing.text() and "<a href=" in opened.missing.text()
-    dock = opened.findChild(QDockWidget, "records")
-    dock.hide()
-    opened.missing.linkActivated.emit("field")
-    assert dock.isVisible() and opened.records._selected() == {0}
+    assert "nowhere.AT2" in opened.missing.text()
+    opened.missing.lines.linkActivated.emit("0")
+    assert opened.records.isVisible() and opened.records._selected() == {0}
     opened.session.edit(replace(opened.session.case, record=(replace(record, include=False),)))
     settle(application, lambda: not opened.records.pending)
     assert "nowhere.AT2" not in opened.missing.text()
@@ -266,7 +265,8 @@ def test_that_a_preset_sets_the_multiplier(walls):
     tab._set_to(1)
     assert tab.q * wall.model.threshold == pytest.approx(tab.motion.pga)
     plain, ground = tab.history.peak, tab.ground.data[0][2]
-    assert "FC" not in tab.words.text() and "FC" not in tab.rotation.caption
+    assert "without FC" in tab.words.text() and "without FC" in tab.rotation.caption
+    assert "1.00 times the demand" in tab.words.text()
     tab._set_to(2)  # FC on the strength: another wall under the same ground, and said to be
     assert tab.q * wall.model.threshold == pytest.approx(tab.motion.pga)
     assert np.array_equal(tab.ground.data[0][2], ground) and tab.history.peak != plain
@@ -285,10 +285,11 @@ def test_that_a_preset_sets_the_multiplier(walls):
     tab._set_to(3)
     assert tab.history.outcome != 1
     tab._set_to(5)
-    assert tab.q == 2.0 and "FC" not in tab.words.text() and "FC" not in tab.rotation.caption
+    assert tab.q == 2.0 and all("without FC" in said for said in (tab.words.text(), tab.rotation.caption))
     tab._set_to(2)
     tab.slider.setValue(tab.slider.value() + 1)
-    assert "FC" not in tab.words.text() and "FC" not in tab.rotation.caption
+    assert "without FC" in tab.words.text() and "without FC" in tab.rotation.caption
+    assert "1.00 times the demand" in tab.words.text()
     for choice in (1, 4):  # the ground is shown whole at every multiplier
         tab._set_to(choice)
         _, (low, high) = tab.ground.plot.viewRange()
@@ -317,17 +318,19 @@ def test_that_the_window_fits_a_small_screen(walls, application, tongue):
     walls.set_choice("language", tongue)
     for size in ((1024, 768), (960, 540)):
         walls.resize(*size)
-        for page in walls.pages.values():
-            walls.tabs.setCurrentWidget(page)
+        for page in walls.pages:
+            walls.show_page(page)
             application.processEvents()
             assert (walls.width(), walls.height()) == size, page
             assert walls.minimumSizeHint().width() <= size[0]
             assert walls.minimumSizeHint().height() <= size[1]
-            assert walls.tabs.width() >= 0.5 * size[0]
+            assert walls.stages.width() >= size[0] - 216
+    for size, share in (((1280, 800), 0.83), ((1920, 1080), 0.85)):
+        walls.resize(*size)
+        application.processEvents()
+        assert walls.stages.width() >= share * walls.width()
     walls.resize(1280, 800)
     application.processEvents()
-    records = walls.findChild(QDockWidget, "records")
-    assert walls.dockWidgetArea(records) == Qt.DockWidgetArea.RightDockWidgetArea
     walls.set_choice("language", "en")
 
 
@@ -336,7 +339,7 @@ def test_that_tables_fit_their_tab_at_1280(own_walls, application):
     for language_of in ("it", "en"):
         own_walls.set_choice("language", language_of)
         for name in ("walls", "check"):
-            own_walls.tabs.setCurrentWidget(own_walls.pages[name])
+            own_walls.show_page(name)
             application.processEvents()
             for table in own_walls.pages[name].content.findChildren(Table):
                 if table.isVisible() and table.rowCount():
@@ -376,9 +379,9 @@ def test_that_no_job_collects_widgets_in_its_thread(opened):
 
 def test_that_figures_of_tabs_never_looked_at_fill_their_page(walls):
     walls.set_choice("theme", "light")  # every tab is made anew
-    walls.tabs.setCurrentIndex(0)
+    walls.show_page("walls")
     charts = walls.charts()
-    assert len(charts) == 11 and walls.tabs.currentIndex() == 0
+    assert len(charts) == 12 and walls.page == "walls"
     for chart in charts:
         picture = QImage.fromData(figure(chart, ".png", FigureSize(160, 96)))
         picture = picture.convertToFormat(QImage.Format.Format_Grayscale8)

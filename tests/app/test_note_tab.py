@@ -30,15 +30,14 @@ def test_that_the_pages_are_those_of_the_note(opened, shown):
 def test_that_a_click_leads_to_the_check_or_to_the_input_of_its_wall(opened, shown, application):
     places = shown.pages.places
     heading = next(place for place in places if place.get("wall") == 0 and place["page"] > 1)
-    opened.forms.setCurrentIndex(2)
     shown.paper.clicked.emit(heading["page"], heading["y"] + 8.0)
-    assert opened.forms.currentIndex() == 0 and opened.chosen.currentIndex() == 0
+    assert opened.stages.front == "input" and opened.walls.isVisible() and opened.shown == 0
     number = next(place for place in places if "check" in place)
     shown.paper.clicked.emit(number["page"], number["y"] + 3.0)
-    assert opened.tabs.currentWidget() is opened.pages["check"] and opened.chosen.currentIndex() == 0
+    assert opened.page == "check" and opened.shown == 0
     opened.show_page("note")
     shown.paper.clicked.emit(1, 800.0)  # the foot of a page leads nowhere
-    assert opened.tabs.currentWidget() is opened.pages["note"]
+    assert opened.page == "note"
 
 
 def test_that_what_is_searched_is_found_page_after_page(opened, shown):

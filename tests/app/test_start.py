@@ -61,14 +61,6 @@ def test_that_words_without_a_terminal_come_in_a_dialog(application, tmp_path, m
     assert len(words) == 1 and "absent.ribalta" in words[0]
 
 
-def test_that_an_arrangement_of_another_version_is_left_aside(opened, monkeypatch):
-    from app.shell import docks
-
-    state = opened.saveState(docks.LAYOUT)
-    assert opened.restoreState(state, docks.LAYOUT)
-    assert not opened.restoreState(state, docks.LAYOUT + 1)
-
-
 def test_that_a_case_of_the_own_extension_opens_saves_and_runs_as_batch(opened, tmp_path, monkeypatch):
     from app.shell import files
 

@@ -15,7 +15,7 @@ from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
-from app.shell.window import row_of
+from app.shell.staged_window import row_of
 from core.case.reader import read_case
 from core.case.rules import parse_case
 from core.study import run as study
@@ -49,7 +49,7 @@ def test_that_a_wrong_number_is_said_at_the_field_and_leaves_the_case(opened):
 def test_that_form_and_case_say_the_same_after_undo(opened):
     type_into(opened.walls.fields["height_m"], "6,5")
     assert opened.session.case.wall[0].height_m == 6.5
-    opened.walls.list.setFocus()
+    opened.tree.tree.setFocus()
     opened.session.undo()
     assert opened.walls.fields["height_m"].editor.text() == "5"
     assert "*" not in opened.windowTitle()
@@ -103,8 +103,8 @@ def test_the_whole_job(opened, application, tmp_path):
     run(application, opened)
     result = opened.session.result
     assert result.walls[0].q_set is not None
-    for k in range(opened.tabs.count()):
-        opened.tabs.setCurrentIndex(k)
+    for name in opened.pages:
+        opened.show_page(name)
         application.processEvents()
     assert not opened.veil.isVisibleTo(opened)
     type_into(opened.walls.fields["height_m"], "4.8")
@@ -240,10 +240,10 @@ def test_that_tables_copy_with_tabs(opened, application):
 
 def test_that_the_window_speaks_italian(opened, application):
     opened.set_choice("language", "it")
-    assert opened.tabs.tabText(0) == "Quadro generale"
+    assert opened.page_labels["walls"] == "Quadro generale" and opened.header.buttons["why"].text() == "3 Perché"
     assert opened.walls.fields["height_m"].caption.text() == "Altezza H"
     opened.set_choice("language", "en")
-    assert opened.tabs.tabText(0) == "Overview"
+    assert opened.page_labels["walls"] == "Overview"
 
 
 def test_that_every_editor_has_a_name_for_a_screen_reader(opened):
@@ -282,7 +282,7 @@ def test_that_a_result_of_another_case_never_arrives(opened, application):
     opened.files.open(path)  # the same words, but the run was of the case before
     settle(application, lambda: opened.job is None)
     assert opened.session.result is None
-    assert opened.chosen.count() == 0 and "F5" in opened.card.text()
+    assert opened.wall is None and "F5" in opened.pages["walls"].content.words.text()
 
 
 def test_that_only_one_job_runs_at_a_time(opened, application):
@@ -335,7 +335,7 @@ def test_that_many_redraws_and_random_events_do_no_harm(opened, application):
     for k in range(int(os.environ.get("RIBALTA_REDRAWS", "150"))):
         tab.slider.setValue(int(random.integers(0, 2000)))
         if k % 10 == 0:
-            opened.tabs.setCurrentIndex(int(random.integers(0, opened.tabs.count())))
+            opened.show_page(list(opened.pages)[int(random.integers(0, len(opened.pages)))])
             opened.resize(int(random.integers(900, 1500)), int(random.integers(600, 1000)))
         if k % 25 == 0:
             opened.session.edit_wall(0, height_m=float(random.uniform(3.0, 7.0)))

@@ -86,9 +86,8 @@ def tabs(folder: Path, small: Path | None) -> None:
             settle(application, lambda: window.records.motions)
             for width, height in SIZES[: 1 if small else 2]:
                 window.resize(width, height)
-                for k, name in enumerate(window.pages):
-                    window.forms.setCurrentIndex(k % 3)
-                    window.tabs.setCurrentIndex(k)
+                for name in (*window.stages.input.areas, *window.pages):
+                    window.show_page(name) if name in window.pages else window.show_input(name)
                     settle(application, lambda: True)
                     picture(window, folder / f"{name}_{language}_{theme}_{width}.png")
     end(window)
@@ -99,21 +98,17 @@ GUIDE = (
         "verdict.toml",
         0,
         (
-            ("facade_wall", "form", 0),
-            ("facade_demand", "form", 1),
-            ("facade_overview", "walls", 0),
-            ("facade_check", "check", 0),
-            ("facade_histories", "histories", 0),
-            ("facade_capacity", "capacity", 0),
+            ("facade_wall", "wall"),
+            ("facade_demand", "demand"),
+            ("facade_overview", "walls"),
+            ("facade_check", "check"),
+            ("facade_histories", "histories"),
+            ("facade_capacity", "capacity"),
         ),
     ),
-    (
-        "building.toml",
-        -1,
-        (("parapet_wall", "form", 0), ("parapet_check", "check", 0), ("parapet_spectra", "spectra", 0)),
-    ),
+    ("building.toml", -1, (("parapet_wall", "wall"), ("parapet_check", "check"), ("parapet_spectra", "spectra"))),
 )
-"""(case, wall, pictures: (name, page or form, which form)) of the guides."""
+"""(case, wall, pictures: (name, page or form)) of the guides."""
 
 
 def guide(folder: Path, small: Path | None) -> None:
@@ -128,13 +123,11 @@ def guide(folder: Path, small: Path | None) -> None:
             window.set_choice("language", language)
             window.resize(1280, 800)
             settle(application, lambda: window.records.motions and not window.records.pending)
-            window.pick(wall % window.chosen.count())
-            for name, page, form in pictures:
-                window.forms.setCurrentIndex(form)
-                window.tabs.setCurrentWidget(window.pages.get(page, window.pages["check"]))
+            window.pick(wall % len(window.session.result.walls))
+            for name, page in pictures:
+                window.show_page(page) if page in window.pages else window.show_input(page)
                 settle(application, lambda: True)
-                part = window.forms if page == "form" else window.tabs
                 path = folder / f"{name}_{language}.png"
-                picture(part, path)
+                picture(window, path)
                 Image.open(path).convert("RGB").quantize(32).save(path, optimize=True)
     end(window)

@@ -29,7 +29,7 @@ application, window = program.make([])
 program.show(window); application.processEvents()
 shown = time.perf_counter() - start
 window.session.open(program.EXAMPLE); application.processEvents()
-assert window.isVisible() and window.chosen is not None and window.session.case.wall
+assert window.isVisible() and window.tree.rows and window.session.case.wall
 print(shown, time.perf_counter() - start)
 window.close()
 """
@@ -52,7 +52,7 @@ def drag(application, window, draws: int) -> float:
     from PySide6.QtCore import QEvent, QObject
 
     page = window.pages["histories"]
-    window.tabs.setCurrentWidget(page)
+    window.show_page("histories")
     settle(application, lambda: page.isVisible() and page.made is not None)
     tab = page.content
     assert tab.isVisible() and tab.run is not None, "the tab Histories shows no run"

@@ -1,5 +1,6 @@
 """The energy of a history over its barrier."""
 
+import itertools
 import math
 
 import numpy as np
@@ -32,7 +33,7 @@ def test_that_free_motion_keeps_its_energy_and_an_impact_takes_its_share(law):
     times = np.arange(ratios.size) * 0.01
     hits = [time for time in moved.impact_time if time > 0.35]
     assert len(hits) >= 2
-    between = [ratios[(times > first + 0.011) & (times < last - 0.011)] for first, last in zip(hits, hits[1:])]
+    between = [ratios[(times > first + 0.011) & (times < last - 0.011)] for first, last in itertools.pairwise(hits)]
     for part in between:
         assert np.ptp(part) < 1e-11
     assert between[1].mean() / between[0].mean() == pytest.approx(0.81, rel=1e-9)
