@@ -21,7 +21,7 @@ from core.wall.bars import TieBar
 from core.wall.loads import RestoringMoment
 from core.wall.rocking_model import RockingModel
 from tests.conftest import ROOT
-from tests.validation import double_double
+from tests.validation import double_double_walls
 from tests.validation.test_random_histories import drawn
 
 SAMPLES = 150
@@ -39,6 +39,11 @@ KINDS = (
 )
 """What is drawn, in turn."""
 
+MANY = 200
+"""Draws of noise where NOISES of them do not explain an error."""
+
+TIMES = (1.0, 10.0, 100.0, TIMES_NOISE)
+
 RIGID, LOADED, TRILINEAR, LOADED_TRILINEAR, STIFF, SMALL, TIES, STIFF_TIES = range(8)
 
 
@@ -51,7 +56,7 @@ class Case(NamedTuple):
 
 
 class Found(NamedTuple):
-    """Of a case, as fractions of alpha while the wall stands: error, largest effect of NOISES draws of NOISE, peak;
+    """Of a case, as fractions of theta_c while the wall stands: error, largest effect of NOISES draws of NOISE, peak;
     impacts : count."""
 
     error: float
@@ -133,22 +138,72 @@ def case_of(seed: int) -> Case:
 
 
 def distance(model: RockingModel, one: np.ndarray, other: np.ndarray) -> float:
-    """Largest difference of two histories over alpha while neither is beyond the collapse rotation."""
+    """Largest difference of two histories over theta_c while neither is beyond it."""
     both = min(one.size, other.size)
     first, second = one[:both], other[:both]
     inside = (np.abs(first) < model.collapse_rotation) & (np.abs(second) < model.collapse_rotation)
-    return float(np.abs(first - second)[inside].max(initial=0.0)) / model.slenderness
+    return float(np.abs(first - second)[inside].max(initial=0.0)) / model.collapse_rotation
+
+
+def effect_of_noise(case: Case, once: np.ndarray, draws: int, key: list[int]) -> float:
+    """Largest effect over theta_c of so many draws of NOISE on the samples on a history, `once` without it.
+
+    key : of the generator
+    """
+    rng, largest = np.random.default_rng(key), 0.0
+    for _ in range(draws):
+        moved = case.ground * (1.0 + NOISE * rng.uniform(-1.0, 1.0, case.ground.size))
+        largest = max(largest, distance(case.model, once, history(moved, case.dt, 1.0, case.model, AUTO).rotation))
+    return largest
 
 
 def errors(seed: int) -> Found:
     """Error and effect of noise of a random case."""
-    model, dt, ground = case_of(seed)
-    rng = np.random.default_rng([seed, 1])
-    once = history(ground, dt, 1.0, model, AUTO).rotation
-    noise = 0.0
-    for _ in range(NOISES):
-        moved = ground * (1.0 + NOISE * rng.uniform(-1.0, 1.0, ground.size))
-        noise = max(noise, distance(model, once, history(moved, dt, 1.0, model, AUTO).rotation))
-    exact, impacts = double_double.history(ground, dt, model)
-    peak = float(np.minimum(np.abs(exact), model.collapse_rotation).max()) / model.slenderness
-    return Found(distance(model, once, exact), noise, peak, impacts)
+    case = case_of(seed)
+    once = history(case.ground, case.dt, 1.0, case.model, AUTO).rotation
+    exact = double_double_walls.history(case.ground, case.dt, case.model)
+    peak = float(np.minimum(np.abs(exact.rotation), case.model.collapse_rotation).max()) / case.model.collapse_rotation
+    noise = effect_of_noise(case, once, NOISES, [seed, 1])
+    return Found(distance(case.model, once, exact.rotation), noise, peak, exact.impacts)
+
+
+def of_many_draws(seed: int) -> float:
+    """Effect of noise on a case, over theta_c, by MANY draws."""
+    case = case_of(seed)
+    once = history(case.ground, case.dt, 1.0, case.model, AUTO).rotation
+    return effect_of_noise(case, once, MANY, [seed, 2])
+
+
+def found_of(cases: int) -> np.ndarray:
+    """A row of Found for each of the first so many cases."""
+    with ProcessPoolExecutor(2) as pool:
+        return np.array(list(pool.map(errors, range(cases), chunksize=32)))
+
+
+def beyond(found: np.ndarray, times: float) -> np.ndarray:
+    """Whether the error of each case is above the larger of PROMISED and so many times the effect of noise."""
+    return found[:, 0] > np.maximum(PROMISED, times * found[:, 1])
+
+
+def main(options: argparse.Namespace) -> None:
+    """Print the table."""
+    cases = 2 * len(KINDS) if options.small else options.cases
+    found = found_of(cases)
+    error, noise, peak, impacts = found.T
+    kinds = np.arange(cases) % len(KINDS)
+    assert (peak > 0.0).mean() > 0.5 and impacts.max() > 10.0, "walls that do not move"
+    print(f"error above {PROMISED:g} theta_c, and above so many times the effect of noise of {NOISE:g} as well")
+    print(f"{'':26} {'cases':>6} {'> 1e-9':>7}" + "".join(f" {f'{times:g} x':>6}" for times in TIMES) + "    worst")
+    for kind, name in [*enumerate(KINDS), (None, "all")]:
+        here = found if kind is None else found[kinds == kind]
+        counts = "".join(f" {int(beyond(here, times).sum()):6}" for times in TIMES)
+        print(f"{name:26} {len(here):6} {int(beyond(here, 0.0).sum()):7}{counts}  {here[:, 0].max(initial=0.0):7.1e}")
+    over = error / np.maximum(noise, 1e-17)
+    print(f"error over noise: median {np.median(over):.2g}, 99 % {np.quantile(over, 0.99):.2g}")
+    quiet = noise < 1e-11
+    print(f"noise below 1e-11: {int(quiet.sum())} cases, worst error {error[quiet].max(initial=0.0):.1e} theta_c")
+    for seed in np.nonzero(beyond(found, 100.0))[0]:
+        print(
+            f"case {seed}, {KINDS[kinds[seed]]}: error {error[seed]:.1e}, noise {noise[seed]:.1e}, "
+            f"of {MANY} draws {of_many_draws(int(seed)):.1e} theta_c"
+        )

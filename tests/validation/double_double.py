@@ -1,5 +1,5 @@
-"""A second truth, a thousand times faster than high_precision.py: the rocking wall in double-double arithmetic (about 31
-digits), Taylor order 24, bare, trilinear, loaded or held by bars.
+"""A second truth, a thousand times faster than high_precision.py: the rocking wall in double-double arithmetic (about
+31 digits), Taylor order 24, bare, trilinear, loaded or held by bars.
 
 It shares no code with the program's kernels but the instruction fma. The unknowns are phi, x = sin(phi) and y =
 cos(phi), so that a bar, whose elongation over its height is x, is taut, yields and breaks where polynomials of x have
@@ -12,9 +12,7 @@ A double-double is a tuple (high, low), the number high + low; in an array the l
 
 import math
 from fractions import Fraction
-from typing import NamedTuple
 
-import mpmath as mp
 import numpy as np
 
 from core.jit.decorators import inner_kernel, kernel, subkernel
@@ -22,9 +20,7 @@ from core.jit.fma import fma
 
 ORDER = 24
 
-MAX_IMPACTS = 10_000
-"""In a sample, as the program's impact limit."""
-
+MAX_IMPACTS = 10_000  # in a sample
 NEGLIGIBLE = 1e-32
 """Last terms of the series at the end of a step, over its largest."""
 
@@ -41,10 +37,9 @@ STIFFNESS, YIELD, START, BREAK = 1, 2, 3, 4
 """Columns of the array of bars (core/wall/bars.py)."""
 
 
-def split(value) -> tuple[float, float]:
-    """The double-double next to a Fraction or a number of mpmath."""
-    high = float(value)
-    return high, float(value - (Fraction(high) if isinstance(value, Fraction) else mp.mpf(high)))
+def split(value: Fraction) -> tuple[float, float]:
+    """The double-double next to a fraction."""
+    return float(value), float(value - Fraction(float(value)))
 
 
 INVERSE = np.array([split(Fraction(1, n)) for n in range(1, ORDER + 2)])
@@ -52,31 +47,6 @@ INVERSE = np.array([split(Fraction(1, n)) for n in range(1, ORDER + 2)])
 
 FACTORIAL = np.array([split(Fraction(1, math.factorial(n))) for n in range(40)])
 """1/0!, 1/1!, ..."""
-
-
-class Wall(NamedTuple):
-    """The numbers of a wall; pairs are double-doubles.
-
-    sine, cosine : of alpha [-]; minus_p2 : [1/s2]; one_sided, ratio, drop : as of RockingModel
-    rest : speed below which it rests after an impact [rad/s]
-    phi1, phi2 : ends of elastic branch and plateau [rad], (0, 0) if rigid; plateau : moment of it [-]
-    a, c : of positive and of negative rotations [-]; right, left : ground that uplifts it [g]
-    """
-
-    sine: tuple[float, float]
-    cosine: tuple[float, float]
-    minus_p2: tuple[float, float]
-    one_sided: bool
-    ratio: float
-    drop: float
-    rest: float
-    phi1: tuple[float, float]
-    phi2: tuple[float, float]
-    plateau: tuple[float, float]
-    a: tuple[float, float]
-    c: tuple[float, float]
-    right: tuple[float, float]
-    left: tuple[float, float]
 
 
 @inner_kernel
@@ -268,8 +238,8 @@ def first_root(c, sign, level, shift, last, h, room):
 
 @subkernel
 def safe_stride(c, last, value, slope, t, h):
-    """How far from t the series, there of this value and slope, surely stays positive [s]: value + slope s - bend s^2 / 2
-    is, where c'' >= -bend, of which the negative coefficients give a bound up to t + window, the first of h, h/4, ..."""
+    """How far from t the series, there of this value and slope, surely stays positive [s]: value + slope s - bend s^2/2
+    does where c'' >= -bend, of which the negative coefficients give a bound up to t + window (h, h/4, h/16, ...)."""
     stride, window, before = 0.0, 1.001 * h, math.inf
     for _ in range(60):
         bend, power = -2.0 * c[2, 0], 1.0
@@ -378,12 +348,19 @@ def uplift(first, rate, t, dt, wall, bars, residual, phase):
     return 0.0, later if when[0] < dt else 0.0, when
 
 
+@subkernel
+def after_impact(speed, side, wall):
+    """(speed [rad/s], side) after an impact at this speed."""
+    ratio = add((wall.ratio, 0.0), minus(mul((wall.drop, 0.0), mul(speed, speed))))
+    return mul(ratio if ratio[0] > 0.0 else (0.0, 0.0), minus(speed)), side if wall.one_sided else -side
+
+
 @kernel
 def run(ground, dt, gravity, wall, bars, rotation, series, terms, residual, phase, at):
     """(samples done, impacts) of a history from rest; it ends beyond 90 degrees or with MAX_IMPACTS in a sample.
 
     ground : [m/s2]; dt : [s]; gravity : 1/g, double-double
-    bars : rows of Bars; rotation : results at the samples [rad]
+    wall : Wall (double_double_walls.py); bars : rows of Bars; rotation : results at the samples [rad]
     series, terms, residual, phase, at : room
     """
     phi, speed, t = (0.0, 0.0), (0.0, 0.0), (0.0, 0.0)
@@ -428,10 +405,8 @@ def run(ground, dt, gravity, wall, bars, rotation, series, terms, residual, phas
                 phi = wall.phi1 if zone == 1 else wall.phi2
                 zone, on_low, on_high = zone - 1, False, True
             elif kind == FALLS:
-                impacts, total = impacts + 1, total + 1
-                ratio = add((wall.ratio, 0.0), minus(mul((wall.drop, 0.0), mul(speed, speed))))
-                phi, speed = (0.0, 0.0), mul(ratio if ratio[0] > 0.0 else (0.0, 0.0), minus(speed))
-                side = side if wall.one_sided else -side
+                impacts, total, phi = impacts + 1, total + 1, (0.0, 0.0)
+                speed, side = after_impact(speed, side, wall)
                 on_low, on_high, lifting = True, False, False
                 set_phases(residual, phase, at)
                 lifts, _, _ = uplift(first, rate, t, dt, wall, bars, residual, phase)
@@ -443,38 +418,3 @@ def run(ground, dt, gravity, wall, bars, rotation, series, terms, residual, phas
         if phi[0] > 1.6:
             return i + 2, total
     return ground.size, total
-
-
-def history(ground, dt, model) -> tuple[np.ndarray, int]:
-    """(rotations at the samples [rad], impacts) of a RockingModel; the program's numbers are read, nothing more.
-
-    ground : [m/s2]; dt : [s]
-    """
-    bars = np.array(model.bars, float).reshape(len(model.bars), 5)
-    with mp.workdps(40):
-        alpha, g, sides = mp.mpf(model.slenderness), mp.mpf("9.80665"), (model.restoring, model.mirrored)
-        phi2 = mp.mpf(model.plateau_end)
-        trilinear = phi2 > 0
-        thresholds = [mp.mpf(0) if trilinear else s.sine * mp.tan(alpha) + s.cosine for s in sides]
-        plateau = sides[0].sine * mp.sin(alpha - phi2) + sides[0].cosine * mp.cos(alpha - phi2)
-        wall = Wall(
-            split(mp.sin(alpha)),
-            split(mp.cos(alpha)),
-            (-model.p2, 0.0),
-            model.one_sided != 0.0,
-            model.ratio_at_rest,
-            model.ratio_drop,
-            float(mp.sqrt(model.p2) * alpha / 10**6),
-            (model.elastic_end, 0.0),
-            (model.plateau_end, 0.0),
-            split(plateau),
-            (sides[0].sine, sides[1].sine),
-            (sides[0].cosine, sides[1].cosine),
-            *map(split, thresholds),
-        )
-        gravity = split(1 / g)
-    rotation, count = np.zeros(ground.size), len(bars)
-    state = np.zeros((count, 2)), np.zeros(count, np.int64), np.zeros(count, np.int64)
-    room = np.zeros((5, ORDER + 1, 2)), np.zeros((7, 2))
-    done, impacts = run(ground, dt, gravity, wall, bars, rotation, *room, *state)
-    return rotation[:done], impacts
