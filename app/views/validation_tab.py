@@ -92,6 +92,13 @@ class ValidationTab(QWidget):
             "\n".join(
                 (
                     tr(
+                        "Solver ({method}): no other follows ties; bound of its error {bound} θc ({record}).",
+                        method=accuracy.method,
+                        bound=power(accuracy.history_bound),
+                        record=accuracy.record,
+                    )
+                    if not accuracy.points
+                    else tr(
                         "Solver ({method}): differs from another in q by {q}, in the history by {history} θc; bound of "
                         "its error {bound} θc ({record}).",
                         method=accuracy.method,

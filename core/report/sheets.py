@@ -312,6 +312,20 @@ def method(book: Book, result: StudyResult) -> None:
         row += 1
 
 
+def _compared(book: Book, accuracy: Accuracy) -> str:
+    """How far another solver is from the one used, in a sentence."""
+    if not accuracy.points:
+        return book.say("No other solver follows a wall held by ties.")
+    return book.say(
+        "q by dormand_prince: {_digits} against {q:.4f}, difference {_percent}; history against "
+        "DOP853 of scipy at the last survived scale: {_power} of θc.",
+        _digits=_digits(book, accuracy.q_reference),
+        q=accuracy.q,
+        _percent=_percent(book, accuracy.solver_q_difference),
+        _power=_power(book, accuracy.history_difference),
+    )
+
+
 def _bound(book: Book, accuracy: Accuracy) -> str:
     """The bound of the error of the governing history, in a sentence; "" for a method that has none."""
     if accuracy.history_bound is not None:
@@ -339,18 +353,7 @@ def _uncertainty(book: Book, sheet, result: StudyResult, row: int) -> int:
             sheet, row, f"{say('How sure')}: {wall.name}, {word(wall.mechanism, book.language)}, {accuracy.record}", 11
         )
         rows = [
-            (
-                say("Solver"),
-                say(
-                    "q by dormand_prince: {_digits} against {q:.4f}, difference {_percent}; history against "
-                    "DOP853 of scipy at the last survived scale: {_power} of θc.",
-                    _digits=_digits(book, accuracy.q_reference),
-                    q=accuracy.q,
-                    _percent=_percent(book, accuracy.solver_q_difference),
-                    _power=_power(book, accuracy.history_difference),
-                )
-                + _bound(book, accuracy),
-            ),
+            (say("Solver"), _compared(book, accuracy) + _bound(book, accuracy)),
             (
                 say("Spread by definition"),
                 say("q (q robust) by step of the search: ")
@@ -368,8 +371,10 @@ def _uncertainty(book: Book, sheet, result: StudyResult, row: int) -> int:
                     else ""
                 ),
             ),
-            (say("Methods on this history"), "; ".join(f"{p.name}: {_power(book, p.error)}" for p in accuracy.points)),
         ]
+        if accuracy.points:
+            methods = "; ".join(f"{point.name}: {_power(book, point.error)}" for point in accuracy.points)
+            rows.append((say("Methods on this history"), methods))
         for label, body in rows:
             row += 1
             text(sheet, row, 1, label, bold=True, wrap=True)

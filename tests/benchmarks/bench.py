@@ -14,6 +14,7 @@
     python3 run.py bench --records                          # a million samples read, 200 files previewed
     python3 run.py bench --natural FILE                     # the natural records of paper.md, for --study --records
     python3 run.py bench --noise [--cases N]                # errors of histories beside the effect of noise
+    python3 run.py bench --tolerances [--cases N] [--pairs N] # the same for other tolerances of a step, and their speed
     python3 run.py bench --compile                          # what a cold start compiles, kernel by kernel
     python3 run.py bench --note                             # seconds of the calculation note after a run
     python3 run.py bench --ties [LIST.toml]                 # what q = 2 is worth for a tie, see tie_study.py
@@ -44,6 +45,7 @@ BENCHMARKS = {
     "natural": "natural_list",
     "ties": "tie_study",
     "noise": "noise_promise",
+    "tolerances": "tolerance_sweep",
     "compile": "compile_times",
     "note": "note_speed",
 }

@@ -62,8 +62,8 @@ def history(ground, dt, alpha, p2, one_sided, ratio_of, kinks=None, gravity="9.8
 
     ground, dt, alpha, p2 : exact numbers (float or mpf) [m/s2], [s], [rad], [1/s2];
     ratio_of : velocity ratio as a function of the impact speed; kinks : (phi1, phi2) or None;
-    loads : (a, c) of positive and of negative rotations, rigid law only: the moment is a sin(alpha - phi) +
-    c cos(alpha - phi).
+    loads : (a, c) of positive and of negative rotations: the moment is a sin(alpha - phi) + c cos(alpha - phi), under a
+    trilinear law beyond the plateau, whose moment it is at phi2.
     """
     with mp.workdps(digits):
         alpha, p2, dt, g = mp.mpf(alpha), mp.mpf(p2), mp.mpf(dt), mp.mpf(gravity)
@@ -91,8 +91,9 @@ def history(ground, dt, alpha, p2, one_sided, ratio_of, kinks=None, gravity="9.8
                             break
                         now = b0 + rate * t
                     phi, speed, zone, moving = mp.mpf(0), mp.mpf(0), 0, True
-                branch = _branch(zone, levels, alpha, sine[side])
-                c = _coefficients(phi, speed, side * now - cosine[side], side * rate, p2, alpha, branch)
+                branch = _branch(zone, levels, alpha, sine[side], cosine[side])
+                held = cosine[side] if branch[0] else 0
+                c = _coefficients(phi, speed, side * now - held, side * rate, p2, alpha, branch)
                 h = dt - t
                 events = []
                 lower = _first_root(c, levels[zone], h)
@@ -126,10 +127,10 @@ def history(ground, dt, alpha, p2, one_sided, ratio_of, kinks=None, gravity="9.8
         return rotations, impacts
 
 
-def _branch(zone, levels, alpha, sine):
+def _branch(zone, levels, alpha, sine, cosine):
     if len(levels) == 1 or zone == 2:
         return sine, 0, 0
-    plateau = mp.sin(alpha - levels[2])
+    plateau = sine * mp.sin(alpha - levels[2]) + cosine * mp.cos(alpha - levels[2])
     return (0, plateau / levels[1], 0) if zone == 0 else (0, 0, plateau)
 
 

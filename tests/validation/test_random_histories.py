@@ -15,8 +15,8 @@ from core.wall.moment_rotation import LAWS, MomentLaw
 from core.wall.rocking_model import RockingModel
 from tests.conftest import ROOT
 
-SEEDS = (5, 13, 16, 20, 22, 233)
-"""Cases of tests/benchmarks/noise_promise.py in which the wall moves much, some of them with loads."""
+HOSTILE = range(240)
+"""Cases of tests/benchmarks/noise_promise.py: thirty of each kind, with loads, stiff branches, small motions, ties."""
 
 ALLOWED = 1e-6
 """Of alpha."""
@@ -91,10 +91,11 @@ def test_that_no_history_of_a_thousand_strays_unexplained(seed):
     assert unexplained(seed, 1000) == []
 
 
-@pytest.mark.parametrize("seed", SEEDS)
-def test_that_a_history_keeps_what_is_promised_of_it(seed):
-    """Against 30 digits: the larger of 1e-9 and so many times what noise of 1e-15 on the samples does."""
-    from tests.benchmarks.noise_promise import errors  # it draws its cases here
+def test_that_histories_keep_what_is_promised_of_them():
+    """Against 31 digits: the larger of 1e-9 and so many times what noise of 1e-15 on the samples does. In some of them
+    noise moves the wall further than that."""
+    from tests.benchmarks.noise_promise import beyond, errors  # it draws its cases here
 
-    error, noise = errors(seed)
-    assert 0.0 < error < max(PROMISED, TIMES_NOISE * noise)
+    found = np.array([errors(seed) for seed in HOSTILE])
+    assert (found[:, 0] > 0.0).mean() > 0.8 and (found[:, 1] > PROMISED).any()
+    assert not np.nonzero(beyond(found, TIMES_NOISE))[0].size

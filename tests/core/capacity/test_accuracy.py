@@ -11,6 +11,7 @@ from core.errors import Cancelled
 from core.ground.ground_motion import GroundMotion
 from core.rocking.history import history
 from core.rocking.methods import METHODS
+from core.wall.bars import TieBar
 
 
 @pytest.fixture(scope="module")
@@ -42,6 +43,20 @@ def test_that_the_chart_orders_the_methods(said):
     for crude in ("newmark_paper", "linearised"):
         assert errors[crude] is None or errors[crude] > 1e-3
     assert all(point.seconds > 0.0 for point in said[1].points)
+
+
+def test_that_a_wall_with_ties_has_the_bound_and_no_other_solver(make_model, reference):
+    """DOP853 and dormand_prince know no ties: what they say of the bare wall is not said of this one."""
+    ground = np.ascontiguousarray(reference("standard")[0][:400])
+    motion, search = GroundMotion("short", ground, 0.01), Search(q_step=0.05)
+    bar = TieBar(3.5, 0.02, 5e-3, 0.0, 0.1).scaled(1.0)
+    model = make_model(height=4.0, one_sided=True)._replace(bars=(bar,))
+    ida = incremental_dynamic_analysis(ground, 0.01, motion.pga, 1, model, METHODS["taylor"], search)
+    found = accuracy(motion, 1, ida, None, model, METHODS["rk4"], search)
+    assert found.method == "taylor" and found.points == ()
+    assert found.q_reference is found.solver_q_difference is found.history_difference is None
+    assert found.history_bound >= PROMISED and found.noise_effect > 0.0
+    assert found.spread(1, found.rounded) is not None
 
 
 def test_that_the_spread_by_definition_stands_apart(said):

@@ -1,0 +1,75 @@
+"""What the tolerance of a step buys and costs: errors of hostile cases beside the effect of noise, and speed.
+
+    python3 run.py bench --tolerances [--cases N] [--pairs N]
+
+Each pair of tolerances (core/rocking/taylor_bounds.py) has processes of its own, which compile the kernels with it into
+a cache of their own. Times are of the processor, the smallest of so many rounds, the pairs measured in turn, over those
+of the first.
+"""
+
+import argparse
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import numpy as np
+
+ROOT = Path(__file__).resolve().parents[2]
+
+PAIRS = ((1e-17, 1e-15), (1e-16, 1e-14), (1e-15, 1e-13), (1e-14, 1e-12))
+"""SERIES_TOLERANCE and RELATIVE_TOLERANCE."""
+
+ROWS = ("lanes", "search", "history")
+"""What begins the name of a figure of paired.py that depends on them."""
+
+
+def with_tolerances(series: float, relative: float, cases: int) -> dict:
+    """Errors and effects of noise of so many cases, or with none of them the seconds of paired.py, in a process
+    that has compiled no kernel yet."""
+    from core.rocking import taylor_bounds, taylor_series
+    from tests.benchmarks import noise_promise, paired
+
+    taylor_series.SERIES_TOLERANCE, taylor_bounds.RELATIVE_TOLERANCE = series, relative
+    time.perf_counter = time.process_time  # of this process alone: what the machine's neighbours do does not count
+    if cases:
+        return {"found": [tuple(noise_promise.errors(seed)) for seed in range(cases)]}
+    return paired.figures("--small" in sys.argv)
+
+
+def measured(pair: tuple[float, float], cases: int, cache: str, small: bool) -> dict:
+    """`with_tolerances` in a process of its own. cache : folder of its kernels"""
+    words = [str(value) for value in (*pair, cases)] + ["--small"] * small
+    variables = dict(os.environ, PYTHONPATH=str(ROOT), RIBALTA_CACHE=cache)
+    command = [sys.executable, "-P", __file__, *words]
+    done = subprocess.run(command, env=variables, capture_output=True, text=True, check=True)
+    return json.loads(done.stdout)
+
+
+def main(options: argparse.Namespace) -> None:
+    """Print both tables."""
+    from tests.benchmarks.noise_promise import KINDS, TIMES, beyond
+
+    pairs, cases = (PAIRS[:2], len(KINDS)) if options.small else (PAIRS, options.cases)
+    rounds = 1 if options.small else options.pairs
+    with tempfile.TemporaryDirectory() as folder:
+        caches = {pair: f"{folder}/{pair[0]:g}" for pair in pairs}
+        print(f"{'tolerances':14} {'> 1e-9':>7}" + "".join(f" {f'{times:g} x':>6}" for times in TIMES) + "   quiet")
+        for pair in pairs:
+            found = np.array(measured(pair, cases, caches[pair], options.small)["found"])
+            counts = [int(beyond(found, times).sum()) for times in (0.0, *TIMES)]
+            quiet = found[found[:, 1] < 1e-11, 0].max(initial=0.0)
+            print("{:g}/{:g}".format(*pair).ljust(14) + " {:7} {:6} {:6} {:6} {:6}".format(*counts) + f" {quiet:7.1e}")
+        times = [{pair: measured(pair, 0, caches[pair], options.small) for pair in pairs} for _ in range(rounds)]
+    for name in times[0][pairs[0]]:
+        if name.startswith(ROWS):
+            best = [min(one[pair][name] for one in times) for pair in pairs]
+            print(f"{name:24}" + "".join(f" {seconds / best[0]:7.3f}" for seconds in best))
+
+
+if __name__ == "__main__":
+    series, relative, cases = sys.argv[1:4]
+    print(json.dumps(with_tolerances(float(series), float(relative), int(cases))))
