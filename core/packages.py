@@ -11,8 +11,12 @@ PACKAGES = {
     "report": {"docx": "python-docx", "typst": "typst", "pypdf": "pypdf"},
     "study": {"matplotlib": "matplotlib", "scipy": "scipy"},
     "accuracy": {"scipy": "scipy"},
+    "parquet": {"pyarrow": "pyarrow"},
 }
 """Extra -> module asked for and the package it is of."""
+
+NOT_FROZEN = ("parquet",)
+"""Extras that the program of packaging/build.py does not hold."""
 
 
 def require(extra: str) -> None:
@@ -27,14 +31,15 @@ def require(extra: str) -> None:
                 work=sentence("word", f"work_{extra}"),
                 packages=names,
                 reason=str(error),
-                way=way_to_get(" ".join(names)),
+                way=way_to_get(" ".join(names), extra in NOT_FROZEN),
             ) from None
 
 
-def way_to_get(packages: str) -> Sentence:
-    """How this installation gets packages: a folder of sources, a program of packaging/build.py, a wheel."""
+def way_to_get(packages: str, not_frozen: bool = False) -> Sentence:
+    """How this installation gets packages: a folder of sources, a program of packaging/build.py, a wheel. not_frozen :
+    that program never holds them"""
     if build():
-        return sentence("word", "way_frozen")
+        return sentence("word", "way_sources_only" if not_frozen else "way_frozen")
     if (Path(__file__).resolve().parents[1] / "run.py").is_file():
         return sentence("word", "way_sources")
     return sentence("word", "way_wheel", packages=packages)

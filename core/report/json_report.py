@@ -31,8 +31,8 @@ def results(result: StudyResult, steps: Steps | None = None) -> dict:
         "started_utc": result.started_utc,
         "case": result.case.as_dict(),
         "case_sha256": result.case.sha256,
-        "demand": _demand(result) if result.demand else None,
-        "records": [_record(motion, kind) for motion, kind in zip(result.motions, result.kinds, strict=True)],
+        "demand": demand_keys(result) if result.demand else None,
+        "records": record_keys(result),
         **verdicts(result),
         "walls": [_wall(wall, result) for wall in steps.each(result.walls)],
         **variants(result),
@@ -52,7 +52,13 @@ def dumps(result: StudyResult, steps: Steps | None = None) -> str:
     return text.getvalue()
 
 
-def _demand(result: StudyResult) -> dict:
+def record_keys(result: StudyResult) -> list[dict]:
+    """The key records."""
+    return [_record(motion, kind) for motion, kind in zip(result.motions, result.kinds, strict=True)]
+
+
+def demand_keys(result: StudyResult) -> dict:
+    """The key demand of a study that has one."""
     demand = result.demand
     return {
         "limit_state": demand.limit_state,
