@@ -5,6 +5,7 @@ import hashlib
 from array import array
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -84,7 +85,8 @@ def with_many(case: Case, walls: ManyWalls) -> Case:
         _refuse_same_names(case, walls, twice)
     if high > low:
         refuse_modes(case, low, high)
-    return replace(case, wall=walls, walls=None)
+    in_place: Any = walls
+    return replace(case, wall=in_place, walls=None)
 
 
 def _digest(name: str) -> int:

@@ -110,41 +110,8 @@ def _units_of(entry: Field) -> dict[str, float]:
 
 
 OTHER_UNITS = frozenset(
-    (
-        "m",
-        "cm",
-        "mm",
-        "dm",
-        "km",
-        "in",
-        "ft",
-        "foot",
-        "feet",
-        "inch",
-        "yd",
-        "deg",
-        "°",
-        "rad",
-        "grad",
-        "kpa",
-        "mpa",
-        "gpa",
-        "pa",
-        "n/mm2",
-        "n/mm²",
-        "kg/cm2",
-        "psi",
-        "kn/m3",
-        "kn/m³",
-        "kg/m3",
-        "kg/m³",
-        "t/m3",
-        "t/m³",
-        "g/cm3",
-        "n/m3",
-        "%",
-        "g",
-    )
+    "m cm mm dm km in ft foot feet inch yd deg ° rad grad kpa mpa"
+    " gpa pa n/mm2 n/mm² kg/cm2 psi kn/m3 kn/m³ kg/m3 kg/m³ t/m3 t/m³ g/cm3 n/m3 % g".split()
 )
 """Units a head may name; another word in brackets is no unit."""
 
@@ -170,7 +137,7 @@ MANY_ROWS, MANY_BYTES = 2_000_000, 500_000_000
 
 def read_walls(path: Path, with_demand: bool = False) -> list[Wall]:
     """The walls of `read_table`."""
-    return read_table(path, with_demand)[0]
+    return list(read_table(path, with_demand)[0])
 
 
 def read_table(

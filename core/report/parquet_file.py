@@ -5,7 +5,7 @@ from typing import Any, BinaryIO
 
 from core.report.columns import COLUMNS
 
-ROWS = 8192
+ROWS = 2048
 """Rows of a row group: the file keeps some hundred bytes of each column of each of them until its end."""
 
 

@@ -13,6 +13,7 @@ from core.codes.kinematic import Kinematic, kinematic
 from core.codes.record_compatibility import period_range
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
+from core.packages import MOST_WALLS
 from core.rocking.methods import AUTO, METHODS, Method
 from core.study.demand_input import demand_of, generated
 from core.study.floors import Floor, floor_of
@@ -20,9 +21,6 @@ from core.study.progress import STATEMENT, TIE, check_cost, run_cost
 from core.study.record_input import joined, read_records
 from core.study.zeta_with import model_of
 from core.wall.rocking_model import RockingModel
-
-MOST_WALLS = 10_000
-"""Walls about all their hinges in a case: some 60 rows of the sheet Check each, of the million a workbook has."""
 
 
 class Entry(NamedTuple):
