@@ -16,8 +16,8 @@ PACKAGES = {
 """Extra -> module asked for and the package it is of."""
 
 MOST_WALLS = 10_000
-"""Walls about all their hinges beyond which a case needs `parquet`: some 60 rows of the sheet Check each, of the million
-a workbook has."""
+"""Walls about all their hinges beyond which a case needs `parquet`: of each some 60 rows of the sheet Check, of the
+million a workbook has."""
 
 NOT_FROZEN = ("parquet",)
 """Extras that the program of packaging/build.py does not hold."""

@@ -86,7 +86,7 @@ def write(
             histories.append(entry)
     # first the JSON: the cells of the workbook take the most memory
     steps.take(JSON)
-    text = json_report.dumps(result, steps).encode()
+    text = json_report.encoded(result, steps)
     try:
         with _no_collector():
             book = workbook.content(result, histories, steps)

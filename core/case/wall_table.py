@@ -110,8 +110,11 @@ def _units_of(entry: Field) -> dict[str, float]:
 
 
 OTHER_UNITS = frozenset(
-    "m cm mm dm km in ft foot feet inch yd deg ° rad grad kpa mpa"
-    " gpa pa n/mm2 n/mm² kg/cm2 psi kn/m3 kn/m³ kg/m3 kg/m³ t/m3 t/m³ g/cm3 n/m3 % g".split()
+    re.split(
+        " ",
+        "m cm mm dm km in ft foot feet inch yd deg ° rad grad kpa mpa gpa pa n/mm2 n/mm² kg/cm2 psi kn/m3 kn/m³ kg/m3 "
+        "kg/m³ t/m3 t/m³ g/cm3 n/m3 % g",
+    )
 )
 """Units a head may name; another word in brackets is no unit."""
 
