@@ -432,6 +432,11 @@ def refuse_word(word, known):
     raise Failure(phrase(text, word=word, nearest="".join(near)), 2)
 
 
+def available(group):
+    """A group of packages, where this Python and system have it: its tests are skipped elsewhere."""
+    return [] if platforms.refusal([group]) else [group]
+
+
 def plan(arguments):
     """(groups, commands, whether older packages serve) for what is asked. Raises Failure, and SystemExit where the
     program's own command line ends: wrong usage, --help, --version."""
@@ -440,12 +445,14 @@ def plan(arguments):
         others = [argument for argument in arguments[1:] if argument != "--newest"]
         return ["base", "test"], [[interpreter(), "-P", os.path.join(ROOT, "tests", "newest.py"), *others]], False
     if word == "test":
-        return (["base", "test", "gui", "accuracy", "study", "report"], test_steps(arguments[1:]), False)
+        groups = ["base", "test", "gui", "accuracy", "study", "report", *available("parquet")]
+        return groups, test_steps(arguments[1:]), False
     if word in TOOLS:
         script = os.path.join(ROOT, *TOOLS[word].split("/"))
         refuse_unknown_options(script, arguments[1:])
         everything = ["gui", "accuracy", "study", "report"]
         peers = ["bench"] if "--work-precision" in arguments else []
+        peers += ["parquet"] if "--walls" in arguments else []
         groups = {"bench": ["test", *everything, *peers], "package": [*everything, "package"]}
         groups = ["base", *groups.get(word, ["test"])]
         return groups, [[interpreter(), "-P", script, *arguments[1:]]], False

@@ -8,11 +8,13 @@ import json
 import os
 import platform
 import re
+import shutil
 import sys
 import tempfile
 import time
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
+from typing import BinaryIO
 
 from core.errors import OutputError
 
@@ -24,6 +26,10 @@ _NAME = re.compile(re.escape(PREFIX) + r"([0-9a-f]{8})-([0-9]+)-")
 
 OTHERS_AFTER = 86400.0
 """Whether a process of another machine runs cannot be told: what it left is its own for this time [s]."""
+
+
+Content = bytes | Callable[[BinaryIO], None]
+"""Of a file: its bytes, or what writes them into a stream, for a file that is larger than the memory should be."""
 
 
 @functools.cache
@@ -51,7 +57,7 @@ def check_folder(folder: Path) -> list[Path]:
     return new
 
 
-def write(files: dict[Path, bytes]) -> None:
+def write(files: Mapping[Path, Content]) -> None:
     """Write all files, or none, in whatever folders: every one is on disk beside its place before any takes it, and if
     one cannot take its place those before it are put back. A kill between two of them is finished by the next `clean`
     of any of the folders, from a list that is on disk before the first.
@@ -76,7 +82,7 @@ def write(files: dict[Path, bytes]) -> None:
         for target in moves.values():
             path, old[target] = target, None
             if os.path.isfile(target):
-                old[target] = _beside(target, _content(target))
+                old[target] = _beside(target, functools.partial(_copy, target))
         if len(moves) > 1:
             _list_moves(moves, old, leads)
         for name, target in moves.items():
@@ -106,6 +112,11 @@ def _folders(moves: dict[str, str]) -> list[str]:
 def _content(path: str | Path) -> bytes:
     with open(path, "rb") as stream:
         return stream.read()
+
+
+def _copy(path: str, stream: BinaryIO) -> None:
+    with open(path, "rb") as source:
+        shutil.copyfileobj(source, stream)
 
 
 def _list_moves(moves: dict[str, str], old: dict[str, str | None], made: list[str]) -> None:
@@ -192,7 +203,8 @@ def _finish(listed: Path) -> bool:
 def _hash_of(path: str | Path) -> str | None:
     """Of what a file holds; None where there is none."""
     try:
-        return hashlib.sha256(_content(path)).hexdigest()
+        with open(path, "rb") as stream:
+            return hashlib.file_digest(stream, "sha256").hexdigest()
     except FileNotFoundError:
         return None
 
@@ -245,17 +257,20 @@ def _sync_folder(folder: str) -> None:
         os.close(handle)
 
 
-def _beside(target: str, content: bytes, end: str = "") -> str:
+def _beside(target: str, content: Content, end: str = "") -> str:
     """A temporary file in the target's folder, on disk; deleted if it cannot be written whole."""
     handle, name = tempfile.mkstemp(
         dir=os.path.dirname(target), prefix=f"{PREFIX}{machine()}-{os.getpid()}-", suffix=end
     )
     try:
         with os.fdopen(handle, "wb") as stream:
-            stream.write(content)
+            if callable(content):
+                content(stream)
+            else:
+                stream.write(content)
             stream.flush()
             os.fsync(stream.fileno())
-    except OSError:
+    except BaseException:
         _remove(name)
         raise
     return name

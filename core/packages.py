@@ -11,8 +11,16 @@ PACKAGES = {
     "report": {"docx": "python-docx", "typst": "typst", "pypdf": "pypdf"},
     "study": {"matplotlib": "matplotlib", "scipy": "scipy"},
     "accuracy": {"scipy": "scipy"},
+    "parquet": {"pyarrow": "pyarrow"},
 }
 """Extra -> module asked for and the package it is of."""
+
+MOST_WALLS = 10_000
+"""Walls about all their hinges beyond which a case needs `parquet`: of each some 60 rows of the sheet Check, of the
+million a workbook has."""
+
+NOT_FROZEN = ("parquet",)
+"""Extras that the program of packaging/build.py does not hold."""
 
 
 def require(extra: str) -> None:
@@ -27,14 +35,15 @@ def require(extra: str) -> None:
                 work=sentence("word", f"work_{extra}"),
                 packages=names,
                 reason=str(error),
-                way=way_to_get(" ".join(names)),
+                way=way_to_get(" ".join(names), extra in NOT_FROZEN),
             ) from None
 
 
-def way_to_get(packages: str) -> Sentence:
-    """How this installation gets packages: a folder of sources, a program of packaging/build.py, a wheel."""
+def way_to_get(packages: str, not_frozen: bool = False) -> Sentence:
+    """How this installation gets packages: a folder of sources, a program of packaging/build.py, a wheel. not_frozen :
+    that program never holds them"""
     if build():
-        return sentence("word", "way_frozen")
+        return sentence("word", "way_sources_only" if not_frozen else "way_frozen")
     if (Path(__file__).resolve().parents[1] / "run.py").is_file():
         return sentence("word", "way_sources")
     return sentence("word", "way_wheel", packages=packages)

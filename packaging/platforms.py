@@ -54,7 +54,7 @@ SYSTEMS: "tuple[dict[str, Any], ...]" = (
         "name": "Windows ARM64 (Python 3.12 to 3.14)",
         "run": False,
         "pythons": ("3.12", "3.13", "3.14"),
-        "without": {"bench": "heyoka"},
+        "without": {"bench": "heyoka", "parquet": "pyarrow"},
         "tag": "win_arm64",
     },
     {
@@ -76,7 +76,7 @@ WITHOUT_WHEELS = (
 )
 """What cannot be, for want of a wheel of llvmlite."""
 
-ASKED = {"gui": "the window", "bench": "the benchmark of peers"}
+ASKED = {"gui": "the window", "bench": "the benchmark of peers", "parquet": "what more than 10 000 walls need"}
 NEWEST = {"gui": "PySide6"}
 """Group -> the words of who asks for it; and the package that asks for the newest system, else llvmlite."""
 
@@ -94,6 +94,7 @@ MEGABYTES = {
     "kiwisolver": (2, 6),
     "lxml": (5, 12),
     "heyoka": (103, 240),
+    "pyarrow": (55, 165),
     "mypy": (14, 55),
     "ruff": (11, 32),
     "hypothesis": (1, 7),

@@ -45,7 +45,7 @@ def test_that_no_function_is_longer_than_a_step_of_the_calculation(source):
 
 ONE_STEP, ORDER = "tests/validation/test_one_step.py", "tests/validation/test_method_order.py"
 WORKBOOK, RUN = "tests/core/report/test_workbook.py", "tests/core/study/test_run.py"
-LAW = "tests/core/research/test_law_study.py"
+LAW, LARGE = "tests/core/research/test_law_study.py", "tests/core/study/test_large_case.py"
 STUDY = "tests/app/test_study.py"
 SENTENCES = "tests/core/text/test_catalogue.py"
 DIALECTS = "tests/core/ground/test_dialects.py"
@@ -53,6 +53,9 @@ REFUSALS = "tests/core/ground/test_record_refusals.py"
 
 SHOWN_BY = {
     "case/note_file": "tests/core/report/test_pdf.py",
+    "report/columns": LARGE,
+    "report/parquet_file": LARGE,
+    "report/large_report": LARGE,
     "study/zeta_with": "tests/core/study/test_lifts.py",
     "codes/verdict_sentence": "tests/core/codes/test_verdict.py",
     "atomic_write": "tests/core/test_atomic_write.py",

@@ -20,7 +20,7 @@ from tests.test_run import load
 platforms = load().platforms
 WINDOWED = [name for name in platforms.PYTHONS if not platforms.without(platforms.PYTHONS[name], "gui")]
 FIRST, *_, LAST = platforms.PYTHONS
-GROUPS = ("base", "gui", "accuracy", "study", "report", "bench")
+GROUPS = ("base", "gui", "accuracy", "study", "report", "parquet", "bench")
 
 
 @pytest.fixture
@@ -77,6 +77,11 @@ def test_that_what_the_table_has_is_installed(here, python, row):
             {"python": (3, 11), "system": ("Windows", "arm64", "")},
             ["base"],
             "(Windows arm64, Python 3.11): llvmlite has no wheel for it; take Python 3.12 to 3.14",
+        ),
+        (
+            {"python": (3, 12), "system": ("Windows", "arm64", "")},
+            ["base", "parquet"],
+            "what more than 10 000 walls need cannot be installed here (Windows arm64): pyarrow has no wheel for it;",
         ),
         ({"system": ("Windows", "x86", "")}, ["base"], "(Windows x86): llvmlite has no wheel"),
         ({"system": ("Linux", "riscv64", "glibc 2.39")}, ["base"], "(Linux riscv64, glibc 2.39): llvmlite"),

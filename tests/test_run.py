@@ -161,6 +161,11 @@ def test_that_only_the_program_starts_with_packages_of_another_lock(run):
 def test_that_each_word_installs_what_it_needs_and_no_more(run, tmp_path):
     stated = tmp_path / "stated.toml"
     stated.write_text("[analysis]\naccuracy = true\n")
+    long, high = tmp_path / "long.toml", tmp_path / "high.toml"
+    long.write_text('walls = "long.csv"\n')
+    high.write_text('walls = "high.csv"\n[building]\nstoreys = 30\n')
+    (tmp_path / "long.csv").write_text("name\n" + "w\n" * 10_001)
+    (tmp_path / "high.csv").write_text("name\n" + "w\n" * 200)
     for words, extras in (
         (["--batch", EXAMPLE], []),
         (["--inspect", "a.txt"], []),
@@ -171,6 +176,11 @@ def test_that_each_word_installs_what_it_needs_and_no_more(run, tmp_path):
         (["fuzz", "case", "--seconds", "3"], ["test"]),
         (["bench", "--zeta"], ["test", "gui", "accuracy", "study", "report"]),
         (["bench", "--work-precision"], ["test", "gui", "accuracy", "study", "report", "bench"]),
+        (["bench", "--memory", "--walls", "9"], ["test", "gui", "accuracy", "study", "report", "parquet"]),
+        (["--batch", str(long)], ["parquet"]),
+        (["--batch", str(long), "--merge"], ["parquet"]),
+        (["--batch", str(long), "--part", "1/2"], []),
+        (["--batch", str(high)], ["parquet"]),
     ):
         assert run.plan(words)[0] == ["base", *extras], words
 

@@ -1,54 +1,40 @@
 """File in, files out: the headless run of a case, with progress, exit codes and a journal."""
 
 import contextlib
-import signal
 import sys
 import threading
-from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 from app.look.language import current_language, terminal
-from app.terminal import export
+from app.terminal import export, large_batch
+from app.terminal.case_run import (
+    CANCELLED,
+    DONE,
+    WITHOUT_NUMBER,
+    aligned,
+    coded,
+    interrupts,
+    made,
+    open_journal,
+    raise_if,
+    results_of,
+    say,
+    short,
+)
 from app.terminal.terminal_progress import progress, tell
-from core import atomic_write
 from core.case.reader import read_case
-from core.errors import Cancelled, InputError
+from core.case.schema import Case
+from core.errors import Cancelled
 from core.jit import cache
 from core.packages import require
 from core.report.verdict_words import in_order
 from core.study.case_parts import FINISHED, merged, part_journal, part_path
 from core.study.journal import Journal, Memory
+from core.study.plan import is_large
 from core.study.results import StudyResult
 from core.study.run import journal_key
 from core.study.run import run as run_study
-from core.text.sentence import numeral, word
-
-DONE, WITHOUT_NUMBER, CANCELLED = 0, 3, 130
-"""Exit codes; 1 input or output error and 2 wrong usage are of __main__, 4 an internal error."""
-
-EXAMPLES = Path(__file__).resolve().parents[2] / "resources" / "cases"
-"""Cases that come with the program: their results land in the folder one stands in."""
-
-
-def results_of(case_path: Path, output: Path | None) -> tuple[Path, str]:
-    """(folder, stem) of the results of a case."""
-    shipped = case_path.resolve().parent == EXAMPLES
-    return output or (Path() if shipped else case_path.parent), case_path.stem
-
-
-@contextlib.contextmanager
-def made(case_path: Path, *folders: Path):
-    """These folders, made where they are missing. An InputError inside names the case, and those just made go."""
-    new: list[Path] = []
-    try:
-        for folder in folders:
-            new += atomic_write.check_folder(folder)
-        yield
-    except InputError as error:
-        for one in new:
-            with contextlib.suppress(OSError):
-                one.rmdir()
-        raise error.at(case_path) from None
 
 
 def run(
@@ -68,7 +54,9 @@ def run(
     Raises InputError for what the user can mend; nothing is written then.
     """
     export.check_note(report, case_path)
-    case = read_case(case_path)
+    case = _read(case_path)
+    if is_large(case):
+        return large_batch.run(case, case_path, output, jobs, quiet, resume, report, merge)
     export.check_note(report, case_path, case)
     if case.analysis.accuracy:
         require("accuracy")
@@ -123,7 +111,9 @@ def run(
 def run_part(case_path: Path, output: Path | None, jobs: int, quiet: bool, k: int, n: int) -> int:
     """The searches and checks of the k-th of n parts of the walls of a case, kept beside where its results will be; a
     part that was stopped goes on. Returns the exit code. Raises InputError."""
-    case = read_case(case_path)
+    case = _read(case_path)
+    if is_large(case):
+        return large_batch.run_part(case, case_path, output, jobs, quiet, k, n)
     folder, stem = results_of(case_path, output)
     cancel = threading.Event()
 
@@ -146,29 +136,10 @@ def run_part(case_path: Path, output: Path | None, jobs: int, quiet: bool, k: in
     return DONE
 
 
-def open_journal(path: Path, key: str, resume: bool, sync_seconds: float = 0.0) -> Journal:
-    """The journal of a batch or a study; what became of an earlier one is said on stderr."""
-    book = Journal(path, key, resume, sync_seconds)
-    if book.set_aside:
-        tell(
-            "finished runs of an earlier start are in {path}: to go on with them, rename it and add --resume",
-            path=book.set_aside,
-        )
-    if book.dropped:
-        tell("{n} damaged line(s) of the journal were dropped: these runs are repeated", n=book.dropped)
-    return book
-
-
-def say(text: str) -> None:
-    """Print what a closed or full stdout may refuse: the results are on disk already."""
-    try:
-        print(text, flush=True)
-    except OSError:
-        sys.stdout = None
-
-
-RULES = ("minimum", "too_few", "incomplete")
-"""Rules of a set whose words are the terminal's own."""
+def _read(case_path: Path) -> Case:
+    """The case of a file; its walls at hand but where no workbook holds them."""
+    case = read_case(case_path, many=True)
+    return case if is_large(case) else replace(case, wall=tuple(case.wall))
 
 
 def summary(result: StudyResult, folder: Path, stem: str) -> str:
@@ -181,26 +152,15 @@ def summary(result: StudyResult, folder: Path, stem: str) -> str:
     for wall in (wall for wall, decides in in_order(result) if decides):
         row = [
             wall.name[:48],
-            *map(_coded, (wall.mechanism, wall.set_rule)),
-            _short(wall.q_set),
-            _short(wall.q_robust_set),
+            *map(coded, (wall.mechanism, wall.set_rule)),
+            short(wall.q_set),
+            short(wall.q_robust_set),
         ]
         if wall.assessment:
             verdict = wall.assessment.verdict
-            row += [_short(verdict.zeta_e), _coded(verdict.code), _coded(verdict.governing)]
+            row += [short(verdict.zeta_e), coded(verdict.code), coded(verdict.governing)]
         table.append(row)
-    least = (24, 10, 10, 6, 7, 6, 16, 0)
-    widths = [
-        max(wide, *(len(row[k]) if k < len(row) else 0 for row in table))
-        for k, wide in enumerate(least[: len(columns)])
-    ]
-    lines = [
-        " ".join(
-            f"{cell:>{wide}}" if k in (3, 4, 5) else f"{cell:{wide}}"
-            for k, (cell, wide) in enumerate(zip(row, widths, strict=False))
-        ).rstrip()
-        for row in table
-    ]
+    lines = aligned(table)
     runs = [run for wall in result.walls for run in wall.runs]
     analyses = sum(run.ida.analyses for run in runs)
     lines.append(
@@ -237,43 +197,3 @@ def _never_explained() -> bool:
     except (OSError, RuntimeError):
         return False
     return True
-
-
-def _coded(code: str | None) -> str:
-    """A code of the results; in words where the terminal speaks another language than the codes."""
-    if code is None or current_language() == "en":
-        return code or "-"
-    return terminal(code) if code in RULES else word(code, current_language())
-
-
-def _short(value: float | None) -> str:
-    return "-" if value is None else numeral(value, ".2f", current_language())
-
-
-def raise_if(cancel: threading.Event) -> Callable[[], None]:
-    """A look whether Ctrl-C was pressed: raises Cancelled."""
-
-    def check() -> None:
-        if cancel.is_set():
-            raise Cancelled
-
-    return check
-
-
-@contextlib.contextmanager
-def interrupts(cancel: threading.Event):
-    """Ctrl-C asks the run to stop between two analyses; a second one stops at once."""
-
-    def handler(number, frame):
-        if cancel.is_set():
-            raise KeyboardInterrupt
-        cancel.set()
-
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    old = signal.signal(signal.SIGINT, handler)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGINT, old)

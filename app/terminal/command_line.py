@@ -8,6 +8,7 @@ from pathlib import Path
 
 from app.look.language import terminal
 from core.errors import InputError
+from core.packages import MOST_WALLS
 
 STUDIES = Path(__file__).resolve().parents[2] / "resources" / "studies"
 """Studies that come with the program, asked for by name."""
@@ -150,7 +151,11 @@ def extras(options: argparse.Namespace) -> list[str]:
     if not options.batch:
         return ["gui", "accuracy", "study", "report"]
     of_note = options.batch.suffix.lower() == ".pdf"
-    asked = {"accuracy": _states_accuracy(options.batch), "report": options.report or of_note}
+    asked = {
+        "accuracy": _states_accuracy(options.batch),
+        "report": options.report or of_note,
+        "parquet": not options.part and _may_be_large(options.batch),
+    }
     return [extra for extra, wanted in asked.items() if wanted]
 
 
@@ -159,4 +164,33 @@ def _states_accuracy(case: Path) -> bool:
     try:
         return tomllib.loads(case.read_text("utf-8-sig"))["analysis"]["accuracy"] is True
     except (OSError, ValueError, LookupError, TypeError, RecursionError):
+        return False
+
+
+HINGES, MECHANISMS, ROW = 6, 2, 30
+"""A row of a table has hinges at its base, its loads and its tie, beside those of the storeys; mechanisms of each;
+least bytes of a row of a workbook."""
+
+
+def _may_be_large(case: Path) -> bool:
+    """Whether a case can have more results than a workbook holds, by the rows and bytes of its files alone; False also
+    for one that cannot be read."""
+    try:
+        text = case.read_text("utf-8-sig")
+        content = tomllib.loads(text)
+        walls, size, head = text.count("[[wall]]"), len(text), text
+        if "walls" in content:
+            table = case.parent / content["walls"].replace("\\", "/")
+            size += table.stat().st_size
+            if table.suffix.lower() == ".xlsx":
+                walls, head = walls + size // ROW, "hinge"
+            else:
+                with open(table, "rb") as stream:
+                    first = stream.readline()
+                    walls += sum(piece.count(b"\n") for piece in iter(lambda: stream.read(1 << 20), b"")) + 1
+                head += first.decode("utf-8", "replace").lower()
+        hinges = HINGES + content.get("building", {}).get("storeys", 0)
+        listed = size // 2 if "hinge" in head or "cernier" in head else 0
+        return MECHANISMS * (walls * hinges + listed) > MOST_WALLS
+    except (OSError, ValueError, LookupError, TypeError, AttributeError, RecursionError):
         return False

@@ -27,7 +27,7 @@ HISTORIES, JSON, NOTE = 2, 6, 90
 
 def refuse_overwriting(case: Case, case_path: Path, folder: Path, stem: str) -> None:
     """Raise InputError where a result would take the place of the case or of a file it reads."""
-    results = {(folder / (stem + end)).resolve() for end in (".xlsx", ".json", ".journal")}
+    results = {(folder / (stem + end)).resolve() for end in (".xlsx", ".json", ".journal", ".parquet")}
     sources = {case_path.resolve()}
     for name in (case.table, case.demand.spectrum_file if case.demand else None):
         if name:
@@ -86,7 +86,7 @@ def write(
             histories.append(entry)
     # first the JSON: the cells of the workbook take the most memory
     steps.take(JSON)
-    text = json_report.dumps(result, steps).encode()
+    text = json_report.encoded(result, steps)
     try:
         with _no_collector():
             book = workbook.content(result, histories, steps)

@@ -126,10 +126,11 @@ def above_hinge(wall: Wall, hinge: float) -> Wall:
     )
 
 
+def parts_of(k: int, asked: Wall, building: Building | None) -> list[Part]:
+    """The k-th wall of a case from every hinge of its up."""
+    return [Part(k, asked, hinge, above_hinge(asked, hinge)) for hinge in (0.0, *hinges_of(asked, building))]
+
+
 def parts(case: Case) -> list[Part]:
     """Every wall of the case from every hinge of its up."""
-    return [
-        Part(k, asked, hinge, above_hinge(asked, hinge))
-        for k, asked in enumerate(case.wall)
-        for hinge in (0.0, *hinges_of(asked, case.building))
-    ]
+    return [part for k, asked in enumerate(case.wall) for part in parts_of(k, asked, case.building)]

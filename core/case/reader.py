@@ -7,6 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from core.case.hazard_table import read_hazard
+from core.case.many_walls import ManyWalls, with_many
 from core.case.note_file import CASE, files_within, is_note
 from core.case.rules import parse_case, with_walls
 from core.case.schema import Case
@@ -57,17 +58,20 @@ def read_toml(path: Path) -> tuple[dict, bytes]:
     return table, content
 
 
-def read_case(path: Path) -> Case:
-    """The case of a TOML file. Raises InputError naming file, place, value and what is accepted."""
+def read_case(path: Path, many: bool = False) -> Case:
+    """The case of a TOML file. many : its table may have more rows than are held at once, see ManyWalls. Raises
+    InputError naming file, place, value and what is accepted."""
     table, content = read_toml(path)
     try:
         case = parse_case(table)
         digest = hashlib.sha256(content)
         if case.walls is not None:
             source = path.parent / name_of(case.walls)
-            walls, notes = read_table(source, case.demand is not None)
+            walls, notes = read_table(source, case.demand is not None, many)
             digest.update(source.read_bytes())
-            case = replace(with_walls(case, [*case.wall, *walls]), table=case.walls, table_notes=tuple(notes))
+            table = case.walls
+            case = with_many(case, walls) if isinstance(walls, ManyWalls) else with_walls(case, [*case.wall, *walls])
+            case = replace(case, table=table, table_notes=tuple(notes))
         if case.demand and case.demand.hazard_file:
             source = path.parent / name_of(case.demand.hazard_file)
             read_hazard(source)

@@ -142,43 +142,7 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
     for wall in walls:
         if names.setdefault(wall.title, wall) is not wall:
             raise InputError("same_name", key="name", wall=wall.title)
-        try:
-            wall.bare_block()
-            check_given(wall)
-            for mechanism in wall.mechanisms():
-                wall.restitution_of(mechanism)
-            wall.moment_law()
-        except InputError as error:
-            raise error.at(place("wall", name=wall.name)) from None
-        if any(load.is_tie for load in wall.load):
-            if case.analysis.method not in METHODS_WITH_TIES:
-                found = case.analysis.method
-                raise InputError("tie_method", place=(section("[analysis]"),), key="method", found=found)
-            if case.analysis.accuracy:
-                raise InputError("tie_accuracy", place=(section("[analysis]"),), key="accuracy")
-        if case.analysis.method == "linearised" and not wall.moment_law().is_rigid:
-            raise InputError("linearised_is_rigid", place=(section("[analysis]"),), key="method", wall=wall.name)
-        if case.building and (wall.base_z_m or 0.0) > case.building.height_m:
-            raise InputError(
-                "base_above_building",
-                place=(place("wall", name=wall.name),),
-                key="base_z_m",
-                base=wall.base_z_m,
-                height=case.building.height_m,
-            )
-        check_hinges(wall, case.building)
-        if case.demand and wall.base_z_m is None:
-            raise InputError("base_missing", place=(place("wall", name=wall.name),), key="base_z_m")
-        if case.demand:
-            check_confidence(case.demand, wall)
-        check_reasons(wall.justification, place("wall", name=wall.name))
-        if wall.back_restraint and not _says(wall.back_restraint):
-            raise InputError(
-                "restraint_unnamed",
-                place=(place("wall", name=wall.name),),
-                key="back_restraint",
-                value=wall.back_restraint,
-            )
+        check_wall(case, wall)
     case = replace(case, wall=tuple(walls), walls=None)
     found = parts(case)
     for part in found:
@@ -186,12 +150,54 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
             raise InputError("same_name", key="name", wall=part.wall.name)
         check_loads(part.wall)
     heights = {part.wall.base_z_m for part in found if part.wall.above_ground}
-    if case.building and case.building.modes and len(heights) > 1:
-        raise InputError(
-            "modes_at_one_height", place=(section("[building]"),), key="modes", low=min(heights), high=max(heights)
-        )
+    if len(heights) > 1:
+        refuse_modes(case, min(heights), max(heights))
     digest = hashlib.sha256(json.dumps(case.as_dict(), sort_keys=True).encode()).hexdigest()
     return replace(case, sha256=digest)
+
+
+def check_wall(case: Case, wall: Wall) -> None:
+    """Raise InputError for a wall that breaks a rule of its own or one with the rest of the case."""
+    try:
+        wall.bare_block()
+        check_given(wall)
+        for mechanism in wall.mechanisms():
+            wall.restitution_of(mechanism)
+        wall.moment_law()
+    except InputError as error:
+        raise error.at(place("wall", name=wall.name)) from None
+    if any(load.is_tie for load in wall.load):
+        if case.analysis.method not in METHODS_WITH_TIES:
+            found = case.analysis.method
+            raise InputError("tie_method", place=(section("[analysis]"),), key="method", found=found)
+        if case.analysis.accuracy:
+            raise InputError("tie_accuracy", place=(section("[analysis]"),), key="accuracy")
+    if case.analysis.method == "linearised" and not wall.moment_law().is_rigid:
+        raise InputError("linearised_is_rigid", place=(section("[analysis]"),), key="method", wall=wall.name)
+    if case.building and (wall.base_z_m or 0.0) > case.building.height_m:
+        raise InputError(
+            "base_above_building",
+            place=(place("wall", name=wall.name),),
+            key="base_z_m",
+            base=wall.base_z_m,
+            height=case.building.height_m,
+        )
+    check_hinges(wall, case.building)
+    if case.demand and wall.base_z_m is None:
+        raise InputError("base_missing", place=(place("wall", name=wall.name),), key="base_z_m")
+    if case.demand:
+        check_confidence(case.demand, wall)
+    check_reasons(wall.justification, place("wall", name=wall.name))
+    if wall.back_restraint and not _says(wall.back_restraint):
+        raise InputError(
+            "restraint_unnamed", place=(place("wall", name=wall.name),), key="back_restraint", value=wall.back_restraint
+        )
+
+
+def refuse_modes(case: Case, low: float, high: float) -> None:
+    """Raise InputError where walls at two heights [m] are in a case whose building has modes, which are of one."""
+    if case.building and case.building.modes:
+        raise InputError("modes_at_one_height", place=(section("[building]"),), key="modes", low=low, high=high)
 
 
 def _says(text: str) -> bool:

@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from core.case.hinges import BASE, FLOORS
 from core.case.keys import NESTED, pretty
+from core.case.many_walls import ManyWalls
 from core.case.number import parse_number
 from core.case.rules import parse_wall
 from core.case.schema import Wall
@@ -109,40 +110,10 @@ def _units_of(entry: Field) -> dict[str, float]:
 
 
 OTHER_UNITS = frozenset(
-    (
-        "m",
-        "cm",
-        "mm",
-        "dm",
-        "km",
-        "in",
-        "ft",
-        "foot",
-        "feet",
-        "inch",
-        "yd",
-        "deg",
-        "°",
-        "rad",
-        "grad",
-        "kpa",
-        "mpa",
-        "gpa",
-        "pa",
-        "n/mm2",
-        "n/mm²",
-        "kg/cm2",
-        "psi",
-        "kn/m3",
-        "kn/m³",
-        "kg/m3",
-        "kg/m³",
-        "t/m3",
-        "t/m³",
-        "g/cm3",
-        "n/m3",
-        "%",
-        "g",
+    re.split(
+        " ",
+        "m cm mm dm km in ft foot feet inch yd deg ° rad grad kpa mpa gpa pa n/mm2 n/mm² kg/cm2 psi kn/m3 kn/m³ kg/m3 "
+        "kg/m³ t/m3 t/m³ g/cm3 n/m3 % g",
     )
 )
 """Units a head may name; another word in brackets is no unit."""
@@ -163,21 +134,29 @@ FLAGS = {
 
 MAX_ROWS, MAX_COLUMNS, MAX_BYTES = 2000, 40, 20_000_000
 MAX_CELLS = MAX_ROWS * 4 * MAX_COLUMNS
+MANY_ROWS, MANY_BYTES = 2_000_000, 500_000_000
+"""Limits of a text whose walls are read one after the other."""
 
 
 def read_walls(path: Path, with_demand: bool = False) -> list[Wall]:
     """The walls of `read_table`."""
-    return read_table(path, with_demand)[0]
+    return list(read_table(path, with_demand)[0])
 
 
-def read_table(path: Path, with_demand: bool = False) -> tuple[list[Wall], list[Sentence]]:
-    """The walls of a table, and what was read and passed over: sheet, hidden rows, other sheets. with_demand :
-    the height of the base is needed. Raises InputError in one sentence: file, row, column, what is accepted."""
+def read_table(
+    path: Path, with_demand: bool = False, many: bool = False
+) -> tuple[list[Wall] | ManyWalls, list[Sentence]]:
+    """The walls of a table, and what was read and passed over: sheet, hidden rows, other sheets.
+
+    with_demand : the height of the base is needed
+    many : of a text of more than MAX_ROWS rows the walls are ManyWalls, else it is refused
+    Raises InputError in one sentence: file, row, column, what is accepted.
+    """
     try:
         if path.exists() and not path.is_file():
             raise InputError("table_not_a_file")
-        size = path.stat().st_size
-        if size > MAX_BYTES:
+        size, is_text = path.stat().st_size, path.suffix.lower() in (".csv", ".txt")
+        if size > (MANY_BYTES if many and is_text else MAX_BYTES):
             raise InputError("table_too_many_mb", mb=size / 1e6)
         content, notes = path.read_bytes(), []
         if path.suffix.lower() == ".xlsx":
@@ -187,11 +166,12 @@ def read_table(path: Path, with_demand: bool = False) -> tuple[list[Wall], list[
             except InputError as error:
                 title = dict(notes[0].values)["sheet"]
                 raise error.at(place("sheet", name=title)) from None
-        elif path.suffix.lower() in (".csv", ".txt"):
-            rows = text_rows(_decoded(content))
-        else:
+        if not is_text:
             raise InputError("table_kind")
-        return walls_of(rows, with_demand), notes
+        text = _decoded(content)
+        if many and text.count("\n") >= MAX_ROWS:
+            return _many_walls(text, with_demand), notes
+        return walls_of(text_rows(text), with_demand), notes
     except FileNotFoundError:
         raise InputError("no_table", place=(path,)) from None
     except OSError as error:
@@ -211,10 +191,15 @@ def _decoded(content: bytes) -> str:
         return content.decode("cp1252", errors="replace")
 
 
+def _mark(text: str) -> str:
+    """What stands between the cells of a text."""
+    head = text.split("\n", 1)[0]
+    return next((mark for mark in (";", "\t", ",") if mark in head), ";")
+
+
 def text_rows(text: str) -> list[list[str]]:
     """Cells of a text with `;`, tab or `,` between them, as Excel saves and copies it."""
-    head = text.split("\n", 1)[0]
-    mark = next((mark for mark in (";", "\t", ",") if mark in head), ";")
+    mark = _mark(text)
     if text.count(mark) + text.count("\n") > MAX_CELLS:  # before each becomes a text of its own
         raise InputError("table_too_large", rows=MAX_ROWS, columns=4 * MAX_COLUMNS)
     try:
@@ -252,29 +237,72 @@ def walls_of(rows: list[list[str]], with_demand: bool = False) -> list[Wall]:
         raise InputError("table_rows")
     if len(rows) > MAX_ROWS or len(rows[0][1]) > 4 * MAX_COLUMNS:
         raise InputError("table_too_large", rows=MAX_ROWS, columns=4 * MAX_COLUMNS)
-    heads, keys = rows[0][1], _heads(rows[0][1])
-    factors = _factors(keys, rows[1][1], heads)
-    walls = []
-    for number, row in rows[2:]:
+    head = _Head.of(rows[0][1], rows[1][1], with_demand)
+    return [head.wall(number, row) for number, row in rows[2:]]
+
+
+def _many_walls(text: str, with_demand: bool) -> ManyWalls:
+    """The walls of `text_rows` of a text, each read when it is asked for. Raises InputError for its titles."""
+    first: list[tuple[int, list[str]]] = []
+    walls = ManyWalls(text, _mark(text))
+    try:
+        for number, row in walls.scan():
+            row = [cell.strip() for cell in row]
+            if len(first) < 2 and (number == 2 or any(row)):
+                first.append((number, row))
+                if len(first) == 1 or number != 2 or _is_units(row):
+                    continue
+                first[1] = (0, [])  # the titles name their units
+            if any(row):
+                walls.keep(number)
+                if len(walls) > MANY_ROWS:
+                    raise InputError("table_too_large", rows=MANY_ROWS, columns=4 * MAX_COLUMNS)
+    except csv.Error as error:
+        raise InputError("not_a_table", reason=error) from None
+    if len(first) < 2 or not len(walls):
+        raise InputError("table_rows")
+    if len(first[0][1]) > 4 * MAX_COLUMNS:
+        raise InputError("table_too_large", rows=MANY_ROWS, columns=4 * MAX_COLUMNS)
+    walls.wall_of = _Head.of(first[0][1], first[1][1], with_demand).wall
+    return walls
+
+
+class _Head(NamedTuple):
+    """The titles of a table, the keys of its columns, what each is multiplied with, and whether an empty height of the
+    base is an error."""
+
+    heads: list[str]
+    keys: list[str]
+    factors: list[float]
+    with_demand: bool
+
+    @classmethod
+    def of(cls, heads: list[str], units: list[str], with_demand: bool) -> "_Head":
+        """Of the rows of titles and of units. Raises InputError."""
+        keys = _heads(heads)
+        return cls(heads, keys, _factors(keys, units, heads), with_demand)
+
+    def wall(self, number: int, row: list[str]) -> Wall:
+        """The wall of the cells of a row. number : of the row, from 1. Raises InputError."""
+        heads, keys = self.heads, self.keys
         if any(cell for cell in row[len(keys) :]):
             raise InputError("value_beyond_columns", place=(place("row", n=number),))
         table = {}
-        for key, factor, cell, head in zip(keys, factors, row, heads, strict=False):
+        for key, factor, cell, head in zip(keys, self.factors, row, heads, strict=False):
             if key and cell:
                 table[key] = _cell(key, factor, cell, place("cell", n=number, key=head[:60]))
         table.setdefault("name", f"row {number}")
         _gather_loads(table)
         try:
-            if with_demand and "base_z_m" not in table:
+            if self.with_demand and "base_z_m" not in table:
                 raise InputError("base_missing", key="base_z_m")
-            walls.append(parse_wall(table))
+            return parse_wall(table)
         except InputError as error:
             where = _column_of(error, keys)
             here = place("row", n=number)
             if where is not None:
                 here = place("cell", n=number, key=heads[where][:60])
             raise error.at(here) from None
-    return walls
 
 
 def _is_units(cells: list[str]) -> bool:

@@ -1,16 +1,13 @@
 """Cells of the workbook: styles, safe text, live formulas that also carry their value."""
 
-import functools
 import math
 import re
 import zipfile
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from copy import copy
 from dataclasses import dataclass, field
 from io import BytesIO
-from typing import BinaryIO
 from weakref import WeakKeyDictionary
-from xml.sax.saxutils import escape
 
 from openpyxl import Workbook
 from openpyxl.cell.cell import ILLEGAL_CHARACTERS_RE, Cell
@@ -19,11 +16,13 @@ from openpyxl.styles import Alignment, Border, Font, PatternFill, Side
 from openpyxl.utils import get_column_letter
 from openpyxl.workbook.defined_name import DefinedName
 from openpyxl.worksheet._writer import WorksheetWriter
+from openpyxl.worksheet.dimensions import SheetDimension
 from openpyxl.worksheet.merge import MergedCellRange
 from openpyxl.worksheet.worksheet import Worksheet
 from openpyxl.writer.excel import ExcelWriter
 
 from core.file_names import shown
+from core.report.sheet_rows import SheetRows
 from core.report.steps import Steps
 from core.report.xml_text import for_cell
 from core.text.sentence import localized, numeral
@@ -44,14 +43,14 @@ RATIO = "0.00"
 EXACT = "0.0000"
 WHOLE = "0"
 
-_FORMULA = re.compile(r'<c r="([A-Z]+\d+)"((?: [a-z]+="[^"]*")*)><f>(.*?)</f><v ?/?>(?:</v>)?</c>')
+_NO_ROWS = re.compile(rb"<sheetData ?/>|<sheetData></sheetData>")
 
 
 _LOOKS: WeakKeyDictionary[Workbook, dict] = WeakKeyDictionary()
 """Styles already made, by workbook: openpyxl spends a third of a large report on finding them again."""
 
-PIECE = 1 << 20
-"""Bytes of a sheet handled at a time."""
+PIECE = 1 << 18
+"""Letters of a sheet handled at a time."""
 
 
 @dataclass
@@ -67,6 +66,13 @@ class Book:
     workbook: Workbook = field(default_factory=Workbook)
     cached: dict[tuple[str, str], object] = field(default_factory=dict)
     of_run: set[str] = field(default_factory=set)
+    _rows: dict[str, SheetRows] = field(default_factory=dict)
+
+    def rows_of(self, sheet: Worksheet) -> SheetRows:
+        """The rows of a sheet as its file has them."""
+        if sheet.title not in self._rows:
+            self._rows[sheet.title] = SheetRows(sheet, self.cached)
+        return self._rows[sheet.title]
 
     def say(self, english: str, /, **values) -> str:
         """A text of the group "report" in the workbook's language."""
@@ -119,15 +125,18 @@ class Book:
         return plain.getvalue()
 
 
-class _Rows(WorksheetWriter):
-    """Writes the rows of a sheet, each a step."""
+class _Frame(WorksheetWriter):
+    """Writes a sheet without its rows."""
 
-    def __init__(self, sheet: Worksheet, steps: Steps):
+    def __init__(self, sheet: Worksheet, area: str):
         super().__init__(sheet)
-        self.steps = steps
+        self.area = area
+
+    def write_dimensions(self):
+        self.xf.send(SheetDimension(self.area).to_tree())
 
     def rows(self):
-        return self.steps.each(super().rows())
+        return []
 
 
 class _Writer(ExcelWriter):
@@ -136,21 +145,29 @@ class _Writer(ExcelWriter):
     def __init__(self, book: Book, archive: zipfile.ZipFile):
         super().__init__(book.workbook, archive)
         self.book, self.archive = book, archive
-        sizes = [len(sheet._cells) for sheet in book.workbook.worksheets]
+        sizes = [max(1, sheet.max_row) for sheet in book.workbook.worksheets]
         self.sheets = book.steps.each(book.workbook.worksheets, sizes)
 
     def write_worksheet(self, ws: Worksheet) -> None:
+        """A sheet into the file: what openpyxl writes around the rows, and the rows between."""
         next(self.sheets)
         ws._drawing = SpreadsheetDrawing()
         ws._drawing.charts, ws._drawing.images = ws._charts, ws._images
-        writer = _Rows(ws, self.book.steps)
+        rows = self.book.rows_of(ws)
+        writer = _Frame(ws, rows.area)
         try:
             writer.write()
             with open(writer.out, "rb") as source:
-                self._pack(ws, source)
+                head, end = _NO_ROWS.split(source.read())
         finally:
             writer.close()
             writer.cleanup()
+        with self.archive.open(ws.path[1:], "w", force_zip64=True) as target:
+            target.write(head + b"<sheetData>")
+            for piece in _joined(rows.texts()):
+                self.book.steps.check()
+                target.write(piece.encode())
+            target.write(b"</sheetData>" + end)
         ws._rels = writer._rels
         self.manifest.append(ws)
 
@@ -159,32 +176,17 @@ class _Writer(ExcelWriter):
         super()._write_charts()
         self.book.steps.check()
 
-    def _pack(self, ws: Worksheet, source: BinaryIO) -> None:
-        """A sheet into the file, with the `<v>` of its formula cells; some rows at a time: many walls are a long
-        text."""
-        fill_in = functools.partial(_filled_in, ws.title, self.book.cached)
-        with self.archive.open(ws.path[1:], "w", force_zip64=True) as target:
-            block, rest = b" ", b""
-            while block:
-                self.book.steps.check()
-                block = source.read(PIECE)
-                piece, mark, rest = (rest + block).rpartition(b"</row>") if block else (rest, b"", b"")
-                target.write(_FORMULA.sub(fill_in, (piece + mark).decode()).encode())
 
-
-def _filled_in(title: str, cached: dict, match: re.Match) -> str:
-    """A formula of a sheet with its value."""
-    return _filled(match, cached[title, match[1]])
-
-
-def _filled(match: re.Match, value) -> str:
-    attributes = re.sub(r' t="[^"]*"', "", match[2])
-    if isinstance(value, str):
-        attributes += ' t="str"'
-        written = escape(for_cell(value))
-    else:
-        written = repr(float(value))
-    return f'<c r="{match[1]}"{attributes}><f>{match[3]}</f><v>{written}</v></c>'
+def _joined(texts: Iterable[str]) -> Iterator[str]:
+    """The same text in pieces of about PIECE letters."""
+    held, size = [], 0
+    for text in texts:
+        held.append(text)
+        size += len(text)
+        if size >= PIECE:
+            yield "".join(held)
+            held, size = [], 0
+    yield "".join(held)
 
 
 def cached_style(cell: Cell, key: tuple, apply: Callable[[], None]) -> Cell:

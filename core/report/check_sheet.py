@@ -53,8 +53,10 @@ def check(book: Book, result: StudyResult) -> None:
     )
     changed_cell(book, sheet, 3, 1)
     demand, row = _demand(book, sheet, result, 4)
+    first = row
     for wall in book.steps.each(result.walls):
         row = _wall(book, sheet, result, wall, demand, row + 1)
+        book.rows_of(sheet).pack(first, row)
     sheet.freeze_panes = "A4"
     close_inputs(book, sheet)
 

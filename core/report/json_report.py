@@ -3,7 +3,7 @@
 import io
 import json
 import math
-from dataclasses import asdict
+from dataclasses import asdict, replace
 
 from core.capacity.accuracy import ROUNDING, Accuracy
 from core.codes.dynamic_check import DemandCheck
@@ -31,8 +31,8 @@ def results(result: StudyResult, steps: Steps | None = None) -> dict:
         "started_utc": result.started_utc,
         "case": result.case.as_dict(),
         "case_sha256": result.case.sha256,
-        "demand": _demand(result) if result.demand else None,
-        "records": [_record(motion, kind) for motion, kind in zip(result.motions, result.kinds, strict=True)],
+        "demand": demand_keys(result) if result.demand else None,
+        "records": record_keys(result),
         **verdicts(result),
         "walls": [_wall(wall, result) for wall in steps.each(result.walls)],
         **variants(result),
@@ -41,18 +41,46 @@ def results(result: StudyResult, steps: Steps | None = None) -> dict:
 
 def dumps(result: StudyResult, steps: Steps | None = None) -> str:
     """The results as JSON text; raises ValueError should a number not be finite."""
+    return encoded(result, steps).decode()
+
+
+def encoded(result: StudyResult, steps: Steps | None = None) -> bytes:
+    """The bytes of `dumps`: the keys of one wall at a time are held."""
     steps = steps or Steps()
     encoder = json.JSONEncoder(indent=1, allow_nan=False, ensure_ascii=False)
-    text = io.StringIO()  # a list of the pieces takes ten times the text
-    for k, piece in enumerate(encoder.iterencode(results(result, steps))):
+    content = results(replace(result, walls=(), verdicts=()))
+    content |= verdicts(result)
+    content["walls"] = _OneByOne(result, steps)
+    content |= variants(result)
+    stream = io.BytesIO()  # a list of the pieces takes ten times the text, a stream of text four times
+    text = io.TextIOWrapper(stream, "utf-8", newline="\n", write_through=False)
+    for k, piece in enumerate(encoder.iterencode(content)):
         if k % PIECES == 0:
             steps.check()
         text.write(piece)
     text.write("\n")
-    return text.getvalue()
+    text.flush()
+    return stream.getvalue()
 
 
-def _demand(result: StudyResult) -> dict:
+class _OneByOne(list):
+    """The keys of each wall, made when the encoder asks for them."""
+
+    def __init__(self, result: StudyResult, steps: Steps):
+        super().__init__(result.walls)
+        self.result, self.steps = result, steps
+
+    def __iter__(self):
+        return (_wall(wall, self.result) for wall in self.steps.each(self.result.walls))
+
+
+def record_keys(result: StudyResult) -> list[dict]:
+    """The key records."""
+    return [_record(motion, kind) for motion, kind in zip(result.motions, result.kinds, strict=True)]
+
+
+def demand_keys(result: StudyResult) -> dict:
+    """The key demand of a study that has one."""
     demand = result.demand
     return {
         "limit_state": demand.limit_state,

@@ -2,6 +2,7 @@
 they are the undivided run, bit for bit (resources/docs/scale.md)."""
 
 import re
+from collections.abc import Iterator
 from pathlib import Path
 
 from core.case.schema import Case
@@ -28,9 +29,9 @@ def part_journal(folder: Path, stem: str, case: Case, key: str, k: int, n: int) 
     return Journal(part_path(folder, stem, k, n), part_key(key, case, k, n), resume=True)
 
 
-def merged(folder: Path, stem: str, case: Case, key: str) -> Memory:
-    """What all parts of a case found. Raises InputError for a part that is missing, not finished, of another division,
-    or of another case or program."""
+def parts_in(folder: Path, stem: str) -> Iterator[tuple[int, int, Path]]:
+    """(k, n, journal) of the parts of a case in a folder. Raises InputError where there is none, where they are of two
+    divisions, and at one that is missing."""
     shape = re.compile(re.escape(stem) + r"\.part-(\d+)-of-(\d+)\.journal")
     found = {(int(m[1]), int(m[2])) for path in folder.iterdir() if (m := shape.fullmatch(path.name))}
     divisions = sorted({n for _, n in found})
@@ -39,11 +40,18 @@ def merged(folder: Path, stem: str, case: Case, key: str) -> Memory:
     if len(divisions) > 1:
         raise InputError("parts_of_two_divisions", found=tuple(str(n) for n in divisions), path=folder)
     (n,) = divisions
-    book = Memory(EVERYTHING)
     for k in range(1, n + 1):
         path = part_path(folder, stem, k, n)
         if (k, n) not in found:
             raise InputError("part_missing", k=k, n=n, path=path)
+        yield k, n, path
+
+
+def merged(folder: Path, stem: str, case: Case, key: str) -> Memory:
+    """What all parts of a case found. Raises InputError for a part that is missing, not finished, of another division,
+    or of another case or program."""
+    book = Memory(EVERYTHING)
+    for k, n, path in parts_in(folder, stem):
         head, entries = entries_of(path)
         if head.get(HEAD) != part_key(key, case, k, n):
             raise InputError("part_of_another", path=path)

@@ -58,12 +58,12 @@ class Journal:
         if not ours(content):
             raise OutputError("not_a_journal", place=(self.path,))
         head, *lines = content.split(b"\n")
-        mine = _parsed(head) == {HEAD: key}
+        mine = parsed(head) == {HEAD: key}
         good, kept = [], 0
         # what a kill cut off has no line end
         for line in lines[:-1] if mine else []:
-            entry = _parsed(line)
-            if entry and entry.get("hash") == _hash(entry):
+            entry = parsed(line)
+            if entry and entry.get("hash") == hash_of(entry):
                 self.found[entry["run"]] = entry["result"]
                 good.append(line)
             else:
@@ -109,8 +109,7 @@ class Journal:
 
     def add(self, run: str, result: dict) -> None:
         """Several threads may add."""
-        entry = {"run": run, "result": result}
-        line = json.dumps({**entry, "hash": _hash(entry)}).encode() + b"\n"
+        line = json.dumps(valid(run, result)).encode() + b"\n"
         try:
             with self._lock:
                 self._put(line)
@@ -138,8 +137,8 @@ def entries_of(path: Path) -> tuple[dict, dict[str, dict]]:
         raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
     if not ours(content):
         raise InputError("part_of_another", path=path)
-    head, *lines = map(_parsed, content.split(b"\n"))
-    good = [line for line in lines if line and line.get("hash") == _hash(line)]
+    head, *lines = map(parsed, content.split(b"\n"))
+    good = [line for line in lines if line and line.get("hash") == hash_of(line)]
     return head or {}, {line["run"]: line["result"] for line in good}
 
 
@@ -190,7 +189,8 @@ def lock(stream) -> None:
         fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
 
 
-def _parsed(line: bytes) -> dict | None:
+def parsed(line: bytes) -> dict | None:
+    """The entry of a line, None where it is none."""
     try:
         entry = json.loads(line)
     except (ValueError, RecursionError):
@@ -198,7 +198,13 @@ def _parsed(line: bytes) -> dict | None:
     return entry if isinstance(entry, dict) else None
 
 
-def _hash(entry: dict) -> str:
+def valid(run: str | None, result: dict | None) -> dict:
+    """The entry of a run with the hash of itself."""
+    entry = {"run": run, "result": result}
+    return {**entry, "hash": hash_of(entry)}
+
+
+def hash_of(entry: dict) -> str:
     """Of what a line says, whatever its hash."""
     content = json.dumps([entry.get("run"), entry.get("result")])
     return hashlib.sha256(content.encode()).hexdigest()[:16]

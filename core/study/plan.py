@@ -5,13 +5,15 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from core.capacity.ida import Search
-from core.case.hinges import Part, parts
-from core.case.schema import Case
+from core.case.hinges import Part, hinges_of, parts_of
+from core.case.schema import Case, Wall
+from core.case.site import Building
 from core.codes.demand import DemandResult
 from core.codes.kinematic import Kinematic, kinematic
 from core.codes.record_compatibility import period_range
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
+from core.packages import MOST_WALLS
 from core.rocking.methods import AUTO, METHODS, Method
 from core.study.demand_input import demand_of, generated
 from core.study.floors import Floor, floor_of
@@ -19,9 +21,6 @@ from core.study.progress import STATEMENT, TIE, check_cost, run_cost
 from core.study.record_input import joined, read_records
 from core.study.zeta_with import model_of
 from core.wall.rocking_model import RockingModel
-
-MOST_WALLS = 10_000
-"""Walls about all their hinges in a case: some 60 rows of the sheet Check each, of the million a workbook has."""
 
 
 class Entry(NamedTuple):
@@ -48,6 +47,7 @@ class Plan(NamedTuple):
     demand : without what the records add, None where no check is asked for
     motions : of the ground, with those generated; kinds : of each
     entries : the walls
+    longest : period of the mechanisms of all walls [s], where these are a group of more; None else
     """
 
     case: Case
@@ -57,6 +57,7 @@ class Plan(NamedTuple):
     method: Method
     search: Search
     entries: list[Entry]
+    longest: float | None = None
 
     @property
     def runs(self) -> list[tuple[int, int, int]]:
@@ -67,6 +68,8 @@ class Plan(NamedTuple):
     @property
     def longest_period(self) -> float:
         """Of the mechanisms [s], 0 without one."""
+        if self.longest is not None:
+            return self.longest
         return max((one.kinematic.period or 0.0 for one in self.entries if one.kinematic), default=0.0)
 
 
@@ -82,34 +85,76 @@ def read_inputs(case: Case, base_dir: Path) -> Inputs:
     return demand, joined(motions, made), kinds + ["artificial"] * len(made)
 
 
-def plan_of(case: Case, base_dir: Path, inputs: Inputs, share: tuple[int, int] | None = None) -> Plan:
-    """The walls of a case, or a share of them, as `run` takes both. Raises InputError where the records and the demand
-    do not go together, or no workbook holds its walls: before hours of work, not after."""
+class Floors:
+    """The floors that walls at some heights stand on, those asked for last. most : heights kept at a time; None, all"""
+
+    def __init__(self, most: int | None = None):
+        self.most, self._known = most, {}
+
+    def of(self, wall: Wall, building: Building | None, demand: DemandResult | None, motions) -> Floor | None:
+        """The floor of a wall, None on the ground. Raises InputError."""
+        z = wall.base_z_m
+        if z not in self._known:
+            self._known[z] = floor_of(wall, building, demand, motions)
+            if self.most is not None and len(self._known) > self.most:
+                del self._known[next(iter(self._known))]
+        return self._known[z]
+
+
+def plan_of(
+    case: Case,
+    base_dir: Path,
+    inputs: Inputs,
+    share: tuple[int, int] | None = None,
+    longest: float | None = None,
+    floors: Floors | None = None,
+) -> Plan:
+    """The walls of a case. Raises InputError where the records and the demand do not go together: before hours of work,
+    not after.
+
+    inputs : of `read_inputs`
+    share : of the walls only some, as `run` takes it
+    longest : of the mechanisms of all walls [s], where the case is a group of more
+    floors : where the floors of a building are kept for the next group
+    """
     demand, motions, kinds = inputs
     method = METHODS.get(case.analysis.method, AUTO)
     chosen = case.analysis
     search = Search(chosen.q_step, chosen.q_limit, chosen.map_span, chosen.robust_window)
-    everything = parts(case)
     if share is not None and case.analysis.accuracy:  # the statement is made where the parts come together
         case = replace(case, analysis=replace(case.analysis, accuracy=False))
-    if (found := sum(len(part.wall.mechanisms()) for part in everything)) > MOST_WALLS:
-        raise InputError("too_many_walls", found=found, most=MOST_WALLS)
-    hinged = [part for part in everything if share is None or part.origin % share[1] == share[0]]
-    one_at = {part.wall.base_z_m: part.wall for part in hinged}
-    at_height = {z: floor_of(wall, case.building, demand, motions) for z, wall in one_at.items()}
+    mine = [k for k in range(len(case.wall)) if share is None or k % share[1] == share[0]]
+    hinged = [part for k in mine for part in parts_of(k, case.wall[k], case.building)]
+    at_height = Floors() if floors is None else floors
     entries = []
     for part in hinged:
-        wall, floor = part.wall, at_height[part.wall.base_z_m]
+        wall, floor = part.wall, at_height.of(part.wall, case.building, demand, motions)
         for mechanism in wall.mechanisms():
             model, found = model_of(wall, mechanism), None
             if demand and (floor or not wall.above_ground):
                 found = kinematic(wall, mechanism, demand, floor.spectrum if floor else None)
             signs, felt = polarities_of(model, chosen.polarity), list(floor.motions) if floor else motions
             entries.append(Entry(part, mechanism, model, signs, floor, felt, found))
-    plan = Plan(case, demand, motions, kinds, method, search, entries)
+    plan = Plan(case, demand, motions, kinds, method, search, entries, longest)
     if demand and demand.target and motions:
         period_range(kinds, plan.longest_period, demand)
     return plan
+
+
+def results_in(case: Case) -> int:
+    """Results of a case: its walls about each hinge, by each mechanism."""
+    return sum((1 + len(hinges_of(wall, case.building))) * len(wall.mechanisms()) for wall in case.wall)
+
+
+def is_large(case: Case) -> bool:
+    """Whether a case has more results than a workbook holds."""
+    return results_in(case) > MOST_WALLS
+
+
+def refuse_large(case: Case) -> None:
+    """Raise InputError for a case no workbook holds."""
+    if is_large(case):
+        raise InputError("too_many_walls", found=results_in(case), most=MOST_WALLS)
 
 
 def costs_of(plan: Plan) -> dict[Any, float]:

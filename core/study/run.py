@@ -27,7 +27,7 @@ from core.study.governing import lowest_run
 from core.study.journal import Journal, Memory, rebuilt
 from core.study.kept_checks import KeptChecks
 from core.study.limit_states import StateHistories, demands_of, unsaid, zetas
-from core.study.plan import Entry, Inputs, Plan, costs_of, plan_of, read_inputs
+from core.study.plan import Entry, Inputs, Plan, costs_of, plan_of, read_inputs, refuse_large
 from core.study.progress import OnProgress, Progress
 from core.study.results import Assessment, StudyResult, WallResult
 from core.study.threads import Threads
@@ -64,24 +64,47 @@ def run(
     Raises InputError for what the user can mend, Cancelled when cancelled() is true.
     """
     started = datetime.datetime.now(datetime.UTC)
+    refuse_large(case)
     cache.proven()
     book: Journal | Memory | None = None
     if executor:
         book = _found_on(executor, case, base_dir, cancelled)
     plan = plan_of(case, base_dir, read_inputs(case, base_dir), share)
-    _precompile(plan)
+    begin_compiling(plan)
     if journal and not executor:
         book = journal(journal_key())
     progress = Progress(costs_of(plan), on_progress)
+    whole = share is None
+    return result_of(plan, base_dir, Threads(jobs, cancelled), started, book, progress, on_wall, whole)
+
+
+def result_of(
+    plan: Plan,
+    base_dir: Path,
+    threads: Threads,
+    started: datetime.datetime,
+    book: Journal | Memory | None,
+    progress: Progress,
+    on_wall: Callable[[WallResult], None] = lambda wall: None,
+    whole: bool = True,
+) -> StudyResult:
+    """What a plan results in.
+
+    base_dir, on_wall : as `run` takes them
+    started : when
+    book : of finished searches and checks, closed at the end
+    whole : all hinges of each of its walls are in it, so that walls have verdicts
+    Raises as `run` does.
+    """
     try:
-        demand, rules, results = _worked(plan, base_dir, Threads(jobs, cancelled), book, progress, on_wall)
+        demand, rules, results = _worked(plan, base_dir, threads, book, progress, on_wall)
     finally:
         cache.record(cache.folder())
         if book:
             book.close()
     elapsed = (datetime.datetime.now(datetime.UTC) - started).total_seconds()
     return StudyResult(
-        case,
+        plan.case,
         started.isoformat(timespec="seconds"),
         plan.method,
         plan.search,
@@ -91,7 +114,7 @@ def run(
         tuple(results),
         rules,
         elapsed,
-        wall_verdicts(case, tuple(results)) if share is None else (),
+        wall_verdicts(plan.case, tuple(results)) if whole else (),
     )
 
 
@@ -142,7 +165,7 @@ def wall_alone(case: Case, base_dir: Path, k: int) -> dict[str, dict]:
         _kept.clear()
         _kept[place] = read_inputs(case, base_dir)
     plan, book = plan_of(case, base_dir, _kept[place], (k, len(case.wall))), Memory(EVERYTHING)
-    _precompile(plan)
+    begin_compiling(plan)
     progress = Progress(costs_of(plan), lambda done, planned, left: None)
     _worked(plan, base_dir, Threads(1, lambda: False), book, progress, lambda wall: None)
     return book.found
@@ -322,7 +345,7 @@ def warm(case: Case, motion: GroundMotion) -> None:
     history(ground, dt, scales[0], model, method)
 
 
-def _precompile(plan: Plan) -> None:
+def begin_compiling(plan: Plan) -> None:
     felt = [motion for entry in plan.entries for motion in entry.felt]
     _begin_compiling(plan.method, [entry.model for entry in plan.entries], felt)
 

@@ -8,6 +8,7 @@
     python3 run.py bench --steps [--output DIR]             # q against the step, see step_study.py
     python3 run.py bench --zeta                             # zeta of the dynamic check against its grid
     python3 run.py bench --memory                           # peak memory and time of large work
+    python3 run.py bench --memory --walls N                 # the same of so many walls, as a Parquet file
     python3 run.py bench --window                           # start of the window, redraws, event loop
     python3 run.py bench --screenshots [--output DIR]       # every tab, both themes and languages
     python3 run.py bench --screenshots --guide [--output DIR] # the pictures of the guides
@@ -67,6 +68,7 @@ def options_of(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--small", action="store_true")
     parser.add_argument("--pairs", type=int, default=7)
     parser.add_argument("--cases", type=int, default=1000)
+    parser.add_argument("--walls", type=int)
     parser.add_argument("--guide", action="store_true")
     parser.add_argument("--output", type=Path, default=Path("work_precision"))
     return parser.parse_args(words)

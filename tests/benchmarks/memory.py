@@ -1,6 +1,7 @@
 """Peak memory and time of large work: many walls, a record of a million samples.
 
 python3 run.py bench --memory
+python3 run.py bench --memory --walls N     # so many walls, 10 000 or not, as a Parquet file, one thread
 """
 
 import argparse
@@ -25,21 +26,56 @@ topography = "T1"
 """
 
 
-def batch(case: Path, walls: int) -> tuple[float, float]:
-    """(seconds, MB) of a batch of so many walls as a process of its own."""
+PROGRAM = "import sys; from app.__main__ import main; sys.exit(main())"
+AS_TABLE = f"from core.study import plan; plan.MOST_WALLS = 0; {PROGRAM}"
+"""The program, and the program that holds every case for too large for a workbook."""
+
+
+def measured(case: Path, *words: str, program: str = PROGRAM) -> tuple[float, float]:
+    """(seconds, MB) of a batch as a process of its own."""
     start = time.perf_counter()
-    with subprocess.Popen([sys.executable, "-P", "-m", "app", "--batch", case, "--quiet"], cwd=ROOT) as run:
+    variables = {**os.environ, "PYTHONPATH": str(ROOT)}
+    command = [sys.executable, "-P", "-c", program, "--batch", str(case), "--quiet", *words]
+    with subprocess.Popen(command, cwd=ROOT, env=variables) as run:
         _, status, used = os.wait4(run.pid, 0)
         run.returncode = os.waitstatus_to_exitcode(status)
     assert run.returncode in (0, 3), f"the batch ended with {run.returncode}"
-    found = json.loads(case.with_suffix(".json").read_text())["walls"]
-    numbers = [run["q"] is not None for wall in found for run in wall["runs"]]
-    assert len(found) == walls and sum(numbers) > 0.9 * len(numbers), "runs without a number"
     return time.perf_counter() - start, used.ru_maxrss / 1024.0
 
 
+def batch(case: Path, walls: int) -> tuple[float, float]:
+    """(seconds, MB) of a batch of so many walls."""
+    found = measured(case)
+    results = json.loads(case.with_suffix(".json").read_text())["walls"]
+    numbers = [run["q"] is not None for wall in results for run in wall["runs"]]
+    assert len(results) == walls and sum(numbers) > 0.9 * len(numbers), "runs without a number"
+    return found
+
+
+def table(case: Path, walls: int) -> tuple[float, float]:
+    """(seconds, MB) of a batch of so many walls whose result is a Parquet file."""
+    found = measured(case, "--jobs", "1", program=AS_TABLE)
+    summary = json.loads(case.with_suffix(".json").read_text())
+    assert summary["table"]["rows"] == summary["walls"] == walls, "rows that are missing"
+    assert summary["runs_without_q"] < 0.1 * walls, "runs without a number"
+    return found
+
+
+def short_record(folder: Path) -> str:
+    """[[record]] of a motion of 3 s, and [analysis] of a coarse search."""
+    from core.ground.artificial import filtered_noise
+
+    lines = [f"{value:.5f}" for value in filtered_noise(1, 2.0)[200:500]]
+    (folder / "short.txt").write_text("\n".join(lines))
+    return (
+        '[[record]]\nfile = "short.txt"\nunit = "m/s2"\ntime_step_s = 0.01\nkind = "artificial"\n'
+        "[analysis]\nq_step = 0.05\n"
+    )
+
+
 def walls(folder: Path, count: int, motions: int) -> Path:
-    """A case of many different walls, half of them one-sided, under so many compatible motions."""
+    """A case of many different walls, half of them one-sided, under so many compatible motions; under one short record
+    where that number is 0."""
     chance = random.Random(1)
     rows = ["Parete;z;H;t;Meccanismo", ";m;m;m;"]
     for k in range(count):
@@ -47,7 +83,8 @@ def walls(folder: Path, count: int, motions: int) -> Path:
         rows.append(f"w{k};0;{chance.uniform(3, 8):.2f};{chance.uniform(0.3, 0.9):.2f};{mechanism}")
     (folder / f"walls_{count}.csv").write_text("\n".join(rows))
     case = folder / f"walls_{count}.toml"
-    case.write_text(f'walls = "walls_{count}.csv"\n[generate]\ncount = {motions}\n{DEMAND}')
+    ground = f"[generate]\ncount = {motions}\n" if motions else short_record(folder)
+    case.write_text(f'walls = "walls_{count}.csv"\n{ground}{DEMAND}')
     return case
 
 
@@ -68,6 +105,12 @@ def long_record(folder: Path, count: int) -> Path:
 
 def main(options: argparse.Namespace) -> None:
     """Print the table."""
+    if options.walls:
+        count = 12 if options.small else options.walls
+        with tempfile.TemporaryDirectory() as name:
+            seconds, megabytes = table(walls(Path(name), count, 0), count)
+        print(f"{f'{count} walls x 1 record of 3 s, Parquet':40} {seconds:8.1f} s {megabytes:8.0f} MB", flush=True)
+        return
     many, motions, samples = ((2,), 1, 2000) if options.small else ((500, 1000), 7, 1_000_000)
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)

@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from distributed import Client, LocalCluster
 
-from app.terminal import batch
+from app.terminal import batch, case_run
 from core.case.reader import read_case
 from core.errors import InputError
 from core.report import json_report
@@ -204,7 +204,7 @@ def test_that_what_the_user_can_mend_comes_back_from_a_worker(case):
 
 
 def test_that_parts_of_a_shipped_case_land_where_its_results_do(case):
-    shipped = batch.EXAMPLES / "verdict.toml"
+    shipped = case_run.EXAMPLES / "verdict.toml"
     assert batch.results_of(shipped, None) == (Path(), "verdict")
     assert batch.results_of(case, None) == (case.parent, "five")
     assert batch.results_of(shipped, case.parent) == (case.parent, "verdict")

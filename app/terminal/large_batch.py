@@ -1,0 +1,175 @@
+"""The headless run of a case of more walls than a workbook holds: a Parquet file and a summary."""
+
+import functools
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+from typing import BinaryIO
+
+from app.look.language import terminal
+from app.terminal import export
+from app.terminal.case_run import (
+    CANCELLED,
+    DONE,
+    WITHOUT_NUMBER,
+    aligned,
+    announced,
+    coded,
+    interrupts,
+    made,
+    raise_if,
+    results_of,
+    say,
+    short,
+)
+from app.terminal.terminal_progress import progress, tell
+from core import atomic_write
+from core.case.schema import Case
+from core.errors import Cancelled, InputError
+from core.packages import require
+from core.report import large_report, parquet_file
+from core.report.columns import columns_of
+from core.report.large_report import Tally
+from core.study.case_parts import FINISHED, part_key, part_path
+from core.study.group_journal import GroupJournal, MergedGroups
+from core.study.large_case import LargeCase, group_results, in_order, without_walls
+from core.study.plan import results_in
+from core.study.run import journal_key
+from core.version import NAME, VERSION
+
+SHOWN = 20
+"""Walls a terminal shows, the worst."""
+
+
+def refuse(case: Case, note: Path | None = None) -> None:
+    """Raise InputError for what is not made of so many walls."""
+    if note is not None or case.analysis.accuracy:
+        raise InputError("large_without", found=results_in(case))
+
+
+def run(
+    case: Case,
+    case_path: Path,
+    output: Path | None,
+    jobs: int,
+    quiet: bool,
+    resume: bool,
+    note: Path | None = None,
+    merge: bool = False,
+) -> int:
+    """Run a case and write `<stem>.parquet` and `<stem>.json`; returns the exit code. The parameters are those of
+    `batch.run`. Raises InputError for what the user can mend; nothing is written then."""
+    refuse(case, note)
+    require("parquet")
+    folder, stem = results_of(case_path, output)
+    cancel = threading.Event()
+    with made(case_path, folder), interrupts(cancel), progress(quiet) as show:
+        export.refuse_overwriting(case, case_path, folder, stem)
+        book: GroupJournal | MergedGroups | None = None
+        try:
+            large = in_order(case, case_path.parent, cancel.is_set)
+            if merge:
+                book = MergedGroups(folder, stem, lambda k, n: part_key(_key(large), case, k, n))
+            else:
+                book = announced(GroupJournal(folder / f"{stem}.journal", _key(large), resume))
+                _work(large, book, range(len(large.groups)), jobs, show, cancel)
+            tally = _write(large, book, folder, stem, show, cancel)
+            if isinstance(book, GroupJournal):
+                book.remove()
+        except Cancelled:
+            place = folder / f"{stem}.journal"
+            tell("cancelled: finished runs are in {path}; go on with --resume", path=place)
+            return CANCELLED
+        finally:
+            if book is not None:
+                book.close()
+    if not quiet:
+        say(summary(tally, folder, stem))
+    if tally.without_q:
+        tell("{n} runs without a number: column runs_without_q of {path}", n=tally.without_q, path=_table(folder, stem))
+    return WITHOUT_NUMBER if tally.without_q else DONE
+
+
+def run_part(case: Case, case_path: Path, output: Path | None, jobs: int, quiet: bool, k: int, n: int) -> int:
+    """Every n-th group of walls of a case from the k-th on; the parameters are those of `batch.run_part`. Raises
+    InputError."""
+    refuse(case)
+    folder, stem = results_of(case_path, output)
+    cancel, path = threading.Event(), part_path(folder, stem, k, n)
+    with made(case_path, folder), interrupts(cancel), progress(quiet) as show:
+        try:
+            large = in_order(case, case_path.parent, cancel.is_set)
+            book = GroupJournal(path, part_key(_key(large), case, k, n), True)
+            try:
+                mine = range(k - 1, len(large.groups), n)
+                _work(large, book, mine, jobs, show, cancel)
+                if FINISHED not in book:
+                    book.add(FINISHED, {})
+            finally:
+                book.close()
+        except Cancelled:
+            tell("cancelled: finished runs are in {path}; start this part again", path=path)
+            return CANCELLED
+    if not quiet:
+        walls = sum(len(large.groups[g]) for g in mine)
+        say(terminal("part {k} of {n}: {walls} walls, {path}", k=k, n=n, walls=walls, path=path))
+    return DONE
+
+
+def _key(large: LargeCase) -> str:
+    return f"{journal_key()} {large.key}"
+
+
+def _work(large: LargeCase, book: GroupJournal, mine: range, jobs: int, show, cancel: threading.Event) -> None:
+    """Make the groups of a journal that are not in it."""
+    todo = [g for g in mine if g not in book]
+    for g, result in group_results(large, todo, jobs, show.runs, cancel.is_set):
+        book.add(g, columns_of(result, large.groups[g]))
+
+
+def _table(folder: Path, stem: str) -> Path:
+    return folder / f"{stem}.parquet"
+
+
+def _write(large: LargeCase, book, folder: Path, stem: str, show, cancel: threading.Event) -> Tally:
+    """Write table and summary, both or none; what was counted."""
+    tally, count, table = Tally(), len(large.groups), _table(folder, stem)
+
+    def rows() -> Iterator[dict[str, list]]:
+        for g in range(count):
+            raise_if(cancel)()
+            show.writing(g, count)
+            found = book.get(g)
+            tally.add(found)
+            yield found
+
+    def put_summary(stream: BinaryIO) -> None:  # after the table, whose rows it counts
+        content = large_report.summary(large.case, without_walls(large), tally, table.name)
+        stream.write(large_report.dumps(content).encode())
+
+    about = {"program": f"{NAME} {VERSION}", "case_sha256": large.case.sha256}
+    put_table = functools.partial(_put_table, rows, about)
+    atomic_write.write({table: put_table, folder / f"{stem}.json": put_summary})
+    return tally
+
+
+def _put_table(rows, about: dict[str, str], stream: BinaryIO) -> None:
+    parquet_file.write(stream, rows(), about)
+
+
+def summary(tally: Tally, folder: Path, stem: str) -> str:
+    """What a terminal shows: the worst walls, how many have which verdict, the files."""
+    columns = ["wall", "mechanism", "q"]
+    with_demand = bool(tally.verdicts)
+    if with_demand:
+        columns += ["zeta", "verdict", "by"]
+    table = [[terminal(head) for head in columns]]
+    for row in tally.worst[:SHOWN]:
+        cells = [row["name"][:48], coded(row["mechanism"]), short(row["q_set"])]
+        if with_demand:
+            cells += [short(row["zeta_e"]), coded(row["verdict"]), coded(row["check"])]
+        table.append(cells)
+    lines = aligned(table, (2, 3))
+    counts = ", ".join(f"{coded(code)} {n}" for code, n in sorted(tally.verdicts.items()))
+    lines.append(terminal("{walls} walls, the worst above", walls=tally.walls) + (f": {counts}" if counts else ""))
+    return "\n".join([*lines, str(_table(folder, stem)), str(folder / f"{stem}.json")])

@@ -1,0 +1,84 @@
+"""The summary of a case of more walls than a workbook holds: what was asked, counts, the worst walls, the columns."""
+
+import heapq
+import json
+import math
+from collections import Counter
+from dataclasses import replace
+
+from core.case.schema import Case
+from core.report.columns import COLUMNS
+from core.report.json_report import demand_keys, record_keys
+from core.study.results import StudyResult
+from core.version import NAME, VERSION, commit
+
+WORST = 100
+"""Walls that are named, the worst first."""
+
+NAMED = ("wall", "name", "variant", "hinge_m", "mechanism", "verdict", "check", "zeta_e", "zeta_target", "q_set")
+
+
+class Tally:
+    """What is counted while the rows of a case go by."""
+
+    def __init__(self) -> None:
+        self.rows = self.walls = self.analyses = self.without_q = 0
+        self.verdicts: Counter[str] = Counter()
+        self._worst: list[tuple[tuple, dict]] = []
+
+    def add(self, rows: dict[str, list]) -> None:
+        """Count the rows of a group. rows : by column"""
+        self.rows += len(rows["wall"])
+        self.walls += len(set(rows["wall"]))
+        self.analyses += sum(rows["analyses"])
+        self.without_q += sum(rows["runs_without_q"])
+        for k, decides in enumerate(rows["decides"]):
+            if decides is None or decides:
+                self._place({name: rows[name][k] for name in NAMED})
+            if decides:
+                self.verdicts[rows["verdict"][k]] += 1
+        self._worst = heapq.nsmallest(WORST, self._worst, key=lambda entry: entry[0])
+
+    def _place(self, row: dict) -> None:
+        """Among the worst: without a number first, then by zeta over the one required, else by q."""
+        value = row["zeta_e"] / row["zeta_target"] if row["zeta_e"] is not None else row["q_set"]
+        if (row["verdict"] is not None and row["zeta_e"] is None) or row["verdict"] == "undetermined":
+            value = -math.inf
+        rank = 1 if row["verdict"] == "not_activated" else 0
+        self._worst.append(((rank, math.inf if value is None else value, row["wall"], row["hinge_m"]), row))
+
+    @property
+    def worst(self) -> list[dict]:
+        """The worst walls, the worst first, by their keys NAMED."""
+        return [row for _, row in self._worst]
+
+
+def summary(case: Case, result: StudyResult, tally: Tally, file: str) -> dict:
+    """The summary as a mapping.
+
+    case : with all its walls, which it does not list
+    result : of one group, for what is of all
+    file : name of the table
+    """
+    return {
+        "program": {"name": NAME, "version": VERSION, "commit": commit()},
+        "case": {**replace(case, wall=()).as_dict(), "walls": case.table or None},
+        "case_sha256": case.sha256,
+        "demand": demand_keys(result) if result.demand else None,
+        "records": record_keys(result),
+        "table": {
+            "file": file,
+            "rows": tally.rows,
+            "columns": [{"name": one.name, "kind": one.kind, "unit": one.unit or None} for one in COLUMNS],
+        },
+        "walls": tally.walls,
+        "verdicts": dict(sorted(tally.verdicts.items())),
+        "analyses": tally.analyses,
+        "runs_without_q": tally.without_q,
+        "worst": tally.worst,
+    }
+
+
+def dumps(content: dict) -> str:
+    """The summary as JSON text."""
+    return json.dumps(content, indent=1, allow_nan=False, ensure_ascii=False) + "\n"

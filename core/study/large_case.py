@@ -1,0 +1,134 @@
+"""A case of more walls than a workbook holds: worked in groups, each a study of its own walls with what is said of all
+of them, so that its numbers are those of the undivided run (resources/docs/scale.md)."""
+
+import datetime
+import hashlib
+import time
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import NamedTuple
+
+from core.case.many_walls import in_groups
+from core.case.schema import Case
+from core.codes.demand import with_records
+from core.codes.record_compatibility import compliance, period_range
+from core.errors import Cancelled
+from core.file_names import name_of
+from core.jit import cache
+from core.study.limit_states import demands_of, unsaid
+from core.study.plan import Floors, Inputs, costs_of, plan_of, read_inputs
+from core.study.progress import OnProgress, Progress
+from core.study.results import StudyResult
+from core.study.run import begin_compiling, result_of
+from core.study.threads import Threads
+
+MOST_GROUP, MOST_SEARCHES = 128, 4096
+"""Walls of a group, and searches of one: what is lost when a run is killed, and what stands in memory at a time."""
+
+FLOORS_KEPT = 16
+"""Heights above the ground whose motions are kept from one group to the next."""
+
+
+class LargeCase(NamedTuple):
+    """A case in groups.
+
+    inputs : of `read_inputs`
+    groups : indices of the walls of each
+    tasks : searches and checks of each group
+    longest : period of the mechanisms of all walls [s]
+    """
+
+    case: Case
+    base_dir: Path
+    inputs: Inputs
+    groups: list[list[int]]
+    tasks: list[int]
+    longest: float
+
+    @property
+    def key(self) -> str:
+        """Of all that decides its rows beside the program: the case, and what it reads."""
+        _, motions, kinds = self.inputs
+        spectrum = b""
+        if self.case.demand and self.case.demand.spectrum_file:
+            spectrum = (self.base_dir / name_of(self.case.demand.spectrum_file)).read_bytes()
+        read = [
+            (repr(m), m.samples_sha256, m.warnings, m.details, kind) for m, kind in zip(motions, kinds, strict=True)
+        ]
+        parts = (self.case.sha256, read, len(self.groups), hashlib.sha256(spectrum).hexdigest())
+        return hashlib.sha256(repr(parts).encode()).hexdigest()
+
+
+def in_order(case: Case, base_dir: Path, cancelled: Callable[[], bool] = lambda: False) -> LargeCase:
+    """A case in groups, every wall of which was looked at: what the user can mend is refused before the first analysis.
+
+    base_dir : folder record paths start from
+    Raises InputError, Cancelled.
+    """
+    inputs = read_inputs(case, base_dir)
+    demand, motions, kinds = inputs
+    size = max(1, min(MOST_GROUP, MOST_SEARCHES // max(1, 2 * len(motions))))
+    groups, floors = in_groups(case.wall, size), Floors(FLOORS_KEPT)
+    tasks, longest = [], 0.0
+    for group in groups:
+        if cancelled():
+            raise Cancelled
+        plan = _plan(case, base_dir, inputs, group, 0.0, floors)
+        tasks.append(len(costs_of(plan)))
+        longest = max(longest, plan._replace(longest=None).longest_period)
+    if demand and demand.target and motions:
+        period_range(kinds, longest, demand)
+    return LargeCase(case, base_dir, inputs, groups, tasks, longest)
+
+
+def _plan(case: Case, base_dir: Path, inputs: Inputs, group: list[int], longest: float, floors: Floors):
+    """The plan of a group of walls. longest : of the mechanisms of all walls [s]"""
+    walls = tuple(case.wall[k] for k in group)
+    return plan_of(replace(case, wall=walls), base_dir, inputs, None, longest, floors)
+
+
+def without_walls(large: LargeCase) -> StudyResult:
+    """What the results of all groups have in common: demand, records, whether these comply with it."""
+    case, (demand, motions, kinds) = replace(large.case, wall=()), large.inputs
+    plan, rules = plan_of(case, large.base_dir, large.inputs, None, large.longest), None
+    if demand:
+        demand = with_records(demand, motions)
+        rules = compliance(motions, kinds, demand, large.longest)
+        demand = replace(demand, warnings=(*demand.warnings, *unsaid(demand, demands_of(case, large.base_dir))))
+    now = datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds")
+    return StudyResult(case, now, plan.method, plan.search, demand, tuple(motions), tuple(kinds), (), rules)
+
+
+def group_results(
+    large: LargeCase,
+    todo: Iterable[int],
+    jobs: int = 1,
+    on_progress: OnProgress = lambda done, planned, left: None,
+    cancelled: Callable[[], bool] = lambda: False,
+) -> Iterator[tuple[int, StudyResult]]:
+    """(group, its result) of the groups to do, one after the other.
+
+    todo : numbers of the groups
+    jobs : threads, which change no result
+    on_progress, cancelled : as `run` takes them
+    Raises InputError, Cancelled.
+    """
+    cache.proven()
+    todo, floors, begun = list(todo), Floors(FLOORS_KEPT), time.monotonic()
+    planned = sum(large.tasks)
+    before = first = planned - sum(large.tasks[g] for g in todo)
+    threads = Threads(jobs, cancelled)
+
+    def told(done: int, of_group: int, left: float | None) -> None:
+        worked = before + done - first
+        left = (time.monotonic() - begun) * (planned - before - done) / worked if worked else None
+        on_progress(before + done, planned, left)
+
+    for g in todo:
+        plan = _plan(large.case, large.base_dir, large.inputs, large.groups[g], large.longest, floors)
+        if g == todo[0]:
+            begin_compiling(plan)
+        started = datetime.datetime.now(datetime.UTC)
+        yield g, result_of(plan, large.base_dir, threads, started, None, Progress(costs_of(plan), told))
+        before += large.tasks[g]
