@@ -66,6 +66,11 @@ from core.wall.moment_rotation import zone_of
 from core.wall.rocking_model import seen_from
 
 
+LONG_FOR = 4
+"""Passes over the lanes in which steps are shortened, after one was: where each sample takes two parts, the second
+is whole."""
+
+
 @dataclass(frozen=True)
 class Grounds:
     """Records of one time step laid end to end, as a pass takes them; made once for all analyses of them.
@@ -255,7 +260,7 @@ def make_lane_kernel(order):
         fastest = 0.5 * model.p2 * (model.slenderness + (constants.strength - 1.0)) * loss * (LOOKAHEAD - 1) * dt
         waiting = zero
         lanes = zero
-        long = zero + 1  # steps to be shortened; 1 at first, which sets the rows of whole steps
+        long = zero + 1  # passes in which steps may be shortened; 1 at first, which sets the rows of whole steps
         while True:
             while lanes < WIDTH and waiting < scales.size:
                 record = which[waiting]
@@ -275,10 +280,12 @@ def make_lane_kernel(order):
                 break
             lane_initial_terms(lanes, dt, model, constants, state)
             lane_taylor_coefficients(lanes, constants, order, state)
+            shorter = zero
             if long > 0:
-                long = shorten_steps(lanes, dt, constants, order, state)
+                shorter = shorten_steps(lanes, dt, constants, order, state)
+                long = LONG_FOR if shorter > 0 else long - 1
             vector_step(lanes, dt, constants, order, state)
-            if long > 0:
+            if shorter > 0:
                 stay_in_sample(lanes, state)
             count = load_next_sample(lanes, ground, busy, state)
             falling = gather_falling(count, busy, state)
@@ -292,8 +299,9 @@ def make_lane_kernel(order):
                 outcome = STABLE
                 if step >= FALLS:
                     falling -= int(step == FALLS)
-                    long += int(step == LONG)
-                    if step >= SCALAR or not scatter_impact(k, falling, model, state):
+                    if step == LONG:
+                        long = LONG_FOR
+                    if step >= SCALAR or not scatter_impact(k, falling, dt, model, thresholds, state):
                         outcome, clamps = scalar_step(k, dt, model, constants, order, zero, state)
                         clamped[lane[k]] += clamps
                     if state[IMPACTS + k] > IMPACTS_PER_SAMPLE:

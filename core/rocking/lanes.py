@@ -10,7 +10,8 @@ those of single analyses bit for bit (resources/docs/physics.md, section 10).
 
 from core.jit.decorators import inner_kernel, subkernel, widest_vectors
 from core.jit.fma import fma
-from core.rocking.events import BlockState
+from core.rocking.early_stop import cannot_recover
+from core.rocking.events import IMPACTS_PER_SAMPLE, BlockState, next_uplift, uplift_side
 from core.rocking.lane_state import (
     BEFORE,
     BETA,
@@ -28,17 +29,22 @@ from core.rocking.lane_state import (
     HELD,
     HIGH,
     IMPACTS,
+    KINK_SAMPLE,
+    KINKS,
     LEFT,
     LONG,
     LOW,
+    MOVES,
     MOVING,
     NET,
     NEXT,
+    NOT_LOCATED,
     PART,
     PEAK,
     PER_STEP,
     PHI,
     PLAIN,
+    RESTS,
     RISE,
     ROW,
     SAMPLE,
@@ -59,7 +65,8 @@ from core.rocking.lane_state import (
     ZONE,
     set_lane,
 )
-from core.rocking.taylor import peak_may_grow, through_sample
+from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
+from core.rocking.taylor import advance, converged_step, cross_kink, first_event, impact, peak_may_grow
 from core.rocking.taylor_bounds import (
     MAX_GROWTH,
     largest_push,
@@ -68,7 +75,7 @@ from core.rocking.taylor_bounds import (
     shortened,
     turning_margin,
 )
-from core.rocking.taylor_polynomial import change, increment, landing, shape
+from core.rocking.taylor_polynomial import change, landing, shape, whole_step
 from core.rocking.taylor_series import (
     SHORT_SERIES,
     InitialTerms,
@@ -76,8 +83,8 @@ from core.rocking.taylor_series import (
     sine_and_cosine_short,
     taylor_coefficients,
 )
-from core.wall.moment_rotation import FAR, zone_of
-from core.wall.rocking_model import sides_differ
+from core.wall.moment_rotation import FAR, moment_branch, zone_of
+from core.wall.rocking_model import seen_from, sides_differ
 
 MAX_HALVINGS = 4
 """Parts of a step that are taken by vector instructions: down to a sixteenth."""
@@ -245,8 +252,7 @@ def vector_step(lanes, dt, constants, order, state):
         relative = relative_tolerance(x, v[0], forcing, p2, branch, constants)
         omitted = neglected(v, growth, forcing, rise, p2, constants.strength, order)
         long = (omitted > min(tolerance, relative)) | (growth >= MAX_GROWTH)
-        dphi = increment(v, 1.0)
-        dv = change(v, 1.0)
+        dphi, dv = whole_step(v)
         y = x + dphi
         upper = max(x, y)
         push = largest_push(upper, forcing, p2, constants, *branch[:3])
@@ -281,7 +287,8 @@ def vector_step(lanes, dt, constants, order, state):
 
 @subkernel
 def locate_impacts(falling, dt, model, rest_below, order, state):
-    """The impact of each lane that falls: time in the sample, speed after it, and whether this located it.
+    """The impact of each lane that falls: time in the sample, speed after it, whether this located it, and whether the
+    wall then rests unless the ground lifts it.
 
     rest_below : [rad/s], see `events.stops_rocking`.
     """
@@ -294,11 +301,12 @@ def locate_impacts(falling, dt, model, rest_below, order, state):
         part, top, found = landing(v, state[PHI + k], 1.0)
         speed = fma(change(v, part), state[PER_STEP + k], state[SPEED + k])
         arriving = max(-speed, 0.0)
-        ratio = max(model.ratio_at_rest - model.ratio_drop * arriving * arriving, 0.0)
-        speed = ratio * arriving
+        ratio = model.ratio_at_rest - model.ratio_drop * arriving * arriving
+        speed = max(ratio, 0.0) * arriving
         t = fma(part * state[PART + k], 1.0 - t, t)
-        plain = found & (top <= state[PEAK + k]) & (part < 1.0) & (t < 1.0) & (speed >= rest_below)
-        state[PLAIN + j] = 1.0 if plain else 0.0
+        plain = found & (top <= state[PEAK + k]) & (part < 1.0) & (t < 1.0) & (ratio >= 0.0)
+        after = RESTS if speed < rest_below else MOVES
+        state[PLAIN + j] = after if plain else NOT_LOCATED
         state[SPEED + k] = speed
         state[TIME + k] = t
         state[PER_STEP + k] = 1.0 / (dt * (1.0 - t))
@@ -319,15 +327,36 @@ def gather_falling(count, busy, state):
 
 
 @inner_kernel
-def scatter_impact(k, j, model, state):
-    """Take over the impact of lane k from the j-th of the falls; False if it was not located."""
-    if state[PLAIN + j] == 0.0:
+def scatter_impact(k, j, dt, model, thresholds, state):
+    """Take over the impact of lane k from the j-th of the falls; False if it was not located.
+
+    k, j : lane, place among the falls
+    dt : the sample [s]
+    model : RockingModel
+    thresholds : of `uplift_thresholds` [m/s2]
+    state : of lane_state.py, shape (ROWS * ROW,)
+    """
+    after = state[PLAIN + j]
+    if after == NOT_LOCATED:
         return False
+    t = state[FALL - PHI + TIME + j]
+    if after == RESTS:
+        ground0 = state[FIRST + k]
+        jump = state[SCALE + k] * state[SECOND + k] - ground0
+        if uplift_side(ground0 + jump * t, thresholds) != 0.0:
+            return False
+        state[IMPACTS + k] += 1.0
+        side = state[SIDE + k] if model.one_sided != 0.0 else -state[SIDE + k]
+        set_lane(k, side, 0.0, 0.0, zone_of(0.0, model), model, state)
+        state[MOVING + k] = 0.0
+        uplift(k, ground0, jump, t, dt, model, thresholds, state)
+        return True
     state[PHI + k] = 0.0
     state[SPEED + k] = state[FALL - PHI + SPEED + j]
-    state[TIME + k] = state[FALL - PHI + TIME + j]
+    state[TIME + k] = t
     state[PER_STEP + k] = state[FALL - PHI + PER_STEP + j]
     state[IMPACTS + k] += 1.0
+    state[KINKS + k] = 0.0
     if model.one_sided == 0.0:
         side = -state[SIDE + k]
         state[SIDE + k] = side
@@ -337,8 +366,51 @@ def scatter_impact(k, j, model, state):
 
 
 @inner_kernel
+def uplift(k, ground0, jump, t, dt, model, thresholds, state):
+    """Set the resting lane k where the ground uplifts it in its sample, or to the end of the sample.
+
+    ground0, jump : ground acceleration at the start of the sample, and its change over it [m/s2]
+    t : where in the sample it rests, 0 to 1
+    thresholds : of `uplift_thresholds` [m/s2]
+    """
+    t, side = next_uplift(ground0, jump, t, 1.0, thresholds)
+    state[TIME + k] = t
+    if t < 1.0:
+        set_lane(k, side, 0.0, 0.0, zone_of(0.0, model), model, state)
+        state[PER_STEP + k] = 1.0 / (dt * (1.0 - t))
+
+
+@inner_kernel
+def step_of_lane(k, dt, model, constants, order, block, state):
+    """`taylor.converged_step` of lane k, from the rows of the vector loops where they hold it.
+
+    block : BlockState of the lane
+    """
+    v = series_of(k, order, state)
+    start = InitialTerms(
+        v[0],
+        state[NET + k],
+        state[SINE + k],
+        state[COSINE + k],
+        state[BETA + k],
+        state[RISE + k],
+        state[STEP_P2 + k],
+        state[FORCING + k],
+    )
+    part = state[PART + k]
+    if state[NEXT + k] == LONG or block.phi > SHORT_SERIES:
+        seen = seen_from(model, block.side)
+        branch = moment_branch(block.zone, seen)
+        first, second = state[FIRST + k], state[SCALE + k] * state[SECOND + k]
+        v, start, part = converged_step(
+            block, first, second, state[TIME + k], dt, branch, seen, constants, order
+        )
+    return v, start, part
+
+
+@inner_kernel
 def scalar_step(k, dt, model, constants, order, zero, state):
-    """Carry lane k to its next impact or through its sample. Returns (outcome so far, clamped ratios).
+    """Carry lane k through one step, as `taylor.through_sample` would. Returns (outcome so far, clamped ratios).
 
     k : lane
     dt : the sample [s]
@@ -348,33 +420,49 @@ def scalar_step(k, dt, model, constants, order, zero, state):
     zero : of int64
     state : of lane_state.py, shape (ROWS * ROW,)
     """
+    ground0, t = state[FIRST + k], state[TIME + k]
+    jump = state[SCALE + k] * state[SECOND + k] - ground0
+    if state[MOVING + k] == 0.0:
+        uplift(k, ground0, jump, t, dt, model, constants.thresholds, state)
+        return STABLE, zero
     block = BlockState(
-        state[SIDE + k],
-        state[PHI + k],
-        state[SPEED + k],
-        state[MOVING + k] != 0.0,
-        int(state[ZONE + k]),
-        state[PEAK + k],
-        zero,
-        zero,
+        state[SIDE + k], state[PHI + k], state[SPEED + k], True, int(state[ZONE + k]), state[PEAK + k], zero, zero
     )
-    outcome, time, _, block = through_sample(
-        state[FIRST + k],
-        state[SCALE + k] * state[SECOND + k],
-        dt,
-        model,
-        constants,
-        order,
-        state[STRONGEST + k],
-        block,
-        state[TIME + k],
+    v, start, part = step_of_lane(k, dt, model, constants, order, block, state)
+    branch = (
+        state[LOW + k],
+        state[HIGH + k],
+        state[FACTOR + k],
+        state[SLOPE + k],
+        state[CONSTANT + k],
+        state[HELD + k],
     )
-    side, phi, speed, moving, zone, peak, impacts, clamped = block
-    set_lane(k, side, phi, speed, zone, model, state)
-    state[MOVING + k] = 1.0 if moving else 0.0
-    state[PEAK + k] = peak
-    state[IMPACTS + k] += impacts
-    state[TIME + k] = time
-    if time < 1.0:
-        state[PER_STEP + k] = 1.0 / (dt * (1.0 - time))
-    return outcome, clamped
+    event = first_event(v, start, block.phi, branch, constants)
+    block, t = advance(block, v, part, event, t, dt)
+    outcome = STABLE
+    if event.crossing < 0.0:
+        if block.phi > SHORT_SERIES and cannot_recover(
+            block.phi, block.speed, state[STRONGEST + k], seen_from(model, block.side)
+        ):
+            outcome = COLLAPSED
+    elif event.falls and state[LOW + k] == 0.0:
+        block, _ = impact(block, ground0 + jump * t, model, constants)
+        state[IMPACTS + k] += 1.0
+        state[KINKS + k] = 0.0
+    else:
+        block = cross_kink(block, event, branch)
+        kinks = state[KINKS + k] if state[KINK_SAMPLE + k] == state[SAMPLE + k] else 0.0
+        state[KINKS + k] = kinks + 1.0
+        state[KINK_SAMPLE + k] = state[SAMPLE + k]
+        if kinks + 1.0 > IMPACTS_PER_SAMPLE:
+            outcome = IMPACT_LIMIT
+    if event.crossing >= 0.0:
+        set_lane(k, block.side, block.phi, block.speed, block.zone, model, state)
+        state[MOVING + k] = 1.0 if block.moving else 0.0
+    state[PHI + k] = block.phi
+    state[SPEED + k] = block.speed
+    state[PEAK + k] = block.peak
+    state[TIME + k] = t
+    if t < 1.0:
+        state[PER_STEP + k] = 1.0 / (dt * (1.0 - t))
+    return outcome, block.clamped
