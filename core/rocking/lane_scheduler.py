@@ -65,7 +65,6 @@ from core.rocking.taylor_series import PER_G, wall_constants
 from core.wall.moment_rotation import zone_of
 from core.wall.rocking_model import seen_from
 
-
 LONG_FOR = 4
 """Passes over the lanes in which steps are shortened, after one was: where each sample takes two parts, the second
 is whole."""
@@ -232,7 +231,21 @@ def make_lane_kernel(order):
 
     @kernel
     def one_pass(
-        ground, ahead, dt, firsts, lasts, strongest, which, scales, model, numbers, state, outcomes, peaks, clamped
+        ground,
+        ahead,
+        dt,
+        firsts,
+        lasts,
+        strongest,
+        which,
+        scales,
+        model,
+        slopes,
+        numbers,
+        state,
+        outcomes,
+        peaks,
+        clamped,
     ):
         """These analyses, up to WIDTH at a time.
 
@@ -244,6 +257,7 @@ def make_lane_kernel(order):
         which : record of each analysis, int64, shape (m,)
         scales : multipliers [-], shape (m,), negative reverses the record
         model : RockingModel
+        slopes : of `lanes.branch_of`: the kernel is specialised at compile time for the rigid law
         numbers : room to work, int64, shape (3 * WIDTH,)
         state : of lane_state.py, zeros, shape (ROWS * ROW,)
         outcomes : results, codes of outcome.py, int64, shape (m,)
@@ -278,13 +292,13 @@ def make_lane_kernel(order):
                     peaks[waiting - 1] = 0.0
             if lanes == 0:
                 break
-            lane_initial_terms(lanes, dt, model, constants, state)
-            lane_taylor_coefficients(lanes, constants, order, state)
+            lane_initial_terms(lanes, dt, model, constants, slopes, state)
+            lane_taylor_coefficients(lanes, constants, order, slopes, state)
             shorter = zero
             if long > 0:
-                shorter = shorten_steps(lanes, dt, constants, order, state)
+                shorter = shorten_steps(lanes, dt, constants, order, slopes, state)
                 long = LONG_FOR if shorter > 0 else long - 1
-            vector_step(lanes, dt, constants, order, state)
+            vector_step(lanes, dt, constants, order, slopes, state)
             if shorter > 0:
                 stay_in_sample(lanes, state)
             count = load_next_sample(lanes, ground, busy, state)
@@ -361,6 +375,7 @@ def scan(order, grounds, which, scales, model, outcomes, peaks):
         which,
         scales,
         model,
+        None if model.plateau_end == 0.0 else 1.0,
         numbers,
         state,
         outcomes,

@@ -10,6 +10,7 @@ those of single analyses bit for bit (resources/docs/physics.md, section 10).
 
 from core.jit.decorators import inner_kernel, subkernel, widest_vectors
 from core.jit.fma import fma
+from core.jit.kernel import only_with
 from core.rocking.early_stop import cannot_recover
 from core.rocking.events import IMPACTS_PER_SAMPLE, BlockState, next_uplift, uplift_side
 from core.rocking.lane_state import (
@@ -71,6 +72,7 @@ from core.rocking.taylor_bounds import (
     MAX_GROWTH,
     largest_push,
     neglected,
+    plus,
     relative_tolerance,
     shortened,
     turning_margin,
@@ -90,15 +92,25 @@ MAX_HALVINGS = 4
 """Parts of a step that are taken by vector instructions: down to a sixteenth."""
 
 
+@inner_kernel
+def branch_of(k, slopes, state):
+    """(factor, slope, constant, cosine factor) of the branch of lane k; slope and constant None for the rigid law.
+
+    slopes : None for the rigid law, for which the loops are compiled without the terms of a slope, else 1.0
+    """
+    slope, constant = only_with(slopes, state[SLOPE + k]), only_with(slopes, state[CONSTANT + k])
+    return state[FACTOR + k], slope, constant, state[HELD + k]
+
+
 @subkernel
-def lane_initial_terms(lanes, dt, model, constants, state):
-    """`InitialTerms` of the step of each lane to the end of its sample."""
+def lane_initial_terms(lanes, dt, model, constants, slopes, state):
+    """`InitialTerms` of the step of each lane to the end of its sample. slopes : of `branch_of`"""
     widest_vectors()
     for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
         second = state[SCALE + k] * state[SECOND + k]
         x = state[PHI + k]
         s, c = sine_and_cosine_short(x)
-        branch = state[FACTOR + k], state[SLOPE + k], state[CONSTANT + k], state[HELD + k]
+        branch = branch_of(k, slopes, state)
         start = initial_terms(
             x,
             state[SPEED + k],
@@ -138,8 +150,8 @@ def set_higher_terms(k, v, order, state):
 
 
 @subkernel
-def lane_taylor_coefficients(lanes, constants, order, state):
-    """The Taylor coefficients of each lane from its initial terms."""
+def lane_taylor_coefficients(lanes, constants, order, slopes, state):
+    """The Taylor coefficients of each lane from its initial terms. slopes : of `branch_of`"""
     widest_vectors()
     for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
         start = InitialTerms(
@@ -152,9 +164,8 @@ def lane_taylor_coefficients(lanes, constants, order, state):
             state[STEP_P2 + k],
             state[FORCING + k],
         )
-        v, growth = taylor_coefficients(
-            state[PHI + k], start, state[FACTOR + k], state[SLOPE + k], constants.strength, order
-        )
+        factor, slope, _, _ = branch_of(k, slopes, state)
+        v, growth = taylor_coefficients(state[PHI + k], start, factor, slope, constants.strength, order)
         set_higher_terms(k, v, order, state)
         state[GROWTH + k] = growth
 
@@ -176,7 +187,7 @@ def series_of(k, order, state):
 
 
 @subkernel
-def shorten_steps(lanes, dt, constants, order, state):
+def shorten_steps(lanes, dt, constants, order, slopes, state):
     """Where a series has not converged, the first half, quarter, ... of the step in its place, as
     `taylor_bounds.converged_part`; where MAX_HALVINGS are not enough, GROWTH is MAX_GROWTH or more. Where all steps
     are whole, the rows are as before. Returns how many steps are not."""
@@ -186,7 +197,7 @@ def shorten_steps(lanes, dt, constants, order, state):
         v, growth, p2 = series_of(k, order, state), state[GROWTH + k], state[STEP_P2 + k]
         rise, forcing, t = state[RISE + k], state[FORCING + k], state[TIME + k]
         omitted = neglected(v, growth, forcing, rise, p2, constants.strength, order)
-        branch = state[FACTOR + k], state[SLOPE + k], state[CONSTANT + k], state[HELD + k]
+        branch = branch_of(k, slopes, state)
         tolerance = constants.tolerance
         relative = relative_tolerance(state[PHI + k], v[0], forcing, p2, branch, constants)
         part = 1.0
@@ -231,7 +242,7 @@ def stay_in_sample(lanes, state):
 
 
 @subkernel
-def vector_step(lanes, dt, constants, order, state):
+def vector_step(lanes, dt, constants, order, slopes, state):
     """One step of each lane to the end of its sample by its series, where nothing else happens in it, and NEXT of
     each; of a shortened step, see `stay_in_sample`. (Initial terms, coefficients and step are three loops: in one the
     processor waits for each lane's results.)
@@ -248,7 +259,7 @@ def vector_step(lanes, dt, constants, order, state):
         high, moving, left = state[HIGH + k], state[MOVING + k], state[LEFT + k] - 1.0
         t, first, impacts = state[TIME + k], state[FIRST + k], state[IMPACTS + k]
         second = state[SCALE + k] * state[SECOND + k]
-        branch = state[FACTOR + k], state[SLOPE + k], state[CONSTANT + k], state[HELD + k]
+        branch = branch_of(k, slopes, state)
         relative = relative_tolerance(x, v[0], forcing, p2, branch, constants)
         omitted = neglected(v, growth, forcing, rise, p2, constants.strength, order)
         long = (omitted > min(tolerance, relative)) | (growth >= MAX_GROWTH)
@@ -257,7 +268,7 @@ def vector_step(lanes, dt, constants, order, state):
         upper = max(x, y)
         push = largest_push(upper, forcing, p2, constants, *branch[:3])
         reach = 0.125 * push
-        margin = turning_margin(v[0], dv, rise, forcing + state[SLOPE + k], p2, constants.strength, push)
+        margin = turning_margin(v[0], dv, rise, plus(forcing, branch[1]), p2, constants.strength, push)
         after = v[0] + dv
         bend, bulges, stays = shape(v, x - low, dphi, dv, 1.0)
         near = (min(x, y) - low <= reach) & (min(v[0], after) <= margin)
@@ -402,9 +413,7 @@ def step_of_lane(k, dt, model, constants, order, block, state):
         seen = seen_from(model, block.side)
         branch = moment_branch(block.zone, seen)
         first, second = state[FIRST + k], state[SCALE + k] * state[SECOND + k]
-        v, start, part = converged_step(
-            block, first, second, state[TIME + k], dt, branch, seen, constants, order
-        )
+        v, start, part = converged_step(block, first, second, state[TIME + k], dt, branch, seen, constants, order)
     return v, start, part
 
 
