@@ -22,6 +22,7 @@ from core.rocking.early_stop import (
     settled,
 )
 from core.rocking.events import IMPACTS_PER_SAMPLE, REST_FRACTION, end_of_record, next_uplift
+from core.rocking.lane_events import gather_falling, scalar_step, scatter_impact
 from core.rocking.lane_state import (
     FALLS,
     FIRST,
@@ -31,6 +32,7 @@ from core.rocking.lane_state import (
     LONG,
     MOVING,
     NEXT,
+    PART,
     PEAK,
     PER_STEP,
     PHI,
@@ -50,12 +52,9 @@ from core.rocking.lane_state import (
     set_lane,
 )
 from core.rocking.lanes import (
-    gather_falling,
     lane_initial_terms,
     lane_taylor_coefficients,
     locate_impacts,
-    scalar_step,
-    scatter_impact,
     shorten_steps,
     stay_in_sample,
     vector_step,
@@ -226,7 +225,7 @@ def remove_lane(k, lanes, numbers, state):
 def make_lane_kernel(order):
     """The kernel of one pass, specialised at compile time for order 6 or 8.
 
-    Length: it holds the kernel, one loop over the steps of all lanes that shares their counts.
+    Length: it holds the kernel.
     """
 
     @kernel
@@ -248,6 +247,8 @@ def make_lane_kernel(order):
         clamped,
     ):
         """These analyses, up to WIDTH at a time.
+
+        Length: one loop over the steps of all lanes, whose parts share its counts.
 
         ground : of `Grounds` [m/s2], shape (n,)
         ahead : of `Grounds`, shape (4, n)
@@ -282,6 +283,7 @@ def make_lane_kernel(order):
                 state[SCALE + lanes] = scales[waiting]
                 state[STRONGEST + lanes] = abs(scales[waiting]) * strongest[record] * PER_G
                 state[PEAK + lanes] = 0.0
+                state[PART + lanes] = 1.0
                 skip_to_uplift(lanes, firsts[record], lasts[record], dt, model, thresholds, ground, ahead, state)
                 waiting += 1
                 if state[SAMPLE + lanes] < lasts[record]:

@@ -27,7 +27,7 @@ GROWTH                    -               of `taylor_series.taylor_coefficients`
 END_TIME                  -               TIME at the end of a shortened step
 START, BEFORE             m/s2, -         FIRST and IMPACTS before it
 FALL                                      rows PHI to v8 of the lanes that fall, gathered side by side
-PLAIN                     -               of such a lane: MOVES or RESTS after an impact that is located, else NOT_LOCATED
+PLAIN                     -               of such a lane: MOVES or RESTS after an impact located, else NOT_LOCATED
 """
 
 from core.jit.decorators import inner_kernel

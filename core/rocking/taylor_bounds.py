@@ -68,7 +68,8 @@ def relative_tolerance(x, speed, forcing, p2, branch, constants):
     """Largest omitted term of a step in relation to what its acceleration moves [rad].
 
     x, speed : rotation [rad] and velocity [rad per step] at its start; forcing, p2 : as `turning_margin`
-    branch : (factor, slope, constant, cosine factor) of the moment law, slope None where it has none; constants : WallConstants
+    branch : (factor, slope, constant, cosine factor) of the moment law, slope None where it has none
+    constants : WallConstants
     """
     factor, slope, constant, _ = branch
     moment = largest_moment(factor, constants.sine, slope, x + abs(speed), constant)

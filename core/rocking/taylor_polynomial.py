@@ -131,10 +131,10 @@ def landing(v, gap, h):
     """(first time in (0, h] at which gap + phi(t) - phi(0) falls to zero, bound of that sum until then, whether
     this is sure); gap not negative.
 
-    From the root of the parabola, where phi'' is first outward and then falls that of the cubic without the gap,
-    or the end, two Newton steps on the cubic and three third-order steps. The time found is the first one where phi'' is negative until then, or where phi''' keeps its sign and phi' thus
-    turns from outward to inward once. (1.001 and 1.998, for 1 and 2, are margins for rounding on the side of a
-    larger bound.)
+    From the root of the parabola, or where phi'' is outward at first and then inward that of the cubic without the gap,
+    or from the end, two Newton steps on the cubic and three third-order steps. The time found is the first one where
+    phi'' is negative until then, or where phi''' keeps its sign and phi' thus turns from outward to inward once.
+    (1.001 and 1.998, for 1 and 2, are margins for rounding on the side of a larger bound.)
     """
     # v1 < 0: v0 + root over -v1; else 3/4 v1 + root over -v2, from v0 + v1 t/2 + v2 t^2/3 = 0
     inward = v[1] < 0.0

@@ -151,9 +151,11 @@ def series(speed, net, sine, cosine, beta, rise, p2, factor, slope, order):
     order 6. The velocity is then of the named order, the rotation one higher.
 
     Eq. 1 on one branch of the moment law, phi'' = -p2 (f sin(alpha - phi) + m phi + c) + p2 (beta + dbeta t)
-    cos(alpha - phi), with s_n, k_n the coefficients of sin and cos of alpha - phi, is the recurrence
-        n s_n = -sum_(i<n) v_i k_(n-1-i),   n k_n = sum_(i<n) v_i s_(n-1-i),
-        n v_n = -p2 (f s_(n-1) + m v_(n-2)/(n-1)) + p2 (beta k_(n-1) + dbeta k_(n-2)).
+    cos(alpha - phi). With S_n, K_n the n-th derivatives of sin and cos of alpha - phi at the start and V_n those of
+    phi', and sums over i < n with the binomial coefficients of n - 1, differentiated n - 1 times:
+        S_n = -sum C_i V_i K_(n-1-i),   K_n = sum C_i V_i S_(n-1-i),
+        V_n = -p2 (f S_(n-1) + m V_(n-2)) + p2 (beta K_(n-1) + (n - 1) dbeta K_(n-2)),   v_n = V_n / n!
+    Here v2 to v8, s and k are these derivatives until the end, w2 to w6 the coefficients; a1 to a5 are C_i V_i.
     In each sum the term known last comes last, so that the processor waits for one product only.
 
     speed : phi' at the start, v0 [rad per step]

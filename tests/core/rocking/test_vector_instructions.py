@@ -51,8 +51,8 @@ def optimisation_level(features):
 
 
 def processors(own):
-    """Name -> (LLVM's machine, level of optimisation): of the levels machine code is shipped for, as numba would make it
-    there, and of this processor, numba's `own`."""
+    """Name -> (LLVM's machine, level of optimisation), of the levels machine code is shipped for, as numba would make
+    it there, and of this processor, numba's `own`."""
     import llvmlite.binding as llvm
 
     fused = [name for name in LEVELS if "fma" in LEVELS[name]]
