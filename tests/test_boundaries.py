@@ -87,6 +87,7 @@ SHOWN_BY = {
     "jit/kernel": "tests/core/jit/test_decorators.py",
     "rocking/events": "tests/validation/test_energy.py",
     "rocking/history": "tests/validation/test_reference_histories.py",
+    "rocking/lane_events": "tests/core/rocking/test_lanes.py",
     "rocking/lane_scheduler": "tests/core/rocking/test_lanes.py",
     "rocking/lane_state": "tests/core/rocking/test_lanes.py",
     "rocking/methods": ORDER,

@@ -13,7 +13,7 @@ from numba.extending import lower_builtin, type_callable, typeof_impl
 
 from core.jit import cache
 from core.jit.fma import fma
-from core.jit.kernel import Kernel, widest_vectors
+from core.jit.kernel import Kernel, only_with, widest_vectors
 from core.known_internals import internals_known
 
 config.reload_config()
@@ -103,6 +103,21 @@ def _type_of_kernel(value, context):
 @type_callable(widest_vectors)
 def _nothing(context):
     return lambda: types.none
+
+
+@type_callable(only_with)
+def _value_or_none(context):
+    return lambda given, value: types.none if isinstance(given, types.NoneType) else value
+
+
+@lower_builtin(only_with, types.Float, types.Float)
+def _value(context, builder, signature, arguments):
+    return arguments[1]
+
+
+@lower_builtin(only_with, types.NoneType, types.Float)
+def _none(context, builder, signature, arguments):
+    return context.get_dummy_value()
 
 
 @type_callable(fma)

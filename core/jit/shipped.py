@@ -39,6 +39,15 @@ def level() -> str:
     return next((name for name in shipped if has >= LEVELS[name]), "")
 
 
+def has_wide_vectors() -> bool:
+    """Whether kernels are compiled for vector registers of 512 bits, of which there are 32."""
+    if level():
+        return level() == "x86-64-v4"
+    from llvmlite.binding import get_host_cpu_features
+
+    return bool(get_host_cpu_features().get("avx512vl"))
+
+
 def whole_files(name: str) -> dict[str, bytes]:
     """File name -> content of the machine code shipped for a level; none where one is missing or damaged."""
     folder = FOLDER / name

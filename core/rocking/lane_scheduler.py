@@ -22,6 +22,7 @@ from core.rocking.early_stop import (
     settled,
 )
 from core.rocking.events import IMPACTS_PER_SAMPLE, REST_FRACTION, end_of_record, next_uplift
+from core.rocking.lane_events import gather_falling, scalar_step, scatter_impact
 from core.rocking.lane_state import (
     FALLS,
     FIRST,
@@ -31,6 +32,7 @@ from core.rocking.lane_state import (
     LONG,
     MOVING,
     NEXT,
+    PART,
     PEAK,
     PER_STEP,
     PHI,
@@ -50,12 +52,9 @@ from core.rocking.lane_state import (
     set_lane,
 )
 from core.rocking.lanes import (
-    gather_falling,
     lane_initial_terms,
     lane_taylor_coefficients,
     locate_impacts,
-    scalar_step,
-    scatter_impact,
     shorten_steps,
     stay_in_sample,
     vector_step,
@@ -64,6 +63,10 @@ from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.rocking.taylor_series import PER_G, wall_constants
 from core.wall.moment_rotation import zone_of
 from core.wall.rocking_model import seen_from
+
+LONG_FOR = 4
+"""Passes over the lanes in which steps are shortened, after one was: where each sample takes two parts, the second
+is whole."""
 
 
 @dataclass(frozen=True)
@@ -222,14 +225,30 @@ def remove_lane(k, lanes, numbers, state):
 def make_lane_kernel(order):
     """The kernel of one pass, specialised at compile time for order 6 or 8.
 
-    Length: it holds the kernel, one loop over the steps of all lanes that shares their counts.
+    Length: it holds the kernel.
     """
 
     @kernel
     def one_pass(
-        ground, ahead, dt, firsts, lasts, strongest, which, scales, model, numbers, state, outcomes, peaks, clamped
+        ground,
+        ahead,
+        dt,
+        firsts,
+        lasts,
+        strongest,
+        which,
+        scales,
+        model,
+        slopes,
+        numbers,
+        state,
+        outcomes,
+        peaks,
+        clamped,
     ):
         """These analyses, up to WIDTH at a time.
+
+        Length: one loop over the steps of all lanes, whose parts share its counts.
 
         ground : of `Grounds` [m/s2], shape (n,)
         ahead : of `Grounds`, shape (4, n)
@@ -239,6 +258,7 @@ def make_lane_kernel(order):
         which : record of each analysis, int64, shape (m,)
         scales : multipliers [-], shape (m,), negative reverses the record
         model : RockingModel
+        slopes : of `lanes.branch_of`: the kernel is specialised at compile time for the rigid law
         numbers : room to work, int64, shape (3 * WIDTH,)
         state : of lane_state.py, zeros, shape (ROWS * ROW,)
         outcomes : results, codes of outcome.py, int64, shape (m,)
@@ -255,7 +275,7 @@ def make_lane_kernel(order):
         fastest = 0.5 * model.p2 * (model.slenderness + (constants.strength - 1.0)) * loss * (LOOKAHEAD - 1) * dt
         waiting = zero
         lanes = zero
-        long = zero + 1  # steps to be shortened; 1 at first, which sets the rows of whole steps
+        long = zero + 1  # passes in which steps may be shortened; 1 at first, which sets the rows of whole steps
         while True:
             while lanes < WIDTH and waiting < scales.size:
                 record = which[waiting]
@@ -263,6 +283,7 @@ def make_lane_kernel(order):
                 state[SCALE + lanes] = scales[waiting]
                 state[STRONGEST + lanes] = abs(scales[waiting]) * strongest[record] * PER_G
                 state[PEAK + lanes] = 0.0
+                state[PART + lanes] = 1.0
                 skip_to_uplift(lanes, firsts[record], lasts[record], dt, model, thresholds, ground, ahead, state)
                 waiting += 1
                 if state[SAMPLE + lanes] < lasts[record]:
@@ -273,12 +294,14 @@ def make_lane_kernel(order):
                     peaks[waiting - 1] = 0.0
             if lanes == 0:
                 break
-            lane_initial_terms(lanes, dt, model, constants, state)
-            lane_taylor_coefficients(lanes, constants, order, state)
+            lane_initial_terms(lanes, dt, model, constants, slopes, state)
+            lane_taylor_coefficients(lanes, constants, order, slopes, state)
+            shorter = zero
             if long > 0:
-                long = shorten_steps(lanes, dt, constants, order, state)
-            vector_step(lanes, dt, constants, order, state)
-            if long > 0:
+                shorter = shorten_steps(lanes, dt, constants, order, slopes, state)
+                long = LONG_FOR if shorter > 0 else long - 1
+            vector_step(lanes, dt, constants, order, slopes, state)
+            if shorter > 0:
                 stay_in_sample(lanes, state)
             count = load_next_sample(lanes, ground, busy, state)
             falling = gather_falling(count, busy, state)
@@ -292,8 +315,9 @@ def make_lane_kernel(order):
                 outcome = STABLE
                 if step >= FALLS:
                     falling -= int(step == FALLS)
-                    long += int(step == LONG)
-                    if step >= SCALAR or not scatter_impact(k, falling, model, state):
+                    if step == LONG:
+                        long = LONG_FOR
+                    if step >= SCALAR or not scatter_impact(k, falling, dt, model, thresholds, state):
                         outcome, clamps = scalar_step(k, dt, model, constants, order, zero, state)
                         clamped[lane[k]] += clamps
                     if state[IMPACTS + k] > IMPACTS_PER_SAMPLE:
@@ -353,6 +377,7 @@ def scan(order, grounds, which, scales, model, outcomes, peaks):
         which,
         scales,
         model,
+        None if model.plateau_end == 0.0 else 1.0,
         numbers,
         state,
         outcomes,

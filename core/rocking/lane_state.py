@@ -15,6 +15,7 @@ HELD                      -               its cosine factor
 NEXT                      -               one of STEPPED, CHECK, FALLS, SCALAR, LONG
 SAMPLE                    -               number of the sample
 LEFT                      -               samples until the next check of whether the analysis has ended
+KINKS, KINK_SAMPLE        -               kinks since the last impact in that sample
 PHI, SPEED                rad, rad/s      rotation seen from the pivot and its rate
 TIME                      -               where in the sample the lane is, 0 to 1
 PER_STEP                  1/s             one over the time of the step
@@ -26,7 +27,7 @@ GROWTH                    -               of `taylor_series.taylor_coefficients`
 END_TIME                  -               TIME at the end of a shortened step
 START, BEFORE             m/s2, -         FIRST and IMPACTS before it
 FALL                                      rows PHI to v8 of the lanes that fall, gathered side by side
-PLAIN                     -               1.0 where the impact of such a lane is located by vector instructions
+PLAIN                     -               of such a lane: MOVES or RESTS after an impact located, else NOT_LOCATED
 """
 
 from core.jit.decorators import inner_kernel
@@ -57,6 +58,8 @@ ROW = WIDTH + 8
     NEXT,
     SAMPLE,
     LEFT,
+    KINKS,
+    KINK_SAMPLE,
     PHI,
     SPEED,
     TIME,
@@ -64,8 +67,8 @@ ROW = WIDTH + 8
     PEAK,
     PART,
     SERIES,
-) = (ROW * row for row in range(24))
-LANE_ROWS = 23
+) = (ROW * row for row in range(26))
+LANE_ROWS = 25
 """Rows that move with a lane to another place: all before SERIES."""
 FALL_ROWS = 15
 """Rows from PHI to v8."""
@@ -78,7 +81,9 @@ ROWS = PLAIN // ROW + 1
 
 STEPPED, CHECK, FALLS, SCALAR, LONG = 0.0, 1.0, 2.0, 3.0, 4.0
 """NEXT of a lane after a vector step: stepped; the same, and due to be checked for its end; falling to an
-impact in its sample; to be taken through its sample by the scalar step; the same, as its series has not converged."""
+impact in its sample; to be taken by the scalar step; the same, as its series has not converged."""
+
+NOT_LOCATED, MOVES, RESTS = 0.0, 1.0, 2.0
 
 VECTOR = 8
 """Lanes are stepped in multiples of this, so that no remainder is left to scalar instructions; those beyond the

@@ -4,13 +4,13 @@ Loops without branches over contiguous lanes, which the compiler turns into vect
 loaded before the conditions: a load under one, `a[k] if c else b`, keeps a loop scalar): the initial terms of
 the step to the end of each lane's sample, its Taylor coefficients, what comes of it, and the impacts of the lanes
 that fall. A step whose series has not converged is taken in parts, down to a sixteenth. A lane whose step is not that
-plain (a kink, a new peak, an outward pull while it falls) takes it by `taylor.through_sample`, so that results equal
-those of single analyses bit for bit (resources/docs/physics.md, section 10).
+plain (a kink, a new peak, an outward pull while it falls) takes it by `lane_events.scalar_step`, so that results
+equal those of single analyses bit for bit (resources/docs/physics.md, section 10).
 """
 
 from core.jit.decorators import inner_kernel, subkernel, widest_vectors
 from core.jit.fma import fma
-from core.rocking.events import BlockState
+from core.jit.kernel import only_with
 from core.rocking.lane_state import (
     BEFORE,
     BETA,
@@ -20,7 +20,6 @@ from core.rocking.lane_state import (
     END_TIME,
     FACTOR,
     FALL,
-    FALL_ROWS,
     FALLS,
     FIRST,
     FORCING,
@@ -31,14 +30,17 @@ from core.rocking.lane_state import (
     LEFT,
     LONG,
     LOW,
+    MOVES,
     MOVING,
     NET,
     NEXT,
+    NOT_LOCATED,
     PART,
     PEAK,
     PER_STEP,
     PHI,
     PLAIN,
+    RESTS,
     RISE,
     ROW,
     SAMPLE,
@@ -53,22 +55,20 @@ from core.rocking.lane_state import (
     START,
     STEP_P2,
     STEPPED,
-    STRONGEST,
     TIME,
     VECTOR,
-    ZONE,
-    set_lane,
 )
-from core.rocking.taylor import peak_may_grow, through_sample
+from core.rocking.taylor import peak_may_grow
 from core.rocking.taylor_bounds import (
     MAX_GROWTH,
     largest_push,
     neglected,
+    plus,
     relative_tolerance,
     shortened,
     turning_margin,
 )
-from core.rocking.taylor_polynomial import change, increment, landing, shape
+from core.rocking.taylor_polynomial import change, landing, shape, whole_step
 from core.rocking.taylor_series import (
     SHORT_SERIES,
     InitialTerms,
@@ -76,22 +76,31 @@ from core.rocking.taylor_series import (
     sine_and_cosine_short,
     taylor_coefficients,
 )
-from core.wall.moment_rotation import FAR, zone_of
-from core.wall.rocking_model import sides_differ
+from core.wall.moment_rotation import FAR
 
 MAX_HALVINGS = 4
 """Parts of a step that are taken by vector instructions: down to a sixteenth."""
 
 
+@inner_kernel
+def branch_of(k, slopes, state):
+    """(factor, slope, constant, cosine factor) of the branch of lane k; slope and constant None for the rigid law.
+
+    slopes : None for the rigid law, for which the loops are compiled without the terms of a slope, else 1.0
+    """
+    slope, constant = only_with(slopes, state[SLOPE + k]), only_with(slopes, state[CONSTANT + k])
+    return state[FACTOR + k], slope, constant, state[HELD + k]
+
+
 @subkernel
-def lane_initial_terms(lanes, dt, model, constants, state):
-    """`InitialTerms` of the step of each lane to the end of its sample."""
+def lane_initial_terms(lanes, dt, model, constants, slopes, state):
+    """`InitialTerms` of the step of each lane to the end of its sample. slopes : of `branch_of`"""
     widest_vectors()
     for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
         second = state[SCALE + k] * state[SECOND + k]
         x = state[PHI + k]
         s, c = sine_and_cosine_short(x)
-        branch = state[FACTOR + k], state[SLOPE + k], state[CONSTANT + k], state[HELD + k]
+        branch = branch_of(k, slopes, state)
         start = initial_terms(
             x,
             state[SPEED + k],
@@ -131,8 +140,8 @@ def set_higher_terms(k, v, order, state):
 
 
 @subkernel
-def lane_taylor_coefficients(lanes, constants, order, state):
-    """The Taylor coefficients of each lane from its initial terms."""
+def lane_taylor_coefficients(lanes, constants, order, slopes, state):
+    """The Taylor coefficients of each lane from its initial terms. slopes : of `branch_of`"""
     widest_vectors()
     for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
         start = InitialTerms(
@@ -145,9 +154,8 @@ def lane_taylor_coefficients(lanes, constants, order, state):
             state[STEP_P2 + k],
             state[FORCING + k],
         )
-        v, growth = taylor_coefficients(
-            state[PHI + k], start, state[FACTOR + k], state[SLOPE + k], constants.strength, order
-        )
+        factor, slope, _, _ = branch_of(k, slopes, state)
+        v, growth = taylor_coefficients(state[PHI + k], start, factor, slope, constants.strength, order)
         set_higher_terms(k, v, order, state)
         state[GROWTH + k] = growth
 
@@ -169,7 +177,7 @@ def series_of(k, order, state):
 
 
 @subkernel
-def shorten_steps(lanes, dt, constants, order, state):
+def shorten_steps(lanes, dt, constants, order, slopes, state):
     """Where a series has not converged, the first half, quarter, ... of the step in its place, as
     `taylor_bounds.converged_part`; where MAX_HALVINGS are not enough, GROWTH is MAX_GROWTH or more. Where all steps
     are whole, the rows are as before. Returns how many steps are not."""
@@ -179,7 +187,7 @@ def shorten_steps(lanes, dt, constants, order, state):
         v, growth, p2 = series_of(k, order, state), state[GROWTH + k], state[STEP_P2 + k]
         rise, forcing, t = state[RISE + k], state[FORCING + k], state[TIME + k]
         omitted = neglected(v, growth, forcing, rise, p2, constants.strength, order)
-        branch = state[FACTOR + k], state[SLOPE + k], state[CONSTANT + k], state[HELD + k]
+        branch = branch_of(k, slopes, state)
         tolerance = constants.tolerance
         relative = relative_tolerance(state[PHI + k], v[0], forcing, p2, branch, constants)
         part = 1.0
@@ -224,7 +232,7 @@ def stay_in_sample(lanes, state):
 
 
 @subkernel
-def vector_step(lanes, dt, constants, order, state):
+def vector_step(lanes, dt, constants, order, slopes, state):
     """One step of each lane to the end of its sample by its series, where nothing else happens in it, and NEXT of
     each; of a shortened step, see `stay_in_sample`. (Initial terms, coefficients and step are three loops: in one the
     processor waits for each lane's results.)
@@ -241,17 +249,16 @@ def vector_step(lanes, dt, constants, order, state):
         high, moving, left = state[HIGH + k], state[MOVING + k], state[LEFT + k] - 1.0
         t, first, impacts = state[TIME + k], state[FIRST + k], state[IMPACTS + k]
         second = state[SCALE + k] * state[SECOND + k]
-        branch = state[FACTOR + k], state[SLOPE + k], state[CONSTANT + k], state[HELD + k]
+        branch = branch_of(k, slopes, state)
         relative = relative_tolerance(x, v[0], forcing, p2, branch, constants)
         omitted = neglected(v, growth, forcing, rise, p2, constants.strength, order)
         long = (omitted > min(tolerance, relative)) | (growth >= MAX_GROWTH)
-        dphi = increment(v, 1.0)
-        dv = change(v, 1.0)
+        dphi, dv = whole_step(v)
         y = x + dphi
         upper = max(x, y)
         push = largest_push(upper, forcing, p2, constants, *branch[:3])
         reach = 0.125 * push
-        margin = turning_margin(v[0], dv, rise, forcing + state[SLOPE + k], p2, constants.strength, push)
+        margin = turning_margin(v[0], dv, rise, plus(forcing, branch[1]), p2, constants.strength, push)
         after = v[0] + dv
         bend, bulges, stays = shape(v, x - low, dphi, dv, 1.0)
         near = (min(x, y) - low <= reach) & (min(v[0], after) <= margin)
@@ -281,7 +288,8 @@ def vector_step(lanes, dt, constants, order, state):
 
 @subkernel
 def locate_impacts(falling, dt, model, rest_below, order, state):
-    """The impact of each lane that falls: time in the sample, speed after it, and whether this located it.
+    """The impact of each lane that falls: time in the sample, speed after it, whether this located it, and whether the
+    wall then rests unless the ground lifts it.
 
     rest_below : [rad/s], see `events.stops_rocking`.
     """
@@ -294,87 +302,12 @@ def locate_impacts(falling, dt, model, rest_below, order, state):
         part, top, found = landing(v, state[PHI + k], 1.0)
         speed = fma(change(v, part), state[PER_STEP + k], state[SPEED + k])
         arriving = max(-speed, 0.0)
-        ratio = max(model.ratio_at_rest - model.ratio_drop * arriving * arriving, 0.0)
-        speed = ratio * arriving
+        ratio = model.ratio_at_rest - model.ratio_drop * arriving * arriving
+        speed = max(ratio, 0.0) * arriving
         t = fma(part * state[PART + k], 1.0 - t, t)
-        plain = found & (top <= state[PEAK + k]) & (part < 1.0) & (t < 1.0) & (speed >= rest_below)
-        state[PLAIN + j] = 1.0 if plain else 0.0
+        plain = found & (top <= state[PEAK + k]) & (part < 1.0) & (t < 1.0) & (ratio >= 0.0)
+        after = RESTS if speed < rest_below else MOVES
+        state[PLAIN + j] = after if plain else NOT_LOCATED
         state[SPEED + k] = speed
         state[TIME + k] = t
         state[PER_STEP + k] = 1.0 / (dt * (1.0 - t))
-
-
-@inner_kernel
-def gather_falling(count, busy, state):
-    """Copy the lanes that fall to where they lie side by side. busy : numbers of `count` lanes, all that
-    fall among them; returns how many do."""
-    falling = 0
-    for j in range(count):
-        k = busy[j]
-        if state[NEXT + k] == FALLS:
-            for row in range(FALL_ROWS):
-                state[FALL + ROW * row + falling] = state[PHI + ROW * row + k]
-            falling += 1
-    return falling
-
-
-@inner_kernel
-def scatter_impact(k, j, model, state):
-    """Take over the impact of lane k from the j-th of the falls; False if it was not located."""
-    if state[PLAIN + j] == 0.0:
-        return False
-    state[PHI + k] = 0.0
-    state[SPEED + k] = state[FALL - PHI + SPEED + j]
-    state[TIME + k] = state[FALL - PHI + TIME + j]
-    state[PER_STEP + k] = state[FALL - PHI + PER_STEP + j]
-    state[IMPACTS + k] += 1.0
-    if model.one_sided == 0.0:
-        side = -state[SIDE + k]
-        state[SIDE + k] = side
-        if sides_differ(model):
-            set_lane(k, side, 0.0, state[SPEED + k], zone_of(0.0, model), model, state)
-    return True
-
-
-@inner_kernel
-def scalar_step(k, dt, model, constants, order, zero, state):
-    """Carry lane k to its next impact or through its sample. Returns (outcome so far, clamped ratios).
-
-    k : lane
-    dt : the sample [s]
-    model : RockingModel
-    constants : WallConstants
-    order : of the series, 6 or 8
-    zero : of int64
-    state : of lane_state.py, shape (ROWS * ROW,)
-    """
-    block = BlockState(
-        state[SIDE + k],
-        state[PHI + k],
-        state[SPEED + k],
-        state[MOVING + k] != 0.0,
-        int(state[ZONE + k]),
-        state[PEAK + k],
-        zero,
-        zero,
-    )
-    outcome, time, _, block = through_sample(
-        state[FIRST + k],
-        state[SCALE + k] * state[SECOND + k],
-        dt,
-        model,
-        constants,
-        order,
-        state[STRONGEST + k],
-        block,
-        state[TIME + k],
-    )
-    side, phi, speed, moving, zone, peak, impacts, clamped = block
-    set_lane(k, side, phi, speed, zone, model, state)
-    state[MOVING + k] = 1.0 if moving else 0.0
-    state[PEAK + k] = peak
-    state[IMPACTS + k] += impacts
-    state[TIME + k] = time
-    if time < 1.0:
-        state[PER_STEP + k] = 1.0 / (dt * (1.0 - time))
-    return outcome, clamped

@@ -5,7 +5,15 @@ from core.jit.decorators import subkernel
 from core.jit.fma import fma
 from core.rocking.taylor import Crossing
 from core.rocking.taylor_bounds import converged_part, neglected, relative_tolerance, shortened
-from core.rocking.taylor_polynomial import CURVATURE, RATE, bracketed_root, change, curvature, part_turning_once
+from core.rocking.taylor_polynomial import (
+    CURVATURE,
+    RATE,
+    bracketed_root,
+    change,
+    curvature,
+    increment,
+    part_turning_once,
+)
 from core.rocking.taylor_series import PER_G, InitialTerms, WallConstants, sine_and_cosine
 
 ORDER = 8
@@ -131,8 +139,8 @@ def until_turn(v, event):
         lowest = bracketed_root(v, 0.0, CURVATURE, 0.0, part)
         if v[0] + change(v, lowest) < 0.0:
             turn = bracketed_root(v, 0.0, RATE, 0.0, lowest)
-    if turn >= 0.0:
-        return Crossing(turn, -1.0, event.falls, event.margin, event.bend, event.reach), True
-    if part < event.part:
-        return Crossing(part, -1.0, event.falls, event.margin, event.bend, event.reach), False
-    return event, False
+    if turn < 0.0 and part >= event.part:
+        return event, False
+    end = turn if turn >= 0.0 else part
+    dphi, dv = increment(v, end), change(v, end)
+    return Crossing(end, -1.0, event.falls, event.margin, event.bend, event.reach, dphi, dv), turn >= 0.0

@@ -14,6 +14,7 @@ from core.rocking.early_stop import cannot_recover
 from core.rocking.events import IMPACTS_PER_SAMPLE, BlockState, end_of_record, leave_impact, next_uplift
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.rocking.taylor_bounds import (
+    MAX_GROWTH,
     converged_part,
     largest_push,
     neglected,
@@ -29,6 +30,7 @@ from core.rocking.taylor_polynomial import (
     landing,
     part_turning_once,
     shape,
+    whole_step,
 )
 from core.rocking.taylor_series import (
     SHORT_SERIES,
@@ -49,6 +51,7 @@ class Crossing(NamedTuple):
     crossing : the same where the block then is at an end of its branch, else -1.0. (A flag here costs a fifth.)
     falls : that end is the lower one
     margin, bend, reach : bounds for `peak_may_grow`
+    dphi, dv : changes of phi [rad] and of phi' [rad per step] in it
     """
 
     part: float
@@ -57,6 +60,8 @@ class Crossing(NamedTuple):
     margin: float
     bend: float
     reach: float
+    dphi: float
+    dv: float
 
 
 @inner_kernel
@@ -106,8 +111,9 @@ def converged_step(state, ground0, ground1, t, dt, branch, model, constants, ord
         state.phi, start.speed, start.forcing, start.p2, (factor, slope, constant, held), constants
     )
     tail = neglected(v, growth, start.forcing, start.rise, start.p2, constants.strength, order)
-    part = converged_part(tail, growth, order, constants.tolerance, relative)
-    if part < 1.0:
+    part = 1.0
+    if not (tail <= min(constants.tolerance, relative) and growth < MAX_GROWTH):
+        part = converged_part(tail, growth, order, constants.tolerance, relative)
         v, p2, rise = shortened(v, start.p2, start.rise, part)
         start = InitialTerms(v[0], start.net, start.sine, start.cosine, start.beta, rise, p2, start.forcing)
     return v, start, part
@@ -121,8 +127,7 @@ def first_event(v, start, phi, branch, constants):
     # a chord stays within 1/8 max|phi''| of the curve, one of the speed within the margin: far from
     # both ends of the branch, or moving away from it, nothing happens
     part = 1.0
-    dphi = increment(v, part)
-    dv = change(v, part)
+    dphi, dv = whole_step(v)
     push = largest_push(max(phi, phi + dphi), start.forcing, start.p2, constants, factor, slope, constant)
     reach = 0.125 * push
     margin = turning_margin(v[0], dv, start.rise, start.forcing + slope, start.p2, constants.strength, push)
@@ -145,7 +150,10 @@ def first_event(v, start, phi, branch, constants):
         crossing = crossing if falls else above
     if crossing >= 0.0:
         part = crossing
-    return Crossing(part, crossing, falls, margin, bend, reach)
+    if crossing >= 0.0 or part < 1.0:
+        dphi = increment(v, part)
+        dv = change(v, part)
+    return Crossing(part, crossing, falls, margin, bend, reach, dphi, dv)
 
 
 @inner_kernel
@@ -156,8 +164,7 @@ def advance(state, v, shortened_to, event, t, dt):
     event : Crossing
     """
     phi, peak, part = state.phi, state.peak, event.part
-    dphi = increment(v, part)
-    dv = change(v, part)
+    dphi, dv = event.dphi, event.dv
     if min(v[0], -(v[0] + dv)) > -2.0 * event.margin and peak_may_grow(phi, dphi, v[0], event.bend, event.reach, peak):
         peak = max(peak, phi + interior_maximum(v, part))
     speed = fma(dv, 1.0 / (dt * (1.0 - t)) * (1.0 / shortened_to), state.speed)

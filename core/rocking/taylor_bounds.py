@@ -50,14 +50,31 @@ def neglected(v, growth, forcing, rise, p2, strength, order):
 
 
 @inner_kernel
+def plus(x, slope):
+    """x + slope; x where the law has no slope (None)."""
+    if slope is None:
+        return x
+    return x + slope
+
+
+@inner_kernel
+def largest_moment(factor, sine, slope, rotation, constant):
+    """factor sine + slope rotation + constant [-]; slope and constant None where the law has none."""
+    if slope is None:
+        return factor * sine
+    return fma(slope, rotation, fma(factor, sine, constant))
+
+
+@inner_kernel
 def relative_tolerance(x, speed, forcing, p2, branch, constants):
     """Largest omitted term of a step in relation to what its acceleration moves [rad].
 
     x, speed : rotation [rad] and velocity [rad per step] at its start; forcing, p2 : as `turning_margin`
-    branch : (factor, slope, constant, cosine factor) of the moment law; constants : WallConstants
+    branch : (factor, slope, constant, cosine factor) of the moment law, slope None where it has none
+    constants : WallConstants
     """
     factor, slope, constant, _ = branch
-    moment = fma(slope, x + abs(speed), fma(factor, constants.sine, constant))
+    moment = largest_moment(factor, constants.sine, slope, x + abs(speed), constant)
     return RELATIVE_TOLERANCE * p2 * (forcing + moment)
 
 
@@ -112,10 +129,12 @@ def largest_push(upper, forcing, p2, constants, factor, slope, constant):
     p2 : p^2 times the step squared [-]
     constants : WallConstants
     factor : sine factor of the branch of the moment law [-]
-    slope : of that branch [-]
+    slope : of that branch [-], None where the law has none
     constant : of that branch [-]
     """
     sine = factor * (fma(0.125 * p2, constants.strength + forcing, upper) + constants.sine_bound)
+    if slope is None:
+        return p2 * (sine + forcing)
     moment = fma(slope, upper, constant + sine)
     return p2 * ((moment + forcing) * fma(0.2 * p2, slope, 1.0))
 

@@ -32,6 +32,17 @@ def change(v, t):
 
 
 @inner_kernel
+def whole_step(v):
+    """(phi(1) - phi(0) [rad], phi'(1) - phi'(0) [rad per step]): `increment` and `change` at the end of the step. The
+    terms come in as they become known, v8 last, and v0, by far the largest, is added to their sum."""
+    low = fma(0.25, v[3], fma(1.0 / 3.0, v[2], 0.5 * v[1]))
+    high = fma(0.125, v[7], fma(1.0 / 7.0, v[6], fma(1.0 / 6.0, v[5], 0.2 * v[4])))
+    dphi = v[0] + fma(1.0 / 9.0, v[8], low + high)
+    dv = ((v[1] + v[2]) + (v[3] + v[4])) + ((v[5] + v[6]) + v[7]) + v[8]
+    return dphi, dv
+
+
+@inner_kernel
 def curvature(v, t):
     """phi''(t) [rad per step squared]."""
     tail = fma(t, fma(t, fma(t, 8.0 * v[8], 7.0 * v[7]), 6.0 * v[6]), 5.0 * v[5])
@@ -120,13 +131,18 @@ def landing(v, gap, h):
     """(first time in (0, h] at which gap + phi(t) - phi(0) falls to zero, bound of that sum until then, whether
     this is sure); gap not negative.
 
-    From the root of the parabola or the end two Newton steps on the cubic and three third-order steps. The
-    time found is the first one where phi'' is negative until then, or where phi''' keeps its sign and phi' thus
-    turns from outward to inward once. (1.001 and 1.998, for 1 and 2, are margins for rounding on the side of a
-    larger bound.)
+    From the root of the parabola, or where phi'' is outward at first and then inward that of the cubic without the gap,
+    or from the end, two Newton steps on the cubic and three third-order steps. The time found is the first one where
+    phi'' is negative until then, or where phi''' keeps its sign and phi' thus turns from outward to inward once.
+    (1.001 and 1.998, for 1 and 2, are margins for rounding on the side of a larger bound.)
     """
-    root = math.sqrt(max(fma(v[0], v[0], -2.0 * v[1] * gap), 0.0))
-    time = min(-(v[0] + root) / v[1], h) if v[1] < 0.0 else h
+    # v1 < 0: v0 + root over -v1; else 3/4 v1 + root over -v2, from v0 + v1 t/2 + v2 t^2/3 = 0
+    inward = v[1] < 0.0
+    square = fma(v[0], v[0], -2.0 * v[1] * gap) if inward else fma(0.5625 * v[1], v[1], -3.0 * v[2] * v[0])
+    root = math.sqrt(max(square, 0.0))
+    divisor = v[1] if inward else v[2]
+    time = min(-((v[0] if inward else 0.75 * v[1]) + root) / divisor, h)
+    time = time if inward | ((v[2] < 0.0) & (v[0] >= 0.0)) else h
     for _ in range(2):
         off = fma(time, fma(time, fma(time, (1.0 / 3.0) * v[2], 0.5 * v[1]), v[0]), gap)
         slope = fma(time, fma(time, v[2], v[1]), v[0])

@@ -11,7 +11,7 @@ from typing import NamedTuple
 from core.jit.decorators import inner_kernel, subkernel
 from core.jit.fma import fma
 from core.rocking.events import uplift_thresholds
-from core.rocking.taylor_bounds import SERIES_TOLERANCE
+from core.rocking.taylor_bounds import SERIES_TOLERANCE, plus
 from core.units import G
 
 SHORT_SERIES = 0.8
@@ -88,6 +88,30 @@ def largest_strength(restoring):
 
 
 @inner_kernel
+def with_slope(x, y, z, slope):
+    """x y + slope z; x y where the law has no slope (None)."""
+    if slope is None:
+        return x * y
+    return fma(x, y, slope * z)
+
+
+@inner_kernel
+def with_line(x, y, slope, rotation, constant):
+    """x y + slope rotation + constant; x y where the law has no slope (None)."""
+    if slope is None:
+        return x * y
+    return fma(x, y, fma(slope, rotation, constant))
+
+
+@inner_kernel
+def over_step(slope, p2):
+    """-p2 slope; None where the law has none."""
+    if slope is None:
+        return slope
+    return -p2 * slope
+
+
+@inner_kernel
 def initial_terms(x, speed, s, c, side, first, second, t, dt, branch, model, constants):
     """InitialTerms of a step from t to the end of the sample.
 
@@ -98,7 +122,8 @@ def initial_terms(x, speed, s, c, side, first, second, t, dt, branch, model, con
     first, second : ground acceleration at the ends of the sample [m/s2]
     t : start of the step as a fraction of the sample [-]
     dt : the sample [s]
-    branch : (factor, slope, constant, cosine factor) of the moment law [-]
+    branch : (factor, slope, constant, cosine factor) of the moment law [-]; slope and constant None where the law has
+        none, specialised at compile time
     model : RockingModel as the pivot sees it
     constants : WallConstants
     """
@@ -112,11 +137,11 @@ def initial_terms(x, speed, s, c, side, first, second, t, dt, branch, model, con
     beta = fma(pull, fma(jump, t, first), -held)
     rise = pull * jump * rest_of_sample
     forcing = max(abs(first), abs(second)) * PER_G
-    sine = fma(sine_alpha, c, -cosine_alpha * s)
-    cosine = fma(cosine_alpha, c, sine_alpha * s)
+    sine = fma(-cosine_alpha, s, sine_alpha * c)
+    cosine = fma(sine_alpha, s, cosine_alpha * c)
     # factor sin(alpha - phi) - beta cos(alpha - phi), without its cancellation near uplift
-    net = fma(-s, fma(factor, cosine_alpha, beta * sine_alpha), fma(slope, x, constant))
-    net = fma(cosine_alpha * fma(factor, tangent, -beta), c, net)
+    net = with_line(cosine_alpha * fma(factor, tangent, -beta), c, slope, x, constant)
+    net = fma(-s, fma(factor, cosine_alpha, beta * sine_alpha), net)
     return InitialTerms(speed * step, net, sine, cosine, beta, rise, p2, forcing)
 
 
@@ -126,9 +151,11 @@ def series(speed, net, sine, cosine, beta, rise, p2, factor, slope, order):
     order 6. The velocity is then of the named order, the rotation one higher.
 
     Eq. 1 on one branch of the moment law, phi'' = -p2 (f sin(alpha - phi) + m phi + c) + p2 (beta + dbeta t)
-    cos(alpha - phi), with s_n, k_n the coefficients of sin and cos of alpha - phi, is the recurrence
-        n s_n = -sum_(i<n) v_i k_(n-1-i),   n k_n = sum_(i<n) v_i s_(n-1-i),
-        n v_n = -p2 (f s_(n-1) + m v_(n-2)/(n-1)) + p2 (beta k_(n-1) + dbeta k_(n-2)).
+    cos(alpha - phi). With S_n, K_n the n-th derivatives of sin and cos of alpha - phi at the start and V_n those of
+    phi', and sums over i < n with the binomial coefficients of n - 1, differentiated n - 1 times:
+        S_n = -sum C_i V_i K_(n-1-i),   K_n = sum C_i V_i S_(n-1-i),
+        V_n = -p2 (f S_(n-1) + m V_(n-2)) + p2 (beta K_(n-1) + (n - 1) dbeta K_(n-2)),   v_n = V_n / n!
+    Here v2 to v8, s and k are these derivatives until the end, w2 to w6 the coefficients; a1 to a5 are C_i V_i.
     In each sum the term known last comes last, so that the processor waits for one product only.
 
     speed : phi' at the start, v0 [rad per step]
@@ -137,42 +164,48 @@ def series(speed, net, sine, cosine, beta, rise, p2, factor, slope, order):
     beta : of `InitialTerms` [-]
     rise : dbeta, change of beta over the step [-]
     p2 : p^2 times the step squared [-]
-    factor, slope : f and m of the branch of the moment law [-]
+    factor, slope : f and m of the branch of the moment law [-]; m None where the law has no slope
     order : of the series, 6 or 8
     """
-    factor, slope = -p2 * factor, -p2 * slope
+    factor, slope = -p2 * factor, over_step(slope, p2)
     beta, rise = p2 * beta, p2 * rise
     v0 = speed
     v1 = -p2 * net
     s1 = -v0 * cosine
     k1 = v0 * sine
-    v2 = 0.5 * fma(beta, k1, fma(factor, s1, fma(rise, cosine, slope * v0)))
-    s2 = -0.5 * fma(v0, k1, v1 * cosine)
-    k2 = 0.5 * fma(v0, s1, v1 * sine)
-    v3 = (1.0 / 3.0) * fma(beta, k2, fma(factor, s2, fma(rise, k1, slope * (0.5 * v1))))
-    s3 = (-1.0 / 3.0) * fma(v0, k2, fma(v2, cosine, v1 * k1))
-    k3 = (1.0 / 3.0) * fma(v0, s2, fma(v2, sine, v1 * s1))
-    v4 = 0.25 * fma(beta, k3, fma(factor, s3, fma(rise, k2, slope * ((1.0 / 3.0) * v2))))
-    s4 = -0.25 * fma(v0, k3, fma(v3, cosine, fma(v1, k2, v2 * k1)))
-    k4 = 0.25 * fma(v0, s3, fma(v3, sine, fma(v1, s2, v2 * s1)))
-    v5 = 0.2 * fma(beta, k4, fma(factor, s4, fma(rise, k3, slope * (0.25 * v3))))
-    s5 = -0.2 * fma(v0, k4, fma(v4, cosine, fma(v1, k3, fma(v3, k1, v2 * k2))))
-    k5 = 0.2 * fma(v0, s4, fma(v4, sine, fma(v1, s3, fma(v3, s1, v2 * s2))))
-    v6 = (1.0 / 6.0) * fma(beta, k5, fma(factor, s5, fma(rise, k4, slope * (0.2 * v4))))
+    v2 = fma(beta, k1, fma(factor, s1, with_slope(rise, cosine, v0, slope)))
+    s2 = fma(-v0, k1, -(v1 * cosine))
+    k2 = fma(v0, s1, v1 * sine)
+    twice = rise + rise
+    v3 = fma(beta, k2, fma(factor, s2, with_slope(twice, k1, v1, slope)))
+    double = v1 + v1
+    s3 = fma(-v0, k2, -fma(v2, cosine, double * k1))
+    k3 = fma(v0, s2, fma(v2, sine, double * s1))
+    thrice = twice + rise
+    v4 = fma(beta, k3, fma(factor, s3, with_slope(thrice, k2, v2, slope)))
+    a1, a2 = double + v1, 3.0 * v2
+    s4 = fma(-v0, k3, -fma(v3, cosine, fma(a1, k2, a2 * k1)))
+    k4 = fma(v0, s3, fma(v3, sine, fma(a1, s2, a2 * s1)))
+    four = twice + twice
+    v5 = fma(beta, k4, fma(factor, s4, with_slope(four, k3, v3, slope)))
+    a1, a2, a3 = double + double, 6.0 * v2, 4.0 * v3
+    s5 = fma(-v0, k4, -fma(v4, cosine, fma(a3, k1, fma(a1, k3, a2 * k2))))
+    k5 = fma(v0, s4, fma(v4, sine, fma(a3, s1, fma(a1, s3, a2 * s2))))
+    v6 = fma(beta, k5, fma(factor, s5, with_slope(four + rise, k4, v4, slope)))
+    w2, w3, w4, w5, w6 = 0.5 * v2, (1.0 / 6.0) * v3, (1.0 / 24.0) * v4, (1.0 / 120.0) * v5, (1.0 / 720.0) * v6
     if order == 6:
-        return v0, v1, v2, v3, v4, v5, v6, 0.0, 0.0
-    s6 = fma(v0, k5, fma(v5, cosine, fma(v1, k4, fma(v4, k1, fma(v2, k3, v3 * k2)))))
-    k6 = fma(v0, s5, fma(v5, sine, fma(v1, s4, fma(v4, s1, fma(v2, s3, v3 * s2)))))
-    s6, k6 = (-1.0 / 6.0) * s6, (1.0 / 6.0) * k6
-    v7 = fma(beta, k6, fma(factor, s6, fma(rise, k5, slope * ((1.0 / 6.0) * v5))))
-    v7 = (1.0 / 7.0) * v7
-    s7 = fma(v2, k4, v3 * k3)
-    k7 = fma(v2, s4, v3 * s3)
-    s7 = fma(v0, k6, fma(v6, cosine, fma(v1, k5, fma(v5, k1, fma(v4, k2, s7)))))
-    k7 = fma(v0, s6, fma(v6, sine, fma(v1, s5, fma(v5, s1, fma(v4, s2, k7)))))
-    v8 = fma(rise, k6, slope * ((1.0 / 7.0) * v6))
-    v8 = 0.125 * fma((1.0 / 7.0) * beta, k7, fma((-1.0 / 7.0) * factor, s7, v8))
-    return v0, v1, v2, v3, v4, v5, v6, v7, v8
+        return v0, v1, w2, w3, w4, w5, w6, 0.0, 0.0
+    a1, a2, a3, a4 = 5.0 * v1, 10.0 * v2, 10.0 * v3, 5.0 * v4
+    s6 = fma(-v0, k5, -fma(v5, cosine, fma(a4, k1, fma(a1, k4, fma(a3, k2, a2 * k3)))))
+    k6 = fma(v0, s5, fma(v5, sine, fma(a4, s1, fma(a1, s4, fma(a3, s2, a2 * s3)))))
+    v7 = fma(beta, k6, fma(factor, s6, with_slope(thrice + thrice, k5, v5, slope)))
+    a1, a2, a3, a4, a5 = 6.0 * v1, 15.0 * v2, 20.0 * v3, 15.0 * v4, 6.0 * v5
+    s7 = fma(a4, k2, fma(a2, k4, a3 * k3))
+    k7 = fma(a4, s2, fma(a2, s4, a3 * s3))
+    s7 = fma(-v0, k6, -fma(v6, cosine, fma(a5, k1, fma(a1, k5, s7))))
+    k7 = fma(v0, s6, fma(v6, sine, fma(a5, s1, fma(a1, s5, k7))))
+    v8 = fma(beta, k7, fma(factor, s7, with_slope(fma(4.0, rise, thrice), k6, v6, slope)))
+    return v0, v1, w2, w3, w4, w5, w6, (1.0 / 5040.0) * v7, (1.0 / 40320.0) * v8
 
 
 @inner_kernel
@@ -188,7 +221,8 @@ def taylor_coefficients(x, start, factor, slope, strength, order):
     # at uplift phi'' is zero or outward; its rounding must not push the block down
     v1 = max(v[1], 0.0) if (x == 0.0) & (start.speed == 0.0) else v[1]
     v = (v[0], v1, v[2], v[3], v[4], v[5], v[6], v[7], v[8])
-    return v, fma(start.p2, strength + start.forcing + slope, start.speed * start.speed)
+    bound = plus(strength + start.forcing, slope)
+    return v, fma(start.p2, bound, start.speed * start.speed)
 
 
 @inner_kernel

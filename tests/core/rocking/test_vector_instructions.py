@@ -19,30 +19,53 @@ LOOPS = {
     if isinstance(value, Kernel) and "widest_vectors" in value.py_func.__code__.co_names
 }
 CASES = [
-    (name, order)
+    (name, order, slopes)
     for name, loop in LOOPS.items()
     for order in ((6, 8) if "order" in inspect.signature(loop).parameters else (8,))
+    for slopes in ((True, False) if "slopes" in inspect.signature(loop).parameters else (True,))
 ]
+"""Loop, order of the series, whether the law has slopes."""
 SCALAR = re.compile(r"\sv?(?:add|sub|mul|min|max|fn?m(?:add|sub)\d+|u?comi|cmp\w*)sd\s.*")
-"""Sums, products and comparisons of one double. (A scalar that all lanes share is made before the loop by a division
-or loaded.)"""
+"""Sums, products and comparisons of one double."""
 PACKED = re.compile(r"\sv?(?:add|sub|mul|fn?m(?:add|sub)\d+|and|blendv|cmp\w*)pd\s.*%[yz]mm")
 
 
+JUMP = re.compile(r"^\tj\w+\s(\.L\w+)$")
+
+
+def loops_of(text):
+    """The lines between each label and the last jump back to it: what all lanes share is computed before them."""
+    lines = text.splitlines()
+    labels = {line[:-1]: number for number, line in enumerate(lines) if line.startswith(".L") and line.endswith(":")}
+    ends = {}
+    for number, line in enumerate(lines):
+        jump = JUMP.match(line)
+        if jump and labels.get(jump[1], number) < number:
+            ends[labels[jump[1]]] = number
+    return ["\n".join(lines[start:end]) for start, end in ends.items()]
+
+
+def optimisation_level(features):
+    """As `cache.configure_numba` sets it for a processor."""
+    return 2 if "avx512vl" in features else 1
+
+
 def processors(own):
-    """Name -> LLVM's machine: of the levels machine code is shipped for, as numba would make it there, and of this
-    processor, numba's `own`."""
+    """Name -> (LLVM's machine, level of optimisation), of the levels machine code is shipped for, as numba would make
+    it there, and of this processor, numba's `own`."""
     import llvmlite.binding as llvm
 
     fused = [name for name in LEVELS if "fma" in LEVELS[name]]
     target = llvm.Target.from_triple(llvm.get_process_triple())
-    made = {
-        name: target.create_target_machine(
-            cpu=name, features="", opt=1, reloc="static", codemodel="jitdefault", jit=True
+    made = {}
+    for name in fused:
+        level = optimisation_level(LEVELS[name])
+        machine = target.create_target_machine(
+            cpu=name, features="", opt=level, reloc="static", codemodel="jitdefault", jit=True
         )
-        for name in fused
-    }
-    return {**made, "this one": own} if llvm.get_host_cpu_features().get("fma") else made
+        made[name] = machine, level
+    has = {name for name, there in llvm.get_host_cpu_features().items() if there}
+    return {**made, "this one": (own, optimisation_level(has))} if "fma" in has else made
 
 
 @pytest.fixture
@@ -50,7 +73,7 @@ def assembly(monkeypatch):
     """A loop's assembly for several processors: it is compiled once, and optimised for each as numba would do there."""
     cache.configure_numba()
     from numba import njit, typeof, types
-    from numba.core import codegen
+    from numba.core import codegen, config
 
     import core.jit.numba_extensions  # noqa: F401  (what numba has to know of kernels)
 
@@ -60,8 +83,9 @@ def assembly(monkeypatch):
     def for_each_processor(library):
         if library.name in LOOPS:
             whole, own = library._final_module, library._codegen._tm
-            for name, machine in processors(own).items():
+            for name, (machine, level) in processors(own).items():
                 library._final_module, library._codegen._tm = whole.clone(), machine
+                monkeypatch.setattr(config, "OPT", type(config.OPT)(level))
                 optimise(library)
                 found[name] = machine.emit_assembly(library._final_module)
             library._final_module, library._codegen._tm = whole, own
@@ -69,7 +93,7 @@ def assembly(monkeypatch):
 
     monkeypatch.setattr(codegen.CPUCodeLibrary, "_optimize_final_module", for_each_processor)
 
-    def make(function, order):
+    def make(function, order, slopes):
         number, whole = types.float64, types.int64
         known = {
             "lanes": whole,
@@ -77,6 +101,7 @@ def assembly(monkeypatch):
             "dt": number,
             "rest_below": number,
             "order": types.literal(order),
+            "slopes": number if slopes else types.none,
             "model": typeof(RockingModel(0.1, 2.0, 0.0, 0.9, 0.0, 0.0, 0.0)),
             "state": number[::1],
             "constants": typeof(WallConstants((1.0, 1.0), *(1.0,) * (len(WallConstants._fields) - 1))),
@@ -89,10 +114,12 @@ def assembly(monkeypatch):
 
 
 @pytest.mark.skipif(platform.machine().lower() not in ("x86_64", "amd64"), reason="reads assembly of x86-64")
-@pytest.mark.parametrize("name, order", CASES)
-def test_that_a_loop_over_lanes_is_vector_instructions_on_every_processor(assembly, name, order):
-    found = assembly(LOOPS[name], order)
+@pytest.mark.parametrize("name, order, slopes", CASES)
+def test_that_a_loop_over_lanes_is_vector_instructions_on_every_processor(assembly, name, order, slopes):
+    found = assembly(LOOPS[name], order, slopes)
     assert len(found) >= 2
     for processor, text in found.items():
-        assert not SCALAR.findall(text), processor
-        assert PACKED.search(text), processor
+        loops = loops_of(text)
+        assert any(PACKED.search(loop) for loop in loops), processor
+        for loop in loops:
+            assert not SCALAR.findall(loop), processor
