@@ -1,15 +1,15 @@
 """Find by name: fields, walls, pages, actions (Ctrl+K)."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDialog, QLineEdit, QListWidget, QVBoxLayout
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QDialog, QLineEdit, QListWidget, QMenu, QVBoxLayout
 
 from app.input.fields import Field
 from app.look.language import tr
 from app.look.section import unfold_to
-from app.shell.menus import every_action
 
 MOST = 60
 """Entries that are listed."""
@@ -20,6 +20,16 @@ class Entry(NamedTuple):
 
     words: str
     go: Callable[[], None]
+
+
+def every_action(menu: QMenu) -> Iterator[QAction]:
+    """The entries of a menu and of those inside it."""
+    for action in menu.actions():
+        inside = action.menu()
+        if inside is not None:
+            yield from every_action(inside)
+        elif not action.isSeparator():
+            yield action
 
 
 def entries_of(window) -> list[Entry]:

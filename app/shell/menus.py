@@ -1,6 +1,5 @@
 """The menus of the window."""
 
-from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
@@ -130,16 +129,6 @@ def add(window, menu, label: str, slot, keys=None) -> QAction:
         window.actions_with_keys.append(action)
     menu.addAction(action)
     return action
-
-
-def every_action(menu: QMenu) -> Iterator[QAction]:
-    """The entries of a menu and of those inside it."""
-    for action in menu.actions():
-        inside = action.menu()
-        if inside is not None:
-            yield from every_action(inside)
-        elif not action.isSeparator():
-            yield action
 
 
 def choices(window, menu, label: str, setting: str, names: dict, current: str) -> None:
