@@ -78,6 +78,7 @@ class Bars(QWidget):
         self.setAccessibleName("; ".join(words_of(side) for side in sides))
 
     def paintEvent(self, event) -> None:
+        """A bar a side, its words behind it, the line of what is required."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         font = QFont(self.font())
@@ -250,6 +251,7 @@ class ClientView(QDialog):
             self.write(path)
 
     def write(self, path: Path) -> None:
+        """Write a file of `content` by the end of its name."""
         try:
             atomic_write.write({path: self.content(path.suffix.lower())})
         except (InputError, OutputError) as error:

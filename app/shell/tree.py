@@ -172,6 +172,7 @@ class Chips(QStyledItemDelegate):
         return QSize(60, round(1.75 * option.fontMetrics.height()))
 
     def paint(self, painter: QPainter, option, index) -> None:
+        """The mark of the chosen row, the chip, then the words in what room is left."""
         row: Row = index.data(Qt.ItemDataRole.UserRole)
         painter.save()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)

@@ -33,9 +33,6 @@ from core.study.results import Q_SOURCES, StudyResult, WallResult
 from core.text.sentence import Number, sentence, word
 from core.units import G
 
-IMPORTANT = 4
-"""Lines of what is to be done and what limits the verdict that stand below it; the others are folded."""
-
 MIN_HEIGHT = 340
 """Of ladder and peaks together [px]: below it the page scrolls."""
 
@@ -150,7 +147,6 @@ class CheckTab(QWidget):
         tint.setAlpha(26)
         edges = f"border: 1px solid {shade}; border-left: 8px solid {shade};"
         self.banner.setStyleSheet(f"QFrame#verdict {{ {edges} background: {tint.name(QColor.NameFormat.HexArgb)}; }}")
-        rows, colors = [], []
         for widget in (self.ladder, self.more, self.important):
             widget.setVisible(assessment is not None)
         if assessment is None:
@@ -165,15 +161,24 @@ class CheckTab(QWidget):
         self.heading.setText(f"{wall.name}: {word(verdict.code, self.language)}, ζ {digits(verdict.zeta_e)}")
         self.heading.setStyleSheet(f"font-size: 16pt; font-weight: 700; color: {shade};")
         self.sentence.setText(sentence_of(result, wall, self.language))
-        self.important.setText("\n".join(lines_of(result, wall, self.language, ("to_do", "limits"))[:IMPORTANT]))
-        others = lines_of(result, wall, self.language, ("to_do", "limits"))[IMPORTANT:]
-        others += lines_of(result, wall, self.language, ("note", "reason")) + tie_lines(wall, self.language)
+        self.important.setText("\n".join(lines_of(result, wall, self.language, ("to_do", "limits"))))
+        others = lines_of(result, wall, self.language, ("note", "reason")) + tie_lines(wall, self.language)
         if assessment.kinematic:
             others.insert(0, self._mechanism(assessment))
         self._fold([*others, *self._warnings(result, wall)])
         self.ladder.show_rungs([self._rung(check, verdict) for check in assessment.checks], verdict.zeta_target)
         self.facts.setText(self._facts(result, wall))
-        for check, decides in assessment.shown:
+        self.table.show_rows(*self._rows(result, wall))
+        self.peaks.caption = f"{wall.name}, {word(wall.mechanism, self.language)}"
+        if assessment.dynamic:
+            self._bars(assessment.dynamic)
+        else:
+            self.peaks.say_why(tr("No dynamic check: it needs records and a demand at SLV or SLC."))
+
+    def _rows(self, result: StudyResult, wall: WallResult) -> tuple[list, list]:
+        """Rows of the table and their colours: checks, Eq. 9, what research estimates."""
+        rows, colors = [], []
+        for check, decides in wall.assessment.shown:
             color = theme.current.good if check.passed else theme.current.bad
             outcome = "no_number" if check.passed is None else "passed" if check.passed else "not_passed"
             if check.name == "floor_sld":
@@ -226,12 +231,7 @@ class CheckTab(QWidget):
                 ]
             )
             colors.append([theme.current.quiet] * 8)
-        self.table.show_rows(rows, colors)
-        self.peaks.caption = f"{wall.name}, {word(wall.mechanism, self.language)}"
-        if assessment.dynamic:
-            self._bars(assessment.dynamic)
-        else:
-            self.peaks.say_why(tr("No dynamic check: it needs records and a demand at SLV or SLC."))
+        return rows, colors
 
     def _mechanism(self, assessment) -> str:
         """Free to vibrate or restrained, T_0, and what the dynamic check says beside zeta_E."""

@@ -91,6 +91,19 @@ class HistoriesTab(QWidget):
         for name, speed in (("1×", 1.0), ("½×", 0.5), ("¼×", 0.25), ("1⁄10×", 0.1)):
             self.speed.addItem(name, speed)
         self.speed.activated.connect(lambda _: self._again_from_here())
+        self._lay_out()
+        self.timer = QTimer(self)
+        self.timer.setInterval(33)
+        self.timer.timeout.connect(self._frame)
+        self.clock = QElapsedTimer()
+        self.started = 0.0
+        self.shown = None
+        self.history = self.second = None
+        self.cursors = []
+        self.bars: list[BarHistory] = []
+
+    def _lay_out(self) -> None:
+        """The walls beside the panels, what is chosen above them."""
         bar = QHBoxLayout()
         self.record.setMinimumWidth(60)
         bar.addWidget(self.record, 1)
@@ -131,15 +144,6 @@ class HistoriesTab(QWidget):
         self.words.setWordWrap(True)
         layout.addWidget(self.words)
         layout.addWidget(row, 1)
-        self.timer = QTimer(self)
-        self.timer.setInterval(33)
-        self.timer.timeout.connect(self._frame)
-        self.clock = QElapsedTimer()
-        self.started = 0.0
-        self.shown = None
-        self.history = self.second = None
-        self.cursors = []
-        self.bars: list[BarHistory] = []
 
     def show_wall(self, result: StudyResult, wall: WallResult) -> None:
         """Fill the tab from one wall of a result."""

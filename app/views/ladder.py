@@ -57,6 +57,7 @@ class Ladder(QWidget):
         return QSize(300, self.sizeHint().height())
 
     def paintEvent(self, event) -> None:
+        """A row a check, then the line of the zeta required."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         ink, quiet = QColor(theme.current.ink), QColor(theme.current.quiet)
