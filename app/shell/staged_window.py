@@ -34,6 +34,7 @@ class StagedWindow(RunningWindow):
     """
 
     shown = -1
+    _spectra: tuple = ()
     fresh: set[QWidget]
     header: Header
     tree: ProjectTree
@@ -161,7 +162,10 @@ class StagedWindow(RunningWindow):
         result = self.session.result
         rules = result.compliance if result and not self.session.stale else None
         floor = self.wall.floor if self.wall and not self.session.stale else None
-        self.pages["spectra"].content.show_records(self.records.motions, target, rules, floor)
+        shown = ([id(motion) for motion in self.records.motions], target, rules, floor, self.pages["spectra"].content)
+        if shown != self._spectra:  # else a key typed costs the spectra of all records
+            self._spectra = shown
+            self.pages["spectra"].content.show_records(self.records.motions, target, rules, floor)
 
     @property
     def wall(self) -> WallResult | None:

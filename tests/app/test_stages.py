@@ -1,0 +1,199 @@
+"""The frame of the window: stages, tree, what is missing, finding, the drawing under the hand, the client's view."""
+
+import os
+from dataclasses import replace
+
+import pytest
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
+
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QColor, QImage
+from PySide6.QtTest import QTest
+
+from app.look import theme
+from app.shell import client_view, finder, first_run
+from core.case.loads import Load
+from core.case.reader import read_case
+from core.case.schema import AS_IS, DESIGNED
+from core.case.site import Demand
+from tests.app.driving import run, settle, type_into
+
+
+def chips(window) -> dict[str, str]:
+    return {row.text: row.chip for row in window.tree.rows}
+
+
+def test_that_a_run_leads_to_the_answer_and_the_tree_says_zeta(opened, application):
+    assert opened.stages.front == "input" and chips(opened)["w"] == ""
+    opened.session.edit_section("report", author="N. N.")
+    run(application, opened)
+    zeta = opened.session.result.walls[0].assessment.verdict.zeta_e
+    assert opened.page == "check" and chips(opened)["w"] == f"{zeta:.2f}"
+    content = opened.pages["check"].content
+    assert content.ladder.rungs[0].zeta == zeta and f"{zeta:.2f}" in content.heading.text()
+    # nothing that limits the verdict is folded
+    verdict = opened.session.result.walls[0].assessment.verdict
+    assert len(content.important.text().splitlines()) >= len(verdict.to_do) + len(verdict.limits)
+    assert "ζ" in content.facts.text() and content.reasons.isHidden()
+    content.notes.click()
+    assert not content.reasons.isHidden()
+    for number, name in enumerate(("input", "answer", "why", "report"), start=1):
+        QTest.keyClick(opened, getattr(Qt.Key, f"Key_{number}"), Qt.KeyboardModifier.AltModifier)
+        opened.show_stage(name)
+        assert opened.stages.front == name and opened.header.buttons[name].isChecked()
+
+
+def test_that_all_that_is_missing_is_listed_each_with_its_field(opened, application):
+    opened.walls.add()
+    opened.session.edit(replace(opened.session.case, demand=Demand("")))
+    opened.show_input("wall", 1)
+    words = [problem.words for problem in opened.missing.problems]
+    assert len(words) >= 3 and not opened.run_button.isEnabled() and opened.missing.isVisible()
+    for k, problem in enumerate(opened.missing.problems):
+        opened.missing.lines.linkActivated.emit(str(k))
+        application.processEvents()
+        assert opened.stages.front == "input", problem.words
+    opened.show_stage("answer")
+    assert opened.header.notice.isVisible() and str(len(words)) in opened.header.notice.text()
+
+
+def test_that_a_field_a_wall_and_an_action_are_found_by_name(opened):
+    found = finder.Finder(opened)
+    found.line.setText("modulus")
+    assert found.fitting and "modulus" in found.fitting[0].words.lower()
+    found._go()
+    assert opened.walls.fields["elastic_modulus_mpa"].isVisible()
+    for words, shown in (("paste walls", "Paste walls"), ("w", "w")):
+        again = finder.Finder(opened)
+        again.line.setText(words)
+        assert any(entry.words.startswith(shown) for entry in again.fitting)
+
+
+def test_that_the_drawing_leads_to_fields_and_drags_a_load(opened, application):
+    load = Load("vertical", 5.0, 3.0, 0.25, "none")
+    opened.session.edit_wall(0, load=(load,), unit_weight_kn_m3=18.0)
+    opened.show_input("wall", 0)
+    application.processEvents()
+    drawing = opened.walls.drawing
+    drawing.grab()
+    area = next(area for area, kind, _ in drawing.spots if kind == "load")
+    at = area.center().toPoint()
+    QTest.mousePress(drawing, Qt.MouseButton.LeftButton, pos=at)
+    assert opened.walls.sections["loads"].head.isChecked()
+    level = QPoint(at.x(), round(drawing.base_y - 4.2 * drawing.scale))
+    event = QTest.mouseMove
+    event(drawing, level)
+    drawing.dragged = 0
+    from PySide6.QtCore import QEvent
+    from PySide6.QtGui import QMouseEvent
+
+    left = Qt.MouseButton.LeftButton
+    moved = QMouseEvent(QEvent.Type.MouseMove, QPointF(level), QPointF(level), left, left, Qt.KeyboardModifier(0))
+    application.sendEvent(drawing, moved)
+    QTest.mouseRelease(drawing, left, pos=level)
+    assert opened.session.case.wall[0].load[0].h_m == pytest.approx(4.2, abs=0.05)
+    opened.session.undo()
+    assert opened.session.case.wall[0].load[0].h_m == 3.0
+
+
+def test_that_a_variant_is_one_click_and_the_client_sees_before_and_after(opened, application, tmp_path):
+    opened.walls.add_variant()
+    assert [wall.variant for wall in opened.session.case.wall] == [AS_IS, DESIGNED]
+    assert opened.walls.current == 1
+    opened.session.edit_wall(1, thickness_m=0.8)
+    record = opened.session.case.record[0]
+    assert record.include
+    run(application, opened)
+    opened.pick(0)
+    sides = client_view.sides_of(opened.session.result, opened.wall)
+    verdicts = [wall.assessment.verdict for wall in opened.session.result.walls]
+    assert [side.share for side in sides] == [one.zeta_e / one.zeta_target for one in verdicts]
+    view = client_view.ClientView(opened, "title", sides)
+    view.resize(700, 500)
+    view.write(tmp_path / "v.png")
+    view.write(tmp_path / "v.pdf")
+    assert QImage(str(tmp_path / "v.png")).width() > 500
+    assert (tmp_path / "v.pdf").read_bytes()[:5] == b"%PDF-"
+    assert f"{100 * sides[0].share:.0f} %" in client_view.words_of(sides[0])
+    before = view.drawings[0].rotation
+    view.set_time(0.0)
+    assert view.drawings[0].rotation == 0.0 and before == pytest.approx(
+        sides[0].rotation[abs(sides[0].rotation).argmax()], abs=1.5
+    )
+    view.deleteLater()
+
+
+def test_that_the_first_page_asks_what_there_is_and_goes_with_the_first_choice(opened, application):
+    opened.show_first_run()
+    page = opened.stages.first
+    assert set(page.buttons) == {"wall", "table", "records", "paper", "example"}
+    page.buttons["wall"].click()
+    assert opened.stages.first is None and opened.stages.front == "input"
+    assert len(opened.session.case.wall) == 1 and opened.walls.fields["height_m"].isVisible()
+    opened.show_first_run()
+    first_run.follow(opened, "example")
+    assert opened.stages.front == "input"
+
+
+@pytest.mark.parametrize("name", ["light", "dark"])
+def test_that_words_stand_out_from_what_is_behind_them(name):
+    """WCAG 2: at least 4.5 for text, 3 for what is chosen."""
+    chosen = theme.THEMES[name]
+
+    def light(color: str) -> float:
+        parts = [QColor(color).redF(), QColor(color).greenF(), QColor(color).blueF()]
+        linear = [part / 12.92 if part <= 0.03928 else ((part + 0.055) / 1.055) ** 2.4 for part in parts]
+        return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+    def contrast(one: str, other: str) -> float:
+        low, high = sorted((light(one), light(other)))
+        return (high + 0.05) / (low + 0.05)
+
+    for tone in ("good", "amber", "bad", "quiet", "ink"):
+        assert contrast(getattr(chosen, tone), chosen.back) >= 4.5, tone
+        assert contrast(getattr(chosen, tone), chosen.window) >= 4.5, tone
+    assert contrast(chosen.curves[0], chosen.back) >= 3.0
+
+
+def test_that_any_state_of_the_forms_saves_and_opens_equal(opened, tmp_path):
+    """A walk through the forms: after every step the case is saved and read again as it is."""
+    import numpy as np
+
+    draw = np.random.default_rng(5)
+    steps = (
+        lambda: opened.walls.add(),
+        lambda: opened.walls.add_variant(),
+        lambda: opened.walls.loads.add(draw.choice(["vertical", "thrust", "tie", "carried_mass"])),
+        lambda: opened.walls._mechanism_chosen(draw.choice(["one_sided", "two_sided", "both"])),
+        lambda: opened.demand.given.setChecked(not opened.demand.given.isChecked()),
+        lambda: opened.demand._kind_chosen(int(draw.integers(0, 3))) if opened.session.case.demand else None,
+        lambda: opened.demand.building.given.setChecked(not opened.demand.building.given.isChecked()),
+        lambda: opened.walls.loads.bars.setChecked(not opened.walls.loads.bars.isChecked()),
+        lambda: opened.walls.loads.across.setChecked(not opened.walls.loads.across.isChecked()),
+        lambda: type_into(opened.walls.fields["height_m"], str(draw.integers(1, 12))),
+        lambda: opened.session.undo(),
+        lambda: opened.walls.delete(),
+    )
+    for k in range(60):
+        steps[int(draw.integers(0, len(steps)))]()
+        opened.session.save(tmp_path / "walk.toml")
+        case = opened.session.case
+        opened.session.open(tmp_path / "walk.toml")
+        assert opened.session.case == case, k
+        opened.refresh()
+
+
+def test_that_a_complete_case_reads_back_from_the_forms(opened):
+    opened.files.save()
+    assert read_case(opened.session.path) == opened.session.case
+
+
+def test_that_a_wide_window_shows_the_rocking_wall_beside_the_answer(opened, application):
+    run(application, opened)
+    opened.resize(1920, 1040)
+    settle(application, lambda: opened.stages.answer.has_beside())
+    assert opened.beside.content.history is not None
+    opened.resize(1280, 800)
+    settle(application, lambda: not opened.stages.answer.has_beside())
