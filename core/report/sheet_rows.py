@@ -112,7 +112,7 @@ class SheetRows:
             return sink.text
         start = f'<c r="{place}"{self._style(cell)}'
         if kind == "f":
-            known = self.cached[self.sheet.title, place]
+            known: Any = self.cached[self.sheet.title, place]
             if isinstance(known, str):
                 return f'{start} t="str"><f>{escape(value[1:])}</f><v>{escape(for_cell(known))}</v></c>'
             return f"{start}><f>{escape(value[1:])}</f><v>{float(known)!r}</v></c>"

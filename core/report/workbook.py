@@ -1,10 +1,15 @@
 """StudyResult -> workbook: the sheets in order."""
 
+from openpyxl.worksheet.worksheet import Worksheet
+
 from core.report import check_sheet, demand_sheets, floor_sheet, input_sheet, plots, risk_sheet, sheets, summary_sheet
 from core.report.cells import ACCENT, QUIET, Book
 from core.report.rows import follow_changes
 from core.report.steps import Steps
 from core.study.results import CollapseHistories, StudyResult
+
+FIRST_PACKED = 5
+"""Row from which on the rows of a sheet are packed: those before are changed to the last."""
 
 HISTORY_WALLS = 20
 """Walls whose histories and charts are drawn; the rest are listed."""
@@ -53,15 +58,20 @@ def build(result: StudyResult, histories: list[CollapseHistories], steps: Steps 
             continue
         if sheet is floor_sheet.floors and not floor_sheet.floors_of(result):
             continue
+        before = len(book.workbook.worksheets)
         sheet(book, result)
+        for made in book.workbook.worksheets[before:]:
+            _finish(book, made)
     # made first, for the others show its cells: it stands behind the results
     place = book.workbook.sheetnames.index(book.say("Results"))
     book.workbook.move_sheet(book.say("Check"), place)
-    for sheet in book.workbook:
-        front = sheet.title in (book.say("Summary"), book.say("Overview"))
-        sheet.sheet_properties.tabColor = ACCENT if front else QUIET
-    unmoved = {book.say(name) for name in ("Check", "Input", "Records", "Method")}
-    for sheet in book.workbook:
-        if sheet.title not in unmoved:
-            follow_changes(book, sheet, titled=sheet.title != book.say("Summary"))
     return book
+
+
+def _finish(book: Book, sheet: Worksheet) -> None:
+    """What every sheet has, once it is made; from then on its rows are kept packed."""
+    front = sheet.title in (book.say("Summary"), book.say("Overview"))
+    sheet.sheet_properties.tabColor = ACCENT if front else QUIET
+    if sheet.title not in {book.say(name) for name in ("Check", "Input", "Records", "Method")}:
+        follow_changes(book, sheet, titled=sheet.title != book.say("Summary"))
+    book.rows_of(sheet).pack(FIRST_PACKED, sheet.max_row)

@@ -172,9 +172,14 @@ def test_that_two_workers_of_dask_are_the_undivided_run_though_one_is_killed(cas
         assert process not in client.run(os.getpid).values()
 
 
-@pytest.mark.skipif(not shutil.which("xargs"), reason="no xargs")
-def test_that_a_scheduler_that_only_starts_programs_makes_the_parts(case, whole, tmp_path):
-    """The command of scale.md, by GNU parallel where there is one."""
+STARTERS = {"parallel": ("parallel", "-j2"), "xargs": ("xargs", "-P", "2", "-I{}")}
+"""Programs that only start others, as scale.md has them."""
+
+
+@pytest.mark.parametrize("starter", STARTERS)
+def test_that_a_scheduler_that_only_starts_programs_makes_the_parts(case, whole, tmp_path, starter):
+    if not shutil.which(starter):
+        pytest.skip(f"no {starter}")
     part = [
         sys.executable,
         "-P",
@@ -188,8 +193,7 @@ def test_that_a_scheduler_that_only_starts_programs_makes_the_parts(case, whole,
         "--output",
         str(tmp_path),
     ]
-    each = ["parallel", "-j2"] if shutil.which("parallel") else ["xargs", "-P", "2", "-I{}"]
-    subprocess.run([*each, *part, "--part", "{}/3"], input="1\n2\n3\n", text=True, check=True, cwd=ROOT)
+    subprocess.run([*STARTERS[starter], *part, "--part", "{}/3"], input="1\n2\n3\n", text=True, check=True, cwd=ROOT)
     book = merged(tmp_path, "five", read_case(case), journal_key())
     assert timeless(run(read_case(case), base_dir=case.parent, journal=lambda key: book)) == whole
 

@@ -18,6 +18,7 @@ from core.study import large_case, plan
 from core.study.case_parts import part_path
 from core.study.run import run
 from core.units import G
+from tests.conftest import ROOT
 
 parquet = pytest.importorskip("pyarrow.parquet", reason="no wheel of pyarrow")
 
@@ -260,3 +261,8 @@ def test_that_units_stand_in_the_table(table):
     schema = parquet.read_schema(table)
     assert schema.field("height_m").metadata == {b"unit": b"m"} and b"case_sha256" in schema.metadata
     assert all(math.isfinite(row["threshold_acceleration_g"] * G) for row in read(table))
+
+
+def test_that_every_column_is_in_the_page_of_scale():
+    page = (ROOT / "resources" / "docs" / "scale.md").read_text()
+    assert [column.name for column in COLUMNS if f"`{column.name}`" not in page] == []
