@@ -43,8 +43,8 @@ class DemandForm(QWidget):
         self.session = session
         self.last: tuple | None = None
         self.spectra = {
-            "NTC2018": Spectrum("NTC2018", "", f0="", tc_star_s="", topography=""),
-            "EN1998": Spectrum("EN1998", "", type=""),
+            "NTC2018": Spectrum("NTC2018", ""),  # what is not given yet is None, as a file has it
+            "EN1998": Spectrum("EN1998", ""),
         }
         self.given = QGroupBox(tr("Check against a demand"))
         self.given.setCheckable(True)

@@ -160,7 +160,7 @@ class LoadsForm(QWidget):
         wall = self.wall
         if wall is None:
             return
-        load = Load(kind, "", wall.height_m or "")  # type: ignore[arg-type]  # to be given
+        load = Load(kind, None, wall.height_m or "")  # type: ignore[arg-type]  # to be given
         self._edit(load=(*wall.load, load), unloaded_confirmed=False)
         self.list.setCurrentRow(len(wall.load))
 
