@@ -111,7 +111,7 @@ def contents_of(wall: Wall) -> dict[str, str]:
         held.append(tr("tie at {z} m", z=number(wall.tie_height_m, "g")))
     if wall.return_walls is not None:
         held.append(tr("friction of return walls"))
-    law = named_laws()[wall.law if isinstance(wall.law, str) else "own"]
+    law = named_laws().get(wall.law if isinstance(wall.law, str) else "own", "")
     ratio = tr("default of the mechanism") if wall.restitution is None and wall.velocity_ratio is None else ""
     if wall.velocity_ratio is not None:
         ratio = f"e {number(wall.velocity_ratio, 'g')}"
@@ -128,6 +128,6 @@ def contents_of(wall: Wall) -> dict[str, str]:
         else hinge_words()[hinges]
         if isinstance(hinges, str)
         else "; ".join(number(one, "g") for one in hinges),
-        "impact": f"{ratio or named_models()[wall.restitution]}, {law}",
+        "impact": f"{ratio or named_models().get(wall.restitution)}, {law}",
         "notes": ", ".join(filter(None, notes)),
     }

@@ -71,7 +71,7 @@ class CheckTab(QWidget):
         for label in (self.heading, self.sentence, self.important, self.reasons):
             label.setWordWrap(True)
             label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self.notes = self._opener(lambda on: self.reasons.setVisible(on))
+        self.notes = self._opener(self.reasons.setVisible)
         self.banner = QFrame(objectName="verdict")
         inside = QVBoxLayout(self.banner)
         inside.setContentsMargins(14, 6, 10, 6)
@@ -86,7 +86,7 @@ class CheckTab(QWidget):
         self.ladder = Ladder()
         self.drawing = WallDrawing()
         self.drawing.setMinimumWidth(170)
-        self.more = self._opener(lambda on: self.checks.setCurrentIndex(int(on)))
+        self.more = self._opener(self._show_table)
         self.more.setText(tr("Table, Eq. 9 and research ▸"))
         ladder = QWidget()
         row = QHBoxLayout(ladder)
@@ -127,6 +127,10 @@ class CheckTab(QWidget):
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
         whole.addWidget(area)
+
+    def _show_table(self, on: bool) -> None:
+        """The table in the place of the ladder."""
+        self.checks.setCurrentIndex(int(on))
 
     @staticmethod
     def _opener(slot) -> QPushButton:
