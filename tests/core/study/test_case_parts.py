@@ -193,7 +193,9 @@ def test_that_a_scheduler_that_only_starts_programs_makes_the_parts(case, whole,
         "--output",
         str(tmp_path),
     ]
-    subprocess.run([*STARTERS[starter], *part, "--part", "{}/3"], input="1\n2\n3\n", text=True, check=True, cwd=ROOT)
+    command = [*STARTERS[starter], *part, "--part", "{}/3"]
+    variables = {**os.environ, "PYTHONPATH": str(ROOT)}
+    subprocess.run(command, input="1\n2\n3\n", text=True, check=True, cwd=ROOT, env=variables)
     book = merged(tmp_path, "five", read_case(case), journal_key())
     assert timeless(run(read_case(case), base_dir=case.parent, journal=lambda key: book)) == whole
 
