@@ -5,6 +5,7 @@
     python3 run.py bench --q-error [--output DIR]           # error of q against time, see q_error.py
     python3 run.py bench --loads [--pairs N]                # what loads cost, see loads.py
     python3 run.py bench --paired OTHER_TREE [--pairs N]    # this tree against another, see paired.py
+    python3 run.py bench --processes [--pairs N]            # the same figures in fresh processes, see processes.py
     python3 run.py bench --steps [--output DIR]             # q against the step, see step_study.py
     python3 run.py bench --zeta                             # zeta of the dynamic check against its grid
     python3 run.py bench --memory                           # peak memory and time of large work
@@ -37,6 +38,7 @@ BENCHMARKS = {
     "q_error": "q_error",
     "loads": "loads",
     "paired": "paired",
+    "processes": "processes",
     "steps": "step_study",
     "zeta": "zeta_spread",
     "memory": "memory",

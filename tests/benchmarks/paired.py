@@ -4,7 +4,7 @@
 
 Each pair runs this file in a process of its own, once with OTHER_TREE and once with this tree; both keep their kernels
 in a cache of their own, compiled before the first pair. Printed: median and range of this tree's time over the
-other's, and the ratio of the smallest times, which the machine's neighbours disturb least.
+other's, and the ratio of the smallest times, which the machine's neighbours disturb least. Times are the processor's.
 """
 
 import argparse
@@ -24,13 +24,13 @@ SAMPLES, TIME_STEP, MULTIPLIERS = 2000, 0.01, 256
 
 
 def best_seconds(call, repeats: int) -> float:
-    """Smallest time of a call [s]."""
+    """Smallest processor time of a call [s]."""
     call()
     times = []
     for _ in range(repeats):
-        start = time.perf_counter()
+        start = time.thread_time()
         call()
-        times.append(time.perf_counter() - start)
+        times.append(time.thread_time() - start)
     return min(times)
 
 

@@ -3,7 +3,7 @@
     python3 run.py bench
 
 Whole batches are timed as processes; the loop of sin and cos is measured in the same run, so that
-machines compare by the last column.
+machines compare by the last column. Last come kernels compiled for the narrower vectors this processor has too.
 """
 
 import argparse
@@ -21,6 +21,7 @@ import numpy as np
 
 from core.capacity.ida import Search, incremental_dynamic_analysis
 from core.jit.decorators import kernel
+from core.jit.shipped import LEVELS, has_wide_vectors
 from core.rocking.history import history, scan_records
 from core.rocking.lane_scheduler import Grounds
 from core.rocking.methods import AUTO, METHODS
@@ -29,6 +30,7 @@ from core.wall.block import Block
 from core.wall.moment_rotation import LAWS
 from core.wall.restitution import restitution
 from core.wall.rocking_model import rocking_model
+from tests.benchmarks.processes import measured
 from tests.benchmarks.small import SAMPLES, small_case
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -105,6 +107,11 @@ def line(label: str, value: float, unit: str, loops: float) -> None:
     print(f"{label:58} {value:12.4g} {unit:22} {loops:10.4g}")
 
 
+def narrower_levels() -> list[str]:
+    """Levels of machine code with fused products whose vectors are narrower than this processor's."""
+    return [name for name in LEVELS if "fma" in LEVELS[name] and "avx512f" not in LEVELS[name] and has_wide_vectors()]
+
+
 def main(options: argparse.Namespace) -> None:
     """Print the table."""
     small = options.small
@@ -132,7 +139,9 @@ def main(options: argparse.Namespace) -> None:
             each = seconds / (scales.size * (ground.size - 1))
             line(f"{label}, standard, {law}", each * 1e9, "ns per sample", each / yardstick)
             if label in ("taylor", "taylor_6"):
-                seconds = median_seconds(lambda m=method, w=model: history(ground, 0.01, 1.0, w, m), repeats)
+                # many calls: the first ones find the processor's caches and branch predictor cold
+                calls = repeats if small else 400
+                seconds = median_seconds(lambda m=method, w=model: history(ground, 0.01, 1.0, w, m), calls)
                 assert history(ground, 0.01, 1.0, model, method).impact_time.size > 0
                 each = seconds / (ground.size - 1)
                 name = f"{label}, one history at a time, standard, {law}"
@@ -175,3 +184,7 @@ def main(options: argparse.Namespace) -> None:
             first_analysis_seconds(case, cache)
         first = statistics.median(first_analysis_seconds(case, cache) for _ in range(times))
         line("start to first analysis, warm kernels", first, "s", first / yardstick)
+        for level in narrower_levels():
+            measured(cache, level, small)  # it compiles
+            for name, turns in measured(cache, level, small).items():
+                line(f"{name}, code for {level}", turns * yardstick * 1e9, "ns per sample", turns)
