@@ -162,10 +162,11 @@ class StagedWindow(RunningWindow):
         result = self.session.result
         rules = result.compliance if result and not self.session.stale else None
         floor = self.wall.floor if self.wall and not self.session.stale else None
-        shown = ([id(motion) for motion in self.records.motions], target, rules, floor, self.pages["spectra"].content)
+        page, motions = self.pages["spectra"].content, [id(motion) for motion in self.records.motions]
+        shown = (motions, target, rules, floor, self.shown, page)
         if shown != self._spectra:  # else a key typed costs the spectra of all records
             self._spectra = shown
-            self.pages["spectra"].content.show_records(self.records.motions, target, rules, floor)
+            page.show_records(self.records.motions, target, rules, floor)
 
     @property
     def wall(self) -> WallResult | None:
