@@ -112,7 +112,7 @@ GUIDE = (
 
 
 def guide(folder: Path, small: Path | None) -> None:
-    """Pictures of the guides in both languages, light, in 32 colours. small : a case in place of the first example"""
+    """Pictures of the guides in both languages, light, in 128 colours. small : a case in place of the first example"""
     from PIL import Image
 
     application, window = begin()
@@ -129,5 +129,5 @@ def guide(folder: Path, small: Path | None) -> None:
                 settle(application, lambda: True)
                 path = folder / f"{name}_{language}.png"
                 picture(window, path)
-                Image.open(path).convert("RGB").quantize(32).save(path, optimize=True)
+                Image.open(path).convert("RGB").quantize(128).save(path, optimize=True)
     end(window)
