@@ -93,7 +93,9 @@ class WallDrawing(QWidget):
         reach = thickness + (0.0 if self.with_sizes else 1.1 * height)
         beside = 30 if self.with_sizes else 0  # room for the height in numbers
         top = max([height, *(y for points in self.arrows for _, y in points)])
-        scale = min((self.height() - 2 * sizes + 12) / top, (self.width() - beside - 16) / reach)
+        scale = min(
+            (self.height() - 2 * sizes + (12 if self.with_sizes else -8)) / top, (self.width() - beside - 16) / reach
+        )
         base = QPointF(0.5 * (self.width() - beside) + 8, self.height() - sizes)
 
         self.scale, self.base_y = scale, base.y()

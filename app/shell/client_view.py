@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QMessageBox, QPushBu
 from app.look import theme
 from app.look.drawing import WallDrawing
 from app.look.file_dialogs import path_to_write, plain_name
-from app.look.language import described, tr
+from app.look.language import described, named, tr
 from core import atomic_write
 from core.case.schema import AS_IS
 from core.errors import InputError, OutputError
@@ -84,7 +84,7 @@ class Bars(QWidget):
         font = QFont(self.font())
         font.setPointSizeF(1.25 * font.pointSizeF())
         painter.setFont(font)
-        left, right = 170.0, self.width() - 330.0
+        left, right = 170.0, self.width() - 470.0
         longest = ROOM * max(1.0, *(side.share or 0.0 for side in self.sides))
         required = left + (right - left) / longest
         for k, side in enumerate(self.sides):
@@ -106,7 +106,8 @@ def words_of(side: Side) -> str:
     """What a side withstands, in words."""
     if side.share is None:
         return tr("not known")
-    return tr("{percent} % of the required earthquake", percent=f"{100.0 * side.share:.0f}")
+    share = tr("{percent} % of the required earthquake", percent=f"{100.0 * side.share:.0f}")
+    return f"{share} ({named(side.wall.assessment.verdict.code)})"  # a share alone is no verification
 
 
 class ClientView(QDialog):
