@@ -165,11 +165,13 @@ class CheckTab(QWidget):
         self.heading.setText(f"{wall.name}: {word(verdict.code, self.language)}, ζ {digits(verdict.zeta_e)}")
         self.heading.setStyleSheet(f"font-size: 16pt; font-weight: 700; color: {shade};")
         self.sentence.setText(sentence_of(result, wall, self.language))
-        self.important.setText("\n".join(lines_of(result, wall, self.language, ("to_do", "limits"))))
+        important = lines_of(result, wall, self.language, ("to_do", "limits"))
+        important += [one for one in self._warnings(result, wall) if not any(one in line for line in important)]
+        self.important.setText("\n".join(important))
         others = lines_of(result, wall, self.language, ("note", "reason")) + tie_lines(wall, self.language)
         if assessment.kinematic:
             others.insert(0, self._mechanism(assessment))
-        self._fold([*others, *self._warnings(result, wall)])
+        self._fold(others)
         self.ladder.show_rungs([self._rung(check, verdict) for check in assessment.checks], verdict.zeta_target)
         self.facts.setText(self._facts(result, wall))
         self.table.show_rows(*self._rows(result, wall))
