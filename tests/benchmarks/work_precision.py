@@ -191,8 +191,31 @@ def family(name: str) -> str:
     return "scipy naive" if "naive" in name else name.split(" ")[0]
 
 
+def exact_table(rows: list[dict]) -> list[str]:
+    """Lines of a table of the methods with exact impacts: ns a sample over the scenes (least, median, most), the same
+    over one history of Ribalta in the same scene, and the errors."""
+    own = {r["scene"]: r["seconds"] for r in rows if r["method"] == "taylor 8"}
+    lines = [
+        "| exact impacts | scenes | ns a sample: least, median, most | over `taylor` | error / α |",
+        "|---|---|---|---|---|",
+    ]
+    named = dict.fromkeys(f"{r['method']} {r['option']}".strip() for r in rows)
+    for name in named:
+        of = [r for r in rows if f"{r['method']} {r['option']}".strip() == name]
+        if not of[0]["method"].startswith((*EXACT_SOLVERS, f"{LANES} lanes", "dormand_prince")):
+            continue
+        times, errors = [r["ns_per_sample"] for r in of], [r["error_alpha"] for r in of]
+        over = [r["seconds"] / own[r["scene"]] for r in of]
+        middle = statistics.median
+        lines.append(
+            f"| {name} | {len(of)} | {min(times):.3g}, {middle(times):.3g}, {max(times):.3g} "
+            f"| {min(over):.2g}, {middle(over):.2g}, {max(over):.2g} | {min(errors):.0e} to {max(errors):.0e} |"
+        )
+    return lines
+
+
 def main(options: argparse.Namespace) -> None:
-    """Print the rows; write them and their chart."""
+    """Print the rows and the table of exact methods; write them and their chart."""
     folder, small = options.output, options.small
     others = peers(small)
     rows: list[dict] = []
@@ -210,6 +233,7 @@ def main(options: argparse.Namespace) -> None:
         writer.writeheader()
         writer.writerows(rows)
     chart(rows, folder / "work_precision.png")
+    print("\n".join(exact_table(rows)))
     print(f"{platform.machine()}, Python {platform.python_version()}: {folder}/work_precision.png")
     far = [r for r in rows if r["method"].startswith(EXACT_SOLVERS) and not r["error_alpha"] < EXACT]
     assert not far, f"not driven as they are meant to be: {far}"

@@ -1,0 +1,30 @@
+"""The field of a text of several lines."""
+
+from PySide6.QtWidgets import QPlainTextEdit
+
+from app.input.fields import Field
+
+LINES = 8
+"""That are seen at once."""
+
+
+class ParagraphsField(Field):
+    """A text of several lines, under its caption."""
+
+    def make_editor(self) -> QPlainTextEdit:
+        editor = QPlainTextEdit()
+        editor.setTabChangesFocus(True)
+        editor.setMinimumHeight(LINES * editor.fontMetrics().lineSpacing())
+        editor.textChanged.connect(lambda: self.offer(editor.toPlainText()))
+        return editor
+
+    def show_value(self, value: str) -> None:
+        """Show a value of the case, unless it stands there."""
+        if self.holds_invalid_text(value):
+            return
+        if value != self.value:
+            self.value_before = value
+        self.value = value
+        if self.editor.toPlainText() != value:
+            self.editor.setPlainText(value)
+        self.show_error("")
