@@ -236,7 +236,12 @@ class Wall:
     def has_closed_forms(self) -> bool:
         """Whether Eq. 15 and 16 say anything of it: fitted to walls on the ground without loads; of a body by the
         rectangle of the same p and alpha."""
-        return not self.above_ground and not self.load
+        return not self.above_ground and not self.load and not (self.is_unlike and "two_sided" in self.mechanisms())
+
+    @property
+    def is_unlike(self) -> bool:
+        """Whether it is another block about its inner hinge."""
+        return self.inner_block() is not None
 
     @property
     def above_ground(self) -> bool:

@@ -119,7 +119,7 @@ class Chain:
 
 def chain(wall, two_sided: bool) -> Chain:
     """The sums; of a two-sided wall the smaller alpha_0 and d_0 of its two sides."""
-    found = [_of_side(wall, side) for side in ((1.0, -1.0) if two_sided else (1.0,))]
+    found = [of_side(wall, side) for side in ((1.0, -1.0) if two_sided else (1.0,))]
     weaker = min(found, key=lambda side: side.d0)
     alpha0, bare = (min(getattr(side, name) for side in found) for name in ("alpha0", "alpha0_bare"))
     # the side that no tie holds decides
@@ -132,7 +132,7 @@ def chain(wall, two_sided: bool) -> Chain:
     return replace(sums, alpha0_friction=alpha, e_star_friction=share, mass_friction=of_part, friction_height=height)
 
 
-def _of_side(wall, side: float) -> Chain:
+def of_side(wall, side: float) -> Chain:
     """The sums about one hinge, 1.0 the outer one, without the friction of return walls."""
     bare = wall.bare_block()
     if side < 0.0:
