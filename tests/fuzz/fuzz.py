@@ -175,12 +175,13 @@ def _journal(content: bytes, folder: Path) -> None:
 
 
 def _swap(content: bytes, folder: Path) -> None:
+    from app.work import recovery
     from app.work.session import Session
 
     path = folder / "x-aa.swap"
     path.write_bytes(content)
     session = Session(folder / "recovery_folder")
-    session.describe(path)
+    recovery.describe(path)
     session.recover(path)
     session.problem()
     session.drop_recovery_file()
