@@ -208,7 +208,7 @@ def test_that_a_variant_by_one_click_says_beside_it_what_differs(opened):
     opened.walls.loads.add("tie")
     said = [row.text for row in opened.tree.rows if row.kind == "wall"]
     assert said[0] == "stato di fatto" and said[1].startswith("progetto: ")
-    for words in ("Thickness t 50 → 62.5 cm", "two-sided → one-sided", "Loads 0 → 1"):
+    for words in ("thickness 50 → 62.5 cm", "two-sided → one-sided", "loads + tie"):
         assert words in said[1] and words in opened.walls.differs.text()
     opened.walls.select(0)
     assert opened.walls.differs.text() == ""
