@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QCheckBox, QDialog, QDialogButtonBox, QFormLayout,
 
 from app.input.fields import Choice
 from app.look.file_dialogs import path_to_write
-from app.look.language import current_language, described, named, tr
+from app.look.language import current_language, described, named, number, tr
 from core import atomic_write
 from core.case.keys import pretty
 from core.case.number import parse_number
@@ -15,10 +15,10 @@ from core.case.values import field_of
 from core.errors import InputError
 from core.text.sentence import capital, choice
 
-LISTS = {"slenderness_deg": "3.1; 6.8; 10", "height_m": "3; 5; 7; 9"}
+LISTS: dict[str, tuple[float, ...]] = {"slenderness_deg": (3.1, 6.8, 10.0), "height_m": (3.0, 5.0, 7.0, 9.0)}
 """Keys of [[grid]] that are lists of numbers, and what stands there at first."""
 
-NUMBERS = {"pga_g": (Group, "0.2"), "count": (Study, "7")}
+NUMBERS = {"pga_g": (Group, 0.2), "count": (Study, 7)}
 CHOICES = {"mechanism": Grid, "restitution": Grid, "law": Grid, "soil": Shape, "type": Shape}
 SEED = 1
 
@@ -54,8 +54,8 @@ class StudyForm(QDialog):
         self.setWindowTitle(tr("A study by its keys"))
         self.folder, self.path = folder, None
         self.title = QLineEdit(tr("Parametric study"))
-        self.lines = {key: QLineEdit(text) for key, text in LISTS.items()}
-        self.lines |= {key: QLineEdit(text) for key, (_, text) in NUMBERS.items()}
+        self.lines = {key: QLineEdit("; ".join(number(one, "g") for one in ones)) for key, ones in LISTS.items()}
+        self.lines |= {key: QLineEdit(number(one, "g")) for key, (_, one) in NUMBERS.items()}
         self.choices = {key: self._choice(section, key) for key, section in CHOICES.items()}
         self.records = QCheckBox(tr("Natural records beside the generated ones"))
         self.word = QLabel()

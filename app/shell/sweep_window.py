@@ -200,7 +200,7 @@ class SweepWindow(QDialog):
 
     def run(self) -> None:
         """Run the sweep of the case as it is; the window stays alive."""
-        if self.job is not None or not self.keys:
+        if self.job is not None or not self.keys or not self._take_case():
             return
         try:
             values = self.values()
@@ -230,6 +230,18 @@ class SweepWindow(QDialog):
         self.word.setText(tr("Running…"))
         self._show_running(True)
         job.start()
+
+    def _take_case(self) -> bool:
+        """Take the case as it is now; False where it has no longer what was chosen."""
+        now, k = self.owner.session.checked(), self.wall.currentIndex()
+        same = now is not None and k < len(now.wall) and now.wall[k].title == self.wall.currentText()
+        if same and self.keys[self.key.currentIndex()] in sweep_keys(now, k):
+            self.case = now
+            return True
+        self.show_case()
+        if now is not None:
+            self.word.setText(tr("The case has changed: choose again."))
+        return False
 
     def _show_running(self, on: bool) -> None:
         self.run_button.setEnabled(not on and self.case is not None)

@@ -28,23 +28,17 @@ def expanded(table: dict) -> dict:
     if not isinstance(walls, (list, tuple)) or not any(isinstance(wall, dict) and KEY in wall for wall in walls):
         return table
     whole = [dict(wall) if isinstance(wall, dict) else wall for wall in walls]
-    known = {repr(wall.get("name")): k for k, wall in reversed(list(enumerate(walls))) if _is_whole(wall)}
-    variants = {
-        repr(name)
-        for wall in walls
-        if isinstance(wall, dict) and KEY in wall
-        for name in (wall.get("name"), f"{wall[KEY]} ({wall.get('variant', DESIGNED)})")
-    }
+    known = {wall["name"]: k for k, wall in reversed(list(enumerate(walls))) if _is_whole(wall)}
+    variants = {name for wall in walls if isinstance(wall, dict) and KEY in wall for name in _names(wall)}
     for k, wall in enumerate(walls):
         if not isinstance(wall, dict) or KEY not in wall:
             continue
-        name, named = repr(wall[KEY]), repeated(wall[KEY])
-        here = place("wall", name=k + 1)
-        if name not in known:
-            if name in variants:
-                raise InputError("variant_of_variant", place=(here,), key=KEY, named=named)
-            names = ", ".join(list(known)[::-1][:MOST_NAMES])
-            raise InputError("variant_of_unknown", place=(here,), key=KEY, named=named, known=names)
+        name, here = wall[KEY], place("wall", name=k + 1)
+        if not isinstance(name, str) or name not in known:
+            if isinstance(name, str) and name in variants:
+                raise InputError("variant_of_variant", place=(here,), key=KEY, named=repeated(name))
+            names = ", ".join(repeated(one) for one in list(known)[::-1][:MOST_NAMES])
+            raise InputError("variant_of_unknown", place=(here,), key=KEY, named=repeated(name), known=names)
         whole[known[name]].setdefault("variant", AS_IS)
         whole[k] = _copy(walls[known[name]], wall)
     return {**table, "wall": whole}
@@ -52,6 +46,13 @@ def expanded(table: dict) -> dict:
 
 def _is_whole(wall) -> bool:
     return isinstance(wall, dict) and KEY not in wall and isinstance(wall.get("name"), str)
+
+
+def _names(wall: dict) -> list[str]:
+    """What a variant may be called by: its name, where it has one, and its title."""
+    own, original, variant = wall.get("name"), wall[KEY], wall.get("variant", DESIGNED)
+    titled = isinstance(original, str) and isinstance(variant, str)
+    return [*([own] if isinstance(own, str) else []), *([f"{original} ({variant})"] if titled else [])]
 
 
 def _copy(original: dict, wall: dict) -> dict:

@@ -342,7 +342,7 @@ def test_that_a_study_by_its_keys_is_written_read_back_and_is_the_one_to_run(app
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "mine.toml"), ""))
 
     def fill(form):
-        for heights, said in (("3; x", "x"), ("3; 900", "height_m"), ("", "number")):
+        for heights, said in (("3; x", "x"), ("3; 900", "900"), ("", "number")):
             form.lines["height_m"].setText(heights)
             form.save()
             assert form.path is None and said in form.word.text()

@@ -117,3 +117,14 @@ def test_that_another_language_or_theme_makes_the_window_of_a_sweep_again(applic
     again = opened.findChild(SweepWindow)
     assert again is not asked and again.look[1] == "dark"
     opened.set_choice("theme", "light")
+
+
+def test_that_a_case_that_changes_beside_an_open_sweep_is_the_one_that_runs(application, opened, asked):
+    choose(asked, Wall, "thickness_m", "40", "60")
+    opened.session.edit_wall(0, height_m=6.0)
+    swept(application, asked)
+    assert asked.shown[0].wall[0].height_m == 6.0 and len(asked.points) == 3
+    opened.session.edit_wall(0, name="another")
+    asked.run()
+    assert asked.job is None and asked.word.text() == "The case has changed: choose again."
+    assert asked.wall.currentText() == "another"

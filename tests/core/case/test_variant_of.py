@@ -72,6 +72,10 @@ def test_that_a_key_replaces_or_takes_away_what_it_stands_for(keys, expected):
     [
         ('variant_of = "North wall"', "variant_of_unknown"),
         ("variant_of = 3", "variant_of_unknown"),
+        ("variant_of = [1]", "variant_of_unknown"),
+        (f"variant_of = 0x{'f' * 5000}", "variant_of_unknown"),
+        (f'variant_of = "South wall"\nname = 0x{"f" * 5000}', "variant_name"),
+        (f'variant_of = "South wall"\nvariant = 0x{"f" * 5000}', "not_accepted"),
         ('variant_of = "South wall"\n[[wall]]\nvariant_of = "South wall (progetto)"', "variant_of_variant"),
         ('name = "B"\nvariant_of = "B"', "variant_of_variant"),
         ('variant_of = "South wall"\nname = "North wall"', "variant_name"),
