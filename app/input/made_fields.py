@@ -5,6 +5,7 @@ from dataclasses import fields
 
 from app.input.fields import ChoiceField, Field, FlagField, NumberField, RangeField, TextField
 from app.input.hinges_field import HingesField
+from app.input.paragraphs_field import ParagraphsField
 from core.case.keys import NESTED
 from core.case.values import field_of
 
@@ -13,6 +14,7 @@ KINDS: dict[str, type[Field]] = {
     "int": NumberField,
     "range": RangeField,
     "text": TextField,
+    "paragraphs": ParagraphsField,
     "choice": ChoiceField,
     "flag": FlagField,
     "hinges": HingesField,

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.input.demand_form import AnalysisForm, DemandForm
+from app.input.note_form import NoteForm
 from app.input.records_panel import RecordsPanel
 from app.input.wall_form import WallForm
 from app.look.language import FORM_NAMES, tr
@@ -30,6 +31,9 @@ BESIDE_FROM = 1250
 
 ANSWER, WHY = ("walls", "check"), ("histories", "capacity", "intensity", "spectra", "validation")
 """Pages of these stages; the pages of the report are one."""
+
+CHOICES = 300
+"""Width of what stands beside the pages of the note [px]."""
 
 SHARES = {"wall": (44, 56), "demand": (44, 56), "building": (44, 56), "records": (70, 30), "report": (56, 44)}
 """Of the width of the stage, forms and what stands beside them."""
@@ -167,8 +171,13 @@ class Stages(QWidget):
         self.why.setDocumentMode(True)
         for name in WHY:
             self.why.addTab(made[name], pages[name][1])
+        self.note_form, report = NoteForm(session), QSplitter(Qt.Orientation.Horizontal)
+        for part in (made["note"], self.note_form):
+            report.addWidget(part)
+        report.setStretchFactor(0, 1)
+        report.setSizes([1000, CHOICES])
         self.stack, self.first = QStackedWidget(), None
-        for stage in (self.input, self.answer, self.why, made["note"]):
+        for stage in (self.input, self.answer, self.why, report):
             self.stack.addWidget(stage)
         self.bar = QProgressBar()
         self.bar.setAccessibleName(tr("Progress"))

@@ -95,7 +95,9 @@ class MainWindow(StagedWindow):
             self.demand.building.show_case,
             self.analysis.show_case,
             self.records.show_case,
+            self.stages.note_form.show_case,
             self._show_stale,
+            self._show_note,
             self._show_problem,
             self._show_tree,
             self._show_input,
@@ -220,7 +222,7 @@ class MainWindow(StagedWindow):
     @property
     def fields(self) -> list[Field]:
         """The fields of the case; those of a dialog are not among them."""
-        forms = (self.walls, self.demand, self.demand.building, self.analysis)
+        forms = (self.walls, self.demand, self.demand.building, self.analysis, self.stages.note_form)
         return [field for form in forms for field in form.findChildren(Field)]
 
     def refresh(self) -> None:
@@ -239,6 +241,13 @@ class MainWindow(StagedWindow):
     def _show_stale(self) -> None:
         ChartOutput.stale = Table.stale = self.session.stale
         self._cover_pages()
+
+    def _show_note(self) -> None:
+        """The pages hold what is typed beside them."""
+        page = self.pages["note"]
+        if page.made is not None and page.content.result is not self.session.result:
+            self.fresh.discard(page)
+            self.show_result()
 
     def _show_problem(self) -> None:
         runs = self.missing.show_problems()

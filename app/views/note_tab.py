@@ -24,8 +24,8 @@ ZOOMS = (50, 75, 100, 125, 150, 200)
 PAGE_WIDTH = 595.3
 """Of A4 [pt]."""
 
-RESIZED_MS = 250
-"""Rest after which a page follows the width of the tab [ms]."""
+RESIZED_MS, TYPED_MS = 250, 800
+"""Rest after which pages follow the width of the tab, and what is typed beside them [ms]."""
 
 DOTS, POINTS = 96.0, 72.0
 """Of an inch on the screen at 100 %, and in a PDF."""
@@ -158,8 +158,9 @@ class NoteTab(QWidget):
     def show_wall(self, result: StudyResult, wall: WallResult) -> None:
         """Set the note of a result, where it is not yet, and go to the section of a wall."""
         if result is not self.result:
+            typed = self.result is not None and self.result.walls is result.walls
             self.result, self.pages = result, Pages()
-            self.resized.start(0)  # when the tab has its size
+            self.resized.start(TYPED_MS if typed else 0)  # when the tab has its size
         else:
             self._to_wall(result.walls.index(wall))
 

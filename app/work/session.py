@@ -65,6 +65,7 @@ class Session:
         self.result = None
 
     def changed(self) -> None:
+        self._take_words()
         for listener in self.listeners:
             listener()
 
@@ -105,6 +106,14 @@ class Session:
             self.case = self.future.pop()
             self.last_place = None
             self.changed()
+
+    def _take_words(self) -> None:
+        """A result stays that of a case whose title or report alone has changed since: they decide no number."""
+        case = self.checked() if self.result is not None else None
+        if case is None or case == self.result.case:
+            return
+        if replace(self.result.case, title=case.title, report=case.report) == case:
+            self.result = replace(self.result, case=case)
 
     @property
     def dirty(self) -> bool:

@@ -43,6 +43,11 @@ def text_key(default="", **rule):
     return key("text", default, **rule)
 
 
+def paragraphs_key(**rule):
+    """Text of several lines."""
+    return key("paragraphs", "", **rule)
+
+
 def path_key(default):
     """A name of a file: longer than other text, and with any letter the system allows."""
     return key("path", default)

@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import MISSING, asdict, dataclass, field, fields
 
-from core.case.keys import channel_key, choice_key, flag_key, key, number_key, path_key, text_key
+from core.case.keys import channel_key, choice_key, flag_key, key, number_key, paragraphs_key, path_key, text_key
 from core.case.loads import Load, ReturnWalls
 from core.case.site import Building, Demand
 from core.errors import InputError, place
@@ -28,6 +28,8 @@ class Report:
     date : also that of the PDF, as 2026-11-25 or 25/11/2026
     letterhead : lines of the office, with | between them; logo : a picture beside them, relative to the case
     font : of the note, of this machine; pdf_standard : a-1b for portals that take no other, without attached files
+    judgement : of the engineer on the results (NTC 2018 10.2), at the end of the note, which else has room for it
+    extent : of the note; short without derivations and histories of the walls
     """
 
     client: str = text_key()
@@ -41,6 +43,8 @@ class Report:
     logo: str = text_key()
     font: str = text_key()
     pdf_standard: str = choice_key("a-3a", "a-1b", default="a-3a")
+    judgement: str = paragraphs_key(form="note")
+    extent: str = choice_key("full", "short", default="full", form="note")
 
 
 AS_IS, DESIGNED = "stato di fatto", "progetto"

@@ -15,8 +15,9 @@ from core.file_names import is_text, name_of
 from core.text.sentence import Sentence, sentence
 from core.wall.moment_rotation import LAWS
 
-MAX_TEXT, MAX_PATH = 500, 12_000
-"""Characters of a text and of a name of a file, each byte of which may take three (`names.key_of`)."""
+MAX_TEXT, MAX_PARAGRAPHS, MAX_PATH = 500, 4_000, 12_000
+"""Characters of a text, of one of several lines and of a name of a file, each byte of which may take three
+(`names.key_of`)."""
 
 SHOWN = 100
 """Characters of a value repeated in a sentence."""
@@ -113,6 +114,11 @@ def _text(entry, value, here):
     return value if _is_short_text(value) and (value or entry.default is not MISSING) else None
 
 
+def _paragraphs(entry, value, here):
+    short = isinstance(value, str) and len(value) <= MAX_PARAGRAPHS and is_text(value.replace("\n", " "))
+    return value if short else None
+
+
 def _channel(entry, value, here):
     if type(value) is int and 1 <= value <= 999:
         return str(value)
@@ -196,6 +202,7 @@ KINDS: dict[str, tuple[Callable, Callable]] = {
     "int": (_number, _range_of),
     "choice": (_choice, lambda entry: sentence("accepted", "one_of", names=tuple(entry.metadata["names"]))),
     "text": (_text, _said("text", most=MAX_TEXT)),
+    "paragraphs": (_paragraphs, _said("paragraphs", most=MAX_PARAGRAPHS)),
     "channel": (_channel, _said("channel_key")),
     "path": (_path, _said("path")),
     "flag": (_flag, _said("flag")),

@@ -89,3 +89,25 @@ def test_that_a_note_that_cannot_be_set_says_why(opened, application):
     tab = opened.pages["note"].content
     wait(application, tab)
     assert "none.png" in tab.word.text() and tab.pages.images == []
+
+
+def test_that_a_judgement_typed_beside_the_pages_is_in_them_without_another_run(opened, shown, application):
+    before = opened.session.result
+    judgement = next(field for field in opened.stages.note_form.fields if field.key == "judgement")
+    judgement.editor.setPlainText("The results agree with a static check by hand.\nThe wall is to be tied.")
+    assert not opened.session.stale and opened.session.result.walls is before.walls
+    wait(application, shown)
+    text = " ".join(line for _, _, line in shown.pages.note.lines())
+    assert "agree with a static check by hand" in text and "is to be tied" in text
+    opened.session.undo()
+    assert judgement.editor.toPlainText() == "" and not opened.session.stale
+
+
+def test_that_a_short_note_has_fewer_pages_and_every_verdict(opened, shown, application):
+    full = len(shown.pages.images)
+    opened.session.edit_section("report", extent="short")
+    wait(application, shown)
+    assert len(shown.pages.images) < full
+    text = " ".join(line for _, _, line in shown.pages.note.lines())
+    for wall in opened.session.result.walls:
+        assert wall.name in text

@@ -35,7 +35,7 @@ LANES = 64
 EXACT = 1e-3
 """Error / alpha above which a method that claims to be exact, ours or a peer, was not driven as it is meant to be."""
 
-EXACT_SOLVERS = ("taylor", "scipy DOP853 restarted", "heyoka")
+EXACT_SOLVERS = ("taylor", "scipy DOP853 restarted", "heyoka", "diffrax")
 """How the names of those begin."""
 
 
@@ -56,6 +56,12 @@ def peers(small: bool = False) -> list[tuple[str, Solver]]:
             found.append((f"heyoka batch of 8 {name}", peer_solvers.Heyoka(tolerance, 8)))
     except ImportError:
         print("heyoka is not installed: left out")
+    try:
+        for parts in (4, 1)[: 1 if small else 2]:
+            found.append((f"diffrax dt/{parts}", peer_solvers.Diffrax(parts)))
+            found.append((f"diffrax vmap of 8 dt/{parts}", peer_solvers.Diffrax(parts, 8)))
+    except ImportError:
+        print("diffrax is not installed: left out")
     try:
         import numbalsoda  # noqa: F401
     except ImportError:
@@ -104,18 +110,21 @@ def measure(scene: Scene, others: list[tuple[str, Solver]], small: bool) -> list
             seconds = timed(lambda m=method: lanes(scene, m), small) / LANES
             rows.append(row(scene, f"{LANES} lanes", method.option, rows[-1]["error_alpha"], seconds))
     for label, solver in others:
-        if label.startswith("heyoka") and scene.model.plateau_end > 0.0:
+        if label.startswith(("heyoka", "diffrax")) and scene.model.plateau_end > 0.0:
             continue
+        if isinstance(solver, peer_solvers.Diffrax):
+            solver(scene)  # compiles
         start = time.perf_counter()
         found = solver(scene)
         once = time.perf_counter() - start
         seconds = once if once > 0.5 else timed(lambda s=solver: s(scene), small)
         rows.append(row(scene, label, "", error(found, scene), seconds))
-        if isinstance(solver, peer_solvers.Heyoka):
+        if isinstance(solver, (peer_solvers.Heyoka, peer_solvers.Diffrax)):
             # of its batch the first history is the scene, the others are of other multipliers
-            alone = solver.compiled(scene.dt) * (scene.ground.size - 1)
             rows[-1]["seconds"] /= solver.lanes
             rows[-1]["ns_per_sample"] /= solver.lanes
+        if isinstance(solver, peer_solvers.Heyoka):
+            alone = solver.compiled(scene.dt) * (scene.ground.size - 1)
             rows.append(row(scene, f"{label}, its compiled steps alone", "", error(found, scene), alone))
     return rows
 
@@ -186,13 +195,38 @@ def family(name: str) -> str:
     if name.startswith("heyoka"):
         batch = "heyoka, batch of 8" if "batch" in name else "heyoka"
         return f"{batch}, {'compiled steps alone' if 'alone' in name else 'from Python'}"
+    if name.startswith("diffrax vmap"):
+        return "diffrax, vmap of 8"
     if name.startswith(f"{LANES} "):
         return name
     return "scipy naive" if "naive" in name else name.split(" ")[0]
 
 
+def exact_table(rows: list[dict]) -> list[str]:
+    """Lines of a table of the methods with exact impacts: ns a sample over the scenes (least, median, most), the same
+    over one history of Ribalta in the same scene, and the errors."""
+    own = {r["scene"]: r["seconds"] for r in rows if r["method"] == "taylor 8"}
+    lines = [
+        "| exact impacts | scenes | ns a sample: least, median, most | over `taylor` | error / α |",
+        "|---|---|---|---|---|",
+    ]
+    named = dict.fromkeys(f"{r['method']} {r['option']}".strip() for r in rows)
+    for name in named:
+        of = [r for r in rows if f"{r['method']} {r['option']}".strip() == name]
+        if not of[0]["method"].startswith((*EXACT_SOLVERS, f"{LANES} lanes", "dormand_prince")):
+            continue
+        times, errors = [r["ns_per_sample"] for r in of], [r["error_alpha"] for r in of]
+        over = [r["seconds"] / own[r["scene"]] for r in of]
+        middle = statistics.median
+        lines.append(
+            f"| {name} | {len(of)} | {min(times):.3g}, {middle(times):.3g}, {max(times):.3g} "
+            f"| {min(over):.2g}, {middle(over):.2g}, {max(over):.2g} | {min(errors):.0e} to {max(errors):.0e} |"
+        )
+    return lines
+
+
 def main(options: argparse.Namespace) -> None:
-    """Print the rows; write them and their chart."""
+    """Print the rows and the table of exact methods; write them and their chart."""
     folder, small = options.output, options.small
     others = peers(small)
     rows: list[dict] = []
@@ -210,6 +244,7 @@ def main(options: argparse.Namespace) -> None:
         writer.writeheader()
         writer.writerows(rows)
     chart(rows, folder / "work_precision.png")
+    print("\n".join(exact_table(rows)))
     print(f"{platform.machine()}, Python {platform.python_version()}: {folder}/work_precision.png")
     far = [r for r in rows if r["method"].startswith(EXACT_SOLVERS) and not r["error_alpha"] < EXACT]
     assert not far, f"not driven as they are meant to be: {far}"

@@ -220,7 +220,8 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
     say, found = words.say, wall.assessment
     parts: list[Part] = [Heading(_name(wall, words), 2, True, result.walls.index(wall))]
     first = [wall_figures.drawing(wall, words)]
-    derived = Derivations(result, words, name).wall(wall)
+    short = result.case.report.extent == "short"
+    derived = [] if short else Derivations(result, words, name).wall(wall)
     if found is None or found.kinematic is None:
         parts += [*_verdict(result, wall, words), *_side_by_side(first), *site.loads(wall, words)]
         q = Step("q", wall.q_set, ".2f", "–", "Eq. 10", cell=f"{name}q_set", label=say("at collapse"))
@@ -241,7 +242,7 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
             parts += [Heading(say(title), 3), Derivation(steps)]
     drawn = [wall_figures.histories(result, wall, words), wall_figures.peaks(wall, words)]
     drawn += [wall_figures.forces_of_ties(result, wall, words), wall_figures.tie_heights(wall, words)]
-    parts += _side_by_side(drawn)
+    parts += _side_by_side([] if short else drawn)
     rest = [*reasons[REASONS:], *tie_lines(wall, language), *(one.text(language) for one in wall.warnings)]
     if rest:
         parts.append(Heading(say("What else is to be read"), 3))
@@ -289,7 +290,7 @@ def _verdict(result: StudyResult, wall: WallResult, words: Words) -> list[Part]:
 def _closing(result: StudyResult, words: Words) -> list[Part]:
     """Assumptions, the program (NTC 2018 10.2), the engineer's judgement and signature."""
     say = words.say
-    walls = [wall.wall for wall in result.walls]
+    walls, written = [wall.wall for wall in result.walls], result.case.report.judgement.strip()
     ticks = []
     for code in assumptions_of(walls):
         ticked = code == "no_load" and all(wall.unloaded_confirmed for wall in walls)
@@ -333,5 +334,5 @@ def _closing(result: StudyResult, words: Words) -> list[Part]:
         Heading(say("The program (NTC 2018 10.2)")),
         Table((), program, (1, 4)),
         Heading(say("Reasoned judgement on the results (NTC 2018 10.2)")),
-        Box(JUDGEMENT_LINES),
+        *([Paragraph(line) for line in written.splitlines() if line.strip()] if written else [Box(JUDGEMENT_LINES)]),
     ]

@@ -1,0 +1,37 @@
+"""The field of a text of several lines."""
+
+from PySide6.QtWidgets import QPlainTextEdit
+
+from app.input.fields import Field
+
+LINES = 8
+"""That are seen at once."""
+
+
+class ParagraphsField(Field):
+    """A text of several lines, under its caption."""
+
+    def __init__(self, section: type, key: str):
+        super().__init__(section, key)
+        grid = self.layout()
+        for row, part in ((1, self.editor), (2, self.message)):
+            grid.removeWidget(part)
+            grid.addWidget(part, row, 0, 1, 3)
+
+    def make_editor(self) -> QPlainTextEdit:
+        editor = QPlainTextEdit()
+        editor.setTabChangesFocus(True)
+        editor.setMinimumHeight(LINES * editor.fontMetrics().lineSpacing())
+        editor.textChanged.connect(lambda: self.offer(editor.toPlainText()))
+        return editor
+
+    def show_value(self, value: str) -> None:
+        """Show a value of the case, unless it stands there."""
+        if self.holds_invalid_text(value):
+            return
+        if value != self.value:
+            self.value_before = value
+        self.value = value
+        if self.editor.toPlainText() != value:
+            self.editor.setPlainText(value)
+        self.show_error("")

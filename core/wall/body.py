@@ -1,0 +1,145 @@
+"""One rigid body of any shape, from extruded polygons (resources/docs/physics.md, section 20).
+
+A solid is a polygon (s, z) in a vertical plane, extruded along the normal of the plane. An opening is a solid of
+negative density. Of all solids M, M x, M z and I about the outer edge of the base add up.
+"""
+
+import math
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
+
+from core.wall.block import Block
+
+Polygon = Sequence[tuple[float, float]]
+
+
+class PolygonSums(NamedTuple):
+    """Integrals of 1, s, z, s2, z2 over a polygon [m2, m3, m4]."""
+
+    area: float
+    s: float
+    z: float
+    ss: float
+    zz: float
+
+
+class Body(NamedTuple):
+    """mass [kg]; first_x, first_z : M x and M z [kg m]; inertia : about the line x = z = 0 [kg m2]. x inward from the
+    outer edge of the base, z above it."""
+
+    mass: float
+    first_x: float
+    first_z: float
+    inertia: float
+
+    @property
+    def centroid(self) -> tuple[float, float]:
+        """x, z [m]."""
+        return self.first_x / self.mass, self.first_z / self.mass
+
+    def about(self, hinge: float) -> Block:
+        """The Block about a hinge at this x [m], turning towards smaller x."""
+        x, z = self.centroid
+        inertia = self.inertia / self.mass - 2.0 * hinge * x + hinge * hinge
+        return Block(math.atan2(x - hinge, z), math.hypot(x - hinge, z), inertia)
+
+
+def polygon_sums(polygon: Polygon) -> PolygonSums:
+    """Green's theorem, positive whichever way the corners follow each other.
+
+    polygon : corners (s, z) [m]
+    """
+    area = s = z = ss = zz = 0.0
+    for (s0, z0), (s1, z1) in zip(polygon, (*polygon[1:], polygon[0]), strict=True):
+        cross = s0 * z1 - s1 * z0
+        area += cross
+        s += cross * (s0 + s1)
+        z += cross * (z0 + z1)
+        ss += cross * (s0 * s0 + s0 * s1 + s1 * s1)
+        zz += cross * (z0 * z0 + z0 * z1 + z1 * z1)
+    turn = math.copysign(1.0, area)
+    return PolygonSums(turn * area / 2.0, turn * s / 6.0, turn * z / 6.0, turn * ss / 12.0, turn * zz / 12.0)
+
+
+def extruded(polygon: Polygon, ends: tuple[float, float], angle: float, start: float, density: float) -> Body:
+    """A solid: x = start + s cos(angle) + n sin(angle).
+
+    polygon : corners (s, z) [m]; ends : n from and to, along the normal of the plane [m]
+    angle : of the plane from the direction of motion, in plan [rad]; start : x of s = n = 0 [m]
+    density : [kg/m3], negative for an opening
+    """
+    of, (first, last) = polygon_sums(polygon), ends
+    # a right angle to rounding: elevation and section are exact
+    cosine, sine = (round(f, 15) if abs(f) < 1e-15 or abs(f) > 1.0 - 1e-15 else f for f in (math.cos(angle), math.sin(angle)))
+    one, two, three = last - first, (last**2 - first**2) / 2.0, (last**3 - first**3) / 3.0
+    across = cosine * of.s * one + sine * two * of.area
+    squares = cosine**2 * of.ss * one + 2.0 * sine * cosine * of.s * two + sine**2 * three * of.area
+    inertia = start**2 * of.area * one + 2.0 * start * across + squares + of.zz * one
+    return Body(
+        density * of.area * one, density * (start * of.area * one + across), density * of.z * one, density * inertia
+    )
+
+
+def together(bodies: Iterable[Body]) -> Body:
+    """Of several bodies one."""
+    return Body(*(math.fsum(parts) for parts in zip(*bodies, strict=True)))
+
+
+def cut_above(polygon: Polygon, z: float) -> list[tuple[float, float]]:
+    """The part of a polygon above a height, with that height as its zero; empty where there is none. Of a polygon that
+    is not convex it may have edges along the cut twice, which no sum notices."""
+    found: list[tuple[float, float]] = []
+    for (s0, z0), (s1, z1) in zip(polygon, (*polygon[1:], polygon[0]), strict=True):
+        if z0 > z:
+            found.append((s0, z0 - z))
+        if (z0 > z) != (z1 > z):
+            found.append((s0 + (s1 - s0) * (z - z0) / (z1 - z0), 0.0))
+    return found if len(found) > 2 else []
+
+
+def crossing(polygon: Polygon) -> tuple[int, int] | None:
+    """Numbers of two edges of a polygon, from 1, that cross or touch without following each other; None of a simple
+    polygon."""
+    edges = list(zip(polygon, (*polygon[1:], polygon[0]), strict=True))
+    for i, one in enumerate(edges):
+        for j in range(i + 1, len(edges)):
+            beside = j == i + 1 or (i == 0 and j == len(edges) - 1)
+            if (_folds(one, edges[j]) if beside else meet(one, edges[j])) or one[0] == one[1]:
+                return i + 1, j + 1
+    return None
+
+
+def _turn(a, b, c) -> float:
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+
+def _folds(one, other) -> bool:
+    """Whether two edges that follow each other go back on themselves."""
+    (a, b), (c, d) = one, other
+    common, far, end = (b, a, d) if b == c else (a, b, c)
+    dot = (far[0] - common[0]) * (end[0] - common[0]) + (far[1] - common[1]) * (end[1] - common[1])
+    return _turn(far, common, end) == 0.0 and dot > 0.0
+
+
+def meet(one, other) -> bool:
+    """Whether two edges, each of two corners, have a point in common."""
+    (a, b), (c, d) = one, other
+    sides = [_turn(a, b, c), _turn(a, b, d), _turn(c, d, a), _turn(c, d, b)]
+    if sides[0] * sides[1] < 0.0 and sides[2] * sides[3] < 0.0:
+        return True
+    return any(
+        side == 0.0 and min(p[0], q[0]) <= r[0] <= max(p[0], q[0]) and min(p[1], q[1]) <= r[1] <= max(p[1], q[1])
+        for side, (p, q, r) in zip(sides, ((a, b, c), (a, b, d), (c, d, a), (c, d, b)), strict=True)
+    )
+
+
+def holds(polygon: Polygon, point: tuple[float, float]) -> bool:
+    """Whether a point is in a polygon or on its edge."""
+    s, z = point
+    inside = False
+    for one, other in zip(polygon, (*polygon[1:], polygon[0]), strict=True):
+        if meet((one, other), (point, point)):
+            return True
+        if (one[1] > z) != (other[1] > z) and s < one[0] + (other[0] - one[0]) * (z - one[1]) / (other[1] - one[1]):
+            inside = not inside
+    return inside
