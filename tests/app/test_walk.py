@@ -69,7 +69,8 @@ class Walk:
         """Only into one that a person sees, once its section is unfolded."""
         field = self.one_of(self.window.fields)
         unfold_to(field)
-        area = next(area for area in self.window.stages.input.areas.values() if area.isAncestorOf(field))
+        areas = self.window.stages.input.areas.values()
+        area = next((area for area in areas if area.isAncestorOf(field)), field.parentWidget())  # else of the note
         if not field.isVisibleTo(area) or not field.editor.isEnabled():
             return None
         if isinstance(field, FlagField):
