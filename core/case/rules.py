@@ -15,6 +15,7 @@ from core.case.variant_of import expanded
 from core.codes.limits import check_return_period
 from core.errors import InputError, place, section
 from core.text.sentence import Quantity, sentence
+from core.wall.shape_rules import check_shape
 from core.wall.wall_loads import check_given, check_loads
 
 MIN_LETTERS = 3
@@ -162,6 +163,7 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
 def check_wall(case: Case, wall: Wall) -> None:
     """Raise InputError for a wall that breaks a rule of its own or one with the rest of the case."""
     try:
+        check_shape(wall)
         wall.bare_block()
         check_given(wall)
         for mechanism in wall.mechanisms():
