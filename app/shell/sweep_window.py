@@ -27,8 +27,10 @@ from app.views.study_tabs import figure_chart, table_view
 from app.work.running import progress_word
 from app.work.worker import Job
 from core.case.keys import unit_in_form
+from core.case.loads import ReturnWalls
 from core.case.number import parse_number
 from core.case.schema import Case, Wall
+from core.case.site import Building
 from core.case.values import check_value, field_of
 from core.errors import InputError
 from core.research.figures import DASHED, LINE_POINTS, Figure, Series, Table
@@ -45,7 +47,10 @@ FIRST_RANGE = (0.7, 1.3)
 def key_words(case: Case, k: int, key: SweepKey) -> str:
     """What a key is called, with the load it is of and its unit."""
     unit, _ = unit_in_form(field_of(key.section, key.name))
+    unit = tr("years") if unit == "years" else unit
     words = of_key(key.section, key.name, ".caption")
+    if key.section in (Building, ReturnWalls):
+        words = f"{tr('Building') if key.section is Building else named('key_return_walls')}: {words}"
     if key.load is not None:
         load = case.wall[k].load[key.load]
         words = f"{named(f'load_{load.kind}')} {key.load + 1}: {words}"
@@ -308,5 +313,5 @@ class SweepWindow(QDialog):
         chart = page.findChild(Chart)
         chart.caption = f"{wall.title}: {figure.title}"
         if now is not None:
-            chart.level(now, tr("now"), vertical=True)
+            chart.level(now, tr("now"), vertical=True, place=0.04)
         return page

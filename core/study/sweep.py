@@ -19,6 +19,12 @@ from core.study.run import run
 OF_A_TIE_TO_DESIGN = "tie_"
 """How the keys of the tie that is sought begin: no check counts it."""
 
+NOT_SWEPT = ("zeta_target", "q_code")
+"""Keys of the demand that name what is shown, the line required and a check."""
+
+GENERAL, RECTANGLE = ("radius_m", "inertia_over_mass_m2"), ("height_m", "thickness_m", "height_over_thickness")
+"""Sizes of a general block and of a rectangle, of which the other has none."""
+
 MOST_VALUES = 200
 
 
@@ -53,14 +59,15 @@ class SweepPoint:
 def sweep_keys(case: Case, k: int) -> list[SweepKey]:
     """The numbers of the k-th wall, and of the case as far as it is given, that can be swept."""
     wall = case.wall[k]
-    found = [key for key in _keys(Wall) if not key.name.startswith(OF_A_TIE_TO_DESIGN)]
+    other = GENERAL if wall.radius_m is None else RECTANGLE
+    found = [key for key in _keys(Wall) if not key.name.startswith(OF_A_TIE_TO_DESIGN) and key.name not in other]
     for n, load in enumerate(wall.load):
         found += _given(load, n)
         found += _given(load.bar, n) if load.bar else []
     spectrum = case.demand.spectrum if case.demand else None
     for section in (wall.return_walls, case.demand, spectrum, case.building):
         found += _given(section) if section else []
-    return found
+    return [key for key in found if key.name not in NOT_SWEPT]
 
 
 def _keys(section: type, load: int | None = None) -> list[SweepKey]:

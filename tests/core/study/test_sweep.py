@@ -76,6 +76,7 @@ def test_that_every_key_offered_of_a_shipped_case_can_be_changed(name):
     for k, wall in enumerate(case.wall):
         keys = sweep_keys(case, k)
         assert len(set(keys)) == len(keys)
+        assert {key.name for key in keys}.isdisjoint({"radius_m", "inertia_over_mass_m2", "zeta_target", "q_code"})
         for key in keys:
             value = value_at(case, k, key)
             if value is not None and getattr(wall, key.name, value) is not None:
