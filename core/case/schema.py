@@ -60,6 +60,8 @@ class WallJustification:
     restitution: str = text_key()
     law: str = text_key()
     return_walls: str = text_key()
+    return_wedges: str = text_key()
+    contact: str = text_key()
     free_element: str = text_key()
     base_z_m: str = text_key()
     elongation_m: str = text_key()

@@ -73,6 +73,12 @@ class Part(NamedTuple):
         return math.copysign(1.0, sign) * found
 
 
+def lies_behind(part: Part, thickness: float) -> bool:
+    """Whether a solid is dragged along behind the base of this thickness [m]: wedges of return walls."""
+    faces = [part.x_of(s, n) for s, _ in part.polygon for n in part.ends]
+    return part.weight > 0.0 and min(faces) >= thickness * (1.0 - 1e-9)
+
+
 def has_shape(wall) -> bool:
     """Whether a wall gives more than a rectangle."""
     return bool(wall.solid or wall.return_wedges or any(getattr(wall, key) for key in SHORT_FORMS))
