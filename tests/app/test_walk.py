@@ -9,7 +9,7 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
 
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QFileDialog, QMessageBox
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QPlainTextEdit
 
 from app.input.fields import ChoiceField, FlagField
 from app.input.loads_form import KINDS
@@ -81,7 +81,11 @@ class Walk:
             field.editor.setCurrentIndex(k)
             field.editor.activated.emit(k)
             return f"{field.key} {k}"
-        text = self.one_of(TEXTS)[: field.editor.maxLength()]
+        text = self.one_of(TEXTS)
+        if isinstance(field.editor, QPlainTextEdit):
+            field.editor.setPlainText(text)
+            return f"{field.key} {text!r}"
+        text = text[: field.editor.maxLength()]
         if self.chance.random() < 0.5:
             field.editor.setFocus()
         field.editor.setText(text)
