@@ -238,8 +238,8 @@ def walk_through(window, application, tmp_path, monkeypatch, faults, seed: int, 
 
 @pytest.mark.parametrize("seed", [1, 2])
 def test_that_every_state_the_forms_reach_is_kept(opened, application, tmp_path, monkeypatch, faults, seed):
-    """120 acts: a load without its size, a spectrum without its soil, an empty name among them."""
-    walk_through(opened, application, tmp_path, monkeypatch, faults, seed, 120)
+    """80 acts: a load without its size, a spectrum without its soil, an empty name among them."""
+    walk_through(opened, application, tmp_path, monkeypatch, faults, seed, 80)
 
 
 @pytest.mark.long
