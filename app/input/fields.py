@@ -263,13 +263,13 @@ class NumberField(Field):
 
     def _means(self, value) -> bool:
         text = self.editor.text()
-        if not text.strip():
-            return value is None
+        if not text.strip() or value in (None, ""):  # a value still to be given is ""
+            return not text.strip() and value in (None, "")
         try:
             number = parse_number(text)
         except InputError:
             return False
-        return value is not None and abs(number / self.factor - value) <= 1e-12 * abs(value)
+        return abs(number / self.factor - value) <= 1e-12 * abs(value)
 
 
 class RangeField(Field):

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.input.wall_words import differences
 from app.look import theme
 from app.look.language import named, number, tr
 from core.case.schema import Case
@@ -119,7 +120,9 @@ def _walls(state: State, broken: set[str | None]) -> Iterable[Row]:
         group = _wall(state, worst, name, 1, broken)
         yield Row(1, "group", name, group.chip, group.tone, first, group.result)
         for k in alike:
-            yield _wall(state, k, walls[k].variant or name, 2, broken)
+            words = ", ".join(differences(state.case, walls[k]))
+            variant = walls[k].variant or name
+            yield _wall(state, k, f"{variant}: {words}" if words else variant, 2, broken)
             yield from _hinges(state, k, 3)
 
 

@@ -11,6 +11,7 @@ from core.case.keys import is_required
 from core.case.schema import Analysis, Case, Generate, Record, Report, Wall
 from core.case.site import FULL_FACTOR, KNOWLEDGE, Building, Demand, Spectrum
 from core.case.values import SHOWN, are_ends, field_of, refuse_unknown, repeated, section_of, value_of
+from core.case.variant_of import expanded
 from core.codes.limits import check_return_period
 from core.errors import InputError, place, section
 from core.text.sentence import Quantity, sentence
@@ -47,6 +48,7 @@ METHODS_WITH_TIES = ("auto", "taylor", "taylor_6")
 
 def parse_case(table: dict) -> Case:
     """The case of a mapping with the keys of the file; every rule is checked here, once."""
+    table = expanded(table)
     refuse_unknown(Case, table, "case", "case")
     title = value_of(field_of(Case, "title"), table.get("title", "Ribalta"))
     analysis = section_of(Analysis, table.get("analysis", {}), "analysis", section("[analysis]"))
@@ -98,6 +100,7 @@ def parse_case(table: dict) -> Case:
 def draft_case(table: dict) -> Case:
     """The case of a mapping that may not be complete: unknown keys are refused, values are taken as they
     are, a missing one is empty. For work in progress; `parse_case` decides what can run."""
+    table = expanded(table)
     refuse_unknown(Case, table, "case", "case")
 
     def part(cls, content, name):

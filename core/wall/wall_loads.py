@@ -41,7 +41,10 @@ SECTIONS = 400
 
 
 def vertical_loads(wall) -> float:
-    """Sum of the vertical loads [N/m]."""
+    """Sum of the vertical loads [N/m]. Raises InputError where one has no size yet."""
+    for n, load in enumerate(wall.load, start=1):
+        if load.is_weight and load.kn_m in (None, ""):
+            raise InputError("load_size_missing", place=(place("wall", name=wall.name), place("load", n=n)), key="kn_m")
     return sum(1e3 * load.kn_m for load in wall.load if load.is_weight)
 
 

@@ -8,7 +8,9 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
 
+from app.input.building_form import BuildingForm
 from app.input.fields import ChoiceField
+from app.input.hazard_form import HazardForm
 from app.input.impact_form import FORMULAS, ImpactForm, captions, named_models, scopes
 from app.input.loads_form import LoadsForm
 from app.look.language import current_language, set_language
@@ -57,10 +59,13 @@ def test_that_a_carried_mass_to_be_sized_leaves_undo_alive(opened, faults):
     assert opened.session.case == before
 
 
-@pytest.mark.parametrize("form", [ImpactForm, LoadsForm, "walls", "demand", "analysis", "records"])
+@pytest.mark.parametrize(
+    "form", [ImpactForm, LoadsForm, BuildingForm, HazardForm, "walls", "demand", "analysis", "records", "tree"]
+)
 def test_that_a_form_that_fails_stops_no_other(opened, faults, monkeypatch, form):
     kind = type(getattr(opened, form)) if isinstance(form, str) else form
-    broken = next(name for name in ("_show_sizes", "_show_demand", "show_case") if name in vars(kind))
+    slots = ("_show_sizes", "_show_demand", "show_case", "show_rows")
+    broken = next(name for name in slots if name in vars(kind))
 
     failing = [True]
 
@@ -83,6 +88,7 @@ def test_that_a_form_that_fails_stops_no_other(opened, faults, monkeypatch, form
         "demand": opened.demand.fields["ag_g"].editor.text() == "0.31",
         "analysis": opened.analysis.of_report[0].editor.text() == "the client",
         "title": opened.windowTitle().startswith("*"),
+        "tree": "another" in [row.text for row in opened.tree.rows],
         "undo": opened.actions_of.undo.isEnabled(),
     }
     assert {name for name, fresh in shown.items() if not fresh} <= {form}

@@ -37,6 +37,8 @@ BAR = {"number": 4, "diameter_mm": 20.0}
 REFUSED = [
     ("loads_need_weight", (ROOF,), {"unit_weight_kn_m3": None}),
     ("loads_contradict", (ROOF,), {"unloaded_confirmed": True}),
+    ("load_size_missing", ({**ROOF, "kn_m": None},), {}),
+    ("load_size_missing", ({**ROOF, "kn_m": None},), {"compressive_strength_mpa": 2.0}),
     ("load_mass_missing", ({**ROOF, "mass": None},), {}),
     ("load_mass_refused", ({**TIE, "mass": "moving"},), {}),
     ("load_mass_refused", ({"kind": "carried_mass", "kn_m": 1.0, "d_m": 0.2, "h_m": 3.0, "mass": "none"},), {}),
