@@ -188,17 +188,18 @@ class Chips(QStyledItemDelegate):
         font = option.font
         font.setBold(row.depth == 0)
         right = area.right() - 6
-        if row.chip:
+        chip_words = theme.marked(row.tone, row.chip)
+        if chip_words:
             font.setBold(True)
             painter.setFont(font)
-            wide = max(30.0, QFontMetricsF(font).horizontalAdvance(row.chip) + 16)
+            wide = max(30.0, QFontMetricsF(font).horizontalAdvance(chip_words) + 16)
             chip = QRectF(right - wide, area.center().y() - 0.68 * option.fontMetrics.height(), wide, 0)
             chip.setHeight(1.36 * option.fontMetrics.height())
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(QColor(getattr(theme.current, row.tone)))
             painter.drawRoundedRect(chip, 9, 9)
             painter.setPen(QColor(theme.current.back))
-            painter.drawText(chip, Qt.AlignmentFlag.AlignCenter, row.chip)
+            painter.drawText(chip, Qt.AlignmentFlag.AlignCenter, chip_words)
             right = chip.left() - 4
             font.setBold(row.depth == 0)
         painter.setFont(font)
@@ -287,7 +288,7 @@ class ProjectTree(QFrame):
 
     @staticmethod
     def _fill(item: QTreeWidgetItem, row: Row) -> None:
-        item.setText(0, f"{row.text} {row.chip}".strip())  # for a screen reader; the delegate paints
+        item.setText(0, f"{row.text} {theme.marked(row.tone, row.chip)}".strip())  # for a screen reader; the delegate paints
         item.setToolTip(0, row.text)
         item.setData(0, Qt.ItemDataRole.UserRole, row)
 
