@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from app.input.fields import Field
 from app.look import language, theme
+from app.look.focus import FocusFrame
 from app.look.language import tr
 from app.look.parts import Parts
 from app.shell import menus, stages, tabs, tree
@@ -51,6 +52,7 @@ class MainWindow(StagedWindow):
         self.files = Files(self, self.session, settings)
         self.preparation = Preparation(self)
         self.parts = Parts(self)
+        self.focus_frame = FocusFrame(self)
         self.finished_runs = Memory()
         self.build()
         geometry = settings.value("geometry")

@@ -34,6 +34,7 @@ class Chart(ChartOutput):
         self.labels, self.name = (x, y), name
         self.setAccessibleName(name)
         self.view = pg.PlotWidget(axisItems={side: Axis(side) for side in ("bottom", "left")})
+        self.view.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # the keys reach the chart by its menu
         self.plot = self.view.getPlotItem()
         self.plot.showGrid(x=True, y=True, alpha=0.25)
         self.beside, self.live = legend == "beside", live
