@@ -174,7 +174,7 @@ class WallDrawing(QWidget):
         self.dragged = None
 
     def _draw_bars(self, painter, place) -> None:
-        """The bars that hold a wall as it rocks: taut, slack (dashed), yielding (red and thick); none where one has gone."""
+        """The bars that hold a wall as it rocks: taut, slack (dashed), yielding (red, thick); none where one broke."""
         height, thickness, setback = self.size_of
         half = 0.5 * thickness
         hinge, turned = half - setback, max(self.rotation, 0.0)

@@ -64,6 +64,11 @@ MARKS = {"good": "✓", "amber": "!", "bad": "✗"}
 current = LIGHT
 
 
+def points(times: float) -> str:
+    """A size of letters in a style sheet, so many times that of the desktop."""
+    return f"font-size: {times * QApplication.font().pointSizeF():g}pt;"
+
+
 def marked(tone: str, words: str) -> str:
     """Words of this tone after its mark, alone where they are it or the tone has none."""
     mark = MARKS.get(tone, "")

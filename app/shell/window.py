@@ -137,16 +137,12 @@ class MainWindow(StagedWindow):
         walls = self.walls
         self.tree.set_buttons(
             [
-                [
-                    (tr("+ wall"), tr("Add a wall"), lambda: self._then_input(walls.add)),
-                    (tr("+ variant"), tr("The wall as it is and, beside it, to be changed"), walls.add_variant),
-                    (tr("copy"), tr("Copy this wall"), walls.duplicate),
-                ],
-                [
-                    (tr("paste"), tr("Paste rows copied from Excel"), walls.paste),
-                    (tr("table…"), tr("Read walls from .xlsx or .csv"), walls.load_table),
-                    (tr("delete"), tr("Delete this wall"), walls.delete),
-                ],
+                (tr("+ wall"), tr("Add a wall"), lambda: self._then_input(walls.add)),
+                (tr("+ variant"), tr("The wall as it is and, beside it, to be changed"), walls.add_variant),
+                (tr("copy"), tr("Copy this wall"), walls.duplicate),
+                (tr("paste"), tr("Paste rows copied from Excel"), walls.paste),
+                (tr("table…"), tr("Read walls from .xlsx or .csv"), walls.load_table),
+                (tr("delete"), tr("Delete this wall"), walls.delete),
             ]
         )
         self.tree.chosen.connect(self.choose_row)
@@ -161,14 +157,11 @@ class MainWindow(StagedWindow):
         row.addWidget(self.stages, 1)
         column.addLayout(row, 1)
         self.setCentralWidget(centre)
-        self._tree_width()
-
-    def _tree_width(self) -> None:
-        self.tree.setFixedWidth(tree.WIDE if self.width() >= tree.WIDE_FROM else tree.WIDTH)
+        self.tree.fit(self.width())
 
     def resizeEvent(self, event) -> None:
         super().resizeEvent(event)
-        self._tree_width()
+        self.tree.fit(self.width())
 
     def _validation(self) -> ValidationTab:
         tab = ValidationTab()

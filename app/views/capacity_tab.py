@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QVBoxLayout, QWidget
 
 from app.look import theme
 from app.look.language import named, number, tr
+from app.look.whole_text import tell_whole
 from app.views.chart import Chart
 from app.views.hatch import Hatch, hatched_square
 from core.capacity.fragility import fragility_curve
@@ -41,6 +42,7 @@ class CapacityTab(QWidget):
         choices, top = QHBoxLayout(), QHBoxLayout()
         for box in (self.record, self.other):
             box.setMinimumWidth(60)
+            tell_whole(box)
             choices.addWidget(box, 1)
         top.addWidget(self.peaks, 1)
         top.addWidget(self.fragility, 1)

@@ -38,7 +38,7 @@ class Chart(ChartOutput):
         self.plot = self.view.getPlotItem()
         self.plot.showGrid(x=True, y=True, alpha=0.25)
         self.beside, self.live = legend == "beside", live
-        self.legend = self.plot.addLegend(labelTextSize="9pt")
+        self.legend = self.plot.addLegend(labelTextSize=theme.points(1.0).split()[1].rstrip(";"))
         self.legend.setParentItem(self.plot)
         self.legend.anchor((1, 0), (1, 0), (0, 8 if self.beside else 0))
         self.ranges: dict[str, tuple[float, float]] = {}

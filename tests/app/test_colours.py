@@ -30,15 +30,15 @@ EYES = {
 LEAST = 12.0
 """Distance of two colours that are drawn together."""
 
-XYZ = np.array([[0.4124564, 0.3575761, 0.1804375], [0.2126729, 0.7151522, 0.0721750], [0.0193339, 0.1191920, 0.9503041]])
+XYZ = np.array(
+    [[0.4124564, 0.3575761, 0.1804375], [0.2126729, 0.7151522, 0.0721750], [0.0193339, 0.1191920, 0.9503041]]
+)
 """Linear sRGB to XYZ (IEC 61966-2-1)."""
 
 NOTE = {name: color for name, color in COLORS.items() if name != "accent"}
 BESIDE = {
     **{f"curves, {name}": one.curves for name, one in theme.THEMES.items()},
-    **{
-        f"verdicts, {name}": (one.good, one.amber, one.bad, one.quiet, one.ink) for name, one in theme.THEMES.items()
-    },
+    **{f"verdicts, {name}": (one.good, one.amber, one.bad, one.quiet, one.ink) for name, one in theme.THEMES.items()},
     "figures of a study": PALETTE,
     "verdicts of the note": tuple(NOTE.values()),
     "lines of the note": tuple(COLORS[name] for name in ("accent", "bad", "amber", "ink")),
