@@ -34,7 +34,6 @@ class StagedWindow(RunningWindow):
     """
 
     shown = -1
-    _spectra: tuple = ()
     fresh: set[QWidget]
     header: Header
     tree: ProjectTree
@@ -162,11 +161,7 @@ class StagedWindow(RunningWindow):
         result = self.session.result
         rules = result.compliance if result and not self.session.stale else None
         floor = self.wall.floor if self.wall and not self.session.stale else None
-        page, motions = self.pages["spectra"].content, [id(motion) for motion in self.records.motions]
-        shown = (motions, target, rules, floor, self.shown, page)
-        if shown != self._spectra:  # else a key typed costs the spectra of all records
-            self._spectra = shown
-            page.show_records(self.records.motions, target, rules, floor)
+        self.pages["spectra"].content.show_records(self.records.motions, target, rules, floor, self.shown)
 
     @property
     def wall(self) -> WallResult | None:

@@ -130,8 +130,7 @@ class CapacityTab(QWidget):
     def _overlay(self, result: StudyResult, wall: WallResult) -> None:
         """All records, with mean and scatter as long as none has overturned."""
         found = [_peaks(result, wall, run) for run in wall.runs]
-        for run, (q, ratio) in zip(wall.runs, found, strict=True):
-            self.peaks.curve(_name(run), q, ratio, 6, 0.8, legend=False)
+        self.peaks.bundle([_name(run) for run in wall.runs], found)
         first = min((q[np.isnan(ratio)][0] if np.isnan(ratio).any() else q[-1]) for q, ratio in found)
         low = max(q[0] for q, _ in found)
         if first > low:
