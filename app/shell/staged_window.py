@@ -10,7 +10,6 @@ from app.shell import stages, tree
 from app.shell.header import Header
 from app.shell.pages import Page
 from app.shell.tree import ProjectTree, Row
-from app.views.chart import Chart
 from app.work.running import RunningWindow
 from core.case.schema import Wall
 from core.errors import InputError
@@ -191,20 +190,6 @@ class StagedWindow(RunningWindow):
             if self.results_of().get(row, [k])[0] != k:
                 self.tree.select(("hinge", row, hinge))
         self.show_result()
-
-    def charts(self) -> list[Chart]:
-        """Every chart that shows something of the wall shown. Its page is once in front: Qt lays nothing out before."""
-        found, page, stage = [], self.page, self.stages.front
-        self.stages.setUpdatesEnabled(False)
-        for name in self.pages:
-            self.show_page(name)
-            found += [chart for chart in self.pages[name].content.findChildren(Chart) if chart.data]
-        if page is not None:
-            self.show_page(page)
-        else:
-            self.show_stage(stage)
-        self.stages.setUpdatesEnabled(True)
-        return found
 
     def show_result(self) -> None:
         """Fill the page in front, once per result and wall."""

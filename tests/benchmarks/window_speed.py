@@ -174,6 +174,7 @@ def main(options: argparse.Namespace) -> None:
 
     QStandardPaths.setTestModeEnabled(True)
     from app.shell import start as program
+    from app.views.figure_file import FigureSize
     from core.study.journal import Memory
 
     application, window = program.make([])
@@ -207,6 +208,21 @@ def main(options: argparse.Namespace) -> None:
             assert window.session.result is not None and window.finished_runs.analyses > 0
             longest = sorted(gaps)[-3:]
             print(f"{round_}: longest gaps of the event loop {', '.join(f'{1e3 * g:.0f}' for g in longest)} ms")
+        gaps.clear()
+        folder_of_figures = Path(folder) / "figures"
+        folder_of_figures.mkdir()
+        last[0] = began = time.perf_counter()
+        timer.start(5)
+        window.files.export_figures(folder_of_figures, FigureSize())
+        settle(application, lambda: window.job is None)
+        timer.stop()
+        count, seconds = len(list(folder_of_figures.iterdir())), time.perf_counter() - began
+        assert count >= 5, "the figures were not written"
+        longest = sorted(gaps)[-3:]
+        print(
+            f"{count} figures of 300 dpi exported in {seconds:.1f} s: longest gaps of the event loop "
+            f"{', '.join(f'{1e3 * g:.0f}' for g in longest)} ms"
+        )
         each = drag(application, window, 5 if options.small else 120)
         print(f"dragged multiplier: {1.0 / each:.0f} histories integrated and drawn per second")
         for _ in range(9):  # a small study may be over before it is cancelled
