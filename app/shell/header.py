@@ -73,7 +73,7 @@ class Header(QFrame):
             button.setCheckable(True)
             button.setToolTip(f"{label} (Alt+{number})")
             button.setStyleSheet(
-                f"QPushButton {{ border: 1px solid {edge}; border-radius: 13px; padding: 4px 14px;"
+                f"QPushButton {{ border: 1px solid {edge}; border-radius: 11px; padding: 4px 14px;"
                 f" background: {back}; color: {theme.current.ink}; font-weight: 600; }}"
                 f"QPushButton:checked {{ background: {chosen}; color: {back}; }}"
                 f"QPushButton:focus {{ border: 2px solid {theme.current.ink}; padding: 3px 13px; }}"

@@ -17,7 +17,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QMenu, QMessageBox, QWidget
 from shiboken6 import isValid
 
+from app.shell.files import EXAMPLE
 from app.shell.finder import every_action
+from app.work.session import Session
 from app.work.worker import RUNNING
 from tests.app.driving import settle
 
@@ -140,6 +142,14 @@ def answered(monkeypatch, tmp_path):
     monkeypatch.setattr(QDesktopServices, "openUrl", lambda *_: True)
     monkeypatch.setattr(QMessageBox, "exec", lambda box: 0)
 
+    save = Session.save
+
+    def save_here(session, path=None) -> None:  # an example was opened: it is not to be written over
+        target = path or session.path
+        save(session, target if target.is_relative_to(tmp_path) else folder / target.name)
+
+    monkeypatch.setattr(Session, "save", save_here)
+
     def shown(dialog) -> QDialog.DialogCode:
         dialog.show()
         QApplication.processEvents()
@@ -197,7 +207,9 @@ def hurry(application, window, faults, tmp_path, draw, seed: int, count: int) ->
 
 @pytest.mark.parametrize("seed", [1, 2])
 def test_that_hundreds_of_random_events_break_nothing(opened, application, faults, tmp_path, answered, seed):
+    shipped = {path: path.read_bytes() for path in EXAMPLE.parent.glob("*.toml")}
     hand = hurry(application, opened, faults, tmp_path, answered, seed, 300)
+    assert shipped == {path: path.read_bytes() for path in EXAMPLE.parent.glob("*.toml")}
     assert len(hand.sent) == 300 and len({kind for kind, *_ in hand.sent}) == 10
 
 
