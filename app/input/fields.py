@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QDialog, QGridLayout, QLabel
 
 from app.look import theme
 from app.look.language import FORM_NAMES, current_language, number, of_key, tr
+from app.look.whole_text import tell_whole
 from core.case.keys import unit_in_form
 from core.case.number import parse_number
 from core.case.schema import Analysis, Report, Wall
@@ -330,6 +331,7 @@ class ChoiceField(Field):
         self.words = words or words_of_choices(section, key)
         FORM_NAMES.captions.update({name: shown for name, shown in self.words.items() if name})
         super().__init__(section, key)
+        tell_whole(self.editor)
 
     def make_editor(self) -> QComboBox:
         editor = Choice()

@@ -24,7 +24,7 @@ def estimate_lines(session: Session, wall: Wall) -> list[str]:
     case = session.case
     try:
         demand = demand_of(case, session.base_dir) if case.demand else None
-        if demand is None or not demand.intensity or not wall.has_closed_forms:
+        if demand is None or not demand.intensity or not wall.has_closed_forms or not wall.mechanism:
             return []
         answers = [
             estimates(

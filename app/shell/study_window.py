@@ -4,7 +4,7 @@ import os
 import time
 from pathlib import Path
 
-from PySide6.QtCore import QStandardPaths
+from PySide6.QtCore import QStandardPaths, Qt
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
@@ -68,6 +68,9 @@ class StudyWindow(QDialog):
         self.word = QLabel()
         self.word.setWordWrap(True)
         self.tabs = QTabWidget()
+        self.tabs.setTabBarAutoHide(True)  # without a tab it would take the focus, and keep it
+        self.tabs.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.tabs.tabBar().setAccessibleName(tr("Parametric study"))
         layout = QVBoxLayout(self)
         layout.addLayout(self._form())
         layout.addWidget(self.word)

@@ -149,9 +149,16 @@ def rocking_model(
     bars: tuple[Bar, ...] = (),
     inner: Block | None = None,
 ) -> RockingModel:
-    """The flat tuple of a wall for the kernels. loads : for positive and for negative rotations, of one collapse
-    rotation where the law is trilinear; bars : of a wall of the rigid law; inner : the block about its inner hinge, of
-    a two-sided body that is not symmetric and of the rigid law."""
+    """The flat tuple of a wall for the kernels.
+
+    block : about its outer hinge
+    one_sided : only positive rotations are possible
+    restitution : of its impacts
+    law : of its moment
+    loads : for positive and for negative rotations, of one collapse rotation where the law is trilinear
+    bars : of a wall of the rigid law
+    inner : the block about its inner hinge, of a two-sided body that is not symmetric and of the rigid law
+    """
     weaker = loads[0] if one_sided else min(loads, key=lambda side: side.lean)
     lean, other = weaker.lean, None
     if inner is not None and not one_sided:

@@ -17,6 +17,7 @@ from app.look.language import current_language, set_language
 from app.work.session import Session
 from core.case.loads import Load
 from core.case.schema import Wall
+from core.case.site import Demand, Spectrum
 from core.rocking.methods import METHODS
 from core.text.catalogue import CATALOGUE
 from core.wall import restitution as of_restitution
@@ -224,3 +225,14 @@ def test_that_a_list_shows_nothing_for_what_is_not_in_it(opened):
     opened.session.edit_section("demand", spectrum=spectrum)
     assert opened.demand.fields["topography"].editor.currentIndex() == -1
     assert opened.demand.fields["soil"].editor.currentIndex() == -1
+
+
+def test_that_a_wall_without_a_mechanism_has_no_estimate(opened):
+    """Its restitution may be given by a number, which asks for no mechanism."""
+    spectrum = Spectrum("EN1998", type=1, soil="B")
+    opened.session.edit(replace(opened.session.case, demand=Demand(0.2, spectrum=spectrum)))
+    opened.session.edit_wall(0, restitution=None, velocity_ratio=0.9)
+    with_one = opened.walls.summary.text()
+    opened.session.edit_wall(0, mechanism="")
+    assert "α" in opened.walls.summary.text() and "q SLV" in with_one
+    assert "q SLV" not in opened.walls.summary.text()

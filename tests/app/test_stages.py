@@ -1,5 +1,6 @@
 """The frame of the window: stages, tree, what is missing, finding, the drawing under the hand, the client's view."""
 
+import gc
 import os
 from dataclasses import replace
 
@@ -65,6 +66,8 @@ def test_that_a_field_a_wall_and_an_action_are_found_by_name(opened):
     assert found.fitting and "modulus" in found.fitting[0].words.lower()
     found._go()
     assert opened.walls.fields["elastic_modulus_mpa"].isVisible()
+    gc.collect()
+    assert opened.actions_of.recent.title()  # to look through the menus takes none of them away
     for words, shown in (("paste walls", "Paste walls"), ("w", "w")):
         again = finder.Finder(opened)
         again.line.setText(words)

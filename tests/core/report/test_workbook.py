@@ -193,7 +193,8 @@ def bodies(folder):
         )
     ]
     walls = [
-        {"name": "facade", "mechanism": "one_sided", "height_m": 7.0, "thickness_m": 0.6, "length_m": 6.0, "gable_m": 2.0,
+        {"name": "facade", "mechanism": "one_sided", "height_m": 7.0, "thickness_m": 0.6, "length_m": 6.0,
+         "gable_m": 2.0,
          "openings": [door, rose],
          "return_wedges": {"number": 2, "thickness_m": 0.4, "length_at_top_m": 1.0},
          **own},
