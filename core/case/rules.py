@@ -42,7 +42,7 @@ TESTED_STRENGTH = (0.5, 10.0)
 """Compressive strengths of masonry [MPa] that tests give."""
 
 
-METHODS_WITH_TIES = ("auto", "taylor", "taylor_6")
+EXACT_METHODS = ("auto", "taylor", "taylor_6")
 """Methods that know a tie; all of them are then the one of order 8."""
 
 
@@ -171,12 +171,13 @@ def check_wall(case: Case, wall: Wall) -> None:
         wall.moment_law()
     except InputError as error:
         raise error.at(place("wall", name=wall.name)) from None
-    if any(load.is_tie for load in wall.load):
-        if case.analysis.method not in METHODS_WITH_TIES:
-            found = case.analysis.method
-            raise InputError("tie_method", place=(section("[analysis]"),), key="method", found=found)
+    tied = any(load.is_tie for load in wall.load)
+    if tied or (wall.is_unlike and "two_sided" in wall.mechanisms()):
+        method, what = case.analysis.method, "tie" if tied else "unlike"
+        if method not in EXACT_METHODS:
+            raise InputError(f"{what}_method", place=(section("[analysis]"),), key="method", found=method)
         if case.analysis.accuracy:
-            raise InputError("tie_accuracy", place=(section("[analysis]"),), key="accuracy")
+            raise InputError(f"{what}_accuracy", place=(section("[analysis]"),), key="accuracy")
     if case.analysis.method == "linearised" and not wall.moment_law().is_rigid:
         raise InputError("linearised_is_rigid", place=(section("[analysis]"),), key="method", wall=wall.name)
     if case.building and (wall.base_z_m or 0.0) > case.building.height_m:

@@ -7,15 +7,19 @@ import numpy as np
 import pytest
 
 from core.case.rules import parse_case
+from core.codes.kinematic import elastic_period
 from core.errors import InputError
+from core.report.outlines import in_elevation, in_section
 from core.rocking.history import history, scan
 from core.rocking.methods import METHODS
 from core.rocking.outcome import STABLE
+from core.study.run import run
 from core.study.zeta_with import model_of
 from core.wall.body import extruded, together
 from core.wall.rocking_model import OtherSide, RockingModel
 from core.wall.wall_body import body_of, parts_of
 from core.wall.wall_loads import inner_of
+from tests.conftest import ROOT
 from tests.validation import loaded_walls
 
 G = 9.80665
@@ -375,3 +379,105 @@ def test_that_a_body_that_is_none_is_refused_in_a_sentence(code, solids, changes
     with pytest.raises(InputError) as refused:
         wall_of(solids, **changes)
     assert refused.value.code == code
+
+
+def study_of(*walls, **sections):
+    """A study of these walls with two generated motions."""
+    demand = {"ag_g": 0.15, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}
+    case = {"wall": list(walls), "demand": demand, "generate": {"count": 2}, "analysis": {"q_step": 0.05}}
+    return run(parse_case(case | sections), base_dir=ROOT)
+
+
+STEPPED_WALL = {
+    "name": "stepped",
+    "mechanism": "one_sided",
+    "height_m": 8.0,
+    "thickness_m": 0.6,
+    "length_m": 5.0,
+    "unit_weight_kn_m3": 18.0,
+    "base_z_m": 0.0,
+    "steps": [{"from_z_m": 4.0, "thickness_m": 0.45}],
+}
+PLAIN_WALL = {key: value for key, value in STEPPED_WALL.items() if key != "steps"}
+
+
+def test_that_the_part_above_a_hinge_is_the_body_cut_there():
+    found = study_of({**STEPPED_WALL, "hinge_heights": [2.0, 4.0]})
+    whole, low, high = found.walls
+    assert [wall.part.hinge for wall in found.walls] == [0.0, 2.0, 4.0]
+    # above the step a rectangle of 4 x 0.45 m is left, with what rests on it
+    assert high.wall.thickness == 0.45 and body_of(high.wall) is None
+    assert high.block.is_rectangle and high.wall.weight == pytest.approx(18e3 * 4.0 * 0.45 * 5.0, rel=1e-12)
+    rest = extruded([(0, 0), (0.6, 0), (0.6, 2), (0, 2)], (0.0, 5.0), 0.0, 0.0, 18e3 / G)
+    top = extruded([(0, 2), (0.45, 2), (0.45, 6), (0, 6)], (0.0, 5.0), 0.0, 0.0, 18e3 / G)
+    assert tuple(body_of(low.wall)) == pytest.approx(tuple(together((rest, top))), rel=1e-13)
+    assert whole.q_set and low.q_set and high.q_set
+
+
+def test_that_wedges_begin_at_the_hinge_with_the_same_crack():
+    wedges = {"number": 2, "thickness_m": 0.4, "length_at_top_m": 2.0, "from_z_m": 1.0}
+    changes = {"return_wedges": wedges, "hinge_heights": [0.5, 3.0], "height_m": 5.0}
+    base, low, high = study_of(PLAIN_WALL | changes).walls
+    assert base.wall.return_wedges.length_at_top_m == 2.0
+    assert (low.wall.return_wedges.from_z_m, low.wall.return_wedges.length_at_top_m) == pytest.approx((0.5, 2.0))
+    assert (high.wall.return_wedges.from_z_m, high.wall.return_wedges.length_at_top_m) == pytest.approx((0.0, 1.0))
+
+
+def test_that_a_stepped_wall_that_rocks_both_ways_has_q_by_the_exact_method_alone():
+    found = study_of({**STEPPED_WALL, "mechanism": "two_sided"})
+    (wall,) = found.walls
+    assert wall.model.other is not None and wall.q_set > 1.0 and not wall.wall.has_closed_forms
+    for change, code in (({"method": "rk4"}, "unlike_method"), ({"accuracy": True}, "unlike_accuracy")):
+        with pytest.raises(InputError) as refused:
+            study_of({**STEPPED_WALL, "mechanism": "two_sided"}, analysis=change)
+        assert refused.value.code == code
+
+
+def test_that_the_checks_are_those_of_the_whole_body():
+    """alpha_0, e*, M*, d_0 by hand: one body, W x_G / (W z_G) and the displacement of its centroid."""
+    (wall,) = study_of(STEPPED_WALL | {"hinge_heights": "base"}).walls
+    kinematic, (x, z) = wall.assessment.kinematic, body_of(wall.wall).centroid
+    assert kinematic.alpha0 == pytest.approx(x / z, rel=1e-13) and kinematic.e_star == 1.0
+    assert kinematic.d0 == pytest.approx(x, rel=1e-13)
+    assert kinematic.m_star == pytest.approx(38545.3 / 5.0, rel=1e-6)
+
+
+def test_that_wedges_and_a_low_restraint_are_shown_with_zeta_without_them():
+    wedges = {"number": 2, "thickness_m": 0.6, "length_at_top_m": 2.0}
+    (wall,) = study_of({**PLAIN_WALL, "return_wedges": wedges, "hinge_heights": "base"}).walls
+    (bare,) = study_of({**PLAIN_WALL, "hinge_heights": "base"}).walls
+    # of histories it is searched on a coarser grid
+    reason = next(one for one in wall.assessment.verdict.limits if one.code == "lift_return_wedges")
+    assert dict(reason.values)["zeta"].value == pytest.approx(bare.assessment.verdict.zeta_e, rel=0.05)
+    gabled = {**PLAIN_WALL, "length_m": 6.0, "thickness_m": 0.5, "hinge_heights": "base"}
+    (low,) = study_of({**gabled, "height_m": 5.0, "solid": [GABLED]}).walls
+    (high,) = study_of({**gabled, "height_m": 7.0, "solid": [GABLED]}).walls
+    reason = next(one for one in low.assessment.verdict.limits if one.code == "lift_contact")
+    assert dict(reason.values)["zeta"].value == pytest.approx(high.assessment.verdict.zeta_e, rel=0.05)
+
+
+def test_that_the_period_of_a_body_is_that_of_its_rectangle_where_it_is_nearly_one():
+    """Rayleigh's quotient over the mass of the body, against a beam of 400 elements with the mass of each slice."""
+    wall = wall_of(STEPPED, 8.0, 0.6, 5.0, elastic_modulus_mpa=1000.0)
+    rectangle = wall_of((), 8.0, 0.6, 5.0, elastic_modulus_mpa=1000.0)
+    whole = wall_of(
+        [section_of([[0, 0], [0.6, 0], [0.6, 8], [0, 8.0001]], 5.0)], 8.0, 0.6, 5.0, elastic_modulus_mpa=1000.0
+    )
+    assert elastic_period(whole) == pytest.approx(elastic_period(rectangle), rel=1e-4)
+    # flexibility of a cantilever of constant section, masses of the slices
+    n, z = 200, (np.arange(200) + 0.5) * 8.0 / 200
+    mass = 18e3 / G * 8.0 / n * np.where(z < 4.0, 0.6, 0.45)
+    low, high = np.minimum.outer(z, z), np.maximum.outer(z, z)
+    flexibility = low**2 * (3.0 * high - low) / (6.0 * 1e9 * 0.6**3 / 12.0)
+    largest = np.linalg.eigvals(flexibility * mass[None, :]).real.max()
+    assert elastic_period(wall) == pytest.approx(2.0 * np.pi * math.sqrt(largest), rel=0.01)
+    assert elastic_period(wall) < elastic_period(rectangle)
+
+
+def test_that_the_outlines_are_those_of_the_solids():
+    wall = wall_of([GABLED, DOOR, ROSE], 7.0, 0.5, 6.0)
+    assert [one.kind for one in in_elevation(wall)] == ["solid", "opening", "opening"]
+    assert in_elevation(wall)[0].points == [tuple(map(float, corner)) for corner in GABLED["polygon_m"]]
+    assert sorted(in_section(wall)[0].points) == [(0.0, 0.0), (0.0, 7.0), (0.5, 0.0), (0.5, 7.0)]
+    wedges = wall_of((), return_wedges={"number": 2, "thickness_m": 0.4, "length_at_top_m": 2.0})
+    assert in_section(wedges)[1] == ([(0.5, 0.0), (2.5, 6.0), (0.5, 6.0)], "wedge")
