@@ -173,11 +173,12 @@ def check_wall(case: Case, wall: Wall) -> None:
         raise error.at(place("wall", name=wall.name)) from None
     tied = any(load.is_tie for load in wall.load)
     if tied or (wall.is_unlike and "two_sided" in wall.mechanisms()):
-        method, what = case.analysis.method, "tie" if tied else "unlike"
+        method, here = case.analysis.method, (section("[analysis]"),)
         if method not in EXACT_METHODS:
-            raise InputError(f"{what}_method", place=(section("[analysis]"),), key="method", found=method)
+            code = "tie_method" if tied else "unlike_method"
+            raise InputError(code, place=here, key="method", found=method)
         if case.analysis.accuracy:
-            raise InputError(f"{what}_accuracy", place=(section("[analysis]"),), key="accuracy")
+            raise InputError("tie_accuracy" if tied else "unlike_accuracy", place=here, key="accuracy")
     if case.analysis.method == "linearised" and not wall.moment_law().is_rigid:
         raise InputError("linearised_is_rigid", place=(section("[analysis]"),), key="method", wall=wall.name)
     if case.building and (wall.base_z_m or 0.0) > case.building.height_m:

@@ -75,6 +75,7 @@ LOWERS = {
     "load_mass_refused",
     "key_of_a_tie",
     "tie_accuracy",
+    "unlike_accuracy",
     "tie_at_outer_face",
     "tie_bar_says",
     "tie_elongation_below_yield",
