@@ -171,14 +171,7 @@ def check_wall(case: Case, wall: Wall) -> None:
         wall.moment_law()
     except InputError as error:
         raise error.at(place("wall", name=wall.name)) from None
-    tied = any(load.is_tie for load in wall.load)
-    if tied or (wall.is_unlike and "two_sided" in wall.mechanisms()):
-        method, here = case.analysis.method, (section("[analysis]"),)
-        if method not in EXACT_METHODS:
-            code = "tie_method" if tied else "unlike_method"
-            raise InputError(code, place=here, key="method", found=method)
-        if case.analysis.accuracy:
-            raise InputError("tie_accuracy" if tied else "unlike_accuracy", place=here, key="accuracy")
+    _check_exact(case, wall)
     if case.analysis.method == "linearised" and not wall.moment_law().is_rigid:
         raise InputError("linearised_is_rigid", place=(section("[analysis]"),), key="method", wall=wall.name)
     if case.building and (wall.base_z_m or 0.0) > case.building.height_m:
@@ -199,6 +192,21 @@ def check_wall(case: Case, wall: Wall) -> None:
         raise InputError(
             "restraint_unnamed", place=(place("wall", name=wall.name),), key="back_restraint", value=wall.back_restraint
         )
+
+
+def _check_exact(case: Case, wall: Wall) -> None:
+    """Refuse a method that has no bars and no unlike sides, and a statement of accuracy by such methods."""
+    method, here = case.analysis.method, (section("[analysis]"),)
+    if any(load.is_tie for load in wall.load):
+        if method not in EXACT_METHODS:
+            raise InputError("tie_method", place=here, key="method", found=method)
+        if case.analysis.accuracy:
+            raise InputError("tie_accuracy", place=here, key="accuracy")
+    if wall.is_unlike and "two_sided" in wall.mechanisms():
+        if method not in EXACT_METHODS:
+            raise InputError("unlike_method", place=here, key="method", found=method)
+        if case.analysis.accuracy:
+            raise InputError("unlike_accuracy", place=here, key="accuracy")
 
 
 def refuse_modes(case: Case, low: float, high: float) -> None:
