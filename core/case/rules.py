@@ -153,6 +153,9 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
         if part.hinge and part.wall.name in names:
             raise InputError("same_name", key="name", wall=part.wall.name)
         check_loads(part.wall)
+        if part.hinge:
+            for mechanism in part.wall.mechanisms():
+                part.wall.restitution_of(mechanism)
     heights = {part.wall.base_z_m for part in found if part.wall.above_ground}
     if len(heights) > 1:
         refuse_modes(case, min(heights), max(heights))
