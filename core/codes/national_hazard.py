@@ -15,9 +15,6 @@ from core.errors import InputError, place
 PERIODS = (30.0, 50.0, 72.0, 101.0, 140.0, 201.0, 475.0, 975.0, 2475.0)
 """Return periods of the table of Annex B [years]."""
 
-SHARE = {"SLO": 0.81, "SLD": 0.63, "SLV": 0.10, "SLC": 0.05}
-"""P_VR of each limit state (NTC 2018 Tab. 3.2.I)."""
-
 USE_CLASSES = {"I": 0.7, "II": 1.0, "III": 1.5, "IV": 2.0}
 """C_U (NTC 2018 Tab. 2.4.II)."""
 
@@ -270,8 +267,3 @@ def hazard_at(latitude: float, longitude: float) -> SiteHazard:
 def reference_life(nominal_life: float, use_class: str) -> float:
     """V_R [years] = V_N C_U (NTC 2018 2.4.3), at least LEAST_REFERENCE."""
     return max(nominal_life * USE_CLASSES[use_class], LEAST_REFERENCE)
-
-
-def return_period_of(state: str, reference: float) -> float:
-    """T_R [years] = -V_R / ln(1 - P_VR), not rounded (NTC 2018 Eq. 3.2.0)."""
-    return -reference / math.log(1.0 - SHARE[state])

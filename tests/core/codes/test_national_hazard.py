@@ -6,6 +6,7 @@ import random
 
 import pytest
 
+from core.codes.limits import return_period
 from core.codes.national_hazard import (
     ISLANDS,
     PERIODS,
@@ -15,7 +16,6 @@ from core.codes.national_hazard import (
     municipalities,
     municipality,
     reference_life,
-    return_period_of,
 )
 from core.errors import InputError
 
@@ -206,6 +206,6 @@ def test_that_every_municipality_has_a_hazard():
 
 
 def test_that_return_periods_are_those_of_the_code():
-    assert return_period_of("SLV", 75.0) == pytest.approx(711.84, abs=0.005)
-    assert [round(return_period_of(state, 50.0)) for state in ("SLO", "SLD", "SLV", "SLC")] == [30, 50, 475, 975]
+    assert return_period(75.0, "SLV") == pytest.approx(711.84, abs=0.005)
+    assert [round(return_period(50.0, state)) for state in ("SLO", "SLD", "SLV", "SLC")] == [30, 50, 475, 975]
     assert reference_life(50.0, "III") == 75.0 and reference_life(40.0, "I") == 35.0
