@@ -445,12 +445,12 @@ def plan(arguments):
         others = [argument for argument in arguments[1:] if argument != "--newest"]
         return ["base", "test"], [[interpreter(), "-P", os.path.join(ROOT, "tests", "newest.py"), *others]], False
     if word == "test":
-        groups = ["base", "test", "gui", "accuracy", "study", "report", *available("parquet")]
+        groups = ["base", "test", "gui", "accuracy", "study", "report", "dxf", *available("parquet")]
         return groups, test_steps(arguments[1:]), False
     if word in TOOLS:
         script = os.path.join(ROOT, *TOOLS[word].split("/"))
         refuse_unknown_options(script, arguments[1:])
-        everything = ["gui", "accuracy", "study", "report"]
+        everything = ["gui", "accuracy", "study", "report", "dxf"]
         peers = ["bench"] if "--work-precision" in arguments else []
         peers += ["parquet"] if "--walls" in arguments else []
         groups = {"bench": ["test", *everything, *peers], "package": [*everything, "package"]}

@@ -12,6 +12,7 @@ PACKAGES = {
     "study": {"matplotlib": "matplotlib", "scipy": "scipy"},
     "accuracy": {"scipy": "scipy"},
     "parquet": {"pyarrow": "pyarrow"},
+    "dxf": {"ezdxf": "ezdxf"},
 }
 """Extra -> module asked for and the package it is of."""
 

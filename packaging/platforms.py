@@ -97,6 +97,8 @@ MEGABYTES = {
     "jaxlib": (85, 349),
     "jax": (3, 31),
     "pyarrow": (55, 165),
+    "ezdxf": (6, 30),
+    "shapely": (3, 9),
     "mypy": (14, 55),
     "ruff": (11, 32),
     "hypothesis": (1, 7),

@@ -19,7 +19,7 @@ FOLDER = ROOT / ".venv.newest"
 FREE = ("numba", "numpy", "pyside6-essentials", "pyqtgraph", "openpyxl")
 """Packages whose newest version is taken."""
 
-GROUPS = ("gui", "test", "accuracy", "study", "report", "parquet")
+GROUPS = ("gui", "test", "accuracy", "study", "report", "parquet", "dxf")
 
 
 def wanted() -> list[str]:

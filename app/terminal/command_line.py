@@ -1,9 +1,11 @@
 """The command line in the language of the terminal: what it takes, and what it says of what it does not."""
 
 import argparse
+import contextlib
 import difflib
 import re
 import tomllib
+from collections.abc import Callable
 from pathlib import Path
 
 from app.look.language import terminal
@@ -76,7 +78,7 @@ def parser() -> Parser:
     add("--resume", action="store_true", help=terminal("go on from the journal"))
     add("--part", type=_part, metavar="K/N", help=terminal("the walls of one part of the case alone, see --merge"))
     add("--merge", action="store_true", help=terminal("the results of all parts of the case"))
-    add("--inspect", nargs="+", type=Path, metavar="FILE", help=terminal("summarise the contents of records"))
+    add("--inspect", nargs="+", type=Path, metavar="FILE", help=terminal("summarise the contents of records and drawings"))
     add("--version", action="store_true", help=terminal("version and commit"))
     add("-h", "--help", action="help", help=terminal("this help"))
     return made
@@ -143,26 +145,39 @@ def refuse_other_note(path: Path, case: Path) -> None:
 def extras(options: argparse.Namespace) -> list[str]:
     """Groups of packages that what is asked needs beside the base."""
     if options.inspect:
-        return []
+        return ["dxf"] if any(is_drawing(file) for path in options.inspect for file in files_of(path)) else []
     if options.study:
         return ["study"]
     if options.extract:
         return ["report"]
     if not options.batch:
-        return ["gui", "accuracy", "study", "report"]
+        return ["gui", "accuracy", "study", "report", "dxf"]
     of_note = options.batch.suffix.lower() == ".pdf"
     asked = {
-        "accuracy": _states_accuracy(options.batch),
+        "accuracy": _states(options.batch, lambda case: case["analysis"]["accuracy"] is True),
+        "dxf": _states(options.batch, lambda case: any("drawing" in wall for wall in case["wall"])),
         "report": options.report or of_note,
         "parquet": not options.part and _may_be_large(options.batch),
     }
     return [extra for extra, wanted in asked.items() if wanted]
 
 
-def _states_accuracy(case: Path) -> bool:
-    """Whether a case asks for the statement of accuracy; False also for one that cannot be read."""
+def files_of(path: Path) -> list[Path]:
+    """The files of a folder by name; a file, what is not there, and an empty folder as it is."""
+    with contextlib.suppress(OSError):
+        return sorted(file for file in path.iterdir() if file.is_file()) or [path]
+    return [path]
+
+
+def is_drawing(path: Path) -> bool:
+    """Whether a file is a drawing, by its name."""
+    return path.suffix.lower() == ".dxf"
+
+
+def _states(case: Path, asked: Callable[[dict], bool]) -> bool:
+    """Whether a case asks for something; False also for one that cannot be read."""
     try:
-        return tomllib.loads(case.read_text("utf-8-sig"))["analysis"]["accuracy"] is True
+        return asked(tomllib.loads(case.read_text("utf-8-sig")))
     except (OSError, ValueError, LookupError, TypeError, RecursionError):
         return False
 

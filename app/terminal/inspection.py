@@ -1,27 +1,62 @@
-"""`--inspect`: what the program makes of record files."""
+"""`--inspect`: what the program makes of record files and drawings."""
 
-import contextlib
 import sys
 from pathlib import Path
 
 from app.look.language import current_language, described, terminal
-from core.errors import RecordError
+from app.terminal.command_line import files_of, is_drawing
+from core.case.drawing_file import UNITS, DxfFile
+from core.errors import InputError, RecordError
 from core.ground import records
 from core.ground.ground_motion import GroundMotion
 from core.ground.records.grammar import Options
 from core.units import CM, G
+from core.wall.body import polygon_sums
+
+MOST_GAPS = 5
+"""Open outlines of a layer that are listed."""
 
 
 def inspect(paths: list[Path]) -> int:
     """One line a file, also of a folder, or a channel of it, on stdout, refusals on stderr; exit code 1 if any was."""
-    return 1 if sum(_refused(file) for path in paths for file in _files(path)) else 0
+    files = [file for path in paths for file in files_of(path)]
+    return 1 if sum(_drawing_refused(file) if is_drawing(file) else _refused(file) for file in files) else 0
 
 
-def _files(path: Path) -> list[Path]:
-    """The files of a folder by name; a file, what is not there, and an empty folder as it is."""
-    with contextlib.suppress(OSError):
-        return sorted(file for file in path.iterdir() if file.is_file()) or [path]
-    return [path]
+def _drawing_refused(path: Path) -> int:
+    """Say what a drawing holds, layer by layer; returns 1 where it was refused."""
+    try:
+        file = DxfFile(path)
+        sheet = file.sheet()
+    except InputError as error:
+        print(terminal("refused: {error}", error=described(error)), file=sys.stderr)
+        return 1
+    scale = UNITS[sheet.unit]
+    unit = sheet.unit if sheet.stated else terminal("not stated, {unit} by the size", unit=sheet.unit)
+    print(terminal("{path}: DXF {version}, unit {unit}", path=path, version=file.document.acad_release, unit=unit))
+    for layer in sheet.layers:
+        shapes = [shape for shape in sheet.shapes if shape.layer == layer]
+        gaps = [gap for gap in sheet.gaps if gap.layer == layer]
+        if shapes:
+            xs, ys, ends_x, ends_y = zip(*(shape.extent for shape in shapes), strict=True)
+            words = terminal(
+                "  {layer}: closed shapes {n}, area {area:.4g} m², x {x:.5g} to {to_x:.5g} m, y {y:.5g} to {to_y:.5g} m",
+                layer=layer,
+                n=len(shapes),
+                area=scale**2 * sum(polygon_sums(shape.corners).area for shape in shapes),
+                x=scale * min(xs),
+                to_x=scale * max(ends_x),
+                y=scale * min(ys),
+                to_y=scale * max(ends_y),
+            )
+            print(words)
+        for gap in sorted(gaps, key=lambda one: one.size)[:MOST_GAPS]:
+            x, y = (scale * number for number in gap.at)
+            text = "  {layer}: an outline open by {mm:.3g} mm at x = {x:.5g} m, y = {y:.5g} m"
+            print(terminal(text, layer=layer, mm=1e3 * scale * gap.size, x=x, y=y))
+        if len(gaps) > MOST_GAPS:
+            print(terminal("  {layer}: open outlines {n}", layer=layer, n=len(gaps)))
+    return 0
 
 
 def _refused(path: Path, channel: str | None = None) -> int:

@@ -6,6 +6,7 @@ import tomllib
 from dataclasses import replace
 from pathlib import Path
 
+from core.case.drawn_solids import with_drawings
 from core.case.hazard_table import read_hazard
 from core.case.many_walls import ManyWalls, with_many
 from core.case.note_file import CASE, files_within, is_note
@@ -63,8 +64,10 @@ def read_case(path: Path, many: bool = False) -> Case:
     InputError naming file, place, value and what is accepted."""
     table, content = read_toml(path)
     try:
+        table, drawings = with_drawings(table, path.parent)
         case = parse_case(table)
         digest = hashlib.sha256(content)
+        digest.update("".join(drawing.sha256 for drawing in drawings).encode())
         if case.walls is not None:
             source = path.parent / name_of(case.walls)
             walls, notes = read_table(source, case.demand is not None, many)
@@ -76,6 +79,6 @@ def read_case(path: Path, many: bool = False) -> Case:
             source = path.parent / name_of(case.demand.hazard_file)
             read_hazard(source)
             digest.update(source.read_bytes())
-        return replace(case, sha256=digest.hexdigest())
+        return replace(case, sha256=digest.hexdigest(), drawings=tuple(drawing.notice for drawing in drawings))
     except InputError as error:
         raise error.at(path) from None

@@ -172,6 +172,9 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
 
 def check_wall(case: Case, wall: Wall) -> None:
     """Raise InputError for a wall that breaks a rule of its own or one with the rest of the case."""
+    if wall.drawing:
+        here = (place("wall", name=wall.name),)
+        raise InputError("drawing_not_read", place=here, key="drawing", file=wall.drawing[0].file)
     try:
         check_shape(wall)
         wall.bare_block()

@@ -8,7 +8,7 @@ from core.case.keys import channel_key, choice_key, flag_key, key, number_key, p
 from core.case.loads import Load, ReturnWalls
 from core.case.place import Site
 from core.case.site import Building, Demand
-from core.case.solids import Opening, Solid, Step, Wedges
+from core.case.solids import Drawing, Opening, Solid, Step, Wedges
 from core.errors import InputError, place
 from core.rocking.methods import AUTO, METHODS
 from core.text.sentence import Key, sentence
@@ -110,6 +110,7 @@ class Wall:
     load: tuple[Load, ...] = key("tables", (), of=Load, columns="load{n}_")
     return_walls: ReturnWalls | None = key("section", of=ReturnWalls, columns="across_")
     solid: tuple[Solid, ...] = key("tables", (), of=Solid, columns="solid{n}_")
+    drawing: tuple[Drawing, ...] = key("tables", (), of=Drawing)
     gable_m: float | None = number_key(0.1, 60.0, unit="m", form="body")
     openings: tuple[Opening, ...] = key("tables", (), of=Opening, columns="opening{n}_")
     steps: tuple[Step, ...] = key("tables", (), of=Step, columns="step{n}_")
@@ -327,7 +328,7 @@ def sections() -> dict[str, type]:
     )
 
 
-OWN_FIELDS = ("sha256", "given", "table", "table_notes")
+OWN_FIELDS = ("sha256", "given", "table", "table_notes", "drawings")
 """Fields of a Case that are no keys of a file."""
 
 
@@ -339,6 +340,7 @@ class Case:
     given : places (section, index, key) the user wrote
     table : of walls they came from, "" if none
     table_notes : Notices on it
+    drawings : Notices of the drawings its solids come from
     """
 
     title: str = text_key("Ribalta")
@@ -355,6 +357,7 @@ class Case:
     given: frozenset = field(default=frozenset(), compare=False)
     table: str = field(default="", compare=False)
     table_notes: tuple = field(default=(), compare=False)
+    drawings: tuple = field(default=(), compare=False)
 
     def as_dict(self) -> dict:
         """Keys and values as in the file, defaults filled, None where nothing is given."""

@@ -3,7 +3,7 @@
 import math
 from dataclasses import MISSING, dataclass, replace
 
-from core.case.keys import choice_key, flag_key, key, number_key
+from core.case.keys import choice_key, flag_key, key, number_key, path_key
 from core.errors import InputError, place
 from core.wall.body import cut_above
 from core.wall.wall_body import faces_at, parts_of, shoulder
@@ -28,6 +28,25 @@ class Solid:
     x0_m: float = number_key(-20.0, 20.0, 0.0, unit="m")
     angle_deg: float | None = number_key(-90.0, 90.0, unit="deg")
     unit_weight_kn_m3: float | None = number_key(5.0, 40.0, unit="kN/m3")
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """[[wall.drawing]]: closed shapes of a DXF file, which become solids of the wall each time the case is read.
+
+    file : relative to the case; layers : of the body; opening_layers : of what is taken away
+    unit : of the drawing, in place of what its header says; hinge_y_m : of the drawing at z = 0, else the lowest point of
+        the body; what is below is cut off
+    """
+
+    file: str = path_key(MISSING)
+    layers: tuple[str, ...] = key("texts", MISSING)
+    plane: str = choice_key("elevation", "section")
+    to_m: float = number_key(-200.0, 200.0, MISSING, unit="m")
+    from_m: float = number_key(-200.0, 200.0, 0.0, unit="m")
+    opening_layers: tuple[str, ...] = key("texts", ())
+    unit: str | None = choice_key("m", "cm", "mm", "in", "ft", default=None)
+    hinge_y_m: float | None = number_key(-1e7, 1e7, unit="m")
 
 
 @dataclass(frozen=True)

@@ -156,6 +156,13 @@ def _list(entry, value, here):
     return tuple(value_of(item, part, *here) for part in value)
 
 
+def _texts(entry, value, here):
+    """One text, or several."""
+    found = [value] if isinstance(value, str) else value
+    fits = isinstance(found, (list, tuple)) and found and all(_is_short_text(text) and text for text in found)
+    return tuple(found) if fits else None
+
+
 def _tables(entry, value, here):
     if not isinstance(value, (list, tuple)) or not value:
         return None
@@ -226,6 +233,7 @@ KINDS: dict[str, tuple[Callable, Callable]] = {
     "flag": (_flag, _said("flag")),
     "range": (_range, _said("periods", low=PERIOD_LIMITS[0], high=PERIOD_LIMITS[1])),
     "list": (_list, lambda entry: sentence("accepted", "list", items=accepted_by(entry.metadata["of"]))),
+    "texts": (_texts, _said("texts", most=MAX_TEXT)),
     "tables": (_tables, lambda entry: sentence("accepted", "tables", name=entry.name)),
     "section": (
         _section,

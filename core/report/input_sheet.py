@@ -37,7 +37,7 @@ def inputs(book: Book, result: StudyResult) -> None:
                 in_table = section == "wall" and place in from_table
                 source = say("table of walls") if in_table else say("default")
             row = _line(book, sheet, row, key, value, source)
-    for note in case.table_notes:
+    for note in (*case.table_notes, *case.drawings):
         row = paragraph(sheet, row, f"• {note.text(book.language)}", 4, 110, color=QUIET)
     sheet.freeze_panes = "A3"
 

@@ -32,6 +32,7 @@ def results(result: StudyResult, steps: Steps | None = None) -> dict:
         "started_utc": result.started_utc,
         "case": result.case.as_dict(),
         "case_sha256": result.case.sha256,
+        **({"drawings": [dict(note.values) for note in result.case.drawings]} if result.case.drawings else {}),
         "demand": demand_keys(result) if result.demand else None,
         "records": record_keys(result),
         **verdicts(result),

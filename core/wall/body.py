@@ -147,3 +147,16 @@ def holds(polygon: Polygon, point: tuple[float, float]) -> bool:
         if (one[1] > z) != (other[1] > z) and s < one[0] + (other[0] - one[0]) * (z - one[1]) / (other[1] - one[1]):
             inside = not inside
     return inside
+
+
+def point_within(polygon: Polygon) -> tuple[float, float]:
+    """A point inside a polygon that does not cross itself: on a level without a corner, between its first two edges."""
+    levels = sorted({z for _, z in polygon})
+    widest = max(range(len(levels) - 1), key=lambda k: levels[k + 1] - levels[k])
+    z = 0.5 * (levels[widest] + levels[widest + 1])
+    crossed = sorted(
+        s0 + (s1 - s0) * (z - z0) / (z1 - z0)
+        for (s0, z0), (s1, z1) in zip(polygon, (*polygon[1:], polygon[0]), strict=True)
+        if (z0 > z) != (z1 > z)
+    )
+    return 0.5 * (crossed[0] + crossed[1]), z

@@ -3,7 +3,7 @@
 import math
 
 from core.errors import InputError, place
-from core.wall.body import crossing, directions, holds, meet, polygon_sums
+from core.wall.body import crossing, directions, holds, meet, point_within, polygon_sums
 from core.wall.wall_body import SHORT_FORMS, Part, faces_at, has_shape, parts_of, shoulder, sum_of, top_of
 
 TOUCH = 1e-6
@@ -129,12 +129,15 @@ def _cross(one, other) -> bool:
 
 
 def _check_overlap(parts: tuple[Part, ...], here) -> None:
-    """Solids of one plane have nothing in common: it would weigh twice."""
-    solids = [part for part in parts if part.weight > 0.0]
-    for k, one in enumerate(solids):
-        for other in solids[k + 1 :]:
-            if one.angle == other.angle and _overlap(one, other):
+    """Solids of one plane have nothing in common: it would weigh twice; nor have openings."""
+    for k, one in enumerate(parts):
+        for other in parts[k + 1 :]:
+            alike = one.angle == other.angle and (one.weight > 0.0) == (other.weight > 0.0)
+            if not (alike and _overlap(one, other)):
+                continue
+            if one.weight > 0.0:
                 raise InputError("solids_overlap", place=here, key="solid")
+            raise InputError("openings_overlap", place=here, key="solid")
 
 
 def _overlap(one: Part, other: Part) -> bool:
@@ -158,8 +161,4 @@ def _overlap(one: Part, other: Part) -> bool:
     edges = [list(zip(p, (*p[1:], p[0]), strict=True)) for p in (one.polygon, polygon)]
     if any(_cross(a, b) for a in edges[0] for b in edges[1]):
         return True
-    middles = [
-        ((sum(s for s, _ in p) / len(p), sum(z for _, z in p) / len(p)), q)
-        for p, q in ((polygon, one.polygon), (one.polygon, polygon))
-    ]
-    return any(holds(q, point) for point, q in middles)
+    return any(holds(q, point_within(p)) for p, q in ((polygon, one.polygon), (one.polygon, polygon)))

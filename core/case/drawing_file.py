@@ -1,0 +1,240 @@
+"""A drawing (DXF) read: its closed shapes and its open outlines by layer (resources/docs/case.md)."""
+
+import hashlib
+import itertools
+import math
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from core.case.drawing_outlines import MOST_RADIUS, Gap, Point, gaps_of, joined, simple, with_bulges
+from core.errors import InputError
+from core.packages import require
+
+UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254, "ft": 0.3048}
+"""Unit of a drawing -> [m]."""
+
+INSUNITS = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m"}
+"""$INSUNITS of the header -> unit."""
+
+TOLERANCE = 1e-3
+"""What a chord may be off its arc, and the ends of two lines apart that are to meet [m]: a tenth of what a survey of
+masonry is good for. Of a rose window of 4 m it leaves out 0.07 % of the area."""
+
+SAME = 1e-6
+"""Corners nearer than this are one [m]."""
+
+MAX_BYTES = 50_000_000
+"""Of a file: sheets of a building have a tenth; ezdxf takes some 20 times as much memory."""
+
+MOST_ENTITIES, MOST_POINTS = 100_000, 400_000
+"""Of a drawing with its blocks opened, and of all its lines divided."""
+
+DEEPEST = 20
+"""Blocks inside one another: one that holds itself has no end."""
+
+LARGEST, SMALLEST, USUAL = 300.0, 0.05, (1.0, 80.0)
+"""Size of a wall beyond which the unit is another one, and below which; what a wall usually has [m]."""
+
+BINARY = b"AutoCAD Binary DXF"
+
+
+class Shape(NamedTuple):
+    """A closed outline. corners : each once, in the unit of the drawing"""
+
+    layer: str
+    corners: tuple[Point, ...]
+
+    @property
+    def extent(self) -> tuple[float, float, float, float]:
+        """Smallest x and y, largest x and y."""
+        xs, ys = zip(*self.corners, strict=True)
+        return min(xs), min(ys), max(xs), max(ys)
+
+
+class Sheet(NamedTuple):
+    """What a drawing holds.
+
+    shapes, gaps : by layer, in the order of the drawing
+    layers : names of all
+    stated : unit of its header, None where it says none; unit : by which it was read, a guess where none is known
+    """
+
+    shapes: tuple[Shape, ...]
+    gaps: tuple[Gap, ...]
+    layers: tuple[str, ...]
+    stated: str | None
+    unit: str
+
+
+class DxfFile:
+    """A drawing in memory. Raises InputError for what is none, OutputError without ezdxf."""
+
+    def __init__(self, path: Path):
+        content = _content(path)
+        self.sha256 = hashlib.sha256(content).hexdigest()
+        if content.startswith(b"AC10"):
+            raise InputError("drawing_dwg", place=(path,))
+        require("dxf")
+        import ezdxf
+
+        try:
+            if not content.startswith(BINARY) and not content.rstrip(b"\0\r\n\t \x1a").endswith(b"EOF"):
+                raise ValueError  # ezdxf reads what was cut off at the end of a tag
+            self.document: Any = ezdxf.readfile(path)
+            self._entities = tuple(self._opened(self.document.modelspace()))
+            self.stated = INSUNITS.get(int(self.document.header.get("$INSUNITS", 0)))
+            self.layers = tuple(sorted({layer.dxf.name for layer in self.document.layers} | self._used()))
+        except InputError as error:
+            raise error.at(path) from None
+        except DAMAGED + (ezdxf.DXFError,) as error:
+            reason = str(error).strip().splitlines() or [type(error).__name__]
+            raise InputError("drawing_damaged", reason=reason[0][:120], place=(path,)) from None
+        self.path = path
+
+    def _used(self) -> set[str]:
+        return {layer for layer, _ in self._entities}
+
+    def _opened(self, entities: Iterable) -> Iterator[tuple[str, Any]]:
+        """(layer, entity), blocks opened: what is on layer 0 of a block is on that of the block."""
+        count = itertools.count(1)
+
+        def within(entities: Iterable, layer: str | None, depth: int) -> Iterator[tuple[str, Any]]:
+            for entity in entities:
+                if next(count) > MOST_ENTITIES:
+                    raise InputError("drawing_too_much", most=MOST_ENTITIES)
+                own = entity.dxf.get("layer", "0")
+                own = layer if own == "0" and layer is not None else own
+                if entity.dxftype() != "INSERT":
+                    yield own, entity
+                elif depth < DEEPEST:
+                    if entity.mcount > MOST_ENTITIES:
+                        raise InputError("drawing_too_much", most=MOST_ENTITIES)
+                    for one in entity.multi_insert() if entity.mcount > 1 else (entity,):
+                        yield from within(one.virtual_entities(), own, depth + 1)
+
+        return within(entities, None, 0)
+
+    def sheet(self, unit: str | None = None) -> Sheet:
+        """What it holds in this unit, else in that of its header, else in the likely one. Raises InputError."""
+        unit = unit or self.stated
+        if unit is None:
+            shapes = self._shapes(0.1)[0]  # of any unit good enough for its size
+            unit = likely_unit(largest(shapes)) or "m"
+        shapes, gaps = self._shapes(TOLERANCE / UNITS[unit])
+        return Sheet(tuple(shapes), tuple(gaps), self.layers, self.stated, unit)
+
+    def _shapes(self, tolerance: float) -> tuple[list[Shape], list[Gap]]:
+        pieces: dict[str, list[list[Point]]] = {}
+        points = 0
+        try:
+            for layer, entity in self._entities:
+                for line in _lines(entity, tolerance):
+                    points += len(line)
+                    if points > MOST_POINTS:
+                        raise InputError("drawing_too_much", most=MOST_ENTITIES)
+                    if not all(math.isfinite(number) and abs(number) < 1e12 for point in line for number in point):
+                        raise ValueError("coordinates that are no numbers")
+                    if len(line) > 1:
+                        pieces.setdefault(layer, []).append(line)
+        except InputError as error:
+            raise error.at(self.path) from None
+        except DAMAGED as error:
+            raise InputError("drawing_damaged", reason=str(error)[:120], place=(self.path,)) from None
+        shapes, gaps, least = [], [], tolerance * SAME / TOLERANCE
+        for layer, lines in pieces.items():
+            closed, loose = joined(lines, tolerance)
+            seen = set()
+            for outline in closed:
+                corners = tuple(simple(outline, least))
+                known = frozenset((round(x / tolerance), round(y / tolerance)) for x, y in corners)
+                if len(corners) > 2 and known not in seen:  # a hatch and its border are one
+                    seen.add(known)
+                    shapes.append(Shape(layer, corners))
+            gaps += gaps_of(layer, loose)
+        return shapes, gaps
+
+
+DAMAGED = (ValueError, LookupError, TypeError, AttributeError, ArithmeticError, RecursionError, AssertionError, OSError)
+"""What a reader of damaged files raises."""
+
+
+def _content(path: Path) -> bytes:
+    try:
+        if not path.is_file():
+            raise InputError("no_drawing", place=(path,))
+        if path.stat().st_size > MAX_BYTES:
+            raise InputError(
+                "drawing_too_large", mb=path.stat().st_size / 1e6, most=MAX_BYTES / 1e6, place=(path,)
+            )
+        return path.read_bytes()
+    except OSError as error:
+        raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
+
+
+def _lines(entity: Any, tolerance: float) -> Iterator[list[Point]]:
+    """The lines of an entity: a closed one ends where it begins."""
+    kind = entity.dxftype()
+    if kind == "LINE":
+        yield _flat((entity.dxf.start, entity.dxf.end))
+    elif kind in ("CIRCLE", "ARC"):
+        if not tolerance < entity.dxf.radius < MOST_RADIUS * tolerance:
+            return
+        yield _flat(entity.flattening(tolerance))
+    elif kind in ("ELLIPSE", "SPLINE"):
+        yield _flat(entity.flattening(tolerance))
+    elif kind == "LWPOLYLINE":
+        yield _in_world(entity, with_bulges(entity.get_points("xyb"), entity.closed, tolerance))
+    elif kind == "POLYLINE" and entity.get_mode() in ("AcDb2dPolyline", "AcDb3dPolyline"):
+        corners = [
+            (*vertex.dxf.location[:2], vertex.dxf.get("bulge", 0.0))
+            for vertex in entity.vertices
+            if not vertex.dxf.get("flags", 0) & 16  # a control point of the curve through the others
+        ]
+        line = with_bulges(corners, entity.is_closed, tolerance)
+        yield _in_world(entity, line) if entity.is_2d_polyline else line
+    elif kind in ("HATCH", "MPOLYGON"):
+        for path in entity.paths:
+            for line in _border(path, tolerance):
+                yield _in_world(entity, line)
+
+
+def _border(path: Any, tolerance: float) -> Iterator[list[Point]]:
+    """The lines of a border of a hatch."""
+    if hasattr(path, "vertices"):
+        yield with_bulges(path.vertices, True, tolerance)
+        return
+    lines = []
+    for edge in path.edges:
+        if edge.EDGE_TYPE == "LineEdge":
+            lines.append(_flat((edge.start, edge.end)))
+        else:
+            lines.append(_flat(edge.construction_tool().flattening(tolerance)))
+    closed, loose = joined(lines, tolerance)
+    yield from ([*outline, outline[0]] for outline in closed)
+    yield from loose
+
+
+def _flat(points: Iterable) -> list[Point]:
+    return [(float(point[0]), float(point[1])) for point in points]
+
+
+def _in_world(entity: Any, points: list[Point]) -> list[Point]:
+    """Points of the plane of an entity in that of the drawing: a mirrored one looks from behind."""
+    ocs = entity.ocs()
+    return _flat(ocs.points_to_wcs((x, y, 0.0) for x, y in points)) if ocs.transform else points
+
+
+def largest(shapes: Iterable[Shape]) -> float:
+    """Width or height of all shapes together, the larger one; 0 without any."""
+    extents = [shape.extent for shape in shapes]
+    if not extents:
+        return 0.0
+    low_x, low_y, high_x, high_y = zip(*extents, strict=True)
+    return max(max(high_x) - min(low_x), max(high_y) - min(low_y))
+
+
+def likely_unit(size: float) -> str | None:
+    """The unit by which a size [of the drawing] is that of a wall."""
+    low, high = USUAL
+    return next((unit for unit, metres in UNITS.items() if low <= size * metres <= high), None)

@@ -1,0 +1,183 @@
+"""Solids of a wall from the shapes of a drawing: [[wall.drawing]], and the dialog of the window."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from core.case.drawing_file import LARGEST, SAME, SMALLEST, UNITS, DxfFile, Shape, Sheet, largest, likely_unit
+from core.case.drawing_outlines import Point, parts_above
+from core.case.solids import Drawing, Solid
+from core.case.values import MOST_CORNERS, section_of
+from core.errors import InputError, place, section
+from core.file_names import name_of, shown
+from core.text.sentence import Sentence, notice
+from core.wall.body import crossing, holds, polygon_sums
+
+DIGITS = 6
+"""Of a corner [m]: what is drawn at one place is at one place."""
+
+MOST_NAMES = 20
+"""Layers repeated in a sentence."""
+
+
+class Drawn(NamedTuple):
+    """A drawing that was read for a wall. sha256 : of its file"""
+
+    sha256: str
+    notice: Sentence
+
+
+def with_drawings(table: dict, folder: Path) -> tuple[dict, list[Drawn]]:
+    """The mapping of a case whose walls have solids in place of their drawings. Raises InputError."""
+    walls = table.get("wall")
+    if not isinstance(walls, list) or not any(isinstance(wall, dict) and "drawing" in wall for wall in walls):
+        return table, []
+    found: list[Drawn] = []
+    whole = []
+    for n, wall in enumerate(walls, start=1):
+        if not isinstance(wall, dict) or not isinstance(wall.get("drawing"), list):
+            whole.append(wall)
+            continue
+        name = str(wall.get("name", wall.get("variant_of", n)))
+        here = place("wall", name=name)
+        solids: list[dict] = []
+        for k, entry in enumerate(wall["drawing"], start=1):
+            drawing = section_of(Drawing, entry, "drawing", section(f"[[drawing]] {k}"))
+            try:
+                file = DxfFile(folder / name_of(drawing.file))
+                try:
+                    made = solids_of(file.sheet(drawing.unit), drawing)
+                except InputError as error:
+                    raise error.at(file.path) from None
+            except InputError as error:
+                raise error.at(here) from None
+            solids += made
+            openings = sum("opening" in solid for solid in made)
+            found.append(
+                Drawn(
+                    file.sha256,
+                    notice(
+                        "drawing_read",
+                        wall=name,
+                        file=shown(drawing.file),
+                        solids=len(made) - openings,
+                        openings=openings,
+                        sha256=file.sha256,
+                    ),
+                )
+            )
+        given = wall.get("solid", [])
+        rest = {key: value for key, value in wall.items() if key != "drawing"}
+        whole.append({**rest, "solid": [*given, *solids] if isinstance(given, list) else given})
+    return {**table, "wall": whole}, found
+
+
+def solids_of(sheet: Sheet, drawing: Drawing) -> list[dict]:
+    """The solids of a drawing as [[wall.solid]] has them. Raises InputError."""
+    names = {layer.casefold(): layer for layer in sheet.layers}
+    for layer in (*drawing.layers, *drawing.opening_layers):
+        if layer.casefold() not in names:
+            known = tuple(sheet.layers[:MOST_NAMES])
+            raise InputError("drawing_layer", layer=layer, known=known)
+    body, openings = ({layer.casefold() for layer in layers} for layers in (drawing.layers, drawing.opening_layers))
+    if both := body & openings:
+        raise InputError("drawing_layer_twice", layer=names[min(both)])
+    if sheet.stated is None and drawing.unit is None:
+        raise InputError("drawing_unit", key="unit", likely=sheet.unit)
+    scale = UNITS[sheet.unit]
+    gaps = [gap for gap in sheet.gaps if gap.layer.casefold() in body | openings]
+    if gaps:
+        gap = min(gaps, key=lambda one: one.size)
+        x, y = (scale * number for number in gap.at)
+        raise InputError("drawing_gap", layer=gap.layer, n=len(gaps), mm=1e3 * scale * gap.size, x=x, y=y)
+    chosen = [[shape for shape in sheet.shapes if shape.layer.casefold() in layers] for layers in (body, openings)]
+    for layer in (*drawing.layers, *drawing.opening_layers):
+        if not any(shape.layer.casefold() == layer.casefold() for shapes in chosen for shape in shapes):
+            raise InputError("drawing_no_shape", layer=layer)
+    return made_solids(
+        chosen[0],
+        chosen[1],
+        sheet.unit,
+        drawing.plane,
+        (drawing.from_m, drawing.to_m),
+        drawing.hinge_y_m,
+    )
+
+
+def made_solids(
+    body: Sequence[Shape],
+    openings: Sequence[Shape],
+    unit: str,
+    plane: str,
+    ends: tuple[float, float],
+    hinge: float | None = None,
+) -> list[dict]:
+    """Shapes as [[wall.solid]] has them: z above the hinge, s from the left edge of the body, of a section from that of its
+    base; an opening within another one is a part of it. Raises InputError.
+
+    hinge : y of the drawing [m], None for the lowest point of the body; ends : along the normal of the plane [m]
+    """
+    scale = UNITS[unit]
+    _check_size(body, unit)
+    base = min(shape.extent[1] for shape in body) * scale if hinge is None else hinge
+    polygons = [_above(shape, scale, base) for shape in body]
+    solid = [part for parts in polygons for part in parts]
+    if not solid:
+        top = max(shape.extent[3] for shape in body) * scale
+        raise InputError("drawing_hinge", key="hinge_y_m", found=base, top=top)
+    low = SAME if plane == "section" else float("inf")
+    left = min((x for part in solid for x, y in part if y <= low), default=min(x for part in solid for x, _ in part))
+    taken = [part for shape in openings for part in _above(shape, scale, base)]
+    taken = [
+        part
+        for k, part in enumerate(taken)
+        if not any(n != k and _is_within(part, other) and (n < k or part != other) for n, other in enumerate(taken))
+    ]
+    return [
+        {
+            "plane": plane,
+            "polygon_m": [[round(x - left, DIGITS), y] for x, y in part],
+            **({"from_m": ends[0]} if ends[0] else {}),
+            "to_m": ends[1],
+            **({"opening": True} if is_opening else {}),
+        }
+        for is_opening, parts in ((False, solid), (True, taken))
+        for part in parts
+    ]
+
+
+def _check_size(body: Sequence[Shape], unit: str) -> None:
+    size = largest(body)
+    metres = size * UNITS[unit]
+    if not SMALLEST <= metres <= LARGEST:
+        likely = likely_unit(size)
+        code = "drawing_size" if likely else "drawing_size_of_none"
+        raise InputError(code, key="unit", found=metres, unit=unit, likely=likely)
+
+
+def _above(shape: Shape, scale: float, base: float) -> list[list[Point]]:
+    """A shape in metres above the hinge, none of what is below it."""
+    corners = [(round(scale * x, DIGITS), round(scale * y - base, DIGITS)) for x, y in shape.corners]
+    x, y = shape.corners[0]
+    here = {"layer": shape.layer, "x": scale * x, "y": scale * y}
+    if len(corners) > MOST_CORNERS:
+        raise InputError("drawing_corners", n=len(corners), most=MOST_CORNERS, **here)
+    if (edges := crossing(corners)) is not None:
+        x, y = shape.corners[edges[0] - 1]
+        raise InputError("drawing_crosses", layer=shape.layer, x=scale * x, y=scale * y)
+    parts = parts_above(corners, 0.0)
+    return [rounded for part in parts if polygon_sums(rounded := _rounded(part)).area > SAME]
+
+
+def _rounded(part: list[Point]) -> list[Point]:
+    corners = [(round(x, DIGITS), round(y, DIGITS)) for x, y in part]
+    return [corner for k, corner in enumerate(corners) if corner != corners[k - 1]]
+
+
+def _is_within(part: Sequence[Point], other: Sequence[Point]) -> bool:
+    return all(holds(other, corner) for corner in part)
+
+
+def solids_as_given(solids: Sequence[dict]) -> tuple[Solid, ...]:
+    """Solids of `made_solids`, checked. Raises InputError."""
+    return tuple(section_of(Solid, solid, "solid", place("solid", n=n)) for n, solid in enumerate(solids, start=1))
