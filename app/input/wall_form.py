@@ -7,7 +7,7 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLabel, QMessageBox, QToolButton, QVBoxLayout, QWidget
 
-from app.input.fields import Choice, Field, connect
+from app.input.fields import Choice, Field, blank, connect
 from app.input.impact_form import ImpactForm
 from app.input.loads_form import LoadsForm
 from app.input.made_fields import make_field, make_fields
@@ -143,10 +143,16 @@ class WallForm(QWidget):
         if row == self.row:
             return
         self.row = row
-        for field in self.findChildren(Field):
-            field.forget()
+        self.forget()
         self.show_case()
         self.selected.emit(self.current)
+
+    def forget(self) -> None:
+        """Another wall: nothing that was typed or switched off in the last one stays."""
+        for field in self.findChildren(Field):
+            field.forget()
+        self.loads.forget()
+        self.former = (None, None)
 
     def show_case(self) -> None:
         """Fill the form from the session."""
@@ -164,14 +170,16 @@ class WallForm(QWidget):
             self._show_geometry(wall)
             return
         self._show_shape("thickness_m", False)
-        self.summary.setText(tr("No wall yet: press Add."))
+        self.shape.setCurrentIndex(-1)
+        self.summary.setText(tr("No wall yet: + wall below the tree."))
 
     def _show_fields(self) -> None:
         wall = self.wall
-        if wall is None:
-            return
         for name, button in self.mechanisms.items():
-            button.setChecked(wall.mechanism == name)
+            button.setChecked(wall is not None and wall.mechanism == name)
+        if wall is None:
+            blank(list(self.fields.values()))
+            return
         for field in self.fields.values():
             field.show_value(getattr(wall, field.key))
         # only what the mechanism needs, and what stands there all the same
@@ -294,6 +302,7 @@ class WallForm(QWidget):
 
     def delete(self) -> None:
         if self.wall is not None:
+            self.forget()
             self.session.remove_wall(self.current)
 
     def paste(self) -> None:

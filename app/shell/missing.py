@@ -11,6 +11,8 @@ from app.input.fields import Field
 from app.look import theme
 from app.look.language import described, tr
 from app.look.section import unfold_to
+from core.case.loads import Bars, Load
+from core.case.problems import load_of, wall_of
 from core.errors import InputError
 
 MOST = 8
@@ -58,9 +60,8 @@ class Missing(QFrame):
         window = self.window_of
         errors, refused = window.session.problems(), self._refused()
         told = [*errors, refused] if refused else list(errors)
-        wall = window.walls.wall.name if window.walls.wall else ""
         for field in window.fields:
-            here = next((error for error in told if field.named_in(error, wall)), None)
+            here = next((error for error in told if self._is_named(field, error)), None)
             field.show_rule(described(here) if here else "")
         found = [Problem(described(error), lambda error=error: self._lead_to(error)) for error in errors]
         for field in window.fields:
@@ -102,14 +103,22 @@ class Missing(QFrame):
         if self.problems:
             self.problems[min(int(link), len(self.problems) - 1)].lead()
 
+    def _is_named(self, field: Field, error: InputError) -> bool:
+        """Whether an error is about this field as the forms stand: of the wall and the load they show."""
+        walls = self.window_of.walls
+        load = load_of(error)
+        if field.section in (Load, Bars) and load not in (None, walls.loads.list.currentRow()):
+            return False
+        return field.named_in(error, walls.wall.title if walls.wall else "")
+
     def _lead_to(self, error: InputError) -> None:
         window = self.window_of
-        walls = window.session.case.wall
-        row = next((k for k, wall in enumerate(walls) if error.wall in (wall.name, wall.title)), None)
+        row, load = wall_of(window.session.case, error), load_of(error)
         if row is not None:
             window.show_input("wall", row)
-        name = walls[row].name if row is not None else ""
-        field = next((field for field in window.fields if field.named_in(error, name) and not field.isHidden()), None)
+        if row is not None and load is not None:
+            window.walls.loads.list.setCurrentRow(load)
+        field = next((one for one in window.fields if self._is_named(one, error) and not one.isHidden()), None)
         if field is not None:
             self._point(field)
         elif row is None:

@@ -5,7 +5,6 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QWidget
 
-from app.input.fields import Field
 from app.shell import stages, tree
 from app.shell.header import Header
 from app.shell.pages import Page
@@ -45,8 +44,11 @@ class StagedWindow(RunningWindow):
     # stages and pages
 
     def show_stage(self, name: str) -> None:
-        """Bring a stage to the front: input, answer, why, report."""
+        """Bring a stage to the front: input, answer, why, report. The form is that of the row of the tree."""
         self.header.show_stage(name)
+        marked = self.tree.current
+        if name == "input" and marked is not None:
+            self.stages.input.show_kind(marked.kind if marked.kind in self.stages.input.areas else "wall")
         self.stages.show_stage(name)
         self._show_problem()
         self.show_result()
@@ -87,15 +89,20 @@ class StagedWindow(RunningWindow):
         """Bring a form to the front. kind : wall, demand, building, records, report; row : of the wall"""
         if row is not None:
             self.walls.select(row)
+        if kind == "wall" and not self.session.case.wall:
+            self.tree.select(("walls", -1, ""))
+        else:
+            self.tree.select((kind, self.walls.current, "") if kind == "wall" else (kind, -1, ""))
         self.stages.input.show_kind(kind)
-        self.tree.select((kind, self.walls.current, "") if kind == "wall" else (kind, -1, ""))
         self.show_stage("input")
 
-    def show_form_of(self, field: Field) -> None:
-        """Bring the form a field is in to the front."""
+    def show_form_of(self, field: QWidget) -> None:
+        """Bring the form a field or section is in to the front."""
         for kind, area in self.stages.input.areas.items():
             if area.isAncestorOf(field):
                 self.show_input(kind)
+        if self.stages.note_form.isAncestorOf(field):
+            self.show_stage("report")
 
     def _then_input(self, change) -> None:
         change()
@@ -109,34 +116,48 @@ class StagedWindow(RunningWindow):
 
     def choose_row(self, row: Row) -> None:
         """What is chosen in the tree: its form, or its result on the stage in front."""
-        if row.kind in ("demand", "records", "building") or (row.kind == "report" and self.stages.front != "report"):
+        if row.kind in ("demand", "records", "building", "report"):
             self.show_input(row.kind)
         elif row.kind == "walls":
             self.show_page("walls")
         elif row.wall >= 0:
-            self._show_wall_of(row.wall, row.result)
+            self.tree.select(row.key)
+            self.walls.select(row.wall)
+            self.follow_tree()
             self.stages.input.show_kind("wall")
-            if self.stages.front == "answer" and self.wall is not None:
+            if self.stages.front == "input":
+                self.show_stage("input")
+            elif self.stages.front == "answer" and self.wall is not None:
                 self.show_page("check")
 
-    def _show_wall_of(self, row: int, result: int | None) -> None:
-        """Forms and pages show one wall. result : index of its result, None for the one that decides about it"""
-        known = self.results_of().get(row, [])
-        shown = result if result is not None else known[0] if known else self.shown
-        if shown != self.shown:
-            self.shown = shown
-            self.fresh.clear()
-        self.walls.select(row)
-        self.show_result()
-
     def _wall_selected(self, row: int) -> None:
-        """The form shows another wall: the pages follow, and the tree."""
-        if self.wall is None or row not in [k for k, found in self.results_of().items() if self.shown in found]:
-            self._show_wall_of(row, None)
-        self.refresh()
+        """The form shows another wall: the tree follows, and the pages."""
         current = self.tree.current
         if current is None or current.wall != row:
             self.tree.select(("wall", row, ""))
+        self.stages.input.show_kind("wall")
+        self.refresh()
+
+    def follow_tree(self) -> None:
+        """The row marked in the tree, the form and the pages are of one wall: that of the form. A wall without a result
+        shows none."""
+        row, marked = self.walls.current, self.tree.current
+        if self.session.case.wall and (marked is None or marked.wall not in (-1, row)):
+            self.tree.select(("wall", row, ""))
+            marked = self.tree.current
+        if self.session.result is None:
+            return
+        known = self.results_of().get(row, [])
+        if marked is not None and marked.wall >= 0:
+            known = [marked.result] if marked.kind == "hinge" else known[:1]
+        if self.shown in known or (self.shown < 0 and not known):
+            return
+        self.shown = known[0] if known else -1
+        self.fresh.clear()
+        if not known:
+            for page in (*self.pages.values(), self.beside):
+                page.empty()
+        self.show_result()
 
     def results_of(self) -> dict[int, list[int]]:
         """Row of a wall of the case -> indices of its results, the one that decides first."""
@@ -195,6 +216,7 @@ class StagedWindow(RunningWindow):
             self.tree.select(("wall", row, ""))
             if self.results_of().get(row, [k])[0] != k:
                 self.tree.select(("hinge", row, hinge))
+            self.follow_tree()
         self.show_result()
 
     def charts(self) -> list[Chart]:

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 
 from app.look import theme
 from app.look.language import named, number, tr
+from core.case.problems import wall_of
 from core.case.schema import Case
 from core.errors import InputError
 from core.report.verdict_words import tone_of
@@ -53,7 +54,8 @@ class Row:
     @property
     def key(self) -> tuple:
         """What is the same row after a change."""
-        return (self.kind, self.wall, self.text if self.kind == "hinge" else "")
+        named = self.kind in ("hinge", "group")
+        return (self.kind, -1 if self.kind == "group" else self.wall, self.text if named else "")
 
 
 @dataclass(frozen=True)
@@ -79,7 +81,7 @@ def rows_of(state: State) -> list[Row]:
     """The rows in their order."""
     case = state.case
     sections = {error.section or "" for error in state.problems if error.wall is None}
-    walls = {error.wall for error in state.problems if error.wall is not None}
+    walls = {wall_of(case, error) for error in state.problems}
 
     def mark(*names: str) -> tuple[str, str]:
         return ("!", "amber") if any(one.startswith(name) for one in sections for name in names) else ("", "quiet")
@@ -101,7 +103,7 @@ def rows_of(state: State) -> list[Row]:
     return [*rows, Row(0, "report", f"{tr('Report')}  {author}".strip(), "!" if author else "", "amber")]
 
 
-def _walls(state: State, broken: set[str | None]) -> Iterable[Row]:
+def _walls(state: State, broken: set[int | None]) -> Iterable[Row]:
     walls = state.case.wall
     names = [wall.name for wall in walls]
     seen = set()
@@ -117,7 +119,7 @@ def _walls(state: State, broken: set[str | None]) -> Iterable[Row]:
         known = [(_zeta(state, k), k) for k in alike]
         worst = min(known, key=lambda one: (one[0] is None, one[0] or 0.0))[1]
         group = _wall(state, worst, name, 1, broken)
-        yield Row(1, "group", name, group.chip, group.tone, first, group.result)
+        yield Row(1, "group", name, group.chip, group.tone, worst, group.result)
         for k in alike:
             yield _wall(state, k, walls[k].variant or name, 2, broken)
             yield from _hinges(state, k, 3)
@@ -129,11 +131,11 @@ def _zeta(state: State, k: int) -> float | None:
     return found.verdict.zeta_e if found else None
 
 
-def _wall(state: State, k: int, text: str, depth: int, broken: set[str | None]) -> Row:
+def _wall(state: State, k: int, text: str, depth: int, broken: set[int | None]) -> Row:
     if state.finished is not None:
         zeta = state.finished.get(k)
         return Row(depth, "wall", text, RUNNING if zeta is None else number(zeta, ".2f"), "quiet", k)
-    if state.case.wall[k].name in broken:
+    if k in broken:
         return Row(depth, "wall", text, "!", "amber", k)
     results = state.of_row.get(k, [])
     if state.result is None or not results:

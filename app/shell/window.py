@@ -194,11 +194,10 @@ class MainWindow(StagedWindow):
         self.build()
         self.walls.row = row
         self.result_arrived(self.session.result)
-        self.shown = shown
-        self.refresh()
         if chosen is not None:
             self.tree.select(chosen.key)
-            self.stages.input.show_kind(chosen.kind if chosen.kind in self.stages.input.areas else "wall")
+        self.shown = shown
+        self.refresh()
         if page is not None:
             self.show_page(page)
         else:
@@ -280,8 +279,7 @@ class MainWindow(StagedWindow):
             finished,
         )
         self.tree.show_rows(tree.rows_of(state))
-        if self.tree.current is None and self.session.case.wall:
-            self.tree.select(("wall", self.walls.current, ""))
+        self.follow_tree()
 
     def _show_input(self) -> None:
         """What a page shows of the input as it stands."""
@@ -308,7 +306,10 @@ class MainWindow(StagedWindow):
         self.records.read_again()
         for field in self.fields:
             field.forget()
+        for form in (self.walls, self.demand, self.demand.building):
+            form.forget()
         self.result_arrived(None)
+        self.show_input("wall", 0)
 
     def result_arrived(self, result) -> None:
         """Show a result of study.run, None while there is none."""

@@ -6,7 +6,7 @@ import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from app.look import theme
 from app.look.language import named, number, tr
@@ -39,6 +39,8 @@ class CapacityTab(QWidget):
         self.strips = Chart("q [-]", tr("run"), tr("Survival map"))
         self.fragility = Chart("q [-]", tr("share collapsed [-]"), tr("Fragility"))
         choices, top = QHBoxLayout(), QHBoxLayout()
+        self.title = QLabel()
+        choices.addWidget(self.title)
         for box in (self.record, self.other):
             box.setMinimumWidth(60)
             choices.addWidget(box, 1)
@@ -53,6 +55,7 @@ class CapacityTab(QWidget):
     def show_wall(self, result: StudyResult, wall: WallResult) -> None:
         """Fill the tab from one wall of a result."""
         self.shown = (result, wall)
+        self.title.setText(_title(wall))
         self.record.clear()
         for run in wall.runs:
             self.record.addItem(_name(run))

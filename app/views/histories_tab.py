@@ -293,7 +293,8 @@ class HistoriesTab(QWidget):
             outcome = f"{tr('stands')}   θmax/θc {peak}"
         number = partial(numeral, language=current_language())
         which = self._wall_in_words()
-        words = (f"C {number(abs(scale), '.3f')}", f"q {number(self.q, '.3f')}", outcome, *which, *self._show_bars())
+        wall_and_c = (f"{wall.name}, {named(wall.mechanism)}", f"C {number(abs(scale), '.3f')}")
+        words = (*wall_and_c, f"q {number(self.q, '.3f')}", outcome, *which, *self._show_bars())
         self.words.setText("   ".join(words))
         for chart in (self.ground, self.rotation, self.energy, self.force, self.elongation):
             sign = "+" if self.run.polarity > 0 else "−"

@@ -165,7 +165,7 @@ def check_wall(case: Case, wall: Wall) -> None:
             wall.restitution_of(mechanism)
         wall.moment_law()
     except InputError as error:
-        raise error.at(place("wall", name=wall.name)) from None
+        raise error.at(place("wall", name=wall.title)) from None
     if any(load.is_tie for load in wall.load):
         if case.analysis.method not in METHODS_WITH_TIES:
             found = case.analysis.method
@@ -173,24 +173,27 @@ def check_wall(case: Case, wall: Wall) -> None:
         if case.analysis.accuracy:
             raise InputError("tie_accuracy", place=(section("[analysis]"),), key="accuracy")
     if case.analysis.method == "linearised" and not wall.moment_law().is_rigid:
-        raise InputError("linearised_is_rigid", place=(section("[analysis]"),), key="method", wall=wall.name)
+        raise InputError("linearised_is_rigid", place=(section("[analysis]"),), key="method", wall=wall.title)
     if case.building and (wall.base_z_m or 0.0) > case.building.height_m:
         raise InputError(
             "base_above_building",
-            place=(place("wall", name=wall.name),),
+            place=(place("wall", name=wall.title),),
             key="base_z_m",
             base=wall.base_z_m,
             height=case.building.height_m,
         )
     check_hinges(wall, case.building)
     if case.demand and wall.base_z_m is None:
-        raise InputError("base_missing", place=(place("wall", name=wall.name),), key="base_z_m")
+        raise InputError("base_missing", place=(place("wall", name=wall.title),), key="base_z_m")
     if case.demand:
         check_confidence(case.demand, wall)
-    check_reasons(wall.justification, place("wall", name=wall.name))
+    check_reasons(wall.justification, place("wall", name=wall.title))
     if wall.back_restraint and not _says(wall.back_restraint):
         raise InputError(
-            "restraint_unnamed", place=(place("wall", name=wall.name),), key="back_restraint", value=wall.back_restraint
+            "restraint_unnamed",
+            place=(place("wall", name=wall.title),),
+            key="back_restraint",
+            value=wall.back_restraint,
         )
 
 
@@ -230,7 +233,7 @@ def check_confidence(demand: Demand, wall: Wall) -> None:
     if wall.compressive_strength_mpa is None or not low <= wall.compressive_strength_mpa <= high:
         raise InputError(
             "confidence_needs_strength",
-            place=(place("wall", name=wall.name),),
+            place=(place("wall", name=wall.title),),
             key="compressive_strength_mpa",
             stated=stated,
             found=wall.compressive_strength_mpa,
@@ -306,5 +309,7 @@ def tables_of(table: dict, key: str) -> list:
 
 
 def _name(entry, index: int):
-    name = entry.get("name") if isinstance(entry, dict) else None
-    return name[:SHOWN] if isinstance(name, str) else index + 1
+    name, variant = (entry.get("name"), entry.get("variant")) if isinstance(entry, dict) else (None, None)
+    if not isinstance(name, str):
+        return index + 1
+    return f"{name[:SHOWN]} ({variant})" if isinstance(variant, str) and len(variant) <= SHOWN else name[:SHOWN]

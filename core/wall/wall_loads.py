@@ -161,7 +161,7 @@ def carries(wall) -> bool:
 
 def check_given(wall) -> None:
     """Raise InputError for loads that are not complete, contradict each other or are not on the wall."""
-    here = (place("wall", name=wall.name),)
+    here = (place("wall", name=wall.title),)
     across, tie = wall.return_walls, wall.tie_height_m
     _check_design(wall, here)
     if not wall.load and across is None and tie is None:

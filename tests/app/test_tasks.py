@@ -1,0 +1,219 @@
+"""What a person at work in the window met: each was wrong once."""
+
+import os
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
+
+from PySide6.QtWidgets import QMessageBox
+
+from app.input.reasons_form import ReasonField
+from app.shell import finder
+from core.case.loads import Bars, Load
+from core.case.schema import AS_IS, DESIGNED
+from core.case.site import Building, Demand, Spectrum
+from tests.app.driving import run
+from tests.conftest import ROOT
+
+CASES = ROOT / "resources" / "cases"
+
+
+def marked(window):
+    return window.tree.current
+
+
+def consistent(window) -> None:
+    """The row marked in the tree is the wall the form edits and the pages show."""
+    row = marked(window)
+    if not window.session.case.wall:
+        assert window.walls.wall is None
+        return
+    assert row is not None
+    if row.wall >= 0:
+        assert row.wall == window.walls.current
+        assert window.stages.front != "input" or window.stages.input.kind == "wall"
+    elif window.stages.front == "input" and row.kind in window.stages.input.areas:
+        assert window.stages.input.kind == row.kind
+    if window.session.result is not None:
+        known = window.results_of().get(window.walls.current, [])
+        assert window.shown in known or (window.shown == -1 and not known)
+        if row.kind == "hinge":
+            assert row.result == window.shown
+    if window.page in ("histories", "capacity") and window.wall is not None:
+        content = window.pages[window.page].content
+        said = content.words if window.page == "histories" else content.title
+        assert said.text().startswith(window.wall.name)
+
+
+def test_that_a_change_after_finding_leaves_the_menus_whole(opened, faults):
+    finder.Finder(opened)
+    opened.session.edit_wall(0, height_m=4.5)
+    opened.refresh()
+    assert faults == []
+    found = finder.Finder(opened)
+    for words in ("italiano", "dark", "animation", "sweep", "three-storey", "restitution"):
+        found.line.setText(words)
+        assert found.fitting, words
+
+
+def test_that_what_was_switched_off_in_one_case_does_not_come_back_in_another(opened):
+    demand = replace(opened.session.case.demand, ag_g=0.31, soil_factor=None, spectrum=Spectrum("EN1998", "B", type=2))
+    opened.session.edit(replace(opened.session.case, demand=demand, building=Building(9.0, 3)))
+    opened.demand._kind_chosen(0)
+    opened.demand.given.setChecked(False)
+    opened.demand.building.given.setChecked(False)
+    opened.files.new()
+    opened.demand.given.setChecked(True)
+    opened.demand.building.given.setChecked(True)
+    assert opened.session.case.demand == Demand("") and opened.session.case.building == Building("", "")
+    opened.demand._kind_chosen(opened.demand.kind.findData("EN1998"))
+    assert opened.session.case.demand.spectrum == Spectrum("EN1998", "")
+
+
+def test_that_bars_switched_off_at_one_wall_do_not_come_back_at_another(opened):
+    opened.walls.add()
+    for k in (0, 1):
+        opened.session.edit_wall(k, load=(Load("tie", None, 3.0, bar=Bars(2, 20.0) if k == 0 else None),))
+    opened.show_input("wall", 0)
+    opened.walls.loads.bars.setChecked(False)
+    opened.show_input("wall", 1)
+    opened.walls.loads.bars.setChecked(True)
+    assert opened.session.case.wall[1].load[0].bar == Bars("", "")
+
+
+def test_that_another_case_begins_at_its_first_wall(opened):
+    opened.walls.add()
+    opened.show_stage("why")
+    opened.files.open(CASES / "building.toml")
+    consistent(opened)
+    assert marked(opened).key == ("wall", 0, "") and opened.stages.front == "input"
+    opened.show_input("records")
+    opened.walls.select(2)
+    consistent(opened)
+    opened.show_stage("report")
+    opened.choose_row(next(row for row in opened.tree.rows if row.kind == "report"))
+    assert opened.stages.front == "input" and opened.stages.input.kind == "report"
+    opened.show_stage("report")
+    opened.show_stage("input")
+    assert opened.stages.input.kind == "report"
+
+
+def test_that_tree_form_and_pages_show_one_wall_whatever_is_done(opened, application, tmp_path):
+    """A walk: open, select, add, delete, undo, change stage, with and without a result."""
+    text = opened.session.path.read_text()
+    wall = text[: text.index("[[record]]")]
+    (tmp_path / "two.toml").write_text(
+        wall.replace('"w"', '"v"')
+        + wall.replace("base_z_m = 0", "base_z_m = 0\nhinge_heights = [1.0, 2.0]")
+        + text[len(wall) :]
+    )
+    opened.files.open(tmp_path / "two.toml")
+    run(application, opened)
+    assert len(opened.session.result.walls) == 4
+    draw = np.random.default_rng(11)
+
+    def chosen():
+        rows = opened.tree.rows
+        opened.choose_row(rows[int(draw.integers(0, len(rows)))])
+
+    steps = (
+        chosen,
+        chosen,
+        chosen,
+        lambda: opened.show_stage(str(draw.choice(["input", "answer", "why", "report"]))),
+        lambda: opened.show_page(str(draw.choice(["histories", "capacity"]))),
+        opened.walls.add,
+        opened.walls.add_variant,
+        opened.walls.duplicate,
+        opened.walls.delete,
+        opened.session.undo,
+        opened.session.undo,
+        opened.session.redo,
+        lambda: opened.pick(int(draw.integers(0, len(opened.session.result.walls)))),
+    )
+    for k in range(150):
+        steps[int(draw.integers(0, len(steps)))]()
+        try:
+            consistent(opened)
+        except AssertionError as error:
+            raise AssertionError(f"step {k}") from error
+    application.processEvents()
+
+
+def test_that_a_missing_sentence_leads_to_the_variant_it_is_about(opened):
+    opened.walls.add_variant()
+    opened.session.edit_wall(1, base_z_m=None)
+    opened.show_input("wall", 0)
+    (problem,) = opened.missing.problems
+    assert f"w ({DESIGNED})" in problem.words
+    chips = {row.text: row.chip for row in opened.tree.rows}
+    assert (chips[AS_IS], chips[DESIGNED]) == ("", "!")
+    assert not opened.walls.fields["base_z_m"].rule
+    problem.lead()
+    assert opened.walls.current == 1 and opened.walls.fields["base_z_m"].rule
+
+
+def test_that_a_missing_sentence_of_a_load_leads_to_its_field(opened):
+    loads = (Load("vertical", 5.0, 3.0, 0.25, "none"), Load("tie", 4.0, 4.0))
+    opened.session.edit_wall(0, load=loads, unit_weight_kn_m3=18.0)
+    opened.show_stage("answer")
+    (problem,) = opened.missing.problems
+    problem.lead()
+    field = next(field for field in opened.walls.loads.load_fields if field.key == "bar_length_m")
+    assert opened.walls.loads.list.currentRow() == 1 and field.isVisibleTo(opened) and field.rule
+    opened.session.edit_wall(0, load=())
+    opened.session.edit(replace(opened.session.case, building=Building(9.0, "")))
+    opened.show_input("wall", 0)
+    (problem,) = opened.missing.problems
+    problem.lead()
+    field = next(field for field in opened.demand.building.fields if field.key == "storeys")
+    assert opened.stages.input.kind == "building" and field.rule
+
+
+def test_that_finding_a_field_of_a_load_there_is_none_of_leads_to_adding_one(opened, application):
+    found = finder.Finder(opened)
+    field = next(field for field in opened.walls.loads.load_fields if field.key == "bar_length_m")
+    opened.activateWindow()
+    found.line.setText(field.caption.text())
+    found._go()
+    application.processEvents()
+    assert not field.isVisibleTo(opened) and opened.focusWidget() is opened.walls.loads.add_button
+    before = opened.session.case
+    for one in (one for one in opened.fields if not isinstance(one, ReasonField)):
+        finder._point(opened, one)
+        shown = one.isVisibleTo(opened) and one.isEnabled()
+        assert shown == one.isAncestorOf(opened.focusWidget()), one.key
+    assert opened.session.case == before
+
+
+def test_that_a_form_of_nothing_shows_no_value(opened):
+    opened.session.edit(replace(opened.session.case, building=Building(9.0, 3)))
+    opened.files.new()
+    from PySide6.QtWidgets import QLineEdit
+
+    for form in (opened.walls, opened.demand, opened.demand.building):
+        texts = [line.text() for line in form.findChildren(QLineEdit)]
+        assert not any(texts), form
+    assert not any(button.isChecked() for button in opened.walls.mechanisms.values())
+
+
+def test_that_no_first_page_covers_a_case_that_is_open(opened, monkeypatch):
+    from app.shell import start
+
+    opened.show_first_run()
+    opened.files.open(CASES / "building.toml")
+    assert opened.stages.first is None
+    opened.show_first_run()
+    opened.choose_row(next(row for row in opened.tree.rows if row.kind == "wall"))
+    assert opened.stages.first is None and opened.stages.front == "input"
+    opened.show_first_run()
+    swap = opened.session.recovery_folder / "x-aa.swap"
+    swap.parent.mkdir(exist_ok=True)
+    swap.write_text('{"path": null, "base_dir": ".", "case": "title = \\"again\\""}')
+    monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Yes)
+    start.offer_recovery(opened)
+    assert opened.session.case.title == "again" and opened.stages.first is None
