@@ -30,14 +30,17 @@ BASE = ("base_z_m", "back_restraint", "free_element")
 
 
 class WallForm(QWidget):
-    """Edits one wall of the session at a time; `current` is its row. selected(row) : another one is shown"""
+    """Edits one wall of the session at a time; `current` is its row. selected(row) : another is shown; told(words) : what
+    was done"""
 
     selected = Signal(int)
+    told = Signal(str)
 
     def __init__(self, session: Session):
         super().__init__()
         self.session = session
         self.row = 0
+        self.shown: tuple[Wall | None, int] = (None, 0)
         self.former: tuple[Wall | None, Wall | None] = (None, None)
         self.drawing = WallDrawing()
         self.drawing.picked.connect(self._picked_in_drawing)
@@ -159,7 +162,13 @@ class WallForm(QWidget):
         self.parts.show()
 
     def _show_row(self) -> None:
+        walls, known, count = self.session.case.wall, *self.shown
+        if known is not None and len(walls) != count:  # the same wall, in another place
+            ways = (lambda one: one == known, lambda one: one.title == known.title, lambda one: one.name == known.name)
+            alike = ((k for k, one in enumerate(walls) if way(one)) for way in ways)
+            self.row = next((k for found in alike for k in found), self.row)
         self.row = self.current
+        self.shown = (self.wall, len(walls))
         for section in self.sections.values():
             section.setEnabled(self.wall is not None)
 
@@ -292,13 +301,13 @@ class WallForm(QWidget):
         wall, k = self.wall, self.current
         if wall is None:
             return
-        if any(one.name == wall.name and one.variant == DESIGNED for one in self.session.case.wall):
-            self.duplicate()
-            return
         walls = list(self.session.case.wall)
-        walls[k : k + 1] = [replace(wall, variant=AS_IS), replace(wall, variant=DESIGNED)]
-        self.session.edit(replace(self.session.case, wall=tuple(walls)))
-        self.select(k + 1)
+        there = {one.variant: row for row, one in enumerate(walls) if one.name == wall.name}
+        made = [replace(wall, variant=one) for one in (AS_IS, DESIGNED) if there.get(one, k) == k]
+        if made:
+            walls[k : k + 1] = made
+            self.session.edit(replace(self.session.case, wall=tuple(walls)))
+        self.select(next(row for row, one in enumerate(walls) if (one.name, one.variant) == (wall.name, DESIGNED)))
 
     def delete(self) -> None:
         if self.wall is not None:
@@ -334,4 +343,7 @@ class WallForm(QWidget):
         except InputError as error:
             QMessageBox.warning(self, tr("Walls not read"), quoted_from_file(error))
             return
+        first = len(self.session.case.wall)
         self.session.add_walls(walls)
+        self.select(first)
+        self.told.emit(tr("Walls added: {n}", n=len(walls)))

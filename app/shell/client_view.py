@@ -137,6 +137,9 @@ class ClientView(QDialog):
             column.addWidget(drawing, 1)
             row.addLayout(column, 1)
             self.drawings.append(drawing)
+        tops, reaches = zip(*(drawing.extent for drawing in self.drawings), strict=True)
+        for drawing in self.drawings:
+            drawing.least_extent = (max(tops), max(reaches))
         self.scene = QWidget()
         self.scene.setAutoFillBackground(True)
         inside = QVBoxLayout(self.scene)

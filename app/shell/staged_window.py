@@ -262,7 +262,7 @@ class StagedWindow(RunningWindow):
 
     def show_finished(self, walls: list[WallResult]) -> None:
         """The verdicts that are there while others run."""
-        self.pages["walls"].content.show_running(walls)
+        self.pages["walls"].content.show_running(walls, self.zetas_so_far())
         self.fresh.discard(self.pages["walls"])
         self._show_tree()
         self._cover_pages()

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import (
     QMenuBar,
     QProgressBar,
     QScrollArea,
+    QSizePolicy,
     QSplitter,
     QStackedWidget,
     QStatusBar,
@@ -222,6 +223,7 @@ def remove(window) -> None:
 def build_status(window) -> QLabel:
     """Make the status line of a window: a word."""
     word = QLabel()
+    word.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
     window.statusBar().addWidget(word, 1)
     window.statusBar().setSizeGripEnabled(False)
     return word

@@ -64,7 +64,7 @@ class State:
 
     of_row(row) : indices of the results of a wall of the case, the one that decides first
     unread : whether a record in use cannot be read; motions : records in use
-    finished : walls that are finished while others run, None while nothing runs
+    finished : while something runs, of each wall the zeta so far and whether all its results are there; else None
     """
 
     case: Case
@@ -74,7 +74,7 @@ class State:
     motions: int
     unread: bool
     of_row: dict[int, list[int]]
-    finished: dict[int, float | None] | None = None
+    finished: dict[int, tuple[float | None, bool]] | None = None
 
 
 def rows_of(state: State) -> list[Row]:
@@ -126,6 +126,8 @@ def _walls(state: State, broken: set[int | None]) -> Iterable[Row]:
 
 
 def _zeta(state: State, k: int) -> float | None:
+    if state.finished is not None:
+        return state.finished.get(k, (None, False))[0]
     results = state.of_row.get(k, [])
     found = state.result.walls[results[0]].assessment if state.result and results else None
     return found.verdict.zeta_e if found else None
@@ -133,8 +135,9 @@ def _zeta(state: State, k: int) -> float | None:
 
 def _wall(state: State, k: int, text: str, depth: int, broken: set[int | None]) -> Row:
     if state.finished is not None:
-        zeta = state.finished.get(k)
-        return Row(depth, "wall", text, RUNNING if zeta is None else number(zeta, ".2f"), "quiet", k)
+        zeta, whole = state.finished.get(k, (None, False))
+        chip = number(zeta, ".2f") if whole else RUNNING if zeta is None else f"≤ {number(zeta, '.2f')}"
+        return Row(depth, "wall", text, chip, "quiet", k)
     if k in broken:
         return Row(depth, "wall", text, "!", "amber", k)
     results = state.of_row.get(k, [])

@@ -116,6 +116,7 @@ class MainWindow(StagedWindow):
         self.why, self.veil, self.bar = self.stages.why, self.stages.veil, self.stages.bar
         self.records.loaded.connect(self.records_loaded)
         self.walls.selected.connect(self._wall_selected)
+        self.walls.told.connect(self.show_word)
         self.why.currentChanged.connect(lambda _: self.show_result())
         self.stages.answer.widened.connect(self._show_beside)
         self.pages["walls"].content  # noqa: B018  (the first page is there at once)
@@ -139,12 +140,16 @@ class MainWindow(StagedWindow):
             [
                 [
                     (tr("+ wall"), tr("Add a wall"), lambda: self._then_input(walls.add)),
-                    (tr("+ variant"), tr("The wall as it is and, beside it, to be changed"), walls.add_variant),
-                    (tr("copy"), tr("Copy this wall"), walls.duplicate),
+                    (
+                        tr("+ variant"),
+                        tr("The wall as it is and, beside it, to be changed"),
+                        lambda: self._then_input(walls.add_variant),
+                    ),
+                    (tr("copy"), tr("Copy this wall"), lambda: self._then_input(walls.duplicate)),
                 ],
                 [
-                    (tr("paste"), tr("Paste rows copied from Excel"), walls.paste),
-                    (tr("table…"), tr("Read walls from .xlsx or .csv"), walls.load_table),
+                    (tr("paste"), tr("Paste rows copied from Excel"), lambda: self._then_input(walls.paste)),
+                    (tr("table…"), tr("Read walls from .xlsx or .csv"), lambda: self._then_input(walls.load_table)),
                     (tr("delete"), tr("Delete this wall"), walls.delete),
                 ],
             ]
@@ -261,13 +266,7 @@ class MainWindow(StagedWindow):
         self.header.show_notice(words, self.missing.text())
 
     def _show_tree(self) -> None:
-        finished = None
-        if self.job is not None and self.finished_walls:
-            finished = {}
-            for wall in self.finished_walls:
-                zeta = wall.assessment.verdict.zeta_e if wall.assessment else None
-                known = finished.get(wall.part.origin)
-                finished[wall.part.origin] = zeta if known is None else known if zeta is None else min(known, zeta)
+        finished = self.zetas_so_far() if self.job is not None and self.finished_walls else None
         state = tree.State(
             self.session.case,
             self.session.result,

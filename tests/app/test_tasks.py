@@ -2,6 +2,7 @@
 
 import os
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -9,10 +10,10 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
 
-from PySide6.QtWidgets import QMessageBox
+from PySide6.QtWidgets import QMessageBox, QToolButton
 
 from app.input.reasons_form import ReasonField
-from app.shell import finder
+from app.shell import client_view, files, finder
 from core.case.loads import Bars, Load
 from core.case.schema import AS_IS, DESIGNED
 from core.case.site import Building, Demand, Spectrum
@@ -20,6 +21,10 @@ from tests.app.driving import run
 from tests.conftest import ROOT
 
 CASES = ROOT / "resources" / "cases"
+
+
+def button(window, label: str) -> QToolButton:
+    return next(one for one in window.tree.buttons.findChildren(QToolButton) if one.text() == label)
 
 
 def marked(window):
@@ -199,6 +204,120 @@ def test_that_a_form_of_nothing_shows_no_value(opened):
         texts = [line.text() for line in form.findChildren(QLineEdit)]
         assert not any(texts), form
     assert not any(button.isChecked() for button in opened.walls.mechanisms.values())
+
+
+def test_that_a_variant_has_its_pair_and_its_undo_stays_at_the_wall(opened):
+    opened.walls.add()
+    opened.show_input("wall", 0)
+    opened.show_stage("why")
+    button(opened, "+ variant").click()
+    assert [wall.title for wall in opened.session.case.wall] == [f"w ({AS_IS})", f"w ({DESIGNED})", "wall"]
+    assert opened.stages.front == "input" and opened.walls.current == 1
+    for k in (0, 1):
+        opened.show_input("wall", k)
+        button(opened, "+ variant").click()
+        assert len(opened.session.case.wall) == 3 and opened.walls.current == 1
+    opened.session.undo()
+    assert opened.walls.wall.name == "w" and len(opened.session.case.wall) == 2
+    consistent(opened)
+    opened.session.edit_wall(0, variant=DESIGNED)
+    opened.walls.add_variant()
+    assert [wall.variant for wall in opened.session.case.wall] == [AS_IS, DESIGNED, None]
+
+
+def test_that_walls_pasted_are_shown_and_counted(opened):
+    from PySide6.QtWidgets import QApplication
+
+    rows = "\n".join(f"{name}\t0\t4,5\t45\tun lato" for name in ("nord", "sud"))
+    QApplication.clipboard().setText(f"Parete\tz\tH\tt\tMeccanismo\n\tm\tm\tcm\t\n{rows}\n")
+    opened.show_stage("answer")
+    button(opened, "paste").click()
+    assert [wall.name for wall in opened.session.case.wall] == ["w", "nord", "sud"]
+    assert opened.stages.front == "input" and opened.walls.wall.name == "nord" and "2" in opened.word.text()
+
+
+def test_that_nothing_is_written_over_or_beside_an_example(opened, monkeypatch, tmp_path):
+    asked = []
+    monkeypatch.setattr(files, "path_to_write", lambda *given: asked.append(Path(given[2])))
+    for name in ("example", "building", "verdict"):
+        path = CASES / f"{name}.toml"
+        before = path.read_bytes()
+        opened.files.open(path)
+        opened.session.edit(replace(opened.session.case, title="mine"))
+        assert not opened.files.save() and path.read_bytes() == before
+        assert asked[-1].name == path.name and asked[-1].parent != CASES
+        assert opened.files.proposed(".pdf").parent != CASES
+        opened.session.saved = opened.session.case
+    opened.session.save(tmp_path / "mine.toml")
+    assert opened.files.proposed(".pdf") == tmp_path / "mine.pdf"
+
+
+def test_that_no_sentence_however_long_widens_the_window(opened, application):
+    opened.show_stage("report")
+    application.processEvents()
+    before = opened.minimumSizeHint().width()
+    long = "The note cannot be set, for a reason that takes very many words to be said. " * 12
+    opened.pages["note"].content.word.setText(long)
+    opened.show_word(long)
+    opened.header.say(long)
+    places = [one.x() for one in opened.header.buttons.values()]
+    for words in ("1 missing", "The input has changed: press F5.", ""):
+        opened.header.show_notice(words, long)
+        application.processEvents()
+        assert opened.minimumSizeHint().width() == before
+        assert [one.x() for one in opened.header.buttons.values()] == places
+    opened.show_running(True)
+    application.processEvents()
+    assert [one.x() for one in opened.header.buttons.values()] == places
+    opened.show_running(False)
+
+
+def test_that_a_wall_has_no_zeta_before_all_its_hinges_are_there(opened, application):
+    from app.shell import tree
+    from app.work.running import results_planned
+
+    opened.session.edit(replace(opened.session.case, building=Building(9.0, 3)))
+    spectrum = Spectrum("EN1998", "B", type=1)
+    opened.session.edit_section("demand", soil_factor=None, spectrum=spectrum)
+    opened.session.edit_wall(0, hinge_heights=(1.0, 2.0), unit_weight_kn_m3=18.0, elastic_modulus_mpa=600.0)
+    assert results_planned(opened.session.case) == [3]
+    run(application, opened)
+    found = sorted(opened.session.result.walls, key=lambda wall: -wall.assessment.verdict.zeta_e)
+    opened.finished_walls = found[:1]
+    zetas = opened.zetas_so_far()
+    first = found[0].assessment.verdict.zeta_e
+    assert zetas == {0: (first, False)}
+    state = tree.State(opened.session.case, None, False, (), 1, False, {}, zetas)
+    (row,) = (row for row in tree.rows_of(state) if row.kind == "wall")
+    assert row.chip == f"≤ {first:.2f}"
+    tab = opened.pages["walls"].content
+    tab.show_running(opened.finished_walls, zetas)
+    assert [tab.table.item(0, column).text() for column in (2, 3)] == [f"≤ {first:.2f}", "…"]
+    opened.finished_walls = found
+    assert opened.zetas_so_far() == {0: (found[-1].assessment.verdict.zeta_e, True)}
+    opened.finished_walls = []
+
+
+def test_that_the_client_sees_both_walls_at_one_scale(opened, application):
+    opened.walls.add_variant()
+    opened.session.edit_wall(1, height_m=3.0)
+    run(application, opened)
+    opened.pick(0)
+    view = client_view.ClientView(opened, "title", client_view.sides_of(opened.session.result, opened.wall))
+    view.resize(900, 600)
+    view.grab()
+    one, other = view.drawings
+    assert one.size_of[0] != other.size_of[0] and one.scale == pytest.approx(other.scale)
+    view.deleteLater()
+
+
+def test_that_the_first_wall_asks_for_its_demand_at_once(opened):
+    from app.shell import first_run
+
+    opened.show_first_run()
+    first_run.follow(opened, "wall")
+    words = " ".join(problem.words for problem in opened.missing.problems)
+    assert "a_g" in words and opened.walls.fields["base_z_m"].caption.text() in words
 
 
 def test_that_no_first_page_covers_a_case_that_is_open(opened, monkeypatch):
