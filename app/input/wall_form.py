@@ -30,8 +30,8 @@ BASE = ("base_z_m", "back_restraint", "free_element")
 
 
 class WallForm(QWidget):
-    """Edits one wall of the session at a time; `current` is its row. selected(row) : another is shown; told(words) : what
-    was done"""
+    """Edits one wall of the session at a time; `current` is its row. selected(row) : another is shown; told(words) :
+    what was done"""
 
     selected = Signal(int)
     told = Signal(str)

@@ -200,6 +200,21 @@ class StagedWindow(RunningWindow):
         self._pick(k)
         self.show_page("check")
 
+    def ask(self, what: str) -> None:
+        """Lead to what an answer asks for: a form by its kind, variant, or generate."""
+        if what == "variant":
+            self._then_input(self.walls.add_variant)
+        elif what == "generate":
+            self.show_input("records")
+            self.records.generate()
+        else:
+            self.show_input(what)
+
+    def pick_run(self, run: tuple) -> None:
+        """The history of this (motion, polarity) of the wall shown."""
+        self.show_page("histories")
+        self.pages["histories"].content.show_run(run)
+
     def pick_input(self, k: int) -> None:
         """Show the input of the wall of the k-th result."""
         self._pick(k)

@@ -72,7 +72,7 @@ class MainWindow(StagedWindow):
         stages.remove(self)
         self.shown, self.fresh = -1, set()
         self._known_rows: tuple = (None, None, {})
-        made = tabs.pages(self.language, self._validation, self.pick, self._note)
+        made = tabs.pages(self.language, self._validation, self.pick, self._note, self.ask, self.pick_run)
         self.pages = {name: page for name, (page, _) in made.items()}
         self.page_labels = {name: label for name, (_, label) in made.items()}
         self.beside = Page(HistoriesTab)

@@ -12,6 +12,7 @@ from app.look import theme
 from app.look.language import named, number, tr
 from app.views.chart import Chart
 from app.views.hatch import Hatch, hatched_square
+from app.views.runs import governing_run, run_name
 from core.capacity.fragility import fragility_curve
 from core.capacity.ida import grid_point, multiplier_of, threshold_of
 from core.rocking.history import scan
@@ -58,7 +59,8 @@ class CapacityTab(QWidget):
         self.title.setText(_title(wall))
         self.record.clear()
         for run in wall.runs:
-            self.record.addItem(_name(run))
+            self.record.addItem(run_name(run))
+        self.record.setCurrentIndex(governing_run(wall))
         if len(wall.runs) > 1:
             self.record.addItem(tr("all records, with their mean"))
         self.other.clear()
@@ -116,13 +118,13 @@ class CapacityTab(QWidget):
         else:
             run = wall.runs[k]
             q, ratio = _peaks(result, wall, run)
-            self.peaks.curve(_name(run), q, ratio, 0)
+            self.peaks.curve(run_name(run), q, ratio, 0)
             fell = q[np.isnan(ratio)]
             none = np.full(fell.size, np.nan)
             self.peaks.points(named("overturned"), fell, np.full(fell.size, EDGE), 1, 4, values=none)
             if run.ida.q:
                 self.peaks.level(run.ida.q, "q", "bad", vertical=True, place=0.75)
-            self.peaks.caption = f"{_title(wall)}, {_name(run)}"
+            self.peaks.caption = f"{_title(wall)}, {run_name(run)}"
         for level in (0.40, 0.60, 1.0):
             label = "θc" if level == 1.0 else number(level, ".2f")
             self.peaks.level(level, label)
@@ -132,7 +134,7 @@ class CapacityTab(QWidget):
         """All records, with mean and scatter as long as none has overturned."""
         found = [_peaks(result, wall, run) for run in wall.runs]
         for run, (q, ratio) in zip(wall.runs, found, strict=True):
-            self.peaks.curve(_name(run), q, ratio, 6, 0.8, legend=False)
+            self.peaks.curve(run_name(run), q, ratio, 6, 0.8, legend=False)
         first = min((q[np.isnan(ratio)][0] if np.isnan(ratio).any() else q[-1]) for q, ratio in found)
         low = max(q[0] for q, _ in found)
         if first > low:
@@ -190,16 +192,12 @@ class CapacityTab(QWidget):
         grid = np.exp(low + step * np.arange(image.shape[1]))
         for k, run in enumerate(wall.runs):
             known = ~np.isnan(image[k])
-            self.strips.data.append((_name(run), grid[known], image[k][known]))
-        names = [(k, _name(run)) for k, run in enumerate(wall.runs)]
+            self.strips.data.append((run_name(run), grid[known], image[k][known]))
+        names = [(k, run_name(run)) for k, run in enumerate(wall.runs)]
         self.strips.names_beside(names)
         marks = [q for q in MARKS if math.log(q) >= low - 0.1]
         self.strips.ticks("bottom", [(math.log(q), f"{number(q, 'g')}") for q in marks])
         self.strips.reset()
-
-
-def _name(run: Run) -> str:
-    return f"{run.record} ({'+' if run.polarity > 0 else '−'})"
 
 
 def _title(wall: WallResult) -> str:

@@ -17,7 +17,7 @@ from app.shell import client_view, files, finder
 from core.case.loads import Bars, Load
 from core.case.schema import AS_IS, DESIGNED
 from core.case.site import Building, Demand, Spectrum
-from tests.app.driving import run
+from tests.app.driving import run, settle
 from tests.conftest import ROOT
 
 CASES = ROOT / "resources" / "cases"
@@ -318,6 +318,67 @@ def test_that_the_first_wall_asks_for_its_demand_at_once(opened):
     first_run.follow(opened, "wall")
     words = " ".join(problem.words for problem in opened.missing.problems)
     assert "a_g" in words and opened.walls.fields["base_z_m"].caption.text() in words
+
+
+def test_that_the_answer_leads_to_what_it_asks_for(opened, application):
+    run(application, opened)
+    content = opened.pages["check"].content
+    verdict = opened.wall.assessment.verdict
+    words = content.important.text()
+    assert {one.code for one in verdict.to_do} & {"to_no_spectrum"}
+    assert words.count("<b>To do:</b>") == 1 and words.count("<b>Limits:</b>") == 1
+    assert words.count("the dynamic check is not at the demand") == 1
+    content.important.linkActivated.emit("demand")
+    assert opened.stages.front == "input" and opened.stages.input.kind == "demand"
+    opened.ask("variant")
+    assert len(opened.session.case.wall) == 2 and opened.stages.front == "input"
+
+
+def test_that_an_answer_without_bars_leads_to_a_demand_and_to_motions(opened, application):
+    spectrum = Spectrum("EN1998", "B", type=1)
+    opened.session.edit_section("demand", soil_factor=None, spectrum=spectrum)
+    opened.session.edit(replace(opened.session.case, record=()))
+    settle(application, lambda: not opened.records.pending)
+    run(application, opened)
+    content = opened.pages["check"].content
+    assert content.peaks.isHidden() and "generate" in content.no_peaks.text()
+    content.no_peaks.linkActivated.emit("generate")
+    assert opened.session.case.generate.count == 7 and opened.stages.input.kind == "records"
+    opened.session.edit(replace(opened.session.case, demand=None, generate=None))
+    settle(application, lambda: not opened.records.pending)
+    run(application, opened)
+    opened.show_page("check")
+    content = opened.pages["check"].content
+    assert content.peaks.isHidden() and "'demand'" in content.no_peaks.text()
+
+
+def test_that_a_bar_leads_to_its_history_and_pages_open_at_the_governing_record(opened, application):
+    motions = sorted((ROOT / "resources" / "motions").glob("noise_[23].txt"))
+    opened.records.take(motions, ask=False)
+    settle(application, lambda: len(opened.records.motions) == 3)
+    opened.session.edit_section("analysis", polarity="both")
+    run(application, opened)
+    opened.show_page("check")
+    checked = opened.wall.assessment.dynamic.runs
+    content = opened.pages["check"].content
+    assert len(checked) == 6
+    ticks = content.peaks.plot.getAxis("bottom")._tickLevels[0]
+    assert ticks and all(name.endswith("±") and place % 2 == 0.5 for place, name in ticks)
+    for name in ("histories", "capacity"):
+        opened.show_page(name)
+    histories, capacity = (opened.pages[name].content for name in ("histories", "capacity"))
+    assert histories.record.currentIndex() == capacity.record.currentIndex()
+    worst = max(checked, key=lambda run: np.inf if run.peak_ratio is None else run.peak_ratio)
+    assert (histories.run.motion, histories.run.polarity) == (worst.motion, worst.polarity)
+    for k, one in enumerate(checked):
+        opened.show_page("check")
+        content.peaks.clicked.emit(k + 0.2, 0.1)
+        assert opened.page == "histories"
+        assert (histories.run.motion, histories.run.polarity) == (one.motion, one.polarity)
+        if one.peak_ratio is not None:
+            peak = histories.history.peak / opened.wall.model.collapse_rotation
+            assert peak == pytest.approx(one.peak_ratio, rel=1e-7)  # of a search and of one history
+    assert histories.words.toolTip().startswith("C ")
 
 
 def test_that_no_first_page_covers_a_case_that_is_open(opened, monkeypatch):
