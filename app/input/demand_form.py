@@ -1,6 +1,7 @@
 """The demand, the analysis and the title block of the report."""
 
 from dataclasses import replace
+from pathlib import Path
 
 from PySide6.QtWidgets import QFileDialog, QGroupBox, QLabel, QPushButton, QVBoxLayout, QWidget
 
@@ -235,8 +236,6 @@ class DemandForm(QWidget):
         self.session.edit_section("demand", **values)
 
     def _choose_file(self) -> None:
-        from pathlib import Path
-
         name, _ = QFileDialog.getOpenFileName(self, tr("Spectrum: two columns, s and g"), str(self.session.base_dir))
         if name:
             self.session.edit_section(
@@ -263,6 +262,10 @@ class AnalysisForm(QWidget):
         )
         self.title_field = make_field(Case, "title")
         self.title_field.edited.connect(lambda value: session.edit(replace(session.case, title=value), "title"))
+        logo = next(field for field in self.of_report if field.key == "logo")
+        choose = QPushButton(tr("Choose file…"))
+        choose.clicked.connect(self._choose_logo)
+        logo.layout().addWidget(choose, 0, 2)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)
         for label, chosen in ((tr("Report"), [self.title_field, *self.of_report]), (tr("Analysis"), self.of_analysis)):
@@ -272,6 +275,12 @@ class AnalysisForm(QWidget):
                 inside.addWidget(field)
             layout.addWidget(group)
         layout.addStretch(1)
+
+    def _choose_logo(self) -> None:
+        pictures = "PNG, JPEG, SVG (*.png *.jpg *.jpeg *.svg)"
+        name, _ = QFileDialog.getOpenFileName(self, tr("Choose file…"), str(self.session.base_dir), pictures)
+        if name:
+            self.session.edit_section("report", logo=self.session.relative(Path(name)))
 
     def show_case(self) -> None:
         """Fill the form from the session."""

@@ -341,6 +341,7 @@ class ChoiceField(Field):
     def __init__(self, section: type, key: str, words: dict | None = None):
         self.words = words or words_of_choices(section, key)
         FORM_NAMES.captions.update({name: shown for name, shown in self.words.items() if name})
+        FORM_NAMES.captions.update({f"{key}={name}": shown for name, shown in self.words.items()})
         super().__init__(section, key)
 
     def make_editor(self) -> QComboBox:

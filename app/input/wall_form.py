@@ -119,7 +119,7 @@ class WallForm(QWidget):
             button.setText(label)
             button.setToolTip(tip)
             button.setAccessibleName(label)
-            FORM_NAMES.captions[name] = label
+            FORM_NAMES.captions[name] = FORM_NAMES.captions[f"mechanism={name}"] = label
             button.setCheckable(True)
             chosen = theme.current.curves[0]
             button.setStyleSheet(f"QToolButton:checked {{ border: 3px solid {chosen}; font-weight: 700; }}")

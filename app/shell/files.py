@@ -155,15 +155,14 @@ class Files:
 
     def ask_figures(self) -> None:
         """Every figure of the wall shown, to a folder the user names."""
-        from app.views.figure_dialogs import ask_size
+        from app.views.figure_dialogs import last_size
 
         if self.export_refused():
             return
-        size = ask_size(self.window)
         title = tr("Export all figures")
-        name = size and QFileDialog.getExistingDirectory(self.window, title, str(self.proposed("").parent))
+        name = QFileDialog.getExistingDirectory(self.window, title, str(self.proposed("").parent))
         if name:
-            self.export_figures(Path(name), size)
+            self.export_figures(Path(name), last_size())
 
     def export_figures(self, folder: Path, size) -> None:
         """The charts of every tab as PNG, all or none; nothing that is there is overwritten unasked."""

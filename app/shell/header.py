@@ -1,6 +1,7 @@
 """The bar at the top: menus, title of the case, stages, Run or Cancel, undo, find."""
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QButtonGroup, QFrame, QHBoxLayout, QLabel, QMenu, QPushButton, QSizePolicy, QToolButton
 
 from app.look import theme
@@ -24,13 +25,14 @@ class Header(QFrame):
         chosen, back, edge = theme.current.curves[0], theme.current.back, theme.current.edge
         self.menu_button = QToolButton()
         self.menu_button.setText("☰")
-        self.menu_button.setToolTip(tr("Menus (Alt)"))
+        self.menu_button.setToolTip(tr("Menus (F10)"))
         self.menu_button.setAccessibleName(tr("Menus"))
         self.menu_button.setAutoRaise(True)
         self.menu_button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.menu_button.setStyleSheet("QToolButton::menu-indicator { image: none; }")
         self.menu = QMenu(self.menu_button)
         self.menu_button.setMenu(self.menu)
+        QShortcut(QKeySequence("F10"), self, activated=self.menu_button.showMenu)
         self.title = QLabel()
         self.title.setStyleSheet("font-weight: 600; font-size: 11pt;")
         self.title.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)

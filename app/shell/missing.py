@@ -18,7 +18,8 @@ from core.errors import InputError
 MOST = 8
 """Lines that are shown."""
 
-MOST_LETTERS = 200
+MOST_LETTERS = 700
+"""Of a line: a longer sentence is whole in the tip of the notice."""
 
 
 class Problem(NamedTuple):
@@ -31,7 +32,7 @@ class Problem(NamedTuple):
 
 class Missing(QFrame):
     """Says the problems of the input of a window, in this order: broken rules of the case, fields that hold what is not
-    accepted, a record in use that cannot be read, what the last run of this case refused."""
+    accepted, a record in use or a logo that cannot be read, what the last run of this case refused."""
 
     def __init__(self, window):
         super().__init__()
@@ -59,7 +60,8 @@ class Missing(QFrame):
         """Mark the fields and list what is wrong. Returns whether the case can run."""
         window = self.window_of
         errors, refused = window.session.problems(), self._refused()
-        told = [*errors, refused] if refused else list(errors)
+        logo = self._logo()
+        told = [*errors, *(one for one in (refused, logo) if one)]
         for field in window.fields:
             here = next((error for error in told if self._is_named(field, error)), None)
             field.show_rule(described(here) if here else "")
@@ -71,6 +73,8 @@ class Missing(QFrame):
         if row is not None:
             words = window.records.rows[row][1]
             found.append(Problem(words, lambda: self._record(row), False))
+        if logo:
+            found.append(Problem(described(logo), lambda: self._lead_to(logo), False))
         if refused and not found:
             found.append(Problem(described(refused), lambda: self._lead_to(refused), False))
         self.problems = found
@@ -92,6 +96,20 @@ class Missing(QFrame):
         self.heading.setText(one if count == 1 else many)
         self.lines.setText("<br>".join(lines))
         self.setVisible(bool(self.problems))
+        for part in (self.lines, self):
+            part.updateGeometry()
+
+    def _logo(self) -> InputError | None:
+        """Why the note could not show its logo."""
+        from core.report.note.archive import office_of
+
+        session = self.window_of.session
+        try:
+            if session.case.report.logo:
+                office_of(session.case.report, session.base_dir)
+        except InputError as error:
+            return error
+        return None
 
     def _refused(self) -> InputError | None:
         """What the last run refused, while the case is the same."""
@@ -121,6 +139,9 @@ class Missing(QFrame):
         field = next((one for one in window.fields if self._is_named(one, error) and not one.isHidden()), None)
         if field is not None:
             self._point(field)
+        elif row is not None and "mechanism" in error.keys:
+            unfold_to(window.walls.mechanisms["two_sided"])
+            window.walls.mechanisms["two_sided"].setFocus()
         elif row is None:
             section = (error.section or "").strip("[]").split(".")[0]
             place = {"demand": "demand", "building": "building", "report": "report", "analysis": "report"}

@@ -45,6 +45,7 @@ class MainWindow(StagedWindow):
     def __init__(self, settings: QSettings, recovery: Path):
         super().__init__()
         self.settings = settings
+        self.setAcceptDrops(True)
         self.collector = Collector(self)
         self.session = Session(recovery)
         self.session.listeners.append(self.refresh)
@@ -294,6 +295,14 @@ class MainWindow(StagedWindow):
         back = event.type() == QEvent.Type.ActivationChange and self.isActiveWindow()
         if back and self.job is None and not self.records.pending:
             self.records.read_again()
+
+    def dragEnterEvent(self, event) -> None:
+        """Records are taken wherever they are dropped."""
+        self.records.dragEnterEvent(event)
+
+    def dropEvent(self, event) -> None:
+        self.show_input("records")
+        self.records.dropEvent(event)
 
     def records_loaded(self) -> None:
         self.refresh()

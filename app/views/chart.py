@@ -371,6 +371,7 @@ class Chart(ChartOutput):
             (tr("Axis limits…"), self._ask_limits),
             (tr("Copy the picture"), self.copy),
             (tr("Save as a figure for a report: PNG, SVG or PDF"), self._save_figure),
+            (tr("Size of the figures…"), self._ask_size),
             (tr("Save the data as CSV"), self._save_data),
             (tr("The data as a table"), self.show_table),
         ]
@@ -389,6 +390,11 @@ class Chart(ChartOutput):
         dialog = data_table(self)
         dialog.exec()
         dialog.deleteLater()
+
+    def _ask_size(self) -> None:
+        from app.views.figure_dialogs import ask_size
+
+        ask_size(self)
 
     def _ask_limits(self) -> None:
         from app.views.figure_dialogs import axis_limits

@@ -345,7 +345,7 @@ class CheckTab(QWidget):
 
     def _fold(self, lines: list[str]) -> None:
         """Notes behind their number."""
-        self.notes.setText(tr("{n} notes ▾", n=len(lines)))
+        self.notes.setText(tr("Notes: {n} ▾", n=len(lines)))
         self.notes.setVisible(bool(lines))
         self.reasons.setText("\n".join(f"• {line}" for line in lines))
 

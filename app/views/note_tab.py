@@ -21,9 +21,10 @@ from PySide6.QtWidgets import (
 )
 
 from app.look import theme
-from app.look.language import tr
+from app.look.language import current_language, tr
 from app.work.worker import Job
 from core.study.results import StudyResult, WallResult
+from core.text.sentence import LANGUAGES
 
 if TYPE_CHECKING:
     from core.report.note.pdf import Note
@@ -225,7 +226,11 @@ class NoteTab(QWidget):
         self.job, self.pages, self.lines = None, pages, None
         self.paper.show_images(pages.images, pages.scale)
         bar.setValue(round(share * bar.maximum()))
-        self.word.setText(tr("{n} pages", n=len(pages.images)))
+        words = tr("{n} pages", n=len(pages.images))
+        tongue = self.result.case.report.language
+        if tongue != current_language():
+            words += ", " + tr("in the language of the report ({language})", language=LANGUAGES[tongue])
+        self.word.setText(words)
 
     def _failed(self, words: str, _log: str) -> None:
         if self.sender() is not self.job:

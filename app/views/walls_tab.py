@@ -19,9 +19,9 @@ ZETA, RISK = 2, 6
 def steps() -> list[str]:
     """How to begin, in three steps."""
     return [
-        tr("1. Walls: dimensions, mechanism, what stands behind them (left, or Table… for many)."),
+        tr("1. Walls: dimensions, mechanism, what stands behind them (+ wall below the tree, or table… for many)."),
         tr("2. Demand: a_g, spectrum, confidence factor; records: drop files, or Generate…"),
-        tr("3. F5. Then this overview, the tab Check of each wall, and File → Export."),
+        tr("3. F5. Then this overview, the answer of each wall, and File → Export."),
     ]
 
 

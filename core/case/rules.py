@@ -13,7 +13,7 @@ from core.case.site import FULL_FACTOR, KNOWLEDGE, Building, Demand, Spectrum
 from core.case.values import SHOWN, are_ends, field_of, refuse_unknown, repeated, section_of, value_of
 from core.codes.limits import check_return_period
 from core.errors import InputError, place, section
-from core.text.sentence import Quantity, sentence
+from core.text.sentence import Key, Quantity, sentence
 from core.wall.wall_loads import check_given, check_loads
 
 MIN_LETTERS = 3
@@ -137,7 +137,7 @@ def draft_case(table: dict) -> Case:
 def with_walls(case: Case, walls: list[Wall]) -> Case:
     """The case with these walls, checked as a set. Raises InputError."""
     if not walls:
-        raise InputError("no_wall")
+        raise InputError("no_wall", section=Key("[[wall]]"))
     names = {}
     for wall in walls:
         if names.setdefault(wall.title, wall) is not wall:
@@ -289,7 +289,7 @@ def check_code_keys(asked, here) -> None:
         code, given = entry.metadata.get("code"), getattr(asked, entry.name) is not None
         if code and given != (code == asked.code):
             problem = "code_needs" if code == asked.code else "code_does_not_take"
-            raise InputError(problem, place=(here,), key=entry.name, code=asked.code)
+            raise InputError(problem, place=(here,), key=entry.name, code=Key(asked.code))
 
 
 def _written(table: dict):

@@ -10,7 +10,7 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
 
-from PySide6.QtWidgets import QMessageBox, QToolButton
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QToolButton
 
 from app.input.reasons_form import ReasonField
 from app.shell import client_view, files, finder
@@ -356,6 +356,7 @@ def test_that_a_bar_leads_to_its_history_and_pages_open_at_the_governing_record(
     motions = sorted((ROOT / "resources" / "motions").glob("noise_[23].txt"))
     opened.records.take(motions, ask=False)
     settle(application, lambda: len(opened.records.motions) == 3)
+    opened.session.edit_wall(0, mechanism="one_sided")
     opened.session.edit_section("analysis", polarity="both")
     run(application, opened)
     opened.show_page("check")
@@ -397,3 +398,95 @@ def test_that_no_first_page_covers_a_case_that_is_open(opened, monkeypatch):
     monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Yes)
     start.offer_recovery(opened)
     assert opened.session.case.title == "again" and opened.stages.first is None
+
+
+def test_that_a_logo_is_chosen_and_one_that_is_not_there_is_said(opened, monkeypatch, tmp_path):
+    picture = tmp_path / "logos" / "l.png"
+    picture.parent.mkdir()
+    picture.write_bytes(b"\x89PNG\r\n\x1a\n")
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(picture), ""))
+    opened.analysis._choose_logo()
+    assert opened.session.case.report.logo == "logos/l.png" and not opened.missing.problems
+    (tmp_path / "deeper").mkdir()
+    opened.session.save(tmp_path / "deeper" / "c.toml")
+    assert opened.session.case.report.logo == "../logos/l.png"
+    opened.session.edit_section("report", logo="absent.png")
+    (problem,) = opened.missing.problems
+    assert "absent.png" in problem.words and opened.run_button.isEnabled()
+    problem.lead()
+    assert opened.stages.input.kind == "report"
+
+
+def test_that_records_are_taken_wherever_they_are_dropped(opened, application, monkeypatch):
+    from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
+    from PySide6.QtGui import QDragEnterEvent, QDropEvent
+
+    taken = []
+    monkeypatch.setattr(opened.records, "take", taken.append)
+    folder = ROOT / "resources" / "motions"
+    payload = QMimeData()
+    payload.setUrls([QUrl.fromLocalFile(str(folder))])
+    keys = (Qt.DropAction.CopyAction, payload, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier)
+    enter = QDragEnterEvent(QPointF(20, 300).toPoint(), *keys)
+    opened.show_stage("why")
+    application.sendEvent(opened, enter)
+    assert enter.isAccepted()
+    application.sendEvent(opened, QDropEvent(QPointF(20, 300), *keys))
+    assert taken == [[folder]] and opened.stages.input.kind == "records" and opened.stages.front == "input"
+    monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(folder))
+    opened.records.add_folder()
+    assert taken == [[folder], [folder]]
+
+
+def test_that_a_figure_is_saved_at_the_last_size_without_a_question(opened, application, monkeypatch, tmp_path):
+    from app.views import chart_output, figure_dialogs
+
+    run(application, opened)
+    opened.show_page("check")
+    chart = opened.pages["check"].content.peaks
+    monkeypatch.setattr(figure_dialogs, "ask_size", lambda *_: pytest.fail("asked"))
+    monkeypatch.setattr(chart_output, "path_to_write", lambda *_: tmp_path / "f.png")
+    slots = dict(chart.menu_of())
+    slots["Save as a figure for a report: PNG, SVG or PDF"]()
+    assert (tmp_path / "f.png").stat().st_size > 1000 and "Size of the figures…" in slots
+
+
+@pytest.mark.parametrize("tongue", ["en", "it"])
+def test_that_sentences_of_the_window_are_in_its_words(opened, tongue):
+    from core.text.catalogue import CATALOGUE
+
+    opened.set_choice("language", tongue)
+    opened.files.new()
+    opened.session.edit(replace(opened.session.case, demand=Demand(0.2, spectrum=Spectrum("NTC2018", "B"))))
+    said = [problem.words for problem in opened.missing.problems]
+    opened.walls.add()
+    opened.session.edit_wall(0, load=(Load("tie", None, 3.0, bar=Bars(2, "")),), unit_weight_kn_m3=18.0)
+    said += [problem.words for problem in opened.missing.problems]
+    opened.session.edit_wall(0, mechanism="one_sided", base_z_m=0.0)
+    said += [problem.words for problem in opened.missing.problems]
+    assert len(said) > 5
+    for words in said:
+        assert not any(part in words for part in ("[", "_sided", "NTC2018", "f0")), words
+    texts = [words for group in ("window", "key", "reason") for words in CATALOGUE[group].values()]
+    old = ("sheet Demand", "tab Check", "tab Spectra", "press Add", "(left,", "scheda Domanda", "scheda Verifica")
+    assert not [pair for pair in texts for words in pair if words and any(part in words for part in old)]
+    opened.set_choice("language", "en")
+
+
+def test_that_a_long_sentence_of_what_is_missing_is_whole(opened, application):
+    opened.session.edit_wall(0, name="facade of the court " * 5, base_z_m=None)
+    (problem,) = opened.missing.problems
+    assert len(problem.words) > 220
+    application.processEvents()
+    lines = opened.missing.lines
+    assert "…" not in lines.text() and lines.height() >= lines.heightForWidth(lines.width())
+
+
+def test_that_a_wall_that_is_deleted_leaves_the_pages(opened, application):
+    opened.walls.duplicate()
+    run(application, opened)
+    opened.choose_row(next(row for row in opened.tree.rows if row.wall == 0))
+    opened.show_page("histories")
+    opened.walls.delete()
+    assert opened.wall is opened.session.result.walls[1]
+    consistent(opened)
