@@ -361,7 +361,7 @@ class RecordsPanel(QWidget):
         )
         left = len({file_of(row) for row in dialog.paths} - {Path(entry.file) for entry in chosen})
         if taken and left:
-            self.left_out = tr("{n} files were left out: they cannot be read as they are.", n=left)
+            self.left_out = tr("Files left out, which cannot be read as they are: {n}.", n=left)
             self.words.setText(self.left_out)
 
     def dragEnterEvent(self, event) -> None:

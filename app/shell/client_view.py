@@ -119,6 +119,7 @@ class ClientView(QDialog):
         self.title, self.sides = title, sides
         self.drawings: list[WallDrawing] = []
         heading = QLabel(title)
+        heading.setWordWrap(True)
         heading.setStyleSheet("font-size: 20pt; font-weight: 700;")
         leave = QLabel(tr("Esc leaves"))
         top = QHBoxLayout()

@@ -182,7 +182,7 @@ class Files:
         except OutputError as error:
             QMessageBox.warning(self.window, title, described(error))
             return
-        self.window.show_word(tr("{n} figures written to {folder}", n=len(paths), folder=folder))
+        self.window.show_word(tr("Figures written to {folder}: {n}", n=len(paths), folder=folder))
 
     def export_refused(self) -> bool:
         """Whether there is nothing to export, or only results of an earlier input; says so."""

@@ -91,7 +91,7 @@ def rows_of(state: State) -> list[Row]:
     records, tone = ("✓", "good") if compliance and compliance.compatible else ("", "quiet")
     if state.unread:
         records, tone = "!", "bad"
-    building = tr("{n} storeys", n=case.building.storeys) if case.building else tr("none")
+    building = tr("storeys: {n}", n=case.building.storeys) if case.building else tr("none")
     rows = [
         Row(0, "demand", demand, *mark("[demand")),
         Row(0, "records", f"{tr('Records')}  {state.motions}", records, tone),

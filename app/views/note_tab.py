@@ -226,7 +226,7 @@ class NoteTab(QWidget):
         self.job, self.pages, self.lines = None, pages, None
         self.paper.show_images(pages.images, pages.scale)
         bar.setValue(round(share * bar.maximum()))
-        words = tr("{n} pages", n=len(pages.images))
+        words = tr("Pages: {n}", n=len(pages.images))
         tongue = self.result.case.report.language
         if tongue != current_language():
             words += ", " + tr("in the language of the report ({language})", language=LANGUAGES[tongue])

@@ -57,5 +57,7 @@ def scan(grounds, which, scales, model, outcomes, peaks) -> np.ndarray:
     each, shape (m,)."""
     clamped = np.zeros(scales.size, np.int64)
     records = grounds.first, grounds.last, grounds.strongest
-    scan_two_hinges(grounds.ground, grounds.ahead, grounds.dt, *records, which, scales, model, outcomes, peaks, clamped)
+    scan_two_hinges(
+        grounds.ground, grounds.ahead, grounds.dt, *records, which, scales, model, outcomes, peaks, clamped
+    )
     return clamped

@@ -70,9 +70,7 @@ def extruded(polygon: Polygon, ends: tuple[float, float], angle: float, start: f
     """
     of, (first, last) = polygon_sums(polygon), ends
     # a right angle to rounding: elevation and section are exact
-    cosine, sine = (
-        round(f, 15) if abs(f) < 1e-15 or abs(f) > 1.0 - 1e-15 else f for f in (math.cos(angle), math.sin(angle))
-    )
+    cosine, sine = (round(f, 15) if abs(f) < 1e-15 or abs(f) > 1.0 - 1e-15 else f for f in (math.cos(angle), math.sin(angle)))
     one, two, three = last - first, (last**2 - first**2) / 2.0, (last**3 - first**3) / 3.0
     across = cosine * of.s * one + sine * two * of.area
     squares = cosine**2 * of.ss * one + 2.0 * sine * cosine * of.s * two + sine**2 * three * of.area

@@ -136,11 +136,7 @@ def unlike(other):
 @subkernel
 def sides_differ(model):
     """Whether it is another wall for negative rotations, by its loads or its shape."""
-    return (
-        unlike(model.other)
-        or model.restoring.sine != model.mirrored.sine
-        or model.restoring.cosine != model.mirrored.cosine
-    )
+    return unlike(model.other) or model.restoring.sine != model.mirrored.sine or model.restoring.cosine != model.mirrored.cosine
 
 
 def rocking_model(
