@@ -24,15 +24,15 @@ class Entry(NamedTuple):
     also: str = ""
 
 
-def every_action(menu: QMenu) -> Iterator[tuple[QMenu, QAction]]:
-    """The entries of a menu and of those inside it, each with its menu. Not by QAction.menu(), which takes the menus
-    that Python knows away from it."""
+def every_action(menu: QMenu) -> Iterator[QAction]:
+    """The entries of a menu and of those inside it. Not by QAction.menu(), which takes the menus that Python knows away
+    from it."""
     inside = [menu, *menu.findChildren(QMenu)]
     heads = {one.menuAction() for one in inside}
     for one in inside:
         for action in one.actions():
             if action not in heads and not action.isSeparator():
-                yield one, action
+                yield action
 
 
 def synonyms() -> dict[str, str]:
@@ -63,11 +63,10 @@ def entries_of(window) -> list[Entry]:
         words = f"{section.head.title.text()}  {section.head.words}"
         found.append(Entry(words.strip(), lambda section=section: _point(window, section.head)))
     seen, others = set(), synonyms()
-    for menu, action in every_action(window.header.menu):
-        label, head = (text.replace("&", "") for text in (action.text(), menu.title()))
-        keys = action.shortcut().toString()
-        if isinstance(menu.parent(), QMenu) and menu.parent() is not window.header.menu:
-            label = f"{head}: {label}"
+    for action in every_action(window.header.menu):
+        label, keys, menu = action.text().replace("&", ""), action.shortcut().toString(), action.parent()
+        if menu.parent() is not window.header.menu:
+            label = f"{menu.title().replace('&', '')}: {label}"
         if label and action.isEnabled() and label not in seen:
             seen.add(label)
             also = " ".join(words for name, words in others.items() if name in label)

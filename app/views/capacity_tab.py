@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QVBoxLayout, QWidg
 
 from app.look import theme
 from app.look.language import named, number, tr
+from app.look.whole_text import tell_whole
 from app.views.chart import Chart
 from app.views.hatch import Hatch, hatched_square
 from app.views.runs import governing_run, run_name
@@ -44,6 +45,7 @@ class CapacityTab(QWidget):
         self.title.setWordWrap(True)
         for box in (self.record, self.other):
             box.setMinimumWidth(60)
+            tell_whole(box)
             choices.addWidget(box, 1)
         top.addWidget(self.peaks, 1)
         top.addWidget(self.fragility, 1)
@@ -134,8 +136,7 @@ class CapacityTab(QWidget):
     def _overlay(self, result: StudyResult, wall: WallResult) -> None:
         """All records, with mean and scatter as long as none has overturned."""
         found = [_peaks(result, wall, run) for run in wall.runs]
-        for run, (q, ratio) in zip(wall.runs, found, strict=True):
-            self.peaks.curve(run_name(run), q, ratio, 6, 0.8, legend=False)
+        self.peaks.bundle([run_name(run) for run in wall.runs], found)
         first = min((q[np.isnan(ratio)][0] if np.isnan(ratio).any() else q[-1]) for q, ratio in found)
         low = max(q[0] for q, _ in found)
         if first > low:

@@ -79,6 +79,13 @@ def link(target: str, words: str) -> str:
     return f"<a href='{target}' style='color:{theme.current.curves[0]}; text-decoration:none'>{words} →</a>"
 
 
+class Whole(QWidget):
+    """A page that scrolls rather than cut its words: as high as they need, not as the chart would like."""
+
+    def heightForWidth(self, width: int) -> int:
+        return self.layout().minimumHeightForWidth(width)
+
+
 class CheckTab(QWidget):
     """The verdict of a wall in one line, what is to be done and what limits it, the ladder of checks, the wall with the
     zeta of each hinge, the peaks at the demand, four facts of trust; the table and the comparisons by a click.
@@ -150,8 +157,9 @@ class CheckTab(QWidget):
         self.split.setMinimumHeight(MIN_HEIGHT)
         self.facts = QLabel()
         self.facts.setTextFormat(Qt.TextFormat.RichText)
+        self.facts.setWordWrap(True)
         self.facts.setAccessibleName(tr("Why the result may be trusted"))
-        page = QWidget()
+        page = Whole()
         layout = QVBoxLayout(page)
         layout.setContentsMargins(6, 6, 6, 4)
         layout.addWidget(self.banner)
@@ -201,7 +209,7 @@ class CheckTab(QWidget):
             return
         verdict = assessment.verdict
         self.heading.setText(f"{wall.name}: {word(verdict.code, self.language)}, ζ {digits(verdict.zeta_e)}")
-        self.heading.setStyleSheet(f"font-size: 16pt; font-weight: 700; color: {shade};")
+        self.heading.setStyleSheet(f"{theme.points(1.75)} font-weight: 700; color: {shade};")
         self.sentence.setText(sentence_of(result, wall, self.language))
         self.important.setText("<br>\n".join(self._important(result, wall)))
         others = lines_of(result, wall, self.language, ("note", "reason")) + tie_lines(wall, self.language)

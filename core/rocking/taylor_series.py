@@ -80,7 +80,8 @@ def wall_constants(model, dt):
         math.cos(model.slenderness),
         tolerance,
         max(largest_strength(right), largest_strength(left)),
-        math.sin(max(model.slenderness, far.slenderness)) + max(abs(right.cosine) / right.sine, abs(left.cosine) / left.sine),
+        math.sin(max(model.slenderness, far.slenderness))
+        + max(abs(right.cosine) / right.sine, abs(left.cosine) / left.sine),
         model.slenderness + model.lean,
         model.other,
     )

@@ -1,7 +1,7 @@
 """Analyses of a two-sided body that is not symmetric: another alpha, p and velocity ratio about each hinge.
 
-The step is that of taylor.py, compiled for a model with an OtherSide. One analysis after another: what a side decides is
-no constant of the vector loops of lanes.py.
+The step is that of taylor.py, compiled for a model with an OtherSide. One analysis after another: what a side
+decides is no constant of the vector loops of lanes.py.
 """
 
 import numpy as np
@@ -57,7 +57,5 @@ def scan(grounds, which, scales, model, outcomes, peaks) -> np.ndarray:
     each, shape (m,)."""
     clamped = np.zeros(scales.size, np.int64)
     records = grounds.first, grounds.last, grounds.strongest
-    scan_two_hinges(
-        grounds.ground, grounds.ahead, grounds.dt, *records, which, scales, model, outcomes, peaks, clamped
-    )
+    scan_two_hinges(grounds.ground, grounds.ahead, grounds.dt, *records, which, scales, model, outcomes, peaks, clamped)
     return clamped

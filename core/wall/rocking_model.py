@@ -136,7 +136,8 @@ def unlike(other):
 @subkernel
 def sides_differ(model):
     """Whether it is another wall for negative rotations, by its loads or its shape."""
-    return unlike(model.other) or model.restoring.sine != model.mirrored.sine or model.restoring.cosine != model.mirrored.cosine
+    right, left = model.restoring, model.mirrored
+    return unlike(model.other) or right.sine != left.sine or right.cosine != left.cosine
 
 
 def rocking_model(
@@ -146,11 +147,26 @@ def rocking_model(
     law: MomentLaw,
     loads: tuple[RestoringMoment, RestoringMoment] = (BARE, BARE),
     bars: tuple[Bar, ...] = (),
+    inner: Block | None = None,
 ) -> RockingModel:
-    """The flat tuple of a wall for the kernels. loads : for positive and for negative rotations, of one collapse
-    rotation where the law is trilinear; bars : of a wall of the rigid law."""
+    """The flat tuple of a wall for the kernels.
+
+    block : about its outer hinge
+    one_sided : only positive rotations are possible
+    restitution : of its impacts
+    law : of its moment
+    loads : for positive and for negative rotations, of one collapse rotation where the law is trilinear
+    bars : of a wall of the rigid law
+    inner : the block about its inner hinge, of a two-sided body that is not symmetric and of the rigid law
+    """
     weaker = loads[0] if one_sided else min(loads, key=lambda side: side.lean)
-    collapse = block.slenderness + weaker.lean
+    lean, other = weaker.lean, None
+    if inner is not None and not one_sided:
+        ratio = restitution.ratio_at_rest if restitution.ratio_inward is None else restitution.ratio_inward
+        other = OtherSide.of(inner.slenderness, inner.p2, ratio)
+        sides = block.slenderness + loads[0].lean, inner.slenderness + loads[1].lean
+        lean = min(sides) - block.slenderness
+    collapse = block.slenderness + lean
     return RockingModel(
         slenderness=block.slenderness,
         p2=block.p2,
@@ -161,7 +177,8 @@ def rocking_model(
         plateau_end=law.plateau_end * collapse,
         restoring=loads[0],
         mirrored=loads[0] if one_sided else loads[1],
-        lean=weaker.lean,
+        lean=lean,
         amplitude=weaker.amplitude,
         bars=bars,
+        other=other,
     )
