@@ -489,3 +489,17 @@ def test_that_a_wall_that_is_deleted_leaves_the_pages(opened, application):
     opened.walls.delete()
     assert opened.wall is opened.session.result.walls[1]
     consistent(opened)
+
+
+def test_that_a_note_in_another_language_than_the_window_says_so(opened, application):
+    run(application, opened)
+    opened.show_page("note")
+    note = opened.pages["note"].content
+    settle(application, lambda: not note.is_setting)
+    assert "English" not in note.word.text()
+    opened.set_choice("language", "it")
+    opened.show_page("note")
+    note = opened.pages["note"].content
+    settle(application, lambda: not note.is_setting)
+    assert note.word.text().endswith("(English)")
+    opened.set_choice("language", "en")
