@@ -54,7 +54,8 @@ class PlaceForm(QWidget):
         self.map = PlaceMap()
         self.map.chosen.connect(lambda *at: self._edit(("site", "point"), latitude=at[0], longitude=at[1]))
         inside = QVBoxLayout(self.given)
-        for widget in (self.search, self.point, *self.fields, self.words, self.states, self.map):
+        self.inside = (self.search, self.point, *self.fields, self.words, self.states, self.map)
+        for widget in self.inside:
             inside.addWidget(widget)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -66,6 +67,8 @@ class PlaceForm(QWidget):
         self.given.blockSignals(True)
         self.given.setChecked(site is not None)
         self.given.blockSignals(False)
+        for widget in self.inside:
+            widget.setVisible(site is not None)
         if site is None:
             for line in (self.search, self.point):
                 line.clear()
