@@ -1,25 +1,32 @@
 """The demand, the analysis and the title block of the report."""
 
 from dataclasses import replace
+from pathlib import Path
 
 from PySide6.QtWidgets import QFileDialog, QGroupBox, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from app.input.building_form import BuildingForm
-from app.input.fields import Choice, Field, connect
+from app.input.fields import Choice, Field, blank, connect
 from app.input.hazard_form import HazardForm
 from app.input.law_curve import SpectrumCurve
 from app.input.made_fields import make_field, make_fields
+from app.input.place_form import PlaceForm
 from app.input.reasons_form import reasons_of_demand
 from app.look.language import current_language, described, named, number, tr
 from app.look.parts import Parts
 from app.look.section import Section
 from app.work.session import Session
+from core.case.place import OF_SPECTRUM, placed
 from core.case.schema import Analysis, Case, Report
 from core.case.site import Demand, Spectrum
 from core.codes.demand import unusual
+from core.codes.limits import EXCEEDANCE
 from core.errors import InputError
 from core.study.demand_input import target_of
 from core.units import G
+
+FROM_PLACE = ("ag_g", "site", "coordinates", "nominal_life_years", "use_class_factor", "return_period_years")
+"""Fields of the demand that a place makes needless."""
 
 
 def whole(demand: Demand) -> bool:
@@ -41,11 +48,7 @@ class DemandForm(QWidget):
     def __init__(self, session: Session):
         super().__init__()
         self.session = session
-        self.last: tuple | None = None
-        self.spectra = {
-            "NTC2018": Spectrum("NTC2018", ""),  # what is not given yet is None, as a file has it
-            "EN1998": Spectrum("EN1998", ""),
-        }
+        self.forget()
         self.given = QGroupBox(tr("Check against a demand"))
         self.given.setCheckable(True)
         self.given.toggled.connect(self._toggled)
@@ -66,7 +69,8 @@ class DemandForm(QWidget):
         self.curve_place = QVBoxLayout(self.view)
         self.curve_place.addWidget(self.summary)
         inside = QVBoxLayout(self.given)
-        for widget in (*motion[:2], self.hint, self.kind, *motion[2:], *self.of_spectrum, self.file):
+        self.place = PlaceForm(session)
+        for widget in (self.place, *motion[:2], self.hint, self.kind, *motion[2:], *self.of_spectrum, self.file):
             inside.addWidget(widget)
         self.hazard = HazardForm(session)
         self.sections = [
@@ -83,8 +87,18 @@ class DemandForm(QWidget):
             layout.addWidget(widget)
         layout.addStretch(1)
         self.parts = Parts(
-            self, self._show_demand, self.building.show_case, self.hazard.show_case, self.reasons.show_case
+            self,
+            self._show_demand,
+            self.place.show_case,
+            self.building.show_case,
+            self.hazard.show_case,
+            self.reasons.show_case,
         )
+
+    def forget(self) -> None:
+        """Another case: what was switched off in the last one does not come back in this."""
+        self.last: tuple | None = None
+        self.spectra = {code: Spectrum(code, "") for code in ("NTC2018", "EN1998")}  # "": not given yet
 
     def _make_spectrum(self) -> None:
         """How the spectrum is given, with what is said of it."""
@@ -114,6 +128,14 @@ class DemandForm(QWidget):
         self.given.setChecked(demand is not None)
         self.given.blockSignals(False)
         if demand is None:
+            blank((*self.of_demand, *self.of_spectrum))
+            self.kind.setCurrentIndex(-1)
+            for label in (self.hint, self.summary):
+                label.setText("")
+            for section in self.sections:
+                section.say()
+            if self.curve is not None:
+                self.curve.show_target(None)
             return
         for field in self.of_demand:
             field.show_value(getattr(demand, field.key))
@@ -125,6 +147,7 @@ class DemandForm(QWidget):
             if spectrum:
                 field.show_value(getattr(spectrum, field.key))
             field.setVisible(spectrum is not None and field.entry.metadata.get("code", kind) == kind)
+        self._show_given(spectrum)
         self.fields["soil_factor"].setVisible(spectrum is None)
         self.fields["housner_intensity_cm"].setVisible(kind == "none")
         self.file.setVisible(kind == "file")
@@ -140,7 +163,27 @@ class DemandForm(QWidget):
         else:
             self.summary.setText(self._said(demand, target))
         if self.curve is not None:
-            self.curve.show_target(target)
+            self.curve.show_target(target, self._other_states(demand) if target else None)
+
+    def _show_given(self, spectrum: Spectrum | None) -> None:
+        """What follows from the place is not asked for."""
+        free = self.session.case.site is None
+        for key in FROM_PLACE:
+            self.fields[key].setVisible(free)
+        for key in OF_SPECTRUM:
+            self.fields[key].setVisible(free and spectrum is not None and spectrum.code == "NTC2018")
+        self.hazard.setVisible(free)
+
+    def _other_states(self, demand: Demand) -> dict:
+        """The spectra of the other limit states of the place."""
+        site = self.session.case.site
+        if site is None:
+            return {}
+        others = (state for state in EXCEEDANCE if state != demand.limit_state)
+        return {
+            state: target_of(placed(site, replace(demand, limit_state=state)), self.session.base_dir)
+            for state in others
+        }
 
     def _say_contents(self, demand: Demand) -> None:
         """What each folded section holds."""
@@ -226,8 +269,6 @@ class DemandForm(QWidget):
         self.session.edit_section("demand", **values)
 
     def _choose_file(self) -> None:
-        from pathlib import Path
-
         name, _ = QFileDialog.getOpenFileName(self, tr("Spectrum: two columns, s and g"), str(self.session.base_dir))
         if name:
             self.session.edit_section(
@@ -254,6 +295,10 @@ class AnalysisForm(QWidget):
         )
         self.title_field = make_field(Case, "title")
         self.title_field.edited.connect(lambda value: session.edit(replace(session.case, title=value), "title"))
+        logo = next(field for field in self.of_report if field.key == "logo")
+        choose = QPushButton(tr("Choose file…"))
+        choose.clicked.connect(self._choose_logo)
+        logo.layout().addWidget(choose, 0, 2)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)
         for label, chosen in ((tr("Report"), [self.title_field, *self.of_report]), (tr("Analysis"), self.of_analysis)):
@@ -263,6 +308,12 @@ class AnalysisForm(QWidget):
                 inside.addWidget(field)
             layout.addWidget(group)
         layout.addStretch(1)
+
+    def _choose_logo(self) -> None:
+        pictures = "PNG, JPEG, SVG (*.png *.jpg *.jpeg *.svg)"
+        name, _ = QFileDialog.getOpenFileName(self, tr("Choose file…"), str(self.session.base_dir), pictures)
+        if name:
+            self.session.edit_section("report", logo=self.session.relative(Path(name)))
 
     def show_case(self) -> None:
         """Fill the form from the session."""
