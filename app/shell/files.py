@@ -6,7 +6,7 @@ from PySide6.QtCore import QSettings, QStandardPaths
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 
 from app.look.file_dialogs import path_to_write
-from app.look.language import described, quoted_from_file, tr
+from app.look.language import current_language, described, quoted_from_file, tr
 from app.work.session import Session
 from core import atomic_write
 from core.errors import InputError
@@ -39,6 +39,11 @@ class Files:
         if path != EXAMPLE:
             self.remember(path)
         self.window.start_afresh()
+        if said := self.session.from_drawings:
+            lines = [described(one) if isinstance(one, InputError) else one.text(current_language()) for one in said]
+            text = tr("What is saved or run from here are these solids; the drawing is read again with --batch.")
+            words = lines if isinstance(said[0], InputError) else [*lines, text]
+            QMessageBox.information(self.window, tr("Shapes of a drawing"), "\n\n".join(words))
         return True
 
     @property

@@ -16,6 +16,7 @@ from app.work import recovery
 from core import atomic_write
 from core.case.place import placed
 from core.case.problems import problems
+from core.case.drawn_solids import with_drawings
 from core.case.reader import read_case, read_toml
 from core.case.rules import draft_case, parse_case
 from core.case.schema import Case, Record, Report, Wall
@@ -63,6 +64,7 @@ class Session:
         self.last_place: object = None
         self.last_edit = 0.0
         self.content: bytes | None = None
+        self.from_drawings: tuple[Sentence | InputError, ...] = ()
         self.result = None
 
     def changed(self) -> None:
@@ -207,9 +209,11 @@ class Session:
         self.changed()
 
     def open(self, path: Path) -> None:
-        """Open a case file, also one that is not complete yet; raises InputError and keeps what is open."""
+        """Open a case file, also one that is not complete yet; raises InputError and keeps what is open. The shapes of its
+        drawings become solids; `from_drawings` says which, or why not."""
         try:
             case = read_case(path)
+            from_drawings = case.drawings
         except InputError as error:
             try:
                 table, _ = read_toml(path)
@@ -217,9 +221,15 @@ class Session:
                 raise error from None
             if "walls" in table:
                 raise  # its table cannot be merged into a draft
+            try:
+                table, drawings = with_drawings(table, path.parent)
+                from_drawings = tuple(drawing.notice for drawing in drawings)
+            except InputError as wrong:
+                from_drawings = (wrong,)
             case = draft_case(table)
         self.drop_recovery_file()
-        self._start(case)
+        self._start(replace(case, drawings=()))
+        self.from_drawings = from_drawings
         self.path, self.base_dir = path.resolve(), path.resolve().parent
         if path.suffix.lower() == ".pdf":  # its case was read from a note, which is not written into
             self.path = None

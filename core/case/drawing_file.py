@@ -2,7 +2,9 @@
 
 import hashlib
 import itertools
+import logging
 import math
+import struct
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -33,8 +35,11 @@ MOST_ENTITIES, MOST_POINTS = 100_000, 400_000
 DEEPEST = 20
 """Blocks inside one another: one that holds itself has no end."""
 
-LARGEST, SMALLEST, USUAL = 300.0, 0.05, (1.0, 80.0)
-"""Size of a wall beyond which the unit is another one, and below which; what a wall usually has [m]."""
+LARGEST, SMALLEST = 300.0, 0.05
+"""Size of a wall beyond which the unit is another one, and below which [m]."""
+
+USUAL, FARTHEST = 8.0, 10.0
+"""Size of a wall by which a unit is guessed [m], and the factor beyond which none is."""
 
 BINARY = b"AutoCAD Binary DXF"
 
@@ -78,6 +83,7 @@ class DxfFile:
         require("dxf")
         import ezdxf
 
+        logging.getLogger("ezdxf").addHandler(logging.NullHandler())  # else it writes to the terminal
         try:
             if not content.startswith(BINARY) and not content.rstrip(b"\0\r\n\t \x1a").endswith(b"EOF"):
                 raise ValueError  # ezdxf reads what was cut off at the end of a tag
@@ -155,7 +161,17 @@ class DxfFile:
         return shapes, gaps
 
 
-DAMAGED = (ValueError, LookupError, TypeError, AttributeError, ArithmeticError, RecursionError, AssertionError, OSError)
+DAMAGED = (
+    ValueError,
+    LookupError,
+    TypeError,
+    AttributeError,
+    ArithmeticError,
+    RecursionError,
+    AssertionError,
+    OSError,
+    struct.error,
+)
 """What a reader of damaged files raises."""
 
 
@@ -187,7 +203,7 @@ def _lines(entity: Any, tolerance: float) -> Iterator[list[Point]]:
         yield _in_world(entity, with_bulges(entity.get_points("xyb"), entity.closed, tolerance))
     elif kind == "POLYLINE" and entity.get_mode() in ("AcDb2dPolyline", "AcDb3dPolyline"):
         corners = [
-            (*vertex.dxf.location[:2], vertex.dxf.get("bulge", 0.0))
+            (vertex.dxf.location.x, vertex.dxf.location.y, vertex.dxf.get("bulge", 0.0))
             for vertex in entity.vertices
             if not vertex.dxf.get("flags", 0) & 16  # a control point of the curve through the others
         ]
@@ -235,6 +251,7 @@ def largest(shapes: Iterable[Shape]) -> float:
 
 
 def likely_unit(size: float) -> str | None:
-    """The unit by which a size [of the drawing] is that of a wall."""
-    low, high = USUAL
-    return next((unit for unit, metres in UNITS.items() if low <= size * metres <= high), None)
+    """The metric unit by which a size [of the drawing] is nearest to that of a wall; None where none is near."""
+    off = {unit: abs(math.log(size * UNITS[unit] / USUAL)) for unit in ("m", "cm", "mm")} if size > 0.0 else {}
+    best = min(off, key=lambda unit: off[unit], default=None)
+    return best if best and off[best] <= math.log(FARTHEST) else None

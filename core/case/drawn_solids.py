@@ -42,8 +42,8 @@ def with_drawings(table: dict, folder: Path) -> tuple[dict, list[Drawn]]:
         here = place("wall", name=name)
         solids: list[dict] = []
         for k, entry in enumerate(wall["drawing"], start=1):
-            drawing = section_of(Drawing, entry, "drawing", section(f"[[drawing]] {k}"))
             try:
+                drawing = section_of(Drawing, entry, "drawing", section(f"[[drawing]] {k}"))
                 file = DxfFile(folder / name_of(drawing.file))
                 try:
                     made = solids_of(file.sheet(drawing.unit), drawing)

@@ -159,8 +159,8 @@ def _list(entry, value, here):
 def _texts(entry, value, here):
     """One text, or several."""
     found = [value] if isinstance(value, str) else value
-    fits = isinstance(found, (list, tuple)) and found and all(_is_short_text(text) and text for text in found)
-    return tuple(found) if fits else None
+    fits = isinstance(found, (list, tuple)) and all(_is_short_text(text) and text for text in found)
+    return tuple(found) if fits and (found or entry.default == ()) else None
 
 
 def _tables(entry, value, here):
