@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from core.codes.vertical_bending import Bending, bending
 from core.units import G
 from core.wall import ties, wall_loads
 from core.wall.bars import TieBar
@@ -51,6 +52,7 @@ class Chain:
     alpha0_friction, e_star_friction, mass_friction : the same with the friction of the return walls, of the part of the
         wall whose alpha_0 over e* is least; None without them, and of a two-sided wall
     friction_height : height of that part, from the top down [m]
+    bending : of a wall held at its top; these sums are then its own
     """
 
     slenderness: float
@@ -66,6 +68,7 @@ class Chain:
     e_star_friction: float | None = None
     mass_friction: float | None = None
     friction_height: float | None = None
+    bending: Bending | None = None
 
     @property
     def start(self) -> tuple[float, float, float | None]:
@@ -91,6 +94,8 @@ class Chain:
 
     def alpha(self, d: float) -> float:
         """alpha(d) (C8.7.1.2.1.2) [-]."""
+        if self.bending is not None:
+            return self.bending.alpha(d)
         return (1.0 - d / self.d0) * self.alpha0_bare + self.alpha_of_ties(d)
 
     def ends_of_ties(self) -> list[float]:
@@ -120,6 +125,10 @@ class Chain:
 def chain(wall, two_sided: bool) -> Chain:
     """The sums; of a two-sided wall the smaller alpha_0 and d_0 of its two sides."""
     bare = wall.bare_block()
+    if wall.bends:
+        found = bending(wall)
+        start = (found.alpha0, found.e_star, found.mass, found.d0, found.alpha0)
+        return Chain(bare.slenderness, bare.radius, *start, bending=found)
     alpha0, e_star, d0 = math.tan(bare.slenderness), 1.0, bare.radius * math.sin(bare.slenderness)
     mass, sums = None, None
     if wall.unit_weight_kn_m3 is not None and wall.height_m is not None:

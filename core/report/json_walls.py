@@ -1,5 +1,6 @@
 """Keys of the results JSON that only some walls have: loads, ties, limit states, variants."""
 
+from core.codes.kinematic import Kinematic
 from core.report.tie_words import elongations
 from core.study.limit_states import STATES
 from core.study.results import StudyResult, WallResult, WallVerdict
@@ -12,7 +13,7 @@ from core.wall.ties import ties_of
 
 def loads(wall: WallResult) -> dict:
     """The key loads of a wall that has some: a and c of both sides, of a one-sided wall of its outward one."""
-    if not wall.wall.load:
+    if not wall.wall.load or wall.wall.bends:
         return {}
     model = wall.model
     sides = [model.restoring, model.mirrored][: 1 if model.one_sided else 2]
@@ -25,6 +26,14 @@ def loads(wall: WallResult) -> dict:
             "sides": [{"a": side.sine, "c": side.cosine} for side in sides],
         }
     }
+
+
+def bending(mechanism: Kinematic) -> dict:
+    """The key bending of a wall held at its top: the hinge between, and where its multiplier is zero."""
+    found = mechanism.chain.bending
+    if found is None:
+        return {}
+    return {"bending": {"hinge_m": found.h1, "d_c0_m": found.d_c0, "theta_0_rad": found.theta0}}
 
 
 def tie_design(wall: WallResult) -> dict:

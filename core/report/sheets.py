@@ -283,6 +283,8 @@ def method(book: Book, result: StudyResult) -> None:
         ),
     ]
     for wall in result.walls:
+        if wall.wall.bends:
+            continue
         ratio = MODELS[wall.restitution.model].source
         label = f"{wall.name}, {word(wall.mechanism, book.language)}"
         law = say("rigid")

@@ -181,6 +181,11 @@ class WallResult:
         return self.part.asked.name, self.part.hinge, self.mechanism
 
     @property
+    def threshold(self) -> float:
+        """Acceleration that starts the motion [m/s2]: a_RM, of a wall held at its top alpha_0 g."""
+        return G * self.wall.uplift_multiplier(self.mechanism) if self.wall.bends else self.model.threshold
+
+    @property
     def height(self) -> float:
         """H [m] as given, else of the equivalent rectangle."""
         return self.wall.height_m or self.block.height
