@@ -96,6 +96,15 @@ def written_as(shape: str, wall: Wall, block: Block) -> dict[str, float | None]:
     return values | own
 
 
+def said_of_histories(wall: Wall) -> dict[str, bool]:
+    """Sections of the form that a wall held at its top has no use for -> whether something stands there."""
+    return {
+        "held": wall.tie_height_m is not None or wall.return_walls is not None,
+        "hinges": wall.hinge_heights is not None,
+        "impact": wall.restitution is not None or wall.velocity_ratio is not None or wall.law != "rigid",
+    }
+
+
 def contents_of(wall: Wall) -> dict[str, str]:
     """What each section of the form of a wall holds, in a few words."""
     height = "" if not wall.height_m else f"H {number(wall.height_m, 'g')} m"

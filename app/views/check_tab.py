@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 from app.look import theme
 from app.look.drawing import WallDrawing
 from app.look.language import number, tr
+from app.views.capacity_curve_chart import CapacityCurveChart
 from app.views.chart import Chart
 from app.views.ladder import Ladder, Rung
 from app.views.table import Table
@@ -106,8 +107,12 @@ class CheckTab(QWidget):
         self.peaks.setMinimumHeight(150)
         self.split = QSplitter(Qt.Orientation.Vertical)
         self.split.addWidget(above)
+        self.curve = CapacityCurveChart()
+        self.curve.hide()
         self.split.addWidget(self.peaks)
+        self.split.addWidget(self.curve)
         self.split.setStretchFactor(1, 1)
+        self.split.setStretchFactor(2, 1)
         # what the words above leave, else the page scrolls by the chart's wish
         self.split.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
         self.split.setMinimumHeight(MIN_HEIGHT)
@@ -145,6 +150,10 @@ class CheckTab(QWidget):
         """Fill the page from one hinge of a wall of a result."""
         assessment = wall.assessment
         self.peaks.clear()
+        self.peaks.setVisible(not wall.wall.bends)
+        self.curve.setVisible(wall.wall.bends)
+        if wall.wall.bends:
+            self.curve.show_wall(result, wall)
         self.drawing.show_wall(wall.part.asked, zetas_of(result, wall))
         shade = verdict_color(result, wall) if assessment else theme.current.edge
         tint = QColor(shade)
@@ -300,6 +309,8 @@ class CheckTab(QWidget):
         facts.append((tr("Set of records"), f"{len(result.motions)}{kind}"))
         if found.lower_bound is not None:
             facts.append((tr("If the restraint behind fails"), f"ζ {digits(found.lower_bound.zeta)}"))
+        elif found.verdict.lower_bound is not None:
+            facts.append((tr("If what holds the top fails"), f"ζ {digits(found.verdict.lower_bound)}"))
         elif dynamic and dynamic.zeta_other:
             side = word(f"confidence_{dynamic.zeta_other.confidence_on}", self.language)
             facts.append((side, f"ζ {digits(dynamic.zeta_other.zeta)}"))

@@ -167,6 +167,8 @@ class HistoriesTab(QWidget):
         if known:
             self.record.setCurrentIndex(min(known, key=lambda k: wall.runs[k].ida.q))
         self._chosen()
+        if wall.wall.bends:
+            self.words.setText(tr("No time histories of this mechanism."))
 
     @property
     def run(self):

@@ -237,7 +237,9 @@ class Wall:
     def felt_z_m(self) -> float | None:
         """Height above the ground [m] at which its demand is taken: of its hinge, of a wall held at its top of its
         middle; None where it is not given."""
-        return self.base_z_m if self.base_z_m is None or not self.bends else self.base_z_m + 0.5 * (self.height_m or 0.0)
+        return (
+            self.base_z_m if self.base_z_m is None or not self.bends else self.base_z_m + 0.5 * (self.height_m or 0.0)
+        )
 
     @property
     def bends(self) -> bool:

@@ -29,6 +29,9 @@ NARROWED = 1e-9
 STEP = 2e-3
 """Between two rotations at which the multiplier is looked at for a change of sign [rad]."""
 
+SHOWN = math.radians(4.0)
+"""Rotation of the lower block in drawings, less where the wall has fallen before."""
+
 REACHED = 0.999
 """Sine up to which the upper block is followed: beyond it no longer reaches its support."""
 
@@ -143,7 +146,7 @@ class Bending:
         return math.atan2(width, self.h1) + math.asin(sine)
 
     def alpha(self, d: float) -> float:
-        """alpha(d) [-] by the finite geometry (C8.7.1.2.1.2), which lies below the straight line from alpha_0 to d_0."""
+        """alpha(d) [-] by the finite geometry (C8.7.1.2.1.2): it lies below the straight line to d_0."""
         at = turned(self.strip, self.h1, self.rotation(d))
         return at.risen / at.moved
 
@@ -203,6 +206,11 @@ def bending(wall) -> Bending:
 def bent_inward(wall):
     """The wall as it is for a motion inward: its loads as far from the inner face as they are from the outer one."""
     return replace(wall, load=tuple(replace(load, d_m=wall.thickness - load.d_m) for load in wall.load))
+
+
+def shown_rotation(found: Bending) -> float:
+    """theta of the lower block [rad] in a drawing."""
+    return min(SHOWN, found.theta0)
 
 
 def outlines(strip: Strip, h1: float, theta: float) -> list[list[tuple[float, float]]]:

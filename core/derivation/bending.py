@@ -96,9 +96,7 @@ def d0(d_c0):
 
 @quantity("θ_d", "°", "", 3, label="θ_d of the lower block at d_{state}")
 def theta_d(width, h1, d_limit):
-    return arctan(width / h1) + arctan(
-        (2 * d_limit - width) / sqrt(width**2 + h1**2 - (2 * d_limit - width) ** 2)
-    )
+    return arctan(width / h1) + arctan((2 * d_limit - width) / sqrt(width**2 + h1**2 - (2 * d_limit - width) ** 2))
 
 
 @quantity("x_C", "m", "", 4, label="x_C of the hinge at d_{state}")
@@ -192,7 +190,7 @@ def chain(wall: WallResult) -> list[Line]:
         Line(w1, lower, note=FULL),
         Line(w2, 1e-3 * strip.weight - lower, note=FULL),
         Line(alpha0, found.alpha0, LIVE, SYMBOLS, "two blocks, three hinges"),
-        Line(checks.E_STAR, found.e_star, RUN, VALUE, "both centroids move alike, what stands on the held top does not"),
+        Line(checks.E_STAR, found.e_star, RUN, VALUE, "both centroids move alike, the top does not"),
     ]
 
 

@@ -214,8 +214,8 @@ def _check_elongation(stated: float, at_yield: float, length: float, here, key: 
 
 
 def check_loads(wall) -> None:
-    """Raise InputError for loads under which the wall does not stand, or is no one rigid block; of a wall held at its top its mechanism says that
-    (core/case/held_top.py)."""
+    """Raise InputError for loads under which the wall does not stand, or is no one rigid block; of a wall that bends
+    core/case/held_top.py says that."""
     if not wall.load or wall.bends:
         return
     here = (place("wall", name=wall.name),)
