@@ -23,7 +23,7 @@ LEAST_SLENDERNESS = 3.0
 HEIGHTS = 400
 """Heights of the hinge among which the lowest multiplier is looked for, before its bracket is narrowed."""
 
-NARROWED = 1e-9
+NARROWED = 1e-12
 """Width of the last bracket [of H]."""
 
 STEP = 2e-3
@@ -75,19 +75,27 @@ def start_multiplier(strip: Strip, h1: float) -> float:
     return holding / (0.5 * strip.weight * h1)
 
 
+def rises(strip: Strip, h1: float) -> bool:
+    """Whether alpha_0 grows with the height of the hinge there: the sign of P' h1 - P, alpha_0 = 2 P/(W h1)."""
+    edge, turns = strip.thickness - strip.setback, strip.height / (strip.height - h1) ** 2  # dk/dh1
+    k, per_metre = h1 / (strip.height - h1), strip.weight / strip.height
+    slope = (
+        per_metre * strip.width * (0.5 - (1.0 + 0.5 * k)) + per_metre * (strip.height - h1) * 0.5 * turns * strip.width
+    )
+    slope += sum(n * turns * (edge - d) for n, d in strip.loads)
+    return slope * h1 > 0.5 * strip.weight * h1 * start_multiplier(strip, h1)
+
+
 def lowest_hinge(strip: Strip) -> float:
-    """h1 [m] of the lowest alpha_0, both blocks at least as high as thick: the best of HEIGHTS, then golden sections of
-    the bracket around it. Without a load on the top, or with one near the inner face, it is as high as it may be."""
+    """h1 [m] of the lowest alpha_0, both blocks at least as high as thick: the best of HEIGHTS, then bisections of the
+    bracket around it. Without a load on the top, or with one near the inner face, it is as high as it may be."""
     low, high = strip.thickness, strip.height - strip.thickness
     found = [low + (high - low) * n / HEIGHTS for n in range(HEIGHTS + 1)]
     best = min(range(len(found)), key=lambda n: start_multiplier(strip, found[n]))
-    low, high, ratio = found[max(best - 1, 0)], found[min(best + 1, HEIGHTS)], 0.5 * (math.sqrt(5.0) - 1.0)
+    low, high = found[max(best - 1, 0)], found[min(best + 1, HEIGHTS)]
     while high - low > NARROWED * strip.height:
-        first, second = high - ratio * (high - low), low + ratio * (high - low)
-        if start_multiplier(strip, first) < start_multiplier(strip, second):
-            high = second
-        else:
-            low = first
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if rises(strip, middle) else (middle, high)
     return min((low, high, found[best]), key=lambda h1: start_multiplier(strip, h1))
 
 
@@ -132,6 +140,14 @@ class Bending:
     def d0(self) -> float:
         """d of the equivalent oscillator at which alpha is zero [m]."""
         return self.share * self.d_c0
+
+    @property
+    def top_force(self) -> float:
+        """What holds the top takes as the mechanism starts [N/m]: alpha_0 W H/2 less the moments of the weights about
+        the base hinge, over H. The inertia of what stands on the wall is not in it."""
+        strip = self.strip
+        held = 0.5 * strip.weight * strip.width + sum(n * (d - strip.setback) for n, d in strip.loads)
+        return 0.5 * self.alpha0 * strip.weight - held / strip.height
 
     @property
     def highest(self) -> bool:

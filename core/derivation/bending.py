@@ -81,6 +81,16 @@ def alpha0_alone(w1, width, w2, k, h1):
     return (w1 * width / 2 + w2 * (width + k * width / 2)) / ((w1 + w2) * h1 / 2)
 
 
+@quantity("R", "kN/m", "", 2, "0.000", name="top_force", label="R, of what holds the top as the mechanism starts")
+def top_force_with_loads(alpha0, w, width, height, loads, setback):
+    return alpha0 * w / 2 - (w * width / 2 + sum(load.n * (load.d - setback) for load in loads)) / height
+
+
+@quantity("R", "kN/m", "", 2, "0.000", name="top_force", label="R, of what holds the top as the mechanism starts")
+def top_force_alone(alpha0, w, width, height):
+    return alpha0 * w / 2 - w * width / 2 / height
+
+
 # where nothing holds it, and the limit of the displacement check
 
 
@@ -126,28 +136,32 @@ def mu(s_c, thickness, setback, phi_d, height, h1):
     return s_c / ((thickness - setback) * sin(phi_d) + (height - h1) * cos(phi_d))
 
 
-def of_wall(w1, w2, v_c, mu, width, phi_d, height, h1):
+@quantity("ΣW v", "kN m", "", 3, "0.000", label="ΣW v of both blocks by a unit of θ")
+def rise_of_wall(w1, w2, v_c, mu, width, phi_d, height, h1):
     return w1 * v_c / 2 + w2 * (v_c + mu * (width * cos(phi_d) - (height - h1) * sin(phi_d)) / 2)
 
 
-def moved(w1, w2, s_c, mu, width, phi_d, height, h1):
+@quantity("ΣW s", "kN m", "", 3, "0.000", label="ΣW s of both blocks by a unit of θ")
+def way_of_wall(w1, w2, s_c, mu, width, phi_d, height, h1):
     return w1 * s_c / 2 + w2 * (s_c - mu * (width * sin(phi_d) + (height - h1) * cos(phi_d)) / 2)
 
 
-@quantity("α(d_{state})", "–", "C8.7.1.1", 4, name="alpha_d")
-def alpha_d_with_loads(w1, w2, v_c, s_c, mu, width, phi_d, height, h1, loads, thickness, setback):
-    return (
-        of_wall(w1, w2, v_c, mu, width, phi_d, height, h1)
-        + sum(
-            load.n * (v_c + mu * ((thickness - setback - load.d) * cos(phi_d) - (height - h1) * sin(phi_d)))
-            for load in loads
-        )
-    ) / moved(w1, w2, s_c, mu, width, phi_d, height, h1)
+@quantity("ΣN v", "kN m", "", 3, "0.000", label="ΣN v of the loads by a unit of θ")
+def rise_of_loads(v_c, mu, phi_d, height, h1, loads, thickness, setback):
+    return sum(
+        load.n * (v_c + mu * ((thickness - setback - load.d) * cos(phi_d) - (height - h1) * sin(phi_d)))
+        for load in loads
+    )
 
 
 @quantity("α(d_{state})", "–", "C8.7.1.1", 4, name="alpha_d")
-def alpha_d_alone(w1, w2, v_c, s_c, mu, width, phi_d, height, h1):
-    return of_wall(w1, w2, v_c, mu, width, phi_d, height, h1) / moved(w1, w2, s_c, mu, width, phi_d, height, h1)
+def alpha_d_with_loads(rise_of_wall, rise_of_loads, way_of_wall):
+    return (rise_of_wall + rise_of_loads) / way_of_wall
+
+
+@quantity("α(d_{state})", "–", "C8.7.1.1", 4, name="alpha_d")
+def alpha_d_alone(rise_of_wall, way_of_wall):
+    return rise_of_wall / way_of_wall
 
 
 @quantity("a(d_{state})", "m/s²", "C8.7.1.3", name="a_limit")
@@ -177,9 +191,9 @@ def chain(wall: WallResult) -> list[Line]:
     strip, h1 = found.strip, found.h1
     lower = 1e-3 * strip.weight * h1 / strip.height
     edge, lines = strip.thickness - strip.setback, [Line(width, strip.width)]
-    hinge, alpha0 = h1_alone, alpha0_alone
+    hinge, alpha0, top = h1_alone, alpha0_alone, top_force_alone
     if strip.loads:
-        hinge, alpha0 = h1_with_loads, alpha0_with_loads
+        hinge, alpha0, top = h1_with_loads, alpha0_with_loads, top_force_with_loads
         lines.append(Line(on_top, 1e-3 * sum(n for n, _ in strip.loads)))
         lines.append(Line(top_moment, 1e-3 * sum(n * (edge - d) for n, d in strip.loads), note=SYMBOLS))
     label = "as high as it may be: both blocks at least as high as thick" if found.highest else "where α0 is lowest"
@@ -190,6 +204,7 @@ def chain(wall: WallResult) -> list[Line]:
         Line(w1, lower, note=FULL),
         Line(w2, 1e-3 * strip.weight - lower, note=FULL),
         Line(alpha0, found.alpha0, LIVE, SYMBOLS, "two blocks, three hinges"),
+        Line(top, 1e-3 * found.top_force, LIVE, SYMBOLS, "on what holds the top, of the wall alone"),
         Line(checks.E_STAR, found.e_star, RUN, VALUE, "both centroids move alike, the top does not"),
     ]
 
@@ -214,13 +229,23 @@ def at_limit(wall: WallResult) -> list[Line]:
     rise, way = strip.width * cos(degrees) - h1 * sin(degrees), strip.width * sin(degrees) + h1 * cos(degrees)
     phi = math.degrees(at.phi)
     rate = way / ((strip.thickness - strip.setback) * sin(phi) + (strip.height - h1) * cos(phi))
-    alpha = alpha_d_with_loads if strip.loads else alpha_d_alone
-    return [
+    lower, angles = 1e-3 * strip.weight * h1 / strip.height, (phi, strip.height, h1)
+    of_wall = (lower, 1e-3 * strip.weight - lower)
+    risen = rise_of_wall.function(*of_wall, rise, rate, strip.width, *angles)
+    lines = [
         Line(theta_d, degrees, note=VALUE),
         Line(x_c, at.hinge[0], note=FULL),
         Line(phi_d, phi, note=VALUE),
         Line(v_c, rise),
         Line(s_c, way),
         Line(mu, rate, note=VALUE),
-        Line(alpha, at.risen / at.moved, LIVE, VALUE, "finite geometry, below the straight line to d_0"),
+        Line(rise_of_wall, risen, note=VALUE),
+    ]
+    if strip.loads:
+        lines.append(Line(rise_of_loads, 1e-3 * at.risen - risen, note=VALUE))
+    alpha = alpha_d_with_loads if strip.loads else alpha_d_alone
+    return [
+        *lines,
+        Line(way_of_wall, 1e-3 * at.moved, note=VALUE),
+        Line(alpha, at.risen / at.moved, LIVE, FULL, "finite geometry, below the straight line to d_0"),
     ]

@@ -33,7 +33,14 @@ def bending(mechanism: Kinematic) -> dict:
     found = mechanism.chain.bending
     if found is None:
         return {}
-    return {"bending": {"hinge_m": found.h1, "d_c0_m": found.d_c0, "theta_0_rad": found.theta0}}
+    return {
+        "bending": {
+            "hinge_m": found.h1,
+            "d_c0_m": found.d_c0,
+            "theta_0_rad": found.theta0,
+            "top_kn_m": 1e-3 * found.top_force,
+        }
+    }
 
 
 def tie_design(wall: WallResult) -> dict:

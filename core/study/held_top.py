@@ -25,7 +25,7 @@ def limits_of_bending(kinematic: Kinematic) -> list[Sentence]:
     found = kinematic.chain.bending
     if found is None:
         return []
-    limits = [sentence("reason", "no_histories", q=2)]
+    limits = [sentence("reason", "no_histories", q=2), sentence("reason", "top_force", force=1e-3 * found.top_force)]
     if found.highest:
         limits.append(sentence("reason", "hinge_highest", height=found.h1))
     return limits
