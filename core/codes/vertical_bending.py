@@ -23,8 +23,8 @@ LEAST_SLENDERNESS = 3.0
 HEIGHTS = 400
 """Heights of the hinge among which the lowest multiplier is looked for, before its bracket is narrowed."""
 
-NARROWED = 1e-12
-"""Width of the last bracket [of H]."""
+BISECTIONS = 50
+"""Of the bracket of a root, to its last digits."""
 
 STEP = 2e-3
 """Between two rotations at which the multiplier is looked at for a change of sign [rad]."""
@@ -93,7 +93,7 @@ def lowest_hinge(strip: Strip) -> float:
     found = [low + (high - low) * n / HEIGHTS for n in range(HEIGHTS + 1)]
     best = min(range(len(found)), key=lambda n: start_multiplier(strip, found[n]))
     low, high = found[max(best - 1, 0)], found[min(best + 1, HEIGHTS)]
-    while high - low > NARROWED * strip.height:
+    for _ in range(BISECTIONS):
         middle = 0.5 * (low + high)
         low, high = (low, middle) if rises(strip, middle) else (middle, high)
     return min((low, high, found[best]), key=lambda h1: start_multiplier(strip, h1))
@@ -196,7 +196,7 @@ def _collapse(strip: Strip, h1: float) -> float:
         if turned(strip, h1, high).risen <= 0.0:
             break
         low = high
-    for _ in range(60):
+    for _ in range(BISECTIONS):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if turned(strip, h1, middle).risen > 0.0 else (low, middle)
     return 0.5 * (low + high)
