@@ -6,6 +6,7 @@ from core.case.schema import Wall
 from core.case.site import Building
 from core.codes.demand import DemandResult
 from core.codes.kinematic import Kinematic
+from core.errors import InputError
 from core.study.limit_states import zetas
 from core.text.sentence import Sentence, sentence
 from core.wall.wall_loads import carries
@@ -13,10 +14,13 @@ from core.wall.wall_loads import carries
 
 def overturning_zeta(wall: Wall, demand: DemandResult, building: Building | None) -> float | None:
     """zeta of a wall held at its top, were it not: it overturns about its base, by the same checks. None of another
-    wall, and where its loads would overturn it without an earthquake."""
+    wall, where its loads would overturn it without an earthquake, and where a spectrum ends before its period."""
     if not wall.bends or not carries(wall):
         return None
-    (alone,) = zetas(replace(wall, mechanism="one_sided"), "one_sided", {demand.limit_state: demand}, building)
+    try:
+        (alone,) = zetas(replace(wall, mechanism="one_sided"), "one_sided", {demand.limit_state: demand}, building)
+    except InputError:
+        return None
     return alone.zeta
 
 
