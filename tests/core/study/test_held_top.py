@@ -9,9 +9,11 @@ import pytest
 from core.case.rules import parse_case
 from core.codes.floor_spectrum import FloorSpectrum
 from core.codes.vertical_bending import bending
+from core.errors import InputError
 from core.report.json_report import dumps
 from core.study.floors import modes_at
 from core.study.run import run
+from core.study.variants import comparisons
 from core.units import G
 from tests.validation.circolare import EN_B
 
@@ -145,3 +147,25 @@ def test_that_every_limit_state_has_its_zeta():
     assert [one.state for one in wall.assessment.states] == ["SLD", "SLV", "SLC"]
     assert [one.check for one in wall.assessment.states] == ["linear_sld", "nonlinear", "nonlinear"]
     assert replace(wall).assessment.risk is not None
+
+
+def test_that_a_wall_to_be_held_at_its_top_is_compared_with_the_wall_that_overturns():
+    as_is = WALL | {"mechanism": "one_sided", "hinge_heights": "base", "variant": "stato di fatto"}
+    result = study(as_is, WALL | {"variant": "progetto"})
+    (one,) = comparisons(result.walls)
+    assert (one.before.mechanism, one.after.mechanism) == ("one_sided", "vertical_bending")
+    assert one.after.assessment.verdict.lower_bound == pytest.approx(one.before.assessment.verdict.zeta_e)
+    assert all("variant_alone" not in [one.code for one in wall.warnings] for wall in result.walls)
+
+
+def test_that_a_spectrum_too_short_for_the_overturning_leaves_the_wall_its_verdict(tmp_path):
+    """T_SLV of the overturning is beyond the end of the file, that of the bending is not."""
+    tall = WALL | {"height_m": 12.0, "thickness_m": 1.0, "load": [TOP | {"kn_m": 60.0, "h_m": 12.0, "d_m": 0.5}], "base_z_m": 0.0}
+    rows = ["0 0.42", "0.15 1.05", "0.5 1.05", "1.0 0.525", "2.5 0.21"]
+    (tmp_path / "s.txt").write_text("T[s] Se[g]\n" + "\n".join(rows))
+    demand = {"ag_g": 0.35, "soil_factor": 1.2, "spectrum_file": "s.txt"}
+    (wall,) = study(tall, demand=demand, base_dir=tmp_path).walls
+    assert wall.assessment.kinematic.period < 2.5 and wall.assessment.verdict.zeta_e is not None
+    assert wall.assessment.verdict.lower_bound is None
+    with pytest.raises(InputError, match="T_SLV"):
+        study(tall | {"mechanism": "one_sided", "hinge_heights": "base"}, demand=demand, base_dir=tmp_path)
