@@ -94,6 +94,8 @@ MEGABYTES = {
     "kiwisolver": (2, 6),
     "lxml": (5, 12),
     "heyoka": (103, 240),
+    "jaxlib": (85, 349),
+    "jax": (3, 31),
     "pyarrow": (55, 165),
     "mypy": (14, 55),
     "ruff": (11, 32),

@@ -50,6 +50,7 @@ STUDY = "tests/app/test_study.py"
 SENTENCES = "tests/core/text/test_catalogue.py"
 DIALECTS = "tests/core/ground/test_dialects.py"
 REFUSALS = "tests/core/ground/test_record_refusals.py"
+BODIES = "tests/validation/test_bodies.py"
 
 SHOWN_BY = {
     "case/note_file": "tests/core/report/test_pdf.py",
@@ -66,6 +67,14 @@ SHOWN_BY = {
     "capacity/independent_solver": "tests/validation/test_independent_solver.py",
     "case/keys": "tests/core/case/test_schema.py",
     "case/loads": "tests/core/wall/test_ties.py",
+    "case/solids": BODIES,
+    "wall/body": BODIES,
+    "wall/shape_rules": BODIES,
+    "wall/wall_body": BODIES,
+    "rocking/taylor_two_hinges": BODIES,
+    "derivation/geometry": "tests/core/derivation/test_wall.py",
+    "report/body_sheet": "tests/core/report/test_workbook.py",
+    "report/outlines": BODIES,
     "case/schema": "tests/core/case/test_schema.py",
     "case/site": "tests/core/case/test_schema.py",
     "case/values": "tests/core/case/test_rules.py",

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QDialog, QGridLayout, QLabel
 
 from app.look import theme
 from app.look.language import FORM_NAMES, current_language, number, of_key, tr
+from app.look.whole_text import tell_whole
 from core.case.keys import unit_in_form
 from core.case.number import parse_number
 from core.case.schema import Analysis, Report, Wall
@@ -263,13 +264,13 @@ class NumberField(Field):
 
     def _means(self, value) -> bool:
         text = self.editor.text()
-        if not text.strip():
-            return value is None
+        if not text.strip() or value in (None, ""):  # a value still to be given is ""
+            return not text.strip() and value in (None, "")
         try:
             number = parse_number(text)
         except InputError:
             return False
-        return value is not None and abs(number / self.factor - value) <= 1e-12 * abs(value)
+        return abs(number / self.factor - value) <= 1e-12 * abs(value)
 
 
 class RangeField(Field):
@@ -330,6 +331,7 @@ class ChoiceField(Field):
         self.words = words or words_of_choices(section, key)
         FORM_NAMES.captions.update({name: shown for name, shown in self.words.items() if name})
         super().__init__(section, key)
+        tell_whole(self.editor)
 
     def make_editor(self) -> QComboBox:
         editor = Choice()

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pyqtgraph as pg
+from PySide6.QtCore import Qt
 
 from app.look import theme
 from app.views.axis import Axis
@@ -21,6 +22,7 @@ class SmallCurve(pg.PlotWidget):
 
     def __init__(self, x: str, y: str):
         super().__init__(axisItems={side: Axis(side) for side in ("bottom", "left")})
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setBackground(theme.current.back)
         self.setMinimumSize(110, 90)
         self.setMaximumHeight(120)

@@ -24,6 +24,8 @@ def raised_by_wall(case: Case, wall: Wall) -> set[str]:
         "velocity_ratio": wall.velocity_ratio is not None,
         "restitution": wall.restitution not in (None, "user") and not MODELS[wall.restitution].by_theory,
         "return_walls": wall.return_walls is not None,
+        "return_wedges": wall.return_wedges is not None,
+        "contact": bool(wall.solid),
         "law": wall.law != "rigid",
         "free_element": wall.free_element is not None
         and any(wall.free_element != (mechanism == "two_sided") for mechanism in wall.mechanisms()),

@@ -308,9 +308,9 @@ class RecordsPanel(QWidget):
         rows = {
             row
             for row, (k, motion) in enumerate(self.rows)
-            if k is not None and not isinstance(motion, str) and case.record[k].include
+            if not self.pending and k is not None and not isinstance(motion, str) and case.record[k].include
         }
-        if asked is None or asked.target is None or not rows or self.pending:
+        if asked is None or asked.target is None or not rows:
             self.words.setText(tr("This needs records from files and a spectrum on the sheet Demand."))
             return
         if asked.record_scaling == "pga":  # which cancels any factor of a file

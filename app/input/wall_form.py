@@ -12,7 +12,15 @@ from app.input.impact_form import ImpactForm
 from app.input.loads_form import LoadsForm
 from app.input.made_fields import make_field, make_fields
 from app.input.reasons_form import reasons_of_wall
-from app.input.wall_words import contents_of, estimate_lines, hinge_zetas, said_of_histories, shape_of, written_as
+from app.input.wall_words import (
+    contents_of,
+    differences,
+    estimate_lines,
+    hinge_zetas,
+    said_of_histories,
+    shape_of,
+    written_as,
+)
 from app.look import theme
 from app.look.drawing import WallDrawing, mechanism_icon
 from app.look.language import FORM_NAMES, current_language, described, named, number, quoted_from_file, tr
@@ -45,6 +53,8 @@ class WallForm(QWidget):
         self.drawing.moved.connect(self._moved_in_drawing)
         self.summary = QLabel()
         self.summary.setWordWrap(True)
+        self.differs = QLabel()
+        self.differs.setWordWrap(True)
         self.impact = ImpactForm(session, lambda: self.current)
         self.loads = LoadsForm(session, lambda: self.current)
         self.reasons = reasons_of_wall(session, lambda: self.current)
@@ -67,7 +77,7 @@ class WallForm(QWidget):
             ),
             "hinges": Section(tr("Hinges"), [held["hinge_heights"]]),
             "impact": Section(tr("Restitution and law"), [self.impact]),
-            "notes": Section(tr("Material, variant, notes"), [*notes, held["variant"]]),
+            "notes": Section(tr("Material, variant, notes"), [*notes, held["variant"], self.differs]),
         }
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -191,6 +201,8 @@ class WallForm(QWidget):
     def _show_contents(self) -> None:
         """What each section holds, in its head."""
         words = contents_of(self.wall) if self.wall else {}
+        lines = differences(self.session.case, self.wall) if self.wall else []
+        self.differs.setText("\n".join([tr("Beside the wall as it is:"), *lines]) if lines else "")
         for name, section in self.sections.items():
             section.say(words.get(name, ""))
 

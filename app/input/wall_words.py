@@ -4,13 +4,18 @@ import math
 
 from app.input.hinges_field import hinge_words
 from app.input.impact_form import named_laws, named_models
-from app.look.language import named, number, tr
+from app.look.language import current_language, named, number, tr
 from app.work.session import Session
 from core.capacity.scale_free_law import estimates
 from core.case.hinges import hinges_of
-from core.case.schema import Wall
+from core.case.keys import unit_in_form
+from core.case.loads import Load
+from core.case.schema import AS_IS, DESIGNED, Case, Wall
+from core.case.values import field_of
 from core.errors import InputError
 from core.study.demand_input import demand_of
+from core.study.variants import changed_keys
+from core.text.sentence import choice
 from core.wall.block import Block
 
 
@@ -19,7 +24,7 @@ def estimate_lines(session: Session, wall: Wall) -> list[str]:
     case = session.case
     try:
         demand = demand_of(case, session.base_dir) if case.demand else None
-        if demand is None or not demand.intensity or not wall.has_closed_forms:
+        if demand is None or not demand.intensity or not wall.has_closed_forms or not wall.mechanism:
             return []
         answers = [
             estimates(
@@ -103,6 +108,35 @@ def said_of_histories(wall: Wall) -> dict[str, bool]:
         "hinges": wall.hinge_heights is not None,
         "impact": wall.restitution is not None or wall.velocity_ratio is not None or wall.law != "rigid",
     }
+
+
+def _load_words(load: Load) -> str:
+    size = f" {number(load.kn_m, 'g')} kN/m" if load.kn_m else ""
+    return named(f"load_{load.kind}") + size
+
+
+def differences(case: Case, wall: Wall) -> list[str]:
+    """What is another in a variant than in the wall as it is, a line for each key; empty of any other wall."""
+    before = next((one for one in case.wall if one.name == wall.name and one.variant == AS_IS), None)
+    if wall.variant != DESIGNED or before is None:
+        return []
+    lines = []
+    for key in changed_keys(before, wall):
+        if key.startswith("tie_"):  # of the tie that is sought, as its height
+            continue
+        entry, old, new = field_of(Wall, key), getattr(before, key), getattr(wall, key)
+        words = named(f"key_{key}")
+        if entry.metadata["kind"] == "float":
+            unit, factor = unit_in_form(entry)
+            ends = (number(one if one is None else factor * one, ".4g") for one in (old, new))
+            words += f" {' → '.join(ends)} {unit}".rstrip()
+        elif key == "load":
+            signed = [("+", one) for one in new if one not in old] + [("−", one) for one in old if one not in new]
+            words += " " + ", ".join(f"{sign} {_load_words(one)}" for sign, one in signed)
+        elif entry.metadata["kind"] == "choice":
+            words += f" {' → '.join(choice(one, current_language()) if one else '–' for one in (old, new))}"
+        lines.append(words)
+    return lines
 
 
 def contents_of(wall: Wall) -> dict[str, str]:

@@ -202,7 +202,7 @@ class WallDrawing(QWidget):
         self.dragged = None
 
     def _draw_bars(self, painter, place) -> None:
-        """The bars that hold a wall as it rocks: taut, slack (dashed), yielding (red); none where one has gone."""
+        """The bars that hold a wall as it rocks: taut, slack (dashed), yielding (red, thick); none where one broke."""
         height, thickness, setback = self.size_of
         half = 0.5 * thickness
         hinge, turned = half - setback, max(self.rotation, 0.0)
@@ -212,7 +212,7 @@ class WallDrawing(QWidget):
                 continue
             color = theme.current.bad if phase == YIELDING else theme.current.amber
             style = Qt.PenStyle.DashLine if phase == SLACK else Qt.PenStyle.SolidLine
-            painter.setPen(QPen(QColor(color), 1.8, style))
+            painter.setPen(QPen(QColor(color), 3.4 if phase == YIELDING else 1.8, style))
             plate = QPointF(hinge + c * setback + s * at, c * at - s * setback)
             painter.drawLine(place(QPointF(-half - 0.15 * height, at)), place(plate))
             painter.setPen(QPen(QColor(color), 3.0))
@@ -221,12 +221,14 @@ class WallDrawing(QWidget):
             painter.drawLine(*map(place, ends))
 
     def _zetas(self, painter, place, thickness) -> None:
-        """zeta at each hinge, the smallest in red."""
-        known = [zeta for _, zeta in self.hinges if zeta is not None]
+        """zeta at each hinge, the smallest in red and bold."""
+        known, font = [zeta for _, zeta in self.hinges if zeta is not None], QFont(self.font())
         for level, zeta in self.hinges:
             if zeta is not None:
                 weakest = zeta == min(known)
                 painter.setPen(QColor(theme.current.bad if weakest else theme.current.ink))
+                font.setBold(weakest)
+                painter.setFont(font)
                 words = f"ζ {number(zeta, '.2f')}"
                 at = place(QPointF(-0.5 * thickness, level))
                 wide = painter.fontMetrics().horizontalAdvance(words)

@@ -1,4 +1,5 @@
-"""Colours of the window, light and dark; safe for the colour-blind (Okabe and Ito 2008)."""
+"""Colours of the window, light and dark, told apart by colour-blind eyes (from Okabe and Ito 2008, simulated in
+tests/app/test_colours.py)."""
 
 from dataclasses import dataclass
 
@@ -37,10 +38,10 @@ LIGHT = Theme(
     "#d9dfe5",
     "#7f8b96",
     "#5b6875",
-    ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#7f7f7f"),
+    ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#666666"),
     "#00704e",
     "#8a5a00",
-    "#b3421b",
+    "#a6192e",
 )
 DARK = Theme(
     "dark",
@@ -50,14 +51,28 @@ DARK = Theme(
     "#3a434d",
     "#7d8894",
     "#9aa7b4",
-    ("#56b4e9", "#ff9a4d", "#3ddbaa", "#e3a1c6", "#f5c24c", "#a6d8f5", "#b0b0b0"),
+    ("#56b4e9", "#f58231", "#3ddbaa", "#e58fc0", "#f5d04c", "#c2e5fa", "#8c8c8c"),
     "#3ddbaa",
     "#f5c24c",
-    "#ff9a4d",
+    "#ff7a59",
 )
 THEMES = {theme.name: theme for theme in (LIGHT, DARK)}
 
+MARKS = {"good": "✓", "amber": "!", "bad": "✗"}
+"""Beside a number in the colour of a verdict, which is never told by its colour alone."""
+
 current = LIGHT
+
+
+def points(times: float) -> str:
+    """A size of letters in a style sheet, so many times that of the desktop."""
+    return f"font-size: {times * QApplication.font().pointSizeF():g}pt;"
+
+
+def marked(tone: str, words: str) -> str:
+    """Words of this tone after its mark, alone where they are it or the tone has none."""
+    mark = MARKS.get(tone, "")
+    return words if words in ("", mark, *MARKS.values()) else f"{mark} {words}".strip()
 
 
 def set_theme(name: str) -> None:

@@ -119,7 +119,7 @@ class ClientView(QDialog):
         self.title, self.sides = title, sides
         self.drawings: list[WallDrawing] = []
         heading = QLabel(title)
-        heading.setStyleSheet("font-size: 20pt; font-weight: 700;")
+        heading.setStyleSheet(f"{theme.points(2.2)} font-weight: 700;")
         leave = QLabel(tr("Esc leaves"))
         top = QHBoxLayout()
         top.addWidget(heading, 1)
@@ -131,7 +131,7 @@ class ClientView(QDialog):
             drawing.one_sided = side.wall.mechanism == "one_sided"
             drawing.bars = [(load.h_m, 0) for load in side.wall.wall.load if load.is_tie]
             drawing.setAccessibleName(f"{side.title}: {words_of(side)}")
-            label = QLabel(f"<span style='font-size:15pt; font-weight:600'>{side.title}</span>")
+            label = QLabel(f"<span style='{theme.points(1.65)} font-weight:600'>{side.title}</span>")
             column = QVBoxLayout()
             column.addWidget(label)
             column.addWidget(drawing, 1)

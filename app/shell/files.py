@@ -5,11 +5,11 @@ from pathlib import Path
 from PySide6.QtCore import QSettings
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 
-from app.look.file_dialogs import path_to_write, plain_name
-from app.look.language import described, named, quoted_from_file, tr
+from app.look.file_dialogs import path_to_write
+from app.look.language import described, quoted_from_file, tr
 from app.work.session import Session
 from core import atomic_write
-from core.errors import InputError, OutputError
+from core.errors import InputError
 
 EXAMPLE = Path(__file__).resolve().parents[2] / "resources" / "cases" / "example.toml"
 RECENT = 8
@@ -147,7 +147,7 @@ class Files:
         """Every figure of the wall shown, to a folder the user names."""
         from app.views.figure_dialogs import ask_size
 
-        if self.export_refused():
+        if self.export_refused() or self.window.job is not None:
             return
         size = ask_size(self.window)
         title = tr("Export all figures")
@@ -156,24 +156,14 @@ class Files:
             self.export_figures(Path(name), size)
 
     def export_figures(self, folder: Path, size) -> None:
-        """The charts of every tab as PNG, all or none; nothing that is there is overwritten unasked."""
-        from app.views.figure_file import figure
+        """The charts of every page as PNG, all or none; nothing that is there is overwritten unasked."""
+        from app.shell.figure_export import FigureExport, beginning
 
-        wall = self.window.wall
-        start = plain_name(f"{wall.name} {named(wall.mechanism)}")
-        charts = self.window.charts()
-        paths = {folder / f"{start} - {plain_name(chart.name)}.png": chart for chart in charts}
-        there = next((path for path in paths if path.exists()), None)
-        title = tr("Export all figures")
+        start = beginning(self.window.wall)
+        there = next((path for path in sorted(folder.glob("*.png")) if path.name.startswith(start)), None)
         question = tr("{path} already exists. Overwrite it?", path=there)
-        if there is not None and not self._agreed(title, question):
-            return
-        try:
-            atomic_write.write({path: figure(chart, ".png", size) for path, chart in paths.items()})
-        except OutputError as error:
-            QMessageBox.warning(self.window, title, described(error))
-            return
-        self.window.show_word(tr("{n} figures written to {folder}", n=len(paths), folder=folder))
+        if there is None or self._agreed(tr("Export all figures"), question):
+            FigureExport(self.window, folder, size)
 
     def export_refused(self) -> bool:
         """Whether there is nothing to export, or only results of an earlier input; says so."""

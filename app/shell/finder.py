@@ -23,9 +23,13 @@ class Entry(NamedTuple):
 
 
 def every_action(menu: QMenu) -> Iterator[QAction]:
-    """The entries of a menu and of those inside it."""
+    """The entries of a menu and of those inside it. PySide6 6.10 deletes a menu when what `QAction.menu` returned goes:
+    the menus are found as children."""
+    menus = {
+        one.menuAction(): one for one in menu.findChildren(QMenu, options=Qt.FindChildOption.FindDirectChildrenOnly)
+    }
     for action in menu.actions():
-        inside = action.menu()
+        inside = menus.get(action)
         if inside is not None:
             yield from every_action(inside)
         elif not action.isSeparator():

@@ -5,6 +5,7 @@ from pathlib import Path
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCommandLinkButton, QLabel, QVBoxLayout, QWidget
 
+from app.look import theme
 from app.look.language import tr
 
 
@@ -19,7 +20,7 @@ class FirstRun(QWidget):
         column = QVBoxLayout(self)
         column.setContentsMargins(60, 30, 60, 30)
         heading = QLabel(tr("What do you have?"))
-        heading.setStyleSheet("font-size: 17pt; font-weight: 700;")
+        heading.setStyleSheet(f"{theme.points(1.9)} font-weight: 700;")
         column.addWidget(heading)
         self.buttons = {}
         for name, title, words in (

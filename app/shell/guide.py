@@ -62,6 +62,8 @@ class Guide(QDialog):
             self.chosen.addItem(first.lstrip("# "))
         self.chosen.currentIndexChanged.connect(self._show)
         self.text.setOpenLinks(False)
+        self.text.setTabChangesFocus(True)
+        self.text.setAccessibleName(tr("Guide"))
         layout = QVBoxLayout(self)
         layout.addWidget(self.chosen)
         layout.addWidget(self.text, 1)

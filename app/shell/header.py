@@ -32,7 +32,7 @@ class Header(QFrame):
         self.menu = QMenu(self.menu_button)
         self.menu_button.setMenu(self.menu)
         self.title = QLabel()
-        self.title.setStyleSheet("font-weight: 600; font-size: 11pt;")
+        self.title.setStyleSheet(f"font-weight: 600; {theme.points(1.2)}")
         self.title.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.title.setMinimumWidth(110)
         self.stages = QButtonGroup(self)
@@ -73,7 +73,7 @@ class Header(QFrame):
             button.setCheckable(True)
             button.setToolTip(f"{label} (Alt+{number})")
             button.setStyleSheet(
-                f"QPushButton {{ border: 1px solid {edge}; border-radius: 13px; padding: 4px 14px;"
+                f"QPushButton {{ border: 1px solid {edge}; border-radius: 11px; padding: 4px 14px;"
                 f" background: {back}; color: {theme.current.ink}; font-weight: 600; }}"
                 f"QPushButton:checked {{ background: {chosen}; color: {back}; }}"
                 f"QPushButton:focus {{ border: 2px solid {theme.current.ink}; padding: 3px 13px; }}"

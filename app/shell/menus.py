@@ -54,6 +54,7 @@ def build(window) -> Actions:
     run = add(window, runs, tr("&Run"), window.run, QKeySequence("F5"))
     cancel = add(window, runs, tr("&Cancel"), window.cancel, QKeySequence("Esc"))
     studies = bar.addMenu(tr("&Study"))
+    add(window, studies, tr("&Sweep of one value…"), lambda: sweep(window))
     add(window, studies, tr("&Parametric study…"), lambda: study(window))
     view = bar.addMenu(tr("&View"))
     for number, (name, label) in enumerate(stage_names().items(), start=1):
@@ -108,6 +109,21 @@ def study(window) -> None:
     from app.shell.study_window import StudyWindow
 
     opened = window.findChild(StudyWindow) or StudyWindow(window)
+    opened.show()
+    opened.raise_()
+
+
+def sweep(window) -> None:
+    """The window of a sweep, with what it found; made again in another language or theme."""
+    from app.shell.sweep_window import SweepWindow
+
+    opened = window.findChild(SweepWindow)
+    if opened is not None and opened.look != (window.language, theme.current.name) and opened.job is None:
+        opened.setParent(None)
+        opened.deleteLater()
+        opened = None
+    opened = opened or SweepWindow(window)
+    opened.show_case()
     opened.show()
     opened.raise_()
 

@@ -10,7 +10,6 @@ from app.shell import stages, tree
 from app.shell.header import Header
 from app.shell.pages import Page
 from app.shell.tree import ProjectTree, Row
-from app.views.chart import Chart
 from app.work.running import RunningWindow
 from core.case.schema import Wall
 from core.errors import InputError
@@ -34,7 +33,6 @@ class StagedWindow(RunningWindow):
     """
 
     shown = -1
-    _spectra: tuple = ()
     fresh: set[QWidget]
     header: Header
     tree: ProjectTree
@@ -162,11 +160,7 @@ class StagedWindow(RunningWindow):
         result = self.session.result
         rules = result.compliance if result and not self.session.stale else None
         floor = self.wall.floor if self.wall and not self.session.stale else None
-        page, motions = self.pages["spectra"].content, [id(motion) for motion in self.records.motions]
-        shown = (motions, target, rules, floor, self.shown, page)
-        if shown != self._spectra:  # else a key typed costs the spectra of all records
-            self._spectra = shown
-            page.show_records(self.records.motions, target, rules, floor)
+        self.pages["spectra"].content.show_records(self.records.motions, target, rules, floor, self.shown)
 
     @property
     def wall(self) -> WallResult | None:
@@ -196,20 +190,6 @@ class StagedWindow(RunningWindow):
             if self.results_of().get(row, [k])[0] != k:
                 self.tree.select(("hinge", row, hinge))
         self.show_result()
-
-    def charts(self) -> list[Chart]:
-        """Every chart that shows something of the wall shown. Its page is once in front: Qt lays nothing out before."""
-        found, page, stage = [], self.page, self.stages.front
-        self.stages.setUpdatesEnabled(False)
-        for name in self.pages:
-            self.show_page(name)
-            found += [chart for chart in self.pages[name].content.findChildren(Chart) if chart.data]
-        if page is not None:
-            self.show_page(page)
-        else:
-            self.show_stage(stage)
-        self.stages.setUpdatesEnabled(True)
-        return found
 
     def show_result(self) -> None:
         """Fill the page in front, once per result and wall."""

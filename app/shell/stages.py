@@ -169,6 +169,7 @@ class Stages(QWidget):
         self.answer = AnswerStage(made, beside)
         self.why = QTabWidget()
         self.why.setDocumentMode(True)
+        self.why.tabBar().setAccessibleName(tr("Why"))
         for name in WHY:
             self.why.addTab(made[name], pages[name][1])
         self.note_form, report = NoteForm(session), QSplitter(Qt.Orientation.Horizontal)

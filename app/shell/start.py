@@ -18,6 +18,7 @@ from app.look.language import quoted_from_file, tr
 from app.shell import menus
 from app.shell.files import EXAMPLE
 from app.shell.window import MainWindow
+from app.work import recovery
 from app.work.worker import RUNNING, write_log
 from core.errors import InputError
 from core.text.sentence import LANGUAGES
@@ -34,7 +35,7 @@ def offer_recovery(window: MainWindow) -> None:
         answer = QMessageBox.question(
             window,
             tr("Autosaved case found"),
-            tr("The program ended without saving. Restore the unsaved case?") + f"\n{window.session.describe(file)}",
+            tr("The program ended without saving. Restore the unsaved case?") + f"\n{recovery.describe(file)}",
             button.Yes | button.Discard | button.Cancel,
             button.Yes,
         )
@@ -45,8 +46,7 @@ def offer_recovery(window: MainWindow) -> None:
             except InputError as error:
                 QMessageBox.warning(window, tr("Not opened"), quoted_from_file(error))
         elif answer == button.Discard:
-            with contextlib.suppress(OSError):
-                file.unlink(missing_ok=True)
+            recovery.drop(file)
         # anything else, Esc among it, is no order to discard: asked again at the next start
 
 

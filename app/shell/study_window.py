@@ -4,7 +4,7 @@ import os
 import time
 from pathlib import Path
 
-from PySide6.QtCore import QStandardPaths
+from PySide6.QtCore import QStandardPaths, Qt
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
@@ -26,6 +26,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.look.language import tr
+from app.shell.study_form import StudyForm
 from app.terminal import study
 from app.views.study_tabs import claims_table, figure_chart, table_view
 from app.work.running import progress_word
@@ -67,6 +68,9 @@ class StudyWindow(QDialog):
         self.word = QLabel()
         self.word.setWordWrap(True)
         self.tabs = QTabWidget()
+        self.tabs.setTabBarAutoHide(True)  # without a tab it would take the focus, and keep it
+        self.tabs.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.tabs.tabBar().setAccessibleName(tr("Parametric study"))
         layout = QVBoxLayout(self)
         layout.addLayout(self._form())
         layout.addWidget(self.word)
@@ -74,7 +78,12 @@ class StudyWindow(QDialog):
 
     def _form(self) -> QHBoxLayout:
         left = QFormLayout()
-        left.addRow(tr("Study"), self._with_button(self.study, tr("File…"), self._choose_study))
+        line = self._with_button(self.study, tr("File…"), self._choose_study)
+        new = QPushButton(tr("New…"))
+        new.setAutoDefault(False)
+        new.clicked.connect(self._make_study)
+        line.addWidget(new)
+        left.addRow(tr("Study"), line)
         left.addRow(tr("Natural records"), self._with_button(self.records, tr("Folder…"), self._choose_records))
         left.addRow(tr("Folder of the results"), self._with_button(self.folder, tr("Folder…"), self._choose_folder))
         right = QVBoxLayout()
@@ -102,6 +111,14 @@ class StudyWindow(QDialog):
         name, _ = QFileDialog.getOpenFileName(self, tr("Study"), "", "*.toml")
         if name:
             self.study.setCurrentText(name)
+
+    def _make_study(self) -> None:
+        """A study by its keys; its file is the one to run, whole."""
+        form = StudyForm(self, Path(self.folder.text()))
+        if form.exec():
+            self.study.setCurrentText(str(form.path))
+            self.quick.setChecked(False)
+        form.deleteLater()
 
     def _choose_folder(self) -> None:
         name = QFileDialog.getExistingDirectory(self, tr("Folder of the results"), self.folder.text())

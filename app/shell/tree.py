@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.input.wall_words import differences
 from app.look import theme
 from app.look.language import named, number, tr
 from core.case.schema import Case
@@ -119,7 +120,9 @@ def _walls(state: State, broken: set[str | None]) -> Iterable[Row]:
         group = _wall(state, worst, name, 1, broken)
         yield Row(1, "group", name, group.chip, group.tone, first, group.result)
         for k in alike:
-            yield _wall(state, k, walls[k].variant or name, 2, broken)
+            words = ", ".join(differences(state.case, walls[k]))
+            variant = walls[k].variant or name
+            yield _wall(state, k, f"{variant}: {words}" if words else variant, 2, broken)
             yield from _hinges(state, k, 3)
 
 
@@ -188,17 +191,18 @@ class Chips(QStyledItemDelegate):
         font = option.font
         font.setBold(row.depth == 0)
         right = area.right() - 6
-        if row.chip:
+        chip_words = theme.marked(row.tone, row.chip)
+        if chip_words:
             font.setBold(True)
             painter.setFont(font)
-            wide = max(30.0, QFontMetricsF(font).horizontalAdvance(row.chip) + 16)
+            wide = max(30.0, QFontMetricsF(font).horizontalAdvance(chip_words) + 16)
             chip = QRectF(right - wide, area.center().y() - 0.68 * option.fontMetrics.height(), wide, 0)
             chip.setHeight(1.36 * option.fontMetrics.height())
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(QColor(getattr(theme.current, row.tone)))
             painter.drawRoundedRect(chip, 9, 9)
             painter.setPen(QColor(theme.current.back))
-            painter.drawText(chip, Qt.AlignmentFlag.AlignCenter, row.chip)
+            painter.drawText(chip, Qt.AlignmentFlag.AlignCenter, chip_words)
             right = chip.left() - 4
             font.setBold(row.depth == 0)
         painter.setFont(font)
@@ -235,26 +239,39 @@ class ProjectTree(QFrame):
         layout.setSpacing(0)
         layout.addWidget(self.tree, 1)
         layout.addWidget(self.buttons)
-        self.setFixedWidth(WIDTH)
+        self.least = WIDTH
         self.filling = False
 
-    def set_buttons(self, rows: Sequence[Sequence[tuple]]) -> None:
-        """Buttons below the tree: (label, tip, slot) of each, a list a line."""
+    def set_buttons(self, buttons: Sequence[tuple]) -> None:
+        """Buttons below the tree: (label, tip, slot) of each, three a line, two where their words are long."""
         column = QVBoxLayout(self.buttons)
         column.setContentsMargins(4, 4, 4, 4)
         column.setSpacing(2)
-        for line in rows:
+        made = []
+        for label, tip, slot in buttons:
+            button = QToolButton()
+            button.setText(label)
+            button.setToolTip(tip)
+            button.setAutoRaise(True)
+            button.clicked.connect(lambda _=False, slot=slot: slot())
+            made.append(button)
+        for count in (3, 2):
+            lines = [made[k : k + count] for k in range(0, len(made), count)]
+            wide = max(sum(button.sizeHint().width() + 2 for button in line) for line in lines) + 8
+            if wide <= WIDTH:
+                break
+        for line in lines:
             row = QHBoxLayout()
             row.setSpacing(2)
-            for label, tip, slot in line:
-                button = QToolButton()
-                button.setText(label)
-                button.setToolTip(tip)
-                button.setAutoRaise(True)
-                button.clicked.connect(lambda _=False, slot=slot: slot())
+            for button in line:
                 row.addWidget(button)
             row.addStretch(1)
             column.addLayout(row)
+        self.least = wide
+
+    def fit(self, window: int) -> None:
+        """As wide as a window of this width [px] gives it, and its buttons need."""
+        self.setFixedWidth(max(self.least, WIDE if window >= WIDE_FROM else WIDTH))
 
     def show_rows(self, rows: list[Row]) -> None:
         """The rows in place of those before; the chosen one stays chosen, what was open stays open."""
@@ -287,7 +304,9 @@ class ProjectTree(QFrame):
 
     @staticmethod
     def _fill(item: QTreeWidgetItem, row: Row) -> None:
-        item.setText(0, f"{row.text} {row.chip}".strip())  # for a screen reader; the delegate paints
+        item.setText(
+            0, f"{row.text} {theme.marked(row.tone, row.chip)}".strip()
+        )  # for a screen reader; the delegate paints
         item.setToolTip(0, row.text)
         item.setData(0, Qt.ItemDataRole.UserRole, row)
 

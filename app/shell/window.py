@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from app.input.fields import Field
 from app.look import language, theme
+from app.look.focus import FocusFrame
 from app.look.language import tr
 from app.look.parts import Parts
 from app.shell import menus, stages, tabs, tree
@@ -51,6 +52,7 @@ class MainWindow(StagedWindow):
         self.files = Files(self, self.session, settings)
         self.preparation = Preparation(self)
         self.parts = Parts(self)
+        self.focus_frame = FocusFrame(self)
         self.finished_runs = Memory()
         self.build()
         geometry = settings.value("geometry")
@@ -137,16 +139,12 @@ class MainWindow(StagedWindow):
         walls = self.walls
         self.tree.set_buttons(
             [
-                [
-                    (tr("+ wall"), tr("Add a wall"), lambda: self._then_input(walls.add)),
-                    (tr("+ variant"), tr("The wall as it is and, beside it, to be changed"), walls.add_variant),
-                    (tr("copy"), tr("Copy this wall"), walls.duplicate),
-                ],
-                [
-                    (tr("paste"), tr("Paste rows copied from Excel"), walls.paste),
-                    (tr("table…"), tr("Read walls from .xlsx or .csv"), walls.load_table),
-                    (tr("delete"), tr("Delete this wall"), walls.delete),
-                ],
+                (tr("+ wall"), tr("Add a wall"), lambda: self._then_input(walls.add)),
+                (tr("+ variant"), tr("The wall as it is and, beside it, to be changed"), walls.add_variant),
+                (tr("copy"), tr("Copy this wall"), walls.duplicate),
+                (tr("paste"), tr("Paste rows copied from Excel"), walls.paste),
+                (tr("table…"), tr("Read walls from .xlsx or .csv"), walls.load_table),
+                (tr("delete"), tr("Delete this wall"), walls.delete),
             ]
         )
         self.tree.chosen.connect(self.choose_row)
@@ -161,14 +159,11 @@ class MainWindow(StagedWindow):
         row.addWidget(self.stages, 1)
         column.addLayout(row, 1)
         self.setCentralWidget(centre)
-        self._tree_width()
-
-    def _tree_width(self) -> None:
-        self.tree.setFixedWidth(tree.WIDE if self.width() >= tree.WIDE_FROM else tree.WIDTH)
+        self.tree.fit(self.width())
 
     def resizeEvent(self, event) -> None:
         super().resizeEvent(event)
-        self._tree_width()
+        self.tree.fit(self.width())
 
     def _validation(self) -> ValidationTab:
         tab = ValidationTab()

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QVBoxLayout, QWidget
 
 from app.look import theme
 from app.look.language import named, number, tr
+from app.look.whole_text import tell_whole
 from app.views.chart import Chart
 from app.views.hatch import Hatch, hatched_square
 from core.capacity.fragility import fragility_curve
@@ -41,6 +42,7 @@ class CapacityTab(QWidget):
         choices, top = QHBoxLayout(), QHBoxLayout()
         for box in (self.record, self.other):
             box.setMinimumWidth(60)
+            tell_whole(box)
             choices.addWidget(box, 1)
         top.addWidget(self.peaks, 1)
         top.addWidget(self.fragility, 1)
@@ -129,8 +131,7 @@ class CapacityTab(QWidget):
     def _overlay(self, result: StudyResult, wall: WallResult) -> None:
         """All records, with mean and scatter as long as none has overturned."""
         found = [_peaks(result, wall, run) for run in wall.runs]
-        for run, (q, ratio) in zip(wall.runs, found, strict=True):
-            self.peaks.curve(_name(run), q, ratio, 6, 0.8, legend=False)
+        self.peaks.bundle([_name(run) for run in wall.runs], found)
         first = min((q[np.isnan(ratio)][0] if np.isnan(ratio).any() else q[-1]) for q, ratio in found)
         low = max(q[0] for q, _ in found)
         if first > low:

@@ -1,7 +1,7 @@
 """One chart: curves with names and units, values under the cursor, copy, PNG, SVG, PDF, CSV (always light)."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 import pyqtgraph as pg
@@ -34,10 +34,11 @@ class Chart(ChartOutput):
         self.labels, self.name = (x, y), name
         self.setAccessibleName(name)
         self.view = pg.PlotWidget(axisItems={side: Axis(side) for side in ("bottom", "left")})
+        self.view.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # the keys reach the chart by its menu
         self.plot = self.view.getPlotItem()
         self.plot.showGrid(x=True, y=True, alpha=0.25)
         self.beside, self.live = legend == "beside", live
-        self.legend = self.plot.addLegend(labelTextSize="9pt")
+        self.legend = self.plot.addLegend(labelTextSize=theme.points(1.0).split()[1].rstrip(";"))
         self.legend.setParentItem(self.plot)
         self.legend.anchor((1, 0), (1, 0), (0, 8 if self.beside else 0))
         self.ranges: dict[str, tuple[float, float]] = {}
@@ -112,6 +113,17 @@ class Chart(ChartOutput):
         self._keep(item, color, width, dash, False)
         self.data.append((name, x, y))
         return item
+
+    def bundle(self, names: Sequence[str], lines: Sequence[tuple], color=6, width=0.8) -> None:
+        """Lines (x, y) drawn as one item, without entries: items of their own would hold up the hand that types."""
+        known = [(numbers(x), numbers(y)) for x, y in lines]
+        if known:
+            x, y = (np.concatenate([np.append(one[k], np.nan) for one in known]) for k in (0, 1))
+            item = pg.PlotDataItem(x, y, connect="finite")
+            self.plot.addItem(item)
+            self._keep(item, color, width, False, False)
+        self.extents += known
+        self.data += [(name, *one) for name, one in zip(names, known, strict=True)]
 
     def points(self, name: str, x, y, color=0, size=8, legend=True, symbol="o", values=None) -> pg.PlotDataItem:
         """Marks without a line. values : what the CSV holds in the place of y, no number where there is none."""

@@ -60,6 +60,13 @@ def zetas_of(result: StudyResult, wall: WallResult) -> list[tuple[float, float |
     return [(hinge, min(known, default=None)) for hinge, known in sorted(zetas.items())] if len(zetas) > 1 else []
 
 
+class Whole(QWidget):
+    """A page that scrolls rather than cut its words: as high as they need, not as the chart would like."""
+
+    def heightForWidth(self, width: int) -> int:
+        return self.layout().minimumHeightForWidth(width)
+
+
 class CheckTab(QWidget):
     """The verdict of a wall in one line, what is to be done and what limits it, the ladder of checks, the wall with the
     zeta of each hinge, the peaks at the demand, four facts of trust; the table and the comparisons by a click."""
@@ -118,8 +125,9 @@ class CheckTab(QWidget):
         self.split.setMinimumHeight(MIN_HEIGHT)
         self.facts = QLabel()
         self.facts.setTextFormat(Qt.TextFormat.RichText)
+        self.facts.setWordWrap(True)
         self.facts.setAccessibleName(tr("Why the result may be trusted"))
-        page = QWidget()
+        page = Whole()
         layout = QVBoxLayout(page)
         layout.setContentsMargins(6, 6, 6, 4)
         layout.addWidget(self.banner)
@@ -172,7 +180,7 @@ class CheckTab(QWidget):
             return
         verdict = assessment.verdict
         self.heading.setText(f"{wall.name}: {word(verdict.code, self.language)}, ζ {digits(verdict.zeta_e)}")
-        self.heading.setStyleSheet(f"font-size: 16pt; font-weight: 700; color: {shade};")
+        self.heading.setStyleSheet(f"{theme.points(1.75)} font-weight: 700; color: {shade};")
         self.sentence.setText(sentence_of(result, wall, self.language))
         important = lines_of(result, wall, self.language, ("to_do", "limits"))
         important += [one for one in self._warnings(result, wall) if not any(one in line for line in important)]

@@ -1,6 +1,8 @@
 """A chart as a figure for a report: as wide as asked, light, with a caption below it."""
 
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 
 from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QRect, QSize, QSizeF, Qt
@@ -35,30 +37,13 @@ class FigureSize:
 
 def figure(chart, end: str, size: FigureSize) -> bytes:
     """The file .png, .svg or .pdf of a chart. Raises OutputError."""
-    density = SCREEN * max(1.0, NARROW / size.width)
-    wide = round(size.width / MM_PER_INCH * density)
-    whole, lines = QSize(wide, round(SHAPE * wide)), []
-    if size.caption:
-        lines = [f"{chart.name}. {chart.caption}" if chart.caption else chart.name]
-    lines += stale_line(chart)
-    page = _page(whole, lines)
-    room = QBuffer()
-    room.open(QIODevice.OpenModeFlag.WriteOnly)
-    old, ranges, box = chart.view.size(), chart.plot.viewRange(), chart.plot.vb
-    box.blockLink(True)  # a linked chart of another width would move the axis
-    chart.layout().setEnabled(False)  # behind another tab, painting would give the view its old size
-    try:
-        chart.view.resize(whole)
-        chart.fit()
-        chart.plot.layout.activate()
-        box.setRange(xRange=ranges[0], yRange=ranges[1], padding=0)
-        if end == ".png":
-            image = picture(chart, whole, lines, size.dpi / density)
-            image.setDotsPerMeterX(round(size.dpi / MM_PER_INCH * 1000.0))
-            image.setDotsPerMeterY(round(size.dpi / MM_PER_INCH * 1000.0))
-            if not image.save(room, "PNG"):
-                raise OutputError("picture_not_made")
-        elif end == ".svg":
+    if end == ".png":
+        return png(raster(chart, size))
+    with _laid_out(chart, size) as (whole, lines, density):
+        page = _page(whole, lines)
+        room = QBuffer()
+        room.open(QIODevice.OpenModeFlag.WriteOnly)
+        if end == ".svg":
             drawing = QSvgGenerator(QSvgGenerator.SvgVersion.Svg11)
             drawing.setOutputDevice(room)
             drawing.setSize(page)
@@ -67,15 +52,52 @@ def figure(chart, end: str, size: FigureSize) -> bytes:
             _paint(chart, drawing, whole, lines)
             # Qt writes whatever a text holds
             return _in_pixels(for_xml(bytes(room.data())).decode()).encode()
-        else:
-            _paint(chart, _pdf(room, page, density), whole, lines)
+        _paint(chart, _pdf(room, page, density), whole, lines)
+        return bytes(room.data())
+
+
+def raster(chart, size: FigureSize) -> QImage:
+    """The figure in pixels, for `png`."""
+    with _laid_out(chart, size) as (whole, lines, density):
+        image = picture(chart, whole, lines, size.dpi / density)
+    image.setDotsPerMeterX(round(size.dpi / MM_PER_INCH * 1000.0))
+    image.setDotsPerMeterY(round(size.dpi / MM_PER_INCH * 1000.0))
+    return image
+
+
+def png(image: QImage) -> bytes:
+    """Its file, in any thread. Raises OutputError."""
+    room = QBuffer()
+    room.open(QIODevice.OpenModeFlag.WriteOnly)
+    if not image.save(room, "PNG"):
+        raise OutputError("picture_not_made")
+    return bytes(room.data())
+
+
+@contextmanager
+def _laid_out(chart, size: FigureSize) -> Iterator[tuple[QSize, list[str], float]]:
+    """The chart in the size of a figure, and back: size of its view, lines below it, pixels an inch of the layout."""
+    density = SCREEN * max(1.0, NARROW / size.width)
+    wide = round(size.width / MM_PER_INCH * density)
+    whole, lines = QSize(wide, round(SHAPE * wide)), []
+    if size.caption:
+        lines = [f"{chart.name}. {chart.caption}" if chart.caption else chart.name]
+    lines += stale_line(chart)
+    old, ranges, box = chart.view.size(), chart.plot.viewRange(), chart.plot.vb
+    box.blockLink(True)  # a linked chart of another width would move the axis
+    chart.layout().setEnabled(False)  # behind another tab, painting would give the view its old size
+    try:
+        chart.view.resize(whole)
+        chart.fit()
+        chart.plot.layout.activate()
+        box.setRange(xRange=ranges[0], yRange=ranges[1], padding=0)
+        yield whole, lines, density
     finally:
         chart.view.resize(old)
         chart.fit()
         box.setRange(xRange=ranges[0], yRange=ranges[1], padding=0)
         box.blockLink(False)
         chart.layout().setEnabled(True)
-    return bytes(room.data())
 
 
 _GROUP = re.compile(r'transform="matrix\(([^)]*)\)"([^>]*>)(.*?)</g>', re.DOTALL)

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 
 from app.look.drawing import WallDrawing
 from app.look.language import current_language, named, number, tr
+from app.look.whole_text import tell_whole
 from app.views.chart import Chart
 from core.capacity.ida import multiplier_of, threshold_of
 from core.codes.dynamic_check import at_demand
@@ -91,6 +92,8 @@ class HistoriesTab(QWidget):
         for name, speed in (("1×", 1.0), ("½×", 0.5), ("¼×", 0.25), ("1⁄10×", 0.1)):
             self.speed.addItem(name, speed)
         self.speed.activated.connect(lambda _: self._again_from_here())
+        for box in (self.record, self.preset, self.other):
+            tell_whole(box)
         self._lay_out()
         self.timer = QTimer(self)
         self.timer.setInterval(33)

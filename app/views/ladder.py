@@ -40,7 +40,7 @@ class Ladder(QWidget):
 
     def show_rungs(self, rungs: Sequence[Rung], target: float) -> None:
         self.rungs, self.target = list(rungs), target
-        said = [f"{rung.name} ζ {number(rung.zeta, '.2f')}, {rung.values}" for rung in self.rungs]
+        said = [f"{one.name} ζ {theme.marked(one.tone, number(one.zeta, '.2f'))}, {one.values}" for one in self.rungs]
         self.setAccessibleName("; ".join([tr("Checks, ζ required {zeta:.2f}", zeta=target), *said]))
         self.setToolTip("\n".join(said))
         self.updateGeometry()
@@ -93,7 +93,7 @@ class Ladder(QWidget):
             painter.fillRect(bar, shade)
             painter.setFont(bold if rung.decides else self.font())
             painter.setPen(QColor(getattr(theme.current, rung.tone)))
-            words = number(rung.zeta, ".2f")
+            words = theme.marked(rung.tone, number(rung.zeta, ".2f"))
             at = QPointF(bar.right() + 6.0, bar.center().y() + 0.35 * metrics.height())
             wide = painter.fontMetrics().horizontalAdvance(words)
             if at.x() - 4.0 < line < at.x() + wide + 4.0:  # beside the line, not on it

@@ -18,6 +18,9 @@ from core.study.results import StudyResult, WallResult
 from core.text.sentence import word
 from core.units import CM, G
 
+PERIODS = np.linspace(0.0, 4.0, 401)
+"""At which a target is drawn [s]."""
+
 
 class IntensityTab(QWidget):
     """q_eff against SI: points, power law, Eq. 15/16 with a band of 20 %."""
@@ -124,6 +127,10 @@ class SpectraTab(QWidget):
         layout.addWidget(self.words)
         layout.addWidget(split, 1)
         self.known: dict[str, np.ndarray] = {}
+        self.drawn: tuple | None = None
+        self.of = -1
+        self.rules_shown = self.floor_shown = None
+        self._show_floor(None)
 
     def _show_floor(self, floor) -> None:
         """The consistency of the code with the records at the floor."""
@@ -138,13 +145,30 @@ class SpectraTab(QWidget):
             self.floor.curve(tr("mean of the floors"), CHART_PERIODS, floor.mean_spectrum / G, 0, 2.4)
         self.floor.reset()
 
-    def show_records(self, motions, target, rules, floor=None) -> None:
+    def show_records(self, motions, target, rules, floor=None, of: int = -1) -> None:
         """motions : as loaded
         target : of the demand or None
         rules : Compliance or None
         floor : Floor of a wall above the ground
+        of : index of the wall shown; another one shows the curves whole
         """
-        self._show_floor(floor)
+        wanted = target and (target.name, target.acceleration(PERIODS).tobytes())
+        drawn = [(motion.name, motion.samples_sha256) for motion in motions], wanted
+        if floor is not self.floor_shown:
+            self._show_floor(floor)
+            self.floor_shown = floor
+        if drawn != self.drawn:  # else a key typed costs the curves of all records
+            self.drawn = drawn
+            self._show_spectra(motions, target)
+        elif of != self.of:
+            self.chart.reset()
+        self.of = of
+        if rules is not self.rules_shown:
+            self._show_rules(rules)
+            self.rules_shown = rules
+
+    def _show_spectra(self, motions, target) -> None:
+        """Of the records, their mean, the target."""
         self.chart.clear()
         spectra = []
         for motion in motions:
@@ -154,15 +178,15 @@ class SpectraTab(QWidget):
             spectra.append(self.known[key] / G)
         region = pg.LinearRegionItem((0.1, 2.5), movable=False, brush=pg.mkBrush(128, 128, 128, 18))
         self.chart.add(region)
-        for motion, values in zip(motions, spectra, strict=True):
-            self.chart.curve(motion.name, HOUSNER_PERIODS, values, 6, 0.8, legend=False)
+        self.chart.bundle([motion.name for motion in motions], [(HOUSNER_PERIODS, values) for values in spectra])
         if spectra:
             self.chart.curve(tr("mean of the records"), HOUSNER_PERIODS, np.mean(spectra, axis=0), 0, 2.4)
         if target is not None:
-            periods = np.linspace(0.0, 4.0, 401)
-            self.chart.curve(tr("target: {name}", name=target.name), periods, target.acceleration(periods) / G, 1, 2.4)
+            self.chart.curve(tr("target: {name}", name=target.name), PERIODS, target.acceleration(PERIODS) / G, 1, 2.4)
         self.words.setText(tr("SI is the area under the pseudo-velocity from 0.1 to 2.5 s (shaded)."))
         self.chart.reset()
+
+    def _show_rules(self, rules) -> None:
         rows, colors = [], []
         for rule in rules.rules if rules else ():
             percent = 100.0 if rule.unit == "%" else 1.0

@@ -34,6 +34,8 @@ def figure_chart(figure: Figure) -> QWidget:
         if series.look in (POINTS, LINE_POINTS):
             symbol = SYMBOLS[marker_of(figure, k) % len(SYMBOLS)]
             chart.points(series.name, series.x, series.y, series.color, 7, legend=named, symbol=symbol)
+            if series.look == LINE_POINTS:
+                chart.data.pop()  # its line has them
     chart.reset()
     return _with_note(chart, figure.note)
 

@@ -31,6 +31,7 @@ class Table(QTableWidget):
         super().__init__(0, len(heads))
         self.wraps, self.fitted = wraps, 0
         self.setAccessibleName(name)
+        self.setTabKeyNavigation(False)  # the arrows go from cell to cell, Tab leaves
         self.setHorizontalHeaderLabels(heads)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.verticalHeader().hide()

@@ -2,7 +2,6 @@
 
 import contextlib
 import hashlib
-import json
 import os
 import secrets
 import time
@@ -13,6 +12,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import BinaryIO
 
+from app.work import recovery
 from core import atomic_write
 from core.case.problems import problems
 from core.case.reader import read_case, read_toml
@@ -324,17 +324,12 @@ class Session:
             self.drop_recovery_file()
             return
         with contextlib.suppress(OSError, InputError):
-            content = {
-                "path": str(self.path) if self.path else None,
-                "base_dir": str(self.base_dir),
-                "case": self._text(self.case)[0],
-            }
+            text = self._text(self.case)[0]
             self._hold()
-            atomic_write.write({self.recovery_file: json.dumps(content).encode()})
+            recovery.keep(self.recovery_file, text, self.path, self.base_dir)
 
     def drop_recovery_file(self) -> None:
-        with contextlib.suppress(OSError):
-            self.recovery_file.unlink(missing_ok=True)
+        recovery.drop(self.recovery_file)
 
     def close(self) -> None:
         """The session ends: its lock goes, and its recovery files are anybody's."""
@@ -347,14 +342,9 @@ class Session:
             self._lock_file = None
 
     def recoverable(self) -> list[Path]:
-        """Swap files whose session is gone, the newest first."""
-        files = []
-        with contextlib.suppress(OSError):
-            for path in self.recovery_folder.glob("*.swap"):
-                token = path.stem.rsplit("-", 1)[-1]
-                if token != self.token and path.is_file() and not self._in_use(token):
-                    files.append((path.stat().st_mtime, path))
-        return [path for _, path in sorted(files, key=lambda entry: -entry[0])]
+        """Recovery files whose session is gone, the newest first; each stands for its last states."""
+        tokens = {file: file.stem.rsplit("-", 1)[-1] for file in recovery.files(self.recovery_folder)}
+        return [file for file, token in tokens.items() if token != self.token and not self._in_use(token)]
 
     def _in_use(self, token: str) -> bool:
         """Whether the session of this token still holds its lock."""
@@ -369,34 +359,16 @@ class Session:
             return True
         return False
 
-    @staticmethod
-    def describe(file: Path) -> str:
-        """Of which file a recovery file is, and from when."""
-        when = time.strftime("%Y-%m-%d %H:%M", time.localtime(file.stat().st_mtime))
-        with contextlib.suppress(OSError, ValueError, KeyError, TypeError, RecursionError):
-            return f"{json.loads(file.read_text(encoding='utf-8'))['path'] or ''} {when}".strip()
-        return when
-
     def recover(self, file: Path) -> None:
-        """Take over the case of a recovery file; the file it belongs to is untouched, and what cannot be read stays
-        where it is. Raises InputError."""
-        try:
-            content = json.loads(file.read_text(encoding="utf-8"))
-            table = tomllib.loads(content["case"])
-            base = Path(content["base_dir"])
-            path = Path(content["path"]) if content["path"] else None
-            if "\0" in f"{path}{base}":
-                raise ValueError(repr(path))
-            case, saved = draft_case(table), Case()
-            if path and path.exists():
-                with contextlib.suppress(InputError):
-                    saved = read_case(path)
-        except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError, OverflowError) as error:
-            raise InputError("autosave_unreadable", reason=str(error)[:200], place=(file,)) from None
-        self._start(case)
-        self.saved, self.path, self.base_dir = saved, path, base
+        """Take over the case of a recovery file, its newest state that reads; the file it belongs to is untouched, and
+        what cannot be read stays where it is. Raises InputError."""
+        draft, saved = recovery.newest(file), Case()
+        with contextlib.suppress(InputError, OSError, ValueError):
+            if draft.path and draft.path.exists():
+                saved = read_case(draft.path)
+        self._start(draft.case)
+        self.saved, self.path, self.base_dir = saved, draft.path, draft.base_dir
         self.autosave()  # before the other goes: a kill in between loses nothing
         if self.recovery_file.is_file() or not self.dirty:
-            with contextlib.suppress(OSError):
-                file.unlink(missing_ok=True)
+            recovery.drop(file)
         self.changed()

@@ -179,15 +179,17 @@ def accuracy(
     Raises Cancelled, and OutputError without scipy.
     """
     require("accuracy")
-    # a wall with bars is taken by the series of order 8, whatever is asked for
-    method = METHODS["taylor"] if model.bars else resolve_auto(method, model, motion.time_step)
+    # a wall with bars, or of unlike sides, is taken by the series of order 8, whatever is asked for
+    method = (
+        METHODS["taylor"] if model.bars or model.other is not None else resolve_auto(method, model, motion.time_step)
+    )
 
     def searched(ground, asked: Search, by: Method) -> Ida:
         return incremental_dynamic_analysis(ground, motion.time_step, motion.pga, polarity, model, by, asked, cancelled)
 
     scale = polarity * multiplier_of(ida.bracket[0], motion.pga, threshold_of(model))
     points, q_reference = [], None
-    if not model.bars:
+    if not model.bars and model.other is None:
         theta = truth(motion, scale, model, cancelled)
         for each in methods(model):
             if cancelled():

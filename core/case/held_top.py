@@ -2,6 +2,7 @@
 
 from core.codes.vertical_bending import bending, bent_inward
 from core.errors import InputError, place
+from core.wall.wall_body import SHORT_FORMS
 
 ON_TOP = 1e-6
 """How near to the top of the wall a load is on it [of H]."""
@@ -15,6 +16,9 @@ def check_held_top(wall) -> None:
     if not wall.bends:
         return
     here = (place("wall", name=wall.name),)
+    for key in ("solid", "return_wedges", *SHORT_FORMS):
+        if getattr(wall, key):
+            raise InputError("bending_rectangle", place=here, key=key)
     for key in OF_HISTORIES:
         if getattr(wall, key) is not None:
             raise InputError("bending_no_histories", place=here, key=key)

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 
 from core.case.schema import Case, Wall
 from core.case.site import Building
+from core.case.solids import above
 from core.errors import InputError, place
 from core.wall.wall_loads import loads_above
 
@@ -111,11 +112,12 @@ def above_hinge(wall: Wall, hinge: float) -> Wall:
     name = named_above(wall.title, hinge)
     if hinge == 0.0:
         return replace(wall, name=name, hinge_heights=None)
+    changes = {"thickness_m": wall.thickness} | above(wall, hinge)
     return replace(
         wall,
+        **changes,
         name=name,
         height_m=wall.height_m - hinge,
-        thickness_m=wall.thickness,
         slenderness_deg=None,
         height_over_thickness=None,
         base_z_m=None if wall.base_z_m is None else wall.base_z_m + hinge,

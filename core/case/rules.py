@@ -12,9 +12,11 @@ from core.case.keys import is_required
 from core.case.schema import Analysis, Case, Generate, Record, Report, Wall
 from core.case.site import FULL_FACTOR, KNOWLEDGE, Building, Demand, Spectrum
 from core.case.values import SHOWN, are_ends, field_of, refuse_unknown, repeated, section_of, value_of
+from core.case.variant_of import expanded
 from core.codes.limits import check_return_period
 from core.errors import InputError, place, section
 from core.text.sentence import Quantity, sentence
+from core.wall.shape_rules import check_shape
 from core.wall.wall_loads import check_given, check_loads
 
 MIN_LETTERS = 3
@@ -41,12 +43,13 @@ TESTED_STRENGTH = (0.5, 10.0)
 """Compressive strengths of masonry [MPa] that tests give."""
 
 
-METHODS_WITH_TIES = ("auto", "taylor", "taylor_6")
+EXACT_METHODS = ("auto", "taylor", "taylor_6")
 """Methods that know a tie; all of them are then the one of order 8."""
 
 
 def parse_case(table: dict) -> Case:
     """The case of a mapping with the keys of the file; every rule is checked here, once."""
+    table = expanded(table)
     refuse_unknown(Case, table, "case", "case")
     title = value_of(field_of(Case, "title"), table.get("title", "Ribalta"))
     analysis = section_of(Analysis, table.get("analysis", {}), "analysis", section("[analysis]"))
@@ -98,6 +101,7 @@ def parse_case(table: dict) -> Case:
 def draft_case(table: dict) -> Case:
     """The case of a mapping that may not be complete: unknown keys are refused, values are taken as they
     are, a missing one is empty. For work in progress; `parse_case` decides what can run."""
+    table = expanded(table)
     refuse_unknown(Case, table, "case", "case")
 
     def part(cls, content, name):
@@ -150,6 +154,9 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
         if part.hinge and part.wall.name in names:
             raise InputError("same_name", key="name", wall=part.wall.name)
         check_loads(part.wall)
+        if part.hinge:
+            for mechanism in part.wall.mechanisms():
+                part.wall.restitution_of(mechanism)
     heights = {part.wall.felt_z_m for part in found if part.wall.above_ground}
     if len(heights) > 1:
         refuse_modes(case, min(heights), max(heights))
@@ -160,6 +167,7 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
 def check_wall(case: Case, wall: Wall) -> None:
     """Raise InputError for a wall that breaks a rule of its own or one with the rest of the case."""
     try:
+        check_shape(wall)
         wall.bare_block()
         check_given(wall)
         check_held_top(wall)
@@ -168,12 +176,7 @@ def check_wall(case: Case, wall: Wall) -> None:
         wall.moment_law()
     except InputError as error:
         raise error.at(place("wall", name=wall.name)) from None
-    if any(load.is_tie for load in wall.load):
-        if case.analysis.method not in METHODS_WITH_TIES:
-            found = case.analysis.method
-            raise InputError("tie_method", place=(section("[analysis]"),), key="method", found=found)
-        if case.analysis.accuracy:
-            raise InputError("tie_accuracy", place=(section("[analysis]"),), key="accuracy")
+    _check_exact(case, wall)
     if case.analysis.method == "linearised" and not wall.moment_law().is_rigid:
         raise InputError("linearised_is_rigid", place=(section("[analysis]"),), key="method", wall=wall.name)
     if case.building and (wall.base_z_m or 0.0) > case.building.height_m:
@@ -194,6 +197,21 @@ def check_wall(case: Case, wall: Wall) -> None:
         raise InputError(
             "restraint_unnamed", place=(place("wall", name=wall.name),), key="back_restraint", value=wall.back_restraint
         )
+
+
+def _check_exact(case: Case, wall: Wall) -> None:
+    """Refuse a method that has no bars and no unlike sides, and a statement of accuracy by such methods."""
+    method, here = case.analysis.method, (section("[analysis]"),)
+    if any(load.is_tie for load in wall.load):
+        if method not in EXACT_METHODS:
+            raise InputError("tie_method", place=here, key="method", found=method)
+        if case.analysis.accuracy:
+            raise InputError("tie_accuracy", place=here, key="accuracy")
+    if wall.is_unlike and "two_sided" in wall.mechanisms():
+        if method not in EXACT_METHODS:
+            raise InputError("unlike_method", place=here, key="method", found=method)
+        if case.analysis.accuracy:
+            raise InputError("unlike_accuracy", place=here, key="accuracy")
 
 
 def refuse_modes(case: Case, low: float, high: float) -> None:

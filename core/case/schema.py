@@ -7,11 +7,12 @@ from dataclasses import MISSING, asdict, dataclass, field, fields
 from core.case.keys import channel_key, choice_key, flag_key, key, number_key, paragraphs_key, path_key, text_key
 from core.case.loads import Load, ReturnWalls
 from core.case.site import Building, Demand
+from core.case.solids import Opening, Solid, Step, Wedges
 from core.codes.vertical_bending import bending
 from core.errors import InputError, place
 from core.rocking.methods import AUTO, METHODS
 from core.text.sentence import Key, sentence
-from core.wall import ties, wall_loads
+from core.wall import ties, wall_body, wall_loads
 from core.wall.bars import Bar
 from core.wall.block import Block
 from core.wall.loads import BARE, RestoringMoment
@@ -60,6 +61,8 @@ class WallJustification:
     restitution: str = text_key()
     law: str = text_key()
     return_walls: str = text_key()
+    return_wedges: str = text_key()
+    contact: str = text_key()
     free_element: str = text_key()
     base_z_m: str = text_key()
     elongation_m: str = text_key()
@@ -109,6 +112,11 @@ class Wall:
     notes: str = text_key(form="checks")
     load: tuple[Load, ...] = key("tables", (), of=Load, columns="load{n}_")
     return_walls: ReturnWalls | None = key("section", of=ReturnWalls, columns="across_")
+    solid: tuple[Solid, ...] = key("tables", (), of=Solid, columns="solid{n}_")
+    gable_m: float | None = number_key(0.1, 60.0, unit="m", form="body")
+    openings: tuple[Opening, ...] = key("tables", (), of=Opening, columns="opening{n}_")
+    steps: tuple[Step, ...] = key("tables", (), of=Step, columns="step{n}_")
+    return_wedges: Wedges | None = key("section", of=Wedges, columns="wedges_")
     tie_height_m: float | None = number_key(0.1, 60.0, unit="m", form="held")
     tie_bar_length_m: float | None = number_key(0.2, 100.0, unit="m", form="held")
     tie_elongation_m: float | None = number_key(0.0, 10.0, unit="m", form="held")
@@ -136,9 +144,11 @@ class Wall:
         loads, the triangle of stress under the wall about to turn."""
         if self.compressive_strength_mpa is None or self.thickness is None:
             return self.hinge_setback_m
-        weight = 1e3 * self.unit_weight_kn_m3 * self.thickness * self.height_m
+        weight = wall_loads.weight_per_metre(self)
         if self.load:
             weight += wall_loads.vertical_loads(self)
+        if wall_body.has_shape(self):
+            weight *= self.length_m / wall_body.base_length(self)
         return 2.0 * weight / (3.0 * 1e6 * self.compressive_strength_mpa)
 
     @property
@@ -146,12 +156,18 @@ class Wall:
         """W [N] of the wall, None without length and unit weight."""
         if None in (self.length_m, self.unit_weight_kn_m3, self.thickness):
             return None
-        return 1e3 * self.unit_weight_kn_m3 * self.thickness * self.height_m * self.length_m
+        return wall_loads.weight_per_metre(self) * self.length_m
 
     def block(self) -> Block:
         """The wall and the masses that move with it. Raises InputError for a wall without exactly one geometry."""
         bare = self.bare_block()
         return wall_loads.moving_block(self, bare) if self.load and not self.bends else bare
+
+    def inner_block(self) -> Block | None:
+        """`block` about the inner hinge, of a wall that is not symmetric."""
+        if self.bends:
+            return None
+        return wall_loads.inner_of(self, self.block()) if self.load or wall_body.has_shape(self) else None
 
     def restoring(self) -> tuple[RestoringMoment, RestoringMoment]:
         """What its loads add to its moment, for outward and for inward rotations; its ties add `bars`."""
@@ -166,9 +182,10 @@ class Wall:
         held at its top alpha_0."""
         if self.bends:
             return bending(self).alpha0
-        sides = self.restoring() if mechanism == "two_sided" else self.restoring()[:1]
-        tangent = math.tan(self.block().slenderness)
-        return min(side.sine * tangent + side.cosine for side in sides)
+        outer = self.block()
+        blocks = (outer, self.inner_block() or outer) if mechanism == "two_sided" else (outer,)
+        about = zip(blocks, self.restoring(), strict=False)
+        return min(side.sine * math.tan(block.slenderness) + side.cosine for block, side in about)
 
     def bare_block(self) -> Block:
         """The wall alone."""
@@ -178,7 +195,7 @@ class Wall:
         if self.radius_m is not None or self.inertia_over_mass_m2 is not None:
             if self.hinge_setback_m or self.compressive_strength_mpa is not None:
                 raise InputError("general_no_setback", place=(place("wall", name=self.name),))
-            if self.height_m is not None or given != ["slenderness_deg"]:
+            if self.height_m is not None or given != ["slenderness_deg"] or wall_body.has_shape(self):
                 raise InputError("general_keys", place=(place("wall", name=self.name),))
             if self.radius_m is None or self.inertia_over_mass_m2 is None:
                 raise InputError("general_needs", place=(place("wall", name=self.name),))
@@ -214,6 +231,8 @@ class Wall:
                 share=100 * MAX_SETBACK,
                 place=(place("wall", name=self.name),),
             )
+        if (body := wall_body.body_of(self)) is not None:
+            return body.about(setback)
         if setback == 0.0 and self.slenderness_deg is not None:
             return Block.rectangle(self.height_m, math.radians(self.slenderness_deg))
         return Block.with_setback(self.height_m, thickness, setback)
@@ -225,8 +244,15 @@ class Wall:
 
     @property
     def has_closed_forms(self) -> bool:
-        """Whether Eq. 15 and 16 say anything of it: fitted to walls on the ground without loads."""
-        return not self.above_ground and not self.load and not self.bends
+        """Whether Eq. 15 and 16 say anything of it: fitted to walls on the ground without loads; of a body by the
+        rectangle of the same p and alpha."""
+        bare = not self.load and not self.bends
+        return not self.above_ground and bare and not (self.is_unlike and "two_sided" in self.mechanisms())
+
+    @property
+    def is_unlike(self) -> bool:
+        """Whether it is another block about its inner hinge."""
+        return self.inner_block() is not None
 
     @property
     def above_ground(self) -> bool:
@@ -237,9 +263,9 @@ class Wall:
     def felt_z_m(self) -> float | None:
         """Height above the ground [m] at which its demand is taken: of its hinge, of a wall held at its top of its
         middle; None where it is not given."""
-        return (
-            self.base_z_m if self.base_z_m is None or not self.bends else self.base_z_m + 0.5 * (self.height_m or 0.0)
-        )
+        if self.base_z_m is None or not self.bends:
+            return self.base_z_m
+        return self.base_z_m + 0.5 * (self.height_m or 0.0)
 
     @property
     def bends(self) -> bool:

@@ -9,6 +9,7 @@ from types import SimpleNamespace
 
 from core.case.hinges import BASE, FLOORS
 from core.case.keys import is_required
+from core.case.number import parse_number
 from core.case.schema import MIN_ELASTIC, OWN_FIELDS
 from core.errors import InputError, section
 from core.file_names import is_text, name_of
@@ -18,6 +19,9 @@ from core.wall.moment_rotation import LAWS
 MAX_TEXT, MAX_PARAGRAPHS, MAX_PATH = 500, 4_000, 12_000
 """Characters of a text, of one of several lines and of a name of a file, each byte of which may take three
 (`names.key_of`)."""
+
+MOST_CORNERS = 2000
+"""Of a polygon."""
 
 SHOWN = 100
 """Characters of a value repeated in a sentence."""
@@ -183,6 +187,20 @@ def _hinges(entry, value, here):
     return tuple(sorted({float(h) for h in heights})) if fits else None
 
 
+def _polygon(entry, value, here):
+    """Corners as [[s, z], ...], or as text "s z; s z; ..." of a table."""
+    if isinstance(value, str):
+        try:
+            value = [[parse_number(part) for part in corner.split()] for corner in value.split(";") if corner.strip()]
+        except InputError:
+            return None
+    if not isinstance(value, (list, tuple)) or not 3 <= len(value) <= MOST_CORNERS:
+        return None
+    pairs = [c for c in value if isinstance(c, (list, tuple)) and len(c) == 2 and _are_numbers(c)]
+    fits = len(pairs) == len(value) and all(abs(number) <= 300.0 for corner in pairs for number in corner)
+    return tuple((float(s), float(z)) for s, z in pairs) if fits else None
+
+
 def _law(entry, value, here):
     if not are_ends(value):
         return value if isinstance(value, str) and value in LAWS else None
@@ -215,6 +233,7 @@ KINDS: dict[str, tuple[Callable, Callable]] = {
     ),
     "spectrum": (_spectrum, _said("table")),
     "hinges": (_hinges, _said("hinges", floors=FLOORS, base=BASE)),
+    "polygon": (_polygon, _said("polygon", most=MOST_CORNERS)),
     "law": (_law, _said("law", names=tuple(LAWS))),
 }
 """Kind of a key -> what reads its value (field, value, place), None where it is not accepted, and its words."""

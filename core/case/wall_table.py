@@ -342,6 +342,8 @@ def _heads(cells: list[str]) -> list[str | None]:
     keys = []
     for cell in cells:
         name = re.sub(r"\s*[\[(].*", "", cell).strip().lower()
+        if name.replace(" ", "_") in ("variant_of", "variante_di"):
+            raise InputError("variant_of_in_table", column=cell[:60])
         if name not in known:
             raise InputError("unknown_column", column=cell[:60], known=", ".join(columns()))
         if known[name] in keys:

@@ -4,6 +4,7 @@ import tomllib
 
 from core.case.rules import draft_case
 from core.case.schema import Case
+from core.case.variant_of import contracted
 from core.errors import InputError
 
 IDENTITY = {"wall": "name", "record": "file"}
@@ -47,7 +48,10 @@ def dumps(case: Case, before: str = "") -> str:
     plain.update(wanted)
     try:
         document = tomlkit.parse(before)
-        _merge(document, wanted, case.as_dict())
+        stated = (
+            {**wanted, "wall": contracted(wanted["wall"], document.get("wall", []))} if "wall" in wanted else wanted
+        )
+        _merge(document, stated, case.as_dict())
         text = tomlkit.dumps(document)
         if draft_case(tomllib.loads(text)) == draft_case(wanted):
             return text

@@ -21,7 +21,7 @@ from core.codes.kinematic_chain import Chain, chain, elastic_period_of_loads
 from core.codes.target_spectrum import GivenSpectrum
 from core.errors import InputError, place
 from core.units import G
-from core.wall import wall_loads
+from core.wall import wall_body, wall_loads
 
 PERIOD_FACTOR = {"SLV": 1.68 * math.pi, "SLC": 1.56 * math.pi}
 DAMPING = {"SLV": 0.08, "SLC": 0.10}
@@ -117,13 +117,15 @@ class Kinematic:
 
 def elastic_period(wall) -> float | None:
     """T_0 = kappa lambda L sqrt(W / (E g)) [s], C8.7.1.7, of the wall as a cantilever of length L = H,
-    lambda = L / t, W the unit weight, and the masses that move with it (a rule of ours, `elastic_period_of_loads`);
-    None where E, the unit weight or the rectangle is not given."""
+    lambda = L / t, W the unit weight, of a body by its base and `wall_body.period_share`, and the masses that move with
+    it (a rule of ours, `elastic_period_of_loads`); None where E, the unit weight or the rectangle is not given."""
     if None in (wall.elastic_modulus_mpa, wall.unit_weight_kn_m3, wall.height_m):
         return None
     weight, modulus = 1e3 * wall.unit_weight_kn_m3, 1e6 * wall.elastic_modulus_mpa
-    slender = wall.height_m / wall.thickness
-    alone = CANTILEVER * slender * wall.height_m * math.sqrt(weight / (modulus * G))
+    height = wall_body.top_of(wall) if wall_body.has_shape(wall) else wall.height_m
+    alone = CANTILEVER * height / wall.thickness * height * math.sqrt(weight / (modulus * G))
+    if wall_body.body_of(wall) is not None:
+        alone *= math.sqrt(wall_body.period_share(wall))
     return math.sqrt(alone**2 + elastic_period_of_loads(wall)) if wall.load else alone
 
 

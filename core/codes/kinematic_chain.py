@@ -12,7 +12,7 @@ import numpy as np
 
 from core.codes.vertical_bending import Bending, bending
 from core.units import G
-from core.wall import ties, wall_loads
+from core.wall import ties, wall_body, wall_loads
 from core.wall.bars import TieBar
 
 DRAGGED = 0.4
@@ -124,18 +124,15 @@ class Chain:
 
 def chain(wall, two_sided: bool) -> Chain:
     """The sums; of a two-sided wall the smaller alpha_0 and d_0 of its two sides."""
-    bare = wall.bare_block()
     if wall.bends:
-        found = bending(wall)
-        start = (found.alpha0, found.e_star, found.mass, found.d0, found.alpha0)
-        return Chain(bare.slenderness, bare.radius, *start, bending=found)
-    alpha0, e_star, d0 = math.tan(bare.slenderness), 1.0, bare.radius * math.sin(bare.slenderness)
-    mass, sums = None, None
-    if wall.unit_weight_kn_m3 is not None and wall.height_m is not None:
-        mass = wall_loads.weight_per_metre(wall) / G
-    if wall.load:
-        sums = _loaded(wall, bare, (1.0, -1.0) if two_sided else (1.0,))
-    sums = sums or Chain(bare.slenderness, bare.radius, alpha0, e_star, mass, d0, alpha0)
+        own, bare = bending(wall), wall.bare_block()
+        start = (own.alpha0, own.e_star, own.mass, own.d0, own.alpha0)
+        return Chain(bare.slenderness, bare.radius, *start, bending=own)
+    found = [of_side(wall, side) for side in ((1.0, -1.0) if two_sided else (1.0,))]
+    weaker = min(found, key=lambda side: side.d0)
+    alpha0, bare = (min(getattr(side, name) for side in found) for name in ("alpha0", "alpha0_bare"))
+    # the side that no tie holds decides
+    sums = replace(weaker, alpha0=alpha0, alpha0_bare=bare, ties=()) if two_sided else weaker
     if wall.return_walls is None or two_sided:  # they hold a wall that turns outward
         return sums
     parts = multipliers_with_friction(wall)
@@ -144,26 +141,33 @@ def chain(wall, two_sided: bool) -> Chain:
     return replace(sums, alpha0_friction=alpha, e_star_friction=share, mass_friction=of_part, friction_height=height)
 
 
-def _loaded(wall, bare, sides) -> Chain:
-    """The sums of a wall with loads, without the friction of return walls."""
+def of_side(wall, side: float) -> Chain:
+    """The sums about one hinge, 1.0 the outer one, without the friction of return walls."""
+    bare = wall.bare_block()
+    if side < 0.0:
+        bare = wall_loads.inner_of(wall, bare) or bare
+    if not wall.load:
+        alpha0, d0 = math.tan(bare.slenderness), bare.radius * math.sin(bare.slenderness)
+        mass = None
+        if wall.unit_weight_kn_m3 is not None and wall.height_m is not None:
+            mass = wall_loads.weight_per_metre(wall) / G
+        return Chain(bare.slenderness, bare.radius, alpha0, 1.0, mass, d0, alpha0)
     weight, (x, y) = wall_loads.weight_per_metre(wall), bare.centroid
     pushed = wall_loads.masses(wall)
     first = weight * y + sum(mass.mass * G * mass.height for mass in pushed)
     second = weight * y**2 + sum(mass.mass * G * mass.height**2 for mass in pushed)
     total = weight + sum(mass.mass * G for mass in pushed)
-    block, restoring = wall.block(), wall.restoring()
-    alpha0, alpha0_bare, lean = math.inf, math.inf, math.inf
-    for side in sides:
-        own = [wall_loads.as_force(load, wall, side) for load in wall.load if not load.is_tie]
-        forces = [wall_loads.as_force(load, wall, side) for load in wall.load]
-        alpha0 = min(alpha0, wall_loads.start_multiplier(weight, x, y, forces, pushed))
-        alpha0_bare = min(alpha0_bare, wall_loads.start_multiplier(weight, x, y, own, pushed))
-        lean = min(lean, restoring[0 if side > 0.0 else 1].lean)
+    own = [wall_loads.as_force(load, wall, side) for load in wall.load if not load.is_tie]
+    forces = [wall_loads.as_force(load, wall, side) for load in wall.load]
+    alpha0, alpha0_bare = (wall_loads.start_multiplier(weight, x, y, all_of, pushed) for all_of in (forces, own))
+    block, lean = wall.block(), wall.restoring()[0 if side > 0.0 else 1].lean
+    if side < 0.0:
+        block = wall.inner_block() or block
     e_star, reach = first**2 / (total * second), bare.radius * second / (y * first)
     found = Chain(bare.slenderness, reach, alpha0, e_star, total / G, 0.0, alpha0_bare)
     found = replace(found, d0=float(found.displacement(block.slenderness + lean)))
     bars = ties.counted(wall)
-    if not bars or len(sides) == 2:  # the side that no tie holds decides
+    if not bars or side < 0.0:
         return found
     with_ties = block.slenderness + wall_loads.restoring_with_ties(wall, block).lean
     return replace(
@@ -211,6 +215,9 @@ def multipliers_with_friction(wall) -> tuple[np.ndarray, ...]:
 
 def elastic_period_of_loads(wall) -> float:
     """Sum of T_i^2 = 4 pi^2 m_i h_i^3 / (3 E I) [s2] of the masses that move with a cantilever wall, I = t^3 / 12 per
-    metre: Dunkerley's rule adds it to the square of the period of the wall alone."""
+    metre, of a body on its base without openings: Dunkerley's rule adds it to the square of the period of the wall
+    alone."""
     stiffness = 1e6 * wall.elastic_modulus_mpa * wall.thickness**3 / 12.0
+    if wall_body.has_shape(wall):
+        stiffness *= wall_body.base_length(wall) / wall.length_m
     return sum(4.0 * math.pi**2 * mass.mass * mass.height**3 / (3.0 * stiffness) for mass in wall_loads.masses(wall))

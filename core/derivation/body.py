@@ -22,6 +22,11 @@ VELOCITY_RATIO = Given("velocity_ratio", "e", "–", 3, label="velocity ratio e 
 LOADS = {"load.n": "N", "load.f": "F", "load.d": "d", "load.h": "h", "load.q": "Q"}
 """Columns of the table of loads, with their symbols."""
 
+SOLIDS = {"solid.m": "M", "solid.x": "x", "solid.z": "z", "solid.i": "I"}
+"""Columns of the table of solids: mass, centroid from the outer face of the base, moment of inertia about it."""
+
+LENGTH = Given("length", "L", "m", 2, "0.00")
+
 TIES = {"load.t": "T", "load.l": "T_d"}
 """The same of a wall with ties: their force in alpha_0, and at the limit of the displacement check."""
 
@@ -52,6 +57,76 @@ def radius_with_setback(height, thickness, setback):
 @quantity("I0/m", "m²", "Fig. 1", name="inertia")
 def inertia_with_setback(height, thickness, radius):
     return (height**2 + thickness**2) / 12 + radius**2
+
+
+# a body of solids; x from the hinge the formulas are about
+
+
+@quantity("M", "kg", "", 1, "0.0")
+def body_mass(solids):
+    return sum(solid.m for solid in solids)
+
+
+@quantity("x_G", "m", "", 4)
+def x_g(solids, body_mass):
+    return sum(solid.m * solid.x for solid in solids) / body_mass
+
+
+@quantity("z_G", "m", "", 4)
+def z_g(solids, body_mass):
+    return sum(solid.m * solid.z for solid in solids) / body_mass
+
+
+@quantity("I_O", "kg m²", "", 1, "0.0")
+def i_o(solids):
+    return sum(solid.i for solid in solids)
+
+
+@quantity("I_G/M", "m²", "", 4)
+def i_g(i_o, body_mass, x_g, z_g):
+    return i_o / body_mass - x_g**2 - z_g**2
+
+
+@quantity("x", "m", "", 4, name="x")
+def x_of_body(x_g, setback):
+    return x_g - setback
+
+
+@quantity("x", "m", "", 4, name="x")
+def x_of_body_inward(thickness, setback, x_g):
+    return thickness - setback - x_g
+
+
+@quantity("y", "m", "", 4, name="y")
+def y_of_body(z_g):
+    return z_g
+
+
+@quantity("α", "°", "Fig. 1", 2, name="slenderness")
+def slenderness_of_body(x, y):
+    return arctan(x / y)
+
+
+@quantity("R", "m", "Fig. 1", name="radius")
+def radius_of_body(x, y):
+    return sqrt(x**2 + y**2)
+
+
+@quantity("I0/m", "m²", "Fig. 1", name="inertia")
+def inertia_of_body(i_g, radius):
+    return i_g + radius**2
+
+
+@quantity("W", "kN/m", "", 2, "0.000", name="w")
+def w_of_body(gravity, body_mass, length):
+    return gravity * body_mass / (1000 * length)
+
+
+@quantity("I0/m", "m²", "Fig. 1", name="inertia")
+def inertia_of_body_with_loads(w, i_g, x, y, loads):
+    return (w * (i_g + x**2 + y**2) + sum(load.q * (load.d**2 + load.h**2) for load in loads)) / (
+        w + sum(load.q for load in loads)
+    )
 
 
 # with loads

@@ -49,6 +49,7 @@ class Columns:
     """Loads or modes, one a row. symbols : of the columns, by the names of the formulas; units
     rows : (word or number that names it, values); source : INPUT or RUN
     shift : name of a cell that is taken off a column, by the column: d is entered from the face of the wall
+    cells : of each row the names of the cells of the workbook it shows, without the prefix of the wall
     """
 
     title: str
@@ -57,6 +58,7 @@ class Columns:
     rows: Sequence[tuple[str, Sequence[float]]]
     source: str
     shift: Mapping[str, str] = field(default_factory=dict)
+    cells: Sequence[Sequence[str]] = ()
 
 
 @dataclass(frozen=True)

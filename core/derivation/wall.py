@@ -8,158 +8,22 @@ import math
 
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.kinematic import DAMPING, PERIOD_FACTOR
+from core.codes.kinematic_chain import of_side
 from core.codes.risk import EXPONENT, exponent_by_ag
 from core.codes.target_spectrum import CodeSpectrum
 from core.derivation import bending, body, checks
+from core.derivation.geometry import forces_at_limit, governing_side, shown_block
 from core.derivation.line import FULL, INPUT, LIVE, NOT, RUN, SYMBOLS, VALUE, Columns, Line, Section, Word
 from core.derivation.quantity import Given
 from core.study.results import StudyResult, WallResult
 from core.units import G
-from core.wall import ties, wall_loads
-from core.wall.restitution import MODELS, housner_ratio, one_sided_ratio
-
-
-def governing_side(wall: WallResult) -> float:
-    """The hinge the formulas are written about: 1.0 the outer one, -1.0 the inner one where that is the weaker."""
-    tangent = math.tan(wall.block.slenderness)
-    outer, inner = (s.sine * tangent + s.cosine for s in (wall.model.restoring, wall.model.mirrored))
-    return -1.0 if not wall.model.one_sided and inner < outer else 1.0
+from core.wall import wall_body, wall_loads
 
 
 def sides_agree(wall: WallResult) -> bool:
-    """Whether the side that lifts first is the one that overturns first, so that d_0 is of the same formulas."""
-    model = wall.model
-    shown = model.restoring if governing_side(wall) > 0.0 else model.mirrored
-    return model.one_sided != 0.0 or shown.lean == model.lean
-
-
-def geometry(wall: WallResult) -> Section:
-    """The block: sizes, slenderness, radius, frequency parameter, uplift, velocity ratio."""
-    asked, block = wall.wall, wall.block
-    if asked.bends:
-        return bending.geometry(wall)
-    by_sizes = asked.height_m is not None and (asked.slenderness_deg is None or asked.setback > 0.0)
-    lines: list[Line | Columns] = []
-    if asked.load:
-        lines = _loaded(wall)
-    else:
-        lines = _sizes(wall) if block.is_rectangle or (asked.height_m and asked.setback) else []
-        alpha, degrees = body.SLENDERNESS, math.degrees(block.slenderness)
-        if asked.height_m and asked.setback:
-            alpha = body.slenderness_with_setback
-        elif block.is_rectangle and by_sizes:
-            alpha = body.slenderness_of_sizes
-        given = alpha is body.SLENDERNESS
-        lines.append(
-            Line(alpha, degrees, INPUT if given else LIVE, VALUE if given else FULL, "as given" if given else "")
-        )
-        if block.is_rectangle:
-            lines.append(Line(body.radius_of_rectangle, block.radius, note=FULL))
-        elif asked.height_m and asked.setback:
-            lines.append(Line(body.radius_with_setback, block.radius, note=FULL))
-            lines.append(Line(body.inertia_with_setback, block.inertia_over_mass))
-        else:
-            lines.append(Line(body.RADIUS, block.radius, INPUT, VALUE))
-            lines.append(Line(body.INERTIA, block.inertia_over_mass, INPUT))
-        if not block.is_rectangle:
-            lines.append(Line(body.equivalent_height, block.height))
-        p = body.p_of_rectangle if block.is_rectangle else body.p
-        lines.append(Line(p, block.frequency_parameter, note=FULL if block.is_rectangle else SYMBOLS))
-        lines.append(_uplift(body.a_rm, block.threshold_acceleration / G))
-    return Section("The block", [*lines, *_impacts(wall)])
-
-
-def _uplift(of: Given, value: float) -> Line:
-    return Line(of, value, LIVE, SYMBOLS, "acceleration that lifts the wall", run_name="a_rm_run")
-
-
-def _sizes(wall: WallResult) -> list[Line | Columns]:
-    """What the case gives."""
-    asked = wall.wall
-    lines: list[Line | Columns] = [Line(body.HEIGHT, wall.height, INPUT)]
-    if asked.slenderness_deg is None or asked.setback or asked.load:
-        lines.append(Line(body.THICKNESS, wall.thickness, INPUT))
-    if asked.setback or asked.load:
-        lines.append(Line(body.SETBACK, asked.setback, RUN if asked.compressive_strength_mpa else INPUT))
-    return lines
-
-
-def _loaded(wall: WallResult) -> list[Line | Columns]:
-    """A wall with loads up to a_RM, about the governing hinge."""
-    asked, block, model, side = wall.wall, wall.block, wall.model, governing_side(wall)
-    bare, restoring = asked.bare_block(), model.restoring if side > 0.0 else model.mirrored
-    where = "Loads, about the outer hinge" if side > 0.0 else "Loads, about the inner hinge"
-    rows = []
-    tied, at_limit = any(load.is_tie for load in asked.load), _forces_at_limit(wall)
-    counted = wall.assessment.kinematic.wall if wall.assessment and wall.assessment.kinematic else asked
-    for load in asked.load:
-        force = wall_loads.as_force(load, asked, side)
-        pushed = load.kn_m if load.pushes else 0.0
-        distance = force.distance + asked.setback  # entered from the face of this hinge: the formulas take off u
-        held = 1e-3 * force.horizontal if load.is_tie and load in counted.load else 0.0
-        constant = 0.0 if load.is_tie else 1e-3 * force.horizontal
-        values = (1e-3 * force.vertical, constant, distance, force.height, pushed)
-        of_tie = (held, at_limit.pop(0) if load.is_tie else 0.0) if tied else ()
-        rows.append((Word(f"load_{load.kind}"), (*values, *of_tie)))
-    units = ("kN/m", "kN/m", "m", "m", "kN/m", *(("kN/m", "kN/m") if tied else ()))
-    symbols = body.LOADS | body.TIES if tied else body.LOADS
-    return [
-        *_sizes(wall),
-        Line(body.UNIT_WEIGHT, asked.unit_weight_kn_m3, INPUT),
-        Line(body.w, 1e-3 * wall_loads.weight_per_metre(asked), note=FULL),
-        Line(body.x, bare.centroid[0]),
-        Line(body.y, bare.centroid[1]),
-        Columns(where, symbols, units, rows, INPUT, {"load.d": "setback"}),
-        Line(
-            body.slenderness_with_loads,
-            math.degrees(block.slenderness),
-            LIVE,
-            SYMBOLS,
-            "of the wall with the masses that move with it",
-        ),
-        Line(body.radius_with_loads, block.radius, note=SYMBOLS),
-        Line(body.inertia_with_loads, block.inertia_over_mass),
-        Line(body.p, block.frequency_parameter, note=SYMBOLS),
-        Line(body.a, restoring.sine),
-        Line(body.c, restoring.cosine),
-        Line(body.theta_c, block.slenderness + restoring.lean),
-        _uplift(body.a_rm_with_loads, model.threshold / G),
-    ]
-
-
-def _forces_at_limit(wall: WallResult) -> list[float]:
-    """What the displacement check counts of each tie at its limit [kN/m]."""
-    kinematic = wall.assessment.kinematic if wall.assessment else None
-    given = [load for load in wall.wall.load if load.is_tie]
-    if not (kinematic and kinematic.d_limit is not None and kinematic.chain.ties):
-        return [0.0 for _ in given]
-    theta = kinematic.chain.rotation(kinematic.d_limit)
-    forces = [tie.bar.force_at(theta) for tie in ties.ties_of(wall.wall)]
-    return [0.0 if load.slack_mm else 1e-3 * force for load, force in zip(given, forces, strict=True)]
-
-
-def _impacts(wall: WallResult) -> list[Line]:
-    """The velocity ratio, by its formula where the model has one."""
-    model, block = wall.restitution.model, wall.block
-    e, words = wall.restitution.ratio_at_rest, {"model": MODELS[model].source}
-    label = "velocity ratio of an impact: {model}"
-    if model not in body.RATIOS:
-        of = body.VELOCITY_RATIO
-        label = "velocity ratio of an impact: given" if model == "user" else label
-        return [Line(of, e, INPUT if model == "user" else RUN, VALUE, label, words=words)]
-    contact = wall_loads.contact_of(wall.wall)
-    if contact:
-        base, top = body.e_base_with_loads, body.e_top_with_loads
-        label = "velocity ratio of an impact: {model}, impacts of the wall with what moves with it"
-    elif block.is_rectangle:
-        base, top = body.e_base_of_rectangle, body.e_top_of_rectangle
-    else:
-        base, top = body.e_base_of_block, body.e_top_of_block
-    at_base = housner_ratio(block, contact)
-    lines = [Line(base, at_base)]
-    if MODELS[model].one_sided:
-        lines.append(Line(top, one_sided_ratio(block, contact) / at_base**2))
-    return [*lines, Line(body.RATIOS[model], e, LIVE, VALUE, label, body.VELOCITY_RATIO.label, words)]
+    """Whether the side that lifts first is the one whose d_0 is the smaller one, so that it is of the same formulas."""
+    asked = wall.assessment.kinematic.wall
+    return of_side(asked, governing_side(wall)).d0 == wall.assessment.kinematic.d0
 
 
 def chain(wall: WallResult) -> Section:
@@ -184,7 +48,9 @@ def chain(wall: WallResult) -> Section:
         lines.append(Line(checks.e_star_with_loads, sums.e_star, LIVE, SYMBOLS))
     else:
         alpha0 = checks.alpha0
-        if asked.height_m and asked.setback:
+        if wall_body.body_of(asked) is not None:
+            pass
+        elif asked.height_m and asked.setback:
             alpha0 = checks.alpha0_with_setback
         elif asked.height_m and asked.slenderness_deg is None:
             alpha0 = checks.alpha0_of_sizes
@@ -269,7 +135,10 @@ def _free(wall: WallResult, of_code: bool) -> list[Line | Columns]:
     """T_0 and S_e(T_0) of an element free to vibrate."""
     kinematic, asked = wall.assessment.kinematic, wall.wall
     lines: list[Line | Columns] = [Line(checks.MODULUS, asked.elastic_modulus_mpa, INPUT)]
-    if asked.load:
+    if wall_body.body_of(asked) is not None:
+        note = "of the section at the base, by Rayleigh's quotient over the mass of the body"
+        lines.append(Line(checks.T0_GIVEN, kinematic.period_0, RUN, VALUE, note))
+    elif asked.load:
         lines.append(Line(checks.period_0_with_loads, kinematic.period_0, note=SYMBOLS))
     else:
         lines.append(Line(body.UNIT_WEIGHT, asked.unit_weight_kn_m3, INPUT))
@@ -314,7 +183,7 @@ def displacement(result: StudyResult, wall: WallResult) -> Section:
             Line(checks.D0_WITH_TIES, kinematic.chain.d0_with_ties, RUN, VALUE, "not taken: a tie yields and breaks")
         ]
         a_limit = checks.a_limit_with_ties
-        held = sum(f * tie.bar.height for f, tie in zip(_forces_at_limit(wall), ties, strict=True))
+        held = sum(f * tie.bar.height for f, tie in zip(forces_at_limit(wall), ties, strict=True))
         of_ties = [Line(checks.th_limit, held, LIVE, SYMBOLS)]
     if kinematic.chain.bending is not None:
         of_ties, a_limit = bending.at_limit(wall), bending.a_limit
@@ -367,8 +236,10 @@ def dynamic(wall: WallResult) -> Section:
 def _centroid_at_collapse(wall: WallResult) -> Line:
     """Displacement of the centroid where nothing holds the wall any more."""
     bare, model = wall.wall.bare_block(), wall.model
-    restoring = model.restoring if governing_side(wall) > 0.0 else model.mirrored
-    turned = bare.slenderness - (wall.block.slenderness + restoring.lean)
+    restoring = model.restoring
+    if governing_side(wall) < 0.0:
+        bare, restoring = wall_loads.inner_of(wall.wall, bare) or bare, model.mirrored
+    turned = bare.slenderness - (shown_block(wall).slenderness + restoring.lean)
     return Line(checks.d_c, bare.radius * (math.sin(bare.slenderness) - math.sin(turned)), note=SYMBOLS)
 
 

@@ -30,7 +30,7 @@ from core.text.sentence import localized, numeral
 INK = "1F2D3D"
 ACCENT = "2B5C8A"
 GOOD = "1B6E4B"
-BAD = "B3421B"
+BAD = "A6192E"
 AMBER = "8A5A00"
 QUIET = "6B7785"
 LINE = "C9D1D9"

@@ -7,6 +7,7 @@ from core.derivation import closed_forms as eq
 from core.derivation import wall as of_wall
 from core.derivation.closed_forms import closed
 from core.derivation.faces import formula
+from core.derivation.geometry import geometry
 from core.derivation.site import demand_section
 from core.report.cells import (
     ACCELERATION,
@@ -80,7 +81,7 @@ def _wall(book: Book, sheet, result: StudyResult, wall: WallResult, demand: Rows
         for line in (*lines_of(result, wall, book.language), *tie_lines(wall, book.language)):
             row = paragraph(sheet, row, f"• {line}", 13, 150, color=QUIET)
     rows = Rows(book, sheet, result, cell_prefix(result, wall), demand)
-    row = rows.write(of_wall.geometry(wall), row)
+    row = rows.write(geometry(wall), row)
     if wall.per_record:
         row = _records(rows, wall, row + 1)
     row = rows.write(closed(wall), row)

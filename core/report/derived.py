@@ -69,6 +69,10 @@ class Rows:
             row += 1
             text(sheet, row, 1, self.phrases.read(label))
             for column, value in enumerate(values, start=2):
+                if columns.cells:
+                    live = f"={self.prefix}{columns.cells[row - first][column - 2]}"
+                    book.formula(sheet.cell(row, column), live, value, SIZE)
+                    continue
                 cell = number(sheet, row, column, value, SIZE)
                 if of_case:
                     fill(cell, INPUT_FILL)

@@ -13,7 +13,7 @@ from core.codes.record_compatibility import Compliance
 from core.file_names import shown
 from core.ground.ground_motion import GroundMotion
 from core.ground.provenance import provenance
-from core.report.json_walls import bending, limit_states, loads, tie_design, ties, variants, verdicts
+from core.report.json_walls import bending, body, limit_states, loads, tie_design, ties, variants, verdicts
 from core.report.steps import Steps
 from core.study.results import Q_SOURCES, Assessment, Run, StudyResult, WallResult
 from core.units import CM, G
@@ -380,6 +380,7 @@ def _wall(wall: WallResult, result: StudyResult) -> dict:
             for source, check in zip(Q_SOURCES, wall.code_check, strict=False)
         ],
         "scale_free_law": [asdict(estimate) for estimate in wall.estimates],
+        **body(wall),
         **loads(wall),
         **ties(wall),
         **tie_design(wall),

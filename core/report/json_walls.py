@@ -1,5 +1,7 @@
 """Keys of the results JSON that only some walls have: loads, ties, limit states, variants."""
 
+import math
+
 from core.codes.kinematic import Kinematic
 from core.report.tie_words import elongations
 from core.study.limit_states import STATES
@@ -9,6 +11,7 @@ from core.study.wall_verdict import deciding, where
 from core.text.sentence import Sentence
 from core.units import G
 from core.wall.ties import ties_of
+from core.wall.wall_body import body_of, parts_of
 
 
 def loads(wall: WallResult) -> dict:
@@ -111,6 +114,38 @@ def limit_states(wall: WallResult) -> dict:
             for one in wall.assessment.states
         ]
     }
+
+
+def body(wall: WallResult) -> dict:
+    """The key body of a wall that is no rectangle: about the outer edge of its base, without what it carries."""
+    found = body_of(wall.wall)
+    if found is None:
+        return {}
+    x, z = found.centroid
+    solids = [
+        {
+            "plane": part.plane,
+            "opening": part.weight < 0.0,
+            "wedge": part.wedge,
+            "polygon_m": [list(corner) for corner in part.polygon],
+            "from_m": part.ends[0],
+            "to_m": part.ends[1],
+            "x0_m": part.start,
+            "angle_deg": math.degrees(part.angle),
+            "unit_weight_kn_m3": abs(part.weight),
+            "mass_kg": part.body.mass,
+        }
+        for part in parts_of(wall.wall)
+    ]
+    about = {"mass_kg": found.mass, "x_g_m": x, "z_g_m": z, "i_o_kgm2": found.inertia}
+    if wall.model.other is not None:
+        far = wall.model.other
+        about["inner"] = {
+            "slenderness_deg": math.degrees(far.slenderness),
+            "frequency_parameter_rad_s": math.sqrt(far.p2),
+            "velocity_ratio": far.ratio_at_rest,
+        }
+    return {"body": about | {"solids": solids}}
 
 
 def verdicts(result: StudyResult) -> dict:

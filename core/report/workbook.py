@@ -2,7 +2,17 @@
 
 from openpyxl.worksheet.worksheet import Worksheet
 
-from core.report import check_sheet, demand_sheets, floor_sheet, input_sheet, plots, risk_sheet, sheets, summary_sheet
+from core.report import (
+    body_sheet,
+    check_sheet,
+    demand_sheets,
+    floor_sheet,
+    input_sheet,
+    plots,
+    risk_sheet,
+    sheets,
+    summary_sheet,
+)
 from core.report.cells import ACCENT, QUIET, Book
 from core.report.rows import follow_changes
 from core.report.steps import Steps
@@ -14,7 +24,7 @@ FIRST_PACKED = 5
 HISTORY_WALLS = 20
 """Walls whose histories and charts are drawn; the rest are listed."""
 
-SHARES = (19, 0, 1, 1, 2, 0, 9, 5, 0, 0, 0, 4, 1, 0)
+SHARES = (19, 0, 0, 1, 1, 2, 0, 9, 5, 0, 0, 0, 4, 1, 0)
 SAVING = 58
 """Hundredths of the writing that each sheet in its order, and the file, take with 400 walls."""
 
@@ -37,6 +47,7 @@ def build(result: StudyResult, histories: list[CollapseHistories], steps: Steps 
     book.workbook.remove(book.workbook.active)
     sheets_in_order = (
         check_sheet.check,
+        body_sheet.bodies,
         summary_sheet.summary,
         summary_sheet.overview,
         risk_sheet.risk,
@@ -54,6 +65,8 @@ def build(result: StudyResult, histories: list[CollapseHistories], steps: Steps 
     for sheet in book.steps.each(sheets_in_order, SHARES):
         if sheet is summary_sheet.overview and summary_sheet.lists_all(result):
             continue
+        if sheet is body_sheet.bodies and not body_sheet.has_bodies(result):
+            continue
         if sheet is risk_sheet.risk and not risk_sheet.has_risk(result):
             continue
         if sheet is floor_sheet.floors and not floor_sheet.floors_of(result):
@@ -62,7 +75,10 @@ def build(result: StudyResult, histories: list[CollapseHistories], steps: Steps 
         sheet(book, result)
         for made in book.workbook.worksheets[before:]:
             _finish(book, made)
-    # made first, for the others show its cells: it stands behind the results
+    # made first, for the others show its cells: it stands behind the results, its bodies behind it
+    if body_sheet.has_bodies(result):
+        place = book.workbook.sheetnames.index(book.say("Results"))
+        book.workbook.move_sheet(book.say("Bodies"), place - 1)
     place = book.workbook.sheetnames.index(book.say("Results"))
     book.workbook.move_sheet(book.say("Check"), place)
     return book

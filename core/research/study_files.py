@@ -15,7 +15,7 @@ from core.research.parametric import ParametricResult
 from core.units import CM, G
 from core.version import NAME, VERSION, commit
 
-PALETTE = ("#2B5C8A", "#B3421B", "#1B6E4B", "#8A5A00", "#6A3D9A", "#0F8B8D", "#C2185B", "#6B7785")
+PALETTE = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#666666", "#1F2D3D")
 """Colours of the series, told apart in print and by the colour-blind."""
 
 COLUMNS = (

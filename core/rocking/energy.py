@@ -15,7 +15,7 @@ def _fill(rotation, velocity, model, ratios):
         side = -1.0 if rotation[i] < 0.0 else 1.0
         seen = seen_from(model, side)
         barrier = potential(seen.slenderness + seen.restoring.lean, seen)
-        kinetic = 0.5 * velocity[i] * velocity[i] / model.p2
+        kinetic = 0.5 * velocity[i] * velocity[i] / seen.p2
         ratios[i] = (kinetic + potential(abs(rotation[i]), seen)) / barrier
 
 

@@ -53,6 +53,7 @@ def uplift_thresholds(model):
     if model.plateau_end == 0.0:
         tangent = math.tan(model.slenderness)
         right = G * (model.restoring.sine * tangent + model.restoring.cosine)
+        tangent = math.tan(seen_from(model, -1.0).slenderness)
         left = G * (model.mirrored.sine * tangent + model.mirrored.cosine)
     return right, math.inf if model.one_sided != 0.0 else left
 
@@ -111,6 +112,7 @@ def leave_impact(arriving, side, ground, model, thresholds):
     arriving : speed before it [rad/s], not negative
     side : of the pivot it fell back to
     ground : acceleration at that instant [m/s2]
+    model : RockingModel as that pivot sees it
     Returns (speed just after [rad/s], side just after, side from here on, moving, 1 if Eq. 7 was held at 0).
     """
     ratio, clamped = velocity_ratio(arriving, model)
@@ -122,6 +124,15 @@ def leave_impact(arriving, side, ground, model, thresholds):
     if speed == 0.0 and model.one_sided == 0.0:
         onward = uplift_side(ground, thresholds)
     return speed, after, onward, True, clamped
+
+
+@subkernel
+def carried(ratio, left, onward, other):
+    """Share of the energy over I0 p2 that an impact leaves [-]. left, onward : RockingModel as the hinges see it, of
+    which I0 p2 = m g R is the same, and p2, in a symmetric wall (other None)."""
+    if other is None:
+        return ratio * ratio
+    return ratio * ratio * left.p2 / onward.p2
 
 
 @subkernel
@@ -143,12 +154,14 @@ def end_of_record(phi, speed, peak, model):
         return COLLAPSED, peak
     if speed > 0.0:
         peak = max(peak, rotation_at_potential(energy, model))
-    # to the other side and, where loads make the sides differ, back
+    # to the other side and, where loads or shape make the sides differ, back
+    left = model
     for side in (-1.0, 1.0):
         swing = model if model.one_sided != 0.0 else seen_from(model, side)
-        impact_speed = math.sqrt(2.0 * model.p2 * energy)
-        ratio, _ = velocity_ratio(impact_speed, model)
-        energy *= ratio * ratio
+        impact_speed = math.sqrt(2.0 * left.p2 * energy)
+        ratio, _ = velocity_ratio(impact_speed, left)
+        energy *= carried(ratio, left, swing, model.other)
+        left = swing
         top = swing.slenderness + swing.restoring.lean
         if energy > potential(top, swing):
             return COLLAPSED, max(peak, top)

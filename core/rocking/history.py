@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.rocking import lane_scheduler, taylor, taylor_with_bars
+from core.rocking import lane_scheduler, taylor, taylor_two_hinges, taylor_with_bars
 from core.rocking.compared.comparison import integrate_comparison, scan_comparison
 from core.rocking.lane_scheduler import Grounds
 from core.rocking.methods import METHODS, NO_TABLE, TAYLOR, Method, resolve_auto
@@ -29,7 +29,8 @@ def scan(method: Method, ground, dt, scales, model, outcomes, peaks) -> np.ndarr
 
 
 def scan_records(method: Method, grounds: Grounds, which, scales, model, outcomes, peaks) -> np.ndarray:
-    """`scan` of several records of one time step. A wall with bars is always taken by the Taylor series of order 8.
+    """`scan` of several records of one time step. A wall with bars, and a two-sided body that
+    is not symmetric, is always taken by the Taylor series of order 8.
 
     Analyses of a ground that is no number or beyond MAX_GROUND end at once with BAD_INPUT.
 
@@ -52,6 +53,8 @@ def scan_records(method: Method, grounds: Grounds, which, scales, model, outcome
         return clamped
     if model.bars:
         return taylor_with_bars.scan(grounds, which, scales, model, outcomes, peaks)
+    if model.other is not None:
+        return taylor_two_hinges.scan(grounds, which, scales, model, outcomes, peaks)
     method = resolve_auto(method, model, grounds.dt)
     if method.code == TAYLOR:
         return lane_scheduler.scan(method.order, grounds, which, scales, model, outcomes, peaks)
@@ -126,8 +129,8 @@ def history(
             outcome, peak, impacts, clamped, done = taylor_with_bars.integrate(
                 ground, dt, scale, model, start, trace, times, velocities
             )
-        elif method.code == TAYLOR:
-            integrate = taylor.INTEGRATE[method.order]
+        elif method.code == TAYLOR or model.other is not None:
+            integrate = taylor.INTEGRATE[8 if model.other is not None else method.order]
             outcome, peak, impacts, clamped, done = integrate(ground, dt, scale, model, *wanted)
         else:
             outcome, peak, impacts, clamped, done = integrate_comparison(

@@ -89,6 +89,7 @@ def bounded_with(constants, pull):
         constants.strength + abs(pull.constant) + 4.0 * pull.spring,
         constants.sine_bound,
         constants.collapse,
+        constants.other,
     )
 
 

@@ -35,6 +35,7 @@ from core.rocking.taylor_polynomial import (
 from core.rocking.taylor_series import (
     SHORT_SERIES,
     InitialTerms,
+    constants_seen,
     initial_terms,
     sine_and_cosine,
     taylor_coefficients,
@@ -230,10 +231,10 @@ def through_sample(ground0, ground1, dt, model, constants, order, strongest, sta
             if t >= 1.0:
                 break
             state = BlockState(side, 0.0, 0.0, True, zone_of(0.0, model), state.peak, state.impacts, state.clamped)
-        seen = seen_from(model, state.side)
+        seen, own = seen_from(model, state.side), constants_seen(constants, constants.other, state.side)
         branch = moment_branch(state.zone, seen)
-        v, begun, part = converged_step(state, ground0, ground1, t, dt, branch, model, constants, order)
-        event = first_event(v, begun, state.phi, branch, constants)
+        v, begun, part = converged_step(state, ground0, ground1, t, dt, branch, seen, own, order)
+        event = first_event(v, begun, state.phi, branch, own)
         state, t = advance(state, v, part, event, t, dt)
         if event.crossing < 0.0:
             if state.phi > SHORT_SERIES and cannot_recover(state.phi, state.speed, strongest, seen):
@@ -241,7 +242,7 @@ def through_sample(ground0, ground1, dt, model, constants, order, strongest, sta
                 break
             continue
         if event.falls and branch[0] == 0.0:
-            state, hit = impact(state, ground0 + jump * t, model, constants)
+            state, hit = impact(state, ground0 + jump * t, seen, constants)
             break
         state = cross_kink(state, event, branch)
         kinks += 1

@@ -13,6 +13,7 @@ from core.jit.fma import fma
 from core.rocking.events import uplift_thresholds
 from core.rocking.taylor_bounds import SERIES_TOLERANCE, plus
 from core.units import G
+from core.wall.rocking_model import OtherSide, seen_from
 
 SHORT_SERIES = 0.8
 """Rotation up to which the short series of sin and cos holds to full precision [rad]."""
@@ -29,6 +30,7 @@ class WallConstants(NamedTuple):
     strength : bound of a and |c| together in bounds of the equation, 1 + |c| + max(a - 1, 0); 1 without loads [-]
     sine_bound : sin(alpha) + |c|/a, of both sides the larger one; sin(alpha) without loads [-]
     collapse : the smaller theta_c of both sides [rad]
+    other : OtherSide of the model
     """
 
     thresholds: tuple[float, float]
@@ -39,6 +41,7 @@ class WallConstants(NamedTuple):
     strength: float
     sine_bound: float
     collapse: float
+    other: OtherSide | None = None
 
 
 class InitialTerms(NamedTuple):
@@ -66,18 +69,41 @@ class InitialTerms(NamedTuple):
 @subkernel
 def wall_constants(model, dt):
     """WallConstants of a RockingModel and the time step of the record [s]."""
-    alpha = model.slenderness
-    tolerance = SERIES_TOLERANCE * alpha * min(1.0, 10.0 * dt * math.sqrt(model.p2))
-    one, other = model.restoring, model.mirrored
+    far = seen_from(model, -1.0)
+    slower = math.sqrt(min(model.p2, far.p2))
+    tolerance = SERIES_TOLERANCE * min(model.slenderness, far.slenderness) * min(1.0, 10.0 * dt * slower)
+    right, left = model.restoring, model.mirrored
     return WallConstants(
         uplift_thresholds(model),
-        math.tan(alpha),
-        math.sin(alpha),
-        math.cos(alpha),
+        math.tan(model.slenderness),
+        math.sin(model.slenderness),
+        math.cos(model.slenderness),
         tolerance,
-        max(largest_strength(one), largest_strength(other)),
-        math.sin(alpha) + max(abs(one.cosine) / one.sine, abs(other.cosine) / other.sine),
-        alpha + model.lean,
+        max(largest_strength(right), largest_strength(left)),
+        math.sin(max(model.slenderness, far.slenderness))
+        + max(abs(right.cosine) / right.sine, abs(left.cosine) / left.sine),
+        model.slenderness + model.lean,
+        model.other,
+    )
+
+
+@inner_kernel
+def constants_seen(constants, other, side):
+    """WallConstants as the pivot of this side sees them. other : OtherSide of them, None of a symmetric body"""
+    if other is None:
+        return constants
+    if side > 0.0:
+        return constants
+    return WallConstants(
+        constants.thresholds,
+        other.tangent,
+        other.sine,
+        other.cosine,
+        constants.tolerance,
+        constants.strength,
+        constants.sine_bound,
+        constants.collapse,
+        other,
     )
 
 

@@ -121,6 +121,7 @@ def with_thresholds(constants, thresholds):
         constants.strength,
         constants.sine_bound,
         constants.collapse,
+        constants.other,
     )
 
 

@@ -146,7 +146,8 @@ def _circumstances(wall: WallResult, motions, polarities, demand: DemandResult, 
 def _without_restraint(wall: WallResult) -> tuple[RockingModel, tuple[int, ...]]:
     """A one-sided wall as it rocks both ways where what restrains it fails, and the signs of its records."""
     free = restitution(wall.block, "housner", contact=contact_of(wall.wall))
-    model = rocking_model(wall.block, False, free, wall.law, wall.wall.restoring(), wall.wall.bars())
+    loads, bars, inner = wall.wall.restoring(), wall.wall.bars(), wall.wall.inner_block()
+    model = rocking_model(wall.block, False, free, wall.law, loads, bars, inner)
     return model, (1,) if model.both_signs_alike else (1, -1)
 
 

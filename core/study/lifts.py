@@ -18,7 +18,7 @@ from core.codes.vertical_bending import bent_inward
 from core.study.floors import damaged, other_ends
 from core.study.zeta_with import EVERY, Scene, zeta_with
 from core.text.sentence import Key, Number, Sentence, sentence
-from core.wall import ties
+from core.wall import ties, wall_body
 from core.wall.restitution import MODELS
 from core.wall.wall_loads import COUNTED
 
@@ -26,6 +26,9 @@ Zeta = tuple[float | None, bool]
 """zeta of a check, and whether it is surely satisfied."""
 
 Change = Callable[[Scene], Scene]
+
+LOWER = 0.999
+"""Height of the restraint, of the top of the body, below which what it lifts is shown."""
 
 MORE_RATIO = 0.1
 """What is added to a given velocity ratio: its zeta is shown as well."""
@@ -224,8 +227,24 @@ def _raised(scene: Scene, asked: Demand, q_check: Check | None) -> Iterator[Rais
             lambda zetas, check: sentence("reason", code, zeta=Number(zetas[0]), check=_named(check)),
             histories=False,
         )
+    yield from _of_the_shape(wall, scene.mechanism)
     if wall.above_ground and scene.building is not None:
         yield from _of_the_building(scene, asked, scene.building)
+
+
+def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[Raised]:
+    """What a body drags along behind its base, and a restraint that it meets below its top."""
+    if not wall_body.has_shape(wall):
+        return
+    dragged = [wall_body.lies_behind(part, wall.thickness) for part in wall_body.parts_of(wall)]
+    if any(dragged) and not all(dragged):
+        kept = tuple(solid for solid, behind in zip(wall.solid, dragged, strict=False) if not behind)
+        change = _of_wall(return_wedges=None, solid=kept)
+        yield _one("return_wedges", "lift_return_wedges", wall.justification, change)
+    top = wall_body.top_of(wall)
+    if mechanism == "one_sided" and MODELS[wall.restitution_model(mechanism)].one_sided and wall.height_m < LOWER * top:
+        words = {"h": wall.height_m, "top": top}
+        yield _one("contact", "lift_contact", wall.justification, _of_wall(height_m=top), **words)
 
 
 def _named(check: Check) -> Sentence:
@@ -329,7 +348,10 @@ def _of_the_building(scene: Scene, asked: Demand, building: Building) -> Iterato
         given = bool(building.modes) or (building.period_factor, building.damping) != (None, None)
         changes = tuple(_building_at(*end) for end in ends)
         yield Raised("building", asked.justification, changes, words, given)
-    centroid = min(wall.base_z_m + 0.5 * (wall.height_m or wall.block().height), building.height_m)
+    half = 0.5 * (wall.height_m or wall.block().height)
+    if wall_body.has_shape(wall):
+        half = wall.bare_block().centroid[1]
+    centroid = min(wall.base_z_m + half, building.height_m)
     if not building.modes and centroid > wall.felt_z_m:
         yield _one("base_z_m", "at_centroid", wall.justification, _of_wall(base_z_m=centroid), z=centroid)
     if building.modes:

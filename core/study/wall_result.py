@@ -17,7 +17,7 @@ from core.ground.provenance import stations
 from core.study.results import Q_SOURCES, PerRecord, Run, WallResult
 from core.text.sentence import Sentence, notice, sentence
 from core.units import CM
-from core.wall import wall_loads
+from core.wall import wall_body, wall_loads
 from core.wall.block import Block
 from core.wall.restitution import MODELS, housner_ratio
 from core.wall.rocking_model import RockingModel
@@ -182,6 +182,8 @@ def _unusual(wall: Wall) -> list[Sentence]:
         notices.append(notice("odd_modulus", e=modulus, low=MODULI[0], high=MODULI[1]))
     if wall.load:
         weight = wall_loads.weight_per_metre(wall) + wall_loads.vertical_loads(wall)
+        if wall_body.has_shape(wall):
+            weight *= wall.length_m / wall_body.base_length(wall)
         stress = 1e-6 * weight / (wall.thickness - 2.0 * wall.setback)
         if stress > HEAVY:
             notices.append(notice("heavy_load", stress=stress))
@@ -190,7 +192,9 @@ def _unusual(wall: Wall) -> list[Sentence]:
 
 def _model_notices(wall, block, mechanism, model, restitution, law) -> list[Sentence]:
     notices = []
-    if restitution.model == "costa_upper" and restitution.ratio_at_rest > housner_ratio(block):
+    if restitution.model == "costa_upper" and restitution.ratio_at_rest > housner_ratio(
+        block, wall_loads.contact_of(wall)
+    ):
         notices.append(notice("costa_above_housner", alpha=float(np.degrees(block.slenderness))))
     if mechanism == "one_sided" and not (MODELS[restitution.model].one_sided or restitution.model == "user"):
         notices.append(notice("hogan", model=restitution.model))
@@ -200,7 +204,7 @@ def _model_notices(wall, block, mechanism, model, restitution, law) -> list[Sent
         notices.append(notice("setback_height", height=block.height))
     elif not block.is_rectangle and not wall.load:
         notices.append(notice("general_height", height=block.height))
-        if MODELS[restitution.model].one_sided:
+        if MODELS[restitution.model].one_sided and wall.height_m is None:
             notices.append(notice("general_contact"))
     if not law.is_rigid:
         top = model.collapse_rotation

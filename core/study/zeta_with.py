@@ -42,7 +42,8 @@ class Scene:
 def model_of(wall: Wall, mechanism: str) -> RockingModel:
     """The rocking model of a wall."""
     one_sided, restitution = mechanism == "one_sided", wall.restitution_of(mechanism)
-    return rocking_model(wall.block(), one_sided, restitution, wall.moment_law(), wall.restoring(), wall.bars())
+    blocks, law = (wall.block(), wall.inner_block()), wall.moment_law()
+    return rocking_model(blocks[0], one_sided, restitution, law, wall.restoring(), wall.bars(), blocks[1])
 
 
 def zeta_with(

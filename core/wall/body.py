@@ -61,6 +61,11 @@ def polygon_sums(polygon: Polygon) -> PolygonSums:
     return PolygonSums(turn * area / 2.0, turn * s / 6.0, turn * z / 6.0, turn * ss / 12.0, turn * zz / 12.0)
 
 
+def directions(angle: float) -> tuple[float, float]:
+    """cos and sin of an angle [rad], exact of a right one."""
+    return (0.0 if abs(angle) == 0.5 * math.pi else math.cos(angle)), math.sin(angle)
+
+
 def extruded(polygon: Polygon, ends: tuple[float, float], angle: float, start: float, density: float) -> Body:
     """A solid: x = start + s cos(angle) + n sin(angle).
 
@@ -69,8 +74,7 @@ def extruded(polygon: Polygon, ends: tuple[float, float], angle: float, start: f
     density : [kg/m3], negative for an opening
     """
     of, (first, last) = polygon_sums(polygon), ends
-    # a right angle to rounding: elevation and section are exact
-    cosine, sine = (round(f, 15) if abs(f) < 1e-15 or abs(f) > 1.0 - 1e-15 else f for f in (math.cos(angle), math.sin(angle)))
+    cosine, sine = directions(angle)
     one, two, three = last - first, (last**2 - first**2) / 2.0, (last**3 - first**3) / 3.0
     across = cosine * of.s * one + sine * two * of.area
     squares = cosine**2 * of.ss * one + 2.0 * sine * cosine * of.s * two + sine**2 * three * of.area

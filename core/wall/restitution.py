@@ -47,17 +47,19 @@ class Restitution:
 
     ratio_at_rest : [-]
     ratio_drop : [s2/rad2], zero but for Eq. 7
+    ratio_inward : of an impact that leaves the inner hinge, of a two-sided body that is not symmetric; None : the same
     model : a name of MODELS
     """
 
     model: str
     ratio_at_rest: float
     ratio_drop: float = 0.0
+    ratio_inward: float | None = None
 
 
 @dataclass(frozen=True)
 class Contact:
-    """Where a block meets its base and its restraint, where masses that move with a wall make it unsymmetric.
+    """Where a block that is no rectangle alone meets its base and its restraint.
 
     width : B, from the outer hinge to the inner one [m]
     height : H_r, of the point above the inner hinge that meets the restraint of a one-sided wall [m]
@@ -78,6 +80,11 @@ def impact_ratio(block: Block, pivot: tuple[float, float], new: tuple[float, flo
     own = block.inertia_over_mass - block.radius**2
     (px, py), (qx, qy) = (pivot[0] - x, pivot[1] - y), (new[0] - x, new[1] - y)
     return (own + px * qx + py * qy) / (own + qx * qx + qy * qy)
+
+
+def inward_ratio(block: Block, contact: Contact) -> float:
+    """`housner_ratio` of an impact that leaves the inner hinge."""
+    return _not_negative(impact_ratio(block, (contact.width, 0.0), (0.0, 0.0)), block)
 
 
 def _not_negative(ratio: float, block: Block) -> float:
@@ -122,14 +129,17 @@ def restitution(
 ) -> Restitution:
     """Restitution of a named model for this block; velocity_ratio only with model "user", contact only of a block
     with masses that move with it."""
-    if model == "housner":
-        return Restitution(model, housner_ratio(block, contact))
-    if model == "sorrentino_experimental":
-        return Restitution(model, EQ5_FACTOR * housner_ratio(block, contact))
+    if model in ("housner", "sorrentino_experimental"):
+        factor = 1.0 if model == "housner" else EQ5_FACTOR
+        inward = factor * inward_ratio(block, contact) if contact else None
+        return Restitution(model, factor * housner_ratio(block, contact), ratio_inward=inward)
     if model == "costa_upper":
         return Restitution(model, 0.98)
     if model == "one_sided_theoretical":
-        return Restitution(model, one_sided_ratio(block, contact))
+        ratio = one_sided_ratio(block, contact)
+        if ratio > 1.0:
+            raise InputError("eq6_above_one", ratio=ratio)
+        return Restitution(model, ratio)
     if model == "one_sided_experimental":
         # Eq. 7: sqrt(r_1s) (1.18 - 0.473 (v / theta_r')^2)
         ratio = one_sided_ratio(block, contact)

@@ -12,6 +12,25 @@ from core.wall.moment_rotation import MomentLaw
 from core.wall.restitution import Restitution
 
 
+class OtherSide(NamedTuple):
+    """What differs when a body that is not symmetric turns about its other hinge; as of RockingModel.
+
+    tangent, sine, cosine : of alpha [-]
+    """
+
+    slenderness: float
+    p2: float
+    ratio_at_rest: float
+    tangent: float
+    sine: float
+    cosine: float
+
+    @classmethod
+    def of(cls, slenderness: float, p2: float, ratio_at_rest: float) -> "OtherSide":
+        trigonometric = math.tan(slenderness), math.sin(slenderness), math.cos(slenderness)
+        return cls(slenderness, p2, ratio_at_rest, *trigonometric)
+
+
 class RockingModel(NamedTuple):
     """Equation of motion of one wall (Coccia et al. 2016, Eq. 1 to 8, Fig. 3) as plain floats.
 
@@ -30,6 +49,8 @@ class RockingModel(NamedTuple):
     lean, amplitude : of `RestoringMoment`, of the side with the smaller theta_c; both are alike if trilinear
     bars : Bars that hold it when it turns outward; theta_c and a_RM are those of the wall without them. The kernels
         of walls with bars take them apart from the rest, which then has none
+    other : of a two-sided body that is another one for negative rotations; None of a symmetric one, whose kernels then
+        have nothing of it
     """
 
     slenderness: float
@@ -44,6 +65,7 @@ class RockingModel(NamedTuple):
     lean: float = 0.0
     amplitude: float = 1.0
     bars: tuple[Bar, ...] = ()
+    other: OtherSide | None = None
 
     @property
     def collapse_rotation(self) -> float:
@@ -53,23 +75,46 @@ class RockingModel(NamedTuple):
     @property
     def both_signs_alike(self) -> bool:
         """Whether a record and its reverse do the same to it: two-sided, and alike on both sides."""
-        return self.one_sided == 0.0 and self.restoring == self.mirrored and not self.bars
+        same = self.restoring == self.mirrored and self.other is None
+        return self.one_sided == 0.0 and same and not self.bars
 
     @property
     def threshold(self) -> float:
         """a_RM = g (a tan(alpha) + c) [m/s2], of both sides the smaller one (Eq. 2)."""
-        sides = (self.restoring, self.mirrored)
-        return min(G * (s.sine * math.tan(self.slenderness) + s.cosine) for s in sides)
+        sides = (self, seen_from.py_func(self, -1.0))
+        return min(G * (s.restoring.sine * math.tan(s.slenderness) + s.restoring.cosine) for s in sides)
+
+
+@subkernel
+def own_side(model, other, side):
+    """alpha, p2 and velocity ratio about the hinge of this side. other : of the model, which decides at compile time"""
+    if other is None:
+        return model.slenderness, model.p2, model.ratio_at_rest
+    if side > 0.0:
+        return model.slenderness, model.p2, model.ratio_at_rest
+    return other.slenderness, other.p2, other.ratio_at_rest
+
+
+@subkernel
+def far_side(model, other, side):
+    """OtherSide as this side sees it; None of a symmetric body."""
+    if other is None:
+        return other
+    if side > 0.0:
+        return other
+    alpha = model.slenderness
+    return OtherSide(alpha, model.p2, model.ratio_at_rest, math.tan(alpha), math.sin(alpha), math.cos(alpha))
 
 
 @subkernel
 def seen_from(model, side):
     """The model as the pivot of this side, 1.0 or -1.0, sees it: `restoring` is that of its rotations."""
+    slenderness, p2, ratio_at_rest = own_side(model, model.other, side)
     return RockingModel(
-        model.slenderness,
-        model.p2,
+        slenderness,
+        p2,
         model.one_sided,
-        model.ratio_at_rest,
+        ratio_at_rest,
         model.ratio_drop,
         model.elastic_end,
         model.plateau_end,
@@ -78,13 +123,21 @@ def seen_from(model, side):
         model.lean,
         model.amplitude,
         model.bars,
+        far_side(model, model.other, side),
     )
 
 
 @subkernel
+def unlike(other):
+    """Whether there is an OtherSide, known at compile time."""
+    return other is not None
+
+
+@subkernel
 def sides_differ(model):
-    """Whether loads make it another wall for negative rotations."""
-    return model.restoring.sine != model.mirrored.sine or model.restoring.cosine != model.mirrored.cosine
+    """Whether it is another wall for negative rotations, by its loads or its shape."""
+    right, left = model.restoring, model.mirrored
+    return unlike(model.other) or right.sine != left.sine or right.cosine != left.cosine
 
 
 def rocking_model(
@@ -94,11 +147,26 @@ def rocking_model(
     law: MomentLaw,
     loads: tuple[RestoringMoment, RestoringMoment] = (BARE, BARE),
     bars: tuple[Bar, ...] = (),
+    inner: Block | None = None,
 ) -> RockingModel:
-    """The flat tuple of a wall for the kernels. loads : for positive and for negative rotations, of one collapse
-    rotation where the law is trilinear; bars : of a wall of the rigid law."""
+    """The flat tuple of a wall for the kernels.
+
+    block : about its outer hinge
+    one_sided : only positive rotations are possible
+    restitution : of its impacts
+    law : of its moment
+    loads : for positive and for negative rotations, of one collapse rotation where the law is trilinear
+    bars : of a wall of the rigid law
+    inner : the block about its inner hinge, of a two-sided body that is not symmetric and of the rigid law
+    """
     weaker = loads[0] if one_sided else min(loads, key=lambda side: side.lean)
-    collapse = block.slenderness + weaker.lean
+    lean, other = weaker.lean, None
+    if inner is not None and not one_sided:
+        ratio = restitution.ratio_at_rest if restitution.ratio_inward is None else restitution.ratio_inward
+        other = OtherSide.of(inner.slenderness, inner.p2, ratio)
+        sides = block.slenderness + loads[0].lean, inner.slenderness + loads[1].lean
+        lean = min(sides) - block.slenderness
+    collapse = block.slenderness + lean
     return RockingModel(
         slenderness=block.slenderness,
         p2=block.p2,
@@ -109,7 +177,8 @@ def rocking_model(
         plateau_end=law.plateau_end * collapse,
         restoring=loads[0],
         mirrored=loads[0] if one_sided else loads[1],
-        lean=weaker.lean,
+        lean=lean,
         amplitude=weaker.amplitude,
         bars=bars,
+        other=other,
     )

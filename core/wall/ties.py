@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 from core.wall.bars import Bar, TieBar
 from core.wall.block import Block
+from core.wall.wall_body import weight_per_metre
 
 MODULUS = 205e9
 """Of steel bars [Pa]."""
@@ -123,8 +124,7 @@ def counted(wall) -> tuple[TieBar, ...]:
 
 def moment_of_weight(wall, block: Block) -> float:
     """m g R of what moves [N m/m]. block : the wall and what moves with it"""
-    weight = 1e3 * wall.unit_weight_kn_m3 * wall.thickness * wall.height_m
-    return (weight + sum(1e3 * load.kn_m for load in wall.load if load.pushes)) * block.radius
+    return (weight_per_metre(wall) + sum(1e3 * load.kn_m for load in wall.load if load.pushes)) * block.radius
 
 
 def scaled(wall, block: Block) -> tuple[Bar, ...]:

@@ -6,15 +6,14 @@ A tie is no part of a, c and theta_c; what alpha_0 counts of it (C8.7.1.1) says 
 import math
 from dataclasses import replace
 
-import numpy as np
-
 from core.errors import InputError, place
 from core.text.sentence import Key
 from core.units import G
-from core.wall import ties
+from core.wall import ties, wall_body
 from core.wall.block import Block
 from core.wall.loads import BARE, Force, PointMass, RestoringMoment, composite, restoring_moment
 from core.wall.restitution import Contact
+from core.wall.wall_body import weight_per_metre
 
 MOST_COLLAPSE = math.radians(60.0)
 """Largest collapse rotation: beyond it a wall is no wall that overturns."""
@@ -41,13 +40,11 @@ SECTIONS = 400
 """Sections of a wall between which a hinge inside it is looked for."""
 
 
-def weight_per_metre(wall) -> float:
-    """W of the wall alone [N/m]."""
-    return 1e3 * wall.unit_weight_kn_m3 * wall.thickness * wall.height_m
-
-
 def vertical_loads(wall) -> float:
-    """Sum of the vertical loads [N/m]."""
+    """Sum of the vertical loads [N/m]. Raises InputError where one has no size yet."""
+    for n, load in enumerate(wall.load, start=1):
+        if load.is_weight and load.kn_m in (None, ""):
+            raise InputError("load_size_missing", place=(place("wall", name=wall.name), place("load", n=n)), key="kn_m")
     return sum(1e3 * load.kn_m for load in wall.load if load.is_weight)
 
 
@@ -99,9 +96,9 @@ def moving_block(wall, bare: Block) -> Block:
 
 
 def contact_of(wall) -> Contact | None:
-    """Where a wall with masses that move with it meets its base and, at the top of the wall, its restraint; None of a
-    wall alone, which is symmetric."""
-    if not any(load.pushes for load in wall.load):
+    """Where a body, or a wall with masses that move with it, meets its base and, at height_m, its restraint; None of a
+    rectangle alone, which is symmetric."""
+    if wall_body.body_of(wall) is None and not any(load.pushes for load in wall.load):
         return None
     return Contact(wall.thickness - 2.0 * wall.setback, wall.height_m)
 
@@ -114,7 +111,8 @@ def restoring_of(wall, block: Block) -> tuple[RestoringMoment, RestoringMoment]:
         return BARE, BARE
     weight = weight_per_metre(wall) + sum(1e3 * load.kn_m for load in wall.load if load.pushes)
     outward, inward = (
-        restoring_moment(block, weight, [as_force(load, wall, side) for load in held]) for side in (1.0, -1.0)
+        restoring_moment(about, weight, [as_force(load, wall, side) for load in held])
+        for about, side in ((block, 1.0), (inner_of(wall, block) or block, -1.0))
     )
     # alike but for rounding: alike
     same = max(abs(one - other) for one, other in zip(outward, inward, strict=True)) < ALIKE
@@ -126,6 +124,19 @@ def restoring_with_ties(wall, block: Block) -> RestoringMoment:
     weight = weight_per_metre(wall) + sum(1e3 * load.kn_m for load in wall.load if load.pushes)
     forces = [as_force(load, wall, 1.0, at_yield=True) for load in wall.load if not load.pushes]
     return restoring_moment(block, weight, forces)
+
+
+def inner_of(wall, block: Block) -> Block | None:
+    """A block about the inner hinge of a wall; None where it is the same, or leans beyond that hinge. block : about the
+    outer one, of the wall alone or with what moves with it"""
+    if wall.thickness is None or is_centred(wall, block):
+        return None
+    (x, z), width = block.centroid, wall.thickness - 2.0 * wall.setback
+    if x >= width:
+        return None
+    own = block.inertia_over_mass - block.radius**2
+    radius = math.hypot(width - x, z)
+    return Block(math.atan2(width - x, z), radius, own + radius * radius)
 
 
 def is_centred(wall, block: Block) -> bool:
@@ -140,14 +151,17 @@ def is_stable(block: Block, side: RestoringMoment) -> bool:
 
 
 def rocks_both_ways(wall) -> bool:
-    """Whether a one-sided wall without its restraint is a two-sided one of this model: stable to both sides, what
-    moves with it in its middle, and rigid where its loads differ for the two sides."""
-    if not wall.load:
+    """Whether a one-sided wall without its restraint is a two-sided one of this model: stable to both sides, and rigid
+    where its loads or its shape make them differ."""
+    if not wall.load and wall_body.body_of(wall) is None:
         return True
     block = wall.block()
     outward, inward = restoring_of(wall, block)
-    alike = (outward == inward and not any(load.is_tie for load in wall.load)) or wall.moment_law().is_rigid
-    return alike and is_centred(wall, block) and is_stable(block, inward)
+    rigid, tied = wall.moment_law().is_rigid, any(load.is_tie for load in wall.load)
+    if is_centred(wall, block):
+        return ((outward == inward and not tied) or rigid) and is_stable(block, inward)
+    about = inner_of(wall, block)
+    return about is not None and rigid and not tied and is_stable(about, inward)
 
 
 def carries(wall) -> bool:
@@ -216,27 +230,33 @@ def _check_elongation(stated: float, at_yield: float, length: float, here, key: 
 def check_loads(wall) -> None:
     """Raise InputError for loads under which the wall does not stand, or is no one rigid block; of a wall that bends
     core/case/held_top.py says that."""
-    if not wall.load or wall.bends:
+    if wall.bends or (not wall.load and wall_body.body_of(wall) is None):
         return
     here = (place("wall", name=wall.name),)
     block = wall.block()
     outward, inward = restoring_of(wall, block)
     two_sided = "two_sided" in wall.mechanisms()
-    if two_sided and not is_centred(wall, block):
+    about = inner_of(wall, block) or block
+    unlike = two_sided and about is not block
+    if two_sided and not is_centred(wall, block) and not unlike:
         raise InputError("moving_mass_off_centre", place=here)
-    for side in (outward, inward) if two_sided else (outward,):
-        if not is_stable(block, side):
-            threshold = side.sine * math.tan(block.slenderness) + side.cosine
+    if unlike and any(load.is_tie for load in wall.load):
+        raise InputError("tie_on_unlike_sides", place=here)
+    for hinge, side in ((block, outward), (about, inward)) if two_sided else ((block, outward),):
+        if not is_stable(hinge, side):
+            threshold = side.sine * math.tan(hinge.slenderness) + side.cosine
             raise InputError("unstable_under_loads", place=here, threshold=threshold)
-        if block.slenderness + side.lean > MOST_COLLAPSE:
+        if hinge.slenderness + side.lean > MOST_COLLAPSE:
             raise InputError(
                 "collapse_too_far",
                 place=here,
-                found=math.degrees(block.slenderness + side.lean),
+                found=math.degrees(hinge.slenderness + side.lean),
                 most=math.degrees(MOST_COLLAPSE),
             )
-    if two_sided and outward != inward and not wall.moment_law().is_rigid:
+    if two_sided and (outward != inward or unlike) and not wall.moment_law().is_rigid:
         raise InputError("two_sided_loads_rigid", place=here, key="law")
+    if not wall.load:
+        return
     _check_inward(wall, here)
 
 
@@ -321,7 +341,10 @@ def start_moments(wall, side: float) -> tuple[float, float, float, float, float,
 
     side : 1.0 about the outer hinge, -1.0 about the inner one
     """
-    weight, (x, y) = weight_per_metre(wall), wall.bare_block().centroid
+    bare = wall.bare_block()
+    if side < 0.0:
+        bare = inner_of(wall, bare) or bare
+    weight, (x, y) = weight_per_metre(wall), bare.centroid
     forces = [as_force(load, wall, side) for load in wall.load if not load.is_tie]
     held = [as_force(load, wall, side) for load in wall.load if load.is_tie]
     return (
@@ -344,20 +367,19 @@ def hinge_inside(wall, share: float = 1.0) -> float | None:
     forces = [
         replace(force, horizontal=share * force.horizontal) if force.horizontal > 0.0 else force for force in forces
     ]
-    weight, height, thickness = weight_per_metre(wall), wall.height_m, wall.thickness
-    x, pushed = 0.5 * thickness - wall.setback, masses(wall)
-    push = start_multiplier(weight, x, 0.5 * height, forces, pushed)
-    for y in np.linspace(0.0, height, SECTIONS + 1)[1:-1]:
+    weight, (x, y), pushed = weight_per_metre(wall), wall.bare_block().centroid, masses(wall)
+    push = start_multiplier(weight, x, y, forces, pushed)
+    for section in wall_body.sections(wall, SECTIONS):
+        middle, y = section.middle - wall.setback, section.height
         above = [force for force in forces if force.height > y]
-        part = weight * (1.0 - y / height)
-        pressed = part + sum(force.vertical for force in above)
-        outward = 0.5 * push * part * (height - y)
+        pressed = section.weight + sum(force.vertical for force in above)
+        outward = push * section.weight * section.lever - section.weight * (section.x - section.middle)
         outward += sum(push * m.mass * G * (m.height - y) for m in pushed if m.height > y)
-        outward -= sum(f.vertical * (f.distance - x) + f.horizontal * (f.height - y) for f in above)
+        outward -= sum(f.vertical * (f.distance - middle) + f.horizontal * (f.height - y) for f in above)
         crushed = 0.0
         if wall.compressive_strength_mpa is not None:
             crushed = 2.0 * pressed / (3e6 * wall.compressive_strength_mpa)
-        if abs(outward) > pressed * (0.5 * thickness - crushed) * (1.0 + 1e-9):
+        if abs(outward) > pressed * (0.5 * section.thickness - crushed) * (1.0 + 1e-9):
             return float(y)
     return None
 

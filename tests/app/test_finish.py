@@ -227,10 +227,19 @@ def test_that_stale_results_say_so_where_they_leave_and_live_ones_do_not(walls):
     assert not ChartOutput.stale
 
 
-def test_that_all_figures_are_written_together(walls, tmp_path):
+def test_that_all_figures_are_written_together_while_the_window_lives(walls, application, tmp_path):
     folder = tmp_path / "figures"
     folder.mkdir()
+    walls.show_page("check")
     walls.files.export_figures(folder, FigureSize(80.0))
+    assert walls.job is not None and not walls.cancel_button.isHidden()
+    settle(application, lambda: walls.bar.maximum() > 0)
+    walls.cancel()
+    settle(application, lambda: walls.stages.stack.isEnabled())
+    assert not list(folder.iterdir()) and walls.page == "check" and walls.tree.isEnabled()
+    walls.files.export_figures(folder, FigureSize(80.0))
+    settle(application, lambda: walls.job is None)
+    assert walls.page == "check" and str(folder) in walls.word.text()
     names = sorted(path.name for path in folder.iterdir())
     assert len(names) >= 9 and all(name.endswith(".png") for name in names)
     for path in folder.iterdir():
@@ -377,16 +386,18 @@ def test_that_no_job_collects_widgets_in_its_thread(opened):
     assert len(seen) == 3000 and all(seen)
 
 
-def test_that_figures_of_tabs_never_looked_at_fill_their_page(walls):
+def test_that_figures_of_tabs_never_looked_at_fill_their_page(walls, application, tmp_path):
     walls.set_choice("theme", "light")  # every tab is made anew
     walls.show_page("walls")
-    charts = walls.charts()
-    assert len(charts) == 12 and walls.page == "walls"
-    for chart in charts:
-        picture = QImage.fromData(figure(chart, ".png", FigureSize(160, 96)))
+    walls.files.export_figures(tmp_path, FigureSize(160, 96))
+    settle(application, lambda: walls.job is None)
+    figures = list(tmp_path.glob("* - *.png"))
+    assert len(figures) == 12 and walls.page == "walls"
+    for path in figures:
+        picture = QImage(str(path))
         picture = picture.convertToFormat(QImage.Format.Format_Grayscale8)
         grey = np.frombuffer(picture.bits(), np.uint8).reshape(picture.height(), -1)
         grey = grey[:, : picture.width()]
         rows, columns = (np.flatnonzero((grey < 250).any(axis=k)) for k in (1, 0))
-        assert columns[-1] - columns[0] > 0.9 * picture.width(), chart.name
-        assert rows[-1] - rows[0] > 0.9 * picture.height(), chart.name
+        assert columns[-1] - columns[0] > 0.9 * picture.width(), path.name
+        assert rows[-1] - rows[0] > 0.9 * picture.height(), path.name

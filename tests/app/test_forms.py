@@ -8,13 +8,16 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
 
+from app.input.building_form import BuildingForm
 from app.input.fields import ChoiceField
+from app.input.hazard_form import HazardForm
 from app.input.impact_form import FORMULAS, ImpactForm, captions, named_models, scopes
 from app.input.loads_form import LoadsForm
 from app.look.language import current_language, set_language
 from app.work.session import Session
 from core.case.loads import Load
 from core.case.schema import Wall
+from core.case.site import Demand, Spectrum
 from core.rocking.methods import METHODS
 from core.text.catalogue import CATALOGUE
 from core.wall import restitution as of_restitution
@@ -57,10 +60,13 @@ def test_that_a_carried_mass_to_be_sized_leaves_undo_alive(opened, faults):
     assert opened.session.case == before
 
 
-@pytest.mark.parametrize("form", [ImpactForm, LoadsForm, "walls", "demand", "analysis", "records"])
+@pytest.mark.parametrize(
+    "form", [ImpactForm, LoadsForm, BuildingForm, HazardForm, "walls", "demand", "analysis", "records", "tree"]
+)
 def test_that_a_form_that_fails_stops_no_other(opened, faults, monkeypatch, form):
     kind = type(getattr(opened, form)) if isinstance(form, str) else form
-    broken = next(name for name in ("_show_sizes", "_show_demand", "show_case") if name in vars(kind))
+    slots = ("_show_sizes", "_show_demand", "show_case", "show_rows")
+    broken = next(name for name in slots if name in vars(kind))
 
     failing = [True]
 
@@ -83,6 +89,7 @@ def test_that_a_form_that_fails_stops_no_other(opened, faults, monkeypatch, form
         "demand": opened.demand.fields["ag_g"].editor.text() == "0.31",
         "analysis": opened.analysis.of_report[0].editor.text() == "the client",
         "title": opened.windowTitle().startswith("*"),
+        "tree": "another" in [row.text for row in opened.tree.rows],
         "undo": opened.actions_of.undo.isEnabled(),
     }
     assert {name for name, fresh in shown.items() if not fresh} <= {form}
@@ -235,3 +242,14 @@ def test_that_a_list_shows_nothing_for_what_is_not_in_it(opened):
     opened.session.edit_section("demand", spectrum=spectrum)
     assert opened.demand.fields["topography"].editor.currentIndex() == -1
     assert opened.demand.fields["soil"].editor.currentIndex() == -1
+
+
+def test_that_a_wall_without_a_mechanism_has_no_estimate(opened):
+    """Its restitution may be given by a number, which asks for no mechanism."""
+    spectrum = Spectrum("EN1998", type=1, soil="B")
+    opened.session.edit(replace(opened.session.case, demand=Demand(0.2, spectrum=spectrum)))
+    opened.session.edit_wall(0, restitution=None, velocity_ratio=0.9)
+    with_one = opened.walls.summary.text()
+    opened.session.edit_wall(0, mechanism="")
+    assert "α" in opened.walls.summary.text() and "q SLV" in with_one
+    assert "q SLV" not in opened.walls.summary.text()

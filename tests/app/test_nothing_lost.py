@@ -13,6 +13,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 
 from app.shell import files
+from app.work import recovery
 from core.errors import InputError
 from tests.app.driving import run, settle
 
@@ -116,7 +117,7 @@ def test_that_the_newest_of_two_autosaves_comes_first_and_says_of_which_file(ope
         os.utime(swap, (1.7e9 - age, 1.7e9 - age))
     found = opened.session.recoverable()
     assert [path.name for path in found] == ["x-999998.swap", "x-999999.swap"]
-    assert opened.session.describe(found[0]).startswith("/a/b.toml 20")
+    assert recovery.describe(found[0]).startswith("/a/b.toml 20")
 
 
 def test_that_a_record_changed_on_disk_makes_the_results_stale(opened, application, tmp_path):
@@ -217,7 +218,7 @@ def test_that_no_content_of_a_swap_file_ends_the_program(opened, content):
     swap = opened.session.recovery_folder / "z-cc.swap"
     swap.parent.mkdir(exist_ok=True)
     swap.write_text(content)
-    assert swap in opened.session.recoverable() and opened.session.describe(swap)
+    assert swap in opened.session.recoverable() and recovery.describe(swap)
     with pytest.raises(InputError):
         opened.session.recover(swap)
     assert swap.exists()

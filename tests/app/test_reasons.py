@@ -15,6 +15,7 @@ from core.case.loads import Bars, Load, ReturnWalls
 from core.case.rules import draft_case, parse_case
 from core.case.schema import WallJustification
 from core.case.site import Building, BuildingMode, DemandJustification
+from core.case.solids import Wedges
 from core.case.writer import dumps
 from core.study.run import run
 from tests.app.driving import type_into
@@ -40,13 +41,14 @@ def test_that_reasons_are_asked_where_a_value_raises_zeta_and_nowhere_else(opene
         free_element=False,
         mechanism="both",
         return_walls=ReturnWalls(2, 0.4, 0.2, 0.3),
+        return_wedges=Wedges(2, 0.4, 2.0),
         load=(
             Load("tie", 1.0, 2.0, bar_length_m=8.0, elongation_m=0.1, prestress=0.2),
             Load("tie", None, 2.0, bar_length_m=8.0, bar=Bars(2, 16.0), slack_mm=2.0),
             Load("thrust", -0.1, 2.0),
         ),
     )
-    assert rows(walls.reasons) == {entry.name for entry in fields(WallJustification)} - {"base_z_m"}
+    assert rows(walls.reasons) == {entry.name for entry in fields(WallJustification)} - {"base_z_m", "contact"}
     session.edit(replace(session.case, building=Building(9.0, 3)))
     session.edit_wall(0, base_z_m=6.0)
     assert "base_z_m" in rows(walls.reasons) and "building" not in rows(demand.reasons)

@@ -1,5 +1,6 @@
 """The frame of the window: stages, tree, what is missing, finding, the drawing under the hand, the client's view."""
 
+import gc
 import os
 from dataclasses import replace
 
@@ -65,6 +66,8 @@ def test_that_a_field_a_wall_and_an_action_are_found_by_name(opened):
     assert found.fitting and "modulus" in found.fitting[0].words.lower()
     found._go()
     assert opened.walls.fields["elastic_modulus_mpa"].isVisible()
+    gc.collect()
+    assert opened.actions_of.recent.title()  # to look through the menus takes none of them away
     for words, shown in (("paste walls", "Paste walls"), ("w", "w")):
         again = finder.Finder(opened)
         again.line.setText(words)
@@ -197,3 +200,18 @@ def test_that_a_wide_window_shows_the_rocking_wall_beside_the_answer(opened, app
     assert opened.beside.content.history is not None
     opened.resize(1280, 800)
     settle(application, lambda: not opened.stages.answer.has_beside())
+
+
+def test_that_a_variant_by_one_click_says_beside_it_what_differs(opened):
+    opened.walls.add_variant()
+    rows = {row.text: row for row in opened.tree.rows}
+    assert {"stato di fatto", "progetto"} <= set(rows) and opened.walls.wall.variant == "progetto"
+    assert opened.walls.differs.text() == ""
+    opened.session.edit_wall(1, thickness_m=0.625, mechanism="one_sided", back_restraint="cross walls")
+    opened.walls.loads.add("tie")
+    said = [row.text for row in opened.tree.rows if row.kind == "wall"]
+    assert said[0] == "stato di fatto" and said[1].startswith("progetto: ")
+    for words in ("thickness 50 → 62.5 cm", "two-sided → one-sided", "loads + tie"):
+        assert words in said[1] and words in opened.walls.differs.text()
+    opened.walls.select(0)
+    assert opened.walls.differs.text() == ""

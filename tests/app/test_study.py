@@ -328,3 +328,35 @@ def test_that_a_figure_that_fails_takes_no_number_along(small, tmp_path, monkeyp
     monkeypatch.setattr("core.research.parametric.incremental_dynamic_analysis", lambda *_: pytest.fail("run again"))
     assert call("--study", small, "--output", tmp_path / "out", "--resume", "--quiet") == 0
     assert len(list((tmp_path / "out" / "small_figures").iterdir())) == 8
+
+
+def test_that_a_study_by_its_keys_is_written_read_back_and_is_the_one_to_run(application, tmp_path, monkeypatch):
+    from PySide6.QtWidgets import QFileDialog
+
+    from app.shell import study_form
+    from app.shell.study_window import StudyWindow
+    from core.case.study_file import cells_of, read_study
+
+    made = StudyWindow(None)
+    made.folder.setText(str(tmp_path))
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "mine.toml"), ""))
+
+    def fill(form):
+        for heights, said in (("3; x", "x"), ("3; 900", "900"), ("", "number")):
+            form.lines["height_m"].setText(heights)
+            form.save()
+            assert form.path is None and said in form.word.text()
+        form.lines["height_m"].setText("3; 5,5")
+        form.lines["slenderness_deg"].setText("5")
+        form.choices["mechanism"].setCurrentIndex(form.choices["mechanism"].count() - 1)
+        form.save()
+        return form.path is not None
+
+    monkeypatch.setattr(study_form.StudyForm, "exec", fill)
+    made._make_study()
+    assert made.study.currentText() == str(tmp_path / "mine.toml") and not made.quick.isChecked()
+    study, _ = read_study(tmp_path / "mine.toml")
+    cells = {(cell.height_m, cell.mechanism, cell.slenderness_deg) for cell in cells_of(study)}
+    assert cells == {(h, m, 5.0) for h in (3.0, 5.5) for m in ("two_sided", "one_sided")}
+    made.close()
+    made.deleteLater()

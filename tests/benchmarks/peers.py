@@ -1,4 +1,4 @@
-"""Other solvers on the same scenes: scipy, naive and restarted at samples, and heyoka.
+"""Other solvers on the same scenes: scipy, naive and restarted at samples, heyoka and diffrax.
 
 Each peer takes a Scene and returns theta / alpha at the samples; it handles rest, uplift and impact with
 its own event location. numbalsoda has no wheel for Linux and is left out where it does not import.
@@ -207,3 +207,85 @@ class Heyoka:
             self.integrator.propagate_until(steps * dt, max_delta_t=dt)
             best = min(best, time.perf_counter() - start)
         return best / (steps * self.lanes)
+
+
+class Diffrax:
+    """diffrax, the solvers of JAX, at double precision as its authors drive it: a history compiled whole, a loop over
+    the samples (the ground is linear between them) and in it one over the impacts, each the event that ends a solution
+    by Dopri8; `lanes` histories by its vmap. Rigid law. The first call for a count of samples compiles.
+
+    (Steps of at most a sample over `parts`: an impact is as exact as the interpolation within a step, whatever the
+    tolerance. Its root is bisected: Newton's, from the end of the step, now and then finds another one.)
+    """
+
+    def __init__(self, parts: int = 4, lanes: int = 1):
+        import diffrax
+        import jax
+        import optimistix
+        from jax import lax
+        from jax import numpy as jnp
+
+        jax.config.update("jax_enable_x64", True)
+        self.lanes = lanes
+        root = optimistix.Bisection(1e-14, 1e-16, flip=True)  # type: ignore[call-arg]
+        event = diffrax.Event(lambda t, y, args, **_: y[0], root, direction=False)
+
+        def motion(t, y, args):
+            alpha, p2, first, slope = args
+            lean = alpha - y[0]
+            return jnp.array([y[1], p2 * ((first + slope * t) * jnp.cos(lean) - jnp.sin(lean))])
+
+        def uplift(first, slope, t, dt, right, left):
+            """(time, side) as `independent_solver.uplift` has them, the time dt where there is none."""
+            now = first + slope * t
+            lifts = (now > right) | (now < -left)
+            crossing = (jnp.where(slope > 0.0, right, -left) - first) / slope
+            later = jnp.where(slope == 0.0, dt, jnp.clip(crossing, t, dt))
+            return jnp.where(lifts, t, later), jnp.sign(jnp.where(lifts, now, slope))
+
+        def history(ground, dt, alpha, p2, ratio, rest, right, left):
+            def solve(t, y, side, first, slope):
+                """To the impact or the end of the sample: Eq. 3, and the rest of `core.rocking.events`."""
+                found = diffrax.diffeqsolve(
+                    *(diffrax.ODETerm(motion), diffrax.Dopri8(), t, dt, dt - t, y),
+                    args=(alpha, p2, side * first, side * slope),
+                    stepsize_controller=diffrax.PIDController(rtol=1e-12, atol=1e-14, dtmax=dt / parts),
+                    event=event,
+                    throw=False,
+                )
+                struck, passed = diffrax.is_event(found.result), found.result == diffrax.RESULTS.successful
+                y = jnp.where(struck | passed, found.ys[-1], jnp.nan)
+                t = jnp.where(struck, found.ts[-1], dt)
+                speed, now = -ratio * y[1], first + slope * t
+                moving = ~struck | (speed >= rest) | (now > right) | (now < -left)
+                side = jnp.where(struck & jnp.isfinite(left), -side, side)
+                return t, jnp.where(struck, jnp.array([ABOVE, speed]), y), side, moving
+
+            def sample(state, ends):
+                first, slope = ends[0], (ends[1] - ends[0]) / dt
+
+                def advance(state):
+                    t, y, side, moving = state
+                    start, up = uplift(first, slope, t, dt, right, left)
+                    t, side = jnp.where(moving, t, start), jnp.where(moving, side, up)
+                    y = jnp.where(moving, y, jnp.array([ABOVE, 0.0]))
+                    state = t, y, side, moving
+                    return lax.cond(t < dt, lambda: solve(t, y, side, first, slope), lambda: state)
+
+                _, y, side, moving = lax.while_loop(lambda state: state[0] < dt, advance, (jnp.zeros(()), *state))
+                return (y, side, moving), jnp.where(moving, side * y[0], 0.0)
+
+            still = jnp.zeros(2), jnp.ones(()), jnp.array(False)
+            return lax.scan(sample, still, (ground[:-1], ground[1:]))[1]
+
+        self.histories = jax.jit(jax.vmap(history, (0, *[None] * 7)) if lanes > 1 else history)
+
+    def __call__(self, scene: Scene) -> np.ndarray:
+        """theta / alpha of the scene; the other histories of vmap are of smaller multipliers."""
+        model, ground = scene.model, scene.ground / G
+        rest = 1e-6 * math.sqrt(model.p2) * model.slenderness
+        if self.lanes > 1:
+            ground = np.linspace(1.0, 0.9, self.lanes)[:, None] * ground
+        known = (scene.dt, model.slenderness, model.p2, model.ratio_at_rest, rest, *uplift_thresholds(scene))
+        theta = np.atleast_2d(self.histories(ground, *known))[0]
+        return np.append(0.0, theta) / model.slenderness

@@ -1,4 +1,5 @@
-"""Start of the window, redraws of the dragged history, gaps of the event loop while a study runs.
+"""Start of the window, redraws of the dragged history, gaps of the event loop while a study runs and while all
+figures are exported, the cost of a key typed with forty records.
 
 python3 run.py bench --window
 """
@@ -79,6 +80,83 @@ def drag(application, window, draws: int) -> float:
     return seconds / draws
 
 
+RECORDS = 40
+
+
+def case_of_many_records(folder: Path, count: int) -> Path:
+    """A wall under so many motions of 20 s, a demand with its spectrum."""
+    import numpy as np
+
+    draw, samples = np.random.default_rng(1), 2000
+    lines = ['[[wall]]\nname = "w"\nheight_m = 5.0\nthickness_m = 0.5\nbase_z_m = 0.0\nmechanism = "two_sided"']
+    for k in range(count):
+        values = 0.15 * draw.standard_normal(samples) * np.hanning(samples)
+        (folder / f"motion_{k}.txt").write_text("\n".join(f"{value:.6f}" for value in values))
+        lines.append(f'[[record]]\nfile = "motion_{k}.txt"\nunit = "g"\ntime_step_s = 0.01\nkind = "artificial"')
+    lines.append("[analysis]\nq_step = 0.05\n[demand]\nag_g = 0.2")
+    lines.append('[demand.spectrum]\ncode = "EN1998"\ntype = 1\nsoil = "B"\n')
+    path = folder / "many.toml"
+    path.write_text("\n".join(lines))
+    return path
+
+
+def typed(application, window, keys: int) -> dict[str, list[float]]:
+    """Seconds of this thread for each key typed, by what is in front: forms of the input, pages of the result. The
+    paint that follows is counted; every second key makes the result stale, the others give it back."""
+    from PySide6.QtCore import Qt
+    from PySide6.QtTest import QTest
+
+    from app.input.fields import NumberField
+
+    found: dict[str, list[float]] = {}
+    height = window.walls.fields["height_m"]
+    for name in (*window.stages.input.areas, *window.pages):
+        field = height
+        if name in window.pages:
+            window.show_page(name)
+        else:
+            window.show_input(name)
+            visible = [
+                one
+                for one in window.forms.currentWidget().findChildren(NumberField)
+                if one.isVisible() and one.isEnabled()
+            ]
+            field = height if height in visible else next(iter(visible), height)
+        settle(application, lambda: not getattr(window.pages["note"].made, "is_setting", False))
+        field.editor.setFocus()
+        field.editor.end(False)
+        before, spent = field.editor.text(), []
+        for k in range(2 * keys):
+            start = time.thread_time()
+            QTest.keyClick(field.editor, Qt.Key.Key_1 if k % 2 == 0 else Qt.Key.Key_Backspace)
+            application.processEvents()
+            seconds = time.thread_time() - start
+            assert (field.editor.text() == before) == (k % 2 == 1), f"{field.key} took no key"
+            time.sleep(0.012)  # the paint comes by a timer of Qt
+            start = time.thread_time()
+            application.processEvents()
+            spent.append(seconds + time.thread_time() - start)
+        found[name] = spent
+    return found
+
+
+def print_typed(application, window, small: bool) -> None:
+    """Run a case of forty records, then type."""
+    with tempfile.TemporaryDirectory() as folder:
+        count = 2 if small else RECORDS
+        window.session.open(case_of_many_records(Path(folder), count))
+        settle(application, lambda: len(window.records.motions) == count and not window.records.pending)
+        window.run()
+        settle(application, lambda: window.job is None)
+        assert window.session.result is not None
+        for name, spent in typed(application, window, 1 if small else 10).items():
+            spent.sort()
+            print(
+                f"a key typed, {count} records, {name} in front: "
+                f"median {1e3 * spent[len(spent) // 2]:.1f} ms, worst {1e3 * spent[-1]:.1f} ms"
+            )
+
+
 def main(options: argparse.Namespace) -> None:
     """Print the figures."""
     times_started = 1 if options.small else 6
@@ -96,6 +174,7 @@ def main(options: argparse.Namespace) -> None:
 
     QStandardPaths.setTestModeEnabled(True)
     from app.shell import start as program
+    from app.views.figure_file import FigureSize
     from core.study.journal import Memory
 
     application, window = program.make([])
@@ -129,6 +208,21 @@ def main(options: argparse.Namespace) -> None:
             assert window.session.result is not None and window.finished_runs.analyses > 0
             longest = sorted(gaps)[-3:]
             print(f"{round_}: longest gaps of the event loop {', '.join(f'{1e3 * g:.0f}' for g in longest)} ms")
+        gaps.clear()
+        folder_of_figures = Path(folder) / "figures"
+        folder_of_figures.mkdir()
+        last[0] = began = time.perf_counter()
+        timer.start(5)
+        window.files.export_figures(folder_of_figures, FigureSize())
+        settle(application, lambda: window.job is None)
+        timer.stop()
+        count, seconds = len(list(folder_of_figures.iterdir())), time.perf_counter() - began
+        assert count >= 5, "the figures were not written"
+        longest = sorted(gaps)[-3:]
+        print(
+            f"{count} figures of 300 dpi exported in {seconds:.1f} s: longest gaps of the event loop "
+            f"{', '.join(f'{1e3 * g:.0f}' for g in longest)} ms"
+        )
         each = drag(application, window, 5 if options.small else 120)
         print(f"dragged multiplier: {1.0 / each:.0f} histories integrated and drawn per second")
         for _ in range(9):  # a small study may be over before it is cancelled
@@ -146,5 +240,6 @@ def main(options: argparse.Namespace) -> None:
         ended = time.perf_counter() - start
         assert window.session.result is None, "it was not cancelled"
         print(f"cancelled after {1e3 * free:.0f} ms, its thread ended after {1e3 * ended:.0f} ms")
+        print_typed(application, window, options.small)
         window.session.saved = window.session.case
         window.close()

@@ -35,7 +35,7 @@ LANES = 64
 EXACT = 1e-3
 """Error / alpha above which a method that claims to be exact, ours or a peer, was not driven as it is meant to be."""
 
-EXACT_SOLVERS = ("taylor", "scipy DOP853 restarted", "heyoka")
+EXACT_SOLVERS = ("taylor", "scipy DOP853 restarted", "heyoka", "diffrax")
 """How the names of those begin."""
 
 
@@ -56,6 +56,12 @@ def peers(small: bool = False) -> list[tuple[str, Solver]]:
             found.append((f"heyoka batch of 8 {name}", peer_solvers.Heyoka(tolerance, 8)))
     except ImportError:
         print("heyoka is not installed: left out")
+    try:
+        for parts in (4, 1)[: 1 if small else 2]:
+            found.append((f"diffrax dt/{parts}", peer_solvers.Diffrax(parts)))
+            found.append((f"diffrax vmap of 8 dt/{parts}", peer_solvers.Diffrax(parts, 8)))
+    except ImportError:
+        print("diffrax is not installed: left out")
     try:
         import numbalsoda  # noqa: F401
     except ImportError:
@@ -104,18 +110,21 @@ def measure(scene: Scene, others: list[tuple[str, Solver]], small: bool) -> list
             seconds = timed(lambda m=method: lanes(scene, m), small) / LANES
             rows.append(row(scene, f"{LANES} lanes", method.option, rows[-1]["error_alpha"], seconds))
     for label, solver in others:
-        if label.startswith("heyoka") and scene.model.plateau_end > 0.0:
+        if label.startswith(("heyoka", "diffrax")) and scene.model.plateau_end > 0.0:
             continue
+        if isinstance(solver, peer_solvers.Diffrax):
+            solver(scene)  # compiles
         start = time.perf_counter()
         found = solver(scene)
         once = time.perf_counter() - start
         seconds = once if once > 0.5 else timed(lambda s=solver: s(scene), small)
         rows.append(row(scene, label, "", error(found, scene), seconds))
-        if isinstance(solver, peer_solvers.Heyoka):
+        if isinstance(solver, (peer_solvers.Heyoka, peer_solvers.Diffrax)):
             # of its batch the first history is the scene, the others are of other multipliers
-            alone = solver.compiled(scene.dt) * (scene.ground.size - 1)
             rows[-1]["seconds"] /= solver.lanes
             rows[-1]["ns_per_sample"] /= solver.lanes
+        if isinstance(solver, peer_solvers.Heyoka):
+            alone = solver.compiled(scene.dt) * (scene.ground.size - 1)
             rows.append(row(scene, f"{label}, its compiled steps alone", "", error(found, scene), alone))
     return rows
 
@@ -186,6 +195,8 @@ def family(name: str) -> str:
     if name.startswith("heyoka"):
         batch = "heyoka, batch of 8" if "batch" in name else "heyoka"
         return f"{batch}, {'compiled steps alone' if 'alone' in name else 'from Python'}"
+    if name.startswith("diffrax vmap"):
+        return "diffrax, vmap of 8"
     if name.startswith(f"{LANES} "):
         return name
     return "scipy naive" if "naive" in name else name.split(" ")[0]

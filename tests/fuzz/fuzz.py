@@ -175,12 +175,13 @@ def _journal(content: bytes, folder: Path) -> None:
 
 
 def _swap(content: bytes, folder: Path) -> None:
+    from app.work import recovery
     from app.work.session import Session
 
     path = folder / "x-aa.swap"
     path.write_bytes(content)
     session = Session(folder / "recovery_folder")
-    session.describe(path)
+    recovery.describe(path)
     session.recover(path)
     session.problem()
     session.drop_recovery_file()
@@ -213,6 +214,10 @@ def seeds(folder: Path) -> dict[str, list[bytes]]:
         b'walls = "w.csv"\n[[wall]]\nname = "a"\nradius_m = 2.0\nslenderness_deg = 7.0\n'
         b'inertia_over_mass_m2 = 6.0\nbase_z_m = 0\nmechanism = "two_sided"\n'
         b"law = { elastic_limit = 0.05, plateau_end = 0.3 }\n[demand]\nag_g = 0.2\nperiod_range_s = [0.2, 3.0]\n"
+    )
+    cases.append(
+        b'[[wall]]\nname = "a"\nheight_m = 4.0\nthickness_m = 0.4\nmechanism = "both"\nvelocity_ratio = 0.9\n'
+        b'[[wall]]\nvariant_of = "a"\nslenderness_deg = 5.0\nvelocity_ratio = ""\n'
     )
     motion = (ROOT / "resources" / "motions" / "noise_1.txt").read_bytes()[:6000]
     motions = [

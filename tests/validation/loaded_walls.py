@@ -29,9 +29,9 @@ def moment(theta, side, wall, loads):
     return restoring, pushed, inertia
 
 
-def history(ground, dt, wall, loads, one_sided, ratio, rest, start=0.0):
+def history(ground, dt, wall, loads, one_sided, ratio, rest, start=0.0, moment=moment):
     """theta at the samples [rad] under a ground of 1000 samples or less, by DOP853 from sample to sample; below
-    the speed rest [rad/s] it rests after an impact."""
+    the speed rest [rad/s] it rests after an impact. ratio : of an impact, or of each side by 1.0 and -1.0"""
     side, phi, speed, moving = 1.0, start, 0.0, start > 0.0
     theta = [start]
     for first, last in itertools.pairwise(ground):
@@ -76,7 +76,7 @@ def history(ground, dt, wall, loads, one_sided, ratio, rest, start=0.0):
             t, (phi, speed) = piece.t[-1], piece.y[:, -1]
             if piece.status != 1:
                 break
-            phi, speed = 0.0, -ratio * speed
+            phi, speed = 0.0, -(ratio[side] if isinstance(ratio, dict) else ratio) * speed
             side = side if one_sided else -side
             ways = (1.0,) if one_sided else (1.0, -1.0)
             moving = speed > rest or max(net(0.0, t, way) for way in ways) > 0.0

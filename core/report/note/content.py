@@ -219,11 +219,16 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
     """One wall on at most two pages. name : begins the names of its cells on the sheet Check"""
     say, found = words.say, wall.assessment
     parts: list[Part] = [Heading(_name(wall, words), 2, True, result.walls.index(wall))]
-    first = [wall_figures.drawing(wall, words)]
+    first = [wall_figures.drawing(wall, words), wall_figures.elevation(wall, words)]
     short = result.case.report.extent == "short"
     derived = [] if short else Derivations(result, words, name).wall(wall)
     if found is None or found.kinematic is None:
-        parts += [*_verdict(result, wall, words), *_side_by_side(first), *site.loads(wall, words)]
+        parts += [
+            *_verdict(result, wall, words),
+            *_side_by_side(first),
+            *site.solids(wall, words),
+            *site.loads(wall, words),
+        ]
         q = Step("q", wall.q_set, ".2f", "–", "Eq. 10", cell=f"{name}q_set", label=say("at collapse"))
         for title, steps in derived:
             parts += [Heading(say(title), 3), Derivation([*steps, q])]
@@ -236,7 +241,8 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
     reasons = lines_of(result, wall, language)
     parts += [Item(line) for line in reasons[:REASONS]]
     parts += [_checks(result, wall, words), Paragraph(held, "quiet")]
-    parts += _side_by_side([*first, wall_figures.capacity(result, wall, words)]) + site.loads(wall, words)
+    parts += _side_by_side([*first, wall_figures.capacity(result, wall, words)])
+    parts += site.solids(wall, words) + site.loads(wall, words)
     for title, steps in derived:
         if steps:
             parts += [Heading(say(title), 3), Derivation(steps)]

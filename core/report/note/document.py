@@ -19,7 +19,7 @@ COLORS = {
     "accent": "#2B5C8A",
     "good": "#1B6E4B",
     "amber": "#8A5A00",
-    "bad": "#B3421B",
+    "bad": "#A6192E",
 }
 WIDTH = 17.0
 """Width of the text of an A4 page [cm]."""

@@ -7,6 +7,7 @@ from core.study.floors import damaged
 from core.study.results import StudyResult, WallResult
 from core.study.variants import comparisons
 from core.units import G
+from core.wall.wall_body import parts_of
 from core.wall.wall_loads import size_of
 
 
@@ -79,6 +80,23 @@ def loads(wall: WallResult, words: Words) -> list[Part]:
         for load in asked.load
     ]
     return [Table(heads, rows, (2, 1, 1, 1, 2))]
+
+
+def solids(wall: WallResult, words: Words) -> list[Part]:
+    """The solids of a wall that is no rectangle, from the outer face of its base."""
+    parts = parts_of(wall.wall)
+    if not parts:
+        return []
+    say, number = words.say, words.number
+    heads = [say("Solids, from the outer face of the base"), "M [kg]", "x [m]", "z [m]", "I [kg m²]"]
+    rows = []
+    for k, part in enumerate(parts, start=1):
+        kind = say("opening") if part.weight < 0.0 else say("wedge") if part.wedge else say("solid")
+        (x, z), mass = part.body.centroid, part.body.mass
+        plane = words.word(f"choice_{part.plane}")
+        cells = [number(mass, ".1f"), number(x, ".4f"), number(z, ".4f"), number(part.body.inertia, ".1f")]
+        rows.append([f"{k} {kind}, {plane}", *cells])
+    return [Table(heads, rows, (2.4, 1, 1, 1, 1.2))]
 
 
 def before_and_after(result: StudyResult, words: Words) -> list[Part]:

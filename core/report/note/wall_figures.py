@@ -11,6 +11,7 @@ from core.report.load_arrows import arrows
 from core.report.note import bending_figure
 from core.report.note.parts import Curve, Figure, Label, path
 from core.report.note.words import Words
+from core.report.outlines import in_elevation, in_section
 from core.report.plots import thinned
 from core.study.bar_histories import bar_histories
 from core.study.demand_histories import demand_histories
@@ -37,11 +38,7 @@ def drawing(wall: WallResult, words: Words) -> Figure | None:
     if not wall.wall.height_m:
         return None
     below = wall.part.hinge
-    curves = [
-        path(_corners(h, t, u, 0.0), "accent", width=1.8),
-        path(_corners(h, t, u, TURNED), "quiet", "dash", 0.9),
-        Curve("", (t - u,), (0.0,), "bad", "points"),
-    ]
+    curves = [*_outlines(wall, h, t, u), Curve("", (t - u,), (0.0,), "bad", "points")]
     if below:
         legs = [(0.0, 0.0), (0.0, -below), (t, -below), (t, 0.0)]
         curves.append(path(legs, "quiet", width=0.9))
@@ -93,6 +90,42 @@ def drawing(wall: WallResult, words: Words) -> Figure | None:
     return Figure(
         caption, curves, y_range=(low, high), labels=labels, x_range=(-0.5 * (h + below), t + 0.5 * (h + below))
     )
+
+
+def _outlines(wall: WallResult, h: float, t: float, u: float) -> list[Curve]:
+    """The wall in section at rest and turned, outward to the right; of a body each of its solids."""
+    solids = in_section(wall.wall)
+    if not solids:
+        return [
+            path(_corners(h, t, u, 0.0), "accent", width=1.8),
+            path(_corners(h, t, u, TURNED), "quiet", "dash", 0.9),
+        ]
+    curves = []
+    for points, kind in solids:
+        closed = [(t - x, z) for x, z in (*points, points[0])]
+        curves.append(path(closed, *(("quiet", "dash", 0.7) if kind == "opening" else ("accent", "line", 1.6))))
+        if kind != "opening":
+            turned = [_turned(x, z, t - u, TURNED) for x, z in closed]
+            curves.append(path(turned, "quiet", "dash", 0.9))
+    return curves
+
+
+def elevation(wall: WallResult, words: Words) -> Figure | None:
+    """A body seen from outside; None of a rectangle."""
+    outlines = in_elevation(wall.wall)
+    if not outlines:
+        return None
+    curves = [
+        path([*points, points[0]], *(("bad", "line", 1.0) if kind == "opening" else ("accent", "line", 1.6)))
+        for points, kind in outlines
+        if kind != "wedge"
+    ]
+    across, up = ([p[k] for points, _ in outlines for p in points] for k in (0, 1))
+    margin = 0.08 * max(max(up), max(across) - min(across))
+    middle, half = 0.5 * (min(across) + max(across)), 0.5 * max(max(across) - min(across), max(up)) + margin
+    caption = words.say("{wall}: elevation, openings in red", wall=wall.name)
+    curves.append(Curve("", (middle - half, middle + half), (0.0, 0.0), "quiet", width=1.1))
+    return Figure(caption, curves, y_range=(-margin, max(up) + margin), x_range=(middle - half, middle + half))
 
 
 def _sizes_of_loads(wall: WallResult, words: Words) -> list[Label]:

@@ -4,6 +4,7 @@
 
 from core.derivation import site
 from core.derivation import wall as of_wall
+from core.derivation.geometry import geometry
 from core.derivation.line import FULL, SYMBOLS, Columns, Line, Section
 from core.report.note.parts import Step
 from core.report.note.words import Words
@@ -52,7 +53,7 @@ class Derivations:
 
     def wall(self, wall: WallResult) -> list[tuple[str, list[Step]]]:
         """(title, steps) of the sections of a wall that has a kinematic mechanism, or of its block alone."""
-        sections = [of_wall.geometry(wall)]
+        sections = [geometry(wall)]
         if wall.assessment and wall.assessment.kinematic:
             sections += of_wall.checks_of(self.result, wall)
         return [(section.title, self.steps(section)) for section in sections]

@@ -32,6 +32,8 @@ REFUSED = {
     "thrust": ({"load": [{"kind": "thrust", "kn_m": 5.0, "h_m": 3.0}]}, "bending_load"),
     "carried mass": ({"load": [{"kind": "carried_mass", "kn_m": 5.0, "h_m": 3.0, "d_m": 0.1}]}, "bending_load"),
     "between": ({"load": [TOP | {"h_m": 1.5}]}, "bending_load_height"),
+    "gable": ({"length_m": 4.0, "gable_m": 1.0}, "bending_rectangle"),
+    "steps": ({"length_m": 4.0, "steps": [{"from_z_m": 1.5, "thickness_m": 0.2}]}, "bending_rectangle"),
     "general block": (
         {"height_m": None, "thickness_m": None, "slenderness_deg": 6.0, "radius_m": 1.5, "inertia_over_mass_m2": 3.0},
         "bending_needs",

@@ -11,6 +11,7 @@ from core.case.rules import parse_case
 from core.derivation import bending, body, checks, closed_forms, demand
 from core.derivation import wall as of_wall
 from core.derivation.closed_forms import closed
+from core.derivation.geometry import geometry
 from core.derivation.line import Columns
 from core.derivation.quantity import Quantity
 from core.derivation.site import demand_section
@@ -48,6 +49,24 @@ def load_of(draw, height, thickness):
     return load
 
 
+def body_of(draw, height, thickness):
+    """A battered wall, a stepped one, one with a gable and a window, or one with wedges."""
+    kind, face = draw.choice(("battered", "steps", "gable", "wedges")), round(0.5 * thickness, 3)
+    wall = {"length_m": 5.0, "hinge_setback_m": draw.choice((0.0, 0.02))}
+    if kind == "battered":
+        corners = draw.choice(([[0, 0], [thickness, 0], [face, height], [0, height]],
+                               [[0, 0], [thickness, 0], [thickness, height], [face, height]]))  # fmt: skip
+        return wall | {"solid": [{"plane": "section", "polygon_m": corners, "to_m": 5.0}]}
+    if kind == "steps":
+        flush = draw.choice(("outer", "inner"))
+        return wall | {"steps": [{"from_z_m": 0.5 * height, "thickness_m": 0.8 * thickness, "flush": flush}]}
+    if kind == "gable":
+        window = {"s_m": 2.0, "z_m": 0.3, "width_m": 1.0, "height_m": 0.6}
+        return wall | {"gable_m": round(0.3 * height, 3), "openings": [window]}
+    wedges = {"number": 1, "thickness_m": 0.4, "length_at_top_m": 0.5}
+    return wall | {"mechanism": "one_sided", "restitution": "one_sided_theoretical", "return_wedges": wedges}
+
+
 def held_at_top(draw, name):
     """A wall that bends, with one load on its top, two or none."""
     height, thickness = round(draw.uniform(2.5, 5.0), 3), round(draw.uniform(0.25, 0.5), 3)
@@ -81,9 +100,20 @@ def wall_of(draw, k):
         "elastic_modulus_mpa": round(draw.uniform(600.0, 2000.0)),
         "restitution": draw.choice(OF_MECHANISM[mechanism]),
     }
-    kind = draw.choice(
-        ("sizes", "setback", "strength", "slenderness", "general", "friction", "loads", "loads", "bends")
+    kinds = (
+        "sizes",
+        "setback",
+        "strength",
+        "slenderness",
+        "general",
+        "friction",
+        "loads",
+        "loads",
+        "body",
+        "body",
+        "bends",
     )
+    kind = draw.choice(kinds)
     if kind == "bends":
         return held_at_top(draw, wall["name"])
     if kind == "general":
@@ -94,6 +124,12 @@ def wall_of(draw, k):
     if kind == "slenderness":
         return wall | {"slenderness_deg": draw.uniform(4.0, 9.0)}
     wall |= {"thickness_m": thickness}
+    if kind == "body":
+        wall |= body_of(draw, height, thickness)
+        loads = [{**load_of(draw, height, thickness), "kind": "carried_mass"} for _ in range(draw.randint(0, 2))]
+        loads = [{key: load[key] for key in ("kind", "kn_m", "h_m", "d_m") if key in load} for load in loads]
+        carried = [load for load in loads if "d_m" in load]
+        return wall | ({"load": carried} if carried else {})
     if kind == "setback" or (kind == "loads" and draw.random() < 0.5):
         wall |= {"hinge_setback_m": 0.02}
     if kind == "strength":
@@ -137,7 +173,7 @@ def results(which):
 
 
 def sections_of(result, wall):
-    return [demand_section(result), of_wall.geometry(wall), closed(wall), *of_wall.checks_of(result, wall)]
+    return [demand_section(result), geometry(wall), closed(wall), *of_wall.checks_of(result, wall)]
 
 
 def evaluate(sections):
@@ -154,7 +190,9 @@ def evaluate(sections):
                     for key, cell in line.shift.items():
                         item[key.split(".")[1]] -= known[cell]
                     rows.append(SimpleNamespace(**item))
-                known["loads" if "load.n" in line.symbols else "modes"] = rows
+                known[{"load": "loads", "mode": "modes", "solid": "solids"}[next(iter(line.symbols)).split(".")[0]]] = (
+                    rows
+                )
                 continue
             value = line.value
             if line.quantity is not None and value is not None:
@@ -215,4 +253,4 @@ def test_that_the_sections_of_a_run_with_records_agree_too(reference, tmp_path):
     )
     result = run(case, base_dir=tmp_path)
     for found in result.walls:
-        assert evaluate([demand_section(result), of_wall.geometry(found), *of_wall.checks_of(result, found)]) > 10
+        assert evaluate([demand_section(result), geometry(found), *of_wall.checks_of(result, found)]) > 10

@@ -180,6 +180,42 @@ def height(folder):
 
 
 @pytest.fixture(scope="module")
+def bodies(folder):
+    """A gabled wall with openings and wedges, a stepped one that differs by side, one of oblique solids."""
+    own = {"unit_weight_kn_m3": 18.0, "base_z_m": 0.0, "hinge_heights": "base"}
+    coping = {"kind": "carried_mass", "kn_m": 2.0, "d_m": 0.2, "h_m": 5.0}
+    door, rose = {"s_m": 2.0, "z_m": 0.0, "width_m": 1.2, "height_m": 2.2}, {"s_m": 3.0, "z_m": 4.0, "diameter_m": 1.0}
+    corner = [
+        {"plane": "oblique", "angle_deg": angle, "polygon_m": corners, "from_m": first, "to_m": first + 0.5}
+        for angle, corners, first in (
+            (45.0, [[0, 0], [3, 4], [0, 4]], 0.0),
+            (-45.0, [[0.5, 0.666], [3, 4], [0.5, 4]], -0.5),
+        )
+    ]
+    walls = [
+        {"name": "facade", "mechanism": "one_sided", "height_m": 7.0, "thickness_m": 0.6, "length_m": 6.0,
+         "gable_m": 2.0,
+         "openings": [door, rose],
+         "return_wedges": {"number": 2, "thickness_m": 0.4, "length_at_top_m": 1.0},
+         **own},
+        {"name": "pillar", "mechanism": "two_sided", "height_m": 5.0, "thickness_m": 0.6, "length_m": 2.0,
+         "hinge_setback_m": 0.02,
+         "steps": [{"from_z_m": 2.5, "thickness_m": 0.4}], "load": [coping], "elastic_modulus_mpa": 800.0, **own},
+        {"name": "corner", "mechanism": "one_sided", "height_m": 4.0, "thickness_m": 0.5, "length_m": 4.0,
+         "solid": corner, **own},
+    ]  # fmt: skip
+    return made(folder, wall=walls, demand={"ag_g": 0.12, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}})[1]
+
+
+def test_that_a_body_has_its_solids_on_a_sheet_and_in_the_check(bodies, book):
+    assert "Bodies" in bodies.workbook.sheetnames and "Bodies" not in book.workbook.sheetnames
+    check = [cell.value for row in bodies.workbook["Check"].iter_rows() for cell in row]
+    assert "=wall1_solid4_m" in check and "=wall2_solid2_i" in check
+    sheets = bodies.workbook.sheetnames
+    assert sheets.index("Bodies") == sheets.index("Check") + 1
+
+
+@pytest.fixture(scope="module")
 def held(folder):
     """Walls held at their top, with loads, a setback and neither, beside one that rocks."""
     top = {"kind": "vertical", "kn_m": 12.0, "d_m": 0.1, "h_m": 3.0, "mass": "none"}
@@ -305,7 +341,7 @@ def test_that_walls_above_the_ground_have_a_sheet_of_their_floors(height, book):
     assert "PFA [g]" in shown and any("wall at 6 m" in str(value) for value in shown)
 
 
-@pytest.mark.parametrize("which", ["book", "ntc", "height", "held", "loads"])
+@pytest.mark.parametrize("which", ["book", "ntc", "height", "held", "loads", "bodies"])
 def test_that_libreoffice_recalculates_every_formula_to_the_programs_value(which, request, tmp_path):
     book = request.getfixturevalue(which)
     book = book[1] if which == "loads" else book

@@ -160,7 +160,12 @@ def test_that_a_wall_to_be_held_at_its_top_is_compared_with_the_wall_that_overtu
 
 def test_that_a_spectrum_too_short_for_the_overturning_leaves_the_wall_its_verdict(tmp_path):
     """T_SLV of the overturning is beyond the end of the file, that of the bending is not."""
-    tall = WALL | {"height_m": 12.0, "thickness_m": 1.0, "load": [TOP | {"kn_m": 60.0, "h_m": 12.0, "d_m": 0.5}], "base_z_m": 0.0}
+    tall = WALL | {
+        "height_m": 12.0,
+        "thickness_m": 1.0,
+        "load": [TOP | {"kn_m": 60.0, "h_m": 12.0, "d_m": 0.5}],
+        "base_z_m": 0.0,
+    }
     rows = ["0 0.42", "0.15 1.05", "0.5 1.05", "1.0 0.525", "2.5 0.21"]
     (tmp_path / "s.txt").write_text("T[s] Se[g]\n" + "\n".join(rows))
     demand = {"ag_g": 0.35, "soil_factor": 1.2, "spectrum_file": "s.txt"}

@@ -37,6 +37,8 @@ BAR = {"number": 4, "diameter_mm": 20.0}
 REFUSED = [
     ("loads_need_weight", (ROOF,), {"unit_weight_kn_m3": None}),
     ("loads_contradict", (ROOF,), {"unloaded_confirmed": True}),
+    ("load_size_missing", ({**ROOF, "kn_m": None},), {}),
+    ("load_size_missing", ({**ROOF, "kn_m": None},), {"compressive_strength_mpa": 2.0}),
     ("load_mass_missing", ({**ROOF, "mass": None},), {}),
     ("load_mass_refused", ({**TIE, "mass": "moving"},), {}),
     ("load_mass_refused", ({"kind": "carried_mass", "kn_m": 1.0, "d_m": 0.2, "h_m": 3.0, "mass": "none"},), {}),
@@ -45,7 +47,11 @@ REFUSED = [
     ("load_outside", ({**ROOF, "h_m": 3.01},), {}),
     ("load_outside", (ROOF,), {"tie_height_m": 3.5}),
     ("unstable_under_loads", ({**THRUST, "kn_m": 6.0},), {}),
-    ("moving_mass_off_centre", (PUSHING,), {"mechanism": "two_sided"}),
+    (
+        "moving_mass_off_centre",
+        ({**PUSHING, "kn_m": 100.0, "h_m": 3.0, "d_m": 0.45},),
+        {"mechanism": "two_sided", "hinge_setback_m": 0.1},
+    ),
     ("two_sided_loads_rigid", (ROOF,), {"mechanism": "two_sided", "law": "doherty"}),
     ("tie_too_strong", (ROOF, {**TIE, "kn_m": 12.0}), {}),
     ("collapse_too_far", ({**INWARD, "kn_m": -40.0},), {}),
@@ -259,8 +265,10 @@ def test_that_a_and_c_count_the_weight_of_the_masses_that_move():
     outward, inward = restoring_of(wall, block)
     at_rest = outward.sine * math.sin(block.slenderness) + outward.cosine * math.cos(block.slenderness)
     assert 34.3 * block.radius * at_rest == pytest.approx(34.3 * block.centroid[0] + 3.0 * 0.2, rel=1e-13)
-    at_rest = inward.sine * math.sin(block.slenderness) + inward.cosine * math.cos(block.slenderness)
-    assert 34.3 * block.radius * at_rest == pytest.approx(34.3 * block.centroid[0] + 3.0 * 0.25, rel=1e-13)
+    other = wall.inner_block()
+    at_rest = inward.sine * math.sin(other.slenderness) + inward.cosine * math.cos(other.slenderness)
+    assert other.centroid[0] == pytest.approx(0.45 - block.centroid[0], rel=1e-13)
+    assert 34.3 * other.radius * at_rest == pytest.approx(34.3 * other.centroid[0] + 3.0 * 0.25, rel=1e-13)
     assert restoring_of(wall_of(PUSHING), block) == (BARE, BARE)
 
 
@@ -301,7 +309,8 @@ def test_that_masses_in_the_middle_leave_one_block_for_both_hinges():
         ((ROOF,), {}, True),
         ((ROOF,), {"law": "doherty"}, False),  # its sides differ
         (({**ROOF, "d_m": 0.225},), {"law": "doherty"}, True),
-        ((PUSHING,), {}, False),  # what moves is off its middle
+        ((PUSHING,), {}, True),  # another body about each hinge
+        ((PUSHING,), {"law": "doherty"}, False),
         (({**PUSHING, "d_m": 0.225},), {}, True),
         (({**TIE, "kn_m": 1.0}, {"kind": "thrust", "kn_m": 0.5, "h_m": 2.0}), {}, True),
     ],

@@ -1,0 +1,111 @@
+"""All figures of the wall shown, to a folder: drawn one by one between the events of the window, which alone may paint;
+made into files and written off its thread."""
+
+import queue
+from collections.abc import Iterator
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Qt, QTimer
+from PySide6.QtWidgets import QLabel
+
+from app.look.file_dialogs import plain_name
+from app.look.language import named, tr
+from app.views.chart import Chart
+from app.views.figure_file import FigureSize, png, raster
+from core import atomic_write
+
+WAITING = 2
+"""Figures that wait for their files: a page at 600 dpi takes 35 MB."""
+
+
+def beginning(wall) -> str:
+    """Of the names of the files of a wall."""
+    return f"{plain_name(f'{wall.name} {named(wall.mechanism)}')} - "
+
+
+class FigureExport(QObject):
+    """Of one wall; a change of the input, of the wall or of the window cancels it. All files are written, or none."""
+
+    def __init__(self, window, folder: Path, size: FigureSize):
+        super().__init__(window)
+        self.window, self.size, self.figures = window, size, queue.SimpleQueue()
+        self.of, self.drawing = (window.shown, window.stages), self._draw()
+        self.timer = QTimer(self)
+        self.timer.timeout.connect(self._next)
+        start = beginning(window.wall)
+
+        def work(job) -> int:
+            files: dict[Path, bytes] = {}
+            while True:
+                job.check()
+                try:
+                    found = self.figures.get(timeout=0.05)
+                except queue.Empty:
+                    continue
+                if found is None:
+                    break
+                files[folder / f"{start}{plain_name(found[0])}.png"] = png(found[1])
+            job.commit()
+            atomic_write.write(files)
+            return len(files)
+
+        def arrived(count: int) -> None:
+            window.show_word(tr("{n} figures written to {folder}", n=count, folder=folder))
+
+        window.start(work, arrived)
+        self.job = window.job
+        self.timer.start(0)
+
+    def _next(self) -> None:
+        """Another page to the front, or another figure."""
+        window = self.window
+        if window.job is self.job and (self.of != (window.shown, window.stages) or window.session.stale):
+            window.cancel()
+        if window.job is not self.job:
+            self._end()
+        elif self.figures.qsize() < WAITING:
+            try:
+                next(self.drawing)
+            except StopIteration:
+                self._end()
+                self.figures.put(None)
+            except Exception:
+                window.cancel()
+                self._end()
+                raise
+
+    def _end(self) -> None:
+        self.timer.stop()
+        self.drawing.close()
+        self.deleteLater()
+
+    def _draw(self) -> Iterator[None]:
+        """Qt lays nothing out that was not once in front: each page is, behind a picture of the stage as it was."""
+        window, stages = self.window, self.window.stages
+        page, stage = window.page, stages.front
+        cover = QLabel(stages.stack)
+        cover.setPixmap(stages.stack.grab())
+        cover.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)  # what is behind it is not painted
+        cover.setGeometry(stages.stack.rect())
+        cover.show()
+        frozen = (stages.stack, window.tree)
+        for part in frozen:
+            part.setEnabled(False)
+        try:
+            for k, name in enumerate(window.pages):
+                content = window.pages[name].content  # made where it is not yet
+                yield
+                window.show_page(name)
+                cover.raise_()
+                yield
+                for chart in content.findChildren(Chart):
+                    if chart.data:
+                        self.figures.put((chart.name, raster(chart, self.size)))
+                        yield
+                self.job.progress(k + 1, len(window.pages))
+        finally:
+            if window.stages is stages:
+                for part in frozen:
+                    part.setEnabled(True)
+                window.show_page(page) if page is not None else window.show_stage(stage)
+                cover.deleteLater()

@@ -1,0 +1,103 @@
+"""The shape of a wall that is no rectangle: solids, and short forms of what is common."""
+
+import math
+from dataclasses import MISSING, dataclass, replace
+
+from core.case.keys import choice_key, flag_key, key, number_key
+from core.errors import InputError, place
+from core.wall.body import cut_above
+from core.wall.wall_body import faces_at, parts_of, shoulder
+
+
+@dataclass(frozen=True)
+class Solid:
+    """[[wall.solid]]: a polygon (s, z) in a vertical plane, extruded along its normal n.
+
+    plane : elevation, s along the wall and n from the outer face inward; section, s from the outer face inward and n
+        along the wall; oblique, angle_deg from the section in plan
+    polygon_m : corners (s, z), z above the hinge; from_m, to_m : its ends along n
+    opening : taken away; x0_m : from the outer face inward to s = n = 0; unit_weight_kn_m3 : that of the wall if
+        none is given
+    """
+
+    plane: str = choice_key("elevation", "section", "oblique")
+    polygon_m: tuple[tuple[float, float], ...] = key("polygon", MISSING)
+    to_m: float = number_key(-200.0, 200.0, MISSING, unit="m")
+    from_m: float = number_key(-200.0, 200.0, 0.0, unit="m")
+    opening: bool = flag_key()
+    x0_m: float = number_key(-20.0, 20.0, 0.0, unit="m")
+    angle_deg: float | None = number_key(-90.0, 90.0, unit="deg")
+    unit_weight_kn_m3: float | None = number_key(5.0, 40.0, unit="kN/m3")
+
+
+@dataclass(frozen=True)
+class Opening:
+    """[[wall.openings]]: a rectangle by its lower left corner, width and height, or a circle by its centre and its
+    diameter.
+
+    s_m : along the wall; z_m : above the hinge
+    """
+
+    s_m: float = number_key(0.0, 200.0, MISSING, unit="m")
+    z_m: float = number_key(0.0, 60.0, MISSING, unit="m")
+    width_m: float | None = number_key(0.05, 100.0, unit="m")
+    height_m: float | None = number_key(0.05, 60.0, unit="m")
+    diameter_m: float | None = number_key(0.05, 60.0, unit="m")
+
+
+@dataclass(frozen=True)
+class Wedges:
+    """[wall.return_wedges]: what the wall drags along of the return walls behind it.
+
+    number : of return walls; thickness_m : of each; length_at_top_m : of the wedge at the top of the wall
+    from_z_m : where the crack begins, above the hinge
+    """
+
+    number: int = number_key(1, 20, MISSING, whole=True)
+    thickness_m: float = number_key(0.05, 3.0, MISSING, unit="m", form_unit="cm")
+    length_at_top_m: float = number_key(0.0, 30.0, MISSING, unit="m", exclusive=True)
+    from_z_m: float = number_key(0.0, 60.0, 0.0, unit="m")
+
+
+@dataclass(frozen=True)
+class Step:
+    """[[wall.steps]]: the thickness from a height on. flush : the face that goes on"""
+
+    from_z_m: float = number_key(0.0, 60.0, MISSING, unit="m", exclusive=True)
+    thickness_m: float = number_key(0.05, 20.0, MISSING, unit="m", form_unit="cm")
+    flush: str = choice_key("outer", "inner", "middle", default="outer")
+
+
+def above(wall, hinge: float) -> dict:
+    """What changes of a wall above a hinge [m above its base], where it is no rectangle: the solids cut there, the base
+    between the faces at that height, and the wedges, whose crack begins at the hinge with the same inclination. Raises
+    InputError at a height without a solid."""
+    parts = [part for part in parts_of(wall) if not part.wedge]
+    if not parts:
+        return {}
+    faces = faces_at(parts, hinge)
+    if faces is None:
+        raise InputError("hinge_in_a_gap", place=(place("wall", name=wall.name),), key="hinge_heights", hinge=hinge)
+    outer, inner = faces
+    cut = [(part, tuple(cut_above(part.polygon, hinge))) for part in parts]
+    solids = tuple(
+        Solid(
+            plane=part.plane,
+            polygon_m=polygon,
+            to_m=part.ends[1],
+            from_m=part.ends[0],
+            opening=part.weight < 0.0,
+            x0_m=part.start - outer,
+            angle_deg=math.degrees(part.angle) if part.plane == "oblique" else None,
+            unit_weight_kn_m3=abs(part.weight),
+        )
+        for part, polygon in cut
+        if polygon
+    )
+    wedges = wall.return_wedges
+    if wedges is not None:
+        start, of_all = max(wedges.from_z_m - hinge, 0.0), shoulder(wall) - wedges.from_z_m
+        rest = (shoulder(wall) - hinge - start) / of_all
+        wedges = replace(wedges, from_z_m=start, length_at_top_m=wedges.length_at_top_m * rest) if rest > 0.0 else None
+    base = min(inner - outer, wall.thickness)
+    return {"solid": solids, "return_wedges": wedges, "thickness_m": base, "gable_m": None, "openings": (), "steps": ()}

@@ -1,0 +1,173 @@
+"""One number of a case over a range: what each check of a wall gives, and q. The case stays as it is."""
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, fields, replace
+from pathlib import Path
+from typing import Any
+
+from core.case.loads import Bars, Load, ReturnWalls
+from core.case.rules import parse_case
+from core.case.schema import Case, Wall
+from core.case.site import Building, Demand, Spectrum
+from core.case.variant_of import ALTERNATIVES
+from core.case.writer import table_of
+from core.errors import InputError
+from core.study.journal import Memory
+from core.study.results import StudyResult
+from core.study.run import run
+
+OF_A_TIE_TO_DESIGN = "tie_"
+"""How the keys of the tie that is sought begin: no check counts it."""
+
+NOT_SWEPT = ("zeta_target", "q_code")
+"""Keys of the demand that name what is shown, the line required and a check."""
+
+GENERAL, RECTANGLE = ("radius_m", "inertia_over_mass_m2"), ("height_m", "thickness_m", "height_over_thickness")
+"""Sizes of a general block and of a rectangle, of which the other has none."""
+
+MOST_VALUES = 200
+
+
+@dataclass(frozen=True)
+class SweepKey:
+    """A key that is swept. section : its class; load : index of the load it is of, None where of none"""
+
+    section: type
+    name: str
+    load: int | None = None
+
+
+@dataclass(frozen=True)
+class SweepPoint:
+    """What one value gives.
+
+    value : of the key, as in the case file
+    zeta : label of a check -> the lowest of all hinges and mechanisms, None where one of them has none
+    q : the lowest of the same, None without a collapse
+    verdict, zeta_e : of the wall; None without a demand
+    error : why there are no numbers, None where there are
+    """
+
+    value: float
+    zeta: dict[str, float | None]
+    q: float | None = None
+    verdict: str | None = None
+    zeta_e: float | None = None
+    error: InputError | None = None
+
+
+def sweep_keys(case: Case, k: int) -> list[SweepKey]:
+    """The numbers of the k-th wall, and of the case as far as it is given, that can be swept."""
+    wall = case.wall[k]
+    other = GENERAL if wall.radius_m is None else RECTANGLE
+    found = [key for key in _keys(Wall) if not key.name.startswith(OF_A_TIE_TO_DESIGN) and key.name not in other]
+    for n, load in enumerate(wall.load):
+        found += _given(load, n)
+        found += _given(load.bar, n) if load.bar else []
+    spectrum = case.demand.spectrum if case.demand else None
+    for section in (wall.return_walls, case.demand, spectrum, case.building):
+        found += _given(section) if section else []
+    return [key for key in found if key.name not in NOT_SWEPT]
+
+
+def _keys(section: type, load: int | None = None) -> list[SweepKey]:
+    return [SweepKey(section, entry.name, load) for entry in fields(section) if entry.metadata["kind"] == "float"]
+
+
+def _given(section: Any, load: int | None = None) -> list[SweepKey]:
+    return [key for key in _keys(type(section), load) if getattr(section, key.name) is not None]
+
+
+def value_at(case: Case, k: int, key: SweepKey) -> float | None:
+    """The value of a key now; of a thickness the one that follows, where another size gives it."""
+    wall = case.wall[k]
+    if key.name == "thickness_m" and key.section is Wall:
+        return wall.thickness
+    return getattr(_holder(case, wall, key), key.name)
+
+
+def _holder(case: Case, wall: Wall, key: SweepKey) -> Any:
+    """The section a key is in."""
+    loads: dict[type, Any] = {}
+    if key.load is not None:
+        load = wall.load[key.load]
+        loads = {Load: load, Bars: load.bar}
+    spectrum = case.demand.spectrum if case.demand else None
+    of_case = {ReturnWalls: wall.return_walls, Demand: case.demand, Spectrum: spectrum, Building: case.building}
+    return ({Wall: wall} | loads | of_case)[key.section]
+
+
+def with_value(case: Case, k: int, key: SweepKey, value: float) -> Case:
+    """The case with the k-th wall alone and another value of a key; another way to give the same size goes, and no tie
+    is sought. Raises InputError where a rule is broken."""
+    designed: dict[str, Any] = {e.name: None for e in fields(Wall) if e.name.startswith(OF_A_TIE_TO_DESIGN)}
+    wall = replace(case.wall[k], **designed)
+    changed = replace(_holder(case, wall, key), **{key.name: value})
+    if key.section is Wall:
+        others = next((keys for keys in ALTERNATIVES if key.name in keys), ())
+        empty: dict[str, Any] = {one: 0.0 if one == "hinge_setback_m" else None for one in others if one != key.name}
+        wall = replace(changed, **empty)
+    elif key.load is not None:
+        load = changed if key.section is Load else replace(wall.load[key.load], bar=changed)
+        wall = replace(wall, load=(*wall.load[: key.load], load, *wall.load[key.load + 1 :]))
+    elif key.section is ReturnWalls:
+        wall = replace(wall, return_walls=changed)
+    elif key.section is Building:
+        case = replace(case, building=changed)
+    elif case.demand:
+        case = replace(case, demand=replace(case.demand, spectrum=changed) if key.section is Spectrum else changed)
+    case = replace(case, wall=(wall,), analysis=replace(case.analysis, accuracy=False))
+    return parse_case(table_of(case))
+
+
+def sweep(
+    case: Case,
+    k: int,
+    key: SweepKey,
+    values: Iterable[float],
+    *,
+    base_dir: Path,
+    jobs: int = 1,
+    book: Memory | None = None,
+    on_progress: Callable[[int, float], None] = lambda n, share: None,
+    cancelled: Callable[[], bool] = lambda: False,
+) -> Iterator[SweepPoint]:
+    """A point for each value, in their order; a value that is refused has no numbers, and the others go on.
+
+    k : of the wall
+    base_dir, jobs : as of `core.study.run.run`
+    book : finished searches and checks, used and added to
+    on_progress : index of the value and the share of it that is done
+    Raises Cancelled.
+    """
+    memory = book or Memory()
+    for n, value in enumerate(values):
+
+        def tell(done: int, of: int, left: float | None, n: int = n) -> None:
+            on_progress(n, done / max(of, 1))
+
+        options: dict[str, Any] = {"base_dir": base_dir, "jobs": jobs, "on_progress": tell, "cancelled": cancelled}
+        try:
+            result = run(with_value(case, k, key, value), journal=lambda _: memory, **options)
+        except InputError as error:
+            yield SweepPoint(value, {}, error=error)
+            continue
+        yield point_of(value, result)
+
+
+def point_of(value: float, result: StudyResult) -> SweepPoint:
+    """What a result of one wall comes to."""
+    zeta: dict[str, float | None] = {}
+    for wall in result.walls:
+        for check in wall.assessment.checks if wall.assessment else ():
+            known = zeta.get(check.label, check.zeta)
+            zeta[check.label] = None if check.zeta is None or known is None else min(known, check.zeta)
+    found = [wall.q_set for wall in result.walls if wall.q_set is not None]
+    verdict = result.walls[result.verdicts[0].governing].assessment.verdict if result.verdicts else None
+    return SweepPoint(
+        value,
+        zeta,
+        min(found) if found else None,
+        verdict.code if verdict else None,
+        verdict.zeta_e if verdict else None,
+    )

@@ -1,0 +1,283 @@
+"""The body of a wall of the case: its solids, what is wrong with them, and the part above a hinge.
+
+x is inward from the outer face of the base, z above it.
+"""
+
+import math
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+
+from core.units import G
+from core.wall.body import Body, cut_above, directions, extruded, together
+
+ROUND = 64
+"""Sides of the polygon of a round opening, which has the area of the circle."""
+
+ANGLES = {"elevation": 0.5 * math.pi, "section": 0.0}
+"""Of the planes from the direction of motion [rad]."""
+
+SLICES = 2000
+"""Of a body over its height, for its period."""
+
+SHORT_FORMS = ("gable_m", "openings", "steps")
+"""Keys that make a wall another shape, in place of solids."""
+
+
+class Part(NamedTuple):
+    """A solid as a number sees it.
+
+    polygon : corners (s, z) [m]; ends : along the normal [m]; angle : [rad]; start : x of s = n = 0 [m]
+    weight : [kN/m3], negative of an opening; plane, wedge : what it is drawn as
+    """
+
+    polygon: tuple[tuple[float, float], ...]
+    ends: tuple[float, float]
+    angle: float
+    start: float
+    weight: float
+    plane: str
+    wedge: bool = False
+
+    @property
+    def body(self) -> Body:
+        return extruded(self.polygon, self.ends, self.angle, self.start, 1e3 * self.weight / G)
+
+    @property
+    def top(self) -> float:
+        return max(z for _, z in self.polygon)
+
+    def x_of(self, s: float, n: float) -> float:
+        """x [m] of a point of the solid."""
+        cosine, sine = directions(self.angle)
+        return self.start + s * cosine + n * sine
+
+    def width_at(self, z: float) -> tuple[float, float] | None:
+        """Smallest and largest s just above a height [m]; None where the solid is not there."""
+        found = []
+        for (s0, z0), (s1, z1) in zip(self.polygon, (*self.polygon[1:], self.polygon[0]), strict=True):
+            if (z0 > z) != (z1 > z):
+                found.append(s0 + (s1 - s0) * (z - z0) / (z1 - z0))
+        return (min(found), max(found)) if len(found) > 1 else None
+
+    def widths_at(self, z: np.ndarray) -> np.ndarray:
+        """Width of the polygon along s at heights [m]."""
+        found = np.zeros(z.size)
+        sign = 0.0
+        for (s0, z0), (s1, z1) in zip(self.polygon, (*self.polygon[1:], self.polygon[0]), strict=True):
+            sign += s0 * z1 - s1 * z0
+            if z0 != z1:
+                on = (min(z0, z1) <= z) & (z < max(z0, z1))
+                found += np.where(on, math.copysign(1.0, z1 - z0) * (s0 + (s1 - s0) * (z - z0) / (z1 - z0)), 0.0)
+        return math.copysign(1.0, sign) * found
+
+
+def lies_behind(part: Part, thickness: float) -> bool:
+    """Whether a solid is dragged along behind the base of this thickness [m]: wedges of return walls."""
+    faces = [part.x_of(s, n) for s, _ in part.polygon for n in part.ends]
+    return part.weight > 0.0 and min(faces) >= thickness * (1.0 - 1e-9)
+
+
+def has_shape(wall) -> bool:
+    """Whether a wall gives more than a rectangle."""
+    return bool(wall.solid or wall.return_wedges or any(getattr(wall, key) for key in SHORT_FORMS))
+
+
+def parts_of(wall) -> tuple[Part, ...]:
+    """The solids of a wall; none of a rectangle, however it is written."""
+    if not has_shape(wall):
+        return ()
+    made = tuple(_given(solid, wall) for solid in wall.solid) or tuple(_layers(wall))
+    made += tuple(_wedges(wall))
+    return () if _is_rectangle(made, wall) else made
+
+
+def _given(solid, wall) -> Part:
+    angle = ANGLES[solid.plane] if solid.plane in ANGLES else math.radians(solid.angle_deg)
+    weight = solid.unit_weight_kn_m3 or wall.unit_weight_kn_m3
+    weight = -weight if solid.opening else weight
+    return Part(solid.polygon_m, (solid.from_m, solid.to_m), angle, solid.x0_m, weight, solid.plane)
+
+
+def _is_rectangle(parts: tuple[Part, ...], wall) -> bool:
+    if len(parts) != 1 or parts[0].weight != wall.unit_weight_kn_m3 or len(parts[0].polygon) != 4:
+        return False
+    (part,) = parts
+    corners, (first, last) = set(part.polygon), part.ends
+    height, thickness, length = wall.height_m, wall.thickness, wall.length_m
+    if part.plane == "section":
+        return corners == _corners(0.0, thickness, height) and part.start == 0.0 and last - first == length
+    seen = {(s - min(s for s, _ in corners), z) for s, z in corners}
+    return (
+        part.plane == "elevation"
+        and seen == _corners(0.0, length, height)
+        and (part.start + first == 0.0 and part.start + last == thickness)
+    )
+
+
+def _corners(left: float, right: float, height: float) -> set[tuple[float, float]]:
+    return {(left, 0.0), (right, 0.0), (right, height), (left, height)}
+
+
+def shoulder(wall) -> float:
+    """Height of the wall below its gable [m]."""
+    return wall.height_m - (wall.gable_m or 0.0)
+
+
+def _layers(wall) -> list[Part]:
+    """The wall between its steps, with its gable, and its openings through each."""
+    length, top, eaves = wall.length_m, wall.height_m, shoulder(wall)
+    outline = [(0.0, 0.0), (length, 0.0), (length, eaves), (0.0, eaves)]
+    if wall.gable_m:
+        outline.insert(3, (0.5 * length, top))
+    steps = [(0.0, wall.thickness, "outer"), *((s.from_z_m, s.thickness_m, s.flush) for s in wall.steps)]
+    found = []
+    for k, (low, thickness, flush) in enumerate(steps):
+        high = steps[k + 1][0] if k + 1 < len(steps) else top
+        start = {"outer": 0.0, "inner": 1.0, "middle": 0.5}[flush] * (wall.thickness - thickness)
+        shapes = [(outline, 1.0), *((outline_of(opening), -1.0) for opening in wall.openings)]
+        for shape, sign in shapes:
+            polygon = _between(shape, low, high)
+            if polygon:
+                weight = sign * wall.unit_weight_kn_m3
+                found.append(Part(polygon, (0.0, thickness), ANGLES["elevation"], start, weight, "elevation"))
+    return found
+
+
+def outline_of(opening) -> list[tuple[float, float]]:
+    """Corners (s, z) of an opening [m]."""
+    s, z = opening.s_m, opening.z_m
+    if opening.diameter_m is None:
+        return [
+            (s, z),
+            (s + opening.width_m, z),
+            (s + opening.width_m, z + opening.height_m),
+            (s, z + opening.height_m),
+        ]
+    turn = 2.0 * math.pi / ROUND
+    radius = 0.5 * opening.diameter_m * math.sqrt(turn / math.sin(turn))
+    return [(s + radius * math.cos(turn * k), z + radius * math.sin(turn * k)) for k in range(ROUND)]
+
+
+def _between(polygon, low: float, high: float) -> tuple[tuple[float, float], ...]:
+    """The part of a polygon between two heights, where it is."""
+    if low > 0.0:
+        polygon = [(s, z + low) for s, z in cut_above(polygon, low)]
+    top = max((z for _, z in polygon), default=0.0)
+    if top > high:
+        polygon = [(s, top - z) for s, z in polygon]
+        polygon = [(s, high - z) for s, z in cut_above(polygon, top - high)]
+    return tuple(polygon)
+
+
+def _wedges(wall) -> list[Part]:
+    wedges = wall.return_wedges
+    if wedges is None:
+        return []
+    face, top = wall.thickness, shoulder(wall)
+    corners = ((face, wedges.from_z_m), (face + wedges.length_at_top_m, top), (face, top))
+    ends = (0.0, wedges.number * wedges.thickness_m)
+    return [Part(corners, ends, 0.0, 0.0, wall.unit_weight_kn_m3, "section", wedge=True)]
+
+
+@lru_cache(maxsize=4096)
+def sum_of(parts: tuple[Part, ...]) -> Body:
+    """The Body of solids."""
+    return together(part.body for part in parts)
+
+
+def body_of(wall) -> Body | None:
+    """The body of a wall; None of a rectangle."""
+    parts = parts_of(wall)
+    return sum_of(parts) if parts else None
+
+
+def weight_per_metre(wall) -> float:
+    """W of the wall alone [N/m]: of a body its weight over its length."""
+    body = body_of(wall)
+    if body is not None:
+        return body.mass * G / wall.length_m
+    return 1e3 * wall.unit_weight_kn_m3 * wall.thickness * wall.height_m
+
+
+def base_length(wall) -> float:
+    """Length of the base of a wall less its openings [m], of which thickness_m and this are the section."""
+    cut = [part for part in parts_of(wall) if part.plane == "elevation"]
+    found = 0.0
+    for part in cut:
+        width = part.width_at(0.0)
+        if width is not None:
+            found += math.copysign(width[1] - width[0], part.weight)
+    return found if found > 0.0 else wall.length_m
+
+
+def top_of(wall) -> float:
+    """Height of the body [m]."""
+    parts = parts_of(wall)
+    return max(part.top for part in parts if part.weight > 0.0) if parts else wall.height_m
+
+
+def period_share(wall) -> float:
+    """The square of T_0 of a body over that of its base section as a rectangle of the same height, by Rayleigh's
+    quotient with the deflection of a cantilever under a constant load."""
+    top = top_of(wall)
+    z = (np.arange(SLICES) + 0.5) * top / SLICES
+    eta = z / top
+    deflection = eta**2 * (6.0 - 4.0 * eta + eta**2) / 3.0
+    mass = sum(part.weight * (part.ends[1] - part.ends[0]) * part.widths_at(z) for part in parts_of(wall))
+    base = wall.unit_weight_kn_m3 * wall.thickness * base_length(wall)
+    return float((mass * deflection**2).sum() / (base * (deflection**2).sum()))
+
+
+class Section(NamedTuple):
+    """A horizontal section of a wall, and what is above it.
+
+    height : [m]; middle, thickness : of the section, x of its middle [m]
+    weight : above it [N/m]; x, lever : of its centroid, inward and above the section [m]
+    """
+
+    height: float
+    middle: float
+    thickness: float
+    weight: float
+    x: float
+    lever: float
+
+
+def faces_at(parts, z: float) -> tuple[float, float] | None:
+    """x of the outer and of the inner face of solids just above a height [m], their wedges left out."""
+    found = [
+        part.x_of(s, n)
+        for part in parts
+        if part.weight > 0.0 and not part.wedge and (width := part.width_at(z)) is not None
+        for s in width
+        for n in part.ends
+    ]
+    return (min(found), max(found)) if found else None
+
+
+@lru_cache(maxsize=256)
+def _sections_of(parts: tuple[Part, ...], length: float, top: float, count: int) -> tuple[Section, ...]:
+    found = []
+    for z in np.linspace(0.0, top, count + 1)[1:-1].tolist():
+        faces = faces_at(parts, z)
+        cut = [(part, cut_above(part.polygon, z)) for part in parts]
+        above = together(part._replace(polygon=tuple(polygon)).body for part, polygon in cut if polygon)
+        if faces is None or above.mass <= 0.0:
+            continue
+        x, lever = above.centroid
+        found.append(Section(z, 0.5 * sum(faces), faces[1] - faces[0], above.mass * G / length, x, lever))
+    return tuple(found)
+
+
+def sections(wall, count: int) -> tuple[Section, ...]:
+    """So many sections of a wall over its height, the lowest one above the base."""
+    parts = parts_of(wall)
+    if parts:
+        return _sections_of(parts, wall.length_m, top_of(wall), count)
+    height, middle, weight = wall.height_m, 0.5 * wall.thickness, weight_per_metre(wall)
+    return tuple(
+        Section(y, middle, wall.thickness, weight * (1.0 - y / height), middle, 0.5 * (height - y))
+        for y in np.linspace(0.0, height, count + 1)[1:-1].tolist()
+    )

@@ -1,0 +1,258 @@
+"""Every control by the keyboard, with a focus that is seen and a name that is read; words whole in large letters."""
+
+import os
+import re
+
+import pytest
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
+
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractItemView,
+    QAbstractSlider,
+    QAbstractSpinBox,
+    QComboBox,
+    QDialog,
+    QHeaderView,
+    QLabel,
+    QLineEdit,
+    QPlainTextEdit,
+    QScrollArea,
+    QScrollBar,
+    QStyle,
+    QStyleOptionComboBox,
+    QTabBar,
+    QTextEdit,
+    QWidget,
+)
+
+from app.input.import_dialog import ImportDialog
+from app.look.section import Head, Section
+from app.shell import guide, menus
+from app.shell.study_window import StudyWindow
+from app.views import figure_dialogs
+from app.views.chart import Chart
+from tests.app.driving import run, settle
+from tests.conftest import ROOT
+
+KINDS = (
+    QAbstractButton,
+    QLineEdit,
+    QComboBox,
+    QAbstractSlider,
+    QAbstractSpinBox,
+    QAbstractItemView,
+    QTabBar,
+    QTextEdit,
+    QPlainTextEdit,
+)
+INSIDE = (QComboBox, QAbstractSpinBox, QLineEdit, QTabBar, QAbstractItemView)
+"""Controls whose parts are none of their own."""
+
+
+def controls(top: QWidget) -> list[QWidget]:
+    """What is to be reached in a window as it stands."""
+    return [
+        one
+        for one in top.findChildren(QWidget)
+        if isinstance(one, KINDS)
+        and not isinstance(one, (QScrollBar, QHeaderView))
+        and one.isVisible()
+        and one.isEnabled()
+        and one.window() is top
+        and not isinstance(one.parentWidget(), INSIDE)
+    ]
+
+
+def walked(application, top: QWidget, key) -> list[QWidget]:
+    """Where the focus goes with this key until it comes back."""
+    seen: list[QWidget] = []
+    for _ in range(300):
+        QTest.keyClick(application.focusWidget() or top, key)
+        now = application.focusWidget()
+        if now is None or now in seen:
+            break
+        seen.append(now)
+    return seen
+
+
+def named(one: QWidget) -> str:
+    """What a reader of the screen says of it: a name, its words, those of the label beside it."""
+    words = one.text() if isinstance(one, QAbstractButton) else ""
+    beside = [label.text() for label in one.window().findChildren(QLabel) if label.buddy() is one]
+    return one.accessibleName() or (words if len(words) > 1 else "") or "".join(beside)
+
+
+def told(one: QWidget) -> str:
+    return f"{type(one).__name__} {named(one)!r} of {type(one.parentWidget()).__name__}"
+
+
+def must_be_reached(application, top: QWidget) -> None:
+    """By Tab and by Shift+Tab, or by the arrows of a group; each has a name and shows the focus."""
+    top.activateWindow()
+    for key in (Qt.Key.Key_Tab, Qt.Key.Key_Backtab):
+        seen = walked(application, top, key)
+        groups = [one.group() for one in seen if isinstance(one, QAbstractButton) and one.group()]
+        for one in controls(top):
+            by_arrows = isinstance(one, QAbstractButton) and one.group() in groups and one.group().exclusive()
+            typed = isinstance(one, QComboBox) and one.lineEdit() in seen
+            assert one in seen or by_arrows or typed, f"not reached: {told(one)}"
+    for one in controls(top):
+        assert named(one), f"no name: {told(one)}"
+    for one in seen:
+        one.setFocus(Qt.FocusReason.TabFocusReason)
+        focused = one.grab().toImage()
+        one.clearFocus()
+        assert focused != one.grab().toImage(), f"the focus is not seen: {told(one)}"
+
+
+def stages(window, application):
+    """Each form and each page in front, by its name, with all sections open."""
+    for section in window.findChildren(Section):
+        section.unfold()
+    for kind in window.stages.input.areas:
+        window.show_input(kind)
+        settle(application, lambda: True)
+        yield kind
+    for name in window.pages:
+        window.show_page(name)
+        if name == "note":
+            settle(application, lambda: not window.pages["note"].content.is_setting)
+        application.processEvents()
+        yield name
+
+
+def dialogs(window, application, monkeypatch, visit) -> set[str]:
+    """`visit(dialog)` for each dialog of the window; returns the titles of those that were there."""
+    titles = set()
+
+    def look(dialog) -> QDialog.DialogCode:
+        dialog.show()
+        application.processEvents()
+        visit(dialog)
+        titles.add(dialog.windowTitle())
+        dialog.hide()
+        return QDialog.DialogCode.Rejected
+
+    monkeypatch.setattr(QDialog, "exec", look)
+    window.show_page("check")
+    chart = window.pages["check"].content.findChild(Chart)
+    figure_dialogs.ask_size(window)
+    chart._ask_limits()
+    chart.show_table()
+    menus.find(window)
+    menus.client(window)
+    look(ImportDialog([ROOT / "resources" / "motions" / "noise_1.txt"], window))
+    guide.show_guide(window)
+    look(window.findChild(guide.Guide))
+    menus.study(window)
+    look(window.findChild(StudyWindow))
+    return titles
+
+
+def test_that_every_control_of_a_stage_is_reached_by_the_keys_and_shows_it(opened, application):
+    run(application, opened)
+    opened.activateWindow()
+    assert len(list(stages(opened, application))) == len(opened.stages.input.areas) + len(opened.pages)
+    for _ in stages(opened, application):
+        must_be_reached(application, opened)
+    opened.show_first_run()
+    must_be_reached(application, opened)
+
+
+def test_that_the_arrows_go_from_stage_to_stage(opened, application):
+    opened.activateWindow()
+    opened.header.buttons["input"].setFocus(Qt.FocusReason.TabFocusReason)
+    for name in ("answer", "why", "report"):
+        QTest.keyClick(application.focusWidget(), Qt.Key.Key_Right)
+        assert opened.stages.front == name and application.focusWidget() is opened.header.buttons[name]
+
+
+def test_that_every_control_of_a_dialog_is_reached_by_the_keys_and_shows_it(opened, application, monkeypatch):
+    run(application, opened)
+    found = dialogs(opened, application, monkeypatch, lambda dialog: must_be_reached(application, dialog))
+    assert len(found) == 8
+
+
+def whole(words: str, *controls: QWidget) -> bool:
+    """Whether a tool tip of one of these has words that begin as these do."""
+    return any(words.rstrip("…") in control.toolTip() for control in controls)
+
+
+def cut(one: QWidget, top: QWidget) -> str:
+    """How much of its words a control shows less than all, nothing where all are there."""
+    words, room = "", one.contentsRect().width()
+    if isinstance(one, QLabel) and one.text() and not one.pixmap():
+        words = one.text()
+        plain = re.sub("<[^>]*>", "", words)
+        rich = plain != words
+        if words.endswith("…") and isinstance(one.parentWidget(), Head):
+            return "" if whole(words, one.parentWidget()) else "no tool tip"
+        if one.wordWrap():
+            longest = max(one.fontMetrics().horizontalAdvance(word) for word in plain.split())
+            if one.heightForWidth(one.width()) > one.height() + 1 or (longest > room + 1 and not rich):
+                return f"{one.heightForWidth(one.width())} in a height of {one.height()}, a word of {longest} in {room}"
+            return ""
+        needed = one.sizeHint().width() if rich else one.fontMetrics().horizontalAdvance(plain.split("\n")[0])
+    elif isinstance(one, QComboBox):
+        words, option = one.currentText(), QStyleOptionComboBox()
+        one.initStyleOption(option)
+        part = QStyle.ComplexControl.CC_ComboBox, option, QStyle.SubControl.SC_ComboBoxEditField, one
+        needed, room = one.fontMetrics().horizontalAdvance(words), one.style().subControlRect(*part).width()
+    elif isinstance(one, QAbstractButton) and not isinstance(one, Head) and not isinstance(one.parentWidget(), INSIDE):
+        words, needed, room = one.text(), one.sizeHint().width(), one.width()
+        high = one.heightForWidth(one.width()) if one.hasHeightForWidth() else one.sizeHint().height()
+        if high > one.height() + 2:
+            return f"a height of {high} in {one.height()}"
+    elif isinstance(one, QTabBar) and one.count():
+        words, needed, room = one.tabText(one.count() - 1), one.tabRect(one.count() - 1).right(), one.width()
+    if not words:
+        return ""
+    if needed > room + 1 and not whole(words, one):
+        return f"{needed} in {room}"
+    left, above = one.mapTo(top, QPoint(0, 0)).x(), one.parentWidget()
+    while above is not None and above is not top:
+        edge = above.mapTo(top, QPoint(0, 0)).x()
+        if left < edge - 1 or left + one.width() > edge + above.width() + 1:
+            return f"beyond the edge of {type(above).__name__}"
+        above = None if isinstance(above, QScrollArea) else above.parentWidget()
+    return ""
+
+
+def must_be_whole(top: QWidget) -> None:
+    for one in top.findChildren(QWidget):
+        if one.isVisible() and one.window() is top:
+            lost = cut(one, top)
+            assert not lost, f"{told(one)} {getattr(one, 'text', str)()!r}: {lost}"
+
+
+@pytest.fixture
+def large(application):
+    """Letters of 150 %."""
+    usual = application.font()
+    font = application.font()
+    font.setPointSizeF(1.5 * font.pointSizeF())
+    application.setFont(font)
+    yield
+    application.setFont(usual)
+
+
+@pytest.mark.parametrize("language", ["en", "it"])
+def test_that_no_word_is_cut_in_large_letters(opened, application, monkeypatch, large, language):
+    opened.session.edit_section("report", author="N. N.")
+    run(application, opened)
+    opened.set_choice("language", language)
+    opened.resize(1280, 800)
+    settle(application, lambda: opened.records.motions and not opened.records.pending)
+    assert opened.size().width() == 1280 and opened.size().height() == 800
+    assert opened.font().pointSizeF() > 12.0
+    for _ in stages(opened, application):
+        must_be_whole(opened)
+    dialogs(opened, application, monkeypatch, must_be_whole)
+    opened.show_first_run()
+    application.processEvents()
+    must_be_whole(opened)

@@ -1,0 +1,248 @@
+"""A walk through the forms, step by step at random: every state they reach is saved, opened again and recovered."""
+
+import os
+import random
+
+import pytest
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
+
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QPlainTextEdit
+
+from app.input.fields import ChoiceField, FlagField
+from app.input.loads_form import KINDS
+from app.look.section import Section, unfold_to
+from app.work.session import Session
+from core.case.writer import table_of
+from tests.app.driving import settle
+
+TEXTS = (
+    "", "", " ", "0", "1", "2", "3,5", "0.4", "7", "12", "45", "90", "1e9", "-1", "abc", "nan", "5;5", "3; 6", "0.1-2",
+    "base", "floors", "a \"quoted\" = name", "è [°] #", "x" * 600, "w", "\t", "2026-11-25", "=SUM(A1)", "\u200b",
+)  # fmt: skip
+"""What is typed into a field, whatever it takes."""
+
+WALLS = "name;height_m;thickness_m;mechanism;base_z_m\n;m;cm;;m\npasted;4;40;one_sided;0\n"
+CLIPBOARDS = (WALLS, "30 0.08\n475 0.2\n", "")
+
+
+class Walk:
+    """Steps in a window, each an act of a person. done : their names, for a state that is not kept"""
+
+    def __init__(self, window, seed: int, tmp_path):
+        self.window, self.chance, self.folder = window, random.Random(seed), tmp_path
+        self.done: list[str] = []
+        acts = {
+            self.type_into_a_field: 40,
+            self.turn_a_section: 4,
+            self.choose_a_mechanism: 3,
+            self.choose_a_shape: 4,
+            self.choose_a_law: 3,
+            self.add_a_load: 6,
+            self.choose_a_load: 3,
+            self.delete_a_load: 1,
+            self.tick_bars: 3,
+            self.tick_return_walls: 3,
+            self.drag_a_load: 2,
+            self.tick_the_demand: 2,
+            self.choose_a_spectrum: 4,
+            self.tick_the_building: 2,
+            self.paste: 2,
+            self.change_the_walls: 5,
+            self.choose_a_row_of_the_tree: 4,
+            self.change_the_records: 3,
+            self.undo_or_redo: 10,
+        }
+        self.acts, self.weights = list(acts), list(acts.values())
+
+    def step(self) -> None:
+        """One act; its name with what it took is kept."""
+        act = self.chance.choices(self.acts, self.weights)[0]
+        self.done.append(f"{act.__name__} {act() or ''}")
+
+    def one_of(self, entries):
+        return self.chance.choice(list(entries))
+
+    def type_into_a_field(self):
+        """Only into one that a person sees, once its section is unfolded."""
+        field = self.one_of(self.window.fields)
+        unfold_to(field)
+        areas = self.window.stages.input.areas.values()
+        area = next((area for area in areas if area.isAncestorOf(field)), field.parentWidget())  # else of the note
+        if not field.isVisibleTo(area) or not field.editor.isEnabled():
+            return None
+        if isinstance(field, FlagField):
+            field.editor.click()
+            return field.key
+        if isinstance(field, ChoiceField):
+            k = self.chance.randrange(field.editor.count())
+            field.editor.setCurrentIndex(k)
+            field.editor.activated.emit(k)
+            return f"{field.key} {k}"
+        text = self.one_of(TEXTS)
+        if isinstance(field.editor, QPlainTextEdit):
+            field.editor.setPlainText(text)
+            return f"{field.key} {text!r}"
+        text = text[: field.editor.maxLength()]
+        if self.chance.random() < 0.5:
+            field.editor.setFocus()
+        field.editor.setText(text)
+        field.editor.textEdited.emit(field.editor.text())
+        return f"{field.key} {text!r}"
+
+    def turn_a_section(self):
+        self.one_of(self.window.stages.input.findChildren(Section)).head.click()
+
+    def choose_a_mechanism(self):
+        if self.window.walls.wall is not None:
+            self.one_of(self.window.walls.mechanisms.values()).click()
+
+    def _choose(self, box):
+        if box.isEnabled() and box.isVisibleTo(box.parentWidget()):
+            k = self.chance.randrange(box.count())
+            box.setCurrentIndex(k)
+            box.activated.emit(k)
+            return k
+        return None
+
+    def choose_a_shape(self):
+        return self._choose(self.window.walls.shape)
+
+    def choose_a_law(self):
+        return self._choose(self.window.walls.impact.law)
+
+    def add_a_load(self):
+        kind = self.one_of(KINDS)
+        self.window.walls.loads.add(kind)
+        return kind
+
+    def choose_a_load(self):
+        loads = self.window.walls.loads.list
+        if loads.count():
+            loads.setCurrentRow(self.chance.randrange(loads.count()))
+
+    def delete_a_load(self):
+        self.window.walls.loads.delete_button.click()
+
+    def _tick(self, box):
+        if not box.isHidden():
+            box.setChecked(not box.isChecked())
+            return box.isChecked()
+        return None
+
+    def tick_bars(self):
+        return self._tick(self.window.walls.loads.bars)
+
+    def tick_return_walls(self):
+        return self._tick(self.window.walls.loads.across) if self.window.walls.wall else None
+
+    def drag_a_load(self):
+        wall = self.window.walls.wall
+        if wall is not None and wall.load and wall.height_m:
+            height = wall.height_m * self.chance.random()
+            self.window.walls.drawing.moved.emit(self.chance.randrange(len(wall.load)), height)
+
+    def tick_the_demand(self):
+        return self._tick(self.window.demand.given)
+
+    def choose_a_spectrum(self):
+        return self._choose(self.window.demand.kind) if self.window.session.case.demand else None
+
+    def tick_the_building(self):
+        return self._tick(self.window.demand.building.given)
+
+    def paste(self):
+        text = self.one_of(CLIPBOARDS)
+        QGuiApplication.clipboard().setText(text)
+        self.one_of((self.window.walls.paste, self.window.demand.hazard.paste))()
+        return repr(text)
+
+    def change_the_walls(self):
+        walls = self.window.walls
+        act = self.one_of((walls.add, walls.add_variant, walls.duplicate, walls.delete))
+        if len(self.window.session.case.wall) > 6:
+            act = walls.delete
+        act()
+        return act.__name__
+
+    def choose_a_row_of_the_tree(self):
+        row = self.one_of(self.window.tree.rows)
+        self.window.choose_row(row)
+        return row.key
+
+    def change_the_records(self):
+        records = self.window.records
+        if self.chance.random() < 0.5:
+            records.table.selectAll()
+        act = self.one_of((records.reverse, records.remove, records.generate, records.scale_to_target))
+        if act == records.remove and self.chance.random() < 0.7:
+            return None
+        act()
+        return act.__name__
+
+    def undo_or_redo(self):
+        act = self.one_of((self.window.session.undo, self.window.session.undo, self.window.session.redo))
+        act()
+        return act.__name__
+
+
+def check_drafts(walk: Walk, session: Session, wholly: bool) -> None:
+    """What is at hand is autosaved and recovered equal; wholly : saved and opened again as well."""
+    wanted = table_of(session.case)
+    session.autosave()
+    other = Session(walk.folder / "recovery_folder")
+    if session.dirty:
+        other.recover(session.recovery_file)
+        assert table_of(other.case) == wanted
+    if wholly:
+        path = session.path.with_name("again.toml")
+        other._start(session.case)
+        other.base_dir = session.base_dir
+        other.save(path)
+        saved = table_of(other.case)
+        other.open(path)
+        assert table_of(other.case) == saved
+        assert saved | {"record": None} == wanted | {"record": None}  # of these the paths are those of the folder
+        assert str(other.problem()) == str(session.problem())
+        assert [str(one) for one in other.problems()] == [str(one) for one in session.problems()]
+    other.close()
+
+
+def walk_through(window, application, tmp_path, monkeypatch, faults, seed: int, steps: int) -> None:
+    """`steps` acts; after each what is at hand is kept, at the end undo and redo go all the way."""
+    monkeypatch.setattr(QMessageBox, "warning", lambda *_: None)
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: ("", ""))
+    monkeypatch.setattr(type(window.records), "ask_replace", lambda self: walk.chance.choice((True, False, None)))
+    walk, first = Walk(window, seed, tmp_path), window.session.case
+    try:
+        for n in range(steps):
+            walk.step()
+            assert faults == []
+            check_drafts(walk, window.session, wholly=n % 5 == 0)
+        settle(application, lambda: not window.records.pending)
+        while window.session.future:
+            window.session.redo()
+        last = window.session.case
+        while window.session.past:
+            window.session.undo()
+            assert faults == []
+        assert window.session.case == first
+        while window.session.future:
+            window.session.redo()
+        assert window.session.case == last and faults == []
+    except (Exception, pytest.fail.Exception) as error:
+        raise AssertionError(f"seed {seed}, after {len(walk.done)} steps: " + "; ".join(walk.done[-12:])) from error
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_that_every_state_the_forms_reach_is_kept(opened, application, tmp_path, monkeypatch, faults, seed):
+    """80 acts: a load without its size, a spectrum without its soil, an empty name among them."""
+    walk_through(opened, application, tmp_path, monkeypatch, faults, seed, 80)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("seed", range(10, 22))
+def test_that_every_state_a_long_walk_reaches_is_kept(opened, application, tmp_path, monkeypatch, faults, seed):
+    walk_through(opened, application, tmp_path, monkeypatch, faults, seed, 400)
