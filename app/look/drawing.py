@@ -78,6 +78,8 @@ class WallDrawing(QWidget):
         self.bars: list[tuple[float, int]] = []
         self.hinges: list[tuple[float, float | None]] = []
         self.rotation = 0.0
+        self.least_extent = (0.0, 0.0)
+        """Room [m] that it has at least: of another drawing beside it, so that both have one scale."""
         self.setMinimumSize(QSize(90, 120))
 
     def show_wall(self, wall: Wall | None, hinges: Sequence[tuple[float, float | None]] = ()) -> None:
@@ -102,6 +104,13 @@ class WallDrawing(QWidget):
         self.rotation = rotation
         self.update()
 
+    @property
+    def extent(self) -> tuple[float, float]:
+        """Height and width of what is drawn [m]; a wall that rocks may lie down."""
+        height, thickness, _ = self.size_of or (0.0, 0.0, 0.0)
+        top = max([height, *(y for points in self.arrows for _, y in points)])
+        return top, thickness + (0.0 if self.with_sizes else 1.1 * height)
+
     def paintEvent(self, event) -> None:
         """The wall, its ground, what stands behind it, its hinges and sizes."""
         self.spots = []
@@ -112,9 +121,8 @@ class WallDrawing(QWidget):
         height, thickness, setback = self.size_of
         ink, quiet = QColor(theme.current.ink), QColor(theme.current.quiet)
         sizes = 34 if self.with_sizes else 8
-        reach = thickness + (0.0 if self.with_sizes else 1.1 * height)
         beside = 30 if self.with_sizes else 0  # room for the height in numbers
-        top = max([height, *(y for points in self.arrows for _, y in points)])
+        top, reach = map(max, self.extent, self.least_extent)
         scale = min(
             (self.height() - 2 * sizes + (12 if self.with_sizes else -8)) / top, (self.width() - beside - 16) / reach
         )
