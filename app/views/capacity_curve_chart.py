@@ -16,6 +16,14 @@ class CapacityCurveChart(Chart):
 
     def __init__(self):
         super().__init__("d [cm]", "a [g]", tr("Capacity curve"))
+        self.hide()
+
+    def show_in_place_of(self, other: Chart, result: StudyResult, wall: WallResult) -> None:
+        """Draw the curves of a wall that bends in the place of another chart, which is shown for any other wall."""
+        other.setVisible(not wall.wall.bends)
+        self.setVisible(wall.wall.bends)
+        if wall.wall.bends:
+            self.show_wall(result, wall)
 
     def show_wall(self, result: StudyResult, wall: WallResult) -> None:
         """Draw the curves; says why where the displacement check is not made."""

@@ -31,6 +31,7 @@ from core.codes.kinematic import Check
 from core.report.tie_words import tie_lines
 from core.report.verdict_words import lines_of, sentence_of, tone_of
 from core.study.results import Q_SOURCES, StudyResult, WallResult
+from core.study.wall_verdict import zetas_of
 from core.text.sentence import Number, sentence, word
 from core.units import G
 
@@ -63,16 +64,6 @@ def verdict_color(result: StudyResult, wall: WallResult) -> str:
 def digits(value: float | None, figures: int = 2) -> str:
     """A number with so many decimals."""
     return number(value, f".{figures}f")
-
-
-def zetas_of(result: StudyResult, wall: WallResult) -> list[tuple[float, float | None]]:
-    """Every hinge of the wall a result is of, with the smallest zeta found there; none where it has one alone."""
-    found: dict[float, list[float]] = {}
-    for one in result.walls:
-        if one.part.origin == wall.part.origin and one.assessment:
-            found.setdefault(one.part.hinge, []).append(one.assessment.verdict.zeta_e)
-    zetas = {hinge: [zeta for zeta in known if zeta is not None] for hinge, known in found.items()}
-    return [(hinge, min(known, default=None)) for hinge, known in sorted(zetas.items())] if len(zetas) > 1 else []
 
 
 def link(target: str, words: str) -> str:
@@ -152,7 +143,6 @@ class CheckTab(QWidget):
         self.split = QSplitter(Qt.Orientation.Vertical)
         self.split.addWidget(above)
         self.curve = CapacityCurveChart()
-        self.curve.hide()
         self.split.addWidget(self.peaks)
         self.split.addWidget(self.curve)
         self.split.setStretchFactor(1, 1)
@@ -196,10 +186,7 @@ class CheckTab(QWidget):
         """Fill the page from one hinge of a wall of a result."""
         assessment = wall.assessment
         self.peaks.clear()
-        self.peaks.setVisible(not wall.wall.bends)
-        self.curve.setVisible(wall.wall.bends)
-        if wall.wall.bends:
-            self.curve.show_wall(result, wall)
+        self.curve.show_in_place_of(self.peaks, result, wall)
         self.drawing.show_wall(wall.part.asked, zetas_of(result, wall))
         shade = verdict_color(result, wall) if assessment else theme.current.edge
         tint = QColor(shade)
