@@ -219,6 +219,8 @@ class CheckTab(QWidget):
         if assessment.dynamic:
             self._show_peaks()
             self._bars(assessment.dynamic)
+        elif wall.wall.bends:
+            self._show_peaks(tr("No time histories of this mechanism."), "")
         else:
             self._show_peaks(
                 tr("No dynamic check: it needs records and a demand at SLV or SLC."),
