@@ -137,7 +137,7 @@ def body(wall: WallResult) -> dict:
         }
         for part in parts_of(wall.wall)
     ]
-    about = {"mass_kg": found.mass, "x_g_m": x, "z_g_m": z, "i_o_kgm2": found.inertia}
+    about: dict[str, object] = {"mass_kg": found.mass, "x_g_m": x, "z_g_m": z, "i_o_kgm2": found.inertia}
     if wall.model.other is not None:
         far = wall.model.other
         about["inner"] = {

@@ -243,8 +243,8 @@ def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[Raised]:
         yield _one("return_wedges", "lift_return_wedges", wall.justification, change)
     top = wall_body.top_of(wall)
     if mechanism == "one_sided" and MODELS[wall.restitution_model(mechanism)].one_sided and wall.height_m < LOWER * top:
-        words = {"h": wall.height_m, "top": top}
-        yield _one("contact", "lift_contact", wall.justification, _of_wall(height_m=top), **words)
+        change = _of_wall(height_m=top)
+        yield _one("contact", "lift_contact", wall.justification, change, h=wall.height_m, top=top)
 
 
 def _named(check: Check) -> Sentence:
