@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QCompleter, QGroupBox, QLabel, QLineEdit, QVBoxLay
 from app.input.fields import connect
 from app.input.made_fields import make_field
 from app.input.place_map import PlaceMap
+from app.look import theme
 from app.look.language import described, number, tr
 from app.work.session import Session
 from core.case.coordinates import parse_coordinates
@@ -54,7 +55,10 @@ class PlaceForm(QWidget):
         self.map = PlaceMap()
         self.map.chosen.connect(lambda *at: self._edit(("site", "point"), latitude=at[0], longitude=at[1]))
         inside = QVBoxLayout(self.given)
-        self.inside = (self.search, self.point, *self.fields, self.words, self.states, self.map)
+        source = QLabel(tr("Grid: D.M. 14/01/2008, Annex B. Municipalities: ISTAT, GeoNames (CC BY 4.0)."))
+        source.setWordWrap(True)
+        source.setStyleSheet(f"color: {theme.current.quiet};")
+        self.inside = (self.search, self.point, *self.fields, self.words, self.states, self.map, source)
         for widget in self.inside:
             inside.addWidget(widget)
         layout = QVBoxLayout(self)
