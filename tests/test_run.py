@@ -161,6 +161,9 @@ def test_that_only_the_program_starts_with_packages_of_another_lock(run):
 def test_that_each_word_installs_what_it_needs_and_no_more(run, tmp_path):
     stated = tmp_path / "stated.toml"
     stated.write_text("[analysis]\naccuracy = true\n")
+    drawn = tmp_path / "drawn.toml"
+    drawn.write_text('[[wall]]\nname = "w"\n[[wall.drawing]]\nfile = "w.dxf"\n')
+    (tmp_path / "w.dxf").write_text("")
     long, high = tmp_path / "long.toml", tmp_path / "high.toml"
     long.write_text('walls = "long.csv"\n')
     high.write_text('walls = "high.csv"\n[building]\nstoreys = 30\n')
@@ -169,14 +172,17 @@ def test_that_each_word_installs_what_it_needs_and_no_more(run, tmp_path):
     for words, extras in (
         (["--batch", EXAMPLE], []),
         (["--inspect", "a.txt"], []),
+        (["--inspect", "a.txt", "b.DXF"], ["dxf"]),
+        (["--inspect", str(tmp_path)], ["dxf"]),
+        (["--batch", str(drawn)], ["dxf"]),
         (["--batch", EXAMPLE, "--report", "a.docx"], ["report"]),
         (["--batch", str(stated)], ["accuracy"]),
         (["--study=law"], ["study"]),
-        ([EXAMPLE], ["gui", "accuracy", "study", "report"]),
+        ([EXAMPLE], ["gui", "accuracy", "study", "report", "dxf"]),
         (["fuzz", "case", "--seconds", "3"], ["test"]),
-        (["bench", "--zeta"], ["test", "gui", "accuracy", "study", "report"]),
-        (["bench", "--work-precision"], ["test", "gui", "accuracy", "study", "report", "bench"]),
-        (["bench", "--memory", "--walls", "9"], ["test", "gui", "accuracy", "study", "report", "parquet"]),
+        (["bench", "--zeta"], ["test", "gui", "accuracy", "study", "report", "dxf"]),
+        (["bench", "--work-precision"], ["test", "gui", "accuracy", "study", "report", "dxf", "bench"]),
+        (["bench", "--memory", "--walls", "9"], ["test", "gui", "accuracy", "study", "report", "dxf", "parquet"]),
         (["--batch", str(long)], ["parquet"]),
         (["--batch", str(long), "--merge"], ["parquet"]),
         (["--batch", str(long), "--part", "1/2"], []),

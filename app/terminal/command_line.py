@@ -78,7 +78,8 @@ def parser() -> Parser:
     add("--resume", action="store_true", help=terminal("go on from the journal"))
     add("--part", type=_part, metavar="K/N", help=terminal("the walls of one part of the case alone, see --merge"))
     add("--merge", action="store_true", help=terminal("the results of all parts of the case"))
-    add("--inspect", nargs="+", type=Path, metavar="FILE", help=terminal("summarise the contents of records and drawings"))
+    contents = terminal("summarise the contents of records and drawings")
+    add("--inspect", nargs="+", type=Path, metavar="FILE", help=contents)
     add("--version", action="store_true", help=terminal("version and commit"))
     add("-h", "--help", action="help", help=terminal("this help"))
     return made

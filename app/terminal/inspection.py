@@ -40,7 +40,8 @@ def _drawing_refused(path: Path) -> int:
         if shapes:
             xs, ys, ends_x, ends_y = zip(*(shape.extent for shape in shapes), strict=True)
             words = terminal(
-                "  {layer}: closed shapes {n}, area {area:.4g} m², x {x:.5g} to {to_x:.5g} m, y {y:.5g} to {to_y:.5g} m",
+                "  {layer}: closed shapes {n}, area {area:.4g} m², x {x:.5g} to {to_x:.5g} m, "
+                "y {y:.5g} to {to_y:.5g} m",
                 layer=layer,
                 n=len(shapes),
                 area=scale**2 * sum(polygon_sums(shape.corners).area for shape in shapes),

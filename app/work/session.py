@@ -14,9 +14,9 @@ from typing import BinaryIO
 
 from app.work import recovery
 from core import atomic_write
+from core.case.drawn_solids import with_drawings
 from core.case.place import placed
 from core.case.problems import problems
-from core.case.drawn_solids import with_drawings
 from core.case.reader import read_case, read_toml
 from core.case.rules import draft_case, parse_case
 from core.case.schema import Case, Record, Report, Wall
@@ -26,6 +26,7 @@ from core.file_names import key_of, name_of
 from core.study.demand_input import target_of
 from core.study.journal import lock
 from core.study.results import StudyResult
+from core.text.sentence import Sentence
 
 PAUSE = 1.0
 """A pause [s] that ends a step of undo."""
@@ -209,8 +210,8 @@ class Session:
         self.changed()
 
     def open(self, path: Path) -> None:
-        """Open a case file, also one that is not complete yet; raises InputError and keeps what is open. The shapes of its
-        drawings become solids; `from_drawings` says which, or why not."""
+        """Open a case file, also one that is not complete yet; raises InputError and keeps what is open. The shapes of
+        its drawings become solids; `from_drawings` says which, or why not."""
         try:
             case = read_case(path)
             from_drawings = case.drawings

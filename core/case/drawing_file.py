@@ -140,7 +140,7 @@ class DxfFile:
                     if points > MOST_POINTS:
                         raise InputError("drawing_too_much", most=MOST_ENTITIES)
                     if not all(math.isfinite(number) and abs(number) < 1e12 for point in line for number in point):
-                        raise ValueError("coordinates that are no numbers")
+                        raise ValueError("coordinates")
                     if len(line) > 1:
                         pieces.setdefault(layer, []).append(line)
         except InputError as error:
@@ -180,9 +180,7 @@ def _content(path: Path) -> bytes:
         if not path.is_file():
             raise InputError("no_drawing", place=(path,))
         if path.stat().st_size > MAX_BYTES:
-            raise InputError(
-                "drawing_too_large", mb=path.stat().st_size / 1e6, most=MAX_BYTES / 1e6, place=(path,)
-            )
+            raise InputError("drawing_too_large", mb=path.stat().st_size / 1e6, most=MAX_BYTES / 1e6, place=(path,))
         return path.read_bytes()
     except OSError as error:
         raise InputError("unreadable", reason=error.strerror, place=(path,)) from None

@@ -1,6 +1,7 @@
 """Outlines of a drawing: pieces joined end to end, arcs divided, what is above a line. Coordinates are of the plane, in
 any unit."""
 
+import itertools
 import math
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -38,7 +39,7 @@ def arc(start: Point, end: Point, bulge: float, tolerance: float) -> list[Point]
     y = 0.5 * (start[1] + end[1]) + to_centre * (end[0] - start[0])
     first = math.atan2(start[1] - y, start[0] - x)
     if radius > MOST_RADIUS * tolerance:
-        raise ValueError("an arc that has no end")
+        raise ValueError("bulge")
     count = math.ceil(abs(angle) / (2.0 * math.acos(max(0.0, 1.0 - tolerance / radius))))
     turns = (first + angle * k / count for k in range(1, count))
     return [*((x + radius * math.cos(turn), y + radius * math.sin(turn)) for turn in turns), end]
@@ -71,7 +72,7 @@ def joined(pieces: Sequence[list[Point]], join: float) -> tuple[list[list[Point]
                 ends.setdefault(cell(piece[end]), []).append((k, end))
     free = {k for found in ends.values() for k, _ in found}
 
-    def following(line: list[Point], last: int) -> list[tuple[int, int]]:
+    def following(line: list[Point], last: tuple[int, int]) -> list[tuple[int, int]]:
         (i, j), tip = cell(line[-1]), line[-1]
         around = [end for a in (-1, 0, 1) for b in (-1, 0, 1) for end in ends.get((i + a, j + b), ())]
         return [(k, end) for k, end in around if (k, end) != last and math.dist(pieces[k][end], tip) <= join]
@@ -127,7 +128,7 @@ def parts_above(polygon: Sequence[Point], y: float) -> list[list[Point]]:
         return [corners]
     corners = corners[start:] + corners[: start + 1]
     chains: list[list[Point]] = []
-    for one, other in zip(corners, corners[1:], strict=False):
+    for one, other in itertools.pairwise(corners):
         if (one[1] > y) != (other[1] > y):
             at = (one[0] + (other[0] - one[0]) * (y - one[1]) / (other[1] - one[1]), y)
             if one[1] <= y:

@@ -95,12 +95,7 @@ def solids_of(sheet: Sheet, drawing: Drawing) -> list[dict]:
         if not any(shape.layer.casefold() == layer.casefold() for shapes in chosen for shape in shapes):
             raise InputError("drawing_no_shape", layer=layer)
     return made_solids(
-        chosen[0],
-        chosen[1],
-        sheet.unit,
-        drawing.plane,
-        (drawing.from_m, drawing.to_m),
-        drawing.hinge_y_m,
+        chosen[0], chosen[1], sheet.unit, drawing.plane, (drawing.from_m, drawing.to_m), drawing.hinge_y_m
     )
 
 
@@ -112,8 +107,8 @@ def made_solids(
     ends: tuple[float, float],
     hinge: float | None = None,
 ) -> list[dict]:
-    """Shapes as [[wall.solid]] has them: z above the hinge, s from the left edge of the body, of a section from that of its
-    base; an opening within another one is a part of it. Raises InputError.
+    """Shapes as [[wall.solid]] has them: z above the hinge, s from the left edge of the body, of a section from that of
+    its base; an opening within another one is a part of it. Raises InputError.
 
     hinge : y of the drawing [m], None for the lowest point of the body; ends : along the normal of the plane [m]
     """
@@ -151,8 +146,9 @@ def _check_size(body: Sequence[Shape], unit: str) -> None:
     metres = size * UNITS[unit]
     if not SMALLEST <= metres <= LARGEST:
         likely = likely_unit(size)
-        code = "drawing_size" if likely else "drawing_size_of_none"
-        raise InputError(code, key="unit", found=metres, unit=unit, likely=likely)
+        if likely is None:
+            raise InputError("drawing_size_of_none", key="unit", found=metres, unit=unit)
+        raise InputError("drawing_size", key="unit", found=metres, unit=unit, likely=likely)
 
 
 def _above(shape: Shape, scale: float, base: float) -> list[list[Point]]:

@@ -35,8 +35,8 @@ class Drawing:
     """[[wall.drawing]]: closed shapes of a DXF file, which become solids of the wall each time the case is read.
 
     file : relative to the case; layers : of the body; opening_layers : of what is taken away
-    unit : of the drawing, in place of what its header says; hinge_y_m : of the drawing at z = 0, else the lowest point of
-        the body; what is below is cut off
+    unit : of the drawing, in place of what its header says
+    hinge_y_m : of the drawing at z = 0, else the lowest point of the body; what is below is cut off
     """
 
     file: str = path_key(MISSING)

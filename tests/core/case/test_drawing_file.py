@@ -1,0 +1,447 @@
+"""A wall from a drawing: areas and centroids against shapely, the same wall as solids, refusals in a sentence."""
+
+import hashlib
+import itertools
+import json
+import math
+import random
+
+import pytest
+
+ezdxf = pytest.importorskip("ezdxf", reason="without the group dxf")
+shapely = pytest.importorskip("shapely", reason="no wheel of shapely")
+
+from hypothesis import given, settings  # noqa: E402
+from hypothesis import strategies as st  # noqa: E402
+from shapely.geometry import Polygon, box  # noqa: E402
+
+from app import __main__ as program  # noqa: E402
+from core.case import drawing_file  # noqa: E402
+from core.case.drawing_file import TOLERANCE, DxfFile  # noqa: E402
+from core.case.drawing_outlines import arc, joined, parts_above  # noqa: E402
+from core.case.problems import problems  # noqa: E402
+from core.case.reader import read_case  # noqa: E402
+from core.case.rules import draft_case, parse_case  # noqa: E402
+from core.case.writer import dumps, table_of  # noqa: E402
+from core.errors import InputError, OutputError  # noqa: E402
+from core.wall.body import crossing, point_within, polygon_sums  # noqa: E402
+from core.wall.wall_body import body_of  # noqa: E402
+from tests.core.case import sheets  # noqa: E402
+
+WALL = """
+[[wall]]
+name = "facade"
+height_m = {height}
+thickness_m = {thickness}
+length_m = {length}
+unit_weight_kn_m3 = 20.0
+mechanism = "one_sided"
+base_z_m = 0.0
+"""
+
+SHEETS = {
+    "church": (
+        {"height": 10.9, "thickness": 0.6, "length": 9.0},
+        'layers = "MURATURA"\nopening_layers = ["FORI", "rosone"]\nplane = "elevation"\nto_m = 0.6\nhinge_y_m = 12.5',
+    ),
+    "palace": (
+        {"height": 7.9, "thickness": 0.5, "length": 12.0},
+        'layers = ["Pareti"]\nopening_layers = ["Finestre"]\nunit = "cm"\nplane = "elevation"\nto_m = 0.5',
+    ),
+    "nave": (
+        {"height": 8.5, "thickness": 0.9, "length": 5.0},
+        'layers = "SEZIONE"\nunit = "m"\nplane = "section"\nto_m = 5.0\nhinge_y_m = 3.0',
+    ),
+}
+
+
+def written(folder, name, drawing=None, **more):
+    """The case of a sheet and what shapely says of it."""
+    sizes, keys = SHEETS[name]
+    path, body, openings = getattr(sheets, name)(folder / f"{name}.dxf")
+    case = folder / f"{name}.toml"
+    text = WALL.format(**(sizes | more)) + f'[[wall.drawing]]\nfile = "{path.name}"\n{drawing or keys}\n'
+    case.write_text(text)
+    return case, body if openings is None else body.difference(openings)
+
+
+def area_of(solids):
+    """The solids of a wall by shapely."""
+    body = shapely.union_all([Polygon(s.polygon_m) for s in solids if not s.opening])
+    return body.difference(shapely.union_all([Polygon(s.polygon_m) for s in solids if s.opening]))
+
+
+@pytest.mark.parametrize("name", SHEETS)
+def test_that_area_and_centroid_are_those_of_shapely(tmp_path, name):
+    """By shapely from its own description, within the tolerance of an arc along the outline; by shapely from the
+    corners exactly, so that the body weighs what was drawn."""
+    case, drawn = written(tmp_path, name)
+    (wall,) = read_case(case).wall
+    read = area_of(wall.solid)
+    assert abs(read.area - drawn.area) <= TOLERANCE * drawn.length
+    assert read.hausdorff_distance(drawn) <= 1.5 * TOLERANCE
+    assert math.dist(read.centroid.coords[0], drawn.centroid.coords[0]) <= TOLERANCE
+    depth, body = wall.solid[0].to_m, body_of(wall)
+    assert body.mass * 9.80665 == pytest.approx(20e3 * depth * read.area, rel=1e-9)
+    assert body.centroid[1] == pytest.approx(read.centroid.y, rel=1e-9)
+    if wall.solid[0].plane == "section":
+        assert body.centroid[0] == pytest.approx(read.centroid.x, rel=1e-9)
+
+
+def test_that_a_ring_within_an_opening_and_a_frame_within_a_window_count_once(tmp_path):
+    openings = {name: read_case(written(tmp_path, name)[0]).wall[0].solid for name in ("church", "palace")}
+    assert {name: sum(one.opening for one in solids) for name, solids in openings.items()} == {"church": 4, "palace": 4}
+
+
+def test_that_a_batch_from_a_drawing_is_that_of_its_solids(tmp_path, capsys):
+    """And its file is named by its hash, in the JSON and in the sheet Input."""
+    case, _ = written(tmp_path, "church")
+    demand = "[demand]\nag_g = 0.2\nsoil_factor = 1.2\n"
+    case.write_text(case.read_text() + demand)
+    solids = tmp_path / "solids.toml"
+    solids.write_text(dumps(read_case(case)))
+    assert "drawing" not in solids.read_text()
+    for path in (case, solids):
+        assert program.main(["--batch", str(path), "--quiet"]) == 0
+    drawn, plain = (json.loads(path.with_suffix(".json").read_text()) for path in (case, solids))
+    assert drawn["walls"] == plain["walls"] and drawn["verdicts"] == plain["verdicts"] and drawn["walls"]
+    assert drawn["case"] == plain["case"] and drawn["case_sha256"] != plain["case_sha256"]
+    digest = hashlib.sha256((tmp_path / "church.dxf").read_bytes()).hexdigest()
+    assert [(one["wall"], one["file"], one["sha256"]) for one in drawn["drawings"]] == [
+        ("facade", "church.dxf", digest)
+    ]
+    assert "drawings" not in plain
+    import openpyxl
+
+    book = openpyxl.load_workbook(case.with_suffix(".xlsx"))
+    said = [str(cell.value) for sheet in book for row in sheet.iter_rows() for cell in row if cell.value]
+    assert any(digest in text and "1 solids and 4 openings" in text for text in said)
+
+
+def test_that_a_drawing_that_changed_is_another_case(tmp_path):
+    case, _ = written(tmp_path, "church")
+    before = read_case(case)
+    document = ezdxf.readfile(tmp_path / "church.dxf")
+    document.modelspace().query("CIRCLE").first.dxf.radius = 1000.0
+    document.saveas(tmp_path / "church.dxf")
+    after = read_case(case)
+    assert after.sha256 != before.sha256
+    assert area_of(after.wall[0].solid).area > area_of(before.wall[0].solid).area + 1.0
+
+
+def test_that_solids_and_drawings_stand_beside_each_other_and_variants_take_both(tmp_path):
+    case, _ = written(tmp_path, "nave", length=5.0)
+    case.write_text(
+        case.read_text()
+        + '[[wall.solid]]\nplane = "section"\npolygon_m = [[0.9, 0], [1.2, 0], [1.2, 2], [0.9, 2]]\nto_m = 5.0\n'
+        + '[[wall]]\nvariant_of = "facade"\nheight_m = 8.0\n'
+    )
+    as_is, designed = read_case(case).wall
+    assert len(as_is.solid) == 3 and designed.solid == as_is.solid and designed.height_m == 8.0
+
+
+def test_that_a_draft_keeps_its_drawing_and_says_what_is_missing(tmp_path):
+    table = {
+        "wall": [{"name": "w", "drawing": [{"file": "none.dxf", "layers": "A", "plane": "elevation", "to_m": 0.5}]}]
+    }
+    draft = draft_case(table)
+    assert draft.wall[0].drawing[0].layers == ("A",)
+    assert draft_case(table_of(draft)).wall == draft.wall
+    whole = {"wall": [table["wall"][0] | {"height_m": 5.0, "thickness_m": 0.5, "mechanism": "one_sided"}]}
+    with pytest.raises(InputError, match="the drawing none.dxf has not been read"):
+        parse_case(whole)
+    assert any("none.dxf has not been read" in str(error) for error in problems(draft_case(whole)))
+
+
+def sheet(path, draw, units=6, version="R2010"):
+    document = ezdxf.new(version, units=units)
+    draw(document.modelspace())
+    document.saveas(path)
+    return path
+
+
+def rectangle(space, x=0.0, y=0.0, width=6.0, height=5.0, layer="A", **keys):
+    corners = [(x, y), (x + width, y), (x + width, y + height), (x, y + height)]
+    space.add_lwpolyline(corners, close=True, dxfattribs={"layer": layer}, **keys)
+
+
+def refused(folder, draw, keys="", units=6, layers='"A"'):
+    sheet(folder / "d.dxf", draw, units)
+    case = folder / "case.toml"
+    sizes = {"height": 5.0, "thickness": 0.5, "length": 6.0}
+    case.write_text(
+        WALL.format(**sizes)
+        + f'[[wall.drawing]]\nfile = "d.dxf"\nlayers = {layers}\nplane = "elevation"\nto_m = 0.5\n{keys}\n'
+    )
+    try:
+        read_case(case)
+    except InputError as error:
+        assert str(error).startswith(f'{case}: wall "facade": ') and "\n" not in str(error)
+        error.text("it")
+        return error.code, str(error)
+    return None, ""
+
+
+def _nothing(space):
+    pass
+
+
+def _open(space):
+    rectangle(space)
+    space.add_lwpolyline([(1, 1), (2, 1), (2, 2), (1, 2), (1, 1.012)], dxfattribs={"layer": "A"})
+
+
+def _lines_with_a_gap(space):
+    corners = [(0, 0), (6, 0), (6, 5), (0, 5), (0, 0.25)]
+    for start, end in itertools.pairwise(corners):
+        space.add_line(start, end, dxfattribs={"layer": "A"})
+
+
+def _bow_tie(space):
+    space.add_lwpolyline([(0, 0), (6, 5), (6, 0), (0, 4)], close=True, dxfattribs={"layer": "A"})
+
+
+def _twice(space):
+    rectangle(space)
+    rectangle(space, 1.0, 1.0, 1.0, 1.0)
+
+
+def _jagged(space):
+    teeth = [(0.002 * k, 5.0 - 0.5 * (k % 2)) for k in range(2400)]
+    space.add_lwpolyline([(4.8, 0), *reversed(teeth), (0, 0)], close=True, dxfattribs={"layer": "A"})
+
+
+def _windows_that_overlap(space):
+    rectangle(space)
+    rectangle(space, 1.0, 1.0, 1.0, 1.0, layer="O")
+    rectangle(space, 1.5, 1.5, 1.0, 1.0, layer="O")
+
+
+OPENINGS = 'opening_layers = "O"'
+
+
+@pytest.mark.parametrize(
+    ("draw", "more", "code", "words"),
+    [
+        (_open, {}, "drawing_gap", "open by 12 mm at x = 1 m, y = 1"),
+        (_lines_with_a_gap, {}, "drawing_gap", "open by 250 mm at x = 0 m, y = 0"),
+        (_bow_tie, {}, "drawing_crosses", "the layer A crosses itself"),
+        (_nothing, {"layers": '"0"'}, "drawing_no_shape", "no closed shape on the layer 0"),
+        (rectangle, {"layers": '"MURI"'}, "drawing_layer", "no layer MURI; there are 0, A, Defpoints"),
+        (rectangle, {"keys": 'opening_layers = "a"'}, "drawing_layer_twice", "layer A is given for the body and"),
+        (rectangle, {"units": 0}, "drawing_unit", "give unit (by its size m)"),
+        (
+            lambda space: rectangle(space, width=6000.0, height=7000.0),
+            {},
+            "drawing_size",
+            "the wall is 7e+03 m large: the likely unit is mm",
+        ),
+        (rectangle, {"units": 4}, "drawing_size", "in the unit mm the wall is 0.006 m large: the likely unit is m"),
+        (lambda space: rectangle(space, width=1e9), {}, "drawing_size_of_none", "in no unit it has the size"),
+        (rectangle, {"keys": "hinge_y_m = 7.0"}, "drawing_hinge", "above hinge_y_m = 7 m: its top is at y = 5 m"),
+        (_jagged, {}, "drawing_corners", "has 2402 corners (up to 2000)"),
+        (_twice, {}, "solids_overlap", "two solids of solid in parallel planes overlap"),
+        (_windows_that_overlap, {"keys": OPENINGS}, "openings_overlap", "taken away twice"),
+        (
+            lambda space: (rectangle(space), rectangle(space, 5.5, 1.0, 1.0, 1.0, layer="O")),
+            {"keys": OPENINGS},
+            "opening_outside",
+            "is not within one solid",
+        ),
+        (rectangle, {"keys": "to = 1"}, "unknown_key_near", "to"),
+        (rectangle, {"layers": "3"}, "not_accepted", "text of up to 500 characters, or a list"),
+    ],
+)
+def test_that_what_is_no_wall_is_refused_in_a_sentence(tmp_path, draw, more, code, words):
+    found, said = refused(tmp_path, draw, **more)
+    assert (found, words in said) == (code, True), said
+
+
+def test_that_what_is_sound_beside_each_refusal_is_read(tmp_path):
+    """The millimetre an outline may be open by, the unit of the key against that of the header, walls in feet."""
+
+    def nearly(space):
+        space.add_lwpolyline([(0, 0), (6, 0), (6, 5), (0, 5), (0, 0.0009)], dxfattribs={"layer": "A"})
+
+    assert refused(tmp_path, nearly) == (None, "")
+    assert refused(tmp_path, rectangle, 'unit = "m"', units=4) == (None, "")
+    feet = lambda space: rectangle(space, width=6.0 / 0.3048, height=5.0 / 0.3048)  # noqa: E731
+    assert refused(tmp_path, feet, units=2) == (None, "")
+    assert refused(tmp_path, rectangle, "hinge_y_m = -0.001")[0] == "hinge_off_body"
+
+
+def test_that_a_door_to_the_ground_and_piers_below_the_hinge_are_cut(tmp_path):
+    """Of a front whose lowest part is two piers, cut within the piers, each stands for itself."""
+    front = [(0, 0), (2, 0), (2, 3), (4, 3), (4, 0), (6, 0), (6, 5), (0, 5)]
+    drawing = sheet(tmp_path / "d.dxf", lambda space: space.add_lwpolyline(front, close=True))
+    (shape,) = DxfFile(drawing).sheet().shapes
+    parts = parts_above([(x, z) for x, z in shape.corners], 1.0)
+    assert len(parts) == 1 and polygon_sums(parts[0]).area == pytest.approx(20.0)
+    (whole,) = parts_above(front, -1.0)
+    assert whole == front
+    upside_down = [(x, 5 - z) for x, z in front]
+    legs = parts_above(upside_down, 3.0)
+    assert sorted(polygon_sums(leg).area for leg in legs) == pytest.approx([4.0, 4.0])
+    assert parts_above(front, 5.0) == []
+
+
+@settings(deadline=None, max_examples=80)
+@given(st.lists(st.tuples(st.floats(-5, 5), st.floats(-5, 5)), min_size=3, max_size=9), st.floats(-4, 4))
+def test_that_the_part_above_a_line_is_that_of_shapely(corners, level):
+    corners = [(round(x, 2), round(y, 2)) for x, y in corners]
+    level = round(level, 1)
+    drawn = Polygon(corners)
+    if not drawn.is_valid or drawn.area < 1e-3 or crossing(corners):
+        return
+    above = drawn.intersection(box(-9, level, 9, 9))
+    parts = [Polygon(part) for part in parts_above(corners, level)]
+    assert sum(part.area for part in parts) == pytest.approx(above.area, abs=1e-9)
+    assert shapely.union_all(parts).symmetric_difference(above).area < 1e-9
+    assert drawn.buffer(1e-9).contains(shapely.Point(point_within(corners)))
+
+
+@given(st.floats(-3.0, 3.0), st.floats(0.0, 6.28), st.floats(0.01, 100.0))
+def test_that_a_bulge_is_divided_within_its_tolerance(bulge, turn, chord):
+    start, end = (3.0, -2.0), (3.0 + chord * math.cos(turn), -2.0 + chord * math.sin(turn))
+    points = [start, *arc(start, end, bulge, 1e-3)]
+    assert points[-1] == end
+    if len(points) < 3:
+        assert abs(bulge) * chord <= 2e-3
+        return
+    sagitta = 0.5 * bulge * chord
+    radius = (0.25 * chord**2 + sagitta**2) / (2.0 * abs(sagitta))
+    centre = ezdxf.math.bulge_center(start, end, bulge)
+    assert all(math.dist(point, centre) == pytest.approx(radius, rel=1e-9) for point in points)
+    middles = [(0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])) for a, b in itertools.pairwise(points)]
+    assert all(radius - math.dist(middle, centre) <= 1.001e-3 for middle in middles)
+
+
+def test_that_lines_meet_end_to_end_and_nowhere_else():
+    square = [[(0.0, 0.0), (1.0, 0.0)], [(1.0, 1.0), (1.0, 0.0005)], [(1.0, 1.0), (0.0, 1.0)], [(0.0, 0.0), (0.0, 1.0)]]
+    (outline,), loose = joined(square, 1e-3)
+    assert not loose and polygon_sums(outline).area == pytest.approx(1.0, abs=1e-3)
+    closed, loose = joined([*square, [(1.0, 1.0), (2.0, 2.0)]], 1e-3)
+    assert len(closed) == len(loose) == 1
+    closed, loose = joined([*square, [(1.0, 1.0), (0.0, 0.0)]], 1e-3)  # three ends at two corners: which two?
+    assert closed == [] and len(loose) == 3
+
+
+def test_that_blocks_are_on_the_layer_of_their_reference_and_mirrored_ones_are_not_turned(tmp_path):
+    document = ezdxf.new("R2010", units=6)
+    block = document.blocks.new("B")
+    block.add_lwpolyline([(1, 0), (2, 0), (2, 1, 1.0), (1, 1)], format="xyb", close=True)
+    block.add_lwpolyline([(1, 3), (2, 3), (2, 4)], close=True, dxfattribs={"layer": "OWN"})
+    document.modelspace().add_blockref("B", (10, 0), dxfattribs={"layer": "A", "xscale": -1})
+    document.saveas(tmp_path / "d.dxf")
+    found = {shape.layer: shape.extent for shape in DxfFile(tmp_path / "d.dxf").sheet().shapes}
+    assert found["A"] == pytest.approx((8.0, 0.0, 9.0, 1.5), abs=TOLERANCE)
+    assert found["OWN"] == pytest.approx((8.0, 3.0, 9.0, 4.0))
+
+
+def test_that_borders_of_hatches_are_shapes_and_one_with_its_outline(tmp_path):
+    def draw(space):
+        rectangle(space)
+        hatch = space.add_hatch(dxfattribs={"layer": "A"})
+        hatch.paths.add_polyline_path([(0, 0), (6, 0), (6, 5), (0, 5)], is_closed=True)
+        edges = space.add_hatch(dxfattribs={"layer": "B"}).paths.add_edge_path()
+        edges.add_line((0, 0), (2, 0))
+        edges.add_arc((1, 0), 1.0, 0.0, 180.0)
+
+    shapes = DxfFile(sheet(tmp_path / "d.dxf", draw)).sheet().shapes
+    areas = {shape.layer: polygon_sums(shape.corners).area for shape in shapes}
+    assert len(shapes) == 2
+    assert areas == pytest.approx({"A": 30.0, "B": 0.5 * math.pi}, abs=TOLERANCE * math.pi)
+
+
+def test_that_the_unit_of_a_drawing_that_says_none_is_guessed_by_its_size(tmp_path):
+    for size, unit in ((7.0, "m"), (700.0, "cm"), (7000.0, "mm"), (20.0, "m")):
+        drawing = sheet(tmp_path / "d.dxf", lambda space, size=size: rectangle(space, width=size), units=0)
+        found = DxfFile(drawing).sheet()
+        assert (found.stated, found.unit) == (None, unit)
+
+
+WORDS = [b"", b"0", b"-1", b"1e400", b"nan", b"SECTION", b"ENTITIES", b"POLYLINE", b"10", b"EOF", b"$INSUNITS"]
+
+
+def test_that_hostile_files_are_refused_in_a_sentence(tmp_path, monkeypatch):
+    """Empty, of random bytes, cut at any place, with lines changed, a DWG, too large, a folder, nothing at all."""
+    whole = church_of(tmp_path)
+    chance, path = random.Random(7), tmp_path / "x.dxf"
+
+    def code_of(content: bytes):
+        path.write_bytes(content)
+        try:
+            DxfFile(path).sheet("mm")
+        except InputError as error:
+            assert str(error).startswith(str(path)) and "\n" not in str(error)
+            return error.code
+        return None
+
+    assert code_of(b"") == code_of(b"\0" * 4000) == code_of(b"EOF") == "drawing_damaged"
+    assert code_of(b"AC1032" + chance.randbytes(3000)) == "drawing_dwg"
+    assert all(code_of(chance.randbytes(chance.randrange(5000))) == "drawing_damaged" for _ in range(20))
+    assert all(code_of(whole[: chance.randrange(len(whole) - 5)]) == "drawing_damaged" for _ in range(20))
+    binary = tmp_path / "b.dxf"
+    ezdxf.readfile(tmp_path / "church.dxf").saveas(binary, fmt="bin")
+    content = binary.read_bytes()
+    assert code_of(content) is None
+    assert {code_of(content[: chance.randrange(len(content))]) for _ in range(10)} <= {"drawing_damaged"}
+    lines = whole.split(b"\n")
+    for _ in range(40):
+        changed = list(lines)
+        for _ in range(chance.randrange(1, 30)):
+            changed[chance.randrange(len(lines))] = chance.choice(WORDS)
+        assert code_of(b"\n".join(changed)) in (None, "drawing_damaged", "drawing_too_much")
+    monkeypatch.setattr(drawing_file, "MAX_BYTES", 1000)
+    assert code_of(whole) == "drawing_too_large"
+    for missing in (tmp_path / "none.dxf", tmp_path):
+        with pytest.raises(InputError, match="there is no such drawing"):
+            DxfFile(missing)
+
+
+def church_of(folder) -> bytes:
+    return sheets.church(folder / "church.dxf")[0].read_bytes()
+
+
+def test_that_blocks_without_an_end_are_refused(tmp_path):
+    document = ezdxf.new("R2010", units=6)
+    one, other = document.blocks.new("ONE"), document.blocks.new("OTHER")
+    for block, name in ((one, "OTHER"), (other, "ONE")):
+        for _ in range(3):
+            block.add_blockref(name, (1, 0))
+    document.modelspace().add_blockref("ONE", (0, 0))
+    document.saveas(tmp_path / "d.dxf")
+    with pytest.raises(InputError, match="more than 100000 entities|damaged"):
+        DxfFile(tmp_path / "d.dxf")
+    array = ezdxf.new("R2010", units=6)
+    array.blocks.new("B").add_circle((0, 0), 1)
+    many = {"column_count": 30_000, "row_count": 30_000, "column_spacing": 1, "row_spacing": 1}
+    array.modelspace().add_blockref("B", (0, 0), dxfattribs=many)
+    array.saveas(tmp_path / "d.dxf")
+    with pytest.raises(InputError, match="more than 100000 entities"):
+        DxfFile(tmp_path / "d.dxf")
+
+
+def test_that_without_ezdxf_the_absence_is_said_before_the_run(tmp_path, monkeypatch):
+    from core import packages
+
+    case, _ = written(tmp_path, "church")
+    monkeypatch.setattr(packages.importlib, "import_module", lambda name: exec("raise ImportError(name)"))
+    with pytest.raises(OutputError, match=r"a drawing \(DXF\) needs .*ezdxf"):
+        read_case(case)
+
+
+def test_that_inspect_lists_the_layers_of_a_drawing(tmp_path, capsys):
+    church = sheets.church(tmp_path / "church.dxf")[0]
+    nave = sheets.nave(tmp_path / "nave.dxf")[0]
+    palace = sheets.palace(tmp_path / "palace.dxf")[0]
+    assert program.main(["--inspect", str(church), str(nave), str(palace)]) == 0
+    said = capsys.readouterr().out
+    assert f"{church}: DXF R2010, unit mm\n" in said
+    assert "  MURATURA: closed shapes 1, area 92.7 m², x 0 to 9 m, y 11.7 to 23.5 m\n" in said
+    assert "  QUOTE: an outline open by 1e+04 mm at x = 9.5 m, y = 12.5 m\n" in said
+    assert "  VOLTA: an outline open by 4.38e+03 mm" in said
+    assert f"{palace}: DXF R2000, unit not stated, cm by the size\n" in said
+    (tmp_path / "x.dxf").write_bytes(b"no drawing")
+    assert program.main(["--inspect", str(tmp_path / "x.dxf")]) == 1
+    assert "refused" in capsys.readouterr().err
