@@ -26,7 +26,10 @@ SECTIONS = {Demand: "[demand]", Spectrum: "[demand.spectrum]", Analysis: "[analy
 
 
 class Field(QWidget):
-    """Label, editor, unit and a line for its error, of a key of a section. edited(value) : a value the case accepts."""
+    """Label, editor, unit and a line for its error, of a key of a section. edited(value) : a value the case accepts
+
+    inside : of a table of a wall, whether an error of the wall is about this field, as its form has it
+    """
 
     edited = Signal(object)
     judged = Signal()
@@ -40,6 +43,7 @@ class Field(QWidget):
         FORM_NAMES.add(self.key_in_errors(), label, SECTIONS.get(section, ""))
         self.value = self.value_before = None
         self.error = self.rule = ""
+        self.inside: Callable[[InputError], bool] | None = None
         grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setHorizontalSpacing(6)
@@ -132,6 +136,8 @@ class Field(QWidget):
 
     def named_in(self, problem: InputError, wall: str) -> bool:
         """Whether an error of the case is about this field; wall : name of the wall the forms show."""
+        if self.inside is not None:
+            return problem.wall == wall and self.inside(problem)
         if self.section is Wall:
             here = problem.wall == wall
         else:

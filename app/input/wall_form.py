@@ -7,6 +7,7 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLabel, QMessageBox, QToolButton, QVBoxLayout, QWidget
 
+from app.input.body_form import BodyForm
 from app.input.fields import Choice, Field, connect
 from app.input.impact_form import ImpactForm
 from app.input.loads_form import LoadsForm
@@ -48,6 +49,7 @@ class WallForm(QWidget):
         self.differs.setWordWrap(True)
         self.impact = ImpactForm(session, lambda: self.current)
         self.loads = LoadsForm(session, lambda: self.current)
+        self.body = BodyForm(session, lambda: self.current)
         self.reasons = reasons_of_wall(session, lambda: self.current)
         self.shape_fields = make_fields(Wall, "shape")
         self.check_fields = make_fields(Wall, "checks", first=BASE)
@@ -60,6 +62,7 @@ class WallForm(QWidget):
         notes = [field for field in self.check_fields if field.key not in (*BASE, "unloaded_confirmed")]
         self.sections = {
             "geometry": Section(tr("Geometry"), [self.fields["name"], self.shape, *self.shape_fields], open=True),
+            "body": Section(tr("Shape"), [self.body]),
             "mechanism": Section(tr("Mechanism and base"), [self._mechanism(), *base], open=True),
             "loads": Section(tr("Loads and ties"), [self.fields["unloaded_confirmed"], self.loads]),
             "held": Section(
@@ -84,6 +87,7 @@ class WallForm(QWidget):
             self._show_fields,
             self.impact.show_case,
             self.loads.show_case,
+            self.body.show_case,
             self.reasons.show_case,
             self._show_contents,
         )

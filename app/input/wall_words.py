@@ -145,6 +145,16 @@ def contents_of(wall: Wall) -> dict[str, str]:
         held.append(tr("tie at {z} m", z=number(wall.tie_height_m, "g")))
     if wall.return_walls is not None:
         held.append(tr("friction of return walls"))
+    forms = [] if wall.gable_m is None else [tr("gable {z} m", z=number(wall.gable_m, "g"))]
+    for key, one, many in (
+        ("openings", tr("1 opening"), tr("{n} openings", n=len(wall.openings))),
+        ("steps", tr("1 step"), tr("{n} steps", n=len(wall.steps))),
+        ("solid", tr("1 solid"), tr("{n} solids", n=len(wall.solid))),
+    ):
+        if count := len(getattr(wall, key)):
+            forms.append(one if count == 1 else many)
+    if wall.return_wedges is not None:
+        forms.append(tr("wedges"))
     law = named_laws().get(wall.law if isinstance(wall.law, str) else "own", "")
     ratio = tr("default of the mechanism") if wall.restitution is None and wall.velocity_ratio is None else ""
     if wall.velocity_ratio is not None:
@@ -154,6 +164,7 @@ def contents_of(wall: Wall) -> dict[str, str]:
     hinges = wall.hinge_heights
     return {
         "geometry": ", ".join(filter(None, (height, thickness))),
+        "body": ", ".join(forms) or tr("rectangle"),
         "mechanism": ", ".join(filter(None, (named(wall.mechanism) if wall.mechanism else "", base))),
         "loads": ", ".join(carries) or (tr("nothing, confirmed") if wall.unloaded_confirmed else tr("nothing")),
         "held": ", ".join(held) or tr("none"),

@@ -108,6 +108,7 @@ class Missing(QFrame):
         row = next((k for k, wall in enumerate(walls) if error.wall in (wall.name, wall.title)), None)
         if row is not None:
             window.show_input("wall", row)
+            window.walls.body.point_at(error)
         name = walls[row].name if row is not None else ""
         field = next((field for field in window.fields if field.named_in(error, name) and not field.isHidden()), None)
         if field is not None:
