@@ -155,6 +155,9 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
         if part.hinge and part.wall.name in names:
             raise InputError("same_name", key="name", wall=part.wall.name)
         check_loads(part.wall)
+        if part.hinge:
+            for mechanism in part.wall.mechanisms():
+                part.wall.restitution_of(mechanism)
     heights = {part.wall.base_z_m for part in found if part.wall.above_ground}
     if len(heights) > 1:
         refuse_modes(case, min(heights), max(heights))
@@ -173,14 +176,7 @@ def check_wall(case: Case, wall: Wall) -> None:
         wall.moment_law()
     except InputError as error:
         raise error.at(place("wall", name=wall.name)) from None
-    tied = any(load.is_tie for load in wall.load)
-    if tied or (wall.is_unlike and "two_sided" in wall.mechanisms()):
-        method, here = case.analysis.method, (section("[analysis]"),)
-        if method not in EXACT_METHODS:
-            code = "tie_method" if tied else "unlike_method"
-            raise InputError(code, place=here, key="method", found=method)
-        if case.analysis.accuracy:
-            raise InputError("tie_accuracy" if tied else "unlike_accuracy", place=here, key="accuracy")
+    _check_exact(case, wall)
     if case.analysis.method == "linearised" and not wall.moment_law().is_rigid:
         raise InputError("linearised_is_rigid", place=(section("[analysis]"),), key="method", wall=wall.name)
     if case.building and (wall.base_z_m or 0.0) > case.building.height_m:
@@ -201,6 +197,21 @@ def check_wall(case: Case, wall: Wall) -> None:
         raise InputError(
             "restraint_unnamed", place=(place("wall", name=wall.name),), key="back_restraint", value=wall.back_restraint
         )
+
+
+def _check_exact(case: Case, wall: Wall) -> None:
+    """Refuse a method that has no bars and no unlike sides, and a statement of accuracy by such methods."""
+    method, here = case.analysis.method, (section("[analysis]"),)
+    if any(load.is_tie for load in wall.load):
+        if method not in EXACT_METHODS:
+            raise InputError("tie_method", place=here, key="method", found=method)
+        if case.analysis.accuracy:
+            raise InputError("tie_accuracy", place=here, key="accuracy")
+    if wall.is_unlike and "two_sided" in wall.mechanisms():
+        if method not in EXACT_METHODS:
+            raise InputError("unlike_method", place=here, key="method", found=method)
+        if case.analysis.accuracy:
+            raise InputError("unlike_accuracy", place=here, key="accuracy")
 
 
 def refuse_modes(case: Case, low: float, high: float) -> None:

@@ -4,6 +4,7 @@ import math
 from dataclasses import MISSING, dataclass, replace
 
 from core.case.keys import choice_key, flag_key, key, number_key
+from core.errors import InputError, place
 from core.wall.body import cut_above
 from core.wall.wall_body import faces_at, parts_of, shoulder
 
@@ -69,11 +70,15 @@ class Step:
 
 def above(wall, hinge: float) -> dict:
     """What changes of a wall above a hinge [m above its base], where it is no rectangle: the solids cut there, the base
-    between the faces at that height, and the wedges, whose crack begins at the hinge with the same inclination."""
+    between the faces at that height, and the wedges, whose crack begins at the hinge with the same inclination. Raises
+    InputError at a height without a solid."""
     parts = [part for part in parts_of(wall) if not part.wedge]
     if not parts:
         return {}
-    outer, inner = faces_at(parts, hinge)
+    faces = faces_at(parts, hinge)
+    if faces is None:
+        raise InputError("hinge_in_a_gap", place=(place("wall", name=wall.name),), key="hinge_heights", hinge=hinge)
+    outer, inner = faces
     cut = [(part, tuple(cut_above(part.polygon, hinge))) for part in parts]
     solids = tuple(
         Solid(

@@ -1,8 +1,13 @@
 """What is wrong with the shape of a wall: solids that are none, contradict each other or do not stand."""
 
+import math
+
 from core.errors import InputError, place
 from core.wall.body import crossing, directions, holds, meet, polygon_sums
-from core.wall.wall_body import SHORT_FORMS, Part, has_shape, parts_of, shoulder, sum_of, top_of
+from core.wall.wall_body import SHORT_FORMS, Part, faces_at, has_shape, parts_of, shoulder, sum_of, top_of
+
+TOUCH = 1e-6
+"""What two sizes may differ by and still be the same [m]."""
 
 LEAST_CONTACT = 0.5
 """Least height of the point that meets the restraint, of the height of the body."""
@@ -35,11 +40,30 @@ def check_shape(wall) -> None:
         raise InputError(
             "contact_outside", place=here, key="height_m", found=wall.height_m, low=LEAST_CONTACT * top, top=top
         )
+    _check_base(wall, parts, here)
     x, hinges = sum_of(parts).centroid[0], (wall.setback, wall.thickness - wall.setback)
     if x <= hinges[0]:
         raise InputError("body_falls", place=here, found=x, hinge=hinges[0])
     if "two_sided" in wall.mechanisms() and x >= hinges[1]:
         raise InputError("body_leans_back", place=here, found=x, hinge=hinges[1])
+
+
+def _check_base(wall, parts: tuple[Part, ...], here) -> None:
+    """Both hinges are on the body, and its loads act on no more than its length: else it stands better than it does. Of
+    oblique solids the engineer says where its inner hinge is."""
+    faces = faces_at(parts, 0.0)
+    if faces is None or faces[0] > TOUCH:
+        raise InputError("hinge_off_body", place=here, found=math.inf if faces is None else faces[0])
+    if any(part.plane == "oblique" for part in parts):
+        return
+    if wall.thickness > faces[1] + TOUCH:
+        raise InputError("base_beyond_body", place=here, key="thickness_m", found=wall.thickness, most=faces[1])
+    along = [
+        [s for s, _ in part.polygon] if part.plane == "elevation" else part.ends for part in parts if part.weight > 0.0
+    ]
+    most = max(max(ends) for ends in along) - min(min(ends) for ends in along)
+    if wall.length_m > most + TOUCH:
+        raise InputError("length_beyond_body", place=here, key="length_m", found=wall.length_m, most=most)
 
 
 def _check_short(wall, here) -> None:
