@@ -127,19 +127,20 @@ class BodyForm(QWidget):
         grid.setContentsMargins(0, 0, 0, 0)
         words = QLabel(tr("Crack from the bricks: tan = length/(2 height)"))
         words.setWordWrap(True)
-        grid.addWidget(words, 0, 0, 1, 4)
+        grid.addWidget(words, 0, 0, 1, 3)
         self.brick_length, self.brick_height = (Line(lambda: False, lambda: None) for _ in range(2))
-        for column, (line, label) in enumerate(
-            ((self.brick_length, tr("Brick length [cm]")), (self.brick_height, tr("Brick height [cm]")))
-        ):
-            line.setAccessibleName(label)
-            line.setPlaceholderText(label)
+        lines = ((self.brick_length, tr("Brick length")), (self.brick_height, tr("Brick height")))
+        for row, (line, title) in enumerate(lines, start=1):
+            label = QLabel(title)
+            label.setBuddy(line)
+            line.setAccessibleName(f"{title} [cm]")
             line.setAlignment(Qt.AlignmentFlag.AlignRight)
             line.textEdited.connect(lambda _: self._show_offer())
-            grid.addWidget(line, 1, column)
+            for column, widget in enumerate((label, line, QLabel("cm"))):
+                grid.addWidget(widget, row, column)
         self.fill = QPushButton()
         self.fill.clicked.connect(self._fill_length)
-        grid.addWidget(self.fill, 2, 0, 1, 2)
+        grid.addWidget(self.fill, 3, 0, 1, 3)
         inside.addWidget(self.bricks)
 
     # showing
