@@ -80,7 +80,8 @@ class EntriesForm(QWidget):
         """What it edits, before its buttons and for a reader of the screen."""
         self.buttons.insertWidget(0, QLabel(title))
         self.list.setAccessibleName(title)
-        self.delete_button.setAccessibleName(f"{tr('Delete')}: {title}")
+        for button in self.findChildren(QToolButton):
+            button.setAccessibleName(f"{button.text()}: {title}")
 
     @property
     def wall(self) -> Wall | None:
