@@ -143,7 +143,7 @@ class WallDrawing(QWidget):
         drawn = [points for points, _ in self.body]
         top = max([height, *(y for points in (*self.arrows, *drawn) for _, y in points)])
         left, right = self.ends
-        reach = right - left if self.with_sizes else 2.0 * max(right, -left) + 1.1 * top
+        reach = right - left if self.with_sizes else max(thickness + 1.1 * height, 2.0 * max(right, -left))
         beside = 30 if self.with_sizes else 0  # room for the height in numbers
         across = [s for one in self.elevation for s, _ in one.points] if self._has_elevation else []
         along = max(across) - min(across) if across else 0.0
