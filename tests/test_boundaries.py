@@ -68,6 +68,7 @@ SHOWN_BY = {
     "case/keys": "tests/core/case/test_schema.py",
     "case/loads": "tests/core/wall/test_ties.py",
     "case/solids": BODIES,
+    "report/place_lines": "tests/core/case/test_place.py",
     "wall/body": BODIES,
     "wall/shape_rules": BODIES,
     "wall/wall_body": BODIES,

@@ -8,6 +8,7 @@ from dataclasses import fields, replace
 from core.case.hazard_table import check_rising
 from core.case.hinges import check_hinges, parts
 from core.case.keys import is_required
+from core.case.place import HERE, Site, filled, placed
 from core.case.schema import Analysis, Case, Generate, Record, Report, Wall
 from core.case.site import FULL_FACTOR, KNOWLEDGE, Building, Demand, Spectrum
 from core.case.values import SHOWN, are_ends, corners_of, field_of, refuse_unknown, repeated, section_of, value_of
@@ -68,7 +69,11 @@ def parse_case(table: dict) -> Case:
             accepted = sentence("accepted", "not_zero")
             here = place("record", n=k + 1)
             raise InputError("not_accepted", place=(here,), key="scale", value=0, accepted=accepted)
+    site = section_of(Site, table["site"], "site", HERE) if "site" in table else None
     demand = table.get("demand")
+    if site is not None:
+        site.hazard  # noqa: B018  (a place outside the grid is refused, with a demand or without)
+        demand = filled(site, demand) if isinstance(demand, dict) else demand
     generate = table.get("generate")
     case = Case(
         title=title,
@@ -79,6 +84,7 @@ def parse_case(table: dict) -> Case:
         analysis=analysis,
         demand=_demand(demand) if demand is not None else None,
         building=_building(table["building"]) if "building" in table else None,
+        site=site,
         given=frozenset(_written(table)),
     )
     if case.demand and case.demand.demand_scaling == "pga":
@@ -134,8 +140,9 @@ def draft_case(table: dict) -> Case:
         record=tuple(part(Record, entry, "record") for entry in tables_of(table, "record")),
         generate=one(Generate, "generate"),
         analysis=one(Analysis, "analysis") or Analysis(),
-        demand=one(Demand, "demand"),
+        demand=placed(one(Site, "site"), one(Demand, "demand")),
         building=one(Building, "building"),
+        site=one(Site, "site"),
         given=frozenset(_written(table)),
     )
 
@@ -311,7 +318,7 @@ def check_code_keys(asked, here) -> None:
 
 def _written(table: dict):
     """Places (section, index, key) the user wrote."""
-    for name in ("wall", "record", "report", "analysis", "demand", "generate", "building"):
+    for name in ("wall", "record", "report", "analysis", "site", "demand", "generate", "building"):
         items = table.get(name) or []
         for index, item in enumerate(items if isinstance(items, (list, tuple)) else [items]):
             for key in item if isinstance(item, dict) else ():

@@ -6,6 +6,7 @@ from dataclasses import MISSING, asdict, dataclass, field, fields
 
 from core.case.keys import channel_key, choice_key, flag_key, key, number_key, paragraphs_key, path_key, text_key
 from core.case.loads import Load, ReturnWalls
+from core.case.place import Site
 from core.case.site import Building, Demand
 from core.case.solids import Opening, Solid, Step, Wedges
 from core.errors import InputError, place
@@ -320,7 +321,7 @@ def sections() -> dict[str, type]:
             if isinstance(of, type):
                 yield from inside(f"{name}.{entry.name}", of, entry.metadata["kind"] == "tables")
 
-    outer = (Report, Wall, Record, Generate, Analysis, Demand, Building)
+    outer = (Report, Wall, Record, Generate, Analysis, Site, Demand, Building)
     return dict(
         found for section in outer for found in inside(section.__name__.lower(), section, section in (Wall, Record))
     )
@@ -349,6 +350,7 @@ class Case:
     analysis: Analysis = field(default_factory=Analysis)
     demand: Demand | None = None
     building: Building | None = None
+    site: Site | None = None
     sha256: str = field(default="", compare=False)
     given: frozenset = field(default=frozenset(), compare=False)
     table: str = field(default="", compare=False)
@@ -369,6 +371,7 @@ class Case:
             ("record", self.record),
             ("report", [self.report]),
             ("analysis", [self.analysis]),
+            ("site", [self.site] if self.site else []),
             ("demand", [self.demand] if self.demand else []),
             ("generate", [self.generate] if self.generate else []),
             ("building", [self.building] if self.building else []),

@@ -2,6 +2,7 @@
 
 import tomllib
 
+from core.case.place import without_derived
 from core.case.rules import draft_case
 from core.case.schema import Case
 from core.case.variant_of import contracted
@@ -19,7 +20,7 @@ def table_of(case: Case) -> dict:
     content = case.as_dict()
     if case.walls is not None:
         table["walls"] = case.walls
-    for section in ("report", "wall", "record", "generate", "analysis", "demand", "building"):
+    for section in ("report", "wall", "record", "generate", "analysis", "site", "demand", "building"):
         items = content[section]
         items = items if isinstance(items, tuple) else [items] if items is not None else []
         tables = [
@@ -29,8 +30,8 @@ def table_of(case: Case) -> dict:
         if section in ("wall", "record"):
             if tables:
                 table[section] = tables
-        elif tables and (tables[0] or section in ("generate", "demand", "building")):
-            table[section] = tables[0]
+        elif tables and (tables[0] or section in ("generate", "site", "demand", "building")):
+            table[section] = without_derived(case.site, tables[0]) if section == "demand" else tables[0]
     return table
 
 

@@ -13,6 +13,7 @@ from core.codes.record_compatibility import Compliance
 from core.file_names import shown
 from core.ground.ground_motion import GroundMotion
 from core.ground.provenance import provenance
+from core.report import place_lines
 from core.report.json_walls import body, limit_states, loads, tie_design, ties, variants, verdicts
 from core.report.steps import Steps
 from core.study.results import Q_SOURCES, Assessment, Run, StudyResult, WallResult
@@ -98,6 +99,7 @@ def demand_keys(result: StudyResult) -> dict:
         "demand_scaling": demand.record_scaling,
         "compliance": _compliance(result.compliance) if result.compliance else None,
         "warnings": [warning.text() for warning in demand.warnings],
+        **({"site": place_lines.as_json(result.case.site)} if result.case.site else {}),
     }
 
 

@@ -13,6 +13,7 @@ import numpy as np
 
 from core.capacity.accuracy import Accuracy, accuracy
 from core.capacity.ida import Ida, incremental_dynamic_analysis, multiplier_of, threshold_of
+from core.case.place import notices
 from core.case.schema import Case
 from core.codes.demand import DemandResult, with_records
 from core.codes.record_compatibility import Compliance, compliance
@@ -142,8 +143,9 @@ def _worked(
         kept = [KeptChecks(book) for _ in results]
         results = _assessed(plan, results, demand, rules, kept, threads, progress, on_wall)
         by_state = demands_of(case, base_dir)
+        of_place = notices(case.site, demand.limit_state) if case.site else []
         results = _at_limit_states(plan, results, demand, by_state, kept, threads)
-        demand = replace(demand, warnings=(*demand.warnings, *unsaid(demand, by_state)))
+        demand = replace(demand, warnings=(*demand.warnings, *unsaid(demand, by_state), *of_place))
         results = with_variants_alone(_with_ties(plan, results, demand, kept, threads, progress))
     if case.analysis.accuracy:
         results = _with_accuracy(plan, results, threads, progress)

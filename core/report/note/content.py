@@ -20,6 +20,7 @@ from core.report.note.parts import (
 )
 from core.report.note.wall_steps import Derivations
 from core.report.note.words import Words
+from core.report.place_lines import place_of
 from core.report.tie_words import tie_lines
 from core.report.verdict_words import in_order, lines_of, sentence_of, tone_of
 from core.study.results import StudyResult, WallResult
@@ -58,7 +59,9 @@ def note(result: StudyResult, language: str) -> list[Part]:
     for wall in ordered[FULL_WALLS:]:
         parts.append(Heading(_name(wall, words), 3, wall=result.walls.index(wall)))
         parts += _verdict(result, wall, words)
-    parts += _demand(result, words) + site.hazard(result, words) + site.building(result, words)
+    parts += (
+        _demand(result, words) + site.place(result, words) + site.hazard(result, words) + site.building(result, words)
+    )
     return [*parts, *_records(result, words), *_closing(result, words)]
 
 
@@ -91,7 +94,8 @@ def _answer(result: StudyResult, words: Words) -> list[Part]:
 def works(result: StudyResult, words: Words) -> list[tuple[str, str]]:
     """Works, site and demand, a line each."""
     say, report, asked, demand = words.say, result.case.report, result.case.demand, result.demand
-    site_of = ", ".join(filter(None, (report.site, *((asked.site, asked.coordinates) if asked else ()))))
+    place = [line for _, line in place_of(result.case.site, words.language)[:2]] if result.case.site else []
+    site_of = ", ".join(filter(None, (report.site, *place, *((asked.site, asked.coordinates) if asked else ()))))
     rows = [
         (say("Project"), report.project),
         (say("Client"), report.client),

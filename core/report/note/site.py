@@ -3,6 +3,7 @@
 from core.codes.floor_spectrum import estimated_period
 from core.report.note.parts import Derivation, Heading, Part, Step, Table
 from core.report.note.words import Words
+from core.report.place_lines import place_of, states_of
 from core.study.floors import damaged
 from core.study.results import StudyResult, WallResult
 from core.study.variants import comparisons
@@ -30,6 +31,20 @@ def hazard(result: StudyResult, words: Words) -> list[Part]:
         )
     heads = [f"T_R [{words.say('years')}]", "a_g [g]", "F0", "T_C* [s]"]
     return [Heading(words.say("Hazard of the site"), 3), Table(heads, rows, (1, 1, 1, 1))]
+
+
+def place(result: StudyResult, words: Words) -> list[Part]:
+    """Where the building stands, and the values of the four limit states there."""
+    site = result.case.site
+    if site is None:
+        return []
+    number = words.number
+    rows = [
+        (state, number(years, ".0f"), number(ag, ".3f"), number(f0, ".3f"), number(tc, ".3f"))
+        for state, years, ag, f0, tc in states_of(site)
+    ]
+    heads = [words.say("Limit state"), f"T_R [{words.say('years')}]", "a_g [g]", "F0", "T_C* [s]"]
+    return [Table((), place_of(site, words.language), (1, 4)), Table(heads, rows, (1, 1, 1, 1, 1))]
 
 
 def building(result: StudyResult, words: Words) -> list[Part]:

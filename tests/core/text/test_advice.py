@@ -68,6 +68,8 @@ LOWERS = {
     "one_channel",
     "record_twice",
     "skip_lines_of_plain_text",
+    "site_disagrees",
+    "site_gives",
     "soil_factor_follows",
     "to_no_restraint",
     "to_not_compatible",

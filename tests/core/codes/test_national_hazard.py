@@ -1,0 +1,211 @@
+"""The hazard of a place: worked values, an implementation of its own in plain Python, islands, what is refused."""
+
+import itertools
+import math
+import random
+
+import pytest
+
+from core.codes.limits import return_period
+from core.codes.national_hazard import (
+    ISLANDS,
+    PERIODS,
+    beginning_with,
+    grid,
+    hazard_at,
+    municipalities,
+    municipality,
+    reference_life,
+)
+from core.errors import InputError
+
+WORKED = {
+    (42.3498, 13.3995): (
+        (26305, 26306, 26528, 26527),
+        {
+            30: (0.078781, 2.40001, 0.27212),
+            50: (0.103892, 2.33224, 0.28097),
+            475: (0.260743, 2.36355, 0.34653),
+            712: (0.299774, 2.38391, 0.35616),
+            1950: (0.418547, 2.44269, 0.37903),
+        },
+    ),
+    (44.6471, 10.9252): (
+        (16058, 16059, 16281, 16280),
+        {
+            30: (0.048641, 2.47549, 0.25363),
+            50: (0.060226, 2.50629, 0.26903),
+            475: (0.163049, 2.42772, 0.28869),
+            712: (0.190015, 2.42820, 0.29133),
+            1950: (0.271089, 2.41275, 0.30084),
+        },
+    ),
+    (38.1938, 15.554): (
+        (44765, 44766, 44988, 44987),
+        {
+            30: (0.060853, 2.36104, 0.27710),
+            50: (0.081762, 2.31621, 0.29376),
+            475: (0.248679, 2.41108, 0.35917),
+            712: (0.295230, 2.43090, 0.37306),
+            1950: (0.441673, 2.48006, 0.41956),
+        },
+    ),
+    (45.13446, 6.544813): (
+        (13111, 13112, 13334, 13333),
+        {
+            30: (0.026297, 2.49510, 0.17895),
+            50: (0.034013, 2.50990, 0.20544),
+            475: (0.094255, 2.43520, 0.26660),
+            712: (0.111311, 2.42675, 0.27096),
+            1950: (0.162281, 2.43061, 0.28266),
+        },
+    ),
+}
+"""(latitude, longitude) -> ids of the nodes, T_R -> a_g [g], F_0, T_C* [s]."""
+
+
+@pytest.mark.parametrize("point", WORKED)
+def test_that_the_worked_values_come_out_to_their_digits(point):
+    nodes, values = WORKED[point]
+    found = hazard_at(*point)
+    assert found.nodes == nodes
+    for years, expected in values.items():
+        for number, value, digits in zip(found.at(years), expected, (6, 5, 5), strict=True):
+            assert abs(number - value) <= 0.50001 * 10.0**-digits, years
+
+
+def plain(latitude, longitude, years):
+    """The same from the words of Annex A, node by node, without arrays; None outside the grid."""
+    known = grid()
+    where = {int(node): tuple(known.nodes[k]) for node, k in known.index.items()}
+
+    def sees(a, b):
+        return (b[0] - a[0]) * (longitude - a[1]) - (b[1] - a[1]) * (latitude - a[0])
+
+    for node, (north, east) in where.items():
+        if abs(north - latitude) > 0.2 or abs(east - longitude) > 0.2:
+            continue
+        ring = [node, node + 1, node + 223, node + 222]
+        if not all(one in where for one in ring):
+            continue
+        signs = [sees(where[a], where[b]) for a, b in itertools.pairwise([*ring, node])]
+        if min(signs) < 0.0 < max(signs):
+            continue
+        sums, weight = [0.0, 0.0, 0.0], 0.0
+        for one in ring:
+            lat, lon = map(math.radians, where[one])
+            mine = math.radians(latitude), math.radians(longitude)
+            cosine = math.sin(lat) * math.sin(mine[0]) + math.cos(lat) * math.cos(mine[0]) * math.cos(lon - mine[1])
+            d = 6371.0088 * math.acos(min(1.0, cosine))
+            table = known.values[known.index[one]]
+            k = max(j for j in range(8) if PERIODS[j] <= years)
+            exponent = math.log(years / PERIODS[k]) / math.log(PERIODS[k + 1] / PERIODS[k])
+            for j in range(3):
+                low, high = float(table[k][j]), float(table[k + 1][j])
+                sums[j] += math.exp(math.log(low) + math.log(high / low) * exponent) / d
+            weight += 1.0 / d
+        return 0.1 * sums[0] / weight, sums[1] / weight, sums[2] / weight
+    return None
+
+
+def test_that_a_thousand_points_agree_with_an_implementation_in_plain_python():
+    draw, compared = random.Random(53), 0
+    nodes = grid().nodes
+    while compared < 1000:
+        node = nodes[draw.randrange(len(nodes))]
+        point = (node[0] + draw.uniform(-0.08, 0.08), node[1] + draw.uniform(-0.1, 0.1))
+        years = draw.uniform(30.0, 2475.0)
+        expected = plain(*point, years)
+        if expected is None:
+            with pytest.raises(InputError):
+                hazard_at(*point)
+            continue
+        assert tuple(hazard_at(*point).at(years)) == pytest.approx(expected, rel=1e-6)
+        compared += 1
+
+
+def test_that_a_node_has_its_own_values_and_an_edge_lies_between_its_ends():
+    known = grid()
+    row = known.index[26305]
+    found = hazard_at(*known.nodes[row])
+    assert 0.0 in found.distances
+    for years, values in zip(PERIODS, known.values[row], strict=True):
+        assert tuple(found.at(years)) == pytest.approx((0.1 * values[0], values[1], values[2]), rel=1e-14)
+    other = known.nodes[known.index[26306]]
+    middle = hazard_at(*(0.5 * (known.nodes[row] + other)))
+    assert {26305, 26306} <= set(middle.nodes)
+
+
+def test_that_below_30_and_above_2475_years_the_ends_of_the_table_hold():
+    found = hazard_at(42.3498, 13.3995)
+    assert found.at(10.0) == found.at(30.0) and found.at(9000.0) == found.at(2475.0)
+    # continuous through each return period of the table
+    for years in PERIODS[1:-1]:
+        assert tuple(found.at(years * (1 - 1e-12))) == pytest.approx(tuple(found.at(years)), rel=1e-9)
+
+
+PLACES = {
+    "Sardegna": (39.2238, 9.1217),
+    "Pantelleria": (36.8290, 11.9450),
+    "Lampedusa": (35.5020, 12.6090),
+    "Linosa": (35.8660, 12.8660),
+    "Ponza": (40.8950, 12.9570),
+    "Egadi": (37.9310, 12.3270),
+    "Arcipelago Toscano": (42.8130, 10.3180),
+    "Ventotene": (40.7960, 13.4310),
+    "Ustica": (38.7090, 13.1910),
+    "Tremiti": (42.1180, 15.5050),
+    "Alicudi": (38.5400, 14.3500),
+    "Filicudi": (38.5650, 14.5700),
+    "Lipari": (38.4670, 14.9540),
+    "Stromboli": (38.8060, 15.2380),
+    "Panarea": (38.6370, 15.0760),
+    "Salina": (38.5600, 14.8700),
+    "Vulcano": (38.4050, 14.9620),
+}
+
+
+@pytest.mark.parametrize("name", PLACES)
+def test_that_each_group_of_islands_has_its_row_of_table_2(name):
+    found = hazard_at(*PLACES[name])
+    if name == "Vulcano" and not found.island:
+        pytest.skip("nodes of the grid surround it")
+    group = next(one for one in ISLANDS if name in one.name)
+    assert found.island == group.name and not found.nodes
+    assert tuple(found.at(475.0)) == pytest.approx((0.1 * group.ag[6], group.f0[6], group.tc[6]), rel=1e-14)
+
+
+@pytest.mark.parametrize("point", [(48.85, 2.35), (41.0, 11.0), (43.0, 15.0), (0.0, 0.0), (90.0, 0.0)])
+def test_that_abroad_and_the_sea_are_refused_with_the_nearest_node(point):
+    with pytest.raises(InputError) as refused:
+        hazard_at(*point)
+    assert refused.value.code == "outside_the_grid"
+    assert str(refused.value.values["node"]) in refused.value.text("en") and "km" in refused.value.text("it")
+
+
+def test_that_a_municipality_is_found_without_accents_and_asked_for_its_province_where_two_share_a_name():
+    assert municipality("l’aquila").province == "AQ" and municipality("L AQUILA") == municipality("L'Aquila")
+    assert len(municipalities()) == 7546
+    with pytest.raises(InputError) as two:
+        municipality("Castro")
+    assert two.value.code == "municipality_of_two" and "BG" in two.value.text("en")
+    assert municipality("Castro", "BG").province_name == municipality("Castro", "Bergamo").province_name
+    for wrong, code in ((("Castro", "RM"), "municipality_elsewhere"), (("Nowhere", ""), "municipality_unknown")):
+        with pytest.raises(InputError) as refused:
+            municipality(*wrong)
+        assert refused.value.code == code
+    assert beginning_with("aquil")[0].name.startswith("Aquil") and any(
+        one.name == "L'Aquila" for one in beginning_with("aquila")
+    )
+
+
+def test_that_every_municipality_has_a_hazard():
+    draw = random.Random(1)
+    for one in draw.sample(municipalities(), 300):
+        assert 0.02 < hazard_at(one.latitude, one.longitude).at(475.0).ag_g < 0.3, one
+
+
+def test_that_return_periods_are_those_of_the_code():
+    assert return_period(75.0, "SLV") == pytest.approx(711.84, abs=0.005)
+    assert [round(return_period(50.0, state)) for state in ("SLO", "SLD", "SLV", "SLC")] == [30, 50, 475, 975]
+    assert reference_life(50.0, "III") == 75.0 and reference_life(40.0, "I") == 35.0
