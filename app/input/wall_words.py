@@ -130,6 +130,21 @@ def differences(case: Case, wall: Wall) -> list[str]:
     return lines
 
 
+def shape_words(wall: Wall) -> list[str]:
+    """What makes a wall another shape than a rectangle."""
+    forms = [] if wall.gable_m is None else [tr("gable {z} m", z=number(wall.gable_m, "g"))]
+    for key, one, many in (
+        ("openings", tr("1 opening"), tr("{n} openings", n=len(wall.openings))),
+        ("steps", tr("1 step"), tr("{n} steps", n=len(wall.steps))),
+        ("solid", tr("1 solid"), tr("{n} solids", n=len(wall.solid))),
+    ):
+        if count := len(getattr(wall, key)):
+            forms.append(one if count == 1 else many)
+    if wall.return_wedges is not None:
+        forms.append(tr("wedges"))
+    return forms
+
+
 def contents_of(wall: Wall) -> dict[str, str]:
     """What each section of the form of a wall holds, in a few words."""
     height = "" if not wall.height_m else f"H {number(wall.height_m, 'g')} m"
@@ -145,16 +160,6 @@ def contents_of(wall: Wall) -> dict[str, str]:
         held.append(tr("tie at {z} m", z=number(wall.tie_height_m, "g")))
     if wall.return_walls is not None:
         held.append(tr("friction of return walls"))
-    forms = [] if wall.gable_m is None else [tr("gable {z} m", z=number(wall.gable_m, "g"))]
-    for key, one, many in (
-        ("openings", tr("1 opening"), tr("{n} openings", n=len(wall.openings))),
-        ("steps", tr("1 step"), tr("{n} steps", n=len(wall.steps))),
-        ("solid", tr("1 solid"), tr("{n} solids", n=len(wall.solid))),
-    ):
-        if count := len(getattr(wall, key)):
-            forms.append(one if count == 1 else many)
-    if wall.return_wedges is not None:
-        forms.append(tr("wedges"))
     law = named_laws().get(wall.law if isinstance(wall.law, str) else "own", "")
     ratio = tr("default of the mechanism") if wall.restitution is None and wall.velocity_ratio is None else ""
     if wall.velocity_ratio is not None:
@@ -164,7 +169,7 @@ def contents_of(wall: Wall) -> dict[str, str]:
     hinges = wall.hinge_heights
     return {
         "geometry": ", ".join(filter(None, (height, thickness))),
-        "body": ", ".join(forms) or tr("rectangle"),
+        "body": ", ".join(shape_words(wall)) or tr("rectangle"),
         "mechanism": ", ".join(filter(None, (named(wall.mechanism) if wall.mechanism else "", base))),
         "loads": ", ".join(carries) or (tr("nothing, confirmed") if wall.unloaded_confirmed else tr("nothing")),
         "held": ", ".join(held) or tr("none"),

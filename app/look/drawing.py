@@ -139,21 +139,8 @@ class WallDrawing(QWidget):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         height, thickness, setback = self.size_of
         ink, quiet = QColor(theme.current.ink), QColor(theme.current.quiet)
-        sizes = 34 if self.with_sizes else 8
-        drawn = [points for points, _ in self.body]
-        top = max([height, *(y for points in (*self.arrows, *drawn) for _, y in points)])
-        left, right = self.ends
-        reach = right - left if self.with_sizes else max(thickness + 1.1 * height, 2.0 * max(right, -left))
-        beside = 30 if self.with_sizes else 0  # room for the height in numbers
-        across = [s for one in self.elevation for s, _ in one.points] if self._has_elevation else []
-        along = max(across) - min(across) if across else 0.0
-        room = self.width() - beside - (64 if across else 16)
-        scale = min((self.height() - 2 * sizes + (12 if self.with_sizes else -8)) / top, room / (reach + along))
-        wide = self.width() - (scale * along + 32 if across else 0.0)
-        middle = 0.5 * (left + right) if self.with_sizes else 0.0
-        base = QPointF(0.5 * (wide - beside) + 8 - scale * middle, self.height() - sizes)
-
-        self.scale, self.base_y = scale, base.y()
+        base, seen = self._fit(height, thickness)
+        scale = self.scale
 
         def place(point: QPointF) -> QPointF:
             return QPointF(base.x() + scale * point.x(), base.y() - scale * point.y())
@@ -190,8 +177,26 @@ class WallDrawing(QWidget):
             self._zetas(painter, place)
             self._sizes(painter, place, height, thickness, setback)
             self._mark_spots(place, height, thickness, setback)
-        if self._has_elevation:
-            self._draw_elevation(painter, QPointF(wide + 8 - scale * min(across), base.y()), along)
+        if seen is not None:
+            self._draw_elevation(painter, seen)
+
+    def _fit(self, height: float, thickness: float) -> tuple[QPointF, QPointF | None]:
+        """Sets the scale; the middle of the base, and where s and z of the elevation are 0, None without it."""
+        sizes = 34 if self.with_sizes else 8
+        drawn = [points for points, _ in self.body]
+        top = max([height, *(y for points in (*self.arrows, *drawn) for _, y in points)])
+        left, right = self.ends
+        reach = right - left if self.with_sizes else max(thickness + 1.1 * height, 2.0 * max(right, -left))
+        beside = 30 if self.with_sizes else 0  # room for the height in numbers
+        across = [s for one in self.elevation for s, _ in one.points] if self._has_elevation else []
+        along = max(across) - min(across) if across else 0.0
+        room = self.width() - beside - (64 if across else 16)
+        scale = min((self.height() - 2 * sizes + (12 if self.with_sizes else -8)) / top, room / (reach + along))
+        wide = self.width() - (scale * along + 32 if across else 0.0)
+        middle = 0.5 * (left + right) if self.with_sizes else 0.0
+        base = QPointF(0.5 * (wide - beside) + 8 - scale * middle, self.height() - sizes)
+        self.scale, self.base_y = scale, base.y()
+        return base, QPointF(wide + 8 - scale * min(across), base.y()) if across else None
 
     @property
     def _has_elevation(self) -> bool:
@@ -220,8 +225,8 @@ class WallDrawing(QWidget):
             painter.drawLine(*(place(QPointF(x, z)) for x, z in crack))
         painter.restore()
 
-    def _draw_elevation(self, painter, base: QPointF, along: float) -> None:
-        """The body seen from outside, to the scale of its section. base : where s and z are 0; along : its length"""
+    def _draw_elevation(self, painter, base: QPointF) -> None:
+        """The body seen from outside, to the scale of its section. base : where s and z are 0"""
         painter.setPen(QPen(QColor(theme.current.ink), 1.4))
         shade = QColor(theme.current.curves[0])
         shade.setAlpha(70)
@@ -229,8 +234,9 @@ class WallDrawing(QWidget):
             painter.setBrush(QColor(theme.current.back) if kind == "opening" else shade)
             corners = [QPointF(base.x() + self.scale * s, base.y() - self.scale * z) for s, z in points]
             painter.drawPolygon(QPolygonF(corners))
-        words = f"L {number(along, '.2f')} m"
-        middle = base.x() + self.scale * (min(s for one in self.elevation for s, _ in one.points) + 0.5 * along)
+        across = [s for one in self.elevation for s, _ in one.points]
+        words = f"L {number(max(across) - min(across), '.2f')} m"
+        middle = base.x() + self.scale * 0.5 * (min(across) + max(across))
         painter.drawText(QPointF(middle - 0.5 * painter.fontMetrics().horizontalAdvance(words), base.y() + 16), words)
 
     def _mark_spots(self, place, height, thickness, setback) -> None:

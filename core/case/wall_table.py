@@ -14,6 +14,7 @@ from core.case.many_walls import ManyWalls
 from core.case.number import parse_number
 from core.case.rules import parse_wall
 from core.case.schema import Wall
+from core.case.values import field_of
 from core.errors import InputError, place
 from core.ooxml.sheet import MAX_NAME, Limits, hidden_notes, read_sheet, refuse_cells, spoken
 from core.text.catalogue import CATALOGUE
@@ -321,13 +322,8 @@ def _column_of(error: InputError, keys: list) -> int | None:
         if part.code in ("load", "solid"):
             key = f"{part.code}{values['n']}_{key}"
         elif inside := re.fullmatch(r"\[\[(\w+)\]\] (\d+)", str(values.get("name", ""))):
-            key = _of_tables(inside[1]).format(n=inside[2]) + str(key)
+            key = field_of(Wall, inside[1]).metadata["columns"].format(n=inside[2]) + str(key)
     return keys.index(key) if key in keys else None
-
-
-def _of_tables(key: str) -> str:
-    """How the columns of tables of a wall begin, "opening{n}_"."""
-    return next(entry.metadata["columns"] for entry in fields(Wall) if entry.name == key)
 
 
 def _gather(table: dict) -> None:
@@ -335,13 +331,9 @@ def _gather(table: dict) -> None:
     for entry in fields(Wall):
         if "columns" not in entry.metadata:
             continue
-        starts = [entry.metadata["columns"].format(n=n) for n in range(1, MOST_LOADS + 1)]
-        parts = [
-            {key.removeprefix(start): table.pop(key) for key in list(table) if key.startswith(start)}
-            for start in dict.fromkeys(starts)
-        ]
-        given = [part for part in parts if part]
-        if given:
+        starts = dict.fromkeys(entry.metadata["columns"].format(n=n) for n in range(1, MOST_LOADS + 1))
+        parts = [{key.removeprefix(at): table.pop(key) for key in list(table) if key.startswith(at)} for at in starts]
+        if given := [part for part in parts if part]:
             table[entry.name] = given if entry.metadata["kind"] == "tables" else given[0]
 
 
