@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from PySide6.QtWidgets import QGroupBox, QLabel, QVBoxLayout, QWidget
 
-from app.input.fields import connect
+from app.input.fields import blank, connect
 from app.input.made_fields import make_fields
 from app.look.language import tr
 from app.work.session import Session
@@ -19,7 +19,7 @@ class BuildingForm(QWidget):
     def __init__(self, session: Session):
         super().__init__()
         self.session = session
-        self.last: Building | None = None
+        self.forget()
         self.given = QGroupBox(tr("Building of the walls above the ground"))
         self.given.setCheckable(True)
         self.given.toggled.connect(self._toggled)
@@ -34,6 +34,11 @@ class BuildingForm(QWidget):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.given)
+        layout.addStretch(1)
+
+    def forget(self) -> None:
+        """Another case: the building switched off in the last one does not come back in this."""
+        self.last: Building | None = None
 
     def show_case(self) -> None:
         """Fill the form from the session."""
@@ -43,6 +48,7 @@ class BuildingForm(QWidget):
         self.given.setChecked(building is not None)
         self.given.blockSignals(False)
         if building is None:
+            blank(self.fields)
             self.summary.setText(tr("Needed where a wall has its base above the ground."))
             return
         for field in self.fields:

@@ -1,11 +1,12 @@
 """The demand, the analysis and the title block of the report."""
 
 from dataclasses import replace
+from pathlib import Path
 
 from PySide6.QtWidgets import QFileDialog, QGroupBox, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from app.input.building_form import BuildingForm
-from app.input.fields import Choice, Field, connect
+from app.input.fields import Choice, Field, blank, connect
 from app.input.hazard_form import HazardForm
 from app.input.law_curve import SpectrumCurve
 from app.input.made_fields import make_field, make_fields
@@ -41,11 +42,7 @@ class DemandForm(QWidget):
     def __init__(self, session: Session):
         super().__init__()
         self.session = session
-        self.last: tuple | None = None
-        self.spectra = {
-            "NTC2018": Spectrum("NTC2018", ""),  # what is not given yet is None, as a file has it
-            "EN1998": Spectrum("EN1998", ""),
-        }
+        self.forget()
         self.given = QGroupBox(tr("Check against a demand"))
         self.given.setCheckable(True)
         self.given.toggled.connect(self._toggled)
@@ -86,6 +83,11 @@ class DemandForm(QWidget):
             self, self._show_demand, self.building.show_case, self.hazard.show_case, self.reasons.show_case
         )
 
+    def forget(self) -> None:
+        """Another case: what was switched off in the last one does not come back in this."""
+        self.last: tuple | None = None
+        self.spectra = {code: Spectrum(code, "") for code in ("NTC2018", "EN1998")}  # "": not given yet
+
     def _make_spectrum(self) -> None:
         """How the spectrum is given, with what is said of it."""
         self.hint, self.summary = QLabel(), QLabel()
@@ -114,6 +116,14 @@ class DemandForm(QWidget):
         self.given.setChecked(demand is not None)
         self.given.blockSignals(False)
         if demand is None:
+            blank((*self.of_demand, *self.of_spectrum))
+            self.kind.setCurrentIndex(-1)
+            for label in (self.hint, self.summary):
+                label.setText("")
+            for section in self.sections:
+                section.say()
+            if self.curve is not None:
+                self.curve.show_target(None)
             return
         for field in self.of_demand:
             field.show_value(getattr(demand, field.key))
@@ -226,8 +236,6 @@ class DemandForm(QWidget):
         self.session.edit_section("demand", **values)
 
     def _choose_file(self) -> None:
-        from pathlib import Path
-
         name, _ = QFileDialog.getOpenFileName(self, tr("Spectrum: two columns, s and g"), str(self.session.base_dir))
         if name:
             self.session.edit_section(
@@ -254,6 +262,10 @@ class AnalysisForm(QWidget):
         )
         self.title_field = make_field(Case, "title")
         self.title_field.edited.connect(lambda value: session.edit(replace(session.case, title=value), "title"))
+        logo = next(field for field in self.of_report if field.key == "logo")
+        choose = QPushButton(tr("Choose file…"))
+        choose.clicked.connect(self._choose_logo)
+        logo.layout().addWidget(choose, 0, 2)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)
         for label, chosen in ((tr("Report"), [self.title_field, *self.of_report]), (tr("Analysis"), self.of_analysis)):
@@ -263,6 +275,12 @@ class AnalysisForm(QWidget):
                 inside.addWidget(field)
             layout.addWidget(group)
         layout.addStretch(1)
+
+    def _choose_logo(self) -> None:
+        pictures = "PNG, JPEG, SVG (*.png *.jpg *.jpeg *.svg)"
+        name, _ = QFileDialog.getOpenFileName(self, tr("Choose file…"), str(self.session.base_dir), pictures)
+        if name:
+            self.session.edit_section("report", logo=self.session.relative(Path(name)))
 
     def show_case(self) -> None:
         """Fill the form from the session."""

@@ -12,17 +12,27 @@ from app.look import theme
 from app.look.language import FORM_NAMES, current_language, number, of_key, tr
 from app.look.whole_text import tell_whole
 from core.case.keys import unit_in_form
+from core.case.loads import Bars, Load, ReturnWalls
 from core.case.number import parse_number
 from core.case.schema import Analysis, Report, Wall
-from core.case.site import Demand, Spectrum
+from core.case.site import Building, Demand, Spectrum
 from core.case.values import check_value, field_of
 from core.errors import InputError
-from core.text.sentence import choice
+from core.text.sentence import Sentence, choice
 
 FIGURES = 12
 
-SECTIONS = {Demand: "[demand]", Spectrum: "[demand.spectrum]", Analysis: "[analysis]", Report: "[report]"}
+SECTIONS = {
+    Demand: "[demand]",
+    Spectrum: "[demand.spectrum]",
+    Building: "[building]",
+    Analysis: "[analysis]",
+    Report: "[report]",
+}
 """Sections of a case; errors of a wall name the wall."""
+
+OF_WALL: dict[type, str] = {Wall: "", Load: "", Bars: ".bar]", ReturnWalls: ".return_walls]"}
+"""Sections of a wall, and how the place of an error inside one ends."""
 
 
 class Field(QWidget):
@@ -135,14 +145,18 @@ class Field(QWidget):
         return bool(self.error) and not self.isHidden()
 
     def named_in(self, problem: InputError, wall: str) -> bool:
-        """Whether an error of the case is about this field; wall : name of the wall the forms show."""
+        """Whether an error of the case is about this field; wall : title of the wall the forms show."""
         if self.inside is not None:
             return problem.wall == wall and self.inside(problem)
-        if self.section is Wall:
-            here = problem.wall == wall
-        else:
-            here = problem.section is not None and problem.section == SECTIONS.get(self.section)
-        return here and self.key_in_errors() in problem.keys
+        if self.key_in_errors() not in problem.keys:
+            return False
+        if self.section in OF_WALL:
+            said = [str(dict(part.values).get("name", "")) for part in problem.place if isinstance(part, Sentence)]
+            inside = next((end for end in OF_WALL.values() if end and any(name.endswith(end) for name in said)), "")
+            if any(re.fullmatch(r"\[\[\w+\]\] \d+", name) for name in said) and self.section is Wall:
+                return False  # of an opening, say, whose keys have the names of the wall's
+            return problem.wall == wall and inside in ("", OF_WALL[self.section])
+        return problem.section is not None and problem.section == SECTIONS.get(self.section)
 
     def offer(self, value) -> None:
         """A value from the editor: into the case if it is accepted, else an error at the field."""
@@ -336,6 +350,7 @@ class ChoiceField(Field):
     def __init__(self, section: type, key: str, words: dict | None = None):
         self.words = words or words_of_choices(section, key)
         FORM_NAMES.captions.update({name: shown for name, shown in self.words.items() if name})
+        FORM_NAMES.captions.update({f"{key}={name}": shown for name, shown in self.words.items()})
         super().__init__(section, key)
         tell_whole(self.editor)
 
@@ -383,6 +398,13 @@ def words_of_choices(section: type, key: str) -> dict:
     return words | {
         name: of_key(section, key, f"={name}") or choice(name, current_language()) for name in entry.metadata["names"]
     }
+
+
+def blank(chosen: Sequence[Field]) -> None:
+    """Show nothing in these fields: what they edit is not there."""
+    for field in chosen:
+        field.forget()
+        field.show_value(None)
 
 
 def connect(chosen: Sequence[Field], change: Callable[[Field, object], None]) -> None:

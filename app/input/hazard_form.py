@@ -38,6 +38,7 @@ class HazardForm(QGroupBox):
         """Say what is there."""
         demand = self.session.case.demand
         if demand is None:
+            self.words.setText("")
             return
         try:
             rows = hazard_of(demand, self.session.base_dir)

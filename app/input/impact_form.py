@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
-from app.input.fields import Choice, ChoiceField, NumberField
+from app.input.fields import Choice, ChoiceField, NumberField, blank
 from app.input.law_curve import LawCurve
 from app.look.language import current_language, described, named, number, tr
 from app.work.session import Session
@@ -148,6 +148,10 @@ class ImpactForm(QWidget):
         """Fill the form from the wall."""
         wall = self.wall
         if wall is None:
+            blank((self.model, self.velocity_ratio, self.first, self.last))
+            self.formula.setText("")
+            self.law.setCurrentIndex(-1)
+            self.law_curve.curve.setData([], [])
             return
         model = wall.restitution or ("user" if wall.velocity_ratio is not None else None)
         self.model.show_value(model)

@@ -6,7 +6,7 @@ from dataclasses import replace
 from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QGroupBox, QHBoxLayout, QListWidget, QMenu, QToolButton, QVBoxLayout, QWidget
 
-from app.input.fields import ChoiceField, Field, connect
+from app.input.fields import ChoiceField, Field, blank, connect
 from app.input.made_fields import make_fields
 from app.look.language import named, number, tr
 from app.work.session import Session
@@ -32,18 +32,22 @@ class LoadsForm(QWidget):
     def __init__(self, session: Session, index: Callable[[], int]):
         super().__init__()
         self.session, self.index = session, index
-        self.former: ReturnWalls | None = None
+        self.forget()
         self.list = QListWidget()
         self.list.setMaximumHeight(64)
         self.list.setAccessibleName(tr("Loads"))
         self.list.currentRowChanged.connect(lambda _: self._show_load())
         self.kind = ChoiceField(Load, "kind", named_kinds())
         self.load_fields = [self.kind, *make_fields(Load, "size")]
-        self.former_bar: Bars | None = None
         self.wall_fields = make_fields(Wall, "held", first=("tie_height_m",))
         connect(self.load_fields, self._load_changed)
         connect(self.wall_fields, self._wall_changed)
         self._lay_out()
+
+    def forget(self) -> None:
+        """Another wall: what was switched off in the last one does not come back in this."""
+        self.former: ReturnWalls | None = None
+        self.former_bar: Bars | None = None
 
     def _lay_out(self) -> None:
         column = QVBoxLayout(self)
@@ -98,6 +102,11 @@ class LoadsForm(QWidget):
         """Fill the form from the wall."""
         wall = self.wall
         if wall is None:
+            with QSignalBlocker(self.list), QSignalBlocker(self.across):
+                self.list.clear()
+                self.across.setChecked(False)
+            self._show_load()
+            blank((*self.wall_fields, *self.across_fields))
             return
         row = self.list.currentRow()
         words = [self._words(load) for load in wall.load]

@@ -64,6 +64,7 @@ class RecordsPanel(QWidget):
         for label, tip, slot in (
             (tr("Add…"), tr("Add accelerograms"), self.add),
             (tr("Generate…"), tr("Seven motions compatible with the spectrum"), self.generate),
+            (tr("To the spectrum"), tr("Scale all to the spectrum"), self.scale_to_target),
             (tr("Reverse"), tr("Change the sign of the selected records"), self.reverse),
             (tr("Remove"), tr("Remove the selected records"), self.remove),
         ):
@@ -73,6 +74,11 @@ class RecordsPanel(QWidget):
             button.clicked.connect(slot)
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             bar.addWidget(button)
+            if slot == self.add:
+                menu = QMenu(button)
+                menu.addAction(tr("A folder…"), self.add_folder)
+                button.setMenu(menu)
+                button.setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
         bar.setSpacing(3)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)
@@ -245,7 +251,7 @@ class RecordsPanel(QWidget):
         """Seven compatible motions, or the same with the next seeds."""
         case = self.session.case
         if case.demand is None or not (case.demand.spectrum or case.demand.spectrum_file):
-            self.words.setText(tr("Choose a spectrum on the sheet Demand first."))
+            self.words.setText(tr("Choose a spectrum under Demand first."))
             return
         seed = case.generate.seed + case.generate.count if case.generate else 1
         records = case.record
@@ -311,10 +317,10 @@ class RecordsPanel(QWidget):
             if not self.pending and k is not None and not isinstance(motion, str) and case.record[k].include
         }
         if asked is None or asked.target is None or not rows:
-            self.words.setText(tr("This needs records from files and a spectrum on the sheet Demand."))
+            self.words.setText(tr("This needs records from files and a spectrum under Demand."))
             return
         if asked.record_scaling == "pga":  # which cancels any factor of a file
-            self.words.setText(tr("The records are scaled to PGA = a_g S already (sheet Demand)."))
+            self.words.setText(tr("The records are scaled to PGA = a_g S already (Demand)."))
             return
         try:
             factor = common_factor([self.rows[row][1] for row in rows], asked)
@@ -322,7 +328,7 @@ class RecordsPanel(QWidget):
             self.words.setText(described(error))
             return
         if not 0.0 < factor < math.inf:
-            self.words.setText(tr("This needs records from files and a spectrum on the sheet Demand."))
+            self.words.setText(tr("This needs records from files and a spectrum under Demand."))
             return
         self._change(rows, lambda record: replace(record, scale=float(f"{record.scale * factor:.4g}")))
         self.left_out = tr("Scaled by {factor:.3f}, the factor nearest to the spectrum.", factor=factor)
@@ -331,6 +337,12 @@ class RecordsPanel(QWidget):
         names, _ = QFileDialog.getOpenFileNames(self, tr("Add accelerograms"), str(self.session.base_dir))
         if names:
             self.take([Path(name) for name in names])
+
+    def add_folder(self) -> None:
+        """All that a folder holds."""
+        name = QFileDialog.getExistingDirectory(self, tr("Add accelerograms"), str(self.session.base_dir))
+        if name:
+            self.take([Path(name)])
 
     def take(self, paths: list[Path], ask: bool = True) -> None:
         """Add files and folders, after the dialog that shows what they are."""
@@ -349,7 +361,7 @@ class RecordsPanel(QWidget):
         )
         left = len({file_of(row) for row in dialog.paths} - {Path(entry.file) for entry in chosen})
         if taken and left:
-            self.left_out = tr("{n} files were left out: they cannot be read as they are.", n=left)
+            self.left_out = tr("Files left out, which cannot be read as they are: {n}.", n=left)
             self.words.setText(self.left_out)
 
     def dragEnterEvent(self, event) -> None:

@@ -8,7 +8,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLabel, QMessageBox, QToolButton, QVBoxLayout, QWidget
 
 from app.input.body_form import BodyForm
-from app.input.fields import Choice, Field, connect
+from app.input.fields import Choice, Field, blank, connect
 from app.input.impact_form import ImpactForm
 from app.input.loads_form import LoadsForm
 from app.input.made_fields import make_field, make_fields
@@ -31,14 +31,17 @@ BASE = ("base_z_m", "back_restraint", "free_element")
 
 
 class WallForm(QWidget):
-    """Edits one wall of the session at a time; `current` is its row. selected(row) : another one is shown"""
+    """Edits one wall of the session at a time; `current` is its row. selected(row) : another is shown; told(words) :
+    what was done"""
 
     selected = Signal(int)
+    told = Signal(str)
 
     def __init__(self, session: Session):
         super().__init__()
         self.session = session
         self.row = 0
+        self.shown: tuple[Wall | None, int] = (None, 0)
         self.former: tuple[Wall | None, Wall | None] = (None, None)
         self.drawing = WallDrawing()
         self.drawing.picked.connect(self._picked_in_drawing)
@@ -122,7 +125,7 @@ class WallForm(QWidget):
             button.setText(label)
             button.setToolTip(tip)
             button.setAccessibleName(label)
-            FORM_NAMES.captions[name] = label
+            FORM_NAMES.captions[name] = FORM_NAMES.captions[f"mechanism={name}"] = label
             button.setCheckable(True)
             chosen = theme.current.curves[0]
             button.setStyleSheet(f"QToolButton:checked {{ border: 3px solid {chosen}; font-weight: 700; }}")
@@ -149,17 +152,29 @@ class WallForm(QWidget):
         if row == self.row:
             return
         self.row = row
-        for field in self.findChildren(Field):
-            field.forget()
+        self.forget()
         self.show_case()
         self.selected.emit(self.current)
+
+    def forget(self) -> None:
+        """Another wall: nothing that was typed or switched off in the last one stays."""
+        for field in self.findChildren(Field):
+            field.forget()
+        self.loads.forget()
+        self.former = (None, None)
 
     def show_case(self) -> None:
         """Fill the form from the session."""
         self.parts.show()
 
     def _show_row(self) -> None:
+        walls, known, count = self.session.case.wall, *self.shown
+        if known is not None and len(walls) != count:  # the same wall, in another place
+            ways = (lambda one: one == known, lambda one: one.title == known.title, lambda one: one.name == known.name)
+            alike = ((k for k, one in enumerate(walls) if way(one)) for way in ways)
+            self.row = next((k for found in alike for k in found), self.row)
         self.row = self.current
+        self.shown = (self.wall, len(walls))
         for section in self.sections.values():
             section.setEnabled(self.wall is not None)
 
@@ -170,14 +185,16 @@ class WallForm(QWidget):
             self._show_geometry(wall)
             return
         self._show_shape("thickness_m", False)
-        self.summary.setText(tr("No wall yet: press Add."))
+        self.shape.setCurrentIndex(-1)
+        self.summary.setText(tr("No wall yet: + wall below the tree."))
 
     def _show_fields(self) -> None:
         wall = self.wall
-        if wall is None:
-            return
         for name, button in self.mechanisms.items():
-            button.setChecked(wall.mechanism == name)
+            button.setChecked(wall is not None and wall.mechanism == name)
+        if wall is None:
+            blank(list(self.fields.values()))
+            return
         for field in self.fields.values():
             field.show_value(getattr(wall, field.key))
         # only what the mechanism needs, and what stands there all the same
@@ -292,16 +309,17 @@ class WallForm(QWidget):
         wall, k = self.wall, self.current
         if wall is None:
             return
-        if any(one.name == wall.name and one.variant == DESIGNED for one in self.session.case.wall):
-            self.duplicate()
-            return
         walls = list(self.session.case.wall)
-        walls[k : k + 1] = [replace(wall, variant=AS_IS), replace(wall, variant=DESIGNED)]
-        self.session.edit(replace(self.session.case, wall=tuple(walls)))
-        self.select(k + 1)
+        there = {one.variant: row for row, one in enumerate(walls) if one.name == wall.name}
+        made = [replace(wall, variant=one) for one in (AS_IS, DESIGNED) if there.get(one, k) == k]
+        if made:
+            walls[k : k + 1] = made
+            self.session.edit(replace(self.session.case, wall=tuple(walls)))
+        self.select(next(row for row, one in enumerate(walls) if (one.name, one.variant) == (wall.name, DESIGNED)))
 
     def delete(self) -> None:
         if self.wall is not None:
+            self.forget()
             self.session.remove_wall(self.current)
 
     def paste(self) -> None:
@@ -333,4 +351,7 @@ class WallForm(QWidget):
         except InputError as error:
             QMessageBox.warning(self, tr("Walls not read"), quoted_from_file(error))
             return
+        first = len(self.session.case.wall)
         self.session.add_walls(walls)
+        self.select(first)
+        self.told.emit(tr("Walls added: {n}", n=len(walls)))

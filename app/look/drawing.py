@@ -2,21 +2,18 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import fields, replace
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QFont, QIcon, QPainter, QPainterPath, QPen, QPixmap, QPolygonF
+from PySide6.QtGui import QColor, QFont, QIcon, QPainter, QPen, QPixmap, QPolygonF
 from PySide6.QtWidgets import QWidget
 
 from app.look import theme
+from app.look.body_drawing import BodyDrawing, complete, turned
 from app.look.language import number
 from core.case.schema import Wall
-from core.case.solids import Opening, Solid
 from core.errors import InputError
 from core.report.load_arrows import arrows
-from core.report.outlines import Outline, in_elevation, in_section
 from core.rocking.bar_state import BROKEN, SLACK, YIELDING
-from core.wall.wall_body import faces_at, has_shape, parts_of
 
 
 def outline(height: float, thickness: float, setback: float, rotation: float) -> list[QPointF]:
@@ -25,33 +22,6 @@ def outline(height: float, thickness: float, setback: float, rotation: float) ->
     half = 0.5 * thickness
     corners = [(-half, 0.0), (half, 0.0), (half, height), (-half, height)]
     return turned(corners, half - setback, rotation)
-
-
-def turned(corners: Sequence[tuple[float, float]], hinge: float, rotation: float) -> list[QPointF]:
-    """Points [m] turned by rotation [rad] about the hinge on the side they turn to, `hinge` [m] from the middle."""
-    hinge = math.copysign(hinge, rotation)
-    c, s = math.cos(rotation), math.sin(rotation)
-    return [QPointF(hinge + c * (x - hinge) + s * y, -s * (x - hinge) + c * y) for x, y in corners]
-
-
-def complete(wall: Wall) -> Wall:
-    """A wall without what of its shape is still to be given."""
-
-    def is_given(entry) -> bool:
-        values = {one.name: getattr(entry, one.name) for one in fields(entry)}
-        if isinstance(entry, Opening) and entry.diameter_m is None:
-            return "" not in values.values() and None not in (entry.width_m, entry.height_m)
-        if isinstance(entry, Solid) and (
-            len(entry.polygon_m) < 3 or (entry.angle_deg is None) == (entry.plane == "oblique")
-        ):
-            return False
-        return "" not in values.values()
-
-    if not has_shape(wall):
-        return wall
-    kept = {key: tuple(filter(is_given, getattr(wall, key))) for key in ("openings", "steps", "solid")}
-    wedges = wall.return_wedges if wall.return_wedges and is_given(wall.return_wedges) else None
-    return replace(wall, return_wedges=wedges, unit_weight_kn_m3=wall.unit_weight_kn_m3 or 1.0, **kept)
 
 
 NEAR = 7.0
@@ -88,18 +58,17 @@ class WallDrawing(QWidget):
         self.arrows: list[list[tuple[float, float]]] = []
         self.bars: list[tuple[float, int]] = []
         self.hinges: list[tuple[float, float | None]] = []
-        self.body: list[Outline] = []
-        self.elevation: list[Outline] = []
-        self.ends = (0.0, 0.0)
-        self.outer: dict[float, float] = {}
+        self.body = BodyDrawing()
         self.rotation = 0.0
+        self.least_extent = (0.0, 0.0)
+        """Room [m] that it has at least: of another drawing beside it, so that both have one scale."""
         self.setMinimumSize(QSize(90, 120))
 
     def show_wall(self, wall: Wall | None, hinges: Sequence[tuple[float, float | None]] = ()) -> None:
         """Draw this wall; what is not complete leaves the place empty. hinges : height [m] and zeta of each, where
         it has more than the one at its base."""
         self.size_of, self.arrows, self.bars, self.hinges = None, [], [], list(hinges)
-        self.body, self.elevation, self.outer = [], [], {}
+        self.body = BodyDrawing()
         if wall is not None:
             try:
                 wall = complete(wall)
@@ -108,27 +77,24 @@ class WallDrawing(QWidget):
                 thickness = wall.thickness or block.thickness
                 self.size_of = (height, thickness, wall.setback if wall.height_m else 0.0)
                 self.one_sided = wall.mechanism == "one_sided"
-                self.ends = (-0.5 * thickness, 0.5 * thickness)
-                self._take_body(wall, 0.5 * thickness)
+                self.body = BodyDrawing(wall, 0.5 * thickness)
                 self.arrows = arrows(wall, height, thickness)
             except (InputError, TypeError):
                 pass
         self.update()
 
-    def _take_body(self, wall: Wall, half: float) -> None:
-        """Its outlines, x from the middle of the base to the right; how far they reach; its outer face at hinges."""
-        mirrored = [Outline([(half - x, z) for x, z in one.points], one.kind) for one in in_section(wall)]
-        self.body, self.elevation = mirrored, [one for one in in_elevation(wall) if one.kind != "wedge"]
-        xs = [x for one in mirrored for x, _ in one.points]
-        self.ends = (min([-half, *xs]), max([half, *xs]))
-        for level, _ in self.hinges if mirrored else ():
-            faces = faces_at(parts_of(wall), level)
-            self.outer[level] = half - faces[0] if faces else half
-
     def set_rotation(self, rotation: float) -> None:
         """Show the wall at this rotation [rad]."""
         self.rotation = rotation
         self.update()
+
+    @property
+    def extent(self) -> tuple[float, float]:
+        """Height and width of what is drawn [m]; a wall that rocks may lie down."""
+        height, thickness, _ = self.size_of or (0.0, 0.0, 0.0)
+        top = max([height, self.body.top, *(y for points in self.arrows for _, y in points)])
+        left, right = self.body.ends
+        return top, right - left if self.with_sizes else max(thickness + 1.1 * height, 2.0 * max(right, -left))
 
     def paintEvent(self, event) -> None:
         """The wall, its ground, what stands behind it, its hinges and sizes."""
@@ -139,7 +105,7 @@ class WallDrawing(QWidget):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         height, thickness, setback = self.size_of
         ink, quiet = QColor(theme.current.ink), QColor(theme.current.quiet)
-        base, seen = self._fit(height, thickness)
+        base, seen = self._fit()
         scale = self.scale
 
         def place(point: QPointF) -> QPointF:
@@ -147,7 +113,7 @@ class WallDrawing(QWidget):
 
         painter.setPen(QPen(quiet, 1.5))
         painter.drawLine(QPointF(8, base.y()), QPointF(self.width() - 8, base.y()))
-        if self.one_sided and not any(one.kind == "wedge" for one in self.body):
+        if self.one_sided and not self.body.cracks:
             behind = place(QPointF(-0.5 * thickness, 0.0)).x() - 3
             area = QRectF(behind - 8, base.y() - scale * height, 8, scale * height)
             painter.fillRect(area, QColor(theme.current.grid))
@@ -155,8 +121,8 @@ class WallDrawing(QWidget):
         shade = QColor(theme.current.curves[0])
         shade.setAlpha(70)
         painter.setBrush(shade)
-        if self.body:
-            self._draw_body(painter, place)
+        if self.body.section:
+            self.body.draw_section(painter, place, 0.5 * thickness - setback, self.rotation)
         else:
             corners = [place(point) for point in outline(height, thickness, setback, self.rotation)]
             painter.drawPolygon(QPolygonF(corners))
@@ -166,7 +132,7 @@ class WallDrawing(QWidget):
         for side in sides:
             painter.drawEllipse(place(QPointF(side * (0.5 * thickness - setback), 0.0)), 3, 3)
         for level, _ in self.hinges:
-            painter.drawEllipse(place(QPointF(self.outer.get(level, 0.5 * thickness) - setback, level)), 3, 3)
+            painter.drawEllipse(place(QPointF(self.body.outer_face(level) - setback, level)), 3, 3)
         self._draw_bars(painter, place)
         if self.rotation == 0.0 and not self.bars:
             painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -178,66 +144,27 @@ class WallDrawing(QWidget):
             self._sizes(painter, place, height, thickness, setback)
             self._mark_spots(place, height, thickness, setback)
         if seen is not None:
-            self._draw_elevation(painter, seen)
+            self.body.draw_elevation(painter, seen, scale)
 
-    def _fit(self, height: float, thickness: float) -> tuple[QPointF, QPointF | None]:
+    def _fit(self) -> tuple[QPointF, QPointF | None]:
         """Sets the scale; the middle of the base, and where s and z of the elevation are 0, None without it."""
         sizes = 34 if self.with_sizes else 8
-        drawn = [points for points, _ in self.body]
-        top = max([height, *(y for points in (*self.arrows, *drawn) for _, y in points)])
-        left, right = self.ends
-        reach = right - left if self.with_sizes else max(thickness + 1.1 * height, 2.0 * max(right, -left))
         beside = 30 if self.with_sizes else 0  # room for the height in numbers
-        across = [s for one in self.elevation for s, _ in one.points] if self._has_elevation else []
-        along = max(across) - min(across) if across else 0.0
-        room = self.width() - beside - (64 if across else 16)
-        scale = min((self.height() - 2 * sizes + (12 if self.with_sizes else -8)) / top, room / (reach + along))
-        wide = self.width() - (scale * along + 32 if across else 0.0)
-        middle = 0.5 * (left + right) if self.with_sizes else 0.0
+        top, reach = map(max, self.extent, self.least_extent)
+        first, last = self.body.along if self.has_elevation else (0.0, 0.0)
+        room = self.width() - beside - (64 if self.has_elevation else 16)
+        high = self.height() - 2 * sizes + (12 if self.with_sizes else -8)
+        scale = min(high / top, room / (reach + last - first))
+        wide = self.width() - (scale * (last - first) + 32 if self.has_elevation else 0.0)
+        middle = 0.5 * sum(self.body.ends) if self.with_sizes else 0.0
         base = QPointF(0.5 * (wide - beside) + 8 - scale * middle, self.height() - sizes)
         self.scale, self.base_y = scale, base.y()
-        return base, QPointF(wide + 8 - scale * min(across), base.y()) if across else None
+        return base, QPointF(wide + 8 - scale * first, base.y()) if self.has_elevation else None
 
     @property
-    def _has_elevation(self) -> bool:
-        return self.with_sizes and bool(self.elevation) and self.width() >= BESIDE
-
-    def _draw_body(self, painter, place) -> None:
-        """Its solids and wedges, turned; openings dashed; the crack of the wedges, and the return walls behind it."""
-        _, thickness, setback = self.size_of
-        cracks = [points[:2] for points, kind in self.body if kind == "wedge"]
-        for (x0, z0), (x1, z1) in cracks:
-            rest = [(x0, 0.0), (x0, z0), (x1, z1), (x1, 0.0)]
-            path = QPainterPath()
-            path.addPolygon(QPolygonF([place(QPointF(x, z)) for x, z in rest]))
-            painter.fillPath(path, QColor(theme.current.grid))
-        for points, kind in sorted(self.body, key=lambda one: one.kind == "opening"):
-            painter.save()
-            if kind == "opening":
-                painter.setBrush(Qt.BrushStyle.NoBrush)
-                painter.setPen(QPen(painter.pen().color(), 1.0, Qt.PenStyle.DashLine))
-            corners = turned(points, 0.5 * thickness - setback, self.rotation)
-            painter.drawPolygon(QPolygonF([place(point) for point in corners]))
-            painter.restore()
-        painter.save()
-        painter.setPen(QPen(QColor(theme.current.bad), 2.0, Qt.PenStyle.DashLine))
-        for crack in cracks:
-            painter.drawLine(*(place(QPointF(x, z)) for x, z in crack))
-        painter.restore()
-
-    def _draw_elevation(self, painter, base: QPointF) -> None:
-        """The body seen from outside, to the scale of its section. base : where s and z are 0"""
-        painter.setPen(QPen(QColor(theme.current.ink), 1.4))
-        shade = QColor(theme.current.curves[0])
-        shade.setAlpha(70)
-        for points, kind in sorted(self.elevation, key=lambda one: one.kind == "opening"):
-            painter.setBrush(QColor(theme.current.back) if kind == "opening" else shade)
-            corners = [QPointF(base.x() + self.scale * s, base.y() - self.scale * z) for s, z in points]
-            painter.drawPolygon(QPolygonF(corners))
-        across = [s for one in self.elevation for s, _ in one.points]
-        words = f"L {number(max(across) - min(across), '.2f')} m"
-        middle = base.x() + self.scale * 0.5 * (min(across) + max(across))
-        painter.drawText(QPointF(middle - 0.5 * painter.fontMetrics().horizontalAdvance(words), base.y() + 16), words)
+    def has_elevation(self) -> bool:
+        """Whether there is room for one beside the section of a body."""
+        return self.with_sizes and bool(self.body.elevation) and self.width() >= BESIDE
 
     def _mark_spots(self, place, height, thickness, setback) -> None:
         """Where a click leads to a field: loads first, for a tie may stand at a hinge."""
@@ -251,7 +178,7 @@ class WallDrawing(QWidget):
             around([(x - half, y) for x, y in points], "load", k)
         for k, (level, _) in enumerate(self.hinges or [(0.0, None)]):
             around([(half - setback, level)], "hinge", k)
-        edge = self.ends[1]
+        edge = self.body.ends[1]
         around([(edge + 6.0 / self.scale, 0.1 * height), (edge + 20.0 / self.scale, 0.9 * height)], "height")
         around([(-half, -18.0 / self.scale), (half, -6.0 / self.scale)], "thickness")
 
@@ -308,7 +235,7 @@ class WallDrawing(QWidget):
                 font.setBold(weakest)
                 painter.setFont(font)
                 words = f"ζ {number(zeta, '.2f')}"
-                at = place(QPointF(self.ends[0], level))
+                at = place(QPointF(self.body.ends[0], level))
                 wide = painter.fontMetrics().horizontalAdvance(words)
                 painter.drawText(QPointF(max(0.0, at.x() - wide - 14), at.y() - 2), words)
 
@@ -317,7 +244,7 @@ class WallDrawing(QWidget):
         font = QFont(self.font())
         font.setPointSizeF(max(7.0, 0.9 * font.pointSizeF()))
         painter.setFont(font)
-        low, high = place(QPointF(self.ends[1], 0.0)), place(QPointF(self.ends[1], height))
+        low, high = place(QPointF(self.body.ends[1], 0.0)), place(QPointF(self.body.ends[1], height))
         x = low.x() + 10
         painter.drawLine(QPointF(x, low.y()), QPointF(x, high.y()))
         for y in (low.y(), high.y()):

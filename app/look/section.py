@@ -77,7 +77,7 @@ class Section(QFrame):
         self.body.setVisible(on)
         self.turned.emit(on)
 
-    def say(self, words: str) -> None:
+    def say(self, words: str = "") -> None:
         """What it holds, in a few words."""
         self.head.say(words)
 

@@ -119,6 +119,7 @@ class ClientView(QDialog):
         self.title, self.sides = title, sides
         self.drawings: list[WallDrawing] = []
         heading = QLabel(title)
+        heading.setWordWrap(True)
         heading.setStyleSheet(f"{theme.points(2.2)} font-weight: 700;")
         leave = QLabel(tr("Esc leaves"))
         top = QHBoxLayout()
@@ -137,6 +138,9 @@ class ClientView(QDialog):
             column.addWidget(drawing, 1)
             row.addLayout(column, 1)
             self.drawings.append(drawing)
+        tops, reaches = zip(*(drawing.extent for drawing in self.drawings), strict=True)
+        for drawing in self.drawings:
+            drawing.least_extent = (max(tops), max(reaches))
         self.scene = QWidget()
         self.scene.setAutoFillBackground(True)
         inside = QVBoxLayout(self.scene)

@@ -50,7 +50,7 @@ class FigureExport(QObject):
             return len(files)
 
         def arrived(count: int) -> None:
-            window.show_word(tr("{n} figures written to {folder}", n=count, folder=folder))
+            window.show_word(tr("Figures written to {folder}: {n}", n=count, folder=folder))
 
         window.start(work, arrived)
         self.job = window.job

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QSettings
+from PySide6.QtCore import QSettings, QStandardPaths
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 
 from app.look.file_dialogs import path_to_write
@@ -68,13 +68,26 @@ class Files:
         if name:
             self.open(Path(name))
 
+    @property
+    def _is_example(self) -> bool:
+        """Whether the case is one of the program's own, which nothing is written over or beside."""
+        return self.session.path is not None and self.session.path.parent == EXAMPLE.parent
+
+    def proposed(self, end: str, stem: str = "ribalta") -> Path:
+        """A file of the case with this ending, beside it; of an example in the user's folder of documents."""
+        stem = self.session.path.stem if self.session.path else stem
+        documents = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.DocumentsLocation)
+        return (Path(documents) if self._is_example else self.session.base_dir) / f"{stem}{end}"
+
     def save(self) -> bool:
-        if self.session.path is None or self.session.path == EXAMPLE:
+        if self.session.path is None or self._is_example:
             return self.save_as()
         return self._save(None)
 
     def save_as(self) -> bool:
-        proposal = str(self.session.path or self.session.base_dir / "case.toml")
+        proposal = str(
+            self.session.path if self.session.path and not self._is_example else self.proposed(".toml", "case")
+        )
         kinds = tr("Cases") + KINDS
         path = path_to_write(self.window, tr("Save the case"), proposal, kinds, CASE_ENDS)
         return self._save(path) if path else False
@@ -103,10 +116,8 @@ class Files:
         """Workbook and JSON to a place the user names; the JSON of another program is not taken unasked."""
         if self.export_refused():
             return
-        stem = self.session.path.stem if self.session.path else "ribalta"
-        proposal = str(self.session.base_dir / f"{stem}.xlsx")
         title = tr("Export the workbook")
-        path = path_to_write(self.window, title, proposal, "Excel (*.xlsx)", (".xlsx",))
+        path = path_to_write(self.window, title, str(self.proposed(".xlsx")), "Excel (*.xlsx)", (".xlsx",))
         if path is None:
             return
         beside = path.with_suffix(".json")
@@ -122,8 +133,7 @@ class Files:
         if self.export_refused():
             return
         title = tr("Export the calculation note")
-        stem = self.session.path.stem if self.session.path else "ribalta"
-        proposal = str(self.session.base_dir / f"{stem}.pdf")
+        proposal = str(self.proposed(".pdf"))
         path = path_to_write(self.window, title, proposal, "PDF (*.pdf);;Word (*.docx)", (".pdf", ".docx"))
         if path is None:
             return
@@ -145,15 +155,14 @@ class Files:
 
     def ask_figures(self) -> None:
         """Every figure of the wall shown, to a folder the user names."""
-        from app.views.figure_dialogs import ask_size
+        from app.views.figure_dialogs import last_size
 
         if self.export_refused() or self.window.job is not None:
             return
-        size = ask_size(self.window)
         title = tr("Export all figures")
-        name = size and QFileDialog.getExistingDirectory(self.window, title, str(self.session.base_dir))
+        name = QFileDialog.getExistingDirectory(self.window, title, str(self.proposed("").parent))
         if name:
-            self.export_figures(Path(name), size)
+            self.export_figures(Path(name), last_size())
 
     def export_figures(self, folder: Path, size) -> None:
         """The charts of every page as PNG, all or none; nothing that is there is overwritten unasked."""

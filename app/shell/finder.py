@@ -5,35 +5,46 @@ from typing import NamedTuple
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QDialog, QLineEdit, QListWidget, QMenu, QVBoxLayout
+from PySide6.QtWidgets import QDialog, QGroupBox, QLineEdit, QListWidget, QMenu, QVBoxLayout, QWidget
 
 from app.input.fields import Field
+from app.input.reasons_form import ReasonField
 from app.look.language import tr
-from app.look.section import unfold_to
+from app.look.section import Section, unfold_to
 
 MOST = 60
 """Entries that are listed."""
 
 
 class Entry(NamedTuple):
-    """words : what is listed and looked through; go : goes there"""
+    """words : what is listed and looked through; go : goes there; also : looked through and not listed"""
 
     words: str
     go: Callable[[], None]
+    also: str = ""
 
 
 def every_action(menu: QMenu) -> Iterator[QAction]:
-    """The entries of a menu and of those inside it. PySide6 6.10 deletes a menu when what `QAction.menu` returned goes:
-    the menus are found as children."""
-    menus = {
-        one.menuAction(): one for one in menu.findChildren(QMenu, options=Qt.FindChildOption.FindDirectChildrenOnly)
+    """The entries of a menu and of those inside it. Not by QAction.menu(), which takes the menus that Python knows away
+    from it."""
+    inside = [menu, *menu.findChildren(QMenu)]
+    heads = {one.menuAction() for one in inside}
+    for one in inside:
+        for action in one.actions():
+            if action not in heads and not action.isSeparator():
+                yield action
+
+
+def synonyms() -> dict[str, str]:
+    """Part of an entry -> other words it is looked for by."""
+    return {
+        tr("Language"): tr("language english italian"),
+        tr("Theme"): tr("dark light night colours"),
+        tr("&Parametric study…").replace("&", ""): tr("sweep of parameters"),
+        tr("Histories"): tr("animation, the wall rocking"),
+        tr("Capacity and fragility"): tr("incremental dynamic analysis (IDA)"),
+        tr("For the &client").replace("&", ""): tr("presentation, before and after"),
     }
-    for action in menu.actions():
-        inside = menus.get(action)
-        if inside is not None:
-            yield from every_action(inside)
-        elif not action.isSeparator():
-            yield action
 
 
 def entries_of(window) -> list[Entry]:
@@ -42,28 +53,51 @@ def entries_of(window) -> list[Entry]:
     for field in window.fields:
         section = field.parentWidget()
         words = f"{field.caption.text()}  {field.editor.toolTip().splitlines()[0] if field.editor.toolTip() else ''}"
-        if section is not None:
+        if section is not None and not (isinstance(field, ReasonField) and field.isHidden()):
             found.append(Entry(words.strip(), lambda field=field: _point(window, field)))
     for row in window.tree.rows:
         if row.kind in ("wall", "hinge"):
             words = f"{window.session.case.wall[row.wall].title}  {row.text if row.kind == 'hinge' else ''}"
             found.append(Entry(words.strip(), lambda row=row: window.choose_row(row)))
-    seen = set()
+    for section in window.forms.findChildren(Section):
+        words = f"{section.head.title.text()}  {section.head.words}"
+        found.append(Entry(words.strip(), lambda section=section: _point(window, section.head)))
+    seen, others = set(), synonyms()
     for action in every_action(window.header.menu):
-        label = action.text().replace("&", "")
-        keys = action.shortcut().toString()
+        label, keys, menu = action.text().replace("&", ""), action.shortcut().toString(), action.parent()
+        if menu.parent() is not window.header.menu:
+            label = f"{menu.title().replace('&', '')}: {label}"
         if label and action.isEnabled() and label not in seen:
             seen.add(label)
-            found.append(Entry(f"{label}  {keys}".strip(), action.trigger))
+            also = " ".join(words for name, words in others.items() if name in label)
+            found.append(Entry(f"{label}  {keys}".strip(), action.trigger, also))
     return found
 
 
-def _point(window, field: Field) -> None:
-    window.show_form_of(field)
-    unfold_to(field)
-    field.show()
-    window.forms.currentWidget().ensureWidgetVisible(field)
-    field.editor.setFocus()
+def _point(window, widget: QWidget) -> None:
+    """Put the cursor into a field, or where it begins to be: one that is hidden takes nothing into the case."""
+    window.show_form_of(widget)
+    unfold_to(widget)
+    if isinstance(widget, Field):
+        widget = widget.editor if widget.isVisibleTo(window) and widget.isEnabled() else _way_to(window, widget)
+    window.forms.currentWidget().ensureWidgetVisible(widget)
+    widget.setFocus()
+
+
+def _way_to(window, field: Field) -> QWidget:
+    """What makes a field there is none of appear: a load to be added, the tick of its group, its section."""
+    if window.walls.loads.isAncestorOf(field) and not window.walls.loads.list.isVisibleTo(window):
+        return window.walls.loads.add_button
+    above = field.parentWidget()
+    while not isinstance(above, Section) and not (isinstance(above, QGroupBox) and above.isCheckable()):
+        if above.parentWidget() is None:
+            return field.editor
+        above = above.parentWidget()
+    return above.head if isinstance(above, Section) else above
+
+
+def _holds(one: Entry, words: list[str]) -> bool:
+    return all(word in f"{one.words} {one.also}".lower() for word in words)
 
 
 class Finder(QDialog):
@@ -89,8 +123,9 @@ class Finder(QDialog):
 
     def _look(self, text: str) -> None:
         words = text.lower().split()
-        self.fitting = [one for one in self.entries if all(word in one.words.lower() for word in words)][:MOST]
+        self.fitting = [one for one in self.entries if _holds(one, words)]
         self.fitting.sort(key=lambda one: not one.words.lower().startswith(text.lower()))
+        del self.fitting[MOST:]
         self.list.clear()
         self.list.addItems([one.words for one in self.fitting])
         if self.fitting:

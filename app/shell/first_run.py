@@ -1,5 +1,6 @@
 """The page of a start without a case: what do you have? It leads to the first answer."""
 
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
@@ -8,6 +9,7 @@ from PySide6.QtWidgets import QCommandLinkButton, QLabel, QVBoxLayout, QWidget
 from app.look import theme
 from app.look.language import tr
 from app.shell.files import EXAMPLE
+from core.case.site import Demand
 
 
 class FirstRun(QWidget):
@@ -65,6 +67,8 @@ def follow(window, name: str) -> None:
     if not window.files.new():
         return
     if name == "wall":
+        # a_g and the base are asked for from the beginning: without a demand there is no answer
+        window.session.edit(replace(window.session.case, demand=Demand("")))  # type: ignore[arg-type]
         window.walls.add()
         window.show_input("wall", 0)
         window.walls.fields["height_m"].editor.setFocus()

@@ -1,6 +1,7 @@
 """The bar at the top: menus, title of the case, stages, Run or Cancel, undo, find."""
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QButtonGroup, QFrame, QHBoxLayout, QLabel, QMenu, QPushButton, QSizePolicy, QToolButton
 
 from app.look import theme
@@ -24,13 +25,14 @@ class Header(QFrame):
         chosen, back, edge = theme.current.curves[0], theme.current.back, theme.current.edge
         self.menu_button = QToolButton()
         self.menu_button.setText("☰")
-        self.menu_button.setToolTip(tr("Menus (Alt)"))
+        self.menu_button.setToolTip(tr("Menus (F10)"))
         self.menu_button.setAccessibleName(tr("Menus"))
         self.menu_button.setAutoRaise(True)
         self.menu_button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.menu_button.setStyleSheet("QToolButton::menu-indicator { image: none; }")
         self.menu = QMenu(self.menu_button)
         self.menu_button.setMenu(self.menu)
+        QShortcut(QKeySequence("F10"), self, activated=self.menu_button.showMenu)
         self.title = QLabel()
         self.title.setStyleSheet(f"font-weight: 600; {theme.points(1.2)}")
         self.title.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
@@ -39,19 +41,26 @@ class Header(QFrame):
         self.notice = QPushButton()
         self.notice.setFlat(True)
         self.notice.setStyleSheet(
-            f"QPushButton {{ color: {theme.current.amber}; font-weight: 600; padding: 2px 6px; }}"
+            f"QPushButton {{ color: {theme.current.amber}; font-weight: 600; padding: 2px 6px; text-align: right; }}"
         )
+        # its place is kept: what comes and goes there moves no button
+        policy = QSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        policy.setRetainSizeWhenHidden(True)
+        self.notice.setSizePolicy(policy)
+        self.notice.setMinimumWidth(110)
         self.notice.clicked.connect(self.noticed)
         self.run_button = QPushButton(tr("Run (F5)"))
         self.cancel_button = QPushButton(tr("Cancel (Esc)"))
         for button, shade in ((self.run_button, theme.current.good), (self.cancel_button, theme.current.amber)):
-            button.setMinimumWidth(96)
             button.setStyleSheet(
                 f"QPushButton {{ background: {shade}; color: {back}; border: 2px solid {shade}; border-radius: 4px;"
                 f" font-weight: 600; padding: 4px 10px; }}"
                 f"QPushButton:disabled {{ background: {theme.current.window}; color: {theme.current.quiet};"
                 f" border-color: {edge}; }} QPushButton:focus {{ border-color: {chosen}; }}"
             )
+        widest = max(self.run_button.sizeHint().width(), self.cancel_button.sizeHint().width())
+        for button in (self.run_button, self.cancel_button):
+            button.setMinimumWidth(widest)
         self.undo_button, self.find_button, self.help_button = (QToolButton() for _ in range(3))
         for button, label, tip in (
             (self.undo_button, "↶", tr("Undo (Ctrl+Z)")),
@@ -82,11 +91,11 @@ class Header(QFrame):
             self.stages.addButton(button)
             self.buttons[name] = button
             row.addWidget(button)
-        row.addStretch(1)
-        for widget in (self.notice, self.run_button, self.cancel_button, self.undo_button, self.find_button):
+        row.addWidget(self.notice, 1)
+        for widget in (self.run_button, self.cancel_button, self.undo_button, self.find_button):
             row.addWidget(widget)
         row.addWidget(self.help_button)
-        self.words = ""
+        self.words = self.notice_words = ""
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
 
     def say(self, title: str) -> None:
@@ -99,14 +108,17 @@ class Header(QFrame):
         self.buttons[name].setChecked(True)
 
     def show_notice(self, words: str, tip: str = "") -> None:
-        self.notice.setText(words)
+        self.notice_words = words
         self.notice.setToolTip(tip or words)
+        self.notice.setAccessibleName(words)
         self.notice.setVisible(bool(words))
+        self._cut()
 
     def resizeEvent(self, event) -> None:
         super().resizeEvent(event)
         self._cut()
 
     def _cut(self) -> None:
-        metrics = self.title.fontMetrics()
-        self.title.setText(metrics.elidedText(self.words, Qt.TextElideMode.ElideRight, max(self.title.width(), 110)))
+        for widget, words, beside in ((self.title, self.words, 0), (self.notice, self.notice_words, 16)):
+            room = max(widget.width(), 110) - beside
+            widget.setText(widget.fontMetrics().elidedText(words, Qt.TextElideMode.ElideRight, room))

@@ -49,7 +49,7 @@ def build(window) -> Actions:
     undo = add(window, edit, tr("&Undo"), window.session.undo, key.Undo)
     redo = add(window, edit, tr("&Redo"), window.session.redo, QKeySequence("Ctrl+Y"))
     add(window, edit, tr("&Find…"), lambda: find(window), QKeySequence("Ctrl+K"))
-    add(window, edit, tr("&Paste walls"), lambda: window.walls.paste(), QKeySequence("Ctrl+Shift+V"))
+    add(window, edit, tr("&Paste walls"), lambda: window._then_input(window.walls.paste), QKeySequence("Ctrl+Shift+V"))
     runs = bar.addMenu(tr("&Run"))
     run = add(window, runs, tr("&Run"), window.run, QKeySequence("F5"))
     cancel = add(window, runs, tr("&Cancel"), window.cancel, QKeySequence("Esc"))

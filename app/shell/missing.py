@@ -11,12 +11,15 @@ from app.input.fields import Field
 from app.look import theme
 from app.look.language import described, tr
 from app.look.section import unfold_to
+from core.case.loads import Bars, Load
+from core.case.problems import load_of, wall_of
 from core.errors import InputError
 
 MOST = 8
 """Lines that are shown."""
 
-MOST_LETTERS = 200
+MOST_LETTERS = 700
+"""Of a line: a longer sentence is whole in the tip of the notice."""
 
 
 class Problem(NamedTuple):
@@ -29,7 +32,7 @@ class Problem(NamedTuple):
 
 class Missing(QFrame):
     """Says the problems of the input of a window, in this order: broken rules of the case, fields that hold what is not
-    accepted, a record in use that cannot be read, what the last run of this case refused."""
+    accepted, a record in use or a logo that cannot be read, what the last run of this case refused."""
 
     def __init__(self, window):
         super().__init__()
@@ -57,10 +60,10 @@ class Missing(QFrame):
         """Mark the fields and list what is wrong. Returns whether the case can run."""
         window = self.window_of
         errors, refused = window.session.problems(), self._refused()
-        told = [*errors, refused] if refused else list(errors)
-        wall = window.walls.wall.name if window.walls.wall else ""
+        logo = self._logo()
+        told = [*errors, *(one for one in (refused, logo) if one)]
         for field in window.fields:
-            here = next((error for error in told if field.named_in(error, wall)), None)
+            here = next((error for error in told if self._is_named(field, error)), None)
             field.show_rule(described(here) if here else "")
         found = [Problem(described(error), lambda error=error: self._lead_to(error)) for error in errors]
         for field in window.fields:
@@ -70,6 +73,8 @@ class Missing(QFrame):
         if row is not None:
             words = window.records.rows[row][1]
             found.append(Problem(words, lambda: self._record(row), False))
+        if logo:
+            found.append(Problem(described(logo), lambda: self._lead_to(logo), False))
         if refused and not found:
             found.append(Problem(described(refused), lambda: self._lead_to(refused), False))
         self.problems = found
@@ -91,6 +96,20 @@ class Missing(QFrame):
         self.heading.setText(one if count == 1 else many)
         self.lines.setText("<br>".join(lines))
         self.setVisible(bool(self.problems))
+        for part in (self.lines, self):
+            part.updateGeometry()
+
+    def _logo(self) -> InputError | None:
+        """Why the note could not show its logo."""
+        from core.report.note.archive import office_of
+
+        session = self.window_of.session
+        try:
+            if session.case.report.logo:
+                office_of(session.case.report, session.base_dir)
+        except InputError as error:
+            return error
+        return None
 
     def _refused(self) -> InputError | None:
         """What the last run refused, while the case is the same."""
@@ -102,17 +121,28 @@ class Missing(QFrame):
         if self.problems:
             self.problems[min(int(link), len(self.problems) - 1)].lead()
 
+    def _is_named(self, field: Field, error: InputError) -> bool:
+        """Whether an error is about this field as the forms stand: of the wall and the load they show."""
+        walls = self.window_of.walls
+        load = load_of(error)
+        if field.section in (Load, Bars) and load not in (None, walls.loads.list.currentRow()):
+            return False
+        return field.named_in(error, walls.wall.title if walls.wall else "")
+
     def _lead_to(self, error: InputError) -> None:
         window = self.window_of
-        walls = window.session.case.wall
-        row = next((k for k, wall in enumerate(walls) if error.wall in (wall.name, wall.title)), None)
+        row, load = wall_of(window.session.case, error), load_of(error)
         if row is not None:
             window.show_input("wall", row)
             window.walls.body.point_at(error)
-        name = walls[row].name if row is not None else ""
-        field = next((field for field in window.fields if field.named_in(error, name) and not field.isHidden()), None)
+        if row is not None and load is not None:
+            window.walls.loads.list.setCurrentRow(load)
+        field = next((one for one in window.fields if self._is_named(one, error) and not one.isHidden()), None)
         if field is not None:
             self._point(field)
+        elif row is not None and "mechanism" in error.keys:
+            unfold_to(window.walls.mechanisms["two_sided"])
+            window.walls.mechanisms["two_sided"].setFocus()
         elif row is None:
             section = (error.section or "").strip("[]").split(".")[0]
             place = {"demand": "demand", "building": "building", "report": "report", "analysis": "report"}

@@ -5,7 +5,6 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QWidget
 
-from app.input.fields import Field
 from app.shell import stages, tree
 from app.shell.header import Header
 from app.shell.pages import Page
@@ -43,8 +42,11 @@ class StagedWindow(RunningWindow):
     # stages and pages
 
     def show_stage(self, name: str) -> None:
-        """Bring a stage to the front: input, answer, why, report."""
+        """Bring a stage to the front: input, answer, why, report. The form is that of the row of the tree."""
         self.header.show_stage(name)
+        marked = self.tree.current
+        if name == "input" and marked is not None:
+            self.stages.input.show_kind(marked.kind if marked.kind in self.stages.input.areas else "wall")
         self.stages.show_stage(name)
         self._show_problem()
         self.show_result()
@@ -85,15 +87,20 @@ class StagedWindow(RunningWindow):
         """Bring a form to the front. kind : wall, demand, building, records, report; row : of the wall"""
         if row is not None:
             self.walls.select(row)
+        if kind == "wall" and not self.session.case.wall:
+            self.tree.select(("walls", -1, ""))
+        else:
+            self.tree.select((kind, self.walls.current, "") if kind == "wall" else (kind, -1, ""))
         self.stages.input.show_kind(kind)
-        self.tree.select((kind, self.walls.current, "") if kind == "wall" else (kind, -1, ""))
         self.show_stage("input")
 
-    def show_form_of(self, field: Field) -> None:
-        """Bring the form a field is in to the front."""
+    def show_form_of(self, field: QWidget) -> None:
+        """Bring the form a field or section is in to the front."""
         for kind, area in self.stages.input.areas.items():
             if area.isAncestorOf(field):
                 self.show_input(kind)
+        if self.stages.note_form.isAncestorOf(field):
+            self.show_stage("report")
 
     def _then_input(self, change) -> None:
         change()
@@ -107,34 +114,48 @@ class StagedWindow(RunningWindow):
 
     def choose_row(self, row: Row) -> None:
         """What is chosen in the tree: its form, or its result on the stage in front."""
-        if row.kind in ("demand", "records", "building") or (row.kind == "report" and self.stages.front != "report"):
+        if row.kind in ("demand", "records", "building", "report"):
             self.show_input(row.kind)
         elif row.kind == "walls":
             self.show_page("walls")
         elif row.wall >= 0:
-            self._show_wall_of(row.wall, row.result)
+            self.tree.select(row.key)
+            self.walls.select(row.wall)
+            self.follow_tree()
             self.stages.input.show_kind("wall")
-            if self.stages.front == "answer" and self.wall is not None:
+            if self.stages.front == "input":
+                self.show_stage("input")
+            elif self.stages.front == "answer" and self.wall is not None:
                 self.show_page("check")
 
-    def _show_wall_of(self, row: int, result: int | None) -> None:
-        """Forms and pages show one wall. result : index of its result, None for the one that decides about it"""
-        known = self.results_of().get(row, [])
-        shown = result if result is not None else known[0] if known else self.shown
-        if shown != self.shown:
-            self.shown = shown
-            self.fresh.clear()
-        self.walls.select(row)
-        self.show_result()
-
     def _wall_selected(self, row: int) -> None:
-        """The form shows another wall: the pages follow, and the tree."""
-        if self.wall is None or row not in [k for k, found in self.results_of().items() if self.shown in found]:
-            self._show_wall_of(row, None)
-        self.refresh()
+        """The form shows another wall: the tree follows, and the pages."""
         current = self.tree.current
         if current is None or current.wall != row:
             self.tree.select(("wall", row, ""))
+        self.stages.input.show_kind("wall")
+        self.refresh()
+
+    def follow_tree(self) -> None:
+        """The row marked in the tree, the form and the pages are of one wall: that of the form. A wall without a result
+        shows none."""
+        row, marked = self.walls.current, self.tree.current
+        if self.session.case.wall and (marked is None or marked.wall not in (-1, row)):
+            self.tree.select(("wall", row, ""))
+            marked = self.tree.current
+        if self.session.result is None:
+            return
+        known = self.results_of().get(row, [])
+        if marked is not None and marked.wall >= 0:
+            known = [marked.result] if marked.kind == "hinge" else known[:1]
+        if self.shown in known or (self.shown < 0 and not known):
+            return
+        self.shown = known[0] if known else -1
+        self.fresh.clear()
+        if not known:
+            for page in (*self.pages.values(), self.beside):
+                page.empty()
+        self.show_result()
 
     def results_of(self) -> dict[int, list[int]]:
         """Row of a wall of the case -> indices of its results, the one that decides first."""
@@ -173,6 +194,21 @@ class StagedWindow(RunningWindow):
         self._pick(k)
         self.show_page("check")
 
+    def ask(self, what: str) -> None:
+        """Lead to what an answer asks for: a form by its kind, variant, or generate."""
+        if what == "variant":
+            self._then_input(self.walls.add_variant)
+        elif what == "generate":
+            self.show_input("records")
+            self.records.generate()
+        else:
+            self.show_input(what)
+
+    def pick_run(self, run: tuple) -> None:
+        """The history of this (motion, polarity) of the wall shown."""
+        self.show_page("histories")
+        self.pages["histories"].content.show_run(run)
+
     def pick_input(self, k: int) -> None:
         """Show the input of the wall of the k-th result."""
         self._pick(k)
@@ -189,6 +225,7 @@ class StagedWindow(RunningWindow):
             self.tree.select(("wall", row, ""))
             if self.results_of().get(row, [k])[0] != k:
                 self.tree.select(("hinge", row, hinge))
+            self.follow_tree()
         self.show_result()
 
     def show_result(self) -> None:
@@ -220,7 +257,7 @@ class StagedWindow(RunningWindow):
 
     def show_finished(self, walls: list[WallResult]) -> None:
         """The verdicts that are there while others run."""
-        self.pages["walls"].content.show_running(walls)
+        self.pages["walls"].content.show_running(walls, self.zetas_so_far())
         self.fresh.discard(self.pages["walls"])
         self._show_tree()
         self._cover_pages()

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import (
     QMenuBar,
     QProgressBar,
     QScrollArea,
+    QSizePolicy,
     QSplitter,
     QStackedWidget,
     QStatusBar,
@@ -20,11 +21,12 @@ from app.input.demand_form import AnalysisForm, DemandForm
 from app.input.note_form import NoteForm
 from app.input.records_panel import RecordsPanel
 from app.input.wall_form import WallForm
-from app.look.language import FORM_NAMES, tr
+from app.look.language import FORM_NAMES, current_language, named, tr
 from app.shell.header import STAGES
 from app.shell.missing import Missing
 from app.shell.pages import Page, Veil, delete
 from app.work.session import Session
+from core.errors import place
 
 BESIDE_FROM = 1250
 """Width of the stage [px] from which the rocking wall stands beside the answer."""
@@ -59,6 +61,13 @@ def name_sections() -> None:
             "[report]": tr("Report"),
             "[record]": tr("Records"),
             "[building]": tr("Building of the walls above the ground"),
+            "[[wall]]": tr("wall"),
+            "mechanism": named("key_mechanism"),
+            "[wall.bar]": tr("Bars in place of the force"),
+            "[wall.return_walls]": tr("Friction of return walls (in α0 only)"),
+            "NTC2018": "NTC 2018",
+            "EN1998": "EN 1998-1",
+            **{f"[[load]] {k}": place("load", n=k).text(current_language()) for k in range(1, 100)},
         }
     )
 
@@ -223,6 +232,7 @@ def remove(window) -> None:
 def build_status(window) -> QLabel:
     """Make the status line of a window: a word."""
     word = QLabel()
+    word.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
     window.statusBar().addWidget(word, 1)
     window.statusBar().setSizeGripEnabled(False)
     return word

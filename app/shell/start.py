@@ -42,6 +42,7 @@ def offer_recovery(window: MainWindow) -> None:
         if answer == button.Yes:
             try:
                 window.session.recover(file)
+                window.start_afresh()
                 return
             except InputError as error:
                 QMessageBox.warning(window, tr("Not opened"), quoted_from_file(error))

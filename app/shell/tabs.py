@@ -9,17 +9,24 @@ from app.views.result_tabs import IntensityTab, SpectraTab
 from app.views.walls_tab import WallsTab
 
 
-def pages(language: str, validation, pick, note) -> dict[str, tuple[Page, str]]:
-    """Pages and their labels by name. validation, note : make these tabs; pick(k) : shows the k-th wall."""
+def pages(language: str, validation, pick, note, ask, pick_run) -> dict[str, tuple[Page, str]]:
+    """Pages and their labels by name. validation, note : make these tabs; pick(k) : shows the k-th wall; ask(what) :
+    leads to what the answer asks for; pick_run(run) : shows the history of (motion, polarity)"""
 
     def walls() -> WallsTab:
         tab = WallsTab(language)
         tab.picked.connect(pick)
         return tab
 
+    def check() -> CheckTab:
+        tab = CheckTab(language)
+        tab.asked.connect(ask)
+        tab.record_picked.connect(pick_run)
+        return tab
+
     return {
         "walls": (Page(walls), tr("Overview")),
-        "check": (Page(lambda: CheckTab(language)), tr("Answer")),
+        "check": (Page(check), tr("Answer")),
         "histories": (Page(HistoriesTab), tr("Histories")),
         "capacity": (Page(CapacityTab), tr("Capacity and fragility")),
         "intensity": (Page(IntensityTab), tr("q against SI")),

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 from app.input.wall_words import differences
 from app.look import theme
 from app.look.language import named, number, tr
+from core.case.problems import wall_of
 from core.case.schema import Case
 from core.errors import InputError
 from core.report.verdict_words import tone_of
@@ -54,7 +55,8 @@ class Row:
     @property
     def key(self) -> tuple:
         """What is the same row after a change."""
-        return (self.kind, self.wall, self.text if self.kind == "hinge" else "")
+        named = self.kind in ("hinge", "group")
+        return (self.kind, -1 if self.kind == "group" else self.wall, self.text if named else "")
 
 
 @dataclass(frozen=True)
@@ -63,7 +65,7 @@ class State:
 
     of_row(row) : indices of the results of a wall of the case, the one that decides first
     unread : whether a record in use cannot be read; motions : records in use
-    finished : walls that are finished while others run, None while nothing runs
+    finished : while something runs, of each wall the zeta so far and whether all its results are there; else None
     """
 
     case: Case
@@ -73,14 +75,14 @@ class State:
     motions: int
     unread: bool
     of_row: dict[int, list[int]]
-    finished: dict[int, float | None] | None = None
+    finished: dict[int, tuple[float | None, bool]] | None = None
 
 
 def rows_of(state: State) -> list[Row]:
     """The rows in their order."""
     case = state.case
     sections = {error.section or "" for error in state.problems if error.wall is None}
-    walls = {error.wall for error in state.problems if error.wall is not None}
+    walls = {wall_of(case, error) for error in state.problems}
 
     def mark(*names: str) -> tuple[str, str]:
         return ("!", "amber") if any(one.startswith(name) for one in sections for name in names) else ("", "quiet")
@@ -90,7 +92,7 @@ def rows_of(state: State) -> list[Row]:
     records, tone = ("✓", "good") if compliance and compliance.compatible else ("", "quiet")
     if state.unread:
         records, tone = "!", "bad"
-    building = tr("{n} storeys", n=case.building.storeys) if case.building else tr("none")
+    building = tr("storeys: {n}", n=case.building.storeys) if case.building else tr("none")
     rows = [
         Row(0, "demand", demand, *mark("[demand")),
         Row(0, "records", f"{tr('Records')}  {state.motions}", records, tone),
@@ -102,7 +104,7 @@ def rows_of(state: State) -> list[Row]:
     return [*rows, Row(0, "report", f"{tr('Report')}  {author}".strip(), "!" if author else "", "amber")]
 
 
-def _walls(state: State, broken: set[str | None]) -> Iterable[Row]:
+def _walls(state: State, broken: set[int | None]) -> Iterable[Row]:
     walls = state.case.wall
     names = [wall.name for wall in walls]
     seen = set()
@@ -118,7 +120,7 @@ def _walls(state: State, broken: set[str | None]) -> Iterable[Row]:
         known = [(_zeta(state, k), k) for k in alike]
         worst = min(known, key=lambda one: (one[0] is None, one[0] or 0.0))[1]
         group = _wall(state, worst, name, 1, broken)
-        yield Row(1, "group", name, group.chip, group.tone, first, group.result)
+        yield Row(1, "group", name, group.chip, group.tone, worst, group.result)
         for k in alike:
             words = ", ".join(differences(state.case, walls[k]))
             variant = walls[k].variant or name
@@ -127,16 +129,19 @@ def _walls(state: State, broken: set[str | None]) -> Iterable[Row]:
 
 
 def _zeta(state: State, k: int) -> float | None:
+    if state.finished is not None:
+        return state.finished.get(k, (None, False))[0]
     results = state.of_row.get(k, [])
     found = state.result.walls[results[0]].assessment if state.result and results else None
     return found.verdict.zeta_e if found else None
 
 
-def _wall(state: State, k: int, text: str, depth: int, broken: set[str | None]) -> Row:
+def _wall(state: State, k: int, text: str, depth: int, broken: set[int | None]) -> Row:
     if state.finished is not None:
-        zeta = state.finished.get(k)
-        return Row(depth, "wall", text, RUNNING if zeta is None else number(zeta, ".2f"), "quiet", k)
-    if state.case.wall[k].name in broken:
+        zeta, whole = state.finished.get(k, (None, False))
+        chip = number(zeta, ".2f") if whole else RUNNING if zeta is None else f"≤ {number(zeta, '.2f')}"
+        return Row(depth, "wall", text, chip, "quiet", k)
+    if k in broken:
         return Row(depth, "wall", text, "!", "amber", k)
     results = state.of_row.get(k, [])
     if state.result is None or not results:

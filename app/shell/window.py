@@ -46,6 +46,7 @@ class MainWindow(StagedWindow):
     def __init__(self, settings: QSettings, recovery: Path):
         super().__init__()
         self.settings = settings
+        self.setAcceptDrops(True)
         self.collector = Collector(self)
         self.session = Session(recovery)
         self.session.listeners.append(self.refresh)
@@ -74,7 +75,7 @@ class MainWindow(StagedWindow):
         stages.remove(self)
         self.shown, self.fresh = -1, set()
         self._known_rows: tuple = (None, None, {})
-        made = tabs.pages(self.language, self._validation, self.pick, self._note)
+        made = tabs.pages(self.language, self._validation, self.pick, self._note, self.ask, self.pick_run)
         self.pages = {name: page for name, (page, _) in made.items()}
         self.page_labels = {name: label for name, (_, label) in made.items()}
         self.beside = Page(HistoriesTab)
@@ -118,6 +119,7 @@ class MainWindow(StagedWindow):
         self.why, self.veil, self.bar = self.stages.why, self.stages.veil, self.stages.bar
         self.records.loaded.connect(self.records_loaded)
         self.walls.selected.connect(self._wall_selected)
+        self.walls.told.connect(self.show_word)
         self.why.currentChanged.connect(lambda _: self.show_result())
         self.stages.answer.widened.connect(self._show_beside)
         self.pages["walls"].content  # noqa: B018  (the first page is there at once)
@@ -140,10 +142,14 @@ class MainWindow(StagedWindow):
         self.tree.set_buttons(
             [
                 (tr("+ wall"), tr("Add a wall"), lambda: self._then_input(walls.add)),
-                (tr("+ variant"), tr("The wall as it is and, beside it, to be changed"), walls.add_variant),
-                (tr("copy"), tr("Copy this wall"), walls.duplicate),
-                (tr("paste"), tr("Paste rows copied from Excel"), walls.paste),
-                (tr("table…"), tr("Read walls from .xlsx or .csv"), walls.load_table),
+                (
+                    tr("+ variant"),
+                    tr("The wall as it is and, beside it, to be changed"),
+                    lambda: self._then_input(walls.add_variant),
+                ),
+                (tr("copy"), tr("Copy this wall"), lambda: self._then_input(walls.duplicate)),
+                (tr("paste"), tr("Paste rows copied from Excel"), lambda: self._then_input(walls.paste)),
+                (tr("table…"), tr("Read walls from .xlsx or .csv"), lambda: self._then_input(walls.load_table)),
                 (tr("delete"), tr("Delete this wall"), walls.delete),
             ]
         )
@@ -189,11 +195,10 @@ class MainWindow(StagedWindow):
         self.build()
         self.walls.row = row
         self.result_arrived(self.session.result)
-        self.shown = shown
-        self.refresh()
         if chosen is not None:
             self.tree.select(chosen.key)
-            self.stages.input.show_kind(chosen.kind if chosen.kind in self.stages.input.areas else "wall")
+        self.shown = shown
+        self.refresh()
         if page is not None:
             self.show_page(page)
         else:
@@ -257,13 +262,7 @@ class MainWindow(StagedWindow):
         self.header.show_notice(words, self.missing.text())
 
     def _show_tree(self) -> None:
-        finished = None
-        if self.job is not None and self.finished_walls:
-            finished = {}
-            for wall in self.finished_walls:
-                zeta = wall.assessment.verdict.zeta_e if wall.assessment else None
-                known = finished.get(wall.part.origin)
-                finished[wall.part.origin] = zeta if known is None else known if zeta is None else min(known, zeta)
+        finished = self.zetas_so_far() if self.job is not None and self.finished_walls else None
         state = tree.State(
             self.session.case,
             self.session.result,
@@ -275,8 +274,7 @@ class MainWindow(StagedWindow):
             finished,
         )
         self.tree.show_rows(tree.rows_of(state))
-        if self.tree.current is None and self.session.case.wall:
-            self.tree.select(("wall", self.walls.current, ""))
+        self.follow_tree()
 
     def _show_input(self) -> None:
         """What a page shows of the input as it stands."""
@@ -293,6 +291,14 @@ class MainWindow(StagedWindow):
         if back and self.job is None and not self.records.pending:
             self.records.read_again()
 
+    def dragEnterEvent(self, event) -> None:
+        """Records are taken wherever they are dropped."""
+        self.records.dragEnterEvent(event)
+
+    def dropEvent(self, event) -> None:
+        self.show_input("records")
+        self.records.dropEvent(event)
+
     def records_loaded(self) -> None:
         self.refresh()
 
@@ -303,7 +309,10 @@ class MainWindow(StagedWindow):
         self.records.read_again()
         for field in self.fields:
             field.forget()
+        for form in (self.walls, self.demand, self.demand.building):
+            form.forget()
         self.result_arrived(None)
+        self.show_input("wall", 0)
 
     def result_arrived(self, result) -> None:
         """Show a result of study.run, None while there is none."""

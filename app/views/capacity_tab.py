@@ -6,13 +6,14 @@ import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from app.look import theme
 from app.look.language import named, number, tr
 from app.look.whole_text import tell_whole
 from app.views.chart import Chart
 from app.views.hatch import Hatch, hatched_square
+from app.views.runs import governing_run, run_name
 from core.capacity.fragility import fragility_curve
 from core.capacity.ida import grid_point, multiplier_of, threshold_of
 from core.rocking.history import scan
@@ -40,6 +41,8 @@ class CapacityTab(QWidget):
         self.strips = Chart("q [-]", tr("run"), tr("Survival map"))
         self.fragility = Chart("q [-]", tr("share collapsed [-]"), tr("Fragility"))
         choices, top = QHBoxLayout(), QHBoxLayout()
+        self.title = QLabel()
+        self.title.setWordWrap(True)
         for box in (self.record, self.other):
             box.setMinimumWidth(60)
             tell_whole(box)
@@ -47,6 +50,7 @@ class CapacityTab(QWidget):
         top.addWidget(self.peaks, 1)
         top.addWidget(self.fragility, 1)
         layout = QVBoxLayout(self)
+        layout.addWidget(self.title)
         layout.addLayout(choices)
         layout.addLayout(top, 1)
         layout.addWidget(self.strips, 1)
@@ -55,9 +59,11 @@ class CapacityTab(QWidget):
     def show_wall(self, result: StudyResult, wall: WallResult) -> None:
         """Fill the tab from one wall of a result."""
         self.shown = (result, wall)
+        self.title.setText(_title(wall))
         self.record.clear()
         for run in wall.runs:
-            self.record.addItem(_name(run))
+            self.record.addItem(run_name(run))
+        self.record.setCurrentIndex(governing_run(wall))
         if len(wall.runs) > 1:
             self.record.addItem(tr("all records, with their mean"))
         self.other.clear()
@@ -115,13 +121,13 @@ class CapacityTab(QWidget):
         else:
             run = wall.runs[k]
             q, ratio = _peaks(result, wall, run)
-            self.peaks.curve(_name(run), q, ratio, 0)
+            self.peaks.curve(run_name(run), q, ratio, 0)
             fell = q[np.isnan(ratio)]
             none = np.full(fell.size, np.nan)
             self.peaks.points(named("overturned"), fell, np.full(fell.size, EDGE), 1, 4, values=none)
             if run.ida.q:
                 self.peaks.level(run.ida.q, "q", "bad", vertical=True, place=0.75)
-            self.peaks.caption = f"{_title(wall)}, {_name(run)}"
+            self.peaks.caption = f"{_title(wall)}, {run_name(run)}"
         for level in (0.40, 0.60, 1.0):
             label = "θc" if level == 1.0 else number(level, ".2f")
             self.peaks.level(level, label)
@@ -130,7 +136,7 @@ class CapacityTab(QWidget):
     def _overlay(self, result: StudyResult, wall: WallResult) -> None:
         """All records, with mean and scatter as long as none has overturned."""
         found = [_peaks(result, wall, run) for run in wall.runs]
-        self.peaks.bundle([_name(run) for run in wall.runs], found)
+        self.peaks.bundle([run_name(run) for run in wall.runs], found)
         first = min((q[np.isnan(ratio)][0] if np.isnan(ratio).any() else q[-1]) for q, ratio in found)
         low = max(q[0] for q, _ in found)
         if first > low:
@@ -188,16 +194,12 @@ class CapacityTab(QWidget):
         grid = np.exp(low + step * np.arange(image.shape[1]))
         for k, run in enumerate(wall.runs):
             known = ~np.isnan(image[k])
-            self.strips.data.append((_name(run), grid[known], image[k][known]))
-        names = [(k, _name(run)) for k, run in enumerate(wall.runs)]
+            self.strips.data.append((run_name(run), grid[known], image[k][known]))
+        names = [(k, run_name(run)) for k, run in enumerate(wall.runs)]
         self.strips.names_beside(names)
         marks = [q for q in MARKS if math.log(q) >= low - 0.1]
         self.strips.ticks("bottom", [(math.log(q), f"{number(q, 'g')}") for q in marks])
         self.strips.reset()
-
-
-def _name(run: Run) -> str:
-    return f"{run.record} ({'+' if run.polarity > 0 else '−'})"
 
 
 def _title(wall: WallResult) -> str:

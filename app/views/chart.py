@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QSizePolicy, QToolButton, QVBoxLayout
 
 from app.look import theme
@@ -27,7 +27,10 @@ class Chart(ChartOutput):
 
     legend : above the axes or, for many curves, beside them: never on the data
     live : as of ChartOutput
+    clicked(x, y) : a place of the axes was clicked
     """
+
+    clicked = Signal(float, float)
 
     def __init__(self, x: str, y: str, name: str, legend: str = "above", live: bool = False):
         super().__init__()
@@ -58,6 +61,7 @@ class Chart(ChartOutput):
         self.entries: list[str] = []
         self.extents: list[tuple] = []
         self.names: list[str] = []
+        self.of_pairs: list[str] | None = None
         self.lines: list[tuple[float, str]] = []
         self.data: list[tuple[str, np.ndarray, np.ndarray]] = []
         self.read = QLabel()
@@ -69,6 +73,7 @@ class Chart(ChartOutput):
         layout.addWidget(self.view, 1)
         layout.addLayout(self._bar())
         self._proxy = pg.SignalProxy(self.plot.scene().sigMouseMoved, rateLimit=30, slot=self._moved)
+        self.plot.scene().sigMouseClicked.connect(self._pressed)
         self._apply_theme(theme.current)
 
     def _bar(self) -> QHBoxLayout:
@@ -194,14 +199,15 @@ class Chart(ChartOutput):
             widest = max((self.fontMetrics().horizontalAdvance(name) for _, name in places), default=0)
             axis.setWidth(widest + 34)
 
-    def names_below(self, names: list[str]) -> None:
-        """Names below the places 0, 1, 2 … of the axis, as many of them as its width holds."""
-        self.names = names
-        shown = [elided(name, TICK_LETTERS) for name in names]
+    def names_below(self, names: list[str], of_pairs: list[str] | None = None) -> None:
+        """Names below the places 0, 1, 2 … of the axis, as many of them as its width holds. of_pairs : of each two
+        places, shown between them in the place of both"""
+        self.names, self.of_pairs = names, of_pairs
+        shown = [elided(name, TICK_LETTERS) for name in of_pairs or names]
         widest = max((self.fontMetrics().horizontalAdvance(name) for name in shown), default=0)
         room = 0.85 * self.view.width() / (widest + 12)
-        step = max(1, math.ceil(len(names) / max(1.0, room)))
-        self.ticks("bottom", [(k, shown[k]) for k in range(0, len(names), step)])
+        step = max(1, math.ceil(len(shown) / max(1.0, room)))
+        self.ticks("bottom", [(2 * k + 0.5 if of_pairs else k, shown[k]) for k in range(0, len(shown), step)])
 
     def names_beside(self, lines: list[tuple[float, str]]) -> None:
         """Names at places of the left axis, as many of them as its height holds."""
@@ -217,7 +223,7 @@ class Chart(ChartOutput):
     def fit(self) -> None:
         """Names, legend and words as the width of the view wants them."""
         if self.names:
-            self.names_below(self.names)
+            self.names_below(self.names, self.of_pairs)
         if self.lines:
             self.names_beside(self.lines)
         self._place_legend()
@@ -322,6 +328,11 @@ class Chart(ChartOutput):
         for recolor in self.recolors:
             recolor(chosen, scale)
 
+    def _pressed(self, event) -> None:
+        if event.button() == Qt.MouseButton.LeftButton and self.plot.vb.sceneBoundingRect().contains(event.scenePos()):
+            point = self.plot.vb.mapSceneToView(event.scenePos())
+            self.clicked.emit(point.x(), point.y())
+
     # values under the cursor
 
     def _moved(self, event) -> None:
@@ -372,6 +383,7 @@ class Chart(ChartOutput):
             (tr("Axis limits…"), self._ask_limits),
             (tr("Copy the picture"), self.copy),
             (tr("Save as a figure for a report: PNG, SVG or PDF"), self._save_figure),
+            (tr("Size of the figures…"), self._ask_size),
             (tr("Save the data as CSV"), self._save_data),
             (tr("The data as a table"), self.show_table),
         ]
@@ -390,6 +402,11 @@ class Chart(ChartOutput):
         dialog = data_table(self)
         dialog.exec()
         dialog.deleteLater()
+
+    def _ask_size(self) -> None:
+        from app.views.figure_dialogs import ask_size
+
+        ask_size(self)
 
     def _ask_limits(self) -> None:
         from app.views.figure_dialogs import axis_limits

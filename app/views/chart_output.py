@@ -95,17 +95,14 @@ class ChartOutput(QWidget):
         QGuiApplication.clipboard().setImage(self.image())
 
     def _save_figure(self) -> None:
-        from app.views.figure_dialogs import ask_size
+        from app.views.figure_dialogs import last_size
         from app.views.figure_file import figure
 
-        size = ask_size(self)
-        if size is None:
-            return
         title = tr("Save the chart")
         kinds = "PNG (*.png);;SVG (*.svg);;PDF (*.pdf)"
         path = path_to_write(self, title, f"{self.name}.png", kinds, (".png", ".svg", ".pdf"))
         if path is not None:
-            self._written(title, lambda: {path: figure(self, path.suffix.lower(), size)})
+            self._written(title, lambda: {path: figure(self, path.suffix.lower(), last_size())})
 
     def _save_data(self) -> None:
         title = tr("Save the chart")

@@ -3,7 +3,7 @@
 import html
 
 import numpy as np
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import (
     QFrame,
@@ -36,6 +36,21 @@ from core.units import G
 MIN_HEIGHT = 340
 """Of ladder and peaks together [px]: below it the page scrolls."""
 
+LEADS = {
+    "strengthen": "variant",
+    "no_check": "records",
+    "to_no_restraint": "wall",
+    "give_reason": "wall",
+    "to_no_spectrum": "demand",
+    "to_no_soil_factor": "demand",
+    "to_not_compatible": "records",
+    "to_few_records": "records",
+    "to_bundled": "records",
+    "to_one_sign": "report",
+    "to_period_estimated": "building",
+}
+"""Code of what is to be done -> where: a form by its kind, or variant."""
+
 LAW_WORDS = {"q": "law_q", "q_slv": "law_q_slv"}
 
 
@@ -59,6 +74,11 @@ def zetas_of(result: StudyResult, wall: WallResult) -> list[tuple[float, float |
     return [(hinge, min(known, default=None)) for hinge, known in sorted(zetas.items())] if len(zetas) > 1 else []
 
 
+def link(target: str, words: str) -> str:
+    """A link of the answer, in HTML."""
+    return f"<a href='{target}' style='color:{theme.current.curves[0]}; text-decoration:none'>{words} →</a>"
+
+
 class Whole(QWidget):
     """A page that scrolls rather than cut its words: as high as they need, not as the chart would like."""
 
@@ -68,7 +88,14 @@ class Whole(QWidget):
 
 class CheckTab(QWidget):
     """The verdict of a wall in one line, what is to be done and what limits it, the ladder of checks, the wall with the
-    zeta of each hinge, the peaks at the demand, four facts of trust; the table and the comparisons by a click."""
+    zeta of each hinge, the peaks at the demand, four facts of trust; the table and the comparisons by a click.
+
+    asked(what) : a form by its kind, variant, or generate
+    record_picked(run) : the bar of a run was clicked, its (motion, polarity)
+    """
+
+    asked = Signal(str)
+    record_picked = Signal(object)
 
     def __init__(self, language: str):
         super().__init__()
@@ -78,6 +105,13 @@ class CheckTab(QWidget):
         for label in (self.heading, self.sentence, self.important, self.reasons):
             label.setWordWrap(True)
             label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        links = Qt.TextInteractionFlag.LinksAccessibleByMouse | Qt.TextInteractionFlag.LinksAccessibleByKeyboard
+        self.no_peaks = QLabel()
+        for label in (self.important, self.no_peaks):
+            label.setTextFormat(Qt.TextFormat.RichText)
+            label.setTextInteractionFlags(label.textInteractionFlags() | links)
+            label.linkActivated.connect(self.asked)
+        self.no_peaks.setWordWrap(True)
         self.notes = self._opener(self.reasons.setVisible)
         self.banner = QFrame(objectName="verdict")
         inside = QVBoxLayout(self.banner)
@@ -111,6 +145,9 @@ class CheckTab(QWidget):
         column.addWidget(self.more, 0, Qt.AlignmentFlag.AlignRight)
         self.peaks = Chart(tr("record"), "θmax/θc [-]", tr("Peaks at the demand"))
         self.peaks.setMinimumHeight(150)
+        self.peaks.setToolTip(tr("Click a bar for the history of its record."))
+        self.peaks.clicked.connect(self._clicked)
+        self.runs: list[tuple[int, int]] = []
         self.split = QSplitter(Qt.Orientation.Vertical)
         self.split.addWidget(above)
         self.split.addWidget(self.peaks)
@@ -127,6 +164,7 @@ class CheckTab(QWidget):
         layout.setContentsMargins(6, 6, 6, 4)
         layout.addWidget(self.banner)
         layout.addWidget(self.split, 1)
+        layout.addWidget(self.no_peaks)
         layout.addWidget(self.facts)
         area = QScrollArea()
         area.setWidgetResizable(True)
@@ -167,15 +205,13 @@ class CheckTab(QWidget):
             self._fold(self._warnings(result, wall))
             self.facts.setText("")
             self.table.show_rows([])
-            self.peaks.say_why(tr("No demand: nothing to compare the peaks with."))
+            self._show_peaks(tr("No demand: nothing to compare the peaks with."), "demand")
             return
         verdict = assessment.verdict
         self.heading.setText(f"{wall.name}: {word(verdict.code, self.language)}, ζ {digits(verdict.zeta_e)}")
         self.heading.setStyleSheet(f"{theme.points(1.75)} font-weight: 700; color: {shade};")
         self.sentence.setText(sentence_of(result, wall, self.language))
-        important = lines_of(result, wall, self.language, ("to_do", "limits"))
-        important += [one for one in self._warnings(result, wall) if not any(one in line for line in important)]
-        self.important.setText("\n".join(important))
+        self.important.setText("<br>\n".join(self._important(result, wall)))
         others = lines_of(result, wall, self.language, ("note", "reason")) + tie_lines(wall, self.language)
         if assessment.kinematic:
             others.insert(0, self._mechanism(assessment))
@@ -185,9 +221,43 @@ class CheckTab(QWidget):
         self.table.show_rows(*self._rows(result, wall))
         self.peaks.caption = f"{wall.name}, {word(wall.mechanism, self.language)}"
         if assessment.dynamic:
+            self._show_peaks()
             self._bars(assessment.dynamic)
         else:
-            self.peaks.say_why(tr("No dynamic check: it needs records and a demand at SLV or SLC."))
+            self._show_peaks(
+                tr("No dynamic check: it needs records and a demand at SLV or SLC."),
+                "" if result.motions else "generate",
+            )
+
+    def _important(self, result: StudyResult, wall: WallResult) -> list[str]:
+        """What is to be done, each line a link to where, and what limits the result: each kind under its word, nothing
+        twice. HTML"""
+        said = {}
+        for kind in ("to_do", "limits"):
+            before = len(f"{word(kind, self.language)}: ")
+            said[kind] = [line[before:] for line in lines_of(result, wall, self.language, (kind,))]
+        for one in self._warnings(result, wall):
+            if not any(one.rstrip(".") in line for line in said["limits"]):
+                said["limits"].append(one)
+        lines = {kind: [html.escape(line, quote=False) for line in found] for kind, found in said.items()}
+        for k, one in enumerate(wall.assessment.verdict.to_do):
+            if one.code in LEADS:
+                lines["to_do"][k] = link(LEADS[one.code], lines["to_do"][k])
+        for kind, found in lines.items():
+            found[:1] = [f"<b>{word(kind, self.language)}:</b> {line}" for line in found[:1]]
+        return [*lines["to_do"], *lines["limits"]]
+
+    def _show_peaks(self, why: str = "", lead: str = "") -> None:
+        """The chart of the peaks, or why there is none and what leads to it. lead : demand, generate or nothing"""
+        self.peaks.setVisible(not why)
+        self.no_peaks.setVisible(bool(why))
+        words = {"demand": tr("Give the demand"), "generate": tr("Generate seven motions")}.get(lead)
+        self.no_peaks.setText(f"{html.escape(why)} {link(lead, words)}" if words else html.escape(why))
+
+    def _clicked(self, x: float, _: float) -> None:
+        """A bar of the peaks leads to its history."""
+        if 0 <= round(x) < len(self.runs):
+            self.record_picked.emit(self.runs[round(x)])
 
     def _rows(self, result: StudyResult, wall: WallResult) -> tuple[list, list]:
         """Rows of the table and their colours: checks, Eq. 9, what research estimates."""
@@ -283,7 +353,7 @@ class CheckTab(QWidget):
 
     def _fold(self, lines: list[str]) -> None:
         """Notes behind their number."""
-        self.notes.setText(tr("{n} notes ▾", n=len(lines)))
+        self.notes.setText(tr("Notes: {n} ▾", n=len(lines)))
         self.notes.setVisible(bool(lines))
         self.reasons.setText("\n".join(f"• {line}" for line in lines))
 
@@ -341,7 +411,10 @@ class CheckTab(QWidget):
             self.peaks.level(
                 fraction, f"{number(fraction, '.2f')} {label}", "bad" if wanted or fraction == 1.0 else "quiet"
             )
+        self.runs = [(run.motion, run.polarity) for run in check.runs]
         signs = {run.polarity for run in check.runs}
         names = [run.record + ("" if len(signs) == 1 else " +" if run.polarity > 0 else " −") for run in check.runs]
-        self.peaks.names_below(names)
+        motions = [run.motion for run in check.runs]
+        paired = len(signs) == 2 and motions[::2] == motions[1::2]
+        self.peaks.names_below(names, [run.record + " ±" for run in check.runs[::2]] if paired else None)
         self.peaks.set_range((-0.6, len(names) - 0.4), (0.0, top))

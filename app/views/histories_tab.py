@@ -22,6 +22,7 @@ from app.look.drawing import WallDrawing
 from app.look.language import current_language, named, number, tr
 from app.look.whole_text import tell_whole
 from app.views.chart import Chart
+from app.views.runs import governing_run, index_of, run_name
 from core.capacity.ida import multiplier_of, threshold_of
 from core.codes.dynamic_check import at_demand
 from core.rocking.energy import energy_ratios
@@ -69,6 +70,12 @@ class HistoriesTab(QWidget):
         self.strength_factor = 1.0
         self.words = QLabel()
         self.words.setMinimumWidth(120)
+        self.words.setToolTip(
+            tr(
+                "C multiplies the record as it is given; "
+                "q is its peak then over the acceleration at which the wall moves."
+            )
+        )
         self.play = QPushButton(tr("Play"))
         self.play.setCheckable(True)
         self.play.toggled.connect(self._toggled)
@@ -165,11 +172,22 @@ class HistoriesTab(QWidget):
         self.other.addItem(tr("no second record"))
         for run in wall.runs:
             for box in (self.record, self.other):
-                box.addItem(f"{run.record} ({'+' if run.polarity > 0 else '−'})")
-        known = [k for k, run in enumerate(wall.runs) if run.ida.q is not None]
-        if known:
-            self.record.setCurrentIndex(min(known, key=lambda k: wall.runs[k].ida.q))
+                box.addItem(run_name(run))
+        self.record.setCurrentIndex(governing_run(wall))
+        self._begin()
+
+    def show_run(self, run: tuple[int, int]) -> None:
+        """The history of this (motion, polarity)."""
+        k = index_of(self.shown[1], *run) if self.shown else None
+        if k is not None:
+            self.record.setCurrentIndex(k)
+            self._begin()
+
+    def _begin(self) -> None:
+        """A record at the demand as the dynamic check has it; without a demand at the last survived multiplier."""
         self._chosen()
+        if self.shown is not None and self.shown[0].demand is not None and self.run is not None:
+            self._set_to(2)
 
     @property
     def run(self):
@@ -296,11 +314,11 @@ class HistoriesTab(QWidget):
             outcome = f"{tr('stands')}   θmax/θc {peak}"
         number = partial(numeral, language=current_language())
         which = self._wall_in_words()
-        words = (f"C {number(abs(scale), '.3f')}", f"q {number(self.q, '.3f')}", outcome, *which, *self._show_bars())
+        wall_and_c = (f"{wall.name}, {named(wall.mechanism)}", f"C {number(abs(scale), '.3f')}")
+        words = (*wall_and_c, f"q {number(self.q, '.3f')}", outcome, *which, *self._show_bars())
         self.words.setText("   ".join(words))
         for chart in (self.ground, self.rotation, self.energy, self.force, self.elongation):
-            sign = "+" if self.run.polarity > 0 else "−"
-            run = f"{self.run.record} ({sign})"
+            run = run_name(self.run)
             chart.caption = ", ".join((wall.name, named(wall.mechanism), run, f"C {number(abs(scale), '.3f')}", *which))
         self.set_time(self.cursors[0].value())
 

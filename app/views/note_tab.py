@@ -8,12 +8,23 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPoint, QRectF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QImage, QKeySequence, QPainter, QShortcut
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QLineEdit, QPushButton, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QScrollArea,
+    QSizePolicy,
+    QVBoxLayout,
+    QWidget,
+)
 
 from app.look import theme
-from app.look.language import tr
+from app.look.language import current_language, tr
 from app.work.worker import Job
 from core.study.results import StudyResult, WallResult
+from core.text.sentence import LANGUAGES
 
 if TYPE_CHECKING:
     from core.report.note.pdf import Note
@@ -133,6 +144,8 @@ class NoteTab(QWidget):
         self.search.returnPressed.connect(self.find_next)
         QShortcut(QKeySequence.StandardKey.Find, self, self.search.setFocus)
         self.word = QLabel()
+        self.word.setWordWrap(True)  # a sentence that the note is not set by is long
+        self.word.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         export = QPushButton(tr("Export…"))
         export.clicked.connect(self.exported)
         bar = QHBoxLayout()
@@ -215,7 +228,11 @@ class NoteTab(QWidget):
         self.job, self.pages, self.lines = None, pages, None
         self.paper.show_images(pages.images, pages.scale)
         bar.setValue(round(share * bar.maximum()))
-        self.word.setText(tr("{n} pages", n=len(pages.images)))
+        words = tr("Pages: {n}", n=len(pages.images))
+        tongue = self.result.case.report.language
+        if tongue != current_language():
+            words += ", " + tr("in the language of the report ({language})", language=LANGUAGES[tongue])
+        self.word.setText(words)
 
     def _failed(self, words: str, _log: str) -> None:
         if self.sender() is not self.job:

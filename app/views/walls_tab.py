@@ -19,9 +19,9 @@ ZETA, RISK = 2, 6
 def steps() -> list[str]:
     """How to begin, in three steps."""
     return [
-        tr("1. Walls: dimensions, mechanism, what stands behind them (left, or Table… for many)."),
+        tr("1. Walls: dimensions, mechanism, what stands behind them (+ wall below the tree, or table… for many)."),
         tr("2. Demand: a_g, spectrum, confidence factor; records: drop files, or Generate…"),
-        tr("3. F5. Then this overview, the tab Check of each wall, and File → Export."),
+        tr("3. F5. Then this overview, the answer of each wall, and File → Export."),
     ]
 
 
@@ -163,14 +163,22 @@ class WallsTab(QWidget):
         if self.shown:
             self.show_wall(*self.shown)
 
-    def show_running(self, walls: list[WallResult]) -> None:
-        """What is known while others run: verdicts of the walls that are finished."""
+    def show_running(self, walls: list[WallResult], zetas: dict[int, tuple[float | None, bool]]) -> None:
+        """What is known while others run: of each wall the worst result that is there, no verdict before all are.
+        zetas : row of a wall -> (zeta so far, whether all its results are there)"""
         self.split.setVisible(True)
         self.below.setVisible(False)
         self.order = []
-        self.words.setText(tr("Running: {n} walls are finished.", n=len(walls)))
-        ordered = sorted(walls, key=lambda wall: (zeta_of(wall) is None, zeta_of(wall) or 0.0))
-        rows = [self._row(wall) for wall in ordered]
+        self.words.setText(tr("Running, walls finished: {n}", n=sum(whole for _, whole in zetas.values())))
+        rows, seen = [], set()
+        for wall in sorted(walls, key=lambda wall: (zeta_of(wall) is None, zeta_of(wall) or 0.0)):
+            k = wall.part.origin
+            if k in seen:
+                continue
+            seen.add(k)
+            rows.append(self._row(wall))
+            if not zetas[k][1]:
+                rows[-1][ZETA : ZETA + 2] = [f"≤ {rows[-1][ZETA]}", "…"]
         self.table.show_rows(rows, [[None] * len(row) for row in rows])
 
     def _picked(self, row: int) -> None:

@@ -9,6 +9,8 @@ from PySide6.QtWidgets import QMainWindow, QMessageBox
 
 from app.look.language import tr
 from app.work.worker import Job
+from core.case.hinges import hinges_of
+from core.case.schema import Case
 
 BETWEEN_WORDS = 0.1
 """Least time between two states of the progress bar [s]: each paints the window at once."""
@@ -22,6 +24,11 @@ def progress_word(done: int, planned: int, elapsed: float, left: float | None) -
     return tr("{done} of {planned}, {elapsed:.0f} s, about {left:.0f} s left", left=left, **values)
 
 
+def results_planned(case: Case) -> list[int]:
+    """Of each wall of a case one for each of its hinges and mechanisms."""
+    return [(1 + len(hinges_of(wall, case.building))) * len(wall.mechanisms()) for wall in case.wall]
+
+
 class RunningWindow(QMainWindow):
     """The part of the window that starts jobs, shows how far they are and takes what they bring."""
 
@@ -29,12 +36,15 @@ class RunningWindow(QMainWindow):
     began = told = 0.0
     closing = to_end = False
     finished_walls: list = []
+    planned_results: dict[int, int] = {}
+    """Row of a wall of what runs -> how many results it will have."""
     refused: tuple = (None, None)
     """(case, what the last run of it refused: an InputError or None)."""
 
     def show_word(self, text: str, kind: str = "message") -> None:
         """The word of the status line. kind : what it is about, for who may take it away again."""
         self.word.setText(text)
+        self.word.setToolTip(text)
         self.word_kind = kind
 
     def show_running(self, on: bool) -> None:
@@ -51,6 +61,7 @@ class RunningWindow(QMainWindow):
             return
         generation, made = self.session.generation, self.finished_runs.analyses
         base = self.session.base_dir
+        self.planned_results = dict(enumerate(results_planned(case)))
 
         def arrived(result) -> None:
             if generation != self.session.generation:
@@ -104,6 +115,19 @@ class RunningWindow(QMainWindow):
         self.show_running(True)
         job.start()
         self.refresh()
+
+    def zetas_so_far(self) -> dict[int, tuple[float | None, bool]]:
+        """Row of a wall -> (the smallest zeta of its results that are there, whether these are all)."""
+        of_row: dict[int, list] = {}
+        for wall in self.finished_walls:
+            of_row.setdefault(wall.part.origin, []).append(wall.assessment.verdict.zeta_e if wall.assessment else None)
+        return {
+            row: (
+                min((zeta for zeta in found if zeta is not None), default=None),
+                len(found) >= self.planned_results[row],
+            )
+            for row, found in of_row.items()
+        }
 
     def _found(self, wall) -> None:
         """A wall has its verdict while others run."""

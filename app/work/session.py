@@ -298,11 +298,13 @@ class Session:
         """The case with its paths as seen from another folder."""
         seen = Session._seen
         records = tuple(replace(one, file=seen(one.file, old, new)) for one in case.record)
-        demand = case.demand
+        demand, report = case.demand, case.report
+        if report.logo:
+            report = replace(report, logo=seen(report.logo, old, new))
         for key in ("spectrum_file", "hazard_file"):
             if demand and getattr(demand, key):
                 demand = replace(demand, **{key: seen(getattr(demand, key), old, new)})
-        return replace(case, record=records, demand=demand)
+        return replace(case, record=records, demand=demand, report=report)
 
     # the recovery file: what a kill -9 must not lose
 

@@ -84,7 +84,7 @@ def check_hinges(wall: Wall, building: Building | None) -> None:
     """Raise InputError for hinges a wall cannot have."""
     if wall.hinge_heights is None:
         return
-    here = (place("wall", name=wall.name),)
+    here = (place("wall", name=wall.title),)
     if wall.height_m is None:
         raise InputError("hinges_need_rectangle", place=here, key="hinge_heights")
     if wall.hinge_heights == BASE:

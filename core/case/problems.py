@@ -45,9 +45,9 @@ def _filled(case: Case, error: InputError, key: str) -> Case | None:
     if error.wall is not None:
         walls = list(case.wall)
         for k, wall in enumerate(walls):
-            if wall.name != error.wall:
+            if k != wall_of(case, error):
                 continue
-            n = _load_of(error)
+            n = load_of(error)
             if n is not None and n < len(wall.load):
                 load = _given(wall.load[n], key)
                 whole = load and replace(wall, load=(*wall.load[:n], load, *wall.load[n + 1 :]))
@@ -64,7 +64,17 @@ def _filled(case: Case, error: InputError, key: str) -> Case | None:
     return None
 
 
-def _load_of(error: InputError) -> int | None:
+def wall_of(case: Case, error: InputError) -> int | None:
+    """Index of the wall an error is about, of it all or of its part above a hinge."""
+    said = error.wall
+    if said is None:
+        return None
+    return next(
+        (k for k, wall in enumerate(case.wall) if said == wall.title or said.startswith(f"{wall.title} (+")), None
+    )
+
+
+def load_of(error: InputError) -> int | None:
     """Index of the load an error is about."""
     for part in error.place:
         values = dict(getattr(part, "values", ()))
@@ -107,7 +117,7 @@ def _plausible(rule) -> Any:
 def _without(case: Case, error: InputError) -> Case | None:
     """The case without the wall, record or section an error is about; None where it is about none of them."""
     if error.wall is not None:
-        rest = tuple(wall for wall in case.wall if error.wall not in (wall.name, wall.title))
+        rest = tuple(wall for k, wall in enumerate(case.wall) if k != wall_of(case, error))
         return replace(case, wall=rest) if rest and len(rest) < len(case.wall) else None
     said = [dict(part.values) for part in error.place if getattr(part, "code", "") == "record"]
     if said:

@@ -15,7 +15,7 @@ from core.case.values import SHOWN, are_ends, corners_of, field_of, refuse_unkno
 from core.case.variant_of import expanded
 from core.codes.limits import check_return_period
 from core.errors import InputError, place, section
-from core.text.sentence import Quantity, sentence
+from core.text.sentence import Key, Quantity, sentence
 from core.wall.shape_rules import check_shape
 from core.wall.wall_loads import check_given, check_loads
 
@@ -150,7 +150,7 @@ def draft_case(table: dict) -> Case:
 def with_walls(case: Case, walls: list[Wall]) -> Case:
     """The case with these walls, checked as a set. Raises InputError."""
     if not walls:
-        raise InputError("no_wall")
+        raise InputError("no_wall", section=Key("[[wall]]"))
     names = {}
     for wall in walls:
         if names.setdefault(wall.title, wall) is not wall:
@@ -182,27 +182,30 @@ def check_wall(case: Case, wall: Wall) -> None:
             wall.restitution_of(mechanism)
         wall.moment_law()
     except InputError as error:
-        raise error.at(place("wall", name=wall.name)) from None
+        raise error.at(place("wall", name=wall.title)) from None
     _check_exact(case, wall)
     if case.analysis.method == "linearised" and not wall.moment_law().is_rigid:
-        raise InputError("linearised_is_rigid", place=(section("[analysis]"),), key="method", wall=wall.name)
+        raise InputError("linearised_is_rigid", place=(section("[analysis]"),), key="method", wall=wall.title)
     if case.building and (wall.base_z_m or 0.0) > case.building.height_m:
         raise InputError(
             "base_above_building",
-            place=(place("wall", name=wall.name),),
+            place=(place("wall", name=wall.title),),
             key="base_z_m",
             base=wall.base_z_m,
             height=case.building.height_m,
         )
     check_hinges(wall, case.building)
     if case.demand and wall.base_z_m is None:
-        raise InputError("base_missing", place=(place("wall", name=wall.name),), key="base_z_m")
+        raise InputError("base_missing", place=(place("wall", name=wall.title),), key="base_z_m")
     if case.demand:
         check_confidence(case.demand, wall)
-    check_reasons(wall.justification, place("wall", name=wall.name))
+    check_reasons(wall.justification, place("wall", name=wall.title))
     if wall.back_restraint and not _says(wall.back_restraint):
         raise InputError(
-            "restraint_unnamed", place=(place("wall", name=wall.name),), key="back_restraint", value=wall.back_restraint
+            "restraint_unnamed",
+            place=(place("wall", name=wall.title),),
+            key="back_restraint",
+            value=wall.back_restraint,
         )
 
 
@@ -257,7 +260,7 @@ def check_confidence(demand: Demand, wall: Wall) -> None:
     if wall.compressive_strength_mpa is None or not low <= wall.compressive_strength_mpa <= high:
         raise InputError(
             "confidence_needs_strength",
-            place=(place("wall", name=wall.name),),
+            place=(place("wall", name=wall.title),),
             key="compressive_strength_mpa",
             stated=stated,
             found=wall.compressive_strength_mpa,
@@ -313,7 +316,7 @@ def check_code_keys(asked, here) -> None:
         code, given = entry.metadata.get("code"), getattr(asked, entry.name) is not None
         if code and given != (code == asked.code):
             problem = "code_needs" if code == asked.code else "code_does_not_take"
-            raise InputError(problem, place=(here,), key=entry.name, code=asked.code)
+            raise InputError(problem, place=(here,), key=entry.name, code=Key(asked.code))
 
 
 def _written(table: dict):
@@ -333,5 +336,7 @@ def tables_of(table: dict, key: str) -> list:
 
 
 def _name(entry, index: int):
-    name = entry.get("name") if isinstance(entry, dict) else None
-    return name[:SHOWN] if isinstance(name, str) else index + 1
+    name, variant = (entry.get("name"), entry.get("variant")) if isinstance(entry, dict) else (None, None)
+    if not isinstance(name, str):
+        return index + 1
+    return f"{name[:SHOWN]} ({variant})" if isinstance(variant, str) and len(variant) <= SHOWN else name[:SHOWN]

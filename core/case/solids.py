@@ -77,7 +77,7 @@ def above(wall, hinge: float) -> dict:
         return {}
     faces = faces_at(parts, hinge)
     if faces is None:
-        raise InputError("hinge_in_a_gap", place=(place("wall", name=wall.name),), key="hinge_heights", hinge=hinge)
+        raise InputError("hinge_in_a_gap", place=(place("wall", name=wall.title),), key="hinge_heights", hinge=hinge)
     outer, inner = faces
     cut = [(part, tuple(cut_above(part.polygon, hinge))) for part in parts]
     solids = tuple(

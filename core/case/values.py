@@ -13,7 +13,7 @@ from core.case.number import parse_number
 from core.case.schema import MIN_ELASTIC, OWN_FIELDS
 from core.errors import InputError, section
 from core.file_names import is_text, name_of
-from core.text.sentence import Sentence, sentence
+from core.text.sentence import Key, Sentence, sentence
 from core.wall.moment_rotation import LAWS
 
 MAX_TEXT, MAX_PARAGRAPHS, MAX_PATH = 500, 4_000, 12_000
@@ -221,10 +221,15 @@ def _said(code: str, /, **values) -> Callable:
     return lambda entry: sentence("accepted", code, **values)
 
 
+def names_of(entry) -> tuple[Key, ...]:
+    """The choices of a key; the window says each in its words, see `FormNames.of`."""
+    return tuple(Key(f"{entry.name}={name}") for name in entry.metadata["names"])
+
+
 KINDS: dict[str, tuple[Callable, Callable]] = {
     "float": (_number, _range_of),
     "int": (_number, _range_of),
-    "choice": (_choice, lambda entry: sentence("accepted", "one_of", names=tuple(entry.metadata["names"]))),
+    "choice": (_choice, lambda entry: sentence("accepted", "one_of", names=names_of(entry))),
     "text": (_text, _said("text", most=MAX_TEXT)),
     "paragraphs": (_paragraphs, _said("paragraphs", most=MAX_PARAGRAPHS)),
     "channel": (_channel, _said("channel_key")),

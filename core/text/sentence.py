@@ -21,8 +21,8 @@ class FormNames:
     scales: dict[str, tuple[float, str]] = field(default_factory=dict)
 
     def of(self, key: str, section: str = "") -> str:
-        """The caption of a key of a section, else the key."""
-        return self.captions.get(f"{section}.{key}", self.captions.get(key, key))
+        """The caption of a key of a section, else the key; of a choice of a key, "key=choice", else the choice."""
+        return self.captions.get(f"{section}.{key}", self.captions.get(key, key.rpartition("=")[2]))
 
     def add(self, key: str, caption: str, section: str = "") -> None:
         """A field of this key and caption."""

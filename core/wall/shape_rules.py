@@ -17,7 +17,7 @@ def check_shape(wall) -> None:
     """Raise InputError for solids that are none, contradict each other or do not stand."""
     if not has_shape(wall):
         return
-    here = (place("wall", name=wall.name),)
+    here = (place("wall", name=wall.title),)
     needed = {key: getattr(wall, key) for key in ("height_m", "unit_weight_kn_m3", "length_m")}
     for key, value in ({"height_m": wall.height_m, "thickness_m": wall.thickness} | needed).items():
         if value is None:

@@ -44,7 +44,9 @@ def vertical_loads(wall) -> float:
     """Sum of the vertical loads [N/m]. Raises InputError where one has no size yet."""
     for n, load in enumerate(wall.load, start=1):
         if load.is_weight and load.kn_m in (None, ""):
-            raise InputError("load_size_missing", place=(place("wall", name=wall.name), place("load", n=n)), key="kn_m")
+            raise InputError(
+                "load_size_missing", place=(place("wall", name=wall.title), place("load", n=n)), key="kn_m"
+            )
     return sum(1e3 * load.kn_m for load in wall.load if load.is_weight)
 
 
@@ -175,7 +177,7 @@ def carries(wall) -> bool:
 
 def check_given(wall) -> None:
     """Raise InputError for loads that are not complete, contradict each other or are not on the wall."""
-    here = (place("wall", name=wall.name),)
+    here = (place("wall", name=wall.title),)
     across, tie = wall.return_walls, wall.tie_height_m
     _check_design(wall, here)
     if not wall.load and across is None and tie is None:

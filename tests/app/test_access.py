@@ -70,14 +70,15 @@ def controls(top: QWidget) -> list[QWidget]:
 
 
 def walked(application, top: QWidget, key) -> list[QWidget]:
-    """Where the focus goes with this key until it comes back."""
+    """Where the focus goes with this key until it comes back; in words it goes from link to link."""
     seen: list[QWidget] = []
     for _ in range(300):
         QTest.keyClick(application.focusWidget() or top, key)
         now = application.focusWidget()
-        if now is None or now in seen:
+        if now is None or now in seen[:-1]:
             break
-        seen.append(now)
+        if now not in seen:
+            seen.append(now)
     return seen
 
 

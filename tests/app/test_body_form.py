@@ -13,7 +13,8 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
 
-from app.look.drawing import WallDrawing, outline, turned
+from app.look.body_drawing import turned
+from app.look.drawing import WallDrawing, outline
 from app.look.language import tr
 from app.look.section import unfold_to
 from app.work.session import Session
@@ -111,7 +112,7 @@ def test_that_two_columns_of_a_spreadsheet_are_pasted_as_corners(opened, body, t
     corners.editor.selectAll()
     corners.editor.paste()
     assert opened.session.case.wall[0].solid[0].polygon_m == ((0.0, 0.0), (4.0, 0.0), (4.0, 5.5), (0.0, 5.5))
-    assert max(z for one in opened.walls.drawing.elevation for _, z in one.points) == 5.5
+    assert max(z for one in opened.walls.drawing.body.elevation for _, z in one.points) == 5.5
     corners.editor.setPlainText("0 0\n4 0\n4 5.5\n2")
     assert "line 4" in corners.message.text() and not opened.run_button.isEnabled()
 
@@ -171,9 +172,9 @@ def test_that_a_rectangle_is_drawn_as_before_and_a_body_by_its_own_outline(appli
     drawing = WallDrawing()
     wall = Wall("w", "both", height_m=6.0, thickness_m=0.5, length_m=4.0, unit_weight_kn_m3=18.0)
     drawing.show_wall(wall)
-    assert drawing.body == [] and drawing.ends == (-0.25, 0.25)
+    assert drawing.body.section == [] and drawing.body.ends == (-0.25, 0.25)
     drawing.show_wall(replace(wall, steps=(Step(3.0, 0.3),)))
-    ends = [(min(x for x, _ in one.points), max(z for _, z in one.points)) for one in drawing.body]
+    ends = [(min(x for x, _ in one.points), max(z for _, z in one.points)) for one in drawing.body.section]
     assert ends == [(-0.25, 3.0), (pytest.approx(-0.05), 6.0)]
     for rotation in (0.2, -0.2):
         corner = turned([(0.25 if rotation > 0 else -0.25, 0.0)], 0.25, rotation)[0]
@@ -189,7 +190,7 @@ def test_that_the_facade_is_drawn_in_section_and_where_there_is_room_in_elevatio
     before, after = read_case(FACADE).wall
     for wall, kinds in ((before, ["solid", "opening", "opening"]), (after, ["solid", "opening", "opening", "wedge"])):
         drawing.show_wall(wall)
-        assert [one.kind for one in drawing.body] == kinds and body_of(wall) is not None
-        assert drawing._has_elevation == (width > 420)
+        assert [one.kind for one in drawing.body.section] == kinds and body_of(wall) is not None
+        assert drawing.has_elevation == (width > 420)
         assert drawing.grab().toImage().width() == width
-    assert drawing.ends == pytest.approx((-0.45 - 1.6, 0.45))
+    assert drawing.body.ends == pytest.approx((-0.45 - 1.6, 0.45))

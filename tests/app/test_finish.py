@@ -170,7 +170,7 @@ def test_that_a_new_demand_assumes_nothing_of_the_site(opened):
 def test_that_finished_walls_appear_while_others_run(own_walls, application):
     seen = []
     tab = own_walls.pages["walls"].content
-    tab.show_running = lambda found: seen.append(len(found))
+    tab.show_running = lambda found, _: seen.append(len(found))
     own_walls.session.edit_wall(0, height_m=6.9)
     run(application, own_walls)
     assert seen == [1, 2]

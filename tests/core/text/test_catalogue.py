@@ -226,7 +226,7 @@ def test_that_the_window_says_its_own_names_and_units():
 
 
 def test_that_a_place_is_said_once_from_the_outside_in():
-    error = InputError("no_wall").at(place("row", n=3)).at("a.toml").at("a.toml")
+    error = InputError("no_wall", section=Key("[[wall]]")).at(place("row", n=3)).at("a.toml").at("a.toml")
     assert str(error) == "a.toml: row 3: no [[wall]]: a case needs at least one wall"
 
 
