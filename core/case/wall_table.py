@@ -22,6 +22,9 @@ from core.text.sentence import Sentence, notice
 
 MOST_LOADS = 4
 
+_LATER = re.compile(r"[a-z]+[2-9]_")
+"""Columns of the second and of later loads and solids, which a sentence leaves out."""
+
 
 class Column(NamedTuple):
     """What stands in a column: the key, and the titles it may have, in small letters."""
@@ -347,7 +350,8 @@ def _heads(cells: list[str]) -> list[str | None]:
         if name.replace(" ", "_") in ("variant_of", "variante_di"):
             raise InputError("variant_of_in_table", column=cell[:60])
         if name not in known:
-            raise InputError("unknown_column", column=cell[:60], known=", ".join(columns()))
+            first = (name for name in columns() if not _LATER.match(name))
+            raise InputError("unknown_column", column=cell[:60], known=", ".join(first))
         if known[name] in keys:
             raise InputError("column_twice", column=cell[:60])
         keys.append(known[name])

@@ -169,9 +169,11 @@ def test_that_results_saved_after_the_run_name_the_file(opened, application, tmp
     digest = hashlib.sha256(path.read_bytes()).hexdigest()
     assert not opened.session.stale
     assert opened.session.result.case.sha256 == digest
-    opened.session.edit(replace(opened.session.case, title="not saved"))
+    # a title decides no number: the result goes on with it
+    opened.session.edit(replace(opened.session.case, title="not run"))
     opened.session.save()
-    assert opened.session.stale and opened.session.result.case.sha256 == digest
+    assert not opened.session.stale
+    assert opened.session.result.case.sha256 == hashlib.sha256(path.read_bytes()).hexdigest() != digest
 
 
 def test_that_the_memory_of_runs_is_bounded_and_takes_many_threads():
