@@ -7,7 +7,7 @@ from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import QGridLayout, QGroupBox, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from app.input.entries_form import EntriesForm
-from app.input.fields import Field, Line, connect
+from app.input.fields import Field, Line, blank, connect
 from app.input.made_fields import make_fields
 from app.look.language import FORM_NAMES, current_language, number, tr
 from app.work.session import Session
@@ -74,7 +74,6 @@ class BodyForm(QWidget):
     def __init__(self, session: Session, index: Callable[[], int]):
         super().__init__()
         self.session, self.index = session, index
-        self.former: Wedges | None = None
         self.gable_fields = make_fields(Wall, "body")
         connect(self.gable_fields, lambda field, value: self._edit((field.key,), **{field.key: value}))
         empty = {"s_m": "", "z_m": ""}
@@ -110,6 +109,13 @@ class BodyForm(QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         for widget in (*self.gable_fields, self.openings, self.steps, self.wedges, self.solids):
             column.addWidget(widget)
+        self.forget()
+
+    def forget(self) -> None:
+        """Another wall: no wedge and no brick of the last one comes back in this."""
+        self.former: Wedges | None = None
+        self.brick_length.clear()
+        self.brick_height.clear()
 
     def _make_wedges(self) -> None:
         """The wedges, and a length of theirs from the bricks, which a button fills in."""
@@ -153,13 +159,13 @@ class BodyForm(QWidget):
     def show_case(self) -> None:
         """Fill the form from the wall."""
         wall = self.wall
-        if wall is None:
-            return
-        for field in self.gable_fields:
-            field.show_value(getattr(wall, field.key))
         for entries in self.lists:
             entries.show_case()
-        wedges = wall.return_wedges
+        if wall is None:
+            blank((*self.gable_fields, *self.wedge_fields))
+        for field in self.gable_fields if wall else ():
+            field.show_value(getattr(wall, field.key))
+        wedges = wall.return_wedges if wall else None
         with QSignalBlocker(self.wedges):
             self.wedges.setChecked(wedges is not None)
         for field in self.wedge_fields:

@@ -56,7 +56,7 @@ class EntriesForm(QWidget):
         connect(self.fields, self._changed)
         self.list = QListWidget()
         self.list.setMaximumHeight(64)
-        self.list.currentRowChanged.connect(lambda _: self._show_entry())
+        self.list.currentRowChanged.connect(lambda _: self._choose())
         self.buttons = QHBoxLayout()
         for label, new in made.items():
             button = QToolButton()
@@ -106,6 +106,12 @@ class EntriesForm(QWidget):
                 self.list.clear()
                 self.list.addItems(words)
             self.list.setCurrentRow(min(max(row, 0), len(words) - 1))
+        self._show_entry()
+
+    def _choose(self) -> None:
+        """Another one: nothing that was typed for the last one stays."""
+        for field in self.fields:
+            field.forget()
         self._show_entry()
 
     def _show_entry(self) -> None:

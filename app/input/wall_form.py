@@ -161,6 +161,7 @@ class WallForm(QWidget):
         for field in self.findChildren(Field):
             field.forget()
         self.loads.forget()
+        self.body.forget()
         self.former = (None, None)
 
     def show_case(self) -> None:

@@ -114,7 +114,23 @@ def test_that_two_columns_of_a_spreadsheet_are_pasted_as_corners(opened, body, t
     assert opened.session.case.wall[0].solid[0].polygon_m == ((0.0, 0.0), (4.0, 0.0), (4.0, 5.5), (0.0, 5.5))
     assert max(z for one in opened.walls.drawing.body.elevation for _, z in one.points) == 5.5
     corners.editor.setPlainText("0 0\n4 0\n4 5.5\n2")
+    assert opened.session.case.wall[0].solid[0].polygon_m[2] == (4.0, 5.5)  # what was good before stays
     assert "line 4" in corners.message.text() and not opened.run_button.isEnabled()
+
+
+def test_that_nothing_of_one_opening_or_wall_stays_in_the_fields_of_the_next(opened, body):
+    opened.session.edit_wall(0, openings=(Opening(1.0, 1.0, 1.0, 1.0), Opening(1.0, 3.0, 1.0, 1.0)))
+    type_into(field(body.openings, "s_m"), "x")
+    assert field(body.openings, "s_m").wrong
+    body.openings.list.setCurrentRow(1)
+    assert field(body.openings, "s_m").editor.text() == "1" and not field(body.openings, "s_m").wrong
+    body.wedges.setChecked(True)
+    body.brick_length.setText("25")
+    body.wedges.setChecked(False)
+    while opened.session.case.wall:
+        opened.walls.delete()
+    assert body.openings.list.count() == 0 and body.former is None and not body.brick_length.text()
+    assert body.gable_fields[0].editor.text() == "" and head_of(opened) == ""
 
 
 def test_that_what_is_wrong_with_a_shape_stands_at_its_field(opened, body):
