@@ -10,17 +10,23 @@ from app.input.fields import Choice, Field, blank, connect
 from app.input.hazard_form import HazardForm
 from app.input.law_curve import SpectrumCurve
 from app.input.made_fields import make_field, make_fields
+from app.input.place_form import PlaceForm
 from app.input.reasons_form import reasons_of_demand
 from app.look.language import current_language, described, named, number, tr
 from app.look.parts import Parts
 from app.look.section import Section
 from app.work.session import Session
+from core.case.place import OF_SPECTRUM, placed
 from core.case.schema import Analysis, Case, Report
 from core.case.site import Demand, Spectrum
 from core.codes.demand import unusual
+from core.codes.limits import EXCEEDANCE
 from core.errors import InputError
 from core.study.demand_input import target_of
 from core.units import G
+
+FROM_PLACE = ("ag_g", "site", "coordinates", "nominal_life_years", "use_class_factor", "return_period_years")
+"""Fields of the demand that a place makes needless."""
 
 
 def whole(demand: Demand) -> bool:
@@ -63,7 +69,8 @@ class DemandForm(QWidget):
         self.curve_place = QVBoxLayout(self.view)
         self.curve_place.addWidget(self.summary)
         inside = QVBoxLayout(self.given)
-        for widget in (*motion[:2], self.hint, self.kind, *motion[2:], *self.of_spectrum, self.file):
+        self.place = PlaceForm(session)
+        for widget in (self.place, *motion[:2], self.hint, self.kind, *motion[2:], *self.of_spectrum, self.file):
             inside.addWidget(widget)
         self.hazard = HazardForm(session)
         self.sections = [
@@ -80,7 +87,12 @@ class DemandForm(QWidget):
             layout.addWidget(widget)
         layout.addStretch(1)
         self.parts = Parts(
-            self, self._show_demand, self.building.show_case, self.hazard.show_case, self.reasons.show_case
+            self,
+            self._show_demand,
+            self.place.show_case,
+            self.building.show_case,
+            self.hazard.show_case,
+            self.reasons.show_case,
         )
 
     def forget(self) -> None:
@@ -135,6 +147,7 @@ class DemandForm(QWidget):
             if spectrum:
                 field.show_value(getattr(spectrum, field.key))
             field.setVisible(spectrum is not None and field.entry.metadata.get("code", kind) == kind)
+        self._show_given(spectrum)
         self.fields["soil_factor"].setVisible(spectrum is None)
         self.fields["housner_intensity_cm"].setVisible(kind == "none")
         self.file.setVisible(kind == "file")
@@ -150,7 +163,27 @@ class DemandForm(QWidget):
         else:
             self.summary.setText(self._said(demand, target))
         if self.curve is not None:
-            self.curve.show_target(target)
+            self.curve.show_target(target, self._other_states(demand) if target else None)
+
+    def _show_given(self, spectrum: Spectrum | None) -> None:
+        """What follows from the place is not asked for."""
+        free = self.session.case.site is None
+        for key in FROM_PLACE:
+            self.fields[key].setVisible(free)
+        for key in OF_SPECTRUM:
+            self.fields[key].setVisible(free and spectrum is not None and spectrum.code == "NTC2018")
+        self.hazard.setVisible(free)
+
+    def _other_states(self, demand: Demand) -> dict:
+        """The spectra of the other limit states of the place."""
+        site = self.session.case.site
+        if site is None:
+            return {}
+        others = (state for state in EXCEEDANCE if state != demand.limit_state)
+        return {
+            state: target_of(placed(site, replace(demand, limit_state=state)), self.session.base_dir)
+            for state in others
+        }
 
     def _say_contents(self, demand: Demand) -> None:
         """What each folded section holds."""

@@ -44,10 +44,22 @@ class SpectrumCurve(SmallCurve):
 
     def __init__(self):
         super().__init__("T [s]", "Se [g]")
+        self.others: list = []
 
-    def show_target(self, target) -> None:
-        """Draw this target, nothing where there is none."""
+    def show_target(self, target, others: dict | None = None) -> None:
+        """Draw this target, nothing where there is none. others : name -> target, drawn thin beside it"""
         self.setVisible(target is not None)
+        for item in self.others:
+            self.removeItem(item)
+        self.others = []
+        for name, other in (others or {}).items():
+            periods = np.linspace(0.0, MAX_PERIOD, 151)
+            values = np.asarray(other.acceleration(periods)) / G
+            line = self.plot(periods, values, pen=pg.mkPen(theme.current.quiet, width=1))
+            words = pg.TextItem(name, color=theme.current.quiet, anchor=(0.0, 1.0))
+            words.setPos(periods[30], values[30])
+            self.addItem(words)
+            self.others += [line, words]
         if target is not None:
             periods = np.linspace(0.0, MAX_PERIOD, 151)
             self.curve.setData(periods, np.asarray(target.acceleration(periods)) / G)

@@ -3,17 +3,21 @@
 from dataclasses import replace
 
 from PySide6.QtCore import QStringListModel, Qt
-from PySide6.QtWidgets import QCompleter, QGroupBox, QHBoxLayout, QLabel, QLineEdit, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QCompleter, QGroupBox, QLabel, QLineEdit, QVBoxLayout, QWidget
 
 from app.input.fields import connect
 from app.input.made_fields import make_field
 from app.input.place_map import PlaceMap
+from app.look import theme
 from app.look.language import described, number, tr
 from app.work.session import Session
 from core.case.coordinates import parse_coordinates
 from core.case.place import Site
 from core.codes.limits import EXCEEDANCE
 from core.errors import InputError
+
+ELSEWHERE = {"site": "", "coordinates": "", "return_period_years": None, "hazard_file": None}
+"""Keys of a demand that a place takes the place of."""
 
 OFFERED = 12
 """Municipalities the list of a search shows."""
@@ -50,12 +54,13 @@ class PlaceForm(QWidget):
         self.states.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.map = PlaceMap()
         self.map.chosen.connect(lambda *at: self._edit(("site", "point"), latitude=at[0], longitude=at[1]))
-        left, inside = QVBoxLayout(), QHBoxLayout(self.given)
-        for widget in (self.search, self.point, *self.fields, self.words, self.states):
-            left.addWidget(widget)
-        left.addStretch(1)
-        inside.addLayout(left, 3)
-        inside.addWidget(self.map, 2)
+        inside = QVBoxLayout(self.given)
+        source = QLabel(tr("Grid: D.M. 14/01/2008, Annex B. Municipalities: ISTAT, GeoNames (CC BY 4.0)."))
+        source.setWordWrap(True)
+        source.setStyleSheet(f"color: {theme.current.quiet};")
+        self.inside = (self.search, self.point, *self.fields, self.words, self.states, self.map, source)
+        for widget in self.inside:
+            inside.addWidget(widget)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.given)
@@ -66,6 +71,8 @@ class PlaceForm(QWidget):
         self.given.blockSignals(True)
         self.given.setChecked(site is not None)
         self.given.blockSignals(False)
+        for widget in self.inside:
+            widget.setVisible(site is not None)
         if site is None:
             for line in (self.search, self.point):
                 line.clear()
@@ -80,7 +87,7 @@ class PlaceForm(QWidget):
             self.search.setText(name)
         if not self.point.hasFocus():
             given = None not in (site.latitude, site.longitude)
-            self.point.setText(f"{site.latitude:.5g}, {site.longitude:.5g}" if given else "")
+            self.point.setText(f"{site.latitude:.6g}, {site.longitude:.6g}" if given else "")
         self._say(site)
 
     def _say(self, site: Site) -> None:
@@ -114,7 +121,9 @@ class PlaceForm(QWidget):
         self.states.setText(f"<table><tr>{heads}</tr>{body}</table>")
 
     def _toggled(self, on: bool) -> None:
-        self.session.edit(replace(self.session.case, site=Site() if on else None))
+        case = self.session.case
+        demand = replace(case.demand, **ELSEWHERE) if on and case.demand else case.demand
+        self.session.edit(replace(case, site=Site() if on else None, demand=demand))
 
     def _edit(self, place: object = None, **values) -> None:
         site = self.session.case.site

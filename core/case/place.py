@@ -113,7 +113,10 @@ def filled(site: Site, demand: dict) -> dict:
     years, own = made.pop("return_period_years", None), site.return_period(state)
     if years is not None and not (isinstance(years, (int, float)) and math.isclose(years, own, rel_tol=SAME_PERIOD)):
         raise InputError("site_disagrees", place=(here,), key="return_period_years", given=years, stated=own)
-    for row in made.pop("hazard", ()):
+    given = made.pop("hazard", ())
+    if not isinstance(given, (list, tuple)) or not all(isinstance(row, dict) for row in given):
+        return demand  # refused with the other keys
+    for row in given:
         _agree_row(dict(row), site)
     for key in DERIVED:
         _agree(made, key, found[key], "[demand]")

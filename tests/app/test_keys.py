@@ -14,6 +14,7 @@ from app.look.language import described, set_language
 from app.shell import guide
 from core.case import wall_table
 from core.case.keys import NESTED, number_key
+from core.case.place import Site
 from core.case.schema import Generate, Record, Wall, sections
 from core.case.site import BuildingMode, Demand, HazardRow, Spectrum
 from core.case.values import field_of, section_of
@@ -27,6 +28,10 @@ ELSEWHERE = {
     (Demand, "spectrum_file"): "the same list",
     (Demand, "limit_states"): "written in the case file; the outcome at each limit state is shown without it",
     (Demand, "hazard_file"): "the table takes the rows of such a file",
+    **{
+        (Site, key): "search, coordinates and map of the place (app/input/place_form.py)"
+        for key in ("municipality", "province", "latitude", "longitude")
+    },
     **{(Generate, key): "the button Generate…, which makes seven" for key in ("count", "seed")},
     **{(Record, entry.name): "the panel of records and its dialog" for entry in fields(Record)},
     **{

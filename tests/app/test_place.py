@@ -1,0 +1,74 @@
+"""The place in the window: by name, by coordinates, on the map; the demand follows it and nothing is lost."""
+
+import pytest
+
+pytest.importorskip("PySide6")
+
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+
+from core.case.site import Spectrum
+
+
+@pytest.fixture
+def placed(opened):
+    opened.show_input("demand")
+    form = opened.demand.place
+    form.given.setChecked(True)
+    form._named("L'Aquila (AQ)")
+    return opened, form
+
+
+def test_that_a_municipality_gives_the_demand_and_hides_what_follows(placed):
+    window, form = placed
+    demand = window.session.case.demand
+    assert round(demand.ag_g, 3) == 0.261 and window.session.checked() is not None
+    assert window.demand.fields["ag_g"].isHidden() and window.demand.hazard.isHidden()
+    assert "26305" in form.words.text() and "SLC" in form.states.text()
+    window.demand.kind.setCurrentIndex(window.demand.kind.findData("EN1998"))
+    window.session.edit_section("demand", spectrum=Spectrum("EN1998", "B", type=1), soil_factor=None)
+    assert len(window.demand.curve.others) == 6
+    window.session.edit_section("demand", limit_state="SLC")
+    assert round(window.session.case.demand.ag_g, 3) == 0.334
+    form.given.setChecked(False)
+    assert not window.demand.fields["ag_g"].isHidden() and round(window.session.case.demand.ag_g, 3) == 0.334
+
+
+def test_that_names_are_offered_without_accents_and_apostrophes(placed):
+    _, form = placed
+    form._offer("l aquil")
+    assert form.names.stringList()[0] == "L'Aquila (AQ)"
+    form._offer("forli")
+    assert any(name.startswith("Forlì") for name in form.names.stringList())
+
+
+def test_that_coordinates_are_pasted_and_the_point_dragged(placed):
+    window, form = placed
+    form.point.setFocus()
+    form.point.clear()
+    QTest.keyClicks(form.point, "42.3498 N 13.3995 E")
+    QTest.keyClick(form.point, Qt.Key.Key_Return)
+    site = window.session.case.site
+    assert (site.latitude, site.longitude) == (42.3498, 13.3995)
+    before = window.session.case.demand.ag_g
+    QTest.mouseClick(form.map, Qt.MouseButton.LeftButton, pos=QPoint(form.map.width() // 2, form.map.height() // 3))
+    moved = window.session.case.site
+    assert (moved.latitude, moved.longitude) != (42.3498, 13.3995)
+    window.session.undo()
+    assert window.session.case.demand.ag_g == before
+    form.map.setFocus()
+    QTest.keyClick(form.map, Qt.Key.Key_Up)
+    assert window.session.case.site.latitude == pytest.approx(42.3598)
+
+
+def test_that_a_point_outside_the_grid_is_said_and_missing_and_nothing_is_lost(placed, tmp_path):
+    window, form = placed
+    form._edit(None, latitude=41.0, longitude=11.0)
+    assert "26305" not in form.words.text() and window.session.checked() is None
+    assert window.missing.problems
+    form._edit(None, latitude=42.35, longitude=13.4)
+    window.session.save(tmp_path / "here.toml")
+    case = window.session.case
+    assert "ag_g" not in (tmp_path / "here.toml").read_text()
+    window.session.open(tmp_path / "here.toml")
+    assert window.session.case == case
