@@ -124,6 +124,11 @@ def _is_in(opening: Part, solid: Part) -> bool:
 
 def _cross(one, other) -> bool:
     """Whether two edges cross within both; touching is none."""
+    for k in (0, 1):  # most are apart
+        if max(one[0][k], one[1][k]) < min(other[0][k], other[1][k]):
+            return False
+        if max(other[0][k], other[1][k]) < min(one[0][k], one[1][k]):
+            return False
     touching = any(meet((p, p), other) for p in one) or any(meet((p, p), one) for p in other)
     return meet(one, other) and not touching
 
