@@ -4,7 +4,7 @@ import functools
 import json
 from pathlib import Path
 
-VERSION = "0.11.0"
+VERSION = "0.12.0"
 NAME = "Ribalta"
 
 

@@ -166,7 +166,7 @@ SHOWN_BY = {
     },
     **{
         f"derivation/{name}": "tests/core/derivation/test_wall.py"
-        for name in ("body", "checks", "closed_forms", "demand", "functions", "line", "site")
+        for name in ("bending", "body", "checks", "closed_forms", "demand", "functions", "line", "site")
     },
     "known_internals": "tests/core/jit/test_numba_extensions.py",
     **dict.fromkeys(
@@ -179,6 +179,7 @@ SHOWN_BY = {
         for name in ("content", "document", "equation", "parts", "site", "wall_figures", "wall_steps", "words")
     },
     **{f"report/note/{name}": "tests/core/report/test_pdf.py" for name in ("archive", "figure_geometry", "pdf")},
+    "report/note/bending_figure": "tests/core/report/test_bending_figure.py",
     "text/sentence": SENTENCES,
 }
 """Module of core -> the file that shows its facts, where that has another name than the module's."""

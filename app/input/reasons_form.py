@@ -32,9 +32,10 @@ def raised_by_wall(case: Case, wall: Wall) -> set[str]:
         "elongation_m": any(load.is_tie for load in wall.load),
         "slack_mm": any(load.is_tie and load.slack_mm for load in wall.load),
         "anchorage_kn": any(load.is_tie and (load.bar is None or load.bar.anchorage_kn is None) for load in wall.load),
-        "load": any(load.kind == "thrust" and isinstance(load.kn_m, float) and load.kn_m < 0.0 for load in wall.load),
+        "load": (wall.bends and bool(wall.load))
+        or any(load.kind == "thrust" and isinstance(load.kn_m, float) and load.kn_m < 0.0 for load in wall.load),
         "prestress": any(load.is_tie and load.prestress for load in wall.load),
-        "base_z_m": case.demand is not None and at_height,
+        "base_z_m": case.demand is not None and at_height and not wall.bends,
     }
     return {key for key, lifts in lifting.items() if lifts}
 

@@ -4,7 +4,7 @@ import math
 from dataclasses import replace
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtGui import QFont, QFontMetrics, QGuiApplication
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLabel, QMessageBox, QToolButton, QVBoxLayout, QWidget
 
 from app.input.body_form import BodyForm
@@ -13,15 +13,24 @@ from app.input.impact_form import ImpactForm
 from app.input.loads_form import LoadsForm
 from app.input.made_fields import make_field, make_fields
 from app.input.reasons_form import reasons_of_wall
-from app.input.wall_words import contents_of, differences, estimate_lines, hinge_zetas, shape_of, written_as
+from app.input.wall_words import (
+    contents_of,
+    differences,
+    estimate_lines,
+    hinge_zetas,
+    said_of_histories,
+    shape_of,
+    written_as,
+)
 from app.look import theme
 from app.look.drawing import WallDrawing, mechanism_icon
 from app.look.language import FORM_NAMES, current_language, described, named, number, quoted_from_file, tr
 from app.look.parts import Parts
 from app.look.section import Section, unfold_to
 from app.work.session import Session
-from core.case.schema import AS_IS, DESIGNED, Wall
+from core.case.schema import AS_IS, BENDS, DESIGNED, Wall
 from core.case.wall_table import read_table, text_rows, walls_of
+from core.codes.vertical_bending import bending
 from core.errors import InputError
 from core.units import G
 from core.wall.restitution import MODELS
@@ -118,6 +127,7 @@ class WallForm(QWidget):
             ("two_sided", named("two_sided"), tr("Free on both faces: rocks to both sides")),
             ("one_sided", named("one_sided"), tr("A restraint behind: rocks outwards only")),
             ("both", named("both"), tr("Two results: with the restraint behind and without")),
+            (BENDS, named(BENDS), tr("Held at its top, free to rise there: bends outward. Kinematic checks only")),
         ):
             button = QToolButton()
             button.setIcon(mechanism_icon(name))
@@ -130,6 +140,9 @@ class WallForm(QWidget):
             chosen = theme.current.curves[0]
             button.setStyleSheet(f"QToolButton:checked {{ border: 3px solid {chosen}; font-weight: 700; }}")
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
+            bold = QFont(button.font())
+            bold.setBold(True)
+            button.setMinimumWidth(QFontMetrics(bold).horizontalAdvance(label) + 18)  # chosen it is bold
             button.clicked.connect(lambda _, name=name: self._mechanism_chosen(name))
             self.mechanisms[name] = button
             row.addWidget(button)
@@ -199,9 +212,13 @@ class WallForm(QWidget):
         for field in self.fields.values():
             field.show_value(getattr(wall, field.key))
         # only what the mechanism needs, and what stands there all the same
-        held = wall.mechanism in ("one_sided", "both")
+        held = wall.mechanism in ("one_sided", "both", BENDS)
         self.fields["back_restraint"].setVisible(held or bool(wall.back_restraint))
         self.fields["unloaded_confirmed"].setVisible(not wall.load or wall.unloaded_confirmed)
+        self.fields["free_element"].setVisible(not wall.bends or bool(wall.free_element))
+        self.fields["elastic_modulus_mpa"].setVisible(not wall.bends or wall.elastic_modulus_mpa is not None)
+        for name, said in said_of_histories(wall).items():
+            self.sections[name].setVisible(not wall.bends or said)
 
     def _show_contents(self) -> None:
         """What each section holds, in its head."""
@@ -229,7 +246,11 @@ class WallForm(QWidget):
             lines.append(f"H/t {number(wall.height_m / wall.thickness, '.2f')}")
         if wall.height_m and wall.setback:
             lines.append(f"u {number(100 * wall.setback, '.1f')} cm")
-        lines.append(f"a_RM {number(a / G, '.3f')} g = {number(a, '.2f')} m/s²")
+        lines.append(f"{'α0 g' if wall.bends else 'a_RM'} {number(a / G, '.3f')} g = {number(a, '.2f')} m/s²")
+        if wall.bends:
+            lines.append(f"h₁ {number(bending(wall).h1, '.2f')} m")
+            self.summary.setText("   ".join(lines))
+            return
         lines.append(f"R {number(block.radius, '.3f')} m, p {number(block.frequency_parameter, '.3f')} rad/s")
         lines += estimate_lines(self.session, wall)
         self.summary.setText("   ".join(lines))

@@ -101,6 +101,15 @@ def written_as(shape: str, wall: Wall, block: Block) -> dict[str, float | None]:
     return values | own
 
 
+def said_of_histories(wall: Wall) -> dict[str, bool]:
+    """Sections of the form that a wall held at its top has no use for -> whether something stands there."""
+    return {
+        "held": wall.tie_height_m is not None or wall.return_walls is not None,
+        "hinges": wall.hinge_heights is not None,
+        "impact": wall.restitution is not None or wall.velocity_ratio is not None or wall.law != "rigid",
+    }
+
+
 def _load_words(load: Load) -> str:
     size = f" {number(load.kn_m, 'g')} kN/m" if load.kn_m else ""
     return named(f"load_{load.kind}") + size

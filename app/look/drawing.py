@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from typing import NamedTuple
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFont, QIcon, QPainter, QPen, QPixmap, QPolygonF
@@ -10,7 +11,8 @@ from PySide6.QtWidgets import QWidget
 from app.look import theme
 from app.look.body_drawing import BodyDrawing, complete, turned
 from app.look.language import number
-from core.case.schema import Wall
+from core.case.schema import BENDS, Wall
+from core.codes.vertical_bending import Bending, Strip, bending, mechanism, outlines, shown_rotation
 from core.errors import InputError
 from core.report.load_arrows import arrows
 from core.rocking.bar_state import BROKEN, SLACK, YIELDING
@@ -22,6 +24,24 @@ def outline(height: float, thickness: float, setback: float, rotation: float) ->
     half = 0.5 * thickness
     corners = [(-half, 0.0), (half, 0.0), (half, height), (-half, height)]
     return turned(corners, half - setback, rotation)
+
+
+class Bent(NamedTuple):
+    """Of a wall held at its top both blocks as they turn, and its three hinges at rest, as of `outline`."""
+
+    blocks: tuple[list[QPointF], ...] = ()
+    hinges: tuple[QPointF, ...] = ()
+
+
+def bent_blocks(found: Bending) -> Bent:
+    """A wall held at its top."""
+    strip, half = found.strip, 0.5 * found.strip.thickness
+    blocks = outlines(strip, found.h1, shown_rotation(found))
+    hinges = ((strip.setback, 0.0), (strip.thickness - strip.setback, found.h1), (0.0, strip.height))
+    return Bent(
+        tuple([QPointF(half - x, z) for x, z in block] for block in blocks),
+        tuple(QPointF(half - x, z) for x, z in hinges),
+    )
 
 
 NEAR = 7.0
@@ -55,6 +75,7 @@ class WallDrawing(QWidget):
         self.with_sizes = with_sizes
         self.size_of: tuple[float, float, float] | None = None
         self.one_sided = False
+        self.bent = Bent()
         self.arrows: list[list[tuple[float, float]]] = []
         self.bars: list[tuple[float, int]] = []
         self.hinges: list[tuple[float, float | None]] = []
@@ -69,6 +90,7 @@ class WallDrawing(QWidget):
         it has more than the one at its base."""
         self.size_of, self.arrows, self.bars, self.hinges = None, [], [], list(hinges)
         self.body = BodyDrawing()
+        self.bent = Bent()
         if wall is not None:
             try:
                 wall = complete(wall)
@@ -79,6 +101,7 @@ class WallDrawing(QWidget):
                 self.one_sided = wall.mechanism == "one_sided"
                 self.body = BodyDrawing(wall, 0.5 * thickness)
                 self.arrows = arrows(wall, height, thickness)
+                self.bent = bent_blocks(bending(wall)) if wall.bends else Bent()
             except (InputError, TypeError):
                 pass
         self.update()
@@ -126,9 +149,15 @@ class WallDrawing(QWidget):
         else:
             corners = [place(point) for point in outline(height, thickness, setback, self.rotation)]
             painter.drawPolygon(QPolygonF(corners))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(QPen(quiet, 1.2, Qt.PenStyle.DashLine))
+        for block in self.bent.blocks:
+            painter.drawPolyline([place(point) for point in block])
         painter.setBrush(QColor(theme.current.bad))
         painter.setPen(Qt.PenStyle.NoPen)
-        sides = (1.0,) if self.one_sided else (-1.0, 1.0)
+        for point in self.bent.hinges:
+            painter.drawEllipse(place(point), 3, 3)
+        sides = () if self.bent.hinges else (1.0,) if self.one_sided else (-1.0, 1.0)
         for side in sides:
             painter.drawEllipse(place(QPointF(side * (0.5 * thickness - setback), 0.0)), 3, 3)
         for level, _ in self.hinges:
@@ -263,7 +292,7 @@ class WallDrawing(QWidget):
 
 
 def mechanism_icon(name: str, size: int = 52) -> QIcon:
-    """A picture of a mechanism: rocking on both sides, on one side, both studied."""
+    """A picture of a mechanism: rocking on both sides, on one side, both studied, held at the top."""
     picture = QPixmap(size, size)
     picture.fill(Qt.GlobalColor.transparent)
     painter = QPainter(picture)
@@ -271,6 +300,16 @@ def mechanism_icon(name: str, size: int = 52) -> QIcon:
     ink = QColor(theme.current.ink)
     painter.setPen(QPen(ink, 1.2))
     painter.drawLine(4, size - 6, size - 4, size - 6)
+    if name == BENDS:
+        shade = QColor(theme.current.curves[0])
+        shade.setAlpha(110)
+        painter.setBrush(shade)
+        strip = Strip(40.0, 9.0, 0.0, 1.0, ((1.0, 4.5),))
+        for block in outlines(strip, mechanism(strip).h1, 0.22):
+            painter.drawPolygon(QPolygonF([QPointF(size / 2 + 2.0 - x, size - 6 - z) for x, z in block]))
+        painter.drawLine(QPointF(size / 2 + 5, 4), QPointF(size / 2 + 5, 12))
+        painter.end()
+        return QIcon(picture)
     turns = {"two_sided": (-0.22, 0.22), "one_sided": (0.25,), "both": (-0.22, 0.25)}[name]
     if name != "two_sided":
         painter.fillRect(QRectF(size / 2 - 15, 10, 7, size - 16), QColor(theme.current.quiet))

@@ -88,7 +88,8 @@ class CapacityTab(QWidget):
             drawn = self._fragility_of(result.walls[other], 1, True, name) or drawn
             self.fragility.caption += name
         if not drawn:
-            self.fragility.say_why(tr("No record with a q."))
+            why = tr("No time histories of this mechanism.") if wall.wall.bends else tr("No record with a q.")
+            self.fragility.say_why(why)
             return
         self.fragility.set_range(y=(0.0, 1.05))
 
@@ -153,7 +154,7 @@ class CapacityTab(QWidget):
     def _show_strips(self, wall: WallResult) -> None:
         self.strips.clear()
         if not wall.runs:
-            self.strips.say_why(tr("No records."))
+            self.strips.say_why(tr("No time histories of this mechanism.") if wall.wall.bends else tr("No records."))
             return
         self.strips.caption = _title(wall)
         first = min(run.ida.first_index for run in wall.runs)

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 from app.look import theme
 from app.look.drawing import WallDrawing
 from app.look.language import number, tr
+from app.views.capacity_curve_chart import CapacityCurveChart
 from app.views.chart import Chart
 from app.views.ladder import Ladder, Rung
 from app.views.table import Table
@@ -30,6 +31,7 @@ from core.codes.kinematic import Check
 from core.report.tie_words import tie_lines
 from core.report.verdict_words import lines_of, sentence_of, tone_of
 from core.study.results import Q_SOURCES, StudyResult, WallResult
+from core.study.wall_verdict import zetas_of
 from core.text.sentence import Number, sentence, word
 from core.units import G
 
@@ -62,16 +64,6 @@ def verdict_color(result: StudyResult, wall: WallResult) -> str:
 def digits(value: float | None, figures: int = 2) -> str:
     """A number with so many decimals."""
     return number(value, f".{figures}f")
-
-
-def zetas_of(result: StudyResult, wall: WallResult) -> list[tuple[float, float | None]]:
-    """Every hinge of the wall a result is of, with the smallest zeta found there; none where it has one alone."""
-    found: dict[float, list[float]] = {}
-    for one in result.walls:
-        if one.part.origin == wall.part.origin and one.assessment:
-            found.setdefault(one.part.hinge, []).append(one.assessment.verdict.zeta_e)
-    zetas = {hinge: [zeta for zeta in known if zeta is not None] for hinge, known in found.items()}
-    return [(hinge, min(known, default=None)) for hinge, known in sorted(zetas.items())] if len(zetas) > 1 else []
 
 
 def link(target: str, words: str) -> str:
@@ -150,8 +142,11 @@ class CheckTab(QWidget):
         self.runs: list[tuple[int, int]] = []
         self.split = QSplitter(Qt.Orientation.Vertical)
         self.split.addWidget(above)
+        self.curve = CapacityCurveChart()
         self.split.addWidget(self.peaks)
+        self.split.addWidget(self.curve)
         self.split.setStretchFactor(1, 1)
+        self.split.setStretchFactor(2, 1)
         # what the words above leave, else the page scrolls by the chart's wish
         self.split.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
         self.split.setMinimumHeight(MIN_HEIGHT)
@@ -191,6 +186,7 @@ class CheckTab(QWidget):
         """Fill the page from one hinge of a wall of a result."""
         assessment = wall.assessment
         self.peaks.clear()
+        self.curve.show_in_place_of(self.peaks, result, wall)
         self.drawing.show_wall(wall.part.asked, zetas_of(result, wall))
         shade = verdict_color(result, wall) if assessment else theme.current.edge
         tint = QColor(shade)
@@ -223,6 +219,8 @@ class CheckTab(QWidget):
         if assessment.dynamic:
             self._show_peaks()
             self._bars(assessment.dynamic)
+        elif wall.wall.bends:
+            self._show_peaks(tr("No time histories of this mechanism."), "")
         else:
             self._show_peaks(
                 tr("No dynamic check: it needs records and a demand at SLV or SLC."),
@@ -378,6 +376,8 @@ class CheckTab(QWidget):
         facts.append((tr("Set of records"), f"{len(result.motions)}{kind}"))
         if found.lower_bound is not None:
             facts.append((tr("If the restraint behind fails"), f"ζ {digits(found.lower_bound.zeta)}"))
+        elif found.verdict.lower_bound is not None:
+            facts.append((tr("If what holds the top fails"), f"ζ {digits(found.verdict.lower_bound)}"))
         elif dynamic and dynamic.zeta_other:
             side = word(f"confidence_{dynamic.zeta_other.confidence_on}", self.language)
             facts.append((side, f"ζ {digits(dynamic.zeta_other.zeta)}"))

@@ -186,6 +186,8 @@ class HistoriesTab(QWidget):
     def _begin(self) -> None:
         """A record at the demand as the dynamic check has it; without a demand at the last survived multiplier."""
         self._chosen()
+        if self.shown is not None and self.shown[1].wall.bends:
+            self.words.setText(tr("No time histories of this mechanism."))
         if self.shown is not None and self.shown[0].demand is not None and self.run is not None:
             self._set_to(2)
 

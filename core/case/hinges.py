@@ -47,6 +47,8 @@ def hinges_of(wall: Wall, building: Building | None) -> Sequence[float]:
     """Heights of the hinges above the base of a wall [m], without the one at its base: as asked, else those of
     `usual_hinges` where the building is known."""
     asked = wall.hinge_heights
+    if wall.bends:  # its hinge is where alpha_0 is lowest
+        return ()
     if asked is not None and not isinstance(asked, str):
         return asked
     if asked == BASE or building is None:
@@ -68,7 +70,7 @@ def storey_ends(wall: Wall, building: Building) -> tuple[float, ...]:
 def usual_hinges(wall: Wall, building: Building | None) -> tuple[float, ...]:
     """Heights above the base of a wall at which it carries something, its tie to be designed too, or a storey ends, and
     SLENDER_ABOVE is above [m]. A mechanism may start at any of them (Circolare 7/2019 C8.7.1.2.1)."""
-    if wall.height_m is None or wall.thickness is None:
+    if wall.height_m is None or wall.thickness is None or wall.bends:
         return ()
     loads = (*(load.h_m for load in wall.load), *([] if wall.tie_height_m is None else [wall.tie_height_m]))
     heights = sorted({*loads, *(storey_ends(wall, building) if building else ())})

@@ -78,7 +78,7 @@ def with_many(case: Case, walls: ManyWalls) -> Case:
                 above.append(_digest(part.wall.name))
             check_loads(part.wall)
             if part.wall.above_ground:
-                low, high = min(low, part.wall.base_z_m), max(high, part.wall.base_z_m)
+                low, high = min(low, part.wall.felt_z_m), max(high, part.wall.felt_z_m)
     known, counts = np.unique(np.array(titles), return_counts=True)
     twice = {*known[counts > 1].tolist(), *np.intersect1d(known, np.array(above, np.uint64)).tolist()}
     if twice:

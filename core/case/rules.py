@@ -6,6 +6,7 @@ import math
 from dataclasses import fields, replace
 
 from core.case.hazard_table import check_rising
+from core.case.held_top import check_held_top
 from core.case.hinges import check_hinges, parts
 from core.case.keys import is_required
 from core.case.place import HERE, Site, filled, placed
@@ -165,7 +166,7 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
         if part.hinge:
             for mechanism in part.wall.mechanisms():
                 part.wall.restitution_of(mechanism)
-    heights = {part.wall.base_z_m for part in found if part.wall.above_ground}
+    heights = {part.wall.felt_z_m for part in found if part.wall.above_ground}
     if len(heights) > 1:
         refuse_modes(case, min(heights), max(heights))
     digest = hashlib.sha256(json.dumps(case.as_dict(), sort_keys=True).encode()).hexdigest()
@@ -178,6 +179,7 @@ def check_wall(case: Case, wall: Wall) -> None:
         check_shape(wall)
         wall.bare_block()
         check_given(wall)
+        check_held_top(wall)
         for mechanism in wall.mechanisms():
             wall.restitution_of(mechanism)
         wall.moment_law()
@@ -273,6 +275,7 @@ def parse_wall(table: dict) -> Wall:
     """One wall of a mapping with the keys of [[wall]], with its loads. Raises InputError."""
     wall = section_of(Wall, table, "wall", place("wall", name=_name(table, 0)))
     check_given(wall)
+    check_held_top(wall)
     return wall
 
 

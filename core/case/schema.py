@@ -9,6 +9,7 @@ from core.case.loads import Load, ReturnWalls
 from core.case.place import Site
 from core.case.site import Building, Demand
 from core.case.solids import Opening, Solid, Step, Wedges
+from core.codes.vertical_bending import bending
 from core.errors import InputError, place
 from core.rocking.methods import AUTO, METHODS
 from core.text.sentence import Key, sentence
@@ -76,6 +77,9 @@ MOST_INERTIA = 2.0
 """Largest I0/m over R^2 of a block: 4/3 of a slender rectangle, 3/2 of a triangle on its base. A block rocks the more
 slowly the larger it is."""
 
+BENDS = "vertical_bending"
+"""Mechanism of a wall held at its top: kinematic checks, no time histories."""
+
 MAX_SETBACK = 0.4
 """Largest hinge setback over the thickness: at 0.5 nothing is left to turn about."""
 
@@ -85,7 +89,7 @@ class Wall:
     """[[wall]]: geometry, mechanism, restitution, moment law."""
 
     name: str = text_key(MISSING)
-    mechanism: str = choice_key("one_sided", "two_sided", "both")
+    mechanism: str = choice_key("one_sided", "two_sided", "both", BENDS)
     height_m: float | None = number_key(0.1, 60.0, unit="m", form="shape", filled=True)
     thickness_m: float | None = number_key(0.005, 20.0, unit="m", form_unit="cm", form="shape", filled=True)
     slenderness_deg: float | None = number_key(0.05, 60.0, unit="deg", form="shape", filled=True)
@@ -157,22 +161,28 @@ class Wall:
 
     def block(self) -> Block:
         """The wall and the masses that move with it. Raises InputError for a wall without exactly one geometry."""
-        return wall_loads.moving_block(self, self.bare_block()) if self.load else self.bare_block()
+        bare = self.bare_block()
+        return wall_loads.moving_block(self, bare) if self.load and not self.bends else bare
 
     def inner_block(self) -> Block | None:
         """`block` about the inner hinge, of a wall that is not symmetric."""
+        if self.bends:
+            return None
         return wall_loads.inner_of(self, self.block()) if self.load or wall_body.has_shape(self) else None
 
     def restoring(self) -> tuple[RestoringMoment, RestoringMoment]:
         """What its loads add to its moment, for outward and for inward rotations; its ties add `bars`."""
-        return wall_loads.restoring_of(self, self.block()) if self.load else (BARE, BARE)
+        return wall_loads.restoring_of(self, self.block()) if self.load and not self.bends else (BARE, BARE)
 
     def bars(self) -> tuple[Bar, ...]:
         """Its ties as the kernels take them."""
         return ties.scaled(self, self.block())
 
     def uplift_multiplier(self, mechanism: str) -> float:
-        """a_RM / g = a tan(alpha) + c [-] (Eq. 2), of a two-sided wall the smaller one of its sides."""
+        """a_RM / g = a tan(alpha) + c [-] (Eq. 2), of a two-sided wall the smaller one of its sides; of one
+        held at its top alpha_0."""
+        if self.bends:
+            return bending(self).alpha0
         outer = self.block()
         blocks = (outer, self.inner_block() or outer) if mechanism == "two_sided" else (outer,)
         about = zip(blocks, self.restoring(), strict=False)
@@ -237,7 +247,8 @@ class Wall:
     def has_closed_forms(self) -> bool:
         """Whether Eq. 15 and 16 say anything of it: fitted to walls on the ground without loads; of a body by the
         rectangle of the same p and alpha."""
-        return not self.above_ground and not self.load and not (self.is_unlike and "two_sided" in self.mechanisms())
+        bare = not self.load and not self.bends
+        return not self.above_ground and bare and not (self.is_unlike and "two_sided" in self.mechanisms())
 
     @property
     def is_unlike(self) -> bool:
@@ -246,8 +257,21 @@ class Wall:
 
     @property
     def above_ground(self) -> bool:
-        """Whether the hinge is above the ground; with a demand its height is always given."""
-        return (self.base_z_m or 0.0) > 0.0
+        """Whether what moves it is above the ground; with a demand its height is always given."""
+        return (self.felt_z_m or 0.0) > 0.0
+
+    @property
+    def felt_z_m(self) -> float | None:
+        """Height above the ground [m] at which its demand is taken: of its hinge, of a wall held at its top of its
+        middle; None where it is not given."""
+        if self.base_z_m is None or not self.bends:
+            return self.base_z_m
+        return self.base_z_m + 0.5 * (self.height_m or 0.0)
+
+    @property
+    def bends(self) -> bool:
+        """Whether it is held at its top and opens a hinge between."""
+        return self.mechanism == BENDS
 
     def mechanisms(self) -> tuple[str, ...]:
         return ("two_sided", "one_sided") if self.mechanism == "both" else (self.mechanism,)

@@ -88,9 +88,11 @@ MECHANISMS = {
     "su un lato": "one_sided",
     "un lato": "one_sided",
     "entrambi": "both",
+    "flessione verticale": "vertical_bending",
     "two-sided": "two_sided",
     "one-sided": "one_sided",
     "both": "both",
+    "vertical bending": "vertical_bending",
 }
 CHOICES = {"mechanism": MECHANISMS, "kind": LOAD_KINDS, "mass": LOAD_MASSES}
 """Key -> its words in a table; another choice is written as in the case file."""

@@ -11,6 +11,9 @@ from core.codes.target_spectrum import displacement
 PERIODS = np.concatenate([np.linspace(0.0, 0.5, 51), np.linspace(0.52, 4.0, 175)])
 """Periods of the curve of the demand [s]."""
 
+POINTS = 41
+"""Of the curve of a wall held at its top, which is not straight."""
+
 BEYOND = 1.25
 """How far the curve of the demand is drawn: times the largest displacement of the check."""
 
@@ -54,5 +57,7 @@ def capacity_curve(mechanism: Kinematic, demand: DemandResult) -> CapacityCurve 
     sums, confidence = mechanism.chain, demand.confidence_factor
     inside = [end for end in sums.ends_of_ties() if 0.0 < end < sums.d0]
     ends = [0.0, *(d for end in inside for d in (end, end * (1.0 + 1e-9))), sums.d0]
+    if sums.bending is not None:
+        ends = np.linspace(0.0, sums.d0, POINTS).tolist()
     line = tuple((float(d), capacity_at(sums, d, confidence)) for d in ends)
     return CapacityCurve(line, ground[0], ground[1], floor[0], floor[1], damping)

@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from core.codes.vertical_bending import Bending, bending
 from core.units import G
 from core.wall import ties, wall_body, wall_loads
 from core.wall.bars import TieBar
@@ -51,6 +52,7 @@ class Chain:
     alpha0_friction, e_star_friction, mass_friction : the same with the friction of the return walls, of the part of the
         wall whose alpha_0 over e* is least; None without them, and of a two-sided wall
     friction_height : height of that part, from the top down [m]
+    bending : of a wall held at its top; these sums are then its own
     """
 
     slenderness: float
@@ -66,6 +68,7 @@ class Chain:
     e_star_friction: float | None = None
     mass_friction: float | None = None
     friction_height: float | None = None
+    bending: Bending | None = None
 
     @property
     def start(self) -> tuple[float, float, float | None]:
@@ -91,6 +94,8 @@ class Chain:
 
     def alpha(self, d: float) -> float:
         """alpha(d) (C8.7.1.2.1.2) [-]."""
+        if self.bending is not None:
+            return self.bending.alpha(d)
         return (1.0 - d / self.d0) * self.alpha0_bare + self.alpha_of_ties(d)
 
     def ends_of_ties(self) -> list[float]:
@@ -119,6 +124,10 @@ class Chain:
 
 def chain(wall, two_sided: bool) -> Chain:
     """The sums; of a two-sided wall the smaller alpha_0 and d_0 of its two sides."""
+    if wall.bends:
+        own, bare = bending(wall), wall.bare_block()
+        start = (own.alpha0, own.e_star, own.mass, own.d0, own.alpha0)
+        return Chain(bare.slenderness, bare.radius, *start, bending=own)
     found = [of_side(wall, side) for side in ((1.0, -1.0) if two_sided else (1.0,))]
     weaker = min(found, key=lambda side: side.d0)
     alpha0, bare = (min(getattr(side, name) for side in found) for name in ("alpha0", "alpha0_bare"))

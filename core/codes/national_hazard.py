@@ -100,12 +100,12 @@ ISLANDS = (
 
 class Grid(NamedTuple):
     """ids : of the nodes, shape (n,); nodes : latitude, longitude [degrees], shape (n, 2); values : a_g [g/10], F_0,
-    T_C* [s], shape (n, 9, 3); index : id -> row"""
+    T_C* [s], shape (n, 9, 3); row_of : id -> row"""
 
     ids: np.ndarray
     nodes: np.ndarray
     values: np.ndarray
-    index: dict[int, int]
+    row_of: dict[int, int]
 
 
 class Municipality(NamedTuple):
@@ -123,8 +123,8 @@ def grid() -> Grid:
     """The nodes of Annex B, read when first asked for."""
     with np.load(DATA) as data:
         ids = data["ids"]
-        index = {int(node): k for k, node in enumerate(ids)}
-        return Grid(ids, data["nodes"] / MILLION, data["values"] / MILLION, index)
+        row_of = {int(node): k for k, node in enumerate(ids)}
+        return Grid(ids, data["nodes"] / MILLION, data["values"] / MILLION, row_of)
 
 
 @cache
@@ -243,8 +243,8 @@ def hazard_at(latitude: float, longitude: float) -> SiteHazard:
     for k in near:
         node = int(known.ids[k])
         around = (node, node + 1, node + 223, node + 222)
-        if all(one in known.index for one in around):
-            rows = [known.index[one] for one in around]
+        if all(one in known.row_of for one in around):
+            rows = [known.row_of[one] for one in around]
             if _inside(known.nodes[rows], point):
                 lengths = tuple(distance(point, known.nodes[row]) for row in rows)
                 return SiteHazard(latitude, longitude, around, lengths, "", known.values[rows])

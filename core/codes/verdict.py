@@ -19,6 +19,7 @@ STOCKY_DEG = 20.0
 
 TO_MEND = {
     "no_restraint": "to_no_restraint",
+    "no_top_restraint": "to_no_top_restraint",
     "no_spectrum": "to_no_spectrum",
     "not_compatible": "to_not_compatible",
     "few_records": "to_few_records",
@@ -173,7 +174,8 @@ def verdict(
     kinematic : None above the ground where the building is not known
     compliance : of the records with the spectrum, None without a spectrum
     circumstances : what else it must know
-    lower_bound : zeta of the two-sided motion where the restraint behind a one-sided wall fails [-], or None
+    lower_bound : zeta of the two-sided motion where the restraint behind a one-sided wall fails, of the overturning
+        of a wall no longer held at its top [-], or None
     own_limits : Sentences on the checks and on the floor of a wall above the ground
     lifts : inputs that raise zeta
     """
@@ -245,7 +247,7 @@ def _limits_of_the_number(seen: Evidence, code: str, lower_bound: float | None) 
         keys = tuple(sentence("missing", key) for key in seen.kinematic.missing)
         limits.append(_reason("no_period", missing=keys))
     if lower_bound is not None:
-        limits.append(_reason("restraint_fails", zeta=Number(lower_bound)))
+        limits.append(_reason("top_fails" if seen.wall.bends else "restraint_fails", zeta=Number(lower_bound)))
     if fall := displacement_fall(seen.demand.target):
         earlier, later, share = fall
         limits.append(_reason("spectrum_falls", earlier=earlier, later=later, share=share))
@@ -277,7 +279,7 @@ def _missing(seen: Evidence) -> Sentence | None:
     if seen.wall.above_ground and seen.kinematic is None:
         keys = {"height": "height_m", "storeys": "storeys", "period": "period_s", "building": "[building]"}
         keys = {name: Key(key) for name, key in keys.items()}
-        return _reason("upper_floor", z=seen.wall.base_z_m, **keys)
+        return _reason("upper_middle" if seen.wall.bends else "upper_floor", z=seen.wall.felt_z_m, **keys)
     if seen.governing is None:
         keys = {"spectrum": "spectrum", "modulus": "elastic_modulus_mpa", "weight": "unit_weight_kn_m3"}
         return _reason("no_check", **{name: Key(key) for name, key in keys.items()})
@@ -350,7 +352,8 @@ def _activated(seen: Evidence, threshold: float) -> bool:
     strongest = _strongest(seen) * max(1.0, demand.zeta_target)
     at_rest = demand.confidence_factor * strongest <= threshold
     rigid = seen.wall.moment_law().is_rigid
-    return not rigid or not at_rest or any(check.passed is False for check in seen.checks)
+    unheld = seen.wall.bends and not seen.wall.back_restraint  # what is not held at its top overturns before
+    return unheld or not rigid or not at_rest or any(check.passed is False for check in seen.checks)
 
 
 def _strongest(seen: Evidence) -> float:
@@ -391,6 +394,8 @@ def _limits(seen: Evidence) -> list[Sentence]:
         reasons.append(_reason("period_estimated"))
     if seen.mechanism == "one_sided" and not seen.wall.back_restraint:
         reasons.append(_reason("no_restraint"))
+    if seen.wall.bends and not seen.wall.back_restraint:
+        reasons.append(_reason("no_top_restraint"))
     if not demand.soil_factor_stated:
         reasons.append(_reason("no_soil_factor"))
     alpha = math.degrees(seen.wall.block().slenderness)

@@ -2,7 +2,7 @@
 
 import math
 
-from core.derivation import body
+from core.derivation import bending, body
 from core.derivation.line import FULL, INPUT, LIVE, RUN, SYMBOLS, VALUE, Columns, Line, Section, Word
 from core.derivation.quantity import Given
 from core.study.results import WallResult
@@ -30,6 +30,8 @@ def shown_block(wall: WallResult) -> Block:
 def geometry(wall: WallResult) -> Section:
     """The block: sizes, slenderness, radius, frequency parameter, uplift, velocity ratio."""
     asked, block = wall.wall, shown_block(wall)
+    if asked.bends:
+        return bending.geometry(wall)
     by_sizes = asked.height_m is not None and (asked.slenderness_deg is None or asked.setback > 0.0)
     lines: list[Line | Columns] = []
     if asked.load:

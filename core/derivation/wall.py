@@ -11,7 +11,7 @@ from core.codes.kinematic import DAMPING, PERIOD_FACTOR
 from core.codes.kinematic_chain import of_side
 from core.codes.risk import EXPONENT, exponent_by_ag
 from core.codes.target_spectrum import CodeSpectrum
-from core.derivation import body, checks
+from core.derivation import bending, body, checks
 from core.derivation.geometry import forces_at_limit, governing_side, shown_block
 from core.derivation.line import FULL, INPUT, LIVE, NOT, RUN, SYMBOLS, VALUE, Columns, Line, Section, Word
 from core.derivation.quantity import Given
@@ -31,7 +31,9 @@ def chain(wall: WallResult) -> Section:
     kinematic, asked = wall.assessment.kinematic, wall.assessment.kinematic.wall
     sums, where = kinematic.chain, "about the outer hinge"
     lines: list[Line | Columns] = []
-    if asked.load:
+    if sums.bending is not None:
+        lines = [*bending.chain(wall)]
+    elif asked.load:
         where = where if governing_side(wall) > 0.0 else "about the inner hinge"
         moments = wall_loads.start_moments(asked, governing_side(wall))
         parts = (checks.wx, checks.nd, checks.fh, checks.th, checks.wy, checks.qh)
@@ -159,7 +161,9 @@ def displacement(result: StudyResult, wall: WallResult) -> Section:
         return Section(title, [])
     damping = 100.0 * DAMPING[state]
     constants = {"share": LIMIT_FRACTION[state], "factor": PERIOD_FACTOR[state] / math.pi, "damping": damping}
-    if not wall.wall.load:
+    if kinematic.chain.bending is not None:
+        d0 = bending.collapse(wall)
+    elif not wall.wall.load:
         d0 = [Line(checks.d0, kinematic.d0, note=FULL)]
     elif sides_agree(wall):
         d0 = [_centroid_at_collapse(wall), Line(checks.d0_with_loads, kinematic.d0, note=SYMBOLS)]
@@ -181,6 +185,8 @@ def displacement(result: StudyResult, wall: WallResult) -> Section:
         a_limit = checks.a_limit_with_ties
         held = sum(f * tie.bar.height for f, tie in zip(forces_at_limit(wall), ties, strict=True))
         of_ties = [Line(checks.th_limit, held, LIVE, SYMBOLS)]
+    if kinematic.chain.bending is not None:
+        of_ties, a_limit = bending.at_limit(wall), bending.a_limit
     if kinematic.d_limit < LIMIT_FRACTION[state] * kinematic.d0 * (1.0 - 1e-12):
         d_limit = Line(checks.D_BREAK, kinematic.d_limit, RUN, VALUE, "where a tie breaks")
     lines: list[Line | Columns] = [

@@ -6,6 +6,7 @@ ASSUMPTIONS = (
     "no_ties",
     "loads_as_given",
     "ties_as_given",
+    "held_top",
     "no_sliding",
     "no_vertical_motion",
 )
@@ -16,5 +17,10 @@ def assumptions_of(walls) -> list[str]:
     """Codes of the assumptions: the loads as given where a wall has some, else that there are none."""
     loaded = any(wall.load for wall in walls)
     tied = any(load.kind == "tie" for wall in walls for load in wall.load)
-    left_out = {"no_load" if loaded else "loads_as_given", "no_ties" if tied else "ties_as_given"}
+    held = any(wall.bends for wall in walls)
+    left_out = {
+        "" if held else "held_top",
+        "no_load" if loaded else "loads_as_given",
+        "no_ties" if tied else "ties_as_given",
+    }
     return [code for code in ASSUMPTIONS if code not in left_out]

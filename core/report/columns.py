@@ -43,6 +43,11 @@ def _of_wall(name: str, kind: str, unit: str, of: Callable[[WallResult], Any]) -
     return Column(name, kind, unit, lambda row: of(row.wall))
 
 
+def _of_histories(name: str, kind: str, unit: str, of: Callable[[WallResult], Any]) -> Column:
+    """A column of what a wall held at its top has not."""
+    return Column(name, kind, unit, lambda row: None if row.wall.wall.bends else of(row.wall))
+
+
 def _of_checks(name: str, kind: str, unit: str, of: Callable[[Any], Any], part: str = "") -> Column:
     """A column of the Assessment, or of a part of it, where it has one."""
 
@@ -129,11 +134,11 @@ COLUMNS = (
     _of_wall("thickness_m", "number", "m", lambda wall: wall.thickness),
     _of_wall("base_z_m", "number", "m", lambda wall: wall.wall.base_z_m),
     _of_wall("slenderness_deg", "number", "deg", lambda wall: math.degrees(wall.block.slenderness)),
-    _of_wall("radius_m", "number", "m", lambda wall: wall.block.radius),
-    _of_wall("frequency_parameter_rad_s", "number", "rad/s", lambda wall: wall.block.frequency_parameter),
-    _of_wall("threshold_acceleration_g", "number", "g", lambda wall: wall.model.threshold / G),
-    _of_wall("restitution", "text", "", lambda wall: wall.restitution.model),
-    _of_wall("velocity_ratio", "number", "-", lambda wall: wall.restitution.ratio_at_rest),
+    _of_histories("radius_m", "number", "m", lambda wall: wall.block.radius),
+    _of_histories("frequency_parameter_rad_s", "number", "rad/s", lambda wall: wall.block.frequency_parameter),
+    _of_wall("threshold_acceleration_g", "number", "g", lambda wall: wall.threshold / G),
+    _of_histories("restitution", "text", "", lambda wall: wall.restitution.model),
+    _of_histories("velocity_ratio", "number", "-", lambda wall: wall.restitution.ratio_at_rest),
     _of_wall("set_rule", "text", "", lambda wall: wall.set_rule),
     _of_wall("q_set", "number", "-", lambda wall: wall.q_set),
     _of_wall("q_min", "number", "-", lambda wall: wall.q_min),

@@ -14,7 +14,7 @@ from core.file_names import shown
 from core.ground.ground_motion import GroundMotion
 from core.ground.provenance import provenance
 from core.report import place_lines
-from core.report.json_walls import body, limit_states, loads, tie_design, ties, variants, verdicts
+from core.report.json_walls import bending, body, limit_states, loads, tie_design, ties, variants, verdicts
 from core.report.steps import Steps
 from core.study.results import Q_SOURCES, Assessment, Run, StudyResult, WallResult
 from core.units import CM, G
@@ -155,6 +155,7 @@ def _assessment(assessment: Assessment | None, confidence: float) -> dict:
             "d0_m": mechanism.d0,
             "d0_with_ties_m": mechanism.chain.d0_with_ties,
             "d_limit_m": mechanism.d_limit,
+            **bending(mechanism),
             "period_s": mechanism.period,
             "s_de_m": mechanism.s_de,
             "free_element": mechanism.free_element,
@@ -323,20 +324,20 @@ def _run(run: Run, wall: WallResult, result: StudyResult) -> dict:
 
 
 def _wall(wall: WallResult, result: StudyResult) -> dict:
-    block = wall.block
+    block, bends = wall.block, wall.wall.bends
     law = wall.power_law
     return {
         "name": wall.name,
         "height_m": wall.height,
         "thickness_m": wall.thickness,
         "slenderness_deg": math.degrees(block.slenderness),
-        "radius_m": block.radius,
-        "frequency_parameter_rad_s": block.frequency_parameter,
-        "threshold_acceleration_g": wall.model.threshold / G,
+        "radius_m": None if bends else block.radius,
+        "frequency_parameter_rad_s": None if bends else block.frequency_parameter,
+        "threshold_acceleration_g": wall.threshold / G,
         "mechanism": wall.mechanism,
-        "restitution": wall.restitution.model,
-        "velocity_ratio": wall.restitution.ratio_at_rest,
-        "law": wall.wall.law,
+        "restitution": None if bends else wall.restitution.model,
+        "velocity_ratio": None if bends else wall.restitution.ratio_at_rest,
+        "law": None if bends else wall.wall.law,
         "runs": [_run(run, wall, result) for run in wall.runs],
         "per_record": [
             {

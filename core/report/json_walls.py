@@ -2,6 +2,7 @@
 
 import math
 
+from core.codes.kinematic import Kinematic
 from core.report.tie_words import elongations
 from core.study.limit_states import STATES
 from core.study.results import StudyResult, WallResult, WallVerdict
@@ -15,7 +16,7 @@ from core.wall.wall_body import body_of, parts_of
 
 def loads(wall: WallResult) -> dict:
     """The key loads of a wall that has some: a and c of both sides, of a one-sided wall of its outward one."""
-    if not wall.wall.load:
+    if not wall.wall.load or wall.wall.bends:
         return {}
     model = wall.model
     sides = [model.restoring, model.mirrored][: 1 if model.one_sided else 2]
@@ -26,6 +27,21 @@ def loads(wall: WallResult) -> dict:
             "collapse_rotation_rad": model.collapse_rotation,
             "uplift_g": model.threshold / G,
             "sides": [{"a": side.sine, "c": side.cosine} for side in sides],
+        }
+    }
+
+
+def bending(mechanism: Kinematic) -> dict:
+    """The key bending of a wall held at its top: the hinge between, and where its multiplier is zero."""
+    found = mechanism.chain.bending
+    if found is None:
+        return {}
+    return {
+        "bending": {
+            "hinge_m": found.h1,
+            "d_c0_m": found.d_c0,
+            "theta_0_rad": found.theta0,
+            "top_kn_m": 1e-3 * found.top_force,
         }
     }
 
@@ -121,7 +137,7 @@ def body(wall: WallResult) -> dict:
         }
         for part in parts_of(wall.wall)
     ]
-    about = {"mass_kg": found.mass, "x_g_m": x, "z_g_m": z, "i_o_kgm2": found.inertia}
+    about: dict[str, object] = {"mass_kg": found.mass, "x_g_m": x, "z_g_m": z, "i_o_kgm2": found.inertia}
     if wall.model.other is not None:
         far = wall.model.other
         about["inner"] = {

@@ -28,8 +28,20 @@ from core.units import CM, G
 from core.version import NAME, VERSION, commit
 from core.wall.restitution import MODELS
 
-METHOD = ("motion", "equations", "misprints", "q", "set", "outcomes", "range", "circolare", "loads", "left_out")
-"""Paragraphs of the sheet Method, in their order."""
+METHOD = (
+    "motion",
+    "equations",
+    "misprints",
+    "q",
+    "set",
+    "outcomes",
+    "range",
+    "circolare",
+    "loads",
+    "held_top",
+    "left_out",
+)
+"""Paragraphs of the sheet Method, in their order; held_top where a wall is."""
 
 
 def rule_word(book: Book, rule_name: str | None) -> str:
@@ -283,6 +295,8 @@ def method(book: Book, result: StudyResult) -> None:
         ),
     ]
     for wall in result.walls:
+        if wall.wall.bends:
+            continue
         ratio = MODELS[wall.restitution.model].source
         label = f"{wall.name}, {word(wall.mechanism, book.language)}"
         law = say("rigid")
@@ -300,7 +314,8 @@ def method(book: Book, result: StudyResult) -> None:
         rule(sheet, row, 1, 2)
         row += 1
     row = _uncertainty(book, sheet, result, row + 1)
-    for code in METHOD:
+    held = any(wall.wall.bends for wall in result.walls)
+    for code in METHOD if held else (one for one in METHOD if one != "held_top"):
         label = localized("method_label", code, book.language)
         body = localized("method_body", code, book.language)
         text(sheet, row, 1, label, bold=True, wrap=True)

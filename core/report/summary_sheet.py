@@ -141,7 +141,7 @@ def _walls_table(book: Book, sheet, result: StudyResult, walls: list[WallResult]
             (5, setback, ACCELERATION),
             (6, wall.height / wall.thickness, "0.0"),
             (7, math.degrees(wall.block.slenderness), RATIO),
-            (8, wall.model.threshold / G, ACCELERATION),
+            (8, wall.threshold / G, ACCELERATION),
             (9, weight / 1000.0 if weight else None, "0.0"),
             (10, wall.q_set, RATIO),
             (11, wall.q_robust_set, RATIO),

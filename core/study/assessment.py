@@ -14,6 +14,7 @@ from core.ground.ground_motion import GroundMotion
 from core.ground.provenance import stations
 from core.rocking.methods import Method
 from core.study.floors import LOW_CODE, building_notes
+from core.study.held_top import limits_of_bending, overturning_zeta
 from core.study.lifts import lifts
 from core.study.results import Assessment, WallResult
 from core.study.zeta_with import Scene
@@ -95,6 +96,7 @@ def assess(
         limits.append(sentence("reason", "code_below_records", ratio=ratio))
     if dynamic and any(motion.format == GENERATED for motion in grounds):
         limits.append(sentence("reason", "generated_motions"))
+    limits += limits_of_bending(kinematic)
     limits += _of_ties_not_counted(own, wall.mechanism == "two_sided", kinematic, demand, checks)
     result = verdict(
         own,
@@ -105,7 +107,7 @@ def assess(
         kinematic,
         compliance,
         doubtful,
-        below.zeta if below else None,
+        below.zeta if below else overturning_zeta(own, demand, building),
         tuple(limits),
         raised,
     )

@@ -39,7 +39,7 @@ CHART_PERIODS = np.geomspace(0.05, 4.0, 60)
 class Floor:
     """What moves a wall above the ground.
 
-    z : height of the hinge [m]
+    z : height of the hinge, of a wall held at its top of its middle [m]
     modes : of the building there; estimated : its period was not given
     motions : of the floor under each record; factors : of each at the demand, FC apart
     damping : of the rocking mechanism, C8.7.1.12
@@ -133,7 +133,7 @@ def floor_of(
     if not wall.above_ground or building is None:
         return None
     limit_state = demand.limit_state if demand else "SLV"
-    height = min(wall.base_z_m, building.height_m)
+    height = min(wall.felt_z_m, building.height_m)
     modes = modes_at(building, height, limit_state)
     estimated = building.period_s is None and not building.modes
     spectrum = FloorSpectrum(demand.target, modes) if demand and demand.target else None

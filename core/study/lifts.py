@@ -14,6 +14,7 @@ from core.codes.kinematic import Check
 from core.codes.kinematic_chain import chain
 from core.codes.verdict import Lift
 from core.codes.verdict_sentence import CODE_Q
+from core.codes.vertical_bending import bent_inward
 from core.study.floors import damaged, other_ends
 from core.study.zeta_with import EVERY, Scene, zeta_with
 from core.text.sentence import Key, Number, Sentence, sentence
@@ -242,8 +243,8 @@ def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[Raised]:
         yield _one("return_wedges", "lift_return_wedges", wall.justification, change)
     top = wall_body.top_of(wall)
     if mechanism == "one_sided" and MODELS[wall.restitution_model(mechanism)].one_sided and wall.height_m < LOWER * top:
-        words = {"h": wall.height_m, "top": top}
-        yield _one("contact", "lift_contact", wall.justification, _of_wall(height_m=top), **words)
+        change = _of_wall(height_m=top)
+        yield _one("contact", "lift_contact", wall.justification, change, h=wall.height_m, top=top)
 
 
 def _named(check: Check) -> Sentence:
@@ -297,6 +298,9 @@ def _of_the_loads(scene: Scene) -> Iterator[Raised]:
         yield _one("anchorage_kn", "lift_anchorage", reasons, end, anchorage_kn=Key("anchorage_kn"))
     if any(load.prestress for load in given):
         yield _one("prestress", "lift_prestress", reasons, _of_ties(prestress=None))
+    if wall.bends:
+        end = _with_loads(lambda there: bent_inward(there).load)
+        yield _one("load", "lift_bends_inward", reasons, end)
     if any(map(_pulls_inward, wall.load)):
         yield _one("load", "lift_inward", reasons, _without(lambda _, load: _pulls_inward(load)))
 
@@ -348,11 +352,11 @@ def _of_the_building(scene: Scene, asked: Demand, building: Building) -> Iterato
     if wall_body.has_shape(wall):
         half = wall.bare_block().centroid[1]
     centroid = min(wall.base_z_m + half, building.height_m)
-    if not building.modes and centroid > wall.base_z_m:
+    if not building.modes and centroid > wall.felt_z_m:
         yield _one("base_z_m", "at_centroid", wall.justification, _of_wall(base_z_m=centroid), z=centroid)
     if building.modes:
         _, damping = damaged(building, limit_state)
-        z = min(wall.base_z_m, building.height_m)
+        z = min(wall.felt_z_m, building.height_m)
         (expected,) = first_mode(building.storeys, building.height_m, z, 1.0, damping)
         share, given_share = expected.participation, building.modes[0].participation
         if abs(given_share) < abs(share):

@@ -28,7 +28,7 @@ class Entry(NamedTuple):
 
     signs : each record is taken with, 1 as recorded, -1 reversed
     floor : it stands on, None on the ground
-    felt : the records as they move it
+    felt : the records as they move it, none of a wall held at its top
     kinematic : its mechanism, None without a demand and above the ground where the building is not known
     """
 
@@ -63,7 +63,7 @@ class Plan(NamedTuple):
     def runs(self) -> list[tuple[int, int, int]]:
         """(wall, record, sign) of each search."""
         walls = enumerate(self.entries)
-        return [(k, record, sign) for k, one in walls for record in range(len(self.motions)) for sign in one.signs]
+        return [(k, record, sign) for k, one in walls for record in range(len(one.felt)) for sign in one.signs]
 
     @property
     def longest_period(self) -> float:
@@ -93,9 +93,9 @@ class Floors:
 
     def of(self, wall: Wall, building: Building | None, demand: DemandResult | None, motions) -> Floor | None:
         """The floor of a wall, None on the ground. Raises InputError."""
-        z = wall.base_z_m
+        z = wall.felt_z_m, wall.bends
         if z not in self._known:
-            self._known[z] = floor_of(wall, building, demand, motions)
+            self._known[z] = floor_of(wall, building, demand, [] if wall.bends else motions)
             if self.most is not None and len(self._known) > self.most:
                 del self._known[next(iter(self._known))]
         return self._known[z]
@@ -134,6 +134,7 @@ def plan_of(
             if demand and (floor or not wall.above_ground):
                 found = kinematic(wall, mechanism, demand, floor.spectrum if floor else None)
             signs, felt = polarities_of(model, chosen.polarity), list(floor.motions) if floor else motions
+            felt = [] if wall.bends else felt  # no time histories of it
             entries.append(Entry(part, mechanism, model, signs, floor, felt, found))
     plan = Plan(case, demand, motions, kinds, method, search, entries, longest)
     if demand and demand.target and motions:

@@ -177,8 +177,14 @@ class WallResult:
 
     @property
     def pair(self) -> tuple[str, float, str]:
-        """What it shares with its other variant alone: the name given, the hinge [m], the mechanism."""
-        return self.part.asked.name, self.part.hinge, self.mechanism
+        """What it shares with its other variant alone: the name given, the hinge [m], the mechanism, of a wall held at
+        its top the overturning that no longer happens."""
+        return self.part.asked.name, self.part.hinge, "one_sided" if self.wall.bends else self.mechanism
+
+    @property
+    def threshold(self) -> float:
+        """Acceleration that starts the motion [m/s2]: a_RM, of a wall held at its top alpha_0 g."""
+        return G * self.wall.uplift_multiplier(self.mechanism) if self.wall.bends else self.model.threshold
 
     @property
     def height(self) -> float:

@@ -36,6 +36,7 @@ from core.study.tie_design import Hinge, tie_design
 from core.study.wall_result import run_result, wall_result, with_variants_alone
 from core.study.wall_verdict import wall_verdicts
 from core.study.zeta_with import Scene, model_of
+from core.text.sentence import notice
 from core.version import VERSION
 from core.wall.rocking_model import RockingModel
 
@@ -201,7 +202,8 @@ def _results(plan: Plan, found: dict, demand: DemandResult | None) -> list[WallR
     results = []
     for k, (part, mechanism, model, signs, floor, felt, _) in enumerate(plan.entries):
         runs = [run_result(model, motion, n, s, found[k, n, s]) for n, motion in enumerate(felt) for s in signs]
-        results.append(wall_result(part, mechanism, model, runs, plan.motions, plan.search, demand, floor))
+        motions = [] if part.wall.bends else plan.motions
+        results.append(wall_result(part, mechanism, model, runs, motions, plan.search, demand, floor))
     return results
 
 
@@ -321,7 +323,14 @@ def _with_accuracy(plan: Plan, results: list[WallResult], threads: Threads, prog
         {k: task(wall) for k, wall in enumerate(results)},
         lambda k, found: progress.done(("accuracy", k), found is not None),
     )
-    return [replace(wall, accuracy=done[k]) for k, wall in enumerate(results)]
+    return [
+        replace(
+            wall,
+            accuracy=done[k],
+            warnings=(*wall.warnings, notice("bending_no_accuracy")) if wall.wall.bends else wall.warnings,
+        )
+        for k, wall in enumerate(results)
+    ]
 
 
 def accuracy_of(wall: WallResult, motions, method, search, cancelled) -> Accuracy | None:

@@ -160,7 +160,7 @@ def wall_result(part: Part, mechanism, model, runs, motions, search, demand, flo
         floor=floor,
         warnings=tuple(
             _unusual(wall)
-            + _model_notices(wall, block, mechanism, model, restitution, law)
+            + ([] if wall.bends else _model_notices(wall, block, mechanism, model, restitution, law))
             + _set_notices(runs, len(with_q), len(counted), incomplete, fragile, search)
             + _power_law_notices(wall, with_q, law_of_si)
             + _form_notices(wall, block, mechanism, restitution, law, per_record, demand, checks)
@@ -254,7 +254,7 @@ def _power_law_notices(wall, with_q, power_law) -> list[Sentence]:
 def _form_notices(wall, block, mechanism, restitution, law, per_record, demand, checks) -> list[Sentence]:
     """On the closed forms, which are not shown above the ground or with loads."""
     if not wall.has_closed_forms:
-        return [notice("no_closed_forms")] if wall.load and not wall.above_ground else []
+        return [notice("no_closed_forms")] if wall.load and not (wall.above_ground or wall.bends) else []
     pgas: list = [(entry.record, entry.pga) for entry in per_record]
     if demand:
         pgas.append((sentence("word", "choice_demand"), demand.pga))

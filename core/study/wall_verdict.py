@@ -7,7 +7,7 @@ from core.case.schema import Case, Wall
 from core.codes.kinematic import Check
 from core.codes.verdict_sentence import at_hinge
 from core.study.limit_states import STATES
-from core.study.results import StateOutcome, WallResult, WallVerdict
+from core.study.results import StateOutcome, StudyResult, WallResult, WallVerdict
 from core.text.sentence import Number, Sentence, sentence
 
 
@@ -94,3 +94,13 @@ def deciding(wall: WallResult) -> Check | None:
 def where(wall: WallResult) -> Sentence | str:
     """Where the hinge of a result is, in words."""
     return at_hinge(wall.part.hinge, (wall.part.asked.base_z_m or 0.0))
+
+
+def zetas_of(result: StudyResult, wall: WallResult) -> list[tuple[float, float | None]]:
+    """Every hinge of the wall a result is of, with the smallest zeta found there; none where it has one alone."""
+    found: dict[float, list[float]] = {}
+    for one in result.walls:
+        if one.part.origin == wall.part.origin and one.assessment:
+            found.setdefault(one.part.hinge, []).append(one.assessment.verdict.zeta_e)
+    zetas = {hinge: [zeta for zeta in known if zeta is not None] for hinge, known in found.items()}
+    return [(hinge, min(known, default=None)) for hinge, known in sorted(zetas.items())] if len(zetas) > 1 else []

@@ -116,6 +116,23 @@ def test_that_one_fault_is_one_dialog_until_it_is_closed(opened, faults, monkeyp
     assert said[-1] == "ValueError: one" and len(said) == 3
 
 
+def test_that_a_wall_held_at_its_top_shows_only_what_it_needs(opened, faults):
+    form = opened.walls
+    opened.session.edit_wall(0, height_m=3.0, thickness_m=0.3, slenderness_deg=None, height_over_thickness=None)
+    form.mechanisms["vertical_bending"].click()
+    assert form.wall.bends and faults == []
+    assert all(form.sections[name].isHidden() for name in ("held", "hinges", "impact"))
+    assert form.fields["free_element"].isHidden() and not form.fields["back_restraint"].isHidden()
+    opened.session.edit_wall(0, unit_weight_kn_m3=18.0)
+    assert "h₁ 2.70 m" in form.summary.text() and len(form.drawing.bent.hinges) == 3
+    opened.session.edit_wall(0, hinge_heights="base")  # what stands there all the same is shown, and named
+    assert not form.sections["hinges"].isHidden()
+    assert [error.code for error in opened.session.problems()] == ["bending_finds_hinge"]
+    opened.session.edit_wall(0, hinge_heights=None)
+    form.mechanisms["one_sided"].click()
+    assert not form.sections["impact"].isHidden() and form.drawing.bent.hinges == () and faults == []
+
+
 # what is added to the core is complete in the forms
 
 

@@ -8,6 +8,7 @@ from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.capacity_curve import capacity_curve
 from core.codes.dynamic_check import at_demand
 from core.report.load_arrows import arrows
+from core.report.note import bending_figure
 from core.report.note.parts import Curve, Figure, Label, path
 from core.report.note.words import Words
 from core.report.outlines import in_elevation, in_section
@@ -31,6 +32,8 @@ FULL = 1.2
 
 def drawing(wall: WallResult, words: Words) -> Figure | None:
     """The wall to scale with its sizes, hinge, restraint, loads and the mechanism; None for a general block."""
+    if wall.wall.bends:
+        return bending_figure.drawing(wall, words)
     h, t, u = wall.height, wall.thickness, wall.wall.setback
     if not wall.wall.height_m:
         return None

@@ -77,7 +77,7 @@ def test_that_the_worked_values_come_out_to_their_digits(point):
 def plain(latitude, longitude, years):
     """The same from the words of Annex A, node by node, without arrays; None outside the grid."""
     known = grid()
-    where = {int(node): tuple(known.nodes[k]) for node, k in known.index.items()}
+    where = {int(node): tuple(known.nodes[k]) for node, k in known.row_of.items()}
 
     def sees(a, b):
         return (b[0] - a[0]) * (longitude - a[1]) - (b[1] - a[1]) * (latitude - a[0])
@@ -97,7 +97,7 @@ def plain(latitude, longitude, years):
             mine = math.radians(latitude), math.radians(longitude)
             cosine = math.sin(lat) * math.sin(mine[0]) + math.cos(lat) * math.cos(mine[0]) * math.cos(lon - mine[1])
             d = 6371.0088 * math.acos(min(1.0, cosine))
-            table = known.values[known.index[one]]
+            table = known.values[known.row_of[one]]
             k = max(j for j in range(8) if PERIODS[j] <= years)
             exponent = math.log(years / PERIODS[k]) / math.log(PERIODS[k + 1] / PERIODS[k])
             for j in range(3):
@@ -126,12 +126,12 @@ def test_that_a_thousand_points_agree_with_an_implementation_in_plain_python():
 
 def test_that_a_node_has_its_own_values_and_an_edge_lies_between_its_ends():
     known = grid()
-    row = known.index[26305]
+    row = known.row_of[26305]
     found = hazard_at(*known.nodes[row])
     assert 0.0 in found.distances
     for years, values in zip(PERIODS, known.values[row], strict=True):
         assert tuple(found.at(years)) == pytest.approx((0.1 * values[0], values[1], values[2]), rel=1e-14)
-    other = known.nodes[known.index[26306]]
+    other = known.nodes[known.row_of[26306]]
     middle = hazard_at(*(0.5 * (known.nodes[row] + other)))
     assert {26305, 26306} <= set(middle.nodes)
 

@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import pytest
 
 from core.case.rules import parse_case
-from core.derivation import body, checks, closed_forms, demand
+from core.derivation import bending, body, checks, closed_forms, demand
 from core.derivation import wall as of_wall
 from core.derivation.closed_forms import closed
 from core.derivation.geometry import geometry
@@ -67,6 +67,25 @@ def body_of(draw, height, thickness):
     return wall | {"mechanism": "one_sided", "restitution": "one_sided_theoretical", "return_wedges": wedges}
 
 
+def held_at_top(draw, name):
+    """A wall that bends, with one load on its top, two or none."""
+    height, thickness = round(draw.uniform(2.5, 5.0), 3), round(draw.uniform(0.25, 0.5), 3)
+    size = {"name": name, "mechanism": "vertical_bending", "height_m": height, "thickness_m": thickness}
+    loads = [
+        {
+            "kind": "vertical",
+            "mass": "none",
+            "kn_m": round(draw.uniform(2.0, 40.0), 2),
+            "d_m": round(thickness * draw.uniform(0.2, 0.8), 3),
+            "h_m": height,
+        }
+        for _ in range(draw.randint(0, 2))
+    ]
+    setback = draw.choice(({}, {"hinge_setback_m": 0.02}, {"compressive_strength_mpa": 2.0}))
+    size |= setback | {"base_z_m": draw.choice((0.0, 3.0)), "unit_weight_kn_m3": 18.0}
+    return size | ({"load": loads} if loads else {})
+
+
 def wall_of(draw, k):
     """A wall of any kind."""
     height, thickness = round(draw.uniform(2.0, 8.0), 3), round(draw.uniform(0.3, 0.8), 3)
@@ -81,8 +100,22 @@ def wall_of(draw, k):
         "elastic_modulus_mpa": round(draw.uniform(600.0, 2000.0)),
         "restitution": draw.choice(OF_MECHANISM[mechanism]),
     }
-    kinds = ("sizes", "setback", "strength", "slenderness", "general", "friction", "loads", "loads", "body", "body")
+    kinds = (
+        "sizes",
+        "setback",
+        "strength",
+        "slenderness",
+        "general",
+        "friction",
+        "loads",
+        "loads",
+        "body",
+        "body",
+        "bends",
+    )
     kind = draw.choice(kinds)
+    if kind == "bends":
+        return held_at_top(draw, wall["name"])
     if kind == "general":
         del wall["hinge_heights"]
         alpha, radius = draw.uniform(4.0, 9.0), draw.uniform(1.5, 3.5)
@@ -186,7 +219,7 @@ def test_that_every_quantity_is_one_of_a_wall():
     """None is described for nothing."""
     described = {
         value.function.__name__
-        for module in (body, checks, closed_forms, demand)
+        for module in (bending, body, checks, closed_forms, demand)
         for value in vars(module).values()
         if isinstance(value, Quantity)
     }

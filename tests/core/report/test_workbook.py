@@ -216,6 +216,21 @@ def test_that_a_body_has_its_solids_on_a_sheet_and_in_the_check(bodies, book):
 
 
 @pytest.fixture(scope="module")
+def held(folder):
+    """Walls held at their top, with loads, a setback and neither, beside one that rocks."""
+    top = {"kind": "vertical", "kn_m": 12.0, "d_m": 0.1, "h_m": 3.0, "mass": "none"}
+    own = {"height_m": 3.0, "thickness_m": 0.3, "unit_weight_kn_m3": 18.0, "mechanism": "vertical_bending"}
+    walls = [
+        {"name": "top", "base_z_m": 3.0, "load": [top, top | {"d_m": 0.2}], "hinge_setback_m": 0.01, **own},
+        {"name": "bare", "base_z_m": 0.0, **own},
+        {"name": "rocks", "height_m": 5.0, "thickness_m": 0.6, "base_z_m": 0.0, "mechanism": "one_sided"},
+    ]
+    spectrum = {"code": "EN1998", "type": 1, "soil": "B"}
+    building = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
+    return made(folder, "it", wall=walls, demand={"ag_g": 0.2, "spectrum": spectrum}, building=building)[1]
+
+
+@pytest.fixture(scope="module")
 def loads(folder):
     """Walls with every kind of load, hinge setback, return walls, tie, variants, hazard."""
     roof = {"kind": "vertical", "kn_m": 10.0, "d_m": 0.30, "h_m": 3.0, "mass": "none"}
@@ -326,7 +341,7 @@ def test_that_walls_above_the_ground_have_a_sheet_of_their_floors(height, book):
     assert "PFA [g]" in shown and any("wall at 6 m" in str(value) for value in shown)
 
 
-@pytest.mark.parametrize("which", ["book", "ntc", "height", "loads", "bodies"])
+@pytest.mark.parametrize("which", ["book", "ntc", "height", "held", "loads", "bodies"])
 def test_that_libreoffice_recalculates_every_formula_to_the_programs_value(which, request, tmp_path):
     book = request.getfixturevalue(which)
     book = book[1] if which == "loads" else book

@@ -1,0 +1,50 @@
+"""The capacity curve of a wall over the demand, displacement against acceleration (Circolare 7/2019 C8.7.1.3)."""
+
+import math
+
+import numpy as np
+
+from app.look.language import named, number, tr
+from app.views.chart import Chart
+from core.codes.capacity_curve import capacity_curve
+from core.study.results import StudyResult, WallResult
+from core.units import CM, G
+
+
+class CapacityCurveChart(Chart):
+    """Of a wall that has no time histories: in the place of the peaks at the demand."""
+
+    def __init__(self):
+        super().__init__("d [cm]", "a [g]", tr("Capacity curve"))
+        self.hide()
+
+    def show_in_place_of(self, other: Chart, result: StudyResult, wall: WallResult) -> None:
+        """Draw the curves of a wall that bends in the place of another chart, which is shown for any other wall."""
+        other.setVisible(not wall.wall.bends)
+        self.setVisible(wall.wall.bends)
+        if wall.wall.bends:
+            self.show_wall(result, wall)
+
+    def show_wall(self, result: StudyResult, wall: WallResult) -> None:
+        """Draw the curves; says why where the displacement check is not made."""
+        self.clear()
+        self.caption = f"{wall.name}, {named(wall.mechanism)}"
+        found = wall.assessment.kinematic if wall.assessment else None
+        curve = capacity_curve(found, result.demand) if found else None
+        if curve is None:
+            self.say_why(tr("No displacement check: it needs a spectrum and a demand at SLV or SLC."))
+            return
+        percent = number(100.0 * curve.damping, "g")
+        self.curve(tr("demand {percent} %", percent=percent), curve.demand_d / CM, curve.demand_a / G, 1, path=True)
+        if curve.floor_d.size:
+            name = tr("floor {percent} %", percent=percent)
+            self.curve(name, curve.floor_d / CM, curve.floor_a / G, 2, path=True)
+        along, across = (np.array(values) for values in zip(*curve.capacity, strict=True))
+        self.curve(tr("capacity"), along / CM, across / G, 0, 2.4)
+        state, slope = result.demand.limit_state, (2.0 * math.pi / found.period) ** 2
+        self.points(f"d_{state}", [found.d_limit / CM], [found.a_limit / G], 0)
+        self.points("S_De", [found.s_de / CM], [slope * found.s_de / G], 1)
+        end = max(1.15 * found.d_limit, found.s_de)
+        self.curve(f"T_{state}", [0.0, end / CM], [0.0, slope * end / G], "quiet", 1.0, dash=True)
+        high = 1.1 * max(across[0], *curve.demand_a, *curve.floor_a) / G
+        self.set_range((0.0, 1.05 * max(found.d0, found.s_de) / CM), (0.0, high))

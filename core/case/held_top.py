@@ -1,0 +1,47 @@
+"""What a wall held at its top (mechanism vertical_bending) needs, and what it cannot have."""
+
+from core.codes.vertical_bending import bending, bent_inward
+from core.errors import InputError, place
+from core.wall.wall_body import SHORT_FORMS
+
+ON_TOP = 1e-6
+"""How near to the top of the wall a load is on it [of H]."""
+
+OF_HISTORIES = ("restitution", "velocity_ratio")
+"""Keys of what it has not."""
+
+
+def check_held_top(wall) -> None:
+    """Raise InputError for a wall held at its top that is not complete, or has what does not go with it."""
+    if not wall.bends:
+        return
+    here = (place("wall", name=wall.name),)
+    for key in ("solid", "return_wedges", *SHORT_FORMS):
+        if getattr(wall, key):
+            raise InputError("bending_rectangle", place=here, key=key)
+    for key in OF_HISTORIES:
+        if getattr(wall, key) is not None:
+            raise InputError("bending_no_histories", place=here, key=key)
+    if wall.law != "rigid":
+        raise InputError("bending_no_histories", place=here, key="law")
+    if wall.hinge_heights is not None:
+        raise InputError("bending_finds_hinge", place=here, key="hinge_heights")
+    if wall.return_walls is not None:
+        raise InputError("bending_return_walls", place=here, key="return_walls")
+    if wall.tie_height_m is not None:
+        raise InputError("bending_tie", place=here, key="tie_height_m")
+    if wall.free_element:
+        raise InputError("bending_not_free", place=here, key="free_element")
+    for key, given in (("height_m", wall.height_m), ("unit_weight_kn_m3", wall.unit_weight_kn_m3)):
+        if given is None:
+            raise InputError("bending_needs", place=here, key=key)
+    for n, load in enumerate(wall.load, start=1):
+        on = (*here, place("load", n=n))
+        if load.is_tie:
+            raise InputError("bending_tie", place=on, key="kind")
+        if load.kind != "vertical":
+            raise InputError("bending_load", place=on, key="kind")
+        if abs(load.h_m - wall.height_m) > ON_TOP * wall.height_m:
+            raise InputError("bending_load_height", place=on, key="h_m", found=load.h_m, height=wall.height_m)
+    for moving in (wall, bent_inward(wall)):
+        bending(moving)

@@ -1,0 +1,251 @@
+"""A wall held at its top that bends (core/codes/vertical_bending.py): its hinge, alpha_0, d_0 and the capacity at the
+limit of the displacement check. kN, m, s, degrees; per metre of wall; d of a load is from the outer face.
+
+The height of the hinge is the lowest of alpha_0 = 2/W [(W + N) b/h1 + m/(H - h1)] in closed form, where the program
+searches it.
+"""
+
+import math
+
+from core.codes.vertical_bending import turned
+from core.derivation import body, checks
+from core.derivation.functions import arctan, cos, sin, sqrt
+from core.derivation.line import FULL, INPUT, LIVE, RUN, SYMBOLS, VALUE, Columns, Line, Section, Word
+from core.derivation.quantity import Given, quantity
+from core.study.results import WallResult
+from core.wall import wall_loads
+
+LOADS = {"load.n": "N", "load.d": "d"}
+"""Columns of the loads on the top."""
+
+THETA_0 = Given("theta_0", "θ_0", "°", 3, label="θ_0 of the lower block, where α = 0")
+
+
+# the start of the motion
+
+
+@quantity("b", "m", "", 3, "0.000", label="b = t − 2 u, between the hinges of the lower block")
+def width(thickness, setback):
+    return thickness - 2 * setback
+
+
+@quantity("ΣN", "kN/m", "", 2, "0.000", name="on_top")
+def on_top(loads):
+    return sum(load.n for load in loads)
+
+
+@quantity("m", "kN", "", 3, "0.000", label="m = ΣN (t − u − d)")
+def top_moment(thickness, setback, loads):
+    return sum(load.n * (thickness - setback - load.d) for load in loads)
+
+
+@quantity("h_1", "m", "C8.7.1.1", 3, "0.000", name="h1", label="height h_1 of the hinge, of the lowest α0")
+def h1_with_loads(height, thickness, w, on_top, width, top_moment):
+    return min(
+        height * sqrt((w + on_top) * width) / (sqrt((w + on_top) * width) + sqrt(max(top_moment, 0))),
+        height - thickness,
+    )
+
+
+@quantity("h_1", "m", "C8.7.1.1", 3, "0.000", name="h1", label="height h_1 of the hinge, of the lowest α0")
+def h1_alone(height, thickness):
+    return height - thickness
+
+
+@quantity("k", "–", "", 4, "0.0000")
+def k(h1, height):
+    return h1 / (height - h1)
+
+
+@quantity("W_1", "kN/m", "", 2, "0.000")
+def w1(w, h1, height):
+    return w * h1 / height
+
+
+@quantity("W_2", "kN/m", "", 2, "0.000")
+def w2(w, w1):
+    return w - w1
+
+
+@quantity("α0", "–", "C8.7.1.1", 4, name="alpha0")
+def alpha0_with_loads(w1, width, w2, k, loads, thickness, setback, h1):
+    return (
+        w1 * width / 2
+        + w2 * (width + k * width / 2)
+        + sum(load.n * (width + k * (thickness - setback - load.d)) for load in loads)
+    ) / ((w1 + w2) * h1 / 2)
+
+
+@quantity("α0", "–", "C8.7.1.1", 4, name="alpha0")
+def alpha0_alone(w1, width, w2, k, h1):
+    return (w1 * width / 2 + w2 * (width + k * width / 2)) / ((w1 + w2) * h1 / 2)
+
+
+@quantity("R", "kN/m", "", 2, "0.000", name="top_force", label="R, of what holds the top as the mechanism starts")
+def top_force_with_loads(alpha0, w, width, height, loads, setback):
+    return alpha0 * w / 2 - (w * width / 2 + sum(load.n * (load.d - setback) for load in loads)) / height
+
+
+@quantity("R", "kN/m", "", 2, "0.000", name="top_force", label="R, of what holds the top as the mechanism starts")
+def top_force_alone(alpha0, w, width, height):
+    return alpha0 * w / 2 - w * width / 2 / height
+
+
+# where nothing holds it, and the limit of the displacement check
+
+
+@quantity("d_C,0", "m", "C8.7.1.4", 4, label="d_C,0, of the hinge where α = 0")
+def d_c0(width, theta_0, h1):
+    return width * (1 - cos(theta_0)) + h1 * sin(theta_0)
+
+
+@quantity("d_0", "m", "C8.7.1.4", 4, name="d0")
+def d0(d_c0):
+    return d_c0 / 2
+
+
+@quantity("θ_d", "°", "", 3, label="θ_d of the lower block at d_{state}")
+def theta_d(width, h1, d_limit):
+    return arctan(width / h1) + arctan((2 * d_limit - width) / sqrt(width**2 + h1**2 - (2 * d_limit - width) ** 2))
+
+
+@quantity("x_C", "m", "", 4, label="x_C of the hinge at d_{state}")
+def x_c(setback, width, theta_d, h1):
+    return setback + width * cos(theta_d) - h1 * sin(theta_d)
+
+
+@quantity("φ_d", "°", "", 3, label="φ_d of the upper block at d_{state}")
+def phi_d(thickness, setback, height, h1, x_c):
+    return arctan((thickness - setback) / (height - h1)) - arctan(
+        x_c / sqrt((thickness - setback) ** 2 + (height - h1) ** 2 - x_c**2)
+    )
+
+
+@quantity("v_C", "m", "", 4, label="v_C, rise of the hinge by a unit of θ")
+def v_c(width, theta_d, h1):
+    return width * cos(theta_d) - h1 * sin(theta_d)
+
+
+@quantity("s_C", "m", "", 4, label="s_C, way of the hinge outward by a unit of θ")
+def s_c(width, theta_d, h1):
+    return width * sin(theta_d) + h1 * cos(theta_d)
+
+
+@quantity("μ", "–", "", 4, label="μ = φ'/θ' at d_{state}")
+def mu(s_c, thickness, setback, phi_d, height, h1):
+    return s_c / ((thickness - setback) * sin(phi_d) + (height - h1) * cos(phi_d))
+
+
+@quantity("ΣW v", "kN m", "", 3, "0.000", label="ΣW v of both blocks by a unit of θ")
+def rise_of_wall(w1, w2, v_c, mu, width, phi_d, height, h1):
+    return w1 * v_c / 2 + w2 * (v_c + mu * (width * cos(phi_d) - (height - h1) * sin(phi_d)) / 2)
+
+
+@quantity("ΣW s", "kN m", "", 3, "0.000", label="ΣW s of both blocks by a unit of θ")
+def way_of_wall(w1, w2, s_c, mu, width, phi_d, height, h1):
+    return w1 * s_c / 2 + w2 * (s_c - mu * (width * sin(phi_d) + (height - h1) * cos(phi_d)) / 2)
+
+
+@quantity("ΣN v", "kN m", "", 3, "0.000", label="ΣN v of the loads by a unit of θ")
+def rise_of_loads(v_c, mu, phi_d, height, h1, loads, thickness, setback):
+    return sum(
+        load.n * (v_c + mu * ((thickness - setback - load.d) * cos(phi_d) - (height - h1) * sin(phi_d)))
+        for load in loads
+    )
+
+
+@quantity("α(d_{state})", "–", "C8.7.1.1", 4, name="alpha_d")
+def alpha_d_with_loads(rise_of_wall, rise_of_loads, way_of_wall):
+    return (rise_of_wall + rise_of_loads) / way_of_wall
+
+
+@quantity("α(d_{state})", "–", "C8.7.1.1", 4, name="alpha_d")
+def alpha_d_alone(rise_of_wall, way_of_wall):
+    return rise_of_wall / way_of_wall
+
+
+@quantity("a(d_{state})", "m/s²", "C8.7.1.3", name="a_limit")
+def a_limit(alpha_d, gravity, e_star, demand_fc):
+    return alpha_d * gravity / (e_star * demand_fc)
+
+
+def geometry(wall: WallResult) -> Section:
+    """Sizes, weight and what stands on the top."""
+    asked = wall.wall
+    lines: list[Line | Columns] = [
+        Line(body.HEIGHT, wall.height, INPUT),
+        Line(body.THICKNESS, wall.thickness, INPUT),
+        Line(body.SETBACK, asked.setback, RUN if asked.compressive_strength_mpa else INPUT),
+        Line(body.UNIT_WEIGHT, asked.unit_weight_kn_m3, INPUT),
+        Line(body.w, 1e-3 * wall_loads.weight_per_metre(asked), note=FULL),
+    ]
+    if asked.load:
+        rows = [(Word(f"load_{load.kind}"), (load.kn_m, load.d_m)) for load in asked.load]
+        lines.append(Columns("Loads on the top, from the outer face", LOADS, ("kN/m", "m"), rows, INPUT))
+    return Section("The wall, held at its top", lines)
+
+
+def chain(wall: WallResult) -> list[Line]:
+    """alpha_0 and e*."""
+    found = wall.assessment.kinematic.chain.bending
+    strip, h1 = found.strip, found.h1
+    lower = 1e-3 * strip.weight * h1 / strip.height
+    edge, lines = strip.thickness - strip.setback, [Line(width, strip.width)]
+    hinge, alpha0, top = h1_alone, alpha0_alone, top_force_alone
+    if strip.loads:
+        hinge, alpha0, top = h1_with_loads, alpha0_with_loads, top_force_with_loads
+        lines.append(Line(on_top, 1e-3 * sum(n for n, _ in strip.loads)))
+        lines.append(Line(top_moment, 1e-3 * sum(n * (edge - d) for n, d in strip.loads), note=SYMBOLS))
+    label = "as high as it may be: both blocks at least as high as thick" if found.highest else "where α0 is lowest"
+    return [
+        *lines,
+        Line(hinge, h1, LIVE, SYMBOLS, label),
+        Line(k, h1 / (strip.height - h1), note=FULL),
+        Line(w1, lower, note=FULL),
+        Line(w2, 1e-3 * strip.weight - lower, note=FULL),
+        Line(alpha0, found.alpha0, LIVE, SYMBOLS, "two blocks, three hinges"),
+        Line(top, 1e-3 * found.top_force, LIVE, SYMBOLS, "on what holds the top, of the wall alone"),
+        Line(checks.E_STAR, found.e_star, RUN, VALUE, "both centroids move alike, the top does not"),
+    ]
+
+
+def collapse(wall: WallResult) -> list[Line]:
+    """d_0 by the finite geometry."""
+    found = wall.assessment.kinematic.chain.bending
+    return [
+        Line(THETA_0, math.degrees(found.theta0), RUN, VALUE, "finite geometry"),
+        Line(d_c0, found.d_c0, note=FULL),
+        Line(d0, found.d0, LIVE, FULL, "both centroids move half as far as the hinge"),
+    ]
+
+
+def at_limit(wall: WallResult) -> list[Line]:
+    """alpha at the limit of the displacement check, by the finite geometry: below the straight line to d_0."""
+    kinematic = wall.assessment.kinematic
+    found = kinematic.chain.bending
+    strip, h1, theta = found.strip, found.h1, found.rotation(kinematic.d_limit)
+    at = turned(strip, h1, theta)
+    degrees = math.degrees(theta)
+    rise, way = strip.width * cos(degrees) - h1 * sin(degrees), strip.width * sin(degrees) + h1 * cos(degrees)
+    phi = math.degrees(at.phi)
+    rate = way / ((strip.thickness - strip.setback) * sin(phi) + (strip.height - h1) * cos(phi))
+    lower, angles = 1e-3 * strip.weight * h1 / strip.height, (phi, strip.height, h1)
+    of_wall = (lower, 1e-3 * strip.weight - lower)
+    risen = rise_of_wall.function(*of_wall, rise, rate, strip.width, *angles)
+    lines = [
+        Line(theta_d, degrees, note=VALUE),
+        Line(x_c, at.hinge[0], note=FULL),
+        Line(phi_d, phi, note=VALUE),
+        Line(v_c, rise),
+        Line(s_c, way),
+        Line(mu, rate, note=VALUE),
+        Line(rise_of_wall, risen, note=VALUE),
+    ]
+    if strip.loads:
+        lines.append(Line(rise_of_loads, 1e-3 * at.risen - risen, note=VALUE))
+    alpha = alpha_d_with_loads if strip.loads else alpha_d_alone
+    return [
+        *lines,
+        Line(way_of_wall, 1e-3 * at.moved, note=VALUE),
+        Line(alpha, at.risen / at.moved, LIVE, FULL, "finite geometry, below the straight line to d_0"),
+    ]

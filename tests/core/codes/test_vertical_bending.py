@@ -1,0 +1,178 @@
+"""A wall held at its top: the lowest hinge, alpha_0, d_0 and the capacity curve, against coordinates."""
+
+import math
+import random
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq, minimize_scalar
+
+from core.codes.vertical_bending import Strip, bending, bent_inward, lowest_hinge, mechanism, outlines, start_multiplier
+from core.errors import InputError
+from core.units import G
+from tests.validation.circolare import case
+
+W = 18.0 * 0.30 * 3.0
+"""kN/m of the worked wall, 3.0 x 0.30 m."""
+
+
+def strip(loads=(), setback=0.0, height=3.0, thickness=0.30):
+    """In kN, as the formulas are worked."""
+    return Strip(height, thickness, setback, 18.0 * thickness * height, tuple(loads))
+
+
+def random_strip(draw):
+    height, thickness = draw.uniform(2.0, 6.0), draw.uniform(0.2, 0.5)
+    loads = [(draw.uniform(1.0, 60.0), thickness * draw.uniform(0.15, 0.85)) for _ in range(draw.randint(0, 3))]
+    return strip(loads, draw.choice((0.0, 0.05 * thickness)), height, thickness)
+
+
+@pytest.mark.parametrize(
+    "load, alpha0, h1, d_c0", [((10.0, 0.15), 0.66779, 2.088, 0.2333), ((10.0, 0.0), 0.84658, 1.854, 0.3)]
+)
+def test_that_the_worked_walls_have_their_values(load, alpha0, h1, d_c0):
+    found = mechanism(strip([load]))
+    assert found.alpha0 == pytest.approx(alpha0, abs=5e-6) and found.h1 == pytest.approx(h1, abs=5e-4)
+    assert found.d_c0 == pytest.approx(d_c0, abs=2e-5) and found.e_star == pytest.approx(1.0, rel=1e-14)
+
+
+def test_that_without_load_a_hinge_in_the_middle_has_the_worked_multiplier():
+    assert start_multiplier(strip(), 1.5) == pytest.approx(0.40000, abs=1e-12)
+    assert potential_top(strip(), 1.5)[1] == pytest.approx(0.30000, abs=1e-8)
+
+
+def test_that_without_load_the_hinge_is_as_high_as_it_may_be():
+    """2 t / h_1 falls with the height of the hinge: the upper block is then as high as thick."""
+    found = mechanism(strip())
+    assert found.highest and found.h1 == pytest.approx(2.7) and found.alpha0 == pytest.approx(0.6 / 2.7)
+    assert not mechanism(strip([(10.0, 0.15)])).highest
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_that_the_hinge_is_that_of_a_dense_scan_and_of_the_closed_form(seed):
+    asked = random_strip(random.Random(seed))
+    h1, edge = lowest_hinge(asked), asked.thickness - asked.setback
+    dense = min(start_multiplier(asked, h) for h in np.linspace(edge, asked.height - asked.thickness, 20001))
+    assert start_multiplier(asked, h1) <= dense * (1.0 + 1e-12)
+    holding = math.sqrt((asked.weight + sum(n for n, _ in asked.loads)) * asked.width)
+    moment = math.sqrt(max(sum(n * (edge - d) for n, d in asked.loads), 0.0))
+    closed = min(asked.height * holding / (holding + moment), asked.height - asked.thickness)
+    assert h1 == pytest.approx(closed, rel=1e-11)
+
+
+def placed(asked, h1, theta):
+    """Heights of both centroids and of each load, x of both centroids, of the blocks turned by theta: the upper one
+    turned until its top outer edge is on x = 0, found as a root."""
+    foot, hinge, edge = (asked.setback, 0.0), (asked.thickness - asked.setback, h1), (0.0, asked.height)
+
+    def turn(point, about, to, angle):
+        c, s = math.cos(angle), math.sin(angle)
+        a, b = point[0] - about[0], point[1] - about[1]
+        return to[0] + c * a - s * b, to[1] + s * a + c * b
+
+    at_hinge = turn(hinge, foot, foot, theta)
+    phi = brentq(lambda angle: turn(edge, hinge, at_hinge, -angle)[0], -0.1, 1.7, xtol=1e-15, rtol=1e-14)
+    lower = turn((0.5 * asked.thickness, 0.5 * h1), foot, foot, theta)
+    upper = turn((0.5 * asked.thickness, 0.5 * (h1 + asked.height)), hinge, at_hinge, -phi)
+    return lower, upper, [turn((d, asked.height), hinge, at_hinge, -phi) for _, d in asked.loads], at_hinge
+
+
+def energy(asked, h1, theta):
+    """(potential energy, work of the masses pushed outward by their own weight) of the wall at a rotation."""
+    lower, upper, on_top, _ = placed(asked, h1, theta)
+    first = asked.weight * h1 / asked.height
+    second = asked.weight - first
+    risen = (
+        first * lower[1] + second * upper[1] + sum(n * z for (n, _), (_, z) in zip(asked.loads, on_top, strict=True))
+    )
+    return risen, -(first * lower[0] + second * upper[0])
+
+
+def multiplier(asked, h1, theta, step=1e-5):
+    """alpha from coordinates, by central differences."""
+    (risen, moved), (before, back) = energy(asked, h1, theta + step), energy(asked, h1, theta - step)
+    return (risen - before) / (moved - back)
+
+
+def potential_top(asked, h1):
+    """(theta, displacement of the hinge) where the potential energy is largest."""
+    found = minimize_scalar(
+        lambda theta: -energy(asked, h1, theta)[0], bounds=(0.0, 0.9 * asked.thickness / h1 + 0.02), method="bounded",
+        options={"xatol": 1e-12},
+    )  # fmt: skip
+    theta = brentq(lambda at: multiplier(asked, h1, at), 0.9 * found.x, 1.1 * found.x, xtol=1e-13)
+    return theta, asked.thickness - asked.setback - placed(asked, h1, theta)[3][0]
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_that_start_capacity_and_collapse_are_those_of_coordinates(seed):
+    asked = random_strip(random.Random(100 + seed))
+    found = mechanism(asked)
+    assert found.alpha0 == pytest.approx(multiplier(asked, found.h1, 0.0), rel=1e-7)
+    theta, displacement = potential_top(asked, found.h1)
+    assert found.theta0 == pytest.approx(theta, rel=1e-6) and found.d_c0 == pytest.approx(displacement, rel=1e-6)
+    for share in (0.2, 0.4, 0.6):
+        d = share * found.d0
+        turned = found.rotation(d)
+        way = asked.thickness - asked.setback - placed(asked, found.h1, turned)[3][0]
+        assert found.share * way == pytest.approx(d, rel=1e-10)
+        assert found.alpha(d) == pytest.approx(multiplier(asked, found.h1, turned), rel=1e-6)
+        # the straight line would promise more
+        assert found.alpha(d) < (1.0 - share) * found.alpha0
+
+
+def test_that_the_equivalent_oscillator_moves_as_the_centroids():
+    """C8.7.1.4: both move half as far as the hinge."""
+    found = mechanism(strip([(10.0, 0.15)]))
+    assert found.share == pytest.approx(0.5, rel=1e-14) and found.d0 == pytest.approx(0.5 * found.d_c0, rel=1e-14)
+    assert found.alpha(found.d0) == pytest.approx(0.0, abs=1e-10)
+    assert found.alpha(0.0) == pytest.approx(found.alpha0, rel=1e-12)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_that_what_holds_the_top_balances_the_upper_block_about_the_hinge(seed):
+    asked = random_strip(random.Random(200 + seed))
+    found = mechanism(asked)
+    above, edge = asked.height - found.h1, asked.thickness - asked.setback
+    upper = asked.weight * above / asked.height
+    moment = 0.5 * upper * (found.alpha0 * above + asked.width) + sum(n * (edge - d) for n, d in asked.loads)
+    assert found.top_force == pytest.approx(moment / above, rel=1e-10)
+
+
+def test_that_a_setback_lowers_the_start_and_the_collapse():
+    whole, back = (mechanism(strip([(10.0, 0.15)], setback)) for setback in (0.0, 0.02))
+    assert back.alpha0 < 0.95 * whole.alpha0 and back.d0 < 0.95 * whole.d0
+
+
+def test_that_the_drawn_blocks_meet_at_the_hinge_and_keep_the_top_on_its_vertical():
+    asked = strip([(10.0, 0.15)], 0.02)
+    lower, upper = outlines(asked, 2.0, 0.05)
+    at = placed(asked, 2.0, 0.05)[3]
+    assert upper[3][0] == pytest.approx(0.0, abs=1e-14)
+    for corner in (lower[2], upper[1]):
+        assert math.hypot(corner[0] - at[0], corner[1] - at[1]) == pytest.approx(0.02, rel=1e-12)
+
+
+def held(**more):
+    wall = {"mechanism": "vertical_bending", "height_m": 3.0, "thickness_m": 0.3, "unit_weight_kn_m3": 18.0, **more}
+    return case(wall).wall[0]
+
+
+ON_TOP = {"kind": "vertical", "kn_m": 10.0, "d_m": 0.1, "h_m": 3.0, "mass": "none"}
+
+
+def test_that_the_mass_on_the_held_top_pushes_nothing():
+    found = [bending(held(load=[ON_TOP | {"mass": mass}])) for mass in ("none", "horizontal", "moving")]
+    assert found[0] == found[1] == found[2] and found[0].mass == pytest.approx(1e3 * W / G, rel=1e-12)
+
+
+def test_that_bent_inward_the_loads_are_on_the_other_side():
+    wall = held(load=[ON_TOP])
+    assert bending(bent_inward(wall)).alpha0 < bending(wall).alpha0
+    assert bending(bent_inward(bent_inward(wall))).alpha0 == pytest.approx(bending(wall).alpha0, rel=1e-12)
+
+
+def test_that_a_wall_that_bends_under_its_loads_alone_is_refused():
+    with pytest.raises(InputError) as error:
+        held(hinge_setback_m=0.1, load=[ON_TOP | {"d_m": 0.3, "kn_m": 300.0}])
+    assert error.value.code == "bending_unstable"

@@ -1,0 +1,34 @@
+"""A wall held at its top in the note: its figure, its lines; all sheets of the workbook are made."""
+
+from pathlib import Path
+
+import pytest
+
+from core.case.rules import parse_case
+from core.report.note.content import note
+from core.report.note.parts import Derivation, Figures, Item, Paragraph
+from core.report.note.pdf import Note
+from core.study.run import run
+from tests.core.study.test_held_top import BUILDING, DEMAND, TOP, WALL
+
+
+@pytest.fixture(scope="module", params=["en", "it"])
+def result(request):
+    bare = {key: value for key, value in WALL.items() if key not in ("load", "back_restraint")}
+    walls = [WALL, WALL | {"name": "back", "hinge_setback_m": 0.02, "load": [TOP, TOP | {"d_m": 0.25}]}]
+    walls.append(bare | {"name": "bare", "base_z_m": 0.0})
+    table = {"wall": walls, "building": BUILDING, "demand": DEMAND, "report": {"language": request.param}}
+    return run(parse_case(table), base_dir=Path())
+
+
+def test_that_the_note_has_hinge_figure_and_lines(result):
+    language = result.case.report.language
+    parts = note(result, language)
+    cells = {step.cell for part in parts if isinstance(part, Derivation) for step in part.steps}
+    assert {f"wall{n}_{name}" for n in (1, 2, 3) for name in ("h1", "alpha0", "d_c0", "d0", "alpha_d")} <= cells
+    words = [part.text for part in parts if isinstance(part, (Paragraph, Item))]
+    assert any("flessione" in line or "No time histories" in line or "storie temporali" in line for line in words)
+    captions = [figure.caption for part in parts if isinstance(part, Figures) for figure in part.figures]
+    held = "held at its top" if language == "en" else "vincolata in testa"
+    assert sum(held in caption for caption in captions) == 3
+    assert Note(parts, language).pdf().startswith(b"%PDF")

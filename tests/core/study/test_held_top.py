@@ -1,0 +1,176 @@
+"""A study of a wall held at its top: kinematic checks at mid-height, no histories, and a verdict that says so."""
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from core.case.rules import parse_case
+from core.codes.floor_spectrum import FloorSpectrum
+from core.codes.vertical_bending import bending
+from core.errors import InputError
+from core.report.json_report import dumps
+from core.study.floors import modes_at
+from core.study.run import run
+from core.study.variants import comparisons
+from core.units import G
+from tests.validation.circolare import EN_B
+
+TOP = {"kind": "vertical", "kn_m": 10.0, "d_m": 0.15, "h_m": 3.0, "mass": "none"}
+WALL = {
+    "name": "storey",
+    "mechanism": "vertical_bending",
+    "height_m": 3.0,
+    "thickness_m": 0.3,
+    "unit_weight_kn_m3": 18.0,
+    "base_z_m": 3.0,
+    "back_restraint": "kerb of the floor, with anchors",
+    "load": [TOP],
+}
+BUILDING = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
+DEMAND = {"ag_g": 0.35, "spectrum": EN_B}
+
+
+def study(*walls, base_dir=Path(), **more):
+    table = {"wall": list(walls), "building": BUILDING, "demand": DEMAND, **more}
+    return run(parse_case({key: value for key, value in table.items() if value is not None}), base_dir=base_dir)
+
+
+def codes(wall):
+    return [one.code for one in wall.assessment.verdict.limits]
+
+
+def test_that_the_demand_is_that_of_the_floor_spectrum_at_mid_height():
+    result = study(WALL)
+    (wall,) = result.walls
+    asked = result.case
+    floor = FloorSpectrum(result.demand.target, modes_at(asked.building, 4.5, "SLV"))
+    assert wall.floor.z == 4.5 and wall.assessment.kinematic.floor == floor
+    found = wall.assessment.kinematic
+    assert found.acceleration_demand == max(floor.a_z, result.demand.pga)
+    assert found.a0 == pytest.approx(0.66779 * G / 1.35, rel=1e-5)
+    assert found.zeta_sld == pytest.approx(found.a0 / found.acceleration_demand, rel=1e-14)
+    assert found.d_limit == pytest.approx(0.4 * bending(wall.wall).d0) and not found.free_element
+
+
+def test_that_low_in_a_building_the_demand_is_not_below_that_of_the_ground():
+    (wall,) = study(WALL | {"base_z_m": 0.0, "height_m": 2.0, "load": [TOP | {"h_m": 2.0}]}).walls
+    assert wall.floor.spectrum.a_z < wall.assessment.kinematic.acceleration_demand == pytest.approx(1.2 * 0.35 * G)
+
+
+def test_that_without_the_building_there_is_no_verdict_even_for_a_base_on_the_ground():
+    (wall,) = study(WALL | {"base_z_m": 0.0}, building=None).walls
+    verdict = wall.assessment.verdict
+    assert verdict.code == "undetermined" and "1.5 m above the ground" in verdict.text("en")
+
+
+def test_that_the_verdict_rests_on_the_kinematic_checks_and_says_so():
+    (wall,) = study(WALL).walls
+    verdict = wall.assessment.verdict
+    assert verdict.governing == "nonlinear" and codes(wall)[0] == "no_histories"
+    assert [check.name for check in wall.assessment.checks] == ["nonlinear", "linear_q_code"]
+    assert wall.q_set is None and wall.runs == () and wall.per_record == () and wall.code_check == ()
+    keys = json.loads(dumps(study(WALL)))["walls"][0]
+    assert keys["runs"] == keys["per_record"] == [] and keys["velocity_ratio"] is keys["law"] is None
+    assert all(keys[name] is None for name in keys if name.startswith("q_"))
+    check = keys["kinematic_check"]
+    assert check["alpha0"] == pytest.approx(0.66779, abs=5e-6)
+    assert check["bending"]["hinge_m"] == pytest.approx(2.088, abs=5e-4)
+    assert check["d0_m"] == pytest.approx(0.5 * check["bending"]["d_c0_m"])
+
+
+def test_that_a_top_nobody_names_gives_no_verification_however_strong_the_wall_is():
+    strong = {"thickness_m": 0.9, "load": [TOP | {"kn_m": 200.0, "d_m": 0.45}]}
+    named, unnamed = (study(WALL | strong | {"back_restraint": text}).walls[0] for text in ("kerb", ""))
+    assert named.assessment.verdict.code == "not_activated"
+    verdict = unnamed.assessment.verdict
+    assert verdict.code == "indicative" and "no_top_restraint" in codes(unnamed)
+    assert verdict.to_do[0].code == "to_no_top_restraint"
+
+
+def test_that_zeta_of_the_overturning_stands_beside_it():
+    """The same wall, no longer held: it is that of a one-sided wall by the same checks."""
+    (wall,) = study(WALL).walls
+    (alone,) = study(WALL | {"mechanism": "one_sided", "hinge_heights": "base"}).walls
+    assert wall.assessment.verdict.lower_bound == pytest.approx(alone.assessment.verdict.zeta_e, rel=1e-12)
+    assert wall.assessment.verdict.lower_bound < wall.assessment.verdict.zeta_e and "top_fails" in codes(wall)
+
+
+def test_that_loads_that_hold_less_inward_are_said_and_make_it_indicative():
+    """A wall satisfied outward alone, for its load stands near the outer face."""
+    near = WALL | {"load": [TOP | {"d_m": 0.02, "kn_m": 30.0}]}
+    (wall,) = study(near, demand=DEMAND | {"ag_g": 0.45}).walls
+    assert wall.assessment.checks[0].passed and "lift_bends_inward" in codes(wall)
+    assert wall.assessment.verdict.code == "indicative"
+    (reasoned,) = study(near | {"justification": {"load": "a cross wall stands behind"}}).walls
+    assert reasoned.assessment.verdict.code != "indicative"
+    (middle,) = study(WALL).walls
+    assert "lift_bends_inward" not in codes(middle)
+
+
+def test_that_the_highest_hinge_is_said():
+    bare = {key: value for key, value in WALL.items() if key != "load"}
+    (wall,) = study(bare | {"unloaded_confirmed": True}).walls
+    assert "hinge_highest" in codes(wall)
+
+
+def test_that_it_goes_with_walls_that_have_histories(folder):
+    """Its records lists stay empty, theirs do not, and one alone runs without any."""
+    other = {"name": "rocks", "height_m": 3.0, "thickness_m": 0.5, "base_z_m": 0.0, "mechanism": "two_sided"}
+    records = [{"file": "r*.txt", "unit": "m/s2", "time_step_s": 0.01}]
+    analysis = {"q_step": 0.02, "accuracy": True}
+    result = study(WALL, other, base_dir=folder, record=records, analysis=analysis)
+    bends, rocks = result.walls
+    assert bends.runs == () and bends.per_record == () and len(rocks.per_record) == 3
+    assert [one.code for one in bends.warnings] == ["bending_no_accuracy"] and bends.accuracy is None
+    alone = study(WALL).walls[0].assessment
+    assert bends.assessment.verdict.zeta_e == alone.verdict.zeta_e and bends.assessment.dynamic is None
+
+
+def test_that_without_a_demand_it_is_read_and_shown():
+    result = study({key: value for key, value in WALL.items() if key != "base_z_m"}, demand=None)
+    assert result.walls[0].threshold == pytest.approx(0.66779 * G, rel=1e-5) and result.walls[0].warnings == ()
+
+
+def test_that_a_larger_period_of_the_building_and_fc_are_among_what_lifts_it():
+    known = {"confidence_factor": 1.2, "knowledge_level": "LC2", "investigations": "flat jacks"}
+    (wall,) = study(WALL | {"compressive_strength_mpa": 2.0}, demand=DEMAND | known).walls
+    assert {"lift_confidence_factor", "other_building"} <= set(codes(wall))
+    assert "at_centroid" not in codes(wall)
+
+
+def test_that_every_limit_state_has_its_zeta():
+    hazard = [{"return_period_years": years, "ag_g": ag} for years, ag in ((30, 0.08), (475, 0.26), (2475, 0.45))]
+    demand = DEMAND | {"ag_g": 0.26, "nominal_life_years": 50, "use_class_factor": 1.0, "hazard": hazard}
+    (wall,) = study(WALL, demand=demand).walls
+    assert [one.state for one in wall.assessment.states] == ["SLD", "SLV", "SLC"]
+    assert [one.check for one in wall.assessment.states] == ["linear_sld", "nonlinear", "nonlinear"]
+    assert replace(wall).assessment.risk is not None
+
+
+def test_that_a_wall_to_be_held_at_its_top_is_compared_with_the_wall_that_overturns():
+    as_is = WALL | {"mechanism": "one_sided", "hinge_heights": "base", "variant": "stato di fatto"}
+    result = study(as_is, WALL | {"variant": "progetto"})
+    (one,) = comparisons(result.walls)
+    assert (one.before.mechanism, one.after.mechanism) == ("one_sided", "vertical_bending")
+    assert one.after.assessment.verdict.lower_bound == pytest.approx(one.before.assessment.verdict.zeta_e)
+    assert all("variant_alone" not in [one.code for one in wall.warnings] for wall in result.walls)
+
+
+def test_that_a_spectrum_too_short_for_the_overturning_leaves_the_wall_its_verdict(tmp_path):
+    """T_SLV of the overturning is beyond the end of the file, that of the bending is not."""
+    tall = WALL | {
+        "height_m": 12.0,
+        "thickness_m": 1.0,
+        "load": [TOP | {"kn_m": 60.0, "h_m": 12.0, "d_m": 0.5}],
+        "base_z_m": 0.0,
+    }
+    rows = ["0 0.42", "0.15 1.05", "0.5 1.05", "1.0 0.525", "2.5 0.21"]
+    (tmp_path / "s.txt").write_text("T[s] Se[g]\n" + "\n".join(rows))
+    demand = {"ag_g": 0.35, "soil_factor": 1.2, "spectrum_file": "s.txt"}
+    (wall,) = study(tall, demand=demand, base_dir=tmp_path).walls
+    assert wall.assessment.kinematic.period < 2.5 and wall.assessment.verdict.zeta_e is not None
+    assert wall.assessment.verdict.lower_bound is None
+    with pytest.raises(InputError, match="T_SLV"):
+        study(tall | {"mechanism": "one_sided", "hinge_heights": "base"}, demand=demand, base_dir=tmp_path)
