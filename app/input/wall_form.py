@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QFont, QFontMetrics, QGuiApplication
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLabel, QMessageBox, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QGridLayout, QLabel, QMessageBox, QToolButton, QVBoxLayout, QWidget
 
 from app.input.body_form import BodyForm
 from app.input.fields import Choice, Field, blank, connect
@@ -34,6 +34,9 @@ from core.codes.vertical_bending import bending
 from core.errors import InputError
 from core.units import G
 from core.wall.restitution import MODELS
+
+IN_A_ROW = 400
+"""Width that buttons of a row may take together [px]: larger letters have two rows."""
 
 BASE = ("base_z_m", "back_restraint", "free_element")
 """Keys beside the mechanism."""
@@ -121,8 +124,8 @@ class WallForm(QWidget):
 
     def _mechanism(self) -> QWidget:
         group = QWidget()
-        row = QHBoxLayout(group)
-        row.setContentsMargins(0, 0, 0, 0)
+        grid = QGridLayout(group)
+        grid.setContentsMargins(0, 0, 0, 0)
         for name, label, tip in (
             ("two_sided", named("two_sided"), tr("Free on both faces: rocks to both sides")),
             ("one_sided", named("one_sided"), tr("A restraint behind: rocks outwards only")),
@@ -145,8 +148,10 @@ class WallForm(QWidget):
             button.setMinimumWidth(QFontMetrics(bold).horizontalAdvance(label) + 18)  # chosen it is bold
             button.clicked.connect(lambda _, name=name: self._mechanism_chosen(name))
             self.mechanisms[name] = button
-            row.addWidget(button)
-        row.addStretch(1)
+        in_a_row = 4 if sum(one.sizeHint().width() for one in self.mechanisms.values()) < IN_A_ROW else 2
+        for k, button in enumerate(self.mechanisms.values()):
+            grid.addWidget(button, *divmod(k, in_a_row))
+        grid.setColumnStretch(in_a_row, 1)
         return group
 
     # showing
