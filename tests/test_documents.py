@@ -2,6 +2,7 @@
 test_documented_commands.py."""
 
 import importlib
+import math
 import pkgutil
 import re
 from dataclasses import fields
@@ -89,6 +90,22 @@ def test_that_the_numbers_of_the_first_trial_come_out(first_trial, name):
         said = f"{number:.2f}"
         assert (said.replace(".", ",") if "guida" in name else said) in text, said
     assert str(sum(run.ida.analyses for wall in first_trial.walls for run in wall.runs)) in text
+
+
+@pytest.mark.parametrize("name", ["guide/7_bodies.md", "guida/7_corpi.md"])
+def test_that_the_numbers_of_the_facade_come_out(name):
+    from core.case.reader import read_case
+    from core.study import run
+
+    path = ROOT / "resources" / "cases" / "facade.toml"
+    text, result = text_of(f"resources/docs/{name}"), run.run(read_case(path), base_dir=path.parent, jobs=2)
+    rows = []
+    for check in ("dynamic", "nonlinear", "linear_q_code"):
+        zetas = [next(one.zeta for one in wall.assessment.checks if one.name == check) for wall in result.walls]
+        rows.append(" | ".join(f"{zeta:.2f}" for zeta in zetas))
+    alpha = f"{math.degrees(result.walls[0].wall.block().slenderness):.2f}°"
+    for said in (*rows, alpha):
+        assert (said.replace(".", ",") if "guida" in name else said) in text, said
 
 
 # names of what can be chosen

@@ -36,7 +36,10 @@ OF_WALL: dict[type, str] = {Wall: "", Load: "", Bars: ".bar]", ReturnWalls: ".re
 
 
 class Field(QWidget):
-    """Label, editor, unit and a line for its error, of a key of a section. edited(value) : a value the case accepts."""
+    """Label, editor, unit and a line for its error, of a key of a section. edited(value) : a value the case accepts
+
+    inside : of a table of a wall, whether an error of the wall is about this field, as its form has it
+    """
 
     edited = Signal(object)
     judged = Signal()
@@ -50,6 +53,7 @@ class Field(QWidget):
         FORM_NAMES.add(self.key_in_errors(), label, SECTIONS.get(section, ""))
         self.value = self.value_before = None
         self.error = self.rule = ""
+        self.inside: Callable[[InputError], bool] | None = None
         grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setHorizontalSpacing(6)
@@ -142,11 +146,15 @@ class Field(QWidget):
 
     def named_in(self, problem: InputError, wall: str) -> bool:
         """Whether an error of the case is about this field; wall : title of the wall the forms show."""
+        if self.inside is not None:
+            return problem.wall == wall and self.inside(problem)
         if self.key_in_errors() not in problem.keys:
             return False
         if self.section in OF_WALL:
             said = [str(dict(part.values).get("name", "")) for part in problem.place if isinstance(part, Sentence)]
             inside = next((end for end in OF_WALL.values() if end and any(name.endswith(end) for name in said)), "")
+            if any(re.fullmatch(r"\[\[\w+\]\] \d+", name) for name in said) and self.section is Wall:
+                return False  # of an opening, say, whose keys have the names of the wall's
             return problem.wall == wall and inside in ("", OF_WALL[self.section])
         return problem.section is not None and problem.section == SECTIONS.get(self.section)
 

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import fields
 
+from app.input.corners_field import CornersField
 from app.input.fields import ChoiceField, Field, FlagField, NumberField, RangeField, TextField
 from app.input.hinges_field import HingesField
 from app.input.paragraphs_field import ParagraphsField
@@ -18,6 +19,7 @@ KINDS: dict[str, type[Field]] = {
     "choice": ChoiceField,
     "flag": FlagField,
     "hinges": HingesField,
+    "polygon": CornersField,
 }
 """Kind of a key -> its field."""
 

@@ -5,8 +5,9 @@ from dataclasses import replace
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QFont, QFontMetrics, QGuiApplication
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLabel, QMessageBox, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QGridLayout, QLabel, QMessageBox, QToolButton, QVBoxLayout, QWidget
 
+from app.input.body_form import BodyForm
 from app.input.fields import Choice, Field, blank, connect
 from app.input.impact_form import ImpactForm
 from app.input.loads_form import LoadsForm
@@ -34,6 +35,9 @@ from core.errors import InputError
 from core.units import G
 from core.wall.restitution import MODELS
 
+IN_A_ROW = 400
+"""Width that buttons of a row may take together [px]: larger letters have two rows."""
+
 BASE = ("base_z_m", "back_restraint", "free_element")
 """Keys beside the mechanism."""
 
@@ -60,6 +64,7 @@ class WallForm(QWidget):
         self.differs.setWordWrap(True)
         self.impact = ImpactForm(session, lambda: self.current)
         self.loads = LoadsForm(session, lambda: self.current)
+        self.body = BodyForm(session, lambda: self.current)
         self.reasons = reasons_of_wall(session, lambda: self.current)
         self.shape_fields = make_fields(Wall, "shape")
         self.check_fields = make_fields(Wall, "checks", first=BASE)
@@ -72,6 +77,7 @@ class WallForm(QWidget):
         notes = [field for field in self.check_fields if field.key not in (*BASE, "unloaded_confirmed")]
         self.sections = {
             "geometry": Section(tr("Geometry"), [self.fields["name"], self.shape, *self.shape_fields], open=True),
+            "body": Section(tr("Shape"), [self.body]),
             "mechanism": Section(tr("Mechanism and base"), [self._mechanism(), *base], open=True),
             "loads": Section(tr("Loads and ties"), [self.fields["unloaded_confirmed"], self.loads]),
             "held": Section(
@@ -96,6 +102,7 @@ class WallForm(QWidget):
             self._show_fields,
             self.impact.show_case,
             self.loads.show_case,
+            self.body.show_case,
             self.reasons.show_case,
             self._show_contents,
         )
@@ -117,8 +124,8 @@ class WallForm(QWidget):
 
     def _mechanism(self) -> QWidget:
         group = QWidget()
-        row = QHBoxLayout(group)
-        row.setContentsMargins(0, 0, 0, 0)
+        grid = QGridLayout(group)
+        grid.setContentsMargins(0, 0, 0, 0)
         for name, label, tip in (
             ("two_sided", named("two_sided"), tr("Free on both faces: rocks to both sides")),
             ("one_sided", named("one_sided"), tr("A restraint behind: rocks outwards only")),
@@ -141,8 +148,10 @@ class WallForm(QWidget):
             button.setMinimumWidth(QFontMetrics(bold).horizontalAdvance(label) + 18)  # chosen it is bold
             button.clicked.connect(lambda _, name=name: self._mechanism_chosen(name))
             self.mechanisms[name] = button
-            row.addWidget(button)
-        row.addStretch(1)
+        in_a_row = 4 if sum(one.sizeHint().width() for one in self.mechanisms.values()) < IN_A_ROW else 2
+        for k, button in enumerate(self.mechanisms.values()):
+            grid.addWidget(button, *divmod(k, in_a_row))
+        grid.setColumnStretch(in_a_row, 1)
         return group
 
     # showing
@@ -170,6 +179,7 @@ class WallForm(QWidget):
         for field in self.findChildren(Field):
             field.forget()
         self.loads.forget()
+        self.body.forget()
         self.former = (None, None)
 
     def show_case(self) -> None:

@@ -139,6 +139,21 @@ def differences(case: Case, wall: Wall) -> list[str]:
     return lines
 
 
+def shape_words(wall: Wall) -> list[str]:
+    """What makes a wall another shape than a rectangle."""
+    forms = [] if wall.gable_m is None else [tr("gable {z} m", z=number(wall.gable_m, "g"))]
+    for key, one, many in (
+        ("openings", tr("1 opening"), tr("{n} openings", n=len(wall.openings))),
+        ("steps", tr("1 step"), tr("{n} steps", n=len(wall.steps))),
+        ("solid", tr("1 solid"), tr("{n} solids", n=len(wall.solid))),
+    ):
+        if count := len(getattr(wall, key)):
+            forms.append(one if count == 1 else many)
+    if wall.return_wedges is not None:
+        forms.append(tr("wedges"))
+    return forms
+
+
 def contents_of(wall: Wall) -> dict[str, str]:
     """What each section of the form of a wall holds, in a few words."""
     height = "" if not wall.height_m else f"H {number(wall.height_m, 'g')} m"
@@ -163,6 +178,7 @@ def contents_of(wall: Wall) -> dict[str, str]:
     hinges = wall.hinge_heights
     return {
         "geometry": ", ".join(filter(None, (height, thickness))),
+        "body": ", ".join(shape_words(wall)) or tr("rectangle"),
         "mechanism": ", ".join(filter(None, (named(wall.mechanism) if wall.mechanism else "", base))),
         "loads": ", ".join(carries) or (tr("nothing, confirmed") if wall.unloaded_confirmed else tr("nothing")),
         "held": ", ".join(held) or tr("none"),

@@ -9,6 +9,7 @@ from PySide6.QtGui import QColor, QFont, QIcon, QPainter, QPen, QPixmap, QPolygo
 from PySide6.QtWidgets import QWidget
 
 from app.look import theme
+from app.look.body_drawing import BodyDrawing, complete, turned
 from app.look.language import number
 from core.case.schema import BENDS, Wall
 from core.codes.vertical_bending import Bending, Strip, bending, mechanism, outlines, shown_rotation
@@ -21,10 +22,8 @@ def outline(height: float, thickness: float, setback: float, rotation: float) ->
     """Corners of a wall [m], x right, y up, base centred; turned about its hinge by rotation [rad],
     positive to the right."""
     half = 0.5 * thickness
-    hinge = math.copysign(half - setback, rotation)
-    c, s = math.cos(rotation), math.sin(rotation)
     corners = [(-half, 0.0), (half, 0.0), (half, height), (-half, height)]
-    return [QPointF(hinge + c * (x - hinge) + s * y, -s * (x - hinge) + c * y) for x, y in corners]
+    return turned(corners, half - setback, rotation)
 
 
 class Bent(NamedTuple):
@@ -47,6 +46,9 @@ def bent_blocks(found: Bending) -> Bent:
 
 NEAR = 7.0
 """How close to a mark a click belongs to it [px]."""
+
+BESIDE = 420
+"""Width from which on the elevation of a body stands beside its section [px]."""
 
 STEP = 0.05
 """Heights a load is dragged to are multiples of it [m]."""
@@ -77,6 +79,7 @@ class WallDrawing(QWidget):
         self.arrows: list[list[tuple[float, float]]] = []
         self.bars: list[tuple[float, int]] = []
         self.hinges: list[tuple[float, float | None]] = []
+        self.body = BodyDrawing()
         self.rotation = 0.0
         self.least_extent = (0.0, 0.0)
         """Room [m] that it has at least: of another drawing beside it, so that both have one scale."""
@@ -85,14 +88,18 @@ class WallDrawing(QWidget):
     def show_wall(self, wall: Wall | None, hinges: Sequence[tuple[float, float | None]] = ()) -> None:
         """Draw this wall; what is not complete leaves the place empty. hinges : height [m] and zeta of each, where
         it has more than the one at its base."""
-        self.size_of, self.arrows, self.bars, self.hinges, self.bent = None, [], [], list(hinges), Bent()
+        self.size_of, self.arrows, self.bars, self.hinges = None, [], [], list(hinges)
+        self.body = BodyDrawing()
+        self.bent = Bent()
         if wall is not None:
             try:
+                wall = complete(wall)
                 block = wall.block()
                 height = wall.height_m or block.height
                 thickness = wall.thickness or block.thickness
                 self.size_of = (height, thickness, wall.setback if wall.height_m else 0.0)
                 self.one_sided = wall.mechanism == "one_sided"
+                self.body = BodyDrawing(wall, 0.5 * thickness)
                 self.arrows = arrows(wall, height, thickness)
                 self.bent = bent_blocks(bending(wall)) if wall.bends else Bent()
             except (InputError, TypeError):
@@ -108,8 +115,9 @@ class WallDrawing(QWidget):
     def extent(self) -> tuple[float, float]:
         """Height and width of what is drawn [m]; a wall that rocks may lie down."""
         height, thickness, _ = self.size_of or (0.0, 0.0, 0.0)
-        top = max([height, *(y for points in self.arrows for _, y in points)])
-        return top, thickness + (0.0 if self.with_sizes else 1.1 * height)
+        top = max([height, self.body.top, *(y for points in self.arrows for _, y in points)])
+        left, right = self.body.ends
+        return top, right - left if self.with_sizes else max(thickness + 1.1 * height, 2.0 * max(right, -left))
 
     def paintEvent(self, event) -> None:
         """The wall, its ground, what stands behind it, its hinges and sizes."""
@@ -120,22 +128,15 @@ class WallDrawing(QWidget):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         height, thickness, setback = self.size_of
         ink, quiet = QColor(theme.current.ink), QColor(theme.current.quiet)
-        sizes = 34 if self.with_sizes else 8
-        beside = 30 if self.with_sizes else 0  # room for the height in numbers
-        top, reach = map(max, self.extent, self.least_extent)
-        scale = min(
-            (self.height() - 2 * sizes + (12 if self.with_sizes else -8)) / top, (self.width() - beside - 16) / reach
-        )
-        base = QPointF(0.5 * (self.width() - beside) + 8, self.height() - sizes)
-
-        self.scale, self.base_y = scale, base.y()
+        base, seen = self._fit()
+        scale = self.scale
 
         def place(point: QPointF) -> QPointF:
             return QPointF(base.x() + scale * point.x(), base.y() - scale * point.y())
 
         painter.setPen(QPen(quiet, 1.5))
         painter.drawLine(QPointF(8, base.y()), QPointF(self.width() - 8, base.y()))
-        if self.one_sided:
+        if self.one_sided and not self.body.cracks:
             behind = place(QPointF(-0.5 * thickness, 0.0)).x() - 3
             area = QRectF(behind - 8, base.y() - scale * height, 8, scale * height)
             painter.fillRect(area, QColor(theme.current.grid))
@@ -143,8 +144,11 @@ class WallDrawing(QWidget):
         shade = QColor(theme.current.curves[0])
         shade.setAlpha(70)
         painter.setBrush(shade)
-        corners = [place(point) for point in outline(height, thickness, setback, self.rotation)]
-        painter.drawPolygon(QPolygonF(corners))
+        if self.body.section:
+            self.body.draw_section(painter, place, 0.5 * thickness - setback, self.rotation)
+        else:
+            corners = [place(point) for point in outline(height, thickness, setback, self.rotation)]
+            painter.drawPolygon(QPolygonF(corners))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.setPen(QPen(quiet, 1.2, Qt.PenStyle.DashLine))
         for block in self.bent.blocks:
@@ -157,7 +161,7 @@ class WallDrawing(QWidget):
         for side in sides:
             painter.drawEllipse(place(QPointF(side * (0.5 * thickness - setback), 0.0)), 3, 3)
         for level, _ in self.hinges:
-            painter.drawEllipse(place(QPointF(0.5 * thickness - setback, level)), 3, 3)
+            painter.drawEllipse(place(QPointF(self.body.outer_face(level) - setback, level)), 3, 3)
         self._draw_bars(painter, place)
         if self.rotation == 0.0 and not self.bars:
             painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -165,9 +169,31 @@ class WallDrawing(QWidget):
             for points in self.arrows:
                 painter.drawPolyline([place(QPointF(x - 0.5 * thickness, y)) for x, y in points])
         if self.with_sizes:
-            self._zetas(painter, place, thickness)
+            self._zetas(painter, place)
             self._sizes(painter, place, height, thickness, setback)
             self._mark_spots(place, height, thickness, setback)
+        if seen is not None:
+            self.body.draw_elevation(painter, seen, scale)
+
+    def _fit(self) -> tuple[QPointF, QPointF | None]:
+        """Sets the scale; the middle of the base, and where s and z of the elevation are 0, None without it."""
+        sizes = 34 if self.with_sizes else 8
+        beside = 30 if self.with_sizes else 0  # room for the height in numbers
+        top, reach = map(max, self.extent, self.least_extent)
+        first, last = self.body.along if self.has_elevation else (0.0, 0.0)
+        room = self.width() - beside - (64 if self.has_elevation else 16)
+        high = self.height() - 2 * sizes + (12 if self.with_sizes else -8)
+        scale = min(high / top, room / (reach + last - first))
+        wide = self.width() - (scale * (last - first) + 32 if self.has_elevation else 0.0)
+        middle = 0.5 * sum(self.body.ends) if self.with_sizes else 0.0
+        base = QPointF(0.5 * (wide - beside) + 8 - scale * middle, self.height() - sizes)
+        self.scale, self.base_y = scale, base.y()
+        return base, QPointF(wide + 8 - scale * first, base.y()) if self.has_elevation else None
+
+    @property
+    def has_elevation(self) -> bool:
+        """Whether there is room for one beside the section of a body."""
+        return self.with_sizes and bool(self.body.elevation) and self.width() >= BESIDE
 
     def _mark_spots(self, place, height, thickness, setback) -> None:
         """Where a click leads to a field: loads first, for a tie may stand at a hinge."""
@@ -181,8 +207,8 @@ class WallDrawing(QWidget):
             around([(x - half, y) for x, y in points], "load", k)
         for k, (level, _) in enumerate(self.hinges or [(0.0, None)]):
             around([(half - setback, level)], "hinge", k)
-        right = half + 20.0 / self.scale
-        around([(half + 6.0 / self.scale, 0.1 * height), (right, 0.9 * height)], "height")
+        edge = self.body.ends[1]
+        around([(edge + 6.0 / self.scale, 0.1 * height), (edge + 20.0 / self.scale, 0.9 * height)], "height")
         around([(-half, -18.0 / self.scale), (half, -6.0 / self.scale)], "thickness")
 
     def _spot_at(self, point: QPointF) -> tuple[str, int] | None:
@@ -228,7 +254,7 @@ class WallDrawing(QWidget):
             ends = (QPointF(plate.x() + way * s * reach, plate.y() + way * c * reach) for way in (1.0, -1.0))
             painter.drawLine(*map(place, ends))
 
-    def _zetas(self, painter, place, thickness) -> None:
+    def _zetas(self, painter, place) -> None:
         """zeta at each hinge, the smallest in red and bold."""
         known, font = [zeta for _, zeta in self.hinges if zeta is not None], QFont(self.font())
         for level, zeta in self.hinges:
@@ -238,7 +264,7 @@ class WallDrawing(QWidget):
                 font.setBold(weakest)
                 painter.setFont(font)
                 words = f"ζ {number(zeta, '.2f')}"
-                at = place(QPointF(-0.5 * thickness, level))
+                at = place(QPointF(self.body.ends[0], level))
                 wide = painter.fontMetrics().horizontalAdvance(words)
                 painter.drawText(QPointF(max(0.0, at.x() - wide - 14), at.y() - 2), words)
 
@@ -247,7 +273,7 @@ class WallDrawing(QWidget):
         font = QFont(self.font())
         font.setPointSizeF(max(7.0, 0.9 * font.pointSizeF()))
         painter.setFont(font)
-        low, high = place(QPointF(0.5 * thickness, 0.0)), place(QPointF(0.5 * thickness, height))
+        low, high = place(QPointF(self.body.ends[1], 0.0)), place(QPointF(self.body.ends[1], height))
         x = low.x() + 10
         painter.drawLine(QPointF(x, low.y()), QPointF(x, high.y()))
         for y in (low.y(), high.y()):
@@ -259,10 +285,10 @@ class WallDrawing(QWidget):
         painter.rotate(-90.0)
         painter.drawText(QPointF(0.0, 0.0), words)
         painter.restore()
-        left = place(QPointF(-0.5 * thickness, 0.0))
         words = f"t {number(100 * thickness, '.1f')} cm" + (f", u {number(100 * setback, '.1f')} cm" if setback else "")
         width = painter.fontMetrics().horizontalAdvance(words)
-        painter.drawText(QPointF(max(2.0, 0.5 * (left.x() + low.x()) - 0.5 * width), left.y() + 16), words)
+        middle = place(QPointF(0.0, 0.0)).x()
+        painter.drawText(QPointF(max(2.0, middle - 0.5 * width), low.y() + 16), words)
 
 
 def mechanism_icon(name: str, size: int = 52) -> QIcon:

@@ -8,11 +8,12 @@ from PySide6.QtWidgets import QCommandLinkButton, QLabel, QVBoxLayout, QWidget
 
 from app.look import theme
 from app.look.language import tr
+from app.shell.files import EXAMPLE
 from core.case.site import Demand
 
 
 class FirstRun(QWidget):
-    """chosen(name) : wall, records, table, paper, or example; opened(path) : a file of late"""
+    """chosen(name) : wall, records, table, paper, example or facade; opened(path) : a file of late"""
 
     chosen = Signal(str)
     opened = Signal(str)
@@ -31,6 +32,7 @@ class FirstRun(QWidget):
             ("records", tr("Records to look at"), tr("Any format: what each file is, its spectrum, its measures.")),
             ("paper", tr("The study of the paper"), tr("Force reduction factors of many walls, with figures.")),
             ("example", tr("An example"), tr("Two walls under seven motions: press F5 and look around.")),
+            ("facade", tr("A facade"), tr("Of a church: gable, rose window, portal, wedges of the nave walls.")),
         ):
             button = QCommandLinkButton(title, words)
             button.clicked.connect(lambda _=False, name=name: self.chosen.emit(name))
@@ -52,6 +54,11 @@ def follow(window, name: str) -> None:
 
     if name == "example":
         window.show_stage("input")
+        return
+    if name == "facade":
+        if window.files.open(EXAMPLE.with_name("facade.toml")):
+            window.show_input("wall", 0)
+            window.walls.sections["body"].unfold()
         return
     if name == "paper":
         window.show_stage("input")

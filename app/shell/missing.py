@@ -134,6 +134,7 @@ class Missing(QFrame):
         row, load = wall_of(window.session.case, error), load_of(error)
         if row is not None:
             window.show_input("wall", row)
+            window.walls.body.point_at(error)
         if row is not None and load is not None:
             window.walls.loads.list.setCurrentRow(load)
         field = next((one for one in window.fields if self._is_named(one, error) and not one.isHidden()), None)

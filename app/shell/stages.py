@@ -52,6 +52,7 @@ def name_sections() -> None:
         {
             "[demand]": tr("Demand"),
             "[demand.spectrum]": tr("Spectrum"),
+            "[site]": tr("the place"),
             "spectrum": tr("Spectrum"),
             "spectrum_file": tr("spectrum of a file"),
             "[generate]": tr("Generate…"),

@@ -17,7 +17,7 @@ from core.codes.national_hazard import (
     reference_life,
 )
 from core.errors import InputError, section
-from core.text.sentence import Sentence, notice
+from core.text.sentence import Key, Sentence, notice
 
 HERE = section("[site]")
 
@@ -106,7 +106,7 @@ def filled(site: Site, demand: dict) -> dict:
     here, state = section("[demand]"), demand.get("limit_state", "SLV")
     for key in ("site", "coordinates", "hazard_file"):
         if demand.get(key):
-            raise InputError("site_gives", place=(here,), key=key)
+            raise InputError("site_gives", place=(here,), key=key, section=Key("[site]"))
     if state not in EXCEEDANCE:
         return demand  # refused with the other keys
     made, found = dict(demand), derived(site, state)

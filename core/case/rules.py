@@ -12,7 +12,7 @@ from core.case.keys import is_required
 from core.case.place import HERE, Site, filled, placed
 from core.case.schema import Analysis, Case, Generate, Record, Report, Wall
 from core.case.site import FULL_FACTOR, KNOWLEDGE, Building, Demand, Spectrum
-from core.case.values import SHOWN, are_ends, field_of, refuse_unknown, repeated, section_of, value_of
+from core.case.values import SHOWN, are_ends, corners_of, field_of, refuse_unknown, repeated, section_of, value_of
 from core.case.variant_of import expanded
 from core.codes.limits import check_return_period
 from core.errors import InputError, place, section
@@ -127,6 +127,8 @@ def draft_case(table: dict) -> Case:
             return tuple(part(of, row, entry.name) for row in given)
         if kind in ("section", "spectrum"):
             return part(of, given, entry.name)
+        if kind == "polygon" and (corners := corners_of(given)) is not None:
+            return corners
         return given if kind == "law" and are_ends(given) else value_of(entry, given, name)
 
     def one(cls, name):

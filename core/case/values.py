@@ -194,18 +194,24 @@ def _hinges(entry, value, here):
     return tuple(sorted({float(h) for h in heights})) if fits else None
 
 
-def _polygon(entry, value, here):
-    """Corners as [[s, z], ...], or as text "s z; s z; ..." of a table."""
+def corners_of(value) -> tuple[tuple[float, float], ...] | None:
+    """Corners of a polygon in the making, of any count: [[s, z], ...], or text "s z; s z; ..." of a table; None for
+    what are none."""
     if isinstance(value, str):
         try:
             value = [[parse_number(part) for part in corner.split()] for corner in value.split(";") if corner.strip()]
         except InputError:
             return None
-    if not isinstance(value, (list, tuple)) or not 3 <= len(value) <= MOST_CORNERS:
+    if not isinstance(value, (list, tuple)) or len(value) > MOST_CORNERS:
         return None
-    pairs = [c for c in value if isinstance(c, (list, tuple)) and len(c) == 2 and _are_numbers(c)]
-    fits = len(pairs) == len(value) and all(abs(number) <= 300.0 for corner in pairs for number in corner)
-    return tuple((float(s), float(z)) for s, z in pairs) if fits else None
+    fits = all(isinstance(c, (list, tuple)) and len(c) == 2 and _are_numbers(c) for c in value)
+    return tuple((float(s), float(z)) for s, z in value) if fits else None
+
+
+def _polygon(entry, value, here):
+    corners = corners_of(value)
+    fits = corners is not None and len(corners) >= 3
+    return corners if fits and all(abs(number) <= 300.0 for corner in corners for number in corner) else None
 
 
 def _law(entry, value, here):

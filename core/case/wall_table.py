@@ -14,6 +14,7 @@ from core.case.many_walls import ManyWalls
 from core.case.number import parse_number
 from core.case.rules import parse_wall
 from core.case.schema import Wall
+from core.case.values import field_of
 from core.errors import InputError, place
 from core.ooxml.sheet import MAX_NAME, Limits, hidden_notes, read_sheet, refuse_cells, spoken
 from core.text.catalogue import CATALOGUE
@@ -297,7 +298,7 @@ class _Head(NamedTuple):
             if key and cell:
                 table[key] = _cell(key, factor, cell, place("cell", n=number, key=head[:60]))
         table.setdefault("name", f"row {number}")
-        _gather_loads(table)
+        _gather(table)
         try:
             if self.with_demand and "base_z_m" not in table:
                 raise InputError("base_missing", key="base_z_m")
@@ -320,22 +321,25 @@ def _column_of(error: InputError, keys: list) -> int | None:
     """The column an error of a wall is about."""
     key = error.key
     for part in error.place:
-        if isinstance(part, Sentence) and part.code == "load":
-            key = f"load{dict(part.values)['n']}_{key}"
+        if not isinstance(part, Sentence):
+            continue
+        values = dict(part.values)
+        if part.code in ("load", "solid"):
+            key = f"{part.code}{values['n']}_{key}"
+        elif inside := re.fullmatch(r"\[\[(\w+)\]\] (\d+)", str(values.get("name", ""))):
+            key = field_of(Wall, inside[1]).metadata["columns"].format(n=inside[2]) + str(key)
     return keys.index(key) if key in keys else None
 
 
-def _gather_loads(table: dict) -> None:
-    """Put the cells of each load of a row together, as [[wall.load]] has them."""
-    loads: dict[str, dict] = {}
-    for key in [key for key in table if key.startswith("load")]:
-        number, _, own = key.partition("_")
-        loads.setdefault(number, {})[own] = table.pop(key)
-    if loads:
-        table["load"] = [loads[number] for number in sorted(loads)]
-    across = {key.removeprefix("across_"): table.pop(key) for key in list(table) if key.startswith("across_")}
-    if across:
-        table["return_walls"] = across
+def _gather(table: dict) -> None:
+    """Put the cells of each load, opening, ... of a row together, as [[wall.load]] has them, and those of a section."""
+    for entry in fields(Wall):
+        if "columns" not in entry.metadata:
+            continue
+        starts = dict.fromkeys(entry.metadata["columns"].format(n=n) for n in range(1, MOST_LOADS + 1))
+        parts = [{key.removeprefix(at): table.pop(key) for key in list(table) if key.startswith(at)} for at in starts]
+        if given := [part for part in parts if part]:
+            table[entry.name] = given if entry.metadata["kind"] == "tables" else given[0]
 
 
 def _heads(cells: list[str]) -> list[str | None]:
@@ -389,7 +393,7 @@ def _cell(key: str, factor: float, cell: str, here: Sentence):
         return _one_of(
             cell.replace("_", "-") if key == "mechanism" and cell.isascii() else cell, CHOICES[entry.name], here
         )
-    if kind in ("text", "choice", "law"):
+    if kind in ("text", "choice", "law", "polygon"):
         return cell
     if kind == "flag":
         if cell.lower() not in FLAGS:

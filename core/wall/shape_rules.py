@@ -33,7 +33,7 @@ def check_shape(wall) -> None:
     parts = parts_of(wall)
     if not parts:
         return
-    _check_openings(parts, here)
+    _check_openings(parts, here, "openings" if wall.openings else "solid")
     _check_overlap(parts, here)
     top = top_of(wall)
     if not LEAST_CONTACT * top <= wall.height_m <= top * (1.0 + 1e-9):
@@ -96,13 +96,13 @@ def _check_solid(solid, here) -> None:
         raise InputError("polygon_empty", place=here, key="polygon_m")
 
 
-def _check_openings(parts: tuple[Part, ...], here) -> None:
-    """Each opening is in one solid of its plane."""
+def _check_openings(parts: tuple[Part, ...], here, key: str) -> None:
+    """Each opening is in one solid of its plane. key : that gives them"""
     solids = [part for part in parts if part.weight > 0.0]
     for opening in (part for part in parts if part.weight < 0.0):
         if not any(_is_in(opening, solid) for solid in solids):
             s, z = opening.polygon[0]
-            raise InputError("opening_outside", place=here, s=s, z=z)
+            raise InputError("opening_outside", place=here, key=key, s=s, z=z)
 
 
 def _is_in(opening: Part, solid: Part) -> bool:
@@ -124,6 +124,11 @@ def _is_in(opening: Part, solid: Part) -> bool:
 
 def _cross(one, other) -> bool:
     """Whether two edges cross within both; touching is none."""
+    for k in (0, 1):  # most are apart
+        if max(one[0][k], one[1][k]) < min(other[0][k], other[1][k]):
+            return False
+        if max(other[0][k], other[1][k]) < min(one[0][k], one[1][k]):
+            return False
     touching = any(meet((p, p), other) for p in one) or any(meet((p, p), one) for p in other)
     return meet(one, other) and not touching
 

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from core.errors import InputError, place
 from core.units import G
 from core.wall.body import Body, cut_above, directions, extruded, together
 
@@ -188,9 +189,14 @@ def sum_of(parts: tuple[Part, ...]) -> Body:
 
 
 def body_of(wall) -> Body | None:
-    """The body of a wall; None of a rectangle."""
+    """The body of a wall; None of a rectangle. Raises InputError for one in the making that has no mass."""
     parts = parts_of(wall)
-    return sum_of(parts) if parts else None
+    if not parts:
+        return None
+    body = sum_of(parts)
+    if not body.mass > 0.0:
+        raise InputError("polygon_empty", place=(place("wall", name=wall.name),), key="solid")
+    return body
 
 
 def weight_per_metre(wall) -> float:

@@ -36,6 +36,7 @@ from app.shell import guide, menus
 from app.shell.study_window import StudyWindow
 from app.views import figure_dialogs
 from app.views.chart import Chart
+from core.case.solids import Opening, Solid, Step, Wedges
 from tests.app.driving import run, settle
 from tests.conftest import ROOT
 
@@ -256,4 +257,47 @@ def test_that_no_word_is_cut_in_large_letters(opened, application, monkeypatch, 
     dialogs(opened, application, monkeypatch, must_be_whole)
     opened.show_first_run()
     application.processEvents()
+    must_be_whole(opened)
+
+
+SHAPES = {
+    "short": {
+        "openings": (Opening(0.5, 1.0, 1.0, 1.0), Opening(2.0, 2.5, diameter_m=0.8)),
+        "steps": (Step(4.0, 0.3),),
+        "return_wedges": Wedges(2, 0.4, 1.0),
+    },
+    "solids": {
+        "solid": (
+            Solid("section", ((0.0, 0.0), (0.5, 0.0), (0.5, 5.0), (0.0, 5.0)), 4.0),
+            Solid("oblique", ((0.8, 0.0), (1.0, 5.0), (0.8, 5.0)), 1.0, angle_deg=30.0),
+        )
+    },
+}
+
+
+def shaped(window, shape: str) -> None:
+    """The form of a wall with short forms or with solids, all of its fields shown."""
+    sizes = {"height_m": 5.0, "thickness_m": 0.5, "length_m": 4.0, "unit_weight_kn_m3": 18.0}
+    window.session.edit_wall(0, mechanism="one_sided", **sizes, **SHAPES[shape])
+    for section in window.findChildren(Section):
+        section.unfold()
+    window.show_input("wall")
+    window.walls.body.solids.list.setCurrentRow(1)
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+def test_that_every_control_of_a_shape_is_reached_by_the_keys_and_shows_it(opened, application, shape):
+    shaped(opened, shape)
+    assert opened.session.problem() is None
+    settle(application, lambda: True)
+    must_be_reached(application, opened)
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+@pytest.mark.parametrize("language", ["en", "it"])
+def test_that_no_word_of_a_shape_is_cut_in_large_letters(opened, application, large, language, shape):
+    opened.set_choice("language", language)
+    opened.resize(1280, 800)
+    shaped(opened, shape)
+    settle(application, lambda: opened.records.motions and not opened.records.pending)
     must_be_whole(opened)

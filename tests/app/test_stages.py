@@ -131,13 +131,19 @@ def test_that_a_variant_is_one_click_and_the_client_sees_before_and_after(opened
 def test_that_the_first_page_asks_what_there_is_and_goes_with_the_first_choice(opened, application):
     opened.show_first_run()
     page = opened.stages.first
-    assert set(page.buttons) == {"wall", "table", "records", "paper", "example"}
+    assert set(page.buttons) == {"wall", "table", "records", "paper", "example", "facade"}
     page.buttons["wall"].click()
     assert opened.stages.first is None and opened.stages.front == "input"
     assert len(opened.session.case.wall) == 1 and opened.walls.fields["height_m"].isVisible()
     opened.show_first_run()
     first_run.follow(opened, "example")
     assert opened.stages.front == "input"
+    opened.show_first_run()
+    opened.stages.first.buttons["facade"].click()
+    assert len(opened.walls.wall.openings) == 2 and opened.walls.body.isVisible()
+    entry = next(one for one in finder.entries_of(opened) if "rose window" in one.words)
+    entry.go()
+    assert opened.session.path.name == "facade.toml"
 
 
 @pytest.mark.parametrize("name", ["light", "dark"])

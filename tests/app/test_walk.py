@@ -9,7 +9,7 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
 
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QFileDialog, QMessageBox, QPlainTextEdit
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QPlainTextEdit, QToolButton
 
 from app.input.fields import ChoiceField, FlagField
 from app.input.loads_form import KINDS
@@ -25,6 +25,9 @@ TEXTS = (
 """What is typed into a field, whatever it takes."""
 
 WALLS = "name;height_m;thickness_m;mechanism;base_z_m\n;m;cm;;m\npasted;4;40;one_sided;0\n"
+CORNERS = (
+    "", "0 0", "0\t0\n4\t0", "0;0\n4;0\n4;5,5\n0;5.5", "0 0\n1 1\n0 1\n1 0", "0 0\n4 0\n2", "-1 -1\n1e9 2\n3 3", "x",
+)  # fmt: skip
 CLIPBOARDS = (WALLS, "30 0.08\n475 0.2\n", "")
 
 
@@ -46,6 +49,7 @@ class Walk:
             self.tick_bars: 3,
             self.tick_return_walls: 3,
             self.drag_a_load: 2,
+            self.change_the_shape: 14,
             self.tick_the_demand: 2,
             self.choose_a_spectrum: 4,
             self.tick_the_building: 2,
@@ -143,6 +147,32 @@ class Walk:
         if wall is not None and wall.load and wall.height_m:
             height = wall.height_m * self.chance.random()
             self.window.walls.drawing.moved.emit(self.chance.randrange(len(wall.load)), height)
+
+    def change_the_shape(self):
+        """An opening, a step or a solid more, another one, one less; corners; wedges, with their length."""
+        body = self.window.walls.body
+        if self.window.walls.wall is None:
+            return None
+        entries = self.one_of(body.lists)
+        act = self.chance.randrange(6)
+        if act < 2:
+            buttons = [one for one in entries.findChildren(QToolButton) if one is not entries.delete_button]
+            self.one_of(buttons).click()
+        elif act == 2 and entries.list.count():
+            entries.list.setCurrentRow(self.chance.randrange(entries.list.count()))
+        elif act == 3:
+            entries.delete_button.click()
+        elif act == 4:
+            self._tick(body.wedges)
+            body.brick_length.setText("25")
+            body.brick_height.setText(self.one_of(("20", "", "x")))
+            body.brick_height.textEdited.emit("")
+            body.fill.click()
+        elif body.solids.entry is not None:
+            corners = next(field for field in body.solids.fields if field.key == "polygon_m")
+            unfold_to(corners)
+            corners.editor.setPlainText(self.one_of(CORNERS))
+        return f"{entries.key} {act}"
 
     def tick_the_demand(self):
         return self._tick(self.window.demand.given)

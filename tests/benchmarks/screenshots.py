@@ -107,6 +107,7 @@ GUIDE = (
         ),
     ),
     ("building.toml", -1, (("parapet_wall", "wall"), ("parapet_check", "check"), ("parapet_spectra", "spectra"))),
+    ("facade.toml", -1, (("body_wall", "wall"),)),
 )
 """(case, wall, pictures: (name, page or form)) of the guides."""
 
@@ -117,7 +118,7 @@ def guide(folder: Path, small: Path | None) -> None:
 
     application, window = begin()
     window.set_choice("theme", "light")
-    for case, wall, pictures in GUIDE[: 1 if small else 2]:
+    for case, wall, pictures in GUIDE[: 1 if small else None]:
         run(application, window, small or CASES / case)
         for language in ("en",) if small else ("it", "en"):
             window.set_choice("language", language)
@@ -126,6 +127,8 @@ def guide(folder: Path, small: Path | None) -> None:
             window.pick(wall % len(window.session.result.walls))
             for name, page in pictures:
                 window.show_page(page) if page in window.pages else window.show_input(page)
+                for key, section in window.walls.sections.items():  # of a body its shape
+                    section.head.setChecked(key == "body" if name == "body_wall" else key in ("geometry", "mechanism"))
                 settle(application, lambda: True)
                 path = folder / f"{name}_{language}.png"
                 picture(window, path)

@@ -11,6 +11,7 @@ from core.case import wall_table
 from core.case.loads import Load, ReturnWalls
 from core.case.reader import read_case
 from core.case.schema import Wall
+from core.case.solids import Opening, Step, Wedges
 from core.case.values import field_of
 from core.case.wall_table import read_table, read_walls, text_rows, walls_of
 from core.errors import InputError
@@ -310,6 +311,35 @@ def test_that_a_load_that_lacks_its_size_names_row_and_key():
     with pytest.raises(InputError) as caught:
         walls_of(text_rows(text))
     assert "row 3" in str(caught.value) and "kn_m" in str(caught.value)
+
+
+BODY = (
+    "nome;H [m];t [cm];meccanismo;lunghezza [m];peso specifico;timpano [m];apertura 1 s [m];apertura 1 z [m];"
+    "apertura 1 larghezza [cm];apertura 1 altezza [m];opening 2 s [m];opening 2 z [m];opening 2 diameter [m];cunei;"
+    "cunei t [cm];cunei lunghezza in sommità [m];risega 1 da z [m];risega 1 t [cm]"
+)
+
+
+def test_that_the_shape_of_a_wall_stands_in_columns_of_its_own():
+    facade, plain = walls_of(
+        text_rows(
+            f"{BODY}\nfacciata;11;90;un lato;10;19;3;4;0;200;3,5;5;6,5;2,4;2;60;1,6;;\n"
+            "muro;8;60;un lato;5;18;;;;;;;;;;;;4;45\n"
+        )
+    )
+    assert facade.gable_m == 3.0 and facade.return_wedges == Wedges(2, 0.6, 1.6)
+    assert facade.openings == (Opening(4.0, 0.0, 2.0, 3.5), Opening(5.0, 6.5, diameter_m=2.4))
+    assert (plain.gable_m, plain.openings, plain.return_wedges) == (None, (), None)
+    assert plain.steps == (Step(4.0, 0.45),)
+    heads = "name\tH [m]\tt [cm]\tmechanism\tlength [m]\tunit weight\tsolid 1\tsolid 1 corners\tsolid 1 to [m]\n"
+    (wall,) = walls_of(text_rows(f"{heads}w\t6\t50\tone_sided\t4\t18\televation\t0 0; 4 0; 4 6; 0 6\t0.5\n"))
+    assert wall.solid[0].polygon_m[2] == (4.0, 6.0)
+
+
+def test_that_an_opening_that_lacks_its_height_names_row_and_column():
+    with pytest.raises(InputError) as caught:
+        walls_of(text_rows(f"{BODY}\nfacciata;11;90;un lato;10;19;3;4;;200;;;;;;;;;\n"))
+    assert "row 2, apertura 1 z" in str(caught.value) and "z_m is missing" in str(caught.value)
 
 
 @pytest.mark.parametrize(("cell", "heights"), [("piani", "floors"), ("1,5 3", (1.5, 3.0)), ("2", (2.0,))])

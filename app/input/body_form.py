@@ -1,0 +1,227 @@
+"""The shape of a wall that is no rectangle: gable, openings, steps, wedges of the return walls, solids."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from PySide6.QtCore import QSignalBlocker, Qt
+from PySide6.QtWidgets import QGridLayout, QGroupBox, QLabel, QPushButton, QVBoxLayout, QWidget
+
+from app.input.entries_form import EntriesForm
+from app.input.fields import Field, Line, blank, connect
+from app.input.made_fields import make_fields
+from app.look.language import FORM_NAMES, current_language, number, tr
+from app.work.session import Session
+from core.case.number import parse_number
+from core.case.schema import Wall
+from core.case.solids import Opening, Solid, Step, Wedges
+from core.errors import InputError
+from core.text.sentence import choice
+from core.units import CM
+from core.wall.wall_body import shoulder
+
+SIZES = ("width_m", "height_m", "diameter_m")
+"""Of an opening."""
+
+
+def _m(value) -> str:
+    """A length of the case [m], – where it is still to be given."""
+    return "–" if value in (None, "") else number(value, "g")
+
+
+def opening_words(opening: Opening) -> str:
+    """An opening in the list."""
+    if opening.diameter_m is None:
+        size = f"{_m(opening.width_m)} × {_m(opening.height_m)}"
+    else:
+        size = f"⌀ {_m(opening.diameter_m)}"
+    return f"{size} m, s {_m(opening.s_m)}, z {_m(opening.z_m)} m"
+
+
+def step_words(step: Step) -> str:
+    """A step in the list."""
+    thick = "–" if step.thickness_m in (None, "") else number(step.thickness_m / CM, "g")
+    return tr("{t} cm from z {z} m", t=thick, z=_m(step.from_z_m))
+
+
+def solid_words(solid: Solid) -> str:
+    """A solid in the list."""
+    plane = choice(solid.plane, current_language()) if solid.plane else "–"
+    what = tr("{plane}, {n} corners, {first} to {last} m", plane=plane, n=len(solid.polygon_m or ()),
+              first=_m(solid.from_m), last=_m(solid.to_m))  # fmt: skip
+    return f"− {what}" if solid.opening else what
+
+
+def _opening_has(opening: Opening, key: str) -> bool:
+    """Whether an opening of this shape has this key; one without a size may have any."""
+    given = [size for size in SIZES if getattr(opening, size) is not None]
+    if key not in SIZES or not given:
+        return True
+    return (key == "diameter_m") == ("diameter_m" in given) or key in given
+
+
+def _first_solid(wall: Wall) -> Solid:
+    """A solid to be drawn; the first of a wall is the wall."""
+    rectangle: tuple = ()
+    if not wall.solid and wall.height_m and wall.length_m:
+        length, height = wall.length_m, wall.height_m
+        rectangle = ((0.0, 0.0), (length, 0.0), (length, height), (0.0, height))
+    return Solid("elevation", rectangle, wall.thickness or "")  # type: ignore[arg-type]  # to be given
+
+
+class BodyForm(QWidget):
+    """Edits what makes the wall at `index()` another shape than a rectangle."""
+
+    def __init__(self, session: Session, index: Callable[[], int]):
+        super().__init__()
+        self.session, self.index = session, index
+        self.gable_fields = make_fields(Wall, "body")
+        connect(self.gable_fields, lambda field, value: self._edit((field.key,), **{field.key: value}))
+        empty = {"s_m": "", "z_m": ""}
+        self.openings = EntriesForm(
+            session,
+            index,
+            "openings",
+            {
+                tr("Rectangle"): lambda wall: Opening(**empty, width_m="", height_m=""),
+                tr("Circle"): lambda wall: Opening(**empty, diameter_m=""),
+            },
+            opening_words,
+            _opening_has,
+            lead="width_m",
+        )
+        self.steps = EntriesForm(session, index, "steps", {tr("Add"): lambda wall: Step("", "")}, step_words)
+        self.solids = EntriesForm(
+            session,
+            index,
+            "solid",
+            {tr("Add"): _first_solid},
+            solid_words,
+            lambda solid, key: key != "angle_deg" or solid.plane == "oblique" or solid.angle_deg is not None,
+            first=("plane", "angle_deg", "polygon_m", "from_m", "to_m", "x0_m", "unit_weight_kn_m3", "opening"),
+        )
+        self.lists = (self.openings, self.steps, self.solids)
+        for entries, title in zip(self.lists, (tr("Openings"), tr("Steps"), tr("Solids")), strict=True):
+            entries.set_title(title)
+            FORM_NAMES.add(entries.key, title)
+        FORM_NAMES.add("return_wedges", tr("Wedges of return walls, dragged along"))
+        self._make_wedges()
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        for widget in (*self.gable_fields, self.openings, self.steps, self.wedges, self.solids):
+            column.addWidget(widget)
+        self.forget()
+
+    def forget(self) -> None:
+        """Another wall: no wedge and no brick of the last one comes back in this."""
+        self.former: Wedges | None = None
+        self.brick_length.clear()
+        self.brick_height.clear()
+
+    def _make_wedges(self) -> None:
+        """The wedges, and a length of theirs from the bricks, which a button fills in."""
+        self.wedges = QGroupBox(tr("Wedges of return walls, dragged along"))
+        self.wedges.setCheckable(True)
+        self.wedges.toggled.connect(self._wedges_toggled)
+        inside = QVBoxLayout(self.wedges)
+        self.wedge_fields = make_fields(Wedges)
+        connect(self.wedge_fields, self._wedges_changed)
+        for field in self.wedge_fields:
+            field.inside = lambda problem, field=field: self._names(problem, field)
+            inside.addWidget(field)
+        self.bricks = QWidget()
+        grid = QGridLayout(self.bricks)
+        grid.setContentsMargins(0, 0, 0, 0)
+        words = QLabel(tr("Crack from the bricks: tan = length/(2 height)"))
+        words.setWordWrap(True)
+        grid.addWidget(words, 0, 0, 1, 3)
+        self.brick_length, self.brick_height = (Line(lambda: False, lambda: None) for _ in range(2))
+        lines = ((self.brick_length, tr("Brick length")), (self.brick_height, tr("Brick height")))
+        for row, (line, title) in enumerate(lines, start=1):
+            label = QLabel(title)
+            label.setBuddy(line)
+            line.setAccessibleName(f"{title} [cm]")
+            line.setAlignment(Qt.AlignmentFlag.AlignRight)
+            line.textEdited.connect(lambda _: self._show_offer())
+            for column, widget in enumerate((label, line, QLabel("cm"))):
+                grid.addWidget(widget, row, column)
+        self.fill = QPushButton()
+        self.fill.clicked.connect(self._fill_length)
+        grid.addWidget(self.fill, 3, 0, 1, 3)
+        inside.addWidget(self.bricks)
+
+    # showing
+
+    @property
+    def wall(self) -> Wall | None:
+        walls = self.session.case.wall
+        return walls[self.index()] if self.index() < len(walls) else None
+
+    def show_case(self) -> None:
+        """Fill the form from the wall."""
+        wall = self.wall
+        for entries in self.lists:
+            entries.show_case()
+        if wall is None:
+            blank((*self.gable_fields, *self.wedge_fields))
+        for field in self.gable_fields if wall else ():
+            field.show_value(getattr(wall, field.key))
+        wedges = wall.return_wedges if wall else None
+        with QSignalBlocker(self.wedges):
+            self.wedges.setChecked(wedges is not None)
+        for field in self.wedge_fields:
+            field.setVisible(wedges is not None)
+            if wedges is not None:
+                field.show_value(getattr(wedges, field.key))
+        self.bricks.setVisible(wedges is not None)
+        self._show_offer()
+
+    @property
+    def offered(self) -> float | None:
+        """Length of the wedge at the top [m] by the bricks, as far as they and the height are known."""
+        try:
+            length, height = (parse_number(line.text()) for line in (self.brick_length, self.brick_height))
+            crack = shoulder(self.wall) - self.wall.return_wedges.from_z_m
+            found = crack * length / (2.0 * height)
+        except (InputError, TypeError, AttributeError, ZeroDivisionError):
+            return None
+        return round(found, 3) if 0.0 < found <= 30.0 else None
+
+    def _show_offer(self) -> None:
+        offered = self.offered
+        self.fill.setEnabled(offered is not None)
+        self.fill.setText(
+            tr("Fill in the length") if offered is None else tr("Fill in {length} m", length=number(offered, "g"))
+        )
+
+    def _names(self, problem: InputError, field: Field) -> bool:
+        of_wedges = problem.code == "wedge_above" or problem.section == "[wall.return_wedges]"
+        return of_wedges and field.key in problem.keys
+
+    def point_at(self, problem: InputError) -> None:
+        """Choose the opening, step or solid an error is about."""
+        for entries in self.lists:
+            entries.point_at(problem)
+
+    # changes
+
+    def _edit(self, place: tuple | None = None, **values) -> None:
+        if self.wall is not None:
+            self.session.edit_wall(self.index(), place and ("wall", self.index(), *place), **values)
+
+    def _wedges_toggled(self, on: bool) -> None:
+        if self.wall is None:
+            return
+        if not on:
+            self.former = self.wall.return_wedges
+        empty = Wedges("", "", "")  # type: ignore[arg-type]  # to be given
+        self._edit(return_wedges=(self.former or empty) if on else None)
+
+    def _wedges_changed(self, field: Field, value) -> None:
+        if self.wall is not None and self.wall.return_wedges is not None:
+            changed = replace(self.wall.return_wedges, **{field.key: value})
+            self._edit(("return_wedges", field.key), return_wedges=changed)
+
+    def _fill_length(self) -> None:
+        """What the bricks give, as asked for."""
+        if self.offered is not None:
+            self._edit(return_wedges=replace(self.wall.return_wedges, length_at_top_m=self.offered))

@@ -1,0 +1,158 @@
+"""Tables of a wall as a list: openings, steps, solids; the fields of the one that is chosen."""
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from PySide6.QtCore import QSignalBlocker
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QListWidget, QToolButton, QVBoxLayout, QWidget
+
+from app.input.fields import Field, connect
+from app.input.made_fields import make_fields
+from app.look.language import tr
+from app.work.session import Session
+from core.case.schema import Wall
+from core.case.values import field_of
+from core.errors import InputError
+from core.text.sentence import Sentence
+
+
+def entry_named(problem: InputError, key: str) -> int | None:
+    """Which table of a key of a wall an error is about, from 1, 0 for no one of them; None where it is about another
+    key."""
+    for part in problem.place:
+        values = dict(part.values) if isinstance(part, Sentence) else {}
+        if values and part.code == key:
+            return values["n"]
+        if inside := re.fullmatch(rf"\[\[{key}\]\] (\d+)", str(values.get("name", ""))):
+            return int(inside[1])
+    return problem.values.get("n", 0) if problem.key == key else None
+
+
+class EntriesForm(QWidget):
+    """Edits the tables of a key of the wall at `index()`, one at a time.
+
+    made : words of a button -> a new table, its values still to be given
+    words : what the list says of a table; is_shown(table, key) : whether it has this key
+    first : keys whose fields come first; lead : that of the field at which an error without a key of its own stands
+    """
+
+    def __init__(
+        self,
+        session: Session,
+        index: Callable[[], int],
+        key: str,
+        made: dict[str, Callable],
+        words: Callable,
+        is_shown: Callable = lambda entry, key: True,
+        first: Sequence[str] = (),
+        lead: str = "",
+    ):
+        super().__init__()
+        self.session, self.index, self.key = session, index, key
+        self.words, self.is_shown = words, is_shown
+        self.fields = make_fields(field_of(Wall, key).metadata["of"], first=first)
+        self.lead = lead or self.fields[0].key
+        connect(self.fields, self._changed)
+        self.list = QListWidget()
+        self.list.setMaximumHeight(64)
+        self.list.currentRowChanged.connect(lambda _: self._choose())
+        self.buttons = QHBoxLayout()
+        for label, new in made.items():
+            button = QToolButton()
+            button.setText(label)
+            button.clicked.connect(lambda _=False, new=new: self.add(new(self.wall)) if self.wall else None)
+            self.buttons.addWidget(button)
+        self.delete_button = QToolButton()
+        self.delete_button.setText(tr("Delete"))
+        self.delete_button.clicked.connect(self.delete)
+        self.buttons.addWidget(self.delete_button)
+        self.buttons.addStretch(1)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addLayout(self.buttons)
+        for widget in (self.list, *self.fields):
+            column.addWidget(widget)
+        for field in self.fields:
+            field.inside = lambda problem, field=field: self._names(problem, field)
+
+    def set_title(self, title: str) -> None:
+        """What it edits, before its buttons and for a reader of the screen."""
+        self.buttons.insertWidget(0, QLabel(title))
+        self.list.setAccessibleName(title)
+        for button in self.findChildren(QToolButton):
+            button.setAccessibleName(f"{button.text()}: {title}")
+
+    @property
+    def wall(self) -> Wall | None:
+        walls = self.session.case.wall
+        return walls[self.index()] if self.index() < len(walls) else None
+
+    @property
+    def entries(self) -> tuple:
+        return getattr(self.wall, self.key) if self.wall else ()
+
+    @property
+    def entry(self):
+        """The one that is chosen."""
+        row = self.list.currentRow()
+        return self.entries[row] if 0 <= row < len(self.entries) else None
+
+    def show_case(self) -> None:
+        """Fill the list and the fields from the wall."""
+        row, words = self.list.currentRow(), [self.words(entry) for entry in self.entries]
+        with QSignalBlocker(self.list):
+            if words != [self.list.item(k).text() for k in range(self.list.count())]:
+                self.list.clear()
+                self.list.addItems(words)
+            self.list.setCurrentRow(min(max(row, 0), len(words) - 1))
+        self._show_entry()
+
+    def _choose(self) -> None:
+        """Another one: nothing that was typed for the last one stays."""
+        for field in self.fields:
+            field.forget()
+        self._show_entry()
+
+    def _show_entry(self) -> None:
+        entry = self.entry
+        self.list.setVisible(bool(self.entries))
+        self.delete_button.setVisible(entry is not None)
+        for field in self.fields:
+            field.setVisible(entry is not None and self.is_shown(entry, field.key))
+            if entry is not None:
+                field.show_value(getattr(entry, field.key))
+
+    def _names(self, problem: InputError, field: Field) -> bool:
+        """Whether an error of the wall is about this field of the one that is chosen."""
+        n = entry_named(problem, self.key)
+        if n is None or self.entry is None or n not in (0, self.list.currentRow() + 1):
+            return False
+        return field.key in problem.keys or (problem.key == self.key and field.key == self.lead)
+
+    def point_at(self, problem: InputError) -> None:
+        """Choose what an error is about."""
+        if n := entry_named(problem, self.key):
+            self.list.setCurrentRow(n - 1)
+
+    def _edit(self, entries: tuple, *place) -> None:
+        at = ("wall", self.index(), self.key, *place) if place else None
+        self.session.edit_wall(self.index(), at, **{self.key: entries})
+
+    def add(self, entry) -> None:
+        """One more, which is then the one that is chosen."""
+        count = len(self.entries)
+        self._edit((*self.entries, entry))
+        self.list.setCurrentRow(count)
+
+    def delete(self) -> None:
+        """Take the one away that is chosen."""
+        row = self.list.currentRow()
+        if self.entry is not None:
+            self._edit(tuple(entry for k, entry in enumerate(self.entries) if k != row))
+
+    def _changed(self, field: Field, value) -> None:
+        entry, row = self.entry, self.list.currentRow()
+        if entry is not None:
+            changed = replace(entry, **{field.key: value})
+            self._edit(tuple(changed if k == row else one for k, one in enumerate(self.entries)), row, field.key)
