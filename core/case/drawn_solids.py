@@ -1,17 +1,21 @@
 """Solids of a wall from the shapes of a drawing: [[wall.drawing]], and the dialog of the window."""
 
+import math
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from core.case.drawing_file import LARGEST, SAME, SMALLEST, UNITS, DxfFile, Shape, Sheet, largest, likely_unit
 from core.case.drawing_outlines import Point, parts_above
+from core.case.schema import Wall
 from core.case.solids import Drawing, Solid
 from core.case.values import MOST_CORNERS, section_of
 from core.errors import InputError, place, section
 from core.file_names import name_of, shown
 from core.text.sentence import Sentence, notice
-from core.wall.body import crossing, holds, polygon_sums
+from core.wall.body import Body, crossing, holds, polygon_sums
+from core.wall.wall_body import ANGLES, Part, sum_of
 
 DIGITS = 6
 """Of a corner [m]: what is drawn at one place is at one place."""
@@ -174,6 +178,34 @@ def _is_within(part: Sequence[Point], other: Sequence[Point]) -> bool:
     return all(holds(other, corner) for corner in part)
 
 
-def solids_as_given(solids: Sequence[dict]) -> tuple[Solid, ...]:
-    """Solids of `made_solids`, checked. Raises InputError."""
-    return tuple(section_of(Solid, solid, "solid", place("solid", n=n)) for n, solid in enumerate(solids, start=1))
+def with_solids(wall: Wall, made: Sequence[dict], sizes: bool) -> Wall:
+    """A wall of these solids alone, which are of one plane and between the same ends. Raises InputError.
+
+    sizes : height, base and length are theirs too; without it those that the wall does not give
+    """
+    solids = tuple(section_of(Solid, solid, "solid", place("solid", n=n)) for n, solid in enumerate(made, start=1))
+    body = [solid for solid in solids if not solid.opening]
+    corners = [corner for solid in body for corner in solid.polygon_m]
+    along = [s for s, _ in corners]
+    across = [s for s, z in corners if z == 0.0] or along
+    depth = body[0].to_m - body[0].from_m
+    widths = (depth, max(along) - min(along)) if body[0].plane == "elevation" else (max(across) - min(across), depth)
+    found = {"height_m": max(z for _, z in corners), "thickness_m": widths[0], "length_m": widths[1]}
+    given = {"height_m": wall.height_m, "thickness_m": wall.thickness, "length_m": wall.length_m}
+    values: dict[str, Any] = {k: round(value, DIGITS) for k, value in found.items() if sizes or given[k] is None}
+    if "thickness_m" in values:
+        others = ("slenderness_deg", "height_over_thickness", "radius_m", "inertia_over_mass_m2")
+        values |= dict.fromkeys(others)
+    return replace(wall, solid=solids, drawing=(), gable_m=None, openings=(), steps=(), **values)
+
+
+def sum_of_solids(solids: Sequence[Solid], weight: float) -> tuple[float, Body]:
+    """Area [m2] and sums of solids in elevation or section. weight : [kN/m3]"""
+    parts = [
+        Part(s.polygon_m, (s.from_m, s.to_m), ANGLES[s.plane], s.x0_m, -weight if s.opening else weight, s.plane)
+        for s in solids
+    ]
+    body = sum_of(tuple(parts))
+    if not body.mass > 0.0:
+        raise InputError("polygon_empty", key="solid")
+    return math.fsum(math.copysign(polygon_sums(p.polygon).area, p.weight) for p in parts), body

@@ -34,7 +34,7 @@ def check_shape(wall) -> None:
     if not parts:
         return
     _check_openings(parts, here, "openings" if wall.openings else "solid")
-    _check_overlap(parts, here)
+    _check_overlap(parts, here, "openings" if wall.openings else "solid")
     top = top_of(wall)
     if not LEAST_CONTACT * top <= wall.height_m <= top * (1.0 + 1e-9):
         raise InputError(
@@ -133,8 +133,8 @@ def _cross(one, other) -> bool:
     return meet(one, other) and not touching
 
 
-def _check_overlap(parts: tuple[Part, ...], here) -> None:
-    """Solids of one plane have nothing in common: it would weigh twice; nor have openings."""
+def _check_overlap(parts: tuple[Part, ...], here, key: str) -> None:
+    """Solids of one plane have nothing in common: it would weigh twice; nor have openings. key : that gives them"""
     for k, one in enumerate(parts):
         for other in parts[k + 1 :]:
             alike = one.angle == other.angle and (one.weight > 0.0) == (other.weight > 0.0)
@@ -142,7 +142,7 @@ def _check_overlap(parts: tuple[Part, ...], here) -> None:
                 continue
             if one.weight > 0.0:
                 raise InputError("solids_overlap", place=here, key="solid")
-            raise InputError("openings_overlap", place=here, key="solid")
+            raise InputError("openings_overlap", place=here, key=key)
 
 
 def _overlap(one: Part, other: Part) -> bool:

@@ -17,6 +17,7 @@ from core.case.keys import NESTED, number_key
 from core.case.place import Site
 from core.case.schema import Generate, Record, Wall, sections
 from core.case.site import BuildingMode, Demand, HazardRow, Spectrum
+from core.case.solids import Drawing
 from core.case.values import field_of, section_of
 from core.errors import InputError, place
 from core.text.catalogue import CATALOGUE
@@ -32,6 +33,7 @@ ELSEWHERE = {
         (Site, key): "search, coordinates and map of the place (app/input/place_form.py)"
         for key in ("municipality", "province", "latitude", "longitude")
     },
+    **{(Drawing, entry.name): "the dialog of the button From a drawing…" for entry in fields(Drawing)},
     **{(Generate, key): "the button Generate…, which makes seven" for key in ("count", "seed")},
     **{(Record, entry.name): "the panel of records and its dialog" for entry in fields(Record)},
     **{

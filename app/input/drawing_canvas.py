@@ -1,0 +1,144 @@
+"""The shapes of a drawing to scale: a click says what a shape is, the hinge line is dragged."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QPointF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
+from PySide6.QtWidgets import QWidget
+
+from app.look import theme
+from app.look.language import tr
+from core.case.drawing_file import Gap, Shape
+from core.wall.body import holds, polygon_sums
+
+BODY, OPENING, NOTHING = "body", "opening", "nothing"
+ROLES = (BODY, OPENING, NOTHING)
+"""What a shape can be, in the order of clicks."""
+
+NEAR = 6.0
+"""Pixels from the hinge line, and of a movement that is still a click."""
+
+MARGIN = 18.0
+"""Around the drawing [pixels]."""
+
+
+class DrawingCanvas(QWidget):
+    """Draws shapes, open outlines and the hinge line. The keys have the list and the fields of the dialog instead.
+
+    clicked(k) : a shape; hinge_moved(y) : where the line was dragged, in the unit of the drawing
+    """
+
+    clicked = Signal(int)
+    hinge_moved = Signal(float)
+
+    def __init__(self):
+        super().__init__()
+        self.shapes: Sequence[Shape] = ()
+        self.gaps: Sequence[Gap] = ()
+        self.roles: list[str] = []
+        self.chosen: set[int] = set()
+        self.hinge: float | None = None
+        self.zoom, self.shift = 1.0, QPointF()
+        self.press: QPointF | None = None
+        self.drags_hinge = False
+        self.setMinimumSize(QSize(320, 260))
+        self.setMouseTracking(True)
+        self.setAccessibleName(tr("Shapes of the drawing"))
+        self.setToolTip(tr("Click: body, opening, nothing. Drag the dashed line: the hinge. Wheel: nearer, farther."))
+
+    def show_sheet(self, shapes: Sequence[Shape], gaps: Sequence[Gap]) -> None:
+        self.shapes, self.gaps = shapes, gaps
+        self.zoom, self.shift = 1.0, QPointF()
+        self.update()
+
+    def show_roles(self, roles: list[str], chosen: set[int], hinge: float | None) -> None:
+        """What each shape is, which are marked in the list, y of the hinge line."""
+        self.roles, self.chosen, self.hinge = roles, chosen, hinge
+        self.update()
+
+    def sizeHint(self) -> QSize:
+        return QSize(560, 460)
+
+    def _frame(self) -> tuple[float, float, float]:
+        """(pixels a unit of the drawing, x and y of the drawing in the middle of the widget)."""
+        extents = [shape.extent for shape in self.shapes] or [(0.0, 0.0, 1.0, 1.0)]
+        low_x, low_y, high_x, high_y = zip(*extents, strict=True)
+        width, height = max(high_x) - min(low_x), max(high_y) - min(low_y)
+        room_x, room_y = self.width() - 2 * MARGIN, self.height() - 2 * MARGIN
+        scale = min(room_x / max(width, 1e-9), room_y / max(height, 1e-9))
+        return scale * self.zoom, 0.5 * (min(low_x) + max(high_x)), 0.5 * (min(low_y) + max(high_y))
+
+    def at(self, x: float, y: float) -> QPointF:
+        """Where a point of the drawing is in the widget."""
+        scale, middle_x, middle_y = self._frame()
+        return QPointF(
+            0.5 * self.width() + scale * (x - middle_x) + self.shift.x(),
+            0.5 * self.height() - scale * (y - middle_y) + self.shift.y(),
+        )
+
+    def _point(self, position: QPointF) -> tuple[float, float]:
+        """The point of the drawing at a place of the widget."""
+        scale, middle_x, middle_y = self._frame()
+        x = middle_x + (position.x() - 0.5 * self.width() - self.shift.x()) / scale
+        return x, middle_y - (position.y() - 0.5 * self.height() - self.shift.y()) / scale
+
+    def paintEvent(self, event) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.fillRect(self.rect(), QColor(theme.current.back))
+        shade, back, quiet = (QColor(c) for c in (theme.current.curves[0], theme.current.back, theme.current.quiet))
+        shade.setAlphaF(0.3)
+        order = {BODY: 0, OPENING: 1, NOTHING: 2}
+        for k in sorted(range(len(self.roles)), key=lambda k: order[self.roles[k]]):
+            role = self.roles[k]
+            edge = QColor(theme.current.ink) if role != NOTHING else quiet
+            style = Qt.PenStyle.DotLine if role == NOTHING else Qt.PenStyle.SolidLine
+            painter.setPen(QPen(edge, 3.0 if k in self.chosen else 1.2, style))
+            fill = {BODY: shade, OPENING: back}.get(role, Qt.BrushStyle.NoBrush)
+            painter.setBrush(fill)
+            painter.drawPolygon(QPolygonF([self.at(x, y) for x, y in self.shapes[k].corners]))
+        painter.setPen(QPen(QColor(theme.current.bad), 2.0))
+        for gap in self.gaps:
+            at = self.at(*gap.at)
+            for way in (QPointF(4, 4), QPointF(4, -4)):
+                painter.drawLine(at - way, at + way)
+        if self.hinge is not None:
+            painter.setPen(QPen(QColor(theme.current.curves[1]), 2.0, Qt.PenStyle.DashLine))
+            level = self.at(0.0, self.hinge).y()
+            painter.drawLine(QPointF(0.0, level), QPointF(self.width(), level))
+
+    def _on_hinge(self, position: QPointF) -> bool:
+        return self.hinge is not None and abs(self.at(0.0, self.hinge).y() - position.y()) <= NEAR
+
+    def shape_at(self, position: QPointF) -> int | None:
+        """The smallest shape at a place of the widget."""
+        point = self._point(position)
+        found = [k for k, shape in enumerate(self.shapes) if holds(shape.corners, point)]
+        return min(found, key=lambda k: polygon_sums(self.shapes[k].corners).area, default=None)
+
+    def mousePressEvent(self, event) -> None:
+        self.press, self.drags_hinge = event.position(), self._on_hinge(event.position())
+
+    def mouseMoveEvent(self, event) -> None:
+        if not event.buttons() & Qt.MouseButton.LeftButton or self.press is None:
+            over = self._on_hinge(event.position())
+            self.setCursor(Qt.CursorShape.SplitVCursor if over else Qt.CursorShape.PointingHandCursor)
+        elif self.drags_hinge:
+            self.hinge_moved.emit(self._point(event.position())[1])
+
+    def mouseReleaseEvent(self, event) -> None:
+        press, self.press = self.press, None
+        if press is None or self.drags_hinge:
+            return
+        way = event.position() - press
+        if way.manhattanLength() > NEAR:
+            self.shift += way
+            self.update()
+        elif (k := self.shape_at(press)) is not None:
+            self.clicked.emit(k)
+
+    def wheelEvent(self, event) -> None:
+        before = self._point(event.position())
+        self.zoom = min(max(self.zoom * 1.0015 ** event.angleDelta().y(), 0.5), 50.0)
+        self.shift += event.position() - self.at(*before)
+        self.update()
