@@ -246,8 +246,8 @@ class DrawingDialog(QDialog):
             tr("area {area} m²", area=number(area, ".2f")),
             f"M {number(body.mass / 1000.0, '.2f')} t ({number(self.weight, 'g')} kN/m³)",
             f"x_G {number(x, '.3f')} m, z_G {number(z, '.3f')} m",
-            f"H {number(wall.height_m, 'g')} m, t {number(100.0 * wall.thickness, 'g')} cm, "
-            f"L {number(wall.length_m, 'g')} m",
+            f"H {number(wall.height_m, '.2f')} m, t {number(100.0 * wall.thickness, '.1f')} cm, "
+            f"L {number(wall.length_m, '.2f')} m",
         ]
         return "   ".join(found)
 
@@ -259,7 +259,7 @@ class DrawingDialog(QDialog):
         return tr(
             "Open outlines, marked by crosses: {n}; one by {mm} mm at x = {x} m, y = {y} m, layer {layer}.",
             n=len(self.sheet.gaps),
-            mm=number(1e3 * self.scale * gap.size, ".3g"),
+            mm=number(1e3 * self.scale * gap.size, ".0f"),
             x=x,
             y=y,
             layer=gap.layer,

@@ -53,7 +53,7 @@ def _drawing_refused(path: Path) -> int:
             print(words)
         for gap in sorted(gaps, key=lambda one: one.size)[:MOST_GAPS]:
             x, y = (scale * number for number in gap.at)
-            text = "  {layer}: an outline open by {mm:.3g} mm at x = {x:.5g} m, y = {y:.5g} m"
+            text = "  {layer}: an outline open by {mm:.0f} mm at x = {x:.5g} m, y = {y:.5g} m"
             print(terminal(text, layer=layer, mm=1e3 * scale * gap.size, x=x, y=y))
         if len(gaps) > MOST_GAPS:
             print(terminal("  {layer}: open outlines {n}", layer=layer, n=len(gaps)))

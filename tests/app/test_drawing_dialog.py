@@ -125,7 +125,7 @@ def test_that_the_unit_is_asked_for_where_the_drawing_says_none(dialog, tmp_path
     shown = dialog(sheets.palace(tmp_path / "palace.dxf")[0])
     give(shown.fields["to_m"], "0.5")
     assert not ok(shown).isEnabled() and "does not say its unit" in shown.words.text() and "cm" in shown.words.text()
-    for unit, words in (("m", "the likely unit is cm"), ("mm", "L 1.2 m"), ("cm", "L 12 m")):
+    for unit, words in (("m", "the likely unit is cm"), ("mm", "L 1.20 m"), ("cm", "L 12.00 m")):
         shown.fields["unit"].edited.emit(unit)
         wait()
         assert words in shown.words.text()

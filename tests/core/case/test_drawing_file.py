@@ -439,8 +439,8 @@ def test_that_inspect_lists_the_layers_of_a_drawing(tmp_path, capsys):
     said = capsys.readouterr().out
     assert f"{church}: DXF R2010, unit mm\n" in said
     assert "  MURATURA: closed shapes 1, area 92.7 m², x 0 to 9 m, y 11.7 to 23.5 m\n" in said
-    assert "  QUOTE: an outline open by 1e+04 mm at x = 9.5 m, y = 12.5 m\n" in said
-    assert "  VOLTA: an outline open by 4.38e+03 mm" in said
+    assert "  QUOTE: an outline open by 10000 mm at x = 9.5 m, y = 12.5 m\n" in said
+    assert "  VOLTA: an outline open by 4384 mm" in said
     assert f"{palace}: DXF R2000, unit not stated, cm by the size\n" in said
     (tmp_path / "x.dxf").write_bytes(b"no drawing")
     assert program.main(["--inspect", str(tmp_path / "x.dxf")]) == 1
