@@ -127,6 +127,7 @@ class WallForm(QWidget):
         group = QWidget()
         grid = QGridLayout(group)
         grid.setContentsMargins(0, 0, 0, 0)
+        grid.setHorizontalSpacing(4)
         for name, label, tip in (
             ("two_sided", named("two_sided"), tr("Free on both faces: rocks to both sides")),
             ("one_sided", named("one_sided"), tr("A restraint behind: rocks outwards only")),
@@ -135,8 +136,9 @@ class WallForm(QWidget):
         ):
             button = QToolButton()
             button.setIcon(mechanism_icon(name))
-            button.setIconSize(QSize(52, 52))
-            button.setText(label)
+            button.setIconSize(QSize(44, 44))
+            lines = label.split(" ") if name == BENDS else [label]
+            button.setText("\n".join(lines))
             button.setToolTip(tip)
             button.setAccessibleName(label)
             FORM_NAMES.captions[name] = FORM_NAMES.captions[f"mechanism={name}"] = label
@@ -146,7 +148,8 @@ class WallForm(QWidget):
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
             bold = QFont(button.font())
             bold.setBold(True)
-            button.setMinimumWidth(QFontMetrics(bold).horizontalAdvance(label) + 18)  # chosen it is bold
+            widest = max(QFontMetrics(bold).horizontalAdvance(line) for line in lines)
+            button.setMinimumWidth(widest + 10)  # chosen it is bold
             button.clicked.connect(lambda _, name=name: self._mechanism_chosen(name))
             self.mechanisms[name] = button
         in_a_row = 4 if sum(one.sizeHint().width() for one in self.mechanisms.values()) < IN_A_ROW else 2

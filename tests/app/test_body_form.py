@@ -170,7 +170,7 @@ DRAFTS = (
 
 
 @pytest.mark.parametrize("shape", DRAFTS, ids=lambda shape: ", ".join(shape))
-@pytest.mark.parametrize("mechanism", ["one_sided", "both"])
+@pytest.mark.parametrize("mechanism", ["one_sided", "both", "vertical_bending"])
 def test_that_a_shape_in_the_making_is_shown_and_read_back_equal(opened, body, faults, tmp_path, shape, mechanism):
     opened.session.edit_wall(0, mechanism=mechanism, hinge_heights=(2.0,), **shape)
     opened.walls.drawing.grab()
