@@ -6,6 +6,7 @@ from dataclasses import replace
 from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import QGridLayout, QGroupBox, QLabel, QPushButton, QVBoxLayout, QWidget
 
+from app.input.drawing_dialog import drawing_button
 from app.input.entries_form import EntriesForm
 from app.input.fields import Field, Line, blank, connect
 from app.input.made_fields import make_fields
@@ -103,6 +104,7 @@ class BodyForm(QWidget):
         for entries, title in zip(self.lists, (tr("Openings"), tr("Steps"), tr("Solids")), strict=True):
             entries.set_title(title)
             FORM_NAMES.add(entries.key, title)
+        self.solids.buttons.addWidget(drawing_button(session, index))
         FORM_NAMES.add("return_wedges", tr("Wedges of return walls, dragged along"))
         self._make_wedges()
         column = QVBoxLayout(self)

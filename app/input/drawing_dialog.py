@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QLabel,
     QListWidget,
     QPushButton,
+    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -266,9 +267,11 @@ class DrawingDialog(QDialog):
         )
 
 
-def drawing_button(session: Session, index: Callable[[], int]) -> QPushButton:
+def drawing_button(session: Session, index: Callable[[], int]) -> QToolButton:
     """The button of a wall's form that takes its solids from a drawing."""
-    button = QPushButton(tr("From a drawing…"))
+    button = QToolButton()
+    button.setText(tr("From a drawing…"))
+    button.setAccessibleName(tr("From a drawing…"))
     button.setToolTip(tr("Closed shapes of a DXF file become the solids of this wall"))
 
     def ask() -> None:

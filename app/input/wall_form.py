@@ -8,7 +8,6 @@ from PySide6.QtGui import QFont, QFontMetrics, QGuiApplication
 from PySide6.QtWidgets import QFileDialog, QGridLayout, QLabel, QMessageBox, QToolButton, QVBoxLayout, QWidget
 
 from app.input.body_form import BodyForm
-from app.input.drawing_dialog import drawing_button
 from app.input.fields import Choice, Field, blank, connect
 from app.input.impact_form import ImpactForm
 from app.input.loads_form import LoadsForm
@@ -78,7 +77,7 @@ class WallForm(QWidget):
         notes = [field for field in self.check_fields if field.key not in (*BASE, "unloaded_confirmed")]
         self.sections = {
             "geometry": Section(tr("Geometry"), [self.fields["name"], self.shape, *self.shape_fields], open=True),
-            "body": Section(tr("Shape"), [drawing_button(session, lambda: self.current), self.body]),
+            "body": Section(tr("Shape"), [self.body]),
             "mechanism": Section(tr("Mechanism and base"), [self._mechanism(), *base], open=True),
             "loads": Section(tr("Loads and ties"), [self.fields["unloaded_confirmed"], self.loads]),
             "held": Section(
