@@ -71,6 +71,7 @@ class DrawingDialog(QDialog):
         self.failure = ""
         self.sheet = Sheet((), (), (), None, "m")
         self.roles: list[str] = []
+        self.areas: list[float] = []
         self.asked = {"unit": None, "plane": "elevation", "from_m": 0.0, "to_m": wall.thickness, "hinge_y_m": None}
         self.canvas = DrawingCanvas()
         self.canvas.clicked.connect(self._next_role)
@@ -132,6 +133,7 @@ class DrawingDialog(QDialog):
                 self.failure = described(error)
         if len(self.roles) != len(self.sheet.shapes):
             self.roles = likely_roles(self.sheet.shapes)
+        self.areas = [self.scale**2 * polygon_sums(shape.corners).area for shape in self.sheet.shapes]
         with QSignalBlocker(self.list):
             self.list.clear()
             self.list.addItems([""] * len(self.roles))
@@ -157,8 +159,7 @@ class DrawingDialog(QDialog):
     def _show_roles(self) -> None:
         chosen = {index.row() for index in self.list.selectedIndexes()}
         for k, (shape, role) in enumerate(zip(self.sheet.shapes, self.roles, strict=True)):
-            area = number(self.scale**2 * polygon_sums(shape.corners).area, ".3g")
-            self.list.item(k).setText(f"{shape.layer}, {area} m²: {self.names[role]}")
+            self.list.item(k).setText(f"{shape.layer}, {number(self.areas[k], '.3g')} m²: {self.names[role]}")
         for button in self.buttons_of_roles.values():
             button.setEnabled(bool(chosen))
         self.canvas.show_roles(self.roles, chosen, self.hinge)

@@ -150,8 +150,11 @@ def holds(polygon: Polygon, point: tuple[float, float]) -> bool:
 
 
 def point_within(polygon: Polygon) -> tuple[float, float]:
-    """A point inside a polygon that does not cross itself: on a level without a corner, between its first two edges."""
+    """A point inside a polygon that does not cross itself: on a level without a corner, between its first two edges; a
+    corner of one that is a level line."""
     levels = sorted({z for _, z in polygon})
+    if len(levels) == 1:
+        return polygon[0]
     widest = max(range(len(levels) - 1), key=lambda k: levels[k + 1] - levels[k])
     z = 0.5 * (levels[widest] + levels[widest + 1])
     crossed = sorted(

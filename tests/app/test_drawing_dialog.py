@@ -145,6 +145,16 @@ def test_that_a_section_lies_from_its_outer_face_and_open_outlines_are_said(dial
     assert "Open outlines, marked by crosses: 1" in shown.words.text() and "layer VOLTA" in shown.words.text()
 
 
+def test_that_shapes_without_an_area_and_a_sheet_without_shapes_are_no_wall(dialog, tmp_path):
+    def level(space):
+        space.add_lwpolyline([(0, 0), (5, 0), (3, 0)], close=True)
+
+    for draw in (level, lambda space: None):
+        shown = dialog(sheet(tmp_path / "d.dxf", draw))
+        give(shown.fields["to_m"], "0.5")
+        assert shown.made is None and not ok(shown).isEnabled() and shown.words.text()
+
+
 def test_that_sizes_a_wall_has_stay_where_the_box_is_not_ticked(dialog, tmp_path):
     path = sheets.church(tmp_path / "church.dxf")[0]
     wall = Wall("w", "one_sided", height_m=9.0, slenderness_deg=5.0, length_m=8.0, gable_m=2.0)

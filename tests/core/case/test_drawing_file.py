@@ -206,6 +206,15 @@ def _twice(space):
     rectangle(space, 1.0, 1.0, 1.0, 1.0)
 
 
+def _one_hook_within_another(space):
+    """The mean of the corners of a hook is in neither."""
+    for gap in (0.0, 0.1):
+        hook = [(0, 0), (6, 0), (6, 5), (0, 5), (0, 4.5), (5.5, 4.5), (5.5, 0.5), (0, 0.5)]
+        inner = [(gap, gap), (6 - gap, gap), (6 - gap, 5 - gap), (gap, 5 - gap), (gap, 4.5 + gap)]
+        inner += [(5.5 + gap, 4.5 + gap), (5.5 + gap, 0.5 - gap), (gap, 0.5 - gap)]
+        space.add_lwpolyline(inner if gap else hook, close=True, dxfattribs={"layer": "A"})
+
+
 def _jagged(space):
     teeth = [(0.002 * k, 5.0 - 0.5 * (k % 2)) for k in range(2400)]
     space.add_lwpolyline([(4.8, 0), *reversed(teeth), (0, 0)], close=True, dxfattribs={"layer": "A"})
@@ -241,6 +250,7 @@ OPENINGS = 'opening_layers = "O"'
         (rectangle, {"keys": "hinge_y_m = 7.0"}, "drawing_hinge", "above hinge_y_m = 7 m: its top is at y = 5 m"),
         (_jagged, {}, "drawing_corners", "has 2402 corners (up to 2000)"),
         (_twice, {}, "solids_overlap", "two solids of solid in parallel planes overlap"),
+        (_one_hook_within_another, {}, "solids_overlap", "overlap"),
         (_windows_that_overlap, {"keys": OPENINGS}, "openings_overlap", "taken away twice"),
         (
             lambda space: (rectangle(space), rectangle(space, 5.5, 1.0, 1.0, 1.0, layer="O")),
