@@ -19,7 +19,7 @@ from core.case.loads import Load
 from core.case.reader import read_case
 from core.case.schema import AS_IS, DESIGNED
 from core.case.site import Demand
-from tests.app.driving import run, settle, type_into
+from tests.app.driving import run, settle
 
 
 def chips(window) -> dict[str, str]:
