@@ -19,7 +19,7 @@ from core.case.loads import Load
 from core.case.reader import read_case
 from core.case.schema import AS_IS, DESIGNED
 from core.case.site import Demand
-from tests.app.driving import run, settle, type_into
+from tests.app.driving import run, settle
 
 
 def chips(window) -> dict[str, str]:
@@ -164,34 +164,6 @@ def test_that_words_stand_out_from_what_is_behind_them(name):
         assert contrast(getattr(chosen, tone), chosen.back) >= 4.5, tone
         assert contrast(getattr(chosen, tone), chosen.window) >= 4.5, tone
     assert contrast(chosen.curves[0], chosen.back) >= 3.0
-
-
-def test_that_any_state_of_the_forms_saves_and_opens_equal(opened, tmp_path):
-    """A walk through the forms: after every step the case is saved and read again as it is."""
-    import numpy as np
-
-    draw = np.random.default_rng(5)
-    steps = (
-        lambda: opened.walls.add(),
-        lambda: opened.walls.add_variant(),
-        lambda: opened.walls.loads.add(draw.choice(["vertical", "thrust", "tie", "carried_mass"])),
-        lambda: opened.walls._mechanism_chosen(draw.choice(["one_sided", "two_sided", "both"])),
-        lambda: opened.demand.given.setChecked(not opened.demand.given.isChecked()),
-        lambda: opened.demand._kind_chosen(int(draw.integers(0, 3))) if opened.session.case.demand else None,
-        lambda: opened.demand.building.given.setChecked(not opened.demand.building.given.isChecked()),
-        lambda: opened.walls.loads.bars.setChecked(not opened.walls.loads.bars.isChecked()),
-        lambda: opened.walls.loads.across.setChecked(not opened.walls.loads.across.isChecked()),
-        lambda: type_into(opened.walls.fields["height_m"], str(draw.integers(1, 12))),
-        lambda: opened.session.undo(),
-        lambda: opened.walls.delete(),
-    )
-    for k in range(60):
-        steps[int(draw.integers(0, len(steps)))]()
-        opened.session.save(tmp_path / "walk.toml")
-        case = opened.session.case
-        opened.session.open(tmp_path / "walk.toml")
-        assert opened.session.case == case, k
-        opened.refresh()
 
 
 def test_that_a_complete_case_reads_back_from_the_forms(opened):

@@ -52,6 +52,7 @@ class Walk:
             self.change_the_shape: 14,
             self.tick_the_demand: 2,
             self.choose_a_spectrum: 4,
+            self.choose_a_place: 4,
             self.tick_the_building: 2,
             self.paste: 2,
             self.change_the_walls: 5,
@@ -176,6 +177,17 @@ class Walk:
 
     def tick_the_demand(self):
         return self._tick(self.window.demand.given)
+
+    def choose_a_place(self) -> None:
+        form = self.window.demand.place
+        if self.chance.random() < 0.4:
+            form.given.setChecked(not form.given.isChecked())
+        elif self.chance.random() < 0.5:
+            form._named(self.chance.choice(("Modena (MO)", "L'Aquila", "Castro", "Castro (LE)", "Nowhere", "")))
+        else:
+            form.point.setText(self.chance.choice(("42.35 13.4", "48.8 2.3", "39.2 N 9.1 E", "x", "")))
+            form.point.setModified(True)
+            form._pointed()
 
     def choose_a_spectrum(self):
         return self._choose(self.window.demand.kind) if self.window.session.case.demand else None

@@ -3,6 +3,7 @@
 import itertools
 import math
 import random
+from functools import cache
 
 import pytest
 
@@ -74,10 +75,16 @@ def test_that_the_worked_values_come_out_to_their_digits(point):
             assert abs(number - value) <= 0.50001 * 10.0**-digits, years
 
 
+@cache
+def places():
+    """id of a node -> latitude, longitude."""
+    known = grid()
+    return {node: (float(known.nodes[k][0]), float(known.nodes[k][1])) for node, k in known.row_of.items()}
+
+
 def plain(latitude, longitude, years):
     """The same from the words of Annex A, node by node, without arrays; None outside the grid."""
-    known = grid()
-    where = {int(node): tuple(known.nodes[k]) for node, k in known.row_of.items()}
+    known, where = grid(), places()
 
     def sees(a, b):
         return (b[0] - a[0]) * (longitude - a[1]) - (b[1] - a[1]) * (latitude - a[0])
