@@ -138,7 +138,12 @@ def inspection(program: Path, folder: Path) -> None:
         check=True,
     )
     assert "noise_1" in words.stdout
-    print("--inspect reads a record")
+    drawing = folder / "circle.dxf"
+    tags = ["0", "SECTION", "2", "ENTITIES", "0", "CIRCLE", "8", "A", "10", "0", "20", "0", "40", "3", "0", "ENDSEC"]
+    drawing.write_text("\n".join([*tags, "0", "EOF", ""]))
+    words = subprocess.run([program, "--inspect", drawing], capture_output=True, text=True, env=variables(folder))
+    assert words.returncode == 0 and "28.2" in words.stdout.replace(",", "."), words.stderr
+    print("--inspect reads a record and a drawing")
 
 
 def other_products(program: Path, folder: Path) -> None:

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from core.case.drawing_outlines import MOST_RADIUS, Gap, Point, gaps_of, joined, simple, with_bulges
+from core.case.drawing_outlines import Gap, Point, gaps_of, joined, simple, with_bulges
 from core.errors import InputError
 from core.packages import require
 
@@ -31,6 +31,9 @@ MAX_BYTES = 50_000_000
 
 MOST_ENTITIES, MOST_POINTS = 100_000, 400_000
 """Of a drawing with its blocks opened, and of all its lines divided."""
+
+MOST_RADIUS = 1e7
+"""Of a circle, in tolerances: 10 km."""
 
 DEEPEST = 20
 """Blocks inside one another: one that holds itself has no end."""
@@ -89,7 +92,8 @@ class DxfFile:
                 raise ValueError  # ezdxf reads what was cut off at the end of a tag
             self.document: Any = ezdxf.readfile(path)
             self._entities = tuple(self._opened(self.document.modelspace()))
-            self.stated = INSUNITS.get(int(self.document.header.get("$INSUNITS", 0)))
+            said = int(self.document.header.get("$INSUNITS", 0)) if b"$INSUNITS" in content else 0  # ezdxf says m
+            self.stated = INSUNITS.get(said)
             self.layers = tuple(sorted({layer.dxf.name for layer in self.document.layers} | self._used()))
         except InputError as error:
             raise error.at(path) from None
@@ -192,7 +196,7 @@ def _lines(entity: Any, tolerance: float) -> Iterator[list[Point]]:
     if kind == "LINE":
         yield _flat((entity.dxf.start, entity.dxf.end))
     elif kind in ("CIRCLE", "ARC"):
-        if not tolerance < entity.dxf.radius < MOST_RADIUS * tolerance:
+        if not tolerance < entity.dxf.radius < MOST_RADIUS * tolerance:  # a mark, or nothing of a wall
             return
         yield _flat(entity.flattening(tolerance))
     elif kind in ("ELLIPSE", "SPLINE"):

@@ -12,8 +12,8 @@ LOOSE = 200
 """Loose ends of a layer of which the nearest other one is sought: of more, the other end of their line is named."""
 
 
-MOST_RADIUS = 1e8
-"""Of an arc, in tolerances: 100 km."""
+MOST_CHORDS = 20_000
+"""Of an arc: a circle with a radius of 80 km has as many."""
 
 
 class Gap(NamedTuple):
@@ -38,9 +38,9 @@ def arc(start: Point, end: Point, bulge: float, tolerance: float) -> list[Point]
     x = 0.5 * (start[0] + end[0]) - to_centre * (end[1] - start[1])
     y = 0.5 * (start[1] + end[1]) + to_centre * (end[0] - start[0])
     first = math.atan2(start[1] - y, start[0] - x)
-    if radius > MOST_RADIUS * tolerance:
-        raise ValueError("bulge")
     count = math.ceil(abs(angle) / (2.0 * math.acos(max(0.0, 1.0 - tolerance / radius))))
+    if count > MOST_CHORDS:
+        raise ValueError("bulge")
     turns = (first + angle * k / count for k in range(1, count))
     return [*((x + radius * math.cos(turn), y + radius * math.sin(turn)) for turn in turns), end]
 

@@ -89,12 +89,14 @@ def solids_of(sheet: Sheet, drawing: Drawing) -> list[dict]:
     if sheet.stated is None and drawing.unit is None:
         raise InputError("drawing_unit", key="unit", likely=sheet.unit)
     scale = UNITS[sheet.unit]
+    chosen = [[shape for shape in sheet.shapes if shape.layer.casefold() in layers] for layers in (body, openings)]
+    if chosen[0]:
+        _check_size(chosen[0], sheet.unit)  # gaps in a wrong unit are none
     gaps = [gap for gap in sheet.gaps if gap.layer.casefold() in body | openings]
     if gaps:
         gap = min(gaps, key=lambda one: one.size)
         x, y = (scale * number for number in gap.at)
         raise InputError("drawing_gap", layer=gap.layer, n=len(gaps), mm=1e3 * scale * gap.size, x=x, y=y)
-    chosen = [[shape for shape in sheet.shapes if shape.layer.casefold() in layers] for layers in (body, openings)]
     for layer in (*drawing.layers, *drawing.opening_layers):
         if not any(shape.layer.casefold() == layer.casefold() for shapes in chosen for shape in shapes):
             raise InputError("drawing_no_shape", layer=layer)

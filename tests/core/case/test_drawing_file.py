@@ -197,6 +197,12 @@ def _lines_with_a_gap(space):
         space.add_line(start, end, dxfattribs={"layer": "A"})
 
 
+def _millimetres_as_metres(space):
+    """Its last outline is open by a tenth of a millimetre, which in m is more than may be."""
+    rectangle(space, width=6000.0, height=5000.0)
+    space.add_lwpolyline([(10, 10), (20, 10), (20, 20), (10, 10.1)], dxfattribs={"layer": "A"})
+
+
 def _bow_tie(space):
     space.add_lwpolyline([(0, 0), (6, 5), (6, 0), (0, 4)], close=True, dxfattribs={"layer": "A"})
 
@@ -234,6 +240,7 @@ OPENINGS = 'opening_layers = "O"'
     [
         (_open, {}, "drawing_gap", "open by 12 mm at x = 1 m, y = 1"),
         (_lines_with_a_gap, {}, "drawing_gap", "open by 250 mm at x = 0 m, y = 0"),
+        (_millimetres_as_metres, {}, "drawing_size", "the likely unit is mm"),
         (_bow_tie, {}, "drawing_crosses", "the layer A crosses itself"),
         (_nothing, {"layers": '"0"'}, "drawing_no_shape", "no closed shape on the layer 0"),
         (rectangle, {"layers": '"MURI"'}, "drawing_layer", "no layer MURI; there are 0, A, Defpoints"),
@@ -368,6 +375,10 @@ def test_that_the_unit_of_a_drawing_that_says_none_is_guessed_by_its_size(tmp_pa
         drawing = sheet(tmp_path / "d.dxf", lambda space, size=size: rectangle(space, width=size), units=0)
         found = DxfFile(drawing).sheet()
         assert (found.stated, found.unit) == (None, unit)
+    with open(tmp_path / "r12.dxf", "w") as stream:  # no header at all: nothing is stated
+        stream.write("0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n8\nA\n10\n0\n20\n0\n40\n350\n0\nENDSEC\n0\nEOF\n")
+    found = DxfFile(tmp_path / "r12.dxf").sheet()
+    assert (found.stated, found.unit, len(found.shapes)) == (None, "cm", 1)
 
 
 WORDS = [b"", b"0", b"-1", b"1e400", b"nan", b"SECTION", b"ENTITIES", b"POLYLINE", b"10", b"EOF", b"$INSUNITS"]
