@@ -5,8 +5,9 @@ from dataclasses import dataclass, replace
 
 from core.case.schema import Case, Wall
 from core.case.site import Building
-from core.case.solids import above
+from core.case.solids import above, outer_face
 from core.errors import InputError, place
+from core.wall import wall_body
 from core.wall.wall_loads import loads_above
 
 FLOORS, BASE = "floors", "base"
@@ -68,15 +69,22 @@ def storey_ends(wall: Wall, building: Building) -> tuple[float, ...]:
 
 
 def usual_hinges(wall: Wall, building: Building | None) -> tuple[float, ...]:
-    """Heights above the base of a wall at which it carries something, its tie to be designed too, or a storey ends, and
-    SLENDER_ABOVE is above [m]. A mechanism may start at any of them (Circolare 7/2019 C8.7.1.2.1)."""
+    """Heights above the base of a wall at which it carries something, its tie to be designed too, a storey ends, its
+    thickness changes or its gable begins, and SLENDER_ABOVE times the thickness there is above [m]. A mechanism may
+    start at any of them (Circolare 7/2019 C8.7.1.2.1)."""
     if wall.height_m is None or wall.thickness is None or wall.bends:
         return ()
     loads = (*(load.h_m for load in wall.load), *([] if wall.tie_height_m is None else [wall.tie_height_m]))
-    heights = sorted({*loads, *(storey_ends(wall, building) if building else ())})
-    highest = wall.height_m - max(SLENDER_ABOVE * wall.thickness, LEAST_ABOVE)
+    shape = [
+        min(z for _, z in part.polygon) for part in wall_body.parts_of(wall) if part.weight > 0.0 and not part.wedge
+    ]
+    eaves = [wall_body.shoulder(wall)] if wall.gable_m else []
+    heights = sorted({*loads, *shape, *eaves, *(storey_ends(wall, building) if building else ())})
     found: list[float] = []
     for height in heights:
+        faces = wall_body.faces_at(wall_body.parts_of(wall), height) if wall_body.has_shape(wall) else None
+        thickness = min(faces[1] - faces[0], wall.thickness) if faces else wall.thickness
+        highest = wall.height_m - max(SLENDER_ABOVE * thickness, LEAST_ABOVE)
         if LEAST_ABOVE <= height <= highest + 1e-9 and (not found or height - found[-1] > SAME_HINGE):
             found.append(height)
     return tuple(found)
@@ -112,6 +120,7 @@ def above_hinge(wall: Wall, hinge: float) -> Wall:
     name = named_above(wall.title, hinge)
     if hinge == 0.0:
         return replace(wall, name=name, hinge_heights=None)
+    loads = loads_above(wall, hinge, outer_face(wall, hinge))
     changes = {"thickness_m": wall.thickness} | above(wall, hinge)
     return replace(
         wall,
@@ -122,8 +131,8 @@ def above_hinge(wall: Wall, hinge: float) -> Wall:
         height_over_thickness=None,
         base_z_m=None if wall.base_z_m is None else wall.base_z_m + hinge,
         hinge_heights=None,
-        load=loads_above(wall, hinge),
-        unloaded_confirmed=wall.unloaded_confirmed or (bool(wall.load) and not loads_above(wall, hinge)),
+        load=loads,
+        unloaded_confirmed=wall.unloaded_confirmed or (bool(wall.load) and not loads),
         tie_height_m=None
         if wall.tie_height_m is None or wall.tie_height_m < hinge + LEAST_ABOVE
         else wall.tie_height_m - hinge,

@@ -12,6 +12,7 @@ from core.codes.national_hazard import (
     PERIODS,
     USE_CLASSES,
     SiteHazard,
+    distance,
     hazard_at,
     municipality,
     reference_life,
@@ -21,10 +22,14 @@ from core.text.sentence import Key, Sentence, notice
 
 HERE = section("[site]")
 
+FARTHEST = 40.0
+"""No place of a municipality is farther from its seat [km]."""
+
 DERIVED = ("ag_g", "nominal_life_years", "use_class_factor", "hazard")
 """Keys of the demand that follow from the place; of a spectrum of NTC 2018 F_0 and T_C* too."""
 
 OF_SPECTRUM = ("f0", "tc_star_s")
+"""Keys of a spectrum of NTC 2018 that follow from the place."""
 
 
 @dataclass(frozen=True)
@@ -36,7 +41,7 @@ class Site:
     province: str = text_key()
     latitude: float | None = number_key(30.0, 50.0)
     longitude: float | None = number_key(0.0, 25.0)
-    nominal_life_years: float = number_key(1.0, 1000.0, 50.0, unit="years")
+    nominal_life_years: float = number_key(10.0, 1000.0, 50.0, unit="years")
     use_class: str = choice_key(*USE_CLASSES, default="II")
 
     @property
@@ -51,6 +56,18 @@ class Site:
         found = municipality(self.municipality, self.province)
         return found.latitude, found.longitude
 
+    def _check_name(self) -> None:
+        """Refuse a point that is not in the municipality it is called by."""
+        if not self.municipality or None in (self.latitude, self.longitude):
+            return
+        try:
+            seat = municipality(self.municipality, self.province)
+        except InputError:  # a name of the engineer's own
+            return
+        km = distance(self.point, (seat.latitude, seat.longitude))
+        if km > FARTHEST:
+            raise InputError("site_elsewhere", place=(HERE,), name=seat.name, km=km, most=FARTHEST)
+
     @property
     def reference_life(self) -> float:
         """V_R [years]."""
@@ -60,6 +77,7 @@ class Site:
     def hazard(self) -> SiteHazard:
         """Of its point. Raises InputError."""
         try:
+            self._check_name()
             return _hazard(*self.point)
         except InputError as error:
             raise error if error.place else error.at(HERE) from None

@@ -37,6 +37,18 @@ NOTHING = {
     "nulla",
     "ignoto",
     "sconosciuto",
+    "no restraint",
+    "without restraint",
+    "not restrained",
+    "not connected",
+    "unconnected",
+    "free",
+    "nessun vincolo",
+    "senza vincolo",
+    "non vincolata",
+    "non vincolato",
+    "non collegata",
+    "libera",
 }
 """Words that alone name nothing."""
 
@@ -164,6 +176,7 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
             raise InputError("same_name", key="name", wall=part.wall.name)
         check_loads(part.wall)
         if part.hinge:
+            check_given(part.wall)
             for mechanism in part.wall.mechanisms():
                 part.wall.restitution_of(mechanism)
     heights = {part.wall.felt_z_m for part in found if part.wall.above_ground}

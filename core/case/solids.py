@@ -1,12 +1,12 @@
 """The shape of a wall that is no rectangle: solids, and short forms of what is common."""
 
 import math
-from dataclasses import MISSING, dataclass, replace
+from dataclasses import MISSING, dataclass
 
 from core.case.keys import choice_key, flag_key, key, number_key, path_key
 from core.errors import InputError, place
 from core.wall.body import cut_above
-from core.wall.wall_body import faces_at, parts_of, shoulder
+from core.wall.wall_body import faces_at, has_shape, parts_of, shoulder
 
 
 @dataclass(frozen=True)
@@ -91,9 +91,12 @@ def above(wall, hinge: float) -> dict:
     """What changes of a wall above a hinge [m above its base], where it is no rectangle: the solids cut there, the base
     between the faces at that height, and the wedges, whose crack begins at the hinge with the same inclination. Raises
     InputError at a height without a solid."""
-    parts = [part for part in parts_of(wall) if not part.wedge]
-    if not parts:
+    if not has_shape(wall):
         return {}
+    plain: dict = {"solid": (), "return_wedges": None, "gable_m": None, "openings": (), "steps": ()}
+    parts = [part for part in parts_of(wall) if not part.wedge]
+    if not parts:  # a rectangle written as solids
+        return plain
     faces = faces_at(parts, hinge)
     if faces is None:
         raise InputError("hinge_in_a_gap", place=(place("wall", name=wall.title),), key="hinge_heights", hinge=hinge)
@@ -113,10 +116,18 @@ def above(wall, hinge: float) -> dict:
         for part, polygon in cut
         if polygon
     )
+    base = min(inner - outer, wall.thickness)
     wedges = wall.return_wedges
     if wedges is not None:
-        start, of_all = max(wedges.from_z_m - hinge, 0.0), shoulder(wall) - wedges.from_z_m
-        rest = (shoulder(wall) - hinge - start) / of_all
-        wedges = replace(wedges, from_z_m=start, length_at_top_m=wedges.length_at_top_m * rest) if rest > 0.0 else None
-    base = min(inner - outer, wall.thickness)
-    return {"solid": solids, "return_wedges": wedges, "thickness_m": base, "gable_m": None, "openings": (), "steps": ()}
+        top, start = shoulder(wall) - hinge, max(wedges.from_z_m - hinge, 0.0)
+        rest = (top - start) / (shoulder(wall) - wedges.from_z_m)
+        if rest > 0.0:
+            corners = ((base, start), (base + rest * wedges.length_at_top_m, top), (base, top))
+            solids += (Solid("section", corners, wedges.number * wedges.thickness_m),)
+    return plain | {"solid": solids, "thickness_m": base}
+
+
+def outer_face(wall, hinge: float) -> float:
+    """x of the outer face of a wall at a height [m], from that of its base."""
+    faces = faces_at(parts_of(wall), hinge)
+    return faces[0] if faces else 0.0

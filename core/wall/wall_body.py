@@ -287,3 +287,12 @@ def sections(wall, count: int) -> tuple[Section, ...]:
         Section(y, middle, wall.thickness, weight * (1.0 - y / height), middle, 0.5 * (height - y))
         for y in np.linspace(0.0, height, count + 1)[1:-1].tolist()
     )
+
+
+def check_on_body(wall, load, here) -> None:
+    """Raise InputError for a weight off the wall: it rests on what is there at its height."""
+    if not (load.is_weight and load.d_m is not None and has_shape(wall)):
+        return
+    faces = faces_at(parts_of(wall), min(load.h_m, top_of(wall)) * (1.0 - 1e-6))
+    if faces and not faces[0] - 1e-6 <= load.d_m <= faces[1] + 1e-6:
+        raise InputError("load_off_body", place=here, key="d_m", found=load.d_m, low=faces[0], high=faces[1])

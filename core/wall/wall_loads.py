@@ -272,6 +272,7 @@ def _check_load(wall, load, here) -> None:
         raise InputError("load_mass_refused", place=here, key="mass", kind=load.kind)
     if load.is_weight and load.d_m is None:
         raise InputError("load_distance_missing", place=here, key="d_m")
+    wall_body.check_on_body(wall, load, here)
     highest = 2.0 * wall.height_m if load.kind == "carried_mass" else wall.height_m
     # heights of loads above a hinge are differences
     if not 0.0 <= (load.d_m or 0.0) <= wall.thickness * (1.0 + 1e-9):
@@ -406,6 +407,9 @@ def _check_inward(wall, here) -> None:
     )
 
 
-def loads_above(wall, hinge: float) -> tuple:
-    """The loads of the part of a wall above a hinge [m above its base]."""
-    return tuple(replace(load, h_m=load.h_m - hinge) for load in wall.load if load.h_m > hinge + 1e-9)
+def loads_above(wall, hinge: float, face: float = 0.0) -> tuple:
+    """The loads of the part of a wall above a hinge [m above its base]. face : x of its outer face there [m]"""
+    kept = (load for load in wall.load if load.h_m > hinge + 1e-9)
+    return tuple(
+        replace(load, h_m=load.h_m - hinge, d_m=None if load.d_m is None else load.d_m - face) for load in kept
+    )

@@ -422,9 +422,42 @@ def test_that_wedges_begin_at_the_hinge_with_the_same_crack():
     wedges = {"number": 2, "thickness_m": 0.4, "length_at_top_m": 2.0, "from_z_m": 1.0}
     changes = {"return_wedges": wedges, "hinge_heights": [0.5, 3.0], "height_m": 5.0}
     base, low, high = study_of(PLAIN_WALL | changes).walls
-    assert base.wall.return_wedges.length_at_top_m == 2.0
-    assert (low.wall.return_wedges.from_z_m, low.wall.return_wedges.length_at_top_m) == pytest.approx((0.5, 2.0))
-    assert (high.wall.return_wedges.from_z_m, high.wall.return_wedges.length_at_top_m) == pytest.approx((0.0, 1.0))
+    assert base.wall.return_wedges.length_at_top_m == 2.0 and low.wall.return_wedges is None
+    assert low.wall.solid[-1].polygon_m == ((0.6, 0.5), (2.6, 4.5), (0.6, 4.5))
+    assert high.wall.solid[-1].polygon_m == ((0.6, 0.0), (1.6, 2.0), (0.6, 2.0))
+    # below a gable the wedge ends at the eaves
+    _, part = study_of(PLAIN_WALL | {**changes, "gable_m": 1.5, "hinge_heights": [1.5]}).walls
+    assert part.wall.solid[-1].polygon_m[1] == pytest.approx((0.6 + 2.0 * 2.0 / 2.5, 2.0))
+
+
+def test_that_a_rectangle_written_as_a_solid_is_cut_above_a_hinge_like_the_rectangle():
+    solid = {"plane": "section", "polygon_m": [[0, 0], [0.6, 0], [0.6, 8], [0, 8]], "to_m": 5.0}
+    plain, written = (
+        study_of(PLAIN_WALL | {"hinge_heights": [3.0], **more}).walls[1] for more in ({}, {"solid": [solid]})
+    )
+    assert written.wall.solid == () and written.model == plain.model
+
+
+def test_that_loads_keep_their_place_above_a_step():
+    """From the face of the wall there: d 0.65 from the outer face of the base is 0.25 in a wall from 0.4 to 0.9."""
+    steps = [{"from_z_m": 4.0, "thickness_m": 0.5, "flush": "inner"}]
+    load = {"kind": "vertical", "kn_m": 20.0, "d_m": 0.65, "h_m": 7.5, "mass": "none"}
+    changes = {"thickness_m": 0.9, "steps": steps, "hinge_heights": [4.0]}
+    _, part = study_of(PLAIN_WALL | changes | {"load": [load]}).walls
+    assert part.wall.load[0].d_m == pytest.approx(0.25) and part.wall.load[0].h_m == 3.5
+    for d in (0.30, 0.95):
+        with pytest.raises(InputError) as refused:
+            study_of(PLAIN_WALL | changes | {"load": [{**load, "d_m": d}]})
+        assert refused.value.code in ("load_off_body", "load_outside")
+
+
+def test_that_a_thin_storey_and_the_eaves_are_hinges_of_their_own():
+    steps = [{"from_z_m": 3.0, "thickness_m": 0.75}, {"from_z_m": 6.0, "thickness_m": 0.25}]
+    building = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
+    found = study_of(PLAIN_WALL | {"thickness_m": 0.9, "steps": steps}, building=building).walls
+    assert [wall.part.hinge for wall in found] == [0.0, 3.0, 6.0]
+    gabled = study_of(PLAIN_WALL | {"gable_m": 3.0}, building=building).walls
+    assert 5.0 in [wall.part.hinge for wall in gabled]
 
 
 def test_that_a_stepped_wall_that_rocks_both_ways_has_q_by_the_exact_method_alone():

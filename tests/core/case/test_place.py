@@ -76,7 +76,8 @@ def test_that_what_agrees_to_its_own_digits_is_taken_as_the_place_has_it(given):
     [
         ({"municipality": "", "latitude": None, "longitude": None}, "site_nowhere"),
         ({"longitude": None}, "site_half_a_point"),
-        ({"latitude": 48.8, "longitude": 2.3}, "outside_the_grid"),
+        ({"latitude": 48.8, "longitude": 2.3}, "site_elsewhere"),
+        ({"municipality": "", "latitude": 48.8, "longitude": 2.3}, "outside_the_grid"),
         ({"municipality": "Castro", "latitude": None, "longitude": None}, "municipality_of_two"),
         ({"municipality": "Nowhere", "latitude": None, "longitude": None}, "municipality_unknown"),
         ({"use_class": "V"}, "not_accepted"),

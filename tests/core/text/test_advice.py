@@ -74,6 +74,7 @@ LOWERS = {
     "record_twice",
     "skip_lines_of_plain_text",
     "site_disagrees",
+    "site_elsewhere",
     "site_gives",
     "soil_factor_follows",
     "to_no_restraint",
