@@ -5,7 +5,7 @@ import math
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QImage, QPainter, QPen, QPixmap
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.look import theme
 from app.look.language import tr
@@ -22,6 +22,9 @@ CELL = 0.052
 OF_475 = 6
 """Of the return periods of the grid."""
 
+TALLEST = 420
+"""Of the map [px]."""
+
 STEP = 0.01
 """Degrees an arrow key moves the point."""
 
@@ -36,12 +39,25 @@ class PlaceMap(QWidget):
         self.point: tuple[float, float] | None = None
         self.picture: QPixmap | None = None
         self.setMinimumSize(QSize(180, 220))
+        wide = QSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        wide.setHeightForWidth(True)
+        self.setSizePolicy(wide)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccessibleName(tr("Map of a_g, 475 years; arrows move the point"))
 
     def show_point(self, point: tuple[float, float] | None) -> None:
         self.point = point
         self.update()
+
+    def hasHeightForWidth(self) -> bool:
+        return True
+
+    def heightForWidth(self, width: int) -> int:
+        """That of the whole of Italy, and no more than there is room for."""
+        return min(TALLEST, max(220, round(width * (NORTH - SOUTH) / ((EAST - WEST) * SQUEEZE))))
+
+    def sizeHint(self) -> QSize:
+        return QSize(260, self.heightForWidth(260))
 
     def resizeEvent(self, event) -> None:
         super().resizeEvent(event)
