@@ -13,8 +13,8 @@ from app.look.language import FORM_NAMES, current_language, number, of_key, tr
 from app.look.whole_text import tell_whole
 from core.case.keys import unit_in_form
 from core.case.loads import Bars, Load, ReturnWalls
-from core.case.place import Site
 from core.case.number import parse_number
+from core.case.place import Site
 from core.case.schema import Analysis, Report, Wall
 from core.case.site import Building, Demand, Spectrum
 from core.case.values import check_value, field_of

@@ -98,12 +98,19 @@ class Chart(ChartOutput):
         self.items, self.data, self.recolors, self.names, self.ranges = [], [], [], [], {}
         self.lines, self.entries, self.extents = [], [], []
         self.reason.hide()
+        self._number_axes(True)
+
+    def _number_axes(self, on: bool) -> None:
+        """Numbers beside the axes: none where nothing is drawn."""
+        for side in ("bottom", "left"):
+            self.plot.getAxis(side).setStyle(showValues=on)
 
     def say_why(self, reason: str) -> None:
         """Words in the place of an empty chart."""
         self.reason.setText(reason)
         self.reason.setStyleSheet(f"color: {theme.current.quiet};")
         self.reason.setVisible(bool(reason))
+        self._number_axes(not reason)
         self._place_legend()
 
     def curve(self, name, x, y, color=0, width=1.6, dash=False, legend=True, path=False):
