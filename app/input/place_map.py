@@ -3,9 +3,9 @@
 import math
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QImage, QPainter, QPen, QPixmap
-from PySide6.QtWidgets import QSizePolicy, QWidget
+from PySide6.QtWidgets import QWidget
 
 from app.look import theme
 from app.look.language import tr
@@ -22,8 +22,8 @@ CELL = 0.052
 OF_475 = 6
 """Of the return periods of the grid."""
 
-TALLEST = 420
-"""Of the map [px]."""
+HEIGHT = 300
+"""Of the map [px]: one that a layout cannot take from it."""
 
 STEP = 0.01
 """Degrees an arrow key moves the point."""
@@ -38,26 +38,14 @@ class PlaceMap(QWidget):
         super().__init__()
         self.point: tuple[float, float] | None = None
         self.picture: QPixmap | None = None
-        self.setMinimumSize(QSize(180, 220))
-        wide = QSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        wide.setHeightForWidth(True)
-        self.setSizePolicy(wide)
+        self.setMinimumWidth(180)
+        self.setFixedHeight(HEIGHT)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccessibleName(tr("Map of a_g, 475 years; arrows move the point"))
 
     def show_point(self, point: tuple[float, float] | None) -> None:
         self.point = point
         self.update()
-
-    def hasHeightForWidth(self) -> bool:
-        return True
-
-    def heightForWidth(self, width: int) -> int:
-        """That of the whole of Italy, and no more than there is room for."""
-        return min(TALLEST, max(220, round(width * (NORTH - SOUTH) / ((EAST - WEST) * SQUEEZE))))
-
-    def sizeHint(self) -> QSize:
-        return QSize(260, self.heightForWidth(260))
 
     def resizeEvent(self, event) -> None:
         super().resizeEvent(event)

@@ -121,3 +121,18 @@ def test_that_a_place_that_goes_leaves_values_with_the_digits_of_a_table(placed)
     assert demand.ag_g == 0.261
     assert all(getattr(row, key) == round(getattr(row, key), 3) for row in demand.hazard for key in ("ag_g", "f0"))
     assert window.session.checked() is not None
+
+
+def test_that_the_map_shows_all_of_italy_above_its_source_in_a_small_window(placed, application):
+    window, form = placed
+    window.resize(1024, 768)
+    window.show()
+    application.processEvents()
+    application.processEvents()
+    source = form.inside[-1]
+    assert form.map.geometry().bottom() < source.geometry().top()
+    corner = form.map.mapTo(window.forms.currentWidget().viewport(), QPoint(form.map.width(), 0))
+    assert corner.x() <= window.forms.currentWidget().viewport().width() and source.geometry().height() > 0
+    heel = form.map._at(40.0, 18.5)
+    assert form.map.rect().contains(heel.toPoint())
+    window.hide()
