@@ -3,13 +3,14 @@
 import copy
 from dataclasses import replace
 from functools import lru_cache
+from typing import Any
 
 from core.case.schema import Wall
 from core.errors import InputError, place
 from core.wall.shape_rules import check_shape
 from core.wall.wall_body import has_shape
 
-BESIDE = {
+BESIDE: dict[str, Any] = {
     "name": "",
     "variant": None,
     "floor": "",
