@@ -105,7 +105,8 @@ class BodyForm(QWidget):
             entries.set_title(title)
             FORM_NAMES.add(entries.key, title)
         self.solids.buttons.addWidget(drawing_button(session, index))
-        FORM_NAMES.add("return_wedges", tr("Wedges of return walls, dragged along"))
+        for key in ("return_wedges", "[wall.return_wedges]"):
+            FORM_NAMES.add(key, tr("Wedges of return walls, dragged along"))
         self._make_wedges()
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)

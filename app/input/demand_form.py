@@ -48,6 +48,7 @@ class DemandForm(QWidget):
     def __init__(self, session: Session):
         super().__init__()
         self.session = session
+        self.place: PlaceForm | None = None
         self.forget()
         self.given = QGroupBox(tr("Check against a demand"))
         self.given.setCheckable(True)
@@ -97,6 +98,8 @@ class DemandForm(QWidget):
 
     def forget(self) -> None:
         """Another case: what was switched off in the last one does not come back in this."""
+        if self.place is not None:
+            self.place.forget()
         self.last: tuple | None = None
         self.spectra = {code: Spectrum(code, "") for code in ("NTC2018", "EN1998")}  # "": not given yet
 

@@ -14,6 +14,7 @@ from app.look.whole_text import tell_whole
 from core.case.keys import unit_in_form
 from core.case.loads import Bars, Load, ReturnWalls
 from core.case.number import parse_number
+from core.case.place import Site
 from core.case.schema import Analysis, Report, Wall
 from core.case.site import Building, Demand, Spectrum
 from core.case.values import check_value, field_of
@@ -28,11 +29,15 @@ SECTIONS = {
     Building: "[building]",
     Analysis: "[analysis]",
     Report: "[report]",
+    Site: "[site]",
 }
 """Sections of a case; errors of a wall name the wall."""
 
 OF_WALL: dict[type, str] = {Wall: "", Load: "", Bars: ".bar]", ReturnWalls: ".return_walls]"}
 """Sections of a wall, and how the place of an error inside one ends."""
+
+OF_A_PART = r"\[\[\w+\]\] \d+|\[wall\.\w+\]"
+"""Place of an error that is within a table or a section of a wall."""
 
 
 class Field(QWidget):
@@ -153,8 +158,8 @@ class Field(QWidget):
         if self.section in OF_WALL:
             said = [str(dict(part.values).get("name", "")) for part in problem.place if isinstance(part, Sentence)]
             inside = next((end for end in OF_WALL.values() if end and any(name.endswith(end) for name in said)), "")
-            if any(re.fullmatch(r"\[\[\w+\]\] \d+", name) for name in said) and self.section is Wall:
-                return False  # of an opening, say, whose keys have the names of the wall's
+            if any(re.fullmatch(OF_A_PART, name) for name in said) and self.section is Wall:
+                return False  # of an opening or of the wedges, say, whose keys have the names of the wall's
             return problem.wall == wall and inside in ("", OF_WALL[self.section])
         return problem.section is not None and problem.section == SECTIONS.get(self.section)
 

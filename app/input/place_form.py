@@ -2,25 +2,24 @@
 
 from dataclasses import replace
 
-from PySide6.QtCore import QStringListModel, Qt
-from PySide6.QtWidgets import QCompleter, QGroupBox, QLabel, QLineEdit, QVBoxLayout, QWidget
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QGroupBox, QLabel, QVBoxLayout, QWidget
 
 from app.input.fields import connect
 from app.input.made_fields import make_field
+from app.input.place_fields import CoordinatesField, MunicipalityField
 from app.input.place_map import PlaceMap
 from app.look import theme
 from app.look.language import described, number, tr
+from app.work.placed_demand import restored
 from app.work.session import Session
-from core.case.coordinates import parse_coordinates
 from core.case.place import Site
+from core.case.site import Demand
 from core.codes.limits import EXCEEDANCE
 from core.errors import InputError
 
 ELSEWHERE = {"site": "", "coordinates": "", "return_period_years": None, "hazard_file": None}
 """Keys of a demand that a place takes the place of."""
-
-OFFERED = 12
-"""Municipalities the list of a search shows."""
 
 
 class PlaceForm(QWidget):
@@ -29,23 +28,14 @@ class PlaceForm(QWidget):
     def __init__(self, session: Session):
         super().__init__()
         self.session = session
+        self.forget()
         self.given = QGroupBox(tr("From the place (national grid)"))
         self.given.setCheckable(True)
         self.given.toggled.connect(self._toggled)
-        self.search, self.point = QLineEdit(), QLineEdit()
-        self.search.setPlaceholderText(tr("Municipality"))
-        self.search.setAccessibleName(tr("Municipality"))
-        self.point.setPlaceholderText("42.3498 N 13.3995 E, 42°20'59\" 13°23'58\"")
-        self.point.setAccessibleName(tr("Coordinates"))
-        self.names = QStringListModel()
-        completer = QCompleter(self.names, self)
-        completer.setCompletionMode(QCompleter.CompletionMode.UnfilteredPopupCompletion)
-        completer.setCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
-        completer.activated.connect(self._named)
-        self.search.setCompleter(completer)
-        self.search.textEdited.connect(self._offer)
-        self.search.editingFinished.connect(lambda: self._named(self.search.text()))
-        self.point.editingFinished.connect(self._pointed)
+        self.municipality, self.coordinates = MunicipalityField(), CoordinatesField()
+        self.search, self.point = self.municipality.editor, self.coordinates.editor
+        self.municipality.edited.connect(self._named)
+        self.coordinates.edited.connect(self._pointed)
         self.fields = [make_field(Site, key) for key in ("nominal_life_years", "use_class")]
         connect(self.fields, self._changed)
         self.words, self.states = QLabel(), QLabel()
@@ -58,7 +48,10 @@ class PlaceForm(QWidget):
         source = QLabel(tr("Grid: D.M. 14/01/2008, Annex B. Municipalities: ISTAT, GeoNames (CC BY 4.0)."))
         source.setWordWrap(True)
         source.setStyleSheet(f"color: {theme.current.quiet};")
-        self.inside = (self.search, self.point, *self.fields, self.words, self.states, self.map, source)
+        self.inside = (
+            *(self.municipality, self.coordinates, *self.fields),
+            *(self.words, self.states, self.map, source),
+        )
         for widget in self.inside:
             inside.addWidget(widget)
         layout = QVBoxLayout(self)
@@ -74,20 +67,18 @@ class PlaceForm(QWidget):
         for widget in self.inside:
             widget.setVisible(site is not None)
         if site is None:
-            for line in (self.search, self.point):
-                line.clear()
+            for field in (self.municipality, self.coordinates):
+                field.forget()
+                field.show_value(None)
             self.words.clear()
             self.states.clear()
             self.map.show_point(None)
             return
         for field in self.fields:
             field.show_value(getattr(site, field.key))
-        name = f"{site.municipality} ({site.province})" if site.province else site.municipality
-        if not self.search.hasFocus() and self.search.text() != name:
-            self.search.setText(name)
-        if not self.point.hasFocus():
-            given = None not in (site.latitude, site.longitude)
-            self.point.setText(f"{site.latitude:.6g}, {site.longitude:.6g}" if given else "")
+        self.municipality.show_value((site.municipality, site.province))
+        given = None not in (site.latitude, site.longitude)
+        self.coordinates.show_value((site.latitude, site.longitude) if given else None)
         self._say(site)
 
     def _say(self, site: Site) -> None:
@@ -120,9 +111,17 @@ class PlaceForm(QWidget):
         body = "".join(f"<tr>{row}</tr>" for row in rows)
         self.states.setText(f"<table><tr>{heads}</tr>{body}</table>")
 
+    def forget(self) -> None:
+        """Another case: nothing of the last one comes back in this."""
+        self.before: Demand | None = None
+
     def _toggled(self, on: bool) -> None:
-        case = self.session.case
-        demand = replace(case.demand, **ELSEWHERE) if on and case.demand else case.demand
+        case, demand = self.session.case, self.session.case.demand
+        if on:
+            self.before = demand
+            demand = replace(demand, **ELSEWHERE) if demand else None
+        elif demand and self.before and demand.ag_g == "":  # it gave nothing
+            demand = restored(demand, self.before)
         self.session.edit(replace(case, site=Site() if on else None, demand=demand))
 
     def _edit(self, place: object = None, **values) -> None:
@@ -133,31 +132,11 @@ class PlaceForm(QWidget):
     def _changed(self, field, value) -> None:
         self._edit(("site", field.key), **{field.key: value})
 
-    def _offer(self, text: str) -> None:
-        """The municipalities of the letters typed so far."""
-        from core.codes.national_hazard import beginning_with
-
-        found = beginning_with(text, OFFERED)
-        self.names.setStringList([f"{one.name} ({one.province})" for one in found])
-
-    def _named(self, text: str) -> None:
+    def _named(self, value: tuple[str, str]) -> None:
         """A municipality is chosen: its seat is the point until another one is put."""
-        name, _, rest = text.strip().partition(" (")
-        site, province = self.session.case.site, rest.rstrip(")")
-        if site is not None and (name, province) != (site.municipality, site.province):
-            self._edit(None, municipality=name, province=province, latitude=None, longitude=None)
+        name, province = value
+        self._edit(("site", "municipality"), municipality=name, province=province, latitude=None, longitude=None)
 
-    def _pointed(self) -> None:
-        text, site = self.point.text().strip(), self.session.case.site
-        if site is None or not self.point.isModified():
-            return
-        self.point.setModified(False)
-        if not text:
-            self._edit(None, latitude=None, longitude=None)
-            return
-        try:
-            latitude, longitude = parse_coordinates(text)
-        except InputError as error:
-            self.words.setText(described(error))
-            return
-        self._edit(None, latitude=latitude, longitude=longitude)
+    def _pointed(self, value: tuple[float, float] | None) -> None:
+        latitude, longitude = value or (None, None)
+        self._edit(("site", "coordinates"), latitude=latitude, longitude=longitude)

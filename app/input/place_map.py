@@ -3,7 +3,7 @@
 import math
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QImage, QPainter, QPen, QPixmap
 from PySide6.QtWidgets import QWidget
 
@@ -22,6 +22,9 @@ CELL = 0.052
 OF_475 = 6
 """Of the return periods of the grid."""
 
+HEIGHT = 300
+"""Of the map [px]: one that a layout cannot take from it."""
+
 STEP = 0.01
 """Degrees an arrow key moves the point."""
 
@@ -35,7 +38,8 @@ class PlaceMap(QWidget):
         super().__init__()
         self.point: tuple[float, float] | None = None
         self.picture: QPixmap | None = None
-        self.setMinimumSize(QSize(180, 220))
+        self.setMinimumWidth(180)
+        self.setFixedHeight(HEIGHT)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccessibleName(tr("Map of a_g, 475 years; arrows move the point"))
 

@@ -57,6 +57,7 @@ class BodyDrawing:
         self.ends = (min([-half, *(x for x, _ in points)]), max([half, *(x for x, _ in points)]))
         self.top = max((z for _, z in points), default=0.0)
         self.parts, self.half = parts_of(wall) if wall else (), half
+        self.length = wall.length_m if wall and any(part.plane == "oblique" for part in self.parts) else None
 
     @property
     def cracks(self) -> list[list[tuple[float, float]]]:
@@ -104,6 +105,6 @@ class BodyDrawing:
             corners = [QPointF(base.x() + scale * s, base.y() - scale * z) for s, z in points]
             painter.drawPolygon(QPolygonF(corners))
         first, last = self.along
-        words = f"L {number(last - first, '.2f')} m"
+        words = f"L {number(self.length or last - first, '.2f')} m"  # oblique solids are seen shortened
         at = base.x() + scale * 0.5 * (first + last) - 0.5 * painter.fontMetrics().horizontalAdvance(words)
         painter.drawText(QPointF(at, base.y() + 16), words)

@@ -91,7 +91,7 @@ class Header(QFrame):
             self.stages.addButton(button)
             self.buttons[name] = button
             row.addWidget(button)
-        row.addWidget(self.notice, 1)
+        row.addWidget(self.notice, 2)
         for widget in (self.run_button, self.cancel_button, self.undo_button, self.find_button):
             row.addWidget(widget)
         row.addWidget(self.help_button)

@@ -146,6 +146,7 @@ class Missing(QFrame):
         elif row is None:
             section = (error.section or "").strip("[]").split(".")[0]
             place = {"demand": "demand", "building": "building", "report": "report", "analysis": "report"}
+            place |= {"site": "demand"}
             window.show_input({"record": "records", "generate": "records"}.get(section) or place.get(section, "wall"))
 
     def _point(self, field: Field) -> None:

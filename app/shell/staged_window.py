@@ -47,9 +47,16 @@ class StagedWindow(RunningWindow):
         marked = self.tree.current
         if name == "input" and marked is not None:
             self.stages.input.show_kind(marked.kind if marked.kind in self.stages.input.areas else "wall")
+        elif name in ("answer", "why") and marked is not None and marked.wall < 0 and self.page != "walls":
+            self._mark_wall_shown()
         self.stages.show_stage(name)
         self._show_problem()
         self.show_result()
+
+    def _mark_wall_shown(self) -> None:
+        """In the tree, in the place of a form that is not in front."""
+        if self.session.case.wall:
+            self.tree.select(("wall", self.walls.current, ""))
 
     def show_first_run(self) -> None:
         """Ask what there is, until a stage is chosen."""

@@ -87,7 +87,7 @@ def rows_of(state: State) -> list[Row]:
     def mark(*names: str) -> tuple[str, str]:
         return ("!", "amber") if any(one.startswith(name) for one in sections for name in names) else ("", "quiet")
 
-    demand = f"{tr('Demand')}  {case.demand.limit_state}" if case.demand else f"{tr('Demand')}  {tr('none')}"
+    demand = f"{tr('Demand')}  {case.demand.limit_state}" if case.demand else tr("Demand: none")
     compliance = state.result.compliance if state.result and not state.stale else None
     records, tone = ("✓", "good") if compliance and compliance.compatible else ("", "quiet")
     if state.unread:

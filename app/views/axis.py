@@ -56,3 +56,9 @@ class Axis(pg.AxisItem):
         if current_language() == "en":
             return words
         return [word.replace(".", ",") for word in words]
+
+
+def number_axes(plot, on: bool) -> None:
+    """Numbers beside the axes of a plot; none where nothing is drawn, for they would be invented."""
+    for side in ("bottom", "left"):
+        plot.getAxis(side).setStyle(showValues=on)

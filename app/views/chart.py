@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QSizePolicy, QToolButt
 
 from app.look import theme
 from app.look.language import current_language, tr
-from app.views.axis import LEGEND_LETTERS, TICK_LETTERS, Axis, elided, ends_of, numbers
+from app.views.axis import LEGEND_LETTERS, TICK_LETTERS, Axis, elided, ends_of, number_axes, numbers
 from app.views.chart_output import ChartOutput
 from core.text.sentence import numeral
 
@@ -98,12 +98,14 @@ class Chart(ChartOutput):
         self.items, self.data, self.recolors, self.names, self.ranges = [], [], [], [], {}
         self.lines, self.entries, self.extents = [], [], []
         self.reason.hide()
+        number_axes(self.plot, True)
 
     def say_why(self, reason: str) -> None:
         """Words in the place of an empty chart."""
         self.reason.setText(reason)
         self.reason.setStyleSheet(f"color: {theme.current.quiet};")
         self.reason.setVisible(bool(reason))
+        number_axes(self.plot, not reason)
         self._place_legend()
 
     def curve(self, name, x, y, color=0, width=1.6, dash=False, legend=True, path=False):

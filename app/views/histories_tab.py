@@ -149,6 +149,7 @@ class HistoriesTab(QWidget):
         row.setStretchFactor(0, 3)
         row.setStretchFactor(1, 7)
         walls.setMinimumWidth(190)
+        self.moving = (self.record, self.slider, self.preset, row)
         layout = QVBoxLayout(self)
         layout.addLayout(bar)
         self.words.setWordWrap(True)
@@ -164,6 +165,8 @@ class HistoriesTab(QWidget):
             drawing.one_sided = wall.mechanism == "one_sided"
         for widget in (self.again, self.of_ties):
             widget.setVisible(bool(wall.model.bars))
+        for widget in self.moving:  # one that bends has no histories
+            widget.setVisible(not wall.wall.bends)
         if not wall.model.bars:
             with QSignalBlocker(self.again):
                 self.again.setChecked(False)

@@ -13,9 +13,9 @@ from pathlib import Path
 from typing import BinaryIO
 
 from app.work import recovery
+from app.work.placed_demand import followed
 from core import atomic_write
 from core.case.drawn_solids import with_drawings
-from core.case.place import placed
 from core.case.problems import problems
 from core.case.reader import read_case, read_toml
 from core.case.rules import draft_case, parse_case
@@ -77,7 +77,7 @@ class Session:
 
     def edit(self, case: Case, place: object = None) -> None:
         """A new case; edits of the same place without a pause are one step of undo."""
-        case = replace(case, demand=placed(case.site, case.demand))
+        case = replace(case, demand=followed(self.case, case))
         if case == self.case:
             return
         now = time.monotonic()

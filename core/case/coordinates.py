@@ -15,6 +15,9 @@ _BEFORE = re.compile(_LETTER + _NUMBER, re.VERBOSE | re.IGNORECASE)
 _AFTER = re.compile(_NUMBER + _LETTER, re.VERBOSE | re.IGNORECASE)
 """One coordinate with its letter before it or after it; O is the Italian west."""
 
+_BARE = re.compile(r"(?<![\d.,])(\d+)\s+(\d+(?:[.,]\d+)?)(?:\s+(\d+(?:[.,]\d+)?))?(?=\s*[NSEWO]\b)", re.IGNORECASE)
+"""Degrees, minutes and seconds before a letter, with no sign between them."""
+
 
 def parse_coordinates(text: str) -> tuple[float, float]:
     """(latitude, longitude) [degrees] of a text such as 42.3498 N 13.3995 E; 42°20'59" 13°23'58"; 42,3498; 13,3995.
@@ -22,6 +25,9 @@ def parse_coordinates(text: str) -> tuple[float, float]:
     # a comma between two numbers with points, or followed by a space, is none of a number
     plain = re.sub(r"(?<=\d\.)(\d+),", r"\1 ", text.strip().replace(";", " "))
     plain = re.sub(r",\s", " ", plain)
+    if plain.startswith("(") and plain.endswith(")"):
+        plain = plain[1:-1].strip()
+    plain = _BARE.sub(lambda part: f"{part[1]}°{part[2]}'" + (f'{part[3]}"' if part[3] else ""), plain)
     pattern = _BEFORE if plain[:1].isalpha() else _AFTER
     parts, rest = list(pattern.finditer(plain)), pattern.sub(" ", plain).strip()
     if len(parts) != 2 or rest:

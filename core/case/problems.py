@@ -60,6 +60,9 @@ def _filled(case: Case, error: InputError, key: str) -> Case | None:
         section = getattr(case, name)
         here = error.section in (f"[{name}]", f"[{name}.spectrum]")
         if section is not None and here and (whole := _given(section, key)) is not None:
+            if name == "building" and key == "height_m":  # one that no wall is above
+                tops = [one for wall in case.wall for one in (wall.base_z_m,) if isinstance(one, (int, float))]
+                whole = replace(whole, height_m=max([whole.height_m, *tops]))
             return replace(case, **{name: whole})
     return None
 

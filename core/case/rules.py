@@ -11,13 +11,13 @@ from core.case.hinges import check_hinges, parts
 from core.case.keys import is_required
 from core.case.place import HERE, Site, filled, placed
 from core.case.schema import Analysis, Case, Generate, Record, Report, Wall
+from core.case.shape_memory import check_known_shape
 from core.case.site import FULL_FACTOR, KNOWLEDGE, Building, Demand, Spectrum
 from core.case.values import SHOWN, are_ends, corners_of, field_of, refuse_unknown, repeated, section_of, value_of
 from core.case.variant_of import expanded
 from core.codes.limits import check_return_period
 from core.errors import InputError, place, section
 from core.text.sentence import Key, Quantity, sentence
-from core.wall.shape_rules import check_shape
 from core.wall.wall_loads import check_given, check_loads
 
 MIN_LETTERS = 3
@@ -192,7 +192,7 @@ def check_wall(case: Case, wall: Wall) -> None:
         here = (place("wall", name=wall.name),)
         raise InputError("drawing_not_read", place=here, key="drawing", file=wall.drawing[0].file)
     try:
-        check_shape(wall)
+        check_known_shape(wall)
         wall.bare_block()
         check_given(wall)
         check_held_top(wall)

@@ -150,18 +150,34 @@ def _by_name() -> dict[str, list[Municipality]]:
     return found
 
 
+def _joined(name: str) -> str:
+    """A folded name without spaces: "Laquila" is meant where L'Aquila is."""
+    return folded(name).replace(" ", "")
+
+
+@cache
+def _by_letters() -> dict[str, list[Municipality]]:
+    found: dict[str, list[Municipality]] = {}
+    for one in municipalities():
+        found.setdefault(_joined(one.name), []).append(one)
+    return found
+
+
 def beginning_with(text: str, most: int = 20) -> list[Municipality]:
     """Municipalities whose name begins with a text, then those that hold it."""
-    wanted = folded(text)
-    names = _by_name()
-    first = [one for name in sorted(names) if name.startswith(wanted) for one in names[name]]
-    other = [one for name in sorted(names) if wanted in name and not name.startswith(wanted) for one in names[name]]
+    wanted, joined = folded(text), _joined(text)
+    first, other = [], []
+    for name, ones in sorted(_by_name().items()):
+        if name.startswith(wanted) or _joined(name).startswith(joined):
+            first += ones
+        elif wanted in name:
+            other += ones
     return [*first, *other][:most] if wanted else []
 
 
 def municipality(name: str, province: str = "") -> Municipality:
     """The one of a name, and of a province where it is not unique. Raises InputError."""
-    found = _by_name().get(folded(name), [])
+    found = _by_name().get(folded(name)) or _by_letters().get(_joined(name), [])
     letters = province.strip().upper()
     kept = [one for one in found if not letters or letters in (one.province, one.province_name.upper())]
     if len(kept) == 1:

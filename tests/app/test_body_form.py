@@ -13,7 +13,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
 
-from app.look.body_drawing import turned
+from app.look.body_drawing import BodyDrawing, turned
 from app.look.drawing import WallDrawing, outline
 from app.look.language import tr
 from app.look.section import unfold_to
@@ -210,3 +210,19 @@ def test_that_the_facade_is_drawn_in_section_and_where_there_is_room_in_elevatio
         assert drawing.has_elevation == (width > 420)
         assert drawing.grab().toImage().width() == width
     assert drawing.body.ends == pytest.approx((-0.45 - 1.6, 0.45))
+
+
+def test_that_an_empty_thickness_marks_the_field_of_the_wedges_or_of_the_wall_alone(opened, body):
+    own = next(one for one in opened.walls.shape_fields if one.key == "thickness_m")
+    of_wedges = next(one for one in body.wedge_fields if one.key == "thickness_m")
+    opened.session.edit_wall(0, return_wedges=Wedges(2, "", 1.0))
+    assert of_wedges.rule and not own.rule
+    assert "[wall.return_wedges]" not in of_wedges.rule and "Wedges of return walls" in of_wedges.rule
+
+
+def test_that_the_length_of_oblique_solids_is_that_of_the_wall():
+    solid = Solid("oblique", ((0.0, 0.0), (1.0, 0.0), (1.0, 6.0), (0.0, 6.0)), 0.5, angle_deg=30.0)
+    sizes = {"height_m": 6.0, "thickness_m": 0.5, "length_m": 10.0, "unit_weight_kn_m3": 18.0}
+    assert BodyDrawing(Wall("w", "one_sided", solid=(solid,), **sizes), 0.25).length == 10.0
+    plain = replace(solid, plane="elevation", angle_deg=None)
+    assert BodyDrawing(Wall("w", "one_sided", solid=(plain,), **sizes), 0.25).length is None

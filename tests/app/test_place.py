@@ -15,7 +15,7 @@ def placed(opened):
     opened.show_input("demand")
     form = opened.demand.place
     form.given.setChecked(True)
-    form._named("L'Aquila (AQ)")
+    form.municipality.choose("L'Aquila (AQ)")
     return opened, form
 
 
@@ -36,10 +36,10 @@ def test_that_a_municipality_gives_the_demand_and_hides_what_follows(placed):
 
 def test_that_names_are_offered_without_accents_and_apostrophes(placed):
     _, form = placed
-    form._offer("l aquil")
-    assert form.names.stringList()[0] == "L'Aquila (AQ)"
-    form._offer("forli")
-    assert any(name.startswith("Forlì") for name in form.names.stringList())
+    form.municipality.propose("l aquil")
+    assert form.municipality.names.stringList()[0] == "L'Aquila (AQ)"
+    form.municipality.propose("forli")
+    assert any(name.startswith("Forlì") for name in form.municipality.names.stringList())
 
 
 def test_that_coordinates_are_pasted_and_the_point_dragged(placed):
@@ -72,3 +72,67 @@ def test_that_a_point_outside_the_grid_is_said_and_missing_and_nothing_is_lost(p
     assert "ag_g" not in (tmp_path / "here.toml").read_text()
     window.session.open(tmp_path / "here.toml")
     assert window.session.case == case
+
+
+@pytest.mark.parametrize("wrong", ["abc", "42.35"])
+def test_that_a_case_does_not_run_with_another_point_than_the_one_that_stands_in_its_field(placed, wrong):
+    window, form = placed
+    form._edit(None, latitude=42.3498, longitude=13.3995)
+    form.point.setFocus()
+    form.point.clear()
+    QTest.keyClicks(form.point, wrong)
+    window.refresh()
+    assert form.coordinates.wrong and form.coordinates.message.text()
+    assert any(problem.words.startswith("Coordinates: ") for problem in window.missing.problems)
+    assert not window.run_action.isEnabled() and form.point.text() == wrong
+    form.point.clear()
+    QTest.keyClicks(form.point, "42.35 13.40")
+    window.refresh()
+    assert not form.coordinates.wrong and not window.missing.problems and window.run_action.isEnabled()
+    assert window.session.case.site.point == (42.35, 13.4)
+
+
+def test_that_a_name_that_is_being_typed_leaves_no_other_place_to_run(placed):
+    window, form = placed
+    form.search.setFocus()
+    form.search.clear()
+    QTest.keyClicks(form.search, "Rom")
+    assert window.session.case.site.municipality == "Rom" and window.session.checked() is None
+    assert window.session.case.demand.ag_g == "" and form.municipality.rule
+    QTest.keyClicks(form.search, "a (RM)")
+    assert window.session.checked() is not None and not form.municipality.rule
+
+
+def test_that_a_place_without_a_point_draws_no_spectrum_and_gives_back_what_was_there(opened):
+    window = opened
+    window.show_input("demand")
+    before = window.session.case.demand
+    window.demand.place.given.setChecked(True)
+    assert window.session.case.demand.ag_g == "" and window.demand.curve.isHidden()
+    assert not window.demand.curve.others and "missing" in window.demand.summary.text()
+    window.demand.place.given.setChecked(False)
+    assert window.session.case.demand.ag_g == before.ag_g and window.session.case.demand.hazard == before.hazard
+
+
+def test_that_a_place_that_goes_leaves_values_with_the_digits_of_a_table(placed):
+    window, form = placed
+    form.given.setChecked(False)
+    demand = window.session.case.demand
+    assert demand.ag_g == 0.261
+    assert all(getattr(row, key) == round(getattr(row, key), 3) for row in demand.hazard for key in ("ag_g", "f0"))
+    assert window.session.checked() is not None
+
+
+def test_that_the_map_shows_all_of_italy_above_its_source_in_a_small_window(placed, application):
+    window, form = placed
+    window.resize(1024, 768)
+    window.show()
+    application.processEvents()
+    application.processEvents()
+    source = form.inside[-1]
+    assert form.map.geometry().bottom() < source.geometry().top()
+    corner = form.map.mapTo(window.forms.currentWidget().viewport(), QPoint(form.map.width(), 0))
+    assert corner.x() <= window.forms.currentWidget().viewport().width() and source.geometry().height() > 0
+    heel = form.map._at(40.0, 18.5)
+    assert form.map.rect().contains(heel.toPoint())
+    window.hide()

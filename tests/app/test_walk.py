@@ -183,11 +183,12 @@ class Walk:
         if self.chance.random() < 0.4:
             form.given.setChecked(not form.given.isChecked())
         elif self.chance.random() < 0.5:
-            form._named(self.chance.choice(("Modena (MO)", "L'Aquila", "Castro", "Castro (LE)", "Nowhere", "")))
+            names = ("Modena (MO)", "L'Aquila", "Castro", "Castro (LE)", "Nowhere", "")
+            form.municipality.choose(self.chance.choice(names))
         else:
-            form.point.setText(self.chance.choice(("42.35 13.4", "48.8 2.3", "39.2 N 9.1 E", "x", "")))
-            form.point.setModified(True)
-            form._pointed()
+            text = self.chance.choice(("42.35 13.4", "48.8 2.3", "39.2 N 9.1 E", "x", ""))
+            form.point.setText(text)
+            form.point.textEdited.emit(text)
 
     def choose_a_spectrum(self):
         return self._choose(self.window.demand.kind) if self.window.session.case.demand else None

@@ -388,3 +388,35 @@ def test_that_a_wall_of_a_result_is_found_by_what_it_is_and_not_by_its_name(tmp_
     assert rows(walls[::-1]) == [1, 1, 0]
     assert rows(walls[1:]) == [None, None, 0]
     assert rows((replace(walls[0], name="v", height_m=5.0), walls[1])) == [0, 0, 1]
+
+
+def test_that_the_answer_pressed_from_a_form_marks_the_wall_it_is_of(opened, application):
+    run(application, opened)
+    opened.show_input("report")
+    assert opened.tree.current.kind == "report"
+    opened.show_page("check")
+    assert opened.tree.current.kind == "wall" and opened.tree.current.wall == opened.walls.current
+
+
+def test_that_a_wall_that_bends_has_an_empty_page_of_histories(opened, application):
+    opened.session.edit_wall(
+        0, mechanism="vertical_bending", height_m=3.0, thickness_m=0.3, slenderness_deg=None, unit_weight_kn_m3=18.0
+    )
+    opened.session.edit_wall(0, restitution=None, velocity_ratio=None)
+    assert opened.session.problem() is None, str(opened.session.problem())
+    run(application, opened)
+    opened.show_page("histories")
+    page = opened.pages["histories"].content
+    assert all(widget.isHidden() for widget in page.moving) and not page.play.isVisible()
+    assert page.words.text() == "No time histories of this mechanism."
+
+
+def test_that_an_empty_chart_has_no_numbers_at_its_axes(application):
+    from app.views.chart import Chart
+
+    chart = Chart("x", "y", "c")
+    axes = [chart.plot.getAxis(side) for side in ("bottom", "left")]
+    chart.say_why("nothing yet")
+    assert not any(axis.style["showValues"] for axis in axes)
+    chart.clear()
+    assert all(axis.style["showValues"] for axis in axes)

@@ -123,7 +123,8 @@ def elevation(wall: WallResult, words: Words) -> Figure | None:
     across, up = ([p[k] for points, _ in outlines for p in points] for k in (0, 1))
     margin = 0.08 * max(max(up), max(across) - min(across))
     middle, half = 0.5 * (min(across) + max(across)), 0.5 * max(max(across) - min(across), max(up)) + margin
-    caption = words.say("{wall}: elevation, openings in red", wall=wall.name)
+    pierced = any(kind == "opening" for _, kind in outlines)
+    caption = words.say("{wall}: elevation, openings in red" if pierced else "{wall}: elevation", wall=wall.name)
     curves.append(Curve("", (middle - half, middle + half), (0.0, 0.0), "quiet", width=1.1))
     return Figure(caption, curves, y_range=(-margin, max(up) + margin), x_range=(middle - half, middle + half))
 

@@ -50,3 +50,8 @@ def test_that_sections_of_the_site_are_asked_for_too():
 
 def test_that_an_empty_case_asks_for_a_wall():
     assert [error.code for error in problems(Case())] == ["no_wall"]
+
+
+def test_that_a_building_whose_height_is_empty_is_not_said_to_be_lower_than_a_wall():
+    case = replace(read_case(ROOT / "resources" / "cases" / "building.toml"), building=Building("", 3))
+    assert [(error.code, error.key) for error in problems(case)] == [("missing", "height_m")]

@@ -216,3 +216,7 @@ def test_that_return_periods_are_those_of_the_code():
     assert return_period(75.0, "SLV") == pytest.approx(711.84, abs=0.005)
     assert [round(return_period(50.0, state)) for state in ("SLO", "SLD", "SLV", "SLC")] == [30, 50, 475, 975]
     assert reference_life(50.0, "III") == 75.0 and reference_life(40.0, "I") == 35.0
+
+
+def test_that_a_name_without_its_apostrophe_is_the_same_municipality():
+    assert municipality("Laquila").name == "L'Aquila" == beginning_with("laquil", 3)[0].name

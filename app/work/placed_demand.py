@@ -1,0 +1,53 @@
+"""The demand of a case as its place comes, changes and goes."""
+
+from dataclasses import replace
+
+from core.case.place import DERIVED, OF_SPECTRUM, derived, placed
+from core.case.schema import Case
+from core.case.site import Demand, HazardRow, Spectrum
+from core.errors import InputError
+
+DIGITS = 3
+"""Decimals of a_g [g], F_0 and T_C* [s] that stay where a place goes."""
+
+
+def followed(before: Case, case: Case) -> Demand | None:
+    """The demand of a case that takes the place of another: as its place gives it, with a_g still to be given where the
+    place gives nothing yet, and rounded where the place has just gone."""
+    demand = case.demand
+    if demand is None:
+        return None
+    if case.site is None:
+        return released(demand) if before.site is not None else demand
+    try:
+        derived(case.site, demand.limit_state)
+    except (InputError, TypeError):  # no point, no V_N
+        return replace(demand, ag_g="", hazard=())  # type: ignore[arg-type]  # to be given
+    return placed(case.site, demand)
+
+
+def released(demand: Demand) -> Demand:
+    """A demand that follows from a place no more, with the digits a person would write."""
+    rows: list[HazardRow] = []
+    for row in demand.hazard:
+        years = round(row.return_period_years, DIGITS)
+        made = HazardRow(years, *(_rounded(value) for value in (row.ag_g, row.f0, row.tc_star_s)))
+        if not rows or (made.ag_g > rows[-1].ag_g and years > rows[-1].return_period_years):
+            rows.append(made)
+    spectrum = demand.spectrum
+    if isinstance(spectrum, Spectrum) and spectrum.code == "NTC2018":
+        spectrum = replace(spectrum, **{key: _rounded(getattr(spectrum, key)) for key in OF_SPECTRUM})
+    return replace(demand, ag_g=_rounded(demand.ag_g), spectrum=spectrum, hazard=tuple(rows))
+
+
+def restored(demand: Demand, before: Demand) -> Demand:
+    """A demand whose place gave nothing, with the values from before that place."""
+    spectrum = demand.spectrum
+    ntc = all(isinstance(one, Spectrum) and one.code == "NTC2018" for one in (spectrum, before.spectrum))
+    if ntc:
+        spectrum = replace(spectrum, **{key: getattr(before.spectrum, key) for key in OF_SPECTRUM})
+    return replace(demand, spectrum=spectrum, **{key: getattr(before, key) for key in DERIVED})
+
+
+def _rounded(value):
+    return round(value, DIGITS) if isinstance(value, float) else value

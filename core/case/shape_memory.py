@@ -1,0 +1,51 @@
+"""What is known of a shape that was judged before: in the window each key typed judges the whole case again."""
+
+import copy
+from dataclasses import replace
+from functools import lru_cache
+from typing import Any
+
+from core.case.schema import Wall
+from core.errors import InputError, place
+from core.wall.shape_rules import check_shape
+from core.wall.wall_body import has_shape
+
+BESIDE: dict[str, Any] = {
+    "name": "",
+    "variant": None,
+    "floor": "",
+    "notes": "",
+    "base_z_m": None,
+    "back_restraint": "",
+    "hinge_heights": None,
+    "unloaded_confirmed": False,
+    "justification": None,
+    "restitution": None,
+    "velocity_ratio": None,
+    "law": "rigid",
+}
+"""Keys of a wall that no rule of its shape reads."""
+
+
+def check_known_shape(wall: Wall) -> None:
+    """`check_shape`, once for equal shapes. Raises InputError."""
+    if not has_shape(wall):
+        return
+    try:
+        found = _found(replace(wall, **BESIDE))
+    except TypeError:  # a value that is no key of a memory
+        check_shape(wall)
+        return
+    if found is not None:
+        error = copy.copy(found)
+        error.place = (place("wall", name=wall.title), *found.place[1:])
+        raise error
+
+
+@lru_cache(maxsize=256)
+def _found(wall: Wall) -> InputError | None:
+    try:
+        check_shape(wall)
+    except InputError as error:
+        return error.with_traceback(None)
+    return None
