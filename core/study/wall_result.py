@@ -182,9 +182,10 @@ def _unusual(wall: Wall) -> list[Sentence]:
         notices.append(notice("odd_modulus", e=modulus, low=MODULI[0], high=MODULI[1]))
     if wall.load:
         weight = wall_loads.weight_per_metre(wall) + wall_loads.vertical_loads(wall)
-        if wall_body.has_shape(wall):
-            weight *= wall.length_m / wall_body.base_length(wall)
         stress = 1e-6 * weight / (wall.thickness - 2.0 * wall.setback)
+        if parts := wall_body.parts_of(wall):
+            area = wall_body.section_area(parts, 0.0, wall.thickness)  # none under a corner of oblique solids
+            stress = stress * wall.length_m * wall.thickness / area if area > wall_body.LEAST_BASE else 0.0
         if stress > HEAVY:
             notices.append(notice("heavy_load", stress=stress))
     return notices

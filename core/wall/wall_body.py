@@ -11,7 +11,7 @@ import numpy as np
 
 from core.errors import InputError, place
 from core.units import G
-from core.wall.body import Body, cut_above, directions, extruded, together
+from core.wall.body import Body, cut_above, directions, extruded, spans, together
 
 ROUND = 64
 """Sides of the polygon of a round opening, which has the area of the circle."""
@@ -21,6 +21,9 @@ ANGLES = {"elevation": 0.5 * math.pi, "section": 0.0}
 
 SLICES = 2000
 """Of a body over its height, for its period."""
+
+LEAST_BASE = 1e-6
+"""Area of a base on which something stands [m2]."""
 
 SHORT_FORMS = ("gable_m", "openings", "steps")
 """Keys that make a wall another shape, in place of solids."""
@@ -61,6 +64,10 @@ class Part(NamedTuple):
             if (z0 > z) != (z1 > z):
                 found.append(s0 + (s1 - s0) * (z - z0) / (z1 - z0))
         return (min(found), max(found)) if len(found) > 1 else None
+
+    def spans_at(self, z: float) -> list[tuple[float, float]]:
+        """From and to along s of each stretch of the polygon just above a height [m]."""
+        return spans(self.polygon, z)
 
     def widths_at(self, z: np.ndarray) -> np.ndarray:
         """Width of the polygon along s at heights [m]."""
@@ -207,15 +214,34 @@ def weight_per_metre(wall) -> float:
     return 1e3 * wall.unit_weight_kn_m3 * wall.thickness * wall.height_m
 
 
-def base_length(wall) -> float:
-    """Length of the base of a wall less its openings [m], of which thickness_m and this are the section."""
-    cut = [part for part in parts_of(wall) if part.plane == "elevation"]
+def section_area(parts: tuple[Part, ...], z: float, inner: float = math.inf) -> float:
+    """Area of the horizontal section of solids less their openings just above a height [m2], between the outer face
+    and x = inner; of oblique solids the whole. Wedges hang and are no part of it."""
     found = 0.0
-    for part in cut:
-        width = part.width_at(0.0)
-        if width is not None:
-            found += math.copysign(width[1] - width[0], part.weight)
-    return found if found > 0.0 else wall.length_m
+    for part in parts:
+        if part.wedge:
+            continue
+        low, high = part.ends
+        spans = part.spans_at(z)
+        if part.plane == "elevation":
+            high = min(high, inner - part.start)
+        elif part.plane == "section":
+            spans = [(one, min(other, inner - part.start)) for one, other in spans]
+        width = math.fsum(max(other - one, 0.0) for one, other in spans)
+        found += math.copysign(width * max(high - low, 0.0), part.weight)
+    return found
+
+
+def base_length(wall) -> float:
+    """Length of the base of a wall less its openings [m], of which thickness_m and this are the section. Raises
+    InputError where nothing stands at the base."""
+    parts = parts_of(wall)
+    if not parts:
+        return wall.length_m
+    area = section_area(parts, 0.0, wall.thickness)
+    if not area > LEAST_BASE:
+        raise InputError("nothing_at_base", place=(place("wall", name=wall.title),), key="solid")
+    return area / wall.thickness
 
 
 def top_of(wall) -> float:

@@ -17,7 +17,7 @@ from core.study.run import run
 from core.study.zeta_with import model_of
 from core.wall.body import extruded, together
 from core.wall.rocking_model import OtherSide, RockingModel
-from core.wall.wall_body import body_of, parts_of
+from core.wall.wall_body import base_length, body_of, parts_of
 from core.wall.wall_loads import inner_of
 from tests.conftest import ROOT
 from tests.validation import loaded_walls
@@ -353,6 +353,25 @@ def test_that_energy_is_kept_between_impacts_and_angular_momentum_across_them():
     assert swing.impact_velocity[0] == pytest.approx(momentum / inner, rel=1e-9)
 
 
+PORTAL = {"s_m": 0.5, "z_m": 3.0, "width_m": 2.0, "height_m": 2.9}
+NOTCHED = {**RECTANGLE, "polygon_m": [[0, 0], [4, 0], [4, 6], [3, 6], [3, 3], [1, 3], [1, 6], [0, 6]]}
+
+LEAVES = [{**RECTANGLE, "to_m": 0.25}, {**RECTANGLE, "from_m": 0.25, "unit_weight_kn_m3": 17.0}]
+PORTALLED = {**RECTANGLE, "polygon_m": [[0, 0], [1, 0], [1, 3], [3, 3], [3, 0], [4, 0], [4, 6], [0, 6]]}
+BUTTRESSED = [RECTANGLE, section_of([[0.5, 0], [1.5, 0], [0.5, 6]], 0.8)]
+
+
+@pytest.mark.parametrize(
+    ("solids", "length"), [(LEAVES, 4.0), ([PORTALLED], 2.0), (STEPPED, 5.0), (BUTTRESSED, 4.0), ([GABLED, DOOR], 4.6)]
+)
+def test_that_the_base_is_the_area_of_its_section_over_the_thickness(solids, length):
+    whole = max(max(s for s, _ in solid["polygon_m"]) for solid in solids)
+    sizes = (8.0, 0.6, 5.0) if solids is STEPPED else (7.0, 0.5, 6.0) if whole == 6 else (6.0, 0.5, 4.0)
+    wall = wall_of(solids, *sizes, compressive_strength_mpa=2.0)
+    assert base_length(wall) == pytest.approx(length, rel=1e-12)
+    assert wall.setback == pytest.approx(2.0 * wall.weight / (3.0 * 2e6 * length), rel=1e-12)
+
+
 REFUSED = [
     ("polygon_crosses", [{**RECTANGLE, "polygon_m": [[0, 0], [4, 6], [4, 0], [0, 6]]}], {}),
     ("opening_outside", [RECTANGLE, {**DOOR, "polygon_m": [[3, 1], [5, 1], [5, 2], [3, 2]]}], {}),
@@ -370,6 +389,16 @@ REFUSED = [
     ("hinge_off_body", [{**RECTANGLE, "polygon_m": [[0, 1], [4, 1], [4, 6], [0, 6]]}], {}),
     ("base_beyond_body", [RECTANGLE, WEDGES], {"thickness": 0.8}),
     ("length_beyond_body", [GABLED], {"height": 7.0, "length": 8.0}),
+    ("nothing_at_base", [RECTANGLE, {**DOOR, "polygon_m": [[0, 0], [4, 0], [4, 2], [0, 2]]}], {}),
+    ("openings_overlap", [], {"openings": [PORTAL, {**PORTAL, "s_m": 1.5}]}),
+    ("openings_overlap", [], {"openings": [PORTAL, PORTAL]}),
+    ("opening_outside", [NOTCHED, {**DOOR, "polygon_m": [[1, 3], [3, 3], [3, 6], [1, 6]]}], {}),
+    ("opening_outside", [NOTCHED, {**DOOR, "polygon_m": [[1, 2], [3, 2], [3, 6], [1, 6]]}], {}),
+    ("solids_overlap", [GABLED, {**GABLED, "polygon_m": [[0, 5], [6, 5], [3, 12]]}], {"height": 7.0, "length": 6.0}),
+    ("base_beyond_body", CORNER, {"height": 4.0, "thickness": 3.0}),
+    ("length_beyond_body", CORNER, {"height": 4.0, "length": 200.0}),
+    ("base_beyond_body", [{**RECTANGLE, "plane": "oblique", "angle_deg": 89.9}], {"thickness": 2.0}),
+    ("length_of_loads", [GABLED], {"height": 7.0, "length": 1.0, "load": [COPING]}),
     ("solids_or_short", [RECTANGLE], {"gable_m": 1.0}),
     ("gable_too_high", [], {"gable_m": 7.0}),
     ("steps_not_rising", [], {"steps": [{"from_z_m": 4.0, "thickness_m": 0.4}, {"from_z_m": 3.0, "thickness_m": 0.3}]}),
