@@ -236,10 +236,14 @@ def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[Raised]:
     """What a body drags along behind its base, and a restraint that it meets below its top."""
     if not wall_body.has_shape(wall):
         return
-    dragged = [wall_body.lies_behind(part, wall.thickness) for part in wall_body.parts_of(wall)]
-    if any(dragged) and not all(dragged):
-        kept = tuple(solid for solid, behind in zip(wall.solid, dragged, strict=False) if not behind)
-        change = _of_wall(return_wedges=None, solid=kept)
+    parts = wall_body.parts_of(wall)
+    kept = [wall_body.clipped(part, wall.thickness) for part in parts]
+    if any(kept) and any(one is not part for one, part in zip(kept, parts, strict=True)):
+        left = zip(wall.solid, kept, strict=False)  # the wedges come last
+        solids = tuple(
+            replace(solid, polygon_m=one.polygon, from_m=one.ends[0], to_m=one.ends[1]) for solid, one in left if one
+        )
+        change = _of_wall(return_wedges=None, solid=solids)
         yield _one("return_wedges", "lift_return_wedges", wall.justification, change)
     top = wall_body.top_of(wall)
     if mechanism == "one_sided" and MODELS[wall.restitution_model(mechanism)].one_sided and wall.height_m < LOWER * top:

@@ -184,7 +184,7 @@ def _unusual(wall: Wall) -> list[Sentence]:
         weight = wall_loads.weight_per_metre(wall) + wall_loads.vertical_loads(wall)
         stress = 1e-6 * weight / (wall.thickness - 2.0 * wall.setback)
         if parts := wall_body.parts_of(wall):
-            area = wall_body.section_area(parts, 0.0, wall.thickness)  # none under a corner of oblique solids
+            area = wall_body.section_area(parts, 0.0, 0.0, wall.thickness)  # none under a corner of oblique solids
             stress = stress * wall.length_m * wall.thickness / area if area > wall_body.LEAST_BASE else 0.0
         if stress > HEAVY:
             notices.append(notice("heavy_load", stress=stress))

@@ -4,10 +4,8 @@ import math
 
 from core.errors import InputError, place
 from core.wall.body import crossing, directions, polygon_sums, shared_area
+from core.wall.one_body import TOUCH, check_one_body, check_short_forms
 from core.wall.wall_body import SHORT_FORMS, Part, base_length, faces_at, has_shape, parts_of, shoulder, sum_of, top_of
-
-TOUCH = 1e-6
-"""What two sizes may differ by and still be the same [m]."""
 
 RIGHT_SLIP = 1.0
 """By which the angle of an oblique plane may miss a section or an elevation and still be one [deg]."""
@@ -47,6 +45,7 @@ def check_shape(wall) -> None:
             "contact_outside", place=here, key="height_m", found=wall.height_m, low=LEAST_CONTACT * top, top=top
         )
     _check_base(wall, parts, here)
+    check_one_body(wall, parts, here)
     x, hinges = sum_of(parts).centroid[0], (wall.setback, wall.thickness - wall.setback)
     if x <= hinges[0]:
         raise InputError("body_falls", place=here, found=x, hinge=hinges[0])
@@ -121,6 +120,7 @@ def _check_short(wall, here) -> None:
     wedges = wall.return_wedges
     if wedges is not None and wedges.from_z_m >= shoulder(wall):
         raise InputError("wedge_above", place=here, key="from_z_m", found=wedges.from_z_m, most=shoulder(wall))
+    check_short_forms(wall, here)
 
 
 def _check_solid(solid, here) -> None:

@@ -11,7 +11,7 @@ import numpy as np
 
 from core.errors import InputError, place
 from core.units import G
-from core.wall.body import Body, cut_above, directions, extruded, spans, together
+from core.wall.body import Body, cut_above, directions, extruded, polygon_sums, spans, together
 
 ROUND = 64
 """Sides of the polygon of a round opening, which has the area of the circle."""
@@ -85,6 +85,24 @@ def lies_behind(part: Part, thickness: float) -> bool:
     """Whether a solid is dragged along behind the base of this thickness [m]: wedges of return walls."""
     faces = [part.x_of(s, n) for s, _ in part.polygon for n in part.ends]
     return part.weight > 0.0 and min(faces) >= thickness * (1.0 - 1e-9)
+
+
+def clipped(part: Part, thickness: float) -> Part | None:
+    """A solid or an opening without what is beyond the base of this thickness [m], None where nothing is left; of an
+    oblique one the whole, or nothing where all of it is beyond."""
+    if part.plane == "elevation":
+        last = min(part.ends[1], thickness - part.start)
+        if part.ends[1] <= last + 1e-6:
+            return part
+        return part._replace(ends=(part.ends[0], last)) if last > part.ends[0] + 1e-6 else None
+    if part.plane == "oblique":
+        return None if lies_behind(part._replace(weight=abs(part.weight)), thickness) else part
+    most = thickness - part.start
+    if max(s for s, _ in part.polygon) <= most + 1e-6:
+        return part
+    left = cut_above([(z, -s) for s, z in part.polygon], -most)
+    polygon = tuple((most - rest, z) for z, rest in left)
+    return part._replace(polygon=polygon) if polygon and polygon_sums(polygon).area > 1e-6 else None
 
 
 def has_shape(wall) -> bool:
@@ -214,20 +232,20 @@ def weight_per_metre(wall) -> float:
     return 1e3 * wall.unit_weight_kn_m3 * wall.thickness * wall.height_m
 
 
-def section_area(parts: tuple[Part, ...], z: float, inner: float = math.inf) -> float:
-    """Area of the horizontal section of solids less their openings just above a height [m2], between the outer face
-    and x = inner; of oblique solids the whole. Wedges hang and are no part of it."""
+def section_area(parts: tuple[Part, ...], z: float, outer: float = -math.inf, inner: float = math.inf) -> float:
+    """Area of the horizontal section of solids less their openings just above a height [m2], between x = outer and
+    x = inner; of oblique solids the whole. Wedges hang and are no part of it."""
     found = 0.0
     for part in parts:
         if part.wedge:
             continue
         low, high = part.ends
-        spans = part.spans_at(z)
+        found_at = part.spans_at(z)
         if part.plane == "elevation":
-            high = min(high, inner - part.start)
+            low, high = max(low, outer - part.start), min(high, inner - part.start)
         elif part.plane == "section":
-            spans = [(one, min(other, inner - part.start)) for one, other in spans]
-        width = math.fsum(max(other - one, 0.0) for one, other in spans)
+            found_at = [(max(one, outer - part.start), min(other, inner - part.start)) for one, other in found_at]
+        width = math.fsum(max(other - one, 0.0) for one, other in found_at)
         found += math.copysign(width * max(high - low, 0.0), part.weight)
     return found
 
@@ -238,7 +256,7 @@ def base_length(wall) -> float:
     parts = parts_of(wall)
     if not parts:
         return wall.length_m
-    area = section_area(parts, 0.0, wall.thickness)
+    area = section_area(parts, 0.0, 0.0, wall.thickness)
     if not area > LEAST_BASE:
         raise InputError("nothing_at_base", place=(place("wall", name=wall.title),), key="solid")
     return area / wall.thickness

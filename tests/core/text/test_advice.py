@@ -50,6 +50,7 @@ STATES = {
     "rigid_free",
     "velocity_ratio_user",
     "vertical_component",
+    "wedges_off_step",
     "demand_fails",
     "return_walls_need_length",
     "tie_bar_needs_length",
