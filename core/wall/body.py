@@ -9,6 +9,7 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
+from core.errors import InputError
 from core.wall.block import Block
 
 Polygon = Sequence[tuple[float, float]]
@@ -39,9 +40,16 @@ class Body(NamedTuple):
         return self.first_x / self.mass, self.first_z / self.mass
 
     def about(self, hinge: float) -> Block:
-        """The Block about a hinge at this x [m], turning towards smaller x."""
+        """The Block about a hinge at this x [m], turning towards smaller x. Raises InputError for a body that does not
+        stand on it, or that its openings leave no mass."""
+        if not self.mass > 0.0:
+            raise InputError("body_without_mass")
         x, z = self.centroid
+        if x <= hinge:
+            raise InputError("body_falls", found=x, hinge=hinge)
         inertia = self.inertia / self.mass - 2.0 * hinge * x + hinge * hinge
+        if not (z > 0.0 and inertia > (x - hinge) ** 2 + z * z):
+            raise InputError("body_without_mass")
         return Block(math.atan2(x - hinge, z), math.hypot(x - hinge, z), inertia)
 
 

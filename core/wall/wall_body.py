@@ -220,7 +220,7 @@ def body_of(wall) -> Body | None:
         return None
     body = sum_of(parts)
     if not body.mass > 0.0:
-        raise InputError("polygon_empty", place=(place("wall", name=wall.name),), key="solid")
+        raise InputError("body_without_mass", place=(place("wall", name=wall.name),))
     return body
 
 
@@ -266,6 +266,12 @@ def top_of(wall) -> float:
     """Height of the body [m]."""
     parts = parts_of(wall)
     return max(part.top for part in parts if part.weight > 0.0) if parts else wall.height_m
+
+
+def leans_inward(wall) -> bool:
+    """Whether a body falls inward at rest without its restraint: its centre of mass is not before its inner hinge."""
+    body = body_of(wall)
+    return body is not None and body.centroid[0] >= wall.thickness - wall.setback
 
 
 def period_share(wall) -> float:

@@ -359,6 +359,7 @@ NOTCHED = {**RECTANGLE, "polygon_m": [[0, 0], [4, 0], [4, 6], [3, 6], [3, 3], [1
 SHORT_WEDGES = {"number": 2, "thickness_m": 0.4, "length_at_top_m": 2.0}
 LOW = {**RECTANGLE, "polygon_m": [[0, 0], [4, 0], [4, 3], [0, 3]]}
 PIER = {**RECTANGLE, "polygon_m": [[0, 0], [1, 0], [1, 6], [0, 6]]}
+LEAN_TO = {**RECTANGLE, "from_m": 0.5, "to_m": 0.8}
 LEAVES = [{**RECTANGLE, "to_m": 0.25}, {**RECTANGLE, "from_m": 0.25, "unit_weight_kn_m3": 17.0}]
 PORTALLED = {**RECTANGLE, "polygon_m": [[0, 0], [1, 0], [1, 3], [3, 3], [3, 0], [4, 0], [4, 6], [0, 6]]}
 BUTTRESSED = [RECTANGLE, section_of([[0.5, 0], [1.5, 0], [0.5, 6]], 0.8)]
@@ -413,6 +414,7 @@ REFUSED = [
     ("body_cut_through", [], {"openings": [{"s_m": 0.0, "z_m": 2.0, "width_m": 4.0, "height_m": 1.0}]}),
     ("foot_alone", [section_of([[0, 0], [0.5, 0], [0.5, 6], [0.3, 6], [0.3, 0.1], [0, 0.1]], 4.0)], {}),
     ("foot_short", [PIER, {**RECTANGLE, "polygon_m": [[1, 0], [4, 0], [4, 6], [1, 6]], "from_m": 0.2}], {}),
+    ("setback_too_large", [RECTANGLE, LEAN_TO], {"hinge_setback_m": 0.45}),
     ("solids_or_short", [RECTANGLE], {"gable_m": 1.0}),
     ("gable_too_high", [], {"gable_m": 7.0}),
     ("steps_not_rising", [], {"steps": [{"from_z_m": 4.0, "thickness_m": 0.4}, {"from_z_m": 3.0, "thickness_m": 0.3}]}),
@@ -510,6 +512,20 @@ def test_that_what_lies_beyond_the_base_is_left_out_also_of_one_polygon_and_with
     opening = {**DOOR, "from_m": 0.5, "to_m": 1.0}
     wall = wall_of([RECTANGLE, behind, opening])
     assert [clipped(part, 0.5) is not None for part in parts_of(wall)] == [True, False, False]
+
+
+@pytest.mark.parametrize("given", [1.0, 0.8])
+def test_that_a_body_whose_eq_6_exceeds_1_takes_a_given_ratio_and_says_that_it_leans_inward(given):
+    heavy = section_of([[0.5, 0], [1.5, 6], [0.5, 6]], 3.9)
+    table = {**PLAIN_WALL, "height_m": 3.0, "thickness_m": 0.5, "length_m": 4.0, "hinge_heights": "base"}
+    table |= {"solid": [RECTANGLE, {**heavy, "unit_weight_kn_m3": 36.0}]}
+    with pytest.raises(InputError) as refused:
+        study_of(table)
+    assert refused.value.code == "eq6_above_one"
+    (wall,) = study_of(table | {"velocity_ratio": given}).walls
+    codes = {one.code for one in wall.assessment.verdict.limits}
+    assert "leans_inward" in codes and "odd_weight" in {one.code for one in wall.warnings}
+    assert ("lift_ratio_no_theory" in codes) == (given < 1.0)
 
 
 def test_that_the_period_of_a_body_is_that_of_its_rectangle_where_it_is_nearly_one():

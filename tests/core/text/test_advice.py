@@ -40,6 +40,8 @@ STATES = {
     "solids_need",
     "tie_on_unlike_sides",
     "lift_velocity_ratio",
+    "lift_ratio_no_theory",
+    "leans_inward",
     "ties_at_sld",
     "no_period",
     "no_restraint",
