@@ -73,6 +73,7 @@ SHOWN_BY = {
     "report/place_lines": "tests/core/case/test_place.py",
     "wall/body": BODIES,
     "wall/shape_rules": BODIES,
+    "wall/one_body": BODIES,
     "wall/wall_body": BODIES,
     "rocking/taylor_two_hinges": BODIES,
     "derivation/geometry": "tests/core/derivation/test_wall.py",

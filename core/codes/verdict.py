@@ -14,6 +14,7 @@ from core.codes.target_spectrum import displacement_fall
 from core.codes.verdict_sentence import CODE_Q, measured, outcome
 from core.text.sentence import FILE_NAMES, FormNames, Key, Number, Sentence, sentence
 from core.units import G
+from core.wall.wall_body import leans_inward
 
 STOCKY_DEG = 20.0
 
@@ -248,6 +249,8 @@ def _limits_of_the_number(seen: Evidence, code: str, lower_bound: float | None) 
         limits.append(_reason("no_period", missing=keys))
     if lower_bound is not None:
         limits.append(_reason("top_fails" if seen.wall.bends else "restraint_fails", zeta=Number(lower_bound)))
+    if not seen.wall.bends and leans_inward(seen.wall):
+        limits.append(_reason("leans_inward"))
     if fall := displacement_fall(seen.demand.target):
         earlier, later, share = fall
         limits.append(_reason("spectrum_falls", earlier=earlier, later=later, share=share))

@@ -15,6 +15,7 @@ from core.codes.kinematic_chain import chain
 from core.codes.verdict import Lift
 from core.codes.verdict_sentence import CODE_Q
 from core.codes.vertical_bending import bent_inward
+from core.errors import InputError
 from core.study.floors import damaged, other_ends
 from core.study.zeta_with import EVERY, Scene, zeta_with
 from core.text.sentence import Key, Number, Sentence, sentence
@@ -182,22 +183,25 @@ def _raised(scene: Scene, asked: Demand, q_check: Check | None) -> Iterator[Rais
     if dynamic and not MODELS[model].by_theory:
         given = wall.restitution_of(scene.mechanism).ratio_at_rest
         more = min(given + MORE_RATIO, 1.0)
-        theory = replace(wall, restitution=None, velocity_ratio=None)
-        ratio = theory.restitution_of(scene.mechanism).ratio_at_rest
-        yield Raised(
-            "velocity_ratio" if model == "user" else "restitution",
-            wall.justification,
-            (_of_wall(restitution=None, velocity_ratio=more), _of_wall(restitution=None, velocity_ratio=None)),
-            lambda zetas, _: sentence(
-                "reason",
-                "lift_velocity_ratio",
-                e=given,
-                more=more,
-                zeta_more=Number(zetas[0]),
-                theory=ratio,
-                zeta_theory=Number(zetas[1]),
-            ),
-        )
+        key, ratio = "velocity_ratio" if model == "user" else "restitution", _by_theory(wall, scene.mechanism)
+        if ratio is not None:
+            yield Raised(
+                key,
+                wall.justification,
+                (_of_wall(restitution=None, velocity_ratio=more), _of_wall(restitution=None, velocity_ratio=None)),
+                lambda zetas, _: sentence(
+                    "reason",
+                    "lift_velocity_ratio",
+                    e=given,
+                    more=more,
+                    zeta_more=Number(zetas[0]),
+                    theory=ratio,
+                    zeta_theory=Number(zetas[1]),
+                ),
+            )
+        elif given < 1.0:
+            end = _of_wall(restitution=None, velocity_ratio=1.0)
+            yield _one(key, "lift_ratio_no_theory", wall.justification, end, e=given)
     if dynamic and not wall.moment_law().is_rigid:
         yield _one("law", "lift_law", wall.justification, _of_wall(law="rigid"))
     if demand.confidence_factor < FULL_FACTOR:
@@ -232,14 +236,28 @@ def _raised(scene: Scene, asked: Demand, q_check: Check | None) -> Iterator[Rais
         yield from _of_the_building(scene, asked, scene.building)
 
 
+def _by_theory(wall: Wall, mechanism: str) -> float | None:
+    """Velocity ratio by theory; None where it is above 1, of a body that weighs behind its restraint."""
+    try:
+        return replace(wall, restitution=None, velocity_ratio=None).restitution_of(mechanism).ratio_at_rest
+    except InputError as error:
+        if error.code != "eq6_above_one":
+            raise
+        return None
+
+
 def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[Raised]:
     """What a body drags along behind its base, and a restraint that it meets below its top."""
     if not wall_body.has_shape(wall):
         return
-    dragged = [wall_body.lies_behind(part, wall.thickness) for part in wall_body.parts_of(wall)]
-    if any(dragged) and not all(dragged):
-        kept = tuple(solid for solid, behind in zip(wall.solid, dragged, strict=False) if not behind)
-        change = _of_wall(return_wedges=None, solid=kept)
+    parts = wall_body.parts_of(wall)
+    kept = [wall_body.clipped(part, wall.thickness) for part in parts]
+    if any(kept) and any(one is not part for one, part in zip(kept, parts, strict=True)):
+        left = zip(wall.solid, kept, strict=False)  # the wedges come last
+        solids = tuple(
+            replace(solid, polygon_m=one.polygon, from_m=one.ends[0], to_m=one.ends[1]) for solid, one in left if one
+        )
+        change = _of_wall(return_wedges=None, solid=solids)
         yield _one("return_wedges", "lift_return_wedges", wall.justification, change)
     top = wall_body.top_of(wall)
     if mechanism == "one_sided" and MODELS[wall.restitution_model(mechanism)].one_sided and wall.height_m < LOWER * top:

@@ -175,16 +175,18 @@ def _unusual(wall: Wall) -> list[Sentence]:
         notices.append(notice("thin", cm=100.0 * t))
     if t is not None and wall.height_m / t > SLENDER:
         notices.append(notice("slender", ratio=wall.height_m / t, h=wall.height_m, t=t))
-    weight, modulus = wall.unit_weight_kn_m3, wall.elastic_modulus_mpa
-    if weight is not None and not WEIGHTS[0] <= weight <= WEIGHTS[1]:
+    weights = [wall.unit_weight_kn_m3, *(solid.unit_weight_kn_m3 for solid in wall.solid)]
+    modulus = wall.elastic_modulus_mpa
+    for weight in {weight for weight in weights if weight is not None and not WEIGHTS[0] <= weight <= WEIGHTS[1]}:
         notices.append(notice("odd_weight", w=weight, low=WEIGHTS[0], high=WEIGHTS[1]))
     if modulus is not None and not MODULI[0] <= modulus <= MODULI[1]:
         notices.append(notice("odd_modulus", e=modulus, low=MODULI[0], high=MODULI[1]))
     if wall.load:
         weight = wall_loads.weight_per_metre(wall) + wall_loads.vertical_loads(wall)
-        if wall_body.has_shape(wall):
-            weight *= wall.length_m / wall_body.base_length(wall)
         stress = 1e-6 * weight / (wall.thickness - 2.0 * wall.setback)
+        if parts := wall_body.parts_of(wall):
+            area = wall_body.section_area(parts, 0.0, 0.0, wall.thickness)  # none under a corner of oblique solids
+            stress = stress * wall.length_m * wall.thickness / area if area > wall_body.LEAST_BASE else 0.0
         if stress > HEAVY:
             notices.append(notice("heavy_load", stress=stress))
     return notices

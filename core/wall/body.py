@@ -4,10 +4,12 @@ A solid is a polygon (s, z) in a vertical plane, extruded along the normal of th
 negative density. Of all solids M, M x, M z and I about the outer edge of the base add up.
 """
 
+import itertools
 import math
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
+from core.errors import InputError
 from core.wall.block import Block
 
 Polygon = Sequence[tuple[float, float]]
@@ -38,9 +40,16 @@ class Body(NamedTuple):
         return self.first_x / self.mass, self.first_z / self.mass
 
     def about(self, hinge: float) -> Block:
-        """The Block about a hinge at this x [m], turning towards smaller x."""
+        """The Block about a hinge at this x [m], turning towards smaller x. Raises InputError for a body that does not
+        stand on it, or that its openings leave no mass."""
+        if not self.mass > 0.0:
+            raise InputError("body_without_mass")
         x, z = self.centroid
+        if x <= hinge:
+            raise InputError("body_falls", found=x, hinge=hinge)
         inertia = self.inertia / self.mass - 2.0 * hinge * x + hinge * hinge
+        if not (z > 0.0 and inertia > (x - hinge) ** 2 + z * z):
+            raise InputError("body_without_mass")
         return Block(math.atan2(x - hinge, z), math.hypot(x - hinge, z), inertia)
 
 
@@ -157,9 +166,49 @@ def point_within(polygon: Polygon) -> tuple[float, float]:
         return polygon[0]
     widest = max(range(len(levels) - 1), key=lambda k: levels[k + 1] - levels[k])
     z = 0.5 * (levels[widest] + levels[widest + 1])
+    first, last = spans(polygon, z)[0]
+    return 0.5 * (first + last), z
+
+
+def spans(polygon: Polygon, z: float) -> list[tuple[float, float]]:
+    """From and to along s of each stretch of a polygon just above a height."""
     crossed = sorted(
         s0 + (s1 - s0) * (z - z0) / (z1 - z0)
         for (s0, z0), (s1, z1) in zip(polygon, (*polygon[1:], polygon[0]), strict=True)
         if (z0 > z) != (z1 > z)
     )
-    return 0.5 * (crossed[0] + crossed[1]), z
+    return list(zip(crossed[::2], crossed[1::2], strict=True))
+
+
+def shared_area(one: Polygon, other: Polygon) -> float:
+    """Area that two polygons have in common: between two levels on which no corner lies and no edges cross it is a
+    sum of trapezia."""
+    ends = [
+        (max(min(p[k] for p in q) for q in (one, other)), min(max(p[k] for p in q) for q in (one, other)))
+        for k in (0, 1)
+    ]
+    if any(low >= high for low, high in ends):
+        return 0.0
+    low, high = ends[1]
+    levels = {low, high, *(z for _, z in (*one, *other) if low < z < high)}
+    edges = [list(zip(p, (*p[1:], p[0]), strict=True)) for p in (one, other)]
+    levels.update(
+        z for a in edges[0] for b in edges[1] if (z := _level_of_crossing(a, b)) is not None and low < z < high
+    )
+    ordered, found = sorted(levels), 0.0
+    for bottom, top in itertools.pairwise(ordered):
+        z = 0.5 * (bottom + top)
+        common = math.fsum(max(min(a[1], b[1]) - max(a[0], b[0]), 0.0) for a in spans(one, z) for b in spans(other, z))
+        found += common * (top - bottom)
+    return found
+
+
+def _level_of_crossing(one, other) -> float | None:
+    """z of the point in which two edges cross; None of none."""
+    (a, b), (c, d) = one, other
+    if max(a[0], b[0]) < min(c[0], d[0]) or max(c[0], d[0]) < min(a[0], b[0]):
+        return None
+    if max(a[1], b[1]) < min(c[1], d[1]) or max(c[1], d[1]) < min(a[1], b[1]):
+        return None
+    first, last = _turn(c, d, a), _turn(c, d, b)
+    return a[1] + (b[1] - a[1]) * first / (first - last) if first * last < 0.0 else None

@@ -3,11 +3,15 @@
 import math
 
 from core.errors import InputError, place
-from core.wall.body import crossing, directions, holds, meet, point_within, polygon_sums
-from core.wall.wall_body import SHORT_FORMS, Part, faces_at, has_shape, parts_of, shoulder, sum_of, top_of
+from core.wall.body import crossing, directions, polygon_sums, shared_area
+from core.wall.one_body import TOUCH, check_one_body, check_short_forms
+from core.wall.wall_body import SHORT_FORMS, Part, base_length, faces_at, has_shape, parts_of, shoulder, sum_of, top_of
 
-TOUCH = 1e-6
-"""What two sizes may differ by and still be the same [m]."""
+RIGHT_SLIP = 1.0
+"""By which the angle of an oblique plane may miss a section or an elevation and still be one [deg]."""
+
+LENGTH_SLIP = 0.01
+"""Share by which length_m may be less than the body with loads, which act on length_m."""
 
 LEAST_CONTACT = 0.5
 """Least height of the point that meets the restraint, of the height of the body."""
@@ -33,37 +37,72 @@ def check_shape(wall) -> None:
     parts = parts_of(wall)
     if not parts:
         return
-    _check_openings(parts, here, "openings" if wall.openings else "solid")
     _check_overlap(parts, here, "openings" if wall.openings else "solid")
+    _check_openings(parts, here, "openings" if wall.openings else "solid")
     top = top_of(wall)
     if not LEAST_CONTACT * top <= wall.height_m <= top * (1.0 + 1e-9):
         raise InputError(
             "contact_outside", place=here, key="height_m", found=wall.height_m, low=LEAST_CONTACT * top, top=top
         )
     _check_base(wall, parts, here)
-    x, hinges = sum_of(parts).centroid[0], (wall.setback, wall.thickness - wall.setback)
-    if x <= hinges[0]:
-        raise InputError("body_falls", place=here, found=x, hinge=hinges[0])
-    if "two_sided" in wall.mechanisms() and x >= hinges[1]:
-        raise InputError("body_leans_back", place=here, found=x, hinge=hinges[1])
+    check_one_body(wall, parts, here)
+    wall.bare_block()  # the setback, then a body that does not stand on it
+    x, inner = sum_of(parts).centroid[0], wall.thickness - wall.setback
+    if "two_sided" in wall.mechanisms() and x >= inner:
+        raise InputError("body_leans_back", place=here, found=x, hinge=inner)
 
 
 def _check_base(wall, parts: tuple[Part, ...], here) -> None:
-    """Both hinges are on the body, and its loads act on no more than its length: else it stands better than it does. Of
-    oblique solids the engineer says where its inner hinge is."""
+    """Both hinges are on the body, something stands there, and its loads act on the length it has: else it stands
+    better than it does. Of oblique solids the engineer says where the inner hinge is, within the body."""
     faces = faces_at(parts, 0.0)
     if faces is None or faces[0] > TOUCH:
         raise InputError("hinge_off_body", place=here, found=math.inf if faces is None else faces[0])
-    if any(part.plane == "oblique" for part in parts):
-        return
-    if wall.thickness > faces[1] + TOUCH:
-        raise InputError("base_beyond_body", place=here, key="thickness_m", found=wall.thickness, most=faces[1])
-    along = [
-        [s for s, _ in part.polygon] if part.plane == "elevation" else part.ends for part in parts if part.weight > 0.0
-    ]
-    most = max(max(ends) for ends in along) - min(min(ends) for ends in along)
-    if wall.length_m > most + TOUCH:
-        raise InputError("length_beyond_body", place=here, key="length_m", found=wall.length_m, most=most)
+    oblique = any(_is_oblique(part) for part in parts)
+    most = max(_reach(part, _inward) for part in parts if part.weight > 0.0)[1] if oblique else faces[1]
+    if wall.thickness > most + TOUCH:
+        raise InputError("base_beyond_body", place=here, key="thickness_m", found=wall.thickness, most=most)
+    if not oblique or wall.elastic_modulus_mpa is not None or wall.compressive_strength_mpa is not None:
+        base_length(wall)
+    long = _extent(parts)
+    if wall.length_m > long + TOUCH:
+        raise InputError("length_beyond_body", place=here, key="length_m", found=wall.length_m, most=long)
+    if wall.load and wall.length_m < (1.0 - LENGTH_SLIP) * long:
+        raise InputError("length_of_loads", place=here, key="length_m", found=wall.length_m, most=long)
+
+
+def _is_oblique(part: Part) -> bool:
+    """Whether a solid is neither a section nor an elevation, by more than a slip of its angle."""
+    angle = abs(math.degrees(part.angle))
+    return part.plane == "oblique" and RIGHT_SLIP < angle < 90.0 - RIGHT_SLIP
+
+
+def _inward(part: Part, s: float, n: float) -> float:
+    """x of a point of a solid."""
+    return part.x_of(s, n)
+
+
+def _along(part: Part, s: float, n: float) -> float:
+    """Along the wall of a point of a solid [m]."""
+    if part.plane == "section":
+        return n
+    cosine, sine = directions(part.angle)
+    return s * sine - n * cosine
+
+
+def _reach(part: Part, of) -> tuple[float, float]:
+    """Least and largest coordinate of a solid. of : _inward or _along"""
+    found = [of(part, s, n) for s, _ in part.polygon for n in part.ends]
+    return min(found), max(found)
+
+
+def _extent(parts: tuple[Part, ...]) -> float:
+    """Length of a body along the wall [m]: of its elevations and oblique solids, and where it has none of its
+    sections, whose place along a wall is nominal beside an elevation."""
+    solids = [part for part in parts if part.weight > 0.0 and not part.wedge]
+    shown = [part for part in solids if part.plane != "section"] or solids
+    ends = [_reach(part, _along) for part in shown]
+    return max(high for _, high in ends) - min(low for low, _ in ends)
 
 
 def _check_short(wall, here) -> None:
@@ -80,6 +119,7 @@ def _check_short(wall, here) -> None:
     wedges = wall.return_wedges
     if wedges is not None and wedges.from_z_m >= shoulder(wall):
         raise InputError("wedge_above", place=here, key="from_z_m", found=wedges.from_z_m, most=shoulder(wall))
+    check_short_forms(wall, here)
 
 
 def _check_solid(solid, here) -> None:
@@ -116,21 +156,13 @@ def _is_in(opening: Part, solid: Part) -> bool:
     low, high = (end + shift for end in opening.ends)
     if not (solid.ends[0] - 1e-9 <= low and high <= solid.ends[1] + 1e-9):
         return False
-    edges = [list(zip(p, (*p[1:], p[0]), strict=True)) for p in (opening.polygon, solid.polygon)]
-    if any(_cross(one, other) for one in edges[0] for other in edges[1]):
-        return False
-    return all(holds(solid.polygon, corner) for corner in opening.polygon)
+    area = polygon_sums(opening.polygon).area
+    return area - shared_area(opening.polygon, solid.polygon) <= _slip(opening.polygon)
 
 
-def _cross(one, other) -> bool:
-    """Whether two edges cross within both; touching is none."""
-    for k in (0, 1):  # most are apart
-        if max(one[0][k], one[1][k]) < min(other[0][k], other[1][k]):
-            return False
-        if max(other[0][k], other[1][k]) < min(one[0][k], one[1][k]):
-            return False
-    touching = any(meet((p, p), other) for p in one) or any(meet((p, p), one) for p in other)
-    return meet(one, other) and not touching
+def _slip(polygon) -> float:
+    """Area that two polygons may share, or one leave, by the rounding of its corners [m2]."""
+    return TOUCH * sum(max(p[k] for p in polygon) - min(p[k] for p in polygon) for k in (0, 1))
 
 
 def _check_overlap(parts: tuple[Part, ...], here, key: str) -> None:
@@ -156,14 +188,4 @@ def _overlap(one: Part, other: Part) -> bool:
         polygon = tuple((s + shift / cosine, z) for s, z in other.polygon)
     if min(high, one.ends[1]) - max(low, one.ends[0]) <= 1e-9:
         return False
-    apart = [
-        max(p[k] for p in a) <= min(p[k] for p in b) + 1e-9
-        for a, b in ((one.polygon, polygon), (polygon, one.polygon))
-        for k in (0, 1)
-    ]
-    if any(apart):
-        return False
-    edges = [list(zip(p, (*p[1:], p[0]), strict=True)) for p in (one.polygon, polygon)]
-    if any(_cross(a, b) for a in edges[0] for b in edges[1]):
-        return True
-    return any(holds(q, point_within(p)) for p, q in ((polygon, one.polygon), (one.polygon, polygon)))
+    return shared_area(one.polygon, polygon) > min(_slip(one.polygon), _slip(polygon))

@@ -11,7 +11,7 @@ import numpy as np
 
 from core.errors import InputError, place
 from core.units import G
-from core.wall.body import Body, cut_above, directions, extruded, together
+from core.wall.body import Body, cut_above, directions, extruded, polygon_sums, spans, together
 
 ROUND = 64
 """Sides of the polygon of a round opening, which has the area of the circle."""
@@ -21,6 +21,9 @@ ANGLES = {"elevation": 0.5 * math.pi, "section": 0.0}
 
 SLICES = 2000
 """Of a body over its height, for its period."""
+
+LEAST_BASE = 1e-6
+"""Area of a base on which something stands [m2]."""
 
 SHORT_FORMS = ("gable_m", "openings", "steps")
 """Keys that make a wall another shape, in place of solids."""
@@ -62,6 +65,10 @@ class Part(NamedTuple):
                 found.append(s0 + (s1 - s0) * (z - z0) / (z1 - z0))
         return (min(found), max(found)) if len(found) > 1 else None
 
+    def spans_at(self, z: float) -> list[tuple[float, float]]:
+        """From and to along s of each stretch of the polygon just above a height [m]."""
+        return spans(self.polygon, z)
+
     def widths_at(self, z: np.ndarray) -> np.ndarray:
         """Width of the polygon along s at heights [m]."""
         found = np.zeros(z.size)
@@ -78,6 +85,24 @@ def lies_behind(part: Part, thickness: float) -> bool:
     """Whether a solid is dragged along behind the base of this thickness [m]: wedges of return walls."""
     faces = [part.x_of(s, n) for s, _ in part.polygon for n in part.ends]
     return part.weight > 0.0 and min(faces) >= thickness * (1.0 - 1e-9)
+
+
+def clipped(part: Part, thickness: float) -> Part | None:
+    """A solid or an opening without what is beyond the base of this thickness [m], None where nothing is left; of an
+    oblique one the whole, or nothing where all of it is beyond."""
+    if part.plane == "elevation":
+        last = min(part.ends[1], thickness - part.start)
+        if part.ends[1] <= last + 1e-6:
+            return part
+        return part._replace(ends=(part.ends[0], last)) if last > part.ends[0] + 1e-6 else None
+    if part.plane == "oblique":
+        return None if lies_behind(part._replace(weight=abs(part.weight)), thickness) else part
+    most = thickness - part.start
+    if max(s for s, _ in part.polygon) <= most + 1e-6:
+        return part
+    left = cut_above([(z, -s) for s, z in part.polygon], -most)
+    polygon = tuple((most - rest, z) for z, rest in left)
+    return part._replace(polygon=polygon) if polygon and polygon_sums(polygon).area > 1e-6 else None
 
 
 def has_shape(wall) -> bool:
@@ -195,7 +220,7 @@ def body_of(wall) -> Body | None:
         return None
     body = sum_of(parts)
     if not body.mass > 0.0:
-        raise InputError("polygon_empty", place=(place("wall", name=wall.name),), key="solid")
+        raise InputError("body_without_mass", place=(place("wall", name=wall.name),))
     return body
 
 
@@ -207,21 +232,46 @@ def weight_per_metre(wall) -> float:
     return 1e3 * wall.unit_weight_kn_m3 * wall.thickness * wall.height_m
 
 
-def base_length(wall) -> float:
-    """Length of the base of a wall less its openings [m], of which thickness_m and this are the section."""
-    cut = [part for part in parts_of(wall) if part.plane == "elevation"]
+def section_area(parts: tuple[Part, ...], z: float, outer: float = -math.inf, inner: float = math.inf) -> float:
+    """Area of the horizontal section of solids less their openings just above a height [m2], between x = outer and
+    x = inner; of oblique solids the whole. Wedges hang and are no part of it."""
     found = 0.0
-    for part in cut:
-        width = part.width_at(0.0)
-        if width is not None:
-            found += math.copysign(width[1] - width[0], part.weight)
-    return found if found > 0.0 else wall.length_m
+    for part in parts:
+        if part.wedge:
+            continue
+        low, high = part.ends
+        found_at = part.spans_at(z)
+        if part.plane == "elevation":
+            low, high = max(low, outer - part.start), min(high, inner - part.start)
+        elif part.plane == "section":
+            found_at = [(max(one, outer - part.start), min(other, inner - part.start)) for one, other in found_at]
+        width = math.fsum(max(other - one, 0.0) for one, other in found_at)
+        found += math.copysign(width * max(high - low, 0.0), part.weight)
+    return found
+
+
+def base_length(wall) -> float:
+    """Length of the base of a wall less its openings [m], of which thickness_m and this are the section. Raises
+    InputError where nothing stands at the base."""
+    parts = parts_of(wall)
+    if not parts:
+        return wall.length_m
+    area = section_area(parts, 0.0, 0.0, wall.thickness)
+    if not area > LEAST_BASE:
+        raise InputError("nothing_at_base", place=(place("wall", name=wall.title),), key="solid")
+    return area / wall.thickness
 
 
 def top_of(wall) -> float:
     """Height of the body [m]."""
     parts = parts_of(wall)
     return max(part.top for part in parts if part.weight > 0.0) if parts else wall.height_m
+
+
+def leans_inward(wall) -> bool:
+    """Whether a body falls inward at rest without its restraint: its centre of mass is not before its inner hinge."""
+    body = body_of(wall)
+    return body is not None and body.centroid[0] >= wall.thickness - wall.setback
 
 
 def period_share(wall) -> float:

@@ -17,7 +17,7 @@ from core.study.run import run
 from core.study.zeta_with import model_of
 from core.wall.body import extruded, together
 from core.wall.rocking_model import OtherSide, RockingModel
-from core.wall.wall_body import body_of, parts_of
+from core.wall.wall_body import base_length, body_of, clipped, parts_of
 from core.wall.wall_loads import inner_of
 from tests.conftest import ROOT
 from tests.validation import loaded_walls
@@ -353,6 +353,29 @@ def test_that_energy_is_kept_between_impacts_and_angular_momentum_across_them():
     assert swing.impact_velocity[0] == pytest.approx(momentum / inner, rel=1e-9)
 
 
+PORTAL = {"s_m": 0.5, "z_m": 3.0, "width_m": 2.0, "height_m": 2.9}
+NOTCHED = {**RECTANGLE, "polygon_m": [[0, 0], [4, 0], [4, 6], [3, 6], [3, 3], [1, 3], [1, 6], [0, 6]]}
+
+SHORT_WEDGES = {"number": 2, "thickness_m": 0.4, "length_at_top_m": 2.0}
+LOW = {**RECTANGLE, "polygon_m": [[0, 0], [4, 0], [4, 3], [0, 3]]}
+PIER = {**RECTANGLE, "polygon_m": [[0, 0], [1, 0], [1, 6], [0, 6]]}
+LEAN_TO = {**RECTANGLE, "from_m": 0.5, "to_m": 0.8}
+LEAVES = [{**RECTANGLE, "to_m": 0.25}, {**RECTANGLE, "from_m": 0.25, "unit_weight_kn_m3": 17.0}]
+PORTALLED = {**RECTANGLE, "polygon_m": [[0, 0], [1, 0], [1, 3], [3, 3], [3, 0], [4, 0], [4, 6], [0, 6]]}
+BUTTRESSED = [RECTANGLE, section_of([[0.5, 0], [1.5, 0], [0.5, 6]], 0.8)]
+
+
+@pytest.mark.parametrize(
+    ("solids", "length"), [(LEAVES, 4.0), ([PORTALLED], 2.0), (STEPPED, 5.0), (BUTTRESSED, 4.0), ([GABLED, DOOR], 4.6)]
+)
+def test_that_the_base_is_the_area_of_its_section_over_the_thickness(solids, length):
+    whole = max(max(s for s, _ in solid["polygon_m"]) for solid in solids)
+    sizes = (8.0, 0.6, 5.0) if solids is STEPPED else (7.0, 0.5, 6.0) if whole == 6 else (6.0, 0.5, 4.0)
+    wall = wall_of(solids, *sizes, compressive_strength_mpa=2.0)
+    assert base_length(wall) == pytest.approx(length, rel=1e-12)
+    assert wall.setback == pytest.approx(2.0 * wall.weight / (3.0 * 2e6 * length), rel=1e-12)
+
+
 REFUSED = [
     ("polygon_crosses", [{**RECTANGLE, "polygon_m": [[0, 0], [4, 6], [4, 0], [0, 6]]}], {}),
     ("opening_outside", [RECTANGLE, {**DOOR, "polygon_m": [[3, 1], [5, 1], [5, 2], [3, 2]]}], {}),
@@ -370,6 +393,28 @@ REFUSED = [
     ("hinge_off_body", [{**RECTANGLE, "polygon_m": [[0, 1], [4, 1], [4, 6], [0, 6]]}], {}),
     ("base_beyond_body", [RECTANGLE, WEDGES], {"thickness": 0.8}),
     ("length_beyond_body", [GABLED], {"height": 7.0, "length": 8.0}),
+    ("nothing_at_base", [RECTANGLE, {**DOOR, "polygon_m": [[0, 0], [4, 0], [4, 2], [0, 2]]}], {}),
+    ("openings_overlap", [], {"openings": [PORTAL, {**PORTAL, "s_m": 1.5}]}),
+    ("openings_overlap", [], {"openings": [PORTAL, PORTAL]}),
+    ("opening_outside", [NOTCHED, {**DOOR, "polygon_m": [[1, 3], [3, 3], [3, 6], [1, 6]]}], {}),
+    ("opening_outside", [NOTCHED, {**DOOR, "polygon_m": [[1, 2], [3, 2], [3, 6], [1, 6]]}], {}),
+    ("solids_overlap", [GABLED, {**GABLED, "polygon_m": [[0, 5], [6, 5], [3, 12]]}], {"height": 7.0, "length": 6.0}),
+    ("base_beyond_body", CORNER, {"height": 4.0, "thickness": 3.0}),
+    ("length_beyond_body", CORNER, {"height": 4.0, "length": 200.0}),
+    ("base_beyond_body", [{**RECTANGLE, "plane": "oblique", "angle_deg": 89.9}], {"thickness": 2.0}),
+    ("length_of_loads", [GABLED], {"height": 7.0, "length": 1.0, "load": [COPING]}),
+    ("planes_overlap", [RECTANGLE, section_of([[0.49, 0], [2.5, 6], [0.49, 6]], 0.8)], {}),
+    ("step_thicker", [], {"steps": [{"from_z_m": 3.0, "thickness_m": 0.8}]}),
+    ("wedges_too_long", [], {"return_wedges": {"number": 9, "thickness_m": 0.5, "length_at_top_m": 2.0}}),
+    ("crack_too_flat", [], {"return_wedges": {"number": 2, "thickness_m": 0.4, "length_at_top_m": 7.0}}),
+    ("wedges_off_step", [], {"return_wedges": SHORT_WEDGES, "steps": [{"from_z_m": 3.0, "thickness_m": 0.3}]}),
+    ("body_in_pieces", [RECTANGLE, section_of([[0.6, 0], [2.5, 6], [0.6, 6]], 0.8)], {}),
+    ("body_in_pieces", [LOW, {**RECTANGLE, "polygon_m": [[0, 4], [4, 4], [4, 6], [0, 6]]}], {}),
+    ("body_cut_through", [RECTANGLE, {**DOOR, "polygon_m": [[0, 2], [4, 2], [4, 3], [0, 3]]}], {}),
+    ("body_cut_through", [], {"openings": [{"s_m": 0.0, "z_m": 2.0, "width_m": 4.0, "height_m": 1.0}]}),
+    ("foot_alone", [section_of([[0, 0], [0.5, 0], [0.5, 6], [0.3, 6], [0.3, 0.1], [0, 0.1]], 4.0)], {}),
+    ("foot_short", [PIER, {**RECTANGLE, "polygon_m": [[1, 0], [4, 0], [4, 6], [1, 6]], "from_m": 0.2}], {}),
+    ("setback_too_large", [RECTANGLE, LEAN_TO], {"hinge_setback_m": 0.45}),
     ("solids_or_short", [RECTANGLE], {"gable_m": 1.0}),
     ("gable_too_high", [], {"gable_m": 7.0}),
     ("steps_not_rising", [], {"steps": [{"from_z_m": 4.0, "thickness_m": 0.4}, {"from_z_m": 3.0, "thickness_m": 0.3}]}),
@@ -491,6 +536,29 @@ def test_that_wedges_and_a_low_restraint_are_shown_with_zeta_without_them():
     (high,) = study_of({**gabled, "height_m": 7.0, "solid": [GABLED]}).walls
     reason = next(one for one in low.assessment.verdict.limits if one.code == "lift_contact")
     assert dict(reason.values)["zeta"].value == pytest.approx(high.assessment.verdict.zeta_e, rel=0.05)
+
+
+def test_that_what_lies_beyond_the_base_is_left_out_also_of_one_polygon_and_with_its_openings():
+    kept = clipped(parts_of(wall_of([section_of([[0, 0], [0.5, 0], [2.5, 6], [0, 6]], 4.0)]))[0], 0.5)
+    assert kept.body.mass == pytest.approx(18e3 / G * 0.5 * 6.0 * 4.0, rel=1e-12)
+    behind = {**RECTANGLE, "from_m": 0.5, "to_m": 1.0}
+    opening = {**DOOR, "from_m": 0.5, "to_m": 1.0}
+    wall = wall_of([RECTANGLE, behind, opening])
+    assert [clipped(part, 0.5) is not None for part in parts_of(wall)] == [True, False, False]
+
+
+@pytest.mark.parametrize("given", [1.0, 0.8])
+def test_that_a_body_whose_eq_6_exceeds_1_takes_a_given_ratio_and_says_that_it_leans_inward(given):
+    heavy = section_of([[0.5, 0], [1.5, 6], [0.5, 6]], 3.9)
+    table = {**PLAIN_WALL, "height_m": 3.0, "thickness_m": 0.5, "length_m": 4.0, "hinge_heights": "base"}
+    table |= {"solid": [RECTANGLE, {**heavy, "unit_weight_kn_m3": 36.0}]}
+    with pytest.raises(InputError) as refused:
+        study_of(table)
+    assert refused.value.code == "eq6_above_one"
+    (wall,) = study_of(table | {"velocity_ratio": given}).walls
+    codes = {one.code for one in wall.assessment.verdict.limits}
+    assert "leans_inward" in codes and "odd_weight" in {one.code for one in wall.warnings}
+    assert ("lift_ratio_no_theory" in codes) == (given < 1.0)
 
 
 def test_that_the_period_of_a_body_is_that_of_its_rectangle_where_it_is_nearly_one():
