@@ -14,7 +14,7 @@ from app.look.language import described, number, tr
 from app.work.placed_demand import restored
 from app.work.session import Session
 from core.case.place import Site
-from core.case.site import Demand
+from core.case.site import Demand, Spectrum
 from core.codes.limits import EXCEEDANCE
 from core.errors import InputError
 
@@ -120,6 +120,9 @@ class PlaceForm(QWidget):
         if on:
             self.before = demand
             demand = replace(demand, **ELSEWHERE) if demand else None
+            if demand and not (demand.spectrum or demand.spectrum_file or demand.soil_factor):
+                # a place without a spectrum and S would be a demand on rock: soil and topography are asked for
+                demand = replace(demand, spectrum=Spectrum("NTC2018", ""), housner_intensity_cm=None)
         elif demand and self.before and demand.ag_g == "":  # it gave nothing
             demand = restored(demand, self.before)
         self.session.edit(replace(case, site=Site() if on else None, demand=demand))

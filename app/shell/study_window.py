@@ -187,13 +187,10 @@ class StudyWindow(QDialog):
         self.word.setText(tr("Not done."))
         QMessageBox.warning(self, tr("Not done"), sentence)
 
-    def closeEvent(self, event) -> None:
-        self.cancel()
-        super().closeEvent(event)
-
     def reject(self) -> None:
-        """Esc closes, as a click on the cross does."""
-        self.close()
+        """Esc closes, as a click on the cross does, which comes here too."""
+        self.cancel()
+        super().reject()
 
     # what is shown
 

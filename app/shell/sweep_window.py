@@ -274,13 +274,10 @@ class SweepWindow(QDialog):
         if self.points:
             self.show_points()
 
-    def closeEvent(self, event) -> None:
-        self.cancel()
-        super().closeEvent(event)
-
     def reject(self) -> None:
-        """Esc closes, as a click on the cross does."""
-        self.close()
+        """Esc closes, as a click on the cross does, which comes here too."""
+        self.cancel()
+        super().reject()
 
     # what is found
 

@@ -299,7 +299,7 @@ def test_that_the_window_of_a_study_runs_cancels_goes_on_and_shows_it(applicatio
         charts.setCurrentRow(row)
     application.processEvents()
     assert not journal.exists() and (tmp_path / "results" / "small.xlsx").exists()
-    made.close()
+    assert made.close() and not made.isVisible()
     made.deleteLater()
 
 

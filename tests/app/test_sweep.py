@@ -24,7 +24,7 @@ def asked(opened):
     made = opened.findChild(SweepWindow)
     made.count.setValue(3)
     yield made
-    made.close()
+    assert made.close() and not made.isVisible()
 
 
 def choose(made: SweepWindow, section: type, name: str, low: str, high: str) -> None:
