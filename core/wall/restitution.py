@@ -59,7 +59,7 @@ class Restitution:
 
 @dataclass(frozen=True)
 class Contact:
-    """Where a block that is no rectangle alone meets its base and its restraint.
+    """Where a body, or a block with masses that move with it, meets its base and its restraint.
 
     width : B, from the outer hinge to the inner one [m]
     height : H_r, of the point above the inner hinge that meets the restraint of a one-sided wall [m]
@@ -95,8 +95,8 @@ def _not_negative(ratio: float, block: Block) -> float:
 
 
 def housner_ratio(block: Block, contact: Contact | None = None) -> float:
-    """sqrt(r) = 1 - 2 R^2 sin^2(alpha) m / I0 [-], Eq. 4; 1 - 1.5 sin^2(alpha) for a rectangle. contact : of a block
-    with masses that move with it, whose ratio from the outer to the inner hinge is that of `impact_ratio`.
+    """sqrt(r) = 1 - 2 R^2 sin^2(alpha) m / I0 [-], Eq. 4; 1 - 1.5 sin^2(alpha) for a rectangle. contact : of a body
+    or of a block with masses that move with it, whose ratio from outer to inner hinge is that of `impact_ratio`.
 
     Raises InputError where it is negative: the block is too stocky to rock.
     """
@@ -109,8 +109,8 @@ def housner_ratio(block: Block, contact: Contact | None = None) -> float:
 def one_sided_ratio(block: Block, contact: Contact | None = None) -> float:
     """sqrt(r_1s) [-], Eq. 6: base, upper corner and base again. The bracket in cos is negative for
     slender blocks, which is the reversal of the motion: its modulus is the ratio. For a general
-    block the contact at 2 R cos(alpha) above the pivot is an assumption. contact : of a block with masses that
-    move with it; the same three impacts by `impact_ratio`."""
+    block the contact at 2 R cos(alpha) above the pivot is an assumption. contact : of a body or of a block
+    with masses that move with it; the same three impacts by `impact_ratio`."""
     if contact is not None:
         inner = contact.width, 0.0
         top = abs(impact_ratio(block, inner, (contact.width, contact.height)))
@@ -127,8 +127,8 @@ def overturning_velocity(block: Block) -> float:
 def restitution(
     block: Block, model: str, velocity_ratio: float | None = None, contact: Contact | None = None
 ) -> Restitution:
-    """Restitution of a named model for this block; velocity_ratio only with model "user", contact only of a block
-    with masses that move with it."""
+    """Restitution of a named model for this block; velocity_ratio only with model "user", contact only of a body
+    or of a block with masses that move with it."""
     if model in ("housner", "sorrentino_experimental"):
         factor = 1.0 if model == "housner" else EQ5_FACTOR
         inward = factor * inward_ratio(block, contact) if contact else None
