@@ -76,7 +76,10 @@ def lifts(
         # the floor of a kinematic check needs no motions
         ground = there.ground if check.name == "dynamic" else ()
         changes = {"wall": there.wall, "demand": there.demand, "building": there.building, "ground": ground}
-        return zeta_with(scene, EVERY, cancelled, decides=check, **changes)
+        try:
+            return zeta_with(scene, EVERY, cancelled, decides=check, **changes)
+        except InputError:  # without what lifts it the wall does not stand
+            return None, False
 
     found: list[Lift] = []
     worst: list[tuple[str, Change]] = []
