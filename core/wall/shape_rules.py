@@ -52,6 +52,13 @@ def check_shape(wall) -> None:
         raise InputError("body_leans_back", place=here, found=x, hinge=inner)
 
 
+def _across(part: Part) -> float:
+    """Thickness of a solid along the direction of motion [m], no more than it reaches inward."""
+    sine = abs(directions(part.angle)[1])
+    reach = _reach(part, _inward)[1]
+    return min(reach, (part.ends[1] - part.ends[0]) / sine) if sine > 0.0 else reach
+
+
 def _check_base(wall, parts: tuple[Part, ...], here) -> None:
     """Both hinges are on the body, something stands there, and its loads act on the length it has: else it stands
     better than it does. Of oblique solids the engineer says where the inner hinge is, within the body."""
@@ -59,7 +66,9 @@ def _check_base(wall, parts: tuple[Part, ...], here) -> None:
     if faces is None or faces[0] > TOUCH:
         raise InputError("hinge_off_body", place=here, found=math.inf if faces is None else faces[0])
     oblique = any(_is_oblique(part) for part in parts)
-    most = max(_reach(part, _inward) for part in parts if part.weight > 0.0)[1] if oblique else faces[1]
+    most = faces[1]
+    if oblique:  # a corner stands on an edge: the inner hinge is within the thickness of its walls along the motion
+        most = max(most, *(_across(part) for part in parts if part.weight > 0.0))
     if wall.thickness > most + TOUCH:
         raise InputError("base_beyond_body", place=here, key="thickness_m", found=wall.thickness, most=most)
     if not oblique or wall.elastic_modulus_mpa is not None or wall.compressive_strength_mpa is not None:
