@@ -24,7 +24,7 @@ def changed_keys(before: Wall, after: Wall) -> tuple[str, ...]:
     return tuple(
         entry.name
         for entry in fields(Wall)
-        if entry.name not in ("name", "variant", "notes", "tie_height_m")
+        if entry.name not in ("name", "variant", "notes", "tie_height_m", "unloaded_confirmed")
         and getattr(before, entry.name) != getattr(after, entry.name)
     )
 
