@@ -263,13 +263,13 @@ def test_that_no_word_is_cut_in_large_letters(opened, application, monkeypatch, 
 SHAPES = {
     "short": {
         "openings": (Opening(0.5, 1.0, 1.0, 1.0), Opening(2.0, 2.5, diameter_m=0.8)),
-        "steps": (Step(4.0, 0.3),),
+        "steps": (Step(4.0, 0.3, "inner"),),
         "return_wedges": Wedges(2, 0.4, 1.0),
     },
     "solids": {
         "solid": (
-            Solid("section", ((0.0, 0.0), (0.5, 0.0), (0.5, 5.0), (0.0, 5.0)), 4.0),
-            Solid("oblique", ((0.8, 0.0), (1.0, 5.0), (0.8, 5.0)), 1.0, angle_deg=30.0),
+            Solid("oblique", ((0.0, 0.0), (3.0, 5.0), (0.0, 5.0)), 0.5, angle_deg=45.0),
+            Solid("oblique", ((0.5, 5 / 6), (3.0, 5.0), (0.5, 5.0)), 0.0, -0.5, angle_deg=-45.0),
         )
     },
 }

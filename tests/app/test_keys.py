@@ -31,7 +31,7 @@ ELSEWHERE = {
     (Demand, "hazard_file"): "the table takes the rows of such a file",
     **{
         (Site, key): "search, coordinates and map of the place (app/input/place_form.py)"
-        for key in ("municipality", "province", "latitude", "longitude")
+        for key in ("province", "longitude")
     },
     **{(Drawing, entry.name): "the dialog of the button From a drawing…" for entry in fields(Drawing)},
     **{(Generate, key): "the button Generate…, which makes seven" for key in ("count", "seed")},

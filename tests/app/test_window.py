@@ -411,10 +411,11 @@ def test_that_a_wall_that_bends_has_an_empty_page_of_histories(opened, applicati
     assert page.words.text() == "No time histories of this mechanism."
 
 
-def test_that_an_empty_chart_has_no_numbers_at_its_axes(application):
+def test_that_an_empty_chart_has_no_numbers_at_its_axes(opened):
     from app.views.chart import Chart
 
-    chart = Chart("x", "y", "c")
+    opened.show_page("spectra")
+    chart = opened.pages["spectra"].content.findChildren(Chart)[0]
     axes = [chart.plot.getAxis(side) for side in ("bottom", "left")]
     chart.say_why("nothing yet")
     assert not any(axis.style["showValues"] for axis in axes)
