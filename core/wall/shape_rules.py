@@ -8,7 +8,7 @@ from core.wall.one_body import TOUCH, check_one_body, check_short_forms
 from core.wall.wall_body import SHORT_FORMS, Part, base_length, faces_at, has_shape, parts_of, shoulder, sum_of, top_of
 
 RIGHT_SLIP = 1.0
-"""By which the angle of an oblique plane may miss a section or an elevation and still be one [deg]."""
+"""Angle from a section or an elevation below which a plane is one of them, and not oblique [deg]."""
 
 LENGTH_SLIP = 0.01
 """Share by which length_m may be less than the body with loads, which act on length_m."""
@@ -65,7 +65,7 @@ def _check_base(wall, parts: tuple[Part, ...], here) -> None:
     faces = faces_at(parts, 0.0)
     if faces is None or faces[0] > TOUCH:
         raise InputError("hinge_off_body", place=here, found=math.inf if faces is None else faces[0])
-    oblique = any(_is_oblique(part) for part in parts)
+    oblique = any(part.plane == "oblique" for part in parts)
     most = faces[1]
     if oblique:  # a corner stands on an edge: the inner hinge is within the thickness of its walls along the motion
         most = max(most, *(_across(part) for part in parts if part.weight > 0.0))
@@ -78,12 +78,6 @@ def _check_base(wall, parts: tuple[Part, ...], here) -> None:
         raise InputError("length_beyond_body", place=here, key="length_m", found=wall.length_m, most=long)
     if wall.load and wall.length_m < (1.0 - LENGTH_SLIP) * long:
         raise InputError("length_of_loads", place=here, key="length_m", found=wall.length_m, most=long)
-
-
-def _is_oblique(part: Part) -> bool:
-    """Whether a solid is neither a section nor an elevation, by more than a slip of its angle."""
-    angle = abs(math.degrees(part.angle))
-    return part.plane == "oblique" and RIGHT_SLIP < angle < 90.0 - RIGHT_SLIP
 
 
 def _inward(part: Part, s: float, n: float) -> float:
@@ -135,6 +129,9 @@ def _check_solid(solid, here) -> None:
     """Rules of one solid."""
     if (solid.angle_deg is None) == (solid.plane == "oblique"):
         raise InputError("solid_angle", place=here, key="angle_deg")
+    if solid.plane == "oblique" and not RIGHT_SLIP < abs(solid.angle_deg) < 90.0 - RIGHT_SLIP:
+        # what elevations and sections are judged by would pass it over
+        raise InputError("solid_angle_right", place=here, key="angle_deg", found=solid.angle_deg)
     if not solid.to_m > solid.from_m:
         raise InputError("solid_ends", place=here, key="to_m", first=solid.from_m, last=solid.to_m)
     if min(z for _, z in solid.polygon_m) < 0.0:
