@@ -64,15 +64,17 @@ class FigureExport(QObject):
         if window.job is not self.job:
             self._end()
         elif self.figures.qsize() < WAITING:
+            failed, ended = True, False
             try:
-                next(self.drawing)
-            except StopIteration:
-                self._end()
+                ended = next(self.drawing, self) is self  # at its end
+                failed = False
+            finally:
+                if failed:
+                    window.cancel()
+                if failed or ended:
+                    self._end()
+            if ended:
                 self.figures.put(None)
-            except Exception:
-                window.cancel()
-                self._end()
-                raise
 
     def _end(self) -> None:
         self.timer.stop()
