@@ -43,7 +43,7 @@ SHOWN = 20
 
 def refuse(case: Case, note: Path | None = None) -> None:
     """Raise InputError for what is not made of so many walls."""
-    if note is not None or case.analysis.accuracy:
+    if note is not None or case.analysis.accuracy or case.sensitivity:
         raise InputError("large_without", found=results_in(case))
 
 

@@ -11,6 +11,7 @@ from core.case.hinges import check_hinges, parts
 from core.case.keys import is_required
 from core.case.place import HERE, Site, filled, placed
 from core.case.schema import Analysis, Case, Generate, Record, Report, Wall
+from core.case.sensitivity import Ranges
 from core.case.shape_memory import check_known_shape
 from core.case.site import FULL_FACTOR, KNOWLEDGE, Building, Demand, Spectrum
 from core.case.values import SHOWN, are_ends, corners_of, field_of, refuse_unknown, repeated, section_of, value_of
@@ -98,6 +99,7 @@ def parse_case(table: dict) -> Case:
         demand=_demand(demand) if demand is not None else None,
         building=_building(table["building"]) if "building" in table else None,
         site=site,
+        sensitivity=_sensitivity(table),
         given=frozenset(_written(table)),
     )
     if case.demand and case.demand.demand_scaling == "pga":
@@ -156,6 +158,7 @@ def draft_case(table: dict) -> Case:
         demand=placed(one(Site, "site"), one(Demand, "demand")),
         building=one(Building, "building"),
         site=one(Site, "site"),
+        sensitivity=one(Ranges, "sensitivity"),
         given=frozenset(_written(table)),
     )
 
@@ -293,6 +296,16 @@ def parse_wall(table: dict) -> Wall:
     check_given(wall)
     check_held_top(wall)
     return wall
+
+
+def _sensitivity(table: dict) -> Ranges | None:
+    """[sensitivity]: of zeta, which only a demand gives."""
+    if "sensitivity" not in table:
+        return None
+    here = section("[sensitivity]")
+    if "demand" not in table:
+        raise InputError("sensitivity_needs_demand", place=(here,))
+    return section_of(Ranges, table["sensitivity"], "sensitivity", here)
 
 
 def _building(table) -> Building:

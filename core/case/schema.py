@@ -7,6 +7,7 @@ from dataclasses import MISSING, asdict, dataclass, field, fields
 from core.case.keys import channel_key, choice_key, flag_key, key, number_key, paragraphs_key, path_key, text_key
 from core.case.loads import Load, ReturnWalls
 from core.case.place import Site
+from core.case.sensitivity import Ranges
 from core.case.site import Building, Demand
 from core.case.solids import Drawing, Opening, Solid, Step, Wedges
 from core.codes.vertical_bending import bending
@@ -347,9 +348,8 @@ def sections() -> dict[str, type]:
                 yield from inside(f"{name}.{entry.name}", of, entry.metadata["kind"] == "tables")
 
     outer = (Report, Wall, Record, Generate, Analysis, Site, Demand, Building)
-    return dict(
-        found for section in outer for found in inside(section.__name__.lower(), section, section in (Wall, Record))
-    )
+    found = [one for of in outer for one in inside(of.__name__.lower(), of, of in (Wall, Record))]
+    return dict([*found, *inside("sensitivity", Ranges, False)])
 
 
 OWN_FIELDS = ("sha256", "given", "table", "table_notes", "drawings")
@@ -377,6 +377,7 @@ class Case:
     demand: Demand | None = None
     building: Building | None = None
     site: Site | None = None
+    sensitivity: Ranges | None = None
     sha256: str = field(default="", compare=False)
     given: frozenset = field(default=frozenset(), compare=False)
     table: str = field(default="", compare=False)
@@ -402,6 +403,7 @@ class Case:
             ("demand", [self.demand] if self.demand else []),
             ("generate", [self.generate] if self.generate else []),
             ("building", [self.building] if self.building else []),
+            ("sensitivity", [self.sensitivity] if self.sensitivity else []),
         )
         for section, items in sections:
             for index, item in enumerate(items):

@@ -10,7 +10,8 @@ from types import SimpleNamespace
 from core.case.hinges import BASE, FLOORS
 from core.case.keys import is_required
 from core.case.number import parse_number
-from core.case.schema import MIN_ELASTIC, OWN_FIELDS
+from core.case.schema import MAX_SETBACK, MIN_ELASTIC, OWN_FIELDS
+from core.case.sensitivity import GREATEST_FACTOR, LEAST_FACTOR
 from core.errors import InputError, section
 from core.file_names import is_text, name_of
 from core.text.sentence import Key, Sentence, sentence
@@ -142,11 +143,25 @@ def _are_numbers(values) -> bool:
     return all(type(value) in (int, float) for value in values)
 
 
-def _range(entry, value, here):
+def _pair(value, least: float, most: float) -> tuple[float, float] | None:
+    """Two numbers from least to most, the lower first."""
     if not isinstance(value, (list, tuple)) or len(value) != 2 or not _are_numbers(value):
         return None
     low, high = float(value[0]), float(value[1])
-    return (low, high) if PERIOD_LIMITS[0] <= low < high <= PERIOD_LIMITS[1] else None
+    return (low, high) if least <= low <= high <= most else None
+
+
+def _range(entry, value, here):
+    found = _pair(value, *PERIOD_LIMITS)
+    return found if found and found[0] < found[1] else None
+
+
+def _factors(entry, value, here):
+    return _pair(value, LEAST_FACTOR, GREATEST_FACTOR)
+
+
+def _shares(entry, value, here):
+    return _pair(value, 0.0, MAX_SETBACK)
 
 
 def _list(entry, value, here):
@@ -243,6 +258,8 @@ KINDS: dict[str, tuple[Callable, Callable]] = {
     "path": (_path, _said("path")),
     "flag": (_flag, _said("flag")),
     "range": (_range, _said("periods", low=PERIOD_LIMITS[0], high=PERIOD_LIMITS[1])),
+    "factors": (_factors, _said("factors", low=LEAST_FACTOR, high=GREATEST_FACTOR)),
+    "shares": (_shares, _said("shares", high=MAX_SETBACK)),
     "list": (_list, lambda entry: sentence("accepted", "list", items=accepted_by(entry.metadata["of"]))),
     "texts": (_texts, _said("texts", most=MAX_TEXT)),
     "tables": (_tables, lambda entry: sentence("accepted", "tables", name=entry.name)),

@@ -143,7 +143,7 @@ def at_demand(
     return model, confidence * demand.scaling(motion)
 
 
-class _Set:
+class DemandRuns:
     """All runs of a wall at one multiplier of the demand after another."""
 
     def __init__(self, model, motions, polarities, demand, confidence_on, method, cancelled):
@@ -274,7 +274,9 @@ def demand_check(
     if not motions or demand.limit_state not in LIMIT_FRACTION:
         return None
     side, target = demand.confidence_on, demand.zeta_target
-    sides = {name: _Set(model, motions, polarities, demand, name, method, cancelled) for name in ("demand", "capacity")}
+    sides = {
+        name: DemandRuns(model, motions, polarities, demand, name, method, cancelled) for name in ("demand", "capacity")
+    }
     work = sides[side]
     runs = work.runs()
     peaks = [run.peak_ratio for run in runs]

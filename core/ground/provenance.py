@@ -85,11 +85,13 @@ def _dated(parts: list[str]) -> str:
 def stations(motions: list[GroundMotion]) -> set[str]:
     """Event and station of each motion: two components of one station are one. A file that names no station
     counts as a station of its own."""
-    names = set()
-    for k, motion in enumerate(motions):
-        where = provenance(motion)
-        names.add(f"{where.event} {where.station}".lower() if where.station else f"file {k}")
-    return names
+    return {station_of(motion, k) for k, motion in enumerate(motions)}
+
+
+def station_of(motion: GroundMotion, k: int) -> str:
+    """Event and station of the k-th motion of a set."""
+    where = provenance(motion)
+    return f"{where.event} {where.station}".lower() if where.station else f"file {k}"
 
 
 def unnamed(motions: list[GroundMotion]) -> int:

@@ -1,11 +1,13 @@
 """Keys of the results JSON that only some walls have: loads, ties, limit states, variants."""
 
 import math
+from dataclasses import asdict
 
 from core.codes.kinematic import Kinematic
 from core.report.tie_words import elongations
 from core.study.limit_states import STATES
 from core.study.results import StudyResult, WallResult, WallVerdict
+from core.study.swings import Sensitivity, move_words
 from core.study.variants import Comparison, comparisons
 from core.study.wall_verdict import deciding, where
 from core.text.sentence import Sentence
@@ -191,6 +193,35 @@ def _verdict(one: WallVerdict, result: StudyResult) -> dict:
             for state in STATES
             for of in [one.states[state]]
         },
+        "interval": asdict(one.interval) if one.interval else None,
+        "rates": [asdict(rate) for rate in one.rates],
+        "sensitivity": _sensitivity(one.sensitivity) if one.sensitivity else None,
+    }
+
+
+def _sensitivity(found: Sensitivity) -> dict:
+    return {
+        "base_zeta": found.base,
+        "moves": [
+            {
+                "input": one.key,
+                "given": one.given,
+                "ends": [
+                    {
+                        "value": end.value,
+                        "record": end.name or None,
+                        "zeta": end.zeta,
+                        "satisfied": end.sure,
+                        "text_it": move_words(one, end).text("it"),
+                        "text_en": move_words(one, end).text("en"),
+                    }
+                    for end in one.ends
+                ],
+            }
+            for one in found.swings
+        ],
+        "without_effect": list(found.still),
+        "turning": list(found.turning),
     }
 
 

@@ -4,6 +4,7 @@ import functools
 import math
 import re
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -100,6 +101,19 @@ def demand_of(case: Case, base_dir: Path) -> DemandResult | None:
         return_period=asked.return_period,
         hazard=tuple((row.return_period_years, row.ag_g * G) for row in hazard),
     )
+
+
+def with_ag(demand: DemandResult, asked: Demand, base_dir: Path, factor: float) -> DemandResult:
+    """A demand with another a_g: that of the demand times this factor; S_S of NTC follows it, a spectrum of a file is
+    scaled. asked : of the case. Raises InputError."""
+    ag, target = factor * demand.ag, demand.target
+    if isinstance(target, target_spectrum.GivenSpectrum):
+        target = replace(target, ag=ag, values=tuple(factor * value for value in target.values))
+    elif target:
+        target = target_of(replace(asked, ag_g=ag / G), base_dir)
+    soil = target.soil if target else demand.soil_factor
+    intensity = target_spectrum.housner_intensity(target) if target else demand.intensity
+    return replace(demand, ag=ag, soil_factor=soil, pga=ag * soil, target=target, intensity=intensity)
 
 
 def hazard_of(asked: Demand, base_dir: Path) -> tuple[HazardRow, ...]:

@@ -17,7 +17,7 @@ from core.packages import MOST_WALLS
 from core.rocking.methods import AUTO, METHODS, Method
 from core.study.demand_input import demand_of, generated
 from core.study.floors import Floor, floor_of
-from core.study.progress import STATEMENT, TIE, check_cost, run_cost
+from core.study.progress import SENSITIVITY, STATEMENT, TIE, check_cost, run_cost
 from core.study.record_input import joined, read_records
 from core.study.zeta_with import model_of
 from core.wall.rocking_model import RockingModel
@@ -121,8 +121,8 @@ def plan_of(
     method = METHODS.get(case.analysis.method, AUTO)
     chosen = case.analysis
     search = Search(chosen.q_step, chosen.q_limit, chosen.map_span, chosen.robust_window)
-    if share is not None and case.analysis.accuracy:  # the statement is made where the parts come together
-        case = replace(case, analysis=replace(case.analysis, accuracy=False))
+    if share is not None:  # what is said beside the checks is made where the parts come together
+        case = replace(case, sensitivity=None, analysis=replace(case.analysis, accuracy=False))
     mine = [k for k in range(len(case.wall)) if share is None or k % share[1] == share[0]]
     hinged = [part for k in mine for part in parts_of(k, case.wall[k], case.building)]
     at_height = Floors() if floors is None else floors
@@ -169,6 +169,9 @@ def costs_of(plan: Plan) -> dict[Any, float]:
             costs["check", k] = check_cost(entry.felt, len(entry.signs), entry.floor is not None)
             if entry.part.wall.tie_height_m is not None:
                 costs["tie", k] = TIE * costs["check", k]
+            if plan.case.sensitivity:
+                cost = SENSITIVITY * costs["check", k]
+                costs["sensitivity", entry.part.origin] = costs.get(("sensitivity", entry.part.origin), 0.0) + cost
         if plan.case.analysis.accuracy:
             costs["accuracy", k] = STATEMENT * max((run_cost(m, search) for m in entry.felt), default=1.0)
     return costs

@@ -17,9 +17,9 @@ GRID = 0.007
 CHECK = 2.0
 """Cost of the check of a wall at the demand over the bisections of its runs: 1.6 to 2.1 measured."""
 
-FLOOR, TIE, STATEMENT = 3.0, 6.0, 20.0
+FLOOR, TIE, STATEMENT, SENSITIVITY = 3.0, 6.0, 20.0, 2.0
 """A wall above the ground is checked for another building and height too, a tie is found by bisection of such checks,
-and the accuracy statement makes as many searches of one run."""
+and the accuracy statement makes as many searches of one run; the moves of the inputs are coarse checks."""
 
 
 def run_cost(motion: GroundMotion, search: Search) -> float:

@@ -10,11 +10,13 @@ from core.capacity.ida import Ida, Search
 from core.capacity.scale_free_law import Estimate
 from core.case.hinges import Part
 from core.case.schema import Case, Wall
+from core.codes.collapse_rate import StateRate
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandCheck
 from core.codes.eq9 import Inequality
 from core.codes.kinematic import SLD_CLAUSE, Check, Kinematic
 from core.codes.record_compatibility import Compliance
+from core.codes.record_sample import SampleInterval
 from core.codes.risk import Risk
 from core.codes.verdict import Verdict
 from core.ground.ground_motion import GroundMotion
@@ -22,6 +24,7 @@ from core.rocking.history import History
 from core.rocking.methods import AUTO, Method, resolve_auto
 from core.study.floors import Floor
 from core.study.limit_states import StateZeta
+from core.study.swings import Sensitivity
 from core.study.tie_design import TieDesign
 from core.text.sentence import Sentence
 from core.units import G
@@ -214,6 +217,9 @@ class WallVerdict:
     results : indices of the results of all its hinges and mechanisms, the worst first
     states : limit state -> outcome, of the worst hinge there
     extra : what limits it beyond the hinge that decides
+    interval : of zeta_E for other samples of records, None where none can be said
+    rates : how often limit states of the hinge that collapses most often are exceeded, empty without the hazard
+    sensitivity : None where it is not asked for
     """
 
     wall: Wall
@@ -221,6 +227,9 @@ class WallVerdict:
     results: tuple[int, ...]
     states: dict[str, StateOutcome]
     extra: tuple[Sentence, ...] = ()
+    interval: SampleInterval | None = None
+    rates: tuple[StateRate, ...] = ()
+    sensitivity: Sensitivity | None = None
 
     @property
     def title(self) -> str:

@@ -25,6 +25,7 @@ from core.rocking.methods import AUTO, METHODS, resolve_auto
 from core.study import precompile
 from core.study.assessment import assess
 from core.study.governing import lowest_run
+from core.study.how_sure import with_certainty
 from core.study.journal import Journal, Memory, rebuilt
 from core.study.kept_checks import KeptChecks
 from core.study.limit_states import StateHistories, demands_of, unsaid, zetas
@@ -100,6 +101,9 @@ def result_of(
     """
     try:
         demand, rules, results = _worked(plan, base_dir, threads, book, progress, on_wall)
+        verdicts = wall_verdicts(plan.case, tuple(results)) if whole else ()
+        if plan.longest is None:  # of a group of walls no more than its rows is kept
+            verdicts = with_certainty(plan, base_dir, demand, results, verdicts, book, threads, progress)
     finally:
         cache.record(cache.folder())
         if book:
@@ -116,7 +120,7 @@ def result_of(
         tuple(results),
         rules,
         elapsed,
-        wall_verdicts(plan.case, tuple(results)) if whole else (),
+        verdicts,
     )
 
 

@@ -18,7 +18,7 @@ import numpy as np
 from core.capacity.ida import ROBUST_SHARE, first_with_share
 from core.case.rules import parse_case
 from core.codes import target_spectrum
-from core.codes.dynamic_check import _Set
+from core.codes.dynamic_check import DemandRuns
 from core.codes.multiplier_search import HALF_FAIL, MAX_MULTIPLIER, STEP, WINDOW, Zeta, search_zeta
 from core.errors import InputError
 from core.ground import records
@@ -97,7 +97,7 @@ def spread(k: int, shelf, small: bool = False) -> dict[int, list[tuple]]:
     """Of set k relative errors of zeta_E, zeta_16, zeta_first against the fine grid, whether the spread holds
     the zeta_E of that grid, and its width in ln; by multiple of the step."""
     model, motions, signs, demand = draw(k, shelf, small)
-    work = _Set(model, motions, signs, demand, "capacity", AUTO, lambda: False)
+    work = DemandRuns(model, motions, signs, demand, "capacity", AUTO, lambda: False)
     fine = (1.0 + STEP) ** (1.0 / FINER) - 1.0
     rough = search_zeta(work.failures, work.rest, 1.0)
     if rough.half is None or rough.half >= MAX_MULTIPLIER:

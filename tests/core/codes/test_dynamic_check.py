@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from core.capacity import independent_solver
-from core.codes.dynamic_check import _Set, demand_check
+from core.codes.dynamic_check import DemandRuns, demand_check
 from core.ground.ground_motion import GroundMotion
 from core.rocking.history import history
 from core.rocking.methods import AUTO, METHODS
@@ -191,7 +191,7 @@ def test_that_zeta_of_a_hundred_walls_is_that_of_every_point_of_the_grid(walls):
     for k in walls:
         model, motions, signs, demand = wall_of(k)
         found = demand_check(model, motions, signs, demand, AUTO, other=False)
-        work = _Set(model, motions, signs, demand, demand.confidence_on, AUTO, lambda: False)
+        work = DemandRuns(model, motions, signs, demand, demand.confidence_on, AUTO, lambda: False)
         low = math.floor(math.log(0.9 * work.rest) / math.log1p(STEP))
         fails = np.zeros(0, bool)
         while fails.size < 200 or np.convolve(fails, np.ones(81), "valid").max() < 45.0:

@@ -1,0 +1,135 @@
+"""How often a limit state of a wall is exceeded in a year: its fragility under the records, and the hazard of the site.
+
+Beyond the code: the mean annual frequency lambda = integral of F(a) |dH(a)| (Cornell and Krawinkler 2000), F lognormal
+by the records, H = 1 / T_R the straight lines in logarithms between the return periods of the hazard (NTC 2018,
+Annex A). The confidence factor divides every capacity, as in the checks; without it the rate is shown beside.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+STATES = ("SLD", "SLV", "SLC", "collapse")
+"""SLD is the first uplift; SLV and SLC the rotations of C8.7.1.2.1.6; collapse that of the first multiplier."""
+
+LEAST_STATIONS = 3
+"""Stations below which there is no lognormal."""
+
+DRAWS, SEED, SHARE = 1000, 1, 0.90
+"""Sets of stations drawn for the interval, the seed, and the share of them within it."""
+
+LEAST_DEVIATION = 1e-6
+"""Of records that all give the same, so that a step is a lognormal as well."""
+
+FAR_BELOW = 1e-3
+"""Of the lowest a_g of the hazard: no wall fails there."""
+
+BEYOND = 0.05
+"""Share of a rate from beyond the hazard by more than one step above which it is said."""
+
+
+@dataclass(frozen=True)
+class Lognormal:
+    """median : a_g on rock [m/s2]; deviation : of its logarithm; n : records"""
+
+    median: float
+    deviation: float
+    n: int
+
+
+@dataclass(frozen=True)
+class StateRate:
+    """One limit state. collapse is one.
+
+    fragility : of a_g on rock, FC included
+    rate : exceedances a year [1/year]; low, high : for SHARE of the drawn sets of stations
+    in_life : probability in the nominal life, None without it
+    without_factor : rate without FC
+    beyond : share of the rate that is not of the hazard's rows, nor of one step beyond the last
+    """
+
+    state: str
+    fragility: Lognormal
+    rate: float
+    low: float
+    high: float
+    in_life: float | None
+    without_factor: float
+    beyond: float
+
+
+def _between(low: float, high: float, anchor: tuple[float, float], slope: float, median, deviation) -> np.ndarray:
+    """Integral of F(a) |dH| from low to high [m/s2], H = h (a / a_h)^-slope: by parts, in closed form. anchor : a_h, h"""
+    from scipy.special import ndtr
+
+    at, frequency = anchor
+    ends = np.log(np.array([low, high])[:, None] / median) / deviation
+    hazard = [frequency * (a / at) ** -slope for a in (low, high)]
+    first, last = ndtr(ends) * np.array(hazard)[:, None]
+    first_moved, last_moved = ndtr(ends + slope * deviation)
+    middle = frequency * (median / at) ** -slope * np.exp(0.5 * (slope * deviation) ** 2)
+    return middle * (last_moved - first_moved) + first - last
+
+
+def mean_rate(median, deviation, hazard: Sequence[tuple[float, float]]) -> tuple[np.ndarray, np.ndarray]:
+    """(mean annual frequency [1/year], share of it from beyond the hazard's rows by more than one step).
+
+    median, deviation : of lognormals of a_g on rock [m/s2], shape (n,)
+    hazard : (T_R [years], a_g [m/s2]), both rising, two rows or more
+    The first and the last line go on by one step, as far as the two rows are apart. Before, the first goes on; after,
+    the wall is taken to fail at once, F = 1.
+    """
+    years, ags = np.array(hazard).T
+    slopes = -np.diff(np.log(1.0 / years)) / np.diff(np.log(ags))
+    edges = [ags[0] * ags[0] / ags[1], *ags[1:-1], ags[-1] * ags[-1] / ags[-2]]
+    inside = sum(
+        _between(edges[k], edges[k + 1], (ags[k], 1.0 / years[k]), slope, median, deviation)
+        for k, slope in enumerate(slopes)
+    )
+    first = ags[0], 1.0 / years[0]
+    below = _between(FAR_BELOW * edges[0], edges[0], first, slopes[0], median, deviation)
+    above = (edges[-1] / ags[-1]) ** -slopes[-1] / years[-1]
+    total = inside + below + above
+    return total, (below + above) / total
+
+
+def in_years(rate: float, years: float) -> float:
+    """Probability of one exceedance or more [-]: 1 - exp(-rate years), of a Poisson process."""
+    return -math.expm1(-rate * years)
+
+
+def state_rate(
+    state: str,
+    capacities: Sequence[float],
+    stations: Sequence[str],
+    hazard: Sequence[tuple[float, float]],
+    confidence: float,
+    life: float | None,
+) -> StateRate | None:
+    """The rate of one limit state; None below LEAST_STATIONS stations.
+
+    capacities : a_g on rock at which each record reaches it, without FC [m/s2]
+    stations : of each record
+    hazard : as `mean_rate` takes it
+    confidence : FC; life : nominal, None where not given [years]
+    """
+    known = sorted(set(stations))
+    if len(known) < LEAST_STATIONS or not hazard:
+        return None
+    logs = np.log(np.asarray(capacities) / confidence)
+    named = np.array([known.index(name) for name in stations])
+    drawn = np.random.default_rng(SEED).integers(len(known), size=(DRAWS, len(known)))
+    times = np.array([np.bincount(row, minlength=len(known))[named] for row in drawn])
+    n = times.sum(axis=1)
+    means = times @ logs / n
+    spread = np.sqrt((times * (logs - means[:, None]) ** 2).sum(axis=1) / np.maximum(n - 1, 1))
+    medians = np.array([np.exp(logs.mean()), confidence * np.exp(logs.mean()), *np.exp(means)])
+    own = logs.std(ddof=1)
+    rates, beyond = mean_rate(medians, np.maximum([own, own, *spread], LEAST_DEVIATION), hazard)
+    low, high = np.quantile(rates[2:], (0.5 - SHARE / 2, 0.5 + SHARE / 2))
+    rate = float(rates[0])
+    in_life = None if life is None else in_years(rate, life)
+    fragility = Lognormal(float(medians[0]), float(own), logs.size)
+    return StateRate(state, fragility, rate, float(low), float(high), in_life, float(rates[1]), float(beyond[0]))
