@@ -16,6 +16,7 @@
     python3 run.py bench --records                          # a million samples read, 200 files previewed
     python3 run.py bench --natural FILE                     # the natural records of paper.md, for --study --records
     python3 run.py bench --noise [--cases N]                # errors of histories beside the effect of noise
+    python3 run.py bench --noise --explain [--cases N]      # what each error is that eight draws do not explain
     python3 run.py bench --tolerances [--cases N] [--pairs N] # the same for other tolerances of a step, and their speed
     python3 run.py bench --compile                          # what a cold start compiles, kernel by kernel
     python3 run.py bench --note                             # seconds of the calculation note after a run
@@ -72,6 +73,7 @@ def options_of(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--cases", type=int, default=1000)
     parser.add_argument("--walls", type=int)
     parser.add_argument("--guide", action="store_true")
+    parser.add_argument("--explain", action="store_true")
     parser.add_argument("--output", type=Path, default=Path("work_precision"))
     return parser.parse_args(words)
 

@@ -3,12 +3,16 @@
 The error is against a Taylor solver of order 24 in double-double arithmetic that shares no code with the program
 (tests/validation/double_double.py): a millisecond a case.
 
-python3 run.py bench --noise [--cases N]
+python3 run.py bench --noise [--explain] [--cases N]
+
+--explain names each case whose error is beyond EXPLAINED times that effect, and what its error is.
 """
 
 import argparse
 import functools
 import math
+import tempfile
+from collections import Counter
 from concurrent.futures import ProcessPoolExecutor
 from typing import NamedTuple
 
@@ -17,9 +21,11 @@ import numpy as np
 from core.capacity.accuracy import NOISE, NOISES, PROMISED, TIMES_NOISE
 from core.rocking.history import history
 from core.rocking.methods import AUTO
+from core.rocking.taylor_bounds import RELATIVE_TOLERANCE, SERIES_TOLERANCE
 from core.wall.bars import TieBar
 from core.wall.loads import RestoringMoment
 from core.wall.rocking_model import RockingModel
+from tests.benchmarks import tolerance_sweep
 from tests.conftest import ROOT
 from tests.validation import double_double_walls
 from tests.validation.test_random_histories import drawn
@@ -42,7 +48,11 @@ KINDS = (
 MANY = 200
 """Draws of noise where NOISES of them do not explain an error."""
 
-TIMES = (1.0, 10.0, 100.0, TIMES_NOISE)
+EXPLAINED = 10.0
+
+TIMES = (1.0, EXPLAINED, 100.0, TIMES_NOISE)
+
+TIGHTER = SERIES_TOLERANCE / 100.0, RELATIVE_TOLERANCE / 100.0
 
 RIGID, LOADED, TRILINEAR, LOADED_TRILINEAR, STIFF, SMALL, TIES, STIFF_TIES = range(8)
 
@@ -185,6 +195,31 @@ def beyond(found: np.ndarray, times: float) -> np.ndarray:
     return found[:, 0] > np.maximum(PROMISED, times * found[:, 1])
 
 
+def explain(seeds: list[int], found: np.ndarray) -> None:
+    """Print what the error of each of these cases is, and how many are of each class.
+
+    few draws : MANY draws of noise explain it; tolerance : kernels of TIGHTER make no such error, with as many impacts
+    as the exact motion; unexplained : a branch of the motion taken the other way, or a fault
+    """
+    with tempfile.TemporaryDirectory() as cache:
+        tighter = tolerance_sweep.measured(TIGHTER, seeds, cache, False)["found"]
+    classes, left, others = Counter(), 0.0, 0
+    for seed, (error, few, _, impacts), (exacter, *_) in zip(seeds, found[seeds], tighter, strict=True):
+        case, noise, name = case_of(seed), of_many_draws(seed), KINDS[seed % len(KINDS)]
+        alike = history(case.ground, case.dt, 1.0, case.model, AUTO).impact_time.size == impacts
+        bound = max(PROMISED, EXPLAINED * noise)
+        reason = "few draws" if error <= bound else "tolerance" if exacter <= bound and alike else "unexplained"
+        classes[reason, name] += 1
+        left, others = max(left, exacter / max(noise, 1e-17)), others + (not alike)
+        print(
+            f"case {seed}, {name}: error {error:.1e}, noise {few:.1e}, of {MANY} draws {noise:.1e}, "
+            f"error by the tolerances {TIGHTER[0]:g}/{TIGHTER[1]:g} {exacter:.1e} theta_c: {reason}"
+        )
+    print(f"by these tolerances at most {left:.2g} times the noise of {MANY} draws; other impacts: {others} cases")
+    for (reason, name), count in sorted(classes.items()):
+        print(f"{reason:12} {name:26} {count}")
+
+
 def main(options: argparse.Namespace) -> None:
     """Print the table."""
     cases = 2 * len(KINDS) if options.small else options.cases
@@ -202,6 +237,11 @@ def main(options: argparse.Namespace) -> None:
     print(f"error over noise: median {np.median(over):.2g}, 99 % {np.quantile(over, 0.99):.2g}")
     quiet = noise < 1e-11
     print(f"noise below 1e-11: {int(quiet.sum())} cases, worst error {error[quiet].max(initial=0.0):.1e} theta_c")
+    if options.explain:
+        chosen = [0, 1, 2, 3] if options.small else np.nonzero(beyond(found, EXPLAINED))[0].tolist()
+        if chosen:
+            explain(chosen, found)
+        return
     for seed in np.nonzero(beyond(found, 100.0))[0]:
         print(
             f"case {seed}, {KINDS[kinds[seed]]}: error {error[seed]:.1e}, noise {noise[seed]:.1e}, "

@@ -14,6 +14,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -27,25 +28,26 @@ ROWS = ("lanes", "search", "history")
 """What begins the name of a figure of paired.py that depends on them."""
 
 
-def with_tolerances(series: float, relative: float, cases: int) -> dict:
-    """Errors and effects of noise of so many cases, or with none of them the seconds of paired.py, in a process
+def with_tolerances(series: float, relative: float, seeds: list[int]) -> dict:
+    """Errors and effects of noise of these cases, or with none of them the seconds of paired.py, in a process
     that has compiled no kernel yet."""
     from core.rocking import taylor_bounds, taylor_series
     from tests.benchmarks import noise_promise, paired
 
     taylor_series.SERIES_TOLERANCE, taylor_bounds.RELATIVE_TOLERANCE = series, relative
     time.perf_counter = time.process_time  # of this process alone: what the machine's neighbours do does not count
-    if cases:
-        return {"found": [tuple(noise_promise.errors(seed)) for seed in range(cases)]}
+    if seeds:
+        return {"found": [tuple(noise_promise.errors(seed)) for seed in seeds]}
     return paired.figures("--small" in sys.argv)
 
 
-def measured(pair: tuple[float, float], cases: int, cache: str, small: bool) -> dict:
-    """`with_tolerances` in a process of its own. cache : folder of its kernels"""
-    words = [str(value) for value in (*pair, cases)] + ["--small"] * small
+def measured(pair: tuple[float, float], seeds: Sequence[int], cache: str, small: bool) -> dict:
+    """`with_tolerances` in a process of its own, which reads the seeds. cache : folder of its kernels"""
+    words = [str(value) for value in pair] + ["--small"] * small
     variables = dict(os.environ, PYTHONPATH=str(ROOT), RIBALTA_CACHE=cache)
     command = [sys.executable, "-P", __file__, *words]
-    done = subprocess.run(command, env=variables, capture_output=True, text=True, check=True)
+    asked = json.dumps(list(seeds))
+    done = subprocess.run(command, env=variables, input=asked, capture_output=True, text=True, check=True)
     return json.loads(done.stdout)
 
 
@@ -59,11 +61,11 @@ def main(options: argparse.Namespace) -> None:
         caches = {pair: f"{folder}/{pair[0]:g}" for pair in pairs}
         print(f"{'tolerances':14} {'> 1e-9':>7}" + "".join(f" {f'{times:g} x':>6}" for times in TIMES) + "   quiet")
         for pair in pairs:
-            found = np.array(measured(pair, cases, caches[pair], options.small)["found"])
+            found = np.array(measured(pair, range(cases), caches[pair], options.small)["found"])
             counts = [int(beyond(found, times).sum()) for times in (0.0, *TIMES)]
             quiet = found[found[:, 1] < 1e-11, 0].max(initial=0.0)
             print("{:g}/{:g}".format(*pair).ljust(14) + " {:7} {:6} {:6} {:6} {:6}".format(*counts) + f" {quiet:7.1e}")
-        times = [{pair: measured(pair, 0, caches[pair], options.small) for pair in pairs} for _ in range(rounds)]
+        times = [{pair: measured(pair, (), caches[pair], options.small) for pair in pairs} for _ in range(rounds)]
     for name in times[0][pairs[0]]:
         if name.startswith(ROWS):
             best = [min(one[pair][name] for one in times) for pair in pairs]
@@ -71,5 +73,5 @@ def main(options: argparse.Namespace) -> None:
 
 
 if __name__ == "__main__":
-    series, relative, cases = sys.argv[1:4]
-    print(json.dumps(with_tolerances(float(series), float(relative), int(cases))))
+    series, relative = sys.argv[1:3]
+    print(json.dumps(with_tolerances(float(series), float(relative), json.load(sys.stdin))))
