@@ -61,7 +61,10 @@ class StateRate:
 
 
 def _between(low: float, high: float, anchor: tuple[float, float], slope: float, median, deviation) -> np.ndarray:
-    """Integral of F(a) |dH| from low to high [m/s2], H = h (a / a_h)^-slope: by parts, in closed form. anchor : a_h, h"""
+    """Integral of F(a) |dH| from low to high [m/s2], H = h (a / a_h)^-slope: by parts, in closed form.
+
+    anchor : (a_h, h)
+    """
     from scipy.special import ndtr
 
     at, frequency = anchor

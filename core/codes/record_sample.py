@@ -11,22 +11,23 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.capacity.ida import collapse_count
-from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandRuns
-from core.codes.multiplier_search import HALF_FAIL, MAX_MULTIPLIER, STEP, WINDOW
+from core.codes.multiplier_search import HALF_FAIL, MAX_MULTIPLIER, ROCKS, STEP, WINDOW
 from core.ground.ground_motion import GroundMotion
 from core.ground.provenance import station_of
+from core.rocking.lane_scheduler import Grounds
 from core.rocking.methods import Method
-from core.rocking.outcome import COLLAPSED, STABLE
+from core.rocking.outcome import STABLE
 from core.wall.rocking_model import RockingModel
 
-EVERY = 12
-"""Every how many points of the grid of zeta_E the peaks are known: by 3 %."""
+EVERY, SPARSE = 4, 4
+"""Every how many points of the grid of zeta_E the peaks are known, by 1 %; every how many of these first: between two of
+them at which a record hardly rocks its peaks are interpolated."""
 
-SPAN = 2.5
-"""Multiplier over zeta_E up to which peaks are found; a set that fails nowhere below is said to reach it."""
+SPAN = (0.5, 1.5)
+"""Multipliers over zeta_E from which on, unless a record alone breaks the rule there, and up to which peaks are found; a
+set that fails nowhere below is said to reach the last."""
 
 DRAWS, SEED = 1000, 1
 """Sets that are drawn, and the seed that makes them the same in every run."""
@@ -77,21 +78,39 @@ def record_peaks(
     zeta: float,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> RecordPeaks:
-    """The peaks of every record, from rest to SPAN times zeta_E [-]; the rest as `demand_check` takes it.
+    """The peaks of every record, from rest to SPAN times zeta_E.
 
+    model, motions, polarities, demand, method, cancelled : as `demand_check` takes them
+    zeta : zeta_E [-]
     Raises Cancelled.
     """
     runs = DemandRuns(model, motions, polarities, demand, demand.confidence_on, method, cancelled)
     step = EVERY * math.log1p(STEP)
-    first = math.floor(math.log(runs.rest / demand.zeta_target) / step)
-    last = math.ceil(math.log(min(SPAN * zeta, MAX_MULTIPLIER) / demand.zeta_target) / step)
-    multipliers = demand.zeta_target * np.exp(step * np.arange(first, max(first, last) + 1))
-    peaks = np.empty((len(motions), multipliers.size))
-    for batch, grounds in runs.batches:
-        outcomes, reached = runs.analyse(batch, grounds, multipliers)
-        reached[(outcomes != STABLE) | (outcomes == COLLAPSED)] = math.inf
-        peaks[batch] = reached.max(axis=1)
-    return RecordPeaks(multipliers, peaks, LIMIT_FRACTION[demand.limit_state], runs.mean)
+    low, high = runs.rest, min(SPAN[1] * zeta, MAX_MULTIPLIER)
+    if SPAN[0] * zeta > low:
+        fails = [runs.analyse(batch, grounds, np.array([SPAN[0] * zeta])) for batch, grounds in runs.batches]
+        if all((outcomes == STABLE).all() and (peaks < runs.limit).all() for outcomes, peaks in fails):
+            low = SPAN[0] * zeta
+    first, last = (math.floor(math.log(end / demand.zeta_target) / step) for end in (low, high))
+    count = SPARSE * max(1, -(-(last - first) // SPARSE)) + 1
+    multipliers = demand.zeta_target * np.exp(step * (first + np.arange(count)))
+    peaks = np.empty((len(motions), count))
+    for record, motion in enumerate(motions):
+        grounds = Grounds.of([motion.acceleration], motion.time_step)
+
+        def found(places: np.ndarray, record: int = record, grounds: Grounds = grounds) -> np.ndarray:
+            outcomes, reached = runs.analyse([record], grounds, multipliers[places])
+            return np.where(outcomes == STABLE, reached, math.inf)[0].max(axis=0)
+
+        ends = np.arange(0, count, SPARSE)
+        at_ends = found(ends)
+        peaks[record] = np.interp(np.arange(count), ends, np.minimum(at_ends, 2.0))
+        rocks = np.repeat(np.maximum(at_ends[:-1], at_ends[1:]) >= ROCKS, SPARSE)
+        peaks[record, ends] = at_ends
+        between = np.flatnonzero(rocks & (np.arange(count - 1) % SPARSE > 0))
+        if between.size:
+            peaks[record, between] = found(between)
+    return RecordPeaks(multipliers, peaks, runs.limit, runs.mean)
 
 
 def zeta_of_sets(found: RecordPeaks, counts: np.ndarray) -> np.ndarray:
@@ -106,25 +125,33 @@ def zeta_of_sets(found: RecordPeaks, counts: np.ndarray) -> np.ndarray:
     fails = (worst > 1.0) | (value > found.limit)
     step = math.log(found.multipliers[1] / found.multipliers[0])
     half = round(WINDOW / step)
-    # the last multiplier stands for those beyond it
-    padded = np.concatenate([fails, np.repeat(fails[:, -1:], half, axis=1)], axis=1)
-    reached = np.array([collapse_count(row, half)[: fails.shape[1]] for row in padded]) >= HALF_FAIL * (2 * half + 1)
+    # below the first multiplier the rule holds, the last stands for those beyond it
+    padded = np.concatenate([np.zeros((len(fails), half + 1), bool), fails, np.repeat(fails[:, -1:], half, 1)], axis=1)
+    total = np.cumsum(padded, axis=1)
+    reached = total[:, 2 * half + 1 :] - total[:, : -2 * half - 1] >= HALF_FAIL * (2 * half + 1)
     zeta = found.multipliers[reached.argmax(axis=1)] * math.exp(-0.5 * step)
     return np.where(reached.any(axis=1), zeta, math.inf)
 
 
-def sample_interval(found: RecordPeaks, motions: list[GroundMotion]) -> SampleInterval | None:
-    """The interval of zeta_E; None below LEAST_STATIONS stations. motions : those of `record_peaks`, in their order"""
+def sample_interval(found: RecordPeaks, motions: list[GroundMotion], zeta: float) -> SampleInterval | None:
+    """The interval of zeta_E; None below LEAST_STATIONS stations.
+
+    motions : those of `record_peaks`, in their order
+    zeta : zeta_E on its own, finer grid, in proportion to which the interval is given
+    """
     names = [station_of(motion, k) for k, motion in enumerate(motions)]
     known = sorted(set(names))
     if len(known) < LEAST_STATIONS:
         return None
     drawn = np.random.default_rng(SEED).integers(len(known), size=(DRAWS, len(known)))
     times = np.array([np.bincount(row, minlength=len(known)) for row in drawn])
+    times[0] = 1  # the set itself
     zetas = zeta_of_sets(found, times[:, [known.index(name) for name in names]])
     low, high = np.quantile(zetas, (0.5 - SHARE / 2, 0.5 + SHARE / 2), method="inverted_cdf")
-    top = float(found.multipliers[-1])
-    return SampleInterval(min(float(low), top), min(float(high), top), len(known), not math.isfinite(high))
+    top, whole = float(found.multipliers[-1]), float(zetas[0])
+    share = zeta / whole if math.isfinite(whole) else 1.0
+    ends = (share * min(float(end), top) for end in (low, high))
+    return SampleInterval(*ends, len(known), not math.isfinite(high))
 
 
 def one_left_out(found: RecordPeaks) -> np.ndarray:

@@ -23,6 +23,10 @@ from core.study.what_if import setting_of
 from core.text.sentence import sentence
 
 
+MOST_INTERVALS = 50
+"""Walls of a case up to which the interval is made without being asked for: a tenth of the time of a wall."""
+
+
 def with_certainty(
     plan: Plan,
     base_dir: Path,
@@ -42,13 +46,15 @@ def with_certainty(
     if demand is None or not verdicts:
         return tuple(verdicts)
     ranges = plan.case.sensitivity
-    asked = {k for one in verdicts for k in (one.results if ranges else one.results[:1])}
+    few = ranges or len(verdicts) <= MOST_INTERVALS
+    asked = {k for one in verdicts for k in (one.results if ranges else one.results[:1]) if few}
     tasks = {k: functools.partial(_peaks_of, plan, results[k], demand) for k in sorted(asked)}
     peaks = threads.run(tasks, lambda k, found: None)
     found = []
     for verdict in verdicts:
-        worst, known = results[verdict.governing], peaks[verdict.governing]
-        interval = sample_interval(known, _felt(plan, worst)) if known is not None else None
+        worst, known = results[verdict.governing], peaks.get(verdict.governing)
+        zeta = worst.assessment.dynamic.zeta if known is not None else 0.0
+        interval = sample_interval(known, _felt(plan, worst), zeta) if known is not None else None
         rates = _worst_rates(plan, demand, [results[k] for k in verdict.results])
         found.append(replace(verdict, interval=interval, rates=rates))
     if ranges is None:
@@ -99,8 +105,8 @@ def _peaks_of(plan: Plan, wall: WallResult, demand: DemandResult, stop) -> Recor
 
 
 def capacities(wall: WallResult, motions: list, demand: DemandResult, end: float) -> dict[str, list[float]] | None:
-    """a_g on rock [m/s2] at which each record first brings a wall to each limit state, of both signs the lower; one that
-    was searched in vain stands for the end of the search. None where a run has no number.
+    """a_g on rock [m/s2] at which each record first brings a wall to each limit state, of both signs the lower; a
+    search in vain stands for its end. None where a run has no number.
 
     motions : that move it; end : q_limit of the search
     """

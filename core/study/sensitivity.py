@@ -1,5 +1,6 @@
 """What zeta of a wall becomes when each input moves by its own uncertainty, one at a time."""
 
+import functools
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
@@ -29,7 +30,7 @@ Task = Callable[[Callable[[], bool]], Zetas]
 
 
 class Move(NamedTuple):
-    """An input at one end. key : of the ranges; given, value : of the input, in the unit of its key; task : zeta there"""
+    """An input at one end. key : of the ranges; given, value : of the input, in its unit; task : zeta there"""
 
     key: str
     given: float | None
@@ -70,7 +71,7 @@ def _of_wall(setting: Setting, ranges: Ranges) -> Iterator[tuple[str, float | No
     wall = setting.case.wall[0]
 
     def ends(values: Sequence[float], change: Callable[[float], Wall]) -> Ends:
-        return [(v, lambda now, v=v: with_wall(now, change(v))) for v in values]
+        return [(value, functools.partial(_with, change(value))) for value in values]
 
     if (given := wall.thickness) is not None and not wall.solid:
         values = [factor * given for factor in _others(ranges.thickness_factor)]
@@ -86,6 +87,14 @@ def _of_wall(setting: Setting, ranges: Ranges) -> Iterator[tuple[str, float | No
     if (given := wall.elastic_modulus_mpa) is not None:
         values = [factor * given for factor in _others(ranges.modulus_factor)]
         yield "modulus_factor", given, ends(values, lambda value: replace(wall, elastic_modulus_mpa=value))
+
+
+def _with(wall: Wall, setting: Setting) -> Setting:
+    return with_wall(setting, wall)
+
+
+def _on(building: Building, setting: Setting) -> Setting:
+    return replace(setting, case=replace(setting.case, building=building))
 
 
 def _others(factors: tuple[float, float]) -> list[float]:
@@ -121,7 +130,7 @@ def _of_building(setting: Setting, ranges: Ranges) -> Iterator[tuple[str, float 
     damping = building.modes[0].damping if building.modes else damaged(building, setting.demand.limit_state)[1]
 
     def ends(values: Sequence[float], change: Callable[[float], Building]) -> Ends:
-        return [(v, lambda now, v=v: replace(now, case=replace(now.case, building=change(v)))) for v in values]
+        return [(value, functools.partial(_on, change(value))) for value in values]
 
     def slower(period: float) -> Building:
         if not building.modes:

@@ -6,17 +6,19 @@ from dataclasses import dataclass
 from core.text.sentence import Number, Sentence, sentence
 
 SHOWN = {
-    "thickness_factor": (100.0, ".3g"),
-    "unit_weight_factor": (1.0, ".3g"),
-    "load_factor": (100.0, ".0f"),
-    "setback_shares": (100.0, ".2g"),
-    "velocity_ratio_factor": (1.0, ".2f"),
-    "modulus_factor": (1.0, ".4g"),
-    "building_period_factor": (1.0, ".2f"),
-    "building_damping_factor": (100.0, ".3g"),
-    "ag_factor": (1.0, ".3f"),
+    "thickness_factor": ("moved_thickness", 100.0, ".3g"),
+    "unit_weight_factor": ("moved_unit_weight", 1.0, ".3g"),
+    "load_factor": ("moved_loads", 100.0, ".0f"),
+    "setback_shares": ("moved_setback", 100.0, ".2g"),
+    "velocity_ratio_factor": ("moved_velocity_ratio", 1.0, ".2f"),
+    "modulus_factor": ("moved_modulus", 1.0, ".4g"),
+    "building_period_factor": ("moved_building_period", 1.0, ".2f"),
+    "building_damping_factor": ("moved_building_damping", 100.0, ".3g"),
+    "ag_factor": ("moved_ag", 1.0, ".3f"),
+    "restraint_lost": ("moved_restraint", 1.0, "g"),
+    "record_left_out": ("moved_record", 1.0, "g"),
 }
-"""Key of the ranges -> what a value is multiplied with for the unit of its words, and its format."""
+"""Key of the ranges -> code of its words, what a value is multiplied with for their unit, its format."""
 
 
 @dataclass(frozen=True)
@@ -76,6 +78,6 @@ def _worth(end: End) -> float:
 
 def move_words(swing: Swing, end: End) -> Sentence:
     """An end of a swing in words: 79 cm instead of 83."""
-    factor, form = SHOWN.get(swing.key, (1.0, "g"))
+    code, factor, form = SHOWN[swing.key]
     given, value = (None if one is None else factor * one for one in (swing.given, end.value))
-    return sentence("added", f"moved_{swing.key}", given=Number(given, form), value=Number(value, form), name=end.name)
+    return sentence("added", code, given=Number(given, form), value=Number(value, form), name=end.name)

@@ -1,0 +1,93 @@
+"""What other samples of records give, against the check of the set itself."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from core.case.rules import parse_case
+from core.codes import record_sample
+from core.codes.dynamic_check import demand_check
+from core.codes.multiplier_search import STEP
+from core.codes.record_sample import one_left_out, record_peaks, sample_interval, zeta_of_sets
+from core.ground.artificial import filtered_noise
+from core.ground.ground_motion import GroundMotion
+from core.rocking.methods import AUTO
+from core.study.demand_input import demand_of
+from core.study.zeta_with import model_of
+
+WITHIN = (1.0 + STEP) ** (2 * record_sample.EVERY)
+"""Two points of the coarse grid."""
+
+
+@pytest.fixture(scope="module")
+def scene():
+    case = parse_case(
+        {
+            "wall": [{"name": "w", "height_m": 3.0, "thickness_m": 0.4, "mechanism": "two_sided", "base_z_m": 0.0}],
+            "demand": {"ag_g": 0.25, "soil_factor": 1.2},
+        }
+    )
+    motions = [GroundMotion(f"m{k}", 2.5 * filtered_noise(k + 1, 2.0), 0.01) for k in range(8)]
+    return model_of(case.wall[0], "two_sided"), motions, demand_of(case, None)
+
+
+@pytest.fixture(scope="module")
+def peaks(scene):
+    model, motions, demand = scene
+    zeta = demand_check(model, motions, (1,), demand, AUTO, other=False).zeta
+    return zeta, record_peaks(model, motions, (1,), demand, AUTO, zeta)
+
+
+def test_that_the_whole_set_is_the_check_itself(peaks):
+    zeta, found = peaks
+    (whole,) = zeta_of_sets(found, np.ones((1, 8), int))
+    assert zeta / WITHIN < whole < zeta * WITHIN
+
+
+def test_that_a_record_left_out_is_the_check_of_the_others(scene, peaks):
+    """Eight stations, so that seven keep the rule of the mean."""
+    model, motions, demand = scene
+    without = one_left_out(peaks[1])
+    for k in range(8):
+        others = [motion for n, motion in enumerate(motions) if n != k]
+        alone = demand_check(model, others, (1,), demand, AUTO, other=False).zeta
+        assert alone / WITHIN < without[k] < alone * WITHIN
+    assert without.max() > without.min()
+
+
+def test_that_a_record_taken_twice_counts_twice(scene, peaks):
+    model, motions, demand = scene
+    (twice,) = zeta_of_sets(peaks[1], np.array([[2, 1, 1, 1, 1, 1, 1, 0]]))
+    again = [*motions[:7], replace(motions[0], name="again")]
+    alone = demand_check(model, again, (1,), demand, AUTO, other=False).zeta
+    assert alone / WITHIN < twice < alone * WITHIN
+
+
+def test_that_the_interval_is_that_of_the_drawn_stations_and_the_same_again(scene, peaks):
+    _, motions, _ = scene
+    found = sample_interval(peaks[1], motions, peaks[0])
+    assert found == sample_interval(peaks[1], motions, peaks[0])
+    assert found.low < peaks[0] < found.high and found.stations == 8 and not found.open_end
+    rng, zetas = np.random.default_rng(7), []
+    for _ in range(400):
+        zetas += list(zeta_of_sets(peaks[1], np.bincount(rng.integers(8, size=8), minlength=8)[None]))
+    share = np.mean([(found.low <= zeta) & (zeta <= found.high) for zeta in zetas])
+    assert 0.85 <= share <= 1.0
+
+
+def test_that_records_of_one_kind_have_no_interval_and_two_stations_none_at_all(scene):
+    model, motions, demand = scene
+    same = [replace(motions[0], name=f"s{k}") for k in range(7)]
+    zeta = demand_check(model, same, (1,), demand, AUTO, other=False).zeta
+    found = sample_interval(record_peaks(model, same, (1,), demand, AUTO, zeta), same, zeta)
+    assert found.low == found.high == pytest.approx(zeta, rel=1e-12)
+    assert sample_interval(record_peaks(model, same[:2], (1,), demand, AUTO, zeta), same[:2], zeta) is None
+
+
+def test_that_a_set_that_fails_nowhere_has_an_open_end(peaks):
+    _, found = peaks
+    short = replace(found, multipliers=found.multipliers[:5], peaks=0.0 * found.peaks[:, :5])
+    motions = [GroundMotion(f"m{k}", np.ones(10), 0.01) for k in range(8)]
+    interval = sample_interval(short, motions, 1.0)
+    assert interval.open_end and interval.high == interval.low == short.multipliers[-1]

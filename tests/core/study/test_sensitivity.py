@@ -1,0 +1,160 @@
+"""Each move of an input is the run of the case with that input changed by hand."""
+
+import copy
+
+import pytest
+
+from core.case.rules import parse_case
+from core.case.writer import table_of
+from core.errors import InputError
+from core.study.run import run
+from core.study.swings import move_words
+from tests.conftest import ROOT
+
+CASES = ROOT / "resources" / "cases"
+SPECTRUM = {"code": "NTC2018", "f0": 2.4, "tc_star_s": 0.33, "soil": "B", "topography": "T1"}
+LOADED = {
+    "name": "facade",
+    "mechanism": "one_sided",
+    "height_m": 6.0,
+    "thickness_m": 0.5,
+    "unit_weight_kn_m3": 18.0,
+    "length_m": 4.0,
+    "base_z_m": 0.0,
+    "back_restraint": "cross walls",
+    "free_element": True,
+    "elastic_modulus_mpa": 1500.0,
+    "load": [{"kind": "vertical", "kn_m": 12.0, "d_m": 0.35, "h_m": 5.8, "mass": "horizontal"}],
+}
+PARAPET = {
+    "name": "parapet",
+    "mechanism": "two_sided",
+    "height_m": 1.5,
+    "thickness_m": 0.3,
+    "unit_weight_kn_m3": 18.0,
+    "elastic_modulus_mpa": 900.0,
+    "base_z_m": 9.0,
+    "unloaded_confirmed": True,
+}
+
+
+def case_of(wall, **sections):
+    demand = {"ag_g": 0.12, "spectrum": SPECTRUM, **sections.pop("demand", {})}
+    return {"wall": [wall], "demand": demand, **sections}
+
+
+def zeta_of(table):
+    result = run(parse_case(table), base_dir=CASES)
+    return result.walls[result.verdicts[0].governing].assessment.verdict.zeta_e
+
+
+def moved(table, path, value):
+    """The table with one value changed. path : keys and indices"""
+    table = copy.deepcopy(table)
+    *outer, last = path
+    place = table
+    for key in outer:
+        place = place[key]
+    place[last] = value
+    return table
+
+
+def sensitivity(table, **ranges):
+    result = run(parse_case({**table, "sensitivity": ranges}), base_dir=CASES)
+    return result.verdicts[0], result
+
+
+def ends(found, key):
+    swing = next(one for one in found.sensitivity.swings if one.key == key)
+    return {end.value: end.zeta for end in swing.ends}
+
+
+def test_that_each_move_of_a_loaded_wall_is_the_run_of_the_changed_case():
+    table = case_of(LOADED)
+    found, _ = sensitivity(table)
+    wall, load = ("wall", 0), ("wall", 0, "load", 0)
+    assert found.sensitivity.base == pytest.approx(zeta_of(table), rel=1e-12)
+    by_hand = {
+        "thickness_factor": moved(moved(table, (*wall, "thickness_m"), 0.475), (*load, "d_m"), 0.3325),
+        "unit_weight_factor": moved(table, (*wall, "unit_weight_kn_m3"), 16.2),
+        "load_factor": moved(table, (*load, "kn_m"), 9.6),
+        "setback_shares": moved(table, (*wall, "hinge_setback_m"), 0.015),
+        "modulus_factor": moved(table, (*wall, "elastic_modulus_mpa"), 750.0),
+        "ag_factor": moved(table, ("demand", "ag_g"), 0.108),
+    }
+    still = set(found.sensitivity.still)
+    for key, changed in by_hand.items():
+        zeta = found.sensitivity.base if key in still else next(iter(ends(found, key).values()))
+        assert zeta == pytest.approx(zeta_of(changed), rel=1e-12), key
+    assert {"thickness_factor", "load_factor", "ag_factor", "setback_shares"}.isdisjoint(still)
+
+
+def test_that_each_move_of_the_building_is_the_run_of_the_changed_case():
+    table = case_of(PARAPET, building={"height_m": 10.0, "storeys": 3, "period_s": 0.3})
+    found, _ = sensitivity(table)
+    periods, dampings = ends(found, "building_period_factor"), ends(found, "building_damping_factor")
+    assert list(periods) == pytest.approx([0.24, 0.36]) and list(dampings) == pytest.approx([0.05, 0.20])
+    for period, zeta in periods.items():
+        assert zeta == pytest.approx(zeta_of(moved(table, ("building", "period_s"), period)), rel=1e-12)
+    for damping, zeta in dampings.items():
+        assert zeta == pytest.approx(zeta_of(moved(table, ("building", "damping"), damping)), rel=1e-12)
+
+
+def test_that_each_move_with_records_is_the_check_of_the_changed_case():
+    """Within the grid the moves are searched on; of a_g exactly in proportion."""
+    wall = {key: value for key, value in LOADED.items() if key not in ("load", "elastic_modulus_mpa", "free_element")}
+    table = case_of(wall | {"unloaded_confirmed": True}, demand={"ag_g": 0.25}, generate={"count": 7})
+    table["demand"]["spectrum"] = SPECTRUM | {"soil": "A"}  # S does not follow a_g
+    table["analysis"] = {"q_step": 0.05}
+    found, result = sensitivity(table)
+    base = found.sensitivity.base
+    assert base == pytest.approx(zeta_of(table), rel=0.03)
+    assert ends(found, "ag_factor") == pytest.approx({0.225: base / 0.9, 0.275: base / 1.1}, rel=0.01)
+    (thinner,) = ends(found, "thickness_factor").values()
+    assert thinner == pytest.approx(zeta_of(moved(table, ("wall", 0, "thickness_m"), 0.475)), rel=0.05)
+    ratio = 0.9 * result.walls[0].restitution.ratio_at_rest
+    damped = ends(found, "velocity_ratio_factor")[0.9]
+    assert damped == pytest.approx(zeta_of(moved(table, ("wall", 0, "velocity_ratio"), ratio)), rel=0.05)
+    (lost,) = ends(found, "restraint_lost").values()
+    assert lost == result.walls[0].assessment.verdict.lower_bound
+
+
+def test_that_what_turns_a_satisfied_verdict_is_said_and_the_verdict_stays():
+    wall = {**LOADED, "thickness_m": 0.6}
+    table = case_of(wall)
+    zeta = zeta_of(table)
+    table["demand"]["zeta_target"] = round(0.97 * zeta, 6)
+    plain = run(parse_case(table), base_dir=CASES)
+    found, result = sensitivity(table)
+    assert result.walls[0].assessment.verdict == plain.walls[0].assessment.verdict
+    assert "thickness_factor" in found.sensitivity.turning
+    (said,) = [one for one in found.extra if one.code == "turned"]
+    assert "57 cm instead of 60" in said.text("en") and "57 cm invece di 60" in said.text("it")
+    table["demand"]["zeta_target"] = round(0.5 * zeta, 6)
+    found, _ = sensitivity(table, restraint_lost=False)
+    assert found.sensitivity.turning == () and not [one for one in found.extra if one.code == "turned"]
+
+
+def test_that_a_wall_that_no_longer_stands_has_no_zeta_and_turns():
+    """Thrust at rest: a tenth of the thickness less, and it falls without an earthquake."""
+    wall = {**LOADED, "load": [{"kind": "thrust", "kn_m": 1.8, "h_m": 5.0, "mass": "none"}]}
+    found, _ = sensitivity(case_of(wall, demand={"ag_g": 0.02}), thickness_factor=[0.5, 1.0])
+    (end,) = next(one for one in found.sensitivity.swings if one.key == "thickness_factor").ends
+    assert end.zeta is None and not end.sure
+    assert found.sensitivity.swings[0].key == "thickness_factor"  # as wide as any
+
+
+def test_that_moves_are_asked_for_and_are_accepted_only_with_a_demand():
+    found, _ = sensitivity(case_of(LOADED), ag_factor=[0.5, 1.0], load_factor=[1.0, 1.0], restraint_lost=False)
+    assert list(ends(found, "ag_factor")) == pytest.approx([0.06])
+    assert {"load_factor", "restraint_lost"}.isdisjoint(one.key for one in found.sensitivity.swings)
+    case = parse_case({**case_of(LOADED), "sensitivity": {"ag_factor": [0.5, 1.0]}})
+    assert parse_case(table_of(case)) == case
+    without = {key: value for key, value in case_of(LOADED).items() if key != "demand"}
+    with pytest.raises(InputError, match="demand"):
+        parse_case({**without, "sensitivity": {}})
+    for wrong in ([1.2, 0.8], [0.0, 1.0], [0.9], [0.9, float("nan")], 0.9, [1.0, 20.0]):
+        with pytest.raises(InputError, match="two factors"):
+            parse_case({**case_of(LOADED), "sensitivity": {"thickness_factor": wrong}})
+    swing = found.sensitivity.swings[0]
+    assert move_words(swing, swing.ends[0]).text("en")
