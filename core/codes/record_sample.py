@@ -22,12 +22,12 @@ from core.rocking.outcome import STABLE
 from core.wall.rocking_model import RockingModel
 
 EVERY, SPARSE = 4, 4
-"""Every how many points of the grid of zeta_E the peaks are known, by 1 %; every how many of these first: between two of
-them at which a record hardly rocks its peaks are interpolated."""
+"""Every how many points of the grid of zeta_E the peaks are known, by 1 %; every how many of these first: between two
+at which a record hardly rocks its peaks are interpolated."""
 
 SPAN = (0.5, 1.5)
-"""Multipliers over zeta_E from which on, unless a record alone breaks the rule there, and up to which peaks are found; a
-set that fails nowhere below is said to reach the last."""
+"""Multipliers over zeta_E from which on, unless a record alone breaks the rule there, and up to which peaks are found;
+a set that fails nowhere below is said to reach the last."""
 
 DRAWS, SEED = 1000, 1
 """Sets that are drawn, and the seed that makes them the same in every run."""
@@ -150,8 +150,8 @@ def sample_interval(found: RecordPeaks, motions: list[GroundMotion], zeta: float
     low, high = np.quantile(zetas, (0.5 - SHARE / 2, 0.5 + SHARE / 2), method="inverted_cdf")
     top, whole = float(found.multipliers[-1]), float(zetas[0])
     share = zeta / whole if math.isfinite(whole) else 1.0
-    ends = (share * min(float(end), top) for end in (low, high))
-    return SampleInterval(*ends, len(known), not math.isfinite(high))
+    low, high, open_end = share * min(float(low), top), share * min(float(high), top), not math.isfinite(high)
+    return SampleInterval(low, high, len(known), open_end)
 
 
 def one_left_out(found: RecordPeaks) -> np.ndarray:

@@ -2,7 +2,7 @@
 each input does to zeta. Beside the verdict, never part of it."""
 
 import functools
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -19,9 +19,9 @@ from core.study.results import WallResult, WallVerdict
 from core.study.sensitivity import moves, sensitivity_of
 from core.study.swings import move_words
 from core.study.threads import Threads
+from core.study.turned_round import keys_of, reach_of
 from core.study.what_if import setting_of
 from core.text.sentence import sentence
-
 
 MOST_INTERVALS = 50
 """Walls of a case up to which the interval is made without being asked for: a tenth of the time of a wall."""
@@ -70,20 +70,25 @@ def with_certainty(
         for n, one in enumerate(found)
     }
     made = {n: moves(setting, ranges) for n, setting in settings.items()}
-    left = {n: len(one) for n, one in made.items()}
+    turned = {n: keys_of(setting) for n, setting in settings.items()}
+    left = {n: len(one) + len(turned[n]) for n, one in made.items()}
 
-    def told(place: tuple[int, int], _) -> None:
+    def told(place: tuple[int, int | str], _) -> None:
         n = place[0]
         left[n] -= 1
         if not left[n]:
             progress.done(("sensitivity", results[found[n].governing].part.origin))
 
-    zetas = threads.run({(n, m): move.task for n, one in made.items() for m, move in enumerate(one)}, told)
+    work: dict[tuple[int, int | str], Callable] = {(n, m): o.task for n, one in made.items() for m, o in enumerate(one)}
+    for n, keys in turned.items():
+        work |= {(n, key): functools.partial(reach_of, settings[n], key, given) for key, given in keys.items()}
+    zetas = threads.run(work, told)
     for n, verdict in enumerate(found):
         of_it = {m: zetas[n, m] for m in range(len(made[n]))}
         known = [one for k in verdict.results if (one := peaks[k]) is not None]
         hinges = [results[k] for k in verdict.results]
         moved = sensitivity_of(settings[n], ranges, made[n], of_it, hinges, known)
+        moved = replace(moved, reach=tuple(zetas[n, key] for key in turned[n]))
         turning = tuple(move_words(one, one.lowest) for one in moved.swings if one.key in moved.turning)
         extra = (sentence("reason", "turned", moves=turning),) if turning else ()
         found[n] = replace(verdict, sensitivity=moved, extra=(*verdict.extra, *extra))

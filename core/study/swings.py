@@ -57,6 +57,19 @@ class Swing:
 
 
 @dataclass(frozen=True)
+class Reach:
+    """An input turned round.
+
+    key : thickness_m, tie_kn_m or ag_g; given : its value now
+    by_check : label -> the value at which zeta of the check reaches what is required, None where none does
+    """
+
+    key: str
+    given: float
+    by_check: dict[str, float | None]
+
+
+@dataclass(frozen=True)
 class Sensitivity:
     """Of a wall with all its hinges.
 
@@ -64,12 +77,14 @@ class Sensitivity:
     swings : of what moves zeta, the widest first
     still : keys of what was moved and does not
     turning : keys of the swings an end of which turns a satisfied verdict
+    reach : the answer turned round
     """
 
     base: float | None
     swings: tuple[Swing, ...]
     still: tuple[str, ...]
     turning: tuple[str, ...]
+    reach: tuple[Reach, ...] = ()
 
 
 def _worth(end: End) -> float:

@@ -1,5 +1,6 @@
 """The rate against quadrature, against Cornell's closed form, and against one step of a fragility without spread."""
 
+import itertools
 import math
 
 import numpy as np
@@ -32,7 +33,7 @@ def by_quadrature(median, deviation):
     edges = [ags[0] * 1e-3, first, *ags[1:-1], last]
     parts = [
         quad(slice_of, math.log(low), math.log(high), args=(max(0, k - 1),), epsabs=0.0, epsrel=1e-12, limit=500)[0]
-        for k, (low, high) in enumerate(zip(edges[:-1], edges[1:], strict=True))
+        for k, (low, high) in enumerate(itertools.pairwise(edges))
     ]
     above = (last / ags[-1]) ** -slopes[-1] / years[-1]
     return sum(parts) + above, (parts[0] + above) / (sum(parts) + above)

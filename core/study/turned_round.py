@@ -1,0 +1,139 @@
+"""The answer turned round: the thickness, the force of a tie, the a_g at which zeta of each check reaches what is
+required."""
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+
+from core.case.schema import Wall
+from core.codes.kinematic import ROUNDING
+from core.errors import InputError
+from core.study.demand_input import with_ag
+from core.study.sensitivity import thinner
+from core.study.swings import Reach
+from core.study.what_if import NONE, Setting, Zetas, with_demand, with_wall, zetas
+
+CLOSE = 0.002
+"""Ratio of the ends of a search at which it stops."""
+
+RAISED = 1.02
+"""More of the value at which histories must hold as well: their rule is not monotone."""
+
+WIDEST = {"thickness_m": 4.0, "tie_kn_m": 64.0, "ag_g": 16.0}
+"""Factor of the value given up to which, and share of it down to which, it is searched."""
+
+Change = Callable[[Setting, float], Setting]
+"""The setting with a value of the key."""
+
+
+def _of_thickness(setting: Setting, thickness: float) -> Setting:
+    return with_wall(setting, thinner(setting.case.wall[0], thickness))
+
+
+def _of_ties(setting: Setting, force: float) -> Setting:
+    wall = setting.case.wall[0]
+    share = force / tie_force(wall)
+    loads = (replace(load, kn_m=share * load.kn_m) if load.is_tie else load for load in wall.load)
+    return with_wall(setting, replace(wall, load=tuple(loads)))
+
+
+def _of_ag(setting: Setting, ag_g: float) -> Setting:
+    asked = setting.case.demand
+    assert asked is not None
+    return with_demand(setting, with_ag(setting.demand, asked, setting.base_dir, ag_g / asked.ag_g))
+
+
+def tie_force(wall: Wall) -> float:
+    """Of its ties together, given by their forces at yield [kN/m]; 0 where a bar gives one, or there is none."""
+    ties = [load.kn_m for load in wall.load if load.is_tie]
+    return 0.0 if None in ties else math.fsum(force for force in ties if force is not None)
+
+
+def keys_of(setting: Setting) -> dict[str, float]:
+    """What is searched for of a wall -> its value now."""
+    wall, demand = setting.case.wall[0], setting.case.demand
+    assert demand is not None
+    found = {"ag_g": demand.ag_g}
+    if wall.thickness is not None and not wall.solid:
+        found["thickness_m"] = wall.thickness
+    if tie_force(wall) > 0.0:
+        found["tie_kn_m"] = tie_force(wall)
+    return found
+
+
+CHANGES: dict[str, Change] = {"thickness_m": _of_thickness, "tie_kn_m": _of_ties, "ag_g": _of_ag}
+
+
+def reach_of(
+    setting: Setting, key: str, given: float, cancelled: Callable[[], bool] = lambda: False, every: int = 4
+) -> Reach:
+    """The value of a key at which zeta of each check reaches what is required: of a_g the largest, else the smallest.
+
+    given : its value now
+    every : as of `zetas`, of the histories
+    Raises Cancelled.
+    """
+    target, known = setting.demand.zeta_target, {}
+
+    def at(value: float, histories: bool) -> Zetas:
+        if (value, histories) not in known:
+            try:
+                moved = CHANGES[key](setting, value)
+                known[value, histories] = zetas(moved, every=every if histories else 0, cancelled=cancelled)
+            except InputError:
+                known[value, histories] = NONE
+        return known[value, histories]
+
+    now = at(given, True)
+    found: dict[str, float | None] = {}
+    for label in now.by_check:
+        dynamic = label == "dynamic"
+        if dynamic and key == "ag_g":  # histories go with the ground, in proportion
+            zeta = now.by_check[label]
+            found[label] = None if zeta is None else _ag_at(setting, zeta / target)
+            continue
+
+        def holds(value: float, label: str = label, dynamic: bool = dynamic) -> bool:
+            zeta = at(value, dynamic).by_check.get(label)
+            return zeta is not None and zeta >= target - ROUNDING
+
+        found[label] = _search(holds, given, WIDEST[key], falls=key == "ag_g", again=dynamic)
+    return Reach(key, given, found)
+
+
+def _ag_at(setting: Setting, share: float) -> float | None:
+    """The a_g [g] whose a_g S is this share of that of the demand; None where no spectrum has it."""
+    asked = setting.case.demand
+    assert asked is not None
+
+    def below(ag_g: float) -> bool:
+        there = with_ag(setting.demand, asked, setting.base_dir, ag_g / asked.ag_g)
+        return there.pga <= share * setting.demand.pga * (1.0 + 1e-12)
+
+    return _search(below, asked.ag_g, 4.0 * WIDEST["ag_g"], falls=True, again=False)
+
+
+def _search(holds: Callable[[float], bool], given: float, widest: float, falls: bool, again: bool) -> float | None:
+    """The value at which something begins to hold, of what falls with it the last at which it holds; None where it does
+    so nowhere within given times or over widest. again : it must hold a little beyond as well"""
+    step, up = 1.25, not falls
+
+    def fine(value: float) -> bool:
+        beyond = value * RAISED if up else value / RAISED
+        return holds(value) and (not again or holds(beyond))
+
+    good = bad = None
+    value, inside = given, fine(given)
+    while good is None or bad is None:
+        if not given / widest <= value <= given * widest:
+            return None if good is None else good
+        if fine(value):
+            good = value
+        else:
+            bad = value
+        if good is None or bad is None:
+            value = value / step if inside == up else value * step
+    while max(good, bad) / min(good, bad) > 1.0 + CLOSE:
+        middle = math.sqrt(good * bad)
+        good, bad = (middle, bad) if fine(middle) else (good, middle)
+    return good

@@ -1,0 +1,91 @@
+"""What stands beside a verdict: the interval of its records and the rates of its limit states, never part of it."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from core.case.reader import read_case
+from core.case.rules import parse_case
+from core.case.writer import table_of
+from core.codes.collapse_rate import state_rate
+from core.errors import Cancelled
+from core.study import how_sure
+from core.study.how_sure import capacities
+from core.study.run import run
+from core.units import G
+from tests.conftest import ROOT
+
+CASES = ROOT / "resources" / "cases"
+ROWS = [(30, 0.06), (50, 0.08), (101, 0.11), (201, 0.145), (475, 0.2), (975, 0.26), (2475, 0.35)]
+
+
+@pytest.fixture(scope="module")
+def case():
+    table = table_of(read_case(CASES / "building.toml"))
+    (wall,) = [one for one in table["wall"] if one["name"] == "parapet"]
+    table = {key: value for key, value in table.items() if key != "site"} | {"wall": [wall]}
+    table["analysis"] = {"q_step": 0.02}
+    table["demand"] = {
+        "ag_g": 0.2,
+        "spectrum": {"code": "NTC2018", "f0": 2.4, "tc_star_s": 0.33, "soil": "B", "topography": "T1"},
+        "nominal_life_years": 50.0,
+        "use_class_factor": 1.0,
+        "hazard": [{"return_period_years": t, "ag_g": ag, "f0": 2.4, "tc_star_s": 0.33} for t, ag in ROWS],
+    }
+    return parse_case(table)
+
+
+@pytest.fixture(scope="module")
+def result(case):
+    return run(case, base_dir=CASES)
+
+
+def test_that_the_rates_are_of_the_capacities_of_the_searches(result):
+    """Collapse at the multiplier of the search: of both signs the lower, a_g in proportion; uplift first."""
+    (verdict,), wall = result.verdicts, result.walls[0]
+    motions = list(wall.floor.motions)
+    found = capacities(wall, motions, result.demand, result.search.q_limit)
+    by_hand = [min(run.scale for run in wall.runs if run.motion == k) * 0.2 * G for k in range(7)]
+    assert found["collapse"] == pytest.approx(by_hand, rel=1e-12)
+    assert np.all(np.array(found["SLV"]) <= found["SLC"]) and np.all(np.array(found["SLC"]) <= found["collapse"])
+    assert np.all(np.array(found["SLD"]) < found["SLV"])
+    hazard = [(t, ag * G) for t, ag in ROWS]
+    expected = state_rate("collapse", by_hand, [f"file {k}" for k in range(7)], hazard, 1.35, 50.0)
+    assert verdict.rates[-1].rate == pytest.approx(expected.rate, rel=1e-12)
+    assert [one.state for one in verdict.rates] == ["SLD", "SLV", "SLC", "collapse"]
+    rates = [one.rate for one in verdict.rates]
+    assert rates == sorted(rates, reverse=True)
+
+
+def test_that_the_interval_is_beside_the_verdict_and_changes_nothing(result, monkeypatch, case):
+    assert result.verdicts[0].interval.stations == 7
+    monkeypatch.setattr(how_sure, "MOST_INTERVALS", 0)
+    plain = run(case, base_dir=CASES)
+    assert plain.verdicts[0].interval is None
+    assert plain.walls[0].assessment == result.walls[0].assessment
+    assert replace(plain.verdicts[0], interval=result.verdicts[0].interval) == result.verdicts[0]
+
+
+def test_that_a_search_in_vain_stands_for_its_end_and_a_run_without_a_number_for_none(result):
+    wall, motions = result.walls[0], list(result.walls[0].floor.motions)
+    idas = [replace(run.ida, status="no_collapse_found", q=None, q_slv=None, q_slc=None) for run in wall.runs]
+    lost = replace(wall, runs=tuple(replace(run, ida=ida) for run, ida in zip(wall.runs, idas, strict=True)))
+    found = capacities(lost, motions, result.demand, 10.0)
+    assert found["collapse"] == found["SLV"] == pytest.approx([10.0 * one for one in found["SLD"]])
+    broken = replace(wall, runs=(replace(wall.runs[0], ida=replace(idas[0], status="impact_limit")), *wall.runs[1:]))
+    assert capacities(broken, motions, result.demand, 10.0) is None
+
+
+def test_that_a_cancel_during_the_moves_ends_the_run(case):
+    asked = parse_case({**table_of(case), "sensitivity": {}})
+    seen = []
+
+    def on_progress(done, planned, left):
+        seen.append((done, planned))
+
+    run(asked, base_dir=CASES, on_progress=on_progress)
+    assert seen[-1][0] == seen[-1][1]
+    calls = iter(range(10**9))
+    with pytest.raises(Cancelled):
+        run(asked, base_dir=CASES, cancelled=lambda: bool(seen) and next(calls) > 400)

@@ -1,0 +1,83 @@
+"""What is found by search gives the zeta required when the case is run with it, and a little less of it does not."""
+
+import pytest
+
+from core.case.rules import parse_case
+from core.study.plan import read_inputs
+from core.study.run import run
+from core.study.turned_round import keys_of, reach_of
+from core.study.what_if import setting_of, zetas
+from tests.core.study.test_sensitivity import CASES, LOADED, case_of, moved
+
+TIED = {
+    **LOADED,
+    "load": [*LOADED["load"], {"kind": "tie", "kn_m": 4.0, "h_m": 5.0, "bar_length_m": 6.0, "elongation_m": 0.3}],
+}
+PLACES = {
+    "thickness_m": ("wall", 0, "thickness_m"),
+    "ag_g": ("demand", "ag_g"),
+    "tie_kn_m": ("wall", 0, "load", 1, "kn_m"),
+}
+
+
+def setting(table):
+    case = parse_case(table)
+    return setting_of(case, 0, CASES, read_inputs(case, CASES))
+
+
+def checks_of(table):
+    result = run(parse_case(table), base_dir=CASES)
+    return {check.label: check.zeta for check in result.walls[0].assessment.checks}
+
+
+def with_thickness(table, key, value):
+    """The loads of a thinner wall keep their share of it."""
+    changed = moved(table, PLACES[key], value)
+    if key == "thickness_m":
+        changed = moved(changed, ("wall", 0, "load", 0, "d_m"), 0.35 * value / 0.5)
+    return changed
+
+
+@pytest.mark.parametrize("wall, keys", [(LOADED, ["ag_g", "thickness_m"]), (TIED, ["ag_g", "thickness_m", "tie_kn_m"])])
+def test_that_the_value_found_gives_what_is_required(wall, keys):
+    table = case_of(wall, demand={"ag_g": 0.2})
+    here = setting(table)
+    assert sorted(keys_of(here)) == sorted(keys)
+    found = 0
+    for key, given in keys_of(here).items():
+        for label, value in reach_of(here, key, given).by_check.items():
+            if value is None:
+                continue
+            zeta = checks_of(with_thickness(table, key, value))[label]
+            beyond = value * 1.01 if key == "ag_g" else value / 1.01
+            assert 1.0 - 1e-6 <= zeta < 1.02, (key, label)
+            assert checks_of(with_thickness(table, key, beyond))[label] < 1.0, (key, label)
+            found += 1
+    assert found >= 2 * len(keys) - 1
+
+
+def test_that_histories_hold_at_what_is_found_and_a_little_beyond():
+    wall = {key: value for key, value in LOADED.items() if key not in ("load", "elastic_modulus_mpa", "free_element")}
+    table = case_of(wall | {"unloaded_confirmed": True}, demand={"ag_g": 0.35}, generate={"count": 7})
+    here = setting(table)
+    thickness = reach_of(here, "thickness_m", 0.5).by_check["dynamic"]
+    for value in (thickness, 1.02 * thickness):
+        assert zetas(setting(moved(table, PLACES["thickness_m"], value))).by_check["dynamic"] >= 1.0
+    now = zetas(here).by_check["dynamic"]
+    ag = reach_of(here, "ag_g", 0.35).by_check["dynamic"]
+    pga = [parse_demand(moved(table, PLACES["ag_g"], value)) for value in (ag, 0.35)]
+    assert pga[0] / pga[1] == pytest.approx(now, rel=0.003)
+
+
+def parse_demand(table):
+    """a_g S [m/s2]."""
+    case = parse_case(table)
+    return read_inputs(case, CASES)[0].pga
+
+
+def test_that_what_no_value_reaches_is_none():
+    """A thin wall on which nothing but its own height acts: no tie, and a_g far beyond the search."""
+    bare = {key: value for key, value in LOADED.items() if key not in ("load", "free_element")}
+    table = case_of(bare | {"thickness_m": 0.12, "height_m": 12.0, "unloaded_confirmed": True}, demand={"ag_g": 1.9})
+    found = reach_of(setting(table), "thickness_m", 0.12).by_check
+    assert found["linear_q_code"] is None
