@@ -4,6 +4,7 @@ from openpyxl.worksheet.worksheet import Worksheet
 
 from core.report import (
     body_sheet,
+    certainty_sheet,
     check_sheet,
     demand_sheets,
     floor_sheet,
@@ -12,6 +13,7 @@ from core.report import (
     risk_sheet,
     sheets,
     summary_sheet,
+    sure_words,
 )
 from core.report.cells import ACCENT, QUIET, Book
 from core.report.rows import follow_changes
@@ -24,7 +26,7 @@ FIRST_PACKED = 5
 HISTORY_WALLS = 20
 """Walls whose histories and charts are drawn; the rest are listed."""
 
-SHARES = (19, 0, 0, 1, 1, 2, 0, 9, 5, 0, 0, 0, 4, 1, 0)
+SHARES = (19, 0, 0, 1, 1, 1, 2, 0, 9, 5, 0, 0, 0, 4, 1, 0)
 SAVING = 58
 """Hundredths of the writing that each sheet in its order, and the file, take with 400 walls."""
 
@@ -51,6 +53,7 @@ def build(result: StudyResult, histories: list[CollapseHistories], steps: Steps 
         summary_sheet.summary,
         summary_sheet.overview,
         risk_sheet.risk,
+        certainty_sheet.certainty,
         input_sheet.inputs,
         sheets.records,
         sheets.results,
@@ -68,6 +71,8 @@ def build(result: StudyResult, histories: list[CollapseHistories], steps: Steps 
         if sheet is body_sheet.bodies and not body_sheet.has_bodies(result):
             continue
         if sheet is risk_sheet.risk and not risk_sheet.has_risk(result):
+            continue
+        if sheet is certainty_sheet.certainty and not sure_words.has_certainty(result):
             continue
         if sheet is floor_sheet.floors and not floor_sheet.floors_of(result):
             continue

@@ -179,7 +179,7 @@ def sensitivity_of(
     satisfied = all(_satisfied(one) for one in hinges)
     return Sensitivity(
         base.zeta,
-        tuple(sorted(moving, key=lambda one: -one.width)),
+        tuple(sorted(moving, key=lambda one: -one.width(base.zeta))),
         tuple(key for key, one in swings.items() if one not in moving),
         tuple(one.key for one in moving if satisfied and not all(end.sure for end in one.ends)),
     )

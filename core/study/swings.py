@@ -49,11 +49,11 @@ class Swing:
     def lowest(self) -> End:
         return min(self.ends, key=_worth)
 
-    @property
-    def width(self) -> float:
-        """From the lowest zeta to the highest; without a number as wide as any."""
-        found = [end.zeta for end in self.ends]
-        return math.inf if None in found else max(found) - min(found)
+    def width(self, base: float | None) -> float:
+        """From the lowest zeta to the highest, zeta as it is among them; without a number as wide as any."""
+        found = [base, *(end.zeta for end in self.ends)]
+        known = [zeta for zeta in found if zeta is not None]
+        return max(known) - min(known) if len(known) == len(found) else math.inf
 
 
 @dataclass(frozen=True)

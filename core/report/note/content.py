@@ -4,6 +4,7 @@ from core.ground.provenance import provenance
 from core.report.assumptions import assumptions_of
 from core.report.derived import cell_prefix
 from core.report.note import site, wall_figures
+from core.report.note.certainty import certainty
 from core.report.note.parts import (
     Bars,
     Blanks,
@@ -253,6 +254,7 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
     drawn = [wall_figures.histories(result, wall, words), wall_figures.peaks(wall, words)]
     drawn += [wall_figures.forces_of_ties(result, wall, words), wall_figures.tie_heights(wall, words)]
     parts += _side_by_side([] if short else drawn)
+    parts += certainty(result, wall, words, short)
     rest = [*reasons[REASONS:], *tie_lines(wall, language), *(one.text(language) for one in wall.warnings)]
     if rest:
         parts.append(Heading(say("What else is to be read"), 3))

@@ -1,0 +1,118 @@
+"""The sheet How sure: what stands beside each verdict, never part of it."""
+
+from openpyxl.chart import BarChart, Reference
+from openpyxl.chart.shapes import GraphicalProperties
+
+from core.report import sure_words
+from core.report.cells import ACCENT, BAD, QUIET, RATIO, Book, header, heighten, number, paragraph, rule, text, title
+from core.report.plots import DATA, rows_below
+from core.report.xml_text import for_xml
+from core.study.results import StudyResult, WallVerdict
+from core.study.swings import Sensitivity
+
+LAST, LINE = 8, 150
+"""Columns of a sentence, and the letters they hold."""
+
+CHARTS = 20
+"""Walls whose chart is drawn."""
+
+
+def certainty(book: Book, result: StudyResult) -> None:
+    """Of every wall the interval of its records, the moves of its inputs, the rates of its limit states."""
+    say = book.say
+    sheet = book.sheet("How sure", [24, 32, 14, 32, 14, 12, 12, 14], landscape=True)
+    title(sheet, 1, say("How sure each verdict is"))
+    row = paragraph(
+        sheet,
+        2,
+        say("Each input is moved on its own, the others stay. Beside the verdict, not part of it."),
+        LAST,
+        LINE,
+        color=QUIET,
+    )
+    for n, verdict in enumerate(book.steps.each(result.verdicts)):
+        row = _wall(book, sheet, result, verdict, n, row + 1)
+    sheet.print_area = f"A1:H{row}"
+
+
+def _wall(book: Book, sheet, result: StudyResult, verdict: WallVerdict, n: int, row: int) -> int:
+    say, language = book.say, book.language
+    zeta = book.digits(result.walls[verdict.governing].assessment.verdict.zeta_e, ".2f")
+    title(sheet, row, f"{verdict.title}: ζ_E {zeta}", 12)
+    row += 1
+    if line := sure_words.interval_line(say, verdict, language, "artificial" in result.kinds):
+        row = paragraph(sheet, row, line, LAST, LINE)
+    if verdict.sensitivity and verdict.sensitivity.swings:
+        row = _moved(book, sheet, result, verdict.sensitivity, n, row)
+    if verdict.rates:
+        header(sheet, row, sure_words.rate_heads(say, result.case.demand.nominal_life_years), 1, 30)
+        for rate in verdict.rates:
+            row += 1
+            for column, cell in enumerate(sure_words.rate_row(say, rate, language), start=1):
+                text(sheet, row, column, cell, align="left" if column == 1 else "right")
+            rule(sheet, row, 1, LAST)
+        row += 1
+        for line in sure_words.rate_lines(say, verdict.rates, language):
+            row = paragraph(sheet, row, line, LAST, LINE, color=QUIET)
+    return row
+
+
+def _moved(book: Book, sheet, result: StudyResult, found: Sensitivity, n: int, row: int) -> int:
+    """The moves, the largest first, with their chart; what zeta required asks for."""
+    say, language = book.say, book.language
+    header(sheet, row, [say("Input"), say("moved to"), "ζ_E", say("moved to"), "ζ_E"], 1, 18)
+    first, rows = row + 1, sure_words.moved_rows(found, language)
+    data = DATA + 4 * n
+    for column, name in enumerate((say("lowest"), say("highest")), start=1):
+        text(sheet, row, data + column, name, size=8)
+    for swing, moved in zip(found.swings, rows, strict=True):
+        row += 1
+        text(sheet, row, 1, moved.name, vertical="top")
+        for k, (said, zeta, sure) in enumerate(moved.ends):
+            text(sheet, row, 2 + 2 * k, said, wrap=True)
+            number(sheet, row, 3 + 2 * k, zeta, RATIO, vertical="top", **({} if sure else {"color": BAD}))
+        heighten(sheet, row, *((said, 42) for said, _, _ in moved.ends))
+        rule(sheet, row, 1, 5)
+        zetas = [found.base or 0.0, *(0.0 if end.zeta is None else end.zeta for end in swing.ends)]
+        text(sheet, row, data, moved.name, size=8)
+        sheet.cell(row, data + 1, min(zetas) - zetas[0])
+        sheet.cell(row, data + 2, max(zetas) - zetas[0])
+    if n < CHARTS:
+        chart = _chart(sheet, say("Δζ_E of each input moved on its own"), data, first, row)
+        sheet.add_chart(chart, f"A{row + 2}")
+        row += 2 + rows_below(chart.height)
+    if line := sure_words.still_line(say, found, language):
+        row = paragraph(sheet, row + 1, line, LAST, LINE, color=QUIET) - 1
+    row += 1
+    if labels := sure_words.reach_labels(found):
+        heads = [say("For the ζ required"), say("now"), *sure_words.check_names(result, labels, language)]
+        header(sheet, row, heads, 1, 30)
+        names = sure_words.reach_names(say)
+        for one in found.reach:
+            row += 1
+            text(sheet, row, 1, names[one.key])
+            for column, value in enumerate((one.given, *map(one.by_check.get, labels)), start=2):
+                text(sheet, row, column, sure_words.reach_written(one, value, language), align="right")
+            rule(sheet, row, 1, 2 + len(labels))
+        row += 1
+    return row + 1
+
+
+def _chart(sheet, heading: str, data: int, first: int, last: int) -> BarChart:
+    """Bars from zeta as it is, down and up."""
+    chart = BarChart()
+    chart.type, chart.grouping, chart.overlap, chart.gapWidth = "bar", "clustered", 100, 40
+    chart.title = for_xml(heading)
+    chart.style, chart.height, chart.width = 10, 2.2 + 0.75 * (last - first + 1), 17.5
+    chart.add_data(
+        Reference(sheet, min_col=data + 1, max_col=data + 2, min_row=first - 1, max_row=last), titles_from_data=True
+    )
+    chart.set_categories(Reference(sheet, min_col=data, min_row=first, max_row=last))
+    for series, color in zip(chart.series, (BAD, ACCENT), strict=True):
+        series.graphicalProperties = GraphicalProperties(solidFill=color)
+    chart.x_axis.scaling.orientation = "maxMin"  # the first on top
+    chart.x_axis.delete = chart.y_axis.delete = False
+    chart.x_axis.tickLblPos = "low"
+    chart.y_axis.number_format = "0.00"
+    chart.legend.position = "b"
+    return chart

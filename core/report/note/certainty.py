@@ -1,0 +1,75 @@
+"""What a note says beside the verdict of a wall: another sample of records, moved inputs, the rates of limit states."""
+
+from core.report import sure_words
+from core.report.note.parts import Curve, Figure, Figures, Heading, Item, Part, Table, path
+from core.report.note.words import Words
+from core.study.results import StudyResult, WallResult
+from core.study.swings import Sensitivity
+
+
+def certainty(result: StudyResult, wall: WallResult, words: Words, short: bool) -> list[Part]:
+    """Of a result that decides about its wall. short : the sentence alone"""
+    verdict = sure_words.verdict_of(result, wall)
+    if verdict is None:
+        return []
+    say, language = words.say, words.language
+    line = sure_words.interval_line(say, verdict, language, "artificial" in result.kinds)
+    parts: list[Part] = [Item(line)] if line else []
+    if not short and verdict.sensitivity:
+        parts += _moved(result, verdict.sensitivity, words)
+    if not short and verdict.rates:
+        life = result.case.demand.nominal_life_years
+        rows = [sure_words.rate_row(say, rate, language) for rate in verdict.rates]
+        parts.append(Table(sure_words.rate_heads(say, life), rows, (1.1, 1.4, 0.7, 2.0, 1.0, 1.2, 1.1, 1.6)))
+    if not short:
+        parts += [Item(line, "quiet") for line in sure_words.rate_lines(say, verdict.rates, language)]
+    return [Heading(say("How sure"), 3), *parts] if parts else []
+
+
+def _moved(result: StudyResult, found: Sensitivity, words: Words) -> list[Part]:
+    """The inputs that move zeta: figure and table; what zeta required asks of thickness, ties and a_g."""
+    say, language = words.say, words.language
+    parts: list[Part] = []
+    target = result.demand.zeta_target
+    rows = sure_words.moved_rows(found, language)
+    if rows:
+        cells = []
+        for row in rows:
+            ends = [part for words_of, zeta, _ in row.ends for part in (words_of, words.number(zeta, ".2f"))]
+            cells.append([row.name, *ends, *["–"] * (4 - len(ends))])
+        tones = {
+            (n, 2 + 2 * m): "bad" for n, row in enumerate(rows) for m, (_, _, sure) in enumerate(row.ends) if not sure
+        }
+        heads = [say("Input"), say("moved to"), "ζ_E", say("moved to"), "ζ_E"]
+        parts += [Figures([_tornado(found, target, words)]), Table(heads, cells, (1.6, 3.0, 0.6, 3.0, 0.6), tones)]
+    if line := sure_words.still_line(say, found, language):
+        parts.append(Item(line, "quiet"))
+    if labels := sure_words.reach_labels(found):
+        names = sure_words.reach_names(say)
+        heads = [say("For ζ {zeta}", zeta=words.number(target, ".2f")), say("now")]
+        heads += sure_words.check_names(result, labels, language)
+        cells = [
+            [
+                names[one.key],
+                *(sure_words.reach_written(one, v, language) for v in (one.given, *map(one.by_check.get, labels))),
+            ]
+            for one in found.reach
+        ]
+        parts.append(Table(heads, cells, (1.6, 0.9, *[1.8] * len(labels))))
+    return parts
+
+
+def _tornado(found: Sensitivity, target: float, words: Words) -> Figure:
+    """zeta from the lowest to the highest of each input, beside zeta as it is and zeta required."""
+    curves, names = [], []
+    base = found.base or 0.0
+    for k, swing in enumerate(found.swings):
+        zetas = [0.0 if end.zeta is None else end.zeta for end in swing.ends]
+        curves.append(path([(k, min(base, *zetas)), (k, max(base, *zetas))], "accent", width=7.0))
+        names.append(sure_words.swing_name(swing, words.language))
+    ends = (-0.6, len(names) - 0.4)
+    curves.append(Curve(words.say("ζ_E as it is"), ends, (base, base), "ink", width=1.2))
+    curves.append(Curve(words.say("ζ required"), ends, (target, target), "amber", "dash"))
+    highest = max(max(curve.y) for curve in curves)
+    caption = words.say("ζ_E with each input moved on its own")
+    return Figure(caption, curves, " ", "ζ_E", ends, (0.0, 1.08 * highest), names=names)

@@ -1,0 +1,158 @@
+"""How sure a verdict is, in words and rows: for note, workbook and window alike."""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+from core.codes.collapse_rate import BEYOND, StateRate
+from core.study.results import StudyResult, WallResult, WallVerdict
+from core.study.swings import Reach, Sensitivity, Swing, move_words
+from core.text.sentence import Number, numeral, sentence, word
+from core.units import G
+
+Say = Callable[..., str]
+"""Says a text of the group "report"."""
+
+
+class Moved(NamedTuple):
+    """A row of the moves. name : of the input; ends : (what it is moved to, zeta, whether it is surely satisfied)"""
+
+    name: str
+    ends: list[tuple[str, float | None, bool]]
+
+
+def verdict_of(result: StudyResult, wall: WallResult) -> WallVerdict | None:
+    """The verdict a result decides, None of any other hinge."""
+    return next((one for one in result.verdicts if result.walls[one.governing] is wall), None)
+
+
+def has_certainty(result: StudyResult) -> bool:
+    """Whether something stands beside a verdict."""
+    return any(one.interval or one.rates or one.sensitivity for one in result.verdicts)
+
+
+def interval_line(say: Say, verdict: WallVerdict, language: str, generated: bool) -> str:
+    """What another sample of records would give; "" without an interval. generated : the records are"""
+    found = verdict.interval
+    if found is None:
+        return ""
+    values = {
+        "n": found.stations,
+        "low": numeral(found.low, ".2f", language),
+        "high": numeral(found.high, ".2f", language),
+    }
+    if found.open_end:
+        line = say("With {n} other stations of the same kind ζ_E lies above {low} in 19 of 20 cases.", **values)
+    else:
+        line = say(
+            "With {n} other stations of the same kind ζ_E lies between {low} and {high} in nine of ten cases.", **values
+        )
+    line += " " + say("By the bootstrap over stations; beside the verdict, not part of it.")
+    return line + (" " + say("Generated motions scatter less than natural ones.") if generated else "")
+
+
+def moved_rows(found: Sensitivity, language: str) -> list[Moved]:
+    """The inputs that move zeta, the one that moves it most first."""
+    return [
+        Moved(
+            swing_name(swing, language),
+            [(move_words(swing, end).text(language), end.zeta, end.sure) for end in swing.ends],
+        )
+        for swing in found.swings
+    ]
+
+
+def swing_name(swing: Swing, language: str) -> str:
+    """What the report calls an input that is moved."""
+    return word(f"key_{swing.key}", language)
+
+
+def still_line(say: Say, found: Sensitivity, language: str) -> str:
+    """The inputs that were moved and do not move zeta."""
+    names = ", ".join(word(f"key_{key}", language) for key in found.still)
+    return say("Without effect on ζ: {names}.", names=names) if names else ""
+
+
+REACH = {"thickness_m": (100.0, ".3g"), "tie_kn_m": (1.0, ".3g"), "ag_g": (1.0, ".3f")}
+"""Key -> what its value is multiplied with for the unit of its words, and its format."""
+
+
+def reach_labels(found: Sensitivity) -> list[str]:
+    """The checks of what is turned round, the most refined first."""
+    return list(dict.fromkeys(label for one in found.reach for label in one.by_check))
+
+
+def check_names(result: StudyResult, labels: list[str], language: str) -> list[str]:
+    """What a table calls these checks."""
+    q = Number(result.case.demand.q_code if result.case.demand else None, "g")
+    return [sentence("short", label, q=q).text(language) for label in labels]
+
+
+def reach_names(say: Say) -> dict[str, str]:
+    """What the report calls what is turned round."""
+    return {"thickness_m": say("thickness [cm]"), "tie_kn_m": say("ties together [kN/m]"), "ag_g": "a_g [g]"}
+
+
+def reach_written(reach: Reach, value: float | None, language: str) -> str:
+    """A value of what is turned round."""
+    factor, form = REACH[reach.key]
+    return numeral(None if value is None else factor * value, form, language)
+
+
+def rate_heads(say: Say, life: float | None) -> list[str]:
+    """Of `rate_row`."""
+    years = say("in {n:g} years", n=life) if life else say("in V_N")
+    return [
+        say("exceeded"),
+        say("median a_g [g]"),
+        "β",
+        say("nine of ten cases"),
+        say("a year"),
+        say("once in [years]"),
+        years,
+        say("a year, FC = 1"),
+    ]
+
+
+def rate_row(say: Say, rate: StateRate, language: str) -> list[str]:
+    """A limit state with its fragility and its rate."""
+    state = rate.state if rate.state != "collapse" else say("collapse")
+
+    def said(value: float | None, form: str) -> str:
+        return numeral(value, form, language)
+
+    ends = f"{said(rate.low, '.1e')} – {said(rate.high, '.1e')}"
+    share = None if rate.in_life is None else 100.0 * rate.in_life
+    in_life = "–" if share is None else f"{said(share, '.2g')} %"
+    fragility = rate.fragility
+    return [
+        state,
+        said(fragility.median / G, ".3f"),
+        said(fragility.deviation, ".2f"),
+        ends,
+        said(rate.rate, ".1e"),
+        said(1.0 / rate.rate, ".0f"),
+        in_life,
+        said(rate.without_factor, ".1e"),
+    ]
+
+
+def rate_lines(say: Say, rates: tuple[StateRate, ...], language: str) -> list[str]:
+    """What the rates are to be read with."""
+    if not rates:
+        return []
+    lines = [
+        say(
+            "Mean annual frequency by the fragility of the wall under its records and the hazard of the site, FC on "
+            "the capacity. Beyond the code, not part of the verdict."
+        )
+    ]
+    if rates[-1].beyond > BEYOND:
+        share = numeral(100.0 * rates[-1].beyond, ".0f", language)
+        lines.append(
+            say(
+                "{share} % of the rate of collapse lies beyond the hazard's rows by more than one step, where the wall "
+                "is taken to fail.",
+                share=share,
+            )
+        )
+    return lines
