@@ -40,7 +40,7 @@ def _wall(book: Book, sheet, result: StudyResult, verdict: WallVerdict, n: int, 
     zeta = book.digits(result.walls[verdict.governing].assessment.verdict.zeta_e, ".2f")
     title(sheet, row, f"{verdict.title}: ζ_E {zeta}", 12)
     row += 1
-    if line := sure_words.interval_line(say, verdict, language, "artificial" in result.kinds):
+    if line := sure_words.interval_line(say, verdict, language):
         row = paragraph(sheet, row, line, LAST, LINE)
     if verdict.sensitivity and verdict.sensitivity.swings:
         row = _moved(book, sheet, result, verdict.sensitivity, n, row)

@@ -26,6 +26,7 @@ from core.report.cells import (
     title,
 )
 from core.report.plots import add_series, new_chart
+from core.report.sure_words import interval_line, verdict_of
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import word
 from core.units import G
@@ -63,6 +64,9 @@ def dynamic_check(book: Book, result: StudyResult) -> None:
     )
     for wall in book.steps.each(walls):
         row = _wall(book, sheet, wall, wall.assessment.dynamic, row + 1)
+        verdict = verdict_of(result, wall)
+        line = interval_line(say, verdict, book.language) if verdict else ""
+        row = paragraph(sheet, row, line, 7, 105, color=QUIET) if line else row
 
 
 def _wall(book: Book, sheet, wall: WallResult, check, row: int) -> int:

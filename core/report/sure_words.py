@@ -26,12 +26,12 @@ def verdict_of(result: StudyResult, wall: WallResult) -> WallVerdict | None:
 
 
 def has_certainty(result: StudyResult) -> bool:
-    """Whether something stands beside a verdict."""
-    return any(one.interval or one.rates or one.sensitivity for one in result.verdicts)
+    """Whether the site has a hazard, or inputs were moved."""
+    return any(one.rates or one.sensitivity for one in result.verdicts)
 
 
-def interval_line(say: Say, verdict: WallVerdict, language: str, generated: bool) -> str:
-    """What another sample of records would give; "" without an interval. generated : the records are"""
+def interval_line(say: Say, verdict: WallVerdict, language: str) -> str:
+    """What another sample of records would give; "" without an interval."""
     found = verdict.interval
     if found is None:
         return ""
@@ -41,13 +41,13 @@ def interval_line(say: Say, verdict: WallVerdict, language: str, generated: bool
         "high": numeral(found.high, ".2f", language),
     }
     if found.open_end:
-        line = say("With {n} other stations of the same kind ζ_E lies above {low} in 19 of 20 cases.", **values)
-    else:
-        line = say(
-            "With {n} other stations of the same kind ζ_E lies between {low} and {high} in nine of ten cases.", **values
+        return say(
+            "With {n} other stations of the same kind ζ_E lies above {low} in 19 of 20 cases (bootstrap).", **values
         )
-    line += " " + say("By the bootstrap over stations; beside the verdict, not part of it.")
-    return line + (" " + say("Generated motions scatter less than natural ones.") if generated else "")
+    return say(
+        "With {n} other stations of the same kind ζ_E lies between {low} and {high} in nine of ten cases (bootstrap).",
+        **values,
+    )
 
 
 def moved_rows(found: Sensitivity, language: str) -> list[Moved]:

@@ -2,17 +2,19 @@
 each input does to zeta. Beside the verdict, never part of it."""
 
 import functools
+from collections import Counter
 from collections.abc import Callable, Sequence
-from dataclasses import replace
+from dataclasses import asdict, replace
 from pathlib import Path
 
 from core.capacity.ida import multiplier_of
 from core.codes.collapse_rate import STATES, StateRate, state_rate
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import demand_check
-from core.codes.record_sample import RecordPeaks, record_peaks, sample_interval
+from core.codes.record_sample import RecordPeaks, SampleInterval, record_peaks, sample_interval
 from core.ground.provenance import station_of
-from core.study.kept_checks import KeptChecks
+from core.study.journal import rebuilt
+from core.study.kept_checks import KeptChecks, check_key
 from core.study.plan import Plan
 from core.study.progress import Progress
 from core.study.results import WallResult, WallVerdict
@@ -45,54 +47,95 @@ def with_certainty(
     """
     if demand is None or not verdicts:
         return tuple(verdicts)
-    ranges = plan.case.sensitivity
-    few = ranges or len(verdicts) <= MOST_INTERVALS
-    asked = {k for one in verdicts for k in (one.results if ranges else one.results[:1]) if few}
-    tasks = {k: functools.partial(_peaks_of, plan, results[k], demand) for k in sorted(asked)}
-    peaks = threads.run(tasks, lambda k, found: None)
-    found = []
-    for verdict in verdicts:
-        worst, known = results[verdict.governing], peaks.get(verdict.governing)
-        zeta = worst.assessment.dynamic.zeta if known is not None else 0.0
-        interval = sample_interval(known, _felt(plan, worst), zeta) if known is not None else None
-        rates = _worst_rates(plan, demand, [results[k] for k in verdict.results])
-        found.append(replace(verdict, interval=interval, rates=rates))
-    if ranges is None:
+    found = _with_intervals(plan, demand, results, verdicts, book, threads)
+    found = [replace(one, rates=_worst_rates(plan, demand, [results[k] for k in one.results])) for one in found]
+    if plan.case.sensitivity is None:
         return tuple(found)
-    settings = {
-        n: setting_of(
+    return tuple(_with_sensitivities(plan, base_dir, demand, results, found, book, threads, progress))
+
+
+def _with_intervals(
+    plan: Plan, demand: DemandResult, results: Sequence[WallResult], verdicts: Sequence[WallVerdict], book, threads
+) -> list[WallVerdict]:
+    """The verdicts with the interval of their records, one a worst hinge; kept in the book."""
+    if len(verdicts) > MOST_INTERVALS and plan.case.sensitivity is None:
+        return list(verdicts)
+
+    def task(k: int):
+        return lambda stop: _interval(plan, results[k], demand, book, stop)
+
+    worst = [one.governing for one in verdicts if _zeta(results[one.governing]) is not None]
+    intervals = threads.run({k: task(k) for k in worst}, lambda k, found: None)
+    return [replace(one, interval=intervals.get(one.governing)) for one in verdicts]
+
+
+def _interval(plan: Plan, wall: WallResult, demand: DemandResult, book, stop) -> SampleInterval | None:
+    """Of one hinge whose histories have a zeta; from the book where it is there."""
+    motions, zeta = _felt(plan, wall), _zeta(wall)
+    assert zeta is not None
+    key = check_key(wall.model, motions, _signs(wall), demand, plan.method, zeta, "interval") if book else ""
+    known = rebuilt(SampleInterval, book.get(key)) if book else None
+    if known is not None:
+        return known
+    found = sample_interval(_peaks_of(plan, wall, demand, zeta, stop), motions, zeta)
+    if book and found:
+        book.add(key, asdict(found))
+    return found
+
+
+def _with_sensitivities(
+    plan: Plan,
+    base_dir: Path,
+    demand: DemandResult,
+    results: Sequence[WallResult],
+    verdicts: Sequence[WallVerdict],
+    book,
+    threads: Threads,
+    progress: Progress,
+) -> list[WallVerdict]:
+    """The verdicts with the moves of their inputs; the parameters are those of `with_certainty`."""
+    ranges = plan.case.sensitivity
+    assert ranges is not None
+    settings = [
+        setting_of(
             plan.case,
             results[one.governing].part.origin,
             base_dir,
             (demand, plan.motions, plan.kinds),
             KeptChecks(book) if book else demand_check,
         )
-        for n, one in enumerate(found)
-    }
-    made = {n: moves(setting, ranges) for n, setting in settings.items()}
-    turned = {n: keys_of(setting) for n, setting in settings.items()}
-    left = {n: len(one) + len(turned[n]) for n, one in made.items()}
+        for one in verdicts
+    ]
+    made = [moves(setting, ranges) for setting in settings]
+    work: dict[tuple[int, str, int | str], Callable] = {}
+    for n, (setting, verdict) in enumerate(zip(settings, verdicts, strict=True)):
+        work |= {(n, "move", m): move.task for m, move in enumerate(made[n])}
+        turned = keys_of(setting).items()
+        work |= {(n, "reach", key): functools.partial(reach_of, setting, key, given) for key, given in turned}
+        for k in verdict.results if ranges.record_left_out else ():
+            if (zeta := _zeta(results[k])) is not None:
+                work[n, "peaks", k] = functools.partial(_peaks_of, plan, results[k], demand, zeta)
+    left = Counter(place[0] for place in work)
 
-    def told(place: tuple[int, int | str], _) -> None:
-        n = place[0]
-        left[n] -= 1
-        if not left[n]:
-            progress.done(("sensitivity", results[found[n].governing].part.origin))
+    def told(place: tuple[int, str, int | str], _) -> None:
+        left[place[0]] -= 1
+        if not left[place[0]]:
+            progress.done(("sensitivity", results[verdicts[place[0]].governing].part.origin))
 
-    work: dict[tuple[int, int | str], Callable] = {(n, m): o.task for n, one in made.items() for m, o in enumerate(one)}
-    for n, keys in turned.items():
-        work |= {(n, key): functools.partial(reach_of, settings[n], key, given) for key, given in keys.items()}
-    zetas = threads.run(work, told)
-    for n, verdict in enumerate(found):
-        of_it = {m: zetas[n, m] for m in range(len(made[n]))}
-        known = [one for k in verdict.results if (one := peaks[k]) is not None]
+    done = threads.run(work, told)
+    found = []
+    for n, verdict in enumerate(verdicts):
+        by_kind: dict[str, dict] = {kind: {} for kind in ("move", "reach", "peaks")}
+        for (owner, kind, key), value in done.items():
+            if owner == n:
+                by_kind[kind][key] = value
         hinges = [results[k] for k in verdict.results]
-        moved = sensitivity_of(settings[n], ranges, made[n], of_it, hinges, known)
-        moved = replace(moved, reach=tuple(zetas[n, key] for key in turned[n]))
+        moved = sensitivity_of(settings[n], ranges, made[n], by_kind["move"], hinges, list(by_kind["peaks"].values()))
+        moved = replace(moved, reach=tuple(by_kind["reach"][key] for key in keys_of(settings[n])))
         turning = tuple(move_words(one, one.lowest) for one in moved.swings if one.key in moved.turning)
         extra = (sentence("reason", "turned", moves=turning),) if turning else ()
-        found[n] = replace(verdict, sensitivity=moved, extra=(*verdict.extra, *extra))
-    return tuple(found)
+        found.append(replace(verdict, sensitivity=moved, extra=(*verdict.extra, *extra)))
+    return found
 
 
 def _felt(plan: Plan, wall: WallResult) -> list:
@@ -100,13 +143,21 @@ def _felt(plan: Plan, wall: WallResult) -> list:
     return list(wall.floor.motions) if wall.floor else plan.motions
 
 
-def _peaks_of(plan: Plan, wall: WallResult, demand: DemandResult, stop) -> RecordPeaks | None:
-    """The peaks of a wall under each record; None without a zeta of histories."""
+def _zeta(wall: WallResult) -> float | None:
+    """Of its histories."""
     dynamic = wall.assessment.dynamic if wall.assessment else None
-    if dynamic is None or dynamic.zeta is None:
-        return None
-    signs = tuple(dict.fromkeys(run.polarity for run in dynamic.runs))
-    return record_peaks(wall.model, _felt(plan, wall), signs, demand, plan.method, dynamic.zeta, stop)
+    return dynamic.zeta if dynamic else None
+
+
+def _signs(wall: WallResult) -> tuple[int, ...]:
+    """Each record was taken with."""
+    dynamic = wall.assessment.dynamic if wall.assessment else None
+    return tuple(dict.fromkeys(run.polarity for run in dynamic.runs)) if dynamic else ()
+
+
+def _peaks_of(plan: Plan, wall: WallResult, demand: DemandResult, zeta: float, stop) -> RecordPeaks:
+    """The peaks of a wall under each record. zeta : of its histories"""
+    return record_peaks(wall.model, _felt(plan, wall), _signs(wall), demand, plan.method, zeta, stop)
 
 
 def capacities(wall: WallResult, motions: list, demand: DemandResult, end: float) -> dict[str, list[float]] | None:

@@ -5,25 +5,35 @@ from core.report.note.parts import Curve, Figure, Figures, Heading, Item, Part, 
 from core.report.note.words import Words
 from core.study.results import StudyResult, WallResult
 from core.study.swings import Sensitivity
+from core.study.wall_verdict import by_severity
+
+MOST_WALLS = 24
+"""Walls, the worst first, that are told of."""
 
 
-def certainty(result: StudyResult, wall: WallResult, words: Words, short: bool) -> list[Part]:
-    """Of a result that decides about its wall. short : the sentence alone"""
+def certainty_line(result: StudyResult, wall: WallResult, words: Words) -> list[str]:
+    """The sentence on other samples of records, of a result that decides about its wall."""
     verdict = sure_words.verdict_of(result, wall)
-    if verdict is None:
-        return []
+    line = sure_words.interval_line(words.say, verdict, words.language) if verdict else ""
+    return [line] if line else []
+
+
+def certainty(result: StudyResult, words: Words) -> list[Part]:
+    """The section of the walls whose inputs were moved, or whose site has a hazard; the worst first."""
     say, language = words.say, words.language
-    line = sure_words.interval_line(say, verdict, language, "artificial" in result.kinds)
-    parts: list[Part] = [Item(line)] if line else []
-    if not short and verdict.sensitivity:
-        parts += _moved(result, verdict.sensitivity, words)
-    if not short and verdict.rates:
-        life = result.case.demand.nominal_life_years
-        rows = [sure_words.rate_row(say, rate, language) for rate in verdict.rates]
-        parts.append(Table(sure_words.rate_heads(say, life), rows, (1.1, 1.4, 0.7, 2.0, 1.0, 1.2, 1.1, 1.6)))
-    if not short:
+    parts: list[Part] = []
+    for verdict in by_severity(result.verdicts, result.walls)[:MOST_WALLS]:
+        if not verdict.sensitivity and not verdict.rates:
+            continue
+        parts.append(Heading(verdict.title, 3))
+        if verdict.sensitivity:
+            parts += _moved(result, verdict.sensitivity, words)
+        if verdict.rates:
+            life = result.case.demand.nominal_life_years
+            rows = [sure_words.rate_row(say, rate, language) for rate in verdict.rates]
+            parts.append(Table(sure_words.rate_heads(say, life), rows, (1.1, 1.4, 0.7, 2.0, 1.0, 1.2, 1.1, 1.6)))
         parts += [Item(line, "quiet") for line in sure_words.rate_lines(say, verdict.rates, language)]
-    return [Heading(say("How sure"), 3), *parts] if parts else []
+    return [Heading(say("How sure"), new_page=True), *parts] if parts else []
 
 
 def _moved(result: StudyResult, found: Sensitivity, words: Words) -> list[Part]:
@@ -72,4 +82,4 @@ def _tornado(found: Sensitivity, target: float, words: Words) -> Figure:
     curves.append(Curve(words.say("ζ required"), ends, (target, target), "amber", "dash"))
     highest = max(max(curve.y) for curve in curves)
     caption = words.say("ζ_E with each input moved on its own")
-    return Figure(caption, curves, " ", "ζ_E", ends, (0.0, 1.08 * highest), names=names)
+    return Figure(caption, curves, " ", "ζ_E", ends, (0.0, 1.08 * highest), names=names, least_area=2.6)

@@ -4,7 +4,7 @@ from core.ground.provenance import provenance
 from core.report.assumptions import assumptions_of
 from core.report.derived import cell_prefix
 from core.report.note import site, wall_figures
-from core.report.note.certainty import certainty
+from core.report.note.certainty import certainty, certainty_line
 from core.report.note.parts import (
     Bars,
     Blanks,
@@ -63,7 +63,8 @@ def note(result: StudyResult, language: str) -> list[Part]:
     parts += (
         _demand(result, words) + site.place(result, words) + site.hazard(result, words) + site.building(result, words)
     )
-    return [*parts, *_records(result, words), *_closing(result, words)]
+    beside = certainty(result, words) if result.case.report.extent == "full" else []
+    return [*parts, *_records(result, words), *beside, *_closing(result, words)]
 
 
 def _name(wall: WallResult, words: Words) -> str:
@@ -254,8 +255,12 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
     drawn = [wall_figures.histories(result, wall, words), wall_figures.peaks(wall, words)]
     drawn += [wall_figures.forces_of_ties(result, wall, words), wall_figures.tie_heights(wall, words)]
     parts += _side_by_side([] if short else drawn)
-    parts += certainty(result, wall, words, short)
-    rest = [*reasons[REASONS:], *tie_lines(wall, language), *(one.text(language) for one in wall.warnings)]
+    rest = [
+        *certainty_line(result, wall, words),
+        *reasons[REASONS:],
+        *tie_lines(wall, language),
+        *(one.text(language) for one in wall.warnings),
+    ]
     if rest:
         parts.append(Heading(say("What else is to be read"), 3))
     return [*parts, *(Item(line, "quiet") for line in rest)]

@@ -12,9 +12,6 @@ from core.report.note.words import Words
 SIZES = {1: (8.1, 4.9), 2: (8.1, 4.9), 3: (5.5, 4.5)}
 """Width and height of a figure by how many stand side by side [cm]."""
 
-LEAST_AREA = 2.6
-"""Height of what a figure shows, whatever the names below it take [cm]."""
-
 TICKS = 5
 """Marks of an axis, about."""
 
@@ -50,7 +47,7 @@ def laid_out(figure: Figure, words: Words, side_by_side: int = 2) -> dict[str, A
     if not figure.is_drawing:
         below = 0.75 if not figure.names else 0.35 + 0.75 * LETTER * max(map(len, figure.names))
         top = 0.15 + 0.36 * len(rows)
-        height = max(height, top + LEAST_AREA + below)
+        height = max(height, top + figure.least_area + below)
         left, right, bottom = 1.2, width - 0.2, height - below
     wide, high = right - left, bottom - top
     if figure.is_drawing:  # the same scale both ways

@@ -146,6 +146,7 @@ class Figure:
     """x, y : labels of the axes, "" for a drawing without axes, whose scale is the same both ways
     x_range, y_range : of the axes
     names : below the places 0, 1, 2 … of the x axis
+    least_area : height of what it shows at least, whatever the names take [cm]
     """
 
     caption: str
@@ -156,6 +157,7 @@ class Figure:
     y_range: tuple[float, float] | None = None
     labels: Sequence[Label] = ()
     names: Sequence[str] = ()
+    least_area: float = 0.0
 
     @property
     def is_drawing(self) -> bool:

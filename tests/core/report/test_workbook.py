@@ -282,7 +282,7 @@ def loads(folder):
 def test_that_loads_are_on_every_sheet_that_a_reader_needs(loads):
     result, book = loads
     names = book.workbook.sheetnames
-    assert names[:3] == ["Summary", "Risk", "Input"]
+    assert names[:4] == ["Summary", "Risk", "How sure", "Input"]
 
     def words(name):
         return [str(cell.value) for row in book.workbook[name].iter_rows() for cell in row if cell.value]
