@@ -55,6 +55,7 @@ def build(window) -> Actions:
     cancel = add(window, runs, tr("&Cancel"), window.cancel, QKeySequence("Esc"))
     studies = bar.addMenu(tr("&Study"))
     add(window, studies, tr("&Sweep of one value…"), lambda: sweep(window))
+    add(window, studies, tr("&What if…"), lambda: what_if(window), "Ctrl+I")
     add(window, studies, tr("&Parametric study…"), lambda: study(window))
     view = bar.addMenu(tr("&View"))
     for number, (name, label) in enumerate(stage_names().items(), start=1):
@@ -126,6 +127,18 @@ def sweep(window) -> None:
     opened.show_case()
     opened.show()
     opened.raise_()
+
+
+def what_if(window) -> None:
+    """The sliders of the wall of the form."""
+    from app.shell.what_if_window import WhatIfWindow
+
+    old = window.findChild(WhatIfWindow)
+    if old is not None:
+        old.reject()
+        old.setParent(None)
+        old.deleteLater()
+    WhatIfWindow(window).show()
 
 
 def show_recent(window, menu: QMenu) -> None:

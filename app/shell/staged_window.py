@@ -1,6 +1,7 @@
 """What of the case and of its result is in front: stages, pages, the wall shown; tree, form and pages follow one
 another."""
 
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtWidgets import QWidget
@@ -11,6 +12,7 @@ from app.shell.pages import Page
 from app.shell.tree import ProjectTree, Row
 from app.work.running import RunningWindow
 from core.case.schema import Wall
+from core.case.sensitivity import Ranges
 from core.errors import InputError
 from core.study.demand_input import target_of
 from core.study.results import StudyResult, WallResult
@@ -208,6 +210,9 @@ class StagedWindow(RunningWindow):
         elif what == "generate":
             self.show_input("records")
             self.records.generate()
+        elif what == "sensitivity":
+            self.session.edit(replace(self.session.case, sensitivity=Ranges()))
+            self.run()
         else:
             self.show_input(what)
 

@@ -31,7 +31,7 @@ from core.errors import place
 BESIDE_FROM = 1250
 """Width of the stage [px] from which the rocking wall stands beside the answer."""
 
-ANSWER, WHY = ("walls", "check"), ("histories", "capacity", "intensity", "spectra", "validation")
+ANSWER, WHY = ("walls", "check"), ("histories", "sure", "capacity", "intensity", "spectra", "validation")
 """Pages of these stages; the pages of the report are one."""
 
 CHOICES = 300

@@ -6,6 +6,7 @@ from app.views.capacity_tab import CapacityTab
 from app.views.check_tab import CheckTab
 from app.views.histories_tab import HistoriesTab
 from app.views.result_tabs import IntensityTab, SpectraTab
+from app.views.sure_tab import SureTab
 from app.views.walls_tab import WallsTab
 
 
@@ -24,10 +25,16 @@ def pages(language: str, validation, pick, note, ask, pick_run) -> dict[str, tup
         tab.record_picked.connect(pick_run)
         return tab
 
+    def sure() -> SureTab:
+        tab = SureTab(language)
+        tab.asked.connect(ask)
+        return tab
+
     return {
         "walls": (Page(walls), tr("Overview")),
         "check": (Page(check), tr("Answer")),
         "histories": (Page(HistoriesTab), tr("Histories")),
+        "sure": (Page(sure), tr("How sure")),
         "capacity": (Page(CapacityTab), tr("Capacity and fragility")),
         "intensity": (Page(IntensityTab), tr("q against SI")),
         "spectra": (Page(lambda: SpectraTab(language)), tr("Records and spectra")),

@@ -9,7 +9,7 @@ from core.case.schema import Wall
 from core.codes.kinematic import ROUNDING
 from core.errors import InputError
 from core.study.demand_input import with_ag
-from core.study.sensitivity import thinner
+from core.study.sensitivity import loaded, thinner
 from core.study.swings import Reach
 from core.study.what_if import NONE, Setting, Zetas, with_demand, with_wall, zetas
 
@@ -43,6 +43,14 @@ def _of_ag(setting: Setting, ag_g: float) -> Setting:
     return with_demand(setting, with_ag(setting.demand, asked, setting.base_dir, ag_g / asked.ag_g))
 
 
+def _of_height(setting: Setting, height: float) -> Setting:
+    return with_wall(setting, replace(setting.case.wall[0], height_m=height))
+
+
+def _of_loads(setting: Setting, factor: float) -> Setting:
+    return with_wall(setting, loaded(setting.case.wall[0], factor))
+
+
 def tie_force(wall: Wall) -> float:
     """Of its ties together, given by their forces at yield [kN/m]; 0 where a bar gives one, or there is none."""
     ties = [load.kn_m for load in wall.load if load.is_tie]
@@ -61,7 +69,33 @@ def keys_of(setting: Setting) -> dict[str, float]:
     return found
 
 
-CHANGES: dict[str, Change] = {"thickness_m": _of_thickness, "tie_kn_m": _of_ties, "ag_g": _of_ag}
+CHANGES: dict[str, Change] = {
+    "thickness_m": _of_thickness,
+    "height_m": _of_height,
+    "tie_kn_m": _of_ties,
+    "load_factor": _of_loads,
+    "ag_g": _of_ag,
+}
+"""Key -> the setting with another value of it, in the order they are applied; loads in shares of what they are."""
+
+
+def moved_keys(setting: Setting) -> dict[str, float]:
+    """What can be moved of a wall by hand -> its value now."""
+    wall = setting.case.wall[0]
+    found = keys_of(setting)
+    if wall.height_m is not None and not wall.solid:
+        found["height_m"] = wall.height_m
+    if any(not load.is_tie for load in wall.load):
+        found["load_factor"] = 1.0
+    return {key: found[key] for key in CHANGES if key in found}
+
+
+def with_values(setting: Setting, values: dict[str, float]) -> Setting:
+    """The setting with several values at once. Raises InputError where the wall does not stand with them."""
+    for key, change in CHANGES.items():
+        if key in values:
+            setting = change(setting, values[key])
+    return setting
 
 
 def reach_of(

@@ -1,0 +1,135 @@
+"""The tab How sure: each input moved on its own, another sample of records, the rates of the limit states."""
+
+from collections.abc import Callable
+
+import numpy as np
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSplitter, QVBoxLayout, QWidget
+
+from app.look import theme
+from app.look.language import number, tr
+from app.views.chart import Chart
+from app.views.table import Table
+from core.report import sure_words
+from core.study.results import StudyResult, WallResult
+from core.study.swings import Sensitivity
+from core.text.sentence import localized
+
+
+class SureTab(QWidget):
+    """What stands beside the verdict of a wall, never part of it.
+
+    asked(what) : sensitivity, where the inputs are to be moved
+    """
+
+    asked = Signal(str)
+
+    def __init__(self, language: str):
+        super().__init__()
+        self.language = language
+        self.words = QLabel()
+        self.words.setWordWrap(True)
+        self.words.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.button = QPushButton(tr("Move each input"))
+        self.button.setToolTip(tr("Adds [sensitivity] to the case and runs it: some tenths of a second a wall"))
+        self.button.clicked.connect(lambda: self.asked.emit("sensitivity"))
+        self.chart = Chart("ζ_E", "", tr("ζ_E with each input moved on its own"))
+        heads = [tr("Input value"), tr("moved to"), "ζ_E", tr("moved to"), "ζ_E"]
+        self.moves = Table(tr("Inputs moved"), heads)
+        self.reach = Table(tr("For the ζ required"), [tr("For the ζ required"), tr("now"), "", "", "", ""])
+        self.rates = Table(tr("Rates of the limit states"), sure_words.rate_heads(self._say, None))
+        tables = QSplitter(Qt.Orientation.Vertical)
+        for table in (self.moves, self.reach, self.rates):
+            tables.addWidget(table)
+        split = QSplitter(Qt.Orientation.Horizontal)
+        split.addWidget(self.chart)
+        split.addWidget(tables)
+        split.setSizes([440, 560])
+        head = QHBoxLayout()
+        head.addWidget(self.words, 1)
+        head.addWidget(self.button, 0, Qt.AlignmentFlag.AlignTop)
+        layout = QVBoxLayout(self)
+        layout.addLayout(head)
+        layout.addWidget(split, 1)
+
+    @property
+    def _say(self) -> Callable[..., str]:
+        return lambda english, **values: localized("report", english, self.language, **values)
+
+    def show_wall(self, result: StudyResult, wall: WallResult) -> None:
+        """Fill the tab from the verdict of the wall a result is of."""
+        self.chart.clear()
+        verdict = next((one for one in result.verdicts if result.walls.index(wall) in one.results), None)
+        found = verdict.sensitivity if verdict else None
+        self.button.setVisible(verdict is not None and found is None)
+        self.chart.caption = verdict.title if verdict else wall.name
+        lines = []
+        if verdict:
+            lines.append(sure_words.interval_line(self._say, verdict, self.language))
+            lines += [sure_words.still_line(self._say, found, self.language)] if found else []
+            lines += sure_words.rate_lines(self._say, verdict.rates, self.language)
+            if not verdict.rates and result.demand and not result.demand.hazard:
+                lines.append(tr("The rates need the hazard of the site: give the place, or the rows of the hazard."))
+        self.words.setText("\n".join(line for line in lines if line) or tr("No demand: nothing to be sure of."))
+        self._show_moves(found, result)
+        self._show_reach(found, result)
+        self.rates.setVisible(bool(verdict and verdict.rates))
+        self.rates.show_rows(
+            [sure_words.rate_row(self._say, rate, self.language) for rate in (verdict.rates if verdict else ())]
+        )
+
+    def _show_moves(self, found: Sensitivity | None, result: StudyResult) -> None:
+        """The chart, the widest on top, and its numbers."""
+        self.moves.setVisible(bool(found and found.swings))
+        if not found or not found.swings:
+            why = tr("No input moves ζ.") if found else tr("Press “Move each input”: ζ with each input moved.")
+            self.chart.say_why(why)
+            self.moves.show_rows([])
+            return
+        base, bad = found.base or 0.0, theme.current.bad
+        count = len(found.swings)
+        lines, below, above = [], [], []
+        for k, swing in enumerate(found.swings):
+            at = float(count - 1 - k)
+            zetas = [0.0 if end.zeta is None else end.zeta for end in swing.ends]
+            below += [(min(base, *zetas), at), (base, at), (np.nan, np.nan)]
+            above += [(base, at), (max(base, *zetas), at), (np.nan, np.nan)]
+            lines.append((at, sure_words.swing_name(swing, self.language)))
+        for name, points, color in ((tr("lower"), below, "bad"), (tr("higher"), above, 0)):
+            x, y = zip(*points, strict=True)
+            self.chart.curve(name, x, y, color, 9.0, path=True)
+        self.chart.level(base, f"ζ_E {number(base, '.2f')}", "ink", vertical=True, place=0.97)
+        target = result.demand.zeta_target
+        self.chart.level(target, tr("required {zeta}", zeta=number(target, ".2f")), "amber", vertical=True, place=0.03)
+        self.chart.names_beside(lines[::-1])
+        self.chart.reset()
+        rows, colors = [], []
+        for row in sure_words.moved_rows(found, self.language):
+            ends = [part for said, zeta, _ in row.ends for part in (said, number(zeta, ".2f"))]
+            marks = [mark for _, _, sure in row.ends for mark in (None, None if sure else bad)]
+            rows.append([row.name, *ends, *[""] * (4 - len(ends))])
+            colors.append([None, *marks, *[None] * (4 - len(marks))])
+        self.moves.show_rows(rows, colors)
+
+    def _show_reach(self, found: Sensitivity | None, result: StudyResult) -> None:
+        """What the zeta required asks of thickness, ties and a_g, by every check."""
+        labels = sure_words.reach_labels(found) if found else []
+        self.reach.setVisible(bool(labels))
+        if not labels:
+            return
+        heads = [tr("For the ζ required"), tr("now"), *sure_words.check_names(result, labels, self.language)]
+        self.reach.setColumnCount(len(heads))
+        self.reach.setHorizontalHeaderLabels(heads)
+        names = sure_words.reach_names(self._say)
+        self.reach.show_rows(
+            [
+                [
+                    names[one.key],
+                    *(
+                        sure_words.reach_written(one, value, self.language)
+                        for value in (one.given, *map(one.by_check.get, labels))
+                    ),
+                ]
+                for one in found.reach
+            ]
+        )
