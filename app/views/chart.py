@@ -36,7 +36,8 @@ class Chart(ChartOutput):
         super().__init__()
         self.labels, self.name = (x, y), name
         self.setAccessibleName(name)
-        self.view = pg.PlotWidget(axisItems={side: Axis(side) for side in ("bottom", "left")})
+        axes = {side: Axis(side) for side in ("bottom", "left")}
+        self.view = pg.PlotWidget(axisItems=axes, enableMenu=False)  # its menu takes a quarter of the time of a chart
         self.view.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # the keys reach the chart by its menu
         self.plot = self.view.getPlotItem()
         self.plot.showGrid(x=True, y=True, alpha=0.25)
@@ -45,7 +46,6 @@ class Chart(ChartOutput):
         self.legend.setParentItem(self.plot)
         self.legend.anchor((1, 0), (1, 0), (0, 8 if self.beside else 0))
         self.ranges: dict[str, tuple[float, float]] = {}
-        self.plot.setMenuEnabled(False)
         self.plot.hideButtons()
         self.view.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.view.customContextMenuRequested.connect(self._menu)

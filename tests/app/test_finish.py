@@ -12,7 +12,7 @@ from PySide6.QtGui import QColor, QImage
 
 from app.look import language, theme
 from app.views.chart_output import ChartOutput
-from app.views.figure_file import FigureSize, figure
+from app.views.figure_file import FigureSize, figure, raster
 from app.views.table import Table
 from core.codes.record_compatibility import common_factor
 from core.errors import InputError, place
@@ -244,6 +244,34 @@ def test_that_all_figures_are_written_together_while_the_window_lives(walls, app
     assert len(names) >= 9 and all(name.endswith(".png") for name in names)
     for path in folder.iterdir():
         assert not QImage(str(path)).isNull()
+
+
+def test_that_a_window_built_anew_ends_the_export_in_the_midst_of_a_figure(walls, application, tmp_path, monkeypatch):
+    begun = []
+
+    def strips(chart, size):
+        for image in raster(chart, size):
+            begun.append(image)
+            yield image
+
+    monkeypatch.setattr("app.shell.figure_export.raster", strips)
+    walls.show_page("histories")
+    walls.pages["histories"].content.play.setChecked(True)
+    walls.files.export_figures(tmp_path, FigureSize())
+    settle(application, lambda: begun)
+    walls.set_choice("language", "it")
+    settle(application, lambda: walls.job is None)
+    for _ in range(5):
+        application.processEvents()
+    assert not list(tmp_path.glob("*.png")) and walls.stages.stack.isEnabled() and walls.tree.isEnabled()
+
+
+def test_that_nothing_plays_while_figures_are_painted(walls, application, tmp_path):
+    walls.show_page("histories")
+    walls.pages["histories"].content.play.setChecked(True)
+    walls.files.export_figures(tmp_path, FigureSize(80.0))
+    settle(application, lambda: walls.job is None)
+    assert list(tmp_path.glob("* - *.png")) and not walls.pages["histories"].content.play.isChecked()
 
 
 def test_that_the_cursor_reads_a_data_point(walls, application):

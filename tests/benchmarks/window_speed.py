@@ -208,6 +208,8 @@ def main(options: argparse.Namespace) -> None:
             assert window.session.result is not None and window.finished_runs.analyses > 0
             longest = sorted(gaps)[-3:]
             print(f"{round_}: longest gaps of the event loop {', '.join(f'{1e3 * g:.0f}' for g in longest)} ms")
+        window.preparation.begin()  # as the program does when it starts
+        settle(application, lambda: window.preparation.job is None)
         gaps.clear()
         folder_of_figures = Path(folder) / "figures"
         folder_of_figures.mkdir()
