@@ -11,10 +11,15 @@ from PySide6.QtWidgets import QLabel
 
 from app.look.file_dialogs import plain_name
 from app.look.language import named, tr
+from app.shell.pages import delete
+from app.views.axis import SPARE, plot_widget
 from app.views.chart import Chart
 from app.views.figure_file import FigureSize, png, raster
 from app.views.histories_tab import HistoriesTab
 from core import atomic_write
+
+CHARTS = 5
+"""The most of a page: their plots are made ahead, one in a turn."""
 
 
 def beginning(wall) -> str:
@@ -86,7 +91,7 @@ class FigureExport(QObject):
     def _draw(self) -> Iterator[QImage | None]:
         """Qt lays nothing out that was not once in front: each page is, behind a picture of the stage as it was."""
         window, stages = self.window, self.window.stages
-        page, stage = window.page, stages.front
+        shown, stage = window.page, stages.front
         cover = QLabel(stages.stack)
         cover.setPixmap(stages.stack.grab())
         cover.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)  # what is behind it is not painted
@@ -96,13 +101,22 @@ class FigureExport(QObject):
         for part in frozen:
             part.setEnabled(False)
         try:
-            for k, name in enumerate(window.pages):
-                content = window.pages[name].content  # made where it is not yet
+            for k, (name, page) in enumerate(window.pages.items()):
+                while page.made is None and len(SPARE) < CHARTS:
+                    SPARE.append(plot_widget())
+                    yield
+                content = page.content  # made where it is not yet
                 if isinstance(content, HistoriesTab):
                     content.play.setChecked(False)  # nothing moves between two strips of a figure
                 yield
+                filled = page in window.fresh
+                window.fresh.add(page)  # to the front now, filled in the next turn
                 window.show_page(name)
                 cover.raise_()
+                if not filled:
+                    window.fresh.discard(page)
+                    yield
+                    window.fill(name)
                 yield
                 for chart in content.findChildren(Chart):
                     if chart.data:
@@ -112,8 +126,10 @@ class FigureExport(QObject):
                         yield
                 self.job.progress(k + 1, len(window.pages))
         finally:
+            while SPARE:
+                delete(SPARE.pop())
             if window.stages is stages:
                 for part in frozen:
                     part.setEnabled(True)
-                window.show_page(page) if page is not None else window.show_stage(stage)
+                window.show_page(shown) if shown is not None else window.show_stage(stage)
                 cover.deleteLater()

@@ -107,11 +107,7 @@ def rows_of(state: State) -> list[Row]:
     ]
     if case.report.author:
         return [*rows, Row(0, "report", tr("Report"))]
-    return [*rows, Row(0, "report", without_author(), "!", "amber")]
-
-
-def without_author() -> str:
-    return f"{tr('Report')}{BETWEEN}{tr('author missing')}"
+    return [*rows, Row(0, "report", f"{tr('Report')}{BETWEEN}{tr('author missing')}", "!", "amber")]
 
 
 def _walls(state: State, broken: set[int | None]) -> Iterable[Row]:
@@ -184,7 +180,7 @@ def _hinges(state: State, k: int, depth: int) -> Iterable[Row]:
 
 
 def chip_width(font: QFont, words: str) -> float:
-    return max(30.0, QFontMetricsF(font).horizontalAdvance(words) + 16)
+    return max(28.0, QFontMetricsF(font).horizontalAdvance(words) + 16)
 
 
 class Chips(QStyledItemDelegate):
@@ -209,7 +205,7 @@ class Chips(QStyledItemDelegate):
             painter.drawRect(area.adjusted(0.5, 0.5, -0.5, -0.5))
         font = option.font
         font.setBold(row.depth == 0)
-        right = area.right() - 6
+        right = area.right() - 4
         chip_words = theme.marked(row.tone, row.chip)
         if chip_words:
             font.setBold(True)
@@ -295,9 +291,9 @@ class ProjectTree(QFrame):
         """As wide as a window of this width [px] gives it, and its buttons and the words of its first level need."""
         self.window_width, font = window, self.tree.font()
         font.setBold(True)
-        # of the report the longer words, so that nothing moves while an author is typed
-        first = [without_author(), *(row.text for row in self.rows if row.depth == 0)]
-        words = max(QFontMetricsF(font).horizontalAdvance(text) for text in first)
+        # not those of the report, or all would move with the first letter of an author
+        first = [row.text for row in self.rows if row.depth == 0 and row.kind != "report"]
+        words = max((QFontMetricsF(font).horizontalAdvance(text) for text in first), default=0.0)
         around = self.tree.indentation() + chip_width(font, "✓") + 16  # edges, and the chip that may come
         wanted = min(math.ceil(words + around), round(MOST * window))
         self.setFixedWidth(max(self.least, WIDE if window >= WIDE_FROM else WIDTH, wanted))
