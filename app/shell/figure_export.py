@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QLabel
 
 from app.look.file_dialogs import plain_name
 from app.look.language import named, tr
-from app.shell.pages import delete
+from app.shell.pages import Page, delete
 from app.views.axis import SPARE, plot_widget
 from app.views.chart import Chart
 from app.views.figure_file import FigureSize, png, raster
@@ -88,6 +88,15 @@ class FigureExport(QObject):
         self.drawing.close()
         self.deleteLater()
 
+    @staticmethod
+    def _make(page: Page) -> Iterator[None]:
+        """A page that is not made yet, its plots one by one before it."""
+        while page.made is None and len(SPARE) < CHARTS:
+            SPARE.append(plot_widget())
+            yield
+        page.content  # noqa: B018
+        yield
+
     def _draw(self) -> Iterator[QImage | None]:
         """Qt lays nothing out that was not once in front: each page is, behind a picture of the stage as it was."""
         window, stages = self.window, self.window.stages
@@ -102,22 +111,22 @@ class FigureExport(QObject):
             part.setEnabled(False)
         try:
             for k, (name, page) in enumerate(window.pages.items()):
-                while page.made is None and len(SPARE) < CHARTS:
-                    SPARE.append(plot_widget())
-                    yield
-                content = page.content  # made where it is not yet
+                yield from self._make(page)
+                content = page.content
                 if isinstance(content, HistoriesTab):
                     content.play.setChecked(False)  # nothing moves between two strips of a figure
-                yield
-                filled = page in window.fresh
-                window.fresh.add(page)  # to the front now, filled in the next turn
+                to_fill = {page, window.beside} - window.fresh
+                window.fresh |= to_fill  # to the front now, filled in turns of their own
                 window.show_page(name)
                 cover.raise_()
-                if not filled:
-                    window.fresh.discard(page)
-                    yield
-                    window.fill(name)
+                window.fresh -= to_fill
                 yield
+                window.fill(name)
+                yield
+                if window.stages.answer.has_beside():
+                    yield from self._make(window.beside)
+                    window.show_result()
+                    yield
                 for chart in content.findChildren(Chart):
                     if chart.data:
                         for image in raster(chart, self.size):

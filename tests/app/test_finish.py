@@ -437,11 +437,16 @@ def test_that_no_job_collects_widgets_in_its_thread(opened):
     assert len(seen) == 3000 and all(seen)
 
 
-def test_that_figures_of_tabs_never_looked_at_fill_their_page(walls, application, tmp_path):
+@pytest.mark.parametrize("size", [(1920, 1080), (1280, 800)])
+def test_that_figures_of_tabs_never_looked_at_fill_their_page(walls, application, tmp_path, size):
+    walls.resize(*size)
     walls.set_choice("theme", "light")  # every tab is made anew
     walls.show_page("walls")
     walls.files.export_figures(tmp_path, FigureSize(160, 96))
     settle(application, lambda: walls.job is None)
+    shown = {page for name, page in walls.pages.items() if name != "spectra"}
+    assert walls.fresh == shown | ({walls.beside} if size[0] > 1280 else set())
+    assert walls.beside.made is None or walls.beside.content.run is not None
     figures = list(tmp_path.glob("* - *.png"))
     assert len(figures) == 12 and walls.page == "walls"
     for path in figures:
