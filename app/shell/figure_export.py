@@ -1,21 +1,25 @@
-"""All figures of the wall shown, to a folder: drawn one by one between the events of the window, which alone may paint;
-made into files and written off its thread."""
+"""All figures of the wall shown, to a folder: drawn strip by strip between the events of the window, which alone may
+paint; made into files and written off its thread."""
 
 import queue
 from collections.abc import Iterator
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt, QTimer
+from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QLabel
 
 from app.look.file_dialogs import plain_name
 from app.look.language import named, tr
+from app.shell.pages import Page, delete
+from app.views.axis import SPARE, plot_widget
 from app.views.chart import Chart
 from app.views.figure_file import FigureSize, png, raster
+from app.views.histories_tab import HistoriesTab
 from core import atomic_write
 
-WAITING = 2
-"""Figures that wait for their files: a page at 600 dpi takes 35 MB."""
+CHARTS = 5
+"""The most of a page: their plots are made ahead, one in a turn."""
 
 
 def beginning(wall) -> str:
@@ -28,9 +32,9 @@ class FigureExport(QObject):
 
     def __init__(self, window, folder: Path, size: FigureSize):
         super().__init__(window)
-        self.window, self.size, self.figures = window, size, queue.SimpleQueue()
+        self.window, self.size, self.figures = window, size, queue.Queue()
         self.of, self.drawing = (window.shown, window.stages), self._draw()
-        self.timer = QTimer(self)
+        self.timer = QTimer(self, singleShot=True)
         self.timer.timeout.connect(self._next)
         start = beginning(window.wall)
 
@@ -45,6 +49,7 @@ class FigureExport(QObject):
                 if found is None:
                     break
                 files[folder / f"{start}{plain_name(found[0])}.png"] = png(found[1])
+                self.figures.task_done()
             job.commit()
             atomic_write.write(files)
             return len(files)
@@ -57,13 +62,15 @@ class FigureExport(QObject):
         self.timer.start(0)
 
     def _next(self) -> None:
-        """Another page to the front, or another figure."""
+        """A page, or a strip of a figure; then the window's turn."""
         window = self.window
         if window.job is self.job and (self.of != (window.shown, window.stages) or window.session.stale):
             window.cancel()
         if window.job is not self.job:
             self._end()
-        elif self.figures.qsize() < WAITING:
+            return
+        self.timer.start(1)
+        if not self.figures.unfinished_tasks:  # while a file is made, painting would wait for it and take memory
             failed, ended = True, False
             try:
                 ended = next(self.drawing, self) is self  # at its end
@@ -81,10 +88,19 @@ class FigureExport(QObject):
         self.drawing.close()
         self.deleteLater()
 
-    def _draw(self) -> Iterator[None]:
+    @staticmethod
+    def _make(page: Page) -> Iterator[None]:
+        """A page that is not made yet, its plots one by one before it."""
+        while page.made is None and len(SPARE) < CHARTS:
+            SPARE.append(plot_widget())
+            yield
+        page.content  # noqa: B018
+        yield
+
+    def _draw(self) -> Iterator[QImage | None]:
         """Qt lays nothing out that was not once in front: each page is, behind a picture of the stage as it was."""
         window, stages = self.window, self.window.stages
-        page, stage = window.page, stages.front
+        shown, stage = window.page, stages.front
         cover = QLabel(stages.stack)
         cover.setPixmap(stages.stack.grab())
         cover.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)  # what is behind it is not painted
@@ -94,20 +110,35 @@ class FigureExport(QObject):
         for part in frozen:
             part.setEnabled(False)
         try:
-            for k, name in enumerate(window.pages):
-                content = window.pages[name].content  # made where it is not yet
-                yield
+            for k, (name, page) in enumerate(window.pages.items()):
+                yield from self._make(page)
+                content = page.content
+                if isinstance(content, HistoriesTab):
+                    content.play.setChecked(False)  # nothing moves between two strips of a figure
+                to_fill = {page, window.beside} - window.fresh
+                window.fresh |= to_fill  # to the front now, filled in turns of their own
                 window.show_page(name)
                 cover.raise_()
+                window.fresh -= to_fill
                 yield
+                window.fill(name)
+                yield
+                if window.stages.answer.has_beside():
+                    yield from self._make(window.beside)
+                    window.show_result()
+                    yield
                 for chart in content.findChildren(Chart):
                     if chart.data:
-                        self.figures.put((chart.name, raster(chart, self.size)))
+                        for image in raster(chart, self.size):
+                            yield image
+                        self.figures.put((chart.name, image))
                         yield
                 self.job.progress(k + 1, len(window.pages))
         finally:
+            while SPARE:
+                delete(SPARE.pop())
             if window.stages is stages:
                 for part in frozen:
                     part.setEnabled(True)
-                window.show_page(page) if page is not None else window.show_stage(stage)
+                window.show_page(shown) if shown is not None else window.show_stage(stage)
                 cover.deleteLater()

@@ -241,18 +241,22 @@ class StagedWindow(RunningWindow):
         self.show_result()
 
     def show_result(self) -> None:
-        """Fill the page in front, once per result and wall."""
-        name = self.page
-        page = self.pages[name] if name else None
+        """What the page in front shows, and what stands beside it."""
+        if self.page is not None:
+            self.fill(self.page)
+        self._show_beside()
+        self._cover_pages()
+
+    def fill(self, name: str) -> None:
+        """A page, once per result and wall."""
+        page = self.pages[name]
         if name == "spectra":
             self._show_spectra()
-        elif page is not None and page not in self.fresh and (self.wall is not None or page.made is None):
+        elif page not in self.fresh and (self.wall is not None or page.made is None):
             content = page.content
             if self.wall is not None:
                 content.show_wall(self.session.result, self.wall)
                 self.fresh.add(page)
-        self._show_beside()
-        self._cover_pages()
 
     def _show_beside(self) -> None:
         """The rocking wall beside the answer, where the window is wide."""

@@ -1,10 +1,11 @@
 """The tree of the project: what can be given and what was found, each with a chip."""
 
+import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from PySide6.QtCore import QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPalette
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPalette
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
@@ -29,10 +30,14 @@ from core.study.results import StudyResult, WallResult
 WIDTH, WIDE = 216, 280
 """Of the tree in a window of 1280 and of 1920 [px]."""
 
+MOST = 0.20
+"""Of the width of the window, that the tree takes for the words of its first level."""
+
 WIDE_FROM = 1600
 """Width of the window from which the tree is wide [px]."""
 
-RUNNING = "…"
+RUNNING, BETWEEN = "…", "  "
+"""In the place of a number to come; between the name of a row and what it says."""
 
 
 @dataclass(frozen=True)
@@ -87,7 +92,7 @@ def rows_of(state: State) -> list[Row]:
     def mark(*names: str) -> tuple[str, str]:
         return ("!", "amber") if any(one.startswith(name) for one in sections for name in names) else ("", "quiet")
 
-    demand = f"{tr('Demand')}  {case.demand.limit_state}" if case.demand else tr("Demand: none")
+    demand = f"{tr('Demand')}{BETWEEN}{case.demand.limit_state}" if case.demand else tr("Demand: none")
     compliance = state.result.compliance if state.result and not state.stale else None
     records, tone = ("✓", "good") if compliance and compliance.compatible else ("", "quiet")
     if state.unread:
@@ -95,13 +100,14 @@ def rows_of(state: State) -> list[Row]:
     building = tr("storeys: {n}", n=case.building.storeys) if case.building else tr("none")
     rows = [
         Row(0, "demand", demand, *mark("[demand")),
-        Row(0, "records", f"{tr('Records')}  {state.motions}", records, tone),
-        Row(0, "building", f"{tr('Building')}  {building}", *mark("[building")),
+        Row(0, "records", f"{tr('Records')}{BETWEEN}{state.motions}", records, tone),
+        Row(0, "building", f"{tr('Building')}{BETWEEN}{building}", *mark("[building")),
         Row(0, "walls", tr("Walls"), "" if case.wall else "!", "amber"),
         *_walls(state, walls),
     ]
-    author = "" if case.report.author else tr("author missing")
-    return [*rows, Row(0, "report", f"{tr('Report')}  {author}".strip(), "!" if author else "", "amber")]
+    if case.report.author:
+        return [*rows, Row(0, "report", tr("Report"))]
+    return [*rows, Row(0, "report", f"{tr('Report')}{BETWEEN}{tr('author missing')}", "!", "amber")]
 
 
 def _walls(state: State, broken: set[int | None]) -> Iterable[Row]:
@@ -173,6 +179,10 @@ def _hinges(state: State, k: int, depth: int) -> Iterable[Row]:
         yield Row(depth, "hinge", text, *_chip(state, n), wall=k, result=n)
 
 
+def chip_width(font: QFont, words: str) -> float:
+    return max(28.0, QFontMetricsF(font).horizontalAdvance(words) + 16)
+
+
 class Chips(QStyledItemDelegate):
     """Paints a row with its chip at the right."""
 
@@ -195,12 +205,12 @@ class Chips(QStyledItemDelegate):
             painter.drawRect(area.adjusted(0.5, 0.5, -0.5, -0.5))
         font = option.font
         font.setBold(row.depth == 0)
-        right = area.right() - 6
+        right = area.right() - 4
         chip_words = theme.marked(row.tone, row.chip)
         if chip_words:
             font.setBold(True)
             painter.setFont(font)
-            wide = max(30.0, QFontMetricsF(font).horizontalAdvance(chip_words) + 16)
+            wide = chip_width(font, chip_words)
             chip = QRectF(right - wide, area.center().y() - 0.68 * option.fontMetrics.height(), wide, 0)
             chip.setHeight(1.36 * option.fontMetrics.height())
             painter.setPen(Qt.PenStyle.NoPen)
@@ -213,7 +223,10 @@ class Chips(QStyledItemDelegate):
         painter.setFont(font)
         painter.setPen(QColor(theme.current.ink))
         room = right - area.left() - 4
-        text = QFontMetricsF(font).elidedText(row.text, Qt.TextElideMode.ElideRight, room)
+        metrics, text = QFontMetricsF(font), row.text
+        if metrics.horizontalAdvance(text) > room and row.depth == 0:  # without what follows the name, not with half
+            text = text.split(BETWEEN)[0]
+        text = metrics.elidedText(text, Qt.TextElideMode.ElideRight, room)
         painter.drawText(QRectF(area.left() + 4, area.top(), room, area.height()), Qt.AlignmentFlag.AlignVCenter, text)
         painter.restore()
 
@@ -244,7 +257,7 @@ class ProjectTree(QFrame):
         layout.setSpacing(0)
         layout.addWidget(self.tree, 1)
         layout.addWidget(self.buttons)
-        self.least = WIDTH
+        self.least, self.window_width = WIDTH, 0
         self.filling = False
 
     def set_buttons(self, buttons: Sequence[tuple]) -> None:
@@ -275,8 +288,15 @@ class ProjectTree(QFrame):
         self.least = wide
 
     def fit(self, window: int) -> None:
-        """As wide as a window of this width [px] gives it, and its buttons need."""
-        self.setFixedWidth(max(self.least, WIDE if window >= WIDE_FROM else WIDTH))
+        """As wide as a window of this width [px] gives it, and its buttons and the words of its first level need."""
+        self.window_width, font = window, self.tree.font()
+        font.setBold(True)
+        # not those of the report, or all would move with the first letter of an author
+        first = [row.text for row in self.rows if row.depth == 0 and row.kind != "report"]
+        words = max((QFontMetricsF(font).horizontalAdvance(text) for text in first), default=0.0)
+        around = self.tree.indentation() + chip_width(font, "✓") + 16  # edges, and the chip that may come
+        wanted = min(math.ceil(words + around), round(MOST * window))
+        self.setFixedWidth(max(self.least, WIDE if window >= WIDE_FROM else WIDTH, wanted))
 
     def show_rows(self, rows: list[Row]) -> None:
         """The rows in place of those before; the chosen one stays chosen, what was open stays open."""
@@ -305,6 +325,7 @@ class ProjectTree(QFrame):
             if before is not None:
                 self.select(before.key)
         self.filling = False
+        self.fit(self.window_width)
         self.tree.viewport().update()
 
     @staticmethod

@@ -62,3 +62,12 @@ def number_axes(plot, on: bool) -> None:
     """Numbers beside the axes of a plot; none where nothing is drawn, for they would be invented."""
     for side in ("bottom", "left"):
         plot.getAxis(side).setStyle(showValues=on)
+
+
+SPARE: list[pg.PlotWidget] = []
+"""Made ahead for the charts to come."""
+
+
+def plot_widget() -> pg.PlotWidget:
+    """With axes of ours; the menu of pyqtgraph, which no one sees, would take a third of the time."""
+    return pg.PlotWidget(axisItems={side: Axis(side) for side in ("bottom", "left")}, enableMenu=False)

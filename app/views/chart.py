@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QSizePolicy, QToolButt
 
 from app.look import theme
 from app.look.language import current_language, tr
-from app.views.axis import LEGEND_LETTERS, TICK_LETTERS, Axis, elided, ends_of, number_axes, numbers
+from app.views.axis import LEGEND_LETTERS, SPARE, TICK_LETTERS, elided, ends_of, number_axes, numbers, plot_widget
 from app.views.chart_output import ChartOutput
 from core.text.sentence import numeral
 
@@ -36,7 +36,7 @@ class Chart(ChartOutput):
         super().__init__()
         self.labels, self.name = (x, y), name
         self.setAccessibleName(name)
-        self.view = pg.PlotWidget(axisItems={side: Axis(side) for side in ("bottom", "left")})
+        self.view = SPARE.pop() if SPARE else plot_widget()
         self.view.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # the keys reach the chart by its menu
         self.plot = self.view.getPlotItem()
         self.plot.showGrid(x=True, y=True, alpha=0.25)
@@ -45,7 +45,6 @@ class Chart(ChartOutput):
         self.legend.setParentItem(self.plot)
         self.legend.anchor((1, 0), (1, 0), (0, 8 if self.beside else 0))
         self.ranges: dict[str, tuple[float, float]] = {}
-        self.plot.setMenuEnabled(False)
         self.plot.hideButtons()
         self.view.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.view.customContextMenuRequested.connect(self._menu)

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFont, QPainter, QPen
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.look import theme
@@ -40,7 +40,7 @@ class Ladder(QWidget):
 
     def show_rungs(self, rungs: Sequence[Rung], target: float) -> None:
         self.rungs, self.target = list(rungs), target
-        said = [f"{one.name} ζ {theme.marked(one.tone, number(one.zeta, '.2f'))}, {one.values}" for one in self.rungs]
+        said = [f"{one.name} ({one.clause}) ζ {_zeta_of(one)}, {one.values}" for one in self.rungs]
         self.setAccessibleName("; ".join([tr("Checks, ζ required {zeta:.2f}", zeta=target), *said]))
         self.setToolTip("\n".join(said))
         self.updateGeometry()
@@ -56,35 +56,48 @@ class Ladder(QWidget):
     def minimumSizeHint(self) -> QSize:
         return QSize(300, self.sizeHint().height())
 
+    def _fonts(self) -> tuple[QFont, QFont]:
+        """Of clauses, and of what decides."""
+        small, bold = QFont(self.font()), QFont(self.font())
+        small.setPointSizeF(0.85 * small.pointSizeF())
+        bold.setBold(True)
+        return small, bold
+
+    def _columns(self) -> tuple[float, float, float]:
+        """Widths that names with clauses, numbers behind the bars and values take."""
+        small, bold = self._fonts()
+        names, zetas, values = 90.0, 0.0, 0.0
+        for rung in self.rungs:
+            own = QFontMetricsF(bold if rung.decides else self.font())
+            clause = QFontMetricsF(small).horizontalAdvance(_clause_of(rung))
+            names = max(names, own.horizontalAdvance(rung.name), clause)
+            zetas = max(zetas, own.horizontalAdvance(_zeta_of(rung)))
+            values = max(values, QFontMetricsF(self.font()).horizontalAdvance(rung.values))
+        return min(0.36 * self.width(), names + 10.0), zetas + 12.0, values + 14.0
+
     def paintEvent(self, event) -> None:
         """A row a check, then the line of the zeta required."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         ink, quiet = QColor(theme.current.ink), QColor(theme.current.quiet)
         metrics = self.fontMetrics()
-        small = QFont(self.font())
-        small.setPointSizeF(0.85 * small.pointSizeF())
-        bold = QFont(self.font())
-        bold.setBold(True)
-        names = min(
-            0.36 * self.width(), max((metrics.horizontalAdvance(r.name) for r in self.rungs), default=90) + 26.0
-        )
-        values = max((metrics.horizontalAdvance(rung.values) for rung in self.rungs), default=0) + 14.0
-        left, right = names + 12.0, self.width() - values - 8.0
+        small, bold = self._fonts()
+        names, zetas, values = self._columns()
+        left, right = names + 22.0, self.width() - values - 8.0
         known = [rung.zeta for rung in self.rungs if rung.zeta is not None]
         end = ROOM * max(self.target, min(max(known, default=0.0), MOST * self.target))
-        per_zeta = max(right - left - 44.0, 10.0) / end
+        per_zeta = max(right - left - zetas, 10.0) / end
         top, line = 1.6 * metrics.height(), left + self.target * per_zeta
         for k, rung in enumerate(self.rungs):
             y = top + k * self.row_height
-            painter.setPen(ink)
-            painter.setFont(bold if rung.decides else self.font())
-            name = painter.fontMetrics().elidedText(rung.name, Qt.TextElideMode.ElideRight, int(names - 8))
-            painter.drawText(QPointF(8.0, y + metrics.ascent() + 1), name)
-            painter.setFont(small)
-            painter.setPen(quiet)
-            clause = f"{rung.clause}  {tr('decides')}" if rung.decides else rung.clause
-            painter.drawText(QPointF(8.0, y + metrics.height() + metrics.ascent()), clause)
+            for font, shade, words, below in (
+                (bold if rung.decides else self.font(), ink, rung.name, 1),
+                (small, quiet, _clause_of(rung), metrics.height()),
+            ):
+                painter.setFont(font)
+                painter.setPen(shade)
+                words = painter.fontMetrics().elidedText(words, Qt.TextElideMode.ElideRight, round(names))
+                painter.drawText(QPointF(8.0, y + metrics.ascent() + below), words)
             bar = QRectF(
                 left, y + 0.25 * metrics.height(), min(rung.zeta or 0.0, end) * per_zeta, 1.3 * metrics.height()
             )
@@ -93,7 +106,7 @@ class Ladder(QWidget):
             painter.fillRect(bar, shade)
             painter.setFont(bold if rung.decides else self.font())
             painter.setPen(QColor(getattr(theme.current, rung.tone)))
-            words = theme.marked(rung.tone, number(rung.zeta, ".2f"))
+            words = _zeta_of(rung)
             at = QPointF(bar.right() + 6.0, bar.center().y() + 0.35 * metrics.height())
             wide = painter.fontMetrics().horizontalAdvance(words)
             if at.x() - 4.0 < line < at.x() + wide + 4.0:  # beside the line, not on it
@@ -107,4 +120,13 @@ class Ladder(QWidget):
         painter.drawLine(QPointF(line, 1.3 * metrics.height()), QPointF(line, self.height() - 4.0))
         painter.setFont(bold)
         words = f"ζ {number(self.target, '.2f')}"
-        painter.drawText(QPointF(line - 0.5 * metrics.horizontalAdvance(words), metrics.ascent() + 2.0), words)
+        half = 0.5 * painter.fontMetrics().horizontalAdvance(words)
+        painter.drawText(QPointF(line - half, metrics.ascent() + 2.0), words)
+
+
+def _zeta_of(rung: Rung) -> str:
+    return theme.marked(rung.tone, number(rung.zeta, ".2f"))
+
+
+def _clause_of(rung: Rung) -> str:
+    return f"{rung.clause}  {tr('decides')}" if rung.decides else rung.clause

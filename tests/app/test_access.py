@@ -8,7 +8,8 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
 
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
+from PySide6.QtGui import QFontMetricsF, QPainter
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -32,10 +33,11 @@ from PySide6.QtWidgets import (
 
 from app.input.import_dialog import ImportDialog
 from app.look.section import Head, Section
-from app.shell import guide, menus
+from app.shell import guide, menus, tree
 from app.shell.study_window import StudyWindow
-from app.views import figure_dialogs
+from app.views import figure_dialogs, ladder
 from app.views.chart import Chart
+from app.views.ladder import Rung
 from core.case.solids import Opening, Solid, Step, Wedges
 from tests.app.driving import run, settle
 from tests.conftest import ROOT
@@ -258,6 +260,117 @@ def test_that_no_word_is_cut_in_large_letters(opened, application, monkeypatch, 
     opened.show_first_run()
     application.processEvents()
     must_be_whole(opened)
+
+
+class Recorder:
+    """A painter that keeps what it writes: (words, their place, the room they were given), and the bars it fills."""
+
+    RenderHint = QPainter.RenderHint
+    last: "Recorder"
+
+    def __init__(self, painter):
+        Recorder.last = self
+        self.painter = painter if isinstance(painter, QPainter) else QPainter(painter)
+        self.written, self.bars = [], []
+
+    def __getattr__(self, name):
+        return getattr(self.painter, name)
+
+    def drawText(self, place, *rest):
+        words, metrics = rest[-1], QFontMetricsF(self.painter.font())
+        if isinstance(place, QPointF):
+            wide = metrics.horizontalAdvance(words)
+            found = room = QRectF(place.x(), place.y() - metrics.ascent(), wide, metrics.height())
+        else:
+            found, room = self.painter.boundingRect(place, *rest), place
+        self.written.append((words, found, room))
+        self.painter.drawText(place, *rest)
+
+    def fillRect(self, area, shade):
+        self.bars.append(area)
+        self.painter.fillRect(area, shade)
+
+
+ONE_CHECK = Rung("q = 2", "C8.7.1.2.1.7", 0.72, "0.146 / 0.200 g", "bad", True)
+
+
+@pytest.mark.parametrize("language", ["en", "it"])
+def test_that_no_painted_word_of_the_ladder_is_cut_or_covered(opened, application, monkeypatch, large, language):
+    run(application, opened)
+    opened.set_choice("language", language)
+    opened.resize(1280, 800)
+    opened.show_page("check")
+    application.processEvents()
+    monkeypatch.setattr(ladder, "QPainter", Recorder)
+
+    def paint(one, event):
+        real(one, event)
+        Recorder.last.painter = None  # it ends with the event
+
+    real = ladder.Ladder.paintEvent
+    monkeypatch.setattr(ladder.Ladder, "paintEvent", paint)
+    shown = opened.pages["check"].content.ladder
+    all_checks = [*shown.rungs, ONE_CHECK._replace(name="lower q of the histories", zeta=9.0), ONE_CHECK]
+    for rungs in (shown.rungs, [ONE_CHECK], all_checks):
+        alone = ladder.Ladder()
+        alone.show_rungs(rungs, 1.0)
+        alone.resize(shown.width(), alone.minimumSizeHint().height())
+        alone.grab()
+        painter = Recorder.last
+        assert len(painter.bars) == len(rungs) and len(painter.written) == 4 * len(rungs) + 1
+        areas = [found for words, found, _ in painter.written if words]
+        for k, (words, found, room) in enumerate(one for one in painter.written if one[0]):
+            assert not words.endswith("…") and room.adjusted(-1, -1, 1, 1).contains(found), words
+            assert QRectF(alone.rect()).contains(found), words
+            others = [*areas[:k], *areas[k + 1 :], *painter.bars]
+            assert not any(found.adjusted(1, 1, -1, -1).intersects(other) for other in others), words
+
+
+def painted_rows(opened, application, monkeypatch, language: str) -> list[tuple]:
+    """(row, its tool tip, what was written, the last of it its words) of the tree of a case with two variants."""
+    found = {}
+
+    def paint(delegate, painter, option, index):
+        recorder = Recorder(painter)
+        real(delegate, recorder, option, index)
+        recorder.painter = None  # it is gone when the row is painted
+        row = index.data(Qt.ItemDataRole.UserRole)
+        found[row.key] = row, index.data(Qt.ItemDataRole.ToolTipRole), recorder.written
+
+    real = tree.Chips.paint
+    monkeypatch.setattr(tree.Chips, "paint", paint)
+    opened.walls.add_variant()
+    opened.set_choice("language", language)
+    opened.resize(1280, 800)
+    run(application, opened)
+    settle(application, lambda: opened.records.motions and not opened.records.pending)
+    found.clear()
+    opened.tree.grab()
+    return list(found.values())
+
+
+@pytest.mark.parametrize("language", ["en", "it"])
+def test_that_no_painted_word_of_the_tree_is_cut_in_large_letters(opened, application, monkeypatch, large, language):
+    rows = painted_rows(opened, application, monkeypatch, language)
+    assert len([row for row, *_ in rows if row.chip]) >= 4 and any(row.depth == 2 for row, *_ in rows)
+    for row, tip, (*chip, (words, found, room)) in rows:
+        assert bool(chip) == bool(row.chip) and tip == row.text
+        assert QRectF(opened.tree.tree.viewport().rect()).contains(found)
+        assert room.adjusted(-1, -1, 1, 1).contains(found)
+        for _, place, bubble in chip:
+            assert bubble.contains(place) and not bubble.intersects(room), row
+        # a name of the user may be longer than the tree; what the program says is whole, or only in the tool tip
+        whole = words in (row.text, row.text.split(tree.BETWEEN)[0])
+        assert whole or (row.depth and words.endswith("…")), row
+    wide = opened.tree.width()
+    opened.session.edit_section("report", author="N. N.")
+    assert opened.tree.width() == wide  # nothing moves under the hand that types
+
+
+@pytest.mark.parametrize("language", ["en", "it"])
+def test_that_the_first_level_of_the_tree_is_whole(opened, application, monkeypatch, language):
+    for row, _, written in painted_rows(opened, application, monkeypatch, language):
+        assert row.depth or written[-1][0] == row.text
 
 
 SHAPES = {

@@ -14,8 +14,10 @@ from PySide6.QtGui import QColor, QImage, QPainter
 from PySide6.QtSvg import QSvgRenderer
 
 from app.look import language, theme
+from app.shell.pages import delete
+from app.views import figure_file
 from app.views.chart import Chart
-from app.views.figure_file import SHAPE, FigureSize, figure
+from app.views.figure_file import SHAPE, FigureSize, figure, raster
 from app.views.table import Table
 from core.errors import OutputError
 
@@ -75,6 +77,46 @@ def drawn(chart, end) -> QImage:
     QSvgRenderer(QByteArray(content)).render(painter)
     painter.end()
     return image
+
+
+def painted(application, size: FigureSize, dash: bool = False) -> tuple[QImage, int]:
+    """The figure of a busy curve, and in how many turns of the window it was painted."""
+    chart = Chart("x", "y", "busy")
+    chart.show()
+    application.processEvents()
+    x = np.linspace(60.0, 120.0, 2000)
+    chart.curve("busy", x, 100.0 + 90.0 * np.sin(7.0 * x), dash=dash)
+    chart.plot.setYRange(-0.015, 250.0, padding=0)  # wider numbers beside the axis, once it is painted
+    for turns, image in enumerate(raster(chart, size)):  # noqa: B007
+        application.processEvents()
+    delete(chart)
+    return image, turns
+
+
+@pytest.mark.parametrize("size", [FigureSize(), FigureSize(80.0), FigureSize(120.0, 600, caption=False)])
+def test_that_a_figure_in_strips_is_the_figure_painted_at_once(application, monkeypatch, size):
+    in_strips, turns = painted(application, size)
+    assert turns > 5
+    assert painted(application, size, dash=True)[1] == 1  # its dashes would begin anew in each strip
+    monkeypatch.setattr(figure_file, "LENGTH", 1e9)
+    at_once, turns = painted(application, size)
+    assert turns == 1 and in_strips == at_once
+
+
+def test_that_a_chart_may_change_or_go_between_two_strips(application):
+    for change in (lambda chart: chart.resize(500, 400), delete):
+        chart = Chart("x", "y", "to be changed")
+        chart.resize(700, 500)
+        chart.show()
+        application.processEvents()
+        strips = raster(chart, FigureSize())
+        next(strips)
+        change(chart)
+        strips.close()
+        if change is not delete:
+            application.processEvents()
+            assert chart.view.width() == chart.width() == 500
+            delete(chart)
 
 
 @pytest.mark.parametrize("end", [".png", ".svg"])

@@ -8,18 +8,21 @@ import pytest
 
 pytest.importorskip("PySide6")
 
+from PySide6.QtCore import QTimer
 from PySide6.QtGui import QColor, QImage
 
 from app.look import language, theme
+from app.shell import figure_export
+from app.views.axis import SPARE
 from app.views.chart_output import ChartOutput
-from app.views.figure_file import FigureSize, figure
+from app.views.figure_file import FigureSize, figure, raster
 from app.views.table import Table
 from core.codes.record_compatibility import common_factor
 from core.errors import InputError, place
 from core.ground.response_spectrum import pseudo_acceleration_spectrum
 from core.study.demand_input import demand_of
 from tests.app.conftest import window_in
-from tests.app.driving import run, settle, type_into
+from tests.app.driving import Held, run, settle, type_into
 from tests.conftest import ROOT
 
 VERDICT = ROOT / "resources" / "cases" / "verdict.toml"
@@ -246,6 +249,54 @@ def test_that_all_figures_are_written_together_while_the_window_lives(walls, app
         assert not QImage(str(path)).isNull()
 
 
+@pytest.fixture
+def begun(monkeypatch):
+    """Names of the figures an export has begun to paint."""
+    names = []
+
+    def strips(chart, size):
+        names.append(chart.name)
+        yield from raster(chart, size)
+
+    monkeypatch.setattr(figure_export, "raster", strips)
+    return names
+
+
+def test_that_a_window_built_anew_ends_the_export_in_the_midst_of_a_figure(walls, application, tmp_path, begun):
+    walls.show_page("histories")
+    walls.files.export_figures(tmp_path, FigureSize())
+    settle(application, lambda: begun)
+    walls.set_choice("language", "it")
+    settle(application, lambda: walls.job is None)
+    for _ in range(5):
+        application.processEvents()
+    assert not list(tmp_path.glob("*.png")) and not SPARE
+    assert walls.stages.stack.isEnabled() and walls.tree.isEnabled()
+
+
+def test_that_no_figure_is_painted_while_the_file_of_another_is_made(walls, application, tmp_path, begun, monkeypatch):
+    held = Held(monkeypatch, figure_export, "png")
+    walls.files.export_figures(tmp_path, FigureSize(80.0))
+    settle(application, held.reached.is_set)
+    turns = []
+    watch = QTimer()
+    watch.timeout.connect(lambda: turns.append(len(begun)))
+    watch.start(2)
+    settle(application, lambda: len(turns) > 20)
+    watch.stop()
+    held.let_go()
+    settle(application, lambda: walls.job is None)
+    assert set(turns) == {1} and len(begun) == len(list(tmp_path.glob("*.png"))) and not SPARE
+
+
+def test_that_nothing_plays_while_figures_are_painted(walls, application, tmp_path):
+    walls.show_page("histories")
+    walls.pages["histories"].content.play.setChecked(True)
+    walls.files.export_figures(tmp_path, FigureSize(80.0))
+    settle(application, lambda: walls.job is None)
+    assert list(tmp_path.glob("* - *.png")) and not walls.pages["histories"].content.play.isChecked()
+
+
 def test_that_the_cursor_reads_a_data_point(walls, application):
     chart = walls.pages["check"].content.peaks
     walls.show_page("check")
@@ -386,11 +437,16 @@ def test_that_no_job_collects_widgets_in_its_thread(opened):
     assert len(seen) == 3000 and all(seen)
 
 
-def test_that_figures_of_tabs_never_looked_at_fill_their_page(walls, application, tmp_path):
+@pytest.mark.parametrize("size", [(1920, 1080), (1280, 800)])
+def test_that_figures_of_tabs_never_looked_at_fill_their_page(walls, application, tmp_path, size):
+    walls.resize(*size)
     walls.set_choice("theme", "light")  # every tab is made anew
     walls.show_page("walls")
     walls.files.export_figures(tmp_path, FigureSize(160, 96))
     settle(application, lambda: walls.job is None)
+    shown = {page for name, page in walls.pages.items() if name != "spectra"}
+    assert walls.fresh == shown | ({walls.beside} if size[0] > 1280 else set())
+    assert walls.beside.made is None or walls.beside.content.run is not None
     figures = list(tmp_path.glob("* - *.png"))
     assert len(figures) == 12 and walls.page == "walls"
     for path in figures:
