@@ -14,7 +14,7 @@ from core.report.sure_words import REACH
 from core.study.plan import read_inputs
 from core.study.swings import Reach
 from core.study.turned_round import keys_of, moved_keys, reach_of, with_values
-from core.study.what_if import NONE, Setting, Zetas, setting_of, zetas
+from core.study.what_if import NONE, Setting, Zetas, lowest, setting_of, zetas
 from core.text.sentence import Number, sentence
 
 STEPS, RANGE = 200, 2.0
@@ -25,6 +25,9 @@ SETTLED_MS = 120
 
 EVERY = 8
 """Every how many points of the grid zeta of histories is searched meanwhile: by 2 %."""
+
+OWN_Q = "linear_q_slv"
+"""The check that asks for a search of q, which is not made here."""
 
 SHOWN = {**REACH, "height_m": (1.0, ".2f"), "load_factor": (100.0, ".0f")}
 """Key -> what its value is multiplied with for the unit of its words, and its format."""
@@ -75,7 +78,9 @@ class WhatIfWindow(QDialog):
             button.clicked.connect(slot)
             buttons.addWidget(button)
         layout = QVBoxLayout(self)
-        for part in (self.heading, self.board, self.ladder, self.word):
+        told = QLabel(tr("ζ of the checks as the sliders move; the verdict is that of a run (F5)."))
+        told.setWordWrap(True)
+        for part in (self.heading, self.board, self.ladder, told, self.word):
             layout.addWidget(part)
         layout.addStretch(1)
         layout.addLayout(buttons)
@@ -183,10 +188,19 @@ class WhatIfWindow(QDialog):
 
         def arrived(found: Zetas) -> None:
             if first:
-                self.known = dict(found.by_check)
+                self.known = dict(found.by_check) | self._of_the_run()
             self._show(found)
 
         self._start("zeta", lambda job: zetas(moved, every=EVERY, cancelled=job.cancelled), arrived)
+
+    def _of_the_run(self) -> dict[str, float | None]:
+        """zeta of each check by the run, where its input is still the one shown."""
+        result = self.owner.session.result
+        if result is None or self.owner.session.stale:
+            return {}
+        walls = [wall for wall in result.walls if wall.part.origin == self.row and wall.assessment]
+        found = [(check.label, check.zeta) for wall in walls for check in wall.assessment.checks]
+        return {label: lowest([zeta for name, zeta in found if name == label]) for label, _ in found if label != OWN_Q}
 
     def search(self) -> None:
         """The answer turned round, of each slider alone."""
