@@ -18,7 +18,7 @@ from app.look.section import Section
 from app.work.session import Session
 from core.case.place import OF_SPECTRUM, placed
 from core.case.schema import Analysis, Case, Report
-from core.case.site import Demand, Spectrum
+from core.case.site import Demand, Spectrum, least_factor
 from core.codes.demand import unusual
 from core.codes.limits import EXCEEDANCE
 from core.errors import InputError
@@ -247,8 +247,14 @@ class DemandForm(QWidget):
             self.session.edit(replace(case, demand=None, generate=None))
 
     def _changed(self, field, value) -> None:
-        if self.session.case.demand is not None:
-            self.session.edit_section("demand", ("demand", field.key), **{field.key: value})
+        demand, values = self.session.case.demand, {field.key: value}
+        if demand is None:
+            return
+        if field.key == "knowledge_level":  # FC follows the level; another one that was given stays, but none below it
+            stated, least = demand.confidence_factor, least_factor(value)
+            own = stated != least_factor(demand.knowledge_level)
+            values["confidence_factor"] = max(stated, least) if own else least
+        self.session.edit_section("demand", ("demand", field.key), **values)
 
     def _spectrum_changed(self, field, value) -> None:
         demand = self.session.case.demand

@@ -191,14 +191,15 @@ def check_wall(case: Case, wall: Wall) -> None:
     if wall.drawing:
         here = (place("wall", name=wall.name),)
         raise InputError("drawing_not_read", place=here, key="drawing", file=wall.drawing[0].file)
+    named = replace(wall, name=wall.title)  # an error within says it as it is said here, once
     try:
         check_known_shape(wall)
-        wall.bare_block()
-        check_given(wall)
-        check_held_top(wall)
-        for mechanism in wall.mechanisms():
-            wall.restitution_of(mechanism)
-        wall.moment_law()
+        named.bare_block()
+        check_given(named)
+        check_held_top(named)
+        for mechanism in named.mechanisms():
+            named.restitution_of(mechanism)
+        named.moment_law()
     except InputError as error:
         raise error.at(place("wall", name=wall.title)) from None
     _check_exact(case, wall)
@@ -267,24 +268,18 @@ def check_confidence(demand: Demand, wall: Wall) -> None:
     stated = demand.confidence_factor
     if stated >= FULL_FACTOR:
         return
-    here, least = section("[demand]"), KNOWLEDGE.get(demand.knowledge_level)
+    here, level = (section("[demand]"),), demand.knowledge_level
+    least = KNOWLEDGE.get(level)
     if least is None or not _says(demand.investigations):
-        raise InputError("low_confidence_factor", place=(here,), stated=stated)
+        raise InputError("low_confidence_factor", place=here, stated=stated)
     if stated < least:
-        raise InputError(
-            "confidence_below_level", place=(here,), stated=stated, level=demand.knowledge_level, least=least
-        )
-    low, high = TESTED_STRENGTH
-    if wall.compressive_strength_mpa is None or not low <= wall.compressive_strength_mpa <= high:
-        raise InputError(
-            "confidence_needs_strength",
-            place=(place("wall", name=wall.title),),
-            key="compressive_strength_mpa",
-            stated=stated,
-            found=wall.compressive_strength_mpa,
-            low=low,
-            high=high,
-        )
+        raise InputError("confidence_below_level", place=here, stated=stated, level=level, least=least)
+    (low, high), strength = TESTED_STRENGTH, wall.compressive_strength_mpa
+    here, said = (place("wall", name=wall.title),), {"stated": stated, "low": low, "high": high}
+    if strength is None:
+        raise InputError("confidence_needs_strength", place=here, key="compressive_strength_mpa", **said)
+    if not low <= strength <= high:
+        raise InputError("strength_of_no_test", place=here, key="compressive_strength_mpa", found=strength, **said)
 
 
 def parse_wall(table: dict) -> Wall:

@@ -55,3 +55,19 @@ def test_that_an_empty_case_asks_for_a_wall():
 def test_that_a_building_whose_height_is_empty_is_not_said_to_be_lower_than_a_wall():
     case = replace(read_case(ROOT / "resources" / "cases" / "building.toml"), building=Building("", 3))
     assert [(error.code, error.key) for error in problems(case)] == [("missing", "height_m")]
+
+
+def test_that_a_strength_still_to_be_given_is_one_problem_and_no_other_is_made_of_it():
+    """The strength that is assumed to look further gives a setback that no wall has: nobody gave it."""
+    wall = Wall("w", "two_sided", height_m=3.0, thickness_m=0.4, base_z_m=0.0, unit_weight_kn_m3=18.0)
+    demand = Demand(0.2, soil_factor=1.2, confidence_factor=1.2, knowledge_level="LC2", investigations="flat jacks")
+    for variant in (None, "progetto"):
+        tall = replace(wall, variant=variant, unloaded_confirmed=True, height_m=8.0, thickness_m=0.3)
+        found = problems(Case(wall=(tall,), demand=demand))
+        assert [error.code for error in found] == ["confidence_needs_strength"]
+        assert "None" not in str(found[0])
+
+
+def test_that_an_error_of_a_variant_says_its_wall_once():
+    wall = Wall("w", "two_sided", height_m=3.0, thickness_m=0.4, compressive_strength_mpa=2.0, variant="progetto")
+    assert str(problems(Case(wall=(wall,)))[0]).count("wall") == 1
