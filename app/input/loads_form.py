@@ -173,6 +173,12 @@ class LoadsForm(QWidget):
         self._edit(load=(*wall.load, load), unloaded_confirmed=False)
         self.list.setCurrentRow(len(wall.load))
 
+    def show_tie(self) -> None:
+        """Show the first tie, if there is one and none is shown."""
+        row = next((k for k, load in enumerate(self.wall.load if self.wall else ()) if load.is_tie), None)
+        if row is not None and not (self.load and self.load.is_tie):
+            self.list.setCurrentRow(row)
+
     def delete(self) -> None:
         """Take the load away that is shown."""
         row = self.list.currentRow()

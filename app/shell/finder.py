@@ -5,12 +5,12 @@ from typing import NamedTuple
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QDialog, QGroupBox, QLineEdit, QListWidget, QMenu, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QLineEdit, QListWidget, QMenu, QVBoxLayout
 
-from app.input.fields import Field
 from app.input.reasons_form import ReasonField
 from app.look.language import tr
-from app.look.section import Section, unfold_to
+from app.look.section import Section
+from app.shell.pointing import point_at
 
 MOST = 60
 """Entries that are listed."""
@@ -54,14 +54,14 @@ def entries_of(window) -> list[Entry]:
         section = field.parentWidget()
         words = f"{field.caption.text()}  {field.editor.toolTip().splitlines()[0] if field.editor.toolTip() else ''}"
         if section is not None and not (isinstance(field, ReasonField) and field.isHidden()):
-            found.append(Entry(words.strip(), lambda field=field: _point(window, field)))
+            found.append(Entry(words.strip(), lambda field=field: point_at(window, field)))
     for row in window.tree.rows:
         if row.kind in ("wall", "hinge"):
             words = f"{window.session.case.wall[row.wall].title}  {row.text if row.kind == 'hinge' else ''}"
             found.append(Entry(words.strip(), lambda row=row: window.choose_row(row)))
     for section in window.forms.findChildren(Section):
         words = f"{section.head.title.text()}  {section.head.words}"
-        found.append(Entry(words.strip(), lambda section=section: _point(window, section.head)))
+        found.append(Entry(words.strip(), lambda section=section: point_at(window, section.head)))
     seen, others = set(), synonyms()
     for action in every_action(window.header.menu):
         label, keys, menu = action.text().replace("&", ""), action.shortcut().toString(), action.parent()
@@ -72,28 +72,6 @@ def entries_of(window) -> list[Entry]:
             also = " ".join(words for name, words in others.items() if name in label)
             found.append(Entry(f"{label}  {keys}".strip(), action.trigger, also))
     return found
-
-
-def _point(window, widget: QWidget) -> None:
-    """Put the cursor into a field, or where it begins to be: one that is hidden takes nothing into the case."""
-    window.show_form_of(widget)
-    unfold_to(widget)
-    if isinstance(widget, Field):
-        widget = widget.editor if widget.isVisibleTo(window) and widget.isEnabled() else _way_to(window, widget)
-    window.forms.currentWidget().ensureWidgetVisible(widget)
-    widget.setFocus()
-
-
-def _way_to(window, field: Field) -> QWidget:
-    """What makes a field there is none of appear: a load to be added, the tick of its group, its section."""
-    if window.walls.loads.isAncestorOf(field) and not window.walls.loads.list.isVisibleTo(window):
-        return window.walls.loads.add_button
-    above = field.parentWidget()
-    while not isinstance(above, Section) and not (isinstance(above, QGroupBox) and above.isCheckable()):
-        if above.parentWidget() is None:
-            return field.editor
-        above = above.parentWidget()
-    return above.head if isinstance(above, Section) else above
 
 
 def _holds(one: Entry, words: list[str]) -> bool:

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QWidget
 from app.shell import stages, tree
 from app.shell.header import Header
 from app.shell.pages import Page
+from app.shell.pointing import point_at_key
 from app.shell.tree import ProjectTree, Row
 from app.work.running import RunningWindow
 from core.case.schema import Wall
@@ -202,14 +203,21 @@ class StagedWindow(RunningWindow):
         self.show_page("check")
 
     def ask(self, what: str) -> None:
-        """Lead to what an answer asks for: a form by its kind, variant, or generate."""
-        if what == "variant":
+        """Lead to what an answer asks for: variant, generate, a form by its kind, the field of a key ("key:period_s"),
+        that of the reason for it ("reason:law")."""
+        part, _, key = what.partition(":")
+        if key:
+            self.show_input("wall")
+            point_at_key(self, key, part == "reason")
+        elif what == "variant":
             self._then_input(self.walls.add_variant)
         elif what == "generate":
             self.show_input("records")
             self.records.generate()
         else:
             self.show_input(what)
+            if what == "building":
+                self.demand.building.given.setFocus()
 
     def pick_run(self, run: tuple) -> None:
         """The history of this (motion, polarity) of the wall shown."""

@@ -256,7 +256,7 @@ class MainWindow(StagedWindow):
         self.run_button.setEnabled(can_run)
         count, words = len(self.missing.problems), ""
         if count and self.stages.front != "input":
-            words = tr("{n} missing", n=count)
+            words = tr("Before F5: {n}", n=count)
         elif not count and self.session.stale and self.job is None:
             words = tr("The input has changed: press F5.")
         self.header.show_notice(words, self.missing.text())

@@ -7,7 +7,7 @@ from dataclasses import fields, replace
 
 from core.case.hazard_table import check_rising
 from core.case.held_top import check_held_top
-from core.case.hinges import check_hinges, parts
+from core.case.hinges import check_hinges, numbers_above, parts
 from core.case.keys import is_required
 from core.case.place import HERE, Site, filled, placed
 from core.case.schema import Analysis, Case, Generate, Record, Report, Wall
@@ -174,7 +174,7 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
     for part in found:
         if part.hinge and part.wall.name in names:
             raise InputError("same_name", key="name", wall=part.wall.name)
-        check_loads(part.wall)
+        check_loads(part.wall, numbers_above(part.asked, part.hinge))
         if part.hinge:
             check_given(part.wall)
             for mechanism in part.wall.mechanisms():

@@ -2,6 +2,7 @@
 
 import gc
 import os
+import re
 from dataclasses import replace
 
 import pytest
@@ -34,9 +35,13 @@ def test_that_a_run_leads_to_the_answer_and_the_tree_says_zeta(opened, applicati
     assert opened.page == "check" and chips(opened)["w"] == f"{zeta:.2f}"
     content = opened.pages["check"].content
     assert content.ladder.rungs[0].zeta == zeta and f"{zeta:.2f}" in content.heading.text()
-    # nothing that limits the verdict is folded
+    # what makes the verdict indicative is never folded; the rest of what limits it is behind its number
     verdict = opened.session.result.walls[0].assessment.verdict
-    assert len(content.important.text().splitlines()) >= len(verdict.to_do) + len(verdict.limits)
+    assert len(content.important.text().splitlines()) == len(verdict.to_do) + max(3, verdict.blocking)
+    assert content.others.isHidden() and re.search(r"\d+ limits", content.all_limits.text())
+    content.all_limits.click()
+    said = content.important.text() + content.others.text()
+    assert content.others.isVisible() and said.count("<br>") >= len(verdict.limits)
     assert "ζ" in content.facts.text() and content.reasons.isHidden()
     content.notes.click()
     assert not content.reasons.isHidden()

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QToolButton
 
 from app.input.reasons_form import ReasonField
 from app.shell import client_view, files, finder
+from app.shell.pointing import point_at
 from core.case.loads import Bars, Load
 from core.case.schema import AS_IS, DESIGNED
 from core.case.site import Building, Demand, Spectrum
@@ -188,7 +189,7 @@ def test_that_finding_a_field_of_a_load_there_is_none_of_leads_to_adding_one(ope
     assert not field.isVisibleTo(opened) and opened.focusWidget() is opened.walls.loads.add_button
     before = opened.session.case
     for one in (one for one in opened.fields if not isinstance(one, ReasonField)):
-        finder._point(opened, one)
+        point_at(opened, one)
         shown = one.isVisibleTo(opened) and one.isEnabled()
         assert shown == one.isAncestorOf(opened.focusWidget()), one.key
     assert opened.session.case == before

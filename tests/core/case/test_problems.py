@@ -71,3 +71,11 @@ def test_that_a_strength_still_to_be_given_is_one_problem_and_no_other_is_made_o
 def test_that_an_error_of_a_variant_says_its_wall_once():
     wall = Wall("w", "two_sided", height_m=3.0, thickness_m=0.4, compressive_strength_mpa=2.0, variant="progetto")
     assert str(problems(Case(wall=(wall,)))[0]).count("wall") == 1
+
+
+def test_that_a_wall_whose_weight_is_missing_is_not_said_to_be_unstable():
+    """Under 2 kN/m outward at the top it is with the weight that is assumed, 1 kN/m3, and with 18 it is not."""
+    wall = Wall("w", "two_sided", height_m=5.0, thickness_m=0.5, load=(Load("thrust", 2.0, 5.0),))
+    (error,) = problems(Case(wall=(wall,)))
+    assert "unit_weight_kn_m3" in error.keys
+    assert problems(Case(wall=(replace(wall, unit_weight_kn_m3=18.0),))) == []
