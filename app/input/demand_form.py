@@ -10,6 +10,7 @@ from app.input.fields import Choice, Field, blank, connect
 from app.input.hazard_form import HazardForm
 from app.input.law_curve import SpectrumCurve
 from app.input.made_fields import make_field, make_fields
+from app.input.note_form import title_field, with_button
 from app.input.place_form import PlaceForm
 from app.input.reasons_form import reasons_of_demand
 from app.look.language import current_language, described, named, number, tr
@@ -17,7 +18,7 @@ from app.look.parts import Parts
 from app.look.section import Section
 from app.work.session import Session
 from core.case.place import OF_SPECTRUM, placed
-from core.case.schema import Analysis, Case, Report
+from core.case.schema import Analysis, Report
 from core.case.site import Demand, Spectrum, least_factor
 from core.codes.demand import unusual
 from core.codes.limits import EXCEEDANCE
@@ -302,12 +303,8 @@ class AnalysisForm(QWidget):
             self.of_report,
             lambda field, value: session.edit_section("report", ("report", field.key), **{field.key: value}),
         )
-        self.title_field = make_field(Case, "title")
-        self.title_field.edited.connect(lambda value: session.edit(replace(session.case, title=value), "title"))
-        logo = next(field for field in self.of_report if field.key == "logo")
-        choose = QPushButton(tr("Choose file…"))
-        choose.clicked.connect(self._choose_logo)
-        logo.layout().addWidget(choose, 0, 2)
+        self.title_field = title_field(session)
+        with_button(next(field for field in self.of_report if field.key == "logo"), session)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)
         for label, chosen in ((tr("Report"), [self.title_field, *self.of_report]), (tr("Analysis"), self.of_analysis)):
@@ -317,12 +314,6 @@ class AnalysisForm(QWidget):
                 inside.addWidget(field)
             layout.addWidget(group)
         layout.addStretch(1)
-
-    def _choose_logo(self) -> None:
-        pictures = "PNG, JPEG, SVG (*.png *.jpg *.jpeg *.svg)"
-        name, _ = QFileDialog.getOpenFileName(self, tr("Choose file…"), str(self.session.base_dir), pictures)
-        if name:
-            self.session.edit_section("report", logo=self.session.relative(Path(name)))
 
     def show_case(self) -> None:
         """Fill the form from the session."""

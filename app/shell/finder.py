@@ -5,8 +5,9 @@ from typing import NamedTuple
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QDialog, QLineEdit, QListWidget, QMenu, QVBoxLayout
+from PySide6.QtWidgets import QDialog, QGroupBox, QLineEdit, QListWidget, QMenu, QVBoxLayout
 
+from app.input.place_fields import names_beginning_with
 from app.input.reasons_form import ReasonField
 from app.look.language import tr
 from app.look.section import Section
@@ -14,6 +15,9 @@ from app.shell.pointing import point_at
 
 MOST = 60
 """Entries that are listed."""
+
+PLACES, LETTERS = 3, 3
+"""Municipalities that are listed, and letters typed from which they are."""
 
 
 class Entry(NamedTuple):
@@ -41,6 +45,8 @@ def synonyms() -> dict[str, str]:
         tr("Language"): tr("language english italian"),
         tr("Theme"): tr("dark light night colours"),
         tr("&Parametric study…").replace("&", ""): tr("sweep of parameters"),
+        tr("Coordinates"): tr("latitude longitude map"),
+        tr("Municipality"): tr("town city place"),
         tr("Histories"): tr("animation, the wall rocking"),
         tr("Capacity and fragility"): tr("incremental dynamic analysis (IDA)"),
         tr("For the &client").replace("&", ""): tr("presentation, before and after"),
@@ -49,12 +55,13 @@ def synonyms() -> dict[str, str]:
 
 def entries_of(window) -> list[Entry]:
     """All that can be found: fields first, then walls and their hinges, pages, actions."""
-    found = []
-    for field in window.fields:
+    found, others = [], synonyms()
+    for field in {(one.section, one.key, type(one)): one for one in window.fields}.values():  # the title once
         section = field.parentWidget()
         words = f"{field.caption.text()}  {field.editor.toolTip().splitlines()[0] if field.editor.toolTip() else ''}"
         if section is not None and not (isinstance(field, ReasonField) and field.isHidden()):
-            found.append(Entry(words.strip(), lambda field=field: point_at(window, field)))
+            also = others.get(field.caption.text(), "")
+            found.append(Entry(words.strip(), lambda field=field: point_at(window, field), also))
     for row in window.tree.rows:
         if row.kind in ("wall", "hinge"):
             words = f"{window.session.case.wall[row.wall].title}  {row.text if row.kind == 'hinge' else ''}"
@@ -62,7 +69,10 @@ def entries_of(window) -> list[Entry]:
     for section in window.forms.findChildren(Section):
         words = f"{section.head.title.text()}  {section.head.words}"
         found.append(Entry(words.strip(), lambda section=section: point_at(window, section.head)))
-    seen, others = set(), synonyms()
+    for group in window.forms.findChildren(QGroupBox):
+        if group.isCheckable() and not group.isHidden():
+            found.append(Entry(group.title(), lambda group=group: point_at(window, group)))
+    seen = set()
     for action in every_action(window.header.menu):
         label, keys, menu = action.text().replace("&", ""), action.shortcut().toString(), action.parent()
         if menu.parent() is not window.header.menu:
@@ -72,6 +82,18 @@ def entries_of(window) -> list[Entry]:
             also = " ".join(words for name, words in others.items() if name in label)
             found.append(Entry(f"{label}  {keys}".strip(), action.trigger, also))
     return found
+
+
+def places_of(window, text: str) -> list[Entry]:
+    """Municipalities of these letters: the demand from there, then what else it asks for."""
+
+    def take(name: str) -> None:
+        window.demand.place.take(name)
+        window.show_input("demand")
+        window.missing.lead_in("demand")
+
+    names = names_beginning_with(text, PLACES) if len(text.strip()) >= LETTERS else []
+    return [Entry(tr("{name}: the demand from this place", name=name), lambda name=name: take(name)) for name in names]
 
 
 def _holds(one: Entry, words: list[str]) -> bool:
@@ -104,6 +126,7 @@ class Finder(QDialog):
         self.fitting = [one for one in self.entries if _holds(one, words)]
         self.fitting.sort(key=lambda one: not one.words.lower().startswith(text.lower()))
         del self.fitting[MOST:]
+        self.fitting += places_of(self.parent(), text)
         self.list.clear()
         self.list.addItems([one.words for one in self.fitting])
         if self.fitting:

@@ -137,6 +137,13 @@ class Missing(QFrame):
         if self.problems:
             self.problems[min(int(link), len(self.problems) - 1)].lead()
 
+    def lead_in(self, kind: str) -> None:
+        """The cursor into the first field of a form in which something is missing."""
+        area = self.window_of.stages.input.areas[kind]
+        wrong = (field for field in self.window_of.fields if field.rule and area.isAncestorOf(field))
+        if field := next(wrong, None):
+            point_at(self.window_of, field)
+
     def _is_named(self, field: Field, error: InputError) -> bool:
         """Whether an error is about this field as the forms stand: of the wall and the load they show."""
         walls = self.window_of.walls

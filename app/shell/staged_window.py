@@ -5,6 +5,7 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QWidget
 
+from app.look.language import tr
 from app.shell import stages, tree
 from app.shell.header import Header
 from app.shell.pages import Page
@@ -15,6 +16,9 @@ from core.case.schema import Wall
 from core.errors import InputError
 from core.study.demand_input import target_of
 from core.study.results import StudyResult, WallResult
+
+OF_A_RESULT = ("check", "histories", "capacity", "intensity", "validation")
+"""Pages that show nothing without a result."""
 
 
 def row_of(result: StudyResult, wall: WallResult, walls: tuple[Wall, ...]) -> int | None:
@@ -249,6 +253,8 @@ class StagedWindow(RunningWindow):
         page = self.pages[name] if name else None
         if name == "spectra":
             self._show_spectra()
+        elif self.wall is None and name in OF_A_RESULT:
+            self._say_empty()
         elif page is not None and page not in self.fresh and (self.wall is not None or page.made is None):
             content = page.content
             if self.wall is not None:
@@ -256,6 +262,17 @@ class StagedWindow(RunningWindow):
                 self.fresh.add(page)
         self._show_beside()
         self._cover_pages()
+
+    def _say_empty(self) -> None:
+        """What brings something to show, where there is none."""
+        if self.wall is None and self.page in OF_A_RESULT:
+            problem = next((one for one in self.missing.problems if one.stops), None)
+            words = tr("Nothing to show yet. Press F5.")
+            if problem is not None:
+                words = tr("Nothing to show yet. First: {problem}", problem=problem.words)
+            elif self.job is not None:
+                words = tr("Nothing to show yet. The analysis is running.")
+            self.pages[self.page].say(words)
 
     def _show_beside(self) -> None:
         """The rocking wall beside the answer, where the window is wide."""

@@ -4,14 +4,21 @@ import os
 import re
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
 
 from app.input.reasons_form import ReasonField
+from app.look import language
+from app.shell import client_view, finder
+from app.views.runs import before_motion
 from core.case.loads import Bars, Load
-from tests.app.driving import run, type_into
+from core.case.schema import Generate
+from core.case.site import Spectrum
+from core.report import verdict_words
+from tests.app.driving import run, settle, type_into
 
 
 def choose(field, name) -> None:
@@ -115,3 +122,104 @@ def test_that_the_answer_leads_to_the_bars_it_asks_for(opened, application):
     assert opened.focusWidget() is opened.walls.loads.bars and opened.walls.loads.bars.isVisible()
     opened.ask("reason:elongation_m")
     assert isinstance(opened.focusWidget().parentWidget(), ReasonField)
+
+
+@pytest.mark.parametrize("text", ["grid", "municip", "coordinates", "latitude", "town"])
+def test_that_the_place_is_found(opened, text):
+    found = finder.Finder(opened)
+    found.line.setText(text)
+    assert {"Municipality", "Coordinates", "From the place (national grid)"} & {one.words for one in found.fitting}
+
+
+def test_that_a_municipality_that_is_found_gives_the_demand_and_leads_to_the_soil(opened):
+    opened.session.edit(replace(opened.session.case, demand=None))
+    opened.activateWindow()
+    found = finder.Finder(opened)
+    found.line.setText("laquila")
+    assert found.fitting[0].words.startswith("L'Aquila (AQ)")
+    found._go()
+    case = opened.session.case
+    assert case.site.municipality == "L'Aquila" and case.demand.ag_g == pytest.approx(0.261, abs=0.001)
+    assert opened.stages.input.kind == "demand"
+    assert opened.focusWidget() is opened.demand.fields["soil"].editor
+    opened.session.undo()
+    assert opened.session.case.site is None and opened.session.case.demand is None
+
+
+def test_that_title_client_and_logo_stand_beside_the_pages_of_the_note(opened):
+    form = opened.stages.note_form
+    type_into(form.title_field, "South wall")
+    type_into(next(field for field in form.fields if field.key == "client"), "Town of L'Aquila")
+    assert opened.session.case.title == "South wall" and opened.session.case.report.client == "Town of L'Aquila"
+    assert opened.analysis.title_field.editor.text() == "South wall"
+    titles = [one for one in finder.entries_of(opened) if one.words.startswith("Title")]
+    assert len(titles) == 1
+
+
+def test_that_an_animation_begins_as_the_wall_begins_to_move_and_its_button_says_what_it_does(opened, application):
+    run(application, opened)
+    opened.show_page("histories")
+    content = opened.pages["histories"].content
+    first = np.flatnonzero(content.history.rotation)[0] * content.motion.time_step
+    content.set_time(0.0)
+    content.play.click()
+    assert content.started == pytest.approx(max(0.0, first - 0.5)) and content.play.text() == "Pause"
+    content.play.click()
+    assert content.play.text() == "Play"
+    assert before_motion(np.zeros(9), 0.01) == 0.0
+
+
+@pytest.mark.parametrize("tongue", ["en", "it"])
+def test_that_the_client_reads_no_word_of_the_code(opened, application, tongue):
+    run(application, opened)
+    side = client_view.sides_of(opened.session.result, opened.wall)[0]
+    language.set_language(tongue)
+    for code in verdict_words.TONES:
+        verdict = replace(side.wall.assessment.verdict, code=code)
+        wall = replace(side.wall, assessment=replace(side.wall.assessment, verdict=verdict))
+        for tone in ("good", "amber", "bad"):
+            words = client_view.words_of(replace(side, wall=wall, tone=tone))
+            assert not {"refined", "raffinato", "q", "indicative", "indicativa"} & set(re.findall(r"\w+", words))
+            if verdict_words.TONES[code] == "bad":
+                assert "not sufficient" in words or "non sufficiente" in words
+    language.set_language("en")
+
+
+def test_that_a_stage_without_a_result_says_what_to_do_and_leads_there(opened, application):
+    for name in ("check", "histories", "capacity", "intensity", "validation"):
+        opened.show_page(name)
+        page = opened.pages[name]
+        assert page.made is None and page.word.isVisible() and "F5" in page.word.text(), name
+    opened.session.edit_wall(0, base_z_m=None)
+    assert "base above ground" in opened.pages["validation"].word.text().lower()
+    opened.activateWindow()
+    opened.pages["validation"].word.linkActivated.emit("do")
+    assert opened.stages.front == "input" and opened.focusWidget() is opened.walls.fields["base_z_m"].editor
+    opened.session.undo()
+    opened.show_page("histories")
+    opened.pages["histories"].word.linkActivated.emit("do")
+    settle(application, lambda: opened.job is None and opened.session.result is not None)
+    opened.show_page("histories")
+    application.processEvents()
+    assert not opened.pages["histories"].word.isVisible() and opened.pages["histories"].made.isVisible()
+
+
+def test_that_hinges_that_are_not_given_are_said_in_their_field(opened):
+    field = next(one for one in opened.walls.loads.wall_fields if one.key == "hinge_heights")
+    assert field.editor.placeholderText() == "the usual ones: 0 m"
+    opened.session.edit_wall(0, load=(Load("vertical", 5.0, 2.5, 0.25, "none"),), unit_weight_kn_m3=18.0)
+    assert field.editor.placeholderText() == "the usual ones: 0; 2.5 m" and field.value is None
+    opened.session.edit_wall(0, height_m="")
+    assert field.editor.placeholderText() == ""
+
+
+def test_that_scaling_can_be_pressed_only_where_it_can_do_something(opened):
+    button = opened.records.scale_button
+    assert not button.isEnabled() and "spectrum" in button.toolTip()
+    opened.session.edit_section("demand", soil_factor=None, spectrum=Spectrum("EN1998", "B", type=1))
+    assert button.isEnabled()
+    opened.session.edit_section("demand", demand_scaling="pga")
+    assert not button.isEnabled() and "PGA" in button.toolTip()
+    opened.session.undo()
+    opened.session.edit(replace(opened.session.case, record=(), generate=Generate(2)))
+    assert not button.isEnabled() and "from files" in button.toolTip()

@@ -10,7 +10,7 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
 
-from PySide6.QtWidgets import QFileDialog, QMessageBox, QToolButton
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QPushButton, QToolButton
 
 from app.input.reasons_form import ReasonField
 from app.shell import client_view, files, finder
@@ -405,7 +405,9 @@ def test_that_a_logo_is_chosen_and_one_that_is_not_there_is_said(opened, monkeyp
     picture.parent.mkdir()
     picture.write_bytes(b"\x89PNG\r\n\x1a\n")
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(picture), ""))
-    opened.analysis._choose_logo()
+    logo = next(field for field in opened.stages.note_form.fields if field.key == "logo")
+    logo.findChild(QPushButton).click()
+    assert logo.editor.text() == "logos/l.png"
     assert opened.session.case.report.logo == "logos/l.png" and not opened.missing.problems
     (tmp_path / "deeper").mkdir()
     opened.session.save(tmp_path / "deeper" / "c.toml")
