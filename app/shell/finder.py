@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QDialog, QGroupBox, QLineEdit, QListWidget, QMenu,
 
 from app.input.place_fields import names_beginning_with
 from app.input.reasons_form import ReasonField
-from app.look.language import tr
+from app.look.language import called, tr
 from app.look.section import Section
 from app.shell.pointing import point_at
 
@@ -64,7 +64,7 @@ def entries_of(window) -> list[Entry]:
             found.append(Entry(words.strip(), lambda field=field: point_at(window, field), also))
     for row in window.tree.rows:
         if row.kind in ("wall", "hinge"):
-            words = f"{window.session.case.wall[row.wall].title}  {row.text if row.kind == 'hinge' else ''}"
+            words = f"{called(window.session.case.wall[row.wall].title)}  {row.text if row.kind == 'hinge' else ''}"
             found.append(Entry(words.strip(), lambda row=row: window.choose_row(row)))
     for section in window.forms.findChildren(Section):
         words = f"{section.head.title.text()}  {section.head.words}"

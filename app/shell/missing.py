@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QFrame, QLabel, QVBoxLayout
 
 from app.input.fields import Field
 from app.look import theme
-from app.look.language import described, tr
+from app.look.language import called, described, tr
 from app.look.section import unfold_to
 from app.shell.pointing import first_empty, point_at
 from core.case.loads import Bars, Load
@@ -130,7 +130,7 @@ class Missing(QFrame):
             return ""
         heights = (wall.base_z_m for wall in case.wall)  # "" while it is to be given
         raised = (isinstance(z, (int, float)) and z > 0.0 for z in heights)
-        return ", ".join(wall.title for wall, up in zip(case.wall, raised, strict=True) if up or wall.bends)
+        return ", ".join(called(wall.title) for wall, up in zip(case.wall, raised, strict=True) if up or wall.bends)
 
     def lead(self, link: str = "0") -> None:
         """Show where a problem is, and put the cursor there."""

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 
 from app.look import theme
 from app.look.drawing import WallDrawing
-from app.look.language import number, tr
+from app.look.language import called, number, tr
 from app.views.answer_lines import limits, link, no_dynamic_check, to_do
 from app.views.capacity_curve_chart import CapacityCurveChart
 from app.views.chart import Chart
@@ -191,7 +191,7 @@ class CheckTab(QWidget):
         if assessment is None:
             self.all_limits.hide()
             self.others.hide()
-            self.heading.setText(wall.name)
+            self.heading.setText(called(wall.name))
             self.sentence.setText(tr("No demand: no check. q of the wall: {q}", q=digits(wall.q_set)))
             self._fold(self._warnings(result, wall))
             self.facts.setText("")
@@ -199,9 +199,9 @@ class CheckTab(QWidget):
             self._show_peaks(tr("No demand: nothing to compare the peaks with."), "demand")
             return
         verdict = assessment.verdict
-        self.heading.setText(f"{wall.name}: {word(verdict.code, self.language)}, ζ {digits(verdict.zeta_e)}")
+        self.heading.setText(f"{called(wall.name)}: {word(verdict.code, self.language)}, ζ {digits(verdict.zeta_e)}")
         self.heading.setStyleSheet(f"{theme.points(1.75)} font-weight: 700; color: {shade};")
-        self.sentence.setText(sentence_of(result, wall, self.language))
+        self.sentence.setText(called(sentence_of(result, wall, self.language)))
         lines = limits(result, wall, self.language, self._warnings(result, wall))
         shown = max(MOST_LIMITS, verdict.blocking) if len(lines) > MOST_LIMITS + 1 else len(lines)
         self.important.setText("<br>\n".join([*to_do(result, wall, self.language), *lines[:shown]]))
@@ -216,7 +216,7 @@ class CheckTab(QWidget):
         self.ladder.show_rungs([self._rung(check, verdict) for check in assessment.checks], verdict.zeta_target)
         self.facts.setText(self._facts(result, wall))
         self.table.show_rows(*self._rows(result, wall))
-        self.peaks.caption = f"{wall.name}, {word(wall.mechanism, self.language)}"
+        self.peaks.caption = f"{called(wall.name)}, {word(wall.mechanism, self.language)}"
         if assessment.dynamic:
             self._show_peaks()
             self._bars(assessment.dynamic)

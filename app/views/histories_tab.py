@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.look.drawing import WallDrawing
-from app.look.language import current_language, named, number, tr
+from app.look.language import called, current_language, named, number, tr
 from app.look.whole_text import tell_whole
 from app.views.chart import Chart
 from app.views.runs import before_motion, governing_run, index_of, run_name
@@ -318,12 +318,11 @@ class HistoriesTab(QWidget):
             outcome = f"{tr('stands')}   θmax/θc {peak}"
         number = partial(numeral, language=current_language())
         which = self._wall_in_words()
-        wall_and_c = (f"{wall.name}, {named(wall.mechanism)}", f"C {number(abs(scale), '.3f')}")
+        wall_and_c = (f"{called(wall.name)}, {named(wall.mechanism)}", f"C {number(abs(scale), '.3f')}")
         words = (*wall_and_c, f"q {number(self.q, '.3f')}", outcome, *which, *self._show_bars())
         self.words.setText("   ".join(words))
         for chart in (self.ground, self.rotation, self.energy, self.force, self.elongation):
-            run = run_name(self.run)
-            chart.caption = ", ".join((wall.name, named(wall.mechanism), run, f"C {number(abs(scale), '.3f')}", *which))
+            chart.caption = ", ".join((wall_and_c[0], run_name(self.run), wall_and_c[1], *which))
         self.set_time(self.cursors[0].value())
 
     def _integrate_second(self, model) -> None:

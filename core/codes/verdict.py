@@ -351,7 +351,7 @@ def _to_do(code: str, blocking: list[Sentence], lifts: tuple[Lift, ...]) -> list
     elif code == "verified_refined":
         found.append(_reason("justify"))
     elif code in ("not_verified", "q2_unsafe", "at_limit"):
-        found.append(_reason("strengthen"))
+        found.append(_reason("strengthen", variant=Key("variant=progetto")))
     return found
 
 

@@ -188,12 +188,12 @@ def test_that_a_wide_window_shows_the_rocking_wall_beside_the_answer(opened, app
 def test_that_a_variant_by_one_click_says_beside_it_what_differs(opened):
     opened.walls.add_variant()
     rows = {row.text: row for row in opened.tree.rows}
-    assert {"stato di fatto", "progetto"} <= set(rows) and opened.walls.wall.variant == "progetto"
+    assert {"as it is", "as designed"} <= set(rows) and opened.walls.wall.variant == "progetto"
     assert opened.walls.differs.text() == ""
     opened.session.edit_wall(1, thickness_m=0.625, mechanism="one_sided", back_restraint="cross walls")
     opened.walls.loads.add("tie")
     said = [row.text for row in opened.tree.rows if row.kind == "wall"]
-    assert said[0] == "stato di fatto" and said[1].startswith("progetto: ")
+    assert said[0] == "as it is" and said[1].startswith("as designed: ")
     for words in ("thickness 50 → 62.5 cm", "two-sided → one-sided", "loads + tie"):
         assert words in said[1] and words in opened.walls.differs.text()
     opened.walls.select(0)

@@ -15,7 +15,7 @@ from app.look import language
 from app.shell import client_view, finder
 from app.views.runs import before_motion
 from core.case.loads import Bars, Load
-from core.case.schema import Generate
+from core.case.schema import DESIGNED, Generate
 from core.case.site import Spectrum
 from core.report import verdict_words
 from tests.app.driving import run, settle, type_into
@@ -223,3 +223,17 @@ def test_that_scaling_can_be_pressed_only_where_it_can_do_something(opened):
     opened.session.undo()
     opened.session.edit(replace(opened.session.case, record=(), generate=Generate(2)))
     assert not button.isEnabled() and "from files" in button.toolTip()
+
+
+def test_that_a_variant_is_named_in_the_language_of_the_window(opened, application):
+    opened.walls.add_variant()
+    opened.session.edit_wall(1, thickness_m=0.6)
+    run(application, opened)
+    for tongue, words in (("en", "as designed"), ("it", "progetto")):
+        opened.set_choice("language", tongue)
+        opened.pick(1)
+        shown = [opened.pages["check"].content.heading.text(), *(row.text for row in opened.tree.rows)]
+        opened.show_page("histories")
+        shown += [opened.pages["histories"].content.words.text(), *(one.words for one in finder.entries_of(opened))]
+        assert sum(words in one for one in shown) >= 4
+        assert tongue == "it" or not any(DESIGNED in one for one in shown)
