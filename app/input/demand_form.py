@@ -76,7 +76,7 @@ class DemandForm(QWidget):
             inside.addWidget(widget)
         self.hazard = HazardForm(session)
         self.sections = [
-            Section(tr("Confidence factor"), make_by(below, "knowledge")),
+            Section(tr("Confidence factor"), make_by(below, "knowledge"), open=True),
             Section(tr("Records at the demand, limits"), make_by(below, "check")),
             Section(tr("Site, return period, hazard"), [*make_by(below, "site"), self.hazard]),
         ]

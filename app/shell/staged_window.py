@@ -215,13 +215,16 @@ class StagedWindow(RunningWindow):
             point_at_key(self, key, part == "reason")
         elif what == "variant":
             self._then_input(self.walls.add_variant)
+            self.walls.sections["loads"].unfold()  # a tie, or less thrust
+            self.walls.loads.add_button.setFocus()
         elif what == "generate":
             self.show_input("records")
             self.records.generate()
         else:
             self.show_input(what)
-            if what == "building":
-                self.demand.building.given.setFocus()
+            if what == "building":  # which is to be given: its height first
+                self.demand.building.given.setChecked(True)
+                self.demand.building.fields[0].editor.setFocus()
 
     def pick_run(self, run: tuple) -> None:
         """The history of this (motion, polarity) of the wall shown."""

@@ -17,6 +17,8 @@ from app.views.runs import before_motion
 from core.case.loads import Bars, Load
 from core.case.schema import DESIGNED, Generate
 from core.case.site import Spectrum
+from core.codes.national_hazard import municipality
+from core.errors import InputError
 from core.report import verdict_words
 from tests.app.driving import run, settle, type_into
 
@@ -59,14 +61,15 @@ def test_that_a_base_above_the_ground_asks_for_its_building_before_the_run_and_i
     assert "building" in problem.words and opened.run_button.isEnabled()
     opened.activateWindow()
     problem.lead()
-    assert opened.stages.input.kind == "building" and opened.focusWidget() is opened.demand.building.given
+    assert opened.stages.input.kind == "building" and opened.session.case.building.height_m == ""
+    assert opened.focusWidget() is opened.demand.building.fields[0].editor
+    opened.session.undo()
     run(application, opened)
     opened.show_page("check")
     content = opened.pages["check"].content
     assert "building" in content.no_peaks.text() and "records" not in content.no_peaks.text()
     content.important.linkActivated.emit(re.findall(r"href='([^']*)'", content.important.text())[0])
-    assert opened.stages.input.kind == "building"
-    opened.demand.building.given.setChecked(True)
+    assert opened.stages.input.kind == "building" and opened.session.case.building is not None
     assert not any("motion above the ground" in one.words for one in opened.missing.problems)
 
 
@@ -237,3 +240,19 @@ def test_that_a_variant_is_named_in_the_language_of_the_window(opened, applicati
         shown += [opened.pages["histories"].content.words.text(), *(one.words for one in finder.entries_of(opened))]
         assert sum(words in one for one in shown) >= 4
         assert tongue == "it" or not any(DESIGNED in one for one in shown)
+
+
+def test_that_to_strengthen_leads_to_the_loads_of_the_variant(opened):
+    opened.activateWindow()
+    opened.ask("variant")
+    assert opened.walls.wall.variant == DESIGNED and opened.walls.loads.isVisible()
+    assert opened.focusWidget() is opened.walls.loads.add_button
+
+
+def test_that_an_unknown_municipality_names_none_near_where_there_is_none():
+    with pytest.raises(InputError) as caught:
+        municipality("Zzyzx")
+    assert "near" not in str(caught.value) and "simili" not in caught.value.text("it")
+    with pytest.raises(InputError) as caught:
+        municipality("Norciaa")
+    assert "Norcia" in str(caught.value)
