@@ -42,6 +42,9 @@ MOST_LIMITS = 3
 MIN_HEIGHT = 340
 """Of ladder and peaks together [px]: below it the page scrolls."""
 
+OF_THE_LAW = ("no_power_law", "narrow_si")
+"""Warnings that are notes of an answer."""
+
 LAW_WORDS = {"q": "law_q", "q_slv": "law_q_slv"}
 
 
@@ -193,7 +196,7 @@ class CheckTab(QWidget):
             self.others.hide()
             self.heading.setText(called(wall.name))
             self.sentence.setText(tr("No demand: no check. q of the wall: {q}", q=digits(wall.q_set)))
-            self._fold(self._warnings(result, wall))
+            self._fold(self._warnings(result, wall) + self._warnings(result, wall, True))
             self.facts.setText("")
             self.table.show_rows([])
             self._show_peaks(tr("No demand: nothing to compare the peaks with."), "demand")
@@ -210,6 +213,7 @@ class CheckTab(QWidget):
         self.all_limits.setVisible(len(lines) > shown)
         self.others.setVisible(len(lines) > shown and self.all_limits.isChecked())
         others = lines_of(result, wall, self.language, ("note", "reason")) + tie_lines(wall, self.language)
+        others += self._warnings(result, wall, True)
         if assessment.kinematic:
             others.insert(0, self._mechanism(assessment))
         self._fold(others)
@@ -326,10 +330,10 @@ class CheckTab(QWidget):
             parts.append(tr("IS-V of this mechanism {index:.2f}, class {letter}", index=risk.index, letter=risk.letter))
         return parts
 
-    def _warnings(self, result: StudyResult, wall: WallResult) -> list[str]:
-        """What is said of the demand and of the wall."""
-        demand = result.demand.warnings if result.demand else ()
-        return [warning.text(self.language) for warning in (*demand, *wall.warnings)]
+    def _warnings(self, result: StudyResult, wall: WallResult, of_the_law: bool = False) -> list[str]:
+        """What is said of the demand and of the wall; of_the_law : of the law of q_eff, on which no verdict rests"""
+        said = (*(result.demand.warnings if result.demand else ()), *wall.warnings)
+        return [one.text(self.language) for one in said if (one.code in OF_THE_LAW) == of_the_law]
 
     def _fold(self, lines: list[str]) -> None:
         """Notes behind their number."""

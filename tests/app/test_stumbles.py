@@ -21,6 +21,7 @@ from core.codes.national_hazard import municipality
 from core.errors import InputError
 from core.report import verdict_words
 from tests.app.driving import run, settle, type_into
+from tests.conftest import ROOT
 
 
 def choose(field, name) -> None:
@@ -256,3 +257,14 @@ def test_that_an_unknown_municipality_names_none_near_where_there_is_none():
     with pytest.raises(InputError) as caught:
         municipality("Norciaa")
     assert "Norcia" in str(caught.value)
+
+
+def test_that_what_limits_a_verdict_says_nothing_of_the_law_of_research(opened, application):
+    motions = sorted((ROOT / "resources" / "motions").glob("noise_[23].txt"))
+    opened.records.take(motions, ask=False)
+    settle(application, lambda: len(opened.records.motions) == 3)
+    run(application, opened)
+    assert {one.code for one in opened.wall.warnings} & {"no_power_law", "narrow_si"}
+    content = opened.pages["check"].content
+    assert "q_eff" not in content.important.text() + content.others.text()
+    assert "q_eff" in content.reasons.text()
