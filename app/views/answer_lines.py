@@ -10,7 +10,7 @@ from core.text.sentence import Sentence, word
 
 LEADS = {
     "strengthen": "variant",
-    "no_check": "records",
+    "to_no_check": "demand",
     "to_no_restraint": "key:back_restraint",
     "to_no_top_restraint": "key:back_restraint",
     "to_no_spectrum": "demand",

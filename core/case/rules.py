@@ -191,15 +191,14 @@ def check_wall(case: Case, wall: Wall) -> None:
     if wall.drawing:
         here = (place("wall", name=wall.name),)
         raise InputError("drawing_not_read", place=here, key="drawing", file=wall.drawing[0].file)
-    named = replace(wall, name=wall.title)  # an error within says it as it is said here, once
     try:
         check_known_shape(wall)
-        named.bare_block()
-        check_given(named)
-        check_held_top(named)
-        for mechanism in named.mechanisms():
-            named.restitution_of(mechanism)
-        named.moment_law()
+        wall.bare_block()
+        check_given(wall)
+        check_held_top(wall)
+        for mechanism in wall.mechanisms():
+            wall.restitution_of(mechanism)
+        wall.moment_law()
     except InputError as error:
         raise error.at(place("wall", name=wall.title)) from None
     _check_exact(case, wall)

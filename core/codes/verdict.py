@@ -33,6 +33,7 @@ TO_MEND = {
     "period_estimated": Sentence("reason", "to_period_estimated", (("key", Key("period_s")),)),
     "upper_floor": Sentence("reason", "to_building", (("building", Key("[building]")),)),
     "upper_middle": Sentence("reason", "to_building", (("building", Key("[building]")),)),
+    "no_check": Sentence("reason", "to_no_check"),
 }
 """What makes a verdict indicative, or is missing, and the designer can mend -> what to do; the first two are said."""
 
@@ -340,7 +341,7 @@ def _to_do(code: str, blocking: list[Sentence], lifts: tuple[Lift, ...]) -> list
     codes = {words.code for words in blocking}
     mends = [to_do for why, to_do in TO_MEND.items() if why in codes]
     if code == "undetermined":
-        return [one for one in mends if one.code == "to_building"]
+        return [one for one in mends if one.code in ("to_building", "to_no_check")]
     if code == "indicative":
         for lift in lifts:
             if lift.words in blocking:

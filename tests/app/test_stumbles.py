@@ -268,3 +268,12 @@ def test_that_what_limits_a_verdict_says_nothing_of_the_law_of_research(opened, 
     content = opened.pages["check"].content
     assert "q_eff" not in content.important.text() + content.others.text()
     assert "q_eff" in content.reasons.text()
+
+
+def test_that_an_answer_without_a_check_leads_to_what_makes_one(opened, application):
+    opened.session.edit(replace(opened.session.case, record=()))
+    settle(application, lambda: not opened.records.pending)
+    run(application, opened)
+    assert opened.wall.assessment.verdict.code == "undetermined"
+    words = opened.pages["check"].content.important.text()
+    assert words.count("To do") == 1 and "href='demand'" in words

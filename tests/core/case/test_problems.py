@@ -69,8 +69,15 @@ def test_that_a_strength_still_to_be_given_is_one_problem_and_no_other_is_made_o
 
 
 def test_that_an_error_of_a_variant_says_its_wall_once():
-    wall = Wall("w", "two_sided", height_m=3.0, thickness_m=0.4, compressive_strength_mpa=2.0, variant="progetto")
-    assert str(problems(Case(wall=(wall,)))[0]).count("wall") == 1
+    wall = Wall("w", "two_sided", height_m=3.0, thickness_m=0.4, variant="progetto")
+    loads = (Load("tie", 4.0, 2.5),)
+    for changed in (
+        replace(wall, compressive_strength_mpa=2.0),
+        replace(wall, load=loads, unit_weight_kn_m3=18.0),
+        replace(wall, load=loads),
+    ):
+        found = [str(error) for error in problems(Case(wall=(changed,)))]
+        assert found and all(words.count('wall "w') == 1 and '"w (progetto)"' in words for words in found), found
 
 
 def test_that_a_wall_whose_weight_is_missing_is_not_said_to_be_unstable():
