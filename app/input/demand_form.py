@@ -3,6 +3,7 @@
 from dataclasses import replace
 from pathlib import Path
 
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFileDialog, QGroupBox, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from app.input.building_form import BuildingForm
@@ -13,6 +14,7 @@ from app.input.made_fields import make_field, make_fields
 from app.input.note_form import title_field, with_button
 from app.input.place_form import PlaceForm
 from app.input.reasons_form import reasons_of_demand
+from app.look import theme
 from app.look.language import current_language, described, named, number, tr
 from app.look.parts import Parts
 from app.look.section import Section
@@ -44,7 +46,9 @@ def make_by(fields: list[Field], group: str) -> list[Field]:
 
 
 class DemandForm(QWidget):
-    """Edits [demand]; `on_target(target)` is called with the spectrum after each change."""
+    """Edits [demand]. motions_asked : motions are to be generated for the spectrum"""
+
+    motions_asked = Signal()
 
     def __init__(self, session: Session):
         super().__init__()
@@ -70,6 +74,11 @@ class DemandForm(QWidget):
         self.view = QWidget()
         self.curve_place = QVBoxLayout(self.view)
         self.curve_place.addWidget(self.summary)
+        self.no_records = QPushButton(tr("No records yet: generate seven motions →"))
+        self.no_records.setFlat(True)
+        self.no_records.setStyleSheet(f"color: {theme.current.curves[0]}; text-align: left;")
+        self.no_records.clicked.connect(lambda _=False: self.motions_asked.emit())
+        self.curve_place.addWidget(self.no_records)
         inside = QVBoxLayout(self.given)
         self.place = PlaceForm(session)
         for widget in (self.place, *motion[:2], self.hint, self.kind, *motion[2:], *self.of_spectrum, self.file):
@@ -131,6 +140,7 @@ class DemandForm(QWidget):
         self.given.blockSignals(True)
         self.given.setChecked(demand is not None)
         self.given.blockSignals(False)
+        self.no_records.hide()
         if demand is None:
             blank((*self.of_demand, *self.of_spectrum))
             self.kind.setCurrentIndex(-1)
@@ -166,6 +176,8 @@ class DemandForm(QWidget):
             self.summary.setText(tr("The values of the site are still missing."))
         else:
             self.summary.setText(self._said(demand, target))
+        case = self.session.case
+        self.no_records.setVisible(target is not None and not case.record and case.generate is None)
         if self.curve is not None:
             self.curve.show_target(target, self._other_states(demand) if target else None)
 

@@ -78,6 +78,8 @@ def follow(window, name: str) -> None:
         window.show_input("wall")
         window.walls.load_table()
         _ask_demand(window)  # after its rows: one without a base is taken, and its base asked for
+        if window.session.case.wall:
+            window.missing.lead()
 
 
 def _ask_demand(window) -> None:

@@ -120,6 +120,7 @@ class MainWindow(StagedWindow):
         self.records.loaded.connect(self.records_loaded)
         for page in self.pages.values():
             page.asked.connect(self._notice_clicked)
+        self.demand.motions_asked.connect(lambda: self.ask("generate"))
         self.walls.selected.connect(self._wall_selected)
         self.walls.told.connect(self.show_word)
         self.why.currentChanged.connect(lambda _: self.show_result())

@@ -50,7 +50,9 @@ def test_that_a_table_of_walls_asks_for_its_demand_too(opened, monkeypatch):
 
     monkeypatch.setattr(opened.walls, "load_table", opened.walls.add)
     opened.show_first_run()
+    opened.activateWindow()
     first_run.follow(opened, "table")
+    assert opened.focusWidget() is opened.demand.fields["ag_g"].editor
     words = " ".join(problem.words for problem in opened.missing.problems)
     assert "a_g" in words and opened.walls.fields["base_z_m"].caption.text() in words
 
@@ -277,3 +279,15 @@ def test_that_an_answer_without_a_check_leads_to_what_makes_one(opened, applicat
     assert opened.wall.assessment.verdict.code == "undetermined"
     words = opened.pages["check"].content.important.text()
     assert words.count("To do") == 1 and "href='demand'" in words
+
+
+def test_that_a_spectrum_without_records_offers_motions_for_it(opened, application):
+    offer = opened.demand.no_records
+    opened.show_input("demand")
+    opened.session.edit(replace(opened.session.case, record=()))
+    assert not offer.isVisible()
+    opened.session.edit_section("demand", soil_factor=None, spectrum=Spectrum("EN1998", "B", type=1))
+    assert offer.isVisible()
+    offer.click()
+    assert opened.session.case.generate.count == 7 and not offer.isVisibleTo(opened.demand.view)
+    settle(application, lambda: not opened.records.pending)
