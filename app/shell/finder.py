@@ -89,7 +89,7 @@ def places_of(window, text: str) -> list[Entry]:
 
     def take(name: str) -> None:
         window.demand.place.take(name)
-        window.show_input("demand")
+        point_at(window, window.demand.place.municipality)
         window.missing.lead_in("demand")
 
     names = names_beginning_with(text, PLACES) if len(text.strip()) >= LETTERS else []
