@@ -22,9 +22,12 @@ class InputError(ValueError):
         self.key, self.value, self.accepted, self.values = key, value, accepted, values
 
     def at(self, *place) -> "InputError":
-        """The same error, found at this place; a place that is known is not said twice."""
+        """The same error, found at this place; a place that is known is not said twice, nor a wall by two names."""
         new = [str(part) if not isinstance(part, Sentence) else part for part in place]
-        self.place = (*(part for part in new if part not in self.place), *self.place)
+        inner = self.place
+        if any(_is_wall(part) for part in new):
+            inner = tuple(part for part in inner if not _is_wall(part))
+        self.place = (*(part for part in new if part not in inner), *inner)
         return self
 
     def text(self, language: str = "en", form: FormNames = FILE_NAMES) -> str:
@@ -72,7 +75,7 @@ class InputError(ValueError):
         """Name of the wall it is about."""
         if "wall" in self.values:
             return str(self.values["wall"])
-        walls = (dict(p.values)["name"] for p in self.place if isinstance(p, Sentence) and p.code == "wall")
+        walls = (dict(part.values)["name"] for part in self.place if _is_wall(part))
         return next((str(name) for name in walls), None)
 
     @property
@@ -83,6 +86,11 @@ class InputError(ValueError):
 
     def __str__(self) -> str:
         return self.text()
+
+
+def _is_wall(part) -> bool:
+    """Whether this part of a place is a wall."""
+    return isinstance(part, Sentence) and part.code == "wall"
 
 
 def _keys(value):

@@ -3,6 +3,7 @@
 from dataclasses import replace
 from pathlib import Path
 
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFileDialog, QGroupBox, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from app.input.building_form import BuildingForm
@@ -10,15 +11,17 @@ from app.input.fields import Choice, Field, blank, connect
 from app.input.hazard_form import HazardForm
 from app.input.law_curve import SpectrumCurve
 from app.input.made_fields import make_field, make_fields
+from app.input.note_form import title_field, with_button
 from app.input.place_form import PlaceForm
 from app.input.reasons_form import reasons_of_demand
+from app.look import theme
 from app.look.language import current_language, described, named, number, tr
 from app.look.parts import Parts
 from app.look.section import Section
 from app.work.session import Session
 from core.case.place import OF_SPECTRUM, placed
-from core.case.schema import Analysis, Case, Report
-from core.case.site import Demand, Spectrum
+from core.case.schema import Analysis, Report
+from core.case.site import Demand, Spectrum, least_factor
 from core.codes.demand import unusual
 from core.codes.limits import EXCEEDANCE
 from core.errors import InputError
@@ -43,7 +46,9 @@ def make_by(fields: list[Field], group: str) -> list[Field]:
 
 
 class DemandForm(QWidget):
-    """Edits [demand]; `on_target(target)` is called with the spectrum after each change."""
+    """Edits [demand]. motions_asked : motions are to be generated for the spectrum"""
+
+    motions_asked = Signal()
 
     def __init__(self, session: Session):
         super().__init__()
@@ -69,13 +74,18 @@ class DemandForm(QWidget):
         self.view = QWidget()
         self.curve_place = QVBoxLayout(self.view)
         self.curve_place.addWidget(self.summary)
+        self.no_records = QPushButton(tr("No records yet: generate seven motions →"))
+        self.no_records.setFlat(True)
+        self.no_records.setStyleSheet(f"color: {theme.current.curves[0]}; text-align: left;")
+        self.no_records.clicked.connect(lambda _=False: self.motions_asked.emit())
+        self.curve_place.addWidget(self.no_records)
         inside = QVBoxLayout(self.given)
         self.place = PlaceForm(session)
         for widget in (self.place, *motion[:2], self.hint, self.kind, *motion[2:], *self.of_spectrum, self.file):
             inside.addWidget(widget)
         self.hazard = HazardForm(session)
         self.sections = [
-            Section(tr("Confidence factor"), make_by(below, "knowledge")),
+            Section(tr("Confidence factor"), make_by(below, "knowledge"), open=True),
             Section(tr("Records at the demand, limits"), make_by(below, "check")),
             Section(tr("Site, return period, hazard"), [*make_by(below, "site"), self.hazard]),
         ]
@@ -130,6 +140,7 @@ class DemandForm(QWidget):
         self.given.blockSignals(True)
         self.given.setChecked(demand is not None)
         self.given.blockSignals(False)
+        self.no_records.hide()
         if demand is None:
             blank((*self.of_demand, *self.of_spectrum))
             self.kind.setCurrentIndex(-1)
@@ -165,6 +176,8 @@ class DemandForm(QWidget):
             self.summary.setText(tr("The values of the site are still missing."))
         else:
             self.summary.setText(self._said(demand, target))
+        case = self.session.case
+        self.no_records.setVisible(target is not None and not case.record and case.generate is None)
         if self.curve is not None:
             self.curve.show_target(target, self._other_states(demand) if target else None)
 
@@ -247,8 +260,14 @@ class DemandForm(QWidget):
             self.session.edit(replace(case, demand=None, generate=None))
 
     def _changed(self, field, value) -> None:
-        if self.session.case.demand is not None:
-            self.session.edit_section("demand", ("demand", field.key), **{field.key: value})
+        demand, values = self.session.case.demand, {field.key: value}
+        if demand is None:
+            return
+        if field.key == "knowledge_level":  # FC follows the level; another one that was given stays, but none below it
+            stated, least = demand.confidence_factor, least_factor(value)
+            own = stated != least_factor(demand.knowledge_level)
+            values["confidence_factor"] = max(stated, least) if own else least
+        self.session.edit_section("demand", ("demand", field.key), **values)
 
     def _spectrum_changed(self, field, value) -> None:
         demand = self.session.case.demand
@@ -296,12 +315,8 @@ class AnalysisForm(QWidget):
             self.of_report,
             lambda field, value: session.edit_section("report", ("report", field.key), **{field.key: value}),
         )
-        self.title_field = make_field(Case, "title")
-        self.title_field.edited.connect(lambda value: session.edit(replace(session.case, title=value), "title"))
-        logo = next(field for field in self.of_report if field.key == "logo")
-        choose = QPushButton(tr("Choose file…"))
-        choose.clicked.connect(self._choose_logo)
-        logo.layout().addWidget(choose, 0, 2)
+        self.title_field = title_field(session)
+        with_button(next(field for field in self.of_report if field.key == "logo"), session)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)
         for label, chosen in ((tr("Report"), [self.title_field, *self.of_report]), (tr("Analysis"), self.of_analysis)):
@@ -311,12 +326,6 @@ class AnalysisForm(QWidget):
                 inside.addWidget(field)
             layout.addWidget(group)
         layout.addStretch(1)
-
-    def _choose_logo(self) -> None:
-        pictures = "PNG, JPEG, SVG (*.png *.jpg *.jpeg *.svg)"
-        name, _ = QFileDialog.getOpenFileName(self, tr("Choose file…"), str(self.session.base_dir), pictures)
-        if name:
-            self.session.edit_section("report", logo=self.session.relative(Path(name)))
 
     def show_case(self) -> None:
         """Fill the form from the session."""

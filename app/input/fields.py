@@ -160,6 +160,8 @@ class Field(QWidget):
             inside = next((end for end in OF_WALL.values() if end and any(name.endswith(end) for name in said)), "")
             if any(re.fullmatch(OF_A_PART, name) for name in said) and self.section is Wall:
                 return False  # of an opening or of the wedges, say, whose keys have the names of the wall's
+            if not inside and self.section is not Wall and self.key in Wall.__dataclass_fields__:
+                return False  # a thickness, say, of the wall itself
             return problem.wall == wall and inside in ("", OF_WALL[self.section])
         return problem.section is not None and problem.section == SECTIONS.get(self.section)
 

@@ -7,6 +7,7 @@ from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QGroupBox, QHBoxLayout, QListWidget, QMenu, QToolButton, QVBoxLayout, QWidget
 
 from app.input.fields import ChoiceField, Field, blank, connect
+from app.input.hinges_field import HingesField
 from app.input.made_fields import make_fields
 from app.look.language import named, number, tr
 from app.work.session import Session
@@ -118,6 +119,8 @@ class LoadsForm(QWidget):
         self._show_load()
         for field in self.wall_fields:
             field.show_value(getattr(wall, field.key))
+            if isinstance(field, HingesField):
+                field.show_usual(wall, self.session.case.building)
         with QSignalBlocker(self.across):
             self.across.setChecked(wall.return_walls is not None)
         for field in self.across_fields:
@@ -172,6 +175,12 @@ class LoadsForm(QWidget):
         load = Load(kind, None, wall.height_m or "")  # type: ignore[arg-type]  # to be given
         self._edit(load=(*wall.load, load), unloaded_confirmed=False)
         self.list.setCurrentRow(len(wall.load))
+
+    def show_tie(self) -> None:
+        """Show the first tie, if there is one and none is shown."""
+        row = next((k for k, load in enumerate(self.wall.load if self.wall else ()) if load.is_tie), None)
+        if row is not None and not (self.load and self.load.is_tie):
+            self.list.setCurrentRow(row)
 
     def delete(self) -> None:
         """Take the load away that is shown."""

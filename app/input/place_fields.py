@@ -16,6 +16,13 @@ SAME = 1e-9
 """Degrees."""
 
 
+def names_beginning_with(text: str, most: int) -> list[str]:
+    """Municipalities as they are named here."""
+    from core.codes.national_hazard import beginning_with
+
+    return [f"{one.name} ({one.province})" for one in beginning_with(text, most)]
+
+
 class MunicipalityField(Field):
     """A name, with its province in brackets; value : (name, province). Each letter is taken: what runs is what stands
     here."""
@@ -43,26 +50,25 @@ class MunicipalityField(Field):
 
     def propose(self, text: str) -> None:
         """The municipalities of the letters typed so far."""
-        from core.codes.national_hazard import beginning_with
-
-        self.names.setStringList([f"{one.name} ({one.province})" for one in beginning_with(text, OFFERED)])
+        self.names.setStringList(names_beginning_with(text, OFFERED))
 
     def choose(self, text: str) -> None:
         """A municipality is named."""
-        value = self._meant(text)
+        value = self.meant(text)
         if value != self.value:
             self.value = value
             self.edited.emit(value)
 
     @staticmethod
-    def _meant(text: str) -> tuple[str, str]:
+    def meant(text: str) -> tuple[str, str]:
+        """Name and province of a text."""
         name, _, rest = text.strip().partition(" (")
         return name.strip(), rest.rstrip(") ")
 
     def show_value(self, value) -> None:
         self.value = value
         name, province = value or ("", "")
-        if self._meant(self.editor.text()) != (name, province):
+        if self.meant(self.editor.text()) != (name, province):
             self.editor.setText(f"{name} ({province})" if province else name)
 
     def named_in(self, problem: InputError, wall: str) -> bool:

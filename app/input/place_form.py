@@ -118,14 +118,30 @@ class PlaceForm(QWidget):
     def _toggled(self, on: bool) -> None:
         case, demand = self.session.case, self.session.case.demand
         if on:
-            self.before = demand
-            demand = replace(demand, **ELSEWHERE) if demand else None
-            if demand and not (demand.spectrum or demand.spectrum_file or demand.soil_factor):
-                # a place without a spectrum and S would be a demand on rock: soil and topography are asked for
-                demand = replace(demand, spectrum=Spectrum("NTC2018", ""), housner_intensity_cm=None)
-        elif demand and self.before and demand.ag_g == "":  # it gave nothing
+            self._begin(demand, Site())
+            return
+        if demand and self.before and demand.ag_g == "":  # it gave nothing
             demand = restored(demand, self.before)
-        self.session.edit(replace(case, site=Site() if on else None, demand=demand))
+        self.session.edit(replace(case, site=None, demand=demand))
+
+    def _begin(self, demand: Demand | None, site: Site) -> None:
+        """From now on the demand follows from the place."""
+        self.before = demand
+        demand = replace(demand, **ELSEWHERE) if demand else None
+        if demand and not (demand.spectrum or demand.spectrum_file or demand.soil_factor):
+            # a place without a spectrum and S would be a demand on rock: soil and topography are asked for
+            demand = replace(demand, spectrum=Spectrum("NTC2018", ""), housner_intensity_cm=None)
+        self.session.edit(replace(self.session.case, site=site, demand=demand))
+
+    def take(self, municipality: str) -> None:
+        """The demand of a municipality, as the list of the search names it."""
+        case = self.session.case
+        name, province = self.municipality.meant(municipality)
+        named = {"municipality": name, "province": province, "latitude": None, "longitude": None}
+        if case.site is None:
+            self._begin(case.demand or Demand(""), Site(**named))  # type: ignore[arg-type]  # it follows from the place
+        else:
+            self._edit(**named)
 
     def _edit(self, place: object = None, **values) -> None:
         site = self.session.case.site

@@ -74,6 +74,8 @@ class RecordsPanel(QWidget):
             button.clicked.connect(slot)
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             bar.addWidget(button)
+            if slot == self.scale_to_target:
+                self.scale_button = button
             if slot == self.add:
                 menu = QMenu(button)
                 menu.addAction(tr("A folder…"), self.add_folder)
@@ -102,6 +104,9 @@ class RecordsPanel(QWidget):
     def show_case(self) -> None:
         """Read what changed among the records; the table follows when they are there."""
         case = self.session.case
+        why = self._why_no_scaling()
+        self.scale_button.setEnabled(not why)
+        self.scale_button.setToolTip(why or tr("Scale all to the spectrum"))
         demand = case.demand if case.generate else None
         key = (case.record, case.generate, demand, self.session.base_dir)
         if key == self.key:
@@ -230,7 +235,7 @@ class RecordsPanel(QWidget):
     def _menu(self, place) -> None:
         menu = QMenu(self)
         menu.addAction(tr("Change…"), self.edit)
-        menu.addAction(tr("Scale all to the spectrum"), self.scale_to_target)
+        menu.addAction(tr("Scale all to the spectrum"), self.scale_to_target).setEnabled(self.scale_button.isEnabled())
         menu.addAction(tr("Reverse"), self.reverse)
         menu.addAction(tr("Remove"), self.remove)
         menu.exec(self.table.viewport().mapToGlobal(place))
@@ -304,9 +309,22 @@ class RecordsPanel(QWidget):
 
         self._change_each(set(changed), change)
 
+    def _why_no_scaling(self) -> str:
+        """Why no factor would bring the records to the spectrum of the demand; "" where one may."""
+        case = self.session.case
+        demand, files = case.demand, any(record.include for record in case.record)
+        if demand is None or not (demand.spectrum or demand.spectrum_file) or not files:
+            return tr("This needs records from files and a spectrum under Demand.")
+        if demand.demand_scaling == "pga":  # which cancels any factor of a file
+            return tr("The records are scaled to PGA = a_g S already (Demand).")
+        return ""
+
     def scale_to_target(self) -> None:
         """One factor for all records in use: the mean spectrum nearest to that of the demand."""
         case = self.session.case
+        if why := self._why_no_scaling():
+            self.words.setText(why)
+            return
         try:
             asked = demand_of(case, self.session.base_dir) if case.demand else None
         except (InputError, TypeError, KeyError):
@@ -318,9 +336,6 @@ class RecordsPanel(QWidget):
         }
         if asked is None or asked.target is None or not rows:
             self.words.setText(tr("This needs records from files and a spectrum under Demand."))
-            return
-        if asked.record_scaling == "pga":  # which cancels any factor of a file
-            self.words.setText(tr("The records are scaled to PGA = a_g S already (Demand)."))
             return
         try:
             factor = common_factor([self.rows[row][1] for row in rows], asked)

@@ -4,7 +4,7 @@ import math
 
 from app.input.hinges_field import hinge_words
 from app.input.impact_form import named_laws, named_models
-from app.look.language import current_language, named, number, tr
+from app.look.language import current_language, named, number, tr, variant_word
 from app.work.session import Session
 from core.capacity.scale_free_law import estimates
 from core.case.hinges import hinges_of
@@ -174,7 +174,7 @@ def contents_of(wall: Wall) -> dict[str, str]:
     if wall.velocity_ratio is not None:
         ratio = f"e {number(wall.velocity_ratio, 'g')}"
     weight = wall.unit_weight_kn_m3
-    notes = ["" if weight is None else f"{number(weight, 'g')} kN/m³", wall.variant or "", wall.notes]
+    notes = ["" if weight is None else f"{number(weight, 'g')} kN/m³", variant_word(wall.variant), wall.notes]
     hinges = wall.hinge_heights
     return {
         "geometry": ", ".join(filter(None, (height, thickness))),

@@ -1,5 +1,6 @@
 """The language of what a person reads on screen, and what the forms of the window call the keys of a case."""
 
+from core.case.schema import AS_IS, DESIGNED
 from core.errors import InputError
 from core.text.sentence import FormNames, Sentence, capital, localized, numeral, text_of_key, word
 
@@ -40,6 +41,18 @@ def of_key(section: type, key: str, part: str) -> str:
     return words or (capital(named(f"key_{key}")) if part == ".caption" else "")
 
 
+def variant_word(variant: str | None) -> str:
+    """What a variant is called here: a case has it by an Italian name."""
+    return text_of_key("wall", "variant", f"={variant}", _current[0]) if variant else ""
+
+
+def called(name: str) -> str:
+    """Words with the name of a wall, its variant by `variant_word`."""
+    for variant in (AS_IS, DESIGNED):
+        name = name.replace(f"({variant})", f"({variant_word(variant)})")
+    return name
+
+
 def number(value: float | None, form: str) -> str:
     """A number with the decimal mark of the language, "–" for None; form : as of format()."""
     return numeral(value, form, current_language())
@@ -52,7 +65,7 @@ def terminal(text: str, /, **values) -> str:
 
 def described(what: InputError | Sentence) -> str:
     """An error or a sentence, in the words of the forms."""
-    return what.text(current_language(), FORM_NAMES)
+    return called(what.text(current_language(), FORM_NAMES))
 
 
 def quoted_from_file(error: InputError) -> str:

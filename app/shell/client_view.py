@@ -13,7 +13,8 @@ from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QMessageBox, QPushBu
 from app.look import theme
 from app.look.drawing import WallDrawing
 from app.look.file_dialogs import path_to_write, plain_name
-from app.look.language import described, named, tr
+from app.look.language import described, tr
+from app.views.runs import before_motion
 from core import atomic_write
 from core.case.schema import AS_IS
 from core.errors import InputError, OutputError
@@ -107,7 +108,22 @@ def words_of(side: Side) -> str:
     if side.share is None:
         return tr("not known")
     share = tr("{percent} % of the required earthquake", percent=f"{100.0 * side.share:.0f}")
-    return f"{share} ({named(side.wall.assessment.verdict.code)})"  # a share alone is no verification
+    return f"{share} ({outcome_of(side)})"  # a share alone is no verification
+
+
+def outcome_of(side: Side) -> str:
+    """A verdict in words of every day: only one that nothing limits is called safe."""
+    match side.wall.assessment.verdict.code:
+        case "verified" | "not_activated":
+            return tr("sufficient") if side.tone == "good" else tr("sufficient, with reservations")
+        case "verified_refined":
+            return tr("sufficient by the more detailed calculation alone")
+        case "at_limit":
+            return tr("at the limit: not sufficient")
+        case "indicative" | "undetermined":
+            return tr("provisional, not yet a verification")
+        case _:
+            return tr("not sufficient")
 
 
 class ClientView(QDialog):
@@ -117,6 +133,7 @@ class ClientView(QDialog):
         super().__init__(parent)
         self.setWindowTitle(title)
         self.title, self.sides = title, sides
+        self.begin = min(before_motion(side.rotation, side.time_step) for side in sides)
         self.drawings: list[WallDrawing] = []
         heading = QLabel(title)
         heading.setWordWrap(True)
@@ -172,8 +189,9 @@ class ClientView(QDialog):
 
     @property
     def seconds(self) -> float:
-        """Length of the motion."""
-        return min(MOST_SECONDS, max(side.rotation.size * side.time_step for side in self.sides))
+        """Length of the motion that is shown."""
+        last = max(side.rotation.size * side.time_step for side in self.sides)
+        return min(MOST_SECONDS, last - self.begin)
 
     def _moment(self) -> float:
         """When the first wall turns most [s]."""
@@ -187,6 +205,7 @@ class ClientView(QDialog):
             drawing.set_rotation(float(np.clip(side.rotation[sample], -1.5, 1.5)))
 
     def _toggled(self, on: bool) -> None:
+        self.play.setText(tr("Pause") if on else tr("Play"))
         if on:
             self.clock.start()
             self.timer.start()
@@ -194,9 +213,9 @@ class ClientView(QDialog):
             self.timer.stop()
 
     def _frame(self) -> None:
-        time = 0.001 * self.clock.elapsed()
+        time = self.begin + 0.001 * self.clock.elapsed()
         self.set_time(time)
-        if time > self.seconds:
+        if time > self.begin + self.seconds:
             self.play.setChecked(False)
 
     # what leaves it
@@ -211,7 +230,7 @@ class ClientView(QDialog):
 
         frames = []
         for k in range(int(self.seconds * FILM_FPS)):
-            self.set_time(k / FILM_FPS)
+            self.set_time(self.begin + k / FILM_FPS)
             image = self.picture().convertToFormat(QImage.Format.Format_RGB888)
             wide, high, line = image.width(), image.height(), image.bytesPerLine()
             frame = Image.frombuffer("RGB", (wide, high), bytes(image.constBits()), "raw", "RGB", line, 1)

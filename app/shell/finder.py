@@ -5,15 +5,19 @@ from typing import NamedTuple
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QDialog, QGroupBox, QLineEdit, QListWidget, QMenu, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QGroupBox, QLineEdit, QListWidget, QMenu, QVBoxLayout
 
-from app.input.fields import Field
+from app.input.place_fields import names_beginning_with
 from app.input.reasons_form import ReasonField
-from app.look.language import tr
-from app.look.section import Section, unfold_to
+from app.look.language import called, tr
+from app.look.section import Section
+from app.shell.pointing import point_at
 
 MOST = 60
 """Entries that are listed."""
+
+PLACES, LETTERS = 3, 3
+"""Municipalities that are listed, and letters typed from which they are."""
 
 
 class Entry(NamedTuple):
@@ -41,6 +45,8 @@ def synonyms() -> dict[str, str]:
         tr("Language"): tr("language english italian"),
         tr("Theme"): tr("dark light night colours"),
         tr("&Parametric study…").replace("&", ""): tr("sweep of parameters"),
+        tr("Coordinates"): tr("latitude longitude map"),
+        tr("Municipality"): tr("town city place"),
         tr("Histories"): tr("animation, the wall rocking"),
         tr("Capacity and fragility"): tr("incremental dynamic analysis (IDA)"),
         tr("For the &client").replace("&", ""): tr("presentation, before and after"),
@@ -49,20 +55,24 @@ def synonyms() -> dict[str, str]:
 
 def entries_of(window) -> list[Entry]:
     """All that can be found: fields first, then walls and their hinges, pages, actions."""
-    found = []
-    for field in window.fields:
+    found, others = [], synonyms()
+    for field in {(one.section, one.key, type(one)): one for one in window.fields}.values():  # the title once
         section = field.parentWidget()
         words = f"{field.caption.text()}  {field.editor.toolTip().splitlines()[0] if field.editor.toolTip() else ''}"
         if section is not None and not (isinstance(field, ReasonField) and field.isHidden()):
-            found.append(Entry(words.strip(), lambda field=field: _point(window, field)))
+            also = others.get(field.caption.text(), "")
+            found.append(Entry(words.strip(), lambda field=field: point_at(window, field), also))
     for row in window.tree.rows:
         if row.kind in ("wall", "hinge"):
-            words = f"{window.session.case.wall[row.wall].title}  {row.text if row.kind == 'hinge' else ''}"
+            words = f"{called(window.session.case.wall[row.wall].title)}  {row.text if row.kind == 'hinge' else ''}"
             found.append(Entry(words.strip(), lambda row=row: window.choose_row(row)))
     for section in window.forms.findChildren(Section):
         words = f"{section.head.title.text()}  {section.head.words}"
-        found.append(Entry(words.strip(), lambda section=section: _point(window, section.head)))
-    seen, others = set(), synonyms()
+        found.append(Entry(words.strip(), lambda section=section: point_at(window, section.head)))
+    for group in window.forms.findChildren(QGroupBox):
+        if group.isCheckable() and not group.isHidden():
+            found.append(Entry(group.title(), lambda group=group: point_at(window, group)))
+    seen = set()
     for action in every_action(window.header.menu):
         label, keys, menu = action.text().replace("&", ""), action.shortcut().toString(), action.parent()
         if menu.parent() is not window.header.menu:
@@ -74,26 +84,16 @@ def entries_of(window) -> list[Entry]:
     return found
 
 
-def _point(window, widget: QWidget) -> None:
-    """Put the cursor into a field, or where it begins to be: one that is hidden takes nothing into the case."""
-    window.show_form_of(widget)
-    unfold_to(widget)
-    if isinstance(widget, Field):
-        widget = widget.editor if widget.isVisibleTo(window) and widget.isEnabled() else _way_to(window, widget)
-    window.forms.currentWidget().ensureWidgetVisible(widget)
-    widget.setFocus()
+def places_of(window, text: str) -> list[Entry]:
+    """Municipalities of these letters: the demand from there, then what else it asks for."""
 
+    def take(name: str) -> None:
+        window.demand.place.take(name)
+        point_at(window, window.demand.place.municipality)
+        window.missing.lead_in("demand")
 
-def _way_to(window, field: Field) -> QWidget:
-    """What makes a field there is none of appear: a load to be added, the tick of its group, its section."""
-    if window.walls.loads.isAncestorOf(field) and not window.walls.loads.list.isVisibleTo(window):
-        return window.walls.loads.add_button
-    above = field.parentWidget()
-    while not isinstance(above, Section) and not (isinstance(above, QGroupBox) and above.isCheckable()):
-        if above.parentWidget() is None:
-            return field.editor
-        above = above.parentWidget()
-    return above.head if isinstance(above, Section) else above
+    names = names_beginning_with(text, PLACES) if len(text.strip()) >= LETTERS else []
+    return [Entry(tr("{name}: the demand from this place", name=name), lambda name=name: take(name)) for name in names]
 
 
 def _holds(one: Entry, words: list[str]) -> bool:
@@ -126,6 +126,7 @@ class Finder(QDialog):
         self.fitting = [one for one in self.entries if _holds(one, words)]
         self.fitting.sort(key=lambda one: not one.words.lower().startswith(text.lower()))
         del self.fitting[MOST:]
+        self.fitting += places_of(self.parent(), text)
         self.list.clear()
         self.list.addItems([one.words for one in self.fitting])
         if self.fitting:

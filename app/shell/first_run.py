@@ -28,7 +28,7 @@ class FirstRun(QWidget):
         self.buttons = {}
         for name, title, words in (
             ("wall", tr("A wall to check"), tr("Sizes, mechanism, a_g: first answer without records, then F5.")),
-            ("table", tr("A table of walls"), tr("Excel or CSV; an empty one is in the menu Help.")),
+            ("table", tr("A table of walls"), tr("Excel or CSV; an empty one is in the menu Help. Then a_g and F5.")),
             ("records", tr("Records to look at"), tr("Any format: what each file is, its spectrum, its measures.")),
             ("paper", tr("The study of the paper"), tr("Force reduction factors of many walls, with figures.")),
             ("example", tr("An example"), tr("Two walls under seven motions: press F5 and look around.")),
@@ -67,8 +67,7 @@ def follow(window, name: str) -> None:
     if not window.files.new():
         return
     if name == "wall":
-        # a_g and the base are asked for from the beginning: without a demand there is no answer
-        window.session.edit(replace(window.session.case, demand=Demand("")))  # type: ignore[arg-type]
+        _ask_demand(window)
         window.walls.add()
         window.show_input("wall", 0)
         window.walls.fields["height_m"].editor.setFocus()
@@ -78,3 +77,11 @@ def follow(window, name: str) -> None:
     else:
         window.show_input("wall")
         window.walls.load_table()
+        _ask_demand(window)  # after its rows: one without a base is taken, and its base asked for
+        if window.session.case.wall:
+            window.missing.lead()
+
+
+def _ask_demand(window) -> None:
+    """a_g and the bases are asked for from the beginning: without a demand there is no answer."""
+    window.session.edit(replace(window.session.case, demand=Demand("")))  # type: ignore[arg-type]

@@ -9,8 +9,9 @@ from PySide6.QtWidgets import QFrame, QLabel, QVBoxLayout
 
 from app.input.fields import Field
 from app.look import theme
-from app.look.language import described, tr
+from app.look.language import called, described, tr
 from app.look.section import unfold_to
+from app.shell.pointing import first_empty, point_at
 from core.case.loads import Bars, Load
 from core.case.problems import load_of, wall_of
 from core.errors import InputError
@@ -68,7 +69,8 @@ class Missing(QFrame):
         found = [Problem(described(error), lambda error=error: self._lead_to(error)) for error in errors]
         for field in window.fields:
             if field.wrong:
-                found.append(Problem(f"{field.caption.text()}: {field.error}", lambda field=field: self._point(field)))
+                words = f"{field.caption.text()}: {field.error}"
+                found.append(Problem(words, lambda field=field: point_at(window, field)))
         row = window.records.unreadable_row()
         if row is not None:
             words = window.records.rows[row][1]
@@ -77,6 +79,11 @@ class Missing(QFrame):
             found.append(Problem(described(logo), lambda: self._lead_to(logo), False))
         if refused and not found:
             found.append(Problem(described(refused), lambda: self._lead_to(refused), False))
+        if above := self._without_building():
+            words = tr(
+                "{walls}: the motion above the ground follows from the building; no verdict without it", walls=above
+            )
+            found.append(Problem(words, lambda: window.ask("building"), False))
         self.problems = found
         self._write()
         return not any(problem.stops for problem in found)
@@ -92,7 +99,7 @@ class Missing(QFrame):
         if len(self.problems) > MOST:
             lines.append(tr("{n} more", n=len(self.problems) - MOST))
         count = len(self.problems)
-        one, many = tr("Before F5: one thing is missing"), tr("Before F5: {n} things are missing", n=count)
+        one, many = tr("Before F5: one thing to give or mend"), tr("Before F5: {n} things to give or mend", n=count)
         self.heading.setText(one if count == 1 else many)
         self.lines.setText("<br>".join(lines))
         self.setVisible(bool(self.problems))
@@ -116,18 +123,36 @@ class Missing(QFrame):
         case, error = self.window_of.refused
         return error if case is self.window_of.session.case else None
 
+    def _without_building(self) -> str:
+        """Walls that no check can be made of, for the building that carries them is not given."""
+        case = self.window_of.session.case
+        if case.demand is None or case.building is not None:
+            return ""
+        heights = (wall.base_z_m for wall in case.wall)  # "" while it is to be given
+        raised = (isinstance(z, (int, float)) and z > 0.0 for z in heights)
+        return ", ".join(called(wall.title) for wall, up in zip(case.wall, raised, strict=True) if up or wall.bends)
+
     def lead(self, link: str = "0") -> None:
         """Show where a problem is, and put the cursor there."""
         if self.problems:
             self.problems[min(int(link), len(self.problems) - 1)].lead()
 
+    def lead_in(self, kind: str) -> None:
+        """The cursor into the first field of a form in which something is missing."""
+        area = self.window_of.stages.input.areas[kind]
+        wrong = (field for field in self.window_of.fields if field.rule and area.isAncestorOf(field))
+        if field := next(wrong, None):
+            point_at(self.window_of, field)
+
     def _is_named(self, field: Field, error: InputError) -> bool:
         """Whether an error is about this field as the forms stand: of the wall and the load they show."""
         walls = self.window_of.walls
-        load = load_of(error)
+        load, title = load_of(error), walls.wall.title if walls.wall else ""
         if field.section in (Load, Bars) and load not in (None, walls.loads.list.currentRow()):
             return False
-        return field.named_in(error, walls.wall.title if walls.wall else "")
+        if wall_of(self.window_of.session.case, error) == walls.current:
+            title = error.wall or title  # of its part above a hinge, say
+        return field.named_in(error, title)
 
     def _lead_to(self, error: InputError) -> None:
         window = self.window_of
@@ -137,9 +162,9 @@ class Missing(QFrame):
             window.walls.body.point_at(error)
         if row is not None and load is not None:
             window.walls.loads.list.setCurrentRow(load)
-        field = next((one for one in window.fields if self._is_named(one, error) and not one.isHidden()), None)
+        field = first_empty([one for one in window.fields if self._is_named(one, error) and not one.isHidden()])
         if field is not None:
-            self._point(field)
+            point_at(window, field)
         elif row is not None and "mechanism" in error.keys:
             unfold_to(window.walls.mechanisms["two_sided"])
             window.walls.mechanisms["two_sided"].setFocus()
@@ -148,13 +173,6 @@ class Missing(QFrame):
             place = {"demand": "demand", "building": "building", "report": "report", "analysis": "report"}
             place |= {"site": "demand"}
             window.show_input({"record": "records", "generate": "records"}.get(section) or place.get(section, "wall"))
-
-    def _point(self, field: Field) -> None:
-        self.window_of.show_form_of(field)
-        unfold_to(field)
-        area = self.window_of.forms.currentWidget()
-        area.ensureWidgetVisible(field)
-        field.editor.setFocus()
 
     def _record(self, row: int) -> None:
         self.window_of.show_input("records")

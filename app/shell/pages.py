@@ -1,8 +1,10 @@
 """What stands behind the tabs: pages made when first looked at, a veil over stale results."""
 
-from PySide6.QtCore import QCoreApplication, QEvent, Qt
+import html
+
+from PySide6.QtCore import QCoreApplication, QEvent, Qt, Signal
 from PySide6.QtGui import QColor, QPainter
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from app.look import theme
 
@@ -35,13 +37,31 @@ def delete(widget: QWidget) -> None:
 
 
 class Page(QWidget):
-    """A tab that is made when it is first looked at: the start is faster."""
+    """A tab that is made when it is first looked at: the start is faster. asked : the link of its words"""
+
+    asked = Signal()
 
     def __init__(self, maker):
         super().__init__()
         self.maker, self.made = maker, None
+        self.word = QLabel()
+        self.word.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.word.setWordWrap(True)
+        self.word.linkActivated.connect(lambda _: self.asked.emit())
+        self.word.setTextInteractionFlags(
+            Qt.TextInteractionFlag.LinksAccessibleByMouse | Qt.TextInteractionFlag.LinksAccessibleByKeyboard
+        )
+        self.word.hide()
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self.word)
+
+    def say(self, words: str) -> None:
+        """Words in the place of a content that would be empty: axes without curves say nothing."""
+        self.empty()
+        shown = html.escape(words, quote=False)
+        self.word.setText(f"<a href='do' style='color:{theme.current.curves[0]}; text-decoration:none'>{shown} →</a>")
+        self.word.show()
 
     def empty(self) -> None:
         """Forget what was shown; it is made anew when looked at."""
@@ -53,6 +73,7 @@ class Page(QWidget):
     @property
     def content(self) -> QWidget:
         if self.made is None:
+            self.word.hide()
             self.made = self.maker()
             self.layout().addWidget(self.made)
         return self.made

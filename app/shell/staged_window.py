@@ -6,9 +6,11 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QWidget
 
+from app.look.language import tr
 from app.shell import stages, tree
 from app.shell.header import Header
 from app.shell.pages import Page
+from app.shell.pointing import point_at_key
 from app.shell.tree import ProjectTree, Row
 from app.work.running import RunningWindow
 from core.case.schema import Wall
@@ -16,6 +18,9 @@ from core.case.sensitivity import Ranges
 from core.errors import InputError
 from core.study.demand_input import target_of
 from core.study.results import StudyResult, WallResult
+
+OF_A_RESULT = ("check", "histories", "capacity", "intensity", "validation")
+"""Pages that show nothing without a result."""
 
 
 def row_of(result: StudyResult, wall: WallResult, walls: tuple[Wall, ...]) -> int | None:
@@ -204,9 +209,16 @@ class StagedWindow(RunningWindow):
         self.show_page("check")
 
     def ask(self, what: str) -> None:
-        """Lead to what an answer asks for: a form by its kind, variant, or generate."""
-        if what == "variant":
+        """Lead to what an answer asks for: variant, generate, a form by its kind, the field of a key ("key:period_s"),
+        that of the reason for it ("reason:law")."""
+        part, _, key = what.partition(":")
+        if key:
+            self.show_input("wall")
+            point_at_key(self, key, part == "reason")
+        elif what == "variant":
             self._then_input(self.walls.add_variant)
+            self.walls.sections["loads"].unfold()  # a tie, or less thrust
+            self.walls.loads.add_button.setFocus()
         elif what == "generate":
             self.show_input("records")
             self.records.generate()
@@ -215,6 +227,9 @@ class StagedWindow(RunningWindow):
             self.run()
         else:
             self.show_input(what)
+            if what == "building":  # which is to be given: its height first
+                self.demand.building.given.setChecked(True)
+                self.demand.building.fields[0].editor.setFocus()
 
     def pick_run(self, run: tuple) -> None:
         """The history of this (motion, polarity) of the wall shown."""
@@ -252,11 +267,24 @@ class StagedWindow(RunningWindow):
         page = self.pages[name]
         if name == "spectra":
             self._show_spectra()
+        elif self.wall is None and name in OF_A_RESULT:
+            self._say_empty()
         elif page not in self.fresh and (self.wall is not None or page.made is None):
             content = page.content
             if self.wall is not None:
                 content.show_wall(self.session.result, self.wall)
                 self.fresh.add(page)
+
+    def _say_empty(self) -> None:
+        """What brings something to show, where there is none."""
+        if self.wall is None and self.page in OF_A_RESULT:
+            problem = next((one for one in self.missing.problems if one.stops), None)
+            words = tr("Nothing to show yet. Press F5.")
+            if problem is not None:
+                words = tr("Nothing to show yet. First: {problem}", problem=problem.words)
+            elif self.job is not None:
+                words = tr("Nothing to show yet. The analysis is running.")
+            self.pages[self.page].say(words)
 
     def _show_beside(self) -> None:
         """The rocking wall beside the answer, where the window is wide."""

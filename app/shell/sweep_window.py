@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 
 from app.input.fields import Choice
 from app.look import theme
-from app.look.language import FORM_NAMES, current_language, described, named, number, of_key, tr
+from app.look.language import FORM_NAMES, called, current_language, described, named, number, of_key, tr
 from app.views.chart import Chart
 from app.views.study_tabs import figure_chart, table_view
 from app.work.running import progress_word
@@ -165,7 +165,7 @@ class SweepWindow(QDialog):
         row = self.owner.walls.current
         self.wall.clear()
         for wall in self.case.wall if self.case else ():
-            self.wall.addItem(wall.title)
+            self.wall.addItem(called(wall.title))
         self.wall.setCurrentIndex(min(row, self.wall.count() - 1))
         problem = self.owner.session.problem()
         self.word.setText(described(problem) if problem else "")
@@ -239,7 +239,7 @@ class SweepWindow(QDialog):
     def _take_case(self) -> bool:
         """Take the case as it is now; False where it has no longer what was chosen."""
         now, k = self.owner.session.checked(), self.wall.currentIndex()
-        same = now is not None and k < len(now.wall) and now.wall[k].title == self.wall.currentText()
+        same = now is not None and k < len(now.wall) and called(now.wall[k].title) == self.wall.currentText()
         if same and self.keys[self.key.currentIndex()] in sweep_keys(now, k):
             self.case = now
             return True
@@ -308,7 +308,7 @@ class SweepWindow(QDialog):
         """A figure with the value at hand. now : in the unit of the axis"""
         page = figure_chart(figure)
         chart = page.findChild(Chart)
-        chart.caption = f"{wall.title}: {figure.title}"
+        chart.caption = f"{called(wall.title)}: {figure.title}"
         if now is not None:
             chart.level(now, tr("now"), vertical=True, place=0.04)
         return page

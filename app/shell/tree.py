@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 
 from app.input.wall_words import differences
 from app.look import theme
-from app.look.language import named, number, tr
+from app.look.language import named, number, tr, variant_word
 from core.case.problems import wall_of
 from core.case.schema import Case
 from core.errors import InputError
@@ -129,7 +129,7 @@ def _walls(state: State, broken: set[int | None]) -> Iterable[Row]:
         yield Row(1, "group", name, group.chip, group.tone, worst, group.result)
         for k in alike:
             words = ", ".join(differences(state.case, walls[k]))
-            variant = walls[k].variant or name
+            variant = variant_word(walls[k].variant) or name
             yield _wall(state, k, f"{variant}: {words}" if words else variant, 2, broken)
             yield from _hinges(state, k, 3)
 

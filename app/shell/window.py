@@ -118,6 +118,9 @@ class MainWindow(StagedWindow):
         self.forms, self.missing = given.forms, given.missing
         self.why, self.veil, self.bar = self.stages.why, self.stages.veil, self.stages.bar
         self.records.loaded.connect(self.records_loaded)
+        for page in self.pages.values():
+            page.asked.connect(self._notice_clicked)
+        self.demand.motions_asked.connect(lambda: self.ask("generate"))
         self.walls.selected.connect(self._wall_selected)
         self.walls.told.connect(self.show_word)
         self.why.currentChanged.connect(lambda _: self.show_result())
@@ -256,10 +259,11 @@ class MainWindow(StagedWindow):
         self.run_button.setEnabled(can_run)
         count, words = len(self.missing.problems), ""
         if count and self.stages.front != "input":
-            words = tr("{n} missing", n=count)
+            words = tr("Before F5: {n}", n=count)
         elif not count and self.session.stale and self.job is None:
             words = tr("The input has changed: press F5.")
         self.header.show_notice(words, self.missing.text())
+        self._say_empty()
 
     def _show_tree(self) -> None:
         finished = self.zetas_so_far() if self.job is not None and self.finished_walls else None

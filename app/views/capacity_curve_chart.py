@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from app.look.language import named, number, tr
+from app.look.language import called, named, number, tr
 from app.views.chart import Chart
 from core.codes.capacity_curve import capacity_curve
 from core.study.results import StudyResult, WallResult
@@ -28,7 +28,7 @@ class CapacityCurveChart(Chart):
     def show_wall(self, result: StudyResult, wall: WallResult) -> None:
         """Draw the curves; says why where the displacement check is not made."""
         self.clear()
-        self.caption = f"{wall.name}, {named(wall.mechanism)}"
+        self.caption = f"{called(wall.name)}, {named(wall.mechanism)}"
         found = wall.assessment.kinematic if wall.assessment else None
         curve = capacity_curve(found, result.demand) if found else None
         if curve is None:

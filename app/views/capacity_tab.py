@@ -9,7 +9,7 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from app.look import theme
-from app.look.language import named, number, tr
+from app.look.language import called, named, number, tr
 from app.look.whole_text import tell_whole
 from app.views.chart import Chart
 from app.views.hatch import Hatch, hatched_square
@@ -204,7 +204,7 @@ class CapacityTab(QWidget):
 
 
 def _title(wall: WallResult) -> str:
-    return f"{wall.name}, {named(wall.mechanism)}"
+    return f"{called(wall.name)}, {named(wall.mechanism)}"
 
 
 def _peaks(result: StudyResult, wall: WallResult, run: Run) -> tuple[np.ndarray, np.ndarray]:

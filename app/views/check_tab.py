@@ -20,7 +20,8 @@ from PySide6.QtWidgets import (
 
 from app.look import theme
 from app.look.drawing import WallDrawing
-from app.look.language import number, tr
+from app.look.language import called, number, tr
+from app.views.answer_lines import limits, link, no_dynamic_check, to_do
 from app.views.capacity_curve_chart import CapacityCurveChart
 from app.views.chart import Chart
 from app.views.ladder import Ladder, Rung
@@ -35,23 +36,14 @@ from core.study.wall_verdict import zetas_of
 from core.text.sentence import Number, sentence, word
 from core.units import G
 
+MOST_LIMITS = 3
+"""Lines of limits that are always shown; what makes a verdict indicative is among them, however much it is."""
+
 MIN_HEIGHT = 340
 """Of ladder and peaks together [px]: below it the page scrolls."""
 
-LEADS = {
-    "strengthen": "variant",
-    "no_check": "records",
-    "to_no_restraint": "wall",
-    "give_reason": "wall",
-    "to_no_spectrum": "demand",
-    "to_no_soil_factor": "demand",
-    "to_not_compatible": "records",
-    "to_few_records": "records",
-    "to_bundled": "records",
-    "to_one_sign": "report",
-    "to_period_estimated": "building",
-}
-"""Code of what is to be done -> where: a form by its kind, or variant."""
+OF_THE_LAW = ("no_power_law", "narrow_si")
+"""Warnings that are notes of an answer."""
 
 LAW_WORDS = {"q": "law_q", "q_slv": "law_q_slv"}
 
@@ -66,11 +58,6 @@ def digits(value: float | None, figures: int = 2) -> str:
     return number(value, f".{figures}f")
 
 
-def link(target: str, words: str) -> str:
-    """A link of the answer, in HTML."""
-    return f"<a href='{target}' style='color:{theme.current.curves[0]}; text-decoration:none'>{words} →</a>"
-
-
 class Whole(QWidget):
     """A page that scrolls rather than cut its words: as high as they need, not as the chart would like."""
 
@@ -82,7 +69,7 @@ class CheckTab(QWidget):
     """The verdict of a wall in one line, what is to be done and what limits it, the ladder of checks, the wall with the
     zeta of each hinge, the peaks at the demand, four facts of trust; the table and the comparisons by a click.
 
-    asked(what) : a form by its kind, variant, or generate
+    asked(what) : variant, generate, a form by its kind, "key:" and "reason:" with a key
     record_picked(run) : the bar of a run was clicked, its (motion, polarity)
     """
 
@@ -92,26 +79,7 @@ class CheckTab(QWidget):
     def __init__(self, language: str):
         super().__init__()
         self.language = language
-        self.heading, self.sentence = QLabel(), QLabel(tr("No result yet: press F5."))
-        self.important, self.reasons = QLabel(), QLabel()
-        for label in (self.heading, self.sentence, self.important, self.reasons):
-            label.setWordWrap(True)
-            label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        links = Qt.TextInteractionFlag.LinksAccessibleByMouse | Qt.TextInteractionFlag.LinksAccessibleByKeyboard
-        self.no_peaks = QLabel()
-        for label in (self.important, self.no_peaks):
-            label.setTextFormat(Qt.TextFormat.RichText)
-            label.setTextInteractionFlags(label.textInteractionFlags() | links)
-            label.linkActivated.connect(self.asked)
-        self.no_peaks.setWordWrap(True)
-        self.notes = self._opener(self.reasons.setVisible)
-        self.banner = QFrame(objectName="verdict")
-        inside = QVBoxLayout(self.banner)
-        inside.setContentsMargins(14, 6, 10, 6)
-        inside.setSpacing(2)
-        for widget in (self.heading, self.sentence, self.important, self.notes, self.reasons):
-            inside.addWidget(widget)
-        self.reasons.hide()
+        self._make_banner()
         self.table = Table(
             tr("Checks"),
             [tr("Method"), "ζ", tr("Outcome"), tr("Clause"), "q", tr("Capacity"), tr("Demand"), tr("Unit")],
@@ -169,6 +137,34 @@ class CheckTab(QWidget):
         whole.setContentsMargins(0, 0, 0, 0)
         whole.addWidget(area)
 
+    def _make_banner(self) -> None:
+        """The verdict, what is to be done, what limits it and notes, in a frame."""
+        self.heading, self.sentence = QLabel(), QLabel(tr("No result yet: press F5."))
+        self.important, self.reasons = QLabel(), QLabel()
+        for label in (self.heading, self.sentence, self.important, self.reasons):
+            label.setWordWrap(True)
+            label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        links = Qt.TextInteractionFlag.LinksAccessibleByMouse | Qt.TextInteractionFlag.LinksAccessibleByKeyboard
+        self.no_peaks = QLabel()
+        self.others = QLabel()
+        self.others.setWordWrap(True)
+        self.all_limits = self._opener(self.others.setVisible)
+        for label in (self.important, self.others, self.no_peaks):
+            label.setTextFormat(Qt.TextFormat.RichText)
+            label.setTextInteractionFlags(label.textInteractionFlags() | links)
+            label.linkActivated.connect(self.asked)
+        self.no_peaks.setWordWrap(True)
+        self.notes = self._opener(self.reasons.setVisible)
+        self.banner = QFrame(objectName="verdict")
+        inside = QVBoxLayout(self.banner)
+        inside.setContentsMargins(14, 6, 10, 6)
+        inside.setSpacing(2)
+        said = (self.important, self.all_limits, self.others)
+        for widget in (self.heading, self.sentence, *said, self.notes, self.reasons):
+            inside.addWidget(widget)
+        for widget in (self.all_limits, self.others, self.reasons):
+            widget.hide()
+
     def _show_table(self, on: bool) -> None:
         """The table in the place of the ladder."""
         self.checks.setCurrentIndex(int(on))
@@ -196,60 +192,50 @@ class CheckTab(QWidget):
         for widget in (self.ladder, self.more, self.important):
             widget.setVisible(assessment is not None)
         if assessment is None:
-            self.heading.setText(wall.name)
+            self.all_limits.hide()
+            self.others.hide()
+            self.heading.setText(called(wall.name))
             self.sentence.setText(tr("No demand: no check. q of the wall: {q}", q=digits(wall.q_set)))
-            self._fold(self._warnings(result, wall))
+            self._fold(self._warnings(result, wall) + self._warnings(result, wall, True))
             self.facts.setText("")
             self.table.show_rows([])
             self._show_peaks(tr("No demand: nothing to compare the peaks with."), "demand")
             return
         verdict = assessment.verdict
-        self.heading.setText(f"{wall.name}: {word(verdict.code, self.language)}, ζ {digits(verdict.zeta_e)}")
+        self.heading.setText(f"{called(wall.name)}: {word(verdict.code, self.language)}, ζ {digits(verdict.zeta_e)}")
         self.heading.setStyleSheet(f"{theme.points(1.75)} font-weight: 700; color: {shade};")
-        self.sentence.setText(sentence_of(result, wall, self.language))
-        self.important.setText("<br>\n".join(self._important(result, wall)))
+        self.sentence.setText(called(sentence_of(result, wall, self.language)))
+        lines = limits(result, wall, self.language, self._warnings(result, wall))
+        shown = max(MOST_LIMITS, verdict.blocking) if len(lines) > MOST_LIMITS + 1 else len(lines)
+        self.important.setText("<br>\n".join([*to_do(result, wall, self.language), *lines[:shown]]))
+        self.others.setText("<br>\n".join(lines[shown:]))
+        self.all_limits.setText(tr("All {n} limits ▾", n=len(lines)))
+        self.all_limits.setVisible(len(lines) > shown)
+        self.others.setVisible(len(lines) > shown and self.all_limits.isChecked())
         others = lines_of(result, wall, self.language, ("note", "reason")) + tie_lines(wall, self.language)
+        others += self._warnings(result, wall, True)
         if assessment.kinematic:
             others.insert(0, self._mechanism(assessment))
         self._fold(others)
         self.ladder.show_rungs([self._rung(check, verdict) for check in assessment.checks], verdict.zeta_target)
         self.facts.setText(self._facts(result, wall))
         self.table.show_rows(*self._rows(result, wall))
-        self.peaks.caption = f"{wall.name}, {word(wall.mechanism, self.language)}"
+        self.peaks.caption = f"{called(wall.name)}, {word(wall.mechanism, self.language)}"
         if assessment.dynamic:
             self._show_peaks()
             self._bars(assessment.dynamic)
-        elif wall.wall.bends:
-            self._show_peaks(tr("No time histories of this mechanism."), "")
         else:
-            self._show_peaks(
-                tr("No dynamic check: it needs records and a demand at SLV or SLC."),
-                "" if result.motions else "generate",
-            )
-
-    def _important(self, result: StudyResult, wall: WallResult) -> list[str]:
-        """What is to be done, each line a link to where, and what limits the result: each kind under its word, nothing
-        twice. HTML"""
-        said = {}
-        for kind in ("to_do", "limits"):
-            before = len(f"{word(kind, self.language)}: ")
-            said[kind] = [line[before:] for line in lines_of(result, wall, self.language, (kind,))]
-        for one in self._warnings(result, wall):
-            if not any(one.rstrip(".") in line for line in said["limits"]):
-                said["limits"].append(one)
-        lines = {kind: [html.escape(line, quote=False) for line in found] for kind, found in said.items()}
-        for k, one in enumerate(wall.assessment.verdict.to_do):
-            if one.code in LEADS:
-                lines["to_do"][k] = link(LEADS[one.code], lines["to_do"][k])
-        for kind, found in lines.items():
-            found[:1] = [f"<b>{word(kind, self.language)}:</b> {line}" for line in found[:1]]
-        return [*lines["to_do"], *lines["limits"]]
+            self._show_peaks(*no_dynamic_check(result, wall))
 
     def _show_peaks(self, why: str = "", lead: str = "") -> None:
-        """The chart of the peaks, or why there is none and what leads to it. lead : demand, generate or nothing"""
+        """The chart of the peaks, or why there is none and what leads to it. lead : as of `ask`, or nothing"""
         self.peaks.setVisible(not why)
         self.no_peaks.setVisible(bool(why))
-        words = {"demand": tr("Give the demand"), "generate": tr("Generate seven motions")}.get(lead)
+        words = {
+            "demand": tr("Give the demand"),
+            "building": tr("Give the building"),
+            "generate": tr("Generate seven motions"),
+        }.get(lead)
         self.no_peaks.setText(f"{html.escape(why)} {link(lead, words)}" if words else html.escape(why))
 
     def _clicked(self, x: float, _: float) -> None:
@@ -344,10 +330,10 @@ class CheckTab(QWidget):
             parts.append(tr("IS-V of this mechanism {index:.2f}, class {letter}", index=risk.index, letter=risk.letter))
         return parts
 
-    def _warnings(self, result: StudyResult, wall: WallResult) -> list[str]:
-        """What is said of the demand and of the wall."""
-        demand = result.demand.warnings if result.demand else ()
-        return [warning.text(self.language) for warning in (*demand, *wall.warnings)]
+    def _warnings(self, result: StudyResult, wall: WallResult, of_the_law: bool = False) -> list[str]:
+        """What is said of the demand and of the wall; of_the_law : of the law of q_eff, on which no verdict rests"""
+        said = (*(result.demand.warnings if result.demand else ()), *wall.warnings)
+        return [one.text(self.language) for one in said if (one.code in OF_THE_LAW) == of_the_law]
 
     def _fold(self, lines: list[str]) -> None:
         """Notes behind their number."""

@@ -19,10 +19,10 @@ from PySide6.QtWidgets import (
 )
 
 from app.look.drawing import WallDrawing
-from app.look.language import current_language, named, number, tr
+from app.look.language import called, current_language, named, number, tr
 from app.look.whole_text import tell_whole
 from app.views.chart import Chart
-from app.views.runs import governing_run, index_of, run_name
+from app.views.runs import before_motion, governing_run, index_of, run_name
 from core.capacity.ida import multiplier_of, threshold_of
 from core.codes.dynamic_check import at_demand
 from core.rocking.energy import energy_ratios
@@ -105,8 +105,7 @@ class HistoriesTab(QWidget):
         self.timer = QTimer(self)
         self.timer.setInterval(33)
         self.timer.timeout.connect(self._frame)
-        self.clock = QElapsedTimer()
-        self.started = 0.0
+        self.clock, self.started = QElapsedTimer(), 0.0
         self.shown = None
         self.history = self.second = None
         self.cursors = []
@@ -121,14 +120,13 @@ class HistoriesTab(QWidget):
         bar.addWidget(self.preset)
         bar.addWidget(self.again)
         charts = QSplitter(Qt.Orientation.Vertical)
-        charts.addWidget(self.ground)
-        charts.addWidget(self.rotation)
-        charts.addWidget(self.energy)
-        self.of_ties = QTabWidget()
-        self.of_ties.addTab(self.force, tr("Force of the ties"))
-        self.of_ties.addTab(self.elongation, tr("Elongation of the ties"))
-        charts.addWidget(self.of_ties)
-        charts.setSizes([150, 300, 150, 180])
+        self.below = QTabWidget()
+        self.below.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # its bar has the focus, where it is shown
+        for chart in (self.energy, self.force, self.elongation):
+            self.below.addTab(chart, chart.name)
+        for part in (self.ground, self.rotation, self.below):
+            charts.addWidget(part)
+        charts.setSizes([150, 300, 200])
         walls = QWidget()
         column = QVBoxLayout(walls)
         column.setContentsMargins(0, 0, 0, 0)
@@ -163,8 +161,9 @@ class HistoriesTab(QWidget):
         for drawing in (self.wall_drawing, self.other_drawing):
             drawing.show_wall(wall.wall)
             drawing.one_sided = wall.mechanism == "one_sided"
-        for widget in (self.again, self.of_ties):
-            widget.setVisible(bool(wall.model.bars))
+        self.again.setVisible(bool(wall.model.bars))
+        self.below.tabBar().setVisible(bool(wall.model.bars))
+        self.below.setCurrentIndex(1 if wall.model.bars else 0)
         for widget in self.moving:  # one that bends has no histories
             widget.setVisible(not wall.wall.bends)
         if not wall.model.bars:
@@ -319,12 +318,11 @@ class HistoriesTab(QWidget):
             outcome = f"{tr('stands')}   θmax/θc {peak}"
         number = partial(numeral, language=current_language())
         which = self._wall_in_words()
-        wall_and_c = (f"{wall.name}, {named(wall.mechanism)}", f"C {number(abs(scale), '.3f')}")
+        wall_and_c = (f"{called(wall.name)}, {named(wall.mechanism)}", f"C {number(abs(scale), '.3f')}")
         words = (*wall_and_c, f"q {number(self.q, '.3f')}", outcome, *which, *self._show_bars())
         self.words.setText("   ".join(words))
         for chart in (self.ground, self.rotation, self.energy, self.force, self.elongation):
-            run = run_name(self.run)
-            chart.caption = ", ".join((wall.name, named(wall.mechanism), run, f"C {number(abs(scale), '.3f')}", *which))
+            chart.caption = ", ".join((wall_and_c[0], run_name(self.run), wall_and_c[1], *which))
         self.set_time(self.cursors[0].value())
 
     def _integrate_second(self, model) -> None:
@@ -404,9 +402,11 @@ class HistoriesTab(QWidget):
             self.clock.restart()
 
     def _toggled(self, on: bool) -> None:
+        self.play.setText(tr("Pause") if on else tr("Play"))
         if on and self.history is not None:
-            at_end = self.cursors[0].value() >= self.times[self.history.rotation.size - 1]
-            self.started = 0.0 if at_end else self.cursors[0].value()
+            now, last = self.cursors[0].value(), self.times[self.history.rotation.size - 1]
+            begin = before_motion(self.history.rotation, self.motion.time_step)
+            self.started = begin if now >= last else max(now, begin)
             self.clock.start()
             self.timer.start()
         else:

@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QSplitter, QVBoxLayout, QWidget
 
 from app.look import theme
-from app.look.language import named, number, tr
+from app.look.language import called, named, number, tr
 from app.views.chart import Chart
 from app.views.check_tab import digits
 from app.views.table import Table
@@ -57,7 +57,7 @@ class IntensityTab(QWidget):
         elif not wall.wall.has_closed_forms:
             why = tr("Not drawn above the ground and with loads, where Eq. 15 and 16 do not hold.")
         for chart in (self.chart, self.scale_free):
-            chart.caption = f"{wall.name}, {named(wall.mechanism)}"
+            chart.caption = f"{called(wall.name)}, {named(wall.mechanism)}"
             chart.say_why(why)
         self.words.setText("")
         if why:

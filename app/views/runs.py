@@ -2,7 +2,12 @@
 
 import math
 
+import numpy as np
+
 from core.study.results import Run, WallResult
+
+BEFORE = 0.5
+"""Time at rest that an animation shows before the wall moves [s]."""
 
 
 def run_name(run: Run) -> str:
@@ -23,3 +28,9 @@ def governing_run(wall: WallResult) -> int:
         worst = max(dynamic.runs, key=lambda run: math.inf if run.peak_ratio is None else run.peak_ratio)
         return index_of(wall, worst.motion, worst.polarity) or 0
     return min(range(len(wall.runs)), key=lambda k: wall.runs[k].ida.q or math.inf, default=0)
+
+
+def before_motion(rotation: np.ndarray, time_step: float) -> float:
+    """Shortly before a wall first leaves the ground [s]; the beginning where it never does."""
+    moves = np.flatnonzero(rotation)
+    return max(0.0, moves[0] * time_step - BEFORE) if moves.size else 0.0

@@ -6,7 +6,7 @@ import numpy as np
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
-from app.look.language import named, number, tr
+from app.look.language import called, named, number, tr
 from app.views.chart import Chart
 from core.study.results import StudyResult, WallResult
 
@@ -58,7 +58,7 @@ class ValidationTab(QWidget):
         self.moment.curve(tr("law"), ratio, law, 0, 2.0)
         self.moment.reset()
         for chart in (self.chart, self.phase, self.moment):
-            chart.caption = f"{wall.name}, {named(wall.mechanism)}"
+            chart.caption = f"{called(wall.name)}, {named(wall.mechanism)}"
         pair = collapse_histories(result, wall)
         if pair is None:
             self.phase.say_why(tr("No record with a q."))

@@ -3,7 +3,7 @@
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QLabel, QSplitter, QVBoxLayout, QWidget
 
-from app.look.language import number, tr
+from app.look.language import called, number, tr
 from app.views.check_tab import digits, verdict_color
 from app.views.table import Table
 from core.study.limit_states import STATES
@@ -120,7 +120,7 @@ class WallsTab(QWidget):
         risk = found.risk if found else None
         states = {one.state: one.zeta for one in found.states} if found else {}
         return [
-            wall.name,
+            called(wall.name),
             word(wall.mechanism, language),
             digits(zeta_of(wall)),
             word(found.verdict.code, language) if found else "–",

@@ -8,7 +8,6 @@ from core.case.site import Building
 from core.case.solids import above, outer_face
 from core.errors import InputError, place
 from core.wall import wall_body
-from core.wall.wall_loads import loads_above
 
 FLOORS, BASE = "floors", "base"
 """Hinges at every floor of the building between the base of the wall and its top; the one at its base alone."""
@@ -113,6 +112,19 @@ def check_hinges(wall: Wall, building: Building | None) -> None:
 def named_above(name: str, hinge: float) -> str:
     """What the part of a wall above a hinge [m] is called; the whole wall keeps its name."""
     return f"{name} (+{hinge:.4g} m)" if hinge else name
+
+
+def numbers_above(wall, hinge: float) -> tuple[int, ...]:
+    """Numbers of the loads of the part of a wall above a hinge [m above its base]."""
+    return tuple(n for n, load in enumerate(wall.load, start=1) if load.h_m > hinge + 1e-9)
+
+
+def loads_above(wall, hinge: float, face: float = 0.0) -> tuple:
+    """These loads. face : x of the outer face of the wall there [m]"""
+    kept = (wall.load[n - 1] for n in numbers_above(wall, hinge))
+    return tuple(
+        replace(load, h_m=load.h_m - hinge, d_m=None if load.d_m is None else load.d_m - face) for load in kept
+    )
 
 
 def above_hinge(wall: Wall, hinge: float) -> Wall:

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from core.case.hinges import parts_of
+from core.case.hinges import numbers_above, parts_of
 from core.case.rules import check_wall, refuse_modes
 from core.case.schema import Case, Wall
 from core.errors import InputError
@@ -76,7 +76,7 @@ def with_many(case: Case, walls: ManyWalls) -> Case:
         for part in parts_of(k, wall, case.building):
             if part.hinge:
                 above.append(_digest(part.wall.name))
-            check_loads(part.wall)
+            check_loads(part.wall, numbers_above(part.asked, part.hinge))
             if part.wall.above_ground:
                 low, high = min(low, part.wall.felt_z_m), max(high, part.wall.felt_z_m)
     known, counts = np.unique(np.array(titles), return_counts=True)

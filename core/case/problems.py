@@ -16,9 +16,11 @@ MOST = 60
 
 def problems(case: Case) -> list[InputError]:
     """What is missing or breaks a rule. After each problem the value that is missing is taken as given, or else the
-    wall or section in question is left out, and the rest is judged again: a rule that needs a missing value waits."""
+    wall or section in question is left out, and the rest is judged again: a rule that needs a missing value waits, for
+    what it would say of the value that is assumed is no problem of the case."""
     found: list[InputError] = []
     assumed: set[tuple[str, str]] = set()
+    part_given: set[str | None] = set()
     for _ in range(MOST):
         try:
             parse_case(table_of(case))
@@ -27,10 +29,14 @@ def problems(case: Case) -> list[InputError]:
             keys = [error.key] if error.key else sorted(error.keys)
             ours = any((repr(error.place), key) in assumed for key in keys)
             if not ours:
-                found.append(error)
                 filled = next(((key, one) for key in keys if (one := _filled(case, error, key))), None)
+                row = wall_of(case, error)
+                owner = error.section if row is None else case.wall[row].title
+                if filled is not None or owner not in part_given:
+                    found.append(error)
                 if filled is not None:
                     assumed.add((repr(error.place), filled[0]))
+                    part_given.add(owner)
                     case = filled[1]
                     continue
             changed = _without(case, error)

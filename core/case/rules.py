@@ -7,7 +7,7 @@ from dataclasses import fields, replace
 
 from core.case.hazard_table import check_rising
 from core.case.held_top import check_held_top
-from core.case.hinges import check_hinges, parts
+from core.case.hinges import check_hinges, numbers_above, parts
 from core.case.keys import is_required
 from core.case.place import HERE, Site, filled, placed
 from core.case.schema import Analysis, Case, Generate, Record, Report, Wall
@@ -177,7 +177,7 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
     for part in found:
         if part.hinge and part.wall.name in names:
             raise InputError("same_name", key="name", wall=part.wall.name)
-        check_loads(part.wall)
+        check_loads(part.wall, numbers_above(part.asked, part.hinge))
         if part.hinge:
             check_given(part.wall)
             for mechanism in part.wall.mechanisms():
@@ -270,24 +270,18 @@ def check_confidence(demand: Demand, wall: Wall) -> None:
     stated = demand.confidence_factor
     if stated >= FULL_FACTOR:
         return
-    here, least = section("[demand]"), KNOWLEDGE.get(demand.knowledge_level)
+    here, level = (section("[demand]"),), demand.knowledge_level
+    least = KNOWLEDGE.get(level)
     if least is None or not _says(demand.investigations):
-        raise InputError("low_confidence_factor", place=(here,), stated=stated)
+        raise InputError("low_confidence_factor", place=here, stated=stated)
     if stated < least:
-        raise InputError(
-            "confidence_below_level", place=(here,), stated=stated, level=demand.knowledge_level, least=least
-        )
-    low, high = TESTED_STRENGTH
-    if wall.compressive_strength_mpa is None or not low <= wall.compressive_strength_mpa <= high:
-        raise InputError(
-            "confidence_needs_strength",
-            place=(place("wall", name=wall.title),),
-            key="compressive_strength_mpa",
-            stated=stated,
-            found=wall.compressive_strength_mpa,
-            low=low,
-            high=high,
-        )
+        raise InputError("confidence_below_level", place=here, stated=stated, level=level, least=least)
+    (low, high), strength = TESTED_STRENGTH, wall.compressive_strength_mpa
+    here, said = (place("wall", name=wall.title),), {"stated": stated, "low": low, "high": high}
+    if strength is None:
+        raise InputError("confidence_needs_strength", place=here, key="compressive_strength_mpa", **said)
+    if not low <= strength <= high:
+        raise InputError("strength_of_no_test", place=here, key="compressive_strength_mpa", found=strength, **said)
 
 
 def parse_wall(table: dict) -> Wall:

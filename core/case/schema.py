@@ -221,8 +221,10 @@ class Wall:
                 height=stated,
                 found=tuple(map(Key, given)) or sentence("accepted", "none"),
             )
-        if self.compressive_strength_mpa is not None and (self.hinge_setback_m or self.unit_weight_kn_m3 is None):
-            raise InputError("strength_gives_setback", place=(place("wall", name=self.name),))
+        if self.compressive_strength_mpa is not None and self.hinge_setback_m:
+            raise InputError("strength_gives_setback", place=here)
+        if self.compressive_strength_mpa is not None and self.unit_weight_kn_m3 is None:
+            raise InputError("strength_needs_weight", place=here, key="unit_weight_kn_m3")
         thickness, setback = self.thickness, self.setback
         if not setback < MAX_SETBACK * thickness:
             key = "hinge_setback_m" if self.hinge_setback_m else "compressive_strength_mpa"

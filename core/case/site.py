@@ -47,6 +47,11 @@ KNOWLEDGE = {"LC2": 1.20, "LC3": 1.00}
 """Levels of knowledge above LC1 -> least FC (Circolare 7/2019 Tab. C8.5.IV)."""
 
 
+def least_factor(level: str | None) -> float:
+    """Least FC of a level of knowledge."""
+    return KNOWLEDGE.get(level or "", FULL_FACTOR)
+
+
 @dataclass(frozen=True)
 class Demand:
     """[demand]: the motion asked of the wall; ag_g on rock ("su suolo rigido"), without S."""

@@ -188,8 +188,9 @@ def municipality(name: str, province: str = "") -> Municipality:
     if found:
         provinces = ", ".join(one.province for one in found)
         raise InputError("municipality_elsewhere", key="province", name=name, found=province, provinces=provinces)
-    near = ", ".join(one.name for one in beginning_with(name[:4], 3))
-    raise InputError("municipality_unknown", key="municipality", name=name, near=near or "–")
+    if near := ", ".join(one.name for one in beginning_with(name[:4], 3)):
+        raise InputError("municipality_near", key="municipality", name=name, near=near)
+    raise InputError("municipality_unknown", key="municipality", name=name)
 
 
 def distance(one: Sequence[float], other: Sequence[float]) -> float:

@@ -18,18 +18,24 @@ from core.wall.wall_body import leans_inward
 
 STOCKY_DEG = 20.0
 
+
 TO_MEND = {
-    "no_restraint": "to_no_restraint",
-    "no_top_restraint": "to_no_top_restraint",
-    "no_spectrum": "to_no_spectrum",
-    "not_compatible": "to_not_compatible",
-    "few_records": "to_few_records",
-    "bundled": "to_bundled",
-    "one_sign": "to_one_sign",
-    "no_soil_factor": "to_no_soil_factor",
-    "period_estimated": "to_period_estimated",
+    "no_restraint": Sentence("reason", "to_no_restraint", (("key", Key("back_restraint")),)),
+    "no_top_restraint": Sentence(
+        "reason", "to_no_top_restraint", (("key", Key("back_restraint")), ("one_sided", Sentence("word", "one_sided")))
+    ),
+    "no_spectrum": Sentence("reason", "to_no_spectrum"),
+    "not_compatible": Sentence("reason", "to_not_compatible"),
+    "few_records": Sentence("reason", "to_few_records"),
+    "bundled": Sentence("reason", "to_bundled"),
+    "one_sign": Sentence("reason", "to_one_sign", (("key", Key("polarity")),)),
+    "no_soil_factor": Sentence("reason", "to_no_soil_factor"),
+    "period_estimated": Sentence("reason", "to_period_estimated", (("key", Key("period_s")),)),
+    "upper_floor": Sentence("reason", "to_building", (("building", Key("[building]")),)),
+    "upper_middle": Sentence("reason", "to_building", (("building", Key("[building]")),)),
+    "no_check": Sentence("reason", "to_no_check"),
 }
-"""What makes a verdict indicative and the designer can mend -> what to do; the first two of a wall are said."""
+"""What makes a verdict indicative, or is missing, and the designer can mend -> what to do; the first two are said."""
 
 
 @dataclass(frozen=True)
@@ -81,7 +87,7 @@ class Verdict:
     way, values : the sentence of the group "verdict" and what it says; `text` adds where
     decides : the check that decides with what it compares, or what is missing
     to_do : what the designer does next, two at most
-    limits : what limits the verdict, first what makes it indicative
+    limits : what limits the verdict, first what makes it indicative, of which there are `blocking`
     notes : what a reader may pass over
     lower_bound : zeta of the two-sided motion where the restraint behind a one-sided wall fails, or None
     """
@@ -97,6 +103,7 @@ class Verdict:
     limits: tuple[Sentence, ...] = ()
     notes: tuple[Sentence, ...] = ()
     lower_bound: float | None = None
+    blocking: int = 0
 
     @property
     def reasons(self) -> tuple[Sentence, ...]:
@@ -219,10 +226,11 @@ def verdict(
         way,
         tuple(values.items()),
         decides,
-        tuple(_to_do(code, blocking, lifts)[:2]),
+        tuple(_to_do(code, [*blocking, *([missing] if missing else [])], lifts)[:2]),
         tuple(limits),
         tuple(_notes(seen, code)),
         lower_bound,
+        len(blocking),
     )
 
 
@@ -328,20 +336,23 @@ def _of_the_histories(seen: Evidence) -> list[Sentence]:
 
 
 def _to_do(code: str, blocking: list[Sentence], lifts: tuple[Lift, ...]) -> list[Sentence]:
-    """What the designer does next, the first first."""
+    """What the designer does next, the first first. blocking : with what is missing"""
     found = []
+    codes = {words.code for words in blocking}
+    mends = [to_do for why, to_do in TO_MEND.items() if why in codes]
+    if code == "undetermined":
+        return [one for one in mends if one.code in ("to_building", "to_no_check")]
     if code == "indicative":
         for lift in lifts:
             if lift.words in blocking:
-                found.append(_reason("give_reason", key=Key(lift.key)))
-        codes = [words.code for words in blocking]
-        found += [_reason(to_do) for code, to_do in TO_MEND.items() if code in codes]
+                found.append(_reason("give_reason", key=Key(lift.key), reasons=Key("justification")))
+        found += mends
         if "alone" in codes:
             found.append(_reason("justify"))
     elif code == "verified_refined":
         found.append(_reason("justify"))
     elif code in ("not_verified", "q2_unsafe", "at_limit"):
-        found.append(_reason("strengthen"))
+        found.append(_reason("strengthen", variant=Key("variant=progetto")))
     return found
 
 

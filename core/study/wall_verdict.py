@@ -8,7 +8,7 @@ from core.codes.kinematic import Check
 from core.codes.verdict_sentence import at_hinge
 from core.study.limit_states import STATES
 from core.study.results import StateOutcome, StudyResult, WallResult, WallVerdict
-from core.text.sentence import Number, Sentence, sentence
+from core.text.sentence import Key, Number, Sentence, sentence
 
 
 def severity(wall: WallResult) -> tuple[int, float]:
@@ -82,7 +82,7 @@ def _left_out(asked: Wall, case: Case, walls, indices) -> list[Sentence]:
         return []
     heights = tuple(Number(height, ".4g") for height in usual)
     code = "heights_left_out" if asked.hinge_heights is None else "hinges_as_asked"
-    return [sentence("reason", code, heights=heights)]
+    return [sentence("reason", code, heights=heights, building=Key("[building]"), key=Key("hinge_heights"))]
 
 
 def deciding(wall: WallResult) -> Check | None:

@@ -229,9 +229,9 @@ def _check_elongation(stated: float, at_yield: float, length: float, here, key: 
         )
 
 
-def check_loads(wall) -> None:
+def check_loads(wall, numbers: tuple[int, ...] = ()) -> None:
     """Raise InputError for loads under which the wall does not stand, or is no one rigid block; of a wall that bends
-    core/case/held_top.py says that."""
+    core/case/held_top.py says that. numbers : of its loads in the wall it is a part of"""
     if wall.bends or (not wall.load and wall_body.body_of(wall) is None):
         return
     here = (place("wall", name=wall.name),)
@@ -259,7 +259,7 @@ def check_loads(wall) -> None:
         raise InputError("two_sided_loads_rigid", place=here, key="law")
     if not wall.load:
         return
-    _check_inward(wall, here)
+    _check_inward(wall, here, numbers or tuple(range(1, len(wall.load) + 1)))
 
 
 def _check_load(wall, load, here) -> None:
@@ -396,20 +396,19 @@ def largest_tie_share(wall) -> float:
     return low
 
 
-def _check_inward(wall, here) -> None:
-    """Raise InputError for ties, or other forces inward, under which the wall opens a hinge above its base."""
+def _check_inward(wall, here, numbers: tuple[int, ...]) -> None:
+    """Raise InputError for ties, or other forces inward, under which the wall opens a hinge above its base.
+    numbers : of the loads, the strongest of which is named"""
     forces = [as_force(load, wall, 1.0, at_yield=True).horizontal for load in wall.load]
     held = sum(force for force in forces if force > 0.0)
     if not held or (hinge := hinge_inside(wall)) is None:
         return
+    k = forces.index(max(forces))
     raise InputError(
-        "tie_too_strong", place=here, found=1e-3 * held, hinge=hinge, most=1e-3 * held * largest_tie_share(wall)
-    )
-
-
-def loads_above(wall, hinge: float, face: float = 0.0) -> tuple:
-    """The loads of the part of a wall above a hinge [m above its base]. face : x of its outer face there [m]"""
-    kept = (load for load in wall.load if load.h_m > hinge + 1e-9)
-    return tuple(
-        replace(load, h_m=load.h_m - hinge, d_m=None if load.d_m is None else load.d_m - face) for load in kept
+        "tie_too_strong",
+        place=(*here, place("load", n=numbers[k])),
+        key="kn_m" if wall.load[k].bar is None else "diameter_mm",
+        found=1e-3 * held,
+        hinge=hinge,
+        most=1e-3 * held * largest_tie_share(wall),
     )

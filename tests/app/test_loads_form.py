@@ -162,7 +162,7 @@ def test_that_the_histories_show_what_a_tie_does(opened, application, tmp_path):
     tab = HistoriesTab()
     tab.setParent(opened)
     tab.show_wall(result, result.walls[0])
-    assert tab.of_ties.isVisibleTo(tab) and [len(tab.force.data), len(tab.elongation.data)] == [1, 2]
+    assert tab.force.isVisibleTo(tab) and [len(tab.force.data), len(tab.elongation.data)] == [1, 2]
     assert "kJ/m" in tab.words.text()
     once = tab.history.rotation.size
     tab.again.setChecked(True)
@@ -171,4 +171,9 @@ def test_that_the_histories_show_what_a_tie_does(opened, application, tmp_path):
     assert [height for height, phase in tab.wall_drawing.bars if phase != BROKEN] == [6.0]
     tab.wall_drawing.grab()
     tab.show_wall(result, result.walls[1])
-    assert not tab.of_ties.isVisibleTo(tab) and not tab.again.isVisibleTo(tab) and tab.wall_drawing.bars == []
+    assert (
+        not tab.below.tabBar().isVisibleTo(tab)
+        and tab.energy.isVisibleTo(tab)
+        and not tab.again.isVisibleTo(tab)
+        and tab.wall_drawing.bars == []
+    )

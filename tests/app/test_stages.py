@@ -2,6 +2,7 @@
 
 import gc
 import os
+import re
 from dataclasses import replace
 
 import pytest
@@ -34,9 +35,13 @@ def test_that_a_run_leads_to_the_answer_and_the_tree_says_zeta(opened, applicati
     assert opened.page == "check" and chips(opened)["w"] == f"{zeta:.2f}"
     content = opened.pages["check"].content
     assert content.ladder.rungs[0].zeta == zeta and f"{zeta:.2f}" in content.heading.text()
-    # nothing that limits the verdict is folded
+    # what makes the verdict indicative is never folded; the rest of what limits it is behind its number
     verdict = opened.session.result.walls[0].assessment.verdict
-    assert len(content.important.text().splitlines()) >= len(verdict.to_do) + len(verdict.limits)
+    assert len(content.important.text().splitlines()) == len(verdict.to_do) + max(3, verdict.blocking)
+    assert content.others.isHidden() and re.search(r"\d+ limits", content.all_limits.text())
+    content.all_limits.click()
+    said = content.important.text() + content.others.text()
+    assert content.others.isVisible() and said.count("<br>") >= len(verdict.limits)
     assert "ζ" in content.facts.text() and content.reasons.isHidden()
     content.notes.click()
     assert not content.reasons.isHidden()
@@ -183,12 +188,12 @@ def test_that_a_wide_window_shows_the_rocking_wall_beside_the_answer(opened, app
 def test_that_a_variant_by_one_click_says_beside_it_what_differs(opened):
     opened.walls.add_variant()
     rows = {row.text: row for row in opened.tree.rows}
-    assert {"stato di fatto", "progetto"} <= set(rows) and opened.walls.wall.variant == "progetto"
+    assert {"as it is", "as designed"} <= set(rows) and opened.walls.wall.variant == "progetto"
     assert opened.walls.differs.text() == ""
     opened.session.edit_wall(1, thickness_m=0.625, mechanism="one_sided", back_restraint="cross walls")
     opened.walls.loads.add("tie")
     said = [row.text for row in opened.tree.rows if row.kind == "wall"]
-    assert said[0] == "stato di fatto" and said[1].startswith("progetto: ")
+    assert said[0] == "as it is" and said[1].startswith("as designed: ")
     for words in ("thickness 50 → 62.5 cm", "two-sided → one-sided", "loads + tie"):
         assert words in said[1] and words in opened.walls.differs.text()
     opened.walls.select(0)

@@ -10,10 +10,11 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
 
-from PySide6.QtWidgets import QFileDialog, QMessageBox, QToolButton
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QPushButton, QToolButton
 
 from app.input.reasons_form import ReasonField
 from app.shell import client_view, files, finder
+from app.shell.pointing import point_at
 from core.case.loads import Bars, Load
 from core.case.schema import AS_IS, DESIGNED
 from core.case.site import Building, Demand, Spectrum
@@ -154,7 +155,7 @@ def test_that_a_missing_sentence_leads_to_the_variant_it_is_about(opened):
     opened.session.edit_wall(1, base_z_m=None)
     opened.show_input("wall", 0)
     (problem,) = opened.missing.problems
-    assert f"w ({DESIGNED})" in problem.words
+    assert "w (as designed)" in problem.words
     assert [row.chip for row in opened.tree.rows if row.kind == "wall"] == ["", "!"]
     assert not opened.walls.fields["base_z_m"].rule
     problem.lead()
@@ -188,7 +189,7 @@ def test_that_finding_a_field_of_a_load_there_is_none_of_leads_to_adding_one(ope
     assert not field.isVisibleTo(opened) and opened.focusWidget() is opened.walls.loads.add_button
     before = opened.session.case
     for one in (one for one in opened.fields if not isinstance(one, ReasonField)):
-        finder._point(opened, one)
+        point_at(opened, one)
         shown = one.isVisibleTo(opened) and one.isEnabled()
         assert shown == one.isAncestorOf(opened.focusWidget()), one.key
     assert opened.session.case == before
@@ -404,7 +405,9 @@ def test_that_a_logo_is_chosen_and_one_that_is_not_there_is_said(opened, monkeyp
     picture.parent.mkdir()
     picture.write_bytes(b"\x89PNG\r\n\x1a\n")
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(picture), ""))
-    opened.analysis._choose_logo()
+    logo = next(field for field in opened.stages.note_form.fields if field.key == "logo")
+    logo.findChild(QPushButton).click()
+    assert logo.editor.text() == "logos/l.png"
     assert opened.session.case.report.logo == "logos/l.png" and not opened.missing.problems
     (tmp_path / "deeper").mkdir()
     opened.session.save(tmp_path / "deeper" / "c.toml")

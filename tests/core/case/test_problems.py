@@ -55,3 +55,34 @@ def test_that_an_empty_case_asks_for_a_wall():
 def test_that_a_building_whose_height_is_empty_is_not_said_to_be_lower_than_a_wall():
     case = replace(read_case(ROOT / "resources" / "cases" / "building.toml"), building=Building("", 3))
     assert [(error.code, error.key) for error in problems(case)] == [("missing", "height_m")]
+
+
+def test_that_a_strength_still_to_be_given_is_one_problem_and_no_other_is_made_of_it():
+    """The strength that is assumed to look further gives a setback that no wall has: nobody gave it."""
+    wall = Wall("w", "two_sided", height_m=3.0, thickness_m=0.4, base_z_m=0.0, unit_weight_kn_m3=18.0)
+    demand = Demand(0.2, soil_factor=1.2, confidence_factor=1.2, knowledge_level="LC2", investigations="flat jacks")
+    for variant in (None, "progetto"):
+        tall = replace(wall, variant=variant, unloaded_confirmed=True, height_m=8.0, thickness_m=0.3)
+        found = problems(Case(wall=(tall,), demand=demand))
+        assert [error.code for error in found] == ["confidence_needs_strength"]
+        assert "None" not in str(found[0])
+
+
+def test_that_an_error_of_a_variant_says_its_wall_once():
+    wall = Wall("w", "two_sided", height_m=3.0, thickness_m=0.4, variant="progetto")
+    loads = (Load("tie", 4.0, 2.5),)
+    for changed in (
+        replace(wall, compressive_strength_mpa=2.0),
+        replace(wall, load=loads, unit_weight_kn_m3=18.0),
+        replace(wall, load=loads),
+    ):
+        found = [str(error) for error in problems(Case(wall=(changed,)))]
+        assert found and all(words.count('wall "w') == 1 and '"w (progetto)"' in words for words in found), found
+
+
+def test_that_a_wall_whose_weight_is_missing_is_not_said_to_be_unstable():
+    """Under 2 kN/m outward at the top it is with the weight that is assumed, 1 kN/m3, and with 18 it is not."""
+    wall = Wall("w", "two_sided", height_m=5.0, thickness_m=0.5, load=(Load("thrust", 2.0, 5.0),))
+    (error,) = problems(Case(wall=(wall,)))
+    assert "unit_weight_kn_m3" in error.keys
+    assert problems(Case(wall=(replace(wall, unit_weight_kn_m3=18.0),))) == []

@@ -293,8 +293,8 @@ def test_that_a_one_sided_wall_without_its_restraint_is_indicative():
 
 
 def test_that_everything_that_makes_a_verdict_indicative_and_can_be_mended_has_its_words():
-    for code in TO_MEND:
-        assert sentence("reason", code) and sentence("reason", TO_MEND[code]).text("it")
+    for code, to_do in TO_MEND.items():
+        assert sentence("reason", code) and to_do.text("it")
 
 
 def test_that_a_soil_factor_nobody_gave_is_said(tmp_path):

@@ -76,7 +76,7 @@ def test_that_without_a_building_the_wall_is_undetermined_and_names_what_is_miss
     words = verdict.text("en")
     assert all(key in words for key in ("height_m", "storeys", "period_s"))
     words = verdict.text("it", form=names_in("it"))  # the report has no keys
-    assert words.endswith("mancano tre numeri: altezza, piani e periodo di edificio.")
+    assert words.endswith("indicare edificio (altezza, piani e, se noto, periodo).")
 
 
 def test_that_an_estimated_period_is_said():

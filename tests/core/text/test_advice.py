@@ -97,6 +97,7 @@ CONDITION = {
     "bending_tie": "where it holds the top",
     "to_no_top_restraint": "and how",
     "confidence_needs_strength": "whose alpha includes",
+    "strength_of_no_test": "whose alpha includes",
     "eq4_negative": "must come from tests",
     "loads_contradict": "if they do not exist",
     "low_confidence_factor": "investigated",

@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from core.case.hinges import loads_above
 from core.case.loads import Load
 from core.case.rules import parse_case
 from core.case.values import field_of
@@ -19,7 +20,6 @@ from core.wall.wall_loads import (
     is_centred,
     is_stable,
     largest_tie_share,
-    loads_above,
     masses,
     moving_block,
     restoring_of,

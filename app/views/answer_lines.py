@@ -1,0 +1,101 @@
+"""Lines of the answer that say what is to be done and what limits the verdict, each with where it leads."""
+
+import html
+
+from app.look import theme
+from app.look.language import tr
+from core.report.verdict_words import lines_of
+from core.study.results import StudyResult, WallResult
+from core.text.sentence import Sentence, word
+
+LEADS = {
+    "strengthen": "variant",
+    "to_no_check": "demand",
+    "to_no_restraint": "key:back_restraint",
+    "to_no_top_restraint": "key:back_restraint",
+    "to_no_spectrum": "demand",
+    "to_no_soil_factor": "key:soil_factor",
+    "to_not_compatible": "records",
+    "to_few_records": "records",
+    "to_bundled": "records",
+    "to_one_sign": "key:polarity",
+    "to_period_estimated": "key:period_s",
+    "to_building": "building",
+    "lift_anchorage": "key:anchorage_kn",
+    "lift_elongation": "reason:elongation_m",
+    "lift_brittle": "key:elongation_m",
+    "lift_slack": "reason:slack_mm",
+    "lift_prestress": "reason:prestress",
+    "lift_confidence_factor": "reason:confidence_factor",
+    "lift_q_code": "reason:q_code",
+    "lift_velocity_ratio": "reason:velocity_ratio",
+    "lift_ratio_no_theory": "reason:velocity_ratio",
+    "lift_law": "reason:law",
+    "lift_return_walls": "reason:return_walls",
+    "lift_return_wedges": "reason:return_wedges",
+    "lift_contact": "reason:contact",
+    "lift_free_element": "reason:free_element",
+    "lift_one_sided_free": "reason:free_element",
+    "lift_participation": "reason:participation",
+    "lift_inward": "reason:load",
+    "lift_bends_inward": "reason:load",
+    "at_centroid": "reason:base_z_m",
+    "other_building": "building",
+    "heights_left_out": "key:hinge_heights",
+    "hinges_as_asked": "key:hinge_heights",
+}
+"""Code of what is to be done, or of what limits the verdict -> where that leads, see `CheckTab.asked`."""
+
+
+def link(target: str, words: str) -> str:
+    """A link of the answer, in HTML."""
+    return f"<a href='{target}' style='color:{theme.current.curves[0]}; text-decoration:none'>{words} →</a>"
+
+
+def _target(one: Sentence) -> str | None:
+    """Where a sentence leads."""
+    if one.code == "give_reason":
+        return f"reason:{dict(one.values)['key']}"
+    return LEADS.get(one.code)
+
+
+def _linked(words: list[str], sentences: tuple[Sentence, ...], kind: str, language: str) -> list[str]:
+    """Sentences as HTML, the first after the word of their kind; more words than sentences lead nowhere."""
+    lines = [html.escape(one, quote=False) for one in words]
+    for k, one in enumerate(sentences):
+        if target := _target(one):
+            lines[k] = link(target, lines[k])
+    lines[:1] = [f"<b>{word(kind, language)}:</b> {line}" for line in lines[:1]]
+    return lines
+
+
+def _words(result: StudyResult, wall: WallResult, language: str, kind: str) -> list[str]:
+    before = len(f"{word(kind, language)}: ")
+    return [line[before:] for line in lines_of(result, wall, language, (kind,))]
+
+
+def to_do(result: StudyResult, wall: WallResult, language: str) -> list[str]:
+    """What is to be done."""
+    words = _words(result, wall, language, "to_do")
+    return _linked(words, wall.assessment.verdict.to_do, "to_do", language)
+
+
+def limits(result: StudyResult, wall: WallResult, language: str, warnings: list[str]) -> list[str]:
+    """What limits the result, what makes it indicative first; nothing twice. warnings : of demand and wall"""
+    words = _words(result, wall, language, "limits")
+    for one in warnings:
+        if not any(one.rstrip(".") in line for line in words):
+            words.append(one)
+    extra = next((one.extra for one in result.verdicts if result.walls[one.governing] is wall), ())
+    return _linked(words, (*wall.assessment.verdict.limits, *extra), "limits", language)
+
+
+def no_dynamic_check(result: StudyResult, wall: WallResult) -> tuple[str, str]:
+    """(why a wall with a demand has no dynamic check, what leads to one)."""
+    if wall.wall.bends:
+        return tr("No time histories of this mechanism."), ""
+    if wall.wall.above_ground and result.case.building is None:
+        return tr("No dynamic check: the motion of the floor follows from the building."), "building"
+    if not result.motions:
+        return tr("No dynamic check: it needs records and a demand at SLV or SLC."), "generate"
+    return tr("No dynamic check: at SLD none is made, but at SLV or SLC."), "demand"
