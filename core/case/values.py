@@ -146,7 +146,18 @@ def _range(entry, value, here):
     if not isinstance(value, (list, tuple)) or len(value) != 2 or not _are_numbers(value):
         return None
     low, high = float(value[0]), float(value[1])
-    return (low, high) if PERIOD_LIMITS[0] <= low < high <= PERIOD_LIMITS[1] else None
+    least, most = _limits_of(entry)
+    return (low, high) if least <= low < high <= most else None
+
+
+def _limits_of(entry) -> tuple[float, float]:
+    """Ends of a range: of periods where its key has none."""
+    return entry.metadata.get("low", PERIOD_LIMITS[0]), entry.metadata.get("high", PERIOD_LIMITS[1])
+
+
+def _said_of_range(entry) -> Sentence:
+    low, high = _limits_of(entry)
+    return sentence("accepted", "two_numbers" if "low" in entry.metadata else "periods", low=low, high=high)
 
 
 def _list(entry, value, here):
@@ -242,7 +253,7 @@ KINDS: dict[str, tuple[Callable, Callable]] = {
     "channel": (_channel, _said("channel_key")),
     "path": (_path, _said("path")),
     "flag": (_flag, _said("flag")),
-    "range": (_range, _said("periods", low=PERIOD_LIMITS[0], high=PERIOD_LIMITS[1])),
+    "range": (_range, _said_of_range),
     "list": (_list, lambda entry: sentence("accepted", "list", items=accepted_by(entry.metadata["of"]))),
     "texts": (_texts, _said("texts", most=MAX_TEXT)),
     "tables": (_tables, lambda entry: sentence("accepted", "tables", name=entry.name)),

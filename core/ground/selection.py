@@ -16,8 +16,8 @@ MOST_SETS = 10_000_000
 """Combinations up to which every one is looked at."""
 
 MOST_STARTS, MOST_WORK, SPECTRUM = 5000, 4_000_000_000, 200
-"""Starts of the search beyond, and its work: an exchange of one record counts as the records of a set, a mean spectrum as so
-many. A count, not a time, decides when it ends, so that the same records give the same sets on every computer."""
+"""Starts of the search beyond, and its work: an exchange of one record counts as the records of a set, a mean spectrum
+as so many. A count, not a time, decides when it ends, so that the same records give the same sets on every computer."""
 
 
 class Bounds(NamedTuple):
@@ -242,9 +242,7 @@ def descend(ratios, products, means, members, known, stations, events, limits, b
             gone = members[place]
             members[place] = members[size - 1]
             for one in range(n):
-                if one == gone or not allowed_beside(
-                    members, size - 1, one, stations, events, limits[0], limits[1]
-                ):
+                if one == gone or not allowed_beside(members, size - 1, one, stations, events, limits[0], limits[1]):
                     continue
                 looked += size
                 if miss == 0.0:
@@ -282,9 +280,7 @@ def judge(ratios, sets, bounds, total, values):
     low, high, start, least, most = bounds
     for row in range(sets.shape[0]):
         add_up(sets[row], ratios, total)
-        values[row, 0], values[row, 1], values[row, 2] = judged(
-            total, sets.shape[1], low, high, start, least, most
-        )
+        values[row, 0], values[row, 1], values[row, 2] = judged(total, sets.shape[1], low, high, start, least, most)
 
 
 def nearest_sets(
@@ -331,9 +327,7 @@ def nearest_sets(
         one, other = members[0], members[known - 1]
         alike = (stations[one] == stations[other] and limits[0] < 2) or (events[one] == events[other] and limits[1] < 2)
         given = 1 if alike else known
-        done = descend(
-            ratios, products, means, members, given, stations, events, limits, asked, total, trial
-        )
+        done = descend(ratios, products, means, members, given, stations, events, limits, asked, total, trial)
         work += done
         if done:
             found.add(tuple(sorted(members.tolist())))
@@ -360,4 +354,6 @@ def _ordered(ratios: np.ndarray, sets: np.ndarray, asked) -> list[Found]:
     values = np.empty((len(sets), 3))
     judge(ratios, sets, asked, np.empty(ratios.shape[1]), values)
     order = np.lexsort((*sets.T[::-1], values[:, 1], values[:, 0]))[:LISTED]
-    return [Found(tuple(sets[k].tolist()), float(values[k, 2]), float(values[k, 0]), float(values[k, 1])) for k in order]
+    return [
+        Found(tuple(sets[k].tolist()), float(values[k, 2]), float(values[k, 0]), float(values[k, 1])) for k in order
+    ]

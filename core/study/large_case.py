@@ -49,7 +49,7 @@ class LargeCase(NamedTuple):
     @property
     def key(self) -> str:
         """Of all that decides its rows beside the program: the case, and what it reads."""
-        _, motions, kinds = self.inputs
+        _, motions, kinds, _ = self.inputs
         spectrum = b""
         if self.case.demand and self.case.demand.spectrum_file:
             spectrum = (self.base_dir / name_of(self.case.demand.spectrum_file)).read_bytes()
@@ -66,8 +66,8 @@ def in_order(case: Case, base_dir: Path, cancelled: Callable[[], bool] = lambda:
     base_dir : folder record paths start from
     Raises InputError, Cancelled.
     """
-    inputs = read_inputs(case, base_dir)
-    demand, motions, kinds = inputs
+    inputs = read_inputs(case, base_dir, cancelled=cancelled)
+    demand, motions, kinds, _ = inputs
     size = max(1, min(MOST_GROUP, MOST_SEARCHES // max(1, 2 * len(motions))))
     groups, floors = in_groups(case.wall, size), Floors(FLOORS_KEPT)
     tasks, longest = [], 0.0
@@ -90,14 +90,16 @@ def _plan(case: Case, base_dir: Path, inputs: Inputs, group: list[int], longest:
 
 def without_walls(large: LargeCase) -> StudyResult:
     """What the results of all groups have in common: demand, records, whether these comply with it."""
-    case, (demand, motions, kinds) = replace(large.case, wall=()), large.inputs
+    case, (demand, motions, kinds, selection) = replace(large.case, wall=()), large.inputs
     plan, rules = plan_of(case, large.base_dir, large.inputs, None, large.longest), None
     if demand:
         demand = with_records(demand, motions)
         rules = compliance(motions, kinds, demand, large.longest)
         demand = replace(demand, warnings=(*demand.warnings, *unsaid(demand, demands_of(case, large.base_dir))))
     now = datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds")
-    return StudyResult(case, now, plan.method, plan.search, demand, tuple(motions), tuple(kinds), (), rules)
+    return StudyResult(
+        case, now, plan.method, plan.search, demand, tuple(motions), tuple(kinds), (), rules, selection=selection
+    )
 
 
 def group_results(

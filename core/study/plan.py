@@ -1,5 +1,6 @@
 """What a study does, known before its first analysis: its demand, its motions, and its walls about every hinge."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -19,6 +20,7 @@ from core.study.demand_input import demand_of, generated
 from core.study.floors import Floor, floor_of
 from core.study.progress import STATEMENT, TIE, check_cost, run_cost
 from core.study.record_input import joined, read_records
+from core.study.record_selection import Selection, select_records
 from core.study.zeta_with import model_of
 from core.wall.rocking_model import RockingModel
 
@@ -48,6 +50,7 @@ class Plan(NamedTuple):
     motions : of the ground, with those generated; kinds : of each
     entries : the walls
     longest : period of the mechanisms of all walls [s], where these are a group of more; None else
+    selection : of [select]
     """
 
     case: Case
@@ -58,6 +61,7 @@ class Plan(NamedTuple):
     search: Search
     entries: list[Entry]
     longest: float | None = None
+    selection: Selection | None = None
 
     @property
     def runs(self) -> list[tuple[int, int, int]]:
@@ -73,16 +77,43 @@ class Plan(NamedTuple):
         return max((one.kinematic.period or 0.0 for one in self.entries if one.kinematic), default=0.0)
 
 
-Inputs = tuple[DemandResult | None, list[GroundMotion], list[str]]
-"""Demand, motions and the kind of each."""
+class Inputs(NamedTuple):
+    """What a case reads: demand, motions and the kind of each, what [select] found."""
+
+    demand: DemandResult | None
+    motions: list[GroundMotion]
+    kinds: list[str]
+    selection: Selection | None = None
 
 
-def read_inputs(case: Case, base_dir: Path) -> Inputs:
-    """What a case reads. Raises InputError."""
-    demand = demand_of(case, base_dir)
+def read_inputs(
+    case: Case,
+    base_dir: Path,
+    told: Callable[[int, int], None] = lambda done, planned: None,
+    cancelled: Callable[[], bool] = lambda: False,
+) -> Inputs:
+    """What a case reads. told, cancelled : as of `select_records`. Raises InputError, Cancelled."""
+    demand, found = demand_of(case, base_dir), None
+    if case.select and demand:
+        found = select_records(case.select, base_dir, demand, longest_of(case, base_dir, demand), told, cancelled)
+        case = replace(case, record=found.chosen.records)
     motions, kinds = read_records(case, base_dir)
     made = generated(case, demand) if demand else []
-    return demand, joined(motions, made), kinds + ["artificial"] * len(made)
+    return Inputs(demand, joined(motions, made), kinds + ["artificial"] * len(made), found)
+
+
+GROUP = 128
+"""Walls whose mechanisms are looked at together."""
+
+
+def longest_of(case: Case, base_dir: Path, demand: DemandResult) -> float:
+    """Longest period of the mechanisms of a case [s], known before its records. Raises InputError."""
+    floors, longest = Floors(16), 0.0
+    for first in range(0, len(case.wall), GROUP):
+        walls = tuple(case.wall[k] for k in range(first, min(first + GROUP, len(case.wall))))
+        plan = plan_of(replace(case, wall=walls), base_dir, Inputs(demand, [], []), floors=floors)
+        longest = max(longest, plan.longest_period)
+    return longest
 
 
 class Floors:
@@ -117,7 +148,7 @@ def plan_of(
     longest : of the mechanisms of all walls [s], where the case is a group of more
     floors : where the floors of a building are kept for the next group
     """
-    demand, motions, kinds = inputs
+    demand, motions, kinds, selection = inputs
     method = METHODS.get(case.analysis.method, AUTO)
     chosen = case.analysis
     search = Search(chosen.q_step, chosen.q_limit, chosen.map_span, chosen.robust_window)
@@ -136,7 +167,7 @@ def plan_of(
             signs, felt = polarities_of(model, chosen.polarity), list(floor.motions) if floor else motions
             felt = [] if wall.bends else felt  # no time histories of it
             entries.append(Entry(part, mechanism, model, signs, floor, felt, found))
-    plan = Plan(case, demand, motions, kinds, method, search, entries, longest)
+    plan = Plan(case, demand, motions, kinds, method, search, entries, longest, selection)
     if demand and demand.target and motions:
         period_range(kinds, plan.longest_period, demand)
     return plan

@@ -71,7 +71,7 @@ def run(
     book: Journal | Memory | None = None
     if executor:
         book = _found_on(executor, case, base_dir, cancelled)
-    plan = plan_of(case, base_dir, read_inputs(case, base_dir), share)
+    plan = plan_of(case, base_dir, read_inputs(case, base_dir, cancelled=cancelled), share)
     begin_compiling(plan)
     if journal and not executor:
         book = journal(journal_key())
@@ -117,6 +117,7 @@ def result_of(
         rules,
         elapsed,
         wall_verdicts(plan.case, tuple(results)) if whole else (),
+        plan.selection,
     )
 
 

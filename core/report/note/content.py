@@ -21,6 +21,7 @@ from core.report.note.parts import (
 from core.report.note.wall_steps import Derivations
 from core.report.note.words import Words
 from core.report.place_lines import place_of
+from core.report.selection_words import lines_of as lines_of_selection
 from core.report.tie_words import tie_lines
 from core.report.verdict_words import in_order, lines_of, sentence_of, tone_of
 from core.study.results import StudyResult, WallResult
@@ -208,6 +209,8 @@ def _records(result: StudyResult, words: Words) -> list[Part]:
     parts: list[Part] = [Heading(say("Records")), table]
     if unsaid and "natural" in result.kinds:
         parts.append(Paragraph(say("No file states: {columns}.", columns=", ".join(heads[k] for k in unsaid)), "quiet"))
+    if result.selection:
+        parts += [Paragraph(line, "quiet") for line in lines_of_selection(result.selection, say, words.language)]
     rules = result.compliance
     if rules is not None:
         line = (
