@@ -203,6 +203,7 @@ def descend(ratios, products, means, members, known, stations, events, limits, b
 
     ratios, products, means : as of `every_set`
     members : the set, its first `known` places given; the rest is filled
+    known : places given
     stations, events, limits, bounds : as of `every_set`
     total, trial : room, shape (columns of the ratios,)
     """
@@ -298,6 +299,7 @@ def nearest_sets(
     size : records of a set
     stations, events : number of the station and of the event of each record
     limits : most records of a station and of an event
+    bounds : what is asked of the mean
     told : called with the share done; true ends the search with what was found
 
     The same ratios in the same order give the same sets. Up to `MOST_SETS` combinations every one is looked at. Beyond,

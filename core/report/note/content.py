@@ -3,7 +3,7 @@
 from core.ground.provenance import provenance
 from core.report.assumptions import assumptions_of
 from core.report.derived import cell_prefix
-from core.report.note import site, wall_figures
+from core.report.note import selection_figure, site, wall_figures
 from core.report.note.parts import (
     Bars,
     Blanks,
@@ -211,6 +211,7 @@ def _records(result: StudyResult, words: Words) -> list[Part]:
         parts.append(Paragraph(say("No file states: {columns}.", columns=", ".join(heads[k] for k in unsaid)), "quiet"))
     if result.selection:
         parts += [Paragraph(line, "quiet") for line in lines_of_selection(result.selection, say, words.language)]
+        parts += _side_by_side([selection_figure.spectra(result, words)])
     rules = result.compliance
     if rules is not None:
         line = (
