@@ -15,9 +15,13 @@ LISTED = 10
 MOST_SETS = 10_000_000
 """Combinations up to which every one is looked at."""
 
-MOST_STARTS, MOST_WORK, SPECTRUM = 5000, 4_000_000_000, 200
-"""Starts of the search beyond, and its work: an exchange of one record counts as the records of a set, a mean spectrum
-as so many. A count, not a time, decides when it ends, so that the same records give the same sets on every computer."""
+CHANGED, UNIMPROVED = 3, 200
+"""Records of the best set that a new start draws anew; starts without a better one after which all are."""
+
+MOST_STARTS, MOST_WORK, EXCHANGE, SPECTRUM = 20_000, 3_000_000_000, 4, 200
+"""Starts of the search beyond, and its work: an exchange of one record counts as so many for each record of a set, a
+mean spectrum as so many. A count, not a time, decides when it ends, so that the same records give the same sets on
+every computer."""
 
 
 class Bounds(NamedTuple):
@@ -245,7 +249,7 @@ def descend(ratios, products, means, members, known, stations, events, limits, b
             for one in range(n):
                 if one == gone or not allowed_beside(members, size - 1, one, stations, events, limits[0], limits[1]):
                     continue
-                looked += size
+                looked += EXCHANGE * size
                 if miss == 0.0:
                     cross = products[one, one] - products[gone, gone]
                     for k in range(size - 1):
@@ -303,9 +307,9 @@ def nearest_sets(
     told : called with the share done; true ends the search with what was found
 
     The same ratios in the same order give the same sets. Up to `MOST_SETS` combinations every one is looked at. Beyond,
-    sets begun by pairs of records drawn from a fixed seed are completed by the record that brings the mean nearest, and
-    improved by the best exchange of one record until there is none (steepest descent, many starts); then every exchange
-    of the best ones is looked at once more, for the sets beside them.
+    sets begun by records drawn from a fixed seed, two or the most of the best set so far, are completed by the record
+    that brings the mean nearest, and improved by the best exchange of one record until there is none (iterated local
+    search, many starts); then every exchange of the best ones is looked at once more, for the sets beside them.
     """
     n, width = ratios.shape
     ratios = np.ascontiguousarray(ratios, dtype=np.float64)
@@ -320,19 +324,27 @@ def nearest_sets(
         every_set(ratios, products, means, stations, events, limits, asked, members, totals, best, values)
         return _ordered(ratios, best[np.isfinite(values[:, 0])], asked), True
     random, found, work = np.random.Generator(np.random.PCG64(1)), set(), 0
-    known, total, trial = min(2, size - 1), np.empty(width), np.empty(width)
+    total, trial, values = np.empty(width), np.empty(width), np.empty((1, 3))
+    best, last, unimproved = (), (math.inf, math.inf), 0
     for start in range(MOST_STARTS):
         if work > MOST_WORK or told(max(start / MOST_STARTS, work / MOST_WORK)):
             break
-        members = np.full(size, -1)
-        members[:known] = random.choice(n, known, replace=False)
-        one, other = members[0], members[known - 1]
-        alike = (stations[one] == stations[other] and limits[0] < 2) or (events[one] == events[other] and limits[1] < 2)
-        given = 1 if alike else known
-        done = descend(ratios, products, means, members, given, stations, events, limits, asked, total, trial)
+        kept = random.choice(best, size - CHANGED, replace=False) if best and size > CHANGED else ()
+        members, known = np.full(size, -1), 0
+        for one in (*kept, *random.choice(n, 1 if best else min(2, size - 1), replace=False)):
+            if allowed_beside(members, known, one, stations, events, *limits):
+                members[known], known = one, known + 1
+        done = descend(ratios, products, means, members, known, stations, events, limits, asked, total, trial)
         work += done
         if done:
-            found.add(tuple(sorted(members.tolist())))
+            members.sort()
+            found.add(tuple(members.tolist()))
+            judge(ratios, members[None, :], asked, total, values)
+            reached, unimproved = (float(values[0, 0]), float(values[0, 1])), unimproved + 1
+            if reached < last:
+                best, last, unimproved = tuple(members.tolist()), reached, 0
+        if unimproved == UNIMPROVED:
+            best, last, unimproved = (), (math.inf, math.inf), 0
     ends = _ordered(ratios, np.array(sorted(found), np.int64).reshape(-1, size), asked)
     for one in ends:
         found |= set(_beside(one.members, n, stations, events, limits))
