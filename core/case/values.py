@@ -146,18 +146,7 @@ def _range(entry, value, here):
     if not isinstance(value, (list, tuple)) or len(value) != 2 or not _are_numbers(value):
         return None
     low, high = float(value[0]), float(value[1])
-    least, most = _limits_of(entry)
-    return (low, high) if least <= low < high <= most else None
-
-
-def _limits_of(entry) -> tuple[float, float]:
-    """Ends of a range: of periods where its key has none."""
-    return entry.metadata.get("low", PERIOD_LIMITS[0]), entry.metadata.get("high", PERIOD_LIMITS[1])
-
-
-def _said_of_range(entry) -> Sentence:
-    low, high = _limits_of(entry)
-    return sentence("accepted", "two_numbers" if "low" in entry.metadata else "periods", low=low, high=high)
+    return (low, high) if PERIOD_LIMITS[0] <= low < high <= PERIOD_LIMITS[1] else None
 
 
 def _list(entry, value, here):
@@ -235,6 +224,17 @@ def _law(entry, value, here):
     raise InputError("ends_not_accepted", place=here, key="law", **ends)
 
 
+def _limits(entry, value, here):
+    if not isinstance(value, (list, tuple)) or len(value) != 2 or not _are_numbers(value):
+        return None
+    low, high = float(value[0]), float(value[1])
+    return (low, high) if entry.metadata["low"] <= low < high <= entry.metadata["high"] else None
+
+
+def _said_of_limits(entry) -> Sentence:
+    return sentence("accepted", "two_numbers", low=entry.metadata["low"], high=entry.metadata["high"])
+
+
 def _said(code: str, /, **values) -> Callable:
     return lambda entry: sentence("accepted", code, **values)
 
@@ -253,7 +253,8 @@ KINDS: dict[str, tuple[Callable, Callable]] = {
     "channel": (_channel, _said("channel_key")),
     "path": (_path, _said("path")),
     "flag": (_flag, _said("flag")),
-    "range": (_range, _said_of_range),
+    "range": (_range, _said("periods", low=PERIOD_LIMITS[0], high=PERIOD_LIMITS[1])),
+    "limits": (_limits, _said_of_limits),
     "list": (_list, lambda entry: sentence("accepted", "list", items=accepted_by(entry.metadata["of"]))),
     "texts": (_texts, _said("texts", most=MAX_TEXT)),
     "tables": (_tables, lambda entry: sentence("accepted", "tables", name=entry.name)),

@@ -50,7 +50,6 @@ class Plan(NamedTuple):
     motions : of the ground, with those generated; kinds : of each
     entries : the walls
     longest : period of the mechanisms of all walls [s], where these are a group of more; None else
-    selection : of [select]
     """
 
     case: Case
@@ -61,7 +60,6 @@ class Plan(NamedTuple):
     search: Search
     entries: list[Entry]
     longest: float | None = None
-    selection: Selection | None = None
 
     @property
     def runs(self) -> list[tuple[int, int, int]]:
@@ -77,29 +75,35 @@ class Plan(NamedTuple):
         return max((one.kinematic.period or 0.0 for one in self.entries if one.kinematic), default=0.0)
 
 
-class Inputs(NamedTuple):
-    """What a case reads: demand, motions and the kind of each, what [select] found."""
-
-    demand: DemandResult | None
-    motions: list[GroundMotion]
-    kinds: list[str]
-    selection: Selection | None = None
+Inputs = tuple[DemandResult | None, list[GroundMotion], list[str]]
+"""Demand, motions and the kind of each."""
 
 
-def read_inputs(
+def read_inputs(case: Case, base_dir: Path) -> Inputs:
+    """What a case reads. Raises InputError."""
+    case, _ = with_chosen(case, base_dir)
+    demand = demand_of(case, base_dir)
+    motions, kinds = read_records(case, base_dir)
+    made = generated(case, demand) if demand else []
+    return demand, joined(motions, made), kinds + ["artificial"] * len(made)
+
+
+def with_chosen(
     case: Case,
     base_dir: Path,
     told: Callable[[int, int], None] = lambda done, planned: None,
     cancelled: Callable[[], bool] = lambda: False,
-) -> Inputs:
-    """What a case reads. told, cancelled : as of `select_records`. Raises InputError, Cancelled."""
-    demand, found = demand_of(case, base_dir), None
-    if case.select and demand:
-        found = select_records(case.select, base_dir, demand, longest_of(case, base_dir, demand), told, cancelled)
-        case = replace(case, record=found.chosen.records)
-    motions, kinds = read_records(case, base_dir)
-    made = generated(case, demand) if demand else []
-    return Inputs(demand, joined(motions, made), kinds + ["artificial"] * len(made), found)
+) -> tuple[Case, Selection | None]:
+    """The case with the records of its [select] as [[record]], and what was found; itself without a [select].
+
+    told, cancelled : as of `select_records`
+    Raises InputError, Cancelled.
+    """
+    if case.select is None:
+        return case, None
+    demand = demand_of(case, base_dir)
+    found = select_records(case.select, base_dir, demand, longest_of(case, base_dir, demand), told, cancelled)
+    return replace(case, select=None, record=found.chosen.records), found
 
 
 GROUP = 128
@@ -111,7 +115,7 @@ def longest_of(case: Case, base_dir: Path, demand: DemandResult) -> float:
     floors, longest = Floors(16), 0.0
     for first in range(0, len(case.wall), GROUP):
         walls = tuple(case.wall[k] for k in range(first, min(first + GROUP, len(case.wall))))
-        plan = plan_of(replace(case, wall=walls), base_dir, Inputs(demand, [], []), floors=floors)
+        plan = plan_of(replace(case, wall=walls), base_dir, (demand, [], []), floors=floors)
         longest = max(longest, plan.longest_period)
     return longest
 
@@ -148,7 +152,7 @@ def plan_of(
     longest : of the mechanisms of all walls [s], where the case is a group of more
     floors : where the floors of a building are kept for the next group
     """
-    demand, motions, kinds, selection = inputs
+    demand, motions, kinds = inputs
     method = METHODS.get(case.analysis.method, AUTO)
     chosen = case.analysis
     search = Search(chosen.q_step, chosen.q_limit, chosen.map_span, chosen.robust_window)
@@ -167,7 +171,7 @@ def plan_of(
             signs, felt = polarities_of(model, chosen.polarity), list(floor.motions) if floor else motions
             felt = [] if wall.bends else felt  # no time histories of it
             entries.append(Entry(part, mechanism, model, signs, floor, felt, found))
-    plan = Plan(case, demand, motions, kinds, method, search, entries, longest, selection)
+    plan = Plan(case, demand, motions, kinds, method, search, entries, longest)
     if demand and demand.target and motions:
         period_range(kinds, plan.longest_period, demand)
     return plan

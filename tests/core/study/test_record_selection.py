@@ -16,7 +16,7 @@ from core.errors import Cancelled, InputError
 from core.report.json_report import results
 from core.study import run as study
 from core.study.demand_input import demand_of
-from core.study.plan import longest_of, read_inputs
+from core.study.plan import longest_of, read_inputs, with_chosen
 from core.study.record_selection import select_records
 from core.units import G
 from tests.core.study.folder_of_records import EN, NTC, WALL, case, write_esm, write_folder
@@ -50,7 +50,8 @@ def test_that_the_files_of_a_folder_are_all_accounted_for(folder):
 @pytest.mark.parametrize("ag", [0.08, 0.12, 0.2])
 def test_that_what_is_chosen_is_what_the_rules_of_the_code_then_judge(folder, scaling, spectrum, ag):
     asked = case(demand={"ag_g": ag, "spectrum": spectrum}, scaling=scaling)
-    demand, motions, kinds, found = read_inputs(asked, folder)
+    chosen, found = with_chosen(asked, folder)
+    demand, motions, kinds = read_inputs(chosen, folder)
     judged = compliance(motions, kinds, demand, longest_of(asked, folder, demand))
     assert judged.compatible == found.chosen.fits
     by_name = {rule.name: rule.value for rule in judged.rules if rule.code == spectrum["code"][:-4]}
@@ -66,7 +67,7 @@ def test_that_what_is_chosen_is_what_the_rules_of_the_code_then_judge(folder, sc
 
 
 def test_that_each_record_is_of_another_station_and_no_event_has_three(folder):
-    _, motions, _, _ = read_inputs(case(count=5), folder)
+    _, motions, _ = read_inputs(case(count=5), folder)
     stations = [dict(motion.details)["STATION_CODE"] for motion in motions]
     events = [dict(motion.details)["EVENT_ID"] for motion in motions]
     assert len(set(stations)) == 5 and max(map(events.count, events)) <= 2
@@ -98,7 +99,7 @@ def test_that_a_zip_is_chosen_from_as_the_folder_it_holds(folder, tmp_path):
     channels = [[record.channel for record in one.records] for one in inside.sets]
     assert channels == [[Path(record.file).name for record in one.records] for one in beside.sets]
     assert {reason.code for reason, _ in inside.reasons} == {"vertical_component"}
-    _, motions, _, _ = read_inputs(case("recs.zip"), tmp_path)
+    _, motions, _ = read_inputs(case("recs.zip"), tmp_path)
     assert [motion.channel for motion in motions] == channels[0]
 
 
