@@ -35,7 +35,9 @@ def lines_of(selection: Selection, say: Say, language: str) -> list[str]:
             deviation=100.0 * best.deviation,
         ),
     ]
-    if not best.fits:
+    if best.stations < best.least_stations:
+        lines.append(say("The code asks for {n} stations at least.", n=best.least_stations))
+    if best.miss:
         lines.append(
             say(
                 "No set that was found keeps the rule of the code. This one is the nearest: its worst ordinate is "

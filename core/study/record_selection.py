@@ -11,6 +11,7 @@ import numpy as np
 from core.case.schema import Record
 from core.case.select import Select
 from core.codes.demand import DemandResult
+from core.codes.limits import MINIMUM_FROM
 from core.codes.record_compatibility import compared_periods, natural_bounds, period_range, within
 from core.errors import Cancelled, InputError, section
 from core.file_names import key_of, name_of
@@ -40,6 +41,7 @@ class ChosenSet:
     pga_ratio : mean PGA over a_g S
     miss : 0 where the code's bounds hold; else the factor less 1 that brings the worst ordinate to them
     mean : spectrum at the periods of the selection [m/s2]
+    stations : of how many it is; least_stations : the code asks for
     """
 
     records: tuple[Record, ...]
@@ -49,10 +51,12 @@ class ChosenSet:
     pga_ratio: float
     miss: float
     mean: tuple[float, ...]
+    stations: int
+    least_stations: int
 
     @property
     def fits(self) -> bool:
-        return self.miss == 0.0
+        return self.miss == 0.0 and self.stations >= self.least_stations
 
 
 @dataclass(frozen=True)
@@ -229,6 +233,8 @@ def _set_of(
         float(mean[-1]),
         _miss(mean, bounds),
         tuple((inner * target).tolist()),
+        len({(found[k].event, found[k].station) if found[k].said.station else k for k in members}),
+        MINIMUM_FROM if bounds.start else 0,
     )
 
 

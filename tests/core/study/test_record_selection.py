@@ -3,6 +3,7 @@
 import json
 import shutil
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -10,14 +11,17 @@ import pytest
 
 from core.case.reader import read_case
 from core.case.rules import parse_case
+from core.case.schema import Wall
 from core.case.writer import table_of
 from core.codes.record_compatibility import compliance
 from core.errors import Cancelled, InputError
 from core.report.json_report import results
+from core.study import plan
 from core.study import run as study
 from core.study.demand_input import demand_of
 from core.study.plan import longest_of, read_inputs, with_chosen
 from core.study.record_selection import select_records
+from core.study.sweep import SweepKey, sweep
 from core.units import G
 from tests.core.study.folder_of_records import EN, NTC, WALL, case, write_esm, write_folder
 
@@ -64,6 +68,25 @@ def test_that_what_is_chosen_is_what_the_rules_of_the_code_then_judge(folder, sc
     assert all(0.5 <= factor <= 2.0 for factor in factors)
     assert len(set(factors)) == 1 or scaling == "individual"
     assert [motion.scale for motion in motions] == factors
+
+
+def test_that_two_records_are_too_few_for_the_code_that_asks_for_three(folder):
+    for spectrum, enough in ((EN, False), (NTC, True)):
+        asked = case(demand={"ag_g": 0.12, "spectrum": spectrum}, count=2)
+        chosen, found = with_chosen(asked, folder)
+        demand, motions, kinds = read_inputs(chosen, folder)
+        judged = compliance(motions, kinds, demand, longest_of(asked, folder, demand))
+        assert found.chosen.miss == 0.0 and found.chosen.fits == judged.compatible == enough
+
+
+def test_that_a_sweep_keeps_the_records_that_were_chosen_once(folder, monkeypatch):
+    """A thicker wall has a longer period, by which other records would be chosen."""
+    calls = []
+    real = plan.select_records
+    monkeypatch.setattr(plan, "select_records", lambda *a, **k: calls.append(1) or real(*a, **k))
+    asked = replace(case(), analysis=replace(case().analysis, q_step=0.1))
+    points = list(sweep(asked, 0, SweepKey(Wall, "thickness_m"), [0.4, 0.6], base_dir=folder))
+    assert [point.error for point in points] == [None, None] and len(calls) == 1
 
 
 def test_that_each_record_is_of_another_station_and_no_event_has_three(folder):
