@@ -148,7 +148,7 @@ def select_records(
     scaled = ratios * factors[:, None]
     sets, every = nearest_sets(scaled, asked.count, stations, events, limits, asked_bounds, searched)
     if not sets:
-        stated = {"per_station": asked.per_station, "per_event": asked.per_event}
+        stated = {"of_station": asked.per_station, "of_event": asked.per_event}
         raise InputError("select_no_set", place=(here,), found=len(found), count=asked.count, **stated)
     made = [_set_of(one, found, factors, scaled, periods, target, asked_bounds, base_dir) for one in sets]
     return Selection(
