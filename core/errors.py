@@ -64,6 +64,12 @@ class InputError(ValueError):
         return str(in_words(scaled.get("accepted", self.accepted), language, form, comma))
 
     @property
+    def without_place(self) -> Sentence:
+        """What is wrong, where the place is said beside it."""
+        shown = {"key": Key(self.key or ""), "value": self.value, "accepted": self.accepted, **self.values}
+        return Sentence("error", self.code, tuple(shown.items()))
+
+    @property
     def keys(self) -> set[str]:
         """Keys of the case this error speaks of."""
         names = {name for _, name, _, _ in Formatter().parse(CATALOGUE["error"][self.code][0]) if name}

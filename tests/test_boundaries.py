@@ -47,12 +47,17 @@ ONE_STEP, ORDER = "tests/validation/test_one_step.py", "tests/validation/test_me
 WORKBOOK, RUN = "tests/core/report/test_workbook.py", "tests/core/study/test_run.py"
 LAW, LARGE = "tests/core/research/test_law_study.py", "tests/core/study/test_large_case.py"
 STUDY = "tests/app/test_study.py"
+SELECTION = "tests/core/study/test_record_selection.py"
 SENTENCES = "tests/core/text/test_catalogue.py"
 DIALECTS = "tests/core/ground/test_dialects.py"
 REFUSALS = "tests/core/ground/test_record_refusals.py"
 BODIES = "tests/validation/test_bodies.py"
 
 SHOWN_BY = {
+    "case/select": SELECTION,
+    "ground/record_folder": SELECTION,
+    "report/selection_words": "tests/core/report/test_selection_rows.py",
+    "report/note/selection_figure": "tests/core/report/test_selection_rows.py",
     "case/note_file": "tests/core/report/test_pdf.py",
     "report/columns": LARGE,
     "report/parquet_file": LARGE,

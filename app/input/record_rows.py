@@ -1,5 +1,6 @@
 """What the table of the records shows: the motions of a case read or generated, one row each."""
 
+from collections.abc import Callable
 from pathlib import Path
 
 from app.input.import_dialog import read
@@ -8,6 +9,8 @@ from core.case.schema import Case, Record
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
 from core.study.demand_input import demand_of, generated
+from core.study.plan import with_chosen
+from core.study.record_input import read_records
 from core.units import CM, G
 
 Row = tuple[int | None, GroundMotion | str]
@@ -40,13 +43,20 @@ def state_of(name: str) -> tuple | None:
     return state.st_mtime_ns, state.st_size
 
 
-def read_rows(case: Case, base: Path) -> tuple[list[Row], dict[str, tuple | None]]:
-    """(rows of a case whose files are relative to `base`, state of each file that was read)."""
+def read_rows(
+    case: Case, base: Path, cancelled: Callable[[], bool] = lambda: False
+) -> tuple[list[Row], dict[str, tuple | None]]:
+    """(rows of a case whose files are relative to `base`, state of each file that was read).
+
+    cancelled : asked while records are chosen; raises Cancelled
+    """
     rows: list[Row] = [(k, motion) for k, entry in enumerate(case.record) for motion in read(entry, base)]
-    if case.generate:
+    if case.generate or case.select:
         try:
             asked = demand_of(case, base)
             made = generated(case, asked) if asked and asked.target else []
+            chosen, _ = with_chosen(case, base, cancelled=cancelled)
+            made += read_records(chosen, base)[0] if case.select else []
             rows += [(None, motion) for motion in made]
         except InputError as error:
             rows.append((None, described(error)))
@@ -68,8 +78,8 @@ def cells(motion: GroundMotion | str, entry: Record | None) -> list[str]:
         motion.name,
         number(motion.pga / G, ".3f"),
         number(motion.housner_intensity / CM, ".1f"),
-        number(entry.scale if entry else 1.0, "g").replace("-", "−"),
-        named(entry.kind if entry else "artificial"),
+        number(entry.scale if entry else motion.scale, "g").replace("-", "−"),
+        named(entry.kind if entry else "artificial" if motion.format == "generated" else "natural"),
         motion.unit,
         number(motion.time_step, "g"),
         number(motion.pgv / CM, ".1f"),

@@ -23,6 +23,7 @@ from PySide6.QtWidgets import (
 from app.input.import_dialog import ImportDialog, all_files, file_of, told_of
 from app.input.import_dialog import Row as FileRow
 from app.input.record_rows import Row, cells, heads, read_rows, state_of
+from app.input.selection_dialog import choose_for
 from app.look import theme
 from app.look.language import described, tr
 from app.views.table import Table
@@ -64,6 +65,7 @@ class RecordsPanel(QWidget):
         for label, tip, slot in (
             (tr("Add…"), tr("Add accelerograms"), self.add),
             (tr("Generate…"), tr("Seven motions compatible with the spectrum"), self.generate),
+            (tr("Choose…"), tr("Natural records of a folder by the spectrum"), self.choose),
             (tr("To the spectrum"), tr("Scale all to the spectrum"), self.scale_to_target),
             (tr("Reverse"), tr("Change the sign of the selected records"), self.reverse),
             (tr("Remove"), tr("Remove the selected records"), self.remove),
@@ -107,8 +109,9 @@ class RecordsPanel(QWidget):
         why = self._why_no_scaling()
         self.scale_button.setEnabled(not why)
         self.scale_button.setToolTip(why or tr("Scale all to the spectrum"))
-        demand = case.demand if case.generate else None
-        key = (case.record, case.generate, demand, self.session.base_dir)
+        demand = case.demand if case.generate or case.select else None
+        walls = case.wall if case.select else ()  # the periods of their mechanisms decide with it
+        key = (case.record, case.generate, case.select, walls, demand, self.session.base_dir)
         if key == self.key:
             return
         self.key = key
@@ -116,7 +119,7 @@ class RecordsPanel(QWidget):
         self.session.samples = None
         base = self.session.base_dir
 
-        job = Job(lambda _: (key, *read_rows(case, base)))
+        job = Job(lambda _: (key, *read_rows(case, base, lambda: self.key != key)))
         job.done.connect(self._arrived)
         job.failed.connect(self._failed)
         job.start()
@@ -249,7 +252,7 @@ class RecordsPanel(QWidget):
     def remove(self) -> None:
         rows = self._selected()
         if any(self.rows[row][0] is None for row in rows):
-            self.session.edit(replace(self.session.case, generate=None))
+            self.session.edit(replace(self.session.case, generate=None, select=None))
         self._change(rows, lambda record: None)
 
     def generate(self) -> None:
@@ -266,6 +269,11 @@ class RecordsPanel(QWidget):
                 return
             records = () if answer else records
         self.session.edit(replace(case, record=records, generate=Generate(7, seed)))
+
+    def choose(self) -> None:
+        """Natural records of a folder, in place of those there."""
+        if why := choose_for(self.session, self):
+            self.words.setText(why)
 
     def ask_replace(self) -> bool | None:
         """Whether generated records take the place of those there, or come beside them; None for neither."""

@@ -19,7 +19,7 @@ from core.errors import InputError
 from core.study.demand_input import target_of
 from core.study.results import StudyResult, WallResult
 
-OF_A_RESULT = ("check", "histories", "capacity", "intensity", "validation")
+OF_A_RESULT = ("check", "histories", "sure", "capacity", "intensity", "validation")
 """Pages that show nothing without a result."""
 
 

@@ -56,6 +56,7 @@ def name_sections() -> None:
             "spectrum": tr("Spectrum"),
             "spectrum_file": tr("spectrum of a file"),
             "[generate]": tr("Generate…"),
+            "[select]": tr("Choose…"),
             "time_step_s": tr("Time step"),
             "skip_lines": tr("Lines to skip"),
             "[analysis]": tr("Analysis"),

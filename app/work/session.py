@@ -309,13 +309,15 @@ class Session:
         """The case with its paths as seen from another folder."""
         seen = Session._seen
         records = tuple(replace(one, file=seen(one.file, old, new)) for one in case.record)
-        demand, report = case.demand, case.report
+        demand, report, select = case.demand, case.report, case.select
+        if select and select.folder:
+            select = replace(select, folder=seen(select.folder, old, new))
         if report.logo:
             report = replace(report, logo=seen(report.logo, old, new))
         for key in ("spectrum_file", "hazard_file"):
             if demand and getattr(demand, key):
                 demand = replace(demand, **{key: seen(getattr(demand, key), old, new)})
-        return replace(case, record=records, demand=demand, report=report)
+        return replace(case, record=records, select=select, demand=demand, report=report)
 
     # the recovery file: what a kill -9 must not lose
 

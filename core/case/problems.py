@@ -134,9 +134,11 @@ def _without(case: Case, error: InputError) -> Case | None:
         return replace(case, record=tuple(one for n, one in enumerate(case.record) if n != k))
     match error.section:
         case str(name) if name.startswith("[demand"):
-            return replace(case, demand=None, generate=None) if case.demand else None
+            return replace(case, demand=None, generate=None, select=None) if case.demand else None
         case "[generate]":
             return replace(case, generate=None) if case.generate else None
+        case "[select]":
+            return replace(case, select=None) if case.select else None
         case str(name) if name.startswith("[building"):
             return replace(case, building=None) if case.building else None
         case "[analysis]":

@@ -11,6 +11,7 @@ from core.case.hinges import check_hinges, numbers_above, parts
 from core.case.keys import is_required
 from core.case.place import HERE, Site, filled, placed
 from core.case.schema import Analysis, Case, Generate, Record, Report, Wall
+from core.case.select import Select
 from core.case.sensitivity import Ranges
 from core.case.shape_memory import check_known_shape
 from core.case.site import FULL_FACTOR, KNOWLEDGE, Building, Demand, Spectrum
@@ -95,6 +96,7 @@ def parse_case(table: dict) -> Case:
         record=tuple(records),
         walls=value_of(field_of(Case, "walls"), table["walls"]) if "walls" in table else None,
         generate=section_of(Generate, generate, "generate", section("[generate]")) if generate is not None else None,
+        select=section_of(Select, table["select"], "select", section("[select]")) if "select" in table else None,
         analysis=analysis,
         demand=_demand(demand) if demand is not None else None,
         building=_building(table["building"]) if "building" in table else None,
@@ -109,6 +111,8 @@ def parse_case(table: dict) -> Case:
                 raise InputError("scale_and_pga_scaling", place=(here,), key="scale", found=record.scale)
     if case.generate and not (case.demand and (case.demand.spectrum or case.demand.spectrum_file)):
         raise InputError("generate_needs_spectrum")
+    if case.select:
+        _check_select(case)
     walls = [
         section_of(Wall, entry, "wall", place("wall", name=_name(entry, k)))
         for k, entry in enumerate(tables_of(table, "wall"))
@@ -154,6 +158,7 @@ def draft_case(table: dict) -> Case:
         wall=tuple(part(Wall, entry, "wall") for entry in tables_of(table, "wall")),
         record=tuple(part(Record, entry, "record") for entry in tables_of(table, "record")),
         generate=one(Generate, "generate"),
+        select=one(Select, "select"),
         analysis=one(Analysis, "analysis") or Analysis(),
         demand=placed(one(Site, "site"), one(Demand, "demand")),
         building=one(Building, "building"),
@@ -336,6 +341,18 @@ def _demand(table) -> Demand:
     return demand
 
 
+def _check_select(case: Case) -> None:
+    """Refuse records that are to be chosen where there is nothing to choose them by, or others beside them: the set is
+    judged as a whole."""
+    here, demand = (section("[select]"),), case.demand
+    if not (demand and (demand.spectrum or demand.spectrum_file)):
+        raise InputError("select_needs_spectrum", place=here)
+    if case.record or case.generate:
+        raise InputError("select_alone", place=here)
+    if demand.demand_scaling == "pga":
+        raise InputError("select_and_pga_scaling", place=here)
+
+
 def check_code_keys(asked, here) -> None:
     """Refuse a spectrum of a code without the keys of that code, or with those of another."""
     for entry in fields(Spectrum):
@@ -347,7 +364,7 @@ def check_code_keys(asked, here) -> None:
 
 def _written(table: dict):
     """Places (section, index, key) the user wrote."""
-    for name in ("wall", "record", "report", "analysis", "site", "demand", "generate", "building"):
+    for name in ("wall", "record", "report", "analysis", "site", "demand", "generate", "select", "building"):
         items = table.get(name) or []
         for index, item in enumerate(items if isinstance(items, (list, tuple)) else [items]):
             for key in item if isinstance(item, dict) else ():

@@ -7,6 +7,7 @@ from dataclasses import MISSING, asdict, dataclass, field, fields
 from core.case.keys import channel_key, choice_key, flag_key, key, number_key, paragraphs_key, path_key, text_key
 from core.case.loads import Load, ReturnWalls
 from core.case.place import Site
+from core.case.select import Select
 from core.case.sensitivity import Ranges
 from core.case.site import Building, Demand
 from core.case.solids import Drawing, Opening, Solid, Step, Wedges
@@ -349,7 +350,7 @@ def sections() -> dict[str, type]:
             if isinstance(of, type):
                 yield from inside(f"{name}.{entry.name}", of, entry.metadata["kind"] == "tables")
 
-    outer = (Report, Wall, Record, Generate, Analysis, Site, Demand, Building)
+    outer = (Report, Wall, Record, Generate, Select, Analysis, Site, Demand, Building)
     found = [one for of in outer for one in inside(of.__name__.lower(), of, of in (Wall, Record))]
     return dict([*found, *inside("sensitivity", Ranges, False)])
 
@@ -375,6 +376,7 @@ class Case:
     record: tuple[Record, ...] = ()
     walls: str | None = path_key(None)
     generate: Generate | None = None
+    select: Select | None = None
     analysis: Analysis = field(default_factory=Analysis)
     demand: Demand | None = None
     building: Building | None = None
@@ -404,6 +406,7 @@ class Case:
             ("site", [self.site] if self.site else []),
             ("demand", [self.demand] if self.demand else []),
             ("generate", [self.generate] if self.generate else []),
+            ("select", [self.select] if self.select else []),
             ("building", [self.building] if self.building else []),
             ("sensitivity", [self.sensitivity] if self.sensitivity else []),
         )

@@ -239,6 +239,17 @@ def _law(entry, value, here):
     raise InputError("ends_not_accepted", place=here, key="law", **ends)
 
 
+def _limits(entry, value, here):
+    if not isinstance(value, (list, tuple)) or len(value) != 2 or not _are_numbers(value):
+        return None
+    low, high = float(value[0]), float(value[1])
+    return (low, high) if entry.metadata["low"] <= low < high <= entry.metadata["high"] else None
+
+
+def _said_of_limits(entry) -> Sentence:
+    return sentence("accepted", "two_numbers", low=entry.metadata["low"], high=entry.metadata["high"])
+
+
 def _said(code: str, /, **values) -> Callable:
     return lambda entry: sentence("accepted", code, **values)
 
@@ -260,6 +271,7 @@ KINDS: dict[str, tuple[Callable, Callable]] = {
     "range": (_range, _said("periods", low=PERIOD_LIMITS[0], high=PERIOD_LIMITS[1])),
     "factors": (_factors, _said("factors", low=LEAST_FACTOR, high=GREATEST_FACTOR)),
     "shares": (_shares, _said("shares", high=MAX_SETBACK)),
+    "limits": (_limits, _said_of_limits),
     "list": (_list, lambda entry: sentence("accepted", "list", items=accepted_by(entry.metadata["of"]))),
     "texts": (_texts, _said("texts", most=MAX_TEXT)),
     "tables": (_tables, lambda entry: sentence("accepted", "tables", name=entry.name)),

@@ -20,7 +20,18 @@ def table_of(case: Case) -> dict:
     content = case.as_dict()
     if case.walls is not None:
         table["walls"] = case.walls
-    for section in ("report", "wall", "record", "generate", "analysis", "site", "demand", "building", "sensitivity"):
+    for section in (
+        "report",
+        "wall",
+        "record",
+        "generate",
+        "select",
+        "analysis",
+        "site",
+        "demand",
+        "building",
+        "sensitivity",
+    ):
         items = content[section]
         items = items if isinstance(items, tuple) else [items] if items is not None else []
         tables = [
@@ -30,7 +41,7 @@ def table_of(case: Case) -> dict:
         if section in ("wall", "record"):
             if tables:
                 table[section] = tables
-        elif tables and (tables[0] or section in ("generate", "site", "demand", "building", "sensitivity")):
+        elif tables and (tables[0] or section in ("generate", "select", "site", "demand", "building", "sensitivity")):
             table[section] = without_derived(case.site, tables[0]) if section == "demand" else tables[0]
     return table
 

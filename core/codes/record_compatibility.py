@@ -101,6 +101,32 @@ def period_range(kinds: list[str], longest: float, demand: DemandResult) -> tupl
     return low, high
 
 
+def compared_periods(asked_range: tuple[float, float], longest: float) -> tuple[tuple[float, float], np.ndarray]:
+    """(the periods shown, all at which records are compared) [s]. asked_range : of the rules"""
+    shown = (float(HOUSNER_PERIODS[0]), max(float(HOUSNER_PERIODS[-1]), longest))
+    ends = (min(shown[0], asked_range[0]), max(shown[1], asked_range[1]))
+    count = math.ceil(math.log(ends[1] / ends[0]) / math.log1p(PERIOD_STEP)) + 1
+    steps = np.geomspace(ends[0], ends[1], count)
+    return shown, np.unique(np.round([*steps, ends[1], *shown, *asked_range], 9))
+
+
+def within(periods: np.ndarray, ends: tuple[float, float]) -> np.ndarray:
+    """Which periods [s] are between two, with both."""
+    return (ends[0] - 1e-9 <= periods) & (ends[1] + 1e-9 >= periods)
+
+
+def deciding_codes(demand: DemandResult) -> set[str]:
+    """Codes whose rules decide: of a spectrum of a file, which names no code, both."""
+    return {demand.spectrum_code[:-4]} if demand.spectrum_code else {"EN", "NTC"}
+
+
+def natural_bounds(demand: DemandResult) -> tuple[float, float, float]:
+    """(least, most mean spectrum over the target, least mean PGA over a_g S) of natural records [-]; inf and 0 where
+    the code asks for nothing."""
+    codes = deciding_codes(demand)
+    return 1.0 + LOWER["natural"], 1.0 + UPPER["natural"] if "NTC" in codes else math.inf, float("EN" in codes)
+
+
 def common_factor(motions: list[GroundMotion], demand: DemandResult) -> float:
     """The one factor of all records for which their mean 5 % spectrum is nearest to the target, by the mean of the
     logarithms of their ratio over the periods of the rules."""
@@ -120,11 +146,7 @@ def compliance(
     if not motions or demand.target is None:
         return None
     asked_range = period_range(kinds, longest, demand)
-    shown = (HOUSNER_PERIODS[0], max(HOUSNER_PERIODS[-1], longest))
-    ends = (min(shown[0], asked_range[0]), max(shown[1], asked_range[1]))
-    count = math.ceil(math.log(ends[1] / ends[0]) / math.log1p(PERIOD_STEP)) + 1
-    steps = np.geomspace(ends[0], ends[1], count)
-    periods = np.unique(np.round([*steps, ends[1], *shown, *asked_range], 9))
+    shown, periods = compared_periods(asked_range, longest)
     factors = [demand.scaling(motion) for motion in motions]
     spectra = np.array(
         [
@@ -137,7 +159,7 @@ def compliance(
     difference = mean / target - 1.0
 
     def extremes(ends) -> tuple[float, float]:
-        inside = difference[(ends[0] - 1e-9 <= periods) & (ends[1] + 1e-9 >= periods)]
+        inside = difference[within(periods, ends)]
         return float(inside.min()), float(inside.max())
 
     low, high = extremes(asked_range)
@@ -167,9 +189,7 @@ def compliance(
         Rule("shown", f"{shown[0]:.1f}-{shown[1]:.1f} s", name, value, None, "%", None)
         for name, value in (("mean_lower", least), ("mean_upper", most))
     ]
-    # a spectrum of a file names no code: both must be met
-    codes = {demand.spectrum_code[:-4]} if demand.spectrum_code else {"EN", "NTC"}
-    decides = [rule.passed for rule in rules if rule.code in (*codes, "both")]
+    decides = [rule.passed for rule in rules if rule.code in (*deciding_codes(demand), "both")]
     return Compliance(
         periods,
         spectra,

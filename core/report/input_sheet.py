@@ -48,7 +48,8 @@ def _line(book: Book, sheet, row: int, key: str, value, source: str | None) -> i
     label = word(f"key_{key}", language)
     text(sheet, row, 1, capital(label))
     if isinstance(value, bool) or not isinstance(value, (int, float)):
-        shown = spelled(value, book)
+        # the word of "none" is that of a mass
+        shown = book.say("as recorded") if (key, value) == ("scaling", "none") else spelled(value, book)
         text(sheet, row, 2, shown, wrap=True)
         heighten(sheet, row, (shown, 50))
     else:
@@ -77,7 +78,7 @@ def spelled(value, book: Book) -> str:
 def _sections(book: Book, case: Case):
     """(section, index, heading, keys and values)"""
     content = case.as_dict()
-    for section in ("report", "demand", "building", "wall", "record", "generate", "analysis"):
+    for section in ("report", "demand", "building", "wall", "record", "generate", "select", "analysis"):
         items = content[section]
         heading = word(f"section_{section}", book.language)
         if isinstance(items, dict):

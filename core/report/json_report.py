@@ -15,6 +15,7 @@ from core.ground.ground_motion import GroundMotion
 from core.ground.provenance import provenance
 from core.report import place_lines
 from core.report.json_walls import bending, body, limit_states, loads, tie_design, ties, variants, verdicts
+from core.report.selection_words import selection_keys
 from core.report.steps import Steps
 from core.study.results import Q_SOURCES, Assessment, Run, StudyResult, WallResult
 from core.units import CM, G
@@ -35,6 +36,7 @@ def results(result: StudyResult, steps: Steps | None = None) -> dict:
         **({"drawings": [dict(note.values) for note in result.case.drawings]} if result.case.drawings else {}),
         "demand": demand_keys(result) if result.demand else None,
         "records": record_keys(result),
+        **({"selection": selection_keys(result.selection)} if result.selection else {}),
         **verdicts(result),
         "walls": [_wall(wall, result) for wall in steps.each(result.walls)],
         **variants(result),
@@ -274,7 +276,7 @@ def _uncertainty(accuracy: Accuracy | None) -> dict:
 
 
 def _record(motion: GroundMotion, kind: str) -> dict:
-    return {"name": motion.name, "kind": kind, **record_measures(motion)}
+    return {"name": motion.name, "kind": kind, "scale": motion.scale, **record_measures(motion)}
 
 
 def record_measures(motion: GroundMotion) -> dict:

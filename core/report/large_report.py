@@ -9,6 +9,7 @@ from dataclasses import replace
 from core.case.schema import Case
 from core.report.columns import COLUMNS
 from core.report.json_report import demand_keys, record_keys
+from core.report.selection_words import selection_keys
 from core.study.results import StudyResult
 from core.version import NAME, VERSION, commit
 
@@ -66,6 +67,7 @@ def summary(case: Case, result: StudyResult, tally: Tally, file: str) -> dict:
         "case_sha256": case.sha256,
         "demand": demand_keys(result) if result.demand else None,
         "records": record_keys(result),
+        **({"selection": selection_keys(result.selection)} if result.selection else {}),
         "table": {
             "file": file,
             "rows": tally.rows,

@@ -22,6 +22,7 @@ from core.report.cells import (
     text,
     title,
 )
+from core.report.selection_rows import selection_rows
 from core.study.results import Run, StudyResult, WallResult
 from core.text.sentence import localized, word
 from core.units import CM, G
@@ -127,13 +128,15 @@ def records(book: Book, result: StudyResult) -> None:
         for warning in motion.warnings:
             line = f"• {motion.name}: {warning.text(book.language)}"
             row = paragraph(sheet, row, line, len(widths), 150)
-    _provenance(book, sheet, result, row + 1)
+    row = _provenance(book, sheet, result, row + 1)
+    if result.selection:
+        selection_rows(book, sheet, result.selection, row + 2)
     sheet.freeze_panes = "A4"
     sheet.print_title_rows = "3:3"
 
 
-def _provenance(book: Book, sheet, result: StudyResult, row: int) -> None:
-    """What the files say of event and station; what they leave open is blank for the engineer."""
+def _provenance(book: Book, sheet, result: StudyResult, row: int) -> int:
+    """What the files say of event and station; what they leave open is blank for the engineer. Returns the last row."""
     say = book.say
     header(
         sheet,
@@ -165,11 +168,12 @@ def _provenance(book: Book, sheet, result: StudyResult, row: int) -> None:
         heighten(sheet, row, (motion.name, 24), (station, 40))
         text(sheet, row, 3, word(kind, book.language))
         if result.demand:
-            number(sheet, row, 4, result.demand.scaling(motion), ACCELERATION)
+            number(sheet, row, 4, motion.scale * result.demand.scaling(motion), ACCELERATION)
         cells = (where.date, where.magnitude, where.distance_km, where.site_class, where.filter_and_processing)
         for column, value in zip((5, 7, 9, 11, 13), cells, strict=True):
             text(sheet, row, column, value, size=8)
         rule(sheet, row, 1, 13)
+    return row
 
 
 def results(book: Book, result: StudyResult) -> None:

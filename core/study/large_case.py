@@ -17,8 +17,9 @@ from core.errors import Cancelled
 from core.file_names import name_of
 from core.jit import cache
 from core.study.limit_states import demands_of, unsaid
-from core.study.plan import Floors, Inputs, costs_of, plan_of, read_inputs
+from core.study.plan import Floors, Inputs, costs_of, plan_of, read_inputs, with_chosen
 from core.study.progress import OnProgress, Progress
+from core.study.record_selection import Selection
 from core.study.results import StudyResult
 from core.study.run import begin_compiling, result_of
 from core.study.threads import Threads
@@ -37,6 +38,7 @@ class LargeCase(NamedTuple):
     groups : indices of the walls of each
     tasks : searches and checks of each group
     longest : period of the mechanisms of all walls [s]
+    selection : of [select]
     """
 
     case: Case
@@ -45,6 +47,7 @@ class LargeCase(NamedTuple):
     groups: list[list[int]]
     tasks: list[int]
     longest: float
+    selection: Selection | None = None
 
     @property
     def key(self) -> str:
@@ -66,7 +69,8 @@ def in_order(case: Case, base_dir: Path, cancelled: Callable[[], bool] = lambda:
     base_dir : folder record paths start from
     Raises InputError, Cancelled.
     """
-    inputs = read_inputs(case, base_dir)
+    chosen, selection = with_chosen(case, base_dir, cancelled=cancelled)
+    inputs = read_inputs(chosen, base_dir)
     demand, motions, kinds = inputs
     size = max(1, min(MOST_GROUP, MOST_SEARCHES // max(1, 2 * len(motions))))
     groups, floors = in_groups(case.wall, size), Floors(FLOORS_KEPT)
@@ -79,7 +83,7 @@ def in_order(case: Case, base_dir: Path, cancelled: Callable[[], bool] = lambda:
         longest = max(longest, plan._replace(longest=None).longest_period)
     if demand and demand.target and motions:
         period_range(kinds, longest, demand)
-    return LargeCase(case, base_dir, inputs, groups, tasks, longest)
+    return LargeCase(case, base_dir, inputs, groups, tasks, longest, selection)
 
 
 def _plan(case: Case, base_dir: Path, inputs: Inputs, group: list[int], longest: float, floors: Floors):
@@ -97,7 +101,8 @@ def without_walls(large: LargeCase) -> StudyResult:
         rules = compliance(motions, kinds, demand, large.longest)
         demand = replace(demand, warnings=(*demand.warnings, *unsaid(demand, demands_of(case, large.base_dir))))
     now = datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds")
-    return StudyResult(case, now, plan.method, plan.search, demand, tuple(motions), tuple(kinds), (), rules)
+    result = StudyResult(case, now, plan.method, plan.search, demand, tuple(motions), tuple(kinds), (), rules)
+    return replace(result, selection=large.selection)
 
 
 def group_results(

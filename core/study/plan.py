@@ -1,5 +1,6 @@
 """What a study does, known before its first analysis: its demand, its motions, and its walls about every hinge."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -19,6 +20,7 @@ from core.study.demand_input import demand_of, generated
 from core.study.floors import Floor, floor_of
 from core.study.progress import SENSITIVITY, STATEMENT, TIE, check_cost, run_cost
 from core.study.record_input import joined, read_records
+from core.study.record_selection import Selection, select_records
 from core.study.zeta_with import model_of
 from core.wall.rocking_model import RockingModel
 
@@ -79,10 +81,43 @@ Inputs = tuple[DemandResult | None, list[GroundMotion], list[str]]
 
 def read_inputs(case: Case, base_dir: Path) -> Inputs:
     """What a case reads. Raises InputError."""
+    case, _ = with_chosen(case, base_dir)
     demand = demand_of(case, base_dir)
     motions, kinds = read_records(case, base_dir)
     made = generated(case, demand) if demand else []
     return demand, joined(motions, made), kinds + ["artificial"] * len(made)
+
+
+def with_chosen(
+    case: Case,
+    base_dir: Path,
+    told: Callable[[int, int], None] = lambda done, planned: None,
+    cancelled: Callable[[], bool] = lambda: False,
+) -> tuple[Case, Selection | None]:
+    """The case with the records of its [select] as [[record]], and what was found; itself without a [select].
+
+    told, cancelled : as of `select_records`
+    Raises InputError, Cancelled.
+    """
+    if case.select is None:
+        return case, None
+    demand = demand_of(case, base_dir)
+    found = select_records(case.select, base_dir, demand, longest_of(case, base_dir, demand), told, cancelled)
+    return replace(case, select=None, record=found.chosen.records), found
+
+
+GROUP = 128
+"""Walls whose mechanisms are looked at together."""
+
+
+def longest_of(case: Case, base_dir: Path, demand: DemandResult) -> float:
+    """Longest period of the mechanisms of a case [s], known before its records. Raises InputError."""
+    floors, longest = Floors(16), 0.0
+    for first in range(0, len(case.wall), GROUP):
+        walls = tuple(case.wall[k] for k in range(first, min(first + GROUP, len(case.wall))))
+        plan = plan_of(replace(case, wall=walls), base_dir, (demand, [], []), floors=floors)
+        longest = max(longest, plan.longest_period)
+    return longest
 
 
 class Floors:

@@ -28,7 +28,7 @@ def read_records(case: Listed, base_dir: Path) -> tuple[list[GroundMotion], list
         options = Options(entry.unit, entry.time_step_s, entry.column, entry.skip_lines, entry.channel or None)
         try:
             for path in records.expand(entry.file, base_dir):
-                file = _relative(path, base_dir)
+                file = relative(path, base_dir)
                 motion = replace(records.read(path, options, entry.scale), file=file)
                 here = (file, motion.channel)
                 twin, of_it = seen.setdefault(motion.samples_sha256, here)
@@ -58,7 +58,8 @@ def _told_apart(motions: list[GroundMotion]) -> list[GroundMotion]:
     return [replace(m, name=f"{m.file} {m.channel}".strip()) for m in motions]
 
 
-def _relative(path: Path, base_dir: Path) -> str:
+def relative(path: Path, base_dir: Path) -> str:
+    """A file as a case of this folder names it."""
     try:
         return Path(os.path.relpath(path, base_dir)).as_posix()
     except ValueError:  # another drive

@@ -24,6 +24,7 @@ from core.rocking.history import History
 from core.rocking.methods import AUTO, Method, resolve_auto
 from core.study.floors import Floor
 from core.study.limit_states import StateZeta
+from core.study.record_selection import Selection
 from core.study.swings import Sensitivity
 from core.study.tie_design import TieDesign
 from core.text.sentence import Sentence
@@ -243,6 +244,7 @@ class StudyResult:
     motions : the records, SI units
     walls : one entry for each hinge and mechanism of each wall of the case
     verdicts : one for each wall of the case, in its order; empty without a demand
+    selection : of [select]
     """
 
     case: Case
@@ -256,6 +258,7 @@ class StudyResult:
     compliance: Compliance | None = None
     elapsed: float = field(compare=False, default=0.0)
     verdicts: tuple[WallVerdict, ...] = ()
+    selection: Selection | None = None
 
     def motion_of(self, wall: WallResult, k: int) -> GroundMotion:
         """The motion under a wall: the k-th of the study, or of a wall above the ground that of its floor."""

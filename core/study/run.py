@@ -29,7 +29,7 @@ from core.study.how_sure import with_certainty
 from core.study.journal import Journal, Memory, rebuilt
 from core.study.kept_checks import KeptChecks
 from core.study.limit_states import StateHistories, demands_of, unsaid, zetas
-from core.study.plan import Entry, Inputs, Plan, costs_of, plan_of, read_inputs, refuse_large
+from core.study.plan import Entry, Inputs, Plan, costs_of, plan_of, read_inputs, refuse_large, with_chosen
 from core.study.progress import OnProgress, Progress
 from core.study.results import Assessment, StudyResult, WallResult
 from core.study.threads import Threads
@@ -72,13 +72,15 @@ def run(
     book: Journal | Memory | None = None
     if executor:
         book = _found_on(executor, case, base_dir, cancelled)
-    plan = plan_of(case, base_dir, read_inputs(case, base_dir), share)
+    chosen, selection = with_chosen(case, base_dir, cancelled=cancelled)
+    plan = plan_of(case, base_dir, read_inputs(chosen, base_dir), share)
     begin_compiling(plan)
     if journal and not executor:
         book = journal(journal_key())
     progress = Progress(costs_of(plan), on_progress)
     whole = share is None
-    return result_of(plan, base_dir, Threads(jobs, cancelled), started, book, progress, on_wall, whole)
+    result = result_of(plan, base_dir, Threads(jobs, cancelled), started, book, progress, on_wall, whole)
+    return replace(result, selection=selection)
 
 
 def result_of(

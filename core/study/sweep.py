@@ -13,6 +13,7 @@ from core.case.variant_of import ALTERNATIVES
 from core.case.writer import table_of
 from core.errors import InputError
 from core.study.journal import Memory
+from core.study.plan import with_chosen
 from core.study.results import StudyResult
 from core.study.run import run
 
@@ -141,6 +142,7 @@ def sweep(
     Raises Cancelled.
     """
     memory = book or Memory()
+    case, _ = with_chosen(case, base_dir, cancelled=cancelled)  # the same records at every value
     for n, value in enumerate(values):
 
         def tell(done: int, of: int, left: float | None, n: int = n) -> None:

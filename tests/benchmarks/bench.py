@@ -20,6 +20,7 @@
     python3 run.py bench --tolerances [--cases N] [--pairs N] # the same for other tolerances of a step, and their speed
     python3 run.py bench --compile                          # what a cold start compiles, kernel by kernel
     python3 run.py bench --note                             # seconds of the calculation note after a run
+    python3 run.py bench --selection                        # seven records of a thousand, and of few
     python3 run.py bench --ties [LIST.toml]                 # what q = 2 is worth for a tie, see tie_study.py
 
 With --small it does little of it, as in the tests: what it prints then says nothing. Every benchmark asserts that
@@ -52,6 +53,7 @@ BENCHMARKS = {
     "tolerances": "tolerance_sweep",
     "compile": "compile_times",
     "note": "note_speed",
+    "selection": "selection_speed",
 }
 """Word of the command -> module of this folder, whose `main(options)` measures and prints."""
 

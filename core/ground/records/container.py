@@ -77,7 +77,7 @@ def member_of(content: bytes, asked: str | None) -> tuple[str, bytes, str | None
                 raise RecordError("no_member")
             names = [_printable(entry.filename) for entry in entries]
             member, within = _split(asked, names)
-            k = refuse_unchosen(names, [_is_vertical(name) for name in names], member)
+            k = refuse_unchosen(names, [names_vertical(name) for name in names], member)
             entry = entries[k]
             if entry.file_size > MAX_UNPACKED:
                 raise RecordError("unpacked_too_large", mb=entry.file_size / 1e6)
@@ -109,10 +109,11 @@ def _split(asked: str | None, names: list[str]) -> tuple[str | None, str | None]
 def _order(entry: zipfile.ZipInfo) -> tuple:
     """Accelerations by name first, horizontal before vertical, processed (MP) before converted only (CV)."""
     name = entry.filename
-    return not _ACCELERATION.search(name), _is_vertical(name), ".CV." in name.upper(), name
+    return not _ACCELERATION.search(name), names_vertical(name), ".CV." in name.upper(), name
 
 
-def _is_vertical(name: str) -> bool:
+def names_vertical(name: str) -> bool:
+    """Whether the name of a file says that it holds a vertical component."""
     base = name.rpartition("/")[2]
     stream = _STREAM.search(base)
     ending = base.rpartition(".")[2]

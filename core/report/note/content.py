@@ -3,7 +3,7 @@
 from core.ground.provenance import provenance
 from core.report.assumptions import assumptions_of
 from core.report.derived import cell_prefix
-from core.report.note import site, wall_figures
+from core.report.note import selection_figure, site, wall_figures
 from core.report.note.certainty import certainty, certainty_line
 from core.report.note.parts import (
     Bars,
@@ -22,6 +22,7 @@ from core.report.note.parts import (
 from core.report.note.wall_steps import Derivations
 from core.report.note.words import Words
 from core.report.place_lines import place_of
+from core.report.selection_words import lines_of as lines_of_selection
 from core.report.tie_words import tie_lines
 from core.report.verdict_words import in_order, lines_of, sentence_of, tone_of
 from core.study.results import StudyResult, WallResult
@@ -210,6 +211,9 @@ def _records(result: StudyResult, words: Words) -> list[Part]:
     parts: list[Part] = [Heading(say("Records")), table]
     if unsaid and "natural" in result.kinds:
         parts.append(Paragraph(say("No file states: {columns}.", columns=", ".join(heads[k] for k in unsaid)), "quiet"))
+    if result.selection:
+        parts += [Paragraph(line, "quiet") for line in lines_of_selection(result.selection, say, words.language)]
+        parts += _side_by_side([selection_figure.spectra(result, words)])
     rules = result.compliance
     if rules is not None:
         line = (

@@ -8,6 +8,8 @@ from core.errors import InputError
 from tests.core.case.tables import WALL, case, without
 
 TESTED = {"ag_g": 0.2, "confidence_factor": 1.2, "knowledge_level": "LC2", "investigations": "cores, double flat jacks"}
+CHOSEN = {"demand": {"ag_g": 0.2, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}}
+SCALED = {"demand": {**CHOSEN["demand"], "demand_scaling": "pga"}}
 STRENGTH = {"compressive_strength_mpa": 2.0, "unit_weight_kn_m3": 18.0}
 
 
@@ -70,6 +72,13 @@ STRENGTH = {"compressive_strength_mpa": 2.0, "unit_weight_kn_m3": 18.0}
         ),
         (case(record=[{"file": "a.txt", "channel": 0}]), ["channel", "name of a channel, or its number"]),
         (case(generate={"count": 7}), ["generate", "spectrum"]),
+        (case(select={"folder": "x"}), ["[select]", "spectrum of the demand"]),
+        (case(select={"count": 7}, **CHOSEN), ["folder", "required"]),
+        (case(select={"folder": "x", "count": 31}, **CHOSEN), ["count", "1 to 30"]),
+        (case(select={"folder": "x", "scale_limits": [2.0, 0.5]}, **CHOSEN), ["scale_limits", "two rising numbers"]),
+        (case(select={"folder": "x"}, generate={"count": 7}, **CHOSEN), ["[select]", "as a whole"]),
+        (case(select={"folder": "x"}, record=[{"file": "a.txt"}], **CHOSEN), ["[select]", "as a whole"]),
+        (case(select={"folder": "x"}, **SCALED), ["[select]", "demand_scaling"]),
         (case({"law": "doherty"}, analysis={"method": "linearised"}), ["rigid law", "trilinear"]),
         (case(analysis={"method": "magic"}), ["magic", "taylor"]),
         (case(analysis={"q_step": 0.0}), ["q_step", "0.0001"]),

@@ -1,0 +1,244 @@
+"""[select]: the records of a folder whose mean spectrum is nearest to that of the demand, within its rule."""
+
+import math
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from core.case.schema import Record
+from core.case.select import Select
+from core.codes.demand import DemandResult
+from core.codes.limits import MINIMUM_FROM
+from core.codes.record_compatibility import compared_periods, natural_bounds, period_range, within
+from core.errors import Cancelled, InputError, section
+from core.file_names import key_of, name_of
+from core.ground.record_folder import Candidate, LeftOut, Limits, files_in, one_of_each, read_file
+from core.ground.selection import Bounds, Found, nearest_sets
+from core.study.record_input import relative
+from core.study.threads import Threads
+from core.text.sentence import Sentence
+
+MOST_CANDIDATES = 3000
+"""Records that a search takes: it keeps the product of each two of them."""
+
+MARGIN = 1e-9
+"""By which the bounds of the search are within those of the code: a set on its bound is judged the same twice."""
+
+DIGITS = 4
+"""Decimals of a factor."""
+
+
+@dataclass(frozen=True)
+class ChosenSet:
+    """A set of records, with what the code asks of it.
+
+    records : with their factors, as [[record]] has them
+    deviation : root mean square of mean over target less 1 [-], over the periods compared
+    lowest, highest : of mean over target, (period [s], ratio)
+    pga_ratio : mean PGA over a_g S
+    miss : 0 where the code's bounds hold; else the factor less 1 that brings the worst ordinate to them
+    mean : spectrum at the periods of the selection [m/s2]
+    stations : of how many it is; least_stations : the code asks for
+    """
+
+    records: tuple[Record, ...]
+    deviation: float
+    lowest: tuple[float, float]
+    highest: tuple[float, float]
+    pga_ratio: float
+    miss: float
+    mean: tuple[float, ...]
+    stations: int
+    least_stations: int
+
+    @property
+    def fits(self) -> bool:
+        return self.miss == 0.0 and self.stations >= self.least_stations
+
+
+@dataclass(frozen=True)
+class Selection:
+    """What [select] found.
+
+    files : looked at; candidates : records among which the sets were searched
+    left_out : files and channels that are no candidates
+    sets : the best first; the first is taken
+    every : every combination was looked at
+    period_range : compared [s]
+    bounds : least and most mean over target, least mean PGA over a_g S
+    periods, target : [s], [m/s2]
+    """
+
+    folder: str
+    files: int
+    candidates: int
+    left_out: tuple[LeftOut, ...]
+    sets: tuple[ChosenSet, ...]
+    every: bool
+    period_range: tuple[float, float]
+    bounds: tuple[float, float, float]
+    periods: tuple[float, ...]
+    target: tuple[float, ...]
+
+    @property
+    def chosen(self) -> ChosenSet:
+        return self.sets[0]
+
+    @property
+    def reasons(self) -> list[tuple[Sentence, int]]:
+        """Why files are left out, and how many for each, the most frequent first."""
+        counts: dict[str, list] = {}
+        for one in self.left_out:
+            counts.setdefault(one.reason.code, [one.reason, 0])[1] += 1
+        return sorted(((reason, n) for reason, n in counts.values()), key=lambda entry: -entry[1])
+
+
+def select_records(
+    asked: Select,
+    base_dir: Path,
+    demand: DemandResult,
+    longest: float,
+    told: Callable[[int, int], None] = lambda done, planned: None,
+    cancelled: Callable[[], bool] = lambda: False,
+) -> Selection:
+    """The sets nearest to the spectrum of a demand.
+
+    base_dir : the folder starts from there
+    longest : T_SLV or T_SLC of the walls [s]
+    told : called from this thread with the hundredths done and 100
+    Raises InputError where there is no set, Cancelled.
+    """
+    here = section("[select]")
+    asked_range = period_range(["natural"], longest, demand)
+    periods = compared_periods(asked_range, longest)[1]
+    periods = periods[within(periods, asked_range)]
+    files = files_in(base_dir / name_of(asked.folder))
+    found, left = _candidates(files, asked, periods, told, cancelled)
+    if len(found) < asked.count:
+        why = tuple({one.reason.code: one.reason for one in left}.values())[:3]
+        stated = {"found": len(found), "count": asked.count, "files": len(files), "why": why}
+        raise InputError("select_too_few", place=(here,), **stated)
+    if len(found) > MOST_CANDIDATES:
+        raise InputError("select_too_many", place=(here,), found=len(found), most=MOST_CANDIDATES)
+    target = demand.target.acceleration(periods)
+    pga = np.array([one.pga for one in found]) / demand.pga
+    ratios = np.column_stack([np.array([one.spectrum for one in found]) / target, pga])
+    least, most = asked.scale_limits
+    factors = np.ones(len(found))
+    if asked.scaling == "individual":
+        fitted = np.exp(-np.log(ratios[:, :-1]).mean(axis=1))
+        factors = np.round(np.clip(fitted, least, most), DIGITS)
+    bounds = natural_bounds(demand)
+    low, high, start = bounds
+    asked_bounds = Bounds(
+        low * (1.0 + MARGIN), high * (1.0 - MARGIN), start, (least, most) if asked.scaling == "common" else (1.0, 1.0)
+    )
+
+    def searched(share: float) -> bool:
+        told(50 + int(50 * share), 100)
+        if cancelled():
+            raise Cancelled
+        return False
+
+    stations, events = _numbered([one.station for one in found]), _numbered([one.event for one in found])
+    limits = (asked.per_station, asked.per_event)
+    scaled = ratios * factors[:, None]
+    sets, every = nearest_sets(scaled, asked.count, stations, events, limits, asked_bounds, searched)
+    if not sets:
+        stated = {"of_station": asked.per_station, "of_event": asked.per_event}
+        raise InputError("select_no_set", place=(here,), found=len(found), count=asked.count, **stated)
+    made = [_set_of(one, found, factors, scaled, periods, target, asked_bounds, base_dir) for one in sets]
+    return Selection(
+        asked.folder,
+        len(files),
+        len(found),
+        tuple(left),
+        tuple(sorted(made, key=lambda one: (one.miss, one.deviation))),
+        every,
+        asked_range,
+        bounds,
+        tuple(periods.tolist()),
+        tuple(target.tolist()),
+    )
+
+
+def _candidates(
+    files: list[Path], asked: Select, periods: np.ndarray, told, cancelled
+) -> tuple[list[Candidate], list[LeftOut]]:
+    """(records, what is left out), in an order that does not depend on that of the files. told, cancelled : as of
+    `select_records`"""
+    limits = Limits(asked.magnitude, asked.distance_km, asked.soil)
+    done = iter(range(1, len(files) + 1))
+
+    def task(path: Path):
+        return lambda stop: [] if stop() else read_file(path, periods, limits)
+
+    threads = Threads(os.cpu_count() or 1, cancelled)
+    tasks = {k: task(path) for k, path in enumerate(files)}
+    read = threads.run(tasks, lambda k, _: told(50 * next(done) // len(files), 100))
+    parts = [part for k in range(len(files)) for part in read[k]]
+    kept, copies = one_of_each([part for part in parts if isinstance(part, Candidate)])
+    return kept, [part for part in parts if isinstance(part, LeftOut)] + copies
+
+
+def _numbered(names: list[str]) -> np.ndarray:
+    return np.unique(names, return_inverse=True)[1].astype(np.int64)
+
+
+def _set_of(
+    one: Found,
+    found: list[Candidate],
+    factors: np.ndarray,
+    ratios: np.ndarray,
+    periods: np.ndarray,
+    target: np.ndarray,
+    bounds: Bounds,
+    base_dir: Path,
+) -> ChosenSet:
+    """A set with its factor of `DIGITS` decimals: the nearest one that keeps the bounds.
+
+    one : as found
+    found : the candidates
+    factors : of each
+    ratios : of each, scaled by them, as `nearest_sets` takes them
+    periods, target : [s], [m/s2]
+    bounds : of the search
+    base_dir : files are named from there
+    """
+    members = list(one.members)
+    mean = ratios[members].mean(axis=0)
+    step = 10.0**-DIGITS
+    tried = [round(one.factor, DIGITS), math.ceil(one.factor / step) * step, math.floor(one.factor / step) * step]
+    allowed = [round(min(max(factor, bounds.factors[0]), bounds.factors[1]), DIGITS) for factor in tried]
+    factor = min(allowed, key=lambda factor: _miss(factor * mean, bounds))
+    mean = factor * mean
+    inner = mean[:-1]
+    low, high = int(np.argmin(inner)), int(np.argmax(inner))
+    records = tuple(
+        Record(
+            file=key_of(relative(found[k].file, base_dir)),
+            channel=found[k].channel,
+            scale=round(float(factor * factors[k]), DIGITS),
+        )
+        for k in members
+    )
+    return ChosenSet(
+        records,
+        float(np.sqrt(np.mean((inner - 1.0) ** 2))),
+        (float(periods[low]), float(inner[low])),
+        (float(periods[high]), float(inner[high])),
+        float(mean[-1]),
+        _miss(mean, bounds),
+        tuple((inner * target).tolist()),
+        len({(found[k].event, found[k].station) if found[k].said.station else k for k in members}),
+        MINIMUM_FROM if bounds.start else 0,
+    )
+
+
+def _miss(mean: np.ndarray, bounds: Bounds) -> float:
+    """As `Found` has it, of a mean over its target, its PGA last."""
+    needed = max(bounds.low / mean[:-1].min(), bounds.start / mean[-1])
+    return max(float(max(needed, mean[:-1].max() / bounds.high) - 1.0), 0.0)

@@ -1,0 +1,224 @@
+"""[select]: from a folder of records to a set that the program then judges."""
+
+import json
+import shutil
+import zipfile
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from core.case.reader import read_case
+from core.case.rules import parse_case
+from core.case.schema import Wall
+from core.case.writer import table_of
+from core.codes.record_compatibility import compliance
+from core.errors import Cancelled, InputError
+from core.report.json_report import results
+from core.study import plan
+from core.study import run as study
+from core.study.demand_input import demand_of
+from core.study.plan import longest_of, read_inputs, with_chosen
+from core.study.record_selection import select_records
+from core.study.sweep import SweepKey, sweep
+from core.units import G
+from tests.core.study.folder_of_records import EN, NTC, WALL, case, write_esm, write_folder
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    base = tmp_path_factory.mktemp("select")
+    write_folder(base)
+    return base
+
+
+def found_in(base, asked):
+    demand = demand_of(asked, base)
+    return select_records(asked.select, base, demand, longest_of(asked, base, demand))
+
+
+def test_that_the_files_of_a_folder_are_all_accounted_for(folder):
+    found = found_in(folder, case())
+    assert (found.files, found.candidates, found.every) == (23, 20, True)
+    assert {reason.code: n for reason, n in found.reasons} == {
+        "vertical_component": 1,
+        "no_numbers": 1,
+        "same_motion": 1,
+    }
+    assert "HNZ" in next(one for one in found.left_out if one.reason.code == "vertical_component").file.name
+
+
+@pytest.mark.parametrize("scaling", ["none", "common", "individual"])
+@pytest.mark.parametrize("spectrum", [NTC, EN])
+@pytest.mark.parametrize("ag", [0.08, 0.12, 0.2])
+def test_that_what_is_chosen_is_what_the_rules_of_the_code_then_judge(folder, scaling, spectrum, ag):
+    asked = case(demand={"ag_g": ag, "spectrum": spectrum}, scaling=scaling)
+    chosen, found = with_chosen(asked, folder)
+    demand, motions, kinds = read_inputs(chosen, folder)
+    judged = compliance(motions, kinds, demand, longest_of(asked, folder, demand))
+    assert judged.compatible == found.chosen.fits
+    by_name = {rule.name: rule.value for rule in judged.rules if rule.code == spectrum["code"][:-4]}
+    assert by_name["mean_lower"] == pytest.approx(found.chosen.lowest[1] - 1.0, abs=1e-9)
+    if spectrum is NTC:
+        assert by_name["mean_upper"] == pytest.approx(found.chosen.highest[1] - 1.0, abs=1e-9)
+    else:
+        assert by_name["mean_pga"] * G == pytest.approx(found.chosen.pga_ratio * demand.pga, rel=1e-9)
+    factors = [record.scale for record in found.chosen.records]
+    assert all(0.5 <= factor <= 2.0 for factor in factors)
+    assert len(set(factors)) == 1 or scaling == "individual"
+    assert [motion.scale for motion in motions] == factors
+
+
+def test_that_two_records_are_too_few_for_the_code_that_asks_for_three(folder):
+    for spectrum, enough in ((EN, False), (NTC, True)):
+        asked = case(demand={"ag_g": 0.12, "spectrum": spectrum}, count=2)
+        chosen, found = with_chosen(asked, folder)
+        demand, motions, kinds = read_inputs(chosen, folder)
+        judged = compliance(motions, kinds, demand, longest_of(asked, folder, demand))
+        assert found.chosen.miss == 0.0 and found.chosen.fits == judged.compatible == enough
+
+
+def test_that_a_sweep_keeps_the_records_that_were_chosen_once(folder, monkeypatch):
+    """A thicker wall has a longer period, by which other records would be chosen."""
+    calls = []
+    real = plan.select_records
+    monkeypatch.setattr(plan, "select_records", lambda *a, **k: calls.append(1) or real(*a, **k))
+    asked = replace(case(), analysis=replace(case().analysis, q_step=0.1))
+    points = list(sweep(asked, 0, SweepKey(Wall, "thickness_m"), [0.4, 0.6], base_dir=folder))
+    assert [point.error for point in points] == [None, None] and len(calls) == 1
+
+
+def test_that_each_record_is_of_another_station_and_no_event_has_three(folder):
+    _, motions, _ = read_inputs(case(count=5), folder)
+    stations = [dict(motion.details)["STATION_CODE"] for motion in motions]
+    events = [dict(motion.details)["EVENT_ID"] for motion in motions]
+    assert len(set(stations)) == 5 and max(map(events.count, events)) <= 2
+    with pytest.raises(
+        InputError, match="no set of 6 of these 20 records has at most 1 of a station and 1 of an event"
+    ):
+        found_in(folder, case(count=6, per_event=1))
+
+
+def test_that_the_order_of_the_files_and_their_names_change_no_set(folder, tmp_path):
+    """The same motions under other names, so that they come in another order."""
+    (tmp_path / "recs").mkdir()
+    names = {}
+    for k, path in enumerate(sorted((folder / "recs").glob("IT.*"), reverse=True)):
+        names[f"{k:02d}.ASC"] = path.name
+        shutil.copy(path, tmp_path / "recs" / f"{k:02d}.ASC")
+    there, here = found_in(folder, case()), found_in(tmp_path, case())
+    for one, other in zip(there.sets, here.sets, strict=True):
+        renamed = [(names[Path(record.file).name], record.scale) for record in other.records]
+        assert renamed == [(Path(record.file).name, record.scale) for record in one.records]
+        assert one.deviation == other.deviation
+
+
+def test_that_a_zip_is_chosen_from_as_the_folder_it_holds(folder, tmp_path):
+    with zipfile.ZipFile(tmp_path / "recs.zip", "w") as packed:
+        for path in sorted((folder / "recs").glob("IT.*")):
+            packed.write(path, path.name)
+    inside, beside = found_in(tmp_path, case("recs.zip")), found_in(folder, case())
+    channels = [[record.channel for record in one.records] for one in inside.sets]
+    assert channels == [[Path(record.file).name for record in one.records] for one in beside.sets]
+    assert {reason.code for reason, _ in inside.reasons} == {"vertical_component"}
+    _, motions, _ = read_inputs(case("recs.zip"), tmp_path)
+    assert [motion.channel for motion in motions] == channels[0]
+
+
+def test_that_limits_leave_out_what_is_beyond_and_what_does_not_say(folder):
+    found = found_in(folder, case(distance_km=[0.0, 20.0]))
+    assert found.candidates == 10
+    assert {reason.code: n for reason, n in found.reasons}["selected_beyond"] == 10
+    found = found_in(folder, case(soil="B"))
+    assert found.candidates == 10
+    assert {reason.code: n for reason, n in found.reasons}["selected_unsaid"] == 10
+    assert "does not say: soil" in next(r.text() for r, _ in found.reasons if r.code == "selected_unsaid")
+    with pytest.raises(
+        InputError, match=r"\[select\]: 0 records of 23 files can be chosen, and 3 are asked for.*magnitude"
+    ):
+        found_in(folder, case(magnitude=[7.0, 8.0]))
+
+
+def test_that_what_cannot_be_met_is_the_nearest_set_and_said_so(folder):
+    asked = case(demand={"ag_g": 1.5, "spectrum": NTC})
+    result = study.run(asked, base_dir=folder)
+    found = result.selection
+    assert not found.chosen.fits and found.chosen.miss > 0.1
+    assert {record.scale for record in found.chosen.records} == {2.0}
+    assert not result.compliance.compatible
+    assert [one.miss for one in found.sets] == sorted(one.miss for one in found.sets)
+    keys = results(result)["selection"]
+    assert keys["fits"] is False and keys["sets"][0]["miss"] == found.chosen.miss
+
+
+def test_that_a_run_takes_the_chosen_as_records_written_by_hand(folder):
+    chosen = study.run(case(), base_dir=folder)
+    content = results(chosen)
+    entries = [{key: record[key] for key in ("file", "scale")} for record in content["selection"]["sets"][0]["records"]]
+    by_hand = parse_case({"wall": [WALL], "record": entries, "demand": {"ag_g": 0.2, "spectrum": NTC}})
+    other = study.run(by_hand, base_dir=folder)
+    assert chosen.walls[0].q_set == other.walls[0].q_set
+    assert chosen.walls[0].assessment.verdict == other.walls[0].assessment.verdict
+    assert [one.file_sha256 for one in chosen.motions] == [one.file_sha256 for one in other.motions]
+    assert chosen.selection and other.selection is None and "selection" not in results(other)
+    assert json.loads(json.dumps(content["selection"]))["left_out"][0]["reason"]
+
+
+def test_that_a_choice_can_be_cancelled(folder):
+    asked = case()
+    demand = demand_of(asked, folder)
+    with pytest.raises(Cancelled):
+        select_records(asked.select, folder, demand, 0.0, cancelled=lambda: True)
+
+
+def test_that_a_folder_that_is_not_there_is_named(tmp_path):
+    with pytest.raises(InputError, match="nothing: there is no such folder or zip of records"):
+        found_in(tmp_path, case("nothing"))
+
+
+def test_that_a_scaled_copy_of_a_record_is_no_second_record(folder, tmp_path):
+    (tmp_path / "recs").mkdir()
+    for k in range(4):
+        write_esm(tmp_path / "recs" / f"{k}.ASC", k + 1, f"S{k}", f"EV-{k}")
+    samples = np.array((tmp_path / "recs" / "0.ASC").read_text().splitlines()[13:], dtype=float)
+    text = "\n".join(f"{value:.6f}" for value in 1.37 * samples)
+    (tmp_path / "recs" / "5.txt").write_text("# acceleration (cm/s2), dt=0.01 s\n" + text + "\n")
+    found = found_in(tmp_path, case())
+    assert found.candidates == 4
+    assert [(one.file.name, one.reason.code) for one in found.left_out] == [("5.txt", "same_motion")]
+
+
+def test_that_a_folder_of_real_records_gives_a_compatible_set(shelf, tmp_path):
+    """The shelf itself, from its case file to the keys of the results, with every file accounted for."""
+    text = f"""
+[[wall]]
+name = "w"
+height_m = 4.0
+thickness_m = 0.5
+base_z_m = 0.0
+mechanism = "one_sided"
+[select]
+folder = '{shelf.as_posix()}'
+count = 7
+[demand]
+ag_g = 0.2
+spectrum = {{ code = "NTC2018", f0 = 2.4, tc_star_s = 0.33, soil = "B", topography = "T1" }}
+[analysis]
+q_step = 0.05
+"""
+    (tmp_path / "case.toml").write_text(text)
+    result = study.run(read_case(tmp_path / "case.toml"), base_dir=tmp_path)
+    found = result.selection
+    assert found.chosen.fits and result.compliance.compatible and result.compliance.stations == 7
+    assert not any(warning.code in ("vertical", "borehole") for one in result.motions for warning in one.warnings)
+    assert found.candidates > 30
+    places = {str(one.file) for one in found.left_out}
+    whole = sum(1 for path in shelf.rglob("*") if path.is_file())
+    assert found.files == whole and len(places) >= whole - found.candidates
+
+
+def test_that_a_case_with_a_choice_is_written_and_read_back():
+    asked = case(scaling="individual", scale_limits=[0.8, 1.5], magnitude=[5.5, 7.0])
+    assert parse_case(table_of(asked)).select == asked.select
+    assert asked.select.scale_limits == (0.8, 1.5)
