@@ -25,6 +25,9 @@ from core.wall.wall_loads import check_given, check_loads
 MIN_LETTERS = 3
 """Letters of a text that is to name something."""
 
+SECTIONS = ("wall", "record", "report", "analysis", "site", "demand", "generate", "select", "building", "sensitivity")
+"""Whose keys the user writes."""
+
 NOTHING = {
     "none",
     "nothing",
@@ -364,7 +367,18 @@ def check_code_keys(asked, here) -> None:
 
 def _written(table: dict):
     """Places (section, index, key) the user wrote."""
-    for name in ("wall", "record", "report", "analysis", "site", "demand", "generate", "select", "building"):
+    for name in (
+        "wall",
+        "record",
+        "report",
+        "analysis",
+        "site",
+        "demand",
+        "generate",
+        "select",
+        "building",
+        "sensitivity",
+    ):
         items = table.get(name) or []
         for index, item in enumerate(items if isinstance(items, (list, tuple)) else [items]):
             for key in item if isinstance(item, dict) else ():

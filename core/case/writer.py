@@ -8,6 +8,12 @@ from core.case.schema import Case
 from core.case.variant_of import contracted
 from core.errors import InputError
 
+SECTIONS = ("report", "wall", "record", "generate", "select", "analysis", "site", "demand", "building", "sensitivity")
+"""Of a case file, in the order they are written."""
+
+STATED = ("generate", "select", "site", "demand", "building", "sensitivity")
+"""Sections that say something though no key of theirs differs from its default."""
+
 IDENTITY = {"wall": "name", "record": "file"}
 """Keys of many tables, and what a table of them is known by."""
 
@@ -20,18 +26,7 @@ def table_of(case: Case) -> dict:
     content = case.as_dict()
     if case.walls is not None:
         table["walls"] = case.walls
-    for section in (
-        "report",
-        "wall",
-        "record",
-        "generate",
-        "select",
-        "analysis",
-        "site",
-        "demand",
-        "building",
-        "sensitivity",
-    ):
+    for section in SECTIONS:
         items = content[section]
         items = items if isinstance(items, tuple) else [items] if items is not None else []
         tables = [
@@ -41,7 +36,7 @@ def table_of(case: Case) -> dict:
         if section in ("wall", "record"):
             if tables:
                 table[section] = tables
-        elif tables and (tables[0] or section in ("generate", "select", "site", "demand", "building", "sensitivity")):
+        elif tables and (tables[0] or section in STATED):
             table[section] = without_derived(case.site, tables[0]) if section == "demand" else tables[0]
     return table
 

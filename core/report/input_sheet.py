@@ -78,7 +78,7 @@ def spelled(value, book: Book) -> str:
 def _sections(book: Book, case: Case):
     """(section, index, heading, keys and values)"""
     content = case.as_dict()
-    for section in ("report", "demand", "building", "wall", "record", "generate", "select", "analysis"):
+    for section in ("report", "demand", "building", "wall", "record", "generate", "select", "analysis", "sensitivity"):
         items = content[section]
         heading = word(f"section_{section}", book.language)
         if isinstance(items, dict):
