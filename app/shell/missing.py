@@ -172,7 +172,10 @@ class Missing(QFrame):
             section = (error.section or "").strip("[]").split(".")[0]
             place = {"demand": "demand", "building": "building", "report": "report", "analysis": "report"}
             place |= {"site": "demand"}
-            window.show_input({"record": "records", "generate": "records"}.get(section) or place.get(section, "wall"))
+            window.show_input(
+                {"record": "records", "generate": "records", "select": "records"}.get(section)
+                or place.get(section, "wall")
+            )
 
     def _record(self, row: int) -> None:
         self.window_of.show_input("records")

@@ -104,7 +104,7 @@ class CheckTab(QWidget):
         column.addWidget(self.checks, 1)
         column.addWidget(self.more, 0, Qt.AlignmentFlag.AlignRight)
         self.peaks = Chart(tr("record"), "θmax/θc [-]", tr("Peaks at the demand"))
-        self.peaks.setMinimumHeight(150)
+        self.peaks.setMinimumHeight(max(150, 12 * self.fontMetrics().height()))  # its levels apart in large letters
         self.peaks.setToolTip(tr("Click a bar for the history of its record."))
         self.peaks.clicked.connect(self._clicked)
         self.runs: list[tuple[int, int]] = []
@@ -117,7 +117,6 @@ class CheckTab(QWidget):
         self.split.setStretchFactor(2, 1)
         # what the words above leave, else the page scrolls by the chart's wish
         self.split.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
-        self.split.setMinimumHeight(MIN_HEIGHT)
         self.facts = QLabel()
         self.facts.setTextFormat(Qt.TextFormat.RichText)
         self.facts.setWordWrap(True)
@@ -218,6 +217,7 @@ class CheckTab(QWidget):
             others.insert(0, self._mechanism(assessment))
         self._fold(others)
         self.ladder.show_rungs([self._rung(check, verdict) for check in assessment.checks], verdict.zeta_target)
+        self.split.setMinimumHeight(max(MIN_HEIGHT, self.split.minimumSizeHint().height()))
         self.facts.setText(self._facts(result, wall))
         self.table.show_rows(*self._rows(result, wall))
         self.peaks.caption = f"{called(wall.name)}, {word(wall.mechanism, self.language)}"
